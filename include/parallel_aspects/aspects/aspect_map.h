@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASPECTS_ASPECT_MAP_H
+#define PARALLEL_ASPECTS_ASPECTS_ASPECT_MAP_H
+
+#include <atomic>
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "parallel_aspects/aspects/box.h"
+#include "parallel_aspects/kinematics/working_mode.h"
+#include "parallel_aspects/model/manipulator.h"
+#include "parallel_aspects/model/pose.h"
+
+namespace parallel_aspects {
+
+class PoseTree;
+
+/// What to compute. Every value has a default that suits the robot.
+struct MapOptions {
+  /// No undecided leaf of the base map has an edge longer than this [m or rad]; positive.
+  /// Default: 1/200 of the robot's size.
+  std::optional<double> resolution;
+
+  /// Where to look; by default a box that encloses every reachable pose. Rounded outward to binary fractions.
+  std::optional<Box> region;
+
+  /// Worker threads; 0 for one a core. The result does not depend on it.
+  unsigned threads = 0;
+
+  /// How many times contested leaves may be halved below the resolution, 0 to 20.
+  int extra_levels = 12;
+};
+
+/// Hooks into a long computation. Both may be left empty.
+struct MapControl {
+  std::function<void(double)> progress;            ///< called with the share done, 0 to 1, from the calling thread
+  const std::atomic<bool>* cancelled = nullptr;    ///< polled; the computation ends soon after it turns true
+};
+
+/// A proved connected singularity-free set of one working mode and one sign of det A: part of exactly one generalized
+/// aspect A_ij (Definition 6 of the paper), and all of it that the resolution shows.
+struct Aspect {
+  int id = 0;  ///< from 1: by mode index, then positive before negative det A, then falling measure
+  WorkingMode mode;
+  int determinant_sign = 0;       ///< +1 or -1
+  double measure = 0.0;           ///< best estimate of the volume of its workspace projection WA_ij
+  double measure_lower = 0.0;     ///< proved: volume of its inside leaves
+  double measure_upper = 0.0;     ///< proved, unless unresolved: with every undecided leaf that could belong to it
+  std::size_t inside_leaves = 0;
+  Box bounds;                     ///< of the inside leaves
+  Pose deepest;                   ///< center of the largest ball found in the inside leaves
+  double deepest_clearance = 0.0; ///< its radius: no singularity or limit is closer, in pose coordinates [m or rad]
+  std::vector<int> unresolved_with;  ///< ids that could be the same aspect; empty when proved separate from all others
+};
+
+enum class LocationStatus {
+  inside,      ///< proved: `aspect` holds the pose
+  undecided,   ///< closer to a singularity or a limit than the map can tell
+  outside,     ///< proved: this working mode does not reach the pose, or not within limits
+  not_mapped,  ///< outside the region of the map, or not finite
+};
+
+struct Location {
+  LocationStatus status = LocationStatus::not_mapped;
+  int aspect = 0;  ///< id, where inside
+};
+
+/// The generalized aspects of a manipulator, certified: a 2^d-tree of pose boxes, each proved inside one sign of det A,
+/// proved outside, or undecided, for each working mode. Immutable; may be read from any number of threads.
+class AspectMap {
+ public:
+  struct Contents;  ///< what the computation hands over
+  explicit AspectMap(std::unique_ptr<const Contents> contents);
+  ~AspectMap();
+  AspectMap(const AspectMap&) = delete;
+  AspectMap& operator=(const AspectMap&) = delete;
+
+  const std::shared_ptr<const Manipulator>& manipulator() const noexcept;
+  const Box& region() const noexcept;                         ///< what was searched
+  double resolution() const noexcept;                         ///< longest edge of a base leaf [m or rad]
+  const std::vector<WorkingMode>& working_modes() const noexcept;  ///< those with at least one inside leaf
+
+  /// All aspects found; `aspect(id)` is `aspects()[id - 1]`.
+  const std::vector<Aspect>& aspects() const noexcept;
+
+  /// Lower bound of the number of generalized aspects, proved: inside components no two of which could be one.
+  std::size_t proved_count() const noexcept;
+
+  /// Pairs of `aspects()` that are neither joined nor proved separate.
+  const std::vector<std::pair<int, int>>& unresolved() const noexcept;
+
+  /// Total volume of undecided leaves over all working modes: what could hide aspects too small to see.
+  double measure_undecided() const noexcept;
+
+  /// Time that the computation took [s].
+  double seconds() const noexcept;
+
+  /// Which aspect holds this pose in this working mode.
+  Location locate(const Pose& pose, const WorkingMode& mode) const noexcept;
+
+  /// Calls `visit` with every inside leaf of an aspect.
+  void visit_inside_leaves(int aspect, const std::function<void(const Box&)>& visit) const;
+
+  /// Calls `visit` with every undecided leaf of a working mode.
+  void visit_undecided_leaves(const WorkingMode& mode, const std::function<void(const Box&)>& visit) const;
+
+ private:
+  std::unique_ptr<const Contents> contents_;
+};
+
+enum class MapStatus { complete, cancelled, refused };
+
+struct MapResult {
+  MapStatus status = MapStatus::refused;
+  std::string sentence;                  ///< why, unless complete
+  std::shared_ptr<const AspectMap> map;  ///< set when complete
+};
+
+/// Computes the map. Task spaces: T2; the others are refused with a sentence. Bad options are refused likewise.
+MapResult compute_aspect_map(std::shared_ptr<const Manipulator> manipulator, const MapOptions& options = {},
+                             const MapControl& control = {});
+
+/// The resolution that is taken where none is given [m].
+double default_resolution(const Manipulator& manipulator) noexcept;
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ASPECTS_ASPECT_MAP_H

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_MODEL_LEG_H
+#define PARALLEL_ASPECTS_MODEL_LEG_H
+
+#include <limits>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include <Eigen/Core>
+
+#include "parallel_aspects/model/pose.h"
+
+namespace parallel_aspects {
+
+/// The proximal point c runs on a circle: c(q) = center + radius (cos q e1 + sin q e2), with e1 = zero_direction and
+/// e2 = axis x e1. Legs RRR, RUS, RSS, Delta, and spherical RRR. Drive value q in rad.
+struct RevoluteDrive {
+  Eigen::Vector3d center;          ///< of the circle, in the task frame [m]
+  Eigen::Vector3d axis;            ///< unit vector; q turns about it by the right-hand rule
+  Eigen::Vector3d zero_direction;  ///< unit vector orthogonal to axis; from center to c at q = 0
+  double radius;                   ///< [m], positive
+};
+
+/// The proximal point runs on a line: c(q) = origin + q direction. Legs PRR, PUS, PSS. Drive value q in m.
+struct PrismaticDrive {
+  Eigen::Vector3d origin;     ///< c at q = 0, in the task frame [m]
+  Eigen::Vector3d direction;  ///< unit vector
+};
+
+/// The rod itself is driven: c fixed, rho(q) = length_at_zero + sense q. Legs RPR, UPS, SPS. Drive value q in m.
+struct StrutDrive {
+  Eigen::Vector3d base;         ///< c, in the task frame [m]
+  double length_at_zero = 0.0;  ///< rho at q = 0 [m]
+  double sense = 1.0;           ///< +1 or -1
+};
+
+/// The elbow between two links is driven: c fixed, and by the law of cosines
+/// rho(q)^2 = inner^2 + outer^2 + 2 inner outer cos(angle_at_zero + sense q). Drive value q in rad.
+struct ElbowDrive {
+  Eigen::Vector3d base;        ///< c, in the task frame [m]
+  double inner_length;         ///< link on the base [m], positive
+  double outer_length;         ///< link on the platform [m], positive
+  double angle_at_zero = 0.0;  ///< between the two links at q = 0; 0 is stretched [rad]
+  double sense = 1.0;          ///< +1 or -1
+};
+
+using Drive = std::variant<RevoluteDrive, PrismaticDrive, StrutDrive, ElbowDrive>;
+
+/// Range of a joint value, both ends included; unlimited by default. rad or m.
+struct JointLimits {
+  double lower = -std::numeric_limits<double>::infinity();
+  double upper = std::numeric_limits<double>::infinity();
+
+  bool limited() const noexcept { return lower > -std::numeric_limits<double>::infinity() ||
+                                         upper < std::numeric_limits<double>::infinity(); }
+  bool contain(double value) const noexcept { return lower <= value && value <= upper; }
+};
+
+/// One leg of a fully parallel manipulator, as one scalar equation between its drive and the pose:
+///
+///     f(X, q) = |p(X) - c(q)|^2 - rho(q)^2 = 0
+///
+/// p(X) is the anchor, fixed in the platform; c(q) the proximal point; rho(q) the distance between the two.
+struct Leg {
+  std::string name;          ///< for people; unique in a manipulator
+  std::string driven_joint;  ///< name of the actuated joint; unique in a manipulator
+  Drive drive;
+  Eigen::Vector3d anchor = Eigen::Vector3d::Zero();  ///< in the platform frame [m]
+  double rod_length = 0.0;  ///< rho for revolute and prismatic drives [m], positive; unused by the others
+  JointLimits limits;       ///< of the drive value
+
+  Eigen::Vector3d proximal_point(double q) const noexcept;             ///< c(q) [m]
+  Eigen::Vector3d proximal_point_derivative(double q) const noexcept;  ///< dc/dq [m/rad or 1]
+  double squared_distance(double q) const noexcept;                    ///< rho(q)^2 [m^2]
+  double squared_distance_derivative(double q) const noexcept;         ///< d(rho^2)/dq = 2 rho rho'
+
+  /// f(X, q) [m^2]: zero when the leg is assembled.
+  double residual(const Pose& pose, double q) const noexcept;
+
+  /// Whether the drive value is an angle [rad] rather than a length [m].
+  bool driven_by_angle() const noexcept;
+
+  /// Whether B_jj can take this sign (+1 or -1). Both signs, except for a strut: its length is positive, so that B_jj
+  /// always has the sign of its sense.
+  bool has_branch(int sign) const noexcept;
+
+  /// No anchor within reach of the leg is farther from `base_point()` than this [m]; infinite for a prismatic drive
+  /// or a strut without limits.
+  double longest_reach() const noexcept;
+
+  /// The fixed point that `longest_reach` counts from, in the task frame [m].
+  Eigen::Vector3d base_point() const noexcept;
+};
+
+/// "revolute drive", "prismatic drive", "strut" or "driven elbow".
+std::string_view kind_name(const Drive& drive) noexcept;
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_MODEL_LEG_H

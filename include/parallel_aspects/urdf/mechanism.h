@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_URDF_MECHANISM_H
+#define PARALLEL_ASPECTS_URDF_MECHANISM_H
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "parallel_aspects/model/manipulator.h"
+#include "parallel_aspects/model/pose.h"
+
+namespace parallel_aspects {
+
+/// A manipulator together with the joints of the URDF that it came from. Immutable.
+class Mechanism {
+ public:
+  struct Contents;  ///< what the loader hands over
+  explicit Mechanism(std::unique_ptr<const Contents> contents);
+  ~Mechanism();
+  Mechanism(const Mechanism&) = delete;
+  Mechanism& operator=(const Mechanism&) = delete;
+
+  const std::shared_ptr<const Manipulator>& manipulator() const noexcept;
+
+  /// Link whose origin is the operational point.
+  const std::string& platform_link() const noexcept;
+
+  /// Every movable joint of the tree, actuated and passive, in the order of the URDF.
+  const std::vector<std::string>& joint_names() const noexcept;
+
+  /// Values of all `joint_names()` that close every loop at this configuration [rad or m]. False, with `positions`
+  /// untouched, where the loops do not close. `positions` must have as many entries as there are names.
+  bool complete(const Pose& pose, const JointVector& q, Eigen::Ref<Eigen::VectorXd> positions) const noexcept;
+
+  /// What the loader took where the description left a choice, and what it accepted with reservations; sentences.
+  const std::vector<std::string>& notes() const noexcept;
+
+ private:
+  std::unique_ptr<const Contents> contents_;
+};
+
+/// Reads a tree URDF and the YAML that closes it. `urdf_name` and `config_name` are file or parameter names, for
+/// messages. Throws `InvalidDescription` with every problem found.
+std::shared_ptr<const Mechanism> load_mechanism(const std::string& urdf_text, const std::string& urdf_name,
+                                                const std::string& config_text,
+                                                const std::string& config_name);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_URDF_MECHANISM_H

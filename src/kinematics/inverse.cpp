@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/kinematics/inverse.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace parallel_aspects {
+namespace {
+
+constexpr double turn = 2.0 * EIGEN_PI;
+
+double square(double x) { return x * x; }
+
+// With r the crank, R the rod and n the axis: h^2 = ((r+R)^2 - |d|^2)(|d|^2 - (r-R)^2)/4 - r^2 (d.n)^2.
+double squared_entry(const RevoluteDrive& drive, const Leg& leg, const Eigen::Vector3d& d) {
+  const double w = d.squaredNorm();
+  return 0.25 * (square(drive.radius + leg.rod_length) - w) * (w - square(drive.radius - leg.rod_length)) -
+         square(drive.radius * drive.axis.dot(d));
+}
+
+double squared_entry(const PrismaticDrive& drive, const Leg& leg, const Eigen::Vector3d& d) {
+  return square(leg.rod_length) - drive.direction.cross(d).squaredNorm();
+}
+
+double squared_entry(const StrutDrive&, const Leg&, const Eigen::Vector3d& d) { return d.squaredNorm(); }
+
+double squared_entry(const ElbowDrive& drive, const Leg&, const Eigen::Vector3d& d) {
+  const double w = d.squaredNorm();
+  return 0.25 * (square(drive.inner_length + drive.outer_length) - w) *
+         (w - square(drive.inner_length - drive.outer_length));
+}
+
+double value(const RevoluteDrive& drive, const Leg& leg, const Eigen::Vector3d& d, double entry) {
+  const double d1 = drive.zero_direction.dot(d);
+  const double d2 = drive.axis.cross(drive.zero_direction).dot(d);
+  const double a = 0.5 * (d.squaredNorm() + square(drive.radius) - square(leg.rod_length));
+  return std::atan2(a * d2 - entry * d1, a * d1 + entry * d2);
+}
+
+double value(const PrismaticDrive& drive, const Leg&, const Eigen::Vector3d& d, double entry) {
+  return drive.direction.dot(d) - entry;
+}
+
+double value(const StrutDrive& drive, const Leg&, const Eigen::Vector3d& d, double) {
+  return drive.sense * (d.norm() - drive.length_at_zero);
+}
+
+double value(const ElbowDrive& drive, const Leg&, const Eigen::Vector3d& d, double entry) {
+  const double cosine = 0.5 * (d.squaredNorm() - square(drive.inner_length) - square(drive.outer_length));
+  const double angle = std::atan2(-drive.sense * entry, cosine);
+  return std::remainder(drive.sense * (angle - drive.angle_at_zero), turn);
+}
+
+// The turn of `angle` that is inside the limits, or else the angle itself.
+double turned_into(const JointLimits& limits, double angle) {
+  if (limits.contain(angle) || !limits.limited()) return angle;
+  const double candidate = std::isfinite(limits.lower)
+                               ? angle + turn * std::ceil((limits.lower - angle) / turn)
+                               : angle + turn * std::floor((limits.upper - angle) / turn);
+  return limits.contain(candidate) ? candidate : angle;
+}
+
+}  // namespace
+
+double squared_inverse_entry(const Leg& leg, const Eigen::Vector3d& point) noexcept {
+  const Eigen::Vector3d d = point - leg.base_point();
+  return std::visit([&](const auto& drive) { return squared_entry(drive, leg, d); }, leg.drive);
+}
+
+double drive_value(const Leg& leg, const Eigen::Vector3d& point, int sign) noexcept {
+  const Eigen::Vector3d d = point - leg.base_point();
+  return std::visit(
+      [&](const auto& drive) {
+        const double entry = sign * std::sqrt(std::max(0.0, squared_entry(drive, leg, d)));
+        const double q = value(drive, leg, d, entry);
+        return leg.driven_by_angle() ? turned_into(leg.limits, q) : q;
+      },
+      leg.drive);
+}
+
+InverseSolution inverse(const Manipulator& manipulator, const Pose& pose, const WorkingMode& mode) noexcept {
+  InverseSolution solution{InverseStatus::solved, mode, JointVector(manipulator.leg_count()), 0};
+  for (std::size_t j = 0; j < manipulator.leg_count(); ++j) {
+    const Leg& leg = manipulator.leg(j);
+    const Eigen::Vector3d point = pose.transform(leg.anchor);
+    if (!(squared_inverse_entry(leg, point) >= 0.0)) return {InverseStatus::out_of_reach, mode, {}, j};
+    const double q = drive_value(leg, point, mode.sign(j));
+    solution.q[static_cast<Eigen::Index>(j)] = q;
+    if (solution.status == InverseStatus::solved && !leg.limits.contain(q)) {
+      solution.status = InverseStatus::outside_limits;
+      solution.leg = j;
+    }
+  }
+  return solution;
+}
+
+std::vector<InverseSolution> inverse_in_all_modes(const Manipulator& manipulator, const Pose& pose) {
+  std::vector<InverseSolution> solutions;
+  for (const WorkingMode& mode : working_modes(manipulator))
+    solutions.push_back(inverse(manipulator, pose, mode));
+  return solutions;
+}
+
+const char* name(InverseStatus status) noexcept {
+  switch (status) {
+    case InverseStatus::solved:
+      return "solved";
+    case InverseStatus::out_of_reach:
+      return "out of reach";
+    case InverseStatus::outside_limits:
+      return "outside joint limits";
+  }
+  return "unknown";
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/kinematics/jacobians.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+namespace parallel_aspects {
+namespace {
+
+TaskVector row(TaskSpace space, const Eigen::Vector3d& b, const Eigen::Vector3d& u) {
+  TaskVector result(static_cast<Eigen::Index>(freedoms(space)));
+  const Eigen::Vector3d moment = b.cross(u);
+  switch (space) {
+    case TaskSpace::T2:
+      result << u.head<2>();
+      break;
+    case TaskSpace::SE2:
+      result << moment.z(), u.head<2>();
+      break;
+    case TaskSpace::T3:
+      result << u;
+      break;
+    case TaskSpace::SO3:
+      result << moment;
+      break;
+    case TaskSpace::SE3:
+      result << moment, u;
+      break;
+  }
+  return result;
+}
+
+}  // namespace
+
+TaskMatrix direct_matrix(const Manipulator& manipulator, const Pose& pose, const JointVector& q) {
+  const auto n = static_cast<Eigen::Index>(manipulator.leg_count());
+  TaskMatrix matrix(n, n);
+  for (Eigen::Index j = 0; j < n; ++j) {
+    const Leg& leg = manipulator.leg(static_cast<std::size_t>(j));
+    const Eigen::Vector3d b = pose.orientation * leg.anchor;
+    const Eigen::Vector3d u = pose.position + b - leg.proximal_point(q[j]);
+    matrix.row(j) = row(manipulator.task_space(), b, u);
+  }
+  return matrix;
+}
+
+TaskVector inverse_diagonal(const Manipulator& manipulator, const Pose& pose, const JointVector& q) {
+  const auto n = static_cast<Eigen::Index>(manipulator.leg_count());
+  TaskVector diagonal(n);
+  for (Eigen::Index j = 0; j < n; ++j) {
+    const Leg& leg = manipulator.leg(static_cast<std::size_t>(j));
+    const Eigen::Vector3d u = pose.transform(leg.anchor) - leg.proximal_point(q[j]);
+    diagonal[j] =
+        u.dot(leg.proximal_point_derivative(q[j])) + 0.5 * leg.squared_distance_derivative(q[j]);
+  }
+  return diagonal;
+}
+
+TaskVector residuals(const Manipulator& manipulator, const Pose& pose, const JointVector& q) {
+  const auto n = static_cast<Eigen::Index>(manipulator.leg_count());
+  TaskVector result(n);
+  for (Eigen::Index j = 0; j < n; ++j)
+    result[j] = manipulator.leg(static_cast<std::size_t>(j)).residual(pose, q[j]);
+  return result;
+}
+
+double direct_determinant(const Manipulator& manipulator, const Pose& pose, const JointVector& q) {
+  return direct_matrix(manipulator, pose, q).determinant();
+}
+
+std::optional<WorkingMode> working_mode(const Manipulator& manipulator, const Pose& pose,
+                                        const JointVector& q) {
+  const TaskVector diagonal = inverse_diagonal(manipulator, pose, q);
+  WorkingMode mode(manipulator.leg_count());
+  for (Eigen::Index j = 0; j < diagonal.size(); ++j) {
+    if (!(diagonal[j] < 0.0 || diagonal[j] > 0.0)) return std::nullopt;
+    mode.set_sign(static_cast<std::size_t>(j), diagonal[j] > 0.0 ? 1 : -1);
+  }
+  return mode;
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/model/manipulator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "parallel_aspects/model/problems.h"
+
+namespace parallel_aspects {
+namespace {
+
+// Directions come from URDF text with few digits and are normalised there; what is left is rounding.
+constexpr double direction_tolerance = 1e-9;
+
+class LegCheck {
+ public:
+  LegCheck(const Leg& leg, Problems& problems) : leg_(leg), problems_(problems) {
+    finite(leg.anchor, "anchor");
+    std::visit([this](const auto& drive) { check(drive); }, leg.drive);
+    if (std::isnan(leg.limits.lower) || std::isnan(leg.limits.upper) || leg.limits.lower > leg.limits.upper)
+      say("has joint limits that are NaN or whose lower end is above the upper one; mend the limits of joint '" +
+          leg.driven_joint + "'.");
+  }
+
+ private:
+  void say(const std::string& text) { problems_.push_back("Leg '" + leg_.name + "' " + text); }
+
+  void finite(const Eigen::Vector3d& value, const std::string& what) {
+    if (!value.allFinite()) say("has a " + what + " that is not finite; give finite numbers.");
+  }
+
+  void positive(double value, const std::string& what) {
+    if (!std::isfinite(value) || value <= 0.0)
+      say("has a " + what + " of " + std::to_string(value) + " m; it must be finite and positive.");
+  }
+
+  void unit(const Eigen::Vector3d& value, const std::string& what) {
+    if (!value.allFinite() || std::abs(value.norm() - 1.0) > direction_tolerance)
+      say("has a " + what + " that is not a unit vector; normalise it.");
+  }
+
+  void sign(double value) {
+    if (value != 1.0 && value != -1.0) say("has a drive sense that is neither 1 nor -1; give one of them.");
+  }
+
+  void check(const RevoluteDrive& drive) {
+    finite(drive.center, "drive center");
+    unit(drive.axis, "drive axis");
+    unit(drive.zero_direction, "zero direction");
+    if (std::abs(drive.axis.dot(drive.zero_direction)) > direction_tolerance)
+      say("has a zero direction that is not orthogonal to its drive axis; project it.");
+    positive(drive.radius, "crank length");
+    positive(leg_.rod_length, "rod length");
+  }
+
+  void check(const PrismaticDrive& drive) {
+    finite(drive.origin, "drive origin");
+    unit(drive.direction, "drive direction");
+    positive(leg_.rod_length, "rod length");
+  }
+
+  void check(const StrutDrive& drive) {
+    finite(drive.base, "base point");
+    sign(drive.sense);
+    if (!std::isfinite(drive.length_at_zero)) say("has a strut length that is not finite; give a finite one.");
+  }
+
+  void check(const ElbowDrive& drive) {
+    finite(drive.base, "base point");
+    positive(drive.inner_length, "inner length");
+    positive(drive.outer_length, "outer length");
+    sign(drive.sense);
+    if (!std::isfinite(drive.angle_at_zero)) say("has an elbow angle that is not finite; give a finite one.");
+  }
+
+  const Leg& leg_;
+  Problems& problems_;
+};
+
+void check_names(const std::vector<Leg>& legs, Problems& problems) {
+  std::set<std::string> names, joints;
+  for (const Leg& leg : legs) {
+    if (leg.name.empty() || !names.insert(leg.name).second)
+      problems.push_back("Two legs are named '" + leg.name + "', or the name is empty; name each leg once.");
+    if (leg.driven_joint.empty() || !joints.insert(leg.driven_joint).second)
+      problems.push_back("Two legs are driven by '" + leg.driven_joint +
+                         "', or the joint's name is empty; each leg needs one drive of its own.");
+  }
+}
+
+void check_leg_count(const ManipulatorDescription& description, Problems& problems) {
+  const std::size_t expected = freedoms(description.task_space);
+  if (description.legs.size() != expected)
+    problems.push_back("Manipulator '" + description.name + "' has " +
+                       std::to_string(description.legs.size()) + " legs, but its task space " +
+                       std::string(name(description.task_space)) + " needs " + std::to_string(expected) +
+                       ", one for each freedom of the platform.");
+}
+
+Problems find_problems(const ManipulatorDescription& description) {
+  Problems problems;
+  if (description.name.empty()) problems.emplace_back("The manipulator has no name; give one.");
+  check_leg_count(description, problems);
+  check_names(description.legs, problems);
+  for (const Leg& leg : description.legs) LegCheck(leg, problems);
+  if (!description.task_frame.matrix().allFinite())
+    problems.emplace_back("The task frame is not finite; give finite numbers.");
+  return problems;
+}
+
+double mean_anchor_distance(const std::vector<Leg>& legs) {
+  double sum = 0.0;
+  for (const Leg& leg : legs) sum += leg.anchor.squaredNorm();
+  return std::sqrt(sum / static_cast<double>(legs.size()));
+}
+
+double robot_size(const std::vector<Leg>& legs) {
+  double spread = 0.0, reach = 0.0;
+  for (const Leg& one : legs) {
+    for (const Leg& other : legs) spread = std::max(spread, (one.base_point() - other.base_point()).norm());
+    if (std::isfinite(one.longest_reach())) reach = std::max(reach, one.longest_reach());
+    reach = std::max(reach, one.rod_length);
+  }
+  return spread + reach;
+}
+
+}  // namespace
+
+Manipulator::Manipulator(ManipulatorDescription description) : description_(std::move(description)) {
+  Problems problems = find_problems(description_);
+  if (!problems.empty()) throw InvalidDescription(std::move(problems));
+  const double distance = mean_anchor_distance(description_.legs);
+  characteristic_length_ = has_rotation(description_.task_space) && distance > 0.0 ? distance : 1.0;
+  size_ = robot_size(description_.legs);
+}
+
+bool Manipulator::within_limits(const JointVector& q) const noexcept {
+  for (std::size_t j = 0; j < leg_count(); ++j) {
+    const double value = q[static_cast<Eigen::Index>(j)];
+    if (!std::isfinite(value) || !leg(j).limits.contain(value)) return false;
+  }
+  return true;
+}
+
+}  // namespace parallel_aspects
