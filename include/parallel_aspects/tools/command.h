@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_TOOLS_COMMAND_H
+#define PARALLEL_ASPECTS_TOOLS_COMMAND_H
+
+#include <atomic>
+#include <functional>
+#include <ostream>
+
+namespace parallel_aspects::tools {
+
+/// Exit codes of the command.
+namespace exit_code {
+inline constexpr int ok = 0;
+inline constexpr int bad_input = 1;      ///< the robot, a file or a number was refused
+inline constexpr int bad_usage = 2;      ///< the command line was not understood
+inline constexpr int interrupted = 130;  ///< by Ctrl-C
+}  // namespace exit_code
+
+/// What the command talks to.
+struct Surroundings {
+  std::ostream& output;                            ///< results, complete or not at all
+  std::ostream& messages;                          ///< problems, one a line, and the progress bar
+  bool messages_on_terminal = false;               ///< whether to draw a progress bar
+  const std::atomic<bool>* interrupted = nullptr;  ///< turns true at Ctrl-C
+};
+
+/// Runs the command line `aspects ...` and returns its exit code. Throws nothing.
+int run_command(int argc, const char* const* argv, const Surroundings& surroundings) noexcept;
+
+}  // namespace parallel_aspects::tools
+
+#endif  // PARALLEL_ASPECTS_TOOLS_COMMAND_H

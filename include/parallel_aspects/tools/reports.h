@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_TOOLS_REPORTS_H
+#define PARALLEL_ASPECTS_TOOLS_REPORTS_H
+
+#include "parallel_aspects/aspects/aspect_map.h"
+#include "parallel_aspects/kinematics/direct.h"
+#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/tools/report.h"
+#include "parallel_aspects/urdf/mechanism.h"
+
+#include <string>
+#include <vector>
+
+/// What each subcommand says about a result. Pure functions; the fields are documented in docs/command.md.
+namespace parallel_aspects::tools {
+
+/// `aspects map`: the table of aspects, and what is proved and what is not.
+Report report_map(const AspectMap& map);
+
+/// `aspects describe`: what was recognised in the description of the robot.
+Report report_mechanism(const Mechanism& mechanism);
+
+/// `aspects ik`: the inverse solutions at `pose`, one a working mode, solved or not.
+Report report_inverse(const Mechanism& mechanism, const Pose& pose,
+                      const std::vector<InverseSolution>& solutions);
+
+/// `aspects fk`: the assembly modes at the drive values `q`.
+Report report_direct(const Mechanism& mechanism, const JointVector& q, const DirectResult& result);
+
+/// `aspects robots`: names of the shipped robots.
+Report report_robots(const std::vector<std::string>& names);
+
+}  // namespace parallel_aspects::tools
+
+#endif  // PARALLEL_ASPECTS_TOOLS_REPORTS_H

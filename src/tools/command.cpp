@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/tools/command.h"
+
+#include "parallel_aspects/model/problems.h"
+#include "parallel_aspects/tools/subcommands.h"
+
+#include <exception>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects::tools {
+namespace {
+
+constexpr const char* description =
+    "Working modes, aspects and singularities of fully parallel manipulators.\n"
+    "Lengths in metres, angles in radians.";
+
+constexpr const char* footer =
+    "\nExit codes: 0 done, 1 the robot, a file or a number was refused, 2 the command line was not "
+    "understood,\n"
+    "130 ended by Ctrl-C. Results go to the standard output, problems to the standard error, one a line.";
+
+bool is_interrupted(const Surroundings& surroundings) {
+  return surroundings.interrupted != nullptr && *surroundings.interrupted;
+}
+
+int print(const std::string& text, const Surroundings& surroundings) {
+  surroundings.output << text << std::flush;
+  if (surroundings.output.good()) return exit_code::ok;
+  surroundings.messages << "The result could not be written to the standard output; check where it goes.\n";
+  return exit_code::bad_input;
+}
+
+int perform(const Subcommand& subcommand, bool json, const Surroundings& surroundings) {
+  try {
+    const Report report = subcommand.run(surroundings);
+    if (is_interrupted(surroundings)) return exit_code::interrupted;
+    return print(json ? to_text(report.json) : report.text, surroundings);
+  } catch (const Interrupted&) {
+    return exit_code::interrupted;
+  } catch (const InvalidDescription& invalid) {
+    surroundings.messages << invalid.what() << std::endl;
+    return exit_code::bad_input;
+  }
+}
+
+class CommandLine {
+ public:
+  CommandLine() : app_(description, "aspects") {
+    app_.footer(footer);
+    app_.require_subcommand(0, 1);
+    app_.add_flag("--version", version_, "Print the version and exit");
+    subcommands_ = {add_map(app_), add_describe(app_), add_inverse(app_), add_direct(app_), add_robots(app_)};
+    for (const Subcommand& subcommand : subcommands_)
+      subcommand.app->add_flag("--json", json_, "Print JSON, as documented in docs/command.md");
+  }
+
+  int run(int argc, const char* const* argv, const Surroundings& surroundings) {
+    try {
+      app_.parse(argc, argv);
+    } catch (const CLI::ParseError& end) {
+      return app_.exit(end, surroundings.output, surroundings.messages) == 0 ? exit_code::ok
+                                                                             : exit_code::bad_usage;
+    }
+    if (version_) return print("aspects " PARALLEL_ASPECTS_VERSION "\n", surroundings);
+    for (const Subcommand& subcommand : subcommands_)
+      if (subcommand.app->parsed()) return perform(subcommand, json_, surroundings);
+    surroundings.messages << app_.help();
+    return exit_code::bad_usage;
+  }
+
+ private:
+  CLI::App app_;
+  bool version_ = false;
+  bool json_ = false;
+  std::vector<Subcommand> subcommands_;
+};
+
+}  // namespace
+
+int run_command(int argc, const char* const* argv, const Surroundings& surroundings) noexcept {
+  try {
+    return CommandLine().run(argc, argv, surroundings);
+  } catch (const std::exception& error) {
+    surroundings.messages << "The command failed: " << error.what() << std::endl;
+    return exit_code::bad_input;
+  }
+}
+
+void add_robot_options(CLI::App& subcommand, RobotChoice& choice) {
+  subcommand.add_option("ROBOT", choice.name, "Name of a shipped robot; `aspects robots` lists them")
+      ->type_name("");
+  subcommand.add_option("--urdf", choice.urdf_file, "URDF of another robot, together with --config")
+      ->type_name("FILE");
+  subcommand.add_option("--config", choice.config_file, "YAML with its loop closures and drives")
+      ->type_name("FILE");
+}
+
+}  // namespace parallel_aspects::tools

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/model/problems.h"
+#include "parallel_aspects/tools/numbers.h"
+#include "parallel_aspects/tools/reports.h"
+#include "parallel_aspects/tools/subcommands.h"
+#include "parallel_aspects/tools/text_table.h"
+
+#include <utility>
+
+namespace parallel_aspects::tools {
+namespace {
+
+using nlohmann::json;
+
+std::string reason(const Manipulator& manipulator, const Pose& pose, const InverseSolution& solution) {
+  const Leg& leg = manipulator.leg(solution.leg);
+  const std::string who = "Leg '" + leg.name + "' ";
+  if (solution.status == InverseStatus::out_of_reach)
+    return who + "cannot reach " + to_string(manipulator.task_space(), pose) + ".";
+  const double value = solution.q[static_cast<Eigen::Index>(solution.leg)];
+  return who + "would need joint '" + leg.driven_joint + "' at " + shown(value) + " " + drive_unit(leg) +
+         ", outside its limits [" + shown(leg.limits.lower) + ", " + shown(leg.limits.upper) + "].";
+}
+
+json json_joint_positions(const Mechanism& mechanism, const Pose& pose, const JointVector& q) {
+  const auto& names = mechanism.joint_names();
+  Eigen::VectorXd positions(static_cast<Eigen::Index>(names.size()));
+  if (!mechanism.complete(pose, q, positions)) return nullptr;
+  json object = json::object();
+  for (std::size_t i = 0; i < names.size(); ++i)
+    object[names[i]] = json_number(positions[static_cast<Eigen::Index>(i)]);
+  return object;
+}
+
+json json_solution(const Mechanism& mechanism, const Pose& pose, const InverseSolution& solution) {
+  const Manipulator& manipulator = *mechanism.manipulator();
+  json object = {{"working_mode", solution.mode.signs()}, {"status", name(solution.status)}};
+  if (solution.status != InverseStatus::solved) object["reason"] = reason(manipulator, pose, solution);
+  if (solution.status == InverseStatus::out_of_reach) return object;
+  object["joints"] = json_numbers(solution.q);
+  object["joint_positions"] = json_joint_positions(mechanism, pose, solution.q);
+  object["indices"] = json_indices(singularity_indices(manipulator, pose, solution.q));
+  return object;
+}
+
+json json_inverse(const Mechanism& mechanism, const Pose& pose,
+                  const std::vector<InverseSolution>& solutions) {
+  const Manipulator& manipulator = *mechanism.manipulator();
+  json object = {{"mechanism", manipulator.name()},
+                 {"task_space", std::string(name(manipulator.task_space()))},
+                 {"pose", json_pose(manipulator.task_space(), pose)},
+                 {"driven_joints", json::array()},
+                 {"units", json::array()},
+                 {"solutions", json::array()}};
+  for (const Leg& leg : manipulator.legs()) {
+    object["driven_joints"].push_back(leg.driven_joint);
+    object["units"].push_back(drive_unit(leg));
+  }
+  for (const InverseSolution& solution : solutions)
+    object["solutions"].push_back(json_solution(mechanism, pose, solution));
+  return object;
+}
+
+std::vector<std::string> row(const Manipulator& manipulator, const Pose& pose,
+                             const InverseSolution& solution) {
+  const std::string mode = to_string(solution.mode);
+  if (solution.status != InverseStatus::solved)
+    return {mode, "-", "-", "-", reason(manipulator, pose, solution)};
+  const SingularityIndices indices = singularity_indices(manipulator, pose, solution.q);
+  return {mode, shown(solution.q), shown(indices.determinant), shown(indices.smallest_singular_value),
+          name(solution.status)};
+}
+
+std::string inverse_text(const Manipulator& manipulator, const Pose& pose,
+                         const std::vector<InverseSolution>& solutions) {
+  std::string joints;
+  for (const Leg& leg : manipulator.legs())
+    joints += (joints.empty() ? "" : ", ") + leg.driven_joint + " [" + drive_unit(leg) + "]";
+  TextTable table({"working mode", joints, ">det A [" + determinant_unit(manipulator.task_space()) + "]",
+                   ">smallest singular value", "status"});
+  for (const InverseSolution& solution : solutions) table.add(row(manipulator, pose, solution));
+  return manipulator.name() + " at " + to_string(manipulator.task_space(), pose) + "\n\n" + table.text();
+}
+
+Pose parse_pose(TaskSpace space, const std::string& text) {
+  Problems problems;
+  const std::vector<double> numbers = parse_numbers("--pose", text, coordinate_names(space), problems);
+  if (!problems.empty()) throw InvalidDescription(std::move(problems));
+  const auto pose = pose_from_coordinates(
+      space, Eigen::Map<const Eigen::VectorXd>(numbers.data(), static_cast<Eigen::Index>(numbers.size())));
+  if (!pose) throw InvalidDescription({"--pose has a quaternion of zero length; give a unit quaternion."});
+  return *pose;
+}
+
+}  // namespace
+
+Report report_inverse(const Mechanism& mechanism, const Pose& pose,
+                      const std::vector<InverseSolution>& solutions) {
+  return {json_inverse(mechanism, pose, solutions), inverse_text(*mechanism.manipulator(), pose, solutions)};
+}
+
+Subcommand add_inverse(CLI::App& aspects) {
+  CLI::App* app = aspects.add_subcommand("ik", "Inverse kinematics: the drive values of every working mode");
+  const auto choice = std::make_shared<RobotChoice>();
+  const auto text = std::make_shared<std::string>();
+  add_robot_options(*app, *choice);
+  app->add_option("--pose", *text, "Pose of the platform, quoted: \"x y\" [m]")
+      ->type_name("\"x y\"")
+      ->required();
+  return {app, [choice, text](const Surroundings&) {
+            const auto mechanism = load_robot(*choice);
+            const Manipulator& manipulator = *mechanism->manipulator();
+            const Pose pose = parse_pose(manipulator.task_space(), *text);
+            return report_inverse(*mechanism, pose, inverse_in_all_modes(manipulator, pose));
+          }};
+}
+
+}  // namespace parallel_aspects::tools

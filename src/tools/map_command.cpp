@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/aspects/aspect_map.h"
+#include "parallel_aspects/model/problems.h"
+#include "parallel_aspects/tools/numbers.h"
+#include "parallel_aspects/tools/progress_bar.h"
+#include "parallel_aspects/tools/reports.h"
+#include "parallel_aspects/tools/subcommands.h"
+#include "parallel_aspects/tools/text_table.h"
+
+#include <optional>
+#include <utility>
+
+namespace parallel_aspects::tools {
+namespace {
+
+using nlohmann::json;
+
+constexpr unsigned most_threads = 1024;
+
+json json_aspect(TaskSpace space, const Aspect& aspect) {
+  return {{"id", aspect.id},
+          {"working_mode", aspect.mode.signs()},
+          {"det_a_sign", aspect.determinant_sign},
+          {"measure", json_number(aspect.measure)},
+          {"measure_lower", json_number(aspect.measure_lower)},
+          {"measure_upper", json_number(aspect.measure_upper)},
+          {"unit", std::string(measure_unit(space))},
+          {"inside_leaves", aspect.inside_leaves},
+          {"bounding_box", json_box(space, aspect.bounds)},
+          {"deepest_pose", json_pose(space, aspect.deepest)},
+          {"clearance", json_number(aspect.deepest_clearance)},
+          {"unresolved_with", aspect.unresolved_with}};
+}
+
+json json_map(const AspectMap& map) {
+  const TaskSpace space = map.manipulator()->task_space();
+  json object = {
+      {"mechanism", map.manipulator()->name()},  {"task_space", std::string(name(space))},
+      {"region", json_box(space, map.region())}, {"resolution", json_number(map.resolution())},
+      {"seconds", json_number(map.seconds())},   {"unit", std::string(measure_unit(space))},
+      {"working_modes", json::array()},          {"aspects", json::array()},
+      {"proved_count", map.proved_count()},      {"inside_components", map.aspects().size()},
+      {"unresolved", map.unresolved()},          {"measure_undecided", json_number(map.measure_undecided())}};
+  for (const WorkingMode& mode : map.working_modes()) object["working_modes"].push_back(mode.signs());
+  for (const Aspect& aspect : map.aspects()) object["aspects"].push_back(json_aspect(space, aspect));
+  return object;
+}
+
+std::string bounds_text(const Box& box) {
+  std::string text;
+  for (std::size_t i = 0; i < box.dimension; ++i)
+    text += (i == 0 ? "" : " x ") + std::string("[") + shown(box.lower[i]) + ", " + shown(box.upper[i]) + "]";
+  return text;
+}
+
+std::string aspect_table(TaskSpace space, const std::vector<Aspect>& aspects) {
+  TextTable table({">id", "working mode", "det A", ">measure [" + std::string(measure_unit(space)) + "]",
+                   ">proved from", ">to", ">leaves", "bounds", "deepest pose", ">clearance"});
+  for (const Aspect& aspect : aspects)
+    table.add({std::to_string(aspect.id), to_string(aspect.mode), shown_sign(aspect.determinant_sign),
+               shown(aspect.measure), shown(aspect.measure_lower), shown(aspect.measure_upper),
+               std::to_string(aspect.inside_leaves), bounds_text(aspect.bounds),
+               to_string(space, aspect.deepest), shown(aspect.deepest_clearance)});
+  return table.text();
+}
+
+std::string unresolved_text(const std::vector<std::pair<int, int>>& pairs) {
+  if (pairs.empty()) return "none; all are proved separate";
+  std::string text;
+  for (const auto& pair : pairs)
+    text += (text.empty() ? "" : ", ") + std::to_string(pair.first) + " with " + std::to_string(pair.second);
+  return text;
+}
+
+std::string map_text(const AspectMap& map) {
+  const TaskSpace space = map.manipulator()->task_space();
+  const std::string unit(measure_unit(space));
+  std::string text = map.manipulator()->name() + ": " + counted(map.aspects().size(), "aspect") + " in " +
+                     counted(map.working_modes().size(), "working mode") + ", " +
+                     std::to_string(map.proved_count()) + " proved distinct\n";
+  text += "task space " + std::string(name(space)) + ", region " + bounds_text(map.region()) +
+          ", resolution " + shown(map.resolution()) + ", " + shown(map.seconds()) + " s\n\n";
+  text += aspect_table(space, map.aspects());
+  text += "\npairs that could be one aspect: " + unresolved_text(map.unresolved()) + "\n";
+  text += "undecided, over all working modes: " + shown(map.measure_undecided()) + " " + unit + "\n";
+  return text;
+}
+
+struct MapArguments {
+  RobotChoice robot;
+  std::string resolution;
+  std::string threads;
+};
+
+MapOptions parse_options(const MapArguments& arguments, Problems& problems) {
+  MapOptions options;
+  if (!arguments.resolution.empty())
+    options.resolution = parse_positive("--resolution", arguments.resolution, problems);
+  if (!arguments.threads.empty())
+    options.threads = parse_count("--threads", arguments.threads, most_threads, problems);
+  return options;
+}
+
+std::shared_ptr<const AspectMap> compute(std::shared_ptr<const Manipulator> manipulator,
+                                         const MapOptions& options, const Surroundings& surroundings) {
+  std::optional<ProgressBar> bar;
+  MapControl control;
+  control.cancelled = surroundings.interrupted;
+  if (surroundings.messages_on_terminal) {
+    bar.emplace(surroundings.messages);
+    control.progress = [&bar](double share) { bar->show(share); };
+  }
+  const MapResult result = compute_aspect_map(std::move(manipulator), options, control);
+  if (result.status == MapStatus::cancelled) throw Interrupted{};
+  if (result.status == MapStatus::refused) throw InvalidDescription({result.sentence});
+  return result.map;
+}
+
+}  // namespace
+
+Report report_map(const AspectMap& map) { return {json_map(map), map_text(map)}; }
+
+Subcommand add_map(CLI::App& aspects) {
+  CLI::App* app = aspects.add_subcommand("map", "Compute the certified map of aspects");
+  const auto arguments = std::make_shared<MapArguments>();
+  add_robot_options(*app, arguments->robot);
+  app->add_option("--resolution", arguments->resolution,
+                  "Longest edge of a leaf of the map [m]; by default 1/200 of the robot's size")
+      ->type_name("R");
+  app->add_option("--threads", arguments->threads,
+                  "Threads to compute with; by default one a core. The result does not depend on it")
+      ->type_name("N");
+  return {app, [arguments](const Surroundings& surroundings) {
+            Problems problems;
+            const MapOptions options = parse_options(*arguments, problems);
+            const auto mechanism = load_robot(arguments->robot, std::move(problems));
+            return report_map(*compute(mechanism->manipulator(), options, surroundings));
+          }};
+}
+
+}  // namespace parallel_aspects::tools

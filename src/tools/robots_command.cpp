@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/tools/reports.h"
+#include "parallel_aspects/tools/subcommands.h"
+
+namespace parallel_aspects::tools {
+
+Report report_robots(const std::vector<std::string>& names) {
+  Report report{{{"robots", names}}, ""};
+  for (const std::string& name : names) report.text += name + '\n';
+  return report;
+}
+
+Subcommand add_robots(CLI::App& aspects) {
+  CLI::App* app = aspects.add_subcommand("robots", "List the shipped robots");
+  return {app, [](const Surroundings&) { return report_robots(shipped_robots(share_folder())); }};
+}
+
+}  // namespace parallel_aspects::tools

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/tools/shipped_robots.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <utility>
+
+namespace parallel_aspects::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* share_variable = "PARALLEL_ASPECTS_SHARE";
+
+fs::path urdf_path(const fs::path& share, const std::string& name) {
+  return share / "urdf" / (name + ".urdf");
+}
+
+fs::path config_folder(const fs::path& share) { return share / "config" / "robots"; }
+
+bool holds_robots(const fs::path& share) {
+  std::error_code error;
+  return fs::is_directory(config_folder(share), error);
+}
+
+// The program is installed as PREFIX/bin/aspects or, by catkin, as PREFIX/lib/parallel_aspects/aspects.
+std::vector<fs::path> usual_folders() {
+  std::error_code error;
+  const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
+  return {folder / ".." / "share" / "parallel_aspects", folder / ".." / ".." / "share" / "parallel_aspects",
+          PARALLEL_ASPECTS_SOURCE_DIR};
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+std::optional<std::string> contents(const fs::path& file, Problems& problems) {
+  std::error_code error;
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream || fs::is_directory(file, error)) {
+    problems.push_back("File '" + file.string() + "' cannot be read; give one that exists and is readable.");
+    return std::nullopt;
+  }
+  return std::string(std::istreambuf_iterator<char>(stream), {});
+}
+
+RobotChoice shipped_files(const std::string& name) {
+  const fs::path share = share_folder();
+  const std::vector<std::string> known = shipped_robots(share);
+  if (std::find(known.begin(), known.end(), name) == known.end())
+    throw InvalidDescription({"There is no shipped robot '" + name + "'; take one of: " + joined(known) +
+                              "; or give --urdf FILE and --config FILE."});
+  return {name, urdf_path(share, name).string(), (config_folder(share) / (name + ".yaml")).string()};
+}
+
+Problems problems_of(const RobotChoice& choice) {
+  Problems problems;
+  const bool files = !choice.urdf_file.empty() || !choice.config_file.empty();
+  if (!choice.name.empty() && files)
+    problems.push_back("Robot '" + choice.name +
+                       "' is named and files are given too; give a name, or --urdf and --config.");
+  if (choice.name.empty() && choice.urdf_file.empty())
+    problems.emplace_back("No URDF is given; name a shipped robot, or add --urdf FILE.");
+  if (choice.name.empty() && choice.config_file.empty())
+    problems.emplace_back("No configuration is given; name a shipped robot, or add --config FILE.");
+  return problems;
+}
+
+void throw_any(Problems problems) {
+  if (!problems.empty()) throw InvalidDescription(std::move(problems));
+}
+
+std::shared_ptr<const Mechanism> load(const RobotChoice& choice) {
+  throw_any(problems_of(choice));
+  const RobotChoice files = choice.name.empty() ? choice : shipped_files(choice.name);
+  Problems problems;
+  const std::optional<std::string> urdf = contents(files.urdf_file, problems);
+  const std::optional<std::string> config = contents(files.config_file, problems);
+  throw_any(std::move(problems));
+  return load_mechanism(*urdf, files.urdf_file, *config, files.config_file);
+}
+
+}  // namespace
+
+fs::path share_folder() {
+  const char* chosen = std::getenv(share_variable);
+  if (chosen != nullptr && *chosen != '\0') {
+    if (holds_robots(chosen)) return chosen;
+    throw InvalidDescription({std::string("Environment variable ") + share_variable + " names '" + chosen +
+                              "', where there is no folder config/robots; mend or unset it."});
+  }
+  for (const fs::path& folder : usual_folders())
+    if (holds_robots(folder)) return folder.lexically_normal();
+  throw InvalidDescription({std::string("The shipped robots were not found; set the environment variable ") +
+                            share_variable + " to the folder that holds urdf/ and config/robots/."});
+}
+
+std::vector<std::string> shipped_robots(const fs::path& share) {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(config_folder(share), error)) {
+    const std::string name = entry.path().stem().string();
+    if (entry.path().extension() == ".yaml" && fs::exists(urdf_path(share, name), error))
+      names.push_back(name);
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::shared_ptr<const Mechanism> load_robot(const RobotChoice& choice, Problems known) {
+  try {
+    auto mechanism = load(choice);
+    if (known.empty()) return mechanism;
+  } catch (const InvalidDescription& invalid) {
+    known.insert(known.end(), invalid.problems().begin(), invalid.problems().end());
+  }
+  throw InvalidDescription(std::move(known));
+}
+
+}  // namespace parallel_aspects::tools

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/tools/command.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects::tools {
+namespace {
+
+using nlohmann::json;
+
+struct Outcome {
+  int code = 0;
+  std::string output;
+  std::string messages;
+};
+
+Outcome run(std::vector<const char*> arguments, const std::atomic<bool>* interrupted = nullptr) {
+  std::ostringstream output, messages;
+  arguments.insert(arguments.begin(), "aspects");
+  const int code = run_command(static_cast<int>(arguments.size()), arguments.data(),
+                               {output, messages, false, interrupted});
+  return {code, output.str(), messages.str()};
+}
+
+json run_json(std::vector<const char*> arguments) {
+  arguments.push_back("--json");
+  const Outcome outcome = run(arguments);
+  EXPECT_EQ(outcome.code, exit_code::ok) << outcome.messages;
+  EXPECT_EQ(outcome.messages, "");
+  return json::parse(outcome.output, nullptr, false);
+}
+
+std::size_t line_count(const std::string& text) {
+  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+class Command : public testing::Test {
+ protected:
+  void SetUp() override { setenv("PARALLEL_ASPECTS_SHARE", PARALLEL_ASPECTS_SOURCE_DIR, 1); }
+};
+
+TEST_F(Command, HelpGoesToTheOutput) {
+  for (const auto& arguments : std::vector<std::vector<const char*>>{
+           {"--help"}, {"map", "--help"}, {"describe", "--help"}, {"ik", "--help"}, {"fk", "--help"}}) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.code, exit_code::ok);
+    EXPECT_NE(outcome.output.find("Usage: aspects"), std::string::npos) << outcome.output;
+    EXPECT_EQ(outcome.messages, "");
+  }
+}
+
+TEST_F(Command, VersionIsPrinted) { EXPECT_EQ(run({"--version"}).output.rfind("aspects ", 0), 0U); }
+
+TEST_F(Command, MisunderstoodCommandLinesAreUsageErrors) {
+  for (const auto& arguments : std::vector<std::vector<const char*>>{{},
+                                                                     {"draw"},
+                                                                     {"map", "five_bar", "--colour"},
+                                                                     {"ik", "five_bar"},
+                                                                     {"ik", "five_bar", "--pose", "1", "2"},
+                                                                     {"fk", "five_bar", "--joints"}}) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.code, exit_code::bad_usage);
+    EXPECT_EQ(outcome.output, "");
+    EXPECT_NE(outcome.messages, "");
+  }
+}
+
+TEST_F(Command, UnknownRobotIsAnsweredWithTheKnownOnes) {
+  const Outcome outcome = run({"describe", "four_bar"});
+  EXPECT_EQ(outcome.code, exit_code::bad_input);
+  EXPECT_EQ(outcome.output, "");
+  EXPECT_NE(outcome.messages.find("'four_bar'"), std::string::npos);
+  EXPECT_NE(outcome.messages.find("five_bar"), std::string::npos);
+}
+
+TEST_F(Command, EveryProblemIsALine) {
+  const Outcome outcome =
+      run({"map", "--urdf", "/no/such.urdf", "--config", "/", "--resolution", "nan", "--threads", "-1"});
+  EXPECT_EQ(outcome.code, exit_code::bad_input);
+  EXPECT_EQ(line_count(outcome.messages), 4U) << outcome.messages;
+  EXPECT_EQ(outcome.output, "");
+}
+
+TEST_F(Command, NameAndFilesTogetherAreRefused) {
+  const Outcome outcome = run({"describe", "five_bar", "--urdf", "x.urdf", "--config", "x.yaml"});
+  EXPECT_EQ(outcome.code, exit_code::bad_input);
+  EXPECT_EQ(line_count(outcome.messages), 1U) << outcome.messages;
+}
+
+TEST_F(Command, ShareFolderWithoutRobotsIsRefused) {
+  setenv("PARALLEL_ASPECTS_SHARE", "/no/such/folder", 1);
+  const Outcome outcome = run({"robots"});
+  EXPECT_EQ(outcome.code, exit_code::bad_input);
+  EXPECT_NE(outcome.messages.find("/no/such/folder"), std::string::npos);
+}
+
+TEST_F(Command, ShippedRobotsAreListed) {
+  const json robots = run_json({"robots"}).at("robots");
+  EXPECT_NE(std::find(robots.begin(), robots.end(), "five_bar"), robots.end()) << robots;
+}
+
+TEST_F(Command, FilesServeAsWellAsAName) {
+  const std::string source = PARALLEL_ASPECTS_SOURCE_DIR;
+  const std::string urdf = source + "/urdf/five_bar.urdf";
+  const std::string config = source + "/config/robots/five_bar.yaml";
+  EXPECT_EQ(run_json({"describe", "--urdf", urdf.c_str(), "--config", config.c_str()}),
+            run_json({"describe", "five_bar"}));
+}
+
+TEST_F(Command, DescribesTheFiveBarOfThePaper) {
+  const json robot = run_json({"describe", "five_bar"});
+  EXPECT_EQ(robot.at("task_space"), "T2");
+  EXPECT_EQ(robot.at("mobility"), 2);
+  EXPECT_EQ(robot.at("working_modes").size(), 4U);
+  ASSERT_EQ(robot.at("legs").size(), 2U);
+  EXPECT_NEAR(robot.at("legs")[0].at("crank_length").get<double>(), 8.0, 1e-12);
+  EXPECT_NEAR(robot.at("legs")[0].at("rod_length").get<double>(), 5.0, 1e-12);
+  EXPECT_NEAR(robot.at("legs")[1].at("crank_length").get<double>(), 5.0, 1e-12);
+  EXPECT_NEAR(robot.at("legs")[1].at("rod_length").get<double>(), 8.0, 1e-12);
+}
+
+TEST_F(Command, InverseFindsTheReferenceAngles) {
+  const json answer = run_json({"ik", "five_bar", "--pose", "4.5 8"});
+  ASSERT_EQ(answer.at("solutions").size(), 4U);
+  std::vector<double> first, second;
+  for (const json& solution : answer.at("solutions")) {
+    EXPECT_EQ(solution.at("status"), "solved");
+    first.push_back(solution.at("joints")[0].get<double>());
+    second.push_back(solution.at("joints")[1].get<double>());
+  }
+  EXPECT_NEAR(*std::max_element(first.begin(), first.end()), 1.633334, 1e-6);
+  EXPECT_NEAR(*std::max_element(second.begin(), second.end()), 3.138465, 1e-6);
+  EXPECT_NEAR(*std::min_element(second.begin(), second.end()), 1.027907, 1e-6);
+}
+
+TEST_F(Command, InverseSaysWhyALegCannotReach) {
+  for (const char* pose : {"-1 2", "-1,2"}) {
+    const json answer = run_json({"ik", "five_bar", "--pose", pose});
+    for (const json& solution : answer.at("solutions")) {
+      EXPECT_EQ(solution.at("status"), "out of reach");
+      EXPECT_NE(solution.at("reason").get<std::string>().find("cannot reach"), std::string::npos);
+    }
+  }
+}
+
+TEST_F(Command, NegativeNumbersAreReadInEveryWayOfWriting) {
+  const json expected = run_json({"fk", "five_bar", "--joints", "-1 2"});
+  EXPECT_EQ(run_json({"fk", "five_bar", "--joints=-1 2"}), expected);
+  EXPECT_EQ(run_json({"fk", "--joints", "-1 2", "five_bar"}), expected);
+  EXPECT_EQ(expected.at("assembly_modes").size(), 2U);
+}
+
+TEST_F(Command, DirectAndInverseAgree) {
+  const json inverse = run_json({"ik", "five_bar", "--pose", "4.5 8"});
+  for (const json& solution : inverse.at("solutions")) {
+    const std::string joints = solution.at("joints")[0].dump() + " " + solution.at("joints")[1].dump();
+    const json direct = run_json({"fk", "five_bar", "--joints", joints.c_str()});
+    const auto is_pose = [&](const json& assembly) {
+      return std::abs(assembly.at("pose").at("x").get<double>() - 4.5) < 1e-9 &&
+             std::abs(assembly.at("pose").at("y").get<double>() - 8.0) < 1e-9 &&
+             assembly.at("working_mode") == solution.at("working_mode");
+    };
+    const json& modes = direct.at("assembly_modes");
+    EXPECT_EQ(std::count_if(modes.begin(), modes.end(), is_pose), 1) << direct;
+  }
+}
+
+TEST_F(Command, BadNumbersAreRefused) {
+  for (const auto& arguments :
+       std::vector<std::vector<const char*>>{{"ik", "five_bar", "--pose", "nan 2"},
+                                             {"ik", "five_bar", "--pose", "1"},
+                                             {"ik", "five_bar", "--pose", ""},
+                                             {"fk", "five_bar", "--joints", "1 2 3"},
+                                             {"fk", "five_bar", "--joints", "one 2"},
+                                             {"map", "five_bar", "--resolution", "0"},
+                                             {"map", "five_bar", "--resolution=-1"}}) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.code, exit_code::bad_input) << arguments.back();
+    EXPECT_EQ(outcome.output, "");
+    EXPECT_NE(outcome.messages, "");
+  }
+}
+
+TEST_F(Command, MapHasTheTenAspectsOfThePaper) {
+  const json map = run_json({"map", "five_bar"});
+  EXPECT_EQ(map.at("proved_count"), 10);
+  EXPECT_EQ(map.at("inside_components"), 10);
+  EXPECT_EQ(map.at("unresolved"), json::array());
+  std::map<std::string, int> count;
+  for (const json& aspect : map.at("aspects"))
+    ++count[aspect.at("working_mode").dump() + (aspect.at("det_a_sign").get<int>() > 0 ? "+" : "-")];
+  const std::map<std::string, int> expected{{"[1,1]+", 1},  {"[1,1]-", 1},  {"[-1,-1]+", 1}, {"[-1,-1]-", 1},
+                                            {"[1,-1]+", 2}, {"[1,-1]-", 1}, {"[-1,1]+", 1},  {"[-1,1]-", 2}};
+  EXPECT_EQ(count, expected);
+}
+
+TEST_F(Command, MapHasTheDocumentedFields) {
+  const json map = run_json({"map", "five_bar", "--resolution", "0.5", "--threads", "1"});
+  for (const char* field : {"mechanism", "task_space", "resolution", "seconds", "working_modes", "aspects",
+                            "proved_count", "inside_components", "unresolved", "measure_undecided"})
+    EXPECT_TRUE(map.contains(field)) << field;
+  for (const json& aspect : map.at("aspects"))
+    for (const char* field : {"id", "working_mode", "det_a_sign", "measure", "unit", "inside_leaves",
+                              "bounding_box", "deepest_pose"})
+      EXPECT_TRUE(aspect.contains(field)) << field;
+  EXPECT_LE(map.at("resolution").get<double>(), 0.5);
+}
+
+TEST_F(Command, InterruptedMapPrintsNothing) {
+  const std::atomic<bool> interrupted{true};
+  const Outcome outcome = run({"map", "five_bar"}, &interrupted);
+  EXPECT_EQ(outcome.code, exit_code::interrupted);
+  EXPECT_EQ(outcome.output, "");
+}
+
+TEST_F(Command, UnwritableOutputIsAnError) {
+  std::ostringstream messages;
+  std::ostream output(nullptr);
+  const std::vector<const char*> arguments{"aspects", "describe", "five_bar"};
+  EXPECT_EQ(run_command(3, arguments.data(), {output, messages, false, nullptr}), exit_code::bad_input);
+  EXPECT_NE(messages.str(), "");
+}
+
+}  // namespace
+}  // namespace parallel_aspects::tools
