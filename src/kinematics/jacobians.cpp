@@ -50,8 +50,7 @@ TaskVector inverse_diagonal(const Manipulator& manipulator, const Pose& pose, co
   for (Eigen::Index j = 0; j < n; ++j) {
     const Leg& leg = manipulator.leg(static_cast<std::size_t>(j));
     const Eigen::Vector3d u = pose.transform(leg.anchor) - leg.proximal_point(q[j]);
-    diagonal[j] =
-        u.dot(leg.proximal_point_derivative(q[j])) + 0.5 * leg.squared_distance_derivative(q[j]);
+    diagonal[j] = u.dot(leg.proximal_point_derivative(q[j])) + 0.5 * leg.squared_distance_derivative(q[j]);
   }
   return diagonal;
 }

@@ -41,15 +41,14 @@ Eigen::Vector3d Leg::proximal_point(double q) const noexcept {
 }
 
 Eigen::Vector3d Leg::proximal_point_derivative(double q) const noexcept {
-  return std::visit(
-      Overloaded{[q](const RevoluteDrive& d) -> Eigen::Vector3d {
-                   return d.radius * (std::cos(q) * d.axis.cross(d.zero_direction) -
-                                      std::sin(q) * d.zero_direction);
-                 },
-                 [](const PrismaticDrive& d) -> Eigen::Vector3d { return d.direction; },
-                 [](const StrutDrive&) -> Eigen::Vector3d { return Eigen::Vector3d::Zero(); },
-                 [](const ElbowDrive&) -> Eigen::Vector3d { return Eigen::Vector3d::Zero(); }},
-      drive);
+  return std::visit(Overloaded{[q](const RevoluteDrive& d) -> Eigen::Vector3d {
+                                 return d.radius * (std::cos(q) * d.axis.cross(d.zero_direction) -
+                                                    std::sin(q) * d.zero_direction);
+                               },
+                               [](const PrismaticDrive& d) -> Eigen::Vector3d { return d.direction; },
+                               [](const StrutDrive&) -> Eigen::Vector3d { return Eigen::Vector3d::Zero(); },
+                               [](const ElbowDrive&) -> Eigen::Vector3d { return Eigen::Vector3d::Zero(); }},
+                    drive);
 }
 
 double Leg::squared_distance(double q) const noexcept {
@@ -68,12 +67,11 @@ double Leg::squared_distance(double q) const noexcept {
 
 double Leg::squared_distance_derivative(double q) const noexcept {
   return std::visit(
-      Overloaded{
-          [](const RevoluteDrive&) { return 0.0; }, [](const PrismaticDrive&) { return 0.0; },
-          [q](const StrutDrive& d) { return 2.0 * d.sense * (d.length_at_zero + d.sense * q); },
-          [q](const ElbowDrive& d) {
-            return -2.0 * d.sense * d.inner_length * d.outer_length * std::sin(elbow_angle(d, q));
-          }},
+      Overloaded{[](const RevoluteDrive&) { return 0.0; }, [](const PrismaticDrive&) { return 0.0; },
+                 [q](const StrutDrive& d) { return 2.0 * d.sense * (d.length_at_zero + d.sense * q); },
+                 [q](const ElbowDrive& d) {
+                   return -2.0 * d.sense * d.inner_length * d.outer_length * std::sin(elbow_angle(d, q));
+                 }},
       drive);
 }
 

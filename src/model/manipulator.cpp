@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/model/manipulator.h"
 
+#include "parallel_aspects/model/problems.h"
+
 #include <algorithm>
 #include <cmath>
 #include <set>
 #include <utility>
-
-#include "parallel_aspects/model/problems.h"
 
 namespace parallel_aspects {
 namespace {
@@ -20,7 +20,8 @@ class LegCheck {
     finite(leg.anchor, "anchor");
     std::visit([this](const auto& drive) { check(drive); }, leg.drive);
     if (std::isnan(leg.limits.lower) || std::isnan(leg.limits.upper) || leg.limits.lower > leg.limits.upper)
-      say("has joint limits that are NaN or whose lower end is above the upper one; mend the limits of joint '" +
+      say("has joint limits that are NaN or whose lower end is above the upper one; mend the limits of joint "
+          "'" +
           leg.driven_joint + "'.");
   }
 
@@ -64,7 +65,8 @@ class LegCheck {
   void check(const StrutDrive& drive) {
     finite(drive.base, "base point");
     sign(drive.sense);
-    if (!std::isfinite(drive.length_at_zero)) say("has a strut length that is not finite; give a finite one.");
+    if (!std::isfinite(drive.length_at_zero))
+      say("has a strut length that is not finite; give a finite one.");
   }
 
   void check(const ElbowDrive& drive) {

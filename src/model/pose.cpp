@@ -55,8 +55,7 @@ std::optional<Pose> pose_from_coordinates(TaskSpace space, const PoseCoordinates
   Pose pose;
   if (space == TaskSpace::T2 || space == TaskSpace::SE2) pose.position.head<2>() = coordinates.head<2>();
   if (space == TaskSpace::T3 || space == TaskSpace::SE3) pose.position = coordinates.head<3>();
-  if (space == TaskSpace::SE2)
-    pose.orientation = Eigen::AngleAxisd(coordinates[2], Eigen::Vector3d::UnitZ());
+  if (space == TaskSpace::SE2) pose.orientation = Eigen::AngleAxisd(coordinates[2], Eigen::Vector3d::UnitZ());
   if (space == TaskSpace::SO3 || space == TaskSpace::SE3) {
     const auto orientation = unit_quaternion(coordinates.tail<4>());
     if (!orientation) return std::nullopt;

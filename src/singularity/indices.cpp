@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/singularity/indices.h"
 
+#include "parallel_aspects/kinematics/jacobians.h"
+
 #include <Eigen/LU>
 #include <Eigen/SVD>
-
-#include "parallel_aspects/kinematics/jacobians.h"
 
 namespace parallel_aspects {
 namespace {

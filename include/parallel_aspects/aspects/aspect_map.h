@@ -2,6 +2,11 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_ASPECT_MAP_H
 #define PARALLEL_ASPECTS_ASPECTS_ASPECT_MAP_H
 
+#include "parallel_aspects/aspects/box.h"
+#include "parallel_aspects/kinematics/working_mode.h"
+#include "parallel_aspects/model/manipulator.h"
+#include "parallel_aspects/model/pose.h"
+
 #include <atomic>
 #include <cstddef>
 #include <functional>
@@ -10,11 +15,6 @@
 #include <string>
 #include <utility>
 #include <vector>
-
-#include "parallel_aspects/aspects/box.h"
-#include "parallel_aspects/kinematics/working_mode.h"
-#include "parallel_aspects/model/manipulator.h"
-#include "parallel_aspects/model/pose.h"
 
 namespace parallel_aspects {
 
@@ -38,24 +38,27 @@ struct MapOptions {
 
 /// Hooks into a long computation. Both may be left empty.
 struct MapControl {
-  std::function<void(double)> progress;            ///< called with the share done, 0 to 1, from the calling thread
-  const std::atomic<bool>* cancelled = nullptr;    ///< polled; the computation ends soon after it turns true
+  std::function<void(double)> progress;  ///< called with the share done, 0 to 1, from the calling thread
+  const std::atomic<bool>* cancelled = nullptr;  ///< polled; the computation ends soon after it turns true
 };
 
-/// A proved connected singularity-free set of one working mode and one sign of det A: part of exactly one generalized
-/// aspect A_ij (Definition 6 of the paper), and all of it that the resolution shows.
+/// A proved connected singularity-free set of one working mode and one sign of det A: part of exactly one
+/// generalized aspect A_ij (Definition 6 of the paper), and all of it that the resolution shows.
 struct Aspect {
   int id = 0;  ///< from 1: by mode index, then positive before negative det A, then falling measure
   WorkingMode mode;
-  int determinant_sign = 0;       ///< +1 or -1
-  double measure = 0.0;           ///< best estimate of the volume of its workspace projection WA_ij
-  double measure_lower = 0.0;     ///< proved: volume of its inside leaves
-  double measure_upper = 0.0;     ///< proved, unless unresolved: with every undecided leaf that could belong to it
+  int determinant_sign = 0;    ///< +1 or -1
+  double measure = 0.0;        ///< best estimate of the volume of its workspace projection WA_ij
+  double measure_lower = 0.0;  ///< proved: volume of its inside leaves
+  double measure_upper =
+      0.0;  ///< proved, unless unresolved: with every undecided leaf that could belong to it
   std::size_t inside_leaves = 0;
-  Box bounds;                     ///< of the inside leaves
-  Pose deepest;                   ///< center of the largest ball found in the inside leaves
-  double deepest_clearance = 0.0; ///< its radius: no singularity or limit is closer, in pose coordinates [m or rad]
-  std::vector<int> unresolved_with;  ///< ids that could be the same aspect; empty when proved separate from all others
+  Box bounds;    ///< of the inside leaves
+  Pose deepest;  ///< center of the largest ball found in the inside leaves
+  double deepest_clearance =
+      0.0;  ///< its radius: no singularity or limit is closer, in pose coordinates [m or rad]
+  std::vector<int>
+      unresolved_with;  ///< ids that could be the same aspect; empty when proved separate from all others
 };
 
 enum class LocationStatus {
@@ -70,8 +73,9 @@ struct Location {
   int aspect = 0;  ///< id, where inside
 };
 
-/// The generalized aspects of a manipulator, certified: a 2^d-tree of pose boxes, each proved inside one sign of det A,
-/// proved outside, or undecided, for each working mode. Immutable; may be read from any number of threads.
+/// The generalized aspects of a manipulator, certified: a 2^d-tree of pose boxes, each proved inside one sign
+/// of det A, proved outside, or undecided, for each working mode. Immutable; may be read from any number of
+/// threads.
 class AspectMap {
  public:
   struct Contents;  ///< what the computation hands over
@@ -81,14 +85,15 @@ class AspectMap {
   AspectMap& operator=(const AspectMap&) = delete;
 
   const std::shared_ptr<const Manipulator>& manipulator() const noexcept;
-  const Box& region() const noexcept;                         ///< what was searched
-  double resolution() const noexcept;                         ///< longest edge of a base leaf [m or rad]
+  const Box& region() const noexcept;                              ///< what was searched
+  double resolution() const noexcept;                              ///< longest edge of a base leaf [m or rad]
   const std::vector<WorkingMode>& working_modes() const noexcept;  ///< those with at least one inside leaf
 
   /// All aspects found; `aspect(id)` is `aspects()[id - 1]`.
   const std::vector<Aspect>& aspects() const noexcept;
 
-  /// Lower bound of the number of generalized aspects, proved: inside components no two of which could be one.
+  /// Lower bound of the number of generalized aspects, proved: inside components no two of which could be
+  /// one.
   std::size_t proved_count() const noexcept;
 
   /// Pairs of `aspects()` that are neither joined nor proved separate.
@@ -121,7 +126,8 @@ struct MapResult {
   std::shared_ptr<const AspectMap> map;  ///< set when complete
 };
 
-/// Computes the map. Task spaces: T2; the others are refused with a sentence. Bad options are refused likewise.
+/// Computes the map. Task spaces: T2; the others are refused with a sentence. Bad options are refused
+/// likewise.
 MapResult compute_aspect_map(std::shared_ptr<const Manipulator> manipulator, const MapOptions& options = {},
                              const MapControl& control = {});
 

@@ -2,25 +2,25 @@
 #ifndef PARALLEL_ASPECTS_KINEMATICS_DIRECT_H
 #define PARALLEL_ASPECTS_KINEMATICS_DIRECT_H
 
-#include <vector>
-
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"
+
+#include <vector>
 
 namespace parallel_aspects {
 
 /// One direct solution: a pose that the given drive values can hold.
 struct AssemblyMode {
   Pose pose;
-  double determinant = 0.0;      ///< det A there; unit as in `direct_determinant`
-  double residual = 0.0;         ///< largest |f_j| over the squared size of the robot, dimensionless
-  bool near_singular = false;    ///< so close to det A = 0 that its count or pose may hang on rounding
+  double determinant = 0.0;    ///< det A there; unit as in `direct_determinant`
+  double residual = 0.0;       ///< largest |f_j| over the squared size of the robot, dimensionless
+  bool near_singular = false;  ///< so close to det A = 0 that its count or pose may hang on rounding
 };
 
 enum class DirectStatus {
-  solved,      ///< every real solution is in the list, which may be empty
-  continuum,   ///< the platform can move with the drives locked; no finite list exists
-  unsolved,    ///< the input is not finite, or the list may be incomplete
+  solved,     ///< every real solution is in the list, which may be empty
+  continuum,  ///< the platform can move with the drives locked; no finite list exists
+  unsolved,   ///< the input is not finite, or the list may be incomplete
 };
 
 struct DirectResult {
@@ -28,7 +28,8 @@ struct DirectResult {
   std::vector<AssemblyMode> solutions;  ///< by falling det A
 };
 
-/// Every real assembly mode for these actuated joint values (one entry a leg). Joint limits are not considered.
+/// Every real assembly mode for these actuated joint values (one entry a leg). Joint limits are not
+/// considered.
 DirectResult direct(const Manipulator& manipulator, const JointVector& q);
 
 /// "solved", "continuum" or "unsolved".

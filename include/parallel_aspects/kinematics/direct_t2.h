@@ -6,8 +6,8 @@
 
 namespace parallel_aspects {
 
-/// Direct solutions in T2: the operational point is where two circles meet, so there are two, one or none. Pose and
-/// `near_singular` are filled, the rest is left to `direct`, which callers should prefer.
+/// Direct solutions in T2: the operational point is where two circles meet, so there are two, one or none.
+/// Pose and `near_singular` are filled, the rest is left to `direct`, which callers should prefer.
 DirectResult direct_t2(const Manipulator& manipulator, const JointVector& q);
 
 }  // namespace parallel_aspects

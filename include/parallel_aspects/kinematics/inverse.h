@@ -2,20 +2,22 @@
 #ifndef PARALLEL_ASPECTS_KINEMATICS_INVERSE_H
 #define PARALLEL_ASPECTS_KINEMATICS_INVERSE_H
 
-#include <cstddef>
-#include <vector>
-
 #include "parallel_aspects/kinematics/working_mode.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"
 
+#include <cstddef>
+#include <vector>
+
 namespace parallel_aspects {
 
-/// B_jj^2 of a leg whose anchor is at `point` (task frame) [m^4, or m^2 for a drive value in m]. Negative where the leg
-/// cannot reach: B_jj^2 = 0 is the serial singularity, stretched or folded, and the same for all working modes.
+/// B_jj^2 of a leg whose anchor is at `point` (task frame) [m^4, or m^2 for a drive value in m]. Negative
+/// where the leg cannot reach: B_jj^2 = 0 is the serial singularity, stretched or folded, and the same for
+/// all working modes.
 double squared_inverse_entry(const Leg& leg, const Eigen::Vector3d& point) noexcept;
 
-/// The drive value that puts the leg's anchor at `point` with the given sign of B_jj [rad or m]; an angle comes in
+/// The drive value that puts the leg's anchor at `point` with the given sign of B_jj [rad or m]; an angle
+/// comes in
 /// (-pi, pi], or a whole number of turns away where that is what the joint limits ask for.
 /// Where the leg cannot reach, the value of the closest configuration (B_jj = 0).
 double drive_value(const Leg& leg, const Eigen::Vector3d& point, int sign) noexcept;

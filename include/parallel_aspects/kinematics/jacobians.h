@@ -2,17 +2,17 @@
 #ifndef PARALLEL_ASPECTS_KINEMATICS_JACOBIANS_H
 #define PARALLEL_ASPECTS_KINEMATICS_JACOBIANS_H
 
-#include <optional>
-
 #include "parallel_aspects/kinematics/working_mode.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"
 
+#include <optional>
+
 namespace parallel_aspects {
 
-/// A of the velocity model A t = B q̇ (the sign convention of the paper's five-bar): one row a leg, one column a
-/// freedom. With u = p - c and b = p - operational point, row j is u (T2, T3), (b x u, u) (SE2, SE3) or p x u (SO3);
-/// columns follow the twist t = (w, v). Translational columns in m, rotational ones in m^2.
+/// A of the velocity model A t = B q̇ (the sign convention of the paper's five-bar): one row a leg, one column
+/// a freedom. With u = p - c and b = p - operational point, row j is u (T2, T3), (b x u, u) (SE2, SE3) or p x
+/// u (SO3); columns follow the twist t = (w, v). Translational columns in m, rotational ones in m^2.
 TaskMatrix direct_matrix(const Manipulator& manipulator, const Pose& pose, const JointVector& q);
 
 /// The diagonal of B: B_jj = u_j . c_j'(q_j) + rho_j rho_j' [m^2/rad for an angle, m for a length].

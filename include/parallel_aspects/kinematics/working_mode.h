@@ -2,13 +2,13 @@
 #ifndef PARALLEL_ASPECTS_KINEMATICS_WORKING_MODE_H
 #define PARALLEL_ASPECTS_KINEMATICS_WORKING_MODE_H
 
+#include "parallel_aspects/model/manipulator.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
-
-#include "parallel_aspects/model/manipulator.h"
 
 namespace parallel_aspects {
 
@@ -23,7 +23,8 @@ class WorkingMode {
   /// The mode whose `index()` this is; `index` below 2^leg_count.
   static WorkingMode from_index(std::size_t leg_count, std::size_t index) noexcept;
 
-  /// From signs as people write them, each 1 or -1; nothing when one is neither or there are none or too many.
+  /// From signs as people write them, each 1 or -1; nothing when one is neither or there are none or too
+  /// many.
   static std::optional<WorkingMode> from_signs(const std::vector<int>& signs);
 
   std::size_t leg_count() const noexcept { return legs_; }

@@ -2,19 +2,19 @@
 #ifndef PARALLEL_ASPECTS_MODEL_LEG_H
 #define PARALLEL_ASPECTS_MODEL_LEG_H
 
+#include "parallel_aspects/model/pose.h"
+
+#include <Eigen/Core>
+
 #include <limits>
 #include <string>
 #include <string_view>
 #include <variant>
 
-#include <Eigen/Core>
-
-#include "parallel_aspects/model/pose.h"
-
 namespace parallel_aspects {
 
-/// The proximal point c runs on a circle: c(q) = center + radius (cos q e1 + sin q e2), with e1 = zero_direction and
-/// e2 = axis x e1. Legs RRR, RUS, RSS, Delta, and spherical RRR. Drive value q in rad.
+/// The proximal point c runs on a circle: c(q) = center + radius (cos q e1 + sin q e2), with e1 =
+/// zero_direction and e2 = axis x e1. Legs RRR, RUS, RSS, Delta, and spherical RRR. Drive value q in rad.
 struct RevoluteDrive {
   Eigen::Vector3d center;          ///< of the circle, in the task frame [m]
   Eigen::Vector3d axis;            ///< unit vector; q turns about it by the right-hand rule
@@ -28,7 +28,8 @@ struct PrismaticDrive {
   Eigen::Vector3d direction;  ///< unit vector
 };
 
-/// The rod itself is driven: c fixed, rho(q) = length_at_zero + sense q. Legs RPR, UPS, SPS. Drive value q in m.
+/// The rod itself is driven: c fixed, rho(q) = length_at_zero + sense q. Legs RPR, UPS, SPS. Drive value q in
+/// m.
 struct StrutDrive {
   Eigen::Vector3d base;         ///< c, in the task frame [m]
   double length_at_zero = 0.0;  ///< rho at q = 0 [m]
@@ -52,8 +53,10 @@ struct JointLimits {
   double lower = -std::numeric_limits<double>::infinity();
   double upper = std::numeric_limits<double>::infinity();
 
-  bool limited() const noexcept { return lower > -std::numeric_limits<double>::infinity() ||
-                                         upper < std::numeric_limits<double>::infinity(); }
+  bool limited() const noexcept {
+    return lower > -std::numeric_limits<double>::infinity() ||
+           upper < std::numeric_limits<double>::infinity();
+  }
   bool contain(double value) const noexcept { return lower <= value && value <= upper; }
 };
 
@@ -81,12 +84,12 @@ struct Leg {
   /// Whether the drive value is an angle [rad] rather than a length [m].
   bool driven_by_angle() const noexcept;
 
-  /// Whether B_jj can take this sign (+1 or -1). Both signs, except for a strut: its length is positive, so that B_jj
-  /// always has the sign of its sense.
+  /// Whether B_jj can take this sign (+1 or -1). Both signs, except for a strut: its length is positive, so
+  /// that B_jj always has the sign of its sense.
   bool has_branch(int sign) const noexcept;
 
-  /// No anchor within reach of the leg is farther from `base_point()` than this [m]; infinite for a prismatic drive
-  /// or a strut without limits.
+  /// No anchor within reach of the leg is farther from `base_point()` than this [m]; infinite for a prismatic
+  /// drive or a strut without limits.
   double longest_reach() const noexcept;
 
   /// The fixed point that `longest_reach` counts from, in the task frame [m].

@@ -2,15 +2,15 @@
 #ifndef PARALLEL_ASPECTS_MODEL_MANIPULATOR_H
 #define PARALLEL_ASPECTS_MODEL_MANIPULATOR_H
 
-#include <cstddef>
-#include <string>
-#include <vector>
-
-#include <Eigen/Geometry>
-
 #include "parallel_aspects/model/leg.h"
 #include "parallel_aspects/model/task_space.h"
 #include "parallel_aspects/model/vectors.h"
+
+#include <Eigen/Geometry>
+
+#include <cstddef>
+#include <string>
+#include <vector>
 
 namespace parallel_aspects {
 
@@ -18,16 +18,17 @@ namespace parallel_aspects {
 struct ManipulatorDescription {
   std::string name;
   TaskSpace task_space = TaskSpace::T2;
-  std::vector<Leg> legs;  ///< as many as the task space has freedoms
-  std::string base_frame = "base_link";  ///< link that `task_frame` is given in
+  std::vector<Leg> legs;                                         ///< as many as the task space has freedoms
+  std::string base_frame = "base_link";                          ///< link that `task_frame` is given in
   Eigen::Isometry3d task_frame = Eigen::Isometry3d::Identity();  ///< task frame in the base frame [m]
 };
 
 /// A fully parallel manipulator (Definition 1 of the paper) with one distance equation a leg. Immutable.
 class Manipulator {
  public:
-  /// Throws `InvalidDescription` with every problem: wrong number of legs; lengths that are not finite and positive;
-  /// directions that are not unit or not orthogonal; empty or repeated names; limits that are NaN or crossed.
+  /// Throws `InvalidDescription` with every problem: wrong number of legs; lengths that are not finite and
+  /// positive; directions that are not unit or not orthogonal; empty or repeated names; limits that are NaN
+  /// or crossed.
   explicit Manipulator(ManipulatorDescription description);
 
   const std::string& name() const noexcept { return description_.name; }
@@ -38,12 +39,13 @@ class Manipulator {
   const std::string& base_frame() const noexcept { return description_.base_frame; }
   const Eigen::Isometry3d& task_frame() const noexcept { return description_.task_frame; }
 
-  /// Root mean square distance of the anchors from the operational point [m]; the length that makes rotations and
-  /// displacements comparable. 1 when the platform does not turn or all anchors are at the operational point.
+  /// Root mean square distance of the anchors from the operational point [m]; the length that makes rotations
+  /// and displacements comparable. 1 when the platform does not turn or all anchors are at the operational
+  /// point.
   double characteristic_length() const noexcept { return characteristic_length_; }
 
-  /// Size of the robot: the longest distance between two base points plus the longest reach of a leg that has one
-  /// [m]. Residuals are judged relative to it.
+  /// Size of the robot: the longest distance between two base points plus the longest reach of a leg that has
+  /// one [m]. Residuals are judged relative to it.
   double size() const noexcept { return size_; }
 
   /// Whether every drive value is finite and inside its limits; `q` must have `leg_count()` entries.

@@ -2,13 +2,13 @@
 #ifndef PARALLEL_ASPECTS_MODEL_POSE_H
 #define PARALLEL_ASPECTS_MODEL_POSE_H
 
-#include <optional>
-#include <string>
+#include "parallel_aspects/model/task_space.h"
+#include "parallel_aspects/model/vectors.h"
 
 #include <Eigen/Geometry>
 
-#include "parallel_aspects/model/task_space.h"
-#include "parallel_aspects/model/vectors.h"
+#include <optional>
+#include <string>
 
 namespace parallel_aspects {
 
@@ -17,7 +17,7 @@ namespace parallel_aspects {
 /// The platform frame has its origin at the operational point. In a task space without rotation its axes stay
 /// parallel to those of the task frame; in SO3 its origin stays at that of the task frame.
 struct Pose {
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();                 ///< operational point [m]
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();               ///< operational point [m]
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< unit quaternion
 
   /// A point fixed in the platform, given in the platform frame [m], seen in the task frame [m].
@@ -34,8 +34,9 @@ PoseCoordinates pose_coordinates(TaskSpace space, const Pose& pose);
 /// Nothing when the count is wrong, a coordinate is not finite or the quaternion is zero.
 std::optional<Pose> pose_from_coordinates(TaskSpace space, const PoseCoordinates& coordinates);
 
-/// The pose reached from `pose` by the small motion `twist` = (w, v): rotation vector [rad] in the task frame, then
-/// displacement of the operational point [m]; only the parts that `space` moves, so `freedoms(space)` numbers.
+/// The pose reached from `pose` by the small motion `twist` = (w, v): rotation vector [rad] in the task
+/// frame, then displacement of the operational point [m]; only the parts that `space` moves, so
+/// `freedoms(space)` numbers.
 Pose displaced(TaskSpace space, const Pose& pose, const TaskVector& twist);
 
 /// "x 4.5, y 8" and so on, for messages to people.

@@ -16,8 +16,7 @@ using TaskVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, max
 using JointVector = TaskVector;
 
 /// Square matrix over the legs and freedoms. Never allocates.
-using TaskMatrix =
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, max_legs, max_legs>;
+using TaskMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, max_legs, max_legs>;
 
 }  // namespace parallel_aspects
 

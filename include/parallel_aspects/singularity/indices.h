@@ -15,9 +15,9 @@ struct SingularityIndices {
   /// B_jj of every leg; unit as in `inverse_diagonal`. Zero at a serial singularity of that leg.
   TaskVector inverse_diagonal;
 
-  /// Smallest singular value (spectral norm) of the homogenised A: rotational columns divided by the manipulator's
-  /// characteristic length, then each row by its rod length |u|. Dimensionless; 0 at a parallel singularity, at most 1
-  /// in T2 and T3.
+  /// Smallest singular value (spectral norm) of the homogenised A: rotational columns divided by the
+  /// manipulator's characteristic length, then each row by its rod length |u|. Dimensionless; 0 at a parallel
+  /// singularity, at most 1 in T2 and T3.
   double smallest_singular_value = 0.0;
 
   /// Smallest over largest singular value of the same matrix. Dimensionless, 0 to 1 (isotropic).

@@ -2,15 +2,15 @@
 #ifndef PARALLEL_ASPECTS_TRACKING_TRACKER_H
 #define PARALLEL_ASPECTS_TRACKING_TRACKER_H
 
-#include <array>
-#include <cstddef>
-#include <memory>
-#include <optional>
-
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/kinematics/working_mode.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <optional>
 
 namespace parallel_aspects {
 
@@ -36,15 +36,15 @@ struct TrackedState {
 
 enum class TransitionKind {
   working_mode,  ///< B_jj of `leg` went through zero
-  aspect,        ///< the robot was found in another aspect of its mode, for instance after det A lost its sign
+  aspect,  ///< the robot was found in another aspect of its mode, for instance after det A lost its sign
 };
 
 /// One change of working mode or aspect.
 struct Transition {
   TransitionKind kind = TransitionKind::working_mode;
-  double time = 0.0;        ///< of the crossing, interpolated between two samples [s]
-  std::size_t leg = 0;      ///< whose B_jj crossed zero, for a change of working mode
-  bool determinant = false; ///< whether det A crossed zero
+  double time = 0.0;         ///< of the crossing, interpolated between two samples [s]
+  std::size_t leg = 0;       ///< whose B_jj crossed zero, for a change of working mode
+  bool determinant = false;  ///< whether det A crossed zero
   WorkingMode mode_before, mode_after;
   int determinant_sign_before = 0, determinant_sign_after = 0;
   int aspect_before = 0, aspect_after = 0;  ///< 0 while unknown
@@ -69,11 +69,12 @@ class Tracker {
   /// From now on aspects are looked up in `map`, which must be of the same manipulator; null for none.
   void set_map(std::shared_ptr<const AspectMap> map) noexcept;
 
-  /// Starts from a pose known to belong to `q`, refined by the direct solution closest to it. False, and unstarted,
-  /// where no direct solution is within `tolerance` of the pose [m, RMS over the anchors].
+  /// Starts from a pose known to belong to `q`, refined by the direct solution closest to it. False, and
+  /// unstarted, where no direct solution is within `tolerance` of the pose [m, RMS over the anchors].
   bool start(double time, const JointVector& q, const Pose& pose, double tolerance);
 
-  /// Starts in the assembly mode with this sign of det A (+1 or -1). False, and unstarted, unless there is exactly one.
+  /// Starts in the assembly mode with this sign of det A (+1 or -1). False, and unstarted, unless there is
+  /// exactly one.
   bool start(double time, const JointVector& q, int determinant_sign);
 
   /// Forgets the pose.

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASPECTS_COMPONENTS_H
+#define PARALLEL_ASPECTS_ASPECTS_COMPONENTS_H
+
+#include "parallel_aspects/aspects/box_classifier.h"
+#include "parallel_aspects/aspects/leaf_graph.h"
+#include "parallel_aspects/aspects/pose_tree.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// A connected union of inside leaves of one working mode and sign.
+struct Component {
+  int determinant_sign = 0;
+  double measure_inside = 0.0;  ///< of its leaves
+  double measure_estimated =
+      0.0;                       ///< with the undecided leaves nearest to it whose centers are in S(s, sigma)
+  double measure_cluster = 0.0;  ///< with everything that it is not proved separate from
+  Box bounds;
+  std::size_t cluster = 0;  ///< components of one cluster are not proved separate from each other
+  std::vector<NodeIndex> leaves;
+};
+
+/// The components of one working mode.
+struct ModeComponents {
+  std::vector<Component> components;
+  std::size_t cluster_count = 0;
+  std::vector<std::pair<std::size_t, std::size_t>>
+      unresolved;  ///< pairs of components whose undecided leaves meet
+  double measure_undecided = 0.0;
+};
+
+/// Divides contested leaves of both signs until components of one sign are joined or apart, or
+/// `deepest_level` is reached, or some hundred thousand leaves are spent.
+void refine_contested(PoseTree& tree, const BoxClassifier& classifier, LeafGraph& graph,
+                      std::uint32_t deepest_level);
+
+/// Sums up what the graph of a working mode has shown.
+ModeComponents find_components(const PoseTree& tree, const BoxClassifier& classifier, std::size_t mode,
+                               LeafGraph& graph);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ASPECTS_COMPONENTS_H

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASPECTS_MAP_CONTENTS_H
+#define PARALLEL_ASPECTS_ASPECTS_MAP_CONTENTS_H
+
+#include "parallel_aspects/aspects/aspect_map.h"
+#include "parallel_aspects/aspects/pose_tree.h"
+
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// Everything that an `AspectMap` shows; written by the computation, then never changed.
+struct AspectMap::Contents {
+  Contents(std::shared_ptr<const Manipulator> robot, PoseTree pose_tree, std::vector<WorkingMode> all_modes)
+      : manipulator(std::move(robot)), tree(std::move(pose_tree)), modes(std::move(all_modes)) {}
+
+  std::shared_ptr<const Manipulator> manipulator;
+  PoseTree tree;
+  std::vector<WorkingMode> modes;           ///< of the tree, in its order
+  std::vector<WorkingMode> existing_modes;  ///< those with an inside leaf
+  std::vector<int> leaf_aspects;            ///< id by node * modes + mode; 0 where the leaf is not inside
+  std::vector<Aspect> aspects;
+  std::vector<std::pair<int, int>> unresolved;
+  std::size_t proved_count = 0;
+  double resolution = 0.0;
+  double measure_undecided = 0.0;
+  double seconds = 0.0;
+
+  int leaf_aspect(NodeIndex node, std::size_t mode) const noexcept {
+    return leaf_aspects[node * modes.size() + mode];
+  }
+};
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ASPECTS_MAP_CONTENTS_H

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASPECTS_PLANAR_LEG_H
+#define PARALLEL_ASPECTS_ASPECTS_PLANAR_LEG_H
+
+#include "parallel_aspects/aspects/dual.h"
+#include "parallel_aspects/aspects/interval.h"
+#include "parallel_aspects/model/leg.h"
+
+#include <array>
+#include <cstddef>
+
+namespace parallel_aspects {
+
+/// A vector of the x-y plane over numbers, intervals or duals.
+template <class Scalar>
+struct Planar {
+  Scalar x, y;
+};
+
+template <class Scalar>
+Scalar cross(const Planar<Scalar>& a, const Planar<Scalar>& b) {
+  return a.x * b.y - a.y * b.x;
+}
+
+/// A leg seen from the displacement d = p - base point of its anchor. For both signs s of B_jj,
+/// |B_jj| = sqrt(squared_entry), and u = p - c has the direction of `fixed + s sqrt(squared_entry) turned`.
+template <class Scalar>
+struct PlanarLegForm {
+  Scalar squared_entry;
+  Planar<Scalar> fixed, turned;
+};
+
+/// Enclosure of a joint limit's direction: cos and sin of the drive angle.
+struct LimitDirections {
+  Planar<Interval> lower, upper;
+  bool less_than_half_turn = false;
+};
+
+enum class Verdict { holds, fails, unsure };
+
+/// A distance leg whose drive and anchor move in parallels of the x-y plane, with its constants enclosed in
+/// intervals. Must be made under a live `RoundingUpward`.
+class PlanarLeg {
+ public:
+  explicit PlanarLeg(const Leg& leg);
+
+  /// The base point in the plane [m].
+  const Planar<Interval>& base() const noexcept { return base_; }
+
+  /// No anchor within reach is farther from the base point than this, seen in the plane [m]; may be infinite.
+  double reach() const noexcept { return reach_; }
+
+  template <class Scalar>
+  PlanarLegForm<Scalar> form(const Planar<Scalar>& d) const;
+
+  /// Whether the drive value of branch `sign` is within limits for all d in the box, for none, or neither is
+  /// proved.
+  Verdict within_limits(const Planar<Interval>& d, const Interval& entry, int sign) const;
+
+  bool limited() const noexcept { return limited_; }
+  bool has_branch(int sign) const noexcept { return branch_ == 0 || branch_ == sign; }
+
+ private:
+  enum class Kind { revolute, prismatic, strut, elbow };
+
+  void set(const RevoluteDrive& drive, const Leg& leg);
+  void set(const PrismaticDrive& drive, const Leg& leg);
+  void set(const StrutDrive& drive, const Leg& leg);
+  void set(const ElbowDrive& drive, const Leg& leg);
+  void set_base(const Eigen::Vector3d& base, const Leg& leg);
+  void set_two_links(const Interval& squared_first, const Interval& squared_second);
+
+  Verdict angle_within_limits(const Planar<Interval>& direction) const;
+  Verdict length_within_limits(const Interval& length) const;
+
+  Kind kind_ = Kind::revolute;
+  int branch_ = 0;  // 0: both signs
+  bool limited_ = false;
+  double reach_ = 0.0;
+  Planar<Interval> base_;
+  Interval squared_height_;                      // of the anchor over the base point, out of the plane
+  Interval squared_longest_, squared_shortest_;  // two links stretched, folded
+  Interval squared_rod_, half_difference_;       // rod in the plane; (rod^2 - crank^2) / 2
+  Interval half_sum_;                            // (inner^2 + outer^2) / 2 of an elbow
+  Planar<Interval> direction_;                   // of a prismatic drive
+  double sense_ = 1.0;                           // of turning about z, or of a strut or elbow
+  Interval length_at_zero_;                      // of a strut
+  JointLimits limits_;
+  LimitDirections limit_directions_;
+};
+
+template <class Scalar>
+PlanarLegForm<Scalar> PlanarLeg::form(const Planar<Scalar>& d) const {
+  const Interval half(0.5), quarter(0.25);
+  if (kind_ == Kind::prismatic) {
+    const Scalar across = direction_.x * d.y - direction_.y * d.x;
+    return {squared_rod_ - square(across),
+            {-(direction_.y * across), direction_.x * across},
+            {direction_.x, direction_.y}};
+  }
+  const Scalar squared_distance = square(d.x) + square(d.y);
+  if (kind_ == Kind::strut) return {squared_distance + Scalar(squared_height_), d, {0.0, 0.0}};
+  if (kind_ == Kind::elbow) {
+    const Scalar spatial = squared_distance + Scalar(squared_height_);
+    return {quarter * ((squared_longest_ - spatial) * (spatial - squared_shortest_)), d, {0.0, 0.0}};
+  }
+  const Scalar along = half * squared_distance + Scalar(half_difference_);
+  const Planar<Scalar> turned = sense_ > 0.0 ? Planar<Scalar>{-d.y, d.x} : Planar<Scalar>{d.y, -d.x};
+  return {quarter * ((squared_longest_ - squared_distance) * (squared_distance - squared_shortest_)),
+          {along * d.x, along * d.y},
+          turned};
+}
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ASPECTS_PLANAR_LEG_H

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASPECTS_POSE_TREE_H
+#define PARALLEL_ASPECTS_ASPECTS_POSE_TREE_H
+
+#include "parallel_aspects/aspects/box.h"
+#include "parallel_aspects/aspects/leaf_state.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// Index of a node in a `PoseTree`; 0 is the root.
+using NodeIndex = std::uint32_t;
+inline constexpr NodeIndex no_node = 0xffffffffU;
+
+/// Where a node lies: edge 2^-level of the region, lower corner at `cell` times that edge.
+struct NodePlace {
+  std::array<std::uint32_t, max_map_dimension> cell{};
+  std::uint32_t level = 0;
+};
+
+/// A 2^d-tree of pose boxes. Each node has one `LeafState` for each of its working modes; a mode's leaves are
+/// the nodes where it is decided or undecided, and modes may end at different depths of the one tree.
+class PoseTree {
+ public:
+  /// Deepest level that boxes stay exact at.
+  static constexpr std::uint32_t deepest_level = 28;
+
+  /// The tree of one pending root. `region` is widened to `exact_region`.
+  PoseTree(const Box& region, std::size_t modes);
+
+  const Box& region() const noexcept { return region_; }
+  std::size_t dimension() const noexcept { return region_.dimension; }
+  std::size_t mode_count() const noexcept { return modes_; }
+  std::size_t node_count() const noexcept { return places_.size(); }
+  NodeIndex children_per_node() const noexcept { return NodeIndex{1} << dimension(); }
+
+  LeafState state(NodeIndex node, std::size_t mode) const noexcept { return states_[node * modes_ + mode]; }
+  LeafState& state(NodeIndex node, std::size_t mode) noexcept { return states_[node * modes_ + mode]; }
+  LeafState* states(NodeIndex node) noexcept { return states_.data() + node * modes_; }
+
+  const NodePlace& place(NodeIndex node) const noexcept { return places_[node]; }
+
+  /// Box of a node [m or rad]. All corners are exact, so neighbours share them bit for bit.
+  Box box(NodeIndex node) const noexcept;
+
+  /// First of the `children_per_node()` children, which are contiguous; `no_node` for none. Bit i of a
+  /// child's rank says which half it takes along coordinate i.
+  NodeIndex first_child(NodeIndex node) const noexcept { return first_child_[node]; }
+
+  /// Gives `node` children, unless it has them: the modes that are undecided there become divided in it and
+  /// pending in them where `divide` holds that mode; other modes are inherited.
+  template <class Predicate>
+  NodeIndex divide(NodeIndex node, const Predicate& divides_mode);
+
+  /// The leaf of `mode` that contains `point`; nothing where the point is outside the region.
+  std::optional<NodeIndex> leaf_at(const std::array<double, max_map_dimension>& point,
+                                   std::size_t mode) const noexcept;
+
+ private:
+  NodeIndex append_children(NodeIndex node);
+
+  Box region_;
+  std::size_t modes_;
+  std::vector<NodePlace> places_;
+  std::vector<NodeIndex> first_child_;
+  std::vector<LeafState> states_;
+};
+
+/// `box` widened so that every corner of every node down to `PoseTree::deepest_level` is an exact double: its
+/// corners become multiples of a power of two near width / 4096. Nothing where it lies too far from the
+/// origin for that (more than some hundred widths), is empty or is not finite.
+std::optional<Box> exact_region(const Box& box) noexcept;
+
+template <class Predicate>
+NodeIndex PoseTree::divide(NodeIndex node, const Predicate& divides_mode) {
+  if (first_child_[node] == no_node) append_children(node);
+  const NodeIndex first = first_child_[node];
+  for (std::size_t mode = 0; mode < modes_; ++mode) {
+    if (!state(node, mode).is_undecided() || !divides_mode(mode)) continue;
+    state(node, mode) = LeafState::divided();
+    for (NodeIndex child = first; child < first + children_per_node(); ++child)
+      state(child, mode) = LeafState::pending();
+  }
+  return first;
+}
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ASPECTS_POSE_TREE_H

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/aspects/aspect_map.h"
+
+#include "parallel_aspects/aspects/map_contents.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace parallel_aspects {
+namespace {
+
+std::optional<std::size_t> mode_index(const AspectMap::Contents& map, const WorkingMode& mode) noexcept {
+  const auto found = std::find(map.modes.begin(), map.modes.end(), mode);
+  if (found == map.modes.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - map.modes.begin());
+}
+
+std::array<double, max_map_dimension> map_point(const AspectMap::Contents& map, const Pose& pose) {
+  const PoseCoordinates coordinates = pose_coordinates(map.manipulator->task_space(), pose);
+  std::array<double, max_map_dimension> point{};
+  for (std::size_t i = 0; i < map.tree.dimension(); ++i) point[i] = coordinates[static_cast<Eigen::Index>(i)];
+  return point;
+}
+
+}  // namespace
+
+AspectMap::AspectMap(std::unique_ptr<const Contents> contents) : contents_(std::move(contents)) {}
+AspectMap::~AspectMap() = default;
+
+const std::shared_ptr<const Manipulator>& AspectMap::manipulator() const noexcept {
+  return contents_->manipulator;
+}
+const Box& AspectMap::region() const noexcept { return contents_->tree.region(); }
+double AspectMap::resolution() const noexcept { return contents_->resolution; }
+const std::vector<WorkingMode>& AspectMap::working_modes() const noexcept {
+  return contents_->existing_modes;
+}
+const std::vector<Aspect>& AspectMap::aspects() const noexcept { return contents_->aspects; }
+std::size_t AspectMap::proved_count() const noexcept { return contents_->proved_count; }
+const std::vector<std::pair<int, int>>& AspectMap::unresolved() const noexcept {
+  return contents_->unresolved;
+}
+double AspectMap::measure_undecided() const noexcept { return contents_->measure_undecided; }
+double AspectMap::seconds() const noexcept { return contents_->seconds; }
+
+Location AspectMap::locate(const Pose& pose, const WorkingMode& mode) const noexcept {
+  const auto m = mode_index(*contents_, mode);
+  const auto point = map_point(*contents_, pose);
+  if (!m) return {LocationStatus::not_mapped, 0};
+  const auto leaf = contents_->tree.leaf_at(point, *m);
+  if (!leaf) return {LocationStatus::not_mapped, 0};
+  const LeafState state = contents_->tree.state(*leaf, *m);
+  if (state.is_inside()) return {LocationStatus::inside, contents_->leaf_aspect(*leaf, *m)};
+  return {state.is_undecided() ? LocationStatus::undecided : LocationStatus::outside, 0};
+}
+
+void AspectMap::visit_inside_leaves(int aspect, const std::function<void(const Box&)>& visit) const {
+  const auto mode = mode_index(*contents_, contents_->aspects[static_cast<std::size_t>(aspect - 1)].mode);
+  for (NodeIndex node = 0; node < contents_->tree.node_count(); ++node)
+    if (contents_->leaf_aspect(node, *mode) == aspect) visit(contents_->tree.box(node));
+}
+
+void AspectMap::visit_undecided_leaves(const WorkingMode& mode,
+                                       const std::function<void(const Box&)>& visit) const {
+  const auto m = mode_index(*contents_, mode);
+  if (!m) return;
+  for (NodeIndex node = 0; node < contents_->tree.node_count(); ++node)
+    if (contents_->tree.state(node, *m).is_undecided()) visit(contents_->tree.box(node));
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/aspects/base_map.h"
+
+#include "parallel_aspects/aspects/interval.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace parallel_aspects {
+namespace {
+
+// Between two blocks progress is told and cancelling is possible; a block takes some ten milliseconds.
+constexpr NodeIndex nodes_per_block = 16384;
+constexpr NodeIndex nodes_per_task = 128;
+
+bool cancelled(const MapControl& control) {
+  return control.cancelled != nullptr && control.cancelled->load(std::memory_order_relaxed);
+}
+
+ModeSet pending_modes(const PoseTree& tree, NodeIndex node) {
+  ModeSet modes = 0;
+  for (std::size_t mode = 0; mode < tree.mode_count(); ++mode)
+    if (tree.state(node, mode).is_pending()) modes |= ModeSet{1} << mode;
+  return modes;
+}
+
+void classify_block(PoseTree& tree, const BoxClassifier& classifier, NodeIndex begin, NodeIndex end) {
+  tbb::parallel_for(tbb::blocked_range<NodeIndex>(begin, end, nodes_per_task), [&](const auto& range) {
+    const RoundingUpward rounding;
+    for (NodeIndex node = range.begin(); node != range.end(); ++node)
+      classifier.classify(tree.box(node), pending_modes(tree, node), tree.states(node));
+  });
+}
+
+void divide_undecided(PoseTree& tree, NodeIndex begin, NodeIndex end) {
+  for (NodeIndex node = begin; node != end; ++node) {
+    bool undecided = false;
+    for (std::size_t mode = 0; mode < tree.mode_count(); ++mode)
+      undecided = undecided || tree.state(node, mode).is_undecided();
+    if (undecided) tree.divide(node, [](std::size_t) { return true; });
+  }
+}
+
+/// Nodes lie along curves and surfaces, so each level costs 2^(d-1) times the one before.
+class Progress {
+ public:
+  Progress(const MapControl& control, std::size_t dimension, std::uint32_t depth)
+      : control_(control), growth_(std::ldexp(1.0, static_cast<int>(dimension) - 1)), depth_(depth) {}
+
+  void tell(std::uint32_t level, double share_of_level) const {
+    if (!control_.progress) return;
+    const double cost_after = std::pow(growth_, static_cast<double>(level) - depth_);
+    const double cost_before = level == 0 ? 0.0 : cost_after / growth_;
+    control_.progress(cost_before + (cost_after - cost_before) * share_of_level);
+  }
+
+ private:
+  const MapControl& control_;
+  double growth_;
+  std::uint32_t depth_;
+};
+
+}  // namespace
+
+bool grow_base_map(PoseTree& tree, const BoxClassifier& classifier, std::uint32_t depth,
+                   const MapControl& control) {
+  const Progress progress(control, tree.dimension(), depth);
+  NodeIndex begin = 0;
+  for (std::uint32_t level = 0; level <= depth; ++level) {
+    const auto end = static_cast<NodeIndex>(tree.node_count());
+    for (NodeIndex block = begin; block < end; block += nodes_per_block) {
+      if (cancelled(control)) return false;
+      const NodeIndex block_end = std::min(end, block + nodes_per_block);
+      classify_block(tree, classifier, block, block_end);
+      progress.tell(level, static_cast<double>(block_end - begin) / (end - begin));
+    }
+    if (level < depth) divide_undecided(tree, begin, end);
+    begin = end;
+  }
+  return true;
+}
+
+}  // namespace parallel_aspects

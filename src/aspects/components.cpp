@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/aspects/components.h"
+
+#include "parallel_aspects/aspects/interval.h"
+
+#include <algorithm>
+
+namespace parallel_aspects {
+namespace {
+
+// Where components touch along a whole curve no depth tells them apart; then stop and report them as
+// unresolved.
+constexpr std::size_t most_refinements = 200000;
+
+bool refine_once(PoseTree& tree, const BoxClassifier& classifier, LeafGraph& graph, int sign,
+                 std::uint32_t deepest_level, std::size_t& budget) {
+  bool refined = false;
+  for (const std::uint32_t vertex : graph.meeting(tree, sign).contested) {
+    if (tree.place(graph.vertices()[vertex].node).level >= deepest_level || budget == 0) continue;
+    graph.refine(tree, classifier, vertex);
+    refined = true;
+    --budget;
+  }
+  return refined;
+}
+
+void extend(Box& bounds, const Box& box) {
+  for (std::size_t i = 0; i < box.dimension; ++i) {
+    bounds.lower[i] = std::min(bounds.lower[i], box.lower[i]);
+    bounds.upper[i] = std::max(bounds.upper[i], box.upper[i]);
+  }
+}
+
+/// Collects the components of one graph.
+class Summary {
+ public:
+  Summary(const PoseTree& tree, const BoxClassifier& classifier, std::size_t mode, LeafGraph& graph)
+      : tree_(tree), classifier_(classifier), mode_(mode), graph_(graph) {}
+
+  ModeComponents collect() {
+    collect_inside();
+    collect_undecided();
+    for (const int sign : {1, -1}) collect_meetings(sign);
+    collect_clusters();
+    return std::move(result_);
+  }
+
+ private:
+  void collect_inside() {
+    const auto& leaves = graph_.inside_leaves();
+    index_.assign(leaves.size(), LeafGraph::none);
+    for (std::uint32_t i = 0; i < leaves.size(); ++i) {
+      const std::uint32_t root = graph_.component(i);
+      const Box box = tree_.box(leaves[i]);
+      if (index_[root] == LeafGraph::none) start_component(root, leaves[i], box);
+      Component& component = result_.components[index_[root]];
+      component.leaves.push_back(leaves[i]);
+      component.measure_inside += box.measure();
+      extend(component.bounds, box);
+    }
+    for (Component& component : result_.components) component.measure_estimated = component.measure_inside;
+  }
+
+  void start_component(std::uint32_t root, NodeIndex leaf, const Box& box) {
+    index_[root] = static_cast<std::uint32_t>(result_.components.size());
+    Component component;
+    component.determinant_sign = tree_.state(leaf, mode_).is_inside(1) ? 1 : -1;
+    component.bounds = box;
+    result_.components.push_back(component);
+  }
+
+  void collect_undecided() {
+    for (const LeafGraph::Vertex& vertex : graph_.vertices())
+      if (vertex.node != no_node) result_.measure_undecided += tree_.box(vertex.node).measure();
+  }
+
+  void collect_meetings(int sign) {
+    const LeafGraph::Meeting meeting = graph_.meeting(tree_, sign);
+    for (const auto& [a, b] : meeting.pairs) result_.unresolved.emplace_back(index_[a], index_[b]);
+    const RoundingUpward rounding;
+    undecided_.resize(result_.components.size(), 0.0);
+    for (std::uint32_t v = 0; v < graph_.vertices().size(); ++v) {
+      if (meeting.nearest[v] == LeafGraph::none) continue;
+      const std::size_t component = index_[meeting.nearest[v]];
+      const Box box = tree_.box(graph_.vertices()[v].node);
+      undecided_[component] += box.measure();
+      if (center_is_inside(box, sign)) result_.components[component].measure_estimated += box.measure();
+    }
+  }
+
+  bool center_is_inside(const Box& box, int sign) const {
+    Box center = box;
+    for (std::size_t i = 0; i < box.dimension; ++i) center.lower[i] = center.upper[i] = box.center(i);
+    std::vector<LeafState> states(tree_.mode_count());
+    classifier_.classify(center, ModeSet{1} << mode_, states.data());
+    return states[mode_].is_inside(sign);
+  }
+
+  void collect_clusters() {
+    DisjointSets clusters(result_.components.size());
+    for (const auto& [a, b] : result_.unresolved)
+      clusters.unite(static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b));
+    std::vector<double> measure(result_.components.size(), 0.0);
+    for (std::uint32_t i = 0; i < result_.components.size(); ++i) {
+      Component& component = result_.components[i];
+      component.cluster = clusters.find(i);
+      if (component.cluster == i) ++result_.cluster_count;
+      measure[component.cluster] += component.measure_inside + undecided_[i];
+    }
+    for (Component& component : result_.components) component.measure_cluster = measure[component.cluster];
+  }
+
+  const PoseTree& tree_;
+  const BoxClassifier& classifier_;
+  std::size_t mode_;
+  LeafGraph& graph_;
+  ModeComponents result_;
+  std::vector<std::uint32_t> index_;  // of a component, by its root
+  std::vector<double> undecided_;     // measure of the undecided leaves nearest to a component
+};
+
+}  // namespace
+
+void refine_contested(PoseTree& tree, const BoxClassifier& classifier, LeafGraph& graph,
+                      std::uint32_t deepest_level) {
+  std::size_t budget = most_refinements;
+  for (const int sign : {1, -1})
+    while (refine_once(tree, classifier, graph, sign, deepest_level, budget)) continue;
+}
+
+ModeComponents find_components(const PoseTree& tree, const BoxClassifier& classifier, std::size_t mode,
+                               LeafGraph& graph) {
+  return Summary(tree, classifier, mode, graph).collect();
+}
+
+}  // namespace parallel_aspects

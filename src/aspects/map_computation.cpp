@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/aspects/base_map.h"
+#include "parallel_aspects/aspects/components.h"
+#include "parallel_aspects/aspects/deepest_point.h"
+#include "parallel_aspects/aspects/map_contents.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <tuple>
+
+namespace parallel_aspects {
+namespace {
+
+constexpr int most_extra_levels = 20;
+constexpr double share_of_base_map = 0.9;
+
+struct Plan {
+  std::vector<WorkingMode> modes;
+  std::unique_ptr<const BoxClassifier> classifier;
+  Box region;
+  double resolution = 0.0;
+  std::uint32_t depth = 0;
+  std::uint32_t deepest_level = 0;
+};
+
+MapResult refused(const std::string& sentence) { return {MapStatus::refused, sentence, nullptr}; }
+
+double longest_edge(const Box& box, std::uint32_t level) {
+  double longest = 0.0;
+  for (std::size_t i = 0; i < box.dimension; ++i) longest = std::max(longest, box.width(i));
+  return std::ldexp(longest, -static_cast<int>(level));
+}
+
+/// Fills `plan`; the sentence says why that cannot be, and is empty otherwise.
+std::string make_plan(const Manipulator& manipulator, const MapOptions& options, Plan& plan) {
+  plan.modes = working_modes(manipulator);
+  plan.classifier = make_box_classifier(manipulator, plan.modes);
+  if (!plan.classifier)
+    return "Aspects can not be mapped in the task space " + std::string(name(manipulator.task_space())) +
+           " yet.";
+  plan.resolution = options.resolution.value_or(default_resolution(manipulator));
+  if (!std::isfinite(plan.resolution) || plan.resolution <= 0.0)
+    return "The resolution is " + std::to_string(plan.resolution) + " m; give a finite and positive one.";
+  if (options.extra_levels < 0 || options.extra_levels > most_extra_levels)
+    return "The number of extra levels is " + std::to_string(options.extra_levels) + "; give 0 to 20.";
+
+  const std::optional<Box> region = options.region ? options.region : plan.classifier->reachable_region();
+  if (!region)
+    return "The legs of '" + manipulator.name() +
+           "' have no limits that bound the workspace; limit the drives in the URDF or give a region.";
+  const std::optional<Box> exact = exact_region(*region);
+  if (!exact)
+    return "The region of the map is empty, not finite, or too far from the origin for its size; give "
+           "another "
+           "region, or mend the lengths of the legs if they cannot reach a common pose.";
+  plan.region = *exact;
+  while (longest_edge(plan.region, plan.depth) > plan.resolution && plan.depth < PoseTree::deepest_level)
+    ++plan.depth;
+  if (longest_edge(plan.region, plan.depth) > plan.resolution)
+    return "The resolution is too fine for the size of the region; give a coarser one.";
+  plan.deepest_level =
+      std::min(PoseTree::deepest_level, plan.depth + static_cast<std::uint32_t>(options.extra_levels));
+  return "";
+}
+
+Aspect make_aspect(const WorkingMode& mode, const Component& component) {
+  Aspect aspect;
+  aspect.mode = mode;
+  aspect.determinant_sign = component.determinant_sign;
+  aspect.measure = component.measure_estimated;
+  aspect.measure_lower = component.measure_inside;
+  aspect.measure_upper = component.measure_cluster;
+  aspect.inside_leaves = component.leaves.size();
+  aspect.bounds = component.bounds;
+  return aspect;
+}
+
+/// The components of one mode become aspects with the next ids.
+void add_mode(AspectMap::Contents& map, std::size_t mode, const ModeComponents& found) {
+  const auto first_id = static_cast<int>(map.aspects.size()) + 1;
+  std::vector<std::size_t> order(found.components.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::stable_sort(order.begin(), order.end(), [&found](std::size_t a, std::size_t b) {
+    const Component &one = found.components[a], &other = found.components[b];
+    return std::make_pair(one.determinant_sign, one.measure_estimated) >
+           std::make_pair(other.determinant_sign, other.measure_estimated);
+  });
+  std::vector<int> id(order.size());
+  for (std::size_t rank = 0; rank < order.size(); ++rank) {
+    const Component& component = found.components[order[rank]];
+    id[order[rank]] = first_id + static_cast<int>(rank);
+    map.aspects.push_back(make_aspect(map.modes[mode], component));
+    map.aspects.back().id = id[order[rank]];
+    for (const NodeIndex leaf : component.leaves)
+      map.leaf_aspects[leaf * map.modes.size() + mode] = id[order[rank]];
+  }
+  for (std::size_t a = 0; a < id.size(); ++a)
+    for (std::size_t b = 0; b < id.size(); ++b)
+      if (a != b && found.components[a].cluster == found.components[b].cluster)
+        map.aspects[static_cast<std::size_t>(id[a] - 1)].unresolved_with.push_back(id[b]);
+  for (const auto& [a, b] : found.unresolved)
+    map.unresolved.emplace_back(std::min(id[a], id[b]), std::max(id[a], id[b]));
+  map.proved_count += found.cluster_count;
+  map.measure_undecided += found.measure_undecided;
+  if (!found.components.empty()) map.existing_modes.push_back(map.modes[mode]);
+}
+
+void find_deepest_poses(AspectMap::Contents& map) {
+  tbb::parallel_for(std::size_t{0}, map.aspects.size(), [&map](std::size_t i) {
+    Aspect& aspect = map.aspects[i];
+    const auto mode = static_cast<std::size_t>(std::find(map.modes.begin(), map.modes.end(), aspect.mode) -
+                                               map.modes.begin());
+    const ClearPoint deepest = deepest_point(map, aspect, mode);
+    PoseCoordinates coordinates(static_cast<Eigen::Index>(map.tree.dimension()));
+    for (std::size_t k = 0; k < map.tree.dimension(); ++k)
+      coordinates[static_cast<Eigen::Index>(k)] = deepest.point[k];
+    aspect.deepest = pose_from_coordinates(map.manipulator->task_space(), coordinates).value_or(Pose());
+    aspect.deepest_clearance = deepest.clearance;
+  });
+}
+
+/// Components of every mode, with contested leaves refined.
+void add_components(AspectMap::Contents& map, const Plan& plan) {
+  const std::size_t count = plan.modes.size();
+  std::vector<std::unique_ptr<LeafGraph>> graphs(count);
+  tbb::parallel_for(std::size_t{0}, count,
+                    [&](std::size_t mode) { graphs[mode] = std::make_unique<LeafGraph>(map.tree, mode); });
+  for (std::size_t mode = 0; mode < count; ++mode)
+    refine_contested(map.tree, *plan.classifier, *graphs[mode], plan.deepest_level);
+  std::vector<ModeComponents> found(count);
+  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t mode) {
+    found[mode] = find_components(map.tree, *plan.classifier, mode, *graphs[mode]);
+  });
+  map.leaf_aspects.assign(map.tree.node_count() * count, 0);
+  for (std::size_t mode = 0; mode < count; ++mode) add_mode(map, mode, found[mode]);
+}
+
+}  // namespace
+
+double default_resolution(const Manipulator& manipulator) noexcept { return manipulator.size() / 200.0; }
+
+MapResult compute_aspect_map(std::shared_ptr<const Manipulator> manipulator, const MapOptions& options,
+                             const MapControl& control) {
+  const auto start = std::chrono::steady_clock::now();
+  Plan plan;
+  const std::string problem = make_plan(*manipulator, options, plan);
+  if (!problem.empty()) return refused(problem);
+
+  auto map = std::make_unique<AspectMap::Contents>(manipulator, PoseTree(plan.region, plan.modes.size()),
+                                                   plan.modes);
+  map->resolution = longest_edge(plan.region, plan.depth);
+  MapControl scaled = control;
+  if (control.progress)
+    scaled.progress = [&control](double share) { control.progress(share_of_base_map * share); };
+
+  tbb::task_arena arena(options.threads == 0 ? tbb::task_arena::automatic
+                                             : static_cast<int>(options.threads));
+  const bool complete = arena.execute([&] {
+    if (!grow_base_map(map->tree, *plan.classifier, plan.depth, scaled)) return false;
+    add_components(*map, plan);
+    find_deepest_poses(*map);
+    return true;
+  });
+  if (!complete) return {MapStatus::cancelled, "The computation was cancelled.", nullptr};
+  map->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (control.progress) control.progress(1.0);
+  return {MapStatus::complete, "", std::make_shared<const AspectMap>(std::move(map))};
+}
+
+}  // namespace parallel_aspects

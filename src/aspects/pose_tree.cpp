@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/aspects/pose_tree.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace parallel_aspects {
+namespace {
+
+// Corners are multiples of one grid unit: widths of at most 2^13 units, offsets of at most 2^22. Divided 2^28
+// times a corner then needs 22 + 28 = 50 bits of the 53 that a double has.
+constexpr double units_across = 4096.0;
+constexpr double most_units_away = 4194304.0;
+
+}  // namespace
+
+std::optional<Box> exact_region(const Box& box) noexcept {
+  Box exact = box;
+  for (std::size_t i = 0; i < box.dimension; ++i) {
+    const double width = box.width(i);
+    if (!std::isfinite(box.lower[i]) || !std::isfinite(width) || width <= 0.0) return std::nullopt;
+    const double unit = std::ldexp(1.0, std::ilogb(width / units_across));
+    if (!std::isnormal(unit)) return std::nullopt;
+    exact.lower[i] = std::floor(box.lower[i] / unit) * unit;
+    exact.upper[i] = std::ceil(box.upper[i] / unit) * unit;
+    if (std::max(std::abs(exact.lower[i]), std::abs(exact.upper[i])) > most_units_away * unit)
+      return std::nullopt;
+  }
+  return exact;
+}
+
+PoseTree::PoseTree(const Box& region, std::size_t modes)
+    : region_(exact_region(region).value()),
+      modes_(modes),
+      places_(1),
+      first_child_(1, no_node),
+      states_(modes, LeafState::pending()) {}
+
+Box PoseTree::box(NodeIndex node) const noexcept {
+  const NodePlace& at = places_[node];
+  Box box{dimension(), {}, {}};
+  for (std::size_t i = 0; i < dimension(); ++i) {
+    const double edge = std::ldexp(region_.width(i), -static_cast<int>(at.level));
+    box.lower[i] = region_.lower[i] + edge * at.cell[i];
+    box.upper[i] = region_.lower[i] + edge * (at.cell[i] + 1.0);
+  }
+  return box;
+}
+
+NodeIndex PoseTree::append_children(NodeIndex node) {
+  const auto first = static_cast<NodeIndex>(places_.size());
+  const NodePlace parent = places_[node];
+  for (NodeIndex rank = 0; rank < children_per_node(); ++rank) {
+    NodePlace child{{}, parent.level + 1};
+    for (std::size_t i = 0; i < dimension(); ++i) child.cell[i] = 2 * parent.cell[i] + (rank >> i & 1U);
+    places_.push_back(child);
+  }
+  first_child_.resize(places_.size(), no_node);
+  states_.resize(places_.size() * modes_, LeafState::inherited());
+  first_child_[node] = first;
+  return first;
+}
+
+std::optional<NodeIndex> PoseTree::leaf_at(const std::array<double, max_map_dimension>& point,
+                                           std::size_t mode) const noexcept {
+  if (!region_.contains(point)) return std::nullopt;
+  NodeIndex node = 0;
+  while (state(node, mode).is_divided()) {
+    const Box whole = box(node);
+    NodeIndex rank = 0;
+    for (std::size_t i = 0; i < dimension(); ++i)
+      if (point[i] >= whole.center(i)) rank |= NodeIndex{1} << i;
+    node = first_child_[node] + rank;
+  }
+  return node;
+}
+
+}  // namespace parallel_aspects
