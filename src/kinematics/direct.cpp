@@ -1,20 +1,38 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/kinematics/direct.h"
 
-#include <algorithm>
-
+#include "parallel_aspects/kinematics/direct_se2.h"
 #include "parallel_aspects/kinematics/direct_t2.h"
+#include "parallel_aspects/kinematics/direct_t3.h"
 #include "parallel_aspects/kinematics/jacobians.h"
+#include "parallel_aspects/kinematics/refinement.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace parallel_aspects {
 namespace {
 
-DirectResult solve(const Manipulator& manipulator, const JointVector& q) {
+// A candidate with a larger residual than this after refinement is no solution.
+constexpr double assembled = 1e-12;
+
+// With a smaller singular value of A than this, rounding of 1e-16 shows in the pose at 1e-10 or more.
+constexpr double nearly_singular = 1e-6;
+
+// Solutions closer than this, relative to the robot, are one solution found twice; nearly singular ones are
+// known to half the digits only.
+constexpr double same_pose = 1e-9;
+constexpr double same_singular_pose = 1e-6;
+
+// Approximate poses, among them every real solution.
+DirectResult candidates(const Manipulator& manipulator, const JointVector& q) {
   switch (manipulator.task_space()) {
     case TaskSpace::T2:
       return direct_t2(manipulator, q);
     case TaskSpace::SE2:
+      return direct_se2(manipulator, q);
     case TaskSpace::T3:
+      return direct_t3(manipulator, q);
     case TaskSpace::SO3:
     case TaskSpace::SE3:
       break;
@@ -22,18 +40,41 @@ DirectResult solve(const Manipulator& manipulator, const JointVector& q) {
   return {};
 }
 
-void complete(const Manipulator& manipulator, const JointVector& q, AssemblyMode& mode) {
-  const double size = manipulator.size();
-  mode.determinant = direct_determinant(manipulator, mode.pose, q);
-  mode.residual = residuals(manipulator, mode.pose, q).cwiseAbs().maxCoeff() / (size * size);
+bool same(const Manipulator& manipulator, const AssemblyMode& a, const AssemblyMode& b) {
+  const double tolerance = a.near_singular && b.near_singular ? same_singular_pose : same_pose;
+  return (a.pose.position - b.pose.position).norm() <= tolerance * manipulator.size() &&
+         a.pose.orientation.angularDistance(b.pose.orientation) <= tolerance;
+}
+
+void add_refined(const Manipulator& manipulator, const JointVector& q, const Pose& candidate,
+                 std::vector<AssemblyMode>& solutions) {
+  const Refinement refinement = refined(manipulator, candidate, q);
+  if (!(refinement.residual <= assembled)) return;
+  const AssemblyMode mode{refinement.pose, direct_determinant(manipulator, refinement.pose, q),
+                          refinement.residual, refinement.singular_value < nearly_singular};
+  const auto same_as_mode = [&](const AssemblyMode& other) { return same(manipulator, mode, other); };
+  if (std::none_of(solutions.begin(), solutions.end(), same_as_mode)) solutions.push_back(mode);
+}
+
+bool any_on_continuum(const Manipulator& manipulator, const JointVector& q,
+                      const std::vector<AssemblyMode>& solutions) {
+  return std::any_of(solutions.begin(), solutions.end(), [&](const AssemblyMode& mode) {
+    return mode.near_singular && on_continuum(manipulator, mode.pose, q);
+  });
 }
 
 }  // namespace
 
 DirectResult direct(const Manipulator& manipulator, const JointVector& q) {
   if (q.size() != static_cast<Eigen::Index>(manipulator.leg_count()) || !q.allFinite()) return {};
-  DirectResult result = solve(manipulator, q);
-  for (AssemblyMode& mode : result.solutions) complete(manipulator, q, mode);
+  const DirectResult found = candidates(manipulator, q);
+  DirectResult result{found.status, {}};
+  for (const AssemblyMode& mode : found.solutions) add_refined(manipulator, q, mode.pose, result.solutions);
+  // Samples of a continuum that none of the legs can follow are a continuum of complex solutions only.
+  if (found.status == DirectStatus::continuum && !found.solutions.empty() && result.solutions.empty())
+    result.status = DirectStatus::solved;
+  if (any_on_continuum(manipulator, q, result.solutions)) result.status = DirectStatus::continuum;
+  if (result.status == DirectStatus::continuum) result.solutions.clear();
   std::stable_sort(
       result.solutions.begin(), result.solutions.end(),
       [](const AssemblyMode& a, const AssemblyMode& b) { return a.determinant > b.determinant; });

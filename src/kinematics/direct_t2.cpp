@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/kinematics/direct_t2.h"
 
-#include <cmath>
-
 #include <Eigen/Geometry>
+
+#include <cmath>
 
 namespace parallel_aspects {
 namespace {
@@ -16,8 +16,8 @@ struct Circle {
 // Two centers closer than this, relative to the robot, are taken as one.
 constexpr double same_center = 1e-13;
 
-// Half chords shorter than this, relative to the robot, are so close to det A = 0 that rounding of the order 1e-16 in
-// their square shows in the pose at 1e-10 or more.
+// Half chords shorter than this, relative to the robot, are so close to det A = 0 that rounding of the order
+// 1e-16 in their square shows in the pose at 1e-10 or more.
 constexpr double short_chord = 1e-6;
 
 Circle circle(const Leg& leg, double q) {

@@ -2,47 +2,268 @@
 #ifndef PARALLEL_ASPECTS_TEST_SUPPORT_ROBOTS_H
 #define PARALLEL_ASPECTS_TEST_SUPPORT_ROBOTS_H
 
-#include <memory>
-
 #include "parallel_aspects/model/manipulator.h"
+
+#include <Eigen/Geometry>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace parallel_aspects::test {
 
-inline Leg planar_revolute_leg(const std::string& name, const Eigen::Vector2d& center, double crank,
-                               double rod) {
+using Points = std::vector<Eigen::Vector3d>;
+
+inline Leg named_leg(std::size_t index) {
   Leg leg;
-  leg.name = name;
-  leg.driven_joint = name + "_joint";
-  leg.drive = RevoluteDrive{{center.x(), center.y(), 0.0}, Eigen::Vector3d::UnitZ(),
-                            Eigen::Vector3d::UnitX(), crank};
-  leg.rod_length = rod;
+  leg.name = "leg_" + std::to_string(index + 1);
+  leg.driven_joint = leg.name + "_joint";
   return leg;
+}
+
+inline std::shared_ptr<const Manipulator> manipulator(const std::string& name, TaskSpace space,
+                                                      std::vector<Leg> legs) {
+  ManipulatorDescription description;
+  description.name = name;
+  description.task_space = space;
+  description.legs = std::move(legs);
+  return std::make_shared<const Manipulator>(description);
+}
+
+inline Leg planar_revolute_leg(std::size_t index, const Eigen::Vector2d& center, double crank, double rod,
+                               const Eigen::Vector2d& anchor = Eigen::Vector2d::Zero()) {
+  Leg leg = named_leg(index);
+  leg.drive =
+      RevoluteDrive{{center.x(), center.y(), 0.0}, Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitX(), crank};
+  leg.rod_length = rod;
+  leg.anchor << anchor, 0.0;
+  return leg;
+}
+
+inline std::vector<Leg> struts(const Points& base, const Points& anchors) {
+  std::vector<Leg> legs;
+  for (std::size_t j = 0; j < base.size(); ++j) {
+    legs.push_back(named_leg(j));
+    legs[j].drive = StrutDrive{base[j]};
+    legs[j].anchor = anchors[j];
+  }
+  return legs;
+}
+
+/// `radius` (cos angle, sin angle, 0) for each angle [deg].
+inline Points on_circle(double radius, const std::vector<double>& degrees) {
+  Points points;
+  for (const double each : degrees) {
+    const double angle = each * EIGEN_PI / 180.0;
+    points.push_back(radius * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0.0));
+  }
+  return points;
 }
 
 /// The paper's five-bar RR-RRR: A=(0,0), B=(9,0); leg 1: crank 8, rod 5; leg 2: crank 5, rod 8.
 inline std::shared_ptr<const Manipulator> five_bar() {
-  ManipulatorDescription description;
-  description.name = "five_bar";
-  description.task_space = TaskSpace::T2;
-  description.legs = {planar_revolute_leg("leg_1", {0.0, 0.0}, 8.0, 5.0),
-                      planar_revolute_leg("leg_2", {9.0, 0.0}, 5.0, 8.0)};
-  return std::make_shared<const Manipulator>(description);
+  return manipulator(
+      "five_bar", TaskSpace::T2,
+      {planar_revolute_leg(0, {0.0, 0.0}, 8.0, 5.0), planar_revolute_leg(1, {9.0, 0.0}, 5.0, 8.0)});
 }
 
 /// Bipod 2-RPR with base points (0,0) and (5,0) and struts limited to [2,6] and [4,9].
 inline std::shared_ptr<const Manipulator> bipod() {
-  ManipulatorDescription description;
-  description.name = "bipod";
-  description.task_space = TaskSpace::T2;
-  for (const int j : {1, 2}) {
-    Leg leg;
-    leg.name = "leg_" + std::to_string(j);
-    leg.driven_joint = leg.name + "_joint";
-    leg.drive = StrutDrive{{j == 1 ? 0.0 : 5.0, 0.0, 0.0}};
-    leg.limits = j == 1 ? JointLimits{2.0, 6.0} : JointLimits{4.0, 9.0};
-    description.legs.push_back(leg);
+  std::vector<Leg> legs = struts({{0.0, 0.0, 0.0}, {5.0, 0.0, 0.0}}, Points(2, Eigen::Vector3d::Zero()));
+  legs[0].limits = JointLimits{2.0, 6.0};
+  legs[1].limits = JointLimits{4.0, 9.0};
+  return manipulator("bipod", TaskSpace::T2, std::move(legs));
+}
+
+/// 3-RPR of Innocenti and Parenti-Castelli: A1=(0,0), A2=(15.91,0), A3=(0,10); B1B2=17.04, B1B3=20.84, angle
+/// at B1 0.88260311 rad; all lengths in [10, 32]; the pose is that of B1, phi the angle of B1B2.
+inline std::shared_ptr<const Manipulator> three_rpr() {
+  const double angle = 0.88260311;
+  std::vector<Leg> legs =
+      struts({{0.0, 0.0, 0.0}, {15.91, 0.0, 0.0}, {0.0, 10.0, 0.0}},
+             {{0.0, 0.0, 0.0}, {17.04, 0.0, 0.0}, {20.84 * std::cos(angle), 20.84 * std::sin(angle), 0.0}});
+  for (Leg& leg : legs) leg.limits = JointLimits{10.0, 32.0};
+  return manipulator("three_rpr", TaskSpace::SE2, std::move(legs));
+}
+
+/// 3-RRR of Caro, Chablat, Goldsztejn, Ishii and Jermann, Artificial Intelligence 211, 2014.
+inline std::shared_ptr<const Manipulator> three_rrr() {
+  return manipulator("three_rrr", TaskSpace::SE2,
+                     {planar_revolute_leg(0, {-10.0, -10.0}, 10.0, 10.0, {0.0, 0.0}),
+                      planar_revolute_leg(1, {10.0, -10.0}, 10.0, 10.0, {10.0, 0.0}),
+                      planar_revolute_leg(2, {0.0, 10.0}, 10.0, 10.0, {10.0, 10.0})});
+}
+
+/// 3-RRR with the elbows driven, on the same points.
+inline std::shared_ptr<const Manipulator> three_rrr_driven_elbow() {
+  const Points base{{-10.0, -10.0, 0.0}, {10.0, -10.0, 0.0}, {0.0, 10.0, 0.0}};
+  std::vector<Leg> legs = struts(base, {{0.0, 0.0, 0.0}, {10.0, 0.0, 0.0}, {10.0, 10.0, 0.0}});
+  for (std::size_t j = 0; j < 3; ++j)
+    legs[j].drive = ElbowDrive{base[j], 10.0, 8.0, 0.3, j == 1 ? -1.0 : 1.0};
+  return manipulator("three_rrr_driven_elbow", TaskSpace::SE2, std::move(legs));
+}
+
+/// 3-PRR with rails along the sides of an equilateral triangle.
+inline std::shared_ptr<const Manipulator> three_prr() {
+  const Points base = on_circle(1.0, {-90.0, 30.0, 150.0}), directions = on_circle(1.0, {0.0, 120.0, 240.0});
+  std::vector<Leg> legs = struts(base, on_circle(0.3, {-90.0, 30.0, 150.0}));
+  for (std::size_t j = 0; j < 3; ++j) {
+    legs[j].drive = PrismaticDrive{base[j], directions[j]};
+    legs[j].rod_length = 0.9;
   }
-  return std::make_shared<const Manipulator>(description);
+  return manipulator("three_prr", TaskSpace::SE2, std::move(legs));
+}
+
+/// Crank about a horizontal tangent at `center`; q = 0 is radially outward, positive q turns down.
+inline RevoluteDrive radial_crank(const Eigen::Vector3d& center, double degrees, double length) {
+  return {center, on_circle(1.0, {degrees + 90.0})[0], on_circle(1.0, {degrees})[0], length};
+}
+
+/// Delta of Clavel with the lengths of the ABB IRB 360-800: base 0.200, crank 0.235, rod 0.800, platform
+/// 0.045 m.
+inline std::shared_ptr<const Manipulator> delta() {
+  const std::vector<double> degrees{0.0, 120.0, 240.0};
+  const Points base = on_circle(0.200, degrees);
+  std::vector<Leg> legs = struts(base, on_circle(0.045, degrees));
+  for (std::size_t j = 0; j < 3; ++j) {
+    legs[j].drive = radial_crank(base[j], degrees[j], 0.235);
+    legs[j].rod_length = 0.800;
+  }
+  return manipulator("delta", TaskSpace::T3, std::move(legs));
+}
+
+/// Linear Delta with vertical rails.
+inline std::shared_ptr<const Manipulator> linear_delta() {
+  const std::vector<double> degrees{90.0, 210.0, 330.0};
+  const Points base = on_circle(0.180, degrees);
+  std::vector<Leg> legs = struts(base, on_circle(0.030, degrees));
+  for (std::size_t j = 0; j < 3; ++j) {
+    legs[j].drive = PrismaticDrive{base[j], Eigen::Vector3d::UnitZ()};
+    legs[j].rod_length = 0.300;
+  }
+  return manipulator("linear_delta", TaskSpace::T3, std::move(legs));
+}
+
+/// Leg of a spherical manipulator on the unit sphere: link angles alpha1 (base axis to elbow axis) and alpha2
+/// (elbow axis to platform axis) [rad]. `axis` and `platform_axis` are unit vectors.
+inline Leg spherical_leg(std::size_t index, const Eigen::Vector3d& axis,
+                         const Eigen::Vector3d& zero_direction, const Eigen::Vector3d& platform_axis,
+                         double alpha1, double alpha2) {
+  Leg leg = named_leg(index);
+  leg.drive = RevoluteDrive{std::cos(alpha1) * axis, axis, zero_direction, std::sin(alpha1)};
+  leg.rod_length = 2.0 * std::sin(0.5 * alpha2);
+  leg.anchor = platform_axis;
+  return leg;
+}
+
+/// Agile Eye of Gosselin: spherical 3-RRR with orthogonal axes and all link angles 90 deg, as in Bonev,
+/// Chablat and Wenger, ICRA 2006.
+inline std::shared_ptr<const Manipulator> agile_eye() {
+  const Eigen::Vector3d x = Eigen::Vector3d::UnitX(), y = Eigen::Vector3d::UnitY(),
+                        z = Eigen::Vector3d::UnitZ();
+  const double right_angle = 0.5 * EIGEN_PI;
+  std::vector<Leg> legs{spherical_leg(0, x, z, -y, right_angle, right_angle),
+                        spherical_leg(1, y, x, -z, right_angle, right_angle),
+                        spherical_leg(2, z, y, -x, right_angle, right_angle)};
+  for (Leg& leg : legs) std::get<RevoluteDrive>(leg.drive).center.setZero();
+  return manipulator("agile_eye", TaskSpace::SO3, std::move(legs));
+}
+
+/// Spherical 3-RRR without symmetry.
+inline std::shared_ptr<const Manipulator> spherical_three_rrr() {
+  const Points axes{{0.8, 0.1, 0.6}, {-0.5, 0.7, 0.5}, {-0.3, -0.8, 0.4}};
+  const Points platform{{0.7, 0.2, -0.5}, {-0.4, 0.8, -0.3}, {-0.2, -0.7, -0.6}};
+  const std::array<double, 3> alpha1{1.1, 1.3, 0.9}, alpha2{1.4, 1.2, 1.5};
+  std::vector<Leg> legs;
+  for (std::size_t j = 0; j < 3; ++j) {
+    const Eigen::Vector3d axis = axes[j].normalized();
+    legs.push_back(
+        spherical_leg(j, axis, axis.unitOrthogonal(), platform[j].normalized(), alpha1[j], alpha2[j]));
+  }
+  return manipulator("spherical_three_rrr", TaskSpace::SO3, std::move(legs));
+}
+
+/// Gough-Stewart platform with 40 real assembly modes (Dietmaier 1998); L1 = 1 and lengths as in
+/// `dietmaier_lengths`.
+inline std::shared_ptr<const Manipulator> dietmaier() {
+  return manipulator("dietmaier", TaskSpace::SE3,
+                     struts({{0.0, 0.0, 0.0},
+                             {1.107915, 0.0, 0.0},
+                             {0.549094, 0.756063, 0.0},
+                             {0.735077, -0.223935, 0.525991},
+                             {0.514188, -0.526063, -0.368418},
+                             {0.590473, 0.094733, -0.205018}},
+                            {{0.0, 0.0, 0.0},
+                             {0.542805, 0.0, 0.0},
+                             {0.956919, -0.528915, 0.0},
+                             {0.665885, -0.353482, 1.402538},
+                             {0.478359, 1.158742, 0.107672},
+                             {-0.137087, -0.235121, 0.353913}}));
+}
+
+inline JointVector dietmaier_lengths() {
+  JointVector q(6);
+  q << 1.0, 0.645275, 1.086284, 1.503439, 1.281933, 0.771071;
+  return q;
+}
+
+/// Stewart platform 6-6, semi-regular hexagons in both planes.
+inline std::shared_ptr<const Manipulator> stewart() {
+  return manipulator("stewart", TaskSpace::SE3,
+                     struts(on_circle(0.50, {-10.0, 10.0, 110.0, 130.0, 230.0, 250.0}),
+                            on_circle(0.30, {-50.0, 50.0, 70.0, 170.0, 190.0, 290.0})));
+}
+
+/// Stewart platform 6-6 with planar but otherwise general base and platform.
+inline std::shared_ptr<const Manipulator> planar_stewart() {
+  return manipulator("planar_stewart", TaskSpace::SE3,
+                     struts({{0.50, 0.02, 0.0},
+                             {0.40, 0.31, 0.0},
+                             {-0.22, 0.47, 0.0},
+                             {-0.44, 0.20, 0.0},
+                             {-0.31, -0.36, 0.0},
+                             {0.27, -0.41, 0.0}},
+                            {{0.21, -0.17, 0.0},
+                             {0.16, 0.25, 0.0},
+                             {0.05, 0.31, 0.0},
+                             {-0.29, 0.07, 0.0},
+                             {-0.27, -0.03, 0.0},
+                             {0.06, -0.33, 0.0}}));
+}
+
+/// Octahedral Stewart platform 3-3: pairs of legs share their joints on the base, and other pairs on the
+/// platform.
+inline std::shared_ptr<const Manipulator> octahedral_stewart() {
+  return manipulator("octahedral_stewart", TaskSpace::SE3,
+                     struts(on_circle(0.50, {0.0, 0.0, 120.0, 120.0, 240.0, 240.0}),
+                            on_circle(0.30, {-60.0, 60.0, 60.0, 180.0, 180.0, 300.0})));
+}
+
+/// Hexa (Pierrot): six cranks in three parallel pairs.
+inline std::shared_ptr<const Manipulator> hexa() {
+  const std::vector<double> sides{0.0, 0.0, 120.0, 120.0, 240.0, 240.0};
+  const Points base = on_circle(0.26, {-20.0, 20.0, 100.0, 140.0, 220.0, 260.0});
+  std::vector<Leg> legs = struts(base, on_circle(0.10, {-40.0, 40.0, 80.0, 160.0, 200.0, 280.0}));
+  for (std::size_t j = 0; j < 6; ++j) {
+    legs[j].drive = radial_crank(base[j], sides[j], 0.25);
+    legs[j].rod_length = 0.60;
+  }
+  return manipulator("hexa", TaskSpace::SE3, std::move(legs));
+}
+
+/// 6-PUS with six vertical rails.
+inline std::shared_ptr<const Manipulator> six_pus() {
+  const Points base = on_circle(0.50, {-10.0, 10.0, 110.0, 130.0, 230.0, 250.0});
+  std::vector<Leg> legs = struts(base, on_circle(0.15, {-40.0, 40.0, 80.0, 160.0, 200.0, 280.0}));
+  for (std::size_t j = 0; j < 6; ++j) {
+    legs[j].drive = PrismaticDrive{base[j], Eigen::Vector3d::UnitZ()};
+    legs[j].rod_length = 0.80;
+  }
+  return manipulator("six_pus", TaskSpace::SE3, std::move(legs));
 }
 
 }  // namespace parallel_aspects::test

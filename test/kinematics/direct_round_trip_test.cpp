@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "support/robots.h"
+#include "support/round_trip.h"
+#include <ostream>
+
+namespace parallel_aspects {
+namespace {
+
+struct Case {
+  std::shared_ptr<const Manipulator> robot;
+  Eigen::Vector3d home;
+  double spread;
+  std::size_t most_solutions;
+
+  friend std::ostream& operator<<(std::ostream& out, const Case& each) { return out << each.robot->name(); }
+};
+
+class RoundTrip : public testing::TestWithParam<Case> {};
+
+// Pose -> drives in a random working mode -> all direct solutions contain the pose.
+TEST_P(RoundTrip, FindsThePoseAgain) {
+  const auto& [robot, home, spread, most_solutions] = GetParam();
+  Pose center;
+  center.position = home;
+  const int count = 10000;
+  const test::RoundTrips trips = test::round_trips(*robot, center, spread, count, 20260101);
+  EXPECT_EQ(trips.made, count);
+  EXPECT_EQ(trips.missed, 0) << trips.first_miss;
+  EXPECT_EQ(trips.unsolved, 0) << trips.first_miss;
+  EXPECT_EQ(trips.continuum, 0);
+  EXPECT_LE(trips.most_solutions, most_solutions);
+  EXPECT_LT(trips.worst_residual, 1e-12);
+}
+
+std::string robot_name(const testing::TestParamInfo<Case>& info) { return info.param.robot->name(); }
+
+INSTANTIATE_TEST_SUITE_P(T2, RoundTrip,
+                         testing::Values(Case{test::five_bar(), {4.0, 0.0, 0.0}, 12.0, 2},
+                                         Case{test::bipod(), {2.0, 0.0, 0.0}, 9.0, 2}),
+                         robot_name);
+INSTANTIATE_TEST_SUITE_P(SE2, RoundTrip,
+                         testing::Values(Case{test::three_rpr(), {5.0, 5.0, 0.0}, 25.0, 6},
+                                         Case{test::three_rrr(), {-3.0, -3.0, 0.0}, 25.0, 6},
+                                         Case{test::three_rrr_driven_elbow(), {-3.0, -3.0, 0.0}, 25.0, 6},
+                                         Case{test::three_prr(), {0.0, 0.0, 0.0}, 0.8, 6}),
+                         robot_name);
+INSTANTIATE_TEST_SUITE_P(T3, RoundTrip,
+                         testing::Values(Case{test::delta(), {0.0, 0.0, -0.6}, 0.8, 2},
+                                         Case{test::linear_delta(), {0.0, 0.0, 0.0}, 0.4, 2}),
+                         robot_name);
+
+}  // namespace
+}  // namespace parallel_aspects

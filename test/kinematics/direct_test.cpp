@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/kinematics/direct.h"
+
+#include "parallel_aspects/kinematics/jacobians.h"
+
+#include <gtest/gtest.h>
+
+#include "support/robots.h"
+#include "support/round_trip.h"
+#include <limits>
+
+namespace parallel_aspects {
+namespace {
+
+JointVector drives(std::initializer_list<double> values) {
+  JointVector q(static_cast<Eigen::Index>(values.size()));
+  std::copy(values.begin(), values.end(), q.data());
+  return q;
+}
+
+Pose planar(double x, double y, double phi) {
+  Pose pose;
+  pose.position << x, y, 0.0;
+  pose.orientation = Eigen::AngleAxisd(phi, Eigen::Vector3d::UnitZ());
+  return pose;
+}
+
+// Innocenti and Parenti-Castelli; three of their six, with det A of rows (u, A_i x u), which is ours with the
+// columns in another order: an even one.
+TEST(Direct, SixSolutionsOfThe3Rpr) {
+  const auto robot = test::three_rpr();
+  const DirectResult result = direct(*robot, drives({14.98, 15.38, 12.0}));
+  ASSERT_EQ(result.status, DirectStatus::solved);
+  ASSERT_EQ(result.solutions.size(), 6U);
+  const std::vector<std::pair<Pose, double>> published{
+      {planar(-8.72659533, 12.17566975, -0.98697424), -29158.46},
+      {planar(-14.89612810, 1.58296166, 0.24530953), 9522.98},
+      {planar(14.67394366, -3.01260312, 2.13290437), 39129.27}};
+  for (const auto& [pose, determinant] : published) {
+    const AssemblyMode* mode = test::closest(*robot, result, pose);
+    EXPECT_LT(test::pose_distance(*robot, mode->pose, pose), 1e-7);
+    EXPECT_NEAR(8.0 * mode->determinant, 8.0 * determinant, 0.1) << to_string(TaskSpace::SE2, pose);
+    EXPECT_FALSE(mode->near_singular);
+  }
+}
+
+TEST(Direct, IsSortedByFallingDeterminantAndRefined) {
+  const DirectResult result = direct(*test::three_rpr(), drives({14.98, 15.38, 12.0}));
+  for (const AssemblyMode& mode : result.solutions) EXPECT_LT(mode.residual, 1e-15);
+  for (std::size_t i = 1; i < result.solutions.size(); ++i)
+    EXPECT_LE(result.solutions[i].determinant, result.solutions[i - 1].determinant);
+}
+
+TEST(Direct, DeltaHasTwoSolutionsThatMirrorEachOtherInThePlaneOfTheElbows) {
+  const auto robot = test::delta();
+  const DirectResult result = direct(*robot, drives({0.3, 0.3, 0.3}));
+  ASSERT_EQ(result.status, DirectStatus::solved);
+  ASSERT_EQ(result.solutions.size(), 2U);
+  EXPECT_NEAR(result.solutions[0].pose.position.z() + result.solutions[1].pose.position.z(),
+              2.0 * -0.235 * std::sin(0.3), 1e-12);
+  EXPECT_EQ(working_modes(*robot).size(), 8U);
+}
+
+TEST(Direct, OutOfReachIsSolvedWithNoSolution) {
+  EXPECT_EQ(direct(*test::bipod(), drives({2.0, 2.0})).status, DirectStatus::solved);
+  EXPECT_TRUE(direct(*test::bipod(), drives({2.0, 2.0})).solutions.empty());
+  const DirectResult planar_result = direct(*test::three_rpr(), drives({1.0, 1.0, 100.0}));
+  EXPECT_EQ(planar_result.status, DirectStatus::solved);
+  EXPECT_TRUE(planar_result.solutions.empty());
+}
+
+TEST(Direct, WrongOrInfiniteDrivesAreUnsolved) {
+  const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(direct(*test::three_rpr(), drives({1.0, nan, 1.0})).status, DirectStatus::unsolved);
+  EXPECT_EQ(direct(*test::delta(), drives({1.0, inf, 1.0})).status, DirectStatus::unsolved);
+  EXPECT_EQ(direct(*test::delta(), drives({1.0, 1.0})).status, DirectStatus::unsolved);
+}
+
+// Base and platform congruent, all lengths equal: the platform runs on a circle.
+TEST(Direct, ParallelogramIsAContinuum) {
+  const test::Points corners = test::on_circle(1.0, {0.0, 100.0, 250.0});
+  const auto robot = test::manipulator("parallelogram", TaskSpace::SE2, test::struts(corners, corners));
+  EXPECT_EQ(direct(*robot, drives({0.7, 0.7, 0.7})).status, DirectStatus::continuum);
+}
+
+// All anchors in one point that the legs can meet: the platform spins about it.
+TEST(Direct, PlatformOnOnePointIsAContinuumWhereTheLegsMeet) {
+  const Eigen::Vector3d anchor(0.3, 0.1, 0.0);
+  const auto robot =
+      test::manipulator("one point", TaskSpace::SE2,
+                        test::struts(test::on_circle(1.0, {0.0, 120.0, 240.0}), test::Points(3, anchor)));
+  EXPECT_EQ(direct(*robot, drives({1.0, 1.0, 1.0})).status, DirectStatus::continuum);
+  EXPECT_EQ(direct(*robot, drives({1.0, 1.0, 1.2})).status, DirectStatus::solved);
+}
+
+TEST(Direct, DeltaWithCoincidingSpheresIsAContinuum) {
+  const test::Points corners = test::on_circle(1.0, {0.0, 120.0, 240.0});
+  const auto robot = test::manipulator("one sphere", TaskSpace::T3, test::struts(corners, corners));
+  EXPECT_EQ(direct(*robot, drives({0.5, 0.5, 0.5})).status, DirectStatus::continuum);
+  EXPECT_EQ(direct(*robot, drives({0.5, 0.5, 0.6})).status, DirectStatus::solved);
+}
+
+}  // namespace
+}  // namespace parallel_aspects

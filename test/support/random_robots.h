@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_TEST_SUPPORT_RANDOM_ROBOTS_H
+#define PARALLEL_ASPECTS_TEST_SUPPORT_RANDOM_ROBOTS_H
+
+#include "parallel_aspects/model/manipulator.h"
+#include "parallel_aspects/model/pose.h"
+
+#include "support/robots.h"
+#include <array>
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects::test {
+
+inline constexpr std::array<TaskSpace, 5> all_task_spaces{TaskSpace::T2, TaskSpace::SE2, TaskSpace::T3,
+                                                          TaskSpace::SO3, TaskSpace::SE3};
+
+enum class DriveKind { revolute, prismatic, strut, elbow };
+inline constexpr std::array<DriveKind, 4> all_drive_kinds{DriveKind::revolute, DriveKind::prismatic,
+                                                          DriveKind::strut, DriveKind::elbow};
+
+/// Seeded random poses and general geometry. A planar task space gets planar robots.
+class RandomRobots {
+ public:
+  explicit RandomRobots(unsigned seed) : engine_(seed) {}
+
+  double uniform(double lower, double upper) {
+    return std::uniform_real_distribution<double>(lower, upper)(engine_);
+  }
+
+  Eigen::Vector3d vector(bool planar = false) {
+    const double x = uniform(-1.0, 1.0), y = uniform(-1.0, 1.0), z = uniform(-1.0, 1.0);
+    return {x, y, planar ? 0.0 : z};
+  }
+
+  Eigen::Quaterniond orientation() {
+    std::normal_distribution<double> normal;
+    const double x = normal(engine_), y = normal(engine_), z = normal(engine_), w = normal(engine_);
+    return Eigen::Quaterniond(w, x, y, z).normalized();
+  }
+
+  Pose pose(TaskSpace space, double spread = 1.0) {
+    const bool planar = space == TaskSpace::T2 || space == TaskSpace::SE2;
+    Pose result;
+    if (has_translation(space)) result.position = spread * vector(planar);
+    if (space == TaskSpace::SE2)
+      result.orientation = Eigen::AngleAxisd(uniform(-EIGEN_PI, EIGEN_PI), Eigen::Vector3d::UnitZ());
+    if (space == TaskSpace::SO3 || space == TaskSpace::SE3) result.orientation = orientation();
+    return result;
+  }
+
+  Drive drive(DriveKind kind, bool planar) {
+    const Eigen::Vector3d axis = planar ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d(vector().normalized());
+    switch (kind) {
+      case DriveKind::revolute:
+        return RevoluteDrive{vector(planar), axis, axis.unitOrthogonal(), uniform(0.5, 1.5)};
+      case DriveKind::prismatic:
+        return PrismaticDrive{vector(planar), vector(planar).normalized()};
+      case DriveKind::strut:
+        return StrutDrive{vector(planar), uniform(0.0, 0.5), sense()};
+      case DriveKind::elbow:
+        return ElbowDrive{vector(planar), uniform(0.5, 1.5), uniform(0.5, 1.5), uniform(-3.0, 3.0), sense()};
+    }
+    return StrutDrive{vector(planar)};
+  }
+
+  std::shared_ptr<const Manipulator> robot(TaskSpace space, DriveKind kind) {
+    const bool planar = space == TaskSpace::T2 || space == TaskSpace::SE2;
+    std::vector<Leg> legs;
+    for (std::size_t j = 0; j < freedoms(space); ++j) {
+      legs.push_back(named_leg(j));
+      legs[j].drive = drive(kind, planar);
+      legs[j].anchor = vector(planar);
+      legs[j].rod_length = uniform(0.8, 2.0);
+    }
+    return manipulator("random " + std::string(name(space)), space, std::move(legs));
+  }
+
+ private:
+  double sense() { return uniform(0.0, 1.0) < 0.5 ? 1.0 : -1.0; }
+
+  std::mt19937 engine_;
+};
+
+}  // namespace parallel_aspects::test
+
+#endif  // PARALLEL_ASPECTS_TEST_SUPPORT_RANDOM_ROBOTS_H
