@@ -1,0 +1,78 @@
+# shellcheck shell=bash
+# SPDX-License-Identifier: BSD-3-Clause
+# What the scripts share; sourced by them, not run.
+
+# A Python of another origin early on PATH hides catkin_pkg from cmake.
+export PATH="/usr/bin:/bin:${PATH}"
+
+root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
+workspace="${root}/.workspace"
+
+say() { printf '\n== %s\n' "$*"; }
+
+fail() {
+  printf '%s: %s\n' "$(basename "$0")" "$*" >&2
+  exit 1
+}
+
+as_root() {
+  if [ "$(id -u)" -eq 0 ]; then
+    "$@"
+  elif command -v sudo > /dev/null; then
+    sudo "$@"
+  else
+    fail "packages are missing and there is no sudo; as root, run: $*"
+  fi
+}
+
+# Names of the packages of these groups in debian-packages.txt that are not installed.
+missing_packages() {
+  local group name rest
+  while read -r group name rest; do
+    case " $* " in *" ${group} "*) ;; *) continue ;; esac
+    [ "$(dpkg-query -W -f='${db:Status-Status}' "${name}" 2> /dev/null)" = installed ] || echo "${name}"
+  done < "${root}/scripts/debian-packages.txt"
+}
+
+# install_packages GROUP...: installs what is missing, on Debian. A Noetic from packages.ros.org is taken as it is.
+install_packages() {
+  if [ -f /opt/ros/noetic/setup.bash ]; then
+    # shellcheck disable=SC1091
+    set +u && source /opt/ros/noetic/setup.bash && set -u
+    return
+  fi
+  local missing
+  mapfile -t missing < <(missing_packages "$@")
+  [ "${#missing[@]}" -gt 0 ] || return 0
+  command -v apt-get > /dev/null || fail "these packages are missing: ${missing[*]}"
+  say "Installing ${missing[*]}"
+  as_root apt-get update -q
+  as_root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y "${missing[@]}"
+}
+
+# Options for every cmake: ccache, where it is there.
+cmake_options=()
+if command -v ccache > /dev/null; then cmake_options+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
+
+# quietly LOG COMMAND...: shows the output only where the command fails.
+quietly() {
+  local log="$1"
+  shift
+  mkdir -p "$(dirname "${log}")"
+  if ! "$@" > "${log}" 2>&1; then
+    cat "${log}" >&2
+    return 1
+  fi
+}
+
+# A catkin workspace of its own, with this package as a link in it.
+prepare_workspace() {
+  mkdir -p "${workspace}/src"
+  ln -sfn "${root}" "${workspace}/src/parallel_aspects"
+}
+
+# build_workspace CMAKE_OPTION...
+build_workspace() {
+  prepare_workspace
+  (cd "${workspace}" && catkin_make --use-ninja -DCMAKE_BUILD_TYPE=Release "${cmake_options[@]}" "$@")
+}
