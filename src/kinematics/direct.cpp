@@ -2,6 +2,7 @@
 #include "parallel_aspects/kinematics/direct.h"
 
 #include "parallel_aspects/kinematics/direct_se2.h"
+#include "parallel_aspects/kinematics/direct_so3.h"
 #include "parallel_aspects/kinematics/direct_t2.h"
 #include "parallel_aspects/kinematics/direct_t3.h"
 #include "parallel_aspects/kinematics/jacobians.h"
@@ -34,6 +35,7 @@ DirectResult candidates(const Manipulator& manipulator, const JointVector& q) {
     case TaskSpace::T3:
       return direct_t3(manipulator, q);
     case TaskSpace::SO3:
+      return direct_so3(manipulator, q);
     case TaskSpace::SE3:
       break;
   }

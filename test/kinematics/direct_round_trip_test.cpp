@@ -50,6 +50,10 @@ INSTANTIATE_TEST_SUITE_P(T3, RoundTrip,
                          testing::Values(Case{test::delta(), {0.0, 0.0, -0.6}, 0.8, 2},
                                          Case{test::linear_delta(), {0.0, 0.0, 0.0}, 0.4, 2}),
                          robot_name);
+INSTANTIATE_TEST_SUITE_P(SO3, RoundTrip,
+                         testing::Values(Case{test::agile_eye(), {0.0, 0.0, 0.0}, 1.0, 8},
+                                         Case{test::spherical_three_rrr(), {0.0, 0.0, 0.0}, 1.0, 8}),
+                         robot_name);
 
 }  // namespace
 }  // namespace parallel_aspects

@@ -100,5 +100,25 @@ TEST(Direct, DeltaWithCoincidingSpheresIsAContinuum) {
   EXPECT_EQ(direct(*robot, drives({0.5, 0.5, 0.6})).status, DirectStatus::solved);
 }
 
+// Bonev, Chablat and Wenger, "Working and assembly modes of the Agile Eye": eight working modes; of the eight
+// direct solutions four are trivial, with the platform axes along the base axes whatever the drives (all B_jj
+// = 0), and four are assembly modes.
+TEST(Direct, AgileEyeHasFourAssemblyModesBesidesTheTrivialOnes) {
+  const auto robot = test::agile_eye();
+  EXPECT_EQ(working_modes(*robot).size(), 8U);
+  test::RandomRobots random(7);
+  for (int i = 0; i < 1000; ++i) {
+    const JointVector q =
+        drives({random.uniform(-3.0, 3.0), random.uniform(-3.0, 3.0), random.uniform(-3.0, 3.0)});
+    const DirectResult result = direct(*robot, q);
+    ASSERT_EQ(result.status, DirectStatus::solved);
+    ASSERT_EQ(result.solutions.size(), 8U) << q.transpose();
+    const auto trivial = [&](const AssemblyMode& mode) {
+      return inverse_diagonal(*robot, mode.pose, q).cwiseAbs().maxCoeff() < 1e-7;
+    };
+    EXPECT_EQ(std::count_if(result.solutions.begin(), result.solutions.end(), trivial), 4) << q.transpose();
+  }
+}
+
 }  // namespace
 }  // namespace parallel_aspects
