@@ -46,21 +46,29 @@ json json_map(const AspectMap& map) {
   return object;
 }
 
+std::string pose_text(TaskSpace space, const Pose& pose) {
+  std::string text;
+  for (const double coordinate : pose_coordinates(space, pose))
+    text += (text.empty() ? "(" : ", ") + shown_briefly(coordinate);
+  return text + ")";
+}
+
 std::string bounds_text(const Box& box) {
   std::string text;
   for (std::size_t i = 0; i < box.dimension; ++i)
-    text += (i == 0 ? "" : " x ") + std::string("[") + shown(box.lower[i]) + ", " + shown(box.upper[i]) + "]";
+    text += (i == 0 ? "" : " x ") + std::string("[") + shown_briefly(box.lower[i]) + ", " +
+            shown_briefly(box.upper[i]) + "]";
   return text;
 }
 
 std::string aspect_table(TaskSpace space, const std::vector<Aspect>& aspects) {
   TextTable table({">id", "working mode", "det A", ">measure [" + std::string(measure_unit(space)) + "]",
-                   ">proved from", ">to", ">leaves", "bounds", "deepest pose", ">clearance"});
+                   ">at least", ">at most", ">leaves", "bounds", "deepest pose", ">clearance"});
   for (const Aspect& aspect : aspects)
     table.add({std::to_string(aspect.id), to_string(aspect.mode), shown_sign(aspect.determinant_sign),
                shown(aspect.measure), shown(aspect.measure_lower), shown(aspect.measure_upper),
                std::to_string(aspect.inside_leaves), bounds_text(aspect.bounds),
-               to_string(space, aspect.deepest), shown(aspect.deepest_clearance)});
+               pose_text(space, aspect.deepest), shown_briefly(aspect.deepest_clearance)});
   return table.text();
 }
 

@@ -5,6 +5,17 @@
 #include <sstream>
 
 namespace parallel_aspects::tools {
+namespace {
+
+std::string with_digits(double value, int digits) {
+  if (std::isnan(value)) return "-";
+  std::ostringstream text;
+  text.precision(digits);
+  text << value;
+  return text.str();
+}
+
+}  // namespace
 
 nlohmann::json json_number(double value) { return std::isfinite(value) ? nlohmann::json(value) : nullptr; }
 
@@ -41,12 +52,9 @@ nlohmann::json json_indices(const SingularityIndices& indices) {
           {"inverse_condition_number", json_number(indices.inverse_condition_number)}};
 }
 
-std::string shown(double value) {
-  if (std::isnan(value)) return "-";
-  std::ostringstream text;
-  text << value;
-  return text.str();
-}
+std::string shown(double value) { return with_digits(value, 6); }
+
+std::string shown_briefly(double value) { return with_digits(value, 4); }
 
 std::string shown(const TaskVector& values) {
   std::string text;

@@ -37,6 +37,9 @@ nlohmann::json json_indices(const SingularityIndices& indices);
 /// Six significant digits; "-" where the value is not a number.
 std::string shown(double value);
 
+/// Four significant digits.
+std::string shown_briefly(double value);
+
 /// Several numbers, separated by ", ".
 std::string shown(const TaskVector& values);
 
