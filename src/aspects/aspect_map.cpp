@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/aspects/aspect_map.h"
 
+#include "parallel_aspects/aspects/interval.h"
 #include "parallel_aspects/aspects/map_contents.h"
+#include "parallel_aspects/aspects/near_leaves.h"
+#include "parallel_aspects/aspects/segment_proof.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,11 +18,27 @@ std::optional<std::size_t> mode_index(const AspectMap::Contents& map, const Work
   return static_cast<std::size_t>(found - map.modes.begin());
 }
 
-std::array<double, max_map_dimension> map_point(const AspectMap::Contents& map, const Pose& pose) {
+MapPoint map_point(const AspectMap::Contents& map, const Pose& pose) {
   const PoseCoordinates coordinates = pose_coordinates(map.manipulator->task_space(), pose);
-  std::array<double, max_map_dimension> point{};
+  MapPoint point{};
   for (std::size_t i = 0; i < map.tree.dimension(); ++i) point[i] = coordinates[static_cast<Eigen::Index>(i)];
   return point;
+}
+
+// In an undecided leaf: the aspect that a proved segment joins the point to.
+Location locate_by_proof(const AspectMap::Contents& map, std::size_t mode, const MapPoint& point) noexcept {
+  const RoundingUpward rounding;
+  const std::size_t dimension = map.tree.dimension();
+  const int sign = proved_sign(*map.classifier, dimension, mode, point);
+  if (sign == 0) return {LocationStatus::undecided, 0};
+  const NearLeaves near = near_inside_leaves(map.tree, mode, sign, point);
+  for (std::size_t i = 0; i < near.count; ++i) {
+    const NodeIndex leaf = near.items[i].leaf;
+    const MapPoint target = map.tree.box(leaf).nearest(point);
+    if (segment_is_free(*map.classifier, dimension, mode, sign, point, target))
+      return {LocationStatus::inside, map.leaf_aspect(leaf, mode)};
+  }
+  return {LocationStatus::undecided, 0};
 }
 
 }  // namespace
@@ -51,7 +70,8 @@ Location AspectMap::locate(const Pose& pose, const WorkingMode& mode) const noex
   if (!leaf) return {LocationStatus::not_mapped, 0};
   const LeafState state = contents_->tree.state(*leaf, *m);
   if (state.is_inside()) return {LocationStatus::inside, contents_->leaf_aspect(*leaf, *m)};
-  return {state.is_undecided() ? LocationStatus::undecided : LocationStatus::outside, 0};
+  if (!state.is_undecided()) return {LocationStatus::outside, 0};
+  return locate_by_proof(*contents_, *m, point);
 }
 
 void AspectMap::visit_inside_leaves(int aspect, const std::function<void(const Box&)>& visit) const {

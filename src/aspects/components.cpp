@@ -12,17 +12,37 @@ namespace {
 // unresolved.
 constexpr std::size_t most_refinements = 200000;
 
-bool refine_once(PoseTree& tree, const BoxClassifier& classifier, LeafGraph& graph, int sign,
-                 std::uint32_t deepest_level, std::size_t& budget) {
-  bool refined = false;
-  for (const std::uint32_t vertex : graph.meeting(tree, sign).contested) {
-    if (tree.place(graph.vertices()[vertex].node).level >= deepest_level || budget == 0) continue;
-    graph.refine(tree, classifier, vertex);
-    refined = true;
-    --budget;
+/// Refinement of the contested leaves of one sign, and of those where an aspect may hide.
+class Refinement {
+ public:
+  Refinement(PoseTree& tree, const BoxClassifier& classifier, LeafGraph& graph, std::uint32_t deepest_level)
+      : tree_(tree), classifier_(classifier), graph_(graph), deepest_level_(deepest_level) {}
+
+  /// One round for one sign; whether anything was left to do.
+  bool run(int sign) {
+    const LeafGraph::Meeting meeting = graph_.meeting(tree_, sign);
+    const bool contested = refine(meeting.contested), hidden = refine(meeting.hidden);
+    return contested || hidden;
   }
-  return refined;
-}
+
+ private:
+  bool refine(const std::vector<std::uint32_t>& vertices) {
+    bool refined = false;
+    for (const std::uint32_t vertex : vertices) {
+      if (budget_ == 0 || tree_.place(graph_.vertices()[vertex].node).level >= deepest_level_) continue;
+      graph_.refine(tree_, classifier_, vertex);
+      refined = true;
+      --budget_;
+    }
+    return refined;
+  }
+
+  PoseTree& tree_;
+  const BoxClassifier& classifier_;
+  LeafGraph& graph_;
+  std::uint32_t deepest_level_;
+  std::size_t budget_ = most_refinements;
+};
 
 void extend(Box& bounds, const Box& box) {
   for (std::size_t i = 0; i < box.dimension; ++i) {
@@ -123,9 +143,13 @@ class Summary {
 
 void refine_contested(PoseTree& tree, const BoxClassifier& classifier, LeafGraph& graph,
                       std::uint32_t deepest_level) {
-  std::size_t budget = most_refinements;
-  for (const int sign : {1, -1})
-    while (refine_once(tree, classifier, graph, sign, deepest_level, budget)) continue;
+  Refinement refinement(tree, classifier, graph, deepest_level);
+  // Leaves divided for one sign may show new components of the other.
+  for (bool refined = true; refined;) {
+    refined = false;
+    for (const int sign : {1, -1})
+      while (refinement.run(sign)) refined = true;
+  }
 }
 
 ModeComponents find_components(const PoseTree& tree, const BoxClassifier& classifier, std::size_t mode,

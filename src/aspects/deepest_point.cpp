@@ -9,24 +9,13 @@
 namespace parallel_aspects {
 namespace {
 
-using Point = std::array<double, max_map_dimension>;
-
 constexpr double relative_precision = 0.01;
-
-double squared_distance(const Box& box, const Point& point) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < box.dimension; ++i) {
-    const double outside = std::max({box.lower[i] - point[i], point[i] - box.upper[i], 0.0});
-    sum += outside * outside;
-  }
-  return sum;
-}
 
 /// Nearest leaf that is not of the aspect, by descending the tree and leaving out what is farther than the
 /// best.
 class NearestForeignLeaf {
  public:
-  NearestForeignLeaf(const AspectMap::Contents& map, int aspect, std::size_t mode, const Point& point)
+  NearestForeignLeaf(const AspectMap::Contents& map, int aspect, std::size_t mode, const MapPoint& point)
       : map_(map), aspect_(aspect), mode_(mode), point_(point) {}
 
   double distance() {
@@ -41,29 +30,22 @@ class NearestForeignLeaf {
   void keep(double distance) { best_ = std::min(best_, distance * distance); }
 
   void descend(NodeIndex node) {
-    const double distance = squared_distance(map_.tree.box(node), point_);
+    const Box box = map_.tree.box(node);
+    const double distance = box.squared_distance(point_);
     if (distance >= best_) return;
     if (!map_.tree.state(node, mode_).is_divided()) {
       if (map_.leaf_aspect(node, mode_) != aspect_) best_ = distance;
       return;
     }
-    const NodeIndex nearest = nearest_child(node);
+    const NodeIndex nearest = box.rank_of(point_);
     for (NodeIndex rank = 0; rank < map_.tree.children_per_node(); ++rank)
       descend(map_.tree.first_child(node) + (rank ^ nearest));
-  }
-
-  NodeIndex nearest_child(NodeIndex node) const {
-    const Box box = map_.tree.box(node);
-    NodeIndex rank = 0;
-    for (std::size_t i = 0; i < box.dimension; ++i)
-      if (point_[i] >= box.center(i)) rank |= NodeIndex{1} << i;
-    return rank;
   }
 
   const AspectMap::Contents& map_;
   int aspect_;
   std::size_t mode_;
-  Point point_;
+  MapPoint point_;
   double best_ = std::numeric_limits<double>::infinity();
 };
 
@@ -76,8 +58,8 @@ struct Cell {
   bool operator<(const Cell& other) const { return bound < other.bound; }
 };
 
-Point center_of(const Box& box) {
-  Point point{};
+MapPoint center_of(const Box& box) {
+  MapPoint point{};
   for (std::size_t i = 0; i < box.dimension; ++i) point[i] = box.center(i);
   return point;
 }
@@ -85,7 +67,7 @@ Point center_of(const Box& box) {
 Cell cell(const AspectMap::Contents& map, const Aspect& aspect, std::size_t mode, const Box& box) {
   double squared_diagonal = 0.0;
   for (std::size_t i = 0; i < box.dimension; ++i) squared_diagonal += box.width(i) * box.width(i);
-  const Point point = center_of(box);
+  const MapPoint point = center_of(box);
   const double clear = clearance(map, aspect, mode, point);
   return {box, {point, clear}, clear + 0.5 * std::sqrt(squared_diagonal)};
 }
@@ -98,7 +80,8 @@ Box half(const Box& box, std::size_t i, bool upper) {
 
 }  // namespace
 
-double clearance(const AspectMap::Contents& map, const Aspect& aspect, std::size_t mode, const Point& point) {
+double clearance(const AspectMap::Contents& map, const Aspect& aspect, std::size_t mode,
+                 const MapPoint& point) {
   return NearestForeignLeaf(map, aspect.id, mode, point).distance();
 }
 

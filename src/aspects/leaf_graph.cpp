@@ -81,6 +81,10 @@ LeafGraph::Meeting LeafGraph::meeting(const PoseTree& tree, int sign) {
       }
     }
   }
+  for (std::uint32_t v = 0; v < vertices_.size(); ++v)
+    if (meeting.nearest[v] == none && vertices_[v].node != no_node &&
+        tree.state(vertices_[v].node, mode_).may_be(sign))
+      meeting.hidden.push_back(v);
   sort_unique(meeting.contested);
   std::sort(meeting.pairs.begin(), meeting.pairs.end());
   meeting.pairs.erase(std::unique(meeting.pairs.begin(), meeting.pairs.end()), meeting.pairs.end());

@@ -130,10 +130,10 @@ void add_components(AspectMap::Contents& map, const Plan& plan) {
   tbb::parallel_for(std::size_t{0}, count,
                     [&](std::size_t mode) { graphs[mode] = std::make_unique<LeafGraph>(map.tree, mode); });
   for (std::size_t mode = 0; mode < count; ++mode)
-    refine_contested(map.tree, *plan.classifier, *graphs[mode], plan.deepest_level);
+    refine_contested(map.tree, *map.classifier, *graphs[mode], plan.deepest_level);
   std::vector<ModeComponents> found(count);
   tbb::parallel_for(std::size_t{0}, count, [&](std::size_t mode) {
-    found[mode] = find_components(map.tree, *plan.classifier, mode, *graphs[mode]);
+    found[mode] = find_components(map.tree, *map.classifier, mode, *graphs[mode]);
   });
   map.leaf_aspects.assign(map.tree.node_count() * count, 0);
   for (std::size_t mode = 0; mode < count; ++mode) add_mode(map, mode, found[mode]);
@@ -150,8 +150,8 @@ MapResult compute_aspect_map(std::shared_ptr<const Manipulator> manipulator, con
   const std::string problem = make_plan(*manipulator, options, plan);
   if (!problem.empty()) return refused(problem);
 
-  auto map = std::make_unique<AspectMap::Contents>(manipulator, PoseTree(plan.region, plan.modes.size()),
-                                                   plan.modes);
+  auto map = std::make_unique<AspectMap::Contents>(manipulator, std::move(plan.classifier),
+                                                   PoseTree(plan.region, plan.modes.size()), plan.modes);
   map->resolution = longest_edge(plan.region, plan.depth);
   MapControl scaled = control;
   if (control.progress)
@@ -160,7 +160,7 @@ MapResult compute_aspect_map(std::shared_ptr<const Manipulator> manipulator, con
   tbb::task_arena arena(options.threads == 0 ? tbb::task_arena::automatic
                                              : static_cast<int>(options.threads));
   const bool complete = arena.execute([&] {
-    if (!grow_base_map(map->tree, *plan.classifier, plan.depth, scaled)) return false;
+    if (!grow_base_map(map->tree, *map->classifier, plan.depth, scaled)) return false;
     add_components(*map, plan);
     find_deepest_poses(*map);
     return true;

@@ -61,16 +61,11 @@ NodeIndex PoseTree::append_children(NodeIndex node) {
   return first;
 }
 
-std::optional<NodeIndex> PoseTree::leaf_at(const std::array<double, max_map_dimension>& point,
-                                           std::size_t mode) const noexcept {
+std::optional<NodeIndex> PoseTree::leaf_at(const MapPoint& point, std::size_t mode) const noexcept {
   if (!region_.contains(point)) return std::nullopt;
   NodeIndex node = 0;
   while (state(node, mode).is_divided()) {
-    const Box whole = box(node);
-    NodeIndex rank = 0;
-    for (std::size_t i = 0; i < dimension(); ++i)
-      if (point[i] >= whole.center(i)) rank |= NodeIndex{1} << i;
-    node = first_child_[node] + rank;
+    node = first_child_[node] + box(node).rank_of(point);
   }
   return node;
 }

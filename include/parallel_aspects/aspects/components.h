@@ -34,8 +34,9 @@ struct ModeComponents {
   double measure_undecided = 0.0;
 };
 
-/// Divides contested leaves of both signs until components of one sign are joined or apart, or
-/// `deepest_level` is reached, or some hundred thousand leaves are spent.
+/// Divides contested leaves of both signs until components of one sign are joined or apart, and leaves near
+/// no component until they show one or vanish; ends at `deepest_level`, or when some hundred thousand leaves
+/// are spent.
 void refine_contested(PoseTree& tree, const BoxClassifier& classifier, LeafGraph& graph,
                       std::uint32_t deepest_level);
 

@@ -4,21 +4,20 @@
 
 #include "parallel_aspects/aspects/map_contents.h"
 
-#include <array>
 #include <cstddef>
 
 namespace parallel_aspects {
 
 /// A point of the pose space and the radius of a ball around it, in pose coordinates [m or rad].
 struct ClearPoint {
-  std::array<double, max_map_dimension> point{};
+  MapPoint point{};
   double clearance = 0.0;
 };
 
 /// Distance from a point to the nearest leaf of its working mode that is not an inside leaf of this aspect,
 /// or to the edge of the map; 0 outside the aspect.
 double clearance(const AspectMap::Contents& map, const Aspect& aspect, std::size_t mode,
-                 const std::array<double, max_map_dimension>& point);
+                 const MapPoint& point);
 
 /// The center of the largest ball within the inside leaves of an aspect, within one part in a hundred of the
 /// radius (best-first search with a Lipschitz bound, as "polylabel" does for polygons).

@@ -33,6 +33,8 @@ class LeafGraph {
     std::vector<std::uint32_t> nearest;
     std::vector<std::uint32_t> contested;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+    std::vector<std::uint32_t>
+        hidden;  ///< vertices of that sign that no component is near to: small aspects may hide
   };
 
   Meeting meeting(const PoseTree& tree, int sign);

@@ -3,6 +3,7 @@
 #define PARALLEL_ASPECTS_ASPECTS_MAP_CONTENTS_H
 
 #include "parallel_aspects/aspects/aspect_map.h"
+#include "parallel_aspects/aspects/box_classifier.h"
 #include "parallel_aspects/aspects/pose_tree.h"
 
 #include <cstdint>
@@ -14,10 +15,15 @@ namespace parallel_aspects {
 
 /// Everything that an `AspectMap` shows; written by the computation, then never changed.
 struct AspectMap::Contents {
-  Contents(std::shared_ptr<const Manipulator> robot, PoseTree pose_tree, std::vector<WorkingMode> all_modes)
-      : manipulator(std::move(robot)), tree(std::move(pose_tree)), modes(std::move(all_modes)) {}
+  Contents(std::shared_ptr<const Manipulator> robot, std::unique_ptr<const BoxClassifier> box_classifier,
+           PoseTree pose_tree, std::vector<WorkingMode> all_modes)
+      : manipulator(std::move(robot)),
+        classifier(std::move(box_classifier)),
+        tree(std::move(pose_tree)),
+        modes(std::move(all_modes)) {}
 
   std::shared_ptr<const Manipulator> manipulator;
+  std::unique_ptr<const BoxClassifier> classifier;
   PoseTree tree;
   std::vector<WorkingMode> modes;           ///< of the tree, in its order
   std::vector<WorkingMode> existing_modes;  ///< those with an inside leaf

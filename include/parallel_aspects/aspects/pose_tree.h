@@ -58,8 +58,7 @@ class PoseTree {
   NodeIndex divide(NodeIndex node, const Predicate& divides_mode);
 
   /// The leaf of `mode` that contains `point`; nothing where the point is outside the region.
-  std::optional<NodeIndex> leaf_at(const std::array<double, max_map_dimension>& point,
-                                   std::size_t mode) const noexcept;
+  std::optional<NodeIndex> leaf_at(const MapPoint& point, std::size_t mode) const noexcept;
 
  private:
   NodeIndex append_children(NodeIndex node);

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASPECTS_BOUNDARY_CURVES_H
+#define PARALLEL_ASPECTS_ASPECTS_BOUNDARY_CURVES_H
+
+#include "parallel_aspects/aspects/aspect_map.h"
+#include "parallel_aspects/kinematics/working_mode.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace parallel_aspects {
+
+enum class BoundaryKind {
+  parallel,  ///< det A = 0
+  serial,    ///< B_jj = 0
+  limit,     ///< a drive at one of its joint limits
+};
+
+/// A short straight piece of the boundary of the aspects of one working mode, for drawing: approximated
+/// inside one undecided leaf, not certified.
+struct BoundarySegment {
+  BoundaryKind kind = BoundaryKind::parallel;
+  std::size_t leg = 0;           ///< whose B_jj or limit it is; unused for parallel
+  Eigen::Vector2d from, to;      ///< pose coordinates [m]
+  std::array<int, 2> aspects{};  ///< ids on its left and right side; 0 for none, or too close to tell
+};
+
+/// The boundary pieces of one working mode, in no order. Empty for maps that are not two-dimensional.
+std::vector<BoundarySegment> boundary_segments(const AspectMap& map, const WorkingMode& mode);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ASPECTS_BOUNDARY_CURVES_H

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASPECTS_JOINT_PROJECTION_H
+#define PARALLEL_ASPECTS_ASPECTS_JOINT_PROJECTION_H
+
+#include "parallel_aspects/aspects/aspect_map.h"
+#include "parallel_aspects/aspects/boundary_curves.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// The rectangle of drive values that is drawn: one turn, -pi to pi, for an angle without limits, the range
+/// that the aspects take otherwise. Opposite edges of a full turn are the same.
+struct JointWindow {
+  Eigen::Vector2d lower, upper;  ///< [rad or m]
+  std::array<bool, 2> turns{};   ///< whether the drive is an angle that wraps
+
+  /// Drive values brought into the window where they wrap.
+  Eigen::Vector2d wrapped(const Eigen::Vector2d& q) const noexcept;
+};
+
+/// Corners of triangles, three each.
+using TriangleCorners = std::vector<Eigen::Vector2d>;
+
+/// Pictures of a two-dimensional map in joint space. Not certified: images of boxes are drawn as
+/// quadrilaterals with edges of at most about a tenth of a radian.
+class JointProjection {
+ public:
+  /// `map` must be two-dimensional.
+  explicit JointProjection(std::shared_ptr<const AspectMap> map);
+
+  const JointWindow& window() const noexcept { return window_; }
+
+  /// QA_ij, the joint projection of an aspect: its inside leaves under q_s, cut at the edges of the window.
+  TriangleCorners triangles(int aspect) const;
+
+  /// Images of boundary pieces of one working mode; the few that meet an edge of the window are left out.
+  std::vector<BoundarySegment> images(const std::vector<BoundarySegment>& segments,
+                                      const WorkingMode& mode) const;
+
+ private:
+  Eigen::Vector2d drives(const Eigen::Vector2d& point, const WorkingMode& mode) const;
+  Eigen::Vector2d near(const Eigen::Vector2d& reference, Eigen::Vector2d q) const;
+  void add_image(const Box& box, const WorkingMode& mode, int splits_left, TriangleCorners& corners) const;
+  void find_window();
+
+  std::shared_ptr<const AspectMap> map_;
+  JointWindow window_;
+};
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ASPECTS_JOINT_PROJECTION_H

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/aspects/joint_projection.h"
+
+#include "parallel_aspects/kinematics/inverse.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace parallel_aspects {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double turn = 2.0 * EIGEN_PI;
+constexpr double longest_edge = 0.1;  // of an image, where it can be had [rad or m]
+constexpr int most_splits = 5;
+
+std::array<Vector2d, 4> corners_of(const Box& box) {
+  return {Vector2d(box.lower[0], box.lower[1]), Vector2d(box.upper[0], box.lower[1]),
+          Vector2d(box.upper[0], box.upper[1]), Vector2d(box.lower[0], box.upper[1])};
+}
+
+std::array<Box, 4> quarters(const Box& box) {
+  std::array<Box, 4> parts{box, box, box, box};
+  for (std::size_t k = 0; k < 4; ++k)
+    for (std::size_t i = 0; i < 2; ++i)
+      ((k >> i & 1U) != 0 ? parts[k].lower : parts[k].upper)[i] = box.center(i);
+  return parts;
+}
+
+using Polygon = std::vector<Vector2d>;
+
+// What is left of a convex polygon on one side of a line parallel to an axis (Sutherland and Hodgman).
+Polygon clipped(const Polygon& polygon, int axis, double bound, double side) {
+  Polygon kept;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vector2d &here = polygon[i], &next = polygon[(i + 1) % polygon.size()];
+    const double a = side * (here[axis] - bound), b = side * (next[axis] - bound);
+    if (a <= 0.0) kept.push_back(here);
+    if ((a < 0.0 && b > 0.0) || (a > 0.0 && b < 0.0)) kept.push_back(here + a / (a - b) * (next - here));
+  }
+  return kept;
+}
+
+void add_fan(const Polygon& polygon, TriangleCorners& corners) {
+  for (std::size_t i = 2; i < polygon.size(); ++i)
+    corners.insert(corners.end(), {polygon[0], polygon[i - 1], polygon[i]});
+}
+
+// Adds every copy of the polygon, a turn apart, that meets the window.
+void add_copies(const Polygon& polygon, const JointWindow& window, TriangleCorners& corners) {
+  const int x_turns = window.turns[0] ? 1 : 0, y_turns = window.turns[1] ? 1 : 0;
+  for (int kx = -x_turns; kx <= x_turns; ++kx)
+    for (int ky = -y_turns; ky <= y_turns; ++ky) {
+      Polygon copy = polygon;
+      for (Vector2d& corner : copy) corner += turn * Vector2d(kx, ky);
+      for (const int axis : {0, 1}) {
+        copy = clipped(copy, axis, window.upper[axis], 1.0);
+        copy = clipped(copy, axis, window.lower[axis], -1.0);
+      }
+      add_fan(copy, corners);
+    }
+}
+
+}  // namespace
+
+Vector2d JointWindow::wrapped(const Vector2d& q) const noexcept {
+  Vector2d inside = q;
+  for (const int i : {0, 1})
+    if (turns[static_cast<std::size_t>(i)]) inside[i] = std::remainder(q[i], turn);
+  return inside;
+}
+
+JointProjection::JointProjection(std::shared_ptr<const AspectMap> map) : map_(std::move(map)) {
+  find_window();
+}
+
+Vector2d JointProjection::drives(const Vector2d& point, const WorkingMode& mode) const {
+  Pose pose;
+  pose.position << point, 0.0;
+  Vector2d q;
+  for (std::size_t j = 0; j < 2; ++j) {
+    const Leg& leg = map_->manipulator()->leg(j);
+    q[static_cast<Eigen::Index>(j)] = drive_value(leg, pose.transform(leg.anchor), mode.sign(j));
+  }
+  return q;
+}
+
+// The copy of q, a number of turns away, that is closest to the reference.
+Vector2d JointProjection::near(const Vector2d& reference, Vector2d q) const {
+  for (const int i : {0, 1})
+    if (window_.turns[static_cast<std::size_t>(i)])
+      q[i] = reference[i] + std::remainder(q[i] - reference[i], turn);
+  return q;
+}
+
+void JointProjection::find_window() {
+  window_.lower.setConstant(std::numeric_limits<double>::infinity());
+  window_.upper = -window_.lower;
+  for (const Aspect& aspect : map_->aspects())
+    map_->visit_inside_leaves(aspect.id, [&](const Box& box) {
+      for (const Vector2d& corner : corners_of(box)) {
+        const Vector2d q = drives(corner, aspect.mode);
+        window_.lower = window_.lower.cwiseMin(q);
+        window_.upper = window_.upper.cwiseMax(q);
+      }
+    });
+  for (const int i : {0, 1}) {
+    const Leg& leg = map_->manipulator()->leg(static_cast<std::size_t>(i));
+    if (!leg.driven_by_angle() || leg.limits.limited()) continue;
+    window_.turns[static_cast<std::size_t>(i)] = true;
+    window_.lower[i] = -0.5 * turn;
+    window_.upper[i] = 0.5 * turn;
+  }
+}
+
+TriangleCorners JointProjection::triangles(int aspect) const {
+  const WorkingMode mode = map_->aspects()[static_cast<std::size_t>(aspect - 1)].mode;
+  TriangleCorners corners;
+  map_->visit_inside_leaves(aspect, [&](const Box& box) { add_image(box, mode, most_splits, corners); });
+  return corners;
+}
+
+void JointProjection::add_image(const Box& box, const WorkingMode& mode, int splits_left,
+                                TriangleCorners& corners) const {
+  Polygon image;
+  double longest = 0.0;
+  for (const Vector2d& corner : corners_of(box)) {
+    const Vector2d q = drives(corner, mode);
+    image.push_back(image.empty() ? q : near(image.front(), q));
+    longest = std::max(longest, (image.back() - image.front()).cwiseAbs().maxCoeff());
+  }
+  if (longest > longest_edge && splits_left > 0) {
+    for (const Box& part : quarters(box)) add_image(part, mode, splits_left - 1, corners);
+    return;
+  }
+  // An image that still spans a large part of a turn cannot be unwrapped safely; it is smaller than can be
+  // seen.
+  if (longest < 0.25 * turn) add_copies(image, window_, corners);
+}
+
+std::vector<BoundarySegment> JointProjection::images(const std::vector<BoundarySegment>& segments,
+                                                     const WorkingMode& mode) const {
+  std::vector<BoundarySegment> images;
+  for (BoundarySegment segment : segments) {
+    segment.from = window_.wrapped(drives(segment.from, mode));
+    segment.to = window_.wrapped(drives(segment.to, mode));
+    if ((segment.to - segment.from).cwiseAbs().maxCoeff() < 0.5) images.push_back(segment);
+  }
+  return images;
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/aspects/segment_proof.h"
+
+#include "parallel_aspects/aspects/interval.h"
+
+namespace parallel_aspects {
+namespace {
+
+constexpr int most_halvings = 12;
+constexpr std::size_t most_modes = 64;
+
+LeafState classify(const BoxClassifier& classifier, std::size_t mode, const Box& box) noexcept {
+  std::array<LeafState, most_modes> states;
+  classifier.classify(box, ModeSet{1} << mode, states.data());
+  return states[mode];
+}
+
+/// The segment from `from` to `to` in one working mode.
+struct Segment {
+  const BoxClassifier& classifier;
+  std::size_t dimension;
+  std::size_t mode;
+  int sign;
+  const MapPoint& from;
+  const MapPoint& to;
+
+  // A box around the part between the shares `begin` and `end` of its length.
+  Box hull(double begin, double end) const noexcept {
+    Box box{dimension, {}, {}};
+    for (std::size_t i = 0; i < dimension; ++i) {
+      const Interval part = Interval(from[i]) + Interval(begin, end) * (Interval(to[i]) - Interval(from[i]));
+      box.lower[i] = part.lower();
+      box.upper[i] = part.upper();
+    }
+    return box;
+  }
+
+  bool is_free(double begin, double end, int halvings) const noexcept {
+    const LeafState state = classify(classifier, mode, hull(begin, end));
+    if (state.is_inside(sign)) return true;
+    if (!state.may_be(sign) || halvings == most_halvings) return false;
+    const double middle = 0.5 * (begin + end);
+    return is_free(begin, middle, halvings + 1) && is_free(middle, end, halvings + 1);
+  }
+};
+
+}  // namespace
+
+int proved_sign(const BoxClassifier& classifier, std::size_t dimension, std::size_t mode,
+                const MapPoint& point) noexcept {
+  const LeafState state = classify(classifier, mode, Box{dimension, point, point});
+  if (!state.is_inside()) return 0;
+  return state.is_inside(1) ? 1 : -1;
+}
+
+bool segment_is_free(const BoxClassifier& classifier, std::size_t dimension, std::size_t mode, int sign,
+                     const MapPoint& from, const MapPoint& to) noexcept {
+  return Segment{classifier, dimension, mode, sign, from, to}.is_free(0.0, 1.0, 0);
+}
+
+}  // namespace parallel_aspects
