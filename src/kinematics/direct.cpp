@@ -2,6 +2,7 @@
 #include "parallel_aspects/kinematics/direct.h"
 
 #include "parallel_aspects/kinematics/direct_se2.h"
+#include "parallel_aspects/kinematics/direct_se3.h"
 #include "parallel_aspects/kinematics/direct_so3.h"
 #include "parallel_aspects/kinematics/direct_t2.h"
 #include "parallel_aspects/kinematics/direct_t3.h"
@@ -37,7 +38,7 @@ DirectResult candidates(const Manipulator& manipulator, const JointVector& q) {
     case TaskSpace::SO3:
       return direct_so3(manipulator, q);
     case TaskSpace::SE3:
-      break;
+      return direct_se3(manipulator, q);
   }
   return {};
 }

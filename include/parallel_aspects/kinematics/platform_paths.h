@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_KINEMATICS_PLATFORM_PATHS_H
+#define PARALLEL_ASPECTS_KINEMATICS_PLATFORM_PATHS_H
+
+#include <array>
+#include <complex>
+#include <cstddef>
+#include <vector>
+
+/// Parameter homotopy for the direct problem of six legs in SE3,
+///
+///     f_j = |x + R(e) b_j - c_j|^2 - r_j = 0,   j = 1 ... 6,
+///
+/// over the complex numbers: |.|^2 is the sum of squares, e a quaternion with e . e = 1, x a displacement.
+/// For almost all parameters (b, c, r) there are exactly 40 solutions (Ronga and Vust 1992; Wampler 1996),
+/// and as the parameters run along almost any path to other ones, the 40 solutions run to all isolated
+/// solutions there.
+namespace parallel_aspects::platform_paths {
+
+using Complex = std::complex<double>;
+
+inline constexpr std::size_t solution_count = 40;
+
+/// Per leg: anchor b (3), base c (3), squared length r.
+using Parameters = std::array<std::array<Complex, 7>, 6>;
+
+/// Quaternion e in the order x, y, z, w, then displacement x. e and -e are the same.
+using Solution = std::array<Complex, 7>;
+
+/// Parameters start + t (target - start) + t (1 - t) bend, for t from 0 to 1.
+struct ParameterPath {
+  Parameters start{};
+  Parameters target{};
+  Parameters bend{};
+};
+
+struct Accuracy {
+  double prediction = 1e-4;  ///< largest error of a predicted point, relative to the point
+  int most_steps = 2000;     ///< of one path
+};
+
+enum class Ending {
+  regular,   ///< at a solution of the target, to the last few digits
+  singular,  ///< closing in on a multiple solution or a continuum; known to a few digits
+  infinite,  ///< to infinity: the target has no solution there
+  lost,      ///< not known
+};
+
+struct PathEnd {
+  Solution solution{};
+  Ending ending = Ending::lost;
+  int steps = 0;
+};
+
+/// Follows the paths from `starts`, which must be solutions at the start parameters, to the target. One end a
+/// start, in the same order.
+std::vector<PathEnd> followed(const ParameterPath& path, const std::vector<Solution>& starts,
+                              const Accuracy& accuracy);
+
+/// Distance between two solutions relative to their size, whatever the signs of their quaternions.
+double distance(const Solution& a, const Solution& b);
+
+}  // namespace parallel_aspects::platform_paths
+
+#endif  // PARALLEL_ASPECTS_KINEMATICS_PLATFORM_PATHS_H

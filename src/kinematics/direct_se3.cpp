@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/kinematics/direct_se3.h"
+
+#include "parallel_aspects/kinematics/locked_legs.h"
+#include "parallel_aspects/kinematics/platform_paths.h"
+#include "parallel_aspects/kinematics/platform_start.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace parallel_aspects {
+namespace {
+
+using platform_paths::Complex;
+using platform_paths::Ending;
+using platform_paths::Parameters;
+using platform_paths::PathEnd;
+using platform_paths::Solution;
+
+constexpr int most_attempts = 8;
+
+// Ends closer than this, relative to their size, are the same solution.
+constexpr double same_solution = 1e-7;
+
+// Imaginary parts below this, relative to the solution, may be none.
+constexpr double nearly_real = 1e-4;
+
+// The direct problem in the coordinates of the start system: origins amid the base points and amid the
+// anchors, lengths about as long as there.
+class Normalised {
+ public:
+  Normalised(const Manipulator& manipulator, const JointVector& q) {
+    double sum = 0.0;
+    for (std::size_t j = 0; j < 6; ++j) {
+      legs_[j] = locked(manipulator.leg(j), q[static_cast<Eigen::Index>(j)]);
+      anchor_center_ += legs_[j].anchor / 6.0;
+      base_center_ += legs_[j].base / 6.0;
+    }
+    for (const LockedLeg& leg : legs_)
+      sum += (leg.anchor - anchor_center_).squaredNorm() + (leg.base - base_center_).squaredNorm() +
+             leg.squared_length;
+    // Of the start system the same sum over the legs has the mean 3 + 3 + 9 for each.
+    length_ = std::sqrt(sum / (6.0 * 15.0));
+  }
+
+  Parameters parameters() const {
+    Parameters result;
+    for (std::size_t j = 0; j < 6; ++j) {
+      const Eigen::Vector3d b = (legs_[j].anchor - anchor_center_) / length_;
+      const Eigen::Vector3d c = (legs_[j].base - base_center_) / length_;
+      result[j] = {b.x(), b.y(), b.z(), c.x(), c.y(), c.z(), legs_[j].squared_length / (length_ * length_)};
+    }
+    return result;
+  }
+
+  Pose pose(const Solution& z) const {
+    Pose pose;
+    pose.orientation = Eigen::Quaterniond(z[3].real(), z[0].real(), z[1].real(), z[2].real()).normalized();
+    const Eigen::Vector3d center = length_ * Eigen::Vector3d(z[4].real(), z[5].real(), z[6].real());
+    pose.position = center + base_center_ - pose.orientation * anchor_center_;
+    return pose;
+  }
+
+ private:
+  std::array<LockedLeg, 6> legs_{};
+  Eigen::Vector3d anchor_center_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d base_center_ = Eigen::Vector3d::Zero();
+  double length_ = 1.0;
+};
+
+Solution conjugate(Solution z) {
+  for (Complex& each : z) each = std::conj(each);
+  return z;
+}
+
+bool contains(const std::vector<Solution>& solutions, const Solution& z) {
+  return std::any_of(solutions.begin(), solutions.end(),
+                     [&z](const Solution& each) { return platform_paths::distance(each, z) < same_solution; });
+}
+
+// Of a real platform; else a path has jumped.
+bool closed_under_conjugation(const std::vector<Solution>& solutions) {
+  return std::all_of(solutions.begin(), solutions.end(),
+                     [&](const Solution& z) { return contains(solutions, conjugate(z)); });
+}
+
+bool may_be_real(const Solution& z) {
+  double imaginary = 0.0, all = 0.0;
+  for (const Complex& each : z) imaginary += each.imag() * each.imag(), all += std::norm(each);
+  return imaginary < nearly_real * nearly_real * all;
+}
+
+// The straight way first, then by random detours through the complex parameters.
+Parameters bend(int attempt) {
+  Parameters result{};
+  if (attempt == 0) return result;
+  std::mt19937 engine(static_cast<unsigned>(attempt));
+  std::normal_distribution<double> normal;
+  for (auto& leg : result)
+    for (Complex& each : leg) {
+      const double re = normal(engine);
+      each = {re, normal(engine)};
+    }
+  return result;
+}
+
+// What several attempts have found together.
+class Search {
+ public:
+  explicit Search(const Parameters& target) : target_(target) {}
+
+  // Whether all solutions are known.
+  bool attempt(int number) {
+    const platform_paths::ParameterPath path{platform_paths::start_parameters(), target_, bend(number)};
+    const std::vector<PathEnd> ends = followed(path, platform_paths::start_solutions(), {});
+    std::vector<Solution> arrived;
+    bool clean = true;
+    for (const PathEnd& end : ends) {
+      if (end.ending == Ending::lost) clean = false;
+      if (end.ending == Ending::singular) singular_.push_back(end.solution);
+      if (end.ending != Ending::regular) continue;
+      if (contains(arrived, end.solution)) clean = false;
+      arrived.push_back(end.solution);
+      if (!contains(regular_, end.solution)) regular_.push_back(end.solution);
+    }
+    if (regular_.size() == platform_paths::solution_count) return true;
+    return clean && arrived.size() == regular_.size() && closed_under_conjugation(regular_);
+  }
+
+  std::vector<Solution> solutions() const {
+    std::vector<Solution> result = regular_;
+    result.insert(result.end(), singular_.begin(), singular_.end());
+    return result;
+  }
+
+ private:
+  Parameters target_;
+  std::vector<Solution> regular_;
+  std::vector<Solution> singular_;
+};
+
+}  // namespace
+
+DirectResult direct_se3(const Manipulator& manipulator, const JointVector& q) {
+  const Normalised problem(manipulator, q);
+  Search search(problem.parameters());
+  DirectResult result{DirectStatus::unsolved, {}};
+  for (int attempt = 0; attempt < most_attempts && result.status == DirectStatus::unsolved; ++attempt)
+    if (search.attempt(attempt)) result.status = DirectStatus::solved;
+  for (const Solution& z : search.solutions()) {
+    if (!may_be_real(z)) continue;
+    AssemblyMode mode;
+    mode.pose = problem.pose(z);
+    result.solutions.push_back(mode);
+  }
+  return result;
+}
+
+}  // namespace parallel_aspects
