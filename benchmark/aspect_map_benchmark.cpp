@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <benchmark/benchmark.h>
+
+#include "parallel_aspects/aspects/aspect_map.h"
+#include "support/robots.h"
+
+namespace parallel_aspects {
+namespace {
+
+// The paper's five-bar over [-20, 20]^2, all four working modes, everything that `compute_aspect_map` reports.
+void five_bar_map(benchmark::State& state) {
+  const auto robot = test::five_bar();
+  MapOptions options;
+  options.resolution = 0.1;
+  options.region = Box{2, {-20.0, -20.0, 0.0}, {20.0, 20.0, 0.0}};
+  options.threads = static_cast<unsigned>(state.range(0));
+  for (auto _ : state) benchmark::DoNotOptimize(compute_aspect_map(robot, options).map);
+}
+BENCHMARK(five_bar_map)->Arg(1)->Arg(2)->ArgName("threads")->UseRealTime()->Unit(benchmark::kMillisecond);
+
+// Time against resolution, in units of a micrometre; the boundary is a curve, so it should double as this halves.
+void five_bar_map_by_resolution(benchmark::State& state) {
+  const auto robot = test::five_bar();
+  MapOptions options;
+  options.resolution = 1e-6 * static_cast<double>(state.range(0));
+  for (auto _ : state) benchmark::DoNotOptimize(compute_aspect_map(robot, options).map);
+}
+BENCHMARK(five_bar_map_by_resolution)
+    ->RangeMultiplier(2)
+    ->Range(12500, 400000)
+    ->ArgName("um")
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+
+// A pose in an inside leaf, and one that needs a proof of its own.
+void locate(benchmark::State& state) {
+  const auto map = compute_aspect_map(test::five_bar()).map;
+  const WorkingMode mode = map->working_modes().front();
+  Pose pose;
+  pose.position << 5.4, state.range(0) == 0 ? 6.5 : 11.9, 0.0;
+  for (auto _ : state) benchmark::DoNotOptimize(map->locate(pose, mode));
+}
+BENCHMARK(locate)->Arg(0)->Arg(1)->ArgName("near_boundary");
+
+}  // namespace
+}  // namespace parallel_aspects
