@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace parallel_aspects {
@@ -79,8 +80,9 @@ Solution conjugate(Solution z) {
 }
 
 bool contains(const std::vector<Solution>& solutions, const Solution& z) {
-  return std::any_of(solutions.begin(), solutions.end(),
-                     [&z](const Solution& each) { return platform_paths::distance(each, z) < same_solution; });
+  return std::any_of(solutions.begin(), solutions.end(), [&z](const Solution& each) {
+    return platform_paths::distance(each, z) < same_solution;
+  });
 }
 
 // Of a real platform; else a path has jumped.
@@ -114,13 +116,13 @@ class Search {
  public:
   explicit Search(const Parameters& target) : target_(target) {}
 
-  // Whether all solutions are known.
+  // Whether all solutions are known: all 40, or fewer where two attempts agree that the other paths go
+  // elsewhere.
   bool attempt(int number) {
     const platform_paths::ParameterPath path{platform_paths::start_parameters(), target_, bend(number)};
-    const std::vector<PathEnd> ends = followed(path, platform_paths::start_solutions(), {});
     std::vector<Solution> arrived;
     bool clean = true;
-    for (const PathEnd& end : ends) {
+    for (const PathEnd& end : followed(path, platform_paths::start_solutions(), {})) {
       if (end.ending == Ending::lost) clean = false;
       if (end.ending == Ending::singular) singular_.push_back(end.solution);
       if (end.ending != Ending::regular) continue;
@@ -129,7 +131,9 @@ class Search {
       if (!contains(regular_, end.solution)) regular_.push_back(end.solution);
     }
     if (regular_.size() == platform_paths::solution_count) return true;
-    return clean && arrived.size() == regular_.size() && closed_under_conjugation(regular_);
+    if (!clean || !closed_under_conjugation(arrived)) return false;
+    const std::size_t earlier = std::exchange(count_of_clean_attempt_, arrived.size());
+    return earlier == arrived.size() && regular_.size() == arrived.size();
   }
 
   std::vector<Solution> solutions() const {
@@ -141,6 +145,7 @@ class Search {
  private:
   Parameters target_;
   std::vector<Solution> regular_;
+  std::size_t count_of_clean_attempt_ = platform_paths::solution_count;
   std::vector<Solution> singular_;
 };
 

@@ -18,17 +18,19 @@ constexpr double contraction = 0.05;
 // Corrections below this, relative to the point, are rounding.
 constexpr double rounding = 1e-11;
 
-// So close to t = 1 a path is judged by what it has done since `far_from_end`.
+// So close to t = 1 a path is judged by what it has done on the last stretch, over which 1 - t fell by
+// `stretch`.
 constexpr double near_end = 1e-10;
-constexpr double far_from_end = 1e-5;
+constexpr double stretch = 10.0;
 
-// A path that grows by this factor between the two, or to this size, goes to infinity. One with a pole
-// s^(-1/m) at s = 1 - t grows by 1e5^(1/m), that is by 6 for m = 6; one that stays finite by next to nothing.
-constexpr double growth_to_infinity = 4.0;
-constexpr double infinite_size = 1e7;
+// A path to infinity ends at a pole, its size growing like (1 - t)^(-k) with k = 1/2 or 1 mostly; one that
+// stays finite has k = 0 in the end.
+constexpr double least_pole = 0.1;
 
-// Points farther out than this on the way are ill-conditioned, and the path may have gone astray.
-constexpr double off_course = 1e6;
+// Points farther out than this are too ill-conditioned to go on. Close to t = 1 that is a pole at the end;
+// before that the path may have gone astray.
+constexpr double far_out = 1e6;
+constexpr double close_to_end = 1e-2;
 
 constexpr double smallest_relative_step = 1e-6;
 
@@ -43,7 +45,9 @@ struct Traveller {
   std::size_t path = 0;
   bool active = false;
   int steps = 0;
-  double size_far_from_end = 0.0;
+  // Where the last two stretches began, and how large the point was there.
+  std::array<double, 2> left{1.0, 1.0};
+  std::array<double, 2> size{1.0, 1.0};
 };
 
 class Follower {
@@ -67,7 +71,7 @@ class Follower {
   // Idle lanes go on standing at the start of the first path.
   void take_next(int lane) {
     Traveller& each = traveller(lane);
-    each = Traveller{next_path_, next_path_ < starts_.size(), 0, 0.0};
+    each = Traveller{next_path_, next_path_ < starts_.size(), 0, {1.0, 1.0}, {1.0, 1.0}};
     const Solution& start = starts_[each.active ? next_path_++ : 0];
     for (std::size_t i = 0; i < start.size(); ++i) {
       now_.solution[i].re[lane] = start[i].real();
@@ -100,14 +104,19 @@ class Follower {
       now_.solution[i].im[lane] = next_.solution[i].im[lane];
     }
     now_.t[lane] += now_.step[lane];
-    const double left = 1.0 - now_.t[lane];
+    const double left = 1.0 - now_.t[lane], size = norm(solution(lane));
     if (left <= 0.0) return finish(lane, Ending::regular);
     Traveller& each = traveller(lane);
-    const double size = norm(solution(lane));
-    if (left > far_from_end || each.size_far_from_end == 0.0) each.size_far_from_end = size;
-    const bool infinite = size > growth_to_infinity * each.size_far_from_end;
-    if (size > infinite_size) return finish(lane, Ending::infinite);
-    if (left < near_end) return finish(lane, infinite ? Ending::infinite : Ending::singular);
+    if (size > far_out)
+      return finish(lane, left < close_to_end && to_pole(each, left, size) ? Ending::infinite : Ending::lost);
+    if (left < near_end) return finish(lane, to_pole(each, left, size) ? Ending::infinite : Ending::singular);
+    if (left * stretch > each.left[1]) return;
+    each.left = {each.left[1], left};
+    each.size = {each.size[1], size};
+  }
+
+  static bool to_pole(const Traveller& each, double left, double size) {
+    return std::log(size / each.size[0]) > least_pole * std::log(each.left[0] / left);
   }
 
   // The error of the prediction is of order 5 in the step.
@@ -116,8 +125,7 @@ class Follower {
     const double wanted = 0.8 * std::pow(accuracy_.prediction / std::max(error, 1e-15), 0.2);
     const double factor = converges ? std::clamp(wanted, 0.2, 2.5) : std::clamp(wanted, 0.2, 0.5);
     const double step = now_.step[lane] * factor;
-    const bool off = norm(solution(lane)) > off_course && left > far_from_end;
-    if (off || step < smallest_relative_step * left || traveller(lane).steps >= accuracy_.most_steps)
+    if (step < smallest_relative_step * left || traveller(lane).steps >= accuracy_.most_steps)
       return finish(lane, Ending::lost);
     // Rather two equal steps to the end than one and a tiny one.
     now_.step[lane] = step >= left ? left : std::min(step, std::max(0.5 * left, step * 0.5));
