@@ -2,12 +2,12 @@
 #ifndef PARALLEL_ASPECTS_TEST_SUPPORT_SHIPPED_H
 #define PARALLEL_ASPECTS_TEST_SUPPORT_SHIPPED_H
 
+#include "parallel_aspects/urdf/mechanism.h"
+
 #include <fstream>
 #include <iterator>
 #include <memory>
 #include <string>
-
-#include "parallel_aspects/urdf/mechanism.h"
 
 namespace parallel_aspects::test {
 

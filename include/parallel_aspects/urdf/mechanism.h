@@ -2,16 +2,22 @@
 #ifndef PARALLEL_ASPECTS_URDF_MECHANISM_H
 #define PARALLEL_ASPECTS_URDF_MECHANISM_H
 
+#include "parallel_aspects/model/manipulator.h"
+#include "parallel_aspects/model/pose.h"
+
+#include <Eigen/Core>
+
 #include <memory>
 #include <string>
 #include <vector>
 
-#include <Eigen/Core>
-
-#include "parallel_aspects/model/manipulator.h"
-#include "parallel_aspects/model/pose.h"
-
 namespace parallel_aspects {
+
+/// A pose of the platform and the drive values that go with it.
+struct AssembledConfiguration {
+  Pose pose;
+  JointVector q;  ///< [rad or m]
+};
 
 /// A manipulator together with the joints of the URDF that it came from. Immutable.
 class Mechanism {
@@ -30,19 +36,33 @@ class Mechanism {
   /// Every movable joint of the tree, actuated and passive, in the order of the URDF.
   const std::vector<std::string>& joint_names() const noexcept;
 
-  /// Values of all `joint_names()` that close every loop at this configuration [rad or m]. False, with `positions`
-  /// untouched, where the loops do not close. `positions` must have as many entries as there are names.
+  /// Limits of all `joint_names()` [rad or m].
+  const std::vector<JointLimits>& joint_limits() const noexcept;
+
+  /// Freedoms of the closed mechanism, from the rank of its closures at `assembled()`.
+  int mobility() const noexcept;
+
+  /// Those of its freedoms that move neither a drive nor the platform, as a rod that spins.
+  int idle_freedoms() const noexcept;
+
+  /// The configuration, inside the joint limits, that the mechanism was recognised in.
+  AssembledConfiguration assembled() const;
+
+  /// Values of all `joint_names()` that close every loop at this configuration [rad or m]. False, with
+  /// `positions` untouched, where the loops do not close. `positions` must have as many entries as there are
+  /// names.
   bool complete(const Pose& pose, const JointVector& q, Eigen::Ref<Eigen::VectorXd> positions) const noexcept;
 
-  /// What the loader took where the description left a choice, and what it accepted with reservations; sentences.
+  /// What the loader took where the description left a choice, and what it accepted with reservations;
+  /// sentences.
   const std::vector<std::string>& notes() const noexcept;
 
  private:
   std::unique_ptr<const Contents> contents_;
 };
 
-/// Reads a tree URDF and the YAML that closes it. `urdf_name` and `config_name` are file or parameter names, for
-/// messages. Throws `InvalidDescription` with every problem found.
+/// Reads a tree URDF and the YAML that closes it. `urdf_name` and `config_name` are file or parameter names,
+/// for messages. Throws `InvalidDescription` with every problem found.
 std::shared_ptr<const Mechanism> load_mechanism(const std::string& urdf_text, const std::string& urdf_name,
                                                 const std::string& config_text,
                                                 const std::string& config_name);

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/urdf/assembly.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <limits>
+#include <random>
+
+namespace parallel_aspects {
+namespace {
+
+constexpr int random_starts = 24;
+constexpr int wanted_assemblies = 6;
+constexpr int iterations = 120;
+constexpr unsigned seed = 20240117;
+
+double largest(const Eigen::VectorXd& vector) {
+  return vector.size() > 0 ? vector.lpNorm<Eigen::Infinity>() : 0.0;
+}
+
+void clamp_to_limits(const Tree& tree, Eigen::VectorXd& values) {
+  for (std::size_t k = 0; k < tree.movable.size(); ++k) {
+    double& value = values[static_cast<Eigen::Index>(k)];
+    value = std::clamp(value, tree.joint_of(k).limits.lower, tree.joint_of(k).limits.upper);
+  }
+}
+
+Eigen::MatrixXd free_jacobian(const ClosureSystem& system, const Eigen::VectorXd& values,
+                              const std::vector<bool>& held) {
+  Eigen::MatrixXd jacobian = system.jacobian(values);
+  for (std::size_t k = 0; k < held.size(); ++k)
+    if (held[k]) jacobian.col(static_cast<Eigen::Index>(k)).setZero();
+  return jacobian;
+}
+
+// Minimum-norm Gauss-Newton steps: quadratic convergence, also where the closures are redundant.
+Eigen::VectorXd polished(const ClosureSystem& system, Eigen::VectorXd values, const std::vector<bool>& held) {
+  double error = largest(system.residual(values));
+  for (int step = 0; step < 4 && error > 0.0; ++step) {
+    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
+    solver.setThreshold(rank_tolerance);
+    solver.compute(free_jacobian(system, values, held));
+    Eigen::VectorXd next = values - solver.solve(system.residual(values));
+    clamp_to_limits(system.tree(), next);
+    const double next_error = largest(system.residual(next));
+    if (!(next_error < error)) break;
+    values = next;
+    error = next_error;
+  }
+  return values;
+}
+
+Eigen::VectorXd random_start(const ClosureSystem& system, std::mt19937& random) {
+  const Tree& tree = system.tree();
+  Eigen::VectorXd values = Eigen::VectorXd::Zero(tree.variables());
+  for (std::size_t k = 0; k < tree.movable.size(); ++k) {
+    if (!system.in_loop()[k]) continue;
+    const TreeJoint& joint = tree.joint_of(k);
+    const double range = joint.motion == JointMotion::turning ? EIGEN_PI : system.size();
+    std::uniform_real_distribution<double> value(std::max(joint.limits.lower, -range),
+                                                 std::min(joint.limits.upper, range));
+    if (value.a() < value.b()) values[static_cast<Eigen::Index>(k)] = value(random);
+  }
+  clamp_to_limits(tree, values);
+  return values;
+}
+
+struct Candidate {
+  Assembly assembly;
+  double conditioning = 0.0;  // smallest singular value that counts, over the largest
+};
+
+// Columns of the joints inside the loops, with lengths counted in sizes of the robot.
+Eigen::MatrixXd loop_scaling(const ClosureSystem& system) {
+  const auto& in_loop = system.in_loop();
+  Eigen::MatrixXd scaling =
+      Eigen::MatrixXd::Zero(system.tree().variables(), std::count(in_loop.begin(), in_loop.end(), true));
+  Eigen::Index column = 0;
+  for (std::size_t k = 0; k < in_loop.size(); ++k) {
+    if (!in_loop[k]) continue;
+    const bool sliding = system.tree().joint_of(k).motion == JointMotion::sliding;
+    scaling(static_cast<Eigen::Index>(k), column++) = sliding ? system.size() : 1.0;
+  }
+  return scaling;
+}
+
+Candidate judged(const ClosureSystem& system, const Eigen::VectorXd& values) {
+  const Eigen::MatrixXd scaling = loop_scaling(system);
+  const Eigen::MatrixXd jacobian = system.jacobian(values) * scaling;
+  Eigen::JacobiSVD<Eigen::MatrixXd> svd(jacobian, Eigen::ComputeFullV);
+  svd.setThreshold(rank_tolerance);
+  const Eigen::Index rank = svd.rank();
+  Candidate candidate;
+  candidate.assembly = {values, scaling * svd.matrixV().rightCols(jacobian.cols() - rank),
+                        largest(system.residual(values)) / system.size()};
+  candidate.conditioning = rank > 0 ? svd.singularValues()[rank - 1] / svd.singularValues()[0] : 0.0;
+  return candidate;
+}
+
+// Least mobility first; then the earliest one, which is nearest to zero, unless a later one is much better
+// conditioned.
+const Candidate& best(const std::vector<Candidate>& candidates) {
+  const Candidate* chosen = &candidates.front();
+  for (const Candidate& other : candidates) {
+    const Eigen::Index fewer = chosen->assembly.motions.cols() - other.assembly.motions.cols();
+    if (fewer > 0 || (fewer == 0 && other.conditioning > 5.0 * chosen->conditioning)) chosen = &other;
+  }
+  return *chosen;
+}
+
+}  // namespace
+
+Eigen::VectorXd close_loops(const ClosureSystem& system, Eigen::VectorXd values,
+                            const std::vector<bool>& held) {
+  double damping = 1e-2;
+  clamp_to_limits(system.tree(), values);
+  Eigen::VectorXd residual = system.residual(values);
+  for (int step = 0; step < iterations && largest(residual) > 1e-9 * system.size(); ++step) {
+    const Eigen::MatrixXd jacobian = free_jacobian(system, values, held);
+    Eigen::MatrixXd normal = jacobian.transpose() * jacobian;
+    normal.diagonal().array() += damping * std::max(normal.diagonal().maxCoeff(), 1e-12);
+    Eigen::VectorXd next = values - normal.ldlt().solve(jacobian.transpose() * residual);
+    clamp_to_limits(system.tree(), next);
+    const Eigen::VectorXd next_residual = system.residual(next);
+    const bool better = next_residual.squaredNorm() < residual.squaredNorm();
+    damping = better ? std::max(0.2 * damping, 1e-12) : 5.0 * damping;
+    if (damping > 1e8) break;
+    if (!better) continue;
+    values = next;
+    residual = next_residual;
+  }
+  return polished(system, values, held);
+}
+
+AssemblyResult assemble(const ClosureSystem& system) {
+  AssemblyResult result;
+  std::mt19937 random(seed);
+  const std::vector<bool> none_held(static_cast<std::size_t>(system.tree().variables()), false);
+  std::vector<Candidate> candidates;
+  double least = std::numeric_limits<double>::infinity();
+  for (int trial = 0; trial <= random_starts && candidates.size() < wanted_assemblies; ++trial) {
+    const Eigen::VectorXd start =
+        trial == 0 ? Eigen::VectorXd::Zero(system.tree().variables()) : random_start(system, random);
+    const Eigen::VectorXd values = close_loops(system, start, none_held);
+    const double error = largest(system.residual(values));
+    if (error < least) result.closest = values;
+    least = std::min(least, error);
+    if (error < closing_tolerance * system.size()) candidates.push_back(judged(system, values));
+  }
+  if (!candidates.empty()) result.assembly = best(candidates).assembly;
+  return result;
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/urdf/mechanism.h"
+
+#include "parallel_aspects/urdf/mechanism_contents.h"
+
+#include <utility>
+
+namespace parallel_aspects {
+namespace {
+
+// A completion is closed form, so that it either closes to rounding or not at all; rounded descriptions do as
+// well as they assembled.
+constexpr double completion_tolerance = 1e-9;
+
+}  // namespace
+
+Mechanism::Mechanism(std::unique_ptr<const Contents> contents) : contents_(std::move(contents)) {}
+Mechanism::~Mechanism() = default;
+
+const std::shared_ptr<const Manipulator>& Mechanism::manipulator() const noexcept {
+  return contents_->manipulator;
+}
+const std::string& Mechanism::platform_link() const noexcept { return contents_->platform_link; }
+const std::vector<std::string>& Mechanism::joint_names() const noexcept { return contents_->joint_names; }
+const std::vector<JointLimits>& Mechanism::joint_limits() const noexcept { return contents_->joint_limits; }
+const std::vector<std::string>& Mechanism::notes() const noexcept { return contents_->notes; }
+int Mechanism::mobility() const noexcept { return contents_->mobility; }
+int Mechanism::idle_freedoms() const noexcept { return contents_->idle_freedoms; }
+
+AssembledConfiguration Mechanism::assembled() const {
+  return {contents_->completion.reference_pose(), contents_->completion.reference_drives()};
+}
+
+bool Mechanism::complete(const Pose& pose, const JointVector& q,
+                         Eigen::Ref<Eigen::VectorXd> positions) const noexcept {
+  if (positions.size() != contents_->completion.system().tree().variables()) return false;
+  if (q.size() != static_cast<Eigen::Index>(contents_->manipulator->leg_count())) return false;
+  const Eigen::VectorXd values = contents_->completion.joint_values(pose, q);
+  if (!values.allFinite()) return false;
+  if (!(contents_->completion.residual(values) < completion_tolerance + contents_->accepted_residual))
+    return false;
+  positions = values;
+  return true;
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/urdf/mechanism_config.h"
+
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace parallel_aspects {
+namespace {
+
+std::size_t edit_distance(const std::string& one, const std::string& other) {
+  std::vector<std::size_t> row(other.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= one.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= other.size(); ++j) {
+      const std::size_t replaced = diagonal + (one[i - 1] == other[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+const std::vector<std::string>& mechanism_keys() {
+  static const std::vector<std::string> keys{
+      "name", "base_link", "operational_point", "actuated_joints", "task_space", "closures"};
+  return keys;
+}
+
+class Reader {
+ public:
+  Reader(const std::string& file, Problems& problems) : file_(file), problems_(problems) {}
+
+  MechanismConfig read(const YAML::Node& root) {
+    MechanismConfig config;
+    const YAML::Node mechanism = root.IsMap() ? root["mechanism"] : YAML::Node();
+    if (!root.IsMap() || !mechanism.IsDefined()) {
+      problem(
+          "has no key 'mechanism'; add it, with base_link, operational_point, actuated_joints and closures.");
+      return config;
+    }
+    if (!mechanism.IsMap()) {
+      problem(
+          "has a 'mechanism' that is not a map of keys; write operational_point, actuated_joints and "
+          "closures "
+          "under it.");
+      return config;
+    }
+    check_keys(mechanism, mechanism_keys(), "mechanism");
+    text(mechanism["name"], "mechanism.name", config.name);
+    text(mechanism["base_link"], "mechanism.base_link", config.base_link);
+    read_operational_point(mechanism, config);
+    read_actuated_joints(mechanism["actuated_joints"], config);
+    read_task_space(mechanism["task_space"], config);
+    read_closures(mechanism["closures"], config);
+    return config;
+  }
+
+ private:
+  void problem(const std::string& text) { problems_.push_back(file_ + " " + text); }
+
+  void check_keys(const YAML::Node& map, const std::vector<std::string>& known, const std::string& where) {
+    std::vector<std::string> seen;
+    for (const auto& entry : map) {
+      const std::string key = entry.first.IsScalar() ? entry.first.Scalar() : "";
+      if (std::find(known.begin(), known.end(), key) == known.end())
+        problem("has an unknown key '" + key + "' under " + where + "; did you mean '" +
+                nearest_name(key, known) + "'?");
+      if (std::find(seen.begin(), seen.end(), key) != seen.end())
+        problem("has the key '" + key + "' twice under " + where + "; keep one of them.");
+      seen.push_back(key);
+    }
+  }
+
+  bool text(const YAML::Node& node, const std::string& where, std::string& value) {
+    if (!node.IsDefined()) return false;
+    if (!node.IsScalar() || node.Scalar().empty()) {
+      problem("has a " + where + " that is not a text; give one name.");
+      return false;
+    }
+    value = node.Scalar();
+    return true;
+  }
+
+  void read_operational_point(const YAML::Node& mechanism, MechanismConfig& config) {
+    const YAML::Node node = mechanism["operational_point"];
+    if (!node.IsDefined())
+      problem(
+          "does not say mechanism.operational_point; name the link whose origin is the operational point of "
+          "the "
+          "platform.");
+    text(node, "mechanism.operational_point", config.operational_point);
+  }
+
+  void read_actuated_joints(const YAML::Node& node, MechanismConfig& config) {
+    if (!node.IsDefined()) {
+      problem("does not say mechanism.actuated_joints; list the driven joints, one a leg.");
+      return;
+    }
+    if (!node.IsSequence() || node.size() == 0) {
+      problem(
+          "has a mechanism.actuated_joints that is not a list of names; list the driven joints, one a leg.");
+      return;
+    }
+    if (node.size() != 2 && node.size() != 3 && node.size() != 6)
+      problem("lists " + std::to_string(node.size()) + (node.size() == 1 ? " joint" : " joints") +
+              " in mechanism.actuated_joints; a fully parallel robot in T2 has two drives, in SE2, T3 or SO3 "
+              "three, in "
+              "SE3 six.");
+    for (std::size_t k = 0; k < node.size(); ++k) {
+      std::string joint;
+      if (!text(node[k], "mechanism.actuated_joints[" + std::to_string(k) + "]", joint)) continue;
+      if (std::find(config.actuated_joints.begin(), config.actuated_joints.end(), joint) !=
+          config.actuated_joints.end())
+        problem("lists joint '" + joint +
+                "' twice in mechanism.actuated_joints; name each driven joint once.");
+      config.actuated_joints.push_back(joint);
+    }
+  }
+
+  void read_task_space(const YAML::Node& node, MechanismConfig& config) {
+    std::string word;
+    if (!text(node, "mechanism.task_space", word)) return;
+    config.task_space = task_space_named(word);
+    if (!config.task_space)
+      problem("has the unknown mechanism.task_space '" + word +
+              "'; write T2, SE2, T3, SO3 or SE3, or leave it out.");
+  }
+
+  void read_closures(const YAML::Node& node, MechanismConfig& config) {
+    if (!node.IsDefined()) return;
+    if (!node.IsSequence()) {
+      problem(
+          "has a mechanism.closures that is not a list; write one entry {frames: [link, link], type: point} "
+          "for each "
+          "loop.");
+      return;
+    }
+    for (std::size_t k = 0; k < node.size(); ++k)
+      read_closure(node[k], "mechanism.closures[" + std::to_string(k) + "]", config);
+  }
+
+  void read_closure(const YAML::Node& node, const std::string& where, MechanismConfig& config) {
+    if (!node.IsMap()) {
+      problem("has a " + where + " that is not a map; write {frames: [link, link], type: point}.");
+      return;
+    }
+    check_keys(node, {"frames", "type"}, where);
+    ConfiguredClosure closure;
+    const YAML::Node frames = node["frames"];
+    if (!frames.IsDefined() || !frames.IsSequence() || frames.size() != 2) {
+      problem("has a " + where +
+              ".frames that is not a list of two links; name the two links whose origins meet.");
+      return;
+    }
+    bool good = true;
+    for (std::size_t k = 0; k < 2; ++k)
+      good = text(frames[k], where + ".frames[" + std::to_string(k) + "]", closure.frames[k]) && good;
+    good = read_type(node["type"], where + ".type", closure.type) && good;
+    if (good) config.closures.push_back(closure);
+  }
+
+  bool read_type(const YAML::Node& node, const std::string& where, ClosureType& type) {
+    if (!node.IsDefined()) return true;
+    std::string word;
+    if (!text(node, where, word)) return false;
+    const auto known = closure_type_named(word);
+    if (known) {
+      type = *known;
+    } else {
+      problem("has the unknown " + where + " '" + word +
+              "'; write point, revolute, universal, spherical, fixed or auto.");
+    }
+    return known.has_value();
+  }
+
+  const std::string& file_;
+  Problems& problems_;
+};
+
+}  // namespace
+
+MechanismConfig read_mechanism_config(const std::string& text, const std::string& file, Problems& problems) {
+  try {
+    return Reader(file, problems).read(YAML::Load(text));
+  } catch (const YAML::Exception& error) {
+    problems.push_back(file + " is not valid YAML at line " + std::to_string(error.mark.line + 1) + ": " +
+                       error.msg + "; mend it there.");
+    return {};
+  }
+}
+
+std::string nearest_name(const std::string& word, const std::vector<std::string>& known) {
+  const auto nearest = std::min_element(known.begin(), known.end(), [&](const auto& a, const auto& b) {
+    return edit_distance(word, a) < edit_distance(word, b);
+  });
+  return nearest == known.end() ? std::string() : *nearest;
+}
+
+}  // namespace parallel_aspects
