@@ -29,8 +29,8 @@ constexpr double least_pole = 0.1;
 
 // Points farther out than this are too ill-conditioned to go on. Close to t = 1 that is a pole at the end;
 // before that the path may have gone astray.
-constexpr double far_out = 1e6;
-constexpr double close_to_end = 1e-2;
+constexpr double far_out = 2e5;
+constexpr double close_to_end = 2e-2;
 
 constexpr double smallest_relative_step = 1e-6;
 
