@@ -13,6 +13,7 @@ struct Case {
   Eigen::Vector3d home;
   double spread;
   std::size_t most_solutions;
+  int count = 10000;
 
   friend std::ostream& operator<<(std::ostream& out, const Case& each) { return out << each.robot->name(); }
 };
@@ -21,10 +22,9 @@ class RoundTrip : public testing::TestWithParam<Case> {};
 
 // Pose -> drives in a random working mode -> all direct solutions contain the pose.
 TEST_P(RoundTrip, FindsThePoseAgain) {
-  const auto& [robot, home, spread, most_solutions] = GetParam();
+  const auto& [robot, home, spread, most_solutions, count] = GetParam();
   Pose center;
   center.position = home;
-  const int count = 10000;
   const test::RoundTrips trips = test::round_trips(*robot, center, spread, count, 20260101);
   EXPECT_EQ(trips.made, count);
   EXPECT_EQ(trips.missed, 0) << trips.first_miss;
@@ -53,6 +53,14 @@ INSTANTIATE_TEST_SUITE_P(T3, RoundTrip,
 INSTANTIATE_TEST_SUITE_P(SO3, RoundTrip,
                          testing::Values(Case{test::agile_eye(), {0.0, 0.0, 0.0}, 1.0, 8},
                                          Case{test::spherical_three_rrr(), {0.0, 0.0, 0.0}, 1.0, 8}),
+                         robot_name);
+// Six freedoms take milliseconds each; the benchmark of the kinematics makes 10,000 of them.
+INSTANTIATE_TEST_SUITE_P(SE3, RoundTrip,
+                         testing::Values(Case{test::dietmaier(), {0.0, 0.0, 0.0}, 1.0, 40, 300},
+                                         Case{test::planar_stewart(), {0.0, 0.0, 0.6}, 0.3, 40, 300},
+                                         Case{test::stewart(), {0.0, 0.0, 0.6}, 0.3, 28, 300},
+                                         Case{test::hexa(), {0.0, 0.0, -0.5}, 0.3, 40, 300},
+                                         Case{test::six_pus(), {0.0, 0.0, 0.6}, 0.2, 40, 300}),
                          robot_name);
 
 }  // namespace

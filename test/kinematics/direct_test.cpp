@@ -120,5 +120,47 @@ TEST(Direct, AgileEyeHasFourAssemblyModesBesidesTheTrivialOnes) {
   }
 }
 
+// Dietmaier, "The Stewart-Gough platform of general geometry can have 40 real postures", 1998.
+TEST(Direct, AllFortySolutionsOfDietmaier) {
+  const DirectResult result = direct(*test::dietmaier(), test::dietmaier_lengths());
+  EXPECT_EQ(result.status, DirectStatus::solved);
+  EXPECT_EQ(result.solutions.size(), 40U);
+  for (const AssemblyMode& mode : result.solutions) EXPECT_LT(mode.residual, 1e-13);
+}
+
+// With base and platform each in a plane, every solution has a mirror image in the plane of the base, with
+// the base points and lengths the same and det A of the other sign: reflecting the base plane and the
+// platform's own plane.
+TEST(Direct, PlanarStewartPlatformsHaveMirrorPairs) {
+  for (const auto& robot : {test::planar_stewart(), test::stewart(), test::octahedral_stewart()}) {
+    test::RandomRobots random(11);
+    for (int i = 0; i < 20; ++i) {
+      Pose pose = random.pose(TaskSpace::SE3, 0.3);
+      pose.position.z() += 0.6;
+      const JointVector q = inverse(*robot, pose, WorkingMode(6)).q;
+      const DirectResult result = direct(*robot, q);
+      SCOPED_TRACE(test::describe(*robot, pose, q));
+      ASSERT_EQ(result.status, DirectStatus::solved);
+      EXPECT_EQ(result.solutions.size() % 2, 0U);
+      for (const AssemblyMode& mode : result.solutions) {
+        const Eigen::Quaterniond& e = mode.pose.orientation;
+        Pose mirrored{mode.pose.position, Eigen::Quaterniond(e.w(), -e.x(), -e.y(), e.z())};
+        mirrored.position.z() *= -1.0;
+        const AssemblyMode* found = test::closest(*robot, result, mirrored);
+        ASSERT_NE(found, nullptr);
+        EXPECT_LT(test::pose_distance(*robot, found->pose, mirrored), 1e-8);
+        EXPECT_NEAR(found->determinant, -mode.determinant, 1e-12);
+      }
+    }
+  }
+}
+
+// Base and platform congruent, all lengths equal: the platform translates on a sphere, parallel to itself.
+TEST(Direct, CongruentStewartPlatformIsNotSolvedInSilence) {
+  const test::Points corners = test::on_circle(0.5, {0.0, 50.0, 130.0, 170.0, 250.0, 300.0});
+  const auto robot = test::manipulator("congruent", TaskSpace::SE3, test::struts(corners, corners));
+  EXPECT_NE(direct(*robot, drives({0.7, 0.7, 0.7, 0.7, 0.7, 0.7})).status, DirectStatus::solved);
+}
+
 }  // namespace
 }  // namespace parallel_aspects

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/kinematics/jacobians.h"
+
+#include <gtest/gtest.h>
+
+#include "support/random_robots.h"
+#include "support/round_trip.h"
+#include <tuple>
+
+namespace parallel_aspects {
+namespace {
+
+using SpaceAndDrive = std::tuple<TaskSpace, test::DriveKind>;
+
+class Jacobians : public testing::TestWithParam<SpaceAndDrive> {};
+
+constexpr double step = 1e-5;
+constexpr double tolerance = 1e-8;
+
+// df/dX = 2 A, by central differences along each column's motion.
+TaskMatrix differences_by_pose(const Manipulator& robot, const Pose& pose, const JointVector& q) {
+  const auto n = static_cast<Eigen::Index>(robot.leg_count());
+  TaskMatrix result(n, n);
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const TaskVector twist = step * TaskVector::Unit(n, k);
+    const Pose ahead = displaced(robot.task_space(), pose, twist);
+    const Pose behind = displaced(robot.task_space(), pose, -twist);
+    result.col(k) = (residuals(robot, ahead, q) - residuals(robot, behind, q)) / (4.0 * step);
+  }
+  return result;
+}
+
+// df/dq = -2 B, entry by entry: f_j depends on no other drive, so a full matrix of differences must be
+// diagonal.
+TaskMatrix differences_by_drive(const Manipulator& robot, const Pose& pose, const JointVector& q) {
+  const auto n = static_cast<Eigen::Index>(robot.leg_count());
+  TaskMatrix result(n, n);
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const JointVector change = step * JointVector::Unit(n, k);
+    result.col(k) = (residuals(robot, pose, q + change) - residuals(robot, pose, q - change)) / (-4.0 * step);
+  }
+  return result;
+}
+
+TEST_P(Jacobians, MatchCentralDifferences) {
+  const auto [space, kind] = GetParam();
+  test::RandomRobots random(20260102);
+  for (int i = 0; i < 2000; ++i) {
+    const auto robot = random.robot(space, kind);
+    const Pose pose = random.pose(space);
+    JointVector q(static_cast<Eigen::Index>(robot->leg_count()));
+    for (double& each : q) each = random.uniform(-2.0, 2.0);
+    const TaskMatrix a = direct_matrix(*robot, pose, q);
+    const TaskMatrix b = inverse_diagonal(*robot, pose, q).asDiagonal().toDenseMatrix();
+    ASSERT_LT((a - differences_by_pose(*robot, pose, q)).cwiseAbs().maxCoeff(), tolerance)
+        << test::describe(*robot, pose, q);
+    ASSERT_LT((b - differences_by_drive(*robot, pose, q)).cwiseAbs().maxCoeff(), tolerance)
+        << test::describe(*robot, pose, q);
+  }
+}
+
+// A t = B q': along a motion that all legs follow, the drives run as the matrices say.
+TEST_P(Jacobians, RelateVelocities) {
+  const auto [space, kind] = GetParam();
+  test::RandomRobots random(20260103);
+  int compared = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const auto robot = random.robot(space, kind);
+    const Pose pose = random.pose(space);
+    const auto n = static_cast<Eigen::Index>(robot->leg_count());
+    TaskVector twist(n);
+    for (double& each : twist) each = random.uniform(-1.0, 1.0);
+    const WorkingMode mode = working_modes(*robot).back();
+    const InverseSolution here = inverse(*robot, pose, mode);
+    const InverseSolution ahead = inverse(*robot, displaced(space, pose, step * twist), mode);
+    const InverseSolution behind = inverse(*robot, displaced(space, pose, -step * twist), mode);
+    if (here.status != InverseStatus::solved || ahead.q.size() != n || behind.q.size() != n) continue;
+    const TaskVector b = inverse_diagonal(*robot, pose, here.q);
+    if (b.cwiseAbs().minCoeff() < 0.2) continue;
+    ++compared;
+    TaskVector rate = ahead.q - behind.q;
+    if (robot->leg(0).driven_by_angle())
+      for (double& each : rate) each = std::remainder(each, 2.0 * EIGEN_PI);
+    const TaskVector left = direct_matrix(*robot, pose, here.q) * twist;
+    const TaskVector right = b.cwiseProduct(rate / (2.0 * step));
+    ASSERT_LT((left - right).cwiseAbs().maxCoeff(), 1e-5) << test::describe(*robot, pose, here.q);
+  }
+  EXPECT_GT(compared, 50);
+}
+
+std::string case_name(const testing::TestParamInfo<SpaceAndDrive>& info) {
+  static const char* const drives[] = {"revolute", "prismatic", "strut", "elbow"};
+  return std::string(name(std::get<0>(info.param))) + "_" + drives[static_cast<int>(std::get<1>(info.param))];
+}
+
+INSTANTIATE_TEST_SUITE_P(EverySpaceAndDrive, Jacobians,
+                         testing::Combine(testing::ValuesIn(test::all_task_spaces),
+                                          testing::ValuesIn(test::all_drive_kinds)),
+                         case_name);
+
+}  // namespace
+}  // namespace parallel_aspects
