@@ -1,0 +1,62 @@
+# The ROS side of the package as catkin sees it: messages, what is exported, and helpers to install and test.
+# Included before any target, since catkin sets where they are built.
+find_package(Eigen3 3.3 REQUIRED NO_MODULE)
+find_package(catkin REQUIRED COMPONENTS
+  actionlib
+  actionlib_msgs
+  diagnostic_updater
+  geometry_msgs
+  message_generation
+  nodelet
+  pluginlib
+  roscpp
+  sensor_msgs
+  std_msgs
+  tf2
+  tf2_geometry_msgs
+  tf2_ros
+  visualization_msgs
+)
+
+add_message_files(FILES
+  AspectState.msg
+  AspectSummary.msg
+  AspectTransition.msg
+  Configuration.msg
+  MapProgress.msg
+  SingularityReport.msg
+  SolvedConfiguration.msg
+  Status.msg
+)
+add_service_files(FILES
+  GetCurrentAspect.srv
+  GetSingularityDistance.srv
+  GetWorkingMode.srv
+  ListAspects.srv
+  SetAssemblyMode.srv
+)
+add_action_files(FILES
+  ComputeMap.action
+)
+generate_messages(DEPENDENCIES actionlib_msgs geometry_msgs std_msgs)
+
+catkin_package(
+  INCLUDE_DIRS include
+  LIBRARIES parallel_aspects_core parallel_aspects_ros
+  CATKIN_DEPENDS
+    actionlib
+    actionlib_msgs
+    diagnostic_updater
+    geometry_msgs
+    message_runtime
+    nodelet
+    pluginlib
+    roscpp
+    sensor_msgs
+    std_msgs
+    tf2
+    tf2_geometry_msgs
+    tf2_ros
+    visualization_msgs
+  DEPENDS EIGEN3
+)

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ROS_JOINT_SAMPLE_H
+#define PARALLEL_ASPECTS_ROS_JOINT_SAMPLE_H
+
+#include "parallel_aspects/model/vectors.h"
+#include "parallel_aspects/urdf/mechanism.h"
+
+#include <memory>
+#include <sensor_msgs/JointState.h>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects {
+
+enum class SampleStatus {
+  usable,   ///< `q` is filled; `sentence` may name a joint that was ignored
+  foreign,  ///< holds none of the actuated joints, so it is another robot's
+  invalid,  ///< cannot be used; `sentence` says why
+};
+
+struct JointSample {
+  SampleStatus status = SampleStatus::invalid;
+  std::string sentence;
+  JointVector q;  ///< in the order of the legs [rad or m]
+};
+
+/// Finds the actuated joints of one robot in joint_states, in whatever order they come.
+class JointSampleReader {
+ public:
+  explicit JointSampleReader(std::shared_ptr<const Mechanism> mechanism);
+
+  JointSample read(const sensor_msgs::JointState& message) const;
+
+ private:
+  std::shared_ptr<const Mechanism> mechanism_;
+};
+
+/// The values of exactly these actuated joints, as a service request names them.
+JointSample actuated_values(const Manipulator& manipulator, const std::vector<std::string>& names,
+                            const std::vector<double>& positions);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ROS_JOINT_SAMPLE_H

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ROS_MAP_WORKER_H
+#define PARALLEL_ASPECTS_ROS_MAP_WORKER_H
+
+#include "parallel_aspects/aspects/aspect_map.h"
+#include "parallel_aspects/model/manipulator.h"
+
+#include <parallel_aspects/MapProgress.h>
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+namespace parallel_aspects {
+
+/// Computes maps on a thread of its own, one at a time, and keeps the last complete one.
+class MapWorker {
+ public:
+  /// Called on the worker thread with every report; `map` is set with the one that says COMPLETE.
+  using Listener = std::function<void(const MapProgress&, const std::shared_ptr<const AspectMap>& map)>;
+  using Job = std::uint64_t;
+
+  MapWorker(std::shared_ptr<const Manipulator> manipulator, Listener listener);
+
+  /// Cancels and waits.
+  ~MapWorker();
+
+  /// Begins a computation and cancels the one that runs, if any.
+  Job compute(const MapOptions& options);
+
+  /// Cancels this job if it still runs or waits.
+  void cancel(Job job);
+
+  /// The newest report of a job, after waiting for its end, but no longer than `patience`. A job that a newer
+  /// one has displaced is CANCELLED.
+  MapProgress wait(Job job, std::chrono::milliseconds patience) const;
+
+  MapProgress progress() const;                  ///< newest report of all
+  std::shared_ptr<const AspectMap> map() const;  ///< null until the first is complete
+
+ private:
+  void run();
+  void compute_now(const MapOptions& options);
+  void report(MapProgress progress, const std::shared_ptr<const AspectMap>& map);
+
+  const std::shared_ptr<const Manipulator> manipulator_;
+  const Listener listener_;
+
+  mutable std::mutex mutex_;
+  mutable std::condition_variable changed_;
+  std::optional<MapOptions> next_;
+  Job newest_job_ = 0;   // last one asked for
+  Job running_job_ = 0;  // the one that `progress_` is about
+  std::atomic<bool> cancelled_{false};
+  bool stopping_ = false;
+  MapProgress progress_;
+  std::shared_ptr<const AspectMap> map_;
+  std::thread thread_;
+};
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ROS_MAP_WORKER_H

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ROS_NODE_OPTIONS_H
+#define PARALLEL_ASPECTS_ROS_NODE_OPTIONS_H
+
+#include "parallel_aspects/aspects/aspect_map.h"
+#include "parallel_aspects/model/manipulator.h"
+#include "parallel_aspects/model/problems.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// Which assembly mode the robot is in when its first joint sample arrives. At most one of the two is given.
+struct StartOptions {
+  std::optional<std::vector<double>> pose;  ///< coordinates as `coordinate_names` [m or rad]
+  std::optional<int> determinant_sign;      ///< sign of det A, 1 or -1
+  /// How far a direct solution may be from the pose that was said [m, RMS over the anchors]; positive.
+  /// Default: 1/20 of the robot's size.
+  std::optional<double> tolerance;
+};
+
+struct DisplayOptions {
+  bool gallery = true;         ///< whether every working mode is drawn beside the robot
+  double gallery_scale = 0.5;  ///< size of the gallery against the robot, above 0, at most 10
+  double rate = 20.0;          ///< how often the drawn position is renewed [Hz], above 0, at most 100
+};
+
+/// Every parameter of the node but the description of the robot.
+struct NodeOptions {
+  MapOptions map;
+  StartOptions start;
+  DisplayOptions display;
+  double joint_states_timeout = 0.5;  ///< age at which the last sample is stale [s]; positive
+  double tf_timeout = 0.2;            ///< how long a query waits for tf [s]; zero or more
+  std::string frame_prefix;           ///< of the frames that the node adds; by default the robot's name
+};
+
+/// Everything wrong with the options for this manipulator; sentences that name parameters below `prefix`,
+/// which ends in a slash. Empty when all is well.
+Problems problems_of(const NodeOptions& options, const Manipulator& manipulator, const std::string& prefix);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ROS_NODE_OPTIONS_H

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ROS_QUERIES_H
+#define PARALLEL_ASPECTS_ROS_QUERIES_H
+
+#include "parallel_aspects/ros/conversions.h"
+#include "parallel_aspects/ros/map_worker.h"
+#include "parallel_aspects/ros/robot_monitor.h"
+
+#include <parallel_aspects/Configuration.h>
+#include <parallel_aspects/GetCurrentAspect.h>
+#include <parallel_aspects/GetSingularityDistance.h>
+#include <parallel_aspects/GetWorkingMode.h>
+#include <parallel_aspects/ListAspects.h>
+#include <parallel_aspects/SetAssemblyMode.h>
+
+#include <functional>
+#include <geometry_msgs/PoseStamped.h>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// The configurations that a request means.
+struct ConfigurationAnswer {
+  Status status;  ///< OK with at least one configuration, or why there is none
+  ros::Time stamp;
+  std::vector<SolvedPose> configurations;
+};
+
+/// Every configuration with this pose, in the given working mode or, where it is empty, in all.
+ConfigurationAnswer configurations_at_pose(const Manipulator& manipulator, const Pose& pose,
+                                           const std::vector<std::int8_t>& working_mode);
+
+/// Every assembly mode at these drives with this sign of det A, or, where it is 0, with any.
+ConfigurationAnswer configurations_at_joints(const Manipulator& manipulator, const JointVector& q,
+                                             int determinant_sign);
+
+/// Brings a pose into the base frame; nothing, and a sentence, where tf cannot.
+using PoseTransformer = std::function<std::optional<geometry_msgs::Pose>(const geometry_msgs::PoseStamped&,
+                                                                         std::string& sentence)>;
+
+/// Answers the services. May be called from any number of threads.
+class Queries {
+ public:
+  /// `monitor` and `worker` must outlive the object.
+  Queries(std::shared_ptr<const Manipulator> manipulator, RobotMonitor& monitor, const MapWorker& worker,
+          PoseTransformer to_base);
+
+  GetWorkingMode::Response answer(const GetWorkingMode::Request& request) const;
+  GetCurrentAspect::Response answer(const GetCurrentAspect::Request& request) const;
+  GetSingularityDistance::Response answer(const GetSingularityDistance::Request& request) const;
+  ListAspects::Response answer(const ListAspects::Request& request) const;
+  SetAssemblyMode::Response answer(const SetAssemblyMode::Request& request) const;
+
+ private:
+  ConfigurationAnswer resolve(const Configuration& configuration) const;
+  ConfigurationAnswer resolve_now() const;
+  ConfigurationAnswer resolve_pose(const Configuration& configuration) const;
+  ConfigurationAnswer resolve_joints(const Configuration& configuration) const;
+  Status start(const Configuration& configuration) const;
+  std::vector<SolvedConfiguration> solutions(const ConfigurationAnswer& answer, const AspectMap* map) const;
+  Status map_status(const AspectMap* map) const;
+
+  std::shared_ptr<const Manipulator> manipulator_;
+  RobotMonitor& monitor_;
+  const MapWorker& worker_;
+  PoseTransformer to_base_;
+};
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ROS_QUERIES_H

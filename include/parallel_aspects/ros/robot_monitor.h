@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ROS_ROBOT_MONITOR_H
+#define PARALLEL_ASPECTS_ROS_ROBOT_MONITOR_H
+
+#include "parallel_aspects/ros/conversions.h"
+#include "parallel_aspects/ros/joint_sample.h"
+#include "parallel_aspects/ros/node_options.h"
+#include "parallel_aspects/tracking/tracker.h"
+#include "parallel_aspects/urdf/mechanism.h"
+
+#include <parallel_aspects/AspectState.h>
+#include <parallel_aspects/AspectTransition.h>
+
+#include <ros/time.h>
+
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <sensor_msgs/JointState.h>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// What one message of joint_states led to.
+struct MonitorUpdate {
+  std::optional<AspectState> state;  ///< to publish; nothing for another robot's message
+  std::string warning;               ///< to log, throttled; empty when all is well
+  std::vector<AspectTransition> transitions;
+  std::optional<sensor_msgs::JointState> completed;  ///< every joint of the URDF, while tracking
+  std::optional<Eigen::Isometry3d> platform;         ///< in the base frame, while tracking
+};
+
+/// What is known of the robot now.
+struct CurrentConfiguration {
+  Status status;      ///< OK, or why nothing is known
+  ros::Time stamp;    ///< of the joint sample
+  SolvedPose solved;  ///< valid if OK
+  TrackedState tracked;
+};
+
+struct MonitorCounts {
+  std::uint64_t usable = 0, invalid = 0, foreign = 0;  ///< messages since the start
+};
+
+/// Guards a tracker against everything that joint_states may bring, and against threads. Knows no topics.
+class RobotMonitor {
+ public:
+  /// `start` must have passed `problems_of`. `timeout` [s].
+  RobotMonitor(std::shared_ptr<const Mechanism> mechanism, const StartOptions& start, double timeout);
+
+  /// The next message, received at `now`.
+  MonitorUpdate update(const sensor_msgs::JointState& message, const ros::Time& now);
+
+  /// The state to publish when the last usable sample has become stale; nothing while it has not, or that was
+  /// said.
+  std::optional<AspectState> expire(const ros::Time& now);
+
+  CurrentConfiguration current(const ros::Time& now) const;
+  MonitorCounts counts() const;
+
+  void set_map(std::shared_ptr<const AspectMap> map);
+
+  /// Starts at the direct solution of the last sample that is closest to `pose`, or that has this sign of det
+  /// A.
+  Status start_near(const Pose& pose, const ros::Time& now);
+  Status start_with_sign(int determinant_sign, const ros::Time& now);
+
+ private:
+  MonitorUpdate refuse(std::string sentence, const ros::Time& stamp);
+  MonitorUpdate accept(const JointSample& sample, const ros::Time& stamp);
+  std::string fault_of_stamp(const ros::Time& stamp) const;
+  Status start_as_configured(double time, const JointVector& q);
+  Status status_of_tracker() const;
+  bool stale(const ros::Time& now) const;
+  void fill_tracked(const ros::Time& stamp, MonitorUpdate& update) const;
+  void forget();
+
+  const std::shared_ptr<const Mechanism> mechanism_;
+  const JointSampleReader reader_;
+  const StartOptions start_;
+  const double start_tolerance_;
+  const ros::Duration timeout_;
+
+  mutable std::mutex mutex_;
+  Tracker tracker_;
+  Status status_;
+  ros::Time epoch_;          // of the tracker's clock
+  ros::Time last_stamp_;     // of the last usable sample; zero for none
+  ros::Time last_received_;  // when any message came
+  ros::Time last_usable_;    // when the last usable one came
+  std::optional<JointVector> last_q_;
+  bool said_stale_ = false;
+  MonitorCounts counts_;
+};
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ROS_ROBOT_MONITOR_H

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/ros/joint_sample.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace parallel_aspects {
+namespace {
+
+JointSample invalid(std::string sentence) { return {SampleStatus::invalid, std::move(sentence), {}}; }
+
+// Fills `sample.q` from the message; leaves `count` at how many of the robot's drives it holds.
+JointSample collect(const Manipulator& manipulator, const std::vector<std::string>& names,
+                    const std::vector<double>& positions, std::size_t& count) {
+  JointSample sample{SampleStatus::usable, {}, JointVector(manipulator.leg_count())};
+  std::string missing;
+  count = 0;
+  for (std::size_t j = 0; j < manipulator.leg_count(); ++j) {
+    const std::string& joint = manipulator.leg(j).driven_joint;
+    const auto found = std::find(names.begin(), names.end(), joint);
+    if (found == names.end()) {
+      missing += (missing.empty() ? "" : ", ") + joint;
+      continue;
+    }
+    ++count;
+    if (std::find(found + 1, names.end(), joint) != names.end())
+      return invalid("joint " + joint + " is there twice; publish each joint once.");
+    const double value = positions[static_cast<std::size_t>(found - names.begin())];
+    if (!std::isfinite(value)) return invalid("position of joint " + joint + " is not a finite number.");
+    sample.q[static_cast<Eigen::Index>(j)] = value;
+  }
+  if (!missing.empty())
+    return invalid("actuated joint " + missing + " is missing; publish all of them in one message.");
+  return sample;
+}
+
+bool fits(std::size_t size, std::size_t names) { return size == 0 || size == names; }
+
+}  // namespace
+
+JointSampleReader::JointSampleReader(std::shared_ptr<const Mechanism> mechanism)
+    : mechanism_(std::move(mechanism)) {}
+
+JointSample JointSampleReader::read(const sensor_msgs::JointState& message) const {
+  const std::size_t names = message.name.size();
+  if (names == 0) return invalid("it names no joint.");
+  if (message.position.size() != names || !fits(message.velocity.size(), names) ||
+      !fits(message.effort.size(), names))
+    return invalid("it has " + std::to_string(names) + " names, but " +
+                   std::to_string(message.position.size()) + " positions, " +
+                   std::to_string(message.velocity.size()) + " velocities and " +
+                   std::to_string(message.effort.size()) + " efforts.");
+  std::size_t count = 0;
+  JointSample sample = collect(*mechanism_->manipulator(), message.name, message.position, count);
+  const auto& known = mechanism_->joint_names();
+  const auto unknown = std::find_if(message.name.begin(), message.name.end(), [&](const std::string& name) {
+    return std::find(known.begin(), known.end(), name) == known.end();
+  });
+  if (count == 0 && sample.status == SampleStatus::invalid && unknown != message.name.end())
+    return {SampleStatus::foreign, "it holds none of the actuated joints.", {}};
+  if (sample.status == SampleStatus::usable && unknown != message.name.end())
+    sample.sentence = "joint " + *unknown + " is not in the URDF and is ignored.";
+  return sample;
+}
+
+JointSample actuated_values(const Manipulator& manipulator, const std::vector<std::string>& names,
+                            const std::vector<double>& positions) {
+  if (names.size() != positions.size())
+    return invalid("there are " + std::to_string(names.size()) + " names, but " +
+                   std::to_string(positions.size()) + " positions.");
+  std::size_t count = 0;
+  return collect(manipulator, names, positions, count);
+}
+
+}  // namespace parallel_aspects

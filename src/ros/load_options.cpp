@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/ros/load_options.h"
+
+#include "parallel_aspects/ros/parameter_reader.h"
+
+#include <ros/param.h>
+#include <yaml-cpp/yaml.h>
+
+#include <utility>
+
+namespace parallel_aspects {
+namespace {
+
+using XmlRpc::XmlRpcValue;
+
+void emit(YAML::Emitter& out, const XmlRpcValue& value) {
+  switch (value.getType()) {
+    case XmlRpcValue::TypeBoolean:
+      out << static_cast<const bool&>(value);
+      return;
+    case XmlRpcValue::TypeInt:
+      out << static_cast<const int&>(value);
+      return;
+    case XmlRpcValue::TypeDouble:
+      out << static_cast<const double&>(value);
+      return;
+    case XmlRpcValue::TypeString:
+      out << YAML::DoubleQuoted << static_cast<const std::string&>(value);
+      return;
+    case XmlRpcValue::TypeArray:
+      out << YAML::BeginSeq;
+      for (int i = 0; i < value.size(); ++i) emit(out, value[i]);
+      out << YAML::EndSeq;
+      return;
+    case XmlRpcValue::TypeStruct:
+      out << YAML::BeginMap;
+      for (const auto& member : value) {
+        out << YAML::Key << YAML::DoubleQuoted << member.first << YAML::Value;
+        emit(out, member.second);
+      }
+      out << YAML::EndMap;
+      return;
+    default:
+      out << YAML::Null;
+  }
+}
+
+std::optional<Box> region_from(ParameterReader reader, Problems& problems, const std::string& name) {
+  std::vector<double> lower, upper;
+  reader.read("lower", lower);
+  reader.read("upper", upper);
+  reader.report_unknown_keys();
+  if (lower.size() != upper.size() || lower.empty() || lower.size() > max_map_dimension) {
+    problems.push_back("Parameter " + name +
+                       " must have lower and upper, lists of as many numbers as the pose has.");
+    return std::nullopt;
+  }
+  Box region;
+  region.dimension = lower.size();
+  std::copy(lower.begin(), lower.end(), region.lower.begin());
+  std::copy(upper.begin(), upper.end(), region.upper.begin());
+  return region;
+}
+
+MapOptions map_options_from(ParameterReader reader, const std::string& prefix, Problems& problems) {
+  MapOptions map;
+  reader.read("resolution", map.resolution);
+  reader.read("extra_levels", map.extra_levels);
+  int threads = 0;
+  reader.read("threads", threads);
+  if (threads < 0) problems.push_back("Parameter " + prefix + "map/threads must be 0 (one a core) to 1024.");
+  map.threads = threads < 0 ? 0 : static_cast<unsigned>(threads);
+  if (reader.has("region")) map.region = region_from(reader.group("region"), problems, prefix + "map/region");
+  reader.report_unknown_keys();
+  return map;
+}
+
+StartOptions start_options_from(ParameterReader reader) {
+  StartOptions start;
+  reader.read("pose", start.pose);
+  reader.read("determinant_sign", start.determinant_sign);
+  reader.read("tolerance", start.tolerance);
+  reader.report_unknown_keys();
+  return start;
+}
+
+DisplayOptions display_options_from(ParameterReader reader) {
+  DisplayOptions display;
+  reader.read("gallery", display.gallery);
+  reader.read("gallery_scale", display.gallery_scale);
+  reader.read("rate", display.rate);
+  reader.report_unknown_keys();
+  return display;
+}
+
+std::shared_ptr<const Mechanism> mechanism_from(const ros::NodeHandle& nh, const XmlRpcValue& description,
+                                                const std::string& description_name, Problems& problems) {
+  std::string urdf, urdf_name = nh.resolveName("robot_description");
+  nh.searchParam("robot_description", urdf_name);
+  if (!ros::param::get(urdf_name, urdf))
+    problems.push_back("Parameter " + urdf_name + " is not there; load the robot's URDF into it as text.");
+  if (!description.valid())
+    problems.push_back("Parameter " + description_name +
+                       " is not there; load config/robots/ROBOT.yaml into the node's namespace.");
+  if (urdf.empty() || !description.valid()) return nullptr;
+  XmlRpcValue document;
+  document["mechanism"] = description;
+  try {
+    return load_mechanism(urdf, urdf_name, yaml_text(document), description_name);
+  } catch (const InvalidDescription& invalid) {
+    problems.insert(problems.end(), invalid.problems().begin(), invalid.problems().end());
+    return nullptr;
+  }
+}
+
+}  // namespace
+
+std::string yaml_text(const XmlRpcValue& value) {
+  YAML::Emitter out;
+  emit(out, value);
+  return out.c_str();
+}
+
+NodeOptions options_from(const XmlRpcValue& parameters, const std::string& prefix, Problems& problems) {
+  ParameterReader reader(parameters, prefix, problems);
+  NodeOptions options;
+  options.map = map_options_from(reader.group("map"), prefix, problems);
+  options.start = start_options_from(reader.group("start"));
+  options.display = display_options_from(reader.group("display"));
+  reader.read("joint_states_timeout", options.joint_states_timeout);
+  reader.read("tf_timeout", options.tf_timeout);
+  reader.read("frame_prefix", options.frame_prefix);
+  for (const char* read_elsewhere : {"mechanism", "diagnostic_period"}) reader.raw(read_elsewhere);
+  reader.report_unknown_keys();
+  return options;
+}
+
+NodeSetup load_setup(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh) {
+  const std::string prefix = private_nh.getNamespace() + "/";
+  XmlRpcValue parameters;
+  ros::param::get(private_nh.getNamespace(), parameters);
+  Problems problems;
+  NodeSetup setup;
+  setup.options = options_from(parameters, prefix, problems);
+  const XmlRpcValue description = parameters.hasMember("mechanism") ? parameters["mechanism"] : XmlRpcValue();
+  setup.mechanism = mechanism_from(nh, description, prefix + "mechanism", problems);
+  if (setup.mechanism) {
+    const Manipulator& manipulator = *setup.mechanism->manipulator();
+    const Problems found = problems_of(setup.options, manipulator, prefix);
+    problems.insert(problems.end(), found.begin(), found.end());
+    if (setup.options.frame_prefix.empty()) setup.options.frame_prefix = manipulator.name();
+  }
+  if (!problems.empty()) throw InvalidDescription(std::move(problems));
+  return setup;
+}
+
+}  // namespace parallel_aspects

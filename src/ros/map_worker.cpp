@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/ros/map_worker.h"
+
+#include <ros/time.h>
+
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+namespace parallel_aspects {
+namespace {
+
+MapProgress computing(double share, double resolution) {
+  MapProgress report;
+  report.header.stamp = ros::Time::now();
+  report.state = MapProgress::COMPUTING;
+  report.progress = share;
+  report.resolution = resolution;
+  report.sentence = "The map is being computed, " + std::to_string(std::lround(100.0 * share)) + " %.";
+  return report;
+}
+
+std::string complete_sentence(const AspectMap& map) {
+  char seconds[32];
+  std::snprintf(seconds, sizeof seconds, "%.3g s", map.seconds());
+  return "The map is complete: " + std::to_string(map.aspects().size()) + " aspects found, at least " +
+         std::to_string(map.proved_count()) + " proved, " + std::to_string(map.unresolved().size()) +
+         " pairs unresolved, in " + seconds + ".";
+}
+
+MapProgress ended(const MapResult& result) {
+  MapProgress report;
+  report.header.stamp = ros::Time::now();
+  report.sentence = result.sentence;
+  report.state = result.status == MapStatus::cancelled ? MapProgress::CANCELLED : MapProgress::REFUSED;
+  if (result.status != MapStatus::complete) return report;
+  report.state = MapProgress::COMPLETE;
+  report.progress = 1.0;
+  report.resolution = result.map->resolution();
+  report.aspects = static_cast<std::uint32_t>(result.map->aspects().size());
+  report.proved_count = static_cast<std::uint32_t>(result.map->proved_count());
+  report.unresolved = static_cast<std::uint32_t>(result.map->unresolved().size());
+  report.seconds = result.map->seconds();
+  report.sentence = complete_sentence(*result.map);
+  return report;
+}
+
+}  // namespace
+
+MapWorker::MapWorker(std::shared_ptr<const Manipulator> manipulator, Listener listener)
+    : manipulator_(std::move(manipulator)), listener_(std::move(listener)), thread_([this] { run(); }) {}
+
+MapWorker::~MapWorker() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    stopping_ = true;
+    cancelled_ = true;
+  }
+  changed_.notify_all();
+  thread_.join();
+}
+
+MapWorker::Job MapWorker::compute(const MapOptions& options) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  next_ = options;
+  cancelled_ = true;
+  changed_.notify_all();
+  return ++newest_job_;
+}
+
+void MapWorker::cancel(Job job) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (job != newest_job_) return;
+  cancelled_ = true;
+  if (!next_) return;
+  next_.reset();
+  running_job_ = job;
+  progress_.state = MapProgress::CANCELLED;
+  progress_.sentence = "The computation was cancelled before it began.";
+  changed_.notify_all();
+}
+
+MapProgress MapWorker::wait(Job job, std::chrono::milliseconds patience) const {
+  std::unique_lock<std::mutex> lock(mutex_);
+  const auto over = [&] {
+    return job != newest_job_ || (running_job_ == job && progress_.state != MapProgress::COMPUTING);
+  };
+  changed_.wait_for(lock, patience, over);
+  if (job == running_job_) return progress_;
+  MapProgress report;
+  report.state = job == newest_job_ ? MapProgress::COMPUTING : MapProgress::CANCELLED;
+  report.sentence =
+      job == newest_job_ ? "The computation is about to begin." : "A newer request took its place.";
+  return report;
+}
+
+MapProgress MapWorker::progress() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return progress_;
+}
+
+std::shared_ptr<const AspectMap> MapWorker::map() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return map_;
+}
+
+void MapWorker::run() {
+  while (true) {
+    MapOptions options;
+    {
+      std::unique_lock<std::mutex> lock(mutex_);
+      changed_.wait(lock, [&] { return stopping_ || next_.has_value(); });
+      if (stopping_) return;
+      options = *std::exchange(next_, std::nullopt);
+      running_job_ = newest_job_;
+      progress_ = MapProgress();  // COMPUTING; what was said of the job before is over
+      cancelled_ = false;
+    }
+    compute_now(options);
+  }
+}
+
+void MapWorker::compute_now(const MapOptions& options) {
+  const double resolution = options.resolution.value_or(default_resolution(*manipulator_));
+  report(computing(0.0, resolution), nullptr);
+  double reported = 0.0;
+  MapControl control;
+  control.cancelled = &cancelled_;
+  control.progress = [&](double share) {
+    if (share < reported + 0.01) return;
+    reported = share;
+    report(computing(share, resolution), nullptr);
+  };
+  const MapResult result = compute_aspect_map(manipulator_, options, control);
+  report(ended(result), result.status == MapStatus::complete ? result.map : nullptr);
+}
+
+// The map is in use everywhere before anyone is told that it is complete.
+void MapWorker::report(MapProgress progress, const std::shared_ptr<const AspectMap>& map) {
+  if (map) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    map_ = map;
+  }
+  listener_(progress, map);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  progress_ = std::move(progress);
+  changed_.notify_all();
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/ros/node_options.h"
+
+#include <cmath>
+
+namespace parallel_aspects {
+namespace {
+
+bool positive(double value) { return std::isfinite(value) && value > 0.0; }
+
+bool valid_frame_prefix(const std::string& prefix) {
+  return prefix.empty() || (prefix.front() != '/' && prefix.back() != '/' &&
+                            prefix.find_first_of(" \t\n") == std::string::npos);
+}
+
+// Collects sentences of one form: the parameter, what is wrong, what to do.
+class Checks {
+ public:
+  explicit Checks(std::string prefix) : prefix_(std::move(prefix)) {}
+
+  void require(bool holds, const std::string& key, const std::string& sentence) {
+    if (!holds) problems_.push_back("Parameter " + prefix_ + key + " " + sentence);
+  }
+
+  Problems take() { return std::move(problems_); }
+
+ private:
+  std::string prefix_;
+  Problems problems_;
+};
+
+void check_map(const MapOptions& map, std::size_t dimension, Checks& checks) {
+  checks.require(!map.resolution || positive(*map.resolution), "map/resolution",
+                 "must be a positive number [m or rad]; leave it out for 1/200 of the robot's size.");
+  checks.require(map.threads <= 1024, "map/threads", "must be 0 (one a core) to 1024.");
+  checks.require(map.extra_levels >= 0 && map.extra_levels <= 20, "map/extra_levels", "must be 0 to 20.");
+  if (!map.region) return;
+  checks.require(
+      map.region->dimension == dimension, "map/region",
+      "must have " + std::to_string(dimension) + " numbers in lower and in upper, one a coordinate.");
+  for (std::size_t i = 0; i < map.region->dimension; ++i)
+    checks.require(std::isfinite(map.region->width(i)) && map.region->width(i) > 0.0, "map/region",
+                   "must have finite numbers, each of lower below that of upper; number " +
+                       std::to_string(i + 1) + " is not.");
+}
+
+void check_start(const StartOptions& start, TaskSpace space, Checks& checks) {
+  checks.require(!(start.pose && start.determinant_sign), "start",
+                 "has both pose and determinant_sign; keep the one that is known.");
+  checks.require(!start.tolerance || positive(*start.tolerance), "start/tolerance",
+                 "must be a positive number [m]; leave it out for 1/20 of the robot's size.");
+  checks.require(!start.determinant_sign || std::abs(*start.determinant_sign) == 1, "start/determinant_sign",
+                 "must be 1 or -1.");
+  if (!start.pose) return;
+  const PoseCoordinates coordinates =
+      start.pose->size() <= PoseCoordinates::MaxRowsAtCompileTime
+          ? PoseCoordinates(Eigen::Map<const Eigen::VectorXd>(start.pose->data(), start.pose->size()))
+          : PoseCoordinates();
+  std::string names;
+  for (const std::string& name : coordinate_names(space)) names += (names.empty() ? "" : ", ") + name;
+  checks.require(pose_from_coordinates(space, coordinates).has_value(), "start/pose",
+                 "must be a list of finite numbers [" + names + "].");
+}
+
+}  // namespace
+
+Problems problems_of(const NodeOptions& options, const Manipulator& manipulator, const std::string& prefix) {
+  Checks checks(prefix);
+  check_map(options.map, freedoms(manipulator.task_space()), checks);
+  check_start(options.start, manipulator.task_space(), checks);
+  checks.require(positive(options.joint_states_timeout), "joint_states_timeout",
+                 "must be a positive number [s].");
+  checks.require(std::isfinite(options.tf_timeout) && options.tf_timeout >= 0.0, "tf_timeout",
+                 "must be zero or a positive number [s].");
+  checks.require(positive(options.display.gallery_scale) && options.display.gallery_scale <= 10.0,
+                 "display/gallery_scale", "must be above 0 and at most 10.");
+  checks.require(positive(options.display.rate) && options.display.rate <= 100.0, "display/rate",
+                 "must be above 0 and at most 100 [Hz].");
+  checks.require(valid_frame_prefix(options.frame_prefix), "frame_prefix",
+                 "must have no space, and no slash at its ends.");
+  return checks.take();
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/ros/queries.h"
+
+#include "parallel_aspects/kinematics/direct.h"
+#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/kinematics/jacobians.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace parallel_aspects {
+namespace {
+
+ConfigurationAnswer refusal(std::uint8_t code, std::string sentence) {
+  return {make_status(code, std::move(sentence)), {}, {}};
+}
+
+// The modes that a request names: one, or all; nothing where it is malformed.
+std::vector<WorkingMode> modes_meant(const Manipulator& manipulator, const std::vector<std::int8_t>& signs) {
+  if (signs.empty()) return working_modes(manipulator);
+  const auto mode = WorkingMode::from_signs({signs.begin(), signs.end()});
+  if (!mode || mode->leg_count() != manipulator.leg_count()) return {};
+  return {*mode};
+}
+
+std::string failure_text(const Manipulator& manipulator, const InverseSolution& solution) {
+  const Leg& leg = manipulator.leg(solution.leg);
+  return solution.status == InverseStatus::out_of_reach
+             ? leg.name + " cannot reach the pose"
+             : "joint " + leg.driven_joint + " would be outside its limits in working mode " +
+                   to_string(solution.mode);
+}
+
+}  // namespace
+
+ConfigurationAnswer configurations_at_pose(const Manipulator& manipulator, const Pose& pose,
+                                           const std::vector<std::int8_t>& working_mode) {
+  const auto modes = modes_meant(manipulator, working_mode);
+  if (modes.empty())
+    return refusal(Status::INVALID_REQUEST, "working_mode must be empty or have " +
+                                                std::to_string(manipulator.leg_count()) +
+                                                " entries, each 1 or -1.");
+  ConfigurationAnswer answer;
+  std::string failure;
+  for (const WorkingMode& mode : modes) {
+    const InverseSolution solution = inverse(manipulator, pose, mode);
+    if (solution.status == InverseStatus::solved)
+      answer.configurations.push_back({pose, solution.q});
+    else
+      failure = failure_text(manipulator, solution);
+  }
+  if (answer.configurations.empty())
+    answer.status = make_status(Status::NO_SOLUTION, "No configuration: " + failure + ".");
+  return answer;
+}
+
+ConfigurationAnswer configurations_at_joints(const Manipulator& manipulator, const JointVector& q,
+                                             int determinant_sign) {
+  if (std::abs(determinant_sign) > 1)
+    return refusal(Status::INVALID_REQUEST, "determinant_sign must be 1, -1 or 0 for both.");
+  const DirectResult result = direct(manipulator, q);
+  if (result.status == DirectStatus::continuum)
+    return refusal(Status::AMBIGUOUS,
+                   "With these drives locked the platform can still move; its pose is not determined.");
+  if (result.status == DirectStatus::unsolved)
+    return refusal(Status::FAILED, "The direct kinematics could not be solved completely for these drives.");
+  ConfigurationAnswer answer;
+  for (const AssemblyMode& solution : result.solutions)
+    if (determinant_sign == 0 || solution.determinant * determinant_sign > 0.0)
+      answer.configurations.push_back({solution.pose, q});
+  if (answer.configurations.empty())
+    answer.status = make_status(Status::NO_SOLUTION, "The robot does not assemble so at these drives.");
+  return answer;
+}
+
+Queries::Queries(std::shared_ptr<const Manipulator> manipulator, RobotMonitor& monitor,
+                 const MapWorker& worker, PoseTransformer to_base)
+    : manipulator_(std::move(manipulator)),
+      monitor_(monitor),
+      worker_(worker),
+      to_base_(std::move(to_base)) {}
+
+ConfigurationAnswer Queries::resolve(const Configuration& configuration) const {
+  switch (configuration.kind) {
+    case Configuration::NOW:
+      return resolve_now();
+    case Configuration::POSE:
+      return resolve_pose(configuration);
+    case Configuration::JOINTS:
+      return resolve_joints(configuration);
+    default:
+      return refusal(Status::INVALID_REQUEST, "kind must be 0 (now), 1 (pose) or 2 (joints).");
+  }
+}
+
+ConfigurationAnswer Queries::resolve_now() const {
+  const CurrentConfiguration current = monitor_.current(ros::Time::now());
+  ConfigurationAnswer answer{current.status, current.stamp, {}};
+  if (current.status.code == Status::OK) answer.configurations = {current.solved};
+  return answer;
+}
+
+ConfigurationAnswer Queries::resolve_pose(const Configuration& configuration) const {
+  std::string sentence;
+  const auto in_base = to_base_(configuration.pose, sentence);
+  if (!in_base) return refusal(Status::NO_TRANSFORM, std::move(sentence));
+  const auto pose = pose_from_base(*manipulator_, *in_base);
+  if (!pose)
+    return refusal(Status::INVALID_REQUEST,
+                   "The pose must be finite, and its quaternion of unit length where the platform turns.");
+  ConfigurationAnswer answer = configurations_at_pose(*manipulator_, *pose, configuration.working_mode);
+  answer.stamp = ros::Time::now();
+  const double off = distance_off_task_space(*manipulator_, *in_base);
+  if (answer.status.code == Status::OK && off > 1e-6 * manipulator_->size())
+    answer.status.sentence = "The pose is " + std::to_string(off) +
+                             " m off the motions of the platform; the answer is about its projection.";
+  return answer;
+}
+
+ConfigurationAnswer Queries::resolve_joints(const Configuration& configuration) const {
+  const JointSample sample =
+      actuated_values(*manipulator_, configuration.joint_names, configuration.joint_positions);
+  if (sample.status != SampleStatus::usable)
+    return refusal(Status::INVALID_REQUEST, "The joints cannot be used: " + sample.sentence);
+  ConfigurationAnswer answer =
+      configurations_at_joints(*manipulator_, sample.q, configuration.determinant_sign);
+  answer.stamp = ros::Time::now();
+  return answer;
+}
+
+std::vector<SolvedConfiguration> Queries::solutions(const ConfigurationAnswer& answer,
+                                                    const AspectMap* map) const {
+  std::vector<SolvedConfiguration> messages;
+  for (const SolvedPose& solved : answer.configurations)
+    messages.push_back(solved_message(*manipulator_, solved, map, answer.stamp));
+  return messages;
+}
+
+Status Queries::map_status(const AspectMap* map) const {
+  if (map != nullptr) return {};
+  const std::string sentence = worker_.progress().sentence;
+  return make_status(Status::MAP_NOT_READY, sentence.empty() ? "The map is about to be computed." : sentence);
+}
+
+GetWorkingMode::Response Queries::answer(const GetWorkingMode::Request& request) const {
+  const auto map = worker_.map();
+  const ConfigurationAnswer found = resolve(request.configuration);
+  GetWorkingMode::Response response;
+  response.status = found.status;
+  response.solutions = solutions(found, map.get());
+  return response;
+}
+
+GetCurrentAspect::Response Queries::answer(const GetCurrentAspect::Request& request) const {
+  const auto map = worker_.map();
+  GetCurrentAspect::Response response;
+  response.status = map_status(map.get());
+  if (!map) return response;
+  const ConfigurationAnswer found = resolve(request.configuration);
+  response.status = found.status;
+  response.solutions = solutions(found, map.get());
+  return response;
+}
+
+GetSingularityDistance::Response Queries::answer(const GetSingularityDistance::Request& request) const {
+  const auto map = worker_.map();
+  const ConfigurationAnswer found = resolve(request.configuration);
+  GetSingularityDistance::Response response;
+  response.status = found.status;
+  for (const SolvedPose& solved : found.configurations)
+    response.reports.push_back(report_message(*manipulator_, solved, map.get(), found.stamp));
+  return response;
+}
+
+ListAspects::Response Queries::answer(const ListAspects::Request& request) const {
+  const auto map = worker_.map();
+  ListAspects::Response response;
+  response.status = map_status(map.get());
+  if (!map) return response;
+  ConfigurationAnswer found;
+  if (request.at_configuration) found = resolve(request.configuration);
+  response.status = found.status;
+  if (found.status.code != Status::OK) return response;
+  std::vector<std::uint32_t> wanted;
+  for (const SolvedConfiguration& solution : solutions(found, map.get())) wanted.push_back(solution.aspect);
+  for (const Aspect& aspect : map->aspects())
+    if (!request.at_configuration ||
+        std::count(wanted.begin(), wanted.end(), static_cast<std::uint32_t>(aspect.id)) > 0)
+      response.aspects.push_back(summary_message(*manipulator_, aspect));
+  response.proved_count = static_cast<std::uint32_t>(map->proved_count());
+  response.measure_undecided = map->measure_undecided();
+  return response;
+}
+
+Status Queries::start(const Configuration& configuration) const {
+  const ros::Time now = ros::Time::now();
+  if (configuration.kind == Configuration::NOW) {
+    if (std::abs(configuration.determinant_sign) == 1)
+      return monitor_.start_with_sign(configuration.determinant_sign, now);
+    return make_status(Status::INVALID_REQUEST,
+                       "determinant_sign must be 1 or -1, or kind 1 (pose) or 2 (joints).");
+  }
+  if (configuration.kind == Configuration::POSE) {
+    std::string sentence;
+    const auto in_base = to_base_(configuration.pose, sentence);
+    if (!in_base) return make_status(Status::NO_TRANSFORM, std::move(sentence));
+    const auto pose = pose_from_base(*manipulator_, *in_base);
+    return pose ? monitor_.start_near(*pose, now)
+                : make_status(Status::INVALID_REQUEST, "The pose must be finite.");
+  }
+  const ConfigurationAnswer found = resolve(configuration);
+  if (found.status.code != Status::OK) return found.status;
+  if (found.configurations.size() != 1)
+    return make_status(Status::INVALID_REQUEST,
+                       "More than one assembly mode is meant; set determinant_sign to 1 or -1.");
+  return monitor_.start_near(found.configurations.front().pose, now);
+}
+
+SetAssemblyMode::Response Queries::answer(const SetAssemblyMode::Request& request) const {
+  SetAssemblyMode::Response response;
+  response.status = start(request.configuration);
+  if (response.status.code != Status::OK) return response;
+  const auto map = worker_.map();
+  const ConfigurationAnswer now = resolve_now();
+  response.status = now.status;
+  response.solutions = solutions(now, map.get());
+  return response;
+}
+
+}  // namespace parallel_aspects

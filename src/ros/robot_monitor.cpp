@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/ros/robot_monitor.h"
+
+#include <utility>
+
+namespace parallel_aspects {
+namespace {
+
+Pose start_pose(const Manipulator& manipulator, const std::vector<double>& coordinates) {
+  const Eigen::Map<const Eigen::VectorXd> values(coordinates.data(),
+                                                 static_cast<Eigen::Index>(coordinates.size()));
+  return pose_from_coordinates(manipulator.task_space(), values).value_or(Pose{});
+}
+
+const char* const how_to_start = "call set_assembly_mode, or set start/pose or start/determinant_sign.";
+
+}  // namespace
+
+RobotMonitor::RobotMonitor(std::shared_ptr<const Mechanism> mechanism, const StartOptions& start,
+                           double timeout)
+    : mechanism_(mechanism),
+      reader_(mechanism),
+      start_(start),
+      start_tolerance_(start.tolerance.value_or(mechanism->manipulator()->size() / 20.0)),
+      timeout_(timeout),
+      tracker_(mechanism->manipulator()),
+      status_(make_status(Status::NO_JOINT_STATES, "No usable joint_states have arrived yet.")) {}
+
+MonitorUpdate RobotMonitor::update(const sensor_msgs::JointState& message, const ros::Time& now) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (now < last_received_) forget();  // simulated time was reset
+  last_received_ = now;
+  const JointSample sample = reader_.read(message);
+  const ros::Time& stamp = message.header.stamp;
+  if (sample.status == SampleStatus::foreign) {
+    ++counts_.foreign;
+    return {};
+  }
+  if (sample.status == SampleStatus::invalid) return refuse(sample.sentence, stamp);
+  const std::string fault = fault_of_stamp(stamp);
+  if (!fault.empty()) return refuse(fault, stamp);
+  last_usable_ = now;
+  return accept(sample, stamp);
+}
+
+std::string RobotMonitor::fault_of_stamp(const ros::Time& stamp) const {
+  if (stamp.isZero()) return "its stamp is zero; set header.stamp.";
+  if (stamp == last_stamp_) return "its stamp is that of the message before.";
+  if (stamp < last_stamp_)
+    return "its stamp is " + std::to_string((last_stamp_ - stamp).toSec()) +
+           " s before that of the message before.";
+  return {};
+}
+
+MonitorUpdate RobotMonitor::refuse(std::string sentence, const ros::Time& stamp) {
+  ++counts_.invalid;
+  MonitorUpdate update;
+  update.warning = "A message of joint_states cannot be used: " + sentence;
+  status_ = make_status(Status::INVALID_JOINT_STATES, update.warning);
+  update.state = unknown_state(*mechanism_->manipulator(), status_, stamp);
+  return update;
+}
+
+MonitorUpdate RobotMonitor::accept(const JointSample& sample, const ros::Time& stamp) {
+  ++counts_.usable;
+  const bool first = last_stamp_.isZero();
+  if (first) epoch_ = stamp;
+  last_stamp_ = stamp;
+  last_q_ = sample.q;
+  said_stale_ = false;
+  const double time = (stamp - epoch_).toSec();
+  const Status start = first ? start_as_configured(time, sample.q) : Status();
+  if (!first && tracker_.state().status != TrackStatus::unstarted) tracker_.update(time, sample.q);
+  if (first || status_.code != Status::NOT_STARTED)
+    status_ = start.code == Status::OK ? status_of_tracker() : start;
+
+  MonitorUpdate update;
+  if (!sample.sentence.empty()) update.warning = "In joint_states, " + sample.sentence;
+  fill_tracked(stamp, update);
+  update.state->status = status_;
+  if (status_.code == Status::OK) update.state->status.sentence = update.warning;
+  return update;
+}
+
+void RobotMonitor::fill_tracked(const ros::Time& stamp, MonitorUpdate& update) const {
+  const Manipulator& manipulator = *mechanism_->manipulator();
+  const TrackedState& tracked = tracker_.state();
+  for (const Transition& transition : tracker_.transitions())
+    update.transitions.push_back(
+        transition_message(manipulator, transition, epoch_ + ros::Duration(transition.time)));
+  if (tracked.status != TrackStatus::tracking) {
+    update.state = unknown_state(manipulator, status_, stamp);
+    return;
+  }
+  update.state = state_message(manipulator, tracked, stamp);
+  update.platform = platform_in_base(manipulator, tracked.pose);
+  Eigen::VectorXd positions(static_cast<Eigen::Index>(mechanism_->joint_names().size()));
+  if (!mechanism_->complete(tracked.pose, tracked.q, positions)) return;
+  update.completed.emplace();
+  update.completed->header.stamp = stamp;
+  update.completed->name = mechanism_->joint_names();
+  update.completed->position.assign(positions.begin(), positions.end());
+}
+
+// Only the first sample may start: a later one could lie near the start pose in another assembly mode.
+Status RobotMonitor::start_as_configured(double time, const JointVector& q) {
+  const Manipulator& manipulator = *mechanism_->manipulator();
+  if (start_.pose) {
+    if (tracker_.start(time, q, start_pose(manipulator, *start_.pose), start_tolerance_)) return {};
+    return make_status(Status::NOT_STARTED, "The first joint sample does not assemble within " +
+                                                std::to_string(start_tolerance_) + " m of start/pose; " +
+                                                how_to_start);
+  }
+  if (start_.determinant_sign) {
+    if (tracker_.start(time, q, *start_.determinant_sign)) return {};
+    return make_status(
+        Status::NOT_STARTED,
+        std::string("The first joint sample does not have exactly one assembly mode with the sign "
+                    "start/determinant_sign of det A; ") +
+            how_to_start);
+  }
+  return make_status(Status::NOT_STARTED, std::string("The assembly mode is not known; ") + how_to_start);
+}
+
+Status RobotMonitor::status_of_tracker() const {
+  switch (tracker_.state().status) {
+    case TrackStatus::tracking:
+      return {};
+    case TrackStatus::ambiguous:
+      return make_status(
+          Status::AMBIGUOUS,
+          "The drives came too close to det A = 0 to tell the assembly mode; call set_assembly_mode.");
+    case TrackStatus::unstarted:
+      break;
+  }
+  return make_status(Status::NOT_STARTED, std::string("The assembly mode is not known; ") + how_to_start);
+}
+
+bool RobotMonitor::stale(const ros::Time& now) const {
+  return !last_stamp_.isZero() && now - last_usable_ > timeout_;
+}
+
+std::optional<AspectState> RobotMonitor::expire(const ros::Time& now) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!stale(now) || said_stale_) return std::nullopt;
+  said_stale_ = true;
+  const Status status = make_status(
+      Status::STALE, "No usable joint_states for more than " + std::to_string(timeout_.toSec()) + " s.");
+  return unknown_state(*mechanism_->manipulator(), status, last_stamp_);
+}
+
+CurrentConfiguration RobotMonitor::current(const ros::Time& now) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  CurrentConfiguration current;
+  current.status = status_;
+  if (stale(now) && status_.code != Status::INVALID_JOINT_STATES)
+    current.status = make_status(Status::STALE, "The last usable joint_states are older than " +
+                                                    std::to_string(timeout_.toSec()) + " s.");
+  current.stamp = last_stamp_;
+  current.tracked = tracker_.state();
+  current.solved = {current.tracked.pose, current.tracked.q};
+  return current;
+}
+
+MonitorCounts RobotMonitor::counts() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return counts_;
+}
+
+void RobotMonitor::set_map(std::shared_ptr<const AspectMap> map) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  tracker_.set_map(std::move(map));
+}
+
+Status RobotMonitor::start_near(const Pose& pose, const ros::Time& now) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!last_q_ || stale(now))
+    return make_status(Status::NO_JOINT_STATES,
+                       "No present drive values are known; publish joint_states first.");
+  if (tracker_.start((last_stamp_ - epoch_).toSec(), *last_q_, pose, start_tolerance_)) return status_ = {};
+  status_ = status_of_tracker();
+  return make_status(Status::NO_SOLUTION, "The present drives do not assemble within " +
+                                              std::to_string(start_tolerance_) + " m of that pose.");
+}
+
+Status RobotMonitor::start_with_sign(int determinant_sign, const ros::Time& now) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!last_q_ || stale(now))
+    return make_status(Status::NO_JOINT_STATES,
+                       "No present drive values are known; publish joint_states first.");
+  if (tracker_.start((last_stamp_ - epoch_).toSec(), *last_q_, determinant_sign)) return status_ = {};
+  status_ = status_of_tracker();
+  return make_status(Status::NO_SOLUTION,
+                     "The present drives do not have exactly one assembly mode with that sign of det A.");
+}
+
+void RobotMonitor::forget() {
+  tracker_.stop();
+  last_stamp_ = last_usable_ = ros::Time();
+  last_q_.reset();
+  status_ =
+      make_status(Status::NO_JOINT_STATES, "Time went backwards; no usable joint_states have arrived since.");
+}
+
+}  // namespace parallel_aspects
