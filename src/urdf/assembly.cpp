@@ -13,6 +13,7 @@ namespace {
 constexpr int random_starts = 24;
 constexpr int wanted_assemblies = 6;
 constexpr int iterations = 120;
+constexpr int polishing_steps = 12;
 constexpr unsigned seed = 20240117;
 
 double largest(const Eigen::VectorXd& vector) {
@@ -34,17 +35,24 @@ Eigen::MatrixXd free_jacobian(const ClosureSystem& system, const Eigen::VectorXd
   return jacobian;
 }
 
-// Minimum-norm Gauss-Newton steps: quadratic convergence, also where the closures are redundant.
-Eigen::VectorXd polished(const ClosureSystem& system, Eigen::VectorXd values, const std::vector<bool>& held) {
+// Minimum-norm Gauss-Newton steps: quadratic convergence, also where the closures are redundant. A joint that
+// runs into a limit stays there.
+Eigen::VectorXd polished(const ClosureSystem& system, Eigen::VectorXd values, std::vector<bool> held) {
   double error = largest(system.residual(values));
-  for (int step = 0; step < 4 && error > 0.0; ++step) {
+  for (int step = 0; step < polishing_steps && error > 0.0; ++step) {
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
     solver.setThreshold(rank_tolerance);
     solver.compute(free_jacobian(system, values, held));
-    Eigen::VectorXd next = values - solver.solve(system.residual(values));
+    const Eigen::VectorXd wanted = values - solver.solve(system.residual(values));
+    Eigen::VectorXd next = wanted;
     clamp_to_limits(system.tree(), next);
+    bool stopped = false;
+    for (Eigen::Index k = 0; k < next.size(); ++k) {
+      if (next[k] == wanted[k] || held[static_cast<std::size_t>(k)]) continue;
+      held[static_cast<std::size_t>(k)] = stopped = true;
+    }
     const double next_error = largest(system.residual(next));
-    if (!(next_error < error)) break;
+    if (!stopped && !(next_error < error)) break;
     values = next;
     error = next_error;
   }
@@ -68,7 +76,7 @@ Eigen::VectorXd random_start(const ClosureSystem& system, std::mt19937& random) 
 
 struct Candidate {
   Assembly assembly;
-  double conditioning = 0.0;  // smallest singular value that counts, over the largest
+  double conditioning = 0.0;  // 0 at a singularity
 };
 
 // Columns of the joints inside the loops, with lengths counted in sizes of the robot.
@@ -85,7 +93,12 @@ Eigen::MatrixXd loop_scaling(const ClosureSystem& system) {
   return scaling;
 }
 
-Candidate judged(const ClosureSystem& system, const Eigen::VectorXd& values) {
+double smallest_singular_value(const Eigen::MatrixXd& matrix) {
+  return matrix.size() > 0 ? matrix.jacobiSvd().singularValues().minCoeff() : 0.0;
+}
+
+Candidate judged(const ClosureSystem& system, const Eigen::VectorXd& values,
+                 const std::vector<std::size_t>& drives) {
   const Eigen::MatrixXd scaling = loop_scaling(system);
   const Eigen::MatrixXd jacobian = system.jacobian(values) * scaling;
   Eigen::JacobiSVD<Eigen::MatrixXd> svd(jacobian, Eigen::ComputeFullV);
@@ -94,7 +107,15 @@ Candidate judged(const ClosureSystem& system, const Eigen::VectorXd& values) {
   Candidate candidate;
   candidate.assembly = {values, scaling * svd.matrixV().rightCols(jacobian.cols() - rank),
                         largest(system.residual(values)) / system.size()};
-  candidate.conditioning = rank > 0 ? svd.singularValues()[rank - 1] / svd.singularValues()[0] : 0.0;
+  const double held = rank > 0 ? svd.singularValues()[rank - 1] / svd.singularValues()[0] : 0.0;
+  Eigen::MatrixXd driven(static_cast<Eigen::Index>(drives.size()), candidate.assembly.motions.cols());
+  for (std::size_t k = 0; k < drives.size(); ++k) {
+    const bool sliding = system.tree().joint_of(drives[k]).motion == JointMotion::sliding;
+    driven.row(static_cast<Eigen::Index>(k)) =
+        candidate.assembly.motions.row(static_cast<Eigen::Index>(drives[k])) /
+        (sliding ? system.size() : 1.0);
+  }
+  candidate.conditioning = std::min(held, smallest_singular_value(driven));
   return candidate;
 }
 
@@ -133,7 +154,7 @@ Eigen::VectorXd close_loops(const ClosureSystem& system, Eigen::VectorXd values,
   return polished(system, values, held);
 }
 
-AssemblyResult assemble(const ClosureSystem& system) {
+AssemblyResult assemble(const ClosureSystem& system, const std::vector<std::size_t>& drives) {
   AssemblyResult result;
   std::mt19937 random(seed);
   const std::vector<bool> none_held(static_cast<std::size_t>(system.tree().variables()), false);
@@ -146,7 +167,7 @@ AssemblyResult assemble(const ClosureSystem& system) {
     const double error = largest(system.residual(values));
     if (error < least) result.closest = values;
     least = std::min(least, error);
-    if (error < closing_tolerance * system.size()) candidates.push_back(judged(system, values));
+    if (error < closing_tolerance * system.size()) candidates.push_back(judged(system, values, drives));
   }
   if (!candidates.empty()) result.assembly = best(candidates).assembly;
   return result;

@@ -15,6 +15,9 @@ using Eigen::Vector3d;
 // Wide enough for angles rounded to four digits, as in rpy="1.57075 0 0".
 constexpr double direction_tolerance = 5e-4;
 
+// Of the assembled configuration, over the size of the robot.
+constexpr double rounding = 1e-14;
+
 bool planar(TaskSpace space) { return space == TaskSpace::T2 || space == TaskSpace::SE2; }
 
 double distance_to_axis(const Vector3d& point, const Pivot& pivot) {
@@ -170,9 +173,11 @@ class LegBuilder {
     return std::nullopt;
   }
 
+  // Into the plane of a planar robot; what rounding left of a zero becomes zero.
   Vector3d flat(Vector3d vector) const {
     if (planar(motion_.space)) vector.z() = 0.0;
-    return vector;
+    const double zero = rounding * setting_.size;
+    return vector.unaryExpr([zero](double entry) { return std::abs(entry) < zero ? 0.0 : entry; });
   }
   Vector3d point(const Vector3d& in_base) const { return flat(to_task_ * in_base); }
 

@@ -103,7 +103,7 @@ class Recogniser {
   std::unique_ptr<Mechanism::Contents> recognise(const std::vector<Closure>& closures,
                                                  Problems& problems) const {
     const ClosureSystem system(tree_, resolved_.base, closures);
-    const AssemblyResult assembled = assemble(system);
+    const AssemblyResult assembled = assemble(system, resolved_.drives.variables);
     if (!assembled.assembly) {
       report_gap(system, assembled.closest, problems);
       return nullptr;

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include <optional>
+#include <vector>
 
 namespace parallel_aspects {
 
@@ -33,8 +34,8 @@ struct AssemblyResult {
 
 /// Levenberg-Marquardt from the zero configuration and from seeded random ones, inside the joint limits. Of
 /// the assembled configurations it takes one of least mobility and good conditioning: more mobility at the
-/// others is a singularity.
-AssemblyResult assemble(const ClosureSystem& system);
+/// others is a singularity, and so is a mobility that the joint values `drives` do not account for.
+AssemblyResult assemble(const ClosureSystem& system, const std::vector<std::size_t>& drives);
 
 /// The configuration nearest to `start` that closes the loops, with the joints marked in `held` kept where
 /// they are. What it returns need not close them.

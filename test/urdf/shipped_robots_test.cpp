@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/kinematics/jacobians.h"
+
+#include <gtest/gtest.h>
+#include <yaml-cpp/yaml.h>
+
+#include "support/shipped.h"
+#include "support/urdf_frames.h"
+#include <algorithm>
+#include <random>
+
+namespace parallel_aspects {
+namespace {
+
+struct Expected {
+  std::string robot;
+  TaskSpace space;
+  std::string kind;
+  std::size_t modes;
+};
+
+void PrintTo(const Expected& expected, std::ostream* stream) { *stream << expected.robot; }
+
+class ShippedRobot : public ::testing::TestWithParam<Expected> {
+ protected:
+  const std::shared_ptr<const Mechanism> mechanism_ = test::shipped(GetParam().robot);
+  const Manipulator& manipulator_ = *mechanism_->manipulator();
+  const YAML::Node config_ = YAML::Load(test::source_file("config/robots/" + GetParam().robot + ".yaml"));
+};
+
+TEST_P(ShippedRobot, IsRecognised) {
+  EXPECT_EQ(manipulator_.name(), GetParam().robot);
+  EXPECT_EQ(manipulator_.task_space(), GetParam().space);
+  EXPECT_TRUE(manipulator_.task_frame().isApprox(Eigen::Isometry3d::Identity(), 1e-12));
+  EXPECT_EQ(static_cast<std::size_t>(mechanism_->mobility()), freedoms(GetParam().space));
+  EXPECT_EQ(mechanism_->idle_freedoms(), 0);
+  EXPECT_EQ(working_modes(manipulator_).size(), GetParam().modes);
+  for (std::size_t j = 0; j < manipulator_.leg_count(); ++j) {
+    EXPECT_EQ(kind_name(manipulator_.leg(j).drive), GetParam().kind);
+    EXPECT_EQ(manipulator_.leg(j).driven_joint, config_["mechanism"]["actuated_joints"][j].as<std::string>());
+  }
+  EXPECT_TRUE(mechanism_->notes().empty()) << mechanism_->notes().front();
+}
+
+TEST_P(ShippedRobot, StartsAtAPoseThatItReachesOffItsSingularities) {
+  const auto numbers = config_["start"]["pose"].as<std::vector<double>>();
+  const auto pose = pose_from_coordinates(GetParam().space,
+                                          PoseCoordinates(Eigen::Map<const Eigen::VectorXd>(
+                                              numbers.data(), static_cast<Eigen::Index>(numbers.size()))));
+  ASSERT_TRUE(pose);
+  const auto solutions = inverse_in_all_modes(manipulator_, *pose);
+  const bool reached = std::any_of(solutions.begin(), solutions.end(), [&](const InverseSolution& solution) {
+    return solution.status == InverseStatus::solved &&
+           std::abs(direct_matrix(manipulator_, *pose, solution.q).normalized().determinant()) > 1e-6;
+  });
+  EXPECT_TRUE(reached);
+}
+
+// Every passive joint, at random poses in all working modes, against the closures as urdfdom sees the links.
+TEST_P(ShippedRobot, CompletesItsPassiveJoints) {
+  const auto model = urdf::parseURDF(test::source_file("urdf/" + GetParam().robot + ".urdf"));
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> number(-1.0, 1.0);
+  Eigen::VectorXd positions(static_cast<Eigen::Index>(mechanism_->joint_names().size()));
+  int completed = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    TaskVector step(static_cast<Eigen::Index>(manipulator_.leg_count()));
+    for (double& entry : step) entry = 0.3 * manipulator_.size() * number(random);
+    if (has_rotation(GetParam().space)) step.head(step.size() / 2) /= 0.3 * manipulator_.size();
+    const Pose pose = displaced(GetParam().space, mechanism_->assembled().pose, step);
+    for (const InverseSolution& solution : inverse_in_all_modes(manipulator_, pose)) {
+      if (solution.status == InverseStatus::out_of_reach) continue;
+      ASSERT_TRUE(mechanism_->complete(pose, solution.q, positions)) << to_string(GetParam().space, pose);
+      ++completed;
+      std::map<std::string, double> joints;
+      for (std::size_t k = 0; k < mechanism_->joint_names().size(); ++k)
+        joints[mechanism_->joint_names()[k]] = positions[static_cast<Eigen::Index>(k)];
+      for (std::size_t j = 0; j < manipulator_.leg_count(); ++j)
+        EXPECT_EQ(joints.at(manipulator_.leg(j).driven_joint), solution.q[static_cast<Eigen::Index>(j)]);
+      for (const auto& closure : config_["mechanism"]["closures"]) {
+        const auto one = test::link_frame(*model, closure["frames"][0].as<std::string>(), joints);
+        const auto other = test::link_frame(*model, closure["frames"][1].as<std::string>(), joints);
+        EXPECT_LT((one.translation() - other.translation()).norm(), 1e-12 * manipulator_.size());
+      }
+      const Eigen::Isometry3d platform = test::link_frame(*model, mechanism_->platform_link(), joints);
+      EXPECT_LT((platform.translation() - pose.position).norm(), 1e-12 * manipulator_.size());
+      if (!has_rotation(GetParam().space)) continue;
+      EXPECT_LT((platform.linear() - pose.orientation.matrix()).norm(), 1e-11);
+    }
+  }
+  EXPECT_GE(completed, 40);
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, ShippedRobot,
+                         ::testing::Values(Expected{"five_bar", TaskSpace::T2, "revolute drive", 4},
+                                           Expected{"bipod", TaskSpace::T2, "strut", 1},
+                                           Expected{"three_rpr", TaskSpace::SE2, "strut", 1},
+                                           Expected{"three_rrr", TaskSpace::SE2, "revolute drive", 8},
+                                           Expected{"three_prr", TaskSpace::SE2, "prismatic drive", 8},
+                                           Expected{"delta", TaskSpace::T3, "revolute drive", 8},
+                                           Expected{"linear_delta", TaskSpace::T3, "prismatic drive", 8},
+                                           Expected{"stewart", TaskSpace::SE3, "strut", 1},
+                                           Expected{"hexa", TaskSpace::SE3, "revolute drive", 64},
+                                           Expected{"six_pus", TaskSpace::SE3, "prismatic drive", 64},
+                                           Expected{"agile_eye", TaskSpace::SO3, "revolute drive", 8},
+                                           Expected{"spherical_3rrr", TaskSpace::SO3, "revolute drive", 8}),
+                         [](const ::testing::TestParamInfo<Expected>& tested) { return tested.param.robot; });
+
+// Three of the six direct solutions at these lengths (Innocenti and Parenti-Castelli).
+TEST(ThreeRpr, HasThePublishedLengths) {
+  const auto mechanism = test::shipped("three_rpr");
+  for (const Eigen::Vector3d& coordinates : {Eigen::Vector3d(-8.72659533, 12.17566975, -0.98697424),
+                                             Eigen::Vector3d(-14.89612810, 1.58296166, 0.24530953),
+                                             Eigen::Vector3d(14.67394366, -3.01260312, 2.13290437)}) {
+    const Pose pose = *pose_from_coordinates(TaskSpace::SE2, coordinates);
+    const InverseSolution solution = inverse(*mechanism->manipulator(), pose, WorkingMode(3));
+    ASSERT_EQ(solution.status, InverseStatus::solved);
+    EXPECT_NEAR(solution.q[0], 14.98, 1e-6);
+    EXPECT_NEAR(solution.q[1], 15.38, 1e-6);
+    EXPECT_NEAR(solution.q[2], 12.0, 1e-6);
+  }
+}
+
+// ABB IRB 360-800: base 0.200, crank 0.235, rod 0.800, platform 0.045 m.
+TEST(Delta, HasThePublishedLengths) {
+  const auto mechanism = test::shipped("delta");
+  for (const Leg& leg : mechanism->manipulator()->legs()) {
+    const auto& drive = std::get<RevoluteDrive>(leg.drive);
+    EXPECT_NEAR(drive.center.norm(), 0.200, 1e-12);
+    EXPECT_NEAR(drive.radius, 0.235, 1e-12);
+    EXPECT_NEAR(leg.rod_length, 0.800, 1e-12);
+    EXPECT_NEAR(leg.anchor.norm(), 0.045, 1e-12);
+    EXPECT_NEAR(drive.zero_direction.dot(drive.center), 0.200, 1e-12) << "cranks point outwards at zero";
+  }
+}
+
+}  // namespace
+}  // namespace parallel_aspects
