@@ -25,10 +25,10 @@ using platform_paths::Solution;
 
 constexpr int most_attempts = 8;
 
-// Ends closer than this, relative to their size, are the same solution.
+// Ends closer than this are the same solution.
 constexpr double same_solution = 1e-7;
 
-// Imaginary parts below this, relative to the solution, may be none.
+// Solutions this close to their conjugates may be real.
 constexpr double nearly_real = 1e-4;
 
 // The direct problem in the coordinates of the start system: origins amid the base points and amid the
@@ -59,10 +59,16 @@ class Normalised {
     return result;
   }
 
+  // Of a solution that is real but for a common factor: x = g conj(e) / (e . e).
   Pose pose(const Solution& z) const {
+    const auto largest = std::max_element(z.begin(), z.begin() + 4, [](const Complex& a, const Complex& b) {
+      return std::norm(a) < std::norm(b);
+    });
+    const auto real = [&](std::size_t i) { return (z[i] / *largest).real(); };
+    const Eigen::Quaterniond e(real(3), real(0), real(1), real(2)), g(real(7), real(4), real(5), real(6));
     Pose pose;
-    pose.orientation = Eigen::Quaterniond(z[3].real(), z[0].real(), z[1].real(), z[2].real()).normalized();
-    const Eigen::Vector3d center = length_ * Eigen::Vector3d(z[4].real(), z[5].real(), z[6].real());
+    pose.orientation = e.normalized();
+    const Eigen::Vector3d center = length_ * (g * e.conjugate()).vec() / e.squaredNorm();
     pose.position = center + base_center_ - pose.orientation * anchor_center_;
     return pose;
   }
@@ -91,11 +97,7 @@ bool closed_under_conjugation(const std::vector<Solution>& solutions) {
                      [&](const Solution& z) { return contains(solutions, conjugate(z)); });
 }
 
-bool may_be_real(const Solution& z) {
-  double imaginary = 0.0, all = 0.0;
-  for (const Complex& each : z) imaginary += each.imag() * each.imag(), all += std::norm(each);
-  return imaginary < nearly_real * nearly_real * all;
-}
+bool may_be_real(const Solution& z) { return platform_paths::distance(z, conjugate(z)) < nearly_real; }
 
 // The straight way first, then by random detours through the complex parameters.
 Parameters bend(int attempt) {

@@ -35,11 +35,18 @@ class RandomSystems {
     return Complex(re, imaginary_ * im) / std::hypot(1.0, imaginary_);
   }
 
+  // A random e, and the one g = x e of a random x.
   Solution solution() {
     Solution z;
-    for (Complex& each : z) each = number();
-    const Complex norm = std::sqrt(z[0] * z[0] + z[1] * z[1] + z[2] * z[2] + z[3] * z[3]);
-    for (std::size_t i = 0; i < 4; ++i) z[i] /= norm;
+    for (std::size_t i = 0; i < 4; ++i) z[i] = number();
+    const Complex x = number(), y = number(), w = number();
+    z[4] = x * z[3] + y * z[2] - w * z[1];
+    z[5] = y * z[3] + w * z[0] - x * z[2];
+    z[6] = w * z[3] + x * z[1] - y * z[0];
+    z[7] = -x * z[0] - y * z[1] - w * z[2];
+    double sum = 0.0;
+    for (const Complex& each : z) sum += std::norm(each);
+    for (Complex& each : z) each /= std::sqrt(sum);
     return z;
   }
 
@@ -57,24 +64,16 @@ class RandomSystems {
   double imaginary_;
 };
 
-std::array<Complex, 3> turned(const Solution& e, const std::array<Complex, 7>& leg) {
-  const Complex x = e[0], y = e[1], z = e[2], w = e[3];
-  const std::array<Complex, 3> v{leg[0], leg[1], leg[2]};
-  const std::array<Complex, 3> t{2.0 * (y * v[2] - z * v[1]), 2.0 * (z * v[0] - x * v[2]),
-                                 2.0 * (x * v[1] - y * v[0])};
-  return {v[0] + w * t[0] + y * t[2] - z * t[1], v[1] + w * t[1] + z * t[0] - x * t[2],
-          v[2] + w * t[2] + x * t[1] - y * t[0]};
-}
-
-// Squared lengths such that `z` is a solution.
+// Squared lengths such that `z` is a solution: m . m / e . e.
 void fit_lengths(const Solution& z, Parameters& parameters) {
+  const Complex x = z[0], y = z[1], v = z[2], w = z[3];
   for (auto& leg : parameters) {
-    const std::array<Complex, 3> b = turned(z, leg);
-    leg[6] = 0.0;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Complex u = z[4 + i] + b[i] - leg[3 + i];
-      leg[6] += u * u;
-    }
+    const std::array<Complex, 3> less{leg[0] - leg[3], leg[1] - leg[4], leg[2] - leg[5]};
+    const std::array<Complex, 3> sum{leg[0] + leg[3], leg[1] + leg[4], leg[2] + leg[5]};
+    const std::array<Complex, 4> m{
+        z[4] + w * less[0] + y * sum[2] - v * sum[1], z[5] + w * less[1] + v * sum[0] - x * sum[2],
+        z[6] + w * less[2] + x * sum[1] - y * sum[0], z[7] - x * less[0] - y * less[1] - v * less[2]};
+    leg[6] = (m[0] * m[0] + m[1] * m[1] + m[2] * m[2] + m[3] * m[3]) / (x * x + y * y + v * v + w * w);
   }
 }
 
@@ -122,11 +121,12 @@ double cost(const System& system) {
   return sum / (platforms * solution_count);
 }
 
-void print(const std::array<Complex, 7>& numbers) {
+template <std::size_t n>
+void print(const std::array<Complex, n>& numbers) {
   std::printf("    {");
-  for (std::size_t i = 0; i < 7; ++i)
+  for (std::size_t i = 0; i < n; ++i)
     std::printf("%sComplex{%.17g, %.17g}%s", i == 0 ? "{" : "      ", numbers[i].real(), numbers[i].imag(),
-                i < 6 ? ",\n" : "}},\n");
+                i + 1 < n ? ",\n" : "}},\n");
 }
 
 void print(const System& system) {

@@ -15,7 +15,7 @@ namespace {
 // Corrections that do not shrink by this factor are not in the basin of one solution alone.
 constexpr double contraction = 0.05;
 
-// Corrections below this, relative to the point, are rounding.
+// Corrections below this are rounding.
 constexpr double rounding = 1e-11;
 
 // So close to t = 1 a path is judged by what it has done on the last stretch, over which 1 - t fell by
@@ -23,21 +23,22 @@ constexpr double rounding = 1e-11;
 constexpr double near_end = 1e-10;
 constexpr double stretch = 10.0;
 
-// A path to infinity ends at a pole, its size growing like (1 - t)^(-k) with k = 1/2 or 1 mostly; one that
-// stays finite has k = 0 in the end.
-constexpr double least_pole = 0.1;
+// On a path to infinity |e . e| falls like (1 - t)^k, with k = 1/2 or 1 mostly; on others it has k = 0 in the
+// end.
+constexpr double least_fall = 0.1;
 
-// Points farther out than this are too ill-conditioned to go on. Close to t = 1 that is a pole at the end;
-// before that the path may have gone astray.
-constexpr double far_out = 2e5;
-constexpr double close_to_end = 2e-2;
+// At the end of a regular path |e . e| below this is 0.
+constexpr double at_infinity = 1e-9;
+
+// Paths to infinity mostly end on a continuum of solutions there, and get too ill-conditioned to go on before
+// that. Those that stop so close to t = 1, falling, with |e . e| below this, are taken to go on.
+constexpr double close_to_end = 1e-2;
+constexpr double close_to_infinity = 1e-5;
 
 constexpr double smallest_relative_step = 1e-6;
 
-double norm(const Solution& z) {
-  double sum = 0.0;
-  for (const Complex& each : z) sum += std::norm(each);
-  return std::sqrt(sum);
+double size_of_e(const Solution& z) {
+  return std::abs(z[0] * z[0] + z[1] * z[1] + z[2] * z[2] + z[3] * z[3]);
 }
 
 // The bookkeeping of one lane: which path it follows, and how it fares.
@@ -45,7 +46,7 @@ struct Traveller {
   std::size_t path = 0;
   bool active = false;
   int steps = 0;
-  // Where the last two stretches began, and how large the point was there.
+  // Where the last two stretches began, and |e . e| there.
   std::array<double, 2> left{1.0, 1.0};
   std::array<double, 2> size{1.0, 1.0};
 };
@@ -104,19 +105,25 @@ class Follower {
       now_.solution[i].im[lane] = next_.solution[i].im[lane];
     }
     now_.t[lane] += now_.step[lane];
-    const double left = 1.0 - now_.t[lane], size = norm(solution(lane));
-    if (left <= 0.0) return finish(lane, Ending::regular);
+    const double left = 1.0 - now_.t[lane], size = size_of_e(solution(lane));
+    if (left <= 0.0) return finish(lane, size < at_infinity ? Ending::infinite : Ending::regular);
     Traveller& each = traveller(lane);
-    if (size > far_out)
-      return finish(lane, left < close_to_end && to_pole(each, left, size) ? Ending::infinite : Ending::lost);
-    if (left < near_end) return finish(lane, to_pole(each, left, size) ? Ending::infinite : Ending::singular);
+    if (left < near_end)
+      return finish(lane, to_infinity(each, left, size) ? Ending::infinite : Ending::singular);
     if (left * stretch > each.left[1]) return;
     each.left = {each.left[1], left};
     each.size = {each.size[1], size};
   }
 
-  static bool to_pole(const Traveller& each, double left, double size) {
-    return std::log(size / each.size[0]) > least_pole * std::log(each.left[0] / left);
+  static bool to_infinity(const Traveller& each, double left, double size) {
+    return std::log(each.size[0] / size) > least_fall * std::log(each.left[0] / left);
+  }
+
+  void give_up(int lane) {
+    const double left = 1.0 - now_.t[lane], size = size_of_e(solution(lane));
+    const bool infinite =
+        left < close_to_end && size < close_to_infinity && to_infinity(traveller(lane), left, size);
+    finish(lane, infinite ? Ending::infinite : Ending::lost);
   }
 
   // The error of the prediction is of order 5 in the step.
@@ -126,7 +133,7 @@ class Follower {
     const double factor = converges ? std::clamp(wanted, 0.2, 2.5) : std::clamp(wanted, 0.2, 0.5);
     const double step = now_.step[lane] * factor;
     if (step < smallest_relative_step * left || traveller(lane).steps >= accuracy_.most_steps)
-      return finish(lane, Ending::lost);
+      return give_up(lane);
     // Rather two equal steps to the end than one and a tiny one.
     now_.step[lane] = step >= left ? left : std::min(step, std::max(0.5 * left, step * 0.5));
   }
@@ -156,10 +163,13 @@ std::vector<PathEnd> followed(const ParameterPath& path, const std::vector<Solut
 }
 
 double distance(const Solution& a, const Solution& b) {
-  double same = 0.0, opposite = 0.0, displacement = 0.0;
-  for (std::size_t i = 0; i < 4; ++i) same += std::norm(a[i] - b[i]), opposite += std::norm(a[i] + b[i]);
-  for (std::size_t i = 4; i < 7; ++i) displacement += std::norm(a[i] - b[i]);
-  return std::sqrt(std::min(same, opposite) + displacement) / std::max(norm(a), norm(b));
+  Complex product = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) product += std::conj(a[i]) * b[i];
+  const double length = std::abs(product);
+  const Complex factor = length > 0.0 ? product / length : 1.0;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += std::norm(factor * a[i] - b[i]);
+  return std::sqrt(sum);
 }
 
 }  // namespace parallel_aspects::platform_paths

@@ -22,11 +22,19 @@ struct Vector {
   Number x, y, z;
 };
 
+struct Quaternion {
+  Vector v;
+  Number w;
+};
+
 PARALLEL_ASPECTS_INLINE Vector operator+(const Vector& a, const Vector& b) {
   return {a.x + b.x, a.y + b.y, a.z + b.z};
 }
 PARALLEL_ASPECTS_INLINE Vector operator-(const Vector& a, const Vector& b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+PARALLEL_ASPECTS_INLINE Vector operator*(const Number& a, const Vector& b) {
+  return {a * b.x, a * b.y, a * b.z};
 }
 PARALLEL_ASPECTS_INLINE Number dot(const Vector& a, const Vector& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
@@ -35,22 +43,22 @@ PARALLEL_ASPECTS_INLINE Vector cross(const Vector& a, const Vector& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-struct Rotation {
-  Vector row[3];
-};
-
-PARALLEL_ASPECTS_INLINE Vector operator*(const Rotation& r, const Vector& v) {
-  return {dot(r.row[0], v), dot(r.row[1], v), dot(r.row[2], v)};
+PARALLEL_ASPECTS_INLINE Quaternion operator+(const Quaternion& a, const Quaternion& b) {
+  return {a.v + b.v, a.w + b.w};
+}
+PARALLEL_ASPECTS_INLINE Quaternion operator-(const Quaternion& a, const Quaternion& b) {
+  return {a.v - b.v, a.w - b.w};
+}
+PARALLEL_ASPECTS_INLINE Quaternion operator*(const Number& a, const Quaternion& b) {
+  return {a * b.v, a * b.w};
+}
+PARALLEL_ASPECTS_INLINE Number dot(const Quaternion& a, const Quaternion& b) {
+  return dot(a.v, b.v) + a.w * b.w;
 }
 
-PARALLEL_ASPECTS_INLINE Rotation rotation(const Number (&e)[7]) {
-  const Number x = e[0] + e[0], y = e[1] + e[1], z = e[2] + e[2];
-  const Number xx = x * e[0], xy = x * e[1], xz = x * e[2], yy = y * e[1], yz = y * e[2], zz = z * e[2];
-  const Number wx = x * e[3], wy = y * e[3], wz = z * e[3];
-  const Number one{all(1.0), all(0.0)};
-  return {{{one - yy - zz, xy - wz, xz + wy},
-           {xy + wz, one - xx - zz, yz - wx},
-           {xz - wy, yz + wx, one - xx - yy}}};
+// q p - r q for vectors p and r, as products of quaternions.
+PARALLEL_ASPECTS_INLINE Quaternion commutator(const Quaternion& q, const Vector& p, const Vector& r) {
+  return {q.w * (p - r) + cross(q.v, p + r), dot(q.v, r - p)};
 }
 
 // A parameter and its derivative by t.
@@ -80,65 +88,63 @@ PARALLEL_ASPECTS_INLINE VaryingVector parameters(const ParameterPath& path, int 
 
 enum class Side { newton, tangent };
 
-// Half the linear equations for the twist (w, v): rows (d x u, u) as in A, and -f (newton) or -df/dt
-// (tangent).
-template <Side side>
-PARALLEL_ASPECTS_INLINE void linearise(const ParameterPath& path, const Number (&z)[7], const Real& t,
-                                       Number (&equations)[6][7]) {
-  const Rotation r = rotation(z);
-  const Vector position{z[4], z[5], z[6]};
-  for (int j = 0; j < 6; ++j) {
-    const VaryingVector anchor = parameters(path, j, 0, t), base = parameters(path, j, 3, t);
-    const Varying squared_length = parameter(path, j, 6, t);
-    const Vector d = r * anchor.value, u = position + d - base.value, moment = cross(d, u);
-    Number(&row)[7] = equations[j];
-    row[0] = moment.x, row[1] = moment.y, row[2] = moment.z;
-    row[3] = u.x, row[4] = u.y, row[5] = u.z;
-    row[6] = side == Side::newton ? all(0.5) * (squared_length.value - dot(u, u))
-                                  : all(0.5) * squared_length.slope - dot(u, r * anchor.slope - base.slope);
-  }
+PARALLEL_ASPECTS_INLINE void set(const Quaternion& left, const Quaternion& right, const Number& value,
+                                 Number (&row)[9]) {
+  row[0] = left.v.x, row[1] = left.v.y, row[2] = left.v.z, row[3] = left.w;
+  row[4] = right.v.x, row[5] = right.v.y, row[6] = right.v.z, row[7] = right.w;
+  row[8] = value;
 }
 
-// The change of (e, x) under the twist that solves the equations: (w e / 2, v).
+// Half the derivative of m . m - r e . e by (e, g), and minus half its value (newton) or derivative by t
+// (tangent), for m = g + e b - c e.
 template <Side side>
-PARALLEL_ASPECTS_INLINE void change(const ParameterPath& path, const Number (&z)[7], const Real& t,
-                                    Number (&result)[7]) {
-  Number equations[6][7];
-  linearise<side>(path, z, t, equations);
+PARALLEL_ASPECTS_INLINE void linearise_leg(const ParameterPath& path, int j, const Real& t,
+                                           const Quaternion& e, const Quaternion& g, Number (&row)[9]) {
+  const VaryingVector b = parameters(path, j, 0, t), c = parameters(path, j, 3, t);
+  const Varying r = parameter(path, j, 6, t);
+  const Quaternion m = g + commutator(e, b.value, c.value);
+  const Quaternion by_e = commutator(m, b.value, c.value) + r.value * e;
+  const Number value = side == Side::newton
+                           ? all(0.5) * (dot(m, m) - r.value * dot(e, e))
+                           : dot(m, commutator(e, b.slope, c.slope)) - all(0.5) * (r.slope * dot(e, e));
+  set(Quaternion{} - by_e, m, -value, row);
+}
+
+// The change of z = (e, g), orthogonal to z as a complex vector, that makes up for the values of all
+// equations, or that follows the path.
+template <Side side>
+PARALLEL_ASPECTS_INLINE void change(const ParameterPath& path, const Number (&z)[8], const Real& t,
+                                    Number (&result)[8]) {
+  const Quaternion e{{z[0], z[1], z[2]}, z[3]}, g{{z[4], z[5], z[6]}, z[7]};
+  Number equations[8][9];
+  for (int j = 0; j < 6; ++j) linearise_leg<side>(path, j, t, e, g, equations[j]);
+  set(g, e, side == Side::newton ? -dot(e, g) : Number{}, equations[6]);
+  for (int i = 0; i < 8; ++i) equations[7][i] = {z[i].re, -z[i].im};
+  equations[7][8] = Number{};
   lanes::solve(equations);
-  const Real half = all(0.5);
-  const Vector w{half * equations[0][6], half * equations[1][6], half * equations[2][6]};
-  const Vector e{z[0], z[1], z[2]}, turned = cross(w, e);
-  result[0] = w.x * z[3] + turned.x;
-  result[1] = w.y * z[3] + turned.y;
-  result[2] = w.z * z[3] + turned.z;
-  result[3] = -dot(w, e);
-  for (int i = 4; i < 7; ++i) result[i] = equations[i - 1][6];
+  for (int i = 0; i < 8; ++i) result[i] = equations[i][8];
 }
 
-PARALLEL_ASPECTS_INLINE void add(const Number (&a)[7], const Real& factor, const Number (&b)[7],
-                                 Number (&result)[7]) {
-  for (int i = 0; i < 7; ++i) result[i] = a[i] + factor * b[i];
+PARALLEL_ASPECTS_INLINE void add(const Number (&a)[8], const Real& factor, const Number (&b)[8],
+                                 Number (&result)[8]) {
+  for (int i = 0; i < 8; ++i) result[i] = a[i] + factor * b[i];
 }
 
-// Back to e . e = 1, from close to it: (3 - e.e) / 2 is 1/sqrt(e.e) to first order, and twice is enough.
-PARALLEL_ASPECTS_INLINE void normalise(Number (&z)[7]) {
-  for (int repeat = 0; repeat < 2; ++repeat) {
-    const Number square = z[0] * z[0] + z[1] * z[1] + z[2] * z[2] + z[3] * z[3];
-    const Number factor{all(1.5) - all(0.5) * square.re, all(-0.5) * square.im};
-    for (int i = 0; i < 4; ++i) z[i] = factor * z[i];
-  }
-}
-
-PARALLEL_ASPECTS_INLINE Real squared_norm(const Number (&z)[7]) {
+PARALLEL_ASPECTS_INLINE Real squared_norm(const Number (&z)[8]) {
   Real sum = lanes::squared_norm(z[0]);
-  for (int i = 1; i < 7; ++i) sum += lanes::squared_norm(z[i]);
+  for (int i = 1; i < 8; ++i) sum += lanes::squared_norm(z[i]);
   return sum;
 }
 
-PARALLEL_ASPECTS_INLINE void predict(const ParameterPath& path, const Lanes& from, Number (&z)[7]) {
+// Back to norm 1, from close to it.
+PARALLEL_ASPECTS_INLINE void normalise(Number (&z)[8]) {
+  const Real factor = 1.5 - 0.5 * squared_norm(z);
+  for (int i = 0; i < 8; ++i) z[i] = factor * z[i];
+}
+
+PARALLEL_ASPECTS_INLINE void predict(const ParameterPath& path, const Lanes& from, Number (&z)[8]) {
   const Real h = from.step, half = 0.5 * h, middle = from.t + half;
-  Number k1[7], k2[7], k3[7], k4[7];
+  Number k1[8], k2[8], k3[8], k4[8];
   change<Side::tangent>(path, from.solution, from.t, k1);
   add(from.solution, half, k1, z);
   change<Side::tangent>(path, z, middle, k2);
@@ -146,19 +152,18 @@ PARALLEL_ASPECTS_INLINE void predict(const ParameterPath& path, const Lanes& fro
   change<Side::tangent>(path, z, middle, k3);
   add(from.solution, h, k3, z);
   change<Side::tangent>(path, z, from.t + h, k4);
-  for (int i = 0; i < 7; ++i)
+  for (int i = 0; i < 8; ++i)
     z[i] = from.solution[i] + (h / 6.0) * (k1[i] + all(2.0) * (k2[i] + k3[i]) + k4[i]);
   normalise(z);
 }
 
-// One step of Newton's method; the square of its length over that of the point.
-PARALLEL_ASPECTS_INLINE Real correct(const ParameterPath& path, const Real& t, Number (&z)[7]) {
-  Number step[7];
+// One step of Newton's method; the square of its length.
+PARALLEL_ASPECTS_INLINE Real correct(const ParameterPath& path, const Real& t, Number (&z)[8]) {
+  Number step[8];
   change<Side::newton>(path, z, t, step);
-  const Real moved = squared_norm(step) / squared_norm(z);
   add(z, all(1.0), step, z);
   normalise(z);
-  return moved;
+  return squared_norm(step);
 }
 
 }  // namespace

@@ -9,12 +9,16 @@
 
 /// Parameter homotopy for the direct problem of six legs in SE3,
 ///
-///     f_j = |x + R(e) b_j - c_j|^2 - r_j = 0,   j = 1 ... 6,
+///     |x + R b_j - c_j|^2 = r_j,   j = 1 ... 6,
 ///
-/// over the complex numbers: |.|^2 is the sum of squares, e a quaternion with e . e = 1, x a displacement.
-/// For almost all parameters (b, c, r) there are exactly 40 solutions (Ronga and Vust 1992; Wampler 1996),
-/// and as the parameters run along almost any path to other ones, the 40 solutions run to all isolated
-/// solutions there.
+/// over the complex numbers, |.|^2 being the sum of squares. With Study's coordinates e, the quaternion of R,
+/// and g = x e (up to one common factor), this is as a product of quaternions
+///
+///     m_j . m_j = r_j e . e   with   m_j = g + e b_j - c_j e,   and   e . g = 0.
+///
+/// For almost all parameters (b, c, r) there are exactly 40 solutions with e . e other than 0 (Ronga and Vust
+/// 1992; Wampler 1996), and as the parameters run along almost any path to other ones, the 40 solutions run
+/// to all isolated solutions there.
 namespace parallel_aspects::platform_paths {
 
 using Complex = std::complex<double>;
@@ -24,8 +28,8 @@ inline constexpr std::size_t solution_count = 40;
 /// Per leg: anchor b (3), base c (3), squared length r.
 using Parameters = std::array<std::array<Complex, 7>, 6>;
 
-/// Quaternion e in the order x, y, z, w, then displacement x. e and -e are the same.
-using Solution = std::array<Complex, 7>;
+/// e in the order x, y, z, w, then g likewise; complex multiples are the same solution. Of norm 1.
+using Solution = std::array<Complex, 8>;
 
 /// Parameters start + t (target - start) + t (1 - t) bend, for t from 0 to 1.
 struct ParameterPath {
@@ -35,14 +39,14 @@ struct ParameterPath {
 };
 
 struct Accuracy {
-  double prediction = 1e-4;  ///< largest error of a predicted point, relative to the point
+  double prediction = 1e-4;  ///< largest error of a predicted point, which has norm 1
   int most_steps = 2000;     ///< of one path
 };
 
 enum class Ending {
   regular,   ///< at a solution of the target, to the last few digits
   singular,  ///< closing in on a multiple solution or a continuum; known to a few digits
-  infinite,  ///< to infinity: the target has no solution there
+  infinite,  ///< where e . e = 0, which is no pose
   lost,      ///< not known
 };
 
@@ -57,7 +61,7 @@ struct PathEnd {
 std::vector<PathEnd> followed(const ParameterPath& path, const std::vector<Solution>& starts,
                               const Accuracy& accuracy);
 
-/// Distance between two solutions relative to their size, whatever the signs of their quaternions.
+/// Distance between two solutions, 0 to sqrt(2), whatever the complex factors between their coordinates.
 double distance(const Solution& a, const Solution& b);
 
 }  // namespace parallel_aspects::platform_paths

@@ -9,7 +9,7 @@ namespace parallel_aspects::platform_paths {
 
 /// `lanes::count` paths of one homotopy, each at its own t and with its own next step.
 struct Lanes {
-  lanes::Complex solution[7];
+  lanes::Complex solution[8];
   lanes::Real t;
   lanes::Real step;
 };
@@ -18,7 +18,7 @@ struct Lanes {
 /// relative to the point. The first is the error of the prediction; the second tells whether the corrections
 /// converge.
 struct Attempt {
-  lanes::Complex solution[7];
+  lanes::Complex solution[8];
   lanes::Real first_correction;
   lanes::Real second_correction;
 };
