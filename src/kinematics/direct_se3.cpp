@@ -113,6 +113,13 @@ Parameters bend(int attempt) {
   return result;
 }
 
+// Quick at first; a path that jumps shows, and then more care is taken.
+platform_paths::Accuracy accuracy(int attempt) {
+  platform_paths::Accuracy result;
+  result.prediction = attempt == 0 ? 1e-3 : 1e-4;
+  return result;
+}
+
 // What several attempts have found together.
 class Search {
  public:
@@ -124,7 +131,7 @@ class Search {
     const platform_paths::ParameterPath path{platform_paths::start_parameters(), target_, bend(number)};
     std::vector<Solution> arrived;
     bool clean = true;
-    for (const PathEnd& end : followed(path, platform_paths::start_solutions(), {})) {
+    for (const PathEnd& end : followed(path, platform_paths::start_solutions(), accuracy(number))) {
       if (end.ending == Ending::lost) clean = false;
       if (end.ending == Ending::singular) singular_.push_back(end.solution);
       if (end.ending != Ending::regular) continue;

@@ -106,13 +106,19 @@ class Follower {
     }
     now_.t[lane] += now_.step[lane];
     const double left = 1.0 - now_.t[lane], size = size_of_e(solution(lane));
-    if (left <= 0.0) return finish(lane, size < at_infinity ? Ending::infinite : Ending::regular);
     Traveller& each = traveller(lane);
+    if (left <= 0.0) return finish(lane, ending_of_arrival(each, size));
     if (left < near_end)
       return finish(lane, to_infinity(each, left, size) ? Ending::infinite : Ending::singular);
     if (left * stretch > each.left[1]) return;
     each.left = {each.left[1], left};
     each.size = {each.size[1], size};
+  }
+
+  // Where e . e = 0 there are solutions at any t; a path that was there before has gone astray.
+  static Ending ending_of_arrival(const Traveller& each, double size) {
+    if (size > at_infinity) return Ending::regular;
+    return each.size[1] > at_infinity ? Ending::infinite : Ending::lost;
   }
 
   static bool to_infinity(const Traveller& each, double left, double size) {
