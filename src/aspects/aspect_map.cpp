@@ -18,24 +18,18 @@ std::optional<std::size_t> mode_index(const AspectMap::Contents& map, const Work
   return static_cast<std::size_t>(found - map.modes.begin());
 }
 
-MapPoint map_point(const AspectMap::Contents& map, const Pose& pose) {
-  const PoseCoordinates coordinates = pose_coordinates(map.manipulator->task_space(), pose);
-  MapPoint point{};
-  for (std::size_t i = 0; i < map.tree.dimension(); ++i) point[i] = coordinates[static_cast<Eigen::Index>(i)];
-  return point;
-}
-
 // In an undecided leaf: the aspect that a proved segment joins the point to.
-Location locate_by_proof(const AspectMap::Contents& map, std::size_t mode, const MapPoint& point) noexcept {
+Location locate_by_proof(const AspectMap::Contents& map, std::size_t mode,
+                         const MapPosition& position) noexcept {
   const RoundingUpward rounding;
   const std::size_t dimension = map.tree.dimension();
-  const int sign = proved_sign(*map.classifier, dimension, mode, point);
+  const int sign = proved_sign(*map.classifier, dimension, mode, position);
   if (sign == 0) return {LocationStatus::undecided, 0};
-  const NearLeaves near = near_inside_leaves(map.tree, mode, sign, point);
+  const NearLeaves near = near_inside_leaves(map.tree, mode, sign, position);
   for (std::size_t i = 0; i < near.count; ++i) {
     const NodeIndex leaf = near.items[i].leaf;
-    const MapPoint target = map.tree.box(leaf).nearest(point);
-    if (segment_is_free(*map.classifier, dimension, mode, sign, point, target))
+    const MapPoint target = map.tree.box(leaf).nearest(position.point);
+    if (segment_is_free(*map.classifier, dimension, mode, sign, position, target))
       return {LocationStatus::inside, map.leaf_aspect(leaf, mode)};
   }
   return {LocationStatus::undecided, 0};
@@ -64,14 +58,14 @@ double AspectMap::seconds() const noexcept { return contents_->seconds; }
 
 Location AspectMap::locate(const Pose& pose, const WorkingMode& mode) const noexcept {
   const auto m = mode_index(*contents_, mode);
-  const auto point = map_point(*contents_, pose);
+  const MapPosition position = contents_->tree.space().position(pose);
   if (!m) return {LocationStatus::not_mapped, 0};
-  const auto leaf = contents_->tree.leaf_at(point, *m);
+  const auto leaf = contents_->tree.leaf_at(position, *m);
   if (!leaf) return {LocationStatus::not_mapped, 0};
   const LeafState state = contents_->tree.state(*leaf, *m);
   if (state.is_inside()) return {LocationStatus::inside, contents_->leaf_aspect(*leaf, *m)};
   if (!state.is_undecided()) return {LocationStatus::outside, 0};
-  return locate_by_proof(*contents_, *m, point);
+  return locate_by_proof(*contents_, *m, position);
 }
 
 void AspectMap::visit_inside_leaves(int aspect, const std::function<void(const Box&)>& visit) const {

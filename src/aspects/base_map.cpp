@@ -31,7 +31,8 @@ void classify_block(PoseTree& tree, const BoxClassifier& classifier, NodeIndex b
   tbb::parallel_for(tbb::blocked_range<NodeIndex>(begin, end, nodes_per_task), [&](const auto& range) {
     const RoundingUpward rounding;
     for (NodeIndex node = range.begin(); node != range.end(); ++node)
-      classifier.classify(tree.box(node), pending_modes(tree, node), tree.states(node));
+      classifier.classify(tree.place(node).root, tree.box(node), pending_modes(tree, node),
+                          tree.states(node));
   });
 }
 

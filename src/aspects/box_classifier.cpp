@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/aspects/box_classifier.h"
 
-#include "parallel_aspects/aspects/t2_classifier.h"
+#include "parallel_aspects/aspects/chart_classifier.h"
+#include "parallel_aspects/aspects/charts.h"
 
 namespace parallel_aspects {
 
@@ -9,10 +10,13 @@ std::unique_ptr<const BoxClassifier> make_box_classifier(const Manipulator& mani
                                                          const std::vector<WorkingMode>& modes) {
   switch (manipulator.task_space()) {
     case TaskSpace::T2:
-      return std::make_unique<const T2Classifier>(manipulator, modes);
+      return std::make_unique<const ChartClassifier<T2Chart>>(manipulator, modes);
     case TaskSpace::SE2:
+      return std::make_unique<const ChartClassifier<SE2Chart>>(manipulator, modes);
     case TaskSpace::T3:
+      return std::make_unique<const ChartClassifier<T3Chart>>(manipulator, modes);
     case TaskSpace::SO3:
+      return std::make_unique<const ChartClassifier<SO3Chart>>(manipulator, modes);
     case TaskSpace::SE3:
       break;
   }

@@ -2,6 +2,7 @@
 #include "parallel_aspects/aspects/components.h"
 
 #include "parallel_aspects/aspects/interval.h"
+#include "parallel_aspects/aspects/segment_proof.h"
 
 #include <algorithm>
 
@@ -75,7 +76,7 @@ class Summary {
       if (index_[root] == LeafGraph::none) start_component(root, leaves[i], box);
       Component& component = result_.components[index_[root]];
       component.leaves.push_back(leaves[i]);
-      component.measure_inside += box.measure();
+      component.measure_inside += tree_.space().measure(box);
       extend(component.bounds, box);
     }
     for (Component& component : result_.components) component.measure_estimated = component.measure_inside;
@@ -91,7 +92,7 @@ class Summary {
 
   void collect_undecided() {
     for (const LeafGraph::Vertex& vertex : graph_.vertices())
-      if (vertex.node != no_node) result_.measure_undecided += tree_.box(vertex.node).measure();
+      if (vertex.node != no_node) result_.measure_undecided += tree_.space().measure(tree_.box(vertex.node));
   }
 
   void collect_meetings(int sign) {
@@ -102,18 +103,16 @@ class Summary {
     for (std::uint32_t v = 0; v < graph_.vertices().size(); ++v) {
       if (meeting.nearest[v] == LeafGraph::none) continue;
       const std::size_t component = index_[meeting.nearest[v]];
-      const Box box = tree_.box(graph_.vertices()[v].node);
-      undecided_[component] += box.measure();
-      if (center_is_inside(box, sign)) result_.components[component].measure_estimated += box.measure();
+      const NodeIndex node = graph_.vertices()[v].node;
+      const double measure = tree_.space().measure(tree_.box(node));
+      undecided_[component] += measure;
+      if (center_is_inside(node, sign)) result_.components[component].measure_estimated += measure;
     }
   }
 
-  bool center_is_inside(const Box& box, int sign) const {
-    Box center = box;
-    for (std::size_t i = 0; i < box.dimension; ++i) center.lower[i] = center.upper[i] = box.center(i);
-    std::vector<LeafState> states(tree_.mode_count());
-    classifier_.classify(center, ModeSet{1} << mode_, states.data());
-    return states[mode_].is_inside(sign);
+  bool center_is_inside(NodeIndex node, int sign) const {
+    const MapPosition center{tree_.place(node).root, tree_.box(node).middle()};
+    return proved_sign(classifier_, tree_.dimension(), mode_, center) == sign;
   }
 
   void collect_clusters() {

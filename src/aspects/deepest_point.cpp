@@ -15,29 +15,49 @@ constexpr double relative_precision = 0.01;
 /// best.
 class NearestForeignLeaf {
  public:
-  NearestForeignLeaf(const AspectMap::Contents& map, int aspect, std::size_t mode, const MapPoint& point)
-      : map_(map), aspect_(aspect), mode_(mode), point_(point) {}
+  NearestForeignLeaf(const AspectMap::Contents& map, int aspect, std::size_t mode,
+                     const MapPosition& position)
+      : map_(map), aspect_(aspect), mode_(mode), weights_(map.tree.space().weights()), position_(position) {}
 
   double distance() {
     const Box& region = map_.tree.region();
-    for (std::size_t i = 0; i < region.dimension; ++i)
-      keep(std::max(0.0, std::min(point_[i] - region.lower[i], region.upper[i] - point_[i])));
-    descend(0);
+    descend(position_.root);
+    for (std::size_t i = 0; i < region.dimension; ++i) {
+      if (map_.tree.space().is_periodic(i))
+        look_around(i, region.width(i));
+      else
+        keep_distance_to_face(i, region);
+    }
     return std::sqrt(best_);
   }
 
  private:
-  void keep(double distance) { best_ = std::min(best_, distance * distance); }
+  void keep_distance_to_face(std::size_t i, const Box& region) {
+    const double nearest =
+        std::min(position_.point[i] - region.lower[i], region.upper[i] - position_.point[i]);
+    const double distance = weights_[i] * std::max(0.0, nearest);
+    best_ = std::min(best_, distance * distance);
+  }
+
+  // What lies behind a glued face, seen as images of the position a period away.
+  void look_around(std::size_t i, double period) {
+    const double here = position_.point[i];
+    for (const double shift : {-period, period}) {
+      position_.point[i] = here + shift;
+      descend(position_.root);
+    }
+    position_.point[i] = here;
+  }
 
   void descend(NodeIndex node) {
     const Box box = map_.tree.box(node);
-    const double distance = box.squared_distance(point_);
+    const double distance = box.squared_distance(position_.point, weights_);
     if (distance >= best_) return;
     if (!map_.tree.state(node, mode_).is_divided()) {
       if (map_.leaf_aspect(node, mode_) != aspect_) best_ = distance;
       return;
     }
-    const NodeIndex nearest = box.rank_of(point_);
+    const NodeIndex nearest = box.rank_of(position_.point);
     for (NodeIndex rank = 0; rank < map_.tree.children_per_node(); ++rank)
       descend(map_.tree.first_child(node) + (rank ^ nearest));
   }
@@ -45,7 +65,8 @@ class NearestForeignLeaf {
   const AspectMap::Contents& map_;
   int aspect_;
   std::size_t mode_;
-  MapPoint point_;
+  MapPoint weights_;
+  MapPosition position_;
   double best_ = std::numeric_limits<double>::infinity();
 };
 
@@ -58,50 +79,64 @@ struct Cell {
   bool operator<(const Cell& other) const { return bound < other.bound; }
 };
 
-MapPoint center_of(const Box& box) {
-  MapPoint point{};
-  for (std::size_t i = 0; i < box.dimension; ++i) point[i] = box.center(i);
-  return point;
-}
+/// Best-first search over boxes.
+class Search {
+ public:
+  Search(const AspectMap::Contents& map, const Aspect& aspect, std::size_t mode)
+      : map_(map), aspect_(aspect), mode_(mode), weights_(map.tree.space().weights()) {}
 
-Cell cell(const AspectMap::Contents& map, const Aspect& aspect, std::size_t mode, const Box& box) {
-  double squared_diagonal = 0.0;
-  for (std::size_t i = 0; i < box.dimension; ++i) squared_diagonal += box.width(i) * box.width(i);
-  const MapPoint point = center_of(box);
-  const double clear = clearance(map, aspect, mode, point);
-  return {box, {point, clear}, clear + 0.5 * std::sqrt(squared_diagonal)};
-}
+  ClearPoint run() {
+    for (RootIndex root = 0; root < map_.tree.root_count(); ++root) push(root, map_.tree.region());
+    while (!queue_.empty() && worth(queue_.top())) {
+      const Cell top = queue_.top();
+      queue_.pop();
+      divide(top);
+    }
+    return best_;
+  }
 
-Box half(const Box& box, std::size_t i, bool upper) {
-  Box result = box;
-  (upper ? result.lower[i] : result.upper[i]) = box.center(i);
-  return result;
-}
+ private:
+  bool worth(const Cell& cell) const { return cell.bound > best_.clearance * (1.0 + relative_precision); }
+
+  double edge(const Box& box, std::size_t i) const { return weights_[i] * box.width(i); }
+
+  void push(RootIndex root, const Box& box) {
+    double squared_diagonal = 0.0;
+    for (std::size_t i = 0; i < box.dimension; ++i) squared_diagonal += edge(box, i) * edge(box, i);
+    const MapPosition middle{root, box.middle()};
+    const double clear = clearance(map_, aspect_, mode_, middle);
+    const Cell cell{box, {middle, clear}, clear + 0.5 * std::sqrt(squared_diagonal)};
+    if (clear > best_.clearance) best_ = cell.center;
+    if (worth(cell)) queue_.push(cell);
+  }
+
+  void divide(const Cell& cell) {
+    std::size_t longest = 0;
+    for (std::size_t i = 1; i < cell.box.dimension; ++i)
+      if (edge(cell.box, i) > edge(cell.box, longest)) longest = i;
+    Box lower = cell.box, upper = cell.box;
+    lower.upper[longest] = upper.lower[longest] = cell.box.center(longest);
+    push(cell.center.position.root, lower);
+    push(cell.center.position.root, upper);
+  }
+
+  const AspectMap::Contents& map_;
+  const Aspect& aspect_;
+  std::size_t mode_;
+  MapPoint weights_;
+  ClearPoint best_;
+  std::priority_queue<Cell> queue_;
+};
 
 }  // namespace
 
 double clearance(const AspectMap::Contents& map, const Aspect& aspect, std::size_t mode,
-                 const MapPoint& point) {
-  return NearestForeignLeaf(map, aspect.id, mode, point).distance();
+                 const MapPosition& position) {
+  return NearestForeignLeaf(map, aspect.id, mode, position).distance();
 }
 
 ClearPoint deepest_point(const AspectMap::Contents& map, const Aspect& aspect, std::size_t mode) {
-  std::priority_queue<Cell> queue;
-  queue.push(cell(map, aspect, mode, aspect.bounds));
-  ClearPoint best = queue.top().center;
-  while (!queue.empty() && queue.top().bound > best.clearance * (1.0 + relative_precision)) {
-    const Box box = queue.top().box;
-    queue.pop();
-    std::size_t longest = 0;
-    for (std::size_t i = 1; i < box.dimension; ++i)
-      if (box.width(i) > box.width(longest)) longest = i;
-    for (const bool upper : {false, true}) {
-      const Cell next = cell(map, aspect, mode, half(box, longest, upper));
-      if (next.center.clearance > best.clearance) best = next.center;
-      if (next.bound > best.clearance * (1.0 + relative_precision)) queue.push(next);
-    }
-  }
-  return best;
+  return Search(map, aspect, mode).run();
 }
 
 }  // namespace parallel_aspects

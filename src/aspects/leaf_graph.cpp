@@ -36,6 +36,7 @@ void LeafGraph::add_leaf(const PoseTree& tree, NodeIndex node) {
 }
 
 void LeafGraph::connect(const PoseTree& tree, NodeIndex a, NodeIndex b) {
+  if (a == b) return;  // glued to itself
   const LeafState state_a = tree.state(a, mode_), state_b = tree.state(b, mode_);
   if (same_sign_inside(state_a, state_b)) return components_.unite(slot_[a], slot_[b]);
   if (state_a.is_undecided() && slot_[b] != none) vertices_[slot_[a]].neighbours.push_back(b);
@@ -99,7 +100,7 @@ void LeafGraph::refine(PoseTree& tree, const BoxClassifier& classifier, std::uin
   {
     const RoundingUpward rounding;
     for (NodeIndex child = first; child < first + tree.children_per_node(); ++child) {
-      classifier.classify(tree.box(child), ModeSet{1} << mode_, tree.states(child));
+      classifier.classify(tree.place(child).root, tree.box(child), ModeSet{1} << mode_, tree.states(child));
       add_leaf(tree, child);
       children.push_back(child);
     }

@@ -21,7 +21,7 @@ constexpr double share_of_base_map = 0.9;
 struct Plan {
   std::vector<WorkingMode> modes;
   std::unique_ptr<const BoxClassifier> classifier;
-  Box region;
+  std::shared_ptr<const PoseSpace> space;
   double resolution = 0.0;
   std::uint32_t depth = 0;
   std::uint32_t deepest_level = 0;
@@ -29,10 +29,30 @@ struct Plan {
 
 MapResult refused(const std::string& sentence) { return {MapStatus::refused, sentence, nullptr}; }
 
-double longest_edge(const Box& box, std::uint32_t level) {
-  double longest = 0.0;
-  for (std::size_t i = 0; i < box.dimension; ++i) longest = std::max(longest, box.width(i));
-  return std::ldexp(longest, -static_cast<int>(level));
+Box at_level(Box box, std::uint32_t level) {
+  for (std::size_t i = 0; i < box.dimension; ++i)
+    box.upper[i] = box.lower[i] + std::ldexp(box.width(i), -static_cast<int>(level));
+  return box;
+}
+
+double longest_edge(const Plan& plan, std::uint32_t level) {
+  return plan.space->longest_edge(at_level(plan.space->region(), level));
+}
+
+/// The positions that the map covers; the sentence says why there are none, and is empty otherwise.
+std::string find_positions(const Manipulator& manipulator, const MapOptions& options, const Plan& plan,
+                           Box& positions) {
+  const std::optional<Box> region = options.region ? options.region : plan.classifier->reachable_positions();
+  if (!region)
+    return "The legs of '" + manipulator.name() +
+           "' have no limits that bound the workspace; limit the drives in the URDF or give a region.";
+  const std::optional<Box> exact = exact_region(*region);
+  if (!exact)
+    return "The region of the map is empty, not finite, or too far from the origin for its size; give "
+           "another "
+           "region, or mend the lengths of the legs if they cannot reach a common pose.";
+  positions = *exact;
+  return "";
 }
 
 /// Fills `plan`; the sentence says why that cannot be, and is empty otherwise.
@@ -48,19 +68,13 @@ std::string make_plan(const Manipulator& manipulator, const MapOptions& options,
   if (options.extra_levels < 0 || options.extra_levels > most_extra_levels)
     return "The number of extra levels is " + std::to_string(options.extra_levels) + "; give 0 to 20.";
 
-  const std::optional<Box> region = options.region ? options.region : plan.classifier->reachable_region();
-  if (!region)
-    return "The legs of '" + manipulator.name() +
-           "' have no limits that bound the workspace; limit the drives in the URDF or give a region.";
-  const std::optional<Box> exact = exact_region(*region);
-  if (!exact)
-    return "The region of the map is empty, not finite, or too far from the origin for its size; give "
-           "another "
-           "region, or mend the lengths of the legs if they cannot reach a common pose.";
-  plan.region = *exact;
-  while (longest_edge(plan.region, plan.depth) > plan.resolution && plan.depth < PoseTree::deepest_level)
+  Box positions;
+  const std::string problem = find_positions(manipulator, options, plan, positions);
+  if (!problem.empty()) return problem;
+  plan.space = make_pose_space(manipulator.task_space(), positions, manipulator.characteristic_length());
+  while (longest_edge(plan, plan.depth) > plan.resolution && plan.depth < PoseTree::deepest_level)
     ++plan.depth;
-  if (longest_edge(plan.region, plan.depth) > plan.resolution)
+  if (longest_edge(plan, plan.depth) > plan.resolution)
     return "The resolution is too fine for the size of the region; give a coarser one.";
   plan.deepest_level =
       std::min(PoseTree::deepest_level, plan.depth + static_cast<std::uint32_t>(options.extra_levels));
@@ -115,11 +129,8 @@ void find_deepest_poses(AspectMap::Contents& map) {
     const auto mode = static_cast<std::size_t>(std::find(map.modes.begin(), map.modes.end(), aspect.mode) -
                                                map.modes.begin());
     const ClearPoint deepest = deepest_point(map, aspect, mode);
-    PoseCoordinates coordinates(static_cast<Eigen::Index>(map.tree.dimension()));
-    for (std::size_t k = 0; k < map.tree.dimension(); ++k)
-      coordinates[static_cast<Eigen::Index>(k)] = deepest.point[k];
-    aspect.deepest = pose_from_coordinates(map.manipulator->task_space(), coordinates).value_or(Pose());
-    aspect.deepest_clearance = deepest.clearance;
+    aspect.deepest = map.tree.space().pose(deepest.position);
+    aspect.deepest_clearance = map.tree.space().proved_radius(deepest.position.point, deepest.clearance);
   });
 }
 
@@ -151,8 +162,8 @@ MapResult compute_aspect_map(std::shared_ptr<const Manipulator> manipulator, con
   if (!problem.empty()) return refused(problem);
 
   auto map = std::make_unique<AspectMap::Contents>(manipulator, std::move(plan.classifier),
-                                                   PoseTree(plan.region, plan.modes.size()), plan.modes);
-  map->resolution = longest_edge(plan.region, plan.depth);
+                                                   PoseTree(plan.space, plan.modes.size()), plan.modes);
+  map->resolution = longest_edge(plan, plan.depth);
   MapControl scaled = control;
   if (control.progress)
     scaled.progress = [&control](double share) { control.progress(share_of_base_map * share); };

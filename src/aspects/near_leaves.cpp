@@ -9,10 +9,10 @@ namespace {
 class Search {
  public:
   Search(const PoseTree& tree, std::size_t mode, int sign, const MapPoint& point)
-      : tree_(tree), mode_(mode), sign_(sign), point_(point) {}
+      : tree_(tree), mode_(mode), sign_(sign), point_(point), weights_(tree.space().weights()) {}
 
-  NearLeaves run() {
-    descend(0);
+  NearLeaves run(RootIndex root) {
+    descend(root);
     return found_;
   }
 
@@ -26,7 +26,7 @@ class Search {
     const LeafState state = tree_.state(node, mode_);
     if (!state.is_divided() && !state.is_inside(sign_)) return;
     const Box box = tree_.box(node);
-    const double distance = box.squared_distance(point_);
+    const double distance = box.squared_distance(point_, weights_);
     if (distance >= farthest()) return;
     if (!state.is_divided()) return insert(node, distance);
     const NodeIndex nearest = box.rank_of(point_);
@@ -46,14 +46,15 @@ class Search {
   std::size_t mode_;
   int sign_;
   const MapPoint& point_;
+  MapPoint weights_;
   NearLeaves found_;
 };
 
 }  // namespace
 
 NearLeaves near_inside_leaves(const PoseTree& tree, std::size_t mode, int sign,
-                              const MapPoint& point) noexcept {
-  return Search(tree, mode, sign, point).run();
+                              const MapPosition& position) noexcept {
+  return Search(tree, mode, sign, position.point).run(position.root);
 }
 
 }  // namespace parallel_aspects

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace parallel_aspects {
 namespace {
@@ -29,12 +30,15 @@ std::optional<Box> exact_region(const Box& box) noexcept {
   return exact;
 }
 
-PoseTree::PoseTree(const Box& region, std::size_t modes)
-    : region_(exact_region(region).value()),
+PoseTree::PoseTree(std::shared_ptr<const PoseSpace> space, std::size_t modes)
+    : space_(std::move(space)),
+      region_(space_->region()),
       modes_(modes),
-      places_(1),
-      first_child_(1, no_node),
-      states_(modes, LeafState::pending()) {}
+      places_(space_->root_count()),
+      first_child_(space_->root_count(), no_node),
+      states_(space_->root_count() * modes, LeafState::pending()) {
+  for (RootIndex root = 0; root < root_count(); ++root) places_[root].root = root;
+}
 
 Box PoseTree::box(NodeIndex node) const noexcept {
   const NodePlace& at = places_[node];
@@ -51,7 +55,7 @@ NodeIndex PoseTree::append_children(NodeIndex node) {
   const auto first = static_cast<NodeIndex>(places_.size());
   const NodePlace parent = places_[node];
   for (NodeIndex rank = 0; rank < children_per_node(); ++rank) {
-    NodePlace child{{}, parent.level + 1};
+    NodePlace child{{}, parent.level + 1, parent.root};
     for (std::size_t i = 0; i < dimension(); ++i) child.cell[i] = 2 * parent.cell[i] + (rank >> i & 1U);
     places_.push_back(child);
   }
@@ -61,12 +65,10 @@ NodeIndex PoseTree::append_children(NodeIndex node) {
   return first;
 }
 
-std::optional<NodeIndex> PoseTree::leaf_at(const MapPoint& point, std::size_t mode) const noexcept {
-  if (!region_.contains(point)) return std::nullopt;
-  NodeIndex node = 0;
-  while (state(node, mode).is_divided()) {
-    node = first_child_[node] + box(node).rank_of(point);
-  }
+std::optional<NodeIndex> PoseTree::leaf_at(const MapPosition& position, std::size_t mode) const noexcept {
+  if (!region_.contains(position.point)) return std::nullopt;
+  NodeIndex node = position.root;
+  while (state(node, mode).is_divided()) node = first_child_[node] + box(node).rank_of(position.point);
   return node;
 }
 

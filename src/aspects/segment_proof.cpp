@@ -9,9 +9,10 @@ namespace {
 constexpr int most_halvings = 12;
 constexpr std::size_t most_modes = 64;
 
-LeafState classify(const BoxClassifier& classifier, std::size_t mode, const Box& box) noexcept {
+LeafState classify(const BoxClassifier& classifier, std::size_t mode, RootIndex root,
+                   const Box& box) noexcept {
   std::array<LeafState, most_modes> states;
-  classifier.classify(box, ModeSet{1} << mode, states.data());
+  classifier.classify(root, box, ModeSet{1} << mode, states.data());
   return states[mode];
 }
 
@@ -21,6 +22,7 @@ struct Segment {
   std::size_t dimension;
   std::size_t mode;
   int sign;
+  RootIndex root;
   const MapPoint& from;
   const MapPoint& to;
 
@@ -36,7 +38,7 @@ struct Segment {
   }
 
   bool is_free(double begin, double end, int halvings) const noexcept {
-    const LeafState state = classify(classifier, mode, hull(begin, end));
+    const LeafState state = classify(classifier, mode, root, hull(begin, end));
     if (state.is_inside(sign)) return true;
     if (!state.may_be(sign) || halvings == most_halvings) return false;
     const double middle = 0.5 * (begin + end);
@@ -47,15 +49,16 @@ struct Segment {
 }  // namespace
 
 int proved_sign(const BoxClassifier& classifier, std::size_t dimension, std::size_t mode,
-                const MapPoint& point) noexcept {
-  const LeafState state = classify(classifier, mode, Box{dimension, point, point});
+                const MapPosition& position) noexcept {
+  const LeafState state =
+      classify(classifier, mode, position.root, Box{dimension, position.point, position.point});
   if (!state.is_inside()) return 0;
   return state.is_inside(1) ? 1 : -1;
 }
 
 bool segment_is_free(const BoxClassifier& classifier, std::size_t dimension, std::size_t mode, int sign,
-                     const MapPoint& from, const MapPoint& to) noexcept {
-  return Segment{classifier, dimension, mode, sign, from, to}.is_free(0.0, 1.0, 0);
+                     const MapPosition& from, const MapPoint& to) noexcept {
+  return Segment{classifier, dimension, mode, sign, from.root, from.point, to}.is_free(0.0, 1.0, 0);
 }
 
 }  // namespace parallel_aspects

@@ -38,8 +38,8 @@ TEST(ExactRegion, RefusesWhatHasNoSize) {
 
 /// A tree of one mode, divided at random; leaves are undecided.
 PoseTree random_tree(int divisions, std::size_t dimension, unsigned seed) {
-  Box region{dimension, {-0.7, -1.3, -2.9}, {1.1, 2.3, 3.7}};
-  PoseTree tree(region, 1);
+  const Box region = *exact_region(Box{dimension, {-0.7, -1.3, -2.9}, {1.1, 2.3, 3.7}});
+  PoseTree tree(make_pose_space(dimension == 2 ? TaskSpace::T2 : TaskSpace::T3, region, 1.0), 1);
   tree.state(0, 0) = LeafState::undecided(true, true);
   std::mt19937 random(seed);
   for (int i = 0; i < divisions; ++i) {
@@ -65,13 +65,13 @@ TEST(PoseTree, FindsTheLeafThatContainsAPoint) {
   std::uniform_real_distribution<double> x(-0.7, 1.1), y(-1.3, 2.3);
   for (int i = 0; i < 1000; ++i) {
     const MapPoint point{x(random), y(random), 0.0};
-    const auto leaf = tree.leaf_at(point, 0);
+    const auto leaf = tree.leaf_at({0, point}, 0);
     ASSERT_TRUE(leaf);
     EXPECT_TRUE(tree.box(*leaf).contains(point));
     EXPECT_TRUE(tree.state(*leaf, 0).is_leaf());
   }
-  EXPECT_FALSE(tree.leaf_at({5.0, 0.0, 0.0}, 0));
-  EXPECT_FALSE(tree.leaf_at({std::nan(""), 0.0, 0.0}, 0));
+  EXPECT_FALSE(tree.leaf_at({0, {5.0, 0.0, 0.0}}, 0));
+  EXPECT_FALSE(tree.leaf_at({0, {std::nan(""), 0.0, 0.0}}, 0));
 }
 
 // Two independent ways to the pairs of leaves with a common face: the recursion over the tree, and every pair

@@ -24,6 +24,12 @@ struct Box {
   double center(std::size_t i) const noexcept { return 0.5 * (lower[i] + upper[i]); }
   double width(std::size_t i) const noexcept { return upper[i] - lower[i]; }
 
+  MapPoint middle() const noexcept {
+    MapPoint result{};
+    for (std::size_t i = 0; i < dimension; ++i) result[i] = center(i);
+    return result;
+  }
+
   double measure() const noexcept {
     double product = 1.0;
     for (std::size_t i = 0; i < dimension; ++i) product *= width(i);
@@ -43,11 +49,14 @@ struct Box {
     return result;
   }
 
-  /// Squared distance of `point` from the box, in pose coordinates.
-  double squared_distance(const MapPoint& point) const noexcept {
+  /// Squared distance of `point` from the box, with differences multiplied by `weights`.
+  double squared_distance(const MapPoint& point, const MapPoint& weights) const noexcept {
     const MapPoint closest = nearest(point);
     double sum = 0.0;
-    for (std::size_t i = 0; i < dimension; ++i) sum += (point[i] - closest[i]) * (point[i] - closest[i]);
+    for (std::size_t i = 0; i < dimension; ++i) {
+      const double difference = weights[i] * (point[i] - closest[i]);
+      sum += difference * difference;
+    }
     return sum;
   }
 

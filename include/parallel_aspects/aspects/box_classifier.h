@@ -4,6 +4,7 @@
 
 #include "parallel_aspects/aspects/box.h"
 #include "parallel_aspects/aspects/leaf_state.h"
+#include "parallel_aspects/aspects/pose_space.h"
 #include "parallel_aspects/kinematics/working_mode.h"
 #include "parallel_aspects/model/manipulator.h"
 
@@ -18,16 +19,18 @@ namespace parallel_aspects {
 /// A set of working modes: bit i stands for the i-th of the list that the classifier was made with.
 using ModeSet = std::uint64_t;
 
-/// Proves boxes inside or outside, for one task space. Immutable; may be used from any number of threads.
+/// Proves boxes inside or outside, in the coordinates of the manipulator's `PoseSpace`. Immutable; may be
+/// used from any number of threads.
 class BoxClassifier {
  public:
   virtual ~BoxClassifier() = default;
 
-  /// Writes states[i] for each mode i in `modes`. A live `RoundingUpward` is required in this thread.
-  virtual void classify(const Box& box, ModeSet modes, LeafState* states) const noexcept = 0;
+  /// Writes states[i] for each mode i in `modes`, for a box of the given root. A live `RoundingUpward` is
+  /// required in this thread.
+  virtual void classify(RootIndex root, const Box& box, ModeSet modes, LeafState* states) const noexcept = 0;
 
-  /// A box of pose coordinates that holds every reachable pose; nothing where legs without limits leave none.
-  virtual std::optional<Box> reachable_region() const = 0;
+  /// A box of positions [m] that holds every reachable pose; nothing where legs without limits leave none.
+  virtual std::optional<Box> reachable_positions() const = 0;
 };
 
 /// The classifier for the manipulator's task space; null where there is none yet.

@@ -8,16 +8,16 @@
 
 namespace parallel_aspects {
 
-/// A point of the pose space and the radius of a ball around it, in pose coordinates [m or rad].
+/// A position and the radius of a ball around it, in the weighted coordinates of its `PoseSpace`.
 struct ClearPoint {
-  MapPoint point{};
+  MapPosition position;
   double clearance = 0.0;
 };
 
-/// Distance from a point to the nearest leaf of its working mode that is not an inside leaf of this aspect,
-/// or to the edge of the map; 0 outside the aspect.
+/// Distance from a position to the nearest leaf of its working mode that is not an inside leaf of this
+/// aspect, or to a face of its root box that no periodic coordinate goes through; 0 outside the aspect.
 double clearance(const AspectMap::Contents& map, const Aspect& aspect, std::size_t mode,
-                 const MapPoint& point);
+                 const MapPosition& position);
 
 /// The center of the largest ball within the inside leaves of an aspect, within one part in a hundred of the
 /// radius (best-first search with a Lipschitz bound, as "polylabel" does for polygons).

@@ -49,6 +49,13 @@ struct Dual {
   }
 
   /// The value must be positive on the whole box.
+  friend Dual reciprocal(const Dual& a) {
+    const Interval value = reciprocal(a.value);
+    const Interval slope = -square(value);
+    return a.mapped(value, [&slope](const Interval& g) { return slope * g; });
+  }
+
+  /// The value must be positive on the whole box.
   friend Dual square_root(const Dual& a) {
     const Interval root = square_root(a.value);
     const Interval slope = reciprocal(Interval(2.0) * root);

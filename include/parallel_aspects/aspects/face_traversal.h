@@ -5,19 +5,37 @@
 #include "parallel_aspects/aspects/pose_tree.h"
 
 #include <cstddef>
+#include <utility>
+#include <vector>
 
 namespace parallel_aspects {
 
-/// Visits every pair of leaves of one working mode that share part of a face, once, in time linear in their
-/// number. Leaves that are proved outside are passed over.
+/// Which children of two neighbours face each other: ranks in the first, and across the face in the second.
+using FacingRanks = std::vector<std::pair<NodeIndex, NodeIndex>>;
+
+/// For neighbours along a coordinate of one root box, the one at smaller coordinates first.
+FacingRanks facing_ranks(std::size_t dimension, std::size_t axis);
+
+/// For neighbours across a glued face.
+FacingRanks facing_ranks(std::size_t dimension, const Gluing& gluing);
+
+/// Visits every pair of leaves of one working mode that share part of a face, in time linear in their number;
+/// glued faces included. Leaves that are proved outside are passed over.
 template <class Visitor>
 class FaceTraversal {
  public:
-  /// Calls `visitor(NodeIndex, NodeIndex)`, the leaf at smaller coordinates first.
+  /// Calls `visitor(NodeIndex, NodeIndex)`.
   FaceTraversal(const PoseTree& tree, std::size_t mode, Visitor visitor)
-      : tree_(tree), mode_(mode), visitor_(visitor) {}
+      : tree_(tree), mode_(mode), visitor_(visitor) {
+    for (std::size_t axis = 0; axis < tree.dimension(); ++axis)
+      along_.push_back(facing_ranks(tree.dimension(), axis));
+  }
 
-  void run() { inside(0); }
+  void run() {
+    for (RootIndex root = 0; root < tree_.root_count(); ++root) inside(root);
+    for (const Gluing& gluing : tree_.space().gluings())
+      across(facing_ranks(tree_.dimension(), gluing), gluing.first.root, gluing.second.root);
+  }
 
  private:
   bool divided(NodeIndex node) const { return tree_.state(node, mode_).is_divided(); }
@@ -26,27 +44,24 @@ class FaceTraversal {
   void inside(NodeIndex node) {
     if (!divided(node)) return;
     const NodeIndex first = tree_.first_child(node);
-    for (NodeIndex rank = 0; rank < tree_.children_per_node(); ++rank) {
-      inside(first + rank);
-      for (NodeIndex axis_bit = 1; axis_bit < tree_.children_per_node(); axis_bit <<= 1)
-        if ((rank & axis_bit) == 0) across(axis_bit, first + rank, first + rank + axis_bit);
-    }
+    for (NodeIndex rank = 0; rank < tree_.children_per_node(); ++rank) inside(first + rank);
+    for (const FacingRanks& facing : along_)
+      for (const auto& [upper, lower] : facing) across(facing, first + lower, first + upper);
   }
 
-  void across(NodeIndex axis_bit, NodeIndex low, NodeIndex high) {
-    if (outside(low) || outside(high)) return;
-    const bool low_divided = divided(low), high_divided = divided(high);
-    if (!low_divided && !high_divided) return visitor_(low, high);
-    for (NodeIndex rank = 0; rank < tree_.children_per_node(); ++rank) {
-      if ((rank & axis_bit) != 0) continue;
-      across(axis_bit, low_divided ? tree_.first_child(low) + rank + axis_bit : low,
-             high_divided ? tree_.first_child(high) + rank : high);
-    }
+  void across(const FacingRanks& facing, NodeIndex a, NodeIndex b) {
+    if (outside(a) || outside(b)) return;
+    const bool a_divided = divided(a), b_divided = divided(b);
+    if (!a_divided && !b_divided) return visitor_(a, b);
+    for (const auto& [rank_a, rank_b] : facing)
+      across(facing, a_divided ? tree_.first_child(a) + rank_a : a,
+             b_divided ? tree_.first_child(b) + rank_b : b);
   }
 
   const PoseTree& tree_;
   std::size_t mode_;
   Visitor visitor_;
+  std::vector<FacingRanks> along_;
 };
 
 template <class Visitor>
@@ -54,7 +69,8 @@ void visit_faces(const PoseTree& tree, std::size_t mode, const Visitor& visitor)
   FaceTraversal<Visitor>(tree, mode, visitor).run();
 }
 
-/// Whether two nodes, neither inside the other, share part of a face (more than an edge or a corner).
+/// Whether two nodes, neither inside the other, share part of a face (more than an edge or a corner), be it a
+/// glued one.
 bool share_face(const PoseTree& tree, NodeIndex a, NodeIndex b) noexcept;
 
 }  // namespace parallel_aspects

@@ -91,6 +91,11 @@ class Interval {
   Lanes lanes_;
 };
 
+/// What two enclosures of one value leave of it; they must meet.
+inline Interval intersection(const Interval& a, const Interval& b) noexcept {
+  return {std::max(a.lower(), b.lower()), std::min(a.upper(), b.upper())};
+}
+
 /// The part of `a` that is not negative; `a` must have one.
 inline Interval not_negative_part(const Interval& a) noexcept {
   return {std::max(0.0, a.lower()), std::max(0.0, a.upper())};

@@ -9,7 +9,8 @@
 
 namespace parallel_aspects {
 
-/// The few inside leaves of one working mode and sign that are nearest to a point, nearest first.
+/// The few inside leaves of one working mode and sign that are nearest to a position within its root box,
+/// nearest first.
 struct NearLeaves {
   static constexpr std::size_t most = 6;
 
@@ -24,7 +25,7 @@ struct NearLeaves {
 
 /// Finds them by descending the tree and leaving out what is too far. Neither allocates nor throws.
 NearLeaves near_inside_leaves(const PoseTree& tree, std::size_t mode, int sign,
-                              const MapPoint& point) noexcept;
+                              const MapPosition& position) noexcept;
 
 }  // namespace parallel_aspects
 

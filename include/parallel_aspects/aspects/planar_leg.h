@@ -4,10 +4,8 @@
 
 #include "parallel_aspects/aspects/dual.h"
 #include "parallel_aspects/aspects/interval.h"
+#include "parallel_aspects/aspects/limit_verdict.h"
 #include "parallel_aspects/model/leg.h"
-
-#include <array>
-#include <cstddef>
 
 namespace parallel_aspects {
 
@@ -30,14 +28,6 @@ struct PlanarLegForm {
   Planar<Scalar> fixed, turned;
 };
 
-/// Enclosure of a joint limit's direction: cos and sin of the drive angle.
-struct LimitDirections {
-  Planar<Interval> lower, upper;
-  bool less_than_half_turn = false;
-};
-
-enum class Verdict { holds, fails, unsure };
-
 /// A distance leg whose drive and anchor move in parallels of the x-y plane, with its constants enclosed in
 /// intervals. Must be made under a live `RoundingUpward`.
 class PlanarLeg {
@@ -57,9 +47,6 @@ class PlanarLeg {
   /// proved.
   Verdict within_limits(const Planar<Interval>& d, const Interval& entry, int sign) const;
 
-  bool limited() const noexcept { return limited_; }
-  bool has_branch(int sign) const noexcept { return branch_ == 0 || branch_ == sign; }
-
  private:
   enum class Kind { revolute, prismatic, strut, elbow };
 
@@ -70,12 +57,7 @@ class PlanarLeg {
   void set_base(const Eigen::Vector3d& base, const Leg& leg);
   void set_two_links(const Interval& squared_first, const Interval& squared_second);
 
-  Verdict angle_within_limits(const Planar<Interval>& direction) const;
-  Verdict length_within_limits(const Interval& length) const;
-
   Kind kind_ = Kind::revolute;
-  int branch_ = 0;  // 0: both signs
-  bool limited_ = false;
   double reach_ = 0.0;
   Planar<Interval> base_;
   Interval squared_height_;                      // of the anchor over the base point, out of the plane
@@ -85,8 +67,8 @@ class PlanarLeg {
   Planar<Interval> direction_;                   // of a prismatic drive
   double sense_ = 1.0;                           // of turning about z, or of a strut or elbow
   Interval length_at_zero_;                      // of a strut
-  JointLimits limits_;
-  LimitDirections limit_directions_;
+  AngleLimits angle_limits_;
+  LengthLimits length_limits_;
 };
 
 template <class Scalar>

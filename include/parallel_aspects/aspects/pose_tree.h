@@ -4,37 +4,43 @@
 
 #include "parallel_aspects/aspects/box.h"
 #include "parallel_aspects/aspects/leaf_state.h"
+#include "parallel_aspects/aspects/pose_space.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
 namespace parallel_aspects {
 
-/// Index of a node in a `PoseTree`; 0 is the root.
+/// Index of a node in a `PoseTree`; the roots come first.
 using NodeIndex = std::uint32_t;
 inline constexpr NodeIndex no_node = 0xffffffffU;
 
-/// Where a node lies: edge 2^-level of the region, lower corner at `cell` times that edge.
+/// Where a node lies: in which root box, with edges 2^-level of it, lower corner at `cell` times these edges.
 struct NodePlace {
   std::array<std::uint32_t, max_map_dimension> cell{};
   std::uint32_t level = 0;
+  RootIndex root = 0;
 };
 
-/// A 2^d-tree of pose boxes. Each node has one `LeafState` for each of its working modes; a mode's leaves are
-/// the nodes where it is decided or undecided, and modes may end at different depths of the one tree.
+/// A 2^d-tree of pose boxes, or as many of them as the space has roots. Each node has one `LeafState` for
+/// each of its working modes; a mode's leaves are the nodes where it is decided or undecided, and modes may
+/// end at different depths of the one tree.
 class PoseTree {
  public:
   /// Deepest level that boxes stay exact at.
   static constexpr std::uint32_t deepest_level = 28;
 
-  /// The tree of one pending root. `region` is widened to `exact_region`.
-  PoseTree(const Box& region, std::size_t modes);
+  /// The tree of pending roots. The region of `space` must be its own `exact_region`.
+  PoseTree(std::shared_ptr<const PoseSpace> space, std::size_t modes);
 
+  const PoseSpace& space() const noexcept { return *space_; }
   const Box& region() const noexcept { return region_; }
   std::size_t dimension() const noexcept { return region_.dimension; }
+  std::size_t root_count() const noexcept { return space_->root_count(); }
   std::size_t mode_count() const noexcept { return modes_; }
   std::size_t node_count() const noexcept { return places_.size(); }
   NodeIndex children_per_node() const noexcept { return NodeIndex{1} << dimension(); }
@@ -57,12 +63,13 @@ class PoseTree {
   template <class Predicate>
   NodeIndex divide(NodeIndex node, const Predicate& divides_mode);
 
-  /// The leaf of `mode` that contains `point`; nothing where the point is outside the region.
-  std::optional<NodeIndex> leaf_at(const MapPoint& point, std::size_t mode) const noexcept;
+  /// The leaf of `mode` that contains a position; nothing where that is outside the region.
+  std::optional<NodeIndex> leaf_at(const MapPosition& position, std::size_t mode) const noexcept;
 
  private:
   NodeIndex append_children(NodeIndex node);
 
+  std::shared_ptr<const PoseSpace> space_;
   Box region_;
   std::size_t modes_;
   std::vector<NodePlace> places_;

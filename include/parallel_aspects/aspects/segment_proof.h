@@ -8,17 +8,17 @@
 
 namespace parallel_aspects {
 
-/// The sign of det A where `point` is proved free of singularities and within limits in a working mode (by
+/// The sign of det A where a position is proved free of singularities and within limits in a working mode (by
 /// its index in the classifier); 0 where that is not proved. Needs a live `RoundingUpward`. Neither allocates
 /// nor throws.
 int proved_sign(const BoxClassifier& classifier, std::size_t dimension, std::size_t mode,
-                const MapPoint& point) noexcept;
+                const MapPosition& position) noexcept;
 
-/// Whether the straight segment between two points is proved free of singularities and within limits, with
-/// det A of the given sign all along: it is covered by boxes, halved where they are too long, 2^12 at most.
-/// Needs a live `RoundingUpward`. Neither allocates nor throws.
+/// Whether the straight segment between two points of a root box is proved free of singularities and within
+/// limits, with det A of the given sign all along: it is covered by boxes, halved where they are too long,
+/// 2^12 at most. Needs a live `RoundingUpward`. Neither allocates nor throws.
 bool segment_is_free(const BoxClassifier& classifier, std::size_t dimension, std::size_t mode, int sign,
-                     const MapPoint& from, const MapPoint& to) noexcept;
+                     const MapPosition& from, const MapPoint& to) noexcept;
 
 }  // namespace parallel_aspects
 

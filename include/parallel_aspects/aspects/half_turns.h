@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASPECTS_HALF_TURNS_H
+#define PARALLEL_ASPECTS_ASPECTS_HALF_TURNS_H
+
+#include "parallel_aspects/aspects/dual.h"
+#include "parallel_aspects/aspects/interval.h"
+
+namespace parallel_aspects {
+
+/// Enclosure of pi.
+Interval pi_enclosure() noexcept;
+
+/// { cos(pi t) : t in a }, for a within [-1, 1]. Wider than the range by less than 1e-14.
+Interval cosine_of_half_turns(const Interval& a) noexcept;
+
+/// { sin(pi t) : t in a }, for a within [-1, 1]. Wider than the range by less than 1e-14.
+Interval sine_of_half_turns(const Interval& a) noexcept;
+
+/// Cosine and sine at once.
+template <class Scalar>
+struct Turn {
+  Scalar cosine, sine;
+};
+
+inline Turn<Interval> turn_of_half_turns(const Interval& a) noexcept {
+  return {cosine_of_half_turns(a), sine_of_half_turns(a)};
+}
+
+template <std::size_t N>
+Turn<Dual<N>> turn_of_half_turns(const Dual<N>& a) noexcept {
+  const Turn<Interval> value = turn_of_half_turns(a.value);
+  Turn<Dual<N>> result{Dual<N>(value.cosine), Dual<N>(value.sine)};
+  for (std::size_t i = 0; i < N; ++i) {
+    const Interval angle_gradient = pi_enclosure() * a.gradient[i];
+    result.cosine.gradient[i] = -(value.sine * angle_gradient);
+    result.sine.gradient[i] = value.cosine * angle_gradient;
+  }
+  return result;
+}
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ASPECTS_HALF_TURNS_H

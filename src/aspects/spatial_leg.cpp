@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/aspects/spatial_leg.h"
+
+namespace parallel_aspects {
+namespace {
+
+Spatial<Interval> enclosed(const Eigen::Vector3d& vector) { return {vector.x(), vector.y(), vector.z()}; }
+
+}  // namespace
+
+SpatialLeg::SpatialLeg(const Leg& leg) : reach_(leg.longest_reach()), base_(enclosed(leg.base_point())) {
+  std::visit([this, &leg](const auto& drive) { set(drive, leg); }, leg.drive);
+}
+
+void SpatialLeg::set(const RevoluteDrive& drive, const Leg& leg) {
+  kind_ = Kind::revolute;
+  axis_ = enclosed(drive.axis);
+  zero_direction_ = enclosed(drive.zero_direction);
+  side_direction_ = cross(axis_, zero_direction_);
+  const Interval crank(drive.radius), rod(leg.rod_length);
+  squared_longest_ = square(crank + rod);
+  squared_shortest_ = square(crank - rod);
+  squared_crank_ = square(crank);
+  half_difference_ = Interval(0.5) * (square(rod) - squared_crank_);
+  angle_limits_ = AngleLimits(leg.limits, 0.0, 1.0);
+}
+
+void SpatialLeg::set(const PrismaticDrive& drive, const Leg& leg) {
+  kind_ = Kind::prismatic;
+  axis_ = enclosed(drive.direction);
+  squared_rod_ = square(Interval(leg.rod_length));
+  length_limits_ = LengthLimits(leg.limits);
+}
+
+void SpatialLeg::set(const StrutDrive& drive, const Leg& leg) {
+  kind_ = Kind::strut;
+  sense_ = drive.sense;
+  length_at_zero_ = drive.length_at_zero;
+  length_limits_ = LengthLimits(leg.limits);
+}
+
+void SpatialLeg::set(const ElbowDrive& drive, const Leg& leg) {
+  kind_ = Kind::elbow;
+  const Interval inner(drive.inner_length), outer(drive.outer_length);
+  squared_longest_ = square(inner + outer);
+  squared_shortest_ = square(inner - outer);
+  half_sum_ = Interval(0.5) * (square(inner) + square(outer));
+  sense_ = drive.sense;
+  angle_limits_ = AngleLimits(leg.limits, drive.angle_at_zero, drive.sense);
+}
+
+Verdict SpatialLeg::within_limits(const Spatial<Interval>& d, const Interval& entry, int sign) const {
+  if (!angle_limits_.limited() && !length_limits_.limited()) return Verdict::holds;
+  const Interval signed_entry = sign > 0 ? entry : -entry;
+  const Interval w = square(d[0]) + square(d[1]) + square(d[2]);
+  switch (kind_) {
+    case Kind::prismatic:
+      return length_limits_.test(dot(axis_, d) - signed_entry);
+    case Kind::strut:
+      return length_limits_.test(Interval(sense_) * (square_root(w) - length_at_zero_));
+    case Kind::elbow:
+      return angle_limits_.test(Interval(0.5) * w - half_sum_, Interval(-sense_) * signed_entry);
+    case Kind::revolute:
+      break;
+  }
+  const Interval d1 = dot(zero_direction_, d), d2 = dot(side_direction_, d);
+  const Interval a = Interval(0.5) * w - half_difference_;
+  return angle_limits_.test(a * d1 + signed_entry * d2, a * d2 - signed_entry * d1);
+}
+
+}  // namespace parallel_aspects
