@@ -18,27 +18,30 @@ constexpr double contraction = 0.05;
 // Corrections below this are rounding.
 constexpr double rounding = 1e-11;
 
-// So close to t = 1 a path is judged by what it has done on the last stretch, over which 1 - t fell by
-// `stretch`.
+// So close to t = 1 a path is over, singular or infinite.
 constexpr double near_end = 1e-10;
-constexpr double stretch = 10.0;
 
-// On a path to infinity |e . e| falls like (1 - t)^k, with k = 1/2 or 1 mostly; on others it has k = 0 in the
-// end.
+// What a path did since it came so close to t = 1 tells where it goes.
+constexpr double close_to_end = 1e-2;
+
+// On a path to infinity the nearness falls like (1 - t)^k, with k = 1/2 or 1 mostly; on others it has k = 0
+// in the end.
 constexpr double least_fall = 0.1;
 
-// At the end of a regular path |e . e| below this is 0.
+// At infinity there are solutions for any parameters, a continuum of them. Paths that are on it before they
+// are close to the end have jumped; the end of others may lie on it, so that they get too ill-conditioned to
+// arrive. The same befalls paths to solutions that are so close to infinity that they are real under no
+// circumstances.
 constexpr double at_infinity = 1e-9;
-
-// Paths to infinity mostly end on a continuum of solutions there, and get too ill-conditioned to go on before
-// that. Those that stop so close to t = 1, falling, with |e . e| below this, are taken to go on.
-constexpr double close_to_end = 1e-2;
 constexpr double close_to_infinity = 1e-5;
 
 constexpr double smallest_relative_step = 1e-6;
 
-double size_of_e(const Solution& z) {
-  return std::abs(z[0] * z[0] + z[1] * z[1] + z[2] * z[2] + z[3] * z[3]);
+// |e . e| / |e|^2: 1 for a real pose, 0 at infinity.
+double nearness(const Solution& z) {
+  double squared_norm = 0.0;
+  for (std::size_t i = 0; i < 4; ++i) squared_norm += std::norm(z[i]);
+  return std::abs(z[0] * z[0] + z[1] * z[1] + z[2] * z[2] + z[3] * z[3]) / squared_norm;
 }
 
 // The bookkeeping of one lane: which path it follows, and how it fares.
@@ -46,9 +49,7 @@ struct Traveller {
   std::size_t path = 0;
   bool active = false;
   int steps = 0;
-  // Where the last two stretches began, and |e . e| there.
-  std::array<double, 2> left{1.0, 1.0};
-  std::array<double, 2> size{1.0, 1.0};
+  double nearness_before_end = 1.0;  // where the path was last not close to the end
 };
 
 class Follower {
@@ -72,7 +73,7 @@ class Follower {
   // Idle lanes go on standing at the start of the first path.
   void take_next(int lane) {
     Traveller& each = traveller(lane);
-    each = Traveller{next_path_, next_path_ < starts_.size(), 0, {1.0, 1.0}, {1.0, 1.0}};
+    each = Traveller{next_path_, next_path_ < starts_.size()};
     const Solution& start = starts_[each.active ? next_path_++ : 0];
     for (std::size_t i = 0; i < start.size(); ++i) {
       now_.solution[i].re[lane] = start[i].real();
@@ -105,31 +106,27 @@ class Follower {
       now_.solution[i].im[lane] = next_.solution[i].im[lane];
     }
     now_.t[lane] += now_.step[lane];
-    const double left = 1.0 - now_.t[lane], size = size_of_e(solution(lane));
+    const double left = 1.0 - now_.t[lane], near = nearness(solution(lane));
     Traveller& each = traveller(lane);
-    if (left <= 0.0) return finish(lane, ending_of_arrival(each, size));
-    if (left < near_end)
-      return finish(lane, to_infinity(each, left, size) ? Ending::infinite : Ending::singular);
-    if (left * stretch > each.left[1]) return;
-    each.left = {each.left[1], left};
-    each.size = {each.size[1], size};
-  }
-
-  // Where e . e = 0 there are solutions at any t; a path that was there before has gone astray.
-  static Ending ending_of_arrival(const Traveller& each, double size) {
-    if (size > at_infinity) return Ending::regular;
-    return each.size[1] > at_infinity ? Ending::infinite : Ending::lost;
-  }
-
-  static bool to_infinity(const Traveller& each, double left, double size) {
-    return std::log(each.size[0] / size) > least_fall * std::log(each.left[0] / left);
+    if (left > close_to_end)
+      each.nearness_before_end = near;
+    else if (left <= 0.0)
+      finish(lane, near > close_to_infinity ? Ending::regular : out_there(each));
+    else if (left < near_end)
+      finish(lane, falls(each, left, near) ? Ending::infinite : Ending::singular);
   }
 
   void give_up(int lane) {
-    const double left = 1.0 - now_.t[lane], size = size_of_e(solution(lane));
-    const bool infinite =
-        left < close_to_end && size < close_to_infinity && to_infinity(traveller(lane), left, size);
-    finish(lane, infinite ? Ending::infinite : Ending::lost);
+    const double left = 1.0 - now_.t[lane], near = nearness(solution(lane));
+    finish(lane, left < close_to_end && near < close_to_infinity ? out_there(traveller(lane)) : Ending::lost);
+  }
+
+  static Ending out_there(const Traveller& each) {
+    return each.nearness_before_end > at_infinity ? Ending::infinite : Ending::lost;
+  }
+
+  static bool falls(const Traveller& each, double left, double near) {
+    return std::log(each.nearness_before_end / near) > least_fall * std::log(close_to_end / left);
   }
 
   // The error of the prediction is of order 5 in the step.

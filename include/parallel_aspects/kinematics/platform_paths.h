@@ -46,7 +46,7 @@ struct Accuracy {
 enum class Ending {
   regular,   ///< at a solution of the target, to the last few digits
   singular,  ///< closing in on a multiple solution or a continuum; known to a few digits
-  infinite,  ///< where e . e = 0, which is no pose
+  infinite,  ///< where e . e = 0 or next to it, which is no real pose
   lost,      ///< not known
 };
 
