@@ -4,6 +4,8 @@
 #include "parallel_aspects/model/problems.h"
 #include "parallel_aspects/tools/subcommands.h"
 
+#include <CLI/CLI.hpp>
+
 #include <exception>
 #include <string>
 #include <vector>
@@ -50,9 +52,7 @@ class CommandLine {
     app_.footer(footer);
     app_.require_subcommand(0, 1);
     app_.add_flag("--version", version_, "Print the version and exit");
-    subcommands_ = {add_map(app_), add_describe(app_), add_inverse(app_), add_direct(app_), add_robots(app_)};
-    for (const Subcommand& subcommand : subcommands_)
-      subcommand.app->add_flag("--json", json_, "Print JSON, as documented in docs/command.md");
+    for (const Subcommand& subcommand : subcommands_) add(subcommand);
   }
 
   int run(int argc, const char* const* argv, const Surroundings& surroundings) {
@@ -64,16 +64,26 @@ class CommandLine {
     }
     if (version_) return print("aspects " PARALLEL_ASPECTS_VERSION "\n", surroundings);
     for (const Subcommand& subcommand : subcommands_)
-      if (subcommand.app->parsed()) return perform(subcommand, json_, surroundings);
+      if (app_.got_subcommand(subcommand.name)) return perform(subcommand, json_, surroundings);
     surroundings.messages << app_.help();
     return exit_code::bad_usage;
   }
 
  private:
+  void add(const Subcommand& subcommand) {
+    CLI::App* app = app_.add_subcommand(subcommand.name, subcommand.help);
+    for (const Option& option : subcommand.options)
+      app->add_option(option.name, *option.value, option.help)
+          ->type_name(option.placeholder)
+          ->required(option.required);
+    app->add_flag("--json", json_, "Print JSON, as documented in docs/command.md");
+  }
+
   CLI::App app_;
   bool version_ = false;
   bool json_ = false;
-  std::vector<Subcommand> subcommands_;
+  const std::vector<Subcommand> subcommands_{map_subcommand(), describe_subcommand(), inverse_subcommand(),
+                                             direct_subcommand(), robots_subcommand()};
 };
 
 }  // namespace
@@ -87,13 +97,10 @@ int run_command(int argc, const char* const* argv, const Surroundings& surroundi
   }
 }
 
-void add_robot_options(CLI::App& subcommand, RobotChoice& choice) {
-  subcommand.add_option("ROBOT", choice.name, "Name of a shipped robot; `aspects robots` lists them")
-      ->type_name("");
-  subcommand.add_option("--urdf", choice.urdf_file, "URDF of another robot, together with --config")
-      ->type_name("FILE");
-  subcommand.add_option("--config", choice.config_file, "YAML with its loop closures and drives")
-      ->type_name("FILE");
+std::vector<Option> robot_options(RobotChoice& choice) {
+  return {{"ROBOT", "", "Name of a shipped robot; `aspects robots` lists them", &choice.name},
+          {"--urdf", "FILE", "URDF of another robot, together with --config", &choice.urdf_file},
+          {"--config", "FILE", "YAML with its loop closures and drives", &choice.config_file}};
 }
 
 }  // namespace parallel_aspects::tools

@@ -141,11 +141,10 @@ Report report_mechanism(const Mechanism& mechanism) {
   return {json_mechanism(mechanism), mechanism_text(mechanism)};
 }
 
-Subcommand add_describe(CLI::App& aspects) {
-  CLI::App* app = aspects.add_subcommand("describe", "Show what is recognised in the description of a robot");
+Subcommand describe_subcommand() {
   const auto choice = std::make_shared<RobotChoice>();
-  add_robot_options(*app, *choice);
-  return {app, [choice](const Surroundings&) { return report_mechanism(*load_robot(*choice)); }};
+  return {"describe", "Show what is recognised in the description of a robot", robot_options(*choice),
+          [choice](const Surroundings&) { return report_mechanism(*load_robot(*choice)); }};
 }
 
 }  // namespace parallel_aspects::tools

@@ -95,15 +95,14 @@ Report report_direct(const Mechanism& mechanism, const JointVector& q, const Dir
   return {json_direct(manipulator, q, result), direct_text(manipulator, q, result)};
 }
 
-Subcommand add_direct(CLI::App& aspects) {
-  CLI::App* app = aspects.add_subcommand("fk", "Direct kinematics: the pose of every assembly mode");
+Subcommand direct_subcommand() {
   const auto choice = std::make_shared<RobotChoice>();
   const auto text = std::make_shared<std::string>();
-  add_robot_options(*app, *choice);
-  app->add_option("--joints", *text, "Drive values, quoted, in the order of the legs: \"q1 q2\" [rad or m]")
-      ->type_name("\"q1 q2\"")
-      ->required();
-  return {app, [choice, text](const Surroundings&) {
+  std::vector<Option> options = robot_options(*choice);
+  options.push_back({"--joints", "\"q1 q2\"", "Drive values, quoted, in the order of the legs [rad or m]",
+                     text.get(), true});
+  return {"fk", "Direct kinematics: the pose of every assembly mode", options,
+          [choice, text](const Surroundings&) {
             const auto mechanism = load_robot(*choice);
             const Manipulator& manipulator = *mechanism->manipulator();
             const JointVector q = parse_joints(manipulator, *text);

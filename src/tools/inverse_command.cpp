@@ -100,15 +100,13 @@ Report report_inverse(const Mechanism& mechanism, const Pose& pose,
   return {json_inverse(mechanism, pose, solutions), inverse_text(*mechanism.manipulator(), pose, solutions)};
 }
 
-Subcommand add_inverse(CLI::App& aspects) {
-  CLI::App* app = aspects.add_subcommand("ik", "Inverse kinematics: the drive values of every working mode");
+Subcommand inverse_subcommand() {
   const auto choice = std::make_shared<RobotChoice>();
   const auto text = std::make_shared<std::string>();
-  add_robot_options(*app, *choice);
-  app->add_option("--pose", *text, "Pose of the platform, quoted: \"x y\" [m]")
-      ->type_name("\"x y\"")
-      ->required();
-  return {app, [choice, text](const Surroundings&) {
+  std::vector<Option> options = robot_options(*choice);
+  options.push_back({"--pose", "\"x y\"", "Pose of the platform, quoted; lengths [m]", text.get(), true});
+  return {"ik", "Inverse kinematics: the drive values of every working mode", options,
+          [choice, text](const Surroundings&) {
             const auto mechanism = load_robot(*choice);
             const Manipulator& manipulator = *mechanism->manipulator();
             const Pose pose = parse_pose(manipulator.task_space(), *text);

@@ -128,21 +128,21 @@ std::shared_ptr<const AspectMap> compute(std::shared_ptr<const Manipulator> mani
 
 Report report_map(const AspectMap& map) { return {json_map(map), map_text(map)}; }
 
-Subcommand add_map(CLI::App& aspects) {
-  CLI::App* app = aspects.add_subcommand("map", "Compute the certified map of aspects");
+Subcommand map_subcommand() {
   const auto arguments = std::make_shared<MapArguments>();
-  add_robot_options(*app, arguments->robot);
-  app->add_option("--resolution", arguments->resolution,
-                  "Longest edge of a leaf of the map [m]; by default 1/200 of the robot's size")
-      ->type_name("R");
-  app->add_option("--threads", arguments->threads,
-                  "Threads to compute with; by default one a core. The result does not depend on it")
-      ->type_name("N");
-  return {app, [arguments](const Surroundings& surroundings) {
+  std::vector<Option> options = robot_options(arguments->robot);
+  options.push_back({"--resolution", "R",
+                     "Longest edge of a leaf of the map [m]; by default 1/200 of the robot's size",
+                     &arguments->resolution});
+  options.push_back({"--threads", "N",
+                     "Threads to compute with; by default one a core. The result does not depend on it",
+                     &arguments->threads});
+  return {"map", "Compute the certified map of aspects", options,
+          [arguments](const Surroundings& surroundings) {
             Problems problems;
-            const MapOptions options = parse_options(*arguments, problems);
+            const MapOptions map_options = parse_options(*arguments, problems);
             const auto mechanism = load_robot(arguments->robot, std::move(problems));
-            return report_map(*compute(mechanism->manipulator(), options, surroundings));
+            return report_map(*compute(mechanism->manipulator(), map_options, surroundings));
           }};
 }
 

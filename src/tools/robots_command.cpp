@@ -10,9 +10,10 @@ Report report_robots(const std::vector<std::string>& names) {
   return report;
 }
 
-Subcommand add_robots(CLI::App& aspects) {
-  CLI::App* app = aspects.add_subcommand("robots", "List the shipped robots");
-  return {app, [](const Surroundings&) { return report_robots(shipped_robots(share_folder())); }};
+Subcommand robots_subcommand() {
+  return {"robots", "List the shipped robots", {}, [](const Surroundings&) {
+            return report_robots(shipped_robots(share_folder()));
+          }};
 }
 
 }  // namespace parallel_aspects::tools

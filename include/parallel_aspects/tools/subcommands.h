@@ -6,30 +6,40 @@
 #include "parallel_aspects/tools/report.h"
 #include "parallel_aspects/tools/shipped_robots.h"
 
-#include <CLI/CLI.hpp>
-
 #include <functional>
+#include <string>
+#include <vector>
 
 namespace parallel_aspects::tools {
 
 /// Thrown where a computation ended because of Ctrl-C; caught by `run_command`.
 struct Interrupted {};
 
-/// A subcommand: its options, and what it does once they are parsed.
+/// `--name VALUE`, or a positional argument where the name has no dashes.
+struct Option {
+  std::string name;
+  std::string placeholder;  ///< stands for the value in the help
+  std::string help;
+  std::string* value;  ///< where the text goes; untouched where the option is not given
+  bool required = false;
+};
+
+/// A subcommand: its options, and what it does once they are filled.
 struct Subcommand {
-  CLI::App* app = nullptr;
+  std::string name;
+  std::string help;
+  std::vector<Option> options;
   std::function<Report(const Surroundings&)> run;  ///< throws `InvalidDescription` or `Interrupted`
 };
 
-/// Each adds one subcommand to `aspects`.
-Subcommand add_map(CLI::App& aspects);
-Subcommand add_describe(CLI::App& aspects);
-Subcommand add_inverse(CLI::App& aspects);
-Subcommand add_direct(CLI::App& aspects);
-Subcommand add_robots(CLI::App& aspects);
+Subcommand map_subcommand();
+Subcommand describe_subcommand();
+Subcommand inverse_subcommand();
+Subcommand direct_subcommand();
+Subcommand robots_subcommand();
 
-/// Adds `ROBOT`, `--urdf FILE` and `--config FILE`, which fill `choice`.
-void add_robot_options(CLI::App& subcommand, RobotChoice& choice);
+/// `ROBOT`, `--urdf FILE` and `--config FILE`, which fill `choice`.
+std::vector<Option> robot_options(RobotChoice& choice);
 
 }  // namespace parallel_aspects::tools
 
