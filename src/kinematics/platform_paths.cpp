@@ -18,6 +18,9 @@ constexpr double contraction = 0.05;
 // Corrections below this are rounding.
 constexpr double rounding = 1e-11;
 
+// The second correction at t = 1, after which the error is about its square.
+constexpr double arrival = 1e-8;
+
 // So close to t = 1 a path is over, singular or infinite.
 constexpr double near_end = 1e-10;
 
@@ -95,9 +98,12 @@ class Follower {
     ++each.steps;
     const double first = std::sqrt(next_.first_correction[lane]),
                  second = std::sqrt(next_.second_correction[lane]);
-    const bool converges = second <= std::max(rounding, contraction * first);
-    if (first <= accuracy_.prediction && converges) accept(lane);
-    if (each.active) plan(lane, std::isfinite(first) ? first : 1.0, converges);
+    const bool arrives = now_.t[lane] + now_.step[lane] >= 1.0;
+    const bool converges = second <= (arrives ? arrival : std::max(rounding, contraction * first));
+    const bool good = first <= accuracy_.prediction && converges;
+    if (good) accept(lane);
+    if (good && over(lane)) return;
+    plan(lane, std::isfinite(first) ? first : 1.0, converges);
   }
 
   void accept(int lane) {
@@ -106,14 +112,19 @@ class Follower {
       now_.solution[i].im[lane] = next_.solution[i].im[lane];
     }
     now_.t[lane] += now_.step[lane];
+  }
+
+  // Ends the path if it is at its end or next to it.
+  bool over(int lane) {
     const double left = 1.0 - now_.t[lane], near = nearness(solution(lane));
     Traveller& each = traveller(lane);
-    if (left > close_to_end)
-      each.nearness_before_end = near;
-    else if (left <= 0.0)
+    if (left > close_to_end) each.nearness_before_end = near;
+    if (left >= near_end) return false;
+    if (left <= 0.0)
       finish(lane, near > close_to_infinity ? Ending::regular : out_there(each));
-    else if (left < near_end)
+    else
       finish(lane, falls(each, left, near) ? Ending::infinite : Ending::singular);
+    return true;
   }
 
   void give_up(int lane) {

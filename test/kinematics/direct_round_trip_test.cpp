@@ -59,6 +59,7 @@ INSTANTIATE_TEST_SUITE_P(SE3, RoundTrip,
                          testing::Values(Case{test::dietmaier(), {0.0, 0.0, 0.0}, 1.0, 40, 300},
                                          Case{test::planar_stewart(), {0.0, 0.0, 0.6}, 0.3, 40, 300},
                                          Case{test::stewart(), {0.0, 0.0, 0.6}, 0.3, 28, 300},
+                                         Case{test::octahedral_stewart(), {0.0, 0.0, 0.6}, 0.3, 16, 300},
                                          Case{test::hexa(), {0.0, 0.0, -0.5}, 0.3, 40, 300},
                                          Case{test::six_pus(), {0.0, 0.0, 0.6}, 0.2, 40, 300}),
                          robot_name);
