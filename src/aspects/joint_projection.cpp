@@ -22,15 +22,22 @@ std::array<Vector2d, 4> corners_of(const Box& box) {
           Vector2d(box.upper[0], box.upper[1]), Vector2d(box.lower[0], box.upper[1])};
 }
 
-std::array<Box, 4> quarters(const Box& box) {
-  std::array<Box, 4> parts{box, box, box, box};
-  for (std::size_t k = 0; k < 4; ++k)
-    for (std::size_t i = 0; i < 2; ++i)
-      ((k >> i & 1U) != 0 ? parts[k].lower : parts[k].upper)[i] = box.center(i);
+using Polygon = std::vector<Vector2d>;
+
+// Four polygons at the corners of a quadrilateral or of a triangle; a fan of triangles for more corners.
+std::vector<Polygon> parts_of(const Polygon& p) {
+  const std::size_t n = p.size();
+  std::vector<Polygon> parts;
+  if (n > 4) {
+    for (std::size_t i = 2; i < n; ++i) parts.push_back({p[0], p[i - 1], p[i]});
+    return parts;
+  }
+  Vector2d center = Vector2d::Zero();
+  for (const Vector2d& corner : p) center += corner / static_cast<double>(n);
+  for (std::size_t i = 0; i < n; ++i)
+    parts.push_back({p[i], 0.5 * (p[i] + p[(i + 1) % n]), center, 0.5 * (p[i] + p[(i + n - 1) % n])});
   return parts;
 }
-
-using Polygon = std::vector<Vector2d>;
 
 // What is left of a convex polygon on one side of a line parallel to an axis (Sutherland and Hodgman).
 Polygon clipped(const Polygon& polygon, int axis, double bound, double side) {
@@ -44,9 +51,13 @@ Polygon clipped(const Polygon& polygon, int axis, double bound, double side) {
   return kept;
 }
 
+// Triangles of a convex polygon, turned counter-clockwise.
 void add_fan(const Polygon& polygon, TriangleCorners& corners) {
-  for (std::size_t i = 2; i < polygon.size(); ++i)
-    corners.insert(corners.end(), {polygon[0], polygon[i - 1], polygon[i]});
+  for (std::size_t i = 2; i < polygon.size(); ++i) {
+    const Vector2d first = polygon[i - 1] - polygon[0], second = polygon[i] - polygon[0];
+    const bool turned = first.x() * second.y() - first.y() * second.x() < 0.0;
+    corners.insert(corners.end(), {polygon[0], polygon[turned ? i : i - 1], polygon[turned ? i - 1 : i]});
+  }
 }
 
 // Adds every copy of the polygon, a turn apart, that meets the window.
@@ -116,24 +127,29 @@ void JointProjection::find_window() {
   }
 }
 
-TriangleCorners JointProjection::triangles(int aspect) const {
+TriangleCorners JointProjection::triangles(int aspect, const std::vector<BoundarySliver>& slivers) const {
   const WorkingMode mode = map_->aspects()[static_cast<std::size_t>(aspect - 1)].mode;
   TriangleCorners corners;
-  map_->visit_inside_leaves(aspect, [&](const Box& box) { add_image(box, mode, most_splits, corners); });
+  map_->visit_inside_leaves(aspect, [&](const Box& box) {
+    const auto polygon = corners_of(box);
+    add_image({polygon.begin(), polygon.end()}, mode, most_splits, corners);
+  });
+  for (const BoundarySliver& sliver : slivers)
+    if (sliver.aspect == aspect) add_image(sliver.corners, mode, 1, corners);
   return corners;
 }
 
-void JointProjection::add_image(const Box& box, const WorkingMode& mode, int splits_left,
-                                TriangleCorners& corners) const {
+void JointProjection::add_image(const std::vector<Vector2d>& polygon, const WorkingMode& mode,
+                                int splits_left, TriangleCorners& corners) const {
   Polygon image;
   double longest = 0.0;
-  for (const Vector2d& corner : corners_of(box)) {
+  for (const Vector2d& corner : polygon) {
     const Vector2d q = drives(corner, mode);
     image.push_back(image.empty() ? q : near(image.front(), q));
     longest = std::max(longest, (image.back() - image.front()).cwiseAbs().maxCoeff());
   }
   if (longest > longest_edge && splits_left > 0) {
-    for (const Box& part : quarters(box)) add_image(part, mode, splits_left - 1, corners);
+    for (const Polygon& part : parts_of(polygon)) add_image(part, mode, splits_left - 1, corners);
     return;
   }
   // An image that still spans a large part of a turn cannot be unwrapped safely; it is smaller than can be

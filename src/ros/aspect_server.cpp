@@ -44,6 +44,8 @@ AspectServer::AspectServer(const ros::NodeHandle& nh, const ros::NodeHandle& pri
   for (const std::string& note : setup_.mechanism->notes()) ROS_INFO_STREAM(note);
   advertise();
   subscribe();
+  state_.publish(
+      unknown_state(*setup_.mechanism->manipulator(), monitor_.current(ros::Time::now()).status, {}));
   tracking_spinner_.start();
   service_spinner_.start();
   worker_.compute(setup_.options.map);

@@ -47,13 +47,16 @@ Points ends_of(const std::vector<BoundarySegment>& segments, const Place& place,
   return ends;
 }
 
-Points workspace_triangles(const AspectMap& map, int aspect) {
+Points workspace_triangles(const AspectMap& map, int aspect, const std::vector<BoundarySliver>& slivers) {
   Points corners;
   map.visit_inside_leaves(aspect, [&](const Box& box) {
     const Vector2d a(box.lower[0], box.lower[1]), b(box.upper[0], box.lower[1]);
     const Vector2d c(box.upper[0], box.upper[1]), d(box.lower[0], box.upper[1]);
     corners.insert(corners.end(), {a, b, c, a, c, d});
   });
+  for (const BoundarySliver& sliver : slivers)
+    for (std::size_t i = 2; sliver.aspect == aspect && i < sliver.corners.size(); ++i)
+      corners.insert(corners.end(), {sliver.corners[0], sliver.corners[i - 1], sliver.corners[i]});
   return corners;
 }
 
@@ -76,7 +79,7 @@ std::string legend_text(const Aspect& aspect, TaskSpace space) {
 
 std::string range_text(const JointWindow& window, const Manipulator& manipulator, std::size_t leg) {
   const auto axis = static_cast<Eigen::Index>(leg);
-  const std::string& joint = manipulator.leg(leg).driven_joint;
+  const std::string joint = (leg == 0 ? "across " : "up ") + manipulator.leg(leg).driven_joint;
   if (window.turns[leg]) return joint + ": -pi to pi";
   char range[48];
   std::snprintf(range, sizeof range, ": %.3g to %.3g", window.lower[axis], window.upper[axis]);
@@ -96,7 +99,7 @@ void draw_curves(const std::vector<BoundarySegment>& segments, const Place& plac
            std::count(segment.aspects.begin(), segment.aspects.end(), style.outlined) > 0;
   };
   batch.lines(plane, group + "/outline", ends_of(segments, place, borders_outlined),
-              height_of(outline_layer, style.text_height), 3.0 * style.width, ink());
+              height_of(outline_layer, style.text_height), 2.2 * style.width, ink());
   for (const BoundaryKind kind : {BoundaryKind::limit, BoundaryKind::serial, BoundaryKind::parallel})
     batch.lines(plane, group + "/boundary",
                 ends_of(segments, place, [&](const auto& s) { return s.kind == kind; }),
@@ -123,13 +126,19 @@ MapPicture::MapPicture(std::shared_ptr<const AspectMap> map, MarkerFrames frames
   at_robot_ = {frames_.base, map_->manipulator()->task_frame() * behind};
   workspaces_ = {frames_.aspects, Eigen::Isometry3d::Identity()};
   joint_spaces_ = {frames_.joint_space, Eigen::Isometry3d::Identity()};
-  for (const WorkingMode& mode : map_->working_modes()) {
-    const auto boundary = boundary_segments(*map_, mode);
-    modes_.push_back({mode, boundary, projection_.images(boundary, mode)});
-  }
+  workspace_triangles_.resize(map_->aspects().size());
+  joint_triangles_.resize(map_->aspects().size());
+  for (const WorkingMode& mode : map_->working_modes()) add_mode(mode);
+}
+
+void MapPicture::add_mode(const WorkingMode& mode) {
+  const BoundaryPicture boundary = trace_boundary(*map_, mode);
+  modes_.push_back({mode, boundary.segments, projection_.images(boundary.segments, mode)});
   for (const Aspect& aspect : map_->aspects()) {
-    workspace_triangles_.push_back(workspace_triangles(*map_, aspect.id));
-    joint_triangles_.push_back(projection_.triangles(aspect.id));
+    if (aspect.mode != mode) continue;
+    const auto index = static_cast<std::size_t>(aspect.id - 1);
+    workspace_triangles_[index] = workspace_triangles(*map_, aspect.id, boundary.slivers);
+    joint_triangles_[index] = projection_.triangles(aspect.id, boundary.slivers);
   }
 }
 
@@ -240,28 +249,29 @@ void MapPicture::draw_titles(std::size_t column, MarkerBatch& batch) const {
   batch.text(workspaces_, "workspace/titles", top, layer, text,
              "working mode " + to_string(modes_[column].mode), ink());
 
+  const TaskSpace space = map_->manipulator()->task_space();
   Vector2d line =
       layout_.workspace_tile_center(column) - (0.5 * layout_.workspace_tile_size().y() + 0.9 * text) * up;
   for (const Aspect& aspect : map_->aspects()) {
     if (aspect.mode != modes_[column].mode) continue;
-    batch.text(workspaces_, "workspace/sizes", line, layer, 0.6 * text,
-               legend_text(aspect, map_->manipulator()->task_space()), ink());
+    batch.text(workspaces_, "workspace/sizes", line, layer, 0.7 * text, legend_text(aspect, space), ink());
     line -= 0.8 * text * up;
   }
-  const Vector2d below =
+  Vector2d below =
       layout_.joint_tile_center(column) - (0.5 * layout_.joint_tile_size().y() + 0.7 * text) * up;
-  const Manipulator& robot = *map_->manipulator();
-  batch.text(joint_spaces_, "joint_space/axes", below, layer, 0.55 * text,
-             range_text(projection_.window(), robot, 0) + ",  " + range_text(projection_.window(), robot, 1),
-             ink());
+  for (std::size_t leg = 0; leg < 2; ++leg) {
+    batch.text(joint_spaces_, "joint_space/axes", below, layer, 0.65 * text,
+               range_text(projection_.window(), *map_->manipulator(), leg), ink());
+    below -= 0.8 * text * up;
+  }
 }
 
 void MapPicture::draw_legend(MarkerBatch& batch) const {
   const double text = layout_.text_height();
-  const Vector2d below(0.0, -0.5 * layout_.joint_tile_size().y() - 2.2 * text);
+  const Vector2d below(0.0, -0.5 * layout_.joint_tile_size().y() - 3.2 * text);
   const Vector2d step = layout_.joint_tile_center(1) - layout_.joint_tile_center(0);
   const std::pair<BoundaryKind, const char*> entries[] = {
-      {BoundaryKind::serial, "serial singularity, B_jj = 0"},
+      {BoundaryKind::serial, "serial singularity, Bjj = 0"},
       {BoundaryKind::parallel, "parallel singularity, det A = 0"},
       {BoundaryKind::limit, "joint limit"}};
   Vector2d at = below;
@@ -271,7 +281,7 @@ void MapPicture::draw_legend(MarkerBatch& batch) const {
                          [kind](const BoundarySegment& segment) { return segment.kind == kind; });
     };
     if (std::none_of(modes_.begin(), modes_.end(), has_kind)) continue;
-    batch.text(joint_spaces_, "joint_space/legend", at, height_of(text_layer, text), 0.65 * text, words,
+    batch.text(joint_spaces_, "joint_space/legend", at, height_of(text_layer, text), 0.8 * text, words,
                color_of(kind));
     at += 1.5 * step;
   }

@@ -28,8 +28,20 @@ struct BoundarySegment {
   std::array<int, 2> aspects{};  ///< ids on its left and right side; 0 for none, or too close to tell
 };
 
-/// The boundary pieces of one working mode, in no order. Empty for maps that are not two-dimensional.
-std::vector<BoundarySegment> boundary_segments(const AspectMap& map, const WorkingMode& mode);
+/// The part of an undecided leaf that belongs to one aspect, for drawing: its curved sides are straightened,
+/// while a point in it was located in the aspect by proof.
+struct BoundarySliver {
+  int aspect = 0;                        ///< id
+  std::vector<Eigen::Vector2d> corners;  ///< convex, counter-clockwise [m]
+};
+
+struct BoundaryPicture {
+  std::vector<BoundarySegment> segments;
+  std::vector<BoundarySliver> slivers;
+};
+
+/// The boundary of one working mode, in no order. Empty for maps of other task spaces than T2.
+BoundaryPicture trace_boundary(const AspectMap& map, const WorkingMode& mode);
 
 }  // namespace parallel_aspects
 

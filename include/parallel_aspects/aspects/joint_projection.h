@@ -23,7 +23,7 @@ struct JointWindow {
   Eigen::Vector2d wrapped(const Eigen::Vector2d& q) const noexcept;
 };
 
-/// Corners of triangles, three each.
+/// Corners of triangles, three each, counter-clockwise.
 using TriangleCorners = std::vector<Eigen::Vector2d>;
 
 /// Pictures of a two-dimensional map in joint space. Not certified: images of boxes are drawn as
@@ -35,8 +35,9 @@ class JointProjection {
 
   const JointWindow& window() const noexcept { return window_; }
 
-  /// QA_ij, the joint projection of an aspect: its inside leaves under q_s, cut at the edges of the window.
-  TriangleCorners triangles(int aspect) const;
+  /// QA_ij, the joint projection of an aspect: its inside leaves and its slivers among `slivers` under q_s,
+  /// cut at the edges of the window.
+  TriangleCorners triangles(int aspect, const std::vector<BoundarySliver>& slivers) const;
 
   /// Images of boundary pieces of one working mode; the few that meet an edge of the window are left out.
   std::vector<BoundarySegment> images(const std::vector<BoundarySegment>& segments,
@@ -45,7 +46,8 @@ class JointProjection {
  private:
   Eigen::Vector2d drives(const Eigen::Vector2d& point, const WorkingMode& mode) const;
   Eigen::Vector2d near(const Eigen::Vector2d& reference, Eigen::Vector2d q) const;
-  void add_image(const Box& box, const WorkingMode& mode, int splits_left, TriangleCorners& corners) const;
+  void add_image(const std::vector<Eigen::Vector2d>& polygon, const WorkingMode& mode, int splits_left,
+                 TriangleCorners& corners) const;
   void find_window();
 
   std::shared_ptr<const AspectMap> map_;

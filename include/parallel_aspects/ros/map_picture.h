@@ -55,10 +55,11 @@ class MapPicture {
  private:
   struct ModePicture {
     WorkingMode mode;
-    std::vector<BoundarySegment> boundary, joint_boundary;
+    std::vector<BoundarySegment> boundary, joint_boundary;  // in the workspace and in joint space
   };
 
   std::optional<std::size_t> column_of(const WorkingMode& mode) const;
+  void add_mode(const WorkingMode& mode);
   void draw_at_robot(const DrawnConfiguration& now, MarkerBatch& batch) const;
   void draw_workspace_tile(std::size_t column, int highlighted, MarkerBatch& batch) const;
   void draw_joint_tile(std::size_t column, int highlighted, MarkerBatch& batch) const;
