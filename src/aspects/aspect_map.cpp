@@ -43,7 +43,7 @@ AspectMap::~AspectMap() = default;
 const std::shared_ptr<const Manipulator>& AspectMap::manipulator() const noexcept {
   return contents_->manipulator;
 }
-const Box& AspectMap::region() const noexcept { return contents_->tree.region(); }
+Box AspectMap::region() const noexcept { return contents_->tree.space().shown(contents_->tree.region()); }
 double AspectMap::resolution() const noexcept { return contents_->resolution; }
 const std::vector<WorkingMode>& AspectMap::working_modes() const noexcept {
   return contents_->existing_modes;
@@ -71,7 +71,8 @@ Location AspectMap::locate(const Pose& pose, const WorkingMode& mode) const noex
 void AspectMap::visit_inside_leaves(int aspect, const std::function<void(const Box&)>& visit) const {
   const auto mode = mode_index(*contents_, contents_->aspects[static_cast<std::size_t>(aspect - 1)].mode);
   for (NodeIndex node = 0; node < contents_->tree.node_count(); ++node)
-    if (contents_->leaf_aspect(node, *mode) == aspect) visit(contents_->tree.box(node));
+    if (contents_->leaf_aspect(node, *mode) == aspect)
+      visit(contents_->tree.space().shown(contents_->tree.box(node)));
 }
 
 void AspectMap::visit_undecided_leaves(const WorkingMode& mode,
@@ -79,7 +80,8 @@ void AspectMap::visit_undecided_leaves(const WorkingMode& mode,
   const auto m = mode_index(*contents_, mode);
   if (!m) return;
   for (NodeIndex node = 0; node < contents_->tree.node_count(); ++node)
-    if (contents_->tree.state(node, *m).is_undecided()) visit(contents_->tree.box(node));
+    if (contents_->tree.state(node, *m).is_undecided())
+      visit(contents_->tree.space().shown(contents_->tree.box(node)));
 }
 
 }  // namespace parallel_aspects

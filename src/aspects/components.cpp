@@ -46,6 +46,7 @@ class Refinement {
 };
 
 void extend(Box& bounds, const Box& box) {
+  if (bounds.dimension == 0) bounds = box;
   for (std::size_t i = 0; i < box.dimension; ++i) {
     bounds.lower[i] = std::min(bounds.lower[i], box.lower[i]);
     bounds.upper[i] = std::max(bounds.upper[i], box.upper[i]);
@@ -73,20 +74,20 @@ class Summary {
     for (std::uint32_t i = 0; i < leaves.size(); ++i) {
       const std::uint32_t root = graph_.component(i);
       const Box box = tree_.box(leaves[i]);
-      if (index_[root] == LeafGraph::none) start_component(root, leaves[i], box);
+      if (index_[root] == LeafGraph::none) start_component(root, leaves[i]);
       Component& component = result_.components[index_[root]];
       component.leaves.push_back(leaves[i]);
       component.measure_inside += tree_.space().measure(box);
-      extend(component.bounds, box);
+      extend(component.bounds[tree_.place(leaves[i]).root], box);
     }
     for (Component& component : result_.components) component.measure_estimated = component.measure_inside;
   }
 
-  void start_component(std::uint32_t root, NodeIndex leaf, const Box& box) {
+  void start_component(std::uint32_t root, NodeIndex leaf) {
     index_[root] = static_cast<std::uint32_t>(result_.components.size());
     Component component;
     component.determinant_sign = tree_.state(leaf, mode_).is_inside(1) ? 1 : -1;
-    component.bounds = box;
+    component.bounds.resize(tree_.root_count());
     result_.components.push_back(component);
   }
 

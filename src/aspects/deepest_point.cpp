@@ -86,7 +86,9 @@ class Search {
       : map_(map), aspect_(aspect), mode_(mode), weights_(map.tree.space().weights()) {}
 
   ClearPoint run() {
-    for (RootIndex root = 0; root < map_.tree.root_count(); ++root) push(root, map_.tree.region());
+    const auto& bounds = map_.aspect_bounds[static_cast<std::size_t>(aspect_.id - 1)];
+    for (RootIndex root = 0; root < bounds.size(); ++root)
+      if (bounds[root].dimension != 0) push(root, bounds[root]);
     while (!queue_.empty() && worth(queue_.top())) {
       const Cell top = queue_.top();
       queue_.pop();

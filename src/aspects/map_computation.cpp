@@ -89,7 +89,6 @@ Aspect make_aspect(const WorkingMode& mode, const Component& component) {
   aspect.measure_lower = component.measure_inside;
   aspect.measure_upper = component.measure_cluster;
   aspect.inside_leaves = component.leaves.size();
-  aspect.bounds = component.bounds;
   return aspect;
 }
 
@@ -109,6 +108,8 @@ void add_mode(AspectMap::Contents& map, std::size_t mode, const ModeComponents& 
     id[order[rank]] = first_id + static_cast<int>(rank);
     map.aspects.push_back(make_aspect(map.modes[mode], component));
     map.aspects.back().id = id[order[rank]];
+    map.aspects.back().bounds = map.tree.space().shown(component.bounds.front());
+    map.aspect_bounds.push_back(component.bounds);
     for (const NodeIndex leaf : component.leaves)
       map.leaf_aspects[leaf * map.modes.size() + mode] = id[order[rank]];
   }

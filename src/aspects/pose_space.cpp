@@ -62,6 +62,13 @@ class PlanarMotions final : public PoseSpace {
     return result;
   }
 
+  Box shown(const Box& box) const noexcept override {
+    Box result = box;
+    result.lower[2] *= pi;
+    result.upper[2] *= pi;
+    return result;
+  }
+
   double measure(const Box& box) const noexcept override { return pi * box.measure(); }
 
   double longest_edge(const Box& box) const noexcept override {
@@ -133,6 +140,8 @@ class Rotations final : public PoseSpace {
     result.orientation = Eigen::Quaterniond(Eigen::Vector4d(quaternion.normalized()));
     return result;
   }
+
+  Box shown(const Box&) const noexcept override { return {}; }
 
   // The unit 3-sphere has the density 1 / (1 + |a|^2)^2 over these coordinates, rotations 8 times that: the
   // volume of all rotations is 8 pi^2 rad^3.

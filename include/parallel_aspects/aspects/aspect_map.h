@@ -85,7 +85,7 @@ class AspectMap {
   AspectMap& operator=(const AspectMap&) = delete;
 
   const std::shared_ptr<const Manipulator>& manipulator() const noexcept;
-  const Box& region() const noexcept;                              ///< what was searched
+  Box region() const noexcept;                                     ///< what was searched
   double resolution() const noexcept;                              ///< longest edge of a base leaf [m or rad]
   const std::vector<WorkingMode>& working_modes() const noexcept;  ///< those with at least one inside leaf
 

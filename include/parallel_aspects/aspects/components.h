@@ -20,8 +20,8 @@ struct Component {
   double measure_estimated =
       0.0;                       ///< with the undecided leaves nearest to it whose centers are in S(s, sigma)
   double measure_cluster = 0.0;  ///< with everything that it is not proved separate from
-  Box bounds;
-  std::size_t cluster = 0;  ///< components of one cluster are not proved separate from each other
+  std::vector<Box> bounds;       ///< of its leaves, by root; of dimension 0 where it has none
+  std::size_t cluster = 0;       ///< components of one cluster are not proved separate from each other
   std::vector<NodeIndex> leaves;
 };
 

@@ -29,6 +29,8 @@ struct AspectMap::Contents {
   std::vector<WorkingMode> existing_modes;  ///< those with an inside leaf
   std::vector<int> leaf_aspects;            ///< id by node * modes + mode; 0 where the leaf is not inside
   std::vector<Aspect> aspects;
+  std::vector<std::vector<Box>>
+      aspect_bounds;  ///< of the inside leaves, by id - 1 and root, in map coordinates
   std::vector<std::pair<int, int>> unresolved;
   std::size_t proved_count = 0;
   double resolution = 0.0;

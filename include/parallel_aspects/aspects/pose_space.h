@@ -65,6 +65,9 @@ class PoseSpace {
 
   virtual Pose pose(const MapPosition& position) const noexcept = 0;
 
+  /// The box in pose coordinates [m or rad], for people; of dimension 0 for SO3, which has no box of its own.
+  virtual Box shown(const Box& box) const noexcept { return box; }
+
   /// Volume of a box in the unit of `measure_unit`; for SO3 with the density at its center.
   virtual double measure(const Box& box) const noexcept = 0;
 
