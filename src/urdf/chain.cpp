@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numeric>
 #include <set>
+#include <utility>
 
 namespace parallel_aspects {
 namespace {
@@ -29,7 +30,7 @@ class Partition {
 // A movable joint or closure between two rigid bodies.
 struct Edge {
   std::size_t from = 0, to = 0;  // bodies; for a joint from parent to child
-  Pivot pivot;
+  Chain pivots;                  // one, or two for a universal closure
 };
 
 class LegFinder {
@@ -86,19 +87,21 @@ class LegFinder {
       edges_.push_back(
           {bodies_.find(joint.parent),
            bodies_.find(joint.child),
-           {kind, joint.name, pose.translation(), pose.linear() * joint.axis, joint.variable, 1.0}});
+           {{kind, joint.name, pose.translation(), pose.linear() * joint.axis, joint.variable, 1.0}}});
     }
   }
 
   void collect_closures(const Poses& poses) {
     for (const Closure& closure : system_.closures()) {
       if (closure.type == ClosureType::fixed) continue;
-      const LinkFrame& frame = closure.frames[0];
-      const Eigen::Isometry3d pose = poses[frame.link] * frame.in_link;
-      const PivotKind kind = closure.type == ClosureType::revolute ? PivotKind::turning : PivotKind::ball;
-      edges_.push_back({bodies_.find(frame.link),
-                        bodies_.find(closure.frames[1].link),
-                        {kind, closure.name, pose.translation(), pose.linear().col(2), std::nullopt, 1.0}});
+      const auto placed = [&](const LinkFrame& frame) { return poses[frame.link] * frame.in_link; };
+      const Eigen::Isometry3d one = placed(closure.frames[0]), other = placed(closure.frames[1]);
+      const PivotKind kind = closure.type == ClosureType::point ? PivotKind::ball : PivotKind::turning;
+      Chain pivots{{kind, closure.name, one.translation(), one.linear().col(2), std::nullopt, 1.0}};
+      if (closure.type == ClosureType::universal)
+        pivots.push_back({kind, closure.name, one.translation(), other.linear().col(0), std::nullopt, 1.0});
+      edges_.push_back(
+          {bodies_.find(closure.frames[0].link), bodies_.find(closure.frames[1].link), std::move(pivots)});
     }
   }
 
@@ -131,7 +134,8 @@ class LegFinder {
   std::string joints_of(const std::vector<std::size_t>& part) const {
     std::string text;
     for (const std::size_t k : part)
-      if (edges_[k].pivot.variable) text += (text.empty() ? "'" : ", '") + edges_[k].pivot.name + "'";
+      if (edges_[k].pivots.front().variable)
+        text += (text.empty() ? "'" : ", '") + edges_[k].pivots.front().name + "'";
     return text;
   }
 
@@ -139,7 +143,7 @@ class LegFinder {
     std::vector<std::size_t> found;
     for (std::size_t j = 0; j < drives_.variables.size(); ++j)
       for (const std::size_t k : part)
-        if (edges_[k].pivot.variable == drives_.variables[j]) found.push_back(j);
+        if (edges_[k].pivots.front().variable == drives_.variables[j]) found.push_back(j);
     return found;
   }
 
@@ -166,6 +170,12 @@ class LegFinder {
     legs.push_back(leg);
   }
 
+  static void append(const Edge& edge, bool forward, Chain& chain) {
+    const auto start = chain.insert(chain.end(), edge.pivots.begin(), edge.pivots.end());
+    if (!forward) std::reverse(start, chain.end());
+    for (auto pivot = start; pivot != chain.end(); ++pivot) pivot->sense = forward ? 1.0 : -1.0;
+  }
+
   void walk(const std::vector<std::size_t>& part, std::size_t body, std::set<std::size_t>& visited,
             Chain& chain, std::vector<Chain>& chains) const {
     if (body == platform_) chains.push_back(chain);
@@ -176,10 +186,9 @@ class LegFinder {
       const bool forward = edge.from == body;
       const std::size_t next = forward ? edge.to : edge.from;
       if (!visited.insert(next).second) continue;
-      chain.push_back(edge.pivot);
-      chain.back().sense = forward ? 1.0 : -1.0;
+      append(edge, forward, chain);
       walk(part, next, visited, chain, chains);
-      chain.pop_back();
+      chain.resize(chain.size() - edge.pivots.size());
       visited.erase(next);
     }
   }
@@ -202,15 +211,19 @@ class LegFinder {
       const Chain& chain = leg.chains.front();
       for (std::size_t k = 1; k < chain.size(); ++k) check_length(chain[k - 1], chain[k]);
       // Two drives move a point, and the last link of a leg ends there.
-      if (legs.size() == 2 && chain.back().variable) check_last_length(chain.back());
+      if (legs.size() == 2 && chain.size() <= 2) check_last_length(chain.back());
     }
   }
 
   bool planar() const {
-    return std::all_of(edges_.begin(), edges_.end(), [this](const Edge& edge) {
-      return edge.pivot.kind != PivotKind::turning ||
-             edge.pivot.axis.cross(edges_.front().pivot.axis).norm() < rank_tolerance;
-    });
+    std::optional<Eigen::Vector3d> normal;
+    for (const Edge& edge : edges_)
+      for (const Pivot& pivot : edge.pivots) {
+        if (pivot.kind != PivotKind::turning) continue;
+        if (!normal) normal = pivot.axis;
+        if (pivot.axis.cross(*normal).norm() > rank_tolerance) return false;
+      }
+    return true;
   }
 
   bool on_axis(const Pivot& pivot, const Eigen::Vector3d& point) const {

@@ -138,8 +138,9 @@ ChainEquation inverted(const ChainEquation& equation, const SplitChain& chain) {
 // The end that is solved first must be able to point the rod; the other must be able to make up any rotation
 // left.
 bool starts_at_platform(const SplitChain& chain) {
-  return is_free(chain.proximal) ||
-         (!is_free(chain.distal) && chain.proximal.size() > 2 && chain.distal.size() < 3);
+  if (is_free(chain.proximal)) return true;
+  const bool far_is_short = !is_free(chain.distal) && !chain.distal.empty() && chain.distal.size() < 3;
+  return far_is_short && chain.proximal.size() > 2;
 }
 
 }  // namespace
@@ -170,10 +171,10 @@ Eigen::VectorXd Completion::joint_values(const Pose& pose, const JointVector& q)
   Isometry3d platform = task_frame_ * now * then.inverse() * task_frame_.inverse();
   Eigen::VectorXd values = reference_;
   const JointVector steps = q - reference_drives();
-  // A leg whose last pivot is the operational point itself carries the link of that point, and turns it.
+  // A leg whose rod carries the operational point itself turns the link of that point.
   for (std::size_t j = 0; point_platform_ && j < legs_.size(); ++j)
     for (const SplitChain& chain : legs_[j].chains)
-      if (chain.distal.size() == 1)
+      if (chain.distal.empty())
         platform = solve(chain, steps[static_cast<Eigen::Index>(j)], platform, values);
   for (std::size_t j = 0; j < legs_.size(); ++j) {
     const auto index = static_cast<Eigen::Index>(j);

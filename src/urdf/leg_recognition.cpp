@@ -29,50 +29,96 @@ class ChainRecogniser {
   ChainRecogniser(const LegSetting& setting, std::size_t drive_variable)
       : setting_(setting), motion_(*setting.motion), drive_variable_(drive_variable) {}
 
-  /// Empty when the chain was split.
+  /// Why the last chain could not be split.
   const std::string& reason() const { return reason_; }
 
   std::optional<SplitChain> split(const Chain& chain) {
     const auto drive = std::find_if(chain.begin(), chain.end(),
                                     [&](const Pivot& pivot) { return pivot.variable == drive_variable_; });
     if (drive == chain.end()) return fail("moves the platform past its drive");
-    const Chain before(chain.begin(), drive);
-    Chain after(drive + 1, chain.end());
+    const Chain before = flattened({chain.begin(), drive});
+    Chain after = flattened({drive + 1, chain.end()});
     // A platform that is a point holds every leg as a ball joint does.
     if (motion_.point_platform)
       after.push_back(
           {PivotKind::ball, "operational point", motion_.platform.translation(), {}, std::nullopt, 1.0});
-    SplitChain result;
-    result.drive = *drive;
-    result.drive_first = before.empty();
-    if (!before.empty()) return grouped(before, after, result);
-    for (std::size_t cut = 1; cut < after.size(); ++cut) {
-      const auto middle = after.begin() + static_cast<std::ptrdiff_t>(cut);
-      if (auto found = grouped({after.begin(), middle}, {middle, after.end()}, result)) return found;
-    }
-    return fail("keeps no point of the platform at a fixed distance from a point of its driven link");
+    SplitChain found;
+    found.drive = *drive;
+    found.drive_first = before.empty();
+    if (!divide(before, after, found)) return std::nullopt;
+    if (motion_.point_platform) found.distal.pop_back();
+    return found;
   }
 
  private:
-  std::optional<SplitChain> fail(const std::string& text) {
+  std::nullopt_t fail(const std::string& text) {
     reason_ = text;
     return std::nullopt;
   }
 
-  std::optional<SplitChain> grouped(const Chain& proximal, const Chain& distal, SplitChain result) {
+  // In the plane a ball joint turns about the normal.
+  Chain flattened(Chain chain) const {
+    if (!planar(motion_.space)) return chain;
+    for (Pivot& pivot : chain) {
+      if (pivot.kind != PivotKind::ball) continue;
+      pivot.kind = PivotKind::turning;
+      pivot.axis = motion_.task_frame.linear().col(2);
+    }
+    return chain;
+  }
+
+  // Into the pivots about c and those about p.
+  bool divide(const Chain& before, const Chain& after, SplitChain& found) {
+    if (!before.empty()) return group(before, after, found);
+    fail("keeps no point of the platform at a fixed distance from a point of its driven link");
+    if (cut(after, found)) return true;
+    if (motion_.point_platform && cut({after.begin(), after.end() - 1}, found))
+      fail(
+          "does not end in the operational point; move that to where the legs meet, since B would not be "
+          "diagonal");
+    else if (is_three_revolute_arm(found.drive, after))
+      fail(
+          "is an arm of three revolute joints whose passive axes do not meet: such a leg is in general "
+          "cuspidal, it can "
+          "change its posture without a serial singularity, and working modes separate the inverse solutions "
+          "only if no "
+          "leg is cuspidal (Chablat and Wenger, theorem 1)");
+    return false;
+  }
+
+  bool cut(const Chain& after, SplitChain& found) {
+    for (std::size_t count = 1; count < after.size(); ++count) {
+      const auto middle = after.begin() + static_cast<std::ptrdiff_t>(count);
+      if (group({after.begin(), middle}, {middle, after.end()}, found)) return true;
+    }
+    return false;
+  }
+
+  // Three revolute joints that place a point of the platform.
+  bool is_three_revolute_arm(const Pivot& drive, const Chain& after) const {
+    return drive.kind == PivotKind::turning && after.size() > 2 && after[0].kind == PivotKind::turning &&
+           after[1].kind == PivotKind::turning && tip({after.begin() + 2, after.end()});
+  }
+
+  bool group(const Chain& proximal, const Chain& distal, SplitChain& found) {
     const auto c = tip(proximal), p = tip(distal);
-    if (!c || !p)
-      return fail("has passive joints whose axes do not meet in two points, one at each end of a rod");
-    if ((*p - *c).norm() < direction_tolerance * setting_.size) return fail("has a rod of length zero");
-    result.proximal = proximal;
-    result.distal = distal;
-    result.c = *c;
-    result.p = *p;
+    if (!c || !p) {
+      if (!found.drive_first)
+        fail("has passive joints on one side of its drive whose axes do not meet in a point");
+      return false;
+    }
+    if (same(*p, *c)) {
+      fail("has a rod of length zero");
+      return false;
+    }
+    found.proximal = proximal;
+    found.distal = distal;
+    found.c = *c;
+    found.p = *p;
     const bool spherical = motion_.space == TaskSpace::SO3;
-    result.proximal_center = spherical ? motion_.task_frame.translation() : *c;
-    result.distal_center = spherical ? motion_.task_frame.translation() : *p;
-    reason_.clear();
-    return result;
+    found.proximal_center = spherical ? motion_.task_frame.translation() : *c;
+    found.distal_center = spherical ? motion_.task_frame.translation() : *p;
+    return true;
   }
 
   bool same(const Vector3d& one, const Vector3d& other) const {

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/kinematics/jacobians.h"
+#include "parallel_aspects/kinematics/working_mode.h"
 #include "parallel_aspects/urdf/assembly.h"
 #include "parallel_aspects/urdf/chain.h"
 #include "parallel_aspects/urdf/leg_recognition.h"
 #include "parallel_aspects/urdf/mechanism_config.h"
 #include "parallel_aspects/urdf/mechanism_contents.h"
 #include "parallel_aspects/urdf/platform_motion.h"
+#include "parallel_aspects/urdf/resolved_config.h"
 #include "parallel_aspects/urdf/tree_reader.h"
+
+#include <tinyxml2.h>
+#include <yaml-cpp/yaml.h>
 
 #include <algorithm>
 #include <array>
@@ -20,77 +24,13 @@
 namespace parallel_aspects {
 namespace {
 
-std::string metres(double value) {
+std::string number(double value) {
   std::ostringstream text;
   text.imbue(std::locale::classic());
   text.precision(3);
-  text << value << " m";
+  text << value;
   return text.str();
 }
-
-// The configuration with its names looked up in the tree.
-struct ResolvedConfig {
-  std::size_t base = 0;
-  Drives drives;
-  std::vector<Closure> closures;
-};
-
-class NameResolver {
- public:
-  NameResolver(const Tree& tree, const SourceNames& files, Problems& problems)
-      : tree_(tree), files_(files), problems_(problems) {}
-
-  ResolvedConfig resolve(const MechanismConfig& config) {
-    ResolvedConfig result;
-    if (!config.base_link.empty()) result.base = link("mechanism.base_link", config.base_link);
-    if (!config.operational_point.empty())
-      result.drives.platform_link = link("mechanism.operational_point", config.operational_point);
-    for (const std::string& joint : config.actuated_joints) add_drive(joint, result.drives.variables);
-    for (std::size_t k = 0; k < config.closures.size(); ++k)
-      add_closure(k, config.closures[k], result.closures);
-    return result;
-  }
-
- private:
-  std::size_t link(const std::string& key, const std::string& name) {
-    if (const auto found = tree_.link_named(name)) return *found;
-    problems_.push_back(files_.config + " names link '" + name + "' in " + key + ", but " + files_.urdf +
-                        " has no such link; did you mean '" + nearest_name(name, tree_.links) + "'?");
-    return 0;
-  }
-
-  void add_drive(const std::string& name, std::vector<std::size_t>& variables) {
-    const auto found = tree_.joint_named(name);
-    if (found && tree_.joints[*found].variable) {
-      variables.push_back(*tree_.joints[*found].variable);
-      return;
-    }
-    std::vector<std::string> movable;
-    for (const std::size_t joint : tree_.movable) movable.push_back(tree_.joints[joint].name);
-    const std::string nearest = nearest_name(name, movable);
-    problems_.push_back(files_.config + " names joint '" + name + "' in mechanism.actuated_joints, but " +
-                        files_.urdf +
-                        (found ? " fixes that joint; drive a movable one"
-                               : " has no such joint; did you mean '" + nearest + "'?") +
-                        (found ? "." : ""));
-  }
-
-  void add_closure(std::size_t index, const ConfiguredClosure& configured, std::vector<Closure>& closures) {
-    const std::string key = "mechanism.closures[" + std::to_string(index) + "].frames";
-    Closure closure;
-    closure.name = configured.frames[0] + " - " + configured.frames[1];
-    closure.type = configured.type;
-    for (std::size_t k = 0; k < 2; ++k) closure.frames[k].link = link(key, configured.frames[k]);
-    if (configured.frames[0] == configured.frames[1])
-      problems_.push_back(files_.config + " closes link '" + configured.frames[0] + "' with itself in " +
-                          key + "; name two different links.");
-    closures.push_back(closure);
-  }
-
-  const Tree& tree_;
-  const SourceNames& files_;
-  Problems& problems_;
-};
 
 // Everything after names: assembles the mechanism, recognises it and proves the result on random poses.
 class Recogniser {
@@ -103,6 +43,11 @@ class Recogniser {
   std::unique_ptr<Mechanism::Contents> recognise(const std::vector<Closure>& closures,
                                                  Problems& problems) const {
     const ClosureSystem system(tree_, resolved_.base, closures);
+    if (std::none_of(system.in_loop().begin(), system.in_loop().end(), [](bool moves) { return moves; })) {
+      problems.push_back(files_.config + " closes only frames that no joint of " + files_.urdf +
+                         " moves against one another; name frames at the two ends of each loop.");
+      return nullptr;
+    }
     const AssemblyResult assembled = assemble(system, resolved_.drives.variables);
     if (!assembled.assembly) {
       report_gap(system, assembled.closest, problems);
@@ -124,13 +69,16 @@ class Recogniser {
  private:
   void report_gap(const ClosureSystem& system, const Eigen::VectorXd& closest, Problems& problems) const {
     const auto [gap, index] = system.widest_gap(closest);
+    const double error = system.residual(closest).lpNorm<Eigen::Infinity>() / system.size();
+    const std::string cannot = files_.urdf + " cannot be closed as " + files_.config + " asks: ";
     const std::string& closure = system.closures()[index].name;
-    problems.push_back(
-        files_.urdf + " cannot be closed as " + files_.config + " asks: the frames of closure '" + closure +
-        "' come no nearer than " + metres(gap) +
-        (gap < closing_tolerance * system.size()
-             ? " without a wrong direction; check the axes of the two frames and the type of the closure."
-             : "; check the lengths, the joint limits and the frames of its loop."));
+    if (gap > closing_tolerance * system.size())
+      problems.push_back(cannot + "the frames of closure '" + closure + "' come no nearer than " +
+                         number(gap) + " m; check the lengths, the joint limits and the frames of its loop.");
+    else
+      problems.push_back(cannot + "the frames of the closures meet, but their directions stay " +
+                         number(error) +
+                         " rad apart; check the axes of the frames and the types of the closures.");
   }
 
   std::vector<RecognisedLeg> recognise_legs(const std::vector<LegChains>& legs, const ClosureSystem& system,
@@ -186,29 +134,41 @@ class Recogniser {
     }
   }
 
-  // Random poses, near and far, in the working mode of the assembled one: each must close every loop.
-  void prove(const Mechanism::Contents& contents, Problems& problems) const {
+  // Random poses, near and far, in random working modes: each must close every loop.
+  void prove(Mechanism::Contents& contents, Problems& problems) const {
     const Manipulator& manipulator = *contents.manipulator;
     const Completion& completion = contents.completion;
-    const auto mode = working_mode(manipulator, completion.reference_pose(), completion.reference_drives());
-    if (!mode) return;
+    const std::vector<WorkingMode> modes = working_modes(manipulator);
     std::mt19937 random(trial_seed);
-    std::uniform_real_distribution<double> number(-1.0, 1.0);
+    double worst = completion.residual(
+        completion.joint_values(completion.reference_pose(), completion.reference_drives()));
     for (int trial = 0; trial < trials; ++trial) {
-      TaskVector step(static_cast<Eigen::Index>(manipulator.leg_count()));
-      for (double& entry : step) entry = number(random) * trial / trials;
-      scale_translations(manipulator, step);
-      const Pose pose = displaced(manipulator.task_space(), completion.reference_pose(), step);
-      const InverseSolution solution = inverse(manipulator, pose, *mode);
+      const Pose pose = trial_pose(contents, static_cast<double>(trial) / trials, random);
+      const InverseSolution solution = inverse(manipulator, pose, modes[random() % modes.size()]);
       if (solution.status == InverseStatus::out_of_reach) continue;
       const double residual = completion.residual(completion.joint_values(pose, solution.q));
+      worst = std::max(worst, residual);
       if (residual < trial_tolerance) continue;
       problems.push_back(files_.urdf + " was recognised as " + std::string(name(manipulator.task_space())) +
                          " with distance legs, but at " + to_string(manipulator.task_space(), pose) +
-                         " its loops stay open by " + metres(residual * completion.system().size()) +
-                         "; its legs do more than keep a distance, which is not supported.");
+                         " its loops stay open by " + number(residual * completion.system().size()) +
+                         " m; its legs do more than keep a distance, which is not supported.");
       return;
     }
+    if (worst < exact_closure) return;
+    contents.accepted_residual = 3.0 * worst;
+    contents.notes.push_back(
+        files_.urdf + " closes its loops only to within " + number(worst * completion.system().size()) +
+        " m, as with rounded angles; the robot is taken as the ideal one nearest to it.");
+  }
+
+  static Pose trial_pose(const Mechanism::Contents& contents, double spread, std::mt19937& random) {
+    const Manipulator& manipulator = *contents.manipulator;
+    std::uniform_real_distribution<double> entries(-spread, spread);
+    TaskVector step(static_cast<Eigen::Index>(manipulator.leg_count()));
+    for (double& entry : step) entry = entries(random);
+    scale_translations(manipulator, step);
+    return displaced(manipulator.task_space(), contents.completion.reference_pose(), step);
   }
 
   static void scale_translations(const Manipulator& manipulator, TaskVector& step) {
@@ -219,7 +179,9 @@ class Recogniser {
 
   static constexpr unsigned trial_seed = 5;
   static constexpr int trials = 60;
-  static constexpr double trial_tolerance = 1e-3;  // roundings grow away from the assembled configuration
+  static constexpr double trial_tolerance =
+      1e-3;  // over the size; roundings grow away from the assembled configuration
+  static constexpr double exact_closure = 1e-11;  // over the size
 
   std::shared_ptr<const Tree> tree_;
   const MechanismConfig& config_;
@@ -257,6 +219,21 @@ std::unique_ptr<Mechanism::Contents> recognise(const Recogniser& recogniser,
   return nullptr;
 }
 
+// Both texts have been read once, so that they are known to parse, or the problem is known.
+ResolvedConfig resolved_names(const Tree& tree, const MechanismConfig& config, const std::string& urdf_text,
+                              const std::string& config_text, const SourceNames& files, Problems& problems,
+                              std::vector<std::string>& notes) {
+  tinyxml2::XMLDocument document;
+  document.Parse(urdf_text.data(), urdf_text.size());
+  YAML::Node yaml;
+  try {
+    yaml = YAML::Load(config_text);
+  } catch (const YAML::Exception&) {
+    return {};
+  }
+  return resolve_config(config, {*document.RootElement(), yaml, tree, files}, problems, notes);
+}
+
 }  // namespace
 
 std::shared_ptr<const Mechanism> load_mechanism(const std::string& urdf_text, const std::string& urdf_name,
@@ -267,11 +244,9 @@ std::shared_ptr<const Mechanism> load_mechanism(const std::string& urdf_text, co
   const SourceNames files{urdf_name, config_name};
   const MechanismConfig config = read_mechanism_config(config_text, config_name, problems);
   auto tree = read_tree(urdf_text, urdf_name, problems, notes);
-  ResolvedConfig resolved;
-  if (tree) resolved = NameResolver(*tree, files, problems).resolve(config);
-  if (tree && problems.empty() && resolved.closures.empty())
-    problems.push_back(config_name + " has no mechanism.closures, and " + urdf_name +
-                       " is an open tree without them; list the frames that each loop holds together.");
+  if (!tree) throw InvalidDescription(problems);
+  const ResolvedConfig resolved =
+      resolved_names(*tree, config, urdf_text, config_text, files, problems, notes);
   if (!problems.empty()) throw InvalidDescription(problems);
   const Recogniser recogniser(std::make_shared<const Tree>(std::move(*tree)), config, resolved, files);
   auto contents = recognise(recogniser, resolved.closures, files, problems);

@@ -36,6 +36,8 @@ class Reader {
 
   MechanismConfig read(const YAML::Node& root) {
     MechanismConfig config;
+    // What is there but unusable is one problem, not two.
+    config.lists_actuated_joints = config.lists_closures = true;
     const YAML::Node mechanism = root.IsMap() ? root["mechanism"] : YAML::Node();
     if (!root.IsMap() || !mechanism.IsDefined()) {
       problem(
@@ -96,10 +98,8 @@ class Reader {
   }
 
   void read_actuated_joints(const YAML::Node& node, MechanismConfig& config) {
-    if (!node.IsDefined()) {
-      problem("does not say mechanism.actuated_joints; list the driven joints, one a leg.");
-      return;
-    }
+    config.lists_actuated_joints = node.IsDefined();
+    if (!node.IsDefined()) return;
     if (!node.IsSequence() || node.size() == 0) {
       problem(
           "has a mechanism.actuated_joints that is not a list of names; list the driven joints, one a leg.");
@@ -131,6 +131,7 @@ class Reader {
   }
 
   void read_closures(const YAML::Node& node, MechanismConfig& config) {
+    config.lists_closures = node.IsDefined() && !(node.IsSequence() && node.size() == 0);
     if (!node.IsDefined()) return;
     if (!node.IsSequence()) {
       problem(

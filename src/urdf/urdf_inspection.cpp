@@ -2,6 +2,7 @@
 #include "parallel_aspects/urdf/urdf_inspection.h"
 
 #include "parallel_aspects/urdf/mechanism_config.h"
+#include "parallel_aspects/urdf/xml_values.h"
 
 #include <tinyxml2.h>
 
@@ -21,22 +22,6 @@ using tinyxml2::XMLElement;
 
 // More than this many radians in a joint limit is more likely a number of degrees.
 constexpr double suspicious_angle = 20.0;
-
-std::string attribute(const XMLElement* element, const char* name) {
-  const char* value = element != nullptr ? element->Attribute(name) : nullptr;
-  return value != nullptr ? value : "";
-}
-
-// Finite numbers separated by blanks, whatever the locale; nothing for any other text.
-std::optional<std::vector<double>> numbers(const std::string& text) {
-  std::istringstream stream(text);
-  stream.imbue(std::locale::classic());
-  std::vector<double> values;
-  for (double value = 0.0; stream >> value;) values.push_back(value);
-  const bool finite = std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
-  if (!stream.eof() || !finite) return std::nullopt;
-  return values;
-}
 
 std::optional<double> number(const std::string& text) {
   const auto values = numbers(text);

@@ -70,7 +70,6 @@ TEST(BadDescriptions, AreReportedAllAtOnce) {
       "robot.yaml does not say mechanism.operational_point; name the link whose origin is the operational "
       "point of the "
       "platform.",
-      "robot.yaml does not say mechanism.actuated_joints; list the driven joints, one a leg.",
       "robot.urdf has a <robot> without a name; write <robot name=\"...\">.",
       "robot.urdf has no links; give a URDF with the links and joints of the robot."};
   EXPECT_EQ(problems, expected);

@@ -19,7 +19,7 @@ namespace parallel_aspects {
 /// frame at the assembled configuration.
 struct SplitChain {
   Chain proximal;  ///< pivots about c
-  Chain distal;    ///< pivots about p
+  Chain distal;    ///< pivots about p; empty where the rod carries the operational point itself
   Pivot drive;
   bool drive_first = true;  ///< the drive moves c; otherwise it is between the groups and changes |p - c|
   Eigen::Vector3d c = Eigen::Vector3d::Zero();                ///< proximal point [m]

@@ -25,8 +25,10 @@ struct MechanismConfig {
   std::string base_link;          ///< empty: the root link
   std::string operational_point;  ///< name of a link
   std::vector<std::string> actuated_joints;
+  bool lists_actuated_joints = false;  ///< otherwise the URDF may say them
   std::optional<TaskSpace> task_space;
   std::vector<ConfiguredClosure> closures;
+  bool lists_closures = false;  ///< otherwise the URDF or the rest of the file may say them
 };
 
 /// Reads it from the text of the whole file; other top-level keys belong to others. What is wrong is added to

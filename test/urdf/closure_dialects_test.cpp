@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "support/loops.h"
+#include "support/shipped.h"
+#include <cmath>
+
+namespace parallel_aspects {
+namespace {
+
+const std::string drives = "mechanism: {operational_point: tip_1, actuated_joints: [mot_1, mot_2]}\n";
+
+std::string closed_by(const std::string& closure) {
+  return test::replaced(test::source_file("test/data/closed_five_bar.urdf"), "<!-- closure -->", closure);
+}
+
+void expect_five_bar(const Mechanism& mechanism) {
+  ASSERT_EQ(mechanism.manipulator()->task_space(), TaskSpace::T2);
+  for (const Leg& leg : mechanism.manipulator()->legs()) {
+    EXPECT_NEAR(std::get<RevoluteDrive>(leg.drive).radius, 3.0, 1e-9);
+    EXPECT_NEAR(leg.rod_length, std::sqrt(8.0), 1e-9);
+  }
+  EXPECT_EQ(test::open_loops(mechanism), 0);
+}
+
+struct Dialect {
+  std::string name;
+  std::string urdf;
+  std::string config;
+  std::string note;
+};
+
+void PrintTo(const Dialect& dialect, std::ostream* stream) { *stream << dialect.name; }
+
+class ClosureDialect : public ::testing::TestWithParam<Dialect> {};
+
+TEST_P(ClosureDialect, ClosesTheFiveBar) {
+  const auto mechanism = test::load(closed_by(GetParam().urdf), GetParam().config);
+  expect_five_bar(*mechanism);
+  ASSERT_FALSE(mechanism->notes().empty());
+  EXPECT_EQ(mechanism->notes().front(), GetParam().note);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, ClosureDialect,
+    ::testing::Values(
+        Dialect{"GazeboRevolute",
+                R"(<gazebo><joint name="loop" type="revolute"><parent>rod_1</parent><child>rod_2</child>
+                   <pose>-2 2 0 0 0 0</pose><axis><xyz>0 0 1</xyz></axis></joint></gazebo>)",
+                drives, "The closures are those that <gazebo><joint> describes, 1 in all."},
+        Dialect{
+            "GazeboBall",
+            R"(<gazebo><joint name="loop" type="ball"><parent>robot::tip_1</parent><child>tip_2</child></joint>
+                   </gazebo>)",
+            drives, "The closures are those that <gazebo><joint> describes, 1 in all."},
+        Dialect{"ClosingFrames",
+                R"(<link name="closing_tip_1"/><link name="closing_tip_2"/>
+                   <joint name="c1" type="fixed"><parent link="tip_1"/><child link="closing_tip_1"/></joint>
+                   <joint name="c2" type="fixed"><parent link="tip_2"/><child link="closing_tip_2"/></joint>)",
+                drives, "The closures are those that closing frames describes, 1 in all."},
+        Dialect{"ClosingFramesByLetter",
+                R"(<link name="closing_tip_A"/><link name="closing_tip_B"/>
+                   <joint name="c1" type="fixed"><parent link="tip_1"/><child link="closing_tip_B"/></joint>
+                   <joint name="c2" type="fixed"><parent link="tip_2"/><child link="closing_tip_A"/></joint>)",
+                drives, "The closures are those that closing frames describes, 1 in all."},
+        Dialect{"GepettoFile", "",
+                "closed_loop: [[tip_1, tip_2_joint]]\ntype: [3d]\nname_mot: mot\n"
+                "mechanism: {operational_point: tip_1}\n",
+                "The closures are those that closed_loop describes, 1 in all."},
+        Dialect{
+            "Constraint",
+            R"(<constraint name="loop" type="spherical_joint"><parent link="rod_1"/><parent_origin xyz="2 2 0"/>
+                   <child link="rod_2"/><child_origin xyz="-2 2 0" rpy="1 2 3"/></constraint>)",
+            drives, "The closures are those that <constraint> describes, 1 in all."},
+        Dialect{
+            "ConstraintWithAxes",
+            R"(<constraint name="loop" type="revolute_joint"><parent link="rod_1"/><parent_origin xyz="2 2 0"/>
+                   <parent_axis xyz="0 0 1"/><child link="rod_2"/><child_origin xyz="-2 2 0" rpy="1.570796326794897 0 0"/>
+                   <child_axis xyz="0 1 0"/></constraint>)",
+            drives, "The closures are those that <constraint> describes, 1 in all."},
+        Dialect{
+            "DetachableJoint",
+            R"(<gazebo><plugin filename="x" name="gz::sim::systems::DetachableJoint"><parent_link>tip_1</parent_link>
+                   <child_model>robot</child_model><child_link>tip_2</child_link></plugin></gazebo>)",
+            drives, "The closures are those that DetachableJoint describes, 1 in all."},
+        Dialect{"LoopJointWithType",
+                R"(<loop_joint name="loop" type="spherical"><link1 link="rod_1" rpy="0 0 0" xyz="2 2 0"/>
+                   <link2 link="rod_2" rpy="0 0 0" xyz="-2 2 0"/></loop_joint>)",
+                drives, "The closures are those that <loop_joint> describes, 1 in all."},
+        Dialect{"LoopJointWithAxis",
+                R"(<loop_joint name="loop"><link1 link="rod_1" xyz="2 2 0"/><link2 link="rod_2" xyz="-2 2 0"/>
+                   <axis xyz="0 0 1"/></loop_joint>)",
+                drives, "The closures are those that <loop_joint> describes, 1 in all."},
+        Dialect{"DrakeBallConstraint",
+                R"(<drake:ball_constraint><drake:ball_constraint_body_A name="rod_1"/>
+                   <drake:ball_constraint_body_B name="rod_2"/><drake:ball_constraint_p_AP value="2 2 0"/>
+                   <drake:ball_constraint_p_BQ value="-2 2 0"/></drake:ball_constraint>)",
+                drives, "The closures are those that <drake:ball_constraint> describes, 1 in all."}),
+    [](const ::testing::TestParamInfo<Dialect>& tested) { return tested.param.name; });
+
+TEST(ClosureDialects, AreOverruledByTheList) {
+  const auto mechanism = test::load(
+      closed_by(
+          R"(<loop_joint name="wrong" type="spherical"><link1 link="rod_1"/><link2 link="rod_2"/></loop_joint>)"),
+      "mechanism: {operational_point: tip_1, actuated_joints: [mot_1, mot_2], closures: [{frames: [tip_1, "
+      "tip_2]}]}");
+  expect_five_bar(*mechanism);
+  ASSERT_EQ(mechanism->notes().size(), 1u);
+  EXPECT_EQ(
+      mechanism->notes().front(),
+      "robot.yaml leaves the type of closures open; they are taken as point, under which the mobility is the "
+      "number of drives.");
+}
+
+TEST(ClosureDialects, LeaveTheDrivesToTransmissions) {
+  const auto mechanism =
+      test::load(closed_by(R"(<transmission name="a"><joint name="mot_2"/></transmission>
+                   <transmission name="b"><joint name="mot_1"/></transmission>)"),
+                 "mechanism: {operational_point: tip_1, closures: [{frames: [tip_1, tip_2], type: point}]}");
+  expect_five_bar(*mechanism);
+  EXPECT_EQ(mechanism->manipulator()->leg(0).driven_joint, "mot_2");
+  EXPECT_EQ(mechanism->notes().front(),
+            "The driven joints are those that have a <transmission> in robot.urdf: 'mot_2', 'mot_1'.");
+}
+
+struct BadDialect {
+  std::string urdf;
+  std::string config;
+  std::string sentence;
+};
+
+void PrintTo(const BadDialect& bad, std::ostream* stream) { *stream << bad.sentence; }
+
+class BadClosureDialect : public ::testing::TestWithParam<BadDialect> {};
+
+TEST_P(BadClosureDialect, IsRefused) {
+  const Problems expected{GetParam().sentence};
+  EXPECT_EQ(test::refusal(closed_by(GetParam().urdf), GetParam().config), expected);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, BadClosureDialect,
+    ::testing::Values(
+        BadDialect{
+            R"(<gazebo><joint name="loop" type="ball"><parent>rod_1</parent><child>rod_3</child></joint></gazebo>)",
+            drives,
+            "robot.urdf has a <gazebo> joint 'loop' that names link 'rod_3', but robot.urdf has no such "
+            "link; did "
+            "you mean 'rod_1'?"},
+        BadDialect{
+            R"(<gazebo><joint name="loop" type="screw"><parent>tip_1</parent><child>tip_2</child></joint></gazebo>)",
+            drives,
+            "robot.urdf has a <gazebo> joint 'loop' that has the type 'screw', which cannot close a loop; "
+            "use "
+            "revolute, ball, universal or fixed."},
+        BadDialect{
+            R"(<gazebo><joint name="loop" type="ball"><parent>tip_1</parent><child>tip_2</child>
+                      <pose>0 0 nan</pose></joint></gazebo>)",
+            drives,
+            "robot.urdf has a <gazebo> joint 'loop' that has a pose or an axis that is not a list of finite "
+            "numbers; give six for the pose, three for an axis."},
+        BadDialect{
+            R"(<link name="closing_tip_1"/>
+                      <joint name="c1" type="fixed"><parent link="tip_1"/><child link="closing_tip_1"/></joint>)",
+            drives,
+            "robot.urdf has the closing frame 'closing_tip_1' but no 'closing_tip_2'; add it, or list the "
+            "closures in robot.yaml."},
+        BadDialect{"", "closed_loop: [[tip_1]]\n" + drives,
+                   "robot.yaml has a closed_loop[0] that is not a pair; name two links or joints."},
+        BadDialect{"", "closed_loop: [[tip_1, tip_2]]\ntype: 4d\n" + drives,
+                   "robot.yaml gives closed_loop[0] the type '4d'; write 3d or 6d for each, or leave out the "
+                   "types."},
+        BadDialect{R"(<transmission name="a"><joint name="mot_1"/></transmission>)",
+                   "mechanism: {operational_point: tip_1, closures: [{frames: [tip_1, tip_2]}]}",
+                   "robot.yaml does not say mechanism.actuated_joints, and 1 joints have a <transmission> in "
+                   "robot.urdf, "
+                   "'mot_1'; a fully parallel robot has two, three or six drives, so list them."}));
+
+}  // namespace
+}  // namespace parallel_aspects

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "support/loops.h"
+#include "support/shipped.h"
+
+namespace parallel_aspects {
+namespace {
+
+using test::replaced;
+
+// What real files hold and a five-bar can bear: each change leaves the robot as it is, with or without a
+// note.
+struct Tolerated {
+  std::string name;
+  std::string old;
+  std::string by;
+  std::string note;  // empty for none
+};
+
+void PrintTo(const Tolerated& tolerated, std::ostream* stream) { *stream << tolerated.name; }
+
+class ToleratedDescription : public ::testing::TestWithParam<Tolerated> {};
+
+TEST_P(ToleratedDescription, IsTheSameRobot) {
+  const std::string urdf = replaced(test::source_file("urdf/five_bar.urdf"), GetParam().old, GetParam().by);
+  const auto mechanism = test::load(urdf, test::source_file("config/robots/five_bar.yaml"));
+  EXPECT_EQ(mechanism->manipulator()->task_space(), TaskSpace::T2);
+  EXPECT_NEAR(mechanism->manipulator()->leg(0).rod_length, 5.0, 1e-12);
+  EXPECT_FALSE(mechanism->manipulator()->leg(0).limits.limited());
+  EXPECT_EQ(test::open_loops(*mechanism), 0);
+  const std::vector<std::string> expected =
+      GetParam().note.empty() ? std::vector<std::string>{} : std::vector<std::string>{GetParam().note};
+  EXPECT_EQ(mechanism->notes(), expected);
+}
+
+const std::string crank_1 = "<joint name=\"crank_1_joint\" type=\"continuous\">";
+const std::string revolute_crank_1 = "<joint name=\"crank_1_joint\" type=\"revolute\">";
+
+INSTANTIATE_TEST_SUITE_P(
+    All, ToleratedDescription,
+    ::testing::Values(
+        Tolerated{
+            "RevoluteWithoutLimits", crank_1, revolute_crank_1,
+            "robot.urdf states no limits for revolute joint 'crank_1_joint', or both as 0; it is taken as "
+            "unlimited."},
+        Tolerated{
+            "RevoluteWithEffortOnly", crank_1, revolute_crank_1 + "<limit effort=\"1\" velocity=\"1\"/>",
+            "robot.urdf states no limits for revolute joint 'crank_1_joint', or both as 0; it is taken as "
+            "unlimited."},
+        Tolerated{"ContinuousWithZeroLimits", crank_1,
+                  crank_1 + "<limit lower=\"0\" upper=\"0\" effort=\"1\" velocity=\"1\"/>", ""},
+        Tolerated{"LimitsInDegrees", "<joint name=\"elbow_1_joint\" type=\"continuous\">",
+                  "<joint name=\"elbow_1_joint\" type=\"revolute\"><limit lower=\"-180\" upper=\"180\"/>",
+                  "robot.urdf gives joint 'elbow_1_joint' limits that look like degrees; they are taken as "
+                  "radians."},
+        Tolerated{"ZeroAxisOnFixedJoint", "<joint name=\"tool_joint\" type=\"fixed\">",
+                  "<joint name=\"tool_joint\" type=\"fixed\"><axis xyz=\"0 0 0\"/>",
+                  "robot.urdf gives fixed joint 'tool_joint' a zero axis; it is not used."},
+        Tolerated{
+            "Mimic", "<joint name=\"elbow_1_joint\" type=\"continuous\">",
+            "<joint name=\"elbow_1_joint\" type=\"continuous\"><mimic joint=\"crank_1_joint\"/>",
+            "robot.urdf lets joint 'elbow_1_joint' mimic another joint; that is not used, the loop closures "
+            "decide."},
+        Tolerated{"ForeignTags", "<link name=\"closing_2\"/>",
+                  "<link name=\"closing_2\"/><gazebo reference=\"tool\"><mu1>0.2</mu1></gazebo><ros2_control "
+                  "name=\"x\"/><unknown/>",
+                  ""},
+        Tolerated{"NamesBeyondAscii", "rod_2", "Stößel_ロッド", ""},
+        Tolerated{"ZeroInertia", "<link name=\"closing_2\"/>",
+                  "<link name=\"closing_2\"><inertial><mass value=\"0\"/><inertia ixx=\"0\" ixy=\"0\" "
+                  "ixz=\"0\" iyy=\"0\" "
+                  "iyz=\"0\" izz=\"0\"/></inertial></link>",
+                  ""},
+        Tolerated{"AxisThatIsNotUnit", "<axis xyz=\"0 0 1\"/>", "<axis xyz=\"0 0 17\"/>", ""}),
+    [](const ::testing::TestParamInfo<Tolerated>& tested) { return tested.param.name; });
+
+// Zero is on a limit of the crank and outside those of the elbow.
+TEST(Limits, ComeFromTheUrdf) {
+  std::string urdf = test::source_file("urdf/five_bar.urdf");
+  urdf = replaced(urdf, crank_1,
+                  revolute_crank_1 + "<limit lower=\"0\" upper=\"2\" effort=\"1\" velocity=\"1\"/>");
+  urdf = replaced(urdf, "<joint name=\"elbow_1_joint\" type=\"continuous\">",
+                  "<joint name=\"elbow_1_joint\" type=\"revolute\"><limit lower=\"0.5\" upper=\"3\" "
+                  "effort=\"1\" velocity=\"1\"/>");
+  const auto mechanism = test::load(urdf, test::source_file("config/robots/five_bar.yaml"));
+  const JointLimits& driven = mechanism->manipulator()->leg(0).limits;
+  EXPECT_EQ(driven.lower, 0.0);
+  EXPECT_EQ(driven.upper, 2.0);
+  EXPECT_FALSE(mechanism->manipulator()->leg(1).limits.limited());
+  EXPECT_EQ(mechanism->joint_limits()[1].lower, 0.5);
+  EXPECT_EQ(mechanism->joint_limits()[1].upper, 3.0);
+  const AssembledConfiguration assembled = mechanism->assembled();
+  EXPECT_TRUE(driven.contain(assembled.q[0]));
+  Eigen::VectorXd joints(4);
+  ASSERT_TRUE(mechanism->complete(assembled.pose, assembled.q, joints));
+  EXPECT_TRUE(mechanism->joint_limits()[1].contain(joints[1])) << joints[1];
+}
+
+// The closures ask for an elbow that its limits forbid.
+TEST(Limits, MayKeepTheLoopsOpen) {
+  std::string urdf = test::source_file("urdf/bipod.urdf");
+  urdf = replaced(urdf, "lower=\"4\" upper=\"9\"", "lower=\"20\" upper=\"30\"");
+  const Problems expected{
+      "robot.urdf cannot be closed as robot.yaml asks: the frames of closure 'tool - bar_2_tip' come no "
+      "nearer than 9 m; "
+      "check the lengths, the joint limits and the frames of its loop."};
+  EXPECT_EQ(test::refusal(urdf, test::source_file("config/robots/bipod.yaml")), expected);
+}
+
+}  // namespace
+}  // namespace parallel_aspects
