@@ -49,14 +49,16 @@ bool same(const Manipulator& manipulator, const AssemblyMode& a, const AssemblyM
          a.pose.orientation.angularDistance(b.pose.orientation) <= tolerance;
 }
 
-void add_refined(const Manipulator& manipulator, const JointVector& q, const Pose& candidate,
+// Whether the candidate became a solution.
+bool add_refined(const Manipulator& manipulator, const JointVector& q, const Pose& candidate,
                  std::vector<AssemblyMode>& solutions) {
   const Refinement refinement = refined(manipulator, candidate, q);
-  if (!(refinement.residual <= assembled)) return;
+  if (!(refinement.residual <= assembled)) return false;
   const AssemblyMode mode{refinement.pose, direct_determinant(manipulator, refinement.pose, q),
                           refinement.residual, refinement.singular_value < nearly_singular};
   const auto same_as_mode = [&](const AssemblyMode& other) { return same(manipulator, mode, other); };
   if (std::none_of(solutions.begin(), solutions.end(), same_as_mode)) solutions.push_back(mode);
+  return true;
 }
 
 bool any_on_continuum(const Manipulator& manipulator, const JointVector& q,
@@ -72,7 +74,11 @@ DirectResult direct(const Manipulator& manipulator, const JointVector& q) {
   if (q.size() != static_cast<Eigen::Index>(manipulator.leg_count()) || !q.allFinite()) return {};
   const DirectResult found = candidates(manipulator, q);
   DirectResult result{found.status, {}};
-  for (const AssemblyMode& mode : found.solutions) add_refined(manipulator, q, mode.pose, result.solutions);
+  for (const AssemblyMode& mode : found.solutions) {
+    const bool added = add_refined(manipulator, q, mode.pose, result.solutions);
+    // Solvers flag candidates that they are sure of, but know only roughly.
+    if (!added && mode.near_singular) result.status = DirectStatus::unsolved;
+  }
   // Samples of a continuum that none of the legs can follow are a continuum of complex solutions only.
   if (found.status == DirectStatus::continuum && !found.solutions.empty() && result.solutions.empty())
     result.status = DirectStatus::solved;

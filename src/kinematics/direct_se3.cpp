@@ -145,11 +145,8 @@ class Search {
     return earlier == arrived.size() && regular_.size() == arrived.size();
   }
 
-  std::vector<Solution> solutions() const {
-    std::vector<Solution> result = regular_;
-    result.insert(result.end(), singular_.begin(), singular_.end());
-    return result;
-  }
+  const std::vector<Solution>& regular() const { return regular_; }
+  const std::vector<Solution>& singular() const { return singular_; }
 
  private:
   Parameters target_;
@@ -157,6 +154,17 @@ class Search {
   std::size_t count_of_clean_attempt_ = platform_paths::solution_count;
   std::vector<Solution> singular_;
 };
+
+void add_real(const Normalised& problem, const std::vector<Solution>& solutions, bool singular,
+              std::vector<AssemblyMode>& modes) {
+  for (const Solution& z : solutions) {
+    if (!may_be_real(z)) continue;
+    AssemblyMode mode;
+    mode.pose = problem.pose(z);
+    mode.near_singular = singular;
+    modes.push_back(mode);
+  }
+}
 
 }  // namespace
 
@@ -166,12 +174,8 @@ DirectResult direct_se3(const Manipulator& manipulator, const JointVector& q) {
   DirectResult result{DirectStatus::unsolved, {}};
   for (int attempt = 0; attempt < most_attempts && result.status == DirectStatus::unsolved; ++attempt)
     if (search.attempt(attempt)) result.status = DirectStatus::solved;
-  for (const Solution& z : search.solutions()) {
-    if (!may_be_real(z)) continue;
-    AssemblyMode mode;
-    mode.pose = problem.pose(z);
-    result.solutions.push_back(mode);
-  }
+  add_real(problem, search.regular(), false, result.solutions);
+  add_real(problem, search.singular(), true, result.solutions);
   return result;
 }
 

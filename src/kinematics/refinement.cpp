@@ -13,7 +13,14 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr int most_newton_steps = 12;
+constexpr int most_steps = 40;
+
+// Close to a singularity the residual may first rise with a step along the near null motion of A, for that
+// bends, and then fall again.
+constexpr int most_idle_steps = 6;
+
+// Where the residual does not fall from here, it is rounding.
+constexpr double converged = 1e-14;
 
 // A below this is singular for the search of a continuum, dimensionless.
 constexpr double singular = 1e-6;
@@ -43,16 +50,25 @@ double largest_residual(const Manipulator& manipulator, const Pose& pose, const 
   return residuals(manipulator, pose, q).cwiseAbs().maxCoeff() / (scale * scale);
 }
 
-// Gauss-Newton that leaves the null motions of A alone, so that it stays where it started along them.
-Pose pulled_back(const Manipulator& manipulator, Pose pose, const JointVector& q) {
+Pose after_newton_step(const Manipulator& manipulator, const Pose& pose, const JointVector& q) {
+  const TaskVector f = residuals(manipulator, pose, q);
+  const TaskVector step = -0.5 * direct_matrix(manipulator, pose, q).partialPivLu().solve(f);
+  return displaced(manipulator.task_space(), pose, step);
+}
+
+// Without the part along motions that A (nearly) does not feel.
+TaskVector step_without_null_motion(const Manipulator& manipulator, const Pose& pose, const JointVector& q) {
   constexpr double null_motion = 1e-3;
-  for (int i = 0; i < most_newton_steps; ++i) {
-    Eigen::JacobiSVD<Eigen::MatrixXd> svd(direct_matrix(manipulator, pose, q),
-                                          Eigen::ComputeThinU | Eigen::ComputeThinV);
-    svd.setThreshold(null_motion);
-    const TaskVector step = svd.solve(Eigen::VectorXd(-0.5 * residuals(manipulator, pose, q)));
-    pose = displaced(manipulator.task_space(), pose, step);
-  }
+  Eigen::JacobiSVD<Eigen::MatrixXd> svd(direct_matrix(manipulator, pose, q),
+                                        Eigen::ComputeThinU | Eigen::ComputeThinV);
+  svd.setThreshold(null_motion);
+  return svd.solve(Eigen::VectorXd(-0.5 * residuals(manipulator, pose, q)));
+}
+
+// Gauss-Newton that stays where it started along the null motions of A.
+Pose pulled_back(const Manipulator& manipulator, Pose pose, const JointVector& q) {
+  for (int i = 0; i < 12; ++i)
+    pose = displaced(manipulator.task_space(), pose, step_without_null_motion(manipulator, pose, q));
   return pose;
 }
 
@@ -79,15 +95,19 @@ bool leads_on(const Manipulator& manipulator, const Pose& pose, const JointVecto
 Refinement refined(const Manipulator& manipulator, const Pose& pose, const JointVector& q) {
   const double scale = assembly_scale(manipulator, q);
   Refinement best{pose, largest_residual(manipulator, pose, q, scale), 0.0};
-  for (int i = 0; i < most_newton_steps && best.residual > 0.0; ++i) {
-    const TaskVector f = residuals(manipulator, best.pose, q);
-    const TaskVector step = -0.5 * direct_matrix(manipulator, best.pose, q).partialPivLu().solve(f);
-    if (!step.allFinite()) break;
-    const Pose next = displaced(manipulator.task_space(), best.pose, step);
-    const double residual = largest_residual(manipulator, next, q, scale);
-    if (!(residual < best.residual)) break;
-    best.pose = next;
-    best.residual = residual;
+  Pose now = pose;
+  for (int step = 0, idle = 0; step < most_steps && idle < most_idle_steps; ++step) {
+    now = after_newton_step(manipulator, now, q);
+    const double residual = largest_residual(manipulator, now, q, scale);
+    if (!std::isfinite(residual)) break;
+    ++idle;
+    if (residual < best.residual) {
+      best.pose = now;
+      best.residual = residual;
+      idle = 0;
+    } else if (best.residual < converged) {
+      break;
+    }
   }
   best.singular_value = smallest_singular_value_bound(manipulator, best.pose, q);
   return best;
