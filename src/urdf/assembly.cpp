@@ -27,13 +27,34 @@ void clamp_to_limits(const Tree& tree, Eigen::VectorXd& values) {
   }
 }
 
-Eigen::MatrixXd free_jacobian(const ClosureSystem& system, const Eigen::VectorXd& values,
-                              const std::vector<bool>& held) {
-  Eigen::MatrixXd jacobian = system.jacobian(values);
-  for (std::size_t k = 0; k < held.size(); ++k)
-    if (held[k]) jacobian.col(static_cast<Eigen::Index>(k)).setZero();
-  return jacobian;
-}
+// The joints that a solver may move, of all the joint values.
+class FreeJoints {
+ public:
+  FreeJoints(const ClosureSystem& system, const std::vector<bool>& held) : system_(system) {
+    for (std::size_t k = 0; k < held.size(); ++k)
+      if (!held[k] && system.in_loop()[k]) indices_.push_back(static_cast<Eigen::Index>(k));
+  }
+
+  /// Columns of the closure Jacobian.
+  Eigen::MatrixXd jacobian(const Eigen::VectorXd& values) const {
+    const Eigen::MatrixXd all = system_.jacobian(values);
+    Eigen::MatrixXd columns(all.rows(), static_cast<Eigen::Index>(indices_.size()));
+    for (std::size_t k = 0; k < indices_.size(); ++k)
+      columns.col(static_cast<Eigen::Index>(k)) = all.col(indices_[k]);
+    return columns;
+  }
+
+  /// `values` less `step`, of the free joints.
+  Eigen::VectorXd moved(Eigen::VectorXd values, const Eigen::VectorXd& step) const {
+    for (std::size_t k = 0; k < indices_.size(); ++k)
+      values[indices_[k]] -= step[static_cast<Eigen::Index>(k)];
+    return values;
+  }
+
+ private:
+  const ClosureSystem& system_;
+  std::vector<Eigen::Index> indices_;
+};
 
 // Minimum-norm Gauss-Newton steps: quadratic convergence, also where the closures are redundant. A joint that
 // runs into a limit stays there.
@@ -42,8 +63,9 @@ Eigen::VectorXd polished(const ClosureSystem& system, Eigen::VectorXd values, st
   for (int step = 0; step < polishing_steps && error > 0.0; ++step) {
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
     solver.setThreshold(rank_tolerance);
-    solver.compute(free_jacobian(system, values, held));
-    const Eigen::VectorXd wanted = values - solver.solve(system.residual(values));
+    const FreeJoints free(system, held);
+    solver.compute(free.jacobian(values));
+    const Eigen::VectorXd wanted = free.moved(values, solver.solve(system.residual(values)));
     Eigen::VectorXd next = wanted;
     clamp_to_limits(system.tree(), next);
     bool stopped = false;
@@ -94,14 +116,14 @@ Eigen::MatrixXd loop_scaling(const ClosureSystem& system) {
 }
 
 double smallest_singular_value(const Eigen::MatrixXd& matrix) {
-  return matrix.size() > 0 ? matrix.jacobiSvd().singularValues().minCoeff() : 0.0;
+  return matrix.size() > 0 ? matrix.bdcSvd().singularValues().minCoeff() : 0.0;
 }
 
 Candidate judged(const ClosureSystem& system, const Eigen::VectorXd& values,
                  const std::vector<std::size_t>& drives) {
   const Eigen::MatrixXd scaling = loop_scaling(system);
   const Eigen::MatrixXd jacobian = system.jacobian(values) * scaling;
-  Eigen::JacobiSVD<Eigen::MatrixXd> svd(jacobian, Eigen::ComputeFullV);
+  Eigen::BDCSVD<Eigen::MatrixXd> svd(jacobian, Eigen::ComputeFullV);
   svd.setThreshold(rank_tolerance);
   const Eigen::Index rank = svd.rank();
   Candidate candidate;
@@ -134,14 +156,15 @@ const Candidate& best(const std::vector<Candidate>& candidates) {
 
 Eigen::VectorXd close_loops(const ClosureSystem& system, Eigen::VectorXd values,
                             const std::vector<bool>& held) {
+  const FreeJoints free(system, held);
   double damping = 1e-2;
   clamp_to_limits(system.tree(), values);
   Eigen::VectorXd residual = system.residual(values);
   for (int step = 0; step < iterations && largest(residual) > 1e-9 * system.size(); ++step) {
-    const Eigen::MatrixXd jacobian = free_jacobian(system, values, held);
+    const Eigen::MatrixXd jacobian = free.jacobian(values);
     Eigen::MatrixXd normal = jacobian.transpose() * jacobian;
     normal.diagonal().array() += damping * std::max(normal.diagonal().maxCoeff(), 1e-12);
-    Eigen::VectorXd next = values - normal.ldlt().solve(jacobian.transpose() * residual);
+    Eigen::VectorXd next = free.moved(values, normal.ldlt().solve(jacobian.transpose() * residual));
     clamp_to_limits(system.tree(), next);
     const Eigen::VectorXd next_residual = system.residual(next);
     const bool better = next_residual.squaredNorm() < residual.squaredNorm();
