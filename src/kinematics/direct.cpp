@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/kinematics/direct.h"
 
+#include "parallel_aspects/kinematics/continuum.h"
 #include "parallel_aspects/kinematics/direct_se2.h"
 #include "parallel_aspects/kinematics/direct_se3.h"
 #include "parallel_aspects/kinematics/direct_so3.h"
@@ -82,7 +83,9 @@ DirectResult direct(const Manipulator& manipulator, const JointVector& q) {
   // Samples of a continuum that none of the legs can follow are a continuum of complex solutions only.
   if (found.status == DirectStatus::continuum && !found.solutions.empty() && result.solutions.empty())
     result.status = DirectStatus::solved;
-  if (any_on_continuum(manipulator, q, result.solutions)) result.status = DirectStatus::continuum;
+  if (any_on_continuum(manipulator, q, result.solutions) ||
+      (result.status == DirectStatus::unsolved && continuum_found(manipulator, q)))
+    result.status = DirectStatus::continuum;
   if (result.status == DirectStatus::continuum) result.solutions.clear();
   std::stable_sort(
       result.solutions.begin(), result.solutions.end(),

@@ -22,14 +22,20 @@ Refinement refined(const Manipulator& manipulator, const Pose& pose, const Joint
 /// more [m].
 double assembly_scale(const Manipulator& manipulator, const JointVector& q);
 
-/// A lower bound of the smallest singular value of the homogenised A (rotational columns over the
-/// characteristic length, rows over their rod length), no less than 1/n of it. Dimensionless; 0 at a parallel
-/// singularity.
-double smallest_singular_value_bound(const Manipulator& manipulator, const Pose& pose, const JointVector& q);
+/// Largest |f_j| over the squared `scale` [m], dimensionless.
+double relative_residual(const Manipulator& manipulator, const Pose& pose, const JointVector& q,
+                         double scale);
 
-/// Whether the platform moves with the drives locked: from a singular `pose` a finite step along the null
-/// motion of A leads to further solutions, near and far.
-bool on_continuum(const Manipulator& manipulator, const Pose& pose, const JointVector& q);
+/// How many columns of A are rotational; they come first.
+Eigen::Index rotational_columns(TaskSpace space) noexcept;
+
+/// A with its rows over their rod length and its rotational columns over the characteristic length.
+/// Dimensionless.
+TaskMatrix homogenised_matrix(const Manipulator& manipulator, const Pose& pose, const JointVector& q);
+
+/// A lower bound of the smallest singular value of the homogenised A, no less than 1/n of it. Dimensionless;
+/// 0 at a parallel singularity.
+double smallest_singular_value_bound(const Manipulator& manipulator, const Pose& pose, const JointVector& q);
 
 }  // namespace parallel_aspects
 

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/kinematics/continuum.h"
+
+#include "parallel_aspects/kinematics/jacobians.h"
+#include "parallel_aspects/kinematics/refinement.h"
+
+#include <Eigen/SVD>
+
+#include <array>
+#include <cmath>
+#include <random>
+
+namespace parallel_aspects {
+namespace {
+
+// A below this is singular, dimensionless.
+constexpr double singular = 1e-6;
+
+// A pose that assembles, relative to the scale.
+constexpr double assembled = 1e-12;
+
+// Singular values below this, relative to the largest, belong to motions that A nearly does not feel.
+constexpr double null_motion = 1e-3;
+
+// Gauss-Newton that stays where it started along the null motions of A.
+Pose pulled_back(const Manipulator& manipulator, Pose pose, const JointVector& q, int steps) {
+  for (int i = 0; i < steps; ++i) {
+    Eigen::JacobiSVD<Eigen::MatrixXd> svd(direct_matrix(manipulator, pose, q),
+                                          Eigen::ComputeThinU | Eigen::ComputeThinV);
+    svd.setThreshold(null_motion);
+    const TaskVector step = svd.solve(Eigen::VectorXd(-0.5 * residuals(manipulator, pose, q)));
+    pose = displaced(manipulator.task_space(), pose, step);
+  }
+  return pose;
+}
+
+double distance(const Manipulator& manipulator, const Pose& a, const Pose& b) {
+  const double turn = a.orientation.angularDistance(b.orientation) * manipulator.characteristic_length();
+  return std::hypot((a.position - b.position).norm(), has_rotation(manipulator.task_space()) ? turn : 0.0);
+}
+
+bool is_singular_solution(const Manipulator& manipulator, const Pose& pose, const JointVector& q) {
+  return relative_residual(manipulator, pose, q, assembly_scale(manipulator, q)) < assembled &&
+         smallest_singular_value_bound(manipulator, pose, q) < singular;
+}
+
+// Whether a step of `length` [m] along `twist` (homogenised, unit) can be pulled back to another singular
+// solution.
+bool leads_on(const Manipulator& manipulator, const Pose& pose, const JointVector& q, TaskVector twist,
+              double length) {
+  twist.head(rotational_columns(manipulator.task_space())) /= manipulator.characteristic_length();
+  const Pose away = displaced(manipulator.task_space(), pose, length * twist);
+  const Pose landed = pulled_back(manipulator, away, q, 12);
+  const double moved = distance(manipulator, pose, landed), expected = std::abs(length);
+  return moved > 0.5 * expected && moved < 2.0 * expected && is_singular_solution(manipulator, landed, q);
+}
+
+Pose random_pose(const Manipulator& manipulator, std::mt19937& engine) {
+  std::normal_distribution<double> normal;
+  TaskVector twist(static_cast<Eigen::Index>(manipulator.leg_count()));
+  for (double& each : twist) each = normal(engine);
+  const Eigen::Index rotations = rotational_columns(manipulator.task_space());
+  twist.tail(twist.size() - rotations) *= manipulator.size();
+  return displaced(manipulator.task_space(), Pose{}, twist);
+}
+
+}  // namespace
+
+bool on_continuum(const Manipulator& manipulator, const Pose& pose, const JointVector& q) {
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(homogenised_matrix(manipulator, pose, q), Eigen::ComputeFullV);
+  const double size = manipulator.size();
+  for (Eigen::Index k = svd.singularValues().size() - 1; k >= 0 && svd.singularValues()[k] < singular; --k) {
+    const TaskVector twist = svd.matrixV().col(k);
+    const auto leads = [&](double share) { return leads_on(manipulator, pose, q, twist, share * size); };
+    if ((leads(0.005) && leads(0.01) && leads(0.02)) || (leads(-0.005) && leads(-0.01) && leads(-0.02)))
+      return true;
+  }
+  return false;
+}
+
+bool continuum_found(const Manipulator& manipulator, const JointVector& q) {
+  constexpr int starts = 30, steps = 40;
+  std::mt19937 engine(1);
+  for (int i = 0; i < starts; ++i) {
+    const Pose pose = pulled_back(manipulator, random_pose(manipulator, engine), q, steps);
+    if (is_singular_solution(manipulator, pose, q) && on_continuum(manipulator, pose, q)) return true;
+  }
+  return false;
+}
+
+}  // namespace parallel_aspects
