@@ -2,6 +2,7 @@
 #include "parallel_aspects/kinematics/inverse.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace parallel_aspects {
@@ -60,6 +61,35 @@ double turned_into(const JointLimits& limits, double angle) {
   return limits.contain(candidate) ? candidate : angle;
 }
 
+// One leg on one branch.
+struct LegSolution {
+  InverseStatus status = InverseStatus::out_of_reach;
+  double q = 0.0;
+};
+
+LegSolution leg_solution(const Leg& leg, const Pose& pose, int sign) {
+  const Eigen::Vector3d point = pose.transform(leg.anchor);
+  if (!(squared_inverse_entry(leg, point) >= 0.0)) return {};
+  const double q = drive_value(leg, point, sign);
+  return {leg.limits.contain(q) ? InverseStatus::solved : InverseStatus::outside_limits, q};
+}
+
+// `solve(j, sign)` gives leg j on that branch. A leg out of reach outweighs one outside its limits.
+template <class Solve>
+InverseSolution combined(const WorkingMode& mode, const Solve& solve) {
+  const std::size_t legs = mode.leg_count();
+  InverseSolution solution{InverseStatus::solved, mode, JointVector(static_cast<Eigen::Index>(legs)), 0};
+  for (std::size_t j = 0; j < legs; ++j) {
+    const LegSolution leg = solve(j, mode.sign(j));
+    if (leg.status == InverseStatus::out_of_reach) return {leg.status, mode, {}, j};
+    solution.q[static_cast<Eigen::Index>(j)] = leg.q;
+    if (leg.status == InverseStatus::solved || solution.status != InverseStatus::solved) continue;
+    solution.status = leg.status;
+    solution.leg = j;
+  }
+  return solution;
+}
+
 }  // namespace
 
 double squared_inverse_entry(const Leg& leg, const Eigen::Vector3d& point) noexcept {
@@ -79,25 +109,20 @@ double drive_value(const Leg& leg, const Eigen::Vector3d& point, int sign) noexc
 }
 
 InverseSolution inverse(const Manipulator& manipulator, const Pose& pose, const WorkingMode& mode) noexcept {
-  InverseSolution solution{InverseStatus::solved, mode, JointVector(manipulator.leg_count()), 0};
-  for (std::size_t j = 0; j < manipulator.leg_count(); ++j) {
-    const Leg& leg = manipulator.leg(j);
-    const Eigen::Vector3d point = pose.transform(leg.anchor);
-    if (!(squared_inverse_entry(leg, point) >= 0.0)) return {InverseStatus::out_of_reach, mode, {}, j};
-    const double q = drive_value(leg, point, mode.sign(j));
-    solution.q[static_cast<Eigen::Index>(j)] = q;
-    if (solution.status == InverseStatus::solved && !leg.limits.contain(q)) {
-      solution.status = InverseStatus::outside_limits;
-      solution.leg = j;
-    }
-  }
-  return solution;
+  return combined(mode,
+                  [&](std::size_t j, int sign) { return leg_solution(manipulator.leg(j), pose, sign); });
 }
 
 std::vector<InverseSolution> inverse_in_all_modes(const Manipulator& manipulator, const Pose& pose) {
+  std::array<std::array<LegSolution, 2>, max_legs> legs;
+  for (std::size_t j = 0; j < manipulator.leg_count(); ++j)
+    legs[j] = {leg_solution(manipulator.leg(j), pose, -1), leg_solution(manipulator.leg(j), pose, 1)};
+  const std::vector<WorkingMode> modes = working_modes(manipulator);
   std::vector<InverseSolution> solutions;
-  for (const WorkingMode& mode : working_modes(manipulator))
-    solutions.push_back(inverse(manipulator, pose, mode));
+  solutions.reserve(modes.size());
+  for (const WorkingMode& mode : modes)
+    solutions.push_back(
+        combined(mode, [&legs](std::size_t j, int sign) { return legs[j][sign > 0 ? 1 : 0]; }));
   return solutions;
 }
 
