@@ -44,23 +44,41 @@ void locate(const AspectMap& map, const Pose& pose, const WorkingMode& mode, Sol
   }
 }
 
+std::uint8_t kind_of(TransitionKind kind) {
+  switch (kind) {
+    case TransitionKind::working_mode:
+      return AspectTransition::WORKING_MODE;
+    case TransitionKind::aspect:
+      return AspectTransition::ASPECT;
+    case TransitionKind::lost:
+      break;
+  }
+  return AspectTransition::LOST;
+}
+
 std::string aspect_text(std::uint32_t id) { return id == 0 ? "unknown" : std::to_string(id); }
 
-// "aspect 3 -> 1", or why there is nothing to say of it.
-std::string change_text(const AspectTransition& t) {
-  return "aspect " + aspect_text(t.aspect_before) + " -> " + aspect_text(t.aspect_after);
+std::string cause_of(const AspectTransition& t, const Transition& transition) {
+  const std::string number = std::to_string(transition.leg + 1);
+  switch (t.kind) {
+    case AspectTransition::WORKING_MODE:
+      return "B_" + number + number + " of " + t.leg + " (" + t.joint + ") crossed zero";
+    case AspectTransition::LOST:
+      return "det A came too close to zero to tell the assembly mode";
+    default:
+      return t.determinant_crossed ? "det A has changed its sign" : "the aspect became known";
+  }
 }
 
 std::string sentence_of(const AspectTransition& t, const Transition& transition) {
   const std::string before = branch_text(transition.mode_before, transition.determinant_sign_before);
   const std::string after = branch_text(transition.mode_after, transition.determinant_sign_after);
-  const std::string number = std::to_string(transition.leg + 1);
-  std::string cause = t.kind == AspectTransition::WORKING_MODE
-                          ? "B_" + number + number + " of " + t.leg + " (" + t.joint + ") crossed zero"
-                          : std::string();
-  if (t.determinant_crossed) cause += std::string(cause.empty() ? "" : " and ") + "det A crossed zero";
-  if (cause.empty()) cause = "the robot was found in another aspect";
-  return cause + ": " + before + " -> " + after + ", " + change_text(t);
+  const std::string aspects = "aspect " + aspect_text(t.aspect_before) + " -> " + aspect_text(t.aspect_after);
+  const bool same = before == after || transition.determinant_sign_before == 0;
+  const std::string branches = t.kind == AspectTransition::LOST ? before
+                               : same                           ? after
+                                                                : before + " -> " + after;
+  return aspects + ": " + cause_of(t, transition) + "; " + branches;
 }
 
 }  // namespace
@@ -233,7 +251,7 @@ AspectTransition transition_message(const Manipulator& manipulator, const Transi
   AspectTransition message;
   message.header = header_in_base(manipulator, stamp);
   const bool changes_mode = transition.kind == TransitionKind::working_mode;
-  message.kind = changes_mode ? AspectTransition::WORKING_MODE : AspectTransition::ASPECT;
+  message.kind = kind_of(transition.kind);
   if (changes_mode) {
     message.leg = manipulator.leg(transition.leg).name;
     message.joint = manipulator.leg(transition.leg).driven_joint;

@@ -82,12 +82,17 @@ MonitorUpdate RobotMonitor::accept(const JointSample& sample, const ros::Time& s
   return update;
 }
 
-void RobotMonitor::fill_tracked(const ros::Time& stamp, MonitorUpdate& update) const {
+void RobotMonitor::keep_transitions() {
+  for (const Transition& transition : tracker_.transitions())
+    transitions_.push_back(
+        transition_message(*mechanism_->manipulator(), transition, epoch_ + ros::Duration(transition.time)));
+}
+
+void RobotMonitor::fill_tracked(const ros::Time& stamp, MonitorUpdate& update) {
   const Manipulator& manipulator = *mechanism_->manipulator();
   const TrackedState& tracked = tracker_.state();
-  for (const Transition& transition : tracker_.transitions())
-    update.transitions.push_back(
-        transition_message(manipulator, transition, epoch_ + ros::Duration(transition.time)));
+  keep_transitions();
+  update.transitions = std::exchange(transitions_, {});
   if (tracked.status != TrackStatus::tracking) {
     update.state = unknown_state(manipulator, status_, stamp);
     return;
@@ -177,7 +182,10 @@ Status RobotMonitor::start_near(const Pose& pose, const ros::Time& now) {
   if (!last_q_ || stale(now))
     return make_status(Status::NO_JOINT_STATES,
                        "No present drive values are known; publish joint_states first.");
-  if (tracker_.start((last_stamp_ - epoch_).toSec(), *last_q_, pose, start_tolerance_)) return status_ = {};
+  if (tracker_.start((last_stamp_ - epoch_).toSec(), *last_q_, pose, start_tolerance_)) {
+    keep_transitions();
+    return status_ = {};
+  }
   status_ = status_of_tracker();
   return make_status(Status::NO_SOLUTION, "The present drives do not assemble within " +
                                               std::to_string(start_tolerance_) + " m of that pose.");
@@ -188,7 +196,10 @@ Status RobotMonitor::start_with_sign(int determinant_sign, const ros::Time& now)
   if (!last_q_ || stale(now))
     return make_status(Status::NO_JOINT_STATES,
                        "No present drive values are known; publish joint_states first.");
-  if (tracker_.start((last_stamp_ - epoch_).toSec(), *last_q_, determinant_sign)) return status_ = {};
+  if (tracker_.start((last_stamp_ - epoch_).toSec(), *last_q_, determinant_sign)) {
+    keep_transitions();
+    return status_ = {};
+  }
   status_ = status_of_tracker();
   return make_status(Status::NO_SOLUTION,
                      "The present drives do not have exactly one assembly mode with that sign of det A.");

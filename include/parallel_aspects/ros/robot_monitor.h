@@ -74,7 +74,8 @@ class RobotMonitor {
   Status start_as_configured(double time, const JointVector& q);
   Status status_of_tracker() const;
   bool stale(const ros::Time& now) const;
-  void fill_tracked(const ros::Time& stamp, MonitorUpdate& update) const;
+  void fill_tracked(const ros::Time& stamp, MonitorUpdate& update);
+  void keep_transitions();
   void forget();
 
   const std::shared_ptr<const Mechanism> mechanism_;
@@ -91,6 +92,7 @@ class RobotMonitor {
   ros::Time last_received_;  // when any message came
   ros::Time last_usable_;    // when the last usable one came
   std::optional<JointVector> last_q_;
+  std::vector<AspectTransition> transitions_;  // still to be published
   bool said_stale_ = false;
   MonitorCounts counts_;
 };
