@@ -16,10 +16,6 @@ namespace {
 constexpr NodeIndex nodes_per_block = 16384;
 constexpr NodeIndex nodes_per_task = 128;
 
-bool cancelled(const MapControl& control) {
-  return control.cancelled != nullptr && control.cancelled->load(std::memory_order_relaxed);
-}
-
 ModeSet pending_modes(const PoseTree& tree, NodeIndex node) {
   ModeSet modes = 0;
   for (std::size_t mode = 0; mode < tree.mode_count(); ++mode)
@@ -73,7 +69,7 @@ bool grow_base_map(PoseTree& tree, const BoxClassifier& classifier, std::uint32_
   for (std::uint32_t level = 0; level <= depth; ++level) {
     const auto end = static_cast<NodeIndex>(tree.node_count());
     for (NodeIndex block = begin; block < end; block += nodes_per_block) {
-      if (cancelled(control)) return false;
+      if (is_cancelled(control)) return false;
       const NodeIndex block_end = std::min(end, block + nodes_per_block);
       classify_block(tree, classifier, block, block_end);
       progress.tell(level, static_cast<double>(block_end - begin) / (end - begin));

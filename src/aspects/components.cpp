@@ -16,20 +16,76 @@ constexpr std::size_t most_refinements = 200000;
 /// Refinement of the contested leaves of one sign, and of those where an aspect may hide.
 class Refinement {
  public:
-  Refinement(PoseTree& tree, const BoxClassifier& classifier, LeafGraph& graph, std::uint32_t deepest_level)
-      : tree_(tree), classifier_(classifier), graph_(graph), deepest_level_(deepest_level) {}
+  Refinement(PoseTree& tree, const BoxClassifier& classifier, LeafGraph& graph, std::uint32_t deepest_level,
+             const MapControl& control)
+      : tree_(tree),
+        classifier_(classifier),
+        graph_(graph),
+        deepest_level_(deepest_level),
+        control_(control) {}
 
-  /// One round for one sign; whether anything was left to do.
+  /// One round for one sign; whether there was anything left to do.
   bool run(int sign) {
     const LeafGraph::Meeting meeting = graph_.meeting(tree_, sign);
-    const bool contested = refine(meeting.contested), hidden = refine(meeting.hidden);
-    return contested || hidden;
+    std::vector<std::uint32_t> vertices = meeting.hidden;
+    for (const LeafGraph::Contact& contact : meeting.contacts)
+      if (!is_cancelled(control_) && !joined(contact, sign))
+        vertices.insert(vertices.end(), {contact.vertex, contact.other_vertex});
+    add_stranded(meeting, sign, vertices);
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    return refine(vertices);
   }
 
  private:
+  // By now, or by a straight way between the two inside leaves that is proved free of singularities.
+  bool joined(const LeafGraph::Contact& contact, int sign) {
+    if (graph_.component(contact.leaf) == graph_.component(contact.other_leaf)) return true;
+    const Box box = tree_.box(contact.leaf), other = tree_.box(contact.other_leaf);
+    const MapPosition from{tree_.place(contact.leaf).root, box.nearest(other.middle())};
+    if (!is_free(from, contact.other_leaf, sign)) return false;
+    graph_.unite(contact.leaf, contact.other_leaf);
+    return true;
+  }
+
+  bool is_free(const MapPosition& from, NodeIndex leaf, int sign) const {
+    if (tree_.place(leaf).root != from.root) return false;
+    const RoundingUpward rounding;
+    return segment_is_free(classifier_, tree_.dimension(), graph_.mode(), sign, from,
+                           tree_.box(leaf).nearest(from.point));
+  }
+
+  // Leaves whose center is free of singularities, but with no straight way to the component that is nearest:
+  // aspects of about the size of a leaf hide among the undecided leaves around another one.
+  void add_stranded(const LeafGraph::Meeting& meeting, int sign, std::vector<std::uint32_t>& vertices) {
+    std::vector<bool>& seen = sign > 0 ? seen_positive_ : seen_negative_;
+    seen.resize(graph_.vertices().size(), false);
+    for (std::uint32_t v = 0; v < seen.size() && !is_cancelled(control_); ++v) {
+      if (seen[v] || meeting.nearest[v] == no_node) continue;
+      seen[v] = true;
+      if (!touches_inside_leaf(v, sign) && is_stranded(v, meeting.nearest[v], sign)) vertices.push_back(v);
+    }
+  }
+
+  bool touches_inside_leaf(std::uint32_t vertex, int sign) const {
+    const auto& neighbours = graph_.vertices()[vertex].neighbours;
+    return std::any_of(neighbours.begin(), neighbours.end(), [&](NodeIndex neighbour) {
+      return tree_.state(neighbour, graph_.mode()).is_inside(sign);
+    });
+  }
+
+  bool is_stranded(std::uint32_t vertex, NodeIndex nearest, int sign) const {
+    const NodeIndex node = graph_.vertices()[vertex].node;
+    const MapPosition center{tree_.place(node).root, tree_.box(node).middle()};
+    const RoundingUpward rounding;
+    return proved_sign(classifier_, tree_.dimension(), graph_.mode(), center) == sign &&
+           !is_free(center, nearest, sign);
+  }
+
   bool refine(const std::vector<std::uint32_t>& vertices) {
     bool refined = false;
     for (const std::uint32_t vertex : vertices) {
+      if (is_cancelled(control_)) return false;
       if (budget_ == 0 || tree_.place(graph_.vertices()[vertex].node).level >= deepest_level_) continue;
       graph_.refine(tree_, classifier_, vertex);
       refined = true;
@@ -42,7 +98,9 @@ class Refinement {
   const BoxClassifier& classifier_;
   LeafGraph& graph_;
   std::uint32_t deepest_level_;
+  const MapControl& control_;
   std::size_t budget_ = most_refinements;
+  std::vector<bool> seen_positive_, seen_negative_;  // vertices that were looked at
 };
 
 void extend(Box& bounds, const Box& box) {
@@ -72,7 +130,7 @@ class Summary {
     const auto& leaves = graph_.inside_leaves();
     index_.assign(leaves.size(), LeafGraph::none);
     for (std::uint32_t i = 0; i < leaves.size(); ++i) {
-      const std::uint32_t root = graph_.component(i);
+      const std::uint32_t root = graph_.component(leaves[i]);
       const Box box = tree_.box(leaves[i]);
       if (index_[root] == LeafGraph::none) start_component(root, leaves[i]);
       Component& component = result_.components[index_[root]];
@@ -98,12 +156,12 @@ class Summary {
 
   void collect_meetings(int sign) {
     const LeafGraph::Meeting meeting = graph_.meeting(tree_, sign);
-    for (const auto& [a, b] : meeting.pairs) result_.unresolved.emplace_back(index_[a], index_[b]);
+    for (const LeafGraph::Contact& contact : meeting.contacts) result_.unresolved.push_back(ordered(contact));
     const RoundingUpward rounding;
     undecided_.resize(result_.components.size(), 0.0);
     for (std::uint32_t v = 0; v < graph_.vertices().size(); ++v) {
-      if (meeting.nearest[v] == LeafGraph::none) continue;
-      const std::size_t component = index_[meeting.nearest[v]];
+      if (meeting.nearest[v] == no_node) continue;
+      const std::size_t component = component_index(meeting.nearest[v]);
       const NodeIndex node = graph_.vertices()[v].node;
       const double measure = tree_.space().measure(tree_.box(node));
       undecided_[component] += measure;
@@ -116,7 +174,17 @@ class Summary {
     return proved_sign(classifier_, tree_.dimension(), mode_, center) == sign;
   }
 
+  std::pair<std::size_t, std::size_t> ordered(const LeafGraph::Contact& contact) {
+    const std::size_t a = component_index(contact.leaf), b = component_index(contact.other_leaf);
+    return {std::min(a, b), std::max(a, b)};
+  }
+
+  std::size_t component_index(NodeIndex leaf) { return index_[graph_.component(leaf)]; }
+
   void collect_clusters() {
+    auto& pairs = result_.unresolved;
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
     DisjointSets clusters(result_.components.size());
     for (const auto& [a, b] : result_.unresolved)
       clusters.unite(static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b));
@@ -142,8 +210,8 @@ class Summary {
 }  // namespace
 
 void refine_contested(PoseTree& tree, const BoxClassifier& classifier, LeafGraph& graph,
-                      std::uint32_t deepest_level) {
-  Refinement refinement(tree, classifier, graph, deepest_level);
+                      std::uint32_t deepest_level, const MapControl& control) {
+  Refinement refinement(tree, classifier, graph, deepest_level, control);
   // Leaves divided for one sign may show new components of the other.
   for (bool refined = true; refined;) {
     refined = false;

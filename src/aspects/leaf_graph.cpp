@@ -11,11 +11,6 @@ namespace {
 
 bool same_sign_inside(LeafState a, LeafState b) { return a.is_inside() && a == b; }
 
-void sort_unique(std::vector<std::uint32_t>& items) {
-  std::sort(items.begin(), items.end());
-  items.erase(std::unique(items.begin(), items.end()), items.end());
-}
-
 }  // namespace
 
 LeafGraph::LeafGraph(const PoseTree& tree, std::size_t mode) : mode_(mode) {
@@ -43,20 +38,41 @@ void LeafGraph::connect(const PoseTree& tree, NodeIndex a, NodeIndex b) {
   if (state_b.is_undecided() && slot_[a] != none) vertices_[slot_[b]].neighbours.push_back(a);
 }
 
-void LeafGraph::start_from_components(const PoseTree& tree, int sign, Meeting& meeting,
-                                      std::vector<std::uint32_t>& queue) {
+void LeafGraph::compare(std::uint32_t v, std::uint32_t w, NodeIndex leaf, NodeIndex other, Meeting& meeting) {
+  if (component(leaf) != component(other)) meeting.contacts.push_back({v, w, leaf, other});
+}
+
+std::vector<std::uint32_t> LeafGraph::start_from_components(const PoseTree& tree, int sign,
+                                                            Meeting& meeting) {
+  std::vector<std::uint32_t> queue;
   for (std::uint32_t v = 0; v < vertices_.size(); ++v) {
     const Vertex& vertex = vertices_[v];
     if (vertex.node == no_node || !tree.state(vertex.node, mode_).may_be(sign)) continue;
     for (const NodeIndex neighbour : vertex.neighbours) {
       if (!tree.state(neighbour, mode_).is_inside(sign)) continue;
-      const std::uint32_t component = components_.find(slot_[neighbour]);
-      if (meeting.nearest[v] == none) {
-        meeting.nearest[v] = component;
+      if (meeting.nearest[v] == no_node) {
+        meeting.nearest[v] = neighbour;
         queue.push_back(v);
-      } else if (meeting.nearest[v] != component) {
-        meeting.contested.push_back(v);
-        meeting.pairs.push_back(std::minmax(meeting.nearest[v], component));
+      } else {
+        compare(v, v, meeting.nearest[v], neighbour, meeting);
+      }
+    }
+  }
+  return queue;
+}
+
+void LeafGraph::spread(const PoseTree& tree, int sign, std::vector<std::uint32_t> queue, Meeting& meeting) {
+  for (std::size_t head = 0; head < queue.size(); ++head) {
+    const std::uint32_t v = queue[head];
+    for (const NodeIndex neighbour : vertices_[v].neighbours) {
+      const LeafState state = tree.state(neighbour, mode_);
+      if (!state.is_undecided() || !state.may_be(sign)) continue;
+      const std::uint32_t w = slot_[neighbour];
+      if (meeting.nearest[w] == no_node) {
+        meeting.nearest[w] = meeting.nearest[v];
+        queue.push_back(w);
+      } else if (v < w) {
+        compare(v, w, meeting.nearest[v], meeting.nearest[w], meeting);
       }
     }
   }
@@ -64,31 +80,12 @@ void LeafGraph::start_from_components(const PoseTree& tree, int sign, Meeting& m
 
 LeafGraph::Meeting LeafGraph::meeting(const PoseTree& tree, int sign) {
   Meeting meeting;
-  meeting.nearest.assign(vertices_.size(), none);
-  std::vector<std::uint32_t> queue;
-  start_from_components(tree, sign, meeting, queue);
-  for (std::size_t head = 0; head < queue.size(); ++head) {
-    const std::uint32_t v = queue[head];
-    for (const NodeIndex neighbour : vertices_[v].neighbours) {
-      const LeafState state = tree.state(neighbour, mode_);
-      if (!state.is_undecided() || !state.may_be(sign)) continue;
-      const std::uint32_t w = slot_[neighbour];
-      if (meeting.nearest[w] == none) {
-        meeting.nearest[w] = meeting.nearest[v];
-        queue.push_back(w);
-      } else if (meeting.nearest[w] != meeting.nearest[v]) {
-        meeting.contested.insert(meeting.contested.end(), {v, w});
-        meeting.pairs.push_back(std::minmax(meeting.nearest[v], meeting.nearest[w]));
-      }
-    }
-  }
+  meeting.nearest.assign(vertices_.size(), no_node);
+  spread(tree, sign, start_from_components(tree, sign, meeting), meeting);
   for (std::uint32_t v = 0; v < vertices_.size(); ++v)
-    if (meeting.nearest[v] == none && vertices_[v].node != no_node &&
+    if (meeting.nearest[v] == no_node && vertices_[v].node != no_node &&
         tree.state(vertices_[v].node, mode_).may_be(sign))
       meeting.hidden.push_back(v);
-  sort_unique(meeting.contested);
-  std::sort(meeting.pairs.begin(), meeting.pairs.end());
-  meeting.pairs.erase(std::unique(meeting.pairs.begin(), meeting.pairs.end()), meeting.pairs.end());
   return meeting;
 }
 

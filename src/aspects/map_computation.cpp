@@ -135,25 +135,39 @@ void find_deepest_poses(AspectMap::Contents& map) {
   });
 }
 
-/// Components of every mode, with contested leaves refined.
-void add_components(AspectMap::Contents& map, const Plan& plan) {
+/// Components of every mode, with contested leaves refined. False when cancelled.
+bool add_components(AspectMap::Contents& map, const Plan& plan, const MapControl& control) {
   const std::size_t count = plan.modes.size();
   std::vector<std::unique_ptr<LeafGraph>> graphs(count);
   tbb::parallel_for(std::size_t{0}, count,
                     [&](std::size_t mode) { graphs[mode] = std::make_unique<LeafGraph>(map.tree, mode); });
   for (std::size_t mode = 0; mode < count; ++mode)
-    refine_contested(map.tree, *map.classifier, *graphs[mode], plan.deepest_level);
+    refine_contested(map.tree, *map.classifier, *graphs[mode], plan.deepest_level, control);
+  if (is_cancelled(control)) return false;
   std::vector<ModeComponents> found(count);
   tbb::parallel_for(std::size_t{0}, count, [&](std::size_t mode) {
     found[mode] = find_components(map.tree, *map.classifier, mode, *graphs[mode]);
   });
   map.leaf_aspects.assign(map.tree.node_count() * count, 0);
   for (std::size_t mode = 0; mode < count; ++mode) add_mode(map, mode, found[mode]);
+  return true;
 }
 
 }  // namespace
 
-double default_resolution(const Manipulator& manipulator) noexcept { return manipulator.size() / 200.0; }
+double default_resolution(const Manipulator& manipulator) noexcept {
+  switch (manipulator.task_space()) {
+    case TaskSpace::T2:
+      return manipulator.size() / 200.0;
+    case TaskSpace::SE2:
+    case TaskSpace::T3:
+      return manipulator.size() / 50.0;
+    case TaskSpace::SO3:
+    case TaskSpace::SE3:
+      break;
+  }
+  return 0.1;
+}
 
 MapResult compute_aspect_map(std::shared_ptr<const Manipulator> manipulator, const MapOptions& options,
                              const MapControl& control) {
@@ -173,7 +187,7 @@ MapResult compute_aspect_map(std::shared_ptr<const Manipulator> manipulator, con
                                              : static_cast<int>(options.threads));
   const bool complete = arena.execute([&] {
     if (!grow_base_map(map->tree, *map->classifier, plan.depth, scaled)) return false;
-    add_components(*map, plan);
+    if (!add_components(*map, plan, control)) return false;
     find_deepest_poses(*map);
     return true;
   });

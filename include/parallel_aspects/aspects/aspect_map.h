@@ -23,7 +23,7 @@ class PoseTree;
 /// What to compute. Every value has a default that suits the robot.
 struct MapOptions {
   /// No undecided leaf of the base map has an edge longer than this [m or rad]; positive.
-  /// Default: 1/200 of the robot's size.
+  /// By default `default_resolution`.
   std::optional<double> resolution;
 
   /// Where to look; by default a box that encloses every reachable pose. Rounded outward to binary fractions.
@@ -41,6 +41,11 @@ struct MapControl {
   std::function<void(double)> progress;  ///< called with the share done, 0 to 1, from the calling thread
   const std::atomic<bool>* cancelled = nullptr;  ///< polled; the computation ends soon after it turns true
 };
+
+/// Whether the computation is to end.
+inline bool is_cancelled(const MapControl& control) noexcept {
+  return control.cancelled != nullptr && control.cancelled->load(std::memory_order_relaxed);
+}
 
 /// A proved connected singularity-free set of one working mode and one sign of det A: part of exactly one
 /// generalized aspect A_ij (Definition 6 of the paper), and all of it that the resolution shows.
@@ -127,12 +132,13 @@ struct MapResult {
   std::shared_ptr<const AspectMap> map;  ///< set when complete
 };
 
-/// Computes the map. Task spaces: T2; the others are refused with a sentence. Bad options are refused
+/// Computes the map, in every task space but SE3, which is refused with a sentence. Bad options are refused
 /// likewise.
 MapResult compute_aspect_map(std::shared_ptr<const Manipulator> manipulator, const MapOptions& options = {},
                              const MapControl& control = {});
 
-/// The resolution that is taken where none is given [m].
+/// The resolution that is taken where none is given: 1/200 of the robot's size in T2, 1/50 in SE2 and T3 [m],
+/// 0.1 rad in SO3.
 double default_resolution(const Manipulator& manipulator) noexcept;
 
 }  // namespace parallel_aspects

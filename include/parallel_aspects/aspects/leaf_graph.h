@@ -8,7 +8,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace parallel_aspects {
@@ -27,36 +26,46 @@ class LeafGraph {
     std::vector<NodeIndex> neighbours;
   };
 
-  /// Where components of one sign meet: for each vertex the component (root) nearest to it along undecided
-  /// leaves of that sign, or `none`; and the vertices where two components meet, with the pairs that do.
+  /// Two undecided leaves side by side (or twice the same) that are nearest to different components, and the
+  /// inside leaf of each that they were reached from.
+  struct Contact {
+    std::uint32_t vertex, other_vertex;
+    NodeIndex leaf, other_leaf;
+  };
+
+  /// Where components of one sign meet, along undecided leaves that may have that sign.
   struct Meeting {
-    std::vector<std::uint32_t> nearest;
-    std::vector<std::uint32_t> contested;
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+    std::vector<NodeIndex>
+        nearest;  ///< for each vertex an inside leaf of the component nearest to it, or `no_node`
+    std::vector<Contact> contacts;
     std::vector<std::uint32_t>
-        hidden;  ///< vertices of that sign that no component is near to: small aspects may hide
+        hidden;  ///< vertices that no component is near to: small aspects may hide there
   };
 
   Meeting meeting(const PoseTree& tree, int sign);
 
+  /// Joins the components of two inside leaves, after a proof that they are one.
+  void unite(NodeIndex leaf, NodeIndex other) { components_.unite(slot_[leaf], slot_[other]); }
+
   /// Divides the leaf of a vertex in `tree` and classifies its children.
   void refine(PoseTree& tree, const BoxClassifier& classifier, std::uint32_t vertex);
 
+  std::size_t mode() const noexcept { return mode_; }
   const std::vector<Vertex>& vertices() const noexcept { return vertices_; }
 
-  /// Inside leaves; the index is what `component` takes.
   const std::vector<NodeIndex>& inside_leaves() const noexcept { return inside_leaves_; }
 
-  /// The root of the component of an inside leaf, by its index in `inside_leaves()`.
-  std::uint32_t component(std::uint32_t inside_leaf) noexcept { return components_.find(inside_leaf); }
+  /// The component of an inside leaf: the same number for all leaves of it, below `inside_leaves().size()`.
+  std::uint32_t component(NodeIndex inside_leaf) noexcept { return components_.find(slot_[inside_leaf]); }
 
  private:
   void add_leaf(const PoseTree& tree, NodeIndex node);
   void connect(const PoseTree& tree, NodeIndex a, NodeIndex b);
   void replace(const PoseTree& tree, NodeIndex old_node, const std::vector<NodeIndex>& children,
                NodeIndex neighbour);
-  void start_from_components(const PoseTree& tree, int sign, Meeting& meeting,
-                             std::vector<std::uint32_t>& queue);
+  std::vector<std::uint32_t> start_from_components(const PoseTree& tree, int sign, Meeting& meeting);
+  void spread(const PoseTree& tree, int sign, std::vector<std::uint32_t> queue, Meeting& meeting);
+  void compare(std::uint32_t v, std::uint32_t w, NodeIndex leaf, NodeIndex other, Meeting& meeting);
 
   std::size_t mode_;
   std::vector<std::uint32_t> slot_;  // of a node: index among the vertices or among the inside leaves
