@@ -9,7 +9,8 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr std::size_t most_chains = 16;  // of one leg; a Delta leg has two
+constexpr std::size_t most_chains = 16;    // of one leg; a Delta leg has two
+constexpr std::size_t most_steps = 20000;  // on the way along them
 
 // Sets of numbers that are joined pair by pair.
 class Partition {
@@ -166,8 +167,14 @@ class LegFinder {
     LegChains leg{found.front(), {}};
     Chain chain;
     std::set<std::size_t> visited{base_};
+    steps_ = 0;
     walk(part, base_, visited, chain, leg.chains);
-    legs.push_back(leg);
+    if (leg.chains.size() < most_chains && steps_ < most_steps) {
+      legs.push_back(leg);
+      return;
+    }
+    problem("makes one leg of the joints " + joints_of(part) +
+            ", which form too many loops to be followed; simplify the leg in " + files_.urdf + ".");
   }
 
   static void append(const Edge& edge, bool forward, Chain& chain) {
@@ -177,9 +184,9 @@ class LegFinder {
   }
 
   void walk(const std::vector<std::size_t>& part, std::size_t body, std::set<std::size_t>& visited,
-            Chain& chain, std::vector<Chain>& chains) const {
+            Chain& chain, std::vector<Chain>& chains) {
     if (body == platform_) chains.push_back(chain);
-    if (body == platform_ || chains.size() >= most_chains) return;
+    if (body == platform_ || chains.size() >= most_chains || ++steps_ >= most_steps) return;
     for (const std::size_t k : part) {
       const Edge& edge = edges_[k];
       if (edge.from != body && edge.to != body) continue;
@@ -254,6 +261,7 @@ class LegFinder {
   Partition parts_;   // bodies that hang together without base and platform
   std::vector<Edge> edges_;
   std::size_t base_ = 0, platform_ = 0;
+  std::size_t steps_ = 0;              // of the walk through the present leg
   Eigen::Vector3d operational_point_;  // assembled, in the base frame [m]
 };
 

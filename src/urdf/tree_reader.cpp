@@ -5,8 +5,8 @@
 
 #include <urdf_parser/urdf_parser.h>
 
-#include <algorithm>
 #include <console_bridge/console.h>
+#include <exception>
 
 namespace parallel_aspects {
 namespace {
@@ -35,6 +35,18 @@ Eigen::Isometry3d isometry(const urdf::Pose& pose) {
 JointMotion motion(const urdf::Joint& joint) {
   if (joint.type == urdf::Joint::FIXED) return JointMotion::fixed;
   return joint.type == urdf::Joint::PRISMATIC ? JointMotion::sliding : JointMotion::turning;
+}
+
+urdf::ModelInterfaceSharedPtr parsed(const std::string& text, std::string& refusal) {
+  ConsoleCapture console;
+  try {
+    auto model = urdf::parseURDF(text);
+    refusal = console.first_error;
+    return model;
+  } catch (const std::exception& error) {
+    refusal = error.what();
+    return nullptr;
+  }
 }
 
 class TreeBuilder {
@@ -92,10 +104,10 @@ std::optional<Tree> read_tree(const std::string& text, const std::string& file, 
   const std::size_t before = problems.size();
   const UrdfInspection inspection = inspect_urdf(text, file, problems, notes);
   if (problems.size() > before) return std::nullopt;
-  ConsoleCapture console;
-  const urdf::ModelInterfaceSharedPtr model = urdf::parseURDF(inspection.text);
+  std::string refusal;
+  const urdf::ModelInterfaceSharedPtr model = parsed(inspection.text, refusal);
   if (!model || !model->getRoot()) {
-    problems.push_back(file + " is refused by urdfdom: " + console.first_error);
+    problems.push_back(file + " is refused by urdfdom: " + refusal);
     return std::nullopt;
   }
   return TreeBuilder(*model, inspection).build();
