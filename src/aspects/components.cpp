@@ -5,6 +5,8 @@
 #include "parallel_aspects/aspects/segment_proof.h"
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 namespace parallel_aspects {
 namespace {
@@ -12,6 +14,9 @@ namespace {
 // Where components touch along a whole curve no depth tells them apart; then stop and report them as
 // unresolved.
 constexpr std::size_t most_refinements = 200000;
+
+// Between two components that are apart all proofs fail, and one that fails is dear.
+constexpr int most_failures = 8;
 
 /// Refinement of the contested leaves of one sign, and of those where an aspect may hide.
 class Refinement {
@@ -28,6 +33,7 @@ class Refinement {
   bool run(int sign) {
     const LeafGraph::Meeting meeting = graph_.meeting(tree_, sign);
     std::vector<std::uint32_t> vertices = meeting.hidden;
+    failures_.clear();
     for (const LeafGraph::Contact& contact : meeting.contacts)
       if (!is_cancelled(control_) && !joined(contact, sign))
         vertices.insert(vertices.end(), {contact.vertex, contact.other_vertex});
@@ -40,10 +46,17 @@ class Refinement {
  private:
   // By now, or by a straight way between the two inside leaves that is proved free of singularities.
   bool joined(const LeafGraph::Contact& contact, int sign) {
-    if (graph_.component(contact.leaf) == graph_.component(contact.other_leaf)) return true;
-    const Box box = tree_.box(contact.leaf), other = tree_.box(contact.other_leaf);
-    const MapPosition from{tree_.place(contact.leaf).root, box.nearest(other.middle())};
-    if (!is_free(from, contact.other_leaf, sign)) return false;
+    const std::uint32_t component = graph_.component(contact.leaf),
+                        other = graph_.component(contact.other_leaf);
+    if (component == other) return true;
+    int& failures = failures_[{std::min(component, other), std::max(component, other)}];
+    if (failures == most_failures) return false;
+    const MapPosition from{tree_.place(contact.leaf).root,
+                           tree_.box(contact.leaf).nearest(tree_.box(contact.other_leaf).middle())};
+    if (!is_free(from, contact.other_leaf, sign)) {
+      ++failures;
+      return false;
+    }
     graph_.unite(contact.leaf, contact.other_leaf);
     return true;
   }
@@ -100,6 +113,8 @@ class Refinement {
   std::uint32_t deepest_level_;
   const MapControl& control_;
   std::size_t budget_ = most_refinements;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int>
+      failures_;                                     // of proofs between two components, this round
   std::vector<bool> seen_positive_, seen_negative_;  // vertices that were looked at
 };
 

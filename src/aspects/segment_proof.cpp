@@ -42,6 +42,8 @@ struct Segment {
     if (state.is_inside(sign)) return true;
     if (!state.may_be(sign) || halvings == most_halvings) return false;
     const double middle = 0.5 * (begin + end);
+    // Most segments that are not free show it at a single point.
+    if (!classify(classifier, mode, root, hull(middle, middle)).is_inside(sign)) return false;
     return is_free(begin, middle, halvings + 1) && is_free(middle, end, halvings + 1);
   }
 };
