@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/aspects/aspect_map.h"
+
 #include <benchmark/benchmark.h>
 
-#include "parallel_aspects/aspects/aspect_map.h"
 #include "support/robots.h"
 
 namespace parallel_aspects {
 namespace {
 
-// The paper's five-bar over [-20, 20]^2, all four working modes, everything that `compute_aspect_map` reports.
+// The paper's five-bar over [-20, 20]^2, all four working modes, everything that `compute_aspect_map`
+// reports.
 void five_bar_map(benchmark::State& state) {
   const auto robot = test::five_bar();
   MapOptions options;
@@ -18,7 +20,8 @@ void five_bar_map(benchmark::State& state) {
 }
 BENCHMARK(five_bar_map)->Arg(1)->Arg(2)->ArgName("threads")->UseRealTime()->Unit(benchmark::kMillisecond);
 
-// Time against resolution, in units of a micrometre; the boundary is a curve, so it should double as this halves.
+// Time against resolution, in units of a micrometre; the boundary is a curve, so it should double as this
+// halves.
 void five_bar_map_by_resolution(benchmark::State& state) {
   const auto robot = test::five_bar();
   MapOptions options;

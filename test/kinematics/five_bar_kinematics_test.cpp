@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <cmath>
-#include <random>
-
-#include <gtest/gtest.h>
-
 #include "parallel_aspects/kinematics/direct.h"
 #include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/kinematics/jacobians.h"
+
+#include <gtest/gtest.h>
+
 #include "support/robots.h"
+#include <cmath>
+#include <random>
 
 namespace parallel_aspects {
 namespace {
@@ -22,7 +22,8 @@ Pose at(double x, double y) {
 
 WorkingMode mode(int s1, int s2) { return *WorkingMode::from_signs({s1, s2}); }
 
-// The paper writes the elbow as q = atan2(.) + s acos(.); then B11 = L1 L2 sin(theta3 - theta1) has the sign of -s.
+// The paper writes the elbow as q = atan2(.) + s acos(.); then B11 = L1 L2 sin(theta3 - theta1) has the sign
+// of -s.
 TEST(FiveBar, InverseSolutionsOfTheReferencePose) {
   const InverseSolution plus_plus = inverse(*robot, at(4.5, 8.0), mode(-1, -1));
   ASSERT_EQ(plus_plus.status, InverseStatus::solved);
