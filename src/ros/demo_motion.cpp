@@ -129,11 +129,9 @@ void play(const Manipulator& manipulator, const Motion& motion, double duration,
   }
 }
 
-int run() {
-  const ros::NodeHandle private_nh("~");
+int run(ros::NodeHandle nh, const ros::NodeHandle& private_nh) {
   const std::string server = private_nh.param<std::string>("server", "aspect_node");
   const double duration = private_nh.param("duration", 60.0);
-  ros::NodeHandle nh;
   const NodeSetup setup = load_setup(nh, ros::NodeHandle(server));
   const Tour tour = plan(setup);
   if (tour.drives.size() < 2) return EXIT_FAILURE;
@@ -150,8 +148,9 @@ int run() {
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "demo_motion");
+  const ros::NodeHandle nh, private_nh("~");  // the log ends with the last of its handles
   try {
-    return parallel_aspects::run();
+    return parallel_aspects::run(nh, private_nh);
   } catch (const parallel_aspects::InvalidDescription& invalid) {
     for (const std::string& problem : invalid.problems()) ROS_FATAL_STREAM(problem);
     return EXIT_FAILURE;

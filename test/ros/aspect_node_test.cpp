@@ -1,0 +1,384 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The running node, through its topics, services, action and tf. Tests run in the order in which they are
+// written; each waits for what it needs, up to a deadline.
+#include "parallel_aspects/tracking/tour.h"
+
+#include <parallel_aspects/AspectState.h>
+#include <parallel_aspects/AspectTransition.h>
+#include <parallel_aspects/ComputeMapAction.h>
+#include <parallel_aspects/GetCurrentAspect.h>
+#include <parallel_aspects/GetSingularityDistance.h>
+#include <parallel_aspects/GetWorkingMode.h>
+#include <parallel_aspects/ListAspects.h>
+#include <parallel_aspects/MapProgress.h>
+#include <parallel_aspects/SetAssemblyMode.h>
+
+#include <gtest/gtest.h>
+#include <ros/ros.h>
+#include <tf2_ros/buffer.h>
+#include <tf2_ros/static_transform_broadcaster.h>
+#include <tf2_ros/transform_listener.h>
+
+#include "ros/five_bar_setup.h"
+#include <actionlib/client/simple_action_client.h>
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+#include <visualization_msgs/MarkerArray.h>
+
+namespace parallel_aspects {
+namespace {
+
+constexpr double deadline = 60.0;  // [s]
+
+// Whether `condition` becomes true before the deadline.
+bool eventually(const std::function<bool()>& condition) {
+  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(deadline);
+  while (ros::WallTime::now() < end) {
+    if (condition()) return true;
+    ros::WallDuration(0.005).sleep();
+  }
+  return condition();
+}
+
+// Keeps every message of a topic.
+template <typename Message>
+class Recorder {
+ public:
+  explicit Recorder(const std::string& topic)
+      : subscriber_(ros::NodeHandle().subscribe<Message>(topic, 10000, [this](const auto& message) {
+          const std::lock_guard<std::mutex> lock(mutex_);
+          messages_.push_back(*message);
+        })) {}
+
+  std::vector<Message> all() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return messages_;
+  }
+  std::optional<Message> last() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return messages_.empty() ? std::nullopt : std::make_optional(messages_.back());
+  }
+  bool connected() const { return subscriber_.getNumPublishers() > 0; }
+
+ private:
+  mutable std::mutex mutex_;
+  std::vector<Message> messages_;
+  ros::Subscriber subscriber_;
+};
+
+template <typename Service>
+typename Service::Response call(const std::string& name, const typename Service::Request& request) {
+  const std::string full = name.front() == '/' ? name : "/aspect_node/" + name;
+  EXPECT_TRUE(ros::service::waitForService(full, ros::Duration(deadline))) << full;
+  Service service;
+  service.request = request;
+  EXPECT_TRUE(ros::service::call(full, service)) << full;
+  return service.response;
+}
+
+Configuration at_pose(double x, double y, const std::string& frame,
+                      const std::vector<std::int8_t>& mode = {}) {
+  Configuration configuration;
+  configuration.kind = Configuration::POSE;
+  configuration.pose.header.frame_id = frame;
+  configuration.pose.pose.position.x = x;
+  configuration.pose.pose.position.y = y;
+  configuration.pose.pose.orientation.w = 1.0;
+  configuration.working_mode = mode;
+  return configuration;
+}
+
+template <typename Service>
+typename Service::Response ask(const std::string& name, const Configuration& configuration) {
+  typename Service::Request request;
+  request.configuration = configuration;
+  return call<Service>(name, request);
+}
+
+class AspectNode : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    publisher_ = ros::NodeHandle().advertise<sensor_msgs::JointState>("joint_states", 10000);
+    const Recorder<MapProgress> progress("/aspect_node/map_progress");
+    ASSERT_TRUE(
+        eventually([&] { return progress.last() && progress.last()->state == MapProgress::COMPLETE; }));
+    ASSERT_TRUE(eventually([] { return publisher_.getNumSubscribers() >= 2; }));
+  }
+  static void TearDownTestSuite() { publisher_.shutdown(); }
+
+  // Publishes drive values, stamped now.
+  static void publish(const JointVector& q) {
+    sensor_msgs::JointState message;
+    message.header.stamp = ros::Time::now();
+    message.name = {"crank_2_joint", "crank_1_joint"};  // not in the order of the legs
+    message.position = {q[1], q[0]};
+    publisher_.publish(message);
+    ros::WallDuration(0.001).sleep();  // so that stamps differ
+  }
+
+  static ros::Publisher publisher_;
+  const std::shared_ptr<const Mechanism> mechanism_ = test::five_bar_mechanism();
+  const Manipulator& robot_ = *mechanism_->manipulator();
+};
+
+ros::Publisher AspectNode::publisher_;
+
+TEST_F(AspectNode, SaysThatItKnowsNothingWithoutJointStates) {
+  const Recorder<AspectState> state("/aspect_node/state");
+  ASSERT_TRUE(eventually([&] { return state.last().has_value(); }));
+  EXPECT_EQ(state.last()->status.code, Status::NO_JOINT_STATES);
+  EXPECT_EQ(ask<GetWorkingMode>("get_working_mode", Configuration()).status.code, Status::NO_JOINT_STATES);
+  EXPECT_EQ(ask<GetCurrentAspect>("get_current_aspect", Configuration()).status.code,
+            Status::NO_JOINT_STATES);
+}
+
+TEST_F(AspectNode, ListsTenAspects) {
+  const auto response = call<ListAspects>("list_aspects", {});
+  EXPECT_EQ(response.status.code, Status::OK) << response.status.sentence;
+  ASSERT_EQ(response.aspects.size(), 10U);
+  EXPECT_EQ(response.proved_count, 10U);
+  for (std::size_t i = 0; i < 10; ++i) EXPECT_EQ(response.aspects[i].id, i + 1);
+  EXPECT_EQ(response.aspects.front().unit, "m^2");
+}
+
+TEST_F(AspectNode, ALateSubscriberSeesTheMarkers) {
+  const Recorder<visualization_msgs::MarkerArray> markers("/aspect_node/markers");
+  ASSERT_TRUE(eventually([&] { return markers.last().has_value(); }));
+  const auto array = *markers.last();
+  EXPECT_EQ(std::count_if(array.markers.begin(), array.markers.end(),
+                          [](const auto& marker) { return marker.ns == "workspace/aspects"; }),
+            10);
+  tf2_ros::Buffer tf;
+  const tf2_ros::TransformListener listener(tf);
+  for (const char* frame : {"five_bar/aspects", "five_bar/joint_space"})
+    EXPECT_TRUE(eventually([&] { return tf.canTransform("base_link", frame, ros::Time(0)); })) << frame;
+}
+
+TEST_F(AspectNode, AnswersAboutAPoseInEveryWorkingMode) {
+  const auto modes = ask<GetWorkingMode>("get_working_mode", at_pose(4.5, 8.0, ""));
+  EXPECT_EQ(modes.status.code, Status::OK);
+  EXPECT_EQ(modes.solutions.size(), 4U);
+  const auto aspects = ask<GetCurrentAspect>("get_current_aspect", at_pose(4.5, 8.0, "base_link", {1, -1}));
+  ASSERT_EQ(aspects.solutions.size(), 1U);
+  EXPECT_EQ(aspects.solutions[0].aspect_status, SolvedConfiguration::INSIDE);
+  EXPECT_EQ(aspects.solutions[0].working_mode, (std::vector<std::int8_t>{1, -1}));
+  const auto distance =
+      ask<GetSingularityDistance>("get_singularity_distance", at_pose(4.5, 8.0, "", {1, 1}));
+  ASSERT_EQ(distance.reports.size(), 1U);
+  EXPECT_EQ(distance.reports[0].determinant_unit, "m^2");
+  EXPECT_EQ(distance.reports[0].inverse_diagonal.size(), 2U);
+  EXPECT_GT(distance.reports[0].inverse_diagonal[0], 0.0);
+  EXPECT_GT(distance.reports[0].smallest_singular_value, 0.0);
+}
+
+TEST_F(AspectNode, TakesPosesInAnyFrameOfTf) {
+  tf2_ros::StaticTransformBroadcaster broadcaster;
+  geometry_msgs::TransformStamped table;
+  table.header.frame_id = "base_link";
+  table.child_frame_id = "table";
+  table.transform.translation.x = 4.5;
+  table.transform.rotation.z = std::sqrt(0.5);  // a quarter of a turn
+  table.transform.rotation.w = std::sqrt(0.5);
+  broadcaster.sendTransform(table);
+  GetWorkingMode::Response response;
+  ASSERT_TRUE(eventually([&] {
+    response = ask<GetWorkingMode>("get_working_mode", at_pose(8.0, 0.0, "table"));
+    return response.status.code == Status::OK;
+  })) << response.status.sentence;
+  EXPECT_NEAR(response.solutions[0].pose.position.x, 4.5, 1e-9);
+  EXPECT_NEAR(response.solutions[0].pose.position.y, 8.0, 1e-9);
+}
+
+TEST_F(AspectNode, RefusesQuestionsThatMakeNoSense) {
+  EXPECT_EQ(ask<GetWorkingMode>("get_working_mode", at_pose(4.5, 8.0, "nowhere")).status.code,
+            Status::NO_TRANSFORM);
+  EXPECT_EQ(ask<GetWorkingMode>("get_working_mode", at_pose(40.0, 8.0, "")).status.code, Status::NO_SOLUTION);
+  EXPECT_EQ(ask<GetWorkingMode>("get_working_mode", at_pose(4.5, 8.0, "", {1, 0})).status.code,
+            Status::INVALID_REQUEST);
+  EXPECT_EQ(ask<GetWorkingMode>("get_working_mode", at_pose(4.5, std::nan(""), "")).status.code,
+            Status::INVALID_REQUEST);
+  Configuration unknown_kind;
+  unknown_kind.kind = 9;
+  EXPECT_EQ(ask<GetWorkingMode>("get_working_mode", unknown_kind).status.code, Status::INVALID_REQUEST);
+}
+
+TEST_F(AspectNode, AnswersAboutJointValuesInEveryAssemblyMode) {
+  Configuration configuration;
+  configuration.kind = Configuration::JOINTS;
+  configuration.joint_names = {"crank_2_joint", "crank_1_joint"};
+  configuration.joint_positions = {3.138465, 1.633334};
+  EXPECT_EQ(ask<GetCurrentAspect>("get_current_aspect", configuration).solutions.size(), 2U);
+  configuration.determinant_sign = 1;
+  const auto one = ask<GetCurrentAspect>("get_current_aspect", configuration);
+  ASSERT_EQ(one.solutions.size(), 1U);
+  EXPECT_EQ(one.solutions[0].determinant_sign, 1);
+  configuration.joint_names = {"crank_1_joint", "crank_1_joint"};
+  EXPECT_EQ(ask<GetCurrentAspect>("get_current_aspect", configuration).status.code, Status::INVALID_REQUEST);
+}
+
+// The drives run along a tour of the aspects; the node must tell the same tour, with no det A crossed.
+TEST_F(AspectNode, TellsEveryTransitionOfATour) {
+  const Recorder<AspectState> state("/aspect_node/state");
+  const Recorder<AspectTransition> transitions("/aspect_node/transitions");
+  const Recorder<sensor_msgs::JointState> completed("/aspect_node/joint_states");
+  ASSERT_TRUE(
+      eventually([&] { return transitions.connected() && state.connected() && completed.connected(); }));
+  const auto map = compute_aspect_map(mechanism_->manipulator()).map;
+  const Tour tour = plan_tour(*map, test::pose_at(4.5, 8.0), *WorkingMode::from_signs({1, -1}));
+  ASSERT_GE(tour.aspects.size(), 5U);
+
+  publish(tour.drives.front());
+  for (std::size_t i = 1; i < tour.drives.size(); ++i) {
+    const JointVector change = tour.drives[i] - tour.drives[i - 1];
+    const int steps = 1 + static_cast<int>(change.norm() / 0.02);
+    for (int step = 1; step <= steps; ++step) publish(tour.drives[i - 1] + change * step / steps);
+  }
+
+  const auto told = [&] {
+    std::vector<int> aspects;
+    for (const AspectTransition& transition : transitions.all())
+      if (transition.aspect_after != 0) aspects.push_back(static_cast<int>(transition.aspect_after));
+    return aspects;
+  };
+  EXPECT_TRUE(eventually([&] { return told() == tour.aspects; }))
+      << testing::PrintToString(told()) << " instead of " << testing::PrintToString(tour.aspects);
+  for (const AspectTransition& transition : transitions.all()) {
+    EXPECT_FALSE(transition.sentence.empty());
+    EXPECT_NE(transition.kind, AspectTransition::LOST);
+    EXPECT_FALSE(transition.kind == AspectTransition::WORKING_MODE && transition.determinant_crossed);
+  }
+  EXPECT_EQ(completed.last()->name, mechanism_->joint_names());
+  EXPECT_NEAR(state.last()->pose.position.y, 8.0, 1e-6);
+}
+
+TEST_F(AspectNode, SendsThePlatformToTf) {
+  tf2_ros::Buffer tf;
+  const tf2_ros::TransformListener listener(tf);
+  JointVector q = inverse(robot_, test::pose_at(4.5, 8.0), *WorkingMode::from_signs({1, -1})).q;
+  ASSERT_TRUE(eventually([&] {
+    publish(q);
+    return tf.canTransform("base_link", "five_bar/platform", ros::Time(0));
+  }));
+  EXPECT_NEAR(tf.lookupTransform("base_link", "five_bar/platform", ros::Time(0)).transform.translation.y, 8.0,
+              1e-6);
+}
+
+TEST_F(AspectNode, BecomesStale) {
+  const Recorder<AspectState> state("/aspect_node/state");
+  EXPECT_TRUE(eventually([&] { return state.last() && state.last()->status.code == Status::STALE; }));
+  EXPECT_EQ(ask<GetCurrentAspect>("get_current_aspect", Configuration()).status.code, Status::STALE);
+}
+
+TEST_F(AspectNode, TakesTheAssemblyModeThatItIsTold) {
+  const JointVector q = inverse(robot_, test::pose_at(4.5, 8.0), *WorkingMode::from_signs({1, -1})).q;
+  Configuration sign;
+  SetAssemblyMode::Response response;
+  for (const int wanted : {1, -1}) {
+    sign.determinant_sign = static_cast<std::int8_t>(wanted);
+    ASSERT_TRUE(eventually([&] {
+      publish(q);
+      response = ask<SetAssemblyMode>("set_assembly_mode", sign);
+      return response.status.code == Status::OK;
+    })) << response.status.sentence;
+    ASSERT_EQ(response.solutions.size(), 1U);
+    EXPECT_EQ(response.solutions[0].determinant_sign, wanted);
+  }
+  sign.determinant_sign = 0;
+  EXPECT_EQ(ask<SetAssemblyMode>("set_assembly_mode", sign).status.code, Status::INVALID_REQUEST);
+  ASSERT_TRUE(eventually([&] {
+    publish(q);
+    response = ask<SetAssemblyMode>("set_assembly_mode", at_pose(4.5, 8.0, ""));
+    return response.status.code == Status::OK;
+  })) << response.status.sentence;
+  EXPECT_NEAR(response.solutions[0].pose.position.y, 8.0, 1e-6);
+  publish(q);
+  EXPECT_EQ(ask<SetAssemblyMode>("set_assembly_mode", at_pose(4.5, -8.0, "")).status.code,
+            Status::NO_SOLUTION);
+}
+
+TEST_F(AspectNode, SurvivesBadJointStatesAndSaysSo) {
+  const Recorder<AspectState> state("/aspect_node/state");
+  ASSERT_TRUE(eventually([&] { return state.last().has_value(); }));
+  const double infinity = std::numeric_limits<double>::infinity();
+  std::vector<sensor_msgs::JointState> bad(6);
+  for (auto& message : bad) message.name = {"crank_1_joint", "crank_2_joint"};
+  bad[0].position = {std::nan(""), 1.0};
+  bad[1].position = {infinity, 1.0};
+  bad[2].position = {1.0};
+  bad[3].name = {"crank_1_joint"};
+  bad[3].position = {1.0};
+  bad[4].name = {"crank_1_joint", "crank_2_joint", "crank_2_joint"};
+  bad[4].position = {1.0, 1.0, 1.0};
+  bad[5].name.clear();
+  for (auto& message : bad) {
+    message.header.stamp = ros::Time::now();
+    publisher_.publish(message);
+    const auto is_told = [&] {
+      return state.last()->header.stamp == message.header.stamp &&
+             state.last()->status.code == Status::INVALID_JOINT_STATES &&
+             !state.last()->status.sentence.empty();
+    };
+    EXPECT_TRUE(eventually(is_told)) << message;
+    EXPECT_EQ(state.last()->aspect, 0U);
+    EXPECT_TRUE(state.last()->working_mode.empty());
+  }
+}
+
+TEST_F(AspectNode, ComputesAMapAsAnActionThatCanBeCancelled) {
+  actionlib::SimpleActionClient<ComputeMapAction> client("/aspect_node/compute_map", true);
+  ASSERT_TRUE(client.waitForServer(ros::Duration(deadline)));
+  ComputeMapGoal goal;
+  goal.resolution = 1e-4;  // far more than there is time for
+  std::atomic<int> reports{0};
+  client.sendGoal(goal, {}, {}, [&](const ComputeMapFeedbackConstPtr&) { ++reports; });
+  ASSERT_TRUE(eventually([&] { return reports > 0; }));
+  EXPECT_EQ(call<ListAspects>("list_aspects", {}).aspects.size(), 10U) << "answered from the map before";
+  client.cancelGoal();
+  ASSERT_TRUE(client.waitForResult(ros::Duration(deadline)));
+  EXPECT_EQ(client.getState(), actionlib::SimpleClientGoalState::PREEMPTED);
+  EXPECT_EQ(client.getResult()->status.code, Status::CANCELLED);
+
+  goal.resolution = 0.2;
+  client.sendGoalAndWait(goal, ros::Duration(deadline));
+  EXPECT_EQ(client.getState(), actionlib::SimpleClientGoalState::SUCCEEDED);
+  EXPECT_EQ(client.getResult()->aspects.size(), 10U);
+  EXPECT_EQ(client.getResult()->status.code, Status::OK);
+
+  goal.resolution = std::nan("");
+  client.sendGoalAndWait(goal, ros::Duration(deadline));
+  EXPECT_EQ(client.getState(), actionlib::SimpleClientGoalState::ABORTED);
+  EXPECT_EQ(client.getResult()->status.code, Status::INVALID_REQUEST);
+}
+
+TEST_F(AspectNode, TheNodeletServesTheSame) {
+  const std::string service = "/aspect_nodelet/list_aspects";
+  const std::string manager_service = "/parallel_aspects_AspectNodelet/list_aspects";
+  const std::string found =
+      ros::service::waitForService(service, ros::Duration(10.0)) ? service : manager_service;
+  ListAspects::Response response;
+  EXPECT_TRUE(eventually([&] {
+    response = call<ListAspects>(found, {});
+    return response.status.code == Status::OK;
+  })) << response.status.sentence;
+  EXPECT_EQ(response.aspects.size(), 10U);
+}
+
+}  // namespace
+}  // namespace parallel_aspects
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "aspect_node_test");
+  const ros::NodeHandle nh;
+  ros::AsyncSpinner spinner(2);
+  spinner.start();
+  return RUN_ALL_TESTS();
+}

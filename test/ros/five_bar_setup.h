@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_TEST_ROS_FIVE_BAR_SETUP_H
+#define PARALLEL_ASPECTS_TEST_ROS_FIVE_BAR_SETUP_H
+
+#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/urdf/mechanism.h"
+
+#include <ros/time.h>
+
+#include "support/shipped.h"
+#include <memory>
+#include <sensor_msgs/JointState.h>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects::test {
+
+inline std::shared_ptr<const Mechanism> five_bar_mechanism() { return shipped("five_bar"); }
+
+inline Pose pose_at(double x, double y) {
+  Pose pose;
+  pose.position << x, y, 0.0;
+  return pose;
+}
+
+/// joint_states of the drives at a pose, in the working mode with these signs.
+inline sensor_msgs::JointState drives_at(const Manipulator& manipulator, const Pose& pose,
+                                         const std::vector<int>& signs, const ros::Time& stamp) {
+  sensor_msgs::JointState message;
+  message.header.stamp = stamp;
+  for (const Leg& leg : manipulator.legs()) message.name.push_back(leg.driven_joint);
+  const JointVector q = inverse(manipulator, pose, *WorkingMode::from_signs(signs)).q;
+  message.position.assign(q.begin(), q.end());
+  return message;
+}
+
+}  // namespace parallel_aspects::test
+
+#endif  // PARALLEL_ASPECTS_TEST_ROS_FIVE_BAR_SETUP_H

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/ros/joint_sample.h"
+
+#include <gtest/gtest.h>
+
+#include "ros/five_bar_setup.h"
+#include <limits>
+
+namespace parallel_aspects {
+namespace {
+
+using Names = std::vector<std::string>;
+using Values = std::vector<double>;
+
+JointSample read(const Names& names, const Values& positions, const Values& velocities = {}) {
+  sensor_msgs::JointState message;
+  message.name = names;
+  message.position = positions;
+  message.velocity = velocities;
+  return JointSampleReader(test::five_bar_mechanism()).read(message);
+}
+
+TEST(JointSample, TakesTheDrivesInAnyOrder) {
+  const JointSample sample = read({"crank_2_joint", "crank_1_joint"}, {2.0, 1.0});
+  ASSERT_EQ(sample.status, SampleStatus::usable);
+  EXPECT_TRUE(sample.sentence.empty());
+  EXPECT_EQ(sample.q[0], 1.0);
+  EXPECT_EQ(sample.q[1], 2.0);
+}
+
+TEST(JointSample, TakesPassiveJointsOfTheRobotWithoutAWord) {
+  const JointSample sample = read({"crank_1_joint", "elbow_1_joint", "crank_2_joint"}, {1.0, 5.0, 2.0});
+  ASSERT_EQ(sample.status, SampleStatus::usable);
+  EXPECT_TRUE(sample.sentence.empty());
+}
+
+TEST(JointSample, IgnoresAnUnknownJointAndSaysSo) {
+  const JointSample sample = read({"crank_1_joint", "gripper_joint", "crank_2_joint"}, {1.0, 5.0, 2.0});
+  ASSERT_EQ(sample.status, SampleStatus::usable);
+  EXPECT_NE(sample.sentence.find("gripper_joint"), std::string::npos);
+  EXPECT_EQ(sample.q[1], 2.0);
+}
+
+TEST(JointSample, AMessageWithNoneOfTheDrivesIsForeign) {
+  EXPECT_EQ(read({"gripper_joint"}, {1.0}).status, SampleStatus::foreign);
+}
+
+struct Fault {
+  Names names;
+  Values positions, velocities;
+  const char* words;
+};
+
+class JointSampleFault : public testing::TestWithParam<Fault> {};
+
+TEST_P(JointSampleFault, IsRefusedWithASentence) {
+  const Fault& fault = GetParam();
+  const JointSample sample = read(fault.names, fault.positions, fault.velocities);
+  EXPECT_EQ(sample.status, SampleStatus::invalid);
+  EXPECT_NE(sample.sentence.find(fault.words), std::string::npos) << sample.sentence;
+}
+
+const Names both{"crank_1_joint", "crank_2_joint"};
+const double infinity = std::numeric_limits<double>::infinity();
+const double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+INSTANTIATE_TEST_SUITE_P(
+    All, JointSampleFault,
+    testing::Values(
+        Fault{{}, {}, {}, "no joint"}, Fault{both, {1.0}, {}, "2 names, but 1 positions"},
+        Fault{both, {}, {}, "0 positions"}, Fault{both, {1.0, 2.0, 3.0}, {}, "3 positions"},
+        Fault{both, {1.0, 2.0}, {0.0}, "1 velocities"},
+        Fault{both, {1.0, not_a_number}, {}, "crank_2_joint is not a finite number"},
+        Fault{both, {-infinity, 1.0}, {}, "crank_1_joint is not a finite number"},
+        Fault{{"crank_1_joint"}, {1.0}, {}, "crank_2_joint is missing"},
+        Fault{{"elbow_1_joint"}, {1.0}, {}, "crank_1_joint, crank_2_joint is missing"},
+        Fault{{"crank_1_joint", "crank_2_joint", "crank_1_joint"}, {1.0, 2.0, 1.0}, {}, "there twice"}));
+
+TEST(ActuatedValues, RefusesListsThatDoNotMatch) {
+  const auto mechanism = test::five_bar_mechanism();
+  EXPECT_EQ(actuated_values(*mechanism->manipulator(), both, {1.0}).status, SampleStatus::invalid);
+  EXPECT_EQ(actuated_values(*mechanism->manipulator(), both, {1.0, 2.0}).status, SampleStatus::usable);
+}
+
+}  // namespace
+}  // namespace parallel_aspects

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/ros/map_picture.h"
+
+#include "parallel_aspects/ros/palette.h"
+
+#include <gtest/gtest.h>
+
+#include "ros/five_bar_setup.h"
+#include "support/robots.h"
+#include <cmath>
+#include <map>
+#include <set>
+#include <tuple>
+
+namespace parallel_aspects {
+namespace {
+
+using visualization_msgs::Marker;
+using visualization_msgs::MarkerArray;
+
+std::shared_ptr<const AspectMap> map_of(const std::shared_ptr<const Manipulator>& manipulator) {
+  MapOptions options;
+  options.resolution = 0.2;
+  return compute_aspect_map(manipulator, options).map;
+}
+
+const MarkerFrames frames{"base_link", "robot/aspects", "robot/joint_space"};
+
+std::vector<Marker> in_group(const MarkerArray& array, const std::string& group) {
+  std::vector<Marker> markers;
+  for (const Marker& marker : array.markers)
+    if (marker.ns == group) markers.push_back(marker);
+  return markers;
+}
+
+// Signed area of a list of triangles seen from above.
+double area(const Marker& marker) {
+  double twice = 0.0;
+  for (std::size_t i = 0; i + 2 < marker.points.size(); i += 3) {
+    const auto &a = marker.points[i], &b = marker.points[i + 1], &c = marker.points[i + 2];
+    twice += (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+  }
+  return 0.5 * twice;
+}
+
+class MapPictureTest : public testing::Test {
+ protected:
+  std::optional<DrawnConfiguration> now(double x, double y, const std::vector<int>& signs) const {
+    const WorkingMode mode = *WorkingMode::from_signs(signs);
+    const Pose pose = test::pose_at(x, y);
+    return DrawnConfiguration{mode, map_->locate(pose, mode).aspect, {pose, inverse(*robot_, pose, mode).q}};
+  }
+
+  std::shared_ptr<const Manipulator> robot_ = test::five_bar();
+  std::shared_ptr<const AspectMap> map_ = map_of(robot_);
+  MapPicture picture_{map_, frames, DisplayOptions{}};
+};
+
+TEST_F(MapPictureTest, EveryArrayDeletesFirstAndHasStampZeroAndUniqueIds) {
+  for (const MarkerArray& array :
+       {picture_.aspects(std::nullopt), picture_.aspects(now(4.5, 8.0, {1, -1})),
+        picture_.position(std::nullopt), picture_.position(now(4.5, 8.0, {1, -1}))}) {
+    ASSERT_FALSE(array.markers.empty());
+    EXPECT_EQ(array.markers.front().action, Marker::DELETEALL);
+    std::set<std::pair<std::string, int>> ids;
+    for (std::size_t i = 1; i < array.markers.size(); ++i) {
+      const Marker& marker = array.markers[i];
+      EXPECT_TRUE(marker.header.stamp.isZero());
+      EXPECT_EQ(marker.color.a, 1.0F);
+      EXPECT_TRUE(ids.emplace(marker.ns, marker.id).second) << marker.ns << " " << marker.id;
+    }
+  }
+}
+
+TEST_F(MapPictureTest, PointsAreFinite) {
+  for (const Marker& marker : picture_.aspects(now(4.5, 8.0, {1, -1})).markers)
+    for (const auto& point : marker.points)
+      ASSERT_TRUE(std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z)) << marker.ns;
+}
+
+TEST_F(MapPictureTest, EachAspectIsOneTriangleListInItsColourAndSize) {
+  const auto fills = in_group(picture_.aspects(std::nullopt), "workspace/aspects");
+  ASSERT_EQ(fills.size(), map_->aspects().size());
+  const double scale = DisplayOptions{}.gallery_scale;
+  for (const Aspect& aspect : map_->aspects()) {
+    const Marker& marker = fills[static_cast<std::size_t>(aspect.id - 1)];
+    EXPECT_EQ(marker.type, Marker::TRIANGLE_LIST);
+    EXPECT_EQ(marker.header.frame_id, frames.aspects);
+    EXPECT_EQ(marker.color, aspect_color(aspect.id));
+    // Drawn are the inside leaves and slivers of the undecided ones.
+    EXPECT_GE(area(marker) / (scale * scale), aspect.measure_lower * (1.0 - 1e-9));
+    EXPECT_LE(area(marker) / (scale * scale), aspect.measure_upper * (1.0 + 1e-9));
+  }
+}
+
+TEST_F(MapPictureTest, JointProjectionsAreInTheWindowAndTurnedToTheViewer) {
+  const auto fills = in_group(picture_.aspects(std::nullopt), "joint_space/aspects");
+  ASSERT_EQ(fills.size(), map_->aspects().size());
+  for (const Marker& marker : fills) {
+    EXPECT_EQ(marker.header.frame_id, frames.joint_space);
+    for (std::size_t i = 0; i + 2 < marker.points.size(); i += 3) {
+      const auto &a = marker.points[i], &b = marker.points[i + 1], &c = marker.points[i + 2];
+      EXPECT_GE((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x), -1e-12);
+    }
+  }
+}
+
+TEST_F(MapPictureTest, TheProjectionOfAnAspectHoldsTheDrivesOfItsPoses) {
+  const JointProjection projection(map_);
+  for (const Aspect& aspect : map_->aspects()) {
+    const Eigen::Vector2d q =
+        projection.window().wrapped(inverse(*robot_, aspect.deepest, aspect.mode).q.head<2>());
+    const auto corners = projection.triangles(aspect.id, {});
+    bool held = false;
+    for (std::size_t i = 0; i + 2 < corners.size() && !held; i += 3) {
+      const auto left_of = [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+        return (b - a).x() * (q - a).y() - (b - a).y() * (q - a).x() >= -1e-9;
+      };
+      held = left_of(corners[i], corners[i + 1]) && left_of(corners[i + 1], corners[i + 2]) &&
+             left_of(corners[i + 2], corners[i]);
+    }
+    EXPECT_TRUE(held) << "aspect " << aspect.id << " at q = " << q.transpose();
+  }
+}
+
+TEST_F(MapPictureTest, TheBoundaryLiesOnSingularities) {
+  for (const WorkingMode& mode : map_->working_modes()) {
+    const BoundaryPicture boundary = trace_boundary(*map_, mode);
+    ASSERT_FALSE(boundary.segments.empty());
+    for (const BoundarySegment& segment : boundary.segments) {
+      ASSERT_EQ(segment.kind == BoundaryKind::limit, false);
+      if (segment.kind != BoundaryKind::serial) continue;
+      const double reach =
+          segment.leg == 0 ? segment.from.norm() : (segment.from - Eigen::Vector2d(9.0, 0.0)).norm();
+      EXPECT_LT(std::min(std::abs(reach - 13.0), std::abs(reach - 3.0)), 0.02) << segment.from.transpose();
+    }
+  }
+}
+
+TEST_F(MapPictureTest, OnlyTheAspectsOfThePresentModeAreAtTheRobot) {
+  EXPECT_TRUE(in_group(picture_.aspects(std::nullopt), "robot/aspects").empty());
+  const auto present = now(4.5, 8.0, {1, -1});
+  ASSERT_NE(present->aspect, 0);
+  const auto fills = in_group(picture_.aspects(present), "robot/aspects");
+  EXPECT_EQ(fills.size(), 3U);
+  int highlighted = 0;
+  for (const Marker& marker : fills) highlighted += marker.color == aspect_color(present->aspect) ? 1 : 0;
+  EXPECT_EQ(highlighted, 1);
+  EXPECT_EQ(in_group(picture_.aspects(present), "robot/outline").size(), 1U);
+}
+
+TEST_F(MapPictureTest, ThePositionIsDrawnInBothTilesOfItsModeAndGoesAway) {
+  const MarkerArray position = picture_.position(now(4.5, 8.0, {1, -1}));
+  EXPECT_FALSE(in_group(position, "position/workspace").empty());
+  EXPECT_FALSE(in_group(position, "position/joint_space").empty());
+  EXPECT_EQ(picture_.position(std::nullopt).markers.size(), 1U);
+}
+
+TEST_F(MapPictureTest, WithoutAGalleryOnlyTheRobotIsDrawn) {
+  DisplayOptions options;
+  options.gallery = false;
+  const MapPicture plain(map_, frames, options);
+  EXPECT_TRUE(in_group(plain.aspects(now(4.5, 8.0, {1, -1})), "workspace/aspects").empty());
+  EXPECT_FALSE(in_group(plain.aspects(now(4.5, 8.0, {1, -1})), "robot/aspects").empty());
+}
+
+TEST(MapPictureOfABipod, DrawsJointLimitsAsBoundaries) {
+  const auto map = map_of(test::bipod());
+  ASSERT_TRUE(map);
+  std::map<BoundaryKind, int> kinds;
+  for (const BoundarySegment& segment : trace_boundary(*map, map->working_modes().front()).segments)
+    ++kinds[segment.kind];
+  EXPECT_GT(kinds[BoundaryKind::limit], 0);
+  EXPECT_GT(kinds[BoundaryKind::parallel], 0);
+}
+
+}  // namespace
+}  // namespace parallel_aspects

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/ros/map_worker.h"
+
+#include <gtest/gtest.h>
+#include <ros/time.h>
+
+#include "support/robots.h"
+#include <mutex>
+#include <vector>
+
+namespace parallel_aspects {
+namespace {
+
+constexpr std::chrono::milliseconds deadline{60000};
+
+MapOptions resolution(double value) {
+  MapOptions options;
+  options.resolution = value;
+  return options;
+}
+
+class MapWorkerTest : public testing::Test {
+ protected:
+  static void SetUpTestSuite() { ros::Time::init(); }
+
+  std::mutex mutex_;
+  std::vector<MapProgress> reports_;
+  MapWorker worker_{test::five_bar(), [this](const MapProgress& report, const auto&) {
+                      const std::lock_guard<std::mutex> lock(mutex_);
+                      reports_.push_back(report);
+                    }};
+};
+
+TEST_F(MapWorkerTest, KeepsTheMapThatItComputes) {
+  EXPECT_FALSE(worker_.map());
+  const MapProgress end = worker_.wait(worker_.compute(resolution(0.2)), deadline);
+  ASSERT_EQ(end.state, MapProgress::COMPLETE) << end.sentence;
+  ASSERT_TRUE(worker_.map());
+  EXPECT_EQ(end.aspects, worker_.map()->aspects().size());
+  EXPECT_EQ(end.proved_count, 10U);
+  EXPECT_EQ(end.progress, 1.0);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  ASSERT_FALSE(reports_.empty());
+  EXPECT_EQ(reports_.front().state, MapProgress::COMPUTING);
+  EXPECT_EQ(reports_.back().state, MapProgress::COMPLETE);
+  for (std::size_t i = 1; i < reports_.size(); ++i) EXPECT_GE(reports_[i].progress, reports_[i - 1].progress);
+}
+
+TEST_F(MapWorkerTest, CancelsAndKeepsThePreviousMap) {
+  worker_.wait(worker_.compute(resolution(0.2)), deadline);
+  const auto before = worker_.map();
+  const MapWorker::Job job = worker_.compute(resolution(1e-4));
+  EXPECT_EQ(worker_.wait(job, std::chrono::milliseconds(1)).state, MapProgress::COMPUTING);
+  worker_.cancel(job);
+  EXPECT_EQ(worker_.wait(job, deadline).state, MapProgress::CANCELLED);
+  EXPECT_EQ(worker_.map(), before);
+}
+
+TEST_F(MapWorkerTest, ANewJobTakesThePlaceOfARunningOne) {
+  const MapWorker::Job first = worker_.compute(resolution(1e-4));
+  const MapWorker::Job second = worker_.compute(resolution(0.2));
+  EXPECT_EQ(worker_.wait(first, deadline).state, MapProgress::CANCELLED);
+  EXPECT_EQ(worker_.wait(second, deadline).state, MapProgress::COMPLETE);
+}
+
+TEST_F(MapWorkerTest, SaysWhyItRefuses) {
+  const MapProgress end = worker_.wait(worker_.compute(resolution(-1.0)), deadline);
+  EXPECT_EQ(end.state, MapProgress::REFUSED);
+  EXPECT_FALSE(end.sentence.empty());
+}
+
+TEST_F(MapWorkerTest, EndsWhileItComputes) { worker_.compute(resolution(1e-4)); }
+
+}  // namespace
+}  // namespace parallel_aspects

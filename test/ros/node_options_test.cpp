@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/ros/node_options.h"
+
+#include "parallel_aspects/ros/load_options.h"
+
+#include <gtest/gtest.h>
+#include <yaml-cpp/yaml.h>
+
+#include "support/robots.h"
+#include <limits>
+
+namespace parallel_aspects {
+namespace {
+
+using XmlRpc::XmlRpcValue;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+bool mention(const Problems& problems, const std::string& words) {
+  for (const std::string& problem : problems)
+    if (problem.find(words) != std::string::npos) return true;
+  return false;
+}
+
+TEST(OptionsFrom, EmptyParametersGiveTheDefaults) {
+  Problems problems;
+  const NodeOptions options = options_from(XmlRpcValue(), "/node/", problems);
+  EXPECT_TRUE(problems.empty());
+  EXPECT_EQ(options.joint_states_timeout, NodeOptions{}.joint_states_timeout);
+  EXPECT_FALSE(options.map.resolution);
+  EXPECT_FALSE(options.start.pose);
+}
+
+TEST(OptionsFrom, ReadsEveryParameter) {
+  XmlRpcValue parameters;
+  parameters["map"]["resolution"] = 0.25;
+  parameters["map"]["threads"] = 2;
+  parameters["map"]["extra_levels"] = 3;
+  parameters["map"]["region"]["lower"][0] = -1;
+  parameters["map"]["region"]["lower"][1] = -2.0;
+  parameters["map"]["region"]["upper"][0] = 1.5;
+  parameters["map"]["region"]["upper"][1] = 2;
+  parameters["start"]["pose"][0] = 4.5;
+  parameters["start"]["pose"][1] = 8;
+  parameters["start"]["tolerance"] = 0.5;
+  parameters["joint_states_timeout"] = 1;
+  parameters["tf_timeout"] = 0.0;
+  parameters["frame_prefix"] = "left/five_bar";
+  parameters["display"]["gallery"] = false;
+  parameters["display"]["gallery_scale"] = 2.0;
+  parameters["display"]["rate"] = 5.0;
+  Problems problems;
+  const NodeOptions options = options_from(parameters, "/node/", problems);
+  EXPECT_TRUE(problems.empty()) << problems.front();
+  EXPECT_EQ(options.map.resolution, 0.25);
+  EXPECT_EQ(options.map.threads, 2U);
+  EXPECT_EQ(options.map.extra_levels, 3);
+  ASSERT_TRUE(options.map.region);
+  EXPECT_EQ(options.map.region->lower[1], -2.0);
+  EXPECT_EQ(options.map.region->upper[0], 1.5);
+  EXPECT_EQ(options.start.pose, (std::vector<double>{4.5, 8.0}));
+  EXPECT_EQ(options.start.tolerance, 0.5);
+  EXPECT_EQ(options.joint_states_timeout, 1.0);
+  EXPECT_EQ(options.tf_timeout, 0.0);
+  EXPECT_EQ(options.frame_prefix, "left/five_bar");
+  EXPECT_FALSE(options.display.gallery);
+  EXPECT_EQ(options.display.gallery_scale, 2.0);
+  EXPECT_EQ(options.display.rate, 5.0);
+  EXPECT_TRUE(problems_of(options, *test::five_bar(), "/node/").empty());
+}
+
+TEST(OptionsFrom, ReportsEveryWrongTypeAndUnknownKeyAtOnce) {
+  XmlRpcValue parameters;
+  parameters["map"]["resolution"] = "fine";
+  parameters["map"]["resolutoin"] = 0.1;
+  parameters["map"]["threads"] = -1;
+  parameters["start"] = 3;
+  parameters["display"]["gallery"] = 1;
+  parameters["display"]["rate"][0] = 1.0;
+  parameters["frame_prefix"] = true;
+  parameters["colour"] = "red";
+  Problems problems;
+  options_from(parameters, "/node/", problems);
+  for (const char* words :
+       {"/node/map/resolution must be a number", "/node/map/resolutoin is not known",
+        "/node/map/threads must be", "/node/start must be a struct",
+        "/node/display/gallery must be true or false", "/node/display/rate must be a number",
+        "/node/frame_prefix must be text", "/node/colour is not known"})
+    EXPECT_TRUE(mention(problems, words)) << words;
+  EXPECT_EQ(problems.size(), 8U);
+}
+
+TEST(ProblemsOf, NamesEveryValueOutOfRangeAtOnce) {
+  NodeOptions options;
+  options.map.resolution = not_a_number;
+  options.map.extra_levels = 21;
+  options.map.region = Box{2, {0.0, 1.0}, {1.0, 1.0}};
+  options.start.pose = std::vector<double>{1.0};
+  options.start.determinant_sign = 0;
+  options.start.tolerance = -1.0;
+  options.joint_states_timeout = infinity;
+  options.tf_timeout = -0.1;
+  options.display.gallery_scale = not_a_number;
+  options.display.rate = 0.0;
+  options.frame_prefix = "/five bar";
+  const Problems problems = problems_of(options, *test::five_bar(), "/node/");
+  for (const char* words :
+       {"/node/map/resolution", "/node/map/extra_levels", "/node/map/region", "/node/start has both",
+        "/node/start/pose must be a list of finite numbers [x, y]", "/node/start/determinant_sign",
+        "/node/start/tolerance", "/node/joint_states_timeout", "/node/tf_timeout",
+        "/node/display/gallery_scale", "/node/display/rate", "/node/frame_prefix"})
+    EXPECT_TRUE(mention(problems, words)) << words;
+  EXPECT_EQ(problems.size(), 12U);
+}
+
+TEST(ProblemsOf, RefusesARegionOfTheWrongDimension) {
+  NodeOptions options;
+  options.map.region = Box{3, {0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}};
+  EXPECT_TRUE(
+      mention(problems_of(options, *test::five_bar(), "/node/"), "/node/map/region must have 2 numbers"));
+}
+
+TEST(YamlText, KeepsTypesAndTextThatLooksLikeANumber) {
+  XmlRpcValue value;
+  value["name"] = "1.50";
+  value["tilde"] = "~";
+  value["count"] = 3;
+  value["third"] = 1.0 / 3.0;
+  value["on"] = true;
+  value["list"][0] = "a: b";
+  value["list"][1]["type"] = "revolute";
+  const YAML::Node node = YAML::Load(yaml_text(value));
+  EXPECT_EQ(node["name"].as<std::string>(), "1.50");
+  EXPECT_EQ(node["tilde"].as<std::string>(), "~");
+  EXPECT_EQ(node["count"].as<int>(), 3);
+  EXPECT_EQ(node["third"].as<double>(), 1.0 / 3.0);
+  EXPECT_TRUE(node["on"].as<bool>());
+  EXPECT_EQ(node["list"][0].as<std::string>(), "a: b");
+  EXPECT_EQ(node["list"][1]["type"].as<std::string>(), "revolute");
+}
+
+}  // namespace
+}  // namespace parallel_aspects

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/ros/robot_monitor.h"
+
+#include <gtest/gtest.h>
+
+#include "ros/five_bar_setup.h"
+#include <cmath>
+#include <limits>
+
+namespace parallel_aspects {
+namespace {
+
+constexpr double timeout = 0.5;
+
+StartOptions start_at_pose(double x, double y) {
+  StartOptions start;
+  start.pose = std::vector<double>{x, y};
+  return start;
+}
+
+class RobotMonitorTest : public testing::Test {
+ protected:
+  static ros::Time at(double seconds) { return ros::Time(100.0 + seconds); }
+
+  sensor_msgs::JointState drives(double x, double y, const std::vector<int>& signs, double seconds) const {
+    return test::drives_at(*mechanism_->manipulator(), test::pose_at(x, y), signs, at(seconds));
+  }
+
+  MonitorUpdate update(const sensor_msgs::JointState& message, double seconds) {
+    return monitor_.update(message, at(seconds));
+  }
+
+  std::uint8_t code(double seconds) const { return monitor_.current(at(seconds)).status.code; }
+
+  std::shared_ptr<const Mechanism> mechanism_ = test::five_bar_mechanism();
+  RobotMonitor monitor_{mechanism_, start_at_pose(4.5, 8.0), timeout};
+};
+
+void expect_says_nothing(const AspectState& state) {
+  EXPECT_NE(state.status.code, Status::OK);
+  EXPECT_FALSE(state.status.sentence.empty());
+  EXPECT_TRUE(std::isnan(state.pose.position.x));
+  EXPECT_TRUE(std::isnan(state.determinant));
+  EXPECT_TRUE(state.working_mode.empty());
+  EXPECT_EQ(state.determinant_sign, 0);
+  EXPECT_EQ(state.aspect, 0U);
+}
+
+TEST_F(RobotMonitorTest, KnowsNothingBeforeTheFirstSample) { EXPECT_EQ(code(0.0), Status::NO_JOINT_STATES); }
+
+TEST_F(RobotMonitorTest, TracksFromTheConfiguredPose) {
+  const MonitorUpdate first = update(drives(4.5, 8.0, {1, -1}, 1.0), 1.0);
+  ASSERT_TRUE(first.state);
+  EXPECT_EQ(first.state->status.code, Status::OK) << first.state->status.sentence;
+  EXPECT_EQ(first.state->header.stamp, at(1.0));
+  EXPECT_EQ(first.state->header.frame_id, "base_link");
+  EXPECT_NEAR(first.state->pose.position.x, 4.5, 1e-9);
+  EXPECT_NEAR(first.state->pose.position.y, 8.0, 1e-9);
+  EXPECT_EQ(first.state->working_mode, (std::vector<std::int8_t>{1, -1}));
+  ASSERT_TRUE(first.completed);
+  EXPECT_EQ(first.completed->name, mechanism_->joint_names());
+  ASSERT_TRUE(first.platform);
+  EXPECT_NEAR(first.platform->translation().y(), 8.0, 1e-9);
+}
+
+TEST_F(RobotMonitorTest, DoesNotStartFarFromTheConfiguredPose) {
+  const MonitorUpdate first = update(drives(4.5, -8.0, {1, 1}, 1.0), 1.0);
+  ASSERT_TRUE(first.state);
+  EXPECT_EQ(first.state->status.code, Status::NOT_STARTED);
+  expect_says_nothing(*first.state);
+  // Nor later, when the drives pass by: the robot may be in its other assembly mode.
+  EXPECT_EQ(update(drives(4.5, 8.0, {1, -1}, 1.1), 1.1).state->status.code, Status::NOT_STARTED);
+  EXPECT_EQ(monitor_.start_near(test::pose_at(4.5, 8.0), at(1.1)).code, Status::OK);
+  EXPECT_EQ(update(drives(4.5, 8.01, {1, -1}, 1.2), 1.2).state->status.code, Status::OK);
+}
+
+TEST_F(RobotMonitorTest, StartsWithASignOfTheDeterminant) {
+  update(drives(4.5, -8.0, {1, 1}, 1.0), 1.0);
+  EXPECT_EQ(monitor_.start_with_sign(-1, at(1.0)).code, Status::OK);
+  EXPECT_EQ(monitor_.current(at(1.0)).tracked.determinant_sign, -1);
+}
+
+TEST_F(RobotMonitorTest, CannotBeStartedWithoutDrives) {
+  EXPECT_EQ(monitor_.start_with_sign(1, at(1.0)).code, Status::NO_JOINT_STATES);
+  EXPECT_EQ(monitor_.start_near(test::pose_at(4.5, 8.0), at(1.0)).code, Status::NO_JOINT_STATES);
+}
+
+TEST_F(RobotMonitorTest, ABadMessageMakesTheStateUnknownUntilTheNextGoodOne) {
+  update(drives(4.5, 8.0, {1, -1}, 1.0), 1.0);
+  sensor_msgs::JointState bad = drives(4.5, 8.0, {1, -1}, 1.1);
+  bad.position[0] = std::numeric_limits<double>::quiet_NaN();
+  const MonitorUpdate refused = update(bad, 1.1);
+  ASSERT_TRUE(refused.state);
+  EXPECT_EQ(refused.state->status.code, Status::INVALID_JOINT_STATES);
+  EXPECT_NE(refused.warning.find("crank_1_joint"), std::string::npos);
+  expect_says_nothing(*refused.state);
+  EXPECT_FALSE(refused.completed);
+  EXPECT_FALSE(refused.platform);
+  EXPECT_EQ(code(1.1), Status::INVALID_JOINT_STATES);
+  EXPECT_EQ(update(drives(4.5, 8.01, {1, -1}, 1.2), 1.2).state->status.code, Status::OK);
+}
+
+TEST_F(RobotMonitorTest, RefusesStampsThatDoNotIncrease) {
+  update(drives(4.5, 8.0, {1, -1}, 1.0), 1.0);
+  EXPECT_EQ(update(drives(4.5, 8.0, {1, -1}, 1.0), 1.1).state->status.code, Status::INVALID_JOINT_STATES);
+  EXPECT_EQ(update(drives(4.5, 8.0, {1, -1}, 0.9), 1.2).state->status.code, Status::INVALID_JOINT_STATES);
+  sensor_msgs::JointState zero = drives(4.5, 8.0, {1, -1}, 0.0);
+  zero.header.stamp = ros::Time();
+  EXPECT_EQ(update(zero, 1.3).state->status.code, Status::INVALID_JOINT_STATES);
+  EXPECT_EQ(update(drives(4.5, 8.0, {1, -1}, 1.4), 1.4).state->status.code, Status::OK);
+  EXPECT_EQ(monitor_.counts().invalid, 3U);
+  EXPECT_EQ(monitor_.counts().usable, 2U);
+}
+
+TEST_F(RobotMonitorTest, AnUnknownJointIsSaidWhileTheRobotIsTracked) {
+  sensor_msgs::JointState message = drives(4.5, 8.0, {1, -1}, 1.0);
+  message.name.push_back("gripper_joint");
+  message.position.push_back(0.0);
+  const MonitorUpdate update_ = update(message, 1.0);
+  EXPECT_EQ(update_.state->status.code, Status::OK);
+  EXPECT_NE(update_.state->status.sentence.find("gripper_joint"), std::string::npos);
+  EXPECT_NE(update_.warning.find("gripper_joint"), std::string::npos);
+}
+
+TEST_F(RobotMonitorTest, MessagesOfOtherRobotsChangeNothing) {
+  update(drives(4.5, 8.0, {1, -1}, 1.0), 1.0);
+  sensor_msgs::JointState foreign;
+  foreign.name = {"gripper_joint"};
+  foreign.position = {0.0};
+  EXPECT_FALSE(update(foreign, 1.1).state);
+  EXPECT_EQ(code(1.1), Status::OK);
+}
+
+TEST_F(RobotMonitorTest, BecomesStaleOnceAndRecovers) {
+  update(drives(4.5, 8.0, {1, -1}, 1.0), 1.0);
+  EXPECT_FALSE(monitor_.expire(at(1.4)));
+  const auto stale = monitor_.expire(at(1.6));
+  ASSERT_TRUE(stale);
+  EXPECT_EQ(stale->status.code, Status::STALE);
+  expect_says_nothing(*stale);
+  EXPECT_FALSE(monitor_.expire(at(1.7)));
+  EXPECT_EQ(code(1.7), Status::STALE);
+  EXPECT_EQ(update(drives(4.5, 8.01, {1, -1}, 1.8), 1.8).state->status.code, Status::OK);
+  EXPECT_TRUE(monitor_.expire(at(2.5)));
+}
+
+TEST_F(RobotMonitorTest, ForgetsEverythingWhenTimeIsReset) {
+  update(drives(4.5, 8.0, {1, -1}, 5.0), 5.0);
+  const MonitorUpdate again = update(drives(4.5, 8.0, {1, -1}, 1.0), 1.0);
+  EXPECT_EQ(again.state->status.code, Status::OK) << again.state->status.sentence;
+  EXPECT_EQ(again.state->header.stamp, at(1.0));
+}
+
+// Leg 1 goes through its stretched configuration while drive 2 rests: B_11 changes sign, det A does not.
+TEST_F(RobotMonitorTest, ReportsAWorkingModeThatChanges) {
+  RobotMonitor monitor(mechanism_, start_at_pose(4.51, 11.73), timeout);
+  const auto before = drives(4.51, 11.73, {1, -1}, 1.0), after = drives(4.51, 11.73, {-1, -1}, 1.0);
+  const double change = std::remainder(after.position[0] - before.position[0], 2.0 * EIGEN_PI);
+  std::vector<AspectTransition> transitions;
+  AspectState last;
+  constexpr int steps = 100;
+  for (int step = 0; step <= steps; ++step) {
+    sensor_msgs::JointState message = before;
+    message.header.stamp = at(1.0 + 0.01 * step);
+    message.position[0] += change * step / steps;
+    const MonitorUpdate update = monitor.update(message, message.header.stamp);
+    last = *update.state;
+    transitions.insert(transitions.end(), update.transitions.begin(), update.transitions.end());
+  }
+  EXPECT_EQ(last.status.code, Status::OK) << last.status.sentence;
+  EXPECT_NEAR(last.pose.position.y, 11.73, 1e-6);
+  ASSERT_EQ(transitions.size(), 1U);
+  const AspectTransition& transition = transitions.front();
+  EXPECT_EQ(transition.kind, AspectTransition::WORKING_MODE);
+  EXPECT_EQ(transition.leg, mechanism_->manipulator()->leg(0).name);
+  EXPECT_EQ(transition.joint, "crank_1_joint");
+  EXPECT_EQ(transition.working_mode_before, (std::vector<std::int8_t>{1, -1}));
+  EXPECT_EQ(transition.working_mode_after, (std::vector<std::int8_t>{-1, -1}));
+  EXPECT_EQ(transition.determinant_sign_before, transition.determinant_sign_after);
+  EXPECT_GT(transition.header.stamp, at(1.0));
+  EXPECT_LT(transition.header.stamp, at(2.0));
+}
+
+}  // namespace
+}  // namespace parallel_aspects
