@@ -27,6 +27,9 @@ constexpr double nearly_singular = 1e-6;
 constexpr double same_pose = 1e-9;
 constexpr double same_singular_pose = 1e-6;
 
+// Lengths beyond this [m] are no robot's, and their powers overflow.
+constexpr double largest_scale = 1e30;
+
 // Approximate poses, among them every real solution.
 DirectResult candidates(const Manipulator& manipulator, const JointVector& q) {
   switch (manipulator.task_space()) {
@@ -62,18 +65,8 @@ bool add_refined(const Manipulator& manipulator, const JointVector& q, const Pos
   return true;
 }
 
-bool any_on_continuum(const Manipulator& manipulator, const JointVector& q,
-                      const std::vector<AssemblyMode>& solutions) {
-  return std::any_of(solutions.begin(), solutions.end(), [&](const AssemblyMode& mode) {
-    return mode.near_singular && on_continuum(manipulator, mode.pose, q);
-  });
-}
-
-}  // namespace
-
-DirectResult direct(const Manipulator& manipulator, const JointVector& q) {
-  if (q.size() != static_cast<Eigen::Index>(manipulator.leg_count()) || !q.allFinite()) return {};
-  const DirectResult found = candidates(manipulator, q);
+DirectResult refined_candidates(const Manipulator& manipulator, const JointVector& q,
+                                const DirectResult& found) {
   DirectResult result{found.status, {}};
   for (const AssemblyMode& mode : found.solutions) {
     const bool added = add_refined(manipulator, q, mode.pose, result.solutions);
@@ -83,6 +76,32 @@ DirectResult direct(const Manipulator& manipulator, const JointVector& q) {
   // Samples of a continuum that none of the legs can follow are a continuum of complex solutions only.
   if (found.status == DirectStatus::continuum && !found.solutions.empty() && result.solutions.empty())
     result.status = DirectStatus::solved;
+  return result;
+}
+
+bool any_on_continuum(const Manipulator& manipulator, const JointVector& q,
+                      const std::vector<AssemblyMode>& solutions) {
+  return std::any_of(solutions.begin(), solutions.end(), [&](const AssemblyMode& mode) {
+    return mode.near_singular && on_continuum(manipulator, mode.pose, q);
+  });
+}
+
+// Only its square is left in the equations.
+bool has_strut_of_negative_length(const Manipulator& manipulator, const JointVector& q) {
+  for (std::size_t j = 0; j < manipulator.leg_count(); ++j) {
+    const auto* strut = std::get_if<StrutDrive>(&manipulator.leg(j).drive);
+    if (strut && strut->length_at_zero + strut->sense * q[static_cast<Eigen::Index>(j)] < 0.0) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+DirectResult direct(const Manipulator& manipulator, const JointVector& q) {
+  if (q.size() != static_cast<Eigen::Index>(manipulator.leg_count()) || !q.allFinite()) return {};
+  if (!(assembly_scale(manipulator, q) < largest_scale)) return {};
+  if (has_strut_of_negative_length(manipulator, q)) return {DirectStatus::solved, {}};
+  DirectResult result = refined_candidates(manipulator, q, candidates(manipulator, q));
   if (any_on_continuum(manipulator, q, result.solutions) ||
       (result.status == DirectStatus::unsolved && continuum_found(manipulator, q)))
     result.status = DirectStatus::continuum;

@@ -130,6 +130,7 @@ void print(const std::array<Complex, n>& numbers) {
 }
 
 void print(const System& system) {
+  std::printf("// SPDX-License-Identifier: BSD-3-Clause\n// Written by generate_platform_start.\n\n");
   std::printf("constexpr Parameters table_parameters{{\n");
   for (const auto& leg : system.parameters) print(leg);
   std::printf("}};\n\nconstexpr std::array<Solution, solution_count> table_solutions{{\n");

@@ -59,7 +59,8 @@ double assembly_scale(const Manipulator& manipulator, const JointVector& q) {
   double scale = manipulator.size();
   for (std::size_t j = 0; j < manipulator.leg_count(); ++j) {
     const LockedLeg leg = locked(manipulator.leg(j), q[static_cast<Eigen::Index>(j)]);
-    scale = std::max({scale, std::sqrt(leg.squared_length), leg.anchor.norm()});
+    const double driven = (leg.base - manipulator.leg(j).base_point()).norm();
+    scale = std::max({scale, driven, std::sqrt(leg.squared_length), leg.anchor.norm()});
   }
   return scale;
 }

@@ -112,6 +112,7 @@ double TrigonometricPolynomial::bound(int k) const {
 }
 
 std::vector<double> real_roots(const TrigonometricPolynomial& polynomial) {
+  if (!std::isfinite(polynomial.bound(3))) return {};
   return RootIsolation(polynomial).roots();
 }
 

@@ -81,9 +81,9 @@ INSTANTIATE_TEST_SUITE_P(EveryTaskSpace, NearSingular,
                          testing::Values(Case{test::three_rpr(), {5.0, 5.0, 0.0}, 25.0, 500},
                                          Case{test::three_rrr(), {-3.0, -3.0, 0.0}, 10.0, 200},
                                          Case{test::spherical_three_rrr(), {0.0, 0.0, 0.0}, 1.0, 500},
-                                         Case{test::dietmaier(), {0.0, 0.0, 0.0}, 1.0, 50},
-                                         Case{test::stewart(), {0.0, 0.0, 0.6}, 0.3, 50},
-                                         Case{test::six_pus(), {0.0, 0.0, 0.6}, 0.2, 50}),
+                                         Case{test::dietmaier(), {0.0, 0.0, 0.0}, 1.0, 25},
+                                         Case{test::stewart(), {0.0, 0.0, 0.6}, 0.3, 25},
+                                         Case{test::six_pus(), {0.0, 0.0, 0.6}, 0.2, 25}),
                          robot_name);
 
 }  // namespace

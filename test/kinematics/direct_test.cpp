@@ -69,6 +69,25 @@ TEST(Direct, OutOfReachIsSolvedWithNoSolution) {
   EXPECT_TRUE(planar_result.solutions.empty());
 }
 
+TEST(Direct, AbsurdDrivesEndAtOnce) {
+  for (const auto& robot : {test::bipod(), test::three_rpr(), test::three_prr(), test::linear_delta(),
+                            test::dietmaier(), test::six_pus()})
+    for (const double value : {1e20, 1e40, 1e100, 1e160, 1e308}) {
+      const auto n = static_cast<Eigen::Index>(robot->leg_count());
+      const DirectResult result = direct(*robot, JointVector::Constant(n, value));
+      for (const AssemblyMode& mode : result.solutions) EXPECT_TRUE(mode.pose.position.allFinite());
+      if (value > 1e30) {
+        EXPECT_EQ(result.status, DirectStatus::unsolved) << robot->name() << " at " << value;
+      }
+    }
+}
+
+TEST(Direct, StrutOfNegativeLengthAssemblesNowhere) {
+  const DirectResult result = direct(*test::three_rpr(), drives({14.98, -15.38, 12.0}));
+  EXPECT_EQ(result.status, DirectStatus::solved);
+  EXPECT_TRUE(result.solutions.empty());
+}
+
 TEST(Direct, WrongOrInfiniteDrivesAreUnsolved) {
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
   EXPECT_EQ(direct(*test::three_rpr(), drives({1.0, nan, 1.0})).status, DirectStatus::unsolved);

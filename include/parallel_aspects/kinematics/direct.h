@@ -12,9 +12,10 @@ namespace parallel_aspects {
 /// One direct solution: a pose that the given drive values can hold.
 struct AssemblyMode {
   Pose pose;
-  double determinant = 0.0;    ///< det A there; unit as in `direct_determinant`
-  double residual = 0.0;       ///< largest |f_j| over the squared size of the robot, dimensionless
-  bool near_singular = false;  ///< so close to det A = 0 that its count or pose may hang on rounding
+  double determinant = 0.0;  ///< det A there; unit as in `direct_determinant`
+  double residual = 0.0;     ///< largest |f_j| over the squared `assembly_scale`, dimensionless
+  bool near_singular =
+      false;  ///< so close to det A = 0 that its count or pose may hang on rounding (see `direct`)
 };
 
 enum class DirectStatus {
@@ -28,8 +29,12 @@ struct DirectResult {
   std::vector<AssemblyMode> solutions;  ///< by falling det A
 };
 
-/// Every real assembly mode for these actuated joint values (one entry a leg). Joint limits are not
-/// considered.
+/// Every real assembly mode for these actuated joint values (one entry a leg), whatever the joint limits.
+/// There are at most 2 (T2, T3), 6 (SE2), 8 (SO3) or 40 (SE3). A strut of negative length assembles nowhere.
+///
+/// Each is refined until rounding stops it; its residual is below 1e-12. Solutions that have met at a
+/// parallel singularity to half the digits come as one, flagged `near_singular`: the smallest singular value
+/// of the homogenised A is below 1e-6 there.
 DirectResult direct(const Manipulator& manipulator, const JointVector& q);
 
 /// "solved", "continuum" or "unsolved".

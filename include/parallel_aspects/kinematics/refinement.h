@@ -18,8 +18,8 @@ struct Refinement {
 /// the residual says so.
 Refinement refined(const Manipulator& manipulator, const Pose& pose, const JointVector& q);
 
-/// The length that residuals are judged against: the size of the robot or the longest |p - c|, whichever is
-/// more [m].
+/// The length that residuals are judged against [m]: the largest of the robot's size, its rods and anchors,
+/// and how far the drives have moved the proximal points.
 double assembly_scale(const Manipulator& manipulator, const JointVector& q);
 
 /// Largest |f_j| over the squared `scale` [m], dimensionless.

@@ -27,7 +27,8 @@ struct TrigonometricPolynomial {
 
 /// Every real root in (-pi, pi] [rad], of which there are eight at most, by subdivision of the circle with
 /// bounds from Taylor's theorem. Roots closer together than 1e-7 rad, or apart by rounding only, may come as
-/// one or several of nearly the same value; no root is missed. The zero polynomial must not be given.
+/// one or several of nearly the same value; no root is missed. The zero polynomial must not be given;
+/// one that is not finite has no roots.
 std::vector<double> real_roots(const TrigonometricPolynomial& polynomial);
 
 }  // namespace parallel_aspects
