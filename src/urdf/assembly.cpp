@@ -99,6 +99,8 @@ Eigen::VectorXd random_start(const ClosureSystem& system, std::mt19937& random) 
 struct Candidate {
   Assembly assembly;
   double conditioning = 0.0;  // 0 at a singularity
+
+  bool drives_move() const { return conditioning > rank_tolerance; }
 };
 
 // Columns of the joints inside the loops, with lengths counted in sizes of the robot.
@@ -115,8 +117,10 @@ Eigen::MatrixXd loop_scaling(const ClosureSystem& system) {
   return scaling;
 }
 
-double smallest_singular_value(const Eigen::MatrixXd& matrix) {
-  return matrix.size() > 0 ? matrix.bdcSvd().singularValues().minCoeff() : 0.0;
+// How independent the rows are: 0 when there are more of them than columns.
+double smallest_singular_value(const Eigen::MatrixXd& rows) {
+  if (rows.rows() == 0 || rows.rows() > rows.cols()) return 0.0;
+  return rows.bdcSvd().singularValues().minCoeff();
 }
 
 Candidate judged(const ClosureSystem& system, const Eigen::VectorXd& values,
@@ -141,14 +145,20 @@ Candidate judged(const ClosureSystem& system, const Eigen::VectorXd& values,
   return candidate;
 }
 
-// Least mobility first; then the earliest one, which is nearest to zero, unless a later one is much better
-// conditioned.
+// Drives that move independently come first: a mechanism may have other branches, as a parallelogram that is
+// crossed. Then least mobility; then the earliest, which is nearest to zero, unless a later one is much
+// better conditioned.
+bool is_better(const Candidate& one, const Candidate& other) {
+  if (one.drives_move() != other.drives_move()) return one.drives_move();
+  const Eigen::Index mobility = one.assembly.motions.cols(), other_mobility = other.assembly.motions.cols();
+  if (mobility != other_mobility) return mobility < other_mobility;
+  return one.conditioning > 5.0 * other.conditioning;
+}
+
 const Candidate& best(const std::vector<Candidate>& candidates) {
   const Candidate* chosen = &candidates.front();
-  for (const Candidate& other : candidates) {
-    const Eigen::Index fewer = chosen->assembly.motions.cols() - other.assembly.motions.cols();
-    if (fewer > 0 || (fewer == 0 && other.conditioning > 5.0 * chosen->conditioning)) chosen = &other;
-  }
+  for (const Candidate& candidate : candidates)
+    if (is_better(candidate, *chosen)) chosen = &candidate;
   return *chosen;
 }
 
@@ -182,15 +192,18 @@ AssemblyResult assemble(const ClosureSystem& system, const std::vector<std::size
   std::mt19937 random(seed);
   const std::vector<bool> none_held(static_cast<std::size_t>(system.tree().variables()), false);
   std::vector<Candidate> candidates;
+  int moving = 0;
   double least = std::numeric_limits<double>::infinity();
-  for (int trial = 0; trial <= random_starts && candidates.size() < wanted_assemblies; ++trial) {
+  for (int trial = 0; trial <= random_starts && moving < wanted_assemblies; ++trial) {
     const Eigen::VectorXd start =
         trial == 0 ? Eigen::VectorXd::Zero(system.tree().variables()) : random_start(system, random);
     const Eigen::VectorXd values = close_loops(system, start, none_held);
     const double error = largest(system.residual(values));
     if (error < least) result.closest = values;
     least = std::min(least, error);
-    if (error < closing_tolerance * system.size()) candidates.push_back(judged(system, values, drives));
+    if (!(error < closing_tolerance * system.size())) continue;
+    candidates.push_back(judged(system, values, drives));
+    if (candidates.back().drives_move()) ++moving;
   }
   if (!candidates.empty()) result.assembly = best(candidates).assembly;
   return result;

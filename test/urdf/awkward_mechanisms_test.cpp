@@ -294,9 +294,9 @@ TEST(RefusedMechanism, HasItsLegsStackedInOnePlace) {
   EXPECT_EQ(problems[0],
             "robot.yaml drives 'crank_1_joint', 'crank_2_joint', 'crank_3_joint', but the closed mechanism "
             "of robot.urdf "
-            "has mobility 4, and only 2 of the 3 drives can move independently; list fewer actuated_joints, "
+            "has mobility 4, and the platform still moves with the drives locked; list more actuated_joints, "
             "or mend "
-            "closures that hold too much.");
+            "closures that hold too little.");
 }
 
 TEST(RefusedMechanism, HasALegWithoutDrive) {

@@ -33,8 +33,9 @@ struct AssemblyResult {
 };
 
 /// Levenberg-Marquardt from the zero configuration and from seeded random ones, inside the joint limits. Of
-/// the assembled configurations it takes one of least mobility and good conditioning: more mobility at the
-/// others is a singularity, and so is a mobility that the joint values `drives` do not account for.
+/// the assembled configurations it takes one where the joint values `drives` move independently, the mobility
+/// is least and the conditioning good: the others are singular, or in a branch that is not meant, as a
+/// crossed parallelogram.
 AssemblyResult assemble(const ClosureSystem& system, const std::vector<std::size_t>& drives);
 
 /// The configuration nearest to `start` that closes the loops, with the joints marked in `held` kept where
