@@ -26,7 +26,8 @@ struct MapOptions {
   /// By default `default_resolution`.
   std::optional<double> resolution;
 
-  /// Where to look; by default a box that encloses every reachable pose. Rounded outward to binary fractions.
+  /// Where to look: a box of positions [m], over all orientations; by default one that encloses every
+  /// reachable pose. Rounded outward to binary fractions. Not used in SO3.
   std::optional<Box> region;
 
   /// Worker threads; 0 for one a core. The result does not depend on it.
@@ -52,18 +53,26 @@ inline bool is_cancelled(const MapControl& control) noexcept {
 struct Aspect {
   int id = 0;  ///< from 1: by mode index, then positive before negative det A, then falling measure
   WorkingMode mode;
-  int determinant_sign = 0;    ///< +1 or -1
-  double measure = 0.0;        ///< best estimate of the volume of its workspace projection WA_ij
-  double measure_lower = 0.0;  ///< proved: volume of its inside leaves
-  double measure_upper =
-      0.0;  ///< proved, unless unresolved: with every undecided leaf that could belong to it
+  int determinant_sign = 0;  ///< +1 or -1
+
+  /// Best estimate of the volume of its workspace projection WA_ij, in the unit of `measure_unit`; and its
+  /// bounds: below, the volume of its inside leaves; above, with every undecided leaf that could belong to it
+  /// and with every aspect that it is not proved separate from. (In SO3 volumes are taken at the centers of
+  /// leaves.)
+  double measure = 0.0;
+  double measure_lower = 0.0;
+  double measure_upper = 0.0;
+
   std::size_t inside_leaves = 0;
-  Box bounds;    ///< of the inside leaves
-  Pose deepest;  ///< center of the largest ball found in the inside leaves
-  double deepest_clearance =
-      0.0;  ///< its radius: no singularity or limit is closer, in pose coordinates [m or rad]
-  std::vector<int>
-      unresolved_with;  ///< ids that could be the same aspect; empty when proved separate from all others
+  Box bounds;  ///< of the inside leaves, in pose coordinates; of dimension 0 in SO3
+
+  /// Center of the largest ball found in the inside leaves, and its radius: no singularity or limit is
+  /// closer. In m, with rotations of SE2 weighted by the characteristic length; in SO3 in rad.
+  Pose deepest;
+  double deepest_clearance = 0.0;
+
+  /// Ids that could be the same aspect; empty when proved separate from all others.
+  std::vector<int> unresolved_with;
 };
 
 enum class LocationStatus {

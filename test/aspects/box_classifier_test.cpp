@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/aspects/box_classifier.h"
+
+#include "parallel_aspects/aspects/half_turns.h"
+#include "parallel_aspects/aspects/interval.h"
+#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/kinematics/jacobians.h"
+
+#include <gtest/gtest.h>
+
+#include "support/robots.h"
+#include <cmath>
+#include <functional>
+#include <random>
+
+namespace parallel_aspects {
+namespace {
+
+struct Case {
+  const char* name;
+  std::function<std::shared_ptr<const Manipulator>()> make;
+};
+
+// A second way to S(s, sigma), in plain double precision: the sign of det A at one pose; 0 outside; nothing
+// where rounding may tell one from the other.
+std::optional<int> sign_at(const Manipulator& robot, const Pose& pose, const WorkingMode& mode) {
+  const InverseSolution solution = inverse(robot, pose, mode);
+  for (const Leg& leg : robot.legs()) {
+    const double entry = squared_inverse_entry(leg, pose.transform(leg.anchor));
+    const double scale = leg.driven_by_angle() ? std::pow(robot.size(), 4) : std::pow(robot.size(), 2);
+    if (std::abs(entry) < 1e-9 * scale) return std::nullopt;
+  }
+  if (solution.status == InverseStatus::out_of_reach) return 0;
+  for (std::size_t j = 0; j < robot.leg_count(); ++j) {
+    const double q = solution.q[static_cast<Eigen::Index>(j)];
+    const JointLimits& limits = robot.leg(j).limits;
+    if (std::abs(q - limits.lower) < 1e-9 || std::abs(q - limits.upper) < 1e-9) return std::nullopt;
+  }
+  if (solution.status != InverseStatus::solved) return 0;
+  const TaskMatrix direct = direct_matrix(robot, pose, solution.q);
+  const double determinant = direct_determinant(robot, pose, solution.q);
+  if (std::abs(determinant) < 1e-9 * std::pow(direct.norm(), direct.rows())) return std::nullopt;
+  return determinant > 0.0 ? 1 : -1;
+}
+
+bool contradicts(LeafState state, int sign) {
+  if (state.is_inside()) return !state.is_inside(sign);
+  return sign != 0 && !state.may_be(sign);
+}
+
+class BoxClassifierTest : public testing::TestWithParam<Case> {
+ protected:
+  BoxClassifierTest() {
+    Box positions{2, {-3.0, -3.0, -3.0}, {3.0, 3.0, 3.0}};
+    if (const auto reachable = classifier->reachable_positions(); reachable && reachable->dimension > 0)
+      positions = *reachable;
+    else
+      positions.dimension = robot->task_space() == TaskSpace::T3 ? 3 : 2;
+    space = make_pose_space(robot->task_space(), positions, robot->characteristic_length());
+  }
+
+  double uniform(double lower, double upper) {
+    return std::uniform_real_distribution<double>(lower, upper)(random);
+  }
+
+  Box random_box() {
+    const Box& region = space->region();
+    const double share = std::pow(2.0, uniform(-9.0, -2.0));
+    Box box = region;
+    for (std::size_t i = 0; i < region.dimension; ++i) {
+      const double width = share * region.width(i);
+      box.lower[i] = uniform(region.lower[i], region.upper[i] - width);
+      box.upper[i] = box.lower[i] + width;
+    }
+    return box;
+  }
+
+  // Inside, or on the corners, where enclosures are tightest.
+  MapPoint random_point(const Box& box) {
+    MapPoint point{};
+    const bool corner = uniform(0.0, 1.0) < 0.3;
+    for (std::size_t i = 0; i < box.dimension; ++i) {
+      const double share = uniform(0.0, 1.0);
+      point[i] = corner ? (share < 0.5 ? box.lower[i] : box.upper[i])
+                        : box.lower[i] + share * (box.upper[i] - box.lower[i]);
+    }
+    return point;
+  }
+
+  std::shared_ptr<const Manipulator> robot = GetParam().make();
+  std::vector<WorkingMode> modes = working_modes(*robot);
+  std::unique_ptr<const BoxClassifier> classifier = make_box_classifier(*robot, modes);
+  std::shared_ptr<const PoseSpace> space;
+  std::mt19937_64 random{20261121};
+};
+
+TEST_P(BoxClassifierTest, NoPoseContradictsItsBox) {
+  std::vector<LeafState> states(modes.size());
+  std::size_t inside = 0, checked = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const auto root = static_cast<RootIndex>(random() % space->root_count());
+    const Box box = random_box();
+    {
+      const RoundingUpward rounding;
+      classifier->classify(root, box, ~ModeSet{0}, states.data());
+    }
+    for (int k = 0; k < 3; ++k) {
+      const MapPoint point = random_point(box);
+      const Pose pose = space->pose({root, point});
+      for (std::size_t m = 0; m < modes.size(); ++m) {
+        inside += states[m].is_inside();
+        const auto sign = sign_at(*robot, pose, modes[m]);
+        if (!sign) continue;
+        ++checked;
+        ASSERT_FALSE(contradicts(states[m], *sign))
+            << "root " << root << ", box " << box.lower[0] << ' ' << box.lower[1] << ' ' << box.lower[2]
+            << " to " << box.upper[0] << ' ' << box.upper[1] << ' ' << box.upper[2] << ", mode "
+            << to_string(modes[m]) << ", pose " << to_string(robot->task_space(), pose) << ", sign " << *sign;
+      }
+    }
+  }
+  EXPECT_GT(inside, 100U);
+  EXPECT_GT(checked, 20000U);
+}
+
+// Small boxes around poses that are clear of singularities must be decided: bounds that are never tight are
+// no use.
+TEST_P(BoxClassifierTest, SmallBoxesAreDecided) {
+  std::vector<LeafState> states(modes.size());
+  int decided = 0, clear = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const MapPosition position = [this] {
+      const Box box = random_box();
+      return MapPosition{static_cast<RootIndex>(random() % space->root_count()), random_point(box)};
+    }();
+    Box box{space->dimension(), position.point, position.point};
+    for (std::size_t k = 0; k < box.dimension; ++k) box.upper[k] += 1e-9 * space->region().width(k);
+    const RoundingUpward rounding;
+    classifier->classify(position.root, box, ~ModeSet{0}, states.data());
+    for (std::size_t m = 0; m < modes.size(); ++m) {
+      if (!sign_at(*robot, space->pose(position), modes[m])) continue;
+      ++clear;
+      decided += !states[m].is_undecided();
+    }
+  }
+  EXPECT_GE(decided, clear * 0.999) << decided << " of " << clear;
+}
+
+// Every position has a pose with that position, across all root boxes.
+TEST_P(BoxClassifierTest, PositionsAndPosesAgree) {
+  for (int i = 0; i < 1000; ++i) {
+    const MapPosition position{static_cast<RootIndex>(random() % space->root_count()),
+                               random_point(space->region())};
+    const Pose pose = space->pose(position), again = space->pose(space->position(pose));
+    EXPECT_LT((pose.position - again.position).norm(), 1e-12);
+    EXPECT_LT(pose.orientation.angularDistance(again.orientation), 1e-7);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Robots, BoxClassifierTest,
+    testing::Values(Case{"five_bar", test::five_bar}, Case{"bipod", test::bipod},
+                    Case{"three_rpr", test::three_rpr}, Case{"three_rrr", test::three_rrr},
+                    Case{"driven_elbow", test::three_rrr_driven_elbow}, Case{"three_prr", test::three_prr},
+                    Case{"delta", test::delta}, Case{"linear_delta", test::linear_delta},
+                    Case{"agile_eye", test::agile_eye}, Case{"spherical", test::spherical_three_rrr}),
+    [](const auto& robot) { return std::string(robot.param.name); });
+
+// Glued faces are the same poses: a point of the first face and its image on the second.
+TEST(PoseSpace, GluedFacesHoldTheSamePoses) {
+  const Box square{2, {-1.0, -1.0, 0.0}, {1.0, 1.0, 0.0}};
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> coordinate(-1.0, 1.0);
+  for (const TaskSpace task_space : {TaskSpace::SE2, TaskSpace::SO3}) {
+    const auto space = make_pose_space(task_space, square, 1.0);
+    EXPECT_EQ(space->gluings().size(), task_space == TaskSpace::SE2 ? 1U : 12U);
+    for (const Gluing& gluing : space->gluings()) {
+      for (int i = 0; i < 20; ++i) {
+        MapPosition first{gluing.first.root, {}}, second{gluing.second.root, {}};
+        for (std::size_t k = 0; k < 3; ++k) first.point[k] = coordinate(random);
+        first.point[gluing.first.axis] = gluing.first.upper ? 1.0 : -1.0;
+        second.point[gluing.second.axis] = gluing.second.upper ? 1.0 : -1.0;
+        for (std::size_t k = 0; k < 3; ++k)
+          if (k != gluing.first.axis)
+            second.point[gluing.axis_of[k]] = gluing.flipped[k] ? -first.point[k] : first.point[k];
+        const Pose a = space->pose(first), b = space->pose(second);
+        EXPECT_LT((a.position - b.position).norm(), 1e-12);
+        EXPECT_LT(a.orientation.angularDistance(b.orientation), 1e-7);
+      }
+    }
+  }
+}
+
+TEST(HalfTurns, EnclosuresHoldTheCosineAndSineOfEveryPoint) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> end(-1.0, 1.0), share(0.0, 1.0);
+  for (int i = 0; i < 100000; ++i) {
+    double lower = end(random), upper = end(random);
+    if (lower > upper) std::swap(lower, upper);
+    const long double at = lower + share(random) * (upper - lower);
+    const long double angle = 3.14159265358979323846264338327950288L * at;
+    const RoundingUpward rounding;
+    const Interval cosine = cosine_of_half_turns({lower, upper}), sine = sine_of_half_turns({lower, upper});
+    ASSERT_TRUE(cosine.lower() <= std::cos(angle) && std::cos(angle) <= cosine.upper())
+        << lower << ' ' << upper;
+    ASSERT_TRUE(sine.lower() <= std::sin(angle) && std::sin(angle) <= sine.upper()) << lower << ' ' << upper;
+  }
+}
+
+}  // namespace
+}  // namespace parallel_aspects
