@@ -42,7 +42,7 @@ GalleryLayout::GalleryLayout(const AspectMap& map, const JointWindow& window, do
   pitch_ = workspace_tile_size_.x() + 3.0 * text_height_;
 
   const AlignedBox2d robot = robot_extent(map, workspace_);
-  const double between_rows = 3.5 * text_height_;
+  const double between_rows = 4.0 * text_height_;
   const double height = workspace_tile_size_.y() + between_rows + joint_tile_size_.y();
   const double top = robot.center().y() + 0.5 * height;
   const double left = robot.max().x() + 4.0 * text_height_ + 0.5 * workspace_tile_size_.x();

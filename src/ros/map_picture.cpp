@@ -228,11 +228,14 @@ void MapPicture::draw_workspace_tile(std::size_t column, int highlighted, Marker
 void MapPicture::draw_joint_tile(std::size_t column, int highlighted, MarkerBatch& batch) const {
   const double text = layout_.text_height();
   const Place place = [&](const Vector2d& q) { return layout_.in_joint_tile(q, column); };
-  for (const Aspect& aspect : map_->aspects())
-    if (aspect.mode == modes_[column].mode)
-      batch.triangles(joint_spaces_, "joint_space/aspects",
-                      placed(joint_triangles_[static_cast<std::size_t>(aspect.id - 1)], place),
-                      height_of(fill_layer, text), aspect_color(aspect.id));
+  double height = height_of(fill_layer, text);
+  for (const Aspect& aspect : map_->aspects()) {
+    if (aspect.mode != modes_[column].mode) continue;
+    batch.triangles(joint_spaces_, "joint_space/aspects",
+                    placed(joint_triangles_[static_cast<std::size_t>(aspect.id - 1)], place), height,
+                    aspect_color(aspect.id));
+    height += 0.001 * text;  // projections overlap where there are several assembly modes
+  }
   draw_curves(modes_[column].joint_boundary, place, {text, 0.06 * text, highlighted}, joint_spaces_,
               "joint_space", batch);
   batch.lines(joint_spaces_, "joint_space/window",
@@ -254,15 +257,15 @@ void MapPicture::draw_titles(std::size_t column, MarkerBatch& batch) const {
       layout_.workspace_tile_center(column) - (0.5 * layout_.workspace_tile_size().y() + 0.9 * text) * up;
   for (const Aspect& aspect : map_->aspects()) {
     if (aspect.mode != modes_[column].mode) continue;
-    batch.text(workspaces_, "workspace/sizes", line, layer, 0.7 * text, legend_text(aspect, space), ink());
-    line -= 0.8 * text * up;
+    batch.text(workspaces_, "workspace/sizes", line, layer, 0.8 * text, legend_text(aspect, space), ink());
+    line -= 0.95 * text * up;
   }
   Vector2d below =
       layout_.joint_tile_center(column) - (0.5 * layout_.joint_tile_size().y() + 0.7 * text) * up;
   for (std::size_t leg = 0; leg < 2; ++leg) {
-    batch.text(joint_spaces_, "joint_space/axes", below, layer, 0.65 * text,
+    batch.text(joint_spaces_, "joint_space/axes", below, layer, 0.75 * text,
                range_text(projection_.window(), *map_->manipulator(), leg), ink());
-    below -= 0.8 * text * up;
+    below -= 0.95 * text * up;
   }
 }
 
