@@ -28,8 +28,9 @@ constexpr int most_attempts = 8;
 // Ends closer than this are the same solution.
 constexpr double same_solution = 1e-7;
 
-// Solutions this close to their conjugates may be real.
+// Solutions this close to their conjugates may be real; multiple ones are known only roughly.
 constexpr double nearly_real = 1e-4;
+constexpr double nearly_real_multiple = 3e-2;
 
 // The direct problem in the coordinates of the start system: origins amid the base points and amid the
 // anchors, lengths about as long as there.
@@ -97,7 +98,9 @@ bool closed_under_conjugation(const std::vector<Solution>& solutions) {
                      [&](const Solution& z) { return contains(solutions, conjugate(z)); });
 }
 
-bool may_be_real(const Solution& z) { return platform_paths::distance(z, conjugate(z)) < nearly_real; }
+bool may_be_real(const Solution& z, double tolerance) {
+  return platform_paths::distance(z, conjugate(z)) < tolerance;
+}
 
 // The straight way first, then by random detours through the complex parameters.
 Parameters bend(int attempt) {
@@ -158,7 +161,7 @@ class Search {
 void add_real(const Normalised& problem, const std::vector<Solution>& solutions, bool singular,
               std::vector<AssemblyMode>& modes) {
   for (const Solution& z : solutions) {
-    if (!may_be_real(z)) continue;
+    if (!may_be_real(z, singular ? nearly_real_multiple : nearly_real)) continue;
     AssemblyMode mode;
     mode.pose = problem.pose(z);
     mode.near_singular = singular;

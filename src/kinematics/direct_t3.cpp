@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -20,6 +21,9 @@ using Spheres = std::array<Sphere, 3>;
 
 // Centers this close to one line, relative to the robot, are taken to be on it.
 constexpr double collinear = 1e-13;
+
+// Spheres that miss a common point by so little, in squares relative to the robot, touch but for rounding.
+constexpr double tangent = 1e-14;
 
 // Spheres that miss a common circle by less than this, relative to the robot, are taken to share it.
 constexpr double same_circle = 1e-12;
@@ -75,10 +79,11 @@ DirectResult direct_t3(const Manipulator& manipulator, const JointVector& q) {
   const Eigen::Vector3d foot = (r2 * third.cross(normal) + r3 * normal.cross(second)) / squared_normal;
   const double squared_height = all[0].squared_radius - foot.squaredNorm();
   DirectResult result{DirectStatus::solved, {}};
-  if (!(squared_height >= 0.0)) return result;
+  if (!(squared_height >= -tangent * size * size)) return result;
+  const double share = std::sqrt(std::max(0.0, squared_height) / squared_normal);
   for (const double sign : {1.0, -1.0}) {
     AssemblyMode mode;
-    mode.pose.position = all[0].center + foot + sign * std::sqrt(squared_height / squared_normal) * normal;
+    mode.pose.position = all[0].center + foot + sign * share * normal;
     result.solutions.push_back(mode);
   }
   return result;

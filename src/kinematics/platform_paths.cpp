@@ -22,7 +22,11 @@ constexpr double rounding = 1e-11;
 constexpr double arrival = 1e-8;
 
 // So close to t = 1 a path is over, singular or infinite.
-constexpr double near_end = 1e-10;
+constexpr double near_end = 1e-13;
+
+// Paths that get too ill-conditioned to go on from here are at a multiple solution; its distance is the
+// square root.
+constexpr double stuck_at_end = 1e-8;
 
 // What a path did since it came so close to t = 1 tells where it goes.
 constexpr double close_to_end = 1e-2;
@@ -127,9 +131,12 @@ class Follower {
     return true;
   }
 
-  void give_up(int lane) {
+  void give_up(int lane) { finish(lane, ending_where_stuck(lane)); }
+
+  Ending ending_where_stuck(int lane) {
     const double left = 1.0 - now_.t[lane], near = nearness(solution(lane));
-    finish(lane, left < close_to_end && near < close_to_infinity ? out_there(traveller(lane)) : Ending::lost);
+    if (left < close_to_end && near < close_to_infinity) return out_there(traveller(lane));
+    return left < stuck_at_end ? Ending::singular : Ending::lost;
   }
 
   static Ending out_there(const Traveller& each) {

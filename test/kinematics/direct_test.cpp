@@ -88,6 +88,15 @@ TEST(Direct, StrutOfNegativeLengthAssemblesNowhere) {
   EXPECT_TRUE(result.solutions.empty());
 }
 
+// Base points 5 apart, legs 2 and 3 or 9 and 4: the circles touch, from outside and from inside.
+TEST(Direct, TouchingCirclesAreOneFlaggedSolution) {
+  for (const auto& q : {drives({2.0, 3.0}), drives({9.0, 4.0}), drives({2.0, 3.0 - 1e-16})}) {
+    const DirectResult result = direct(*test::bipod(), q);
+    ASSERT_EQ(result.solutions.size(), 1U);
+    EXPECT_TRUE(result.solutions[0].near_singular);
+  }
+}
+
 TEST(Direct, WrongOrInfiniteDrivesAreUnsolved) {
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
   EXPECT_EQ(direct(*test::three_rpr(), drives({1.0, nan, 1.0})).status, DirectStatus::unsolved);
