@@ -129,8 +129,9 @@ void print(const std::array<Complex, n>& numbers) {
                 i + 1 < n ? ",\n" : "}},\n");
 }
 
-void print(const System& system) {
-  std::printf("// SPDX-License-Identifier: BSD-3-Clause\n// Written by generate_platform_start.\n\n");
+void print(const System& system, unsigned candidates) {
+  std::printf("// SPDX-License-Identifier: BSD-3-Clause\n// Written by generate_platform_start %u.\n\n",
+              candidates);
   std::printf("constexpr Parameters table_parameters{{\n");
   for (const auto& leg : system.parameters) print(leg);
   std::printf("}};\n\nconstexpr std::array<Solution, solution_count> table_solutions{{\n");
@@ -150,7 +151,7 @@ int generate(unsigned candidates) {
     lowest = steps;
   }
   if (!best) return EXIT_FAILURE;
-  print(*best);
+  print(*best, candidates);
   return EXIT_SUCCESS;
 }
 
