@@ -35,6 +35,8 @@ class FreeJoints {
       if (!held[k] && system.in_loop()[k]) indices_.push_back(static_cast<Eigen::Index>(k));
   }
 
+  bool none() const { return indices_.empty(); }
+
   /// Columns of the closure Jacobian.
   Eigen::MatrixXd jacobian(const Eigen::VectorXd& values) const {
     const Eigen::MatrixXd all = system_.jacobian(values);
@@ -64,6 +66,7 @@ Eigen::VectorXd polished(const ClosureSystem& system, Eigen::VectorXd values, st
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
     solver.setThreshold(rank_tolerance);
     const FreeJoints free(system, held);
+    if (free.none()) break;
     solver.compute(free.jacobian(values));
     const Eigen::VectorXd wanted = free.moved(values, solver.solve(system.residual(values)));
     Eigen::VectorXd next = wanted;
@@ -167,6 +170,7 @@ const Candidate& best(const std::vector<Candidate>& candidates) {
 Eigen::VectorXd close_loops(const ClosureSystem& system, Eigen::VectorXd values,
                             const std::vector<bool>& held) {
   const FreeJoints free(system, held);
+  if (free.none()) return values;
   double damping = 1e-2;
   clamp_to_limits(system.tree(), values);
   Eigen::VectorXd residual = system.residual(values);
