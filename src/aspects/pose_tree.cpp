@@ -38,13 +38,16 @@ PoseTree::PoseTree(std::shared_ptr<const PoseSpace> space, std::size_t modes)
       first_child_(space_->root_count(), no_node),
       states_(space_->root_count() * modes, LeafState::pending()) {
   for (RootIndex root = 0; root < root_count(); ++root) places_[root].root = root;
+  for (std::uint32_t level = 0; level <= deepest_level; ++level)
+    for (std::size_t i = 0; i < dimension(); ++i)
+      edges_[level][i] = std::ldexp(region_.width(i), -static_cast<int>(level));
 }
 
 Box PoseTree::box(NodeIndex node) const noexcept {
   const NodePlace& at = places_[node];
   Box box{dimension(), {}, {}};
   for (std::size_t i = 0; i < dimension(); ++i) {
-    const double edge = std::ldexp(region_.width(i), -static_cast<int>(at.level));
+    const double edge = edges_[at.level][i];
     box.lower[i] = region_.lower[i] + edge * at.cell[i];
     box.upper[i] = region_.lower[i] + edge * (at.cell[i] + 1.0);
   }

@@ -71,6 +71,7 @@ class PoseTree {
 
   std::shared_ptr<const PoseSpace> space_;
   Box region_;
+  std::array<MapPoint, deepest_level + 1> edges_{};  // of a node, by level
   std::size_t modes_;
   std::vector<NodePlace> places_;
   std::vector<NodeIndex> first_child_;
