@@ -131,9 +131,10 @@ Report report_map(const AspectMap& map) { return {json_map(map), map_text(map)};
 Subcommand map_subcommand() {
   const auto arguments = std::make_shared<MapArguments>();
   std::vector<Option> options = robot_options(arguments->robot);
-  options.push_back({"--resolution", "R",
-                     "Longest edge of a leaf of the map [m]; by default 1/200 of the robot's size",
-                     &arguments->resolution});
+  options.push_back(
+      {"--resolution", "R",
+       "Longest edge of an undecided leaf of the base map [m or rad]; by default what suits the robot",
+       &arguments->resolution});
   options.push_back({"--threads", "N",
                      "Threads to compute with; by default one a core. The result does not depend on it",
                      &arguments->threads});
