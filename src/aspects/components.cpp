@@ -87,12 +87,11 @@ class Refinement {
     });
   }
 
-  bool is_stranded(std::uint32_t vertex, NodeIndex nearest, int sign) const {
-    const NodeIndex node = graph_.vertices()[vertex].node;
-    const MapPosition center{tree_.place(node).root, tree_.box(node).middle()};
+  bool is_stranded(std::uint32_t vertex, NodeIndex nearest, int sign) {
     const RoundingUpward rounding;
-    return proved_sign(classifier_, tree_.dimension(), graph_.mode(), center) == sign &&
-           !is_free(center, nearest, sign);
+    if (graph_.center_sign(tree_, classifier_, vertex) != sign) return false;
+    const NodeIndex node = graph_.vertices()[vertex].node;
+    return !is_free({tree_.place(node).root, tree_.box(node).middle()}, nearest, sign);
   }
 
   bool refine(const std::vector<std::uint32_t>& vertices) {
@@ -180,13 +179,9 @@ class Summary {
       const NodeIndex node = graph_.vertices()[v].node;
       const double measure = tree_.space().measure(tree_.box(node));
       undecided_[component] += measure;
-      if (center_is_inside(node, sign)) result_.components[component].measure_estimated += measure;
+      if (graph_.center_sign(tree_, classifier_, v) == sign)
+        result_.components[component].measure_estimated += measure;
     }
-  }
-
-  bool center_is_inside(NodeIndex node, int sign) const {
-    const MapPosition center{tree_.place(node).root, tree_.box(node).middle()};
-    return proved_sign(classifier_, tree_.dimension(), mode_, center) == sign;
   }
 
   std::pair<std::size_t, std::size_t> ordered(const LeafGraph::Contact& contact) {

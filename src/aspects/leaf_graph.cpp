@@ -3,6 +3,7 @@
 
 #include "parallel_aspects/aspects/face_traversal.h"
 #include "parallel_aspects/aspects/interval.h"
+#include "parallel_aspects/aspects/segment_proof.h"
 
 #include <algorithm>
 
@@ -26,7 +27,7 @@ void LeafGraph::add_leaf(const PoseTree& tree, NodeIndex node) {
     inside_leaves_.push_back(node);
   } else if (state.is_undecided()) {
     slot_[node] = static_cast<std::uint32_t>(vertices_.size());
-    vertices_.push_back({node, {}});
+    vertices_.push_back({node, {}, {}});
   }
 }
 
@@ -87,6 +88,15 @@ LeafGraph::Meeting LeafGraph::meeting(const PoseTree& tree, int sign) {
         tree.state(vertices_[v].node, mode_).may_be(sign))
       meeting.hidden.push_back(v);
   return meeting;
+}
+
+int LeafGraph::center_sign(const PoseTree& tree, const BoxClassifier& classifier, std::uint32_t vertex) {
+  Vertex& asked = vertices_[vertex];
+  if (!asked.center_sign) {
+    const MapPosition center{tree.place(asked.node).root, tree.box(asked.node).middle()};
+    asked.center_sign = proved_sign(classifier, tree.dimension(), mode_, center);
+  }
+  return *asked.center_sign;
 }
 
 void LeafGraph::refine(PoseTree& tree, const BoxClassifier& classifier, std::uint32_t vertex) {

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace parallel_aspects {
@@ -24,6 +25,7 @@ class LeafGraph {
   struct Vertex {
     NodeIndex node = no_node;  ///< no_node once it was divided
     std::vector<NodeIndex> neighbours;
+    std::optional<int> center_sign;  ///< once it was asked for
   };
 
   /// Two undecided leaves side by side (or twice the same) that are nearest to different components, and the
@@ -46,6 +48,10 @@ class LeafGraph {
 
   /// Joins the components of two inside leaves, after a proof that they are one.
   void unite(NodeIndex leaf, NodeIndex other) { components_.unite(slot_[leaf], slot_[other]); }
+
+  /// The sign of det A that is proved at the center of an undecided leaf, by `proved_sign`. Needs a live
+  /// `RoundingUpward`.
+  int center_sign(const PoseTree& tree, const BoxClassifier& classifier, std::uint32_t vertex);
 
   /// Divides the leaf of a vertex in `tree` and classifies its children.
   void refine(PoseTree& tree, const BoxClassifier& classifier, std::uint32_t vertex);
