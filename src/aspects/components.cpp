@@ -222,11 +222,15 @@ class Summary {
 void refine_contested(PoseTree& tree, const BoxClassifier& classifier, LeafGraph& graph,
                       std::uint32_t deepest_level, const MapControl& control) {
   Refinement refinement(tree, classifier, graph, deepest_level, control);
-  // Leaves divided for one sign may show new components of the other.
-  for (bool refined = true; refined;) {
-    refined = false;
-    for (const int sign : {1, -1})
-      while (refinement.run(sign)) refined = true;
+  // Leaves divided for one sign may show new components of the other: done when both have nothing to do in
+  // turn.
+  for (int sign = 1, idle = 0; idle < 2;) {
+    if (refinement.run(sign)) {
+      idle = 0;
+    } else {
+      ++idle;
+      sign = -sign;
+    }
   }
 }
 

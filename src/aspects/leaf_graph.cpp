@@ -99,6 +99,11 @@ int LeafGraph::center_sign(const PoseTree& tree, const BoxClassifier& classifier
   return *asked.center_sign;
 }
 
+void LeafGraph::find_center_signs(const PoseTree& tree, const BoxClassifier& classifier) {
+  const RoundingUpward rounding;
+  for (std::uint32_t vertex = 0; vertex < vertices_.size(); ++vertex) center_sign(tree, classifier, vertex);
+}
+
 void LeafGraph::refine(PoseTree& tree, const BoxClassifier& classifier, std::uint32_t vertex) {
   const NodeIndex node = vertices_[vertex].node;
   const NodeIndex first = tree.divide(node, [this](std::size_t mode) { return mode == mode_; });

@@ -139,8 +139,10 @@ void find_deepest_poses(AspectMap::Contents& map) {
 bool add_components(AspectMap::Contents& map, const Plan& plan, const MapControl& control) {
   const std::size_t count = plan.modes.size();
   std::vector<std::unique_ptr<LeafGraph>> graphs(count);
-  tbb::parallel_for(std::size_t{0}, count,
-                    [&](std::size_t mode) { graphs[mode] = std::make_unique<LeafGraph>(map.tree, mode); });
+  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t mode) {
+    graphs[mode] = std::make_unique<LeafGraph>(map.tree, mode);
+    graphs[mode]->find_center_signs(map.tree, *map.classifier);
+  });
   for (std::size_t mode = 0; mode < count; ++mode)
     refine_contested(map.tree, *map.classifier, *graphs[mode], plan.deepest_level, control);
   if (is_cancelled(control)) return false;

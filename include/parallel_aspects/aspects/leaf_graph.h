@@ -53,6 +53,9 @@ class LeafGraph {
   /// `RoundingUpward`.
   int center_sign(const PoseTree& tree, const BoxClassifier& classifier, std::uint32_t vertex);
 
+  /// Asks for all of them, so that graphs of several working modes can do so at the same time.
+  void find_center_signs(const PoseTree& tree, const BoxClassifier& classifier);
+
   /// Divides the leaf of a vertex in `tree` and classifies its children.
   void refine(PoseTree& tree, const BoxClassifier& classifier, std::uint32_t vertex);
 
