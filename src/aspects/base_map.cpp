@@ -62,22 +62,23 @@ class Progress {
 
 }  // namespace
 
-bool grow_base_map(PoseTree& tree, const BoxClassifier& classifier, std::uint32_t depth,
-                   const MapControl& control) {
+BaseMapStatus grow_base_map(PoseTree& tree, const BoxClassifier& classifier, std::uint32_t depth,
+                            const MapControl& control) {
   const Progress progress(control, tree.dimension(), depth);
   NodeIndex begin = 0;
   for (std::uint32_t level = 0; level <= depth; ++level) {
     const auto end = static_cast<NodeIndex>(tree.node_count());
     for (NodeIndex block = begin; block < end; block += nodes_per_block) {
-      if (is_cancelled(control)) return false;
+      if (is_cancelled(control)) return BaseMapStatus::cancelled;
       const NodeIndex block_end = std::min(end, block + nodes_per_block);
       classify_block(tree, classifier, block, block_end);
       progress.tell(level, static_cast<double>(block_end - begin) / (end - begin));
     }
     if (level < depth) divide_undecided(tree, begin, end);
+    if (tree.node_count() > most_nodes) return BaseMapStatus::too_large;
     begin = end;
   }
-  return true;
+  return BaseMapStatus::complete;
 }
 
 }  // namespace parallel_aspects

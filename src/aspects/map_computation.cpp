@@ -187,13 +187,18 @@ MapResult compute_aspect_map(std::shared_ptr<const Manipulator> manipulator, con
 
   tbb::task_arena arena(options.threads == 0 ? tbb::task_arena::automatic
                                              : static_cast<int>(options.threads));
-  const bool complete = arena.execute([&] {
-    if (!grow_base_map(map->tree, *map->classifier, plan.depth, scaled)) return false;
-    if (!add_components(*map, plan, control)) return false;
+  const BaseMapStatus status = arena.execute([&] {
+    const BaseMapStatus base = grow_base_map(map->tree, *map->classifier, plan.depth, scaled);
+    if (base != BaseMapStatus::complete) return base;
+    if (!add_components(*map, plan, control)) return BaseMapStatus::cancelled;
     find_deepest_poses(*map);
-    return true;
+    return BaseMapStatus::complete;
   });
-  if (!complete) return {MapStatus::cancelled, "The computation was cancelled.", nullptr};
+  if (status == BaseMapStatus::cancelled)
+    return {MapStatus::cancelled, "The computation was cancelled.", nullptr};
+  if (status == BaseMapStatus::too_large)
+    return refused("The map takes more than " + std::to_string(most_nodes / 1'000'000) +
+                   " million boxes at this resolution; give a coarser one or a smaller region.");
   map->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (control.progress) control.progress(1.0);
   return {MapStatus::complete, "", std::make_shared<const AspectMap>(std::move(map))};

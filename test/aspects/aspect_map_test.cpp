@@ -136,6 +136,14 @@ TEST(AspectMap, RefusesBadOptionsWithASentence) {
   EXPECT_TRUE(refuses(region));
 }
 
+TEST(AspectMap, RefusesWhatWouldTakeAllMemory) {
+  MapOptions options;
+  options.resolution = 2e-6;
+  const MapResult result = compute_aspect_map(test::five_bar(), options);
+  EXPECT_EQ(result.status, MapStatus::refused);
+  EXPECT_NE(result.sentence.find("million boxes"), std::string::npos) << result.sentence;
+}
+
 TEST(AspectMap, CanBeCancelled) {
   std::atomic<bool> cancelled{false};
   MapControl control;

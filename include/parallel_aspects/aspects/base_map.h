@@ -6,15 +6,21 @@
 #include "parallel_aspects/aspects/box_classifier.h"
 #include "parallel_aspects/aspects/pose_tree.h"
 
+#include <cstddef>
 #include <cstdint>
 
 namespace parallel_aspects {
 
+enum class BaseMapStatus { complete, cancelled, too_large };
+
+/// A base map that needs more nodes is given up: some gigabytes of memory.
+inline constexpr std::size_t most_nodes = 30'000'000;
+
 /// Classifies the pending nodes of `tree` and divides what stays undecided, level by level, down to `depth`,
-/// on all threads of the calling arena; the result does not depend on their number. False when cancelled,
-/// with the tree unfinished.
-bool grow_base_map(PoseTree& tree, const BoxClassifier& classifier, std::uint32_t depth,
-                   const MapControl& control);
+/// on all threads of the calling arena; the result does not depend on their number. Unless complete, the tree
+/// is unfinished.
+BaseMapStatus grow_base_map(PoseTree& tree, const BoxClassifier& classifier, std::uint32_t depth,
+                            const MapControl& control);
 
 }  // namespace parallel_aspects
 
