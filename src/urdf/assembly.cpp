@@ -16,6 +16,10 @@ constexpr int iterations = 120;
 constexpr int polishing_steps = 12;
 constexpr unsigned seed = 20240117;
 
+// A joint that moves less [rad or sizes of the robot] while the mechanism moves by the step stays still.
+constexpr double stillness = 1e-3;
+constexpr double step_length = 0.1;
+
 double largest(const Eigen::VectorXd& vector) {
   return vector.size() > 0 ? vector.lpNorm<Eigen::Infinity>() : 0.0;
 }
@@ -158,6 +162,28 @@ bool is_better(const Candidate& one, const Candidate& other) {
   return one.conditioning > 5.0 * other.conditioning;
 }
 
+// Of all motions together; a step that closes its loops again and is far enough to tell.
+bool moves_in_a_step(const ClosureSystem& system, const Assembly& assembly, std::size_t joint,
+                     const std::vector<Eigen::VectorXd>& steps) {
+  const auto row = static_cast<Eigen::Index>(joint);
+  const bool sliding = system.tree().joint_of(joint).motion == JointMotion::sliding;
+  const double unit = sliding ? system.size() : 1.0;
+  return std::any_of(steps.begin(), steps.end(), [&](const Eigen::VectorXd& values) {
+    return std::abs(values[row] - assembly.values[row]) > stillness * unit;
+  });
+}
+
+std::vector<Eigen::VectorXd> steps_along_motions(const ClosureSystem& system, const Assembly& assembly) {
+  const std::vector<bool> none_held(system.in_loop().size(), false);
+  std::vector<Eigen::VectorXd> steps;
+  for (Eigen::Index k = 0; k < assembly.motions.cols(); ++k) {
+    const Eigen::VectorXd values =
+        close_loops(system, assembly.values + step_length * assembly.motions.col(k), none_held);
+    if (largest(system.residual(values)) < closing_tolerance * system.size()) steps.push_back(values);
+  }
+  return steps;
+}
+
 const Candidate& best(const std::vector<Candidate>& candidates) {
   const Candidate* chosen = &candidates.front();
   for (const Candidate& candidate : candidates)
@@ -211,6 +237,15 @@ AssemblyResult assemble(const ClosureSystem& system, const std::vector<std::size
   }
   if (!candidates.empty()) result.assembly = best(candidates).assembly;
   return result;
+}
+
+std::vector<bool> still_joints(const ClosureSystem& system, const Assembly& assembly) {
+  std::vector<bool> still = system.in_loop();
+  const std::vector<Eigen::VectorXd> steps = steps_along_motions(system, assembly);
+  if (steps.empty()) return std::vector<bool>(still.size(), false);
+  for (std::size_t joint = 0; joint < still.size(); ++joint)
+    still[joint] = still[joint] && !moves_in_a_step(system, assembly, joint, steps);
+  return still;
 }
 
 }  // namespace parallel_aspects

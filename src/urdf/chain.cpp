@@ -36,17 +36,18 @@ struct Edge {
 
 class LegFinder {
  public:
-  LegFinder(const ClosureSystem& system, const Eigen::VectorXd& assembled, const Drives& drives,
-            const SourceNames& files, Problems& problems)
-      : system_(system),
+  LegFinder(const AssembledMechanism& mechanism, const Drives& drives, const SourceNames& files,
+            Problems& problems)
+      : system_(mechanism.system),
+        still_(mechanism.still),
         drives_(drives),
         files_(files),
         problems_(problems),
-        bodies_(system.tree().links.size()),
-        parts_(system.tree().links.size()) {
-    const Poses poses = link_poses(system.tree(), system.base(), assembled);
+        bodies_(system_.tree().links.size()),
+        parts_(system_.tree().links.size()) {
+    const Poses poses = link_poses(system_.tree(), system_.base(), mechanism.values);
     join_rigid_links();
-    base_ = bodies_.find(system.base());
+    base_ = bodies_.find(system_.base());
     platform_ = bodies_.find(drives.platform_link);
     operational_point_ = poses[drives.platform_link].translation();
     collect_joints(poses);
@@ -73,16 +74,18 @@ class LegFinder {
   void problem(const std::string& text) { problems_.push_back(files_.config + " " + text); }
   bool ends_of_legs(std::size_t body) const { return body == base_ || body == platform_; }
 
+  bool is_rigid(const TreeJoint& joint) const { return !joint.variable || still_[*joint.variable]; }
+
   void join_rigid_links() {
     for (const TreeJoint& joint : system_.tree().joints)
-      if (joint.motion == JointMotion::fixed) bodies_.join(joint.parent, joint.child);
+      if (is_rigid(joint)) bodies_.join(joint.parent, joint.child);
     for (const Closure& closure : system_.closures())
       if (closure.type == ClosureType::fixed) bodies_.join(closure.frames[0].link, closure.frames[1].link);
   }
 
   void collect_joints(const Poses& poses) {
     for (const TreeJoint& joint : system_.tree().joints) {
-      if (joint.motion == JointMotion::fixed) continue;
+      if (is_rigid(joint)) continue;
       const Eigen::Isometry3d& pose = poses[joint.child];
       const PivotKind kind = joint.motion == JointMotion::sliding ? PivotKind::sliding : PivotKind::turning;
       edges_.push_back(
@@ -254,6 +257,7 @@ class LegFinder {
   }
 
   const ClosureSystem& system_;
+  const std::vector<bool>& still_;
   const Drives& drives_;
   const SourceNames& files_;
   Problems& problems_;
@@ -273,9 +277,9 @@ std::string names_of(const Chain& chain) {
   return text;
 }
 
-std::vector<LegChains> find_legs(const ClosureSystem& system, const Eigen::VectorXd& assembled,
-                                 const Drives& drives, const SourceNames& files, Problems& problems) {
-  return LegFinder(system, assembled, drives, files, problems).find();
+std::vector<LegChains> find_legs(const AssembledMechanism& mechanism, const Drives& drives,
+                                 const SourceNames& files, Problems& problems) {
+  return LegFinder(mechanism, drives, files, problems).find();
 }
 
 }  // namespace parallel_aspects

@@ -8,6 +8,22 @@
 #include <array>
 
 namespace parallel_aspects {
+namespace {
+
+// The first link above, itself included, that a movable joint carries.
+std::size_t carried_link(const Tree& tree, std::size_t link) {
+  for (auto joint = tree.joint_above[link]; joint && tree.joints[*joint].motion == JointMotion::fixed;
+       joint = tree.joint_above[link])
+    link = tree.joints[*joint].parent;
+  return link;
+}
+
+// Simulators are told in the same way to hold a base in the world.
+bool closes_no_loop(const Tree& tree, const Closure& closure) {
+  return carried_link(tree, closure.frames[0].link) == carried_link(tree, closure.frames[1].link);
+}
+
+}  // namespace
 
 const std::vector<ClosureDialect>& closure_dialects() {
   static const std::vector<ClosureDialect> dialects{
@@ -26,6 +42,10 @@ FoundLoops find_described_loops(const LoopSource& source, Problems& problems) {
   for (const ClosureDialect& dialect : closure_dialects()) {
     const std::size_t before = problems.size();
     DescribedLoops loops = dialect.read(source, problems);
+    loops.closures.erase(
+        std::remove_if(loops.closures.begin(), loops.closures.end(),
+                       [&](const Closure& closure) { return closes_no_loop(source.tree, closure); }),
+        loops.closures.end());
     if (!loops.closures.empty() || problems.size() > before) return {dialect.name, loops};
   }
   return {};

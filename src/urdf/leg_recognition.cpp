@@ -67,15 +67,23 @@ class ChainRecogniser {
     return chain;
   }
 
+  void fail_to_end() {
+    fail(
+        "does not end in the operational point; move that to where the legs meet, since B would not be "
+        "diagonal");
+  }
+
   // Into the pivots about c and those about p.
   bool divide(const Chain& before, const Chain& after, SplitChain& found) {
-    if (!before.empty()) return group(before, after, found);
+    if (!before.empty()) {
+      if (group(before, after, found)) return true;
+      if (motion_.point_platform && group(before, {after.begin(), after.end() - 1}, found)) fail_to_end();
+      return false;
+    }
     fail("keeps no point of the platform at a fixed distance from a point of its driven link");
     if (cut(after, found)) return true;
     if (motion_.point_platform && cut({after.begin(), after.end() - 1}, found))
-      fail(
-          "does not end in the operational point; move that to where the legs meet, since B would not be "
-          "diagonal");
+      fail_to_end();
     else if (is_three_revolute_arm(found.drive, after))
       fail(
           "is an arm of three revolute joints whose passive axes do not meet: such a leg is in general "

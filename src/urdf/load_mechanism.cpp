@@ -53,8 +53,30 @@ class Recogniser {
       report_gap(system, assembled.closest, problems);
       return nullptr;
     }
-    const Assembly& assembly = *assembled.assembly;
-    const auto chains = find_legs(system, assembly.values, resolved_.drives, files_, problems);
+    return recognise(system, *assembled.assembly, problems);
+  }
+
+ private:
+  // As it is; and where that makes no manipulator, with joints that cannot move taken as fixed.
+  std::unique_ptr<Mechanism::Contents> recognise(const ClosureSystem& system, const Assembly& assembly,
+                                                 Problems& problems) const {
+    const std::vector<bool> none(system.in_loop().size(), false);
+    auto contents = recognise({system, assembly.values, none}, assembly, problems);
+    Problems of_motion;
+    if (contents || !find_platform_motion(system, assembly, resolved_.drives, files_, of_motion))
+      return contents;
+    const std::vector<bool> still = still_passive_joints(system, assembly);
+    if (std::none_of(still.begin(), still.end(), [](bool joint) { return joint; })) return nullptr;
+    problems.clear();
+    contents = recognise({system, assembly.values, still}, assembly, problems);
+    if (contents) note_still_joints(still, *contents);
+    return contents;
+  }
+
+  std::unique_ptr<Mechanism::Contents> recognise(const AssembledMechanism& mechanism,
+                                                 const Assembly& assembly, Problems& problems) const {
+    const ClosureSystem& system = mechanism.system;
+    const auto chains = find_legs(mechanism, resolved_.drives, files_, problems);
     if (!problems.empty()) return nullptr;
     const auto motion = find_platform_motion(system, assembly, resolved_.drives, files_, problems);
     if (!motion) return nullptr;
@@ -66,7 +88,20 @@ class Recogniser {
     return problems.empty() ? std::move(contents) : nullptr;
   }
 
- private:
+  std::vector<bool> still_passive_joints(const ClosureSystem& system, const Assembly& assembly) const {
+    std::vector<bool> still = still_joints(system, assembly);
+    for (const std::size_t drive : resolved_.drives.variables) still[drive] = false;
+    return still;
+  }
+
+  void note_still_joints(const std::vector<bool>& still, Mechanism::Contents& contents) const {
+    std::string names;
+    for (std::size_t joint = 0; joint < still.size(); ++joint)
+      if (still[joint]) names += (names.empty() ? "'" : ", '") + tree_->joint_of(joint).name + "'";
+    contents.notes.push_back("The loops of " + files_.urdf +
+                             " hold joints still, which are taken as fixed: " + names + ".");
+  }
+
   void report_gap(const ClosureSystem& system, const Eigen::VectorXd& closest, Problems& problems) const {
     const auto [gap, index] = system.widest_gap(closest);
     const double error = system.residual(closest).lpNorm<Eigen::Infinity>() / system.size();
@@ -231,7 +266,7 @@ ResolvedConfig resolved_names(const Tree& tree, const MechanismConfig& config, c
   } catch (const YAML::Exception&) {
     return {};
   }
-  return resolve_config(config, {*document.RootElement(), yaml, tree, files}, problems, notes);
+  return resolve_config(config, {*document.FirstChildElement("robot"), yaml, tree, files}, problems, notes);
 }
 
 }  // namespace

@@ -23,8 +23,8 @@ class Resolver {
       result_.drives.platform_link = link("mechanism.operational_point", config.operational_point);
     for (std::size_t k = 0; k < config.closures.size(); ++k) add_closure(k, config.closures[k]);
     std::vector<std::string> drives = config.actuated_joints;
-    if (!config.lists_closures) describe_loops();
-    if (!config.lists_actuated_joints) describe_drives(drives);
+    const bool loops_are_read = config.lists_closures || describe_loops();
+    if (!config.lists_actuated_joints && loops_are_read) describe_drives(drives);
     for (const std::string& joint : drives) add_drive(joint);
     return result_;
   }
@@ -51,19 +51,21 @@ class Resolver {
     result_.closures.push_back(closure);
   }
 
-  void describe_loops() {
+  // Whether what is said of loops and drives could be read.
+  bool describe_loops() {
     const std::size_t before = problems_.size();
     const FoundLoops found = find_described_loops(source_, problems_);
-    if (problems_.size() > before) return;
+    if (problems_.size() > before) return false;
     if (found.loops.closures.empty()) {
       problem("has no mechanism.closures, and " + files_.urdf +
               " is an open tree without them; list the frames that each loop holds together.");
-      return;
+      return true;
     }
     result_.closures = found.loops.closures;
     notes_.push_back("The closures are those that " + std::string(found.dialect) + " describes, " +
                      std::to_string(result_.closures.size()) + " in all.");
     described_drives_ = found.loops.driven_joints;
+    return true;
   }
 
   void describe_drives(std::vector<std::string>& drives) {
@@ -75,6 +77,12 @@ class Resolver {
       return;
     }
     const std::string origin = from_loops ? "name_mot selects" : "have a <transmission> in " + files_.urdf;
+    drives_named_in_ = from_loops ? files_.config + " names joint '" : files_.urdf + " drives joint '";
+    drives_named_by_ = from_loops ? "' in name_mot, but " : "' in a <transmission>, but ";
+    std::vector<std::string> once;
+    for (const std::string& joint : drives)
+      if (std::find(once.begin(), once.end(), joint) == once.end()) once.push_back(joint);
+    drives = once;
     notes_.push_back("The driven joints are those that " + origin + ": " + listed(drives) + ".");
     if (drives.size() != 2 && drives.size() != 3 && drives.size() != 6)
       problem("does not say mechanism.actuated_joints, and " + std::to_string(drives.size()) + " joints " +
@@ -84,15 +92,21 @@ class Resolver {
 
   void add_drive(const std::string& name) {
     const auto found = tree_.joint_named(name);
-    if (found && tree_.joints[*found].variable) {
-      result_.drives.variables.push_back(*tree_.joints[*found].variable);
+    if (!found || !tree_.joints[*found].variable || tree_.joints[*found].mimics) {
+      problems_.push_back(drives_named_in_ + name + drives_named_by_ + files_.urdf +
+                          reason_not_to_drive(name, found));
       return;
     }
+    result_.drives.variables.push_back(*tree_.joints[*found].variable);
+  }
+
+  std::string reason_not_to_drive(const std::string& name, std::optional<std::size_t> found) const {
+    if (found && tree_.joints[*found].mimics)
+      return " lets that joint mimic another; drive the other one, or take out the <mimic>.";
+    if (found) return " fixes that joint; drive a movable one.";
     std::vector<std::string> movable;
     for (const std::size_t joint : tree_.movable) movable.push_back(tree_.joints[joint].name);
-    const std::string start = "names joint '" + name + "' in mechanism.actuated_joints, but " + files_.urdf;
-    problem(found ? start + " fixes that joint; drive a movable one."
-                  : start + " has no such joint; did you mean '" + nearest_name(name, movable) + "'?");
+    return " has no such joint; did you mean '" + nearest_name(name, movable) + "'?";
   }
 
   const LoopSource& source_;
@@ -100,7 +114,9 @@ class Resolver {
   const SourceNames& files_;
   Problems& problems_;
   std::vector<std::string>& notes_;
-  std::vector<std::string> described_drives_;  // by the dialect of the closures
+  std::vector<std::string> described_drives_;                       // by the dialect of the closures
+  std::string drives_named_in_ = files_.config + " names joint '";  // for messages, around the name
+  std::string drives_named_by_ = "' in mechanism.actuated_joints, but ";
   ResolvedConfig result_;
 };
 

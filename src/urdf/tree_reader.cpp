@@ -71,6 +71,7 @@ class TreeBuilder {
     added.name = joint.name;
     added.motion = motion(joint);
     added.parent = parent;
+    added.mimics = inspection_.mimics.count(joint.name) > 0;
     added.child = tree_.links.size();
     added.origin = isometry(joint.parent_to_joint_origin_transform);
     if (added.motion != JointMotion::fixed)

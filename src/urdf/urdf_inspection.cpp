@@ -29,6 +29,41 @@ std::optional<double> number(const std::string& text) {
   return values->front();
 }
 
+// What is accepted with a remark, the same of many joints.
+enum class Remark { zero_axis, mimic, revolute_without_limits, prismatic_without_limits, degrees };
+
+struct RemarkText {
+  Remark remark;
+  const char *before, *after_one, *after_several;  // around "joint 'a'" or "joints 'a', 'b'"
+};
+
+constexpr std::array<RemarkText, 5> remark_texts{
+    {{Remark::zero_axis, "gives fixed ", " a zero axis; it is not used.", " a zero axis; it is not used."},
+     {Remark::mimic, "lets ", " mimic another joint; that is not used, the loop closures decide.",
+      " mimic others; that is not used, the loop closures decide."},
+     {Remark::revolute_without_limits, "states no limits for revolute ",
+      ", or both as 0; it is taken as unlimited.", ", or both as 0; they are taken as unlimited."},
+     {Remark::prismatic_without_limits, "states no limits for prismatic ",
+      ", or both as 0; it is taken as unlimited.", ", or both as 0; they are taken as unlimited."},
+     {Remark::degrees, "gives ", " limits that look like degrees; they are taken as radians.",
+      " limits that look like degrees; they are taken as radians."}}};
+
+// One sentence for each remark that was made.
+std::vector<std::string> sentences(const std::multimap<Remark, std::string>& remarks) {
+  std::vector<std::string> result;
+  for (const RemarkText& text : remark_texts) {
+    const auto [first, last] = remarks.equal_range(text.remark);
+    const std::size_t count = static_cast<std::size_t>(std::distance(first, last));
+    if (count == 0) continue;
+    std::string names;
+    for (auto entry = first; entry != last; ++entry)
+      names += (names.empty() ? "'" : ", '") + entry->second + "'";
+    result.push_back(text.before + std::string(count == 1 ? "joint " : "joints ") + names +
+                     (count == 1 ? text.after_one : text.after_several));
+  }
+  return result;
+}
+
 class Inspector {
  public:
   Inspector(const std::string& file, Problems& problems, std::vector<std::string>& notes)
@@ -56,6 +91,7 @@ class Inspector {
     inspect_links(robot);
     inspect_joints(robot);
     inspect_topology();
+    for (const std::string& sentence : sentences(remarks_)) notes_.push_back(file_ + " " + sentence);
     tinyxml2::XMLPrinter printer;
     document.Print(&printer);
     result_.text = printer.CStr();
@@ -64,7 +100,6 @@ class Inspector {
 
  private:
   void problem(const std::string& text) { problems_.push_back(file_ + " " + text); }
-  void note(const std::string& text) { notes_.push_back(file_ + " " + text); }
 
   bool find_xacro(const XMLElement* element) {
     const bool tag = std::strncmp(element->Name(), "xacro:", 6) == 0;
@@ -176,7 +211,7 @@ class Inspector {
     const auto axis = check_vector(joint->FirstChildElement("axis"), "xyz", owner);
     const bool zero = axis && length(*axis) < 1e-9;
     if (type == "fixed") {
-      if (zero) note("gives fixed " + owner + " a zero axis; it is not used.");
+      if (zero) remarks_.emplace(Remark::zero_axis, name);
       return;
     }
     if (type != "revolute" && type != "continuous" && type != "prismatic") {
@@ -186,8 +221,10 @@ class Inspector {
       return;
     }
     if (zero) problem("gives " + owner + " a zero axis; give the direction of the joint.");
-    if (joint->FirstChildElement("mimic") != nullptr)
-      note("lets " + owner + " mimic another joint; that is not used, the loop closures decide.");
+    if (joint->FirstChildElement("mimic") != nullptr) {
+      remarks_.emplace(Remark::mimic, name);
+      result_.mimics.insert(name);
+    }
     inspect_limits(joint, name, owner, type);
   }
 
@@ -211,9 +248,10 @@ class Inspector {
     if (type == "continuous") return;
     if (range[0] == 0.0 && range[1] == 0.0) {
       result_.without_limits.insert(name);
-      note("states no limits for " + type + " " + owner + ", or both as 0; it is taken as unlimited.");
+      remarks_.emplace(
+          type == "prismatic" ? Remark::prismatic_without_limits : Remark::revolute_without_limits, name);
     } else if (type == "revolute" && std::max(-range[0], range[1]) > suspicious_angle) {
-      note("gives " + owner + " limits that look like degrees; they are taken as radians.");
+      remarks_.emplace(Remark::degrees, name);
     }
   }
 
@@ -255,6 +293,7 @@ class Inspector {
   std::vector<std::string>& notes_;
   std::size_t earlier_problems_;
   UrdfInspection result_;
+  std::multimap<Remark, std::string> remarks_;  // and the joints that they are about
   std::vector<std::string> links_;
   std::map<std::string, std::string> parent_;        // link above each link
   std::map<std::string, std::string> parent_joint_;  // joint above each link

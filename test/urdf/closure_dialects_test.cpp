@@ -53,6 +53,25 @@ INSTANTIATE_TEST_SUITE_P(
             R"(<gazebo><joint name="loop" type="ball"><parent>robot::tip_1</parent><child>tip_2</child></joint>
                    </gazebo>)",
             drives, "The closures are those that <gazebo><joint> describes, 1 in all."},
+        // Tip 2 is turned against the plane, so that neither pose nor axis would fit in its own frame.
+        Dialect{"GazeboWithFramesOfSdf",
+                R"(<gazebo><joint name="loop" type="revolute"><parent>rod_1</parent><child>tip_2</child>
+                   <pose relative_to="rod_2">-2 2 0 0.5 0.6 0.7</pose><axis><xyz>0 0 1</xyz>
+                   <use_parent_model_frame>1</use_parent_model_frame></axis></joint></gazebo>)",
+                drives, "The closures are those that <gazebo><joint> describes, 1 in all."},
+        Dialect{"GazeboAxisOfTheModel",
+                R"(<gazebo><joint name="loop" type="revolute"><parent>rod_1</parent><child>tip_2</child>
+                   <axis><xyz expressed_in="__model__">0 0 -1</xyz></axis></joint></gazebo>)",
+                drives, "The closures are those that <gazebo><joint> describes, 1 in all."},
+        Dialect{"GazeboHoldsTheBaseToo",
+                R"(<gazebo><joint name="hold" type="fixed"><parent>world</parent><child>base</child></joint>
+                   <joint name="loop" type="ball"><parent>tip_1</parent><child>tip_2</child></joint></gazebo>)",
+                drives, "The closures are those that <gazebo><joint> describes, 1 in all."},
+        Dialect{"GazeboHoldsTheBaseAlone",
+                R"(<gazebo><joint name="hold" type="fixed"><parent>world</parent><child>base</child></joint>
+                   </gazebo><loop_joint name="loop" type="spherical"><link1 link="rod_1" xyz="2 2 0"/>
+                   <link2 link="rod_2" xyz="-2 2 0"/></loop_joint>)",
+                drives, "The closures are those that <loop_joint> describes, 1 in all."},
         Dialect{"ClosingFrames",
                 R"(<link name="closing_tip_1"/><link name="closing_tip_2"/>
                    <joint name="c1" type="fixed"><parent link="tip_1"/><child link="closing_tip_1"/></joint>
@@ -66,6 +85,10 @@ INSTANTIATE_TEST_SUITE_P(
         Dialect{"GepettoFile", "",
                 "closed_loop: [[tip_1, tip_2_joint]]\ntype: [3d]\nname_mot: mot\n"
                 "mechanism: {operational_point: tip_1}\n",
+                "The closures are those that closed_loop describes, 1 in all."},
+        Dialect{"GepettoFileWithListOfMotors", "",
+                "closed_loop: [['tip_2', 'tip_1']]\ntype: ['3d']\nname_mot: ['mot_1', 'mot_2']\n"
+                "joint_name: []\njoint_type: []\nmechanism: {operational_point: tip_1}\n",
                 "The closures are those that closed_loop describes, 1 in all."},
         Dialect{
             "Constraint",
@@ -83,9 +106,25 @@ INSTANTIATE_TEST_SUITE_P(
             R"(<gazebo><plugin filename="x" name="gz::sim::systems::DetachableJoint"><parent_link>tip_1</parent_link>
                    <child_model>robot</child_model><child_link>tip_2</child_link></plugin></gazebo>)",
             drives, "The closures are those that DetachableJoint describes, 1 in all."},
+        Dialect{"DetachableJointBesideAGripper",
+                R"(<gazebo><plugin filename="gz-sim-detachable-joint-system" name="a::DetachableJoint">
+                   <parent_link>tip_1</parent_link><child_model>pickup_box</child_model><child_link>link</child_link>
+                   </plugin><plugin filename="libgz-sim-detachable-joint-system.so" name="b"><parent_link>tip_1
+                   </parent_link><child_model>spawned_as_this</child_model><child_link>tip_2</child_link></plugin>
+                   </gazebo>)",
+                drives, "The closures are those that DetachableJoint describes, 1 in all."},
         Dialect{"LoopJointWithType",
                 R"(<loop_joint name="loop" type="spherical"><link1 link="rod_1" rpy="0 0 0" xyz="2 2 0"/>
                    <link2 link="rod_2" rpy="0 0 0" xyz="-2 2 0"/></loop_joint>)",
+                drives, "The closures are those that <loop_joint> describes, 1 in all."},
+        Dialect{"LoopJointAsTheManualOfIsaacSimHasIt",
+                R"(<loop_joint name="loop" type="spherical"><link1 link="rod_1" rpy="0 0 0" xyz="2 2 0"/>
+                   <link1 link="rod_2" rpy="0 0 0" xyz="-2 2 0"/></loop_joint>)",
+                drives, "The closures are those that <loop_joint> describes, 1 in all."},
+        Dialect{"LoopJointWithParentAndChild",
+                R"(<loop_joint name="loop" type="revolute"><parent link="rod_1"/><child link="tip_2"/>
+                   <parent_origin xyz="2 2 0"/><child_origin xyz="0 0 0"/><axis xyz="0 0 1" frame="parent"/>
+                   </loop_joint>)",
                 drives, "The closures are those that <loop_joint> describes, 1 in all."},
         Dialect{"LoopJointWithAxis",
                 R"(<loop_joint name="loop"><link1 link="rod_1" xyz="2 2 0"/><link2 link="rod_2" xyz="-2 2 0"/>
@@ -157,8 +196,46 @@ INSTANTIATE_TEST_SUITE_P(
             R"(<gazebo><joint name="loop" type="ball"><parent>tip_1</parent><child>tip_2</child>
                       <pose>0 0 nan</pose></joint></gazebo>)",
             drives,
-            "robot.urdf has a <gazebo> joint 'loop' that has a pose or an axis that is not a list of finite "
-            "numbers; give six for the pose, three for an axis."},
+            "robot.urdf has a <gazebo> joint 'loop' that has a pose that is not a list of finite numbers; "
+            "give "
+            "six, or leave it out for zeros."},
+        BadDialect{
+            R"(<gazebo><joint name="loop" type="revolute"><parent>tip_1</parent><child>tip_2</child>
+                      <axis><xyz>0 0 0</xyz></axis></joint></gazebo>)",
+            drives,
+            "robot.urdf has a <gazebo> joint 'loop' that has an <axis> that is not three finite numbers, or "
+            "zero; give the direction of the joint."},
+        BadDialect{
+            R"(<gazebo><joint name="loop" type="ball"><parent>tip_1</parent><child>tip_2</child>
+                      <pose relative_to="tip_3">0 0 0 0 0 0</pose></joint></gazebo>)",
+            drives,
+            "robot.urdf has a <gazebo> joint 'loop' that names link 'tip_3', but robot.urdf has no such "
+            "link; "
+            "did you mean 'tip_1'?"},
+        BadDialect{
+            R"(<loop_joint name="loop" type="prismatic"><link1 link="tip_1"/><link2 link="tip_2"/>
+                      </loop_joint>)",
+            drives,
+            "robot.urdf has a <loop_joint> 'loop' that has a type or an axis that cannot close a loop; "
+            "use spherical, revolute, universal or fixed, and an axis of three numbers."},
+        BadDialect{
+            R"(<constraint name="loop" type="planar_joint"><parent link="tip_1"/><child link="tip_2"/>
+                      </constraint>)",
+            drives,
+            "robot.urdf has a <constraint> 'loop' that has the type 'planar_joint', which cannot close "
+            "a loop; use spherical_joint, revolute_joint, universal_joint or fixed_joint."},
+        BadDialect{
+            R"(<drake:ball_constraint><drake:ball_constraint_body_A name="tip_1"/>
+                      <drake:ball_constraint_body_B name="tip_2"/><drake:ball_constraint_p_AP value="0 0"/>
+                      <drake:ball_constraint_p_BQ value="0 0 0"/></drake:ball_constraint>)",
+            drives,
+            "robot.urdf has a <drake:ball_constraint> that has a drake:ball_constraint_p_AP that is not "
+            "three finite numbers; write three."},
+        BadDialect{R"(<gazebo><plugin filename="x" name="DetachableJoint"><parent_link>tip_1</parent_link>
+                      <child_model>closed_five_bar</child_model><child_link>tip_3</child_link></plugin></gazebo>)",
+                   drives,
+                   "robot.urdf has a DetachableJoint plugin that names link 'tip_3', but robot.urdf has no "
+                   "such link; did you mean 'tip_1'?"},
         BadDialect{
             R"(<link name="closing_tip_1"/>
                       <joint name="c1" type="fixed"><parent link="tip_1"/><child link="closing_tip_1"/></joint>)",
@@ -167,6 +244,21 @@ INSTANTIATE_TEST_SUITE_P(
             "closures in robot.yaml."},
         BadDialect{"", "closed_loop: [[tip_1]]\n" + drives,
                    "robot.yaml has a closed_loop[0] that is not a pair; name two links or joints."},
+        BadDialect{"",
+                   "closed_loop: [[tip_1, tip_2]]\nname_mot: [mot_1, motor]\n"
+                   "mechanism: {operational_point: tip_1}\n",
+                   "robot.yaml has 'motor' in name_mot, but robot.urdf has no movable joint with that in its "
+                   "name; correct it, or list mechanism.actuated_joints."},
+        BadDialect{
+            "", "closed_loop: [[tip_1, tip_2]]\njoint_name: [elbow_1]\njoint_type: [SPHERICAL]\n" + drives,
+            "robot.yaml replaces joint 'elbow_1' by a joint of another type in joint_name, which is not "
+            "read; write two or three revolute joints in its place into robot.urdf."},
+        BadDialect{
+            R"(<transmission name="a"><joint name="mot_1"/></transmission>
+                      <transmission name="b"><joint name="mot_3"/></transmission>)",
+            "mechanism: {operational_point: tip_1, closures: [{frames: [tip_1, tip_2]}]}",
+            "robot.urdf drives joint 'mot_3' in a <transmission>, but robot.urdf has no such joint; did "
+            "you mean 'mot_2'?"},
         BadDialect{"", "closed_loop: [[tip_1, tip_2]]\ntype: 4d\n" + drives,
                    "robot.yaml gives closed_loop[0] the type '4d'; write 3d or 6d for each, or leave out the "
                    "types."},

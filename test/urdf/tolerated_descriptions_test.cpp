@@ -48,6 +48,9 @@ INSTANTIATE_TEST_SUITE_P(
             "RevoluteWithEffortOnly", crank_1, revolute_crank_1 + "<limit effort=\"1\" velocity=\"1\"/>",
             "robot.urdf states no limits for revolute joint 'crank_1_joint', or both as 0; it is taken as "
             "unlimited."},
+        Tolerated{"SeveralWithoutLimits", "type=\"continuous\"", "type=\"revolute\"",
+                  "robot.urdf states no limits for revolute joints 'crank_1_joint', 'elbow_1_joint', "
+                  "'crank_2_joint', 'elbow_2_joint', or both as 0; they are taken as unlimited."},
         Tolerated{"ContinuousWithZeroLimits", crank_1,
                   crank_1 + "<limit lower=\"0\" upper=\"0\" effort=\"1\" velocity=\"1\"/>", ""},
         Tolerated{"LimitsInDegrees", "<joint name=\"elbow_1_joint\" type=\"continuous\">",

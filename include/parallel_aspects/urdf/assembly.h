@@ -43,6 +43,10 @@ AssemblyResult assemble(const ClosureSystem& system, const std::vector<std::size
 Eigen::VectorXd close_loops(const ClosureSystem& system, Eigen::VectorXd start,
                             const std::vector<bool>& held);
 
+/// The joints inside the loops that these hold still, for each joint value: as those that only take up
+/// misalignment in a planar robot. Found from where the mechanism is after a step of each of its motions.
+std::vector<bool> still_joints(const ClosureSystem& system, const Assembly& assembly);
+
 }  // namespace parallel_aspects
 
 #endif  // PARALLEL_ASPECTS_URDF_ASSEMBLY_H

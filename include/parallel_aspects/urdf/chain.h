@@ -43,6 +43,13 @@ struct Drives {
   std::vector<std::size_t> variables;  ///< driven joint values, in the order of the legs
 };
 
+/// An assembled mechanism, as the search of its legs needs it.
+struct AssembledMechanism {
+  const ClosureSystem& system;
+  Eigen::VectorXd values;   ///< of all joints [rad or m]
+  std::vector<bool> still;  ///< joints that cannot move and are taken as fixed, for each joint value
+};
+
 /// Names of files or parameters, for messages.
 struct SourceNames {
   std::string urdf;
@@ -55,8 +62,8 @@ std::string names_of(const Chain& chain);
 /// Legs in the order of the drives. What is wrong (a leg with no or two drives, legs that share a link, a
 /// link of a planar leg without length, a platform fixed to the base) is added to `problems`, each a sentence
 /// that names the file.
-std::vector<LegChains> find_legs(const ClosureSystem& system, const Eigen::VectorXd& assembled,
-                                 const Drives& drives, const SourceNames& files, Problems& problems);
+std::vector<LegChains> find_legs(const AssembledMechanism& mechanism, const Drives& drives,
+                                 const SourceNames& files, Problems& problems);
 
 }  // namespace parallel_aspects
 

@@ -39,7 +39,8 @@ struct ClosureDialect {
 /// All dialects, the commonest first.
 const std::vector<ClosureDialect>& closure_dialects();
 
-/// The first dialect that finds a closure, with the name of that dialect; empty where none does.
+/// The first dialect that finds a closure, with the name of that dialect; empty where none does. Closures
+/// between links that are fixed to one another are left out.
 struct FoundLoops {
   std::string_view dialect;
   DescribedLoops loops;
@@ -65,16 +66,16 @@ Closure closed_at_zero(const Tree& tree, const std::string& name, std::size_t pa
 namespace dialects {
 
 /// `<gazebo><joint type="revolute|fixed|ball|universal"><parent/><child/><pose/><axis/></joint></gazebo>`:
-/// the joint of SDF, which holds together what coincides at zero; its pose and axis are in the frame of the
-/// child.
+/// the joint of SDF, which holds together what coincides at zero. Its pose is in the frame of the child, its
+/// axis in that of the joint, unless `relative_to`, `expressed_in` or `use_parent_model_frame` say otherwise.
 DescribedLoops gazebo_joint(const LoopSource& source, Problems& problems);
 
 /// Links `closing_X_1` and `closing_X_2`, or `closing_X_A` and `closing_X_B`; of no stated type.
 DescribedLoops closing_frames(const LoopSource& source, Problems& problems);
 
 /// The file of Gepetto's toolbox_parallel_robots, its keys at the top level of the YAML: `closed_loop` with
-/// pairs of link or joint names, `type` with 3d or 6d, and `name_mot`, a part of the names of the driven
-/// joints.
+/// pairs of link or joint names, `type` with 3d or 6d, and `name_mot` with the names of the driven joints or
+/// a part of them.
 DescribedLoops gepetto_file(const LoopSource& source, Problems& problems);
 
 /// `<constraint type="spherical_joint"><parent/><parent_origin/><parent_axis/><child/>...`: urdfdom pull
@@ -82,11 +83,13 @@ DescribedLoops gepetto_file(const LoopSource& source, Problems& problems);
 DescribedLoops constraint_element(const LoopSource& source, Problems& problems);
 
 /// The DetachableJoint plugin of Gazebo: a parent and a child link, which keep the pose that they have at
-/// zero. Of no stated type, since robots are closed with it that could not move otherwise.
+/// zero. Of no stated type, since robots are closed with it that could not move otherwise. Plugins that hold
+/// another model are passed over.
 DescribedLoops detachable_joint(const LoopSource& source, Problems& problems);
 
 /// `<loop_joint><link1 link xyz rpy/><link2 link xyz rpy/></loop_joint>`, with a type (Isaac Sim) or an
-/// `<axis>` (early Drake).
+/// `<axis>` (early Drake); or with `<parent link/><parent_origin xyz/>`, the same of the child, and an axis
+/// in the parent link.
 DescribedLoops loop_joint(const LoopSource& source, Problems& problems);
 
 /// `<drake:ball_constraint>` with two bodies and a point in each.

@@ -25,6 +25,7 @@ struct TreeJoint {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitX();           ///< unit vector in the joint frame
   JointLimits limits;                                        ///< rad or m
   std::optional<std::size_t> variable;  ///< index into the joint values; none for a fixed joint
+  bool mimics = false;                  ///< whether the URDF lets it follow another joint
 };
 
 /// Links and joints of a URDF, as it says them: open where the mechanism is closed.

@@ -16,6 +16,7 @@ struct UrdfInspection {
   std::string text;                      ///< the URDF, with empty limits where urdfdom insists on some
   std::vector<std::string> joints;       ///< names, in the order of the file
   std::set<std::string> without_limits;  ///< revolute and prismatic joints that state none
+  std::set<std::string> mimics;          ///< joints that follow another one
 };
 
 /// Looks through the text of a URDF. What is wrong is added to `problems`, what is taken with reservations to

@@ -3,23 +3,45 @@
 #include "parallel_aspects/urdf/xml_values.h"
 
 namespace parallel_aspects::dialects {
+namespace {
+
+using tinyxml2::XMLElement;
+
+bool is_detachable_joint(const XMLElement& plugin) {
+  return attribute(&plugin, "name").find("DetachableJoint") != std::string::npos ||
+         attribute(&plugin, "filename").find("detachable-joint-system") != std::string::npos;
+}
+
+// Grippers are made to hold other models by the same plugin.
+bool holds_another_model(const LoopSource& source, const XMLElement& plugin) {
+  const std::string model = child_text(plugin, "child_model");
+  return !model.empty() && model != source.tree.name &&
+         (child_text(plugin, "child_link") == child_text(plugin, "parent_link") ||
+          !source.tree.link_named(child_text(plugin, "child_link")));
+}
+
+void read_plugin(const LoopSource& source, const XMLElement& plugin, std::vector<Closure>& closures,
+                 Problems& problems) {
+  const std::string where = source.files.urdf + " has a DetachableJoint plugin that";
+  const std::string parent_name = child_text(plugin, "parent_link"),
+                    child_name = child_text(plugin, "child_link");
+  const auto parent = described_link(source, parent_name, where, problems);
+  const auto child = described_link(source, child_name, where, problems);
+  if (parent && child)
+    closures.push_back(closed_at_zero(source.tree, parent_name + " - " + child_name, *parent,
+                                      LinkFrame{*child}, ClosureType::automatic));
+}
+
+}  // namespace
 
 DescribedLoops detachable_joint(const LoopSource& source, Problems& problems) {
   DescribedLoops loops;
   for (const auto* gazebo = source.robot.FirstChildElement("gazebo"); gazebo != nullptr;
        gazebo = gazebo->NextSiblingElement("gazebo"))
     for (const auto* plugin = gazebo->FirstChildElement("plugin"); plugin != nullptr;
-         plugin = plugin->NextSiblingElement("plugin")) {
-      if (attribute(plugin, "name").find("DetachableJoint") == std::string::npos) continue;
-      const std::string where = source.files.urdf + " has a DetachableJoint plugin that";
-      const std::string parent_name = child_text(*plugin, "parent_link"),
-                        child_name = child_text(*plugin, "child_link");
-      const auto parent = described_link(source, parent_name, where, problems);
-      const auto child = described_link(source, child_name, where, problems);
-      if (parent && child)
-        loops.closures.push_back(closed_at_zero(source.tree, parent_name + " - " + child_name, *parent,
-                                                LinkFrame{*child}, ClosureType::automatic));
-    }
+         plugin = plugin->NextSiblingElement("plugin"))
+      if (is_detachable_joint(*plugin) && !holds_another_model(source, *plugin))
+        read_plugin(source, *plugin, loops.closures, problems);
   return loops;
 }
 

@@ -5,65 +5,128 @@
 namespace parallel_aspects::dialects {
 namespace {
 
+using Eigen::Isometry3d;
+using Eigen::Vector3d;
 using tinyxml2::XMLElement;
 
 // Position and fixed-axis angles in one text, as SDF writes a pose.
-std::optional<Eigen::Isometry3d> pose_of(const XMLElement& joint) {
+std::optional<Isometry3d> pose_of(const XMLElement& joint) {
   const auto values = numbers(child_text(joint, "pose"));
-  if (values && values->empty()) return Eigen::Isometry3d::Identity();
+  if (values && values->empty()) return Isometry3d::Identity();
   if (!values || values->size() != 6) return std::nullopt;
   const auto& v = *values;
-  return Eigen::Translation3d(v[0], v[1], v[2]) * Eigen::AngleAxisd(v[5], Eigen::Vector3d::UnitZ()) *
-         Eigen::AngleAxisd(v[4], Eigen::Vector3d::UnitY()) *
-         Eigen::AngleAxisd(v[3], Eigen::Vector3d::UnitX());
+  return Eigen::Translation3d(v[0], v[1], v[2]) * Eigen::AngleAxisd(v[5], Vector3d::UnitZ()) *
+         Eigen::AngleAxisd(v[4], Vector3d::UnitY()) * Eigen::AngleAxisd(v[3], Vector3d::UnitX());
 }
 
-std::optional<Eigen::Vector3d> axis_of(const XMLElement& joint, const char* name) {
-  const auto* axis = joint.FirstChildElement(name);
-  const Eigen::Vector3d otherwise = Eigen::Vector3d::UnitZ();
-  const auto found = axis != nullptr ? vector_or(child_text(*axis, "xyz"), otherwise) : otherwise;
-  if (!found || found->norm() < 1e-9) return std::nullopt;
-  return found;
+// The two words that SDF has had for a joint of two axes.
+std::optional<ClosureType> type_of(const XMLElement& joint) {
+  const std::string type = attribute(&joint, "type");
+  return type == "revolute2" ? ClosureType::universal : described_type(type);
 }
 
-void read_joint(const LoopSource& source, const XMLElement& joint, std::vector<Closure>& closures,
-                Problems& problems) {
-  const std::string name = attribute(&joint, "name");
-  const std::string where = source.files.urdf + " has a <gazebo> joint '" + name + "' that";
-  const auto parent = described_link(source, child_text(joint, "parent"), where, problems);
-  const auto child = described_link(source, child_text(joint, "child"), where, problems);
-  const auto type = described_type(attribute(&joint, "type"));
-  const auto pose = pose_of(joint);
-  const auto axis = axis_of(joint, "axis"), second = axis_of(joint, "axis2");
-  if (!type)
-    problems.push_back(where + " has the type '" + attribute(&joint, "type") +
-                       "', which cannot close a loop; use revolute, ball, universal or fixed.");
-  if (!pose || !axis || !second)
-    problems.push_back(where +
-                       " has a pose or an axis that is not a list of finite numbers; give six for the pose, "
-                       "three for an axis.");
-  if (!parent || !child || !type || !pose || !axis || !second) return;
-  LinkFrame frame{*child, *pose};
-  frame.in_link.rotate(axes_with_z(*axis));
-  Closure closure = closed_at_zero(source.tree, name, *parent, frame, *type);
-  // A universal closure keeps z of the first frame orthogonal to x of the second.
-  if (*type == ClosureType::universal) {
-    frame.in_link.linear() =
-        pose->linear() * axes_with_z(*second) * axes_with_z(Eigen::Vector3d::UnitX()).transpose();
-    closure.frames[1] = frame;
+// One joint of SDF. Everything that it names is where it is at zero.
+class JointReader {
+ public:
+  JointReader(const LoopSource& source, const XMLElement& joint, const Poses& poses, Problems& problems)
+      : source_(source),
+        joint_(joint),
+        poses_(poses),
+        problems_(problems),
+        where_(source.files.urdf + " has a <gazebo> joint '" + attribute(&joint, "name") + "' that"),
+        earlier_problems_(problems.size()) {}
+
+  void read(std::vector<Closure>& closures) {
+    const auto parent = parent_link();
+    const auto child = described_link(source_, child_text(joint_, "child"), where_, problems_);
+    const auto type = type_of(joint_);
+    if (!type)
+      problem("has the type '" + attribute(&joint_, "type") +
+              "', which cannot close a loop; use revolute, ball, universal or fixed.");
+    if (!parent || !child) return;
+    const Isometry3d frame = joint_frame(*child);
+    const Vector3d axis = axis_in(frame, "axis"), second = axis_in(frame, "axis2");
+    if (problems_.size() > earlier_problems_) return;
+    closures.push_back(closure(*parent, *child, *type, frame, axis, second));
   }
-  closures.push_back(closure);
-}
+
+ private:
+  void problem(const std::string& text) { problems_.push_back(where_ + " " + text); }
+
+  // The world stands for the root link where there is no link of that name.
+  std::optional<std::size_t> parent_link() {
+    const std::string name = child_text(joint_, "parent");
+    if (name == "world" && !source_.tree.link_named(name)) return 0;
+    return described_link(source_, name, where_, problems_);
+  }
+
+  // In the frame of the root link.
+  Isometry3d frame_named(const std::string& name, const Isometry3d& otherwise) {
+    if (name.empty()) return otherwise;
+    if (name == "__model__" || name == "world") return Isometry3d::Identity();
+    const auto link = described_link(source_, name, where_, problems_);
+    return link ? poses_[*link] : otherwise;
+  }
+
+  Isometry3d joint_frame(std::size_t child) {
+    const auto* element = joint_.FirstChildElement("pose");
+    std::string reference = attribute(element, "relative_to");
+    if (reference.empty()) reference = attribute(element, "frame");
+    const auto pose = pose_of(joint_);
+    if (!pose)
+      problem("has a pose that is not a list of finite numbers; give six, or leave it out for zeros.");
+    return frame_named(reference, poses_[child]) * pose.value_or(Isometry3d::Identity());
+  }
+
+  // In the joint frame, unless it says otherwise.
+  Vector3d axis_in(const Isometry3d& frame, const char* name) {
+    const auto* axis = joint_.FirstChildElement(name);
+    if (axis == nullptr) return Vector3d::UnitZ();
+    const auto direction = vector_or(child_text(*axis, "xyz"), Vector3d::UnitZ());
+    if (!direction || direction->norm() < 1e-9) {
+      problem("has an <" + std::string(name) +
+              "> that is not three finite numbers, or zero; give the direction of the joint.");
+      return Vector3d::UnitZ();
+    }
+    const std::string of_model = child_text(*axis, "use_parent_model_frame");
+    std::string reference = attribute(axis->FirstChildElement("xyz"), "expressed_in");
+    if (of_model == "1" || of_model == "true") reference = "__model__";
+    return frame.linear().transpose() * (frame_named(reference, frame).linear() * *direction);
+  }
+
+  Closure closure(std::size_t parent, std::size_t child, ClosureType type, const Isometry3d& frame,
+                  const Vector3d& axis, const Vector3d& second) const {
+    const Isometry3d in_child = poses_[child].inverse() * frame;
+    LinkFrame turned{child, in_child};
+    turned.in_link.rotate(axes_with_z(axis));
+    Closure result = closed_at_zero(source_.tree, attribute(&joint_, "name"), parent, turned, type);
+    // A universal closure keeps z of the first frame orthogonal to x of the second.
+    if (type == ClosureType::universal) {
+      turned.in_link.linear() =
+          in_child.linear() * axes_with_z(second) * axes_with_z(Vector3d::UnitX()).transpose();
+      result.frames[1] = turned;
+    }
+    return result;
+  }
+
+  const LoopSource& source_;
+  const XMLElement& joint_;
+  const Poses& poses_;
+  Problems& problems_;
+  std::string where_;
+  std::size_t earlier_problems_;
+};
 
 }  // namespace
 
 DescribedLoops gazebo_joint(const LoopSource& source, Problems& problems) {
   DescribedLoops loops;
+  const Poses poses = link_poses(source.tree, 0, Eigen::VectorXd::Zero(source.tree.variables()));
   for (const auto* gazebo = source.robot.FirstChildElement("gazebo"); gazebo != nullptr;
        gazebo = gazebo->NextSiblingElement("gazebo"))
     for (const auto* joint = gazebo->FirstChildElement("joint"); joint != nullptr;
          joint = joint->NextSiblingElement("joint"))
-      read_joint(source, *joint, loops.closures, problems);
+      JointReader(source, *joint, poses, problems).read(loops.closures);
   return loops;
 }
 

@@ -29,12 +29,46 @@ ClosureType type_of(const LoopSource& source, std::size_t index, Problems& probl
   return ClosureType::automatic;
 }
 
-std::vector<std::string> joints_named_like(const LoopSource& source, const std::string& part) {
-  std::vector<std::string> joints;
+// A joint of that name, or else every joint whose name contains it.
+void add_joints_named(const LoopSource& source, const std::string& word, std::vector<std::string>& joints) {
+  if (source.tree.joint_named(word)) {
+    joints.push_back(word);
+    return;
+  }
   for (const std::size_t joint : source.tree.movable)
-    if (source.tree.joints[joint].name.find(part) != std::string::npos)
+    if (source.tree.joints[joint].name.find(word) != std::string::npos)
       joints.push_back(source.tree.joints[joint].name);
+}
+
+// `name_mot` is a list of names, or one text that the names contain.
+std::vector<std::string> driven_joints(const LoopSource& source, Problems& problems) {
+  const YAML::Node motors = source.config["name_mot"];
+  std::vector<std::string> words;
+  if (motors.IsDefined() && motors.IsSequence())
+    for (const YAML::Node& motor : motors) words.push_back(scalar(motor));
+  else if (motors.IsDefined())
+    words.push_back(scalar(motors));
+  std::vector<std::string> joints;
+  for (const std::string& word : words) {
+    const std::size_t before = joints.size();
+    if (!word.empty()) add_joints_named(source, word, joints);
+    if (joints.size() == before)
+      problems.push_back(source.files.config + " has '" + word + "' in name_mot, but " + source.files.urdf +
+                         " has no movable joint with that in its name; correct it, or list "
+                         "mechanism.actuated_joints.");
+  }
   return joints;
+}
+
+// The toolbox can put other joints in the place of those of the URDF.
+void check_no_replaced_joints(const LoopSource& source, Problems& problems) {
+  const YAML::Node names = source.config["joint_name"];
+  if (!names.IsDefined() || !names.IsSequence()) return;
+  for (const YAML::Node& name : names)
+    problems.push_back(source.files.config + " replaces joint '" + scalar(name) +
+                       "' by a joint of another type in joint_name, which is not read; write two or three "
+                       "revolute joints in its place into " +
+                       source.files.urdf + ".");
 }
 
 }  // namespace
@@ -59,8 +93,8 @@ DescribedLoops gepetto_file(const LoopSource& source, Problems& problems) {
     if (one && other)
       loops.closures.push_back({scalar(pairs[k][0]) + " - " + scalar(pairs[k][1]), {*one, *other}, type});
   }
-  const std::string part = scalar(source.config["name_mot"]);
-  if (!part.empty()) loops.driven_joints = joints_named_like(source, part);
+  check_no_replaced_joints(source, problems);
+  loops.driven_joints = driven_joints(source, problems);
   return loops;
 }
 

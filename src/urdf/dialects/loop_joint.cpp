@@ -5,48 +5,94 @@
 namespace parallel_aspects::dialects {
 namespace {
 
+using Eigen::Vector3d;
 using tinyxml2::XMLElement;
 
-std::optional<LinkFrame> end_of(const LoopSource& source, const XMLElement* end, const std::string& where,
-                                Problems& problems) {
-  const auto link = described_link(source, attribute(end, "link"), where, problems);
-  const auto frame = frame_of(attribute(end, "xyz"), attribute(end, "rpy"));
-  if (!frame)
-    problems.push_back(
-        where + " has an xyz or rpy that is not three finite numbers; write three, separated by blanks.");
-  if (!link || !frame) return std::nullopt;
-  return LinkFrame{*link, *frame};
-}
+constexpr double no_direction = 1e-9;
 
-// Stated, or told by an axis; else unsaid.
-std::optional<ClosureType> type_of(const XMLElement& joint) {
-  const std::string type = attribute(&joint, "type");
-  if (!type.empty()) return described_type(type);
-  return joint.FirstChildElement("axis") != nullptr ? ClosureType::revolute : ClosureType::automatic;
-}
+class LoopJointReader {
+ public:
+  LoopJointReader(const LoopSource& source, const XMLElement& joint, Problems& problems)
+      : source_(source),
+        joint_(joint),
+        problems_(problems),
+        where_(source.files.urdf + " has a <loop_joint> '" + attribute(&joint, "name") + "' that") {}
+
+  void read(std::vector<Closure>& closures) {
+    const bool by_parent = joint_.FirstChildElement("parent") != nullptr;
+    auto one = by_parent ? end_of("parent") : end_of(joint_.FirstChildElement("link1"));
+    auto other = by_parent ? end_of("child") : end_of(second_link());
+    const auto type = closure_type();
+    const auto axis = vector_or(attribute(joint_.FirstChildElement("axis"), "xyz"), Vector3d::UnitZ());
+    const bool good_axis = axis && axis->norm() > no_direction;
+    if (!type || !good_axis)
+      problems_.push_back(
+          where_ +
+          " has a type or an axis that cannot close a loop; use spherical, revolute, universal or "
+          "fixed, and an axis of three numbers.");
+    if (!one || !other || !type || !good_axis) return;
+    if (*type == ClosureType::revolute) turn_to(*axis, by_parent, *one, *other);
+    closures.push_back({attribute(&joint_, "name"), {*one, *other}, *type});
+  }
+
+ private:
+  // The manual of Isaac Sim writes link1 twice.
+  const XMLElement* second_link() const {
+    const auto* second = joint_.FirstChildElement("link2");
+    const auto* first = joint_.FirstChildElement("link1");
+    return second != nullptr || first == nullptr ? second : first->NextSiblingElement("link1");
+  }
+
+  std::optional<LinkFrame> end_of(const XMLElement* end) { return frame_in(attribute(end, "link"), end); }
+
+  // <parent link/> and <parent_origin xyz rpy/>, or the same of the child.
+  std::optional<LinkFrame> end_of(const std::string& side) {
+    return frame_in(attribute(joint_.FirstChildElement(side.c_str()), "link"),
+                    joint_.FirstChildElement((side + "_origin").c_str()));
+  }
+
+  std::optional<LinkFrame> frame_in(const std::string& name, const XMLElement* origin) {
+    const auto link = described_link(source_, name, where_, problems_);
+    const auto frame = frame_of(attribute(origin, "xyz"), attribute(origin, "rpy"));
+    if (!frame)
+      problems_.push_back(
+          where_ + " has an xyz or rpy that is not three finite numbers; write three, separated by blanks.");
+    if (!link || !frame) return std::nullopt;
+    return LinkFrame{*link, *frame};
+  }
+
+  // Stated, or told by an axis; else unsaid.
+  std::optional<ClosureType> closure_type() const {
+    const std::string type = attribute(&joint_, "type");
+    if (!type.empty()) return described_type(type);
+    return joint_.FirstChildElement("axis") != nullptr ? ClosureType::revolute : ClosureType::automatic;
+  }
+
+  // The axis is given in both frames, or in the parent link and as it lies at zero in the child.
+  void turn_to(const Vector3d& axis, bool in_parent, LinkFrame& one, LinkFrame& other) const {
+    if (!in_parent) {
+      for (LinkFrame* end : {&one, &other}) end->in_link.rotate(axes_with_z(axis));
+      return;
+    }
+    const Poses poses = link_poses(source_.tree, 0, Eigen::VectorXd::Zero(source_.tree.variables()));
+    one.in_link.linear() = axes_with_z(axis);
+    other.in_link.linear() =
+        axes_with_z(poses[other.link].linear().transpose() * (poses[one.link].linear() * axis));
+  }
+
+  const LoopSource& source_;
+  const XMLElement& joint_;
+  Problems& problems_;
+  std::string where_;
+};
 
 }  // namespace
 
 DescribedLoops loop_joint(const LoopSource& source, Problems& problems) {
   DescribedLoops loops;
   for (const auto* joint = source.robot.FirstChildElement("loop_joint"); joint != nullptr;
-       joint = joint->NextSiblingElement("loop_joint")) {
-    const std::string name = attribute(joint, "name");
-    const std::string where = source.files.urdf + " has a <loop_joint> '" + name + "' that";
-    auto one = end_of(source, joint->FirstChildElement("link1"), where, problems);
-    auto other = end_of(source, joint->FirstChildElement("link2"), where, problems);
-    const auto type = type_of(*joint);
-    const auto axis = vector_or(attribute(joint->FirstChildElement("axis"), "xyz"), Eigen::Vector3d::UnitZ());
-    if (!type || !axis || axis->norm() < 1e-9)
-      problems.push_back(
-          where +
-          " has a type or an axis that cannot close a loop; use spherical, revolute, universal or "
-          "fixed, and an axis of three numbers.");
-    if (!one || !other || !type || !axis || axis->norm() < 1e-9) continue;
-    if (*type == ClosureType::revolute)
-      for (LinkFrame* end : {&*one, &*other}) end->in_link.rotate(axes_with_z(*axis));
-    loops.closures.push_back({name, {*one, *other}, *type});
-  }
+       joint = joint->NextSiblingElement("loop_joint"))
+    LoopJointReader(source, *joint, problems).read(loops.closures);
   return loops;
 }
 
