@@ -22,6 +22,9 @@ constexpr double assembled = 1e-12;
 // With a smaller singular value of A than this, rounding of 1e-16 shows in the pose at 1e-10 or more.
 constexpr double nearly_singular = 1e-6;
 
+// With a smaller sine between rod and crank than this, the sign of B_jj may hang on rounding.
+constexpr double nearly_stretched = 1e-6;
+
 // Solutions closer than this, relative to the robot, are one solution found twice; nearly singular ones are
 // known to half the digits only.
 constexpr double same_pose = 1e-9;
@@ -53,13 +56,29 @@ bool same(const Manipulator& manipulator, const AssemblyMode& a, const AssemblyM
          a.pose.orientation.angularDistance(b.pose.orientation) <= tolerance;
 }
 
+// Stretched or folded. A strut is neither: its B_jj is its length.
+bool any_leg_stretched(const Manipulator& manipulator, const Pose& pose, const JointVector& q) {
+  const TaskVector diagonal = inverse_diagonal(manipulator, pose, q);
+  for (std::size_t j = 0; j < manipulator.leg_count(); ++j) {
+    const auto row = static_cast<Eigen::Index>(j);
+    const Leg& leg = manipulator.leg(j);
+    const double rod = (pose.transform(leg.anchor) - leg.proximal_point(q[row])).norm();
+    const auto* elbow = std::get_if<ElbowDrive>(&leg.drive);
+    const double lever = elbow != nullptr ? elbow->inner_length * elbow->outer_length
+                                          : rod * leg.proximal_point_derivative(q[row]).norm();
+    if (std::abs(diagonal[row]) < nearly_stretched * lever) return true;
+  }
+  return false;
+}
+
 // Whether the candidate became a solution.
 bool add_refined(const Manipulator& manipulator, const JointVector& q, const Pose& candidate,
                  std::vector<AssemblyMode>& solutions) {
   const Refinement refinement = refined(manipulator, candidate, q);
   if (!(refinement.residual <= assembled)) return false;
   const AssemblyMode mode{refinement.pose, direct_determinant(manipulator, refinement.pose, q),
-                          refinement.residual, refinement.singular_value < nearly_singular};
+                          refinement.residual, refinement.singular_value < nearly_singular,
+                          any_leg_stretched(manipulator, refinement.pose, q)};
   const auto same_as_mode = [&](const AssemblyMode& other) { return same(manipulator, mode, other); };
   if (std::none_of(solutions.begin(), solutions.end(), same_as_mode)) solutions.push_back(mode);
   return true;

@@ -44,6 +44,18 @@ TaskMatrix direct_matrix(const Manipulator& manipulator, const Pose& pose, const
   return matrix;
 }
 
+TaskMatrix homogenised_matrix(const Manipulator& manipulator, const Pose& pose, const JointVector& q) {
+  TaskMatrix matrix = direct_matrix(manipulator, pose, q);
+  matrix.leftCols(static_cast<Eigen::Index>(rotational_freedoms(manipulator.task_space()))) /=
+      manipulator.characteristic_length();
+  for (Eigen::Index j = 0; j < matrix.rows(); ++j) {
+    const Leg& leg = manipulator.leg(static_cast<std::size_t>(j));
+    const double rod = (pose.transform(leg.anchor) - leg.proximal_point(q[j])).norm();
+    if (rod > 0.0) matrix.row(j) /= rod;
+  }
+  return matrix;
+}
+
 TaskVector inverse_diagonal(const Manipulator& manipulator, const Pose& pose, const JointVector& q) {
   const auto n = static_cast<Eigen::Index>(manipulator.leg_count());
   TaskVector diagonal(n);

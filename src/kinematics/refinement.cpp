@@ -65,22 +65,6 @@ double assembly_scale(const Manipulator& manipulator, const JointVector& q) {
   return scale;
 }
 
-Eigen::Index rotational_columns(TaskSpace space) noexcept {
-  if (!has_rotation(space)) return 0;
-  return space == TaskSpace::SE2 ? 1 : 3;
-}
-
-TaskMatrix homogenised_matrix(const Manipulator& manipulator, const Pose& pose, const JointVector& q) {
-  TaskMatrix matrix = direct_matrix(manipulator, pose, q);
-  matrix.leftCols(rotational_columns(manipulator.task_space())) /= manipulator.characteristic_length();
-  for (Eigen::Index j = 0; j < matrix.rows(); ++j) {
-    const Leg& leg = manipulator.leg(static_cast<std::size_t>(j));
-    const double rod = (pose.transform(leg.anchor) - leg.proximal_point(q[j])).norm();
-    if (rod > 0.0) matrix.row(j) /= rod;
-  }
-  return matrix;
-}
-
 double smallest_singular_value_bound(const Manipulator& manipulator, const Pose& pose, const JointVector& q) {
   const double inverse_norm = homogenised_matrix(manipulator, pose, q).inverse().norm();
   return std::isfinite(inverse_norm) ? 1.0 / inverse_norm : 0.0;

@@ -47,6 +47,11 @@ const std::vector<std::string>& coordinate_names(TaskSpace space) {
   return names[static_cast<std::size_t>(space)];
 }
 
+std::size_t rotational_freedoms(TaskSpace space) noexcept {
+  if (!has_rotation(space)) return 0;
+  return space == TaskSpace::SE2 ? 1 : 3;
+}
+
 bool has_rotation(TaskSpace space) noexcept { return traits(space).rotation; }
 
 bool has_translation(TaskSpace space) noexcept { return traits(space).translation; }

@@ -54,6 +54,17 @@ struct DriveText {
   }
 };
 
+json json_limits(const JointLimits& limits) {
+  return {{"lower", json_number(limits.lower)}, {"upper", json_number(limits.upper)}};
+}
+
+json json_joint_limits(const Mechanism& mechanism) {
+  json object = json::object();
+  for (std::size_t k = 0; k < mechanism.joint_names().size(); ++k)
+    object[mechanism.joint_names()[k]] = json_limits(mechanism.joint_limits()[k]);
+  return object;
+}
+
 json json_leg(const Leg& leg) {
   json object = std::visit(DriveJson{leg}, leg.drive);
   object["name"] = leg.name;
@@ -61,7 +72,7 @@ json json_leg(const Leg& leg) {
   object["driven_joint"] = leg.driven_joint;
   object["unit"] = drive_unit(leg);
   object["anchor"] = json_point(leg.anchor);
-  object["limits"] = {{"lower", json_number(leg.limits.lower)}, {"upper", json_number(leg.limits.upper)}};
+  object["limits"] = json_limits(leg.limits);
   return object;
 }
 
@@ -83,13 +94,15 @@ json json_mechanism(const Mechanism& mechanism) {
   for (const Leg& leg : manipulator.legs()) legs.push_back(json_leg(leg));
   return {{"mechanism", manipulator.name()},
           {"task_space", std::string(name(manipulator.task_space()))},
-          {"mobility", freedoms(manipulator.task_space())},
+          {"mobility", mechanism.mobility()},
+          {"idle_freedoms", mechanism.idle_freedoms()},
           {"base_frame", manipulator.base_frame()},
           {"task_frame", json_frame(manipulator.task_frame())},
           {"platform_link", mechanism.platform_link()},
           {"size", manipulator.size()},
           {"legs", legs},
           {"joints", mechanism.joint_names()},
+          {"joint_limits", json_joint_limits(mechanism)},
           {"working_modes", json_modes(manipulator)},
           {"notes", mechanism.notes()}};
 }
@@ -118,19 +131,34 @@ std::string modes_text(const Manipulator& manipulator) {
   return text;
 }
 
+std::string mobility_text(const Mechanism& mechanism) {
+  const std::string text = std::to_string(mechanism.mobility());
+  const int idle = mechanism.idle_freedoms();
+  return idle == 0 ? text : text + " of which " + std::to_string(idle) + " idle";
+}
+
+// Every movable joint, with its limits where it has some.
+std::string joints_text(const Mechanism& mechanism) {
+  std::string text = "joints:";
+  for (std::size_t k = 0; k < mechanism.joint_names().size(); ++k) {
+    const JointLimits& limits = mechanism.joint_limits()[k];
+    text += ' ' + mechanism.joint_names()[k];
+    if (limits.limited()) text += " [" + shown(limits.lower) + ", " + shown(limits.upper) + "]";
+  }
+  return text + '\n';
+}
+
 std::string mechanism_text(const Mechanism& mechanism) {
   const Manipulator& manipulator = *mechanism.manipulator();
   const TaskSpace space = manipulator.task_space();
   std::string text = manipulator.name() + ": fully parallel, task space " + std::string(name(space)) +
-                     ", mobility " + std::to_string(freedoms(space)) + ", " +
+                     ", mobility " + mobility_text(mechanism) + ", " +
                      counted(manipulator.leg_count(), "leg") + "\n";
   text += "base link " + manipulator.base_frame() + ", operational point at the origin of " +
           mechanism.platform_link() + ", size " + shown(manipulator.size()) + " m\n\n";
   text += leg_table(manipulator);
   text += "\nworking modes, as signs of B_jj:" + modes_text(manipulator) + "\n";
-  text += "joints:";
-  for (const std::string& joint : mechanism.joint_names()) text += ' ' + joint;
-  text += '\n';
+  text += joints_text(mechanism);
   for (const std::string& note : mechanism.notes()) text += "note: " + note + '\n';
   return text;
 }

@@ -6,6 +6,8 @@
 #include "parallel_aspects/tools/subcommands.h"
 #include "parallel_aspects/tools/text_table.h"
 
+#include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace parallel_aspects::tools {
@@ -19,13 +21,20 @@ std::vector<std::string> driven_joints(const Manipulator& manipulator) {
   return names;
 }
 
+// None at a serial singularity, where the sign of a B_jj is rounding.
+std::optional<WorkingMode> mode_of(const Manipulator& manipulator, const JointVector& q,
+                                   const AssemblyMode& assembly) {
+  return assembly.serially_singular ? std::nullopt : working_mode(manipulator, assembly.pose, q);
+}
+
 json json_assembly_mode(const Manipulator& manipulator, const JointVector& q, const AssemblyMode& assembly) {
-  const auto mode = working_mode(manipulator, assembly.pose, q);
+  const auto mode = mode_of(manipulator, q, assembly);
   return {{"pose", json_pose(manipulator.task_space(), assembly.pose)},
           {"working_mode", mode ? json(mode->signs()) : json()},
           {"det_a", json_number(assembly.determinant)},
           {"residual", json_number(assembly.residual)},
           {"near_singular", assembly.near_singular},
+          {"serially_singular", assembly.serially_singular},
           {"indices", json_indices(singularity_indices(manipulator, assembly.pose, q))}};
 }
 
@@ -52,10 +61,19 @@ std::string joints_text(const Manipulator& manipulator, const JointVector& q) {
   return text;
 }
 
+// Those at a serial singularity are counted too, and told apart.
+std::string count_text(const std::vector<AssemblyMode>& solutions) {
+  const auto serial = static_cast<std::size_t>(
+      std::count_if(solutions.begin(), solutions.end(),
+                    [](const AssemblyMode& assembly) { return assembly.serially_singular; }));
+  const std::string text = counted(solutions.size(), "assembly mode");
+  return serial == 0 ? text : text + ", " + std::to_string(serial) + " of them at a serial singularity";
+}
+
 std::string summary(const DirectResult& result) {
   switch (result.status) {
     case DirectStatus::solved:
-      return counted(result.solutions.size(), "assembly mode");
+      return count_text(result.solutions);
     case DirectStatus::continuum:
       return "the platform can move with the drives locked, so there is no list of assembly modes";
     case DirectStatus::unsolved:
@@ -72,7 +90,7 @@ std::string direct_text(const Manipulator& manipulator, const JointVector& q, co
   TextTable table({"pose", "working mode", ">det A [" + determinant_unit(manipulator.task_space()) + "]",
                    ">smallest singular value", "near singular"});
   for (const AssemblyMode& assembly : result.solutions) {
-    const auto mode = working_mode(manipulator, assembly.pose, q);
+    const auto mode = mode_of(manipulator, q, assembly);
     table.add({to_string(manipulator.task_space(), assembly.pose), mode ? to_string(*mode) : "B_jj = 0",
                shown(assembly.determinant),
                shown(singularity_indices(manipulator, assembly.pose, q).smallest_singular_value),

@@ -23,14 +23,23 @@ std::string reason(const Manipulator& manipulator, const Pose& pose, const Inver
          ", outside its limits [" + shown(leg.limits.lower) + ", " + shown(leg.limits.upper) + "].";
 }
 
-json json_joint_positions(const Mechanism& mechanism, const Pose& pose, const JointVector& q) {
-  const auto& names = mechanism.joint_names();
-  Eigen::VectorXd positions(static_cast<Eigen::Index>(names.size()));
-  if (!mechanism.complete(pose, q, positions)) return nullptr;
+// Of every joint; empty where the loops do not close.
+Eigen::VectorXd completed(const Mechanism& mechanism, const Pose& pose, const JointVector& q) {
+  Eigen::VectorXd positions(static_cast<Eigen::Index>(mechanism.joint_names().size()));
+  return mechanism.complete(pose, q, positions) ? positions : Eigen::VectorXd();
+}
+
+json json_joint_positions(const Mechanism& mechanism, const Eigen::VectorXd& positions) {
+  if (positions.size() == 0) return nullptr;
   json object = json::object();
-  for (std::size_t i = 0; i < names.size(); ++i)
-    object[names[i]] = json_number(positions[static_cast<Eigen::Index>(i)]);
+  for (std::size_t i = 0; i < mechanism.joint_names().size(); ++i)
+    object[mechanism.joint_names()[i]] = json_number(positions[static_cast<Eigen::Index>(i)]);
   return object;
+}
+
+json json_joint_outside_limits(const Mechanism& mechanism, const Eigen::VectorXd& positions) {
+  const auto joint = mechanism.joint_outside_limits(positions);
+  return joint ? json(mechanism.joint_names()[*joint]) : json();
 }
 
 json json_solution(const Mechanism& mechanism, const Pose& pose, const InverseSolution& solution) {
@@ -39,7 +48,9 @@ json json_solution(const Mechanism& mechanism, const Pose& pose, const InverseSo
   if (solution.status != InverseStatus::solved) object["reason"] = reason(manipulator, pose, solution);
   if (solution.status == InverseStatus::out_of_reach) return object;
   object["joints"] = json_numbers(solution.q);
-  object["joint_positions"] = json_joint_positions(mechanism, pose, solution.q);
+  const Eigen::VectorXd positions = completed(mechanism, pose, solution.q);
+  object["joint_positions"] = json_joint_positions(mechanism, positions);
+  object["joint_outside_limits"] = json_joint_outside_limits(mechanism, positions);
   object["indices"] = json_indices(singularity_indices(manipulator, pose, solution.q));
   return object;
 }
@@ -62,24 +73,36 @@ json json_inverse(const Mechanism& mechanism, const Pose& pose,
   return object;
 }
 
-std::vector<std::string> row(const Manipulator& manipulator, const Pose& pose,
-                             const InverseSolution& solution) {
+// A solution may ask of a passive joint what its limits forbid.
+std::string status_text(const Mechanism& mechanism, const Pose& pose, const InverseSolution& solution) {
+  const Eigen::VectorXd positions = completed(mechanism, pose, solution.q);
+  const auto joint = mechanism.joint_outside_limits(positions);
+  if (!joint) return name(solution.status);
+  const JointLimits& limits = mechanism.joint_limits()[*joint];
+  return "passive joint '" + mechanism.joint_names()[*joint] + "' at " +
+         shown(positions[static_cast<Eigen::Index>(*joint)]) + ", outside its limits [" +
+         shown(limits.lower) + ", " + shown(limits.upper) + "]";
+}
+
+std::vector<std::string> row(const Mechanism& mechanism, const Pose& pose, const InverseSolution& solution) {
+  const Manipulator& manipulator = *mechanism.manipulator();
   const std::string mode = to_string(solution.mode);
   if (solution.status != InverseStatus::solved)
     return {mode, "-", "-", "-", reason(manipulator, pose, solution)};
   const SingularityIndices indices = singularity_indices(manipulator, pose, solution.q);
   return {mode, shown(solution.q), shown(indices.determinant), shown(indices.smallest_singular_value),
-          name(solution.status)};
+          status_text(mechanism, pose, solution)};
 }
 
-std::string inverse_text(const Manipulator& manipulator, const Pose& pose,
+std::string inverse_text(const Mechanism& mechanism, const Pose& pose,
                          const std::vector<InverseSolution>& solutions) {
+  const Manipulator& manipulator = *mechanism.manipulator();
   std::string joints;
   for (const Leg& leg : manipulator.legs())
     joints += (joints.empty() ? "" : ", ") + leg.driven_joint + " [" + drive_unit(leg) + "]";
   TextTable table({"working mode", joints, ">det A [" + determinant_unit(manipulator.task_space()) + "]",
                    ">smallest singular value", "status"});
-  for (const InverseSolution& solution : solutions) table.add(row(manipulator, pose, solution));
+  for (const InverseSolution& solution : solutions) table.add(row(mechanism, pose, solution));
   return manipulator.name() + " at " + to_string(manipulator.task_space(), pose) + "\n\n" + table.text();
 }
 
@@ -97,7 +120,7 @@ Pose parse_pose(TaskSpace space, const std::string& text) {
 
 Report report_inverse(const Mechanism& mechanism, const Pose& pose,
                       const std::vector<InverseSolution>& solutions) {
-  return {json_inverse(mechanism, pose, solutions), inverse_text(*mechanism.manipulator(), pose, solutions)};
+  return {json_inverse(mechanism, pose, solutions), inverse_text(mechanism, pose, solutions)};
 }
 
 Subcommand inverse_subcommand() {

@@ -44,7 +44,9 @@ std::optional<std::string> contents(const fs::path& file, Problems& problems) {
   std::error_code error;
   std::ifstream stream(file, std::ios::binary);
   if (!stream || fs::is_directory(file, error)) {
-    problems.push_back("File '" + file.string() + "' cannot be read; give one that exists and is readable.");
+    const std::string problem =
+        "File '" + file.string() + "' cannot be read; give one that exists and is readable.";
+    if (std::find(problems.begin(), problems.end(), problem) == problems.end()) problems.push_back(problem);
     return std::nullopt;
   }
   return std::string(std::istreambuf_iterator<char>(stream), {});

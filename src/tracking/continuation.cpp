@@ -21,8 +21,7 @@ constexpr double converged = 1e-13;
 constexpr double certified_product = 0.499;
 
 Eigen::Index rotational_columns(TaskSpace space) {
-  if (!has_rotation(space)) return 0;
-  return space == TaskSpace::SE2 ? 1 : 3;
+  return static_cast<Eigen::Index>(rotational_freedoms(space));
 }
 
 /// What one leg adds to the bounds while its drive moves by `change`.

@@ -207,8 +207,7 @@ class Recogniser {
   }
 
   static void scale_translations(const Manipulator& manipulator, TaskVector& step) {
-    const TaskSpace space = manipulator.task_space();
-    const Eigen::Index angles = space == TaskSpace::SE2 ? 1 : has_rotation(space) ? 3 : 0;
+    const auto angles = static_cast<Eigen::Index>(rotational_freedoms(manipulator.task_space()));
     step.tail(step.size() - angles) *= 0.5 * manipulator.size();
   }
 

@@ -12,6 +12,9 @@ namespace {
 // well as they assembled.
 constexpr double completion_tolerance = 1e-9;
 
+// Completed values are known no better.
+constexpr double limit_tolerance = 1e-9;
+
 }  // namespace
 
 Mechanism::Mechanism(std::unique_ptr<const Contents> contents) : contents_(std::move(contents)) {}
@@ -29,6 +32,16 @@ int Mechanism::idle_freedoms() const noexcept { return contents_->idle_freedoms;
 
 AssembledConfiguration Mechanism::assembled() const {
   return {contents_->completion.reference_pose(), contents_->completion.reference_drives()};
+}
+
+std::optional<std::size_t> Mechanism::joint_outside_limits(
+    const Eigen::Ref<const Eigen::VectorXd>& positions) const noexcept {
+  const auto& limits = contents_->joint_limits;
+  for (std::size_t k = 0; k < limits.size() && static_cast<Eigen::Index>(k) < positions.size(); ++k) {
+    const double value = positions[static_cast<Eigen::Index>(k)];
+    if (!(value >= limits[k].lower - limit_tolerance && value <= limits[k].upper + limit_tolerance)) return k;
+  }
+  return std::nullopt;
 }
 
 bool Mechanism::complete(const Pose& pose, const JointVector& q,

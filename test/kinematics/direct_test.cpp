@@ -145,6 +145,8 @@ TEST(Direct, AgileEyeHasFourAssemblyModesBesidesTheTrivialOnes) {
       return inverse_diagonal(*robot, mode.pose, q).cwiseAbs().maxCoeff() < 1e-7;
     };
     EXPECT_EQ(std::count_if(result.solutions.begin(), result.solutions.end(), trivial), 4) << q.transpose();
+    for (const AssemblyMode& mode : result.solutions)
+      EXPECT_EQ(mode.serially_singular, trivial(mode)) << q.transpose();
   }
 }
 

@@ -90,6 +90,12 @@ TEST_F(Command, EveryProblemIsALine) {
   EXPECT_EQ(outcome.output, "");
 }
 
+TEST_F(Command, OneFileThatCannotBeReadIsOneProblem) {
+  const Outcome outcome = run({"describe", "--urdf", "/no/such", "--config", "/no/such"});
+  EXPECT_EQ(outcome.code, exit_code::bad_input);
+  EXPECT_EQ(outcome.messages, "File '/no/such' cannot be read; give one that exists and is readable.\n");
+}
+
 TEST_F(Command, NameAndFilesTogetherAreRefused) {
   const Outcome outcome = run({"describe", "five_bar", "--urdf", "x.urdf", "--config", "x.yaml"});
   EXPECT_EQ(outcome.code, exit_code::bad_input);
@@ -120,6 +126,8 @@ TEST_F(Command, DescribesTheFiveBarOfThePaper) {
   const json robot = run_json({"describe", "five_bar"});
   EXPECT_EQ(robot.at("task_space"), "T2");
   EXPECT_EQ(robot.at("mobility"), 2);
+  EXPECT_EQ(robot.at("idle_freedoms"), 0);
+  EXPECT_TRUE(robot.at("joint_limits").at("elbow_1_joint").at("upper").is_null());
   EXPECT_EQ(robot.at("working_modes").size(), 4U);
   ASSERT_EQ(robot.at("legs").size(), 2U);
   EXPECT_NEAR(robot.at("legs")[0].at("crank_length").get<double>(), 8.0, 1e-12);
@@ -172,6 +180,26 @@ TEST_F(Command, DirectAndInverseAgree) {
     const json& modes = direct.at("assembly_modes");
     EXPECT_EQ(std::count_if(modes.begin(), modes.end(), is_pose), 1) << direct;
   }
+}
+
+TEST_F(Command, DirectTellsTheTrivialSolutionsOfTheAgileEyeApart) {
+  const json modes = run_json({"fk", "agile_eye", "--joints", "0.3 0.2 -0.4"}).at("assembly_modes");
+  EXPECT_EQ(modes.size(), 8U);
+  int trivial = 0;
+  for (const json& mode : modes) {
+    if (mode.at("serially_singular").get<bool>()) ++trivial;
+    EXPECT_EQ(mode.at("working_mode").is_null(), mode.at("serially_singular").get<bool>()) << mode;
+  }
+  EXPECT_EQ(trivial, 4);
+  const Outcome outcome = run({"fk", "agile_eye", "--joints", "0.3 0.2 -0.4"});
+  EXPECT_NE(outcome.output.find("8 assembly modes, 4 of them at a serial singularity"), std::string::npos)
+      << outcome.output;
+}
+
+TEST_F(Command, InverseTellsOfPassiveLimits) {
+  const json answer = run_json({"ik", "five_bar", "--pose", "4.5 8"});
+  for (const json& solution : answer.at("solutions"))
+    EXPECT_TRUE(solution.at("joint_outside_limits").is_null());
 }
 
 TEST_F(Command, BadNumbersAreRefused) {

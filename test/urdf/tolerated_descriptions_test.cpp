@@ -3,6 +3,7 @@
 
 #include "support/loops.h"
 #include "support/shipped.h"
+#include <cmath>
 
 namespace parallel_aspects {
 namespace {
@@ -98,6 +99,30 @@ TEST(Limits, ComeFromTheUrdf) {
   Eigen::VectorXd joints(4);
   ASSERT_TRUE(mechanism->complete(assembled.pose, assembled.q, joints));
   EXPECT_TRUE(mechanism->joint_limits()[1].contain(joints[1])) << joints[1];
+}
+
+// Elbow 1 bends to one side only: half of the working modes ask for what it cannot do.
+TEST(Limits, OfPassiveJointsAreToldApart) {
+  std::string urdf = test::source_file("urdf/five_bar.urdf");
+  urdf = replaced(urdf, "<joint name=\"elbow_1_joint\" type=\"continuous\">",
+                  "<joint name=\"elbow_1_joint\" type=\"revolute\"><limit lower=\"0\" upper=\"3\" "
+                  "effort=\"1\" velocity=\"1\"/>");
+  const auto mechanism = test::load(urdf, test::source_file("config/robots/five_bar.yaml"));
+  Pose pose;
+  pose.position << 4.5, 8.0, 0.0;
+  Eigen::VectorXd joints(4);
+  for (const InverseSolution& solution : inverse_in_all_modes(*mechanism->manipulator(), pose)) {
+    ASSERT_TRUE(mechanism->complete(pose, solution.q, joints));
+    const auto outside = mechanism->joint_outside_limits(joints);
+    ASSERT_EQ(outside.has_value(), solution.mode.sign(0) < 0) << joints.transpose();
+    if (outside.has_value()) {
+      EXPECT_EQ(mechanism->joint_names()[*outside], "elbow_1_joint");
+    }
+  }
+  joints << 0.0, 3.0 + 1e-12, 0.0, 0.0;
+  EXPECT_FALSE(mechanism->joint_outside_limits(joints));
+  joints[3] = std::nan("");
+  EXPECT_EQ(mechanism->joint_outside_limits(joints), std::optional<std::size_t>(3));
 }
 
 // The closures ask for an elbow that its limits forbid.

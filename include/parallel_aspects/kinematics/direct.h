@@ -16,6 +16,10 @@ struct AssemblyMode {
   double residual = 0.0;     ///< largest |f_j| over the squared `assembly_scale`, dimensionless
   bool near_singular =
       false;  ///< so close to det A = 0 that its count or pose may hang on rounding (see `direct`)
+  /// Some B_jj is zero to rounding, below 1e-6 of |u_j| |c_j'|: a leg is stretched or folded, and the
+  /// solution belongs to no working mode. The trivial solutions of the Agile Eye are such, whatever the
+  /// drives.
+  bool serially_singular = false;
 };
 
 enum class DirectStatus {

@@ -15,6 +15,10 @@ namespace parallel_aspects {
 /// u (SO3); columns follow the twist t = (w, v). Translational columns in m, rotational ones in m^2.
 TaskMatrix direct_matrix(const Manipulator& manipulator, const Pose& pose, const JointVector& q);
 
+/// A with its rows over their rod length and its rotational columns over the characteristic length.
+/// Dimensionless.
+TaskMatrix homogenised_matrix(const Manipulator& manipulator, const Pose& pose, const JointVector& q);
+
 /// The diagonal of B: B_jj = u_j . c_j'(q_j) + rho_j rho_j' [m^2/rad for an angle, m for a length].
 TaskVector inverse_diagonal(const Manipulator& manipulator, const Pose& pose, const JointVector& q);
 

@@ -26,13 +26,6 @@ double assembly_scale(const Manipulator& manipulator, const JointVector& q);
 double relative_residual(const Manipulator& manipulator, const Pose& pose, const JointVector& q,
                          double scale);
 
-/// How many columns of A are rotational; they come first.
-Eigen::Index rotational_columns(TaskSpace space) noexcept;
-
-/// A with its rows over their rod length and its rotational columns over the characteristic length.
-/// Dimensionless.
-TaskMatrix homogenised_matrix(const Manipulator& manipulator, const Pose& pose, const JointVector& q);
-
 /// A lower bound of the smallest singular value of the homogenised A, no less than 1/n of it. Dimensionless;
 /// 0 at a parallel singularity.
 double smallest_singular_value_bound(const Manipulator& manipulator, const Pose& pose, const JointVector& q);

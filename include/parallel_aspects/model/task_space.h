@@ -31,6 +31,9 @@ std::optional<TaskSpace> task_space_named(std::string_view text) noexcept;
 /// Names of the pose coordinates, in the order of `pose_coordinates`: x, y, z [m], phi [rad], qx, qy, qz, qw.
 const std::vector<std::string>& coordinate_names(TaskSpace space);
 
+/// How many of the freedoms are rotations; they come first in a twist and in the columns of A.
+std::size_t rotational_freedoms(TaskSpace space) noexcept;
+
 /// Whether the platform can turn (SE2, SO3, SE3).
 bool has_rotation(TaskSpace space) noexcept;
 

@@ -7,7 +7,9 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -50,8 +52,13 @@ class Mechanism {
 
   /// Values of all `joint_names()` that close every loop at this configuration [rad or m]. False, with
   /// `positions` untouched, where the loops do not close. `positions` must have as many entries as there are
-  /// names.
+  /// names. Whether the values are within limits is another question: see `joint_outside_limits`.
   bool complete(const Pose& pose, const JointVector& q, Eigen::Ref<Eigen::VectorXd> positions) const noexcept;
+
+  /// The first of `joint_names()`, actuated or passive, whose value in `positions` is outside its limits by
+  /// more than 1e-9 rad or m; nothing when all are inside. A value that is not a number is outside.
+  std::optional<std::size_t> joint_outside_limits(
+      const Eigen::Ref<const Eigen::VectorXd>& positions) const noexcept;
 
   /// What the loader took where the description left a choice, and what it accepted with reservations;
   /// sentences.
