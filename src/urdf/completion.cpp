@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace parallel_aspects {
@@ -58,14 +59,67 @@ std::vector<const Pivot*> two_that_point(const Chain& group, const Vector3d& rod
   return pivots;
 }
 
+// The turns of two pivots that bring `from` to `to`, or as close as they can.
+struct Pointing {
+  Turns turns;
+  bool reaches = false;
+};
+
+Pointing pointing(const Pivot& one, const Pivot& other, const Vector3d& rod, const Vector3d& from,
+                  const Vector3d& to) {
+  const Vector3d first = directed_axis(one), second = directed_axis(other);
+  const auto both = angles_about(first, second, from, to, side(first, second, rod));
+  if (!both) return {{{&one, angle_about(first, from, to)}}, false};
+  const Vector3d reached = rotation(first, (*both)[0]) * rotation(second, (*both)[1]) * from;
+  return {{{&one, (*both)[0]}, {&other, (*both)[1]}}, (reached - to).norm() < 1e-9 * to.norm()};
+}
+
+// The turn of the last of three pivots that brings `from` across the axis of the second. The other two can
+// then point it anywhere, where their axes are orthogonal.
+double turn_across(const Pivot& second, const Pivot& last, const Vector3d& from) {
+  return angle_about(directed_axis(last), from, directed_axis(second).cross(directed_axis(last)));
+}
+
+// Three pivots point where two of them cannot.
+Pointing pointing_of_three(const Chain& group, const Vector3d& rod, const Vector3d& from,
+                           const Vector3d& to) {
+  for (std::size_t i = 0; i < group.size(); ++i)
+    for (std::size_t j = i + 1; j < group.size(); ++j)
+      for (std::size_t k = j + 1; k < group.size(); ++k) {
+        const double turn = turn_across(group[j], group[k], from);
+        const Matrix3d turned = rotation(directed_axis(group[k]), turn);
+        Pointing result = pointing(group[i], group[j], turned * rod, turned * from, to);
+        result.turns.push_back({&group[k], turn});
+        if (result.reaches) return result;
+      }
+  return {};
+}
+
 // Turns of a group that bring `from` to `to`; at the assembled configuration the rod points along `rod`.
 Turns turns_towards(const Chain& group, const Vector3d& rod, const Vector3d& from, const Vector3d& to) {
   if (group.empty() || is_free(group)) return {};
   const std::vector<const Pivot*> pivots = two_that_point(group, rod);
-  const Vector3d first = directed_axis(*pivots.front()), second = directed_axis(*pivots.back());
-  if (const auto both = angles_about(first, second, from, to, side(first, second, rod)))
-    return {{pivots.front(), (*both)[0]}, {pivots.back(), (*both)[1]}};
-  return {{pivots.front(), angle_about(first, from, to)}};
+  const Pointing by_two = pointing(*pivots.front(), *pivots.back(), rod, from, to);
+  if (by_two.reaches) return by_two.turns;
+  const Pointing by_three = pointing_of_three(group, rod, from, to);
+  return by_three.reaches ? by_three.turns : by_two.turns;
+}
+
+// Of more than three pivots, the three that turn one into the other best: each across the next.
+Chain three_that_turn(const Chain& group) {
+  if (group.size() <= 3) return group;
+  Chain best;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < group.size(); ++i)
+    for (std::size_t j = i + 1; j < group.size(); ++j)
+      for (std::size_t k = j + 1; k < group.size(); ++k) {
+        const double along =
+            std::max(std::abs(group[i].axis.dot(group[j].axis)), std::abs(group[j].axis.dot(group[k].axis)));
+        if (!(along < least)) continue;
+        least = along;
+        best = {group[i], group[j], group[k]};
+      }
+  return best;
 }
 
 // Turns of a group of up to three pivots that make up the rotation `wanted`.
@@ -193,7 +247,8 @@ Eigen::Isometry3d Completion::solve(const SplitChain& chain, double drive_step,
   const Turns near = turns_towards(equation.near, equation.tip - equation.near_center, from, to);
   const Isometry3d carried =
       equation.before * about(equation.near_center, product(equation.near, near)) * equation.between;
-  const Turns far = turns_making(equation.far, carried.linear().transpose() * equation.target.linear());
+  const Chain turning = three_that_turn(equation.far);
+  const Turns far = turns_making(turning, carried.linear().transpose() * equation.target.linear());
   for (const Turn& turn : near) set(*turn.pivot, turn.step, values);
   for (const Turn& turn : far) set(*turn.pivot, turn.step, values);
   return carried;
