@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/model/problems.h"
-#include "parallel_aspects/tools/numbers.h"
+#include "parallel_aspects/tools/arguments.h"
 #include "parallel_aspects/tools/reports.h"
 #include "parallel_aspects/tools/subcommands.h"
 #include "parallel_aspects/tools/text_table.h"
@@ -106,16 +106,6 @@ std::string inverse_text(const Mechanism& mechanism, const Pose& pose,
   return manipulator.name() + " at " + to_string(manipulator.task_space(), pose) + "\n\n" + table.text();
 }
 
-Pose parse_pose(TaskSpace space, const std::string& text) {
-  Problems problems;
-  const std::vector<double> numbers = parse_numbers("--pose", text, coordinate_names(space), problems);
-  if (!problems.empty()) throw InvalidDescription(std::move(problems));
-  const auto pose = pose_from_coordinates(
-      space, Eigen::Map<const Eigen::VectorXd>(numbers.data(), static_cast<Eigen::Index>(numbers.size())));
-  if (!pose) throw InvalidDescription({"--pose has a quaternion of zero length; give a unit quaternion."});
-  return *pose;
-}
-
 }  // namespace
 
 Report report_inverse(const Mechanism& mechanism, const Pose& pose,
@@ -132,7 +122,9 @@ Subcommand inverse_subcommand() {
           [choice, text](const Surroundings&) {
             const auto mechanism = load_robot(*choice);
             const Manipulator& manipulator = *mechanism->manipulator();
-            const Pose pose = parse_pose(manipulator.task_space(), *text);
+            Problems problems;
+            const Pose pose = parse_pose("--pose", manipulator.task_space(), *text, problems);
+            if (!problems.empty()) throw InvalidDescription(std::move(problems));
             return report_inverse(*mechanism, pose, inverse_in_all_modes(manipulator, pose));
           }};
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/model/problems.h"
+#include "parallel_aspects/tools/arguments.h"
 #include "parallel_aspects/tools/numbers.h"
 #include "parallel_aspects/tools/progress_bar.h"
 #include "parallel_aspects/tools/reports.h"
@@ -98,6 +99,7 @@ struct MapArguments {
   RobotChoice robot;
   std::string resolution;
   std::string threads;
+  RoadmapArguments roadmap;
 };
 
 MapOptions parse_options(const MapArguments& arguments, Problems& problems) {
@@ -107,6 +109,19 @@ MapOptions parse_options(const MapArguments& arguments, Problems& problems) {
   if (!arguments.threads.empty())
     options.threads = parse_count("--threads", arguments.threads, most_threads, problems);
   return options;
+}
+
+// With six freedoms there is a roadmap in place of a map.
+Report roadmap_report(std::shared_ptr<const Manipulator> manipulator, const MapArguments& arguments,
+                      const Surroundings& surroundings) {
+  Problems problems;
+  RoadmapOptions options = parse_roadmap(arguments.roadmap, problems);
+  options.threads = parse_options(arguments, problems).threads;
+  if (!arguments.resolution.empty())
+    problems.emplace_back(
+        "--resolution is that of a map of boxes, which there is none of in SE3; give --samples.");
+  if (!problems.empty()) throw InvalidDescription(std::move(problems));
+  return report_roadmap(*compute_roadmap(std::move(manipulator), options, surroundings));
 }
 
 std::shared_ptr<const AspectMap> compute(std::shared_ptr<const Manipulator> manipulator,
@@ -138,11 +153,17 @@ Subcommand map_subcommand() {
   options.push_back({"--threads", "N",
                      "Threads to compute with; by default one a core. The result does not depend on it",
                      &arguments->threads});
-  return {"map", "Compute the certified map of aspects", options,
+  options.push_back({"--samples", "N", "With six freedoms: poses of the certified roadmap, by default 1000",
+                     &arguments->roadmap.samples});
+  options.push_back(
+      {"--seed", "N", "With six freedoms: seed of its poses, by default 1", &arguments->roadmap.seed});
+  return {"map", "Compute the certified map of aspects, or with six freedoms a certified roadmap", options,
           [arguments](const Surroundings& surroundings) {
             Problems problems;
             const MapOptions map_options = parse_options(*arguments, problems);
             const auto mechanism = load_robot(arguments->robot, std::move(problems));
+            if (mechanism->manipulator()->task_space() == TaskSpace::SE3)
+              return roadmap_report(mechanism->manipulator(), *arguments, surroundings);
             return report_map(*compute(mechanism->manipulator(), map_options, surroundings));
           }};
 }

@@ -3,6 +3,8 @@
 #define PARALLEL_ASPECTS_TOOLS_REPORTS_H
 
 #include "parallel_aspects/aspects/aspect_map.h"
+#include "parallel_aspects/aspects/pose_roadmap.h"
+#include "parallel_aspects/aspects/same_aspect.h"
 #include "parallel_aspects/kinematics/direct.h"
 #include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/tools/report.h"
@@ -16,6 +18,19 @@ namespace parallel_aspects::tools {
 
 /// `aspects map`: the table of aspects, and what is proved and what is not.
 Report report_map(const AspectMap& map);
+
+/// `aspects map` with six freedoms: samples and components by working mode and sign of det A.
+Report report_roadmap(const PoseRoadmap& roadmap);
+
+/// What is known in one working mode.
+struct ModeAnswer {
+  WorkingMode mode;
+  AspectComparison comparison;
+};
+
+/// `aspects connect`: whether two poses lie in one aspect, by working mode.
+Report report_comparison(const Manipulator& manipulator, const Pose& from, const Pose& to,
+                         const std::vector<ModeAnswer>& answers);
 
 /// `aspects describe`: what was recognised in the description of the robot.
 Report report_mechanism(const Mechanism& mechanism);

@@ -33,6 +33,7 @@ struct Subcommand {
 };
 
 Subcommand map_subcommand();
+Subcommand connect_subcommand();
 Subcommand describe_subcommand();
 Subcommand inverse_subcommand();
 Subcommand direct_subcommand();

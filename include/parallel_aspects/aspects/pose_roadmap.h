@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASPECTS_POSE_ROADMAP_H
+#define PARALLEL_ASPECTS_ASPECTS_POSE_ROADMAP_H
+
+#include "parallel_aspects/aspects/aspect_map.h"
+#include "parallel_aspects/aspects/box.h"
+#include "parallel_aspects/aspects/roadmap_growth.h"
+#include "parallel_aspects/aspects/segment_certifier.h"
+#include "parallel_aspects/kinematics/working_mode.h"
+#include "parallel_aspects/model/manipulator.h"
+#include "parallel_aspects/model/pose.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// What to sample.
+struct RoadmapOptions {
+  std::size_t samples = 1000;  ///< reachable poses, 1 to 100,000
+  std::uint64_t seed = 1;      ///< the same seed gives the same roadmap, whatever the threads
+  std::size_t neighbors = 10;  ///< nearest poses that each pose is joined to where that is proved, 1 to 100
+
+  /// Positions to sample [m]; by default all that the legs reach.
+  std::optional<Box> region;
+
+  /// Orientations turn from the identity by at most this [rad], 0 to pi; by default all.
+  double largest_rotation = EIGEN_PI;
+
+  std::vector<WorkingMode> modes;  ///< by default all that the legs allow
+
+  unsigned threads = 0;  ///< 0 for one a core
+};
+
+/// A certified roadmap of every working mode and sign of det A: sampled reachable poses, joined by segments
+/// that are proved free of singularities. So every connection is a theorem; that two poses are not connected
+/// proves nothing, and the number of components may fall with more samples. For every task space. Immutable;
+/// may be read from any number of threads.
+class PoseRoadmap {
+ public:
+  PoseRoadmap(SegmentCertifier certifier, std::vector<Pose> poses, std::vector<RoadmapSide> sides,
+              const RoadmapOptions& options, double seconds);
+
+  const SegmentCertifier& certifier() const noexcept { return certifier_; }
+  const RoadmapOptions& options() const noexcept { return options_; }
+
+  const std::vector<Pose>& poses() const noexcept { return poses_; }
+
+  /// Those with at least one pose: by mode index, then positive before negative det A.
+  const std::vector<RoadmapSide>& sides() const noexcept { return sides_; }
+
+  /// Lower bound of the number of aspects, proved: one for each side, as aspects do not share signs.
+  std::size_t proved_count() const noexcept { return sides_.size(); }
+
+  /// Sets of poses that are proved connected, over all sides: the poses lie in at most so many aspects.
+  std::size_t component_count() const noexcept;
+
+  /// Time that the computation took [s].
+  double seconds() const noexcept { return seconds_; }
+
+  /// The poses of one mode and sign; null where there are none.
+  const RoadmapSide* side(const WorkingMode& mode, int sign) const noexcept;
+
+ private:
+  SegmentCertifier certifier_;
+  std::vector<Pose> poses_;
+  std::vector<RoadmapSide> sides_;
+  RoadmapOptions options_;
+  double seconds_;
+};
+
+struct RoadmapResult {
+  MapStatus status = MapStatus::refused;
+  std::string sentence;                        ///< why, unless complete
+  std::shared_ptr<const PoseRoadmap> roadmap;  ///< set when complete
+};
+
+/// Samples poses and joins them. Options out of range, and legs that leave the positions unbounded, are
+/// refused with a sentence.
+RoadmapResult compute_pose_roadmap(std::shared_ptr<const Manipulator> manipulator,
+                                   const RoadmapOptions& options = {}, const MapControl& control = {});
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ASPECTS_POSE_ROADMAP_H

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASPECTS_POSE_SEGMENT_H
+#define PARALLEL_ASPECTS_ASPECTS_POSE_SEGMENT_H
+
+#include "parallel_aspects/aspects/path_form.h"
+#include "parallel_aspects/aspects/spatial_leg.h"
+#include "parallel_aspects/model/pose.h"
+
+#include <array>
+
+namespace parallel_aspects {
+
+/// The pose at t on the segment between two poses, in floating point; see `PoseSegment`.
+Pose pose_between(const Pose& from, const Pose& to, double t) noexcept;
+
+/// The segment from one pose to another, t from 0 to 1: the position runs straight, the quaternion runs
+/// straight the short way and is normalised. So it is rational in t, and stays in each task space that holds
+/// both ends. A quaternion stands for its direction, whatever its length.
+class PoseSegment {
+ public:
+  /// Position [m] and rows of the rotation matrix.
+  struct Placement {
+    Spatial<PathForm> position;
+    std::array<Spatial<PathForm>, 3> rotation;
+  };
+
+  /// Both poses must be finite, and neither quaternion zero. Needs a live `RoundingUpward`.
+  PoseSegment(const Pose& from, const Pose& to) noexcept;
+
+  /// Encloses the poses of a part of the segment; false, and nothing, where the quaternion can not be kept
+  /// off zero. Needs a live `RoundingUpward`.
+  bool place(const PathForm& t, Placement& placement) const noexcept;
+
+ private:
+  Spatial<Interval> position_, travel_;
+  std::array<Interval, 4> quaternion_, turning_;  // x, y, z, w
+};
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ASPECTS_POSE_SEGMENT_H

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASPECTS_SEGMENT_CERTIFIER_H
+#define PARALLEL_ASPECTS_ASPECTS_SEGMENT_CERTIFIER_H
+
+#include "parallel_aspects/aspects/nonsingular.h"
+#include "parallel_aspects/aspects/pose_segment.h"
+#include "parallel_aspects/aspects/spatial_leg.h"
+#include "parallel_aspects/kinematics/working_mode.h"
+#include "parallel_aspects/model/manipulator.h"
+#include "parallel_aspects/model/pose.h"
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// What stands in the way at a pose or on a segment.
+enum class Hindrance {
+  none,
+  singularity,   ///< det A is zero, or has the other sign
+  out_of_reach,  ///< a leg cannot reach, or just reaches: B_jj = 0
+  joint_limit,   ///< a drive is outside its limits
+};
+
+/// What is proved of one configuration.
+struct ConfigurationProof {
+  int sign =
+      0;  ///< of det A, where every leg is proved to reach within its limits; 0 where that is not proved
+  Hindrance proved_hindrance = Hindrance::none;  ///< where it is proved to lie in no aspect
+};
+
+enum class SegmentVerdict {
+  free,       ///< proved: every leg reaches within its limits, B_jj != 0 and det A != 0 all along
+  blocked,    ///< proved not to be free
+  undecided,  ///< neither, with the parts allowed
+};
+
+struct SegmentProof {
+  SegmentVerdict verdict = SegmentVerdict::undecided;
+  Hindrance hindrance = Hindrance::none;  ///< where blocked: what is proved to stand in the way
+  double free_until = 0.0;                ///< proved free from t = 0 to here
+  double witness = 0.0;                   ///< where blocked: proved to be hindered at or before this t
+  int parts = 0;                          ///< that were tried
+};
+
+/// Proves segments of poses (see `PoseSegment`) free of singularities within one working mode, in every task
+/// space, by interval arithmetic with outward rounding: parts of the segment are enclosed to the second order
+/// and A is preconditioned by its inverse at the middle of the part. Immutable; may be used from any number
+/// of threads. Neither allocates nor throws once it is made.
+class SegmentCertifier {
+ public:
+  explicit SegmentCertifier(std::shared_ptr<const Manipulator> manipulator);
+
+  const std::shared_ptr<const Manipulator>& manipulator() const noexcept { return manipulator_; }
+
+  /// What is proved of the pose in this working mode. A pose with numbers that are not finite proves nothing.
+  ConfigurationProof prove(const Pose& pose, const WorkingMode& mode) const noexcept;
+
+  /// What is proved of the segment in this working mode; both poses must lie in the task space. At most
+  /// `most_parts` parts are tried, each some microseconds.
+  SegmentProof prove(const Pose& from, const Pose& to, const WorkingMode& mode,
+                     int most_parts = 400) const noexcept;
+
+  /// The same, but goes as far as it can towards `to` (see `free_until`), which may be anywhere.
+  SegmentProof prove_start(const Pose& from, const Pose& to, const WorkingMode& mode,
+                           int most_parts = 400) const noexcept;
+
+ private:
+  class Evaluation;
+
+  SegmentProof march(const Pose& from, const Pose& to, const WorkingMode& mode, int sign,
+                     int most_parts) const noexcept;
+
+  std::shared_ptr<const Manipulator> manipulator_;
+  std::vector<SpatialLeg> legs_;
+  std::vector<Spatial<Interval>> anchors_;
+};
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ASPECTS_SEGMENT_CERTIFIER_H

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_TOOLS_ARGUMENTS_H
+#define PARALLEL_ASPECTS_TOOLS_ARGUMENTS_H
+
+#include "parallel_aspects/aspects/pose_roadmap.h"
+#include "parallel_aspects/kinematics/working_mode.h"
+#include "parallel_aspects/model/pose.h"
+#include "parallel_aspects/model/problems.h"
+#include "parallel_aspects/tools/command.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace parallel_aspects::tools {
+
+/// The pose that `text` gives, in the order of `coordinate_names(space)`; where it gives none, sentences that
+/// name `option` are added to `problems` and the pose is of no meaning.
+Pose parse_pose(const std::string& option, TaskSpace space, const std::string& text, Problems& problems);
+
+/// A working mode such as "(+,-)" or "+-"; nothing, with a sentence, for any other text.
+std::optional<WorkingMode> parse_mode(const std::string& option, const Manipulator& manipulator,
+                                      const std::string& text, Problems& problems);
+
+/// What is sampled for a roadmap, as text from the command line; empty where not given.
+struct RoadmapArguments {
+  std::string samples, seed;
+};
+
+RoadmapOptions parse_roadmap(const RoadmapArguments& arguments, Problems& problems);
+
+/// Computes it, with a progress bar on a terminal. Throws `Interrupted`, or `InvalidDescription` where it is
+/// refused.
+std::shared_ptr<const PoseRoadmap> compute_roadmap(std::shared_ptr<const Manipulator> manipulator,
+                                                   const RoadmapOptions& options,
+                                                   const Surroundings& surroundings);
+
+}  // namespace parallel_aspects::tools
+
+#endif  // PARALLEL_ASPECTS_TOOLS_ARGUMENTS_H

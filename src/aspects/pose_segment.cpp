@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/aspects/pose_segment.h"
+
+#include <cstddef>
+
+namespace parallel_aspects {
+namespace {
+
+// The quaternion of `to` that is on the same side as that of `from`.
+Eigen::Vector4d nearer_quaternion(const Pose& from, const Pose& to) {
+  const Eigen::Vector4d &first = from.orientation.coeffs(), &last = to.orientation.coeffs();
+  return first.dot(last) < 0.0 ? Eigen::Vector4d(-last) : last;
+}
+
+}  // namespace
+
+Pose pose_between(const Pose& from, const Pose& to, double t) noexcept {
+  const Eigen::Vector4d quaternion = (1.0 - t) * from.orientation.coeffs() + t * nearer_quaternion(from, to);
+  Pose pose;
+  pose.position = (1.0 - t) * from.position + t * to.position;
+  pose.orientation = Eigen::Quaterniond(Eigen::Vector4d(quaternion.normalized()));
+  return pose;
+}
+
+PoseSegment::PoseSegment(const Pose& from, const Pose& to) noexcept {
+  const Eigen::Vector4d first = from.orientation.coeffs(), last = nearer_quaternion(from, to);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto k = static_cast<Eigen::Index>(i);
+    position_[i] = Interval(from.position[k]);
+    travel_[i] = Interval(to.position[k]) - position_[i];
+  }
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto k = static_cast<Eigen::Index>(i);
+    quaternion_[i] = Interval(first[k]);
+    turning_[i] = Interval(last[k]) - quaternion_[i];
+  }
+}
+
+bool PoseSegment::place(const PathForm& t, Placement& placement) const noexcept {
+  for (std::size_t i = 0; i < 3; ++i) placement.position[i] = position_[i] + travel_[i] * t;
+  std::array<PathForm, 4> q;
+  for (std::size_t i = 0; i < 4; ++i) q[i] = quaternion_[i] + turning_[i] * t;
+  const PathForm xx = square(q[0]), yy = square(q[1]), zz = square(q[2]), ww = square(q[3]);
+  const PathForm squared_norm = xx + yy + zz + ww;
+  if (!squared_norm.range.positive()) return false;
+  const PathForm scale = reciprocal(squared_norm);
+  const Interval two(2.0);
+  const PathForm xy = two * (q[0] * q[1]), xz = two * (q[0] * q[2]), yz = two * (q[1] * q[2]);
+  const PathForm wx = two * (q[3] * q[0]), wy = two * (q[3] * q[1]), wz = two * (q[3] * q[2]);
+  placement.rotation = {{{scale * ((ww + xx) - (yy + zz)), scale * (xy - wz), scale * (xz + wy)},
+                         {scale * (xy + wz), scale * ((ww + yy) - (xx + zz)), scale * (yz - wx)},
+                         {scale * (xz - wy), scale * (yz + wx), scale * ((ww + zz) - (xx + yy))}}};
+  return true;
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/tools/arguments.h"
+
+#include "parallel_aspects/tools/numbers.h"
+#include "parallel_aspects/tools/progress_bar.h"
+#include "parallel_aspects/tools/subcommands.h"
+
+#include <utility>
+#include <vector>
+
+namespace parallel_aspects::tools {
+namespace {
+
+constexpr unsigned most_samples = 100000, largest_seed = 4294967295;
+
+}  // namespace
+
+Pose parse_pose(const std::string& option, TaskSpace space, const std::string& text, Problems& problems) {
+  const std::size_t known = problems.size();
+  const std::vector<double> numbers = parse_numbers(option, text, coordinate_names(space), problems);
+  if (problems.size() > known) return {};
+  const auto pose = pose_from_coordinates(
+      space, Eigen::Map<const Eigen::VectorXd>(numbers.data(), static_cast<Eigen::Index>(numbers.size())));
+  if (!pose) problems.push_back(option + " has a quaternion of zero length; give a unit quaternion.");
+  return pose.value_or(Pose{});
+}
+
+std::optional<WorkingMode> parse_mode(const std::string& option, const Manipulator& manipulator,
+                                      const std::string& text, Problems& problems) {
+  std::vector<int> signs;
+  bool understood = true;
+  for (const char character : text) {
+    if (character == '+' || character == '-')
+      signs.push_back(character == '+' ? 1 : -1);
+    else
+      understood = understood && std::string(" ,()").find(character) != std::string::npos;
+  }
+  if (understood && signs.size() == manipulator.leg_count()) return WorkingMode::from_signs(signs);
+  const WorkingMode example = WorkingMode::from_index(manipulator.leg_count(), 1);
+  problems.push_back(option + " is '" + text + "'; give the sign of B_jj of each leg, such as \"" +
+                     to_string(example) + "\".");
+  return std::nullopt;
+}
+
+RoadmapOptions parse_roadmap(const RoadmapArguments& arguments, Problems& problems) {
+  RoadmapOptions options;
+  if (!arguments.samples.empty())
+    options.samples = parse_count("--samples", arguments.samples, most_samples, problems);
+  if (!arguments.seed.empty()) options.seed = parse_count("--seed", arguments.seed, largest_seed, problems);
+  return options;
+}
+
+std::shared_ptr<const PoseRoadmap> compute_roadmap(std::shared_ptr<const Manipulator> manipulator,
+                                                   const RoadmapOptions& options,
+                                                   const Surroundings& surroundings) {
+  std::optional<ProgressBar> bar;
+  MapControl control;
+  control.cancelled = surroundings.interrupted;
+  if (surroundings.messages_on_terminal) {
+    bar.emplace(surroundings.messages);
+    control.progress = [&bar](double share) { bar->show(share); };
+  }
+  const RoadmapResult result = compute_pose_roadmap(std::move(manipulator), options, control);
+  if (result.status == MapStatus::cancelled) throw Interrupted{};
+  if (result.status == MapStatus::refused) throw InvalidDescription({result.sentence});
+  return result.roadmap;
+}
+
+}  // namespace parallel_aspects::tools

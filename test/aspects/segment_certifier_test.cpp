@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/aspects/segment_certifier.h"
+
+#include <gtest/gtest.h>
+
+#include "support/pose_pairs.h"
+#include "support/robots.h"
+#include "support/shipped.h"
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <ostream>
+#include <string>
+
+namespace parallel_aspects {
+namespace {
+
+using test::sign_in_doubles;
+
+struct Case {
+  const char* name;
+  std::function<std::shared_ptr<const Manipulator>()> make;
+  bool has_ends = true;  // whether segments meet singularities, reach or limits
+};
+
+std::ostream& operator<<(std::ostream& stream, const Case& each) { return stream << each.name; }
+
+std::function<std::shared_ptr<const Manipulator>()> shipped(const char* name) {
+  return [name] { return test::shipped(name)->manipulator(); };
+}
+
+std::string text(const Manipulator& robot, const WorkingMode& mode, const Pose& from, const Pose& to) {
+  return robot.name() + " in " + to_string(mode) + " from " + to_string(robot.task_space(), from) + " to " +
+         to_string(robot.task_space(), to);
+}
+
+class SegmentCertifierTest : public testing::TestWithParam<Case> {
+ protected:
+  // Random segments in random modes.
+  template <class Visit>
+  void visit_segments(int count, const Visit& visit) {
+    for (int i = 0; i < count; ++i) {
+      const WorkingMode mode = pairs.mode();
+      const auto from = pairs.reached(mode);
+      if (!from) continue;
+      const auto to = pairs.nearby(*from, mode);
+      if (to) visit(*from, *to, mode);
+    }
+  }
+
+  // Whether legs reach and det A keeps this sign at evenly spread points, as plain doubles see it.
+  bool seems_free(const Pose& from, const Pose& to, const WorkingMode& mode, int points) const {
+    const int sign = sign_in_doubles(*robot, from, mode);
+    for (int i = 0; i <= points; ++i)
+      if (sign_in_doubles(*robot, pose_between(from, to, static_cast<double>(i) / points), mode) != sign)
+        return false;
+    return sign != 0;
+  }
+
+  std::shared_ptr<const Manipulator> robot = GetParam().make();
+  SegmentCertifier certifier{robot};
+  test::PosePairs pairs{robot, 20261121};
+};
+
+TEST_P(SegmentCertifierTest, NoRandomPointContradictsWhatIsProved) {
+  constexpr int points = 150;
+  long proved = 0;
+  visit_segments(1500, [&](const Pose& from, const Pose& to, const WorkingMode& mode) {
+    const SegmentProof proof = certifier.prove(from, to, mode);
+    const int sign = sign_in_doubles(*robot, from, mode);
+    proved += proof.verdict == SegmentVerdict::free;
+    ASSERT_TRUE(proof.verdict != SegmentVerdict::free || proof.free_until == 1.0);
+    for (int i = 0; i < points; ++i) {
+      const double t = pairs.uniform(0.0, proof.free_until);
+      if (proof.free_until > 0.0) {
+        ASSERT_EQ(sign_in_doubles(*robot, pose_between(from, to, t), mode), sign)
+            << text(*robot, mode, from, to) << " at " << t;
+      }
+    }
+  });
+  EXPECT_GT(proved, 500);
+}
+
+// Where doubles see a singularity, a leg out of reach or a limit on the way, the segment is not proved free;
+// and nearly all that seem free are proved.
+TEST_P(SegmentCertifierTest, AgreesWithDenseSampling) {
+  int free = 0, proved = 0, hindered = 0;
+  visit_segments(1500, [&](const Pose& from, const Pose& to, const WorkingMode& mode) {
+    const SegmentVerdict verdict = certifier.prove(from, to, mode).verdict;
+    const bool seems = seems_free(from, to, mode, 500);
+    ++(seems ? free : hindered);
+    proved += seems && verdict == SegmentVerdict::free;
+    EXPECT_TRUE(seems || verdict != SegmentVerdict::free) << text(*robot, mode, from, to);
+  });
+  EXPECT_TRUE(hindered > 20 || !GetParam().has_ends) << hindered;
+  EXPECT_GE(proved, 0.97 * free) << proved << " of " << free;
+}
+
+// What is said to stand in the way is there: at the witness or before it doubles see the segment end.
+TEST_P(SegmentCertifierTest, BlockedSegmentsAreBlockedAtTheWitness) {
+  int blocked = 0;
+  visit_segments(1000, [&](const Pose& from, const Pose& to, const WorkingMode& mode) {
+    const SegmentProof proof = certifier.prove(from, to, mode);
+    if (proof.verdict != SegmentVerdict::blocked) return;
+    ++blocked;
+    EXPECT_NE(proof.hindrance, Hindrance::none);
+    EXPECT_LE(proof.free_until, proof.witness);
+    const int sign = sign_in_doubles(*robot, from, mode);
+    const int there = sign_in_doubles(*robot, pose_between(from, to, proof.witness), mode);
+    EXPECT_NE(there, sign) << text(*robot, mode, from, to) << " at " << proof.witness;
+  });
+  EXPECT_TRUE(blocked > 20 || !GetParam().has_ends) << blocked;
+}
+
+// Bisects the way between det A > 0 and det A < 0 down to rounding, and goes through the singular pose.
+TEST_P(SegmentCertifierTest, SegmentsThroughASingularityAreNeverProved) {
+  int crossings = 0;
+  visit_segments(4000, [&](const Pose& from, const Pose& to, const WorkingMode& mode) {
+    const int sign = sign_in_doubles(*robot, from, mode);
+    double before = 0.0, after = 1.0;
+    for (int i = 0; i < 60 && crossings < 200; ++i) {
+      const double middle = 0.5 * (before + after);
+      const int there = sign_in_doubles(*robot, pose_between(from, to, middle), mode);
+      if (there == 0) return;
+      (there == sign ? before : after) = middle;
+    }
+    if (after == 1.0 || crossings >= 200) return;
+    ++crossings;
+    const Pose singular = pose_between(from, to, after);
+    const Pose beyond = pose_between(from, to, std::min(1.0, after + 1e-6));
+    for (const Pose& end : {singular, beyond, to}) {
+      EXPECT_NE(certifier.prove(from, end, mode).verdict, SegmentVerdict::free)
+          << text(*robot, mode, from, end);
+      EXPECT_NE(certifier.prove(end, from, mode).verdict, SegmentVerdict::free)
+          << text(*robot, mode, end, from);
+    }
+    const SegmentProof proof = certifier.prove_start(from, to, mode);
+    EXPECT_NE(proof.verdict, SegmentVerdict::free);
+    EXPECT_LE(proof.free_until, after + 1e-9);
+  });
+  EXPECT_TRUE(crossings > 5 || !GetParam().has_ends) << crossings;
+}
+
+TEST_P(SegmentCertifierTest, APoseToItselfIsFreeAndTheOtherQuaternionIsTheSame) {
+  visit_segments(100, [&](const Pose& from, const Pose& to, const WorkingMode& mode) {
+    Pose other = from;
+    other.orientation.coeffs() *= -1.0;
+    EXPECT_EQ(certifier.prove(from, other, mode).verdict, SegmentVerdict::free);
+    EXPECT_EQ(certifier.prove(from, to, mode).verdict == SegmentVerdict::free,
+              certifier.prove(other, to, mode).verdict == SegmentVerdict::free);
+  });
+}
+
+TEST_P(SegmentCertifierTest, NumbersThatAreNotFiniteProveNothing) {
+  const WorkingMode mode = pairs.mode();
+  const auto pose = pairs.reached(mode);
+  ASSERT_TRUE(pose);
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e308}) {
+    Pose moved = *pose, turned = *pose;
+    moved.position.x() = bad;
+    turned.orientation.x() = bad;
+    for (const Pose& end : {moved, turned}) {
+      EXPECT_NE(certifier.prove(*pose, end, mode).verdict, SegmentVerdict::free);
+      EXPECT_NE(certifier.prove(end, *pose, mode).verdict, SegmentVerdict::free);
+    }
+  }
+  Pose zero = *pose;
+  zero.orientation.coeffs().setZero();
+  EXPECT_EQ(certifier.prove(zero, mode).sign, 0);
+  EXPECT_EQ(certifier.prove(*pose, WorkingMode(robot->leg_count() - 1)).sign, 0);
+}
+
+// Det A of the Agile Eye is zero on curves only, which random segments do not meet.
+INSTANTIATE_TEST_SUITE_P(
+    Robots, SegmentCertifierTest,
+    testing::Values(Case{"shipped_stewart", shipped("stewart")}, Case{"shipped_hexa", shipped("hexa")},
+                    Case{"shipped_six_pus", shipped("six_pus")}, Case{"dietmaier", test::dietmaier},
+                    Case{"planar_stewart", test::planar_stewart},
+                    Case{"octahedral", test::octahedral_stewart}, Case{"hexa", test::hexa},
+                    Case{"six_pus", test::six_pus}, Case{"five_bar", test::five_bar},
+                    Case{"bipod", test::bipod}, Case{"three_rpr", test::three_rpr},
+                    Case{"three_rrr", test::three_rrr}, Case{"driven_elbow", test::three_rrr_driven_elbow},
+                    Case{"three_prr", test::three_prr}, Case{"delta", test::delta},
+                    Case{"linear_delta", test::linear_delta}, Case{"agile_eye", test::agile_eye, false},
+                    Case{"spherical", test::spherical_three_rrr}),
+    [](const auto& robot) { return std::string(robot.param.name); });
+
+// A strut has one sign only.
+TEST(SegmentCertifier, ModesThatDoNotExistHoldNothing) {
+  const auto robot = test::stewart();
+  Pose pose;
+  pose.position.z() = 0.6;
+  WorkingMode mode(6);
+  const SegmentCertifier certifier(robot);
+  EXPECT_NE(certifier.prove(pose, mode).sign, 0);
+  mode.set_sign(3, -1);
+  EXPECT_EQ(certifier.prove(pose, mode).sign, 0);
+  EXPECT_EQ(certifier.prove(pose, mode).proved_hindrance, Hindrance::out_of_reach);
+}
+
+// Opposite orientations: the quaternion of the straight way goes through zero.
+TEST(SegmentCertifier, HalfTurnsAreNeverProvedWrongly) {
+  const auto robot = test::stewart();
+  const SegmentCertifier certifier(robot);
+  Pose from, to;
+  from.position.z() = to.position.z() = 0.6;
+  for (const double z : {0.0, 1.0}) {
+    to.orientation = Eigen::Quaterniond(0.0, 1.0 - z, 0.0, z);
+    EXPECT_NE(certifier.prove(from, to, WorkingMode(6)).verdict, SegmentVerdict::free);
+  }
+}
+
+// The bipod's det A is zero exactly on its base line: a segment that only touches it is not free.
+TEST(SegmentCertifier, TouchingASingularityIsNotFree) {
+  const auto robot = test::bipod();
+  const SegmentCertifier certifier(robot);
+  Pose above, touching, below;
+  above.position << -1.0, 4.0, 0.0;
+  touching.position << -4.5, 0.0, 0.0;
+  below.position << -1.0, -4.0, 0.0;
+  const WorkingMode mode(2);
+  EXPECT_EQ(certifier.prove(above, mode).sign * certifier.prove(below, mode).sign, -1);
+  EXPECT_EQ(certifier.prove(touching, mode).sign, 0);
+  EXPECT_NE(certifier.prove(above, touching, mode).verdict, SegmentVerdict::free);
+  EXPECT_EQ(certifier.prove(above, below, mode).verdict, SegmentVerdict::blocked);
+}
+
+}  // namespace
+}  // namespace parallel_aspects
