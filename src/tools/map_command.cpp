@@ -124,6 +124,12 @@ Report roadmap_report(std::shared_ptr<const Manipulator> manipulator, const MapA
   return report_roadmap(*compute_roadmap(std::move(manipulator), options, surroundings));
 }
 
+void refuse_roadmap_options(const RoadmapArguments& arguments, const Manipulator& manipulator) {
+  if (arguments.samples.empty() && arguments.seed.empty()) return;
+  throw InvalidDescription({"--samples and --seed are for roadmaps, in SE3; '" + manipulator.name() +
+                            "' has a map of boxes, so give --resolution."});
+}
+
 std::shared_ptr<const AspectMap> compute(std::shared_ptr<const Manipulator> manipulator,
                                          const MapOptions& options, const Surroundings& surroundings) {
   std::optional<ProgressBar> bar;
@@ -164,6 +170,7 @@ Subcommand map_subcommand() {
             const auto mechanism = load_robot(arguments->robot, std::move(problems));
             if (mechanism->manipulator()->task_space() == TaskSpace::SE3)
               return roadmap_report(mechanism->manipulator(), *arguments, surroundings);
+            refuse_roadmap_options(arguments->roadmap, *mechanism->manipulator());
             return report_map(*compute(mechanism->manipulator(), map_options, surroundings));
           }};
 }

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/tools/command.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cstdlib>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects::tools {
+namespace {
+
+using nlohmann::json;
+
+struct Outcome {
+  int code = 0;
+  std::string output;
+  std::string messages;
+};
+
+class RoadmapCommand : public testing::Test {
+ protected:
+  void SetUp() override { setenv("PARALLEL_ASPECTS_SHARE", PARALLEL_ASPECTS_SOURCE_DIR, 1); }
+
+  static Outcome run(std::vector<const char*> arguments, const std::atomic<bool>* interrupted = nullptr) {
+    std::ostringstream output, messages;
+    arguments.insert(arguments.begin(), "aspects");
+    const int code = run_command(static_cast<int>(arguments.size()), arguments.data(),
+                                 {output, messages, false, interrupted});
+    return {code, output.str(), messages.str()};
+  }
+
+  static json run_json(std::vector<const char*> arguments) {
+    arguments.push_back("--json");
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.code, exit_code::ok) << outcome.messages;
+    return json::parse(outcome.output, nullptr, false);
+  }
+
+  static std::map<std::string, std::string> answers(const json& connection) {
+    std::map<std::string, std::string> result;
+    for (const json& answer : connection.at("answers"))
+      result[answer.at("working_mode").dump()] = answer.at("same_aspect").get<std::string>();
+    return result;
+  }
+};
+
+// With six freedoms `map` gives a roadmap.
+TEST_F(RoadmapCommand, MapOfAStewartPlatformIsARoadmap) {
+  const json map = run_json({"map", "stewart", "--samples", "200", "--seed", "7", "--threads", "1"});
+  EXPECT_EQ(map.at("mechanism"), "stewart");
+  EXPECT_EQ(map.at("task_space"), "SE3");
+  EXPECT_EQ(map.at("samples"), 200);
+  EXPECT_EQ(map.at("seed"), 7);
+  EXPECT_EQ(map.at("proved_count"), 2);
+  EXPECT_GE(map.at("seconds").get<double>(), 0.0);
+  ASSERT_EQ(map.at("sides").size(), 2U);
+  std::size_t samples = 0, components = 0;
+  for (const json& side : map.at("sides")) {
+    EXPECT_EQ(side.at("working_mode"), json::parse("[1, 1, 1, 1, 1, 1]"));
+    std::size_t sum = 0;
+    for (const json& size : side.at("component_sizes")) sum += size.get<std::size_t>();
+    EXPECT_EQ(side.at("samples"), sum);
+    EXPECT_NEAR(side.at("largest_share").get<double>() * static_cast<double>(sum),
+                side.at("component_sizes")[0].get<double>(), 1e-9);
+    samples += sum;
+    components += side.at("component_sizes").size();
+  }
+  EXPECT_EQ(map.at("sides")[0].at("det_a_sign"), 1);
+  EXPECT_EQ(map.at("sides")[1].at("det_a_sign"), -1);
+  EXPECT_LE(samples, 200U);
+  EXPECT_EQ(map.at("components_at_most"), components);
+}
+
+TEST_F(RoadmapCommand, TextSaysWhatIsProvedAndWhatIsNot) {
+  const std::string text = run({"map", "stewart", "--samples", "100"}).output;
+  EXPECT_EQ(text.rfind("stewart: at least 2 aspects in 1 working mode, proved", 0), 0U) << text;
+  EXPECT_NE(text.find("at most"), std::string::npos);
+  EXPECT_NE(text.find("no sample meets"), std::string::npos);
+}
+
+TEST_F(RoadmapCommand, OptionsOfTheOtherKindOfMapAreRefused) {
+  for (const auto& arguments :
+       std::vector<std::vector<const char*>>{{"map", "stewart", "--resolution", "0.1"},
+                                             {"map", "stewart", "--samples", "0"},
+                                             {"map", "stewart", "--samples", "many"},
+                                             {"map", "stewart", "--seed", "-1"},
+                                             {"map", "five_bar", "--samples", "100"},
+                                             {"map", "five_bar", "--seed", "3"},
+                                             {"connect", "stewart", "--from", "0 0 1.3 0 0 0 1", "--to",
+                                              "0 0 1.2 0 0 0 1", "--resolution", "1"}}) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.code, exit_code::bad_input) << arguments[2];
+    EXPECT_EQ(outcome.output, "");
+    EXPECT_NE(outcome.messages, "");
+  }
+}
+
+TEST_F(RoadmapCommand, ConnectsPosesOfAStewartPlatform) {
+  const json near =
+      run_json({"connect", "stewart", "--from", "0 0 1.3 0 0 0 1", "--to", "0.2 0.3 1.2 0.1 0 0 1"});
+  ASSERT_EQ(near.at("answers").size(), 1U);
+  EXPECT_EQ(near.at("answers")[0].at("same_aspect"), "yes");
+  EXPECT_EQ(near.at("answers")[0].at("path").size(), 2U);
+  EXPECT_EQ(near.at("answers")[0].at("path")[0], near.at("from"));
+  EXPECT_EQ(near.at("answers")[0].at("path")[1], near.at("to"));
+  const json below =
+      run_json({"connect", "stewart", "--from", "0 0 1.3 0 0 0 1", "--to", "0 0 -1.3 0 0 0 1"});
+  EXPECT_EQ(below.at("answers")[0].at("same_aspect"), "no");
+  EXPECT_EQ(below.at("answers")[0].at("path"), json::array());
+  const json away = run_json({"connect", "stewart", "--from", "0 0 1.3 0 0 0 1", "--to", "0 0 9 0 0 0 1"});
+  EXPECT_EQ(away.at("answers")[0].at("same_aspect"), "no");
+}
+
+// The 47.85 and the 3.70 m^2 aspect of the paper's five-bar share their signs: only the map tells them apart.
+TEST_F(RoadmapCommand, TellsTheAspectsOfTheFiveBarApart) {
+  const auto found = answers(
+      run_json({"connect", "five_bar", "--from", "4.5 3.55", "--to", "4.5 -11.71", "--samples", "200"}));
+  const std::map<std::string, std::string> expected{
+      {"[1,1]", "no"}, {"[-1,1]", "no"}, {"[1,-1]", "yes"}, {"[-1,-1]", "no"}};
+  EXPECT_EQ(found, expected);
+}
+
+TEST_F(RoadmapCommand, OneModeCanBeAskedFor) {
+  for (const char* mode : {"(+,-)", "+-", "+ -"}) {
+    const json connection =
+        run_json({"connect", "five_bar", "--from", "4.5 8", "--to", "4.5 7", "--mode", mode});
+    ASSERT_EQ(connection.at("answers").size(), 1U);
+    EXPECT_EQ(connection.at("answers")[0].at("working_mode"), json::parse("[1, -1]"));
+  }
+  for (const char* mode : {"(+,-,+)", "left", "+", "1 -1"}) {
+    const Outcome outcome = run({"connect", "five_bar", "--from", "4.5 8", "--to", "4.5 7", "--mode", mode});
+    EXPECT_EQ(outcome.code, exit_code::bad_input) << mode;
+    EXPECT_NE(outcome.messages.find("--mode"), std::string::npos);
+  }
+}
+
+TEST_F(RoadmapCommand, EveryTaskSpaceIsAnswered) {
+  const std::vector<std::vector<const char*>> questions{
+      {"bipod", "2.5 3.5", "2 4"},
+      {"three_rpr", "-8.7 12.2 -1", "-8.5 12 -1.1"},
+      {"delta", "0 0 -0.7", "0.1 0 -0.7"},
+      {"agile_eye", "0 0 0 1", "0.1 0 0 1"},
+      {"hexa", "0 0 -0.6 0 0 0 1", "0.05 0 -0.6 0 0 0.1 1"}};
+  for (const auto& question : questions) {
+    const auto found = answers(
+        run_json({"connect", question[0], "--from", question[1], "--to", question[2], "--samples", "50"}));
+    EXPECT_FALSE(found.empty());
+    std::size_t same = 0;
+    for (const auto& answer : found) same += answer.second == "yes";
+    EXPECT_GT(same, 0U) << question[0];
+  }
+}
+
+TEST_F(RoadmapCommand, InterruptedCommandsSayNothing) {
+  const std::atomic<bool> interrupted{true};
+  const Outcome outcome = run({"map", "hexa"}, &interrupted);
+  EXPECT_EQ(outcome.code, exit_code::interrupted);
+  EXPECT_EQ(outcome.output, "");
+}
+
+}  // namespace
+}  // namespace parallel_aspects::tools
