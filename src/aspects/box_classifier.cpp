@@ -9,6 +9,8 @@ namespace parallel_aspects {
 std::unique_ptr<const BoxClassifier> make_box_classifier(const Manipulator& manipulator,
                                                          const std::vector<WorkingMode>& modes) {
   switch (manipulator.task_space()) {
+    case TaskSpace::T1:
+      return std::make_unique<const ChartClassifier<T1Chart>>(manipulator, modes);
     case TaskSpace::T2:
       return std::make_unique<const ChartClassifier<T2Chart>>(manipulator, modes);
     case TaskSpace::SE2:

@@ -159,6 +159,7 @@ bool add_components(AspectMap::Contents& map, const Plan& plan, const MapControl
 
 double default_resolution(const Manipulator& manipulator) noexcept {
   switch (manipulator.task_space()) {
+    case TaskSpace::T1:
     case TaskSpace::T2:
       return manipulator.size() / 200.0;
     case TaskSpace::SE2:

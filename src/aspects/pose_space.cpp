@@ -168,6 +168,7 @@ class Rotations final : public PoseSpace {
 std::shared_ptr<const PoseSpace> make_pose_space(TaskSpace space, const Box& positions,
                                                  double characteristic_length) {
   switch (space) {
+    case TaskSpace::T1:
     case TaskSpace::T2:
     case TaskSpace::T3:
       return std::make_shared<const Positions>(positions);

@@ -5,6 +5,7 @@
 #include "parallel_aspects/kinematics/direct_se2.h"
 #include "parallel_aspects/kinematics/direct_se3.h"
 #include "parallel_aspects/kinematics/direct_so3.h"
+#include "parallel_aspects/kinematics/direct_t1.h"
 #include "parallel_aspects/kinematics/direct_t2.h"
 #include "parallel_aspects/kinematics/direct_t3.h"
 #include "parallel_aspects/kinematics/jacobians.h"
@@ -36,6 +37,8 @@ constexpr double largest_scale = 1e30;
 // Approximate poses, among them every real solution.
 DirectResult candidates(const Manipulator& manipulator, const JointVector& q) {
   switch (manipulator.task_space()) {
+    case TaskSpace::T1:
+      return direct_t1(manipulator, q);
     case TaskSpace::T2:
       return direct_t2(manipulator, q);
     case TaskSpace::SE2:

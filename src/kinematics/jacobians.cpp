@@ -11,6 +11,9 @@ TaskVector row(TaskSpace space, const Eigen::Vector3d& b, const Eigen::Vector3d&
   TaskVector result(static_cast<Eigen::Index>(freedoms(space)));
   const Eigen::Vector3d moment = b.cross(u);
   switch (space) {
+    case TaskSpace::T1:
+      result << u.x();
+      break;
     case TaskSpace::T2:
       result << u.head<2>();
       break;

@@ -30,6 +30,9 @@ std::optional<Eigen::Quaterniond> unit_quaternion(const Eigen::Vector4d& xyzw) {
 PoseCoordinates pose_coordinates(TaskSpace space, const Pose& pose) {
   PoseCoordinates coordinates(static_cast<Eigen::Index>(coordinate_names(space).size()));
   switch (space) {
+    case TaskSpace::T1:
+      coordinates << pose.position.x();
+      break;
     case TaskSpace::T2:
       coordinates << pose.position.head<2>();
       break;
@@ -53,6 +56,7 @@ std::optional<Pose> pose_from_coordinates(TaskSpace space, const PoseCoordinates
   const auto expected = static_cast<Eigen::Index>(coordinate_names(space).size());
   if (coordinates.size() != expected || !coordinates.allFinite()) return std::nullopt;
   Pose pose;
+  if (space == TaskSpace::T1) pose.position.x() = coordinates[0];
   if (space == TaskSpace::T2 || space == TaskSpace::SE2) pose.position.head<2>() = coordinates.head<2>();
   if (space == TaskSpace::T3 || space == TaskSpace::SE3) pose.position = coordinates.head<3>();
   if (space == TaskSpace::SE2) pose.orientation = Eigen::AngleAxisd(coordinates[2], Eigen::Vector3d::UnitZ());
@@ -67,6 +71,9 @@ std::optional<Pose> pose_from_coordinates(TaskSpace space, const PoseCoordinates
 Pose displaced(TaskSpace space, const Pose& pose, const TaskVector& twist) {
   Pose moved = pose;
   switch (space) {
+    case TaskSpace::T1:
+      moved.position.x() += twist[0];
+      break;
     case TaskSpace::T2:
       moved.position.head<2>() += twist.head<2>();
       break;

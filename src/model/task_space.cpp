@@ -16,7 +16,8 @@ struct Traits {
   std::string_view measure_unit;
 };
 
-constexpr std::array<Traits, 5> all_traits{{{TaskSpace::T2, "T2", 2, true, false, "m^2"},
+constexpr std::array<Traits, 6> all_traits{{{TaskSpace::T1, "T1", 1, true, false, "m"},
+                                            {TaskSpace::T2, "T2", 2, true, false, "m^2"},
                                             {TaskSpace::SE2, "SE2", 3, true, true, "m^2 rad"},
                                             {TaskSpace::T3, "T3", 3, true, false, "m^3"},
                                             {TaskSpace::SO3, "SO3", 3, false, true, "rad^3"},
@@ -39,7 +40,8 @@ std::optional<TaskSpace> task_space_named(std::string_view text) noexcept {
 }
 
 const std::vector<std::string>& coordinate_names(TaskSpace space) {
-  static const std::array<std::vector<std::string>, 5> names{{{"x", "y"},
+  static const std::array<std::vector<std::string>, 6> names{{{"x"},
+                                                              {"x", "y"},
                                                               {"x", "y", "phi"},
                                                               {"x", "y", "z"},
                                                               {"qx", "qy", "qz", "qw"},

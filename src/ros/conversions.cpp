@@ -151,6 +151,8 @@ const char* inverse_entry_unit(const Leg& leg) { return leg.driven_by_angle() ? 
 
 const char* determinant_unit(TaskSpace space) {
   switch (space) {
+    case TaskSpace::T1:
+      return "m";
     case TaskSpace::T2:
       return "m^2";
     case TaskSpace::SE2:

@@ -68,6 +68,8 @@ std::string drive_unit(const Leg& leg) { return leg.driven_by_angle() ? "rad" : 
 
 std::string determinant_unit(TaskSpace space) {
   switch (space) {
+    case TaskSpace::T1:
+      return "m";
     case TaskSpace::T2:
       return "m^2";
     case TaskSpace::SE2:

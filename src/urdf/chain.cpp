@@ -64,6 +64,7 @@ class LegFinder {
     }
     std::vector<LegChains> legs;
     for (const std::vector<std::size_t>& part : parts()) add_leg(part, legs);
+    if (!legs.empty()) legs.front().guide = guide_;
     check_drives_used(legs);
     if (problems_.empty()) check_lengths(legs);
     std::sort(legs.begin(), legs.end(), [](const auto& a, const auto& b) { return a.drive < b.drive; });
@@ -151,8 +152,21 @@ class LegFinder {
     return found;
   }
 
+  // The slide that leaves a platform one freedom.
+  bool is_guide(const std::vector<std::size_t>& part) const {
+    if (drives_.variables.size() != 1 || part.size() != 1) return false;
+    const Pivot& pivot = edges_[part.front()].pivots.front();
+    return pivot.kind == PivotKind::sliding && pivot.variable != drives_.variables.front();
+  }
+
   void add_leg(const std::vector<std::size_t>& part, std::vector<LegChains>& legs) {
     if (!touches(part, base_) || !touches(part, platform_)) return;  // outside the loops
+    if (is_guide(part)) {
+      Chain guide;
+      append(edges_[part.front()], edges_[part.front()].from == base_, guide);
+      guide_ = guide.front();
+      return;
+    }
     const std::vector<std::size_t> found = drives_of(part);
     if (found.empty()) {
       problem("drives none of the joints " + joints_of(part) +
@@ -167,7 +181,7 @@ class LegFinder {
               "legs share.");
       return;
     }
-    LegChains leg{found.front(), {}};
+    LegChains leg{found.front(), {}, std::nullopt};
     Chain chain;
     std::set<std::size_t> visited{base_};
     steps_ = 0;
@@ -264,6 +278,7 @@ class LegFinder {
   Partition bodies_;  // links that are fixed to one another
   Partition parts_;   // bodies that hang together without base and platform
   std::vector<Edge> edges_;
+  std::optional<Pivot> guide_;
   std::size_t base_ = 0, platform_ = 0;
   std::size_t steps_ = 0;              // of the walk through the present leg
   Eigen::Vector3d operational_point_;  // assembled, in the base frame [m]

@@ -233,6 +233,9 @@ Eigen::VectorXd Completion::joint_values(const Pose& pose, const JointVector& q)
   for (std::size_t j = 0; j < legs_.size(); ++j) {
     const auto index = static_cast<Eigen::Index>(j);
     values[static_cast<Eigen::Index>(drive_variables_[j])] = q[index];
+    if (legs_[j].guide)
+      values[static_cast<Eigen::Index>(*legs_[j].guide->variable)] +=
+          directed_axis(*legs_[j].guide).dot(platform.translation());
     for (const SplitChain& chain : legs_[j].chains) solve(chain, steps[index], platform, values);
   }
   return values;

@@ -18,7 +18,9 @@ constexpr double direction_tolerance = 5e-4;
 // Of the assembled configuration, over the size of the robot.
 constexpr double rounding = 1e-14;
 
-bool planar(TaskSpace space) { return space == TaskSpace::T2 || space == TaskSpace::SE2; }
+bool planar(TaskSpace space) {
+  return space == TaskSpace::T1 || space == TaskSpace::T2 || space == TaskSpace::SE2;
+}
 
 double distance_to_axis(const Vector3d& point, const Pivot& pivot) {
   return (point - pivot.point).cross(pivot.axis).norm();
@@ -329,6 +331,7 @@ std::optional<RecognisedLeg> recognise_leg(const LegChains& leg, std::size_t dri
     return std::nullopt;
   };
   RecognisedLeg result;
+  result.guide = leg.guide;
   ChainRecogniser recogniser(setting, drive_variable);
   for (const Chain& chain : leg.chains) {
     const auto split = recogniser.split(chain);

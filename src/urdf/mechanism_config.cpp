@@ -105,11 +105,11 @@ class Reader {
           "has a mechanism.actuated_joints that is not a list of names; list the driven joints, one a leg.");
       return;
     }
-    if (node.size() != 2 && node.size() != 3 && node.size() != 6)
-      problem("lists " + std::to_string(node.size()) + (node.size() == 1 ? " joint" : " joints") +
-              " in mechanism.actuated_joints; a fully parallel robot in T2 has two drives, in SE2, T3 or SO3 "
-              "three, in "
-              "SE3 six.");
+    if (node.size() > 3 && node.size() != 6)
+      problem(
+          "lists " + std::to_string(node.size()) +
+          " joints in mechanism.actuated_joints; a fully parallel robot in T1 has one drive, in T2 two, in "
+          "SE2, T3 or SO3 three, in SE3 six.");
     for (std::size_t k = 0; k < node.size(); ++k) {
       std::string joint;
       if (!text(node[k], "mechanism.actuated_joints[" + std::to_string(k) + "]", joint)) continue;
@@ -127,7 +127,7 @@ class Reader {
     config.task_space = task_space_named(word);
     if (!config.task_space)
       problem("has the unknown mechanism.task_space '" + word +
-              "'; write T2, SE2, T3, SO3 or SE3, or leave it out.");
+              "'; write T1, T2, SE2, T3, SO3 or SE3, or leave it out.");
   }
 
   void read_closures(const YAML::Node& node, MechanismConfig& config) {

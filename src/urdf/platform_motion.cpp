@@ -53,10 +53,10 @@ class MotionFinder {
   MotionFinder(const ClosureSystem& system, const Assembly& assembly, const Drives& drives,
                const SourceNames& files, Problems& problems)
       : system_(system), drives_(drives), files_(files), problems_(problems), motions_(assembly.motions) {
-    const Poses poses = link_poses(system.tree(), system.base(), assembly.values);
-    link_ = poses[drives.platform_link];
+    poses_ = link_poses(system.tree(), system.base(), assembly.values);
+    link_ = poses_[drives.platform_link];
     twists_ =
-        velocity_matrix(system.tree(), system.base(), poses, drives.platform_link, link_.translation()) *
+        velocity_matrix(system.tree(), system.base(), poses_, drives.platform_link, link_.translation()) *
         assembly.motions;
     twists_.bottomRows(3) /= system.size();
     drive_rates_.resize(static_cast<Eigen::Index>(drives.variables.size()), motions_.cols());
@@ -110,6 +110,7 @@ class MotionFinder {
 
   bool find_space() {
     const Eigen::Index count = drive_rates_.rows();
+    if (count == 1 && rank(linear()) == 1 && rank(angular()) == 0) return line();
     if (count == 2 && rank(linear()) == 2) return plane_of_points();
     if (count == 3 && !point_may_spin_ && rank(twists_) == 3) {
       if (rank(angular()) == 0) return translations(false);
@@ -119,8 +120,8 @@ class MotionFinder {
     if (count == 6 && rank(twists_) == 6) return all_motions();
     return refuse(
         "names operational_point '" + system_.tree().links[drives_.platform_link] +
-        "', which moves in none of the task spaces T2 (2 drives), SE2, T3, SO3 "
-        "(3 drives) or SE3 (6 drives), but with " +
+        "', which moves in none of the task spaces T1 (1 drive), T2 (2 drives), SE2, "
+        "T3, SO3 (3 drives) or SE3 (6 drives), but with " +
         std::to_string(rank(angular())) + " rotations and " + std::to_string(rank(linear())) +
         " translations for " + std::to_string(count) +
         " drives; name a link of the body that all legs share, or where they meet, else the robot is not "
@@ -129,6 +130,29 @@ class MotionFinder {
 
   MatrixXd angular() const { return twists_.topRows(3); }
   MatrixXd linear() const { return twists_.bottomRows(3); }
+
+  // The leg is in a plane through the line, whose normal its joints tell.
+  bool line() {
+    const Vector3d along = oriented(decomposed(linear()).matrixU().col(0));
+    const Vector3d normal = normal_of_joints(along);
+    result_.space = TaskSpace::T1;
+    result_.task_frame.linear() << along, normal.cross(along), normal;
+    result_.task_frame.translation() = link_.translation() - along * along.dot(link_.translation());
+    result_.platform.linear() = result_.task_frame.linear();
+    result_.platform.translation() = link_.translation();
+    return true;
+  }
+
+  Vector3d normal_of_joints(const Vector3d& along) const {
+    for (std::size_t k = 0; k < system_.in_loop().size(); ++k) {
+      const TreeJoint& joint = system_.tree().joint_of(k);
+      const Vector3d axis = poses_[joint.child].linear() * joint.axis;
+      const bool across = std::abs(axis.dot(along)) < velocity_tolerance;
+      if (system_.in_loop()[k] && joint.motion == JointMotion::turning && across)
+        return oriented(axis - along * along.dot(axis));
+    }
+    return along.unitOrthogonal();
+  }
 
   bool plane_of_points() {
     const Vector3d normal = oriented(decomposed(linear()).matrixU().col(2));
@@ -194,6 +218,7 @@ class MotionFinder {
   MatrixXd motions_;
   MatrixXd twists_;       // of the platform link at the operational point: w [rad], v over the size
   MatrixXd drive_rates_;  // by motion
+  Poses poses_;
   Eigen::Isometry3d link_;
   bool point_may_spin_ = false;
   PlatformMotion result_;

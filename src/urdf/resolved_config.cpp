@@ -84,10 +84,10 @@ class Resolver {
       if (std::find(once.begin(), once.end(), joint) == once.end()) once.push_back(joint);
     drives = once;
     notes_.push_back("The driven joints are those that " + origin + ": " + listed(drives) + ".");
-    if (drives.size() != 2 && drives.size() != 3 && drives.size() != 6)
+    if (drives.size() > 3 && drives.size() != 6)
       problem("does not say mechanism.actuated_joints, and " + std::to_string(drives.size()) + " joints " +
               origin + ", " + listed(drives) +
-              "; a fully parallel robot has two, three or six drives, so list them.");
+              "; a fully parallel robot has one, two, three or six drives, so list them.");
   }
 
   void add_drive(const std::string& name) {

@@ -14,14 +14,14 @@
 
 namespace parallel_aspects::test {
 
-inline constexpr std::array<TaskSpace, 5> all_task_spaces{TaskSpace::T2, TaskSpace::SE2, TaskSpace::T3,
-                                                          TaskSpace::SO3, TaskSpace::SE3};
+inline constexpr std::array<TaskSpace, 6> all_task_spaces{TaskSpace::T1, TaskSpace::T2,  TaskSpace::SE2,
+                                                          TaskSpace::T3, TaskSpace::SO3, TaskSpace::SE3};
 
 enum class DriveKind { revolute, prismatic, strut, elbow };
 inline constexpr std::array<DriveKind, 4> all_drive_kinds{DriveKind::revolute, DriveKind::prismatic,
                                                           DriveKind::strut, DriveKind::elbow};
 
-/// Seeded random poses and general geometry. A planar task space gets planar robots.
+/// Seeded random poses and general geometry. A planar task space (T1, T2, SE2) gets planar robots.
 class RandomRobots {
  public:
   explicit RandomRobots(unsigned seed) : engine_(seed) {}
@@ -42,9 +42,9 @@ class RandomRobots {
   }
 
   Pose pose(TaskSpace space, double spread = 1.0) {
-    const bool planar = space == TaskSpace::T2 || space == TaskSpace::SE2;
     Pose result;
-    if (has_translation(space)) result.position = spread * vector(planar);
+    if (has_translation(space)) result.position = spread * vector(is_planar(space));
+    if (space == TaskSpace::T1) result.position.y() = 0.0;
     if (space == TaskSpace::SE2)
       result.orientation = Eigen::AngleAxisd(uniform(-EIGEN_PI, EIGEN_PI), Eigen::Vector3d::UnitZ());
     if (space == TaskSpace::SO3 || space == TaskSpace::SE3) result.orientation = orientation();
@@ -67,7 +67,7 @@ class RandomRobots {
   }
 
   std::shared_ptr<const Manipulator> robot(TaskSpace space, DriveKind kind) {
-    const bool planar = space == TaskSpace::T2 || space == TaskSpace::SE2;
+    const bool planar = is_planar(space);
     std::vector<Leg> legs;
     for (std::size_t j = 0; j < freedoms(space); ++j) {
       legs.push_back(named_leg(j));
@@ -79,6 +79,10 @@ class RandomRobots {
   }
 
  private:
+  static bool is_planar(TaskSpace space) {
+    return space == TaskSpace::T1 || space == TaskSpace::T2 || space == TaskSpace::SE2;
+  }
+
   double sense() { return uniform(0.0, 1.0) < 0.5 ? 1.0 : -1.0; }
 
   std::mt19937 engine_;

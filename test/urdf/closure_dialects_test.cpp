@@ -263,10 +263,15 @@ INSTANTIATE_TEST_SUITE_P(
                    "robot.yaml gives closed_loop[0] the type '4d'; write 3d or 6d for each, or leave out the "
                    "types."},
         BadDialect{R"(<transmission name="a"><joint name="mot_1"/></transmission>)",
+                   "mechanism: {operational_point: tip_1, closures: [{frames: [tip_1, tip_2], type: point}]}",
+                   "robot.yaml drives none of the joints 'mot_2', 'elbow_2', which make one leg; add one of "
+                   "them to actuated_joints, or take the leg out of the URDF."},
+        BadDialect{R"(<transmission name="a"><joint name="mot_1"/><joint name="mot_2"/></transmission>
+                      <transmission name="b"><joint name="elbow_1"/><joint name="elbow_2"/></transmission>)",
                    "mechanism: {operational_point: tip_1, closures: [{frames: [tip_1, tip_2]}]}",
-                   "robot.yaml does not say mechanism.actuated_joints, and 1 joints have a <transmission> in "
-                   "robot.urdf, "
-                   "'mot_1'; a fully parallel robot has two, three or six drives, so list them."}));
+                   "robot.yaml does not say mechanism.actuated_joints, and 4 joints have a <transmission> in "
+                   "robot.urdf, 'mot_1', 'mot_2', 'elbow_1', 'elbow_2'; a fully parallel robot has one, two, "
+                   "three or six drives, so list them."}));
 
 }  // namespace
 }  // namespace parallel_aspects

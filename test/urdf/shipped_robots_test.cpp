@@ -135,5 +135,17 @@ TEST(Delta, HasThePublishedLengths) {
   }
 }
 
+// Kossel Mini: sliders 0.145 - 0.0195 m from the axis, rods 0.215, platform 0.0199 m.
+TEST(LinearDelta, HasThePublishedLengths) {
+  const auto mechanism = test::shipped("linear_delta");
+  for (const Leg& leg : mechanism->manipulator()->legs()) {
+    const auto& drive = std::get<PrismaticDrive>(leg.drive);
+    EXPECT_NEAR(drive.origin.head<2>().norm(), 0.1255, 1e-12);
+    EXPECT_NEAR((drive.direction - Eigen::Vector3d::UnitZ()).norm(), 0.0, 1e-12);
+    EXPECT_NEAR(leg.rod_length, 0.215, 1e-12);
+    EXPECT_NEAR(leg.anchor.norm(), 0.0199, 1e-12);
+  }
+}
+
 }  // namespace
 }  // namespace parallel_aspects

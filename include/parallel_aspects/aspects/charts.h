@@ -25,6 +25,45 @@
 
 namespace parallel_aspects {
 
+/// T1: x. The leg is in the x-y plane.
+class T1Chart {
+ public:
+  static constexpr std::size_t size = 1;
+  template <class Scalar>
+  using Placement = Scalar;
+  template <class Scalar>
+  using Displacement = Planar<Scalar>;
+
+  explicit T1Chart(const Manipulator& manipulator);
+
+  template <class Scalar>
+  Placement<Scalar> place(RootIndex, const std::array<Scalar, size>& x) const {
+    return x[0];
+  }
+
+  template <class Scalar>
+  Displacement<Scalar> displacement(std::size_t, const Placement<Scalar>& position) const {
+    return {position + Scalar(offset_.x), Scalar(offset_.y)};
+  }
+
+  template <class Scalar>
+  LegRows<Scalar, size> rows(std::size_t, const Displacement<Scalar>& d, const Placement<Scalar>&) const {
+    const PlanarLegForm<Scalar> form = leg_.form(d);
+    return {form.squared_entry, {form.fixed.x}, {form.turned.x}};
+  }
+
+  Verdict within_limits(std::size_t, const Displacement<Interval>& d, const Interval& entry, int sign) const {
+    return leg_.within_limits(d, entry, sign);
+  }
+
+  std::optional<Box> reachable_positions() const;
+
+ private:
+  PlanarLeg leg_;
+  Planar<Interval> offset_;   // d = position + offset
+  std::optional<Leg> slide_;  // a leg on a prismatic drive, which bounds x even without limits
+};
+
 /// T2: x, y.
 class T2Chart {
  public:

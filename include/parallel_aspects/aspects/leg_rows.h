@@ -50,6 +50,17 @@ template <class Scalar, std::size_t N>
 class Determinants;
 
 template <class Scalar>
+class Determinants<Scalar, 1> {
+ public:
+  explicit Determinants(const std::array<BranchRows<Scalar, 1>, 1>& rows) : rows_(rows) {}
+
+  Scalar of(const std::array<int, 1>& signs) { return rows_[0].of(signs[0])[0]; }
+
+ private:
+  const std::array<BranchRows<Scalar, 1>, 1>& rows_;
+};
+
+template <class Scalar>
 class Determinants<Scalar, 2> {
  public:
   explicit Determinants(const std::array<BranchRows<Scalar, 2>, 2>& rows) : rows_(rows) {}

@@ -43,7 +43,7 @@ struct MapPosition {
 
 /// A space of poses laid out as root boxes with glued faces, in coordinates in which boxes can be halved
 /// exactly:
-///  - T2, T3: one box of positions [m];
+///  - T1, T2, T3: one box of positions [m];
 ///  - SE2: one box of positions [m] and half turns, phi / pi in [-1, 1], whose two ends are glued;
 ///  - SO3: four cubes [-1, 1]^3, one for each component of the unit quaternion that can be the largest; the
 ///    coordinates are the other three divided by it. Faces are glued where two components are equally large,
@@ -94,8 +94,9 @@ class PoseSpace {
   std::vector<Gluing> gluings_;
 };
 
-/// The space of poses of a task space. `positions` bounds the position coordinates (2 for T2 and SE2, 3 for
-/// T3) and is not used for SO3; `characteristic_length` [m] weights the rotation of SE2. Null for SE3.
+/// The space of poses of a task space. `positions` bounds the position coordinates (1 for T1, 2 for T2 and
+/// SE2, 3 for T3) and is not used for SO3; `characteristic_length` [m] weights the rotation of SE2. Null for
+/// SE3.
 std::shared_ptr<const PoseSpace> make_pose_space(TaskSpace space, const Box& positions,
                                                  double characteristic_length);
 

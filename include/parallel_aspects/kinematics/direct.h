@@ -34,7 +34,8 @@ struct DirectResult {
 };
 
 /// Every real assembly mode for these actuated joint values (one entry a leg), whatever the joint limits.
-/// There are at most 2 (T2, T3), 6 (SE2), 8 (SO3) or 40 (SE3). A strut of negative length assembles nowhere.
+/// There are at most 2 (T1, T2, T3), 6 (SE2), 8 (SO3) or 40 (SE3). A strut of negative length assembles
+/// nowhere.
 ///
 /// Each is refined until rounding stops it; its residual is below 1e-12. Solutions that have met at a
 /// parallel singularity to half the digits come as one, flagged `near_singular`: the smallest singular value

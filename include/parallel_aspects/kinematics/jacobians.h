@@ -11,8 +11,9 @@
 namespace parallel_aspects {
 
 /// A of the velocity model A t = B q̇ (the sign convention of the paper's five-bar): one row a leg, one column
-/// a freedom. With u = p - c and b = p - operational point, row j is u (T2, T3), (b x u, u) (SE2, SE3) or p x
-/// u (SO3); columns follow the twist t = (w, v). Translational columns in m, rotational ones in m^2.
+/// a freedom. With u = p - c and b = p - operational point, row j is u (T1, T2, T3; of it what the space
+/// moves), (b x u, u) (SE2, SE3) or p x u (SO3); columns follow the twist t = (w, v). Translational columns
+/// in m, rotational ones in m^2.
 TaskMatrix direct_matrix(const Manipulator& manipulator, const Pose& pose, const JointVector& q);
 
 /// A with its rows over their rod length and its rotational columns over the characteristic length.
@@ -25,7 +26,7 @@ TaskVector inverse_diagonal(const Manipulator& manipulator, const Pose& pose, co
 /// f_j(X, q_j) of every leg [m^2].
 TaskVector residuals(const Manipulator& manipulator, const Pose& pose, const JointVector& q);
 
-/// det A [m^2 for T2, m^4 for SE2, m^3 for T3, m^6 for SO3, m^9 for SE3].
+/// det A [m for T1, m^2 for T2, m^4 for SE2, m^3 for T3, m^6 for SO3, m^9 for SE3].
 double direct_determinant(const Manipulator& manipulator, const Pose& pose, const JointVector& q);
 
 /// The signs of B; nothing where an entry is exactly zero or not a number.

@@ -12,6 +12,7 @@ namespace parallel_aspects {
 
 /// The motions that the platform can make, as a subgroup of rigid motions in the task frame.
 enum class TaskSpace {
+  T1,   ///< translations along the x axis: x
   T2,   ///< translations in the x-y plane: x, y
   SE2,  ///< motions of the x-y plane: x, y, phi about z
   T3,   ///< translations in space: x, y, z
@@ -19,10 +20,10 @@ enum class TaskSpace {
   SE3,  ///< all rigid motions
 };
 
-/// Number of freedoms: 2, 3, 3, 3, 6. Equals the number of legs of a fully parallel manipulator.
+/// Number of freedoms: 1, 2, 3, 3, 3, 6. Equals the number of legs of a fully parallel manipulator.
 std::size_t freedoms(TaskSpace space) noexcept;
 
-/// "T2", "SE2", "T3", "SO3" or "SE3".
+/// "T1", "T2", "SE2", "T3", "SO3" or "SE3".
 std::string_view name(TaskSpace space) noexcept;
 
 /// The task space of that name; nothing for any other text.
@@ -40,7 +41,7 @@ bool has_rotation(TaskSpace space) noexcept;
 /// Whether the platform can move away (all but SO3).
 bool has_translation(TaskSpace space) noexcept;
 
-/// Unit of a volume in the space of poses: "m^2", "m^2 rad", "m^3", "rad^3" or "m^3 rad^3".
+/// Unit of a volume in the space of poses: "m", "m^2", "m^2 rad", "m^3", "rad^3" or "m^3 rad^3".
 std::string_view measure_unit(TaskSpace space) noexcept;
 
 }  // namespace parallel_aspects

@@ -35,6 +35,7 @@ using Chain = std::vector<Pivot>;
 struct LegChains {
   std::size_t drive = 0;  ///< index into the list of driven joints
   std::vector<Chain> chains;
+  std::optional<Pivot> guide;  ///< slide from the base to the platform that leaves it one freedom
 };
 
 /// What the mechanism is for the search of its legs.
