@@ -32,6 +32,9 @@ Hindrance hindrance_at(const ConfigurationProof& proof, int sign) {
 void write_row(TaskSpace space, const Spatial<PathForm>& b, const Spatial<PathForm>& u,
                std::array<PathForm, max_legs>& row) {
   switch (space) {
+    case TaskSpace::T1:
+      row[0] = u[0];
+      return;
     case TaskSpace::T2:
       row[0] = u[0];
       row[1] = u[1];
