@@ -112,6 +112,8 @@ int proved_determinant_sign(std::size_t size, SquareArray<Interval> matrix) noex
 
 bool proved_nonsingular(std::size_t size, const SquareArray<PathForm>& matrix, double& ratio) noexcept {
   switch (size) {
+    case 1:
+      return proved<1>(matrix, ratio);
     case 2:
       return proved<2>(matrix, ratio);
     case 3:

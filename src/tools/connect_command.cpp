@@ -72,8 +72,8 @@ class Asking {
     return compute_roadmap(manipulator_, options, surroundings_);
   }
 
-  // Maps of two freedoms are quick; others are made where they are asked for.
-  bool has_map() const { return question_.resolution || manipulator_->task_space() == TaskSpace::T2; }
+  // Maps of one or two freedoms are quick; others are made where they are asked for.
+  bool has_map() const { return question_.resolution || freedoms(manipulator_->task_space()) <= 2; }
 
   const AspectMap& map() {
     if (map_) return *map_;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/aspects/aspect_map.h"
+#include "parallel_aspects/aspects/segment_certifier.h"
 #include "parallel_aspects/kinematics/direct.h"
 #include "parallel_aspects/kinematics/jacobians.h"
 
@@ -80,7 +81,16 @@ TEST_F(Prrp, HasFourAspects) {
   EXPECT_EQ(branches.size(), 4U);
 }
 
-// A crank and a slider: the crank turns all the way round, so that two aspects hold it apart.
+TEST_F(Prrp, HasSegmentsThatAreProvedFree) {
+  const SegmentCertifier certifier(manipulator_);
+  const WorkingMode mode = working_modes(*manipulator_).front();
+  EXPECT_EQ(certifier.prove(at(2.0), at(3.5), mode, 100).verdict, SegmentVerdict::free);
+  const SegmentProof across = certifier.prove(at(0.5), at(3.5), mode, 100);
+  EXPECT_EQ(across.verdict, SegmentVerdict::blocked);
+  EXPECT_EQ(across.hindrance, Hindrance::singularity);
+}
+
+// A crank that drives a slider through a rod.
 TEST(SliderCrank, IsRecognised) {
   const std::string urdf =
       "<robot name=\"slider_crank\"><link name=\"base\"/><link name=\"crank\"/><link name=\"rod\"/>"
