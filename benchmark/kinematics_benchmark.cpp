@@ -6,6 +6,7 @@
 
 #include "support/robots.h"
 #include "support/round_trip.h"
+#include "support/shipped.h"
 #include <algorithm>
 #include <ctime>
 #include <vector>
@@ -109,6 +110,36 @@ void round_trips_of(benchmark::State& state, RobotMaker make, Pose home, double 
   report(state, trips, times);
 }
 
+// A pose within three tenths of the robot's size of where it was assembled, turned by up to half a turn.
+Pose random_pose(const Mechanism& mechanism, test::RandomRobots& random) {
+  const Manipulator& robot = *mechanism.manipulator();
+  const auto turns = static_cast<Eigen::Index>(rotational_freedoms(robot.task_space()));
+  TaskVector step(static_cast<Eigen::Index>(robot.leg_count()));
+  for (Eigen::Index k = 0; k < step.size(); ++k)
+    step[k] = random.uniform(-1.0, 1.0) * (k < turns ? EIGEN_PI : 0.3 * robot.size());
+  return displaced(robot.task_space(), mechanism.assembled().pose, step);
+}
+
+// The robots as they are shipped, from their URDF, in random working modes.
+void round_trips_of_shipped(benchmark::State& state, const char* name) {
+  const auto mechanism = test::shipped(name);
+  const Manipulator& robot = *mechanism->manipulator();
+  const auto modes = working_modes(robot);
+  test::RoundTrips trips;
+  Times times;
+  for (auto _ : state) {
+    test::RandomRobots random(20260108);
+    while (trips.made < round_trip_count) {
+      const Pose pose = random_pose(*mechanism, random);
+      const auto pick = static_cast<std::size_t>(random.uniform(0.0, static_cast<double>(modes.size())));
+      const InverseSolution solution = inverse(robot, pose, modes[std::min(pick, modes.size() - 1)]);
+      if (solution.status == InverseStatus::out_of_reach) continue;
+      times.measure([&] { test::count_round_trip(robot, pose, solution.q, trips); });
+    }
+  }
+  report(state, trips, times);
+}
+
 // A new platform of general geometry for each pose.
 void round_trips_of_general_platforms(benchmark::State& state) {
   test::RoundTrips trips;
@@ -146,6 +177,21 @@ PARALLEL_ASPECTS_ROUND_TRIPS(stewart, 0.6, 0.3);
 PARALLEL_ASPECTS_ROUND_TRIPS(octahedral_stewart, 0.6, 0.3);
 PARALLEL_ASPECTS_ROUND_TRIPS(hexa, -0.5, 0.3);
 PARALLEL_ASPECTS_ROUND_TRIPS(six_pus, 0.6, 0.2);
+#define PARALLEL_ASPECTS_SHIPPED_ROUND_TRIPS(robot) \
+  BENCHMARK_CAPTURE(round_trips_of_shipped, robot, #robot)->Unit(benchmark::kSecond)->Iterations(1)
+
+PARALLEL_ASPECTS_SHIPPED_ROUND_TRIPS(five_bar);
+PARALLEL_ASPECTS_SHIPPED_ROUND_TRIPS(bipod);
+PARALLEL_ASPECTS_SHIPPED_ROUND_TRIPS(three_rrr);
+PARALLEL_ASPECTS_SHIPPED_ROUND_TRIPS(three_rpr);
+PARALLEL_ASPECTS_SHIPPED_ROUND_TRIPS(three_prr);
+PARALLEL_ASPECTS_SHIPPED_ROUND_TRIPS(delta);
+PARALLEL_ASPECTS_SHIPPED_ROUND_TRIPS(linear_delta);
+PARALLEL_ASPECTS_SHIPPED_ROUND_TRIPS(hexa);
+PARALLEL_ASPECTS_SHIPPED_ROUND_TRIPS(stewart);
+PARALLEL_ASPECTS_SHIPPED_ROUND_TRIPS(six_pus);
+PARALLEL_ASPECTS_SHIPPED_ROUND_TRIPS(agile_eye);
+PARALLEL_ASPECTS_SHIPPED_ROUND_TRIPS(spherical_3rrr);
 BENCHMARK(round_trips_of_general_platforms)->Unit(benchmark::kSecond)->Iterations(1);
 
 }  // namespace

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bitset>
 #include <cmath>
 #include <optional>
 #include <random>
@@ -24,12 +25,21 @@
 namespace parallel_aspects {
 namespace {
 
+// Of these all combinations of two types are tried.
+constexpr std::size_t most_mixed_closures = 5;
+
 std::string number(double value) {
   std::ostringstream text;
   text.imbue(std::locale::classic());
   text.precision(3);
   text << value;
   return text.str();
+}
+
+std::vector<Closure> with_type(std::vector<Closure> closures, ClosureType type) {
+  for (Closure& closure : closures)
+    if (closure.type == ClosureType::automatic) closure.type = type;
+  return closures;
 }
 
 // Everything after names: assembles the mechanism, recognises it and proves the result on random poses.
@@ -223,10 +233,37 @@ class Recogniser {
   const SourceNames& files_;
 };
 
-std::vector<Closure> with_type(std::vector<Closure> closures, ClosureType type) {
-  for (Closure& closure : closures)
-    if (closure.type == ClosureType::automatic) closure.type = type;
-  return closures;
+// Some of the open closures points and some revolute joints, few revolute ones first; none where there are
+// many.
+std::vector<std::vector<Closure>> mixtures(const std::vector<Closure>& closures) {
+  std::vector<std::size_t> open;
+  for (std::size_t k = 0; k < closures.size(); ++k)
+    if (closures[k].type == ClosureType::automatic) open.push_back(k);
+  if (open.size() > most_mixed_closures) return {};
+  std::vector<std::bitset<most_mixed_closures>> choices;
+  for (unsigned long choice = 1; choice + 1 < 1UL << open.size(); ++choice) choices.emplace_back(choice);
+  std::stable_sort(choices.begin(), choices.end(),
+                   [](const auto& one, const auto& other) { return one.count() < other.count(); });
+  std::vector<std::vector<Closure>> result;
+  for (const auto& choice : choices) {
+    result.push_back(closures);
+    for (std::size_t k = 0; k < open.size(); ++k)
+      result.back()[open[k]].type = choice[k] ? ClosureType::revolute : ClosureType::point;
+  }
+  return result;
+}
+
+// "point ('a - b') and revolute ('c - d', 'e - f')", of the closures whose types were open.
+std::string listed_types(const std::vector<Closure>& open, const std::vector<Closure>& taken) {
+  std::string text;
+  for (const ClosureType type : {ClosureType::point, ClosureType::revolute}) {
+    std::string names;
+    for (std::size_t k = 0; k < open.size(); ++k)
+      if (open[k].type == ClosureType::automatic && taken[k].type == type)
+        names += (names.empty() ? "'" : ", '") + taken[k].name + "'";
+    if (!names.empty()) text += (text.empty() ? "" : " and ") + std::string(name(type)) + " (" + names + ")";
+  }
+  return text;
 }
 
 bool any_automatic(const std::vector<Closure>& closures) {
@@ -234,23 +271,36 @@ bool any_automatic(const std::vector<Closure>& closures) {
                      [](const Closure& closure) { return closure.type == ClosureType::automatic; });
 }
 
-std::unique_ptr<Mechanism::Contents> recognise(const Recogniser& recogniser,
-                                               const std::vector<Closure>& closures, const SourceNames& files,
-                                               Problems& problems) {
-  if (!any_automatic(closures)) return recogniser.recognise(closures, problems);
+// The first closures that make a manipulator, of those whose types were open.
+std::unique_ptr<Mechanism::Contents> recognise_open(const Recogniser& recogniser,
+                                                    const std::vector<Closure>& closures,
+                                                    const SourceNames& files, Problems& problems) {
+  const std::string start = files.config + " leaves the type of closures open; they are taken as ";
+  const std::string end = ", under which the mobility is the number of drives.";
   for (const ClosureType type :
        {ClosureType::point, ClosureType::revolute, ClosureType::universal, ClosureType::fixed}) {
     Problems found;
-    auto contents = recogniser.recognise(with_type(closures, type), found);
-    if (contents) {
-      contents->notes.push_back(files.config + " leaves the type of closures open; they are taken as " +
-                                std::string(name(type)) +
-                                ", under which the mobility is the number of drives.");
+    if (auto contents = recogniser.recognise(with_type(closures, type), found)) {
+      contents->notes.push_back(start + std::string(name(type)) + end);
       return contents;
     }
     if (problems.empty()) problems = found;
   }
+  for (const std::vector<Closure>& mixed : mixtures(closures)) {
+    Problems found;
+    if (auto contents = recogniser.recognise(mixed, found)) {
+      contents->notes.push_back(start + listed_types(closures, mixed) + end);
+      return contents;
+    }
+  }
   return nullptr;
+}
+
+std::unique_ptr<Mechanism::Contents> recognise(const Recogniser& recogniser,
+                                               const std::vector<Closure>& closures, const SourceNames& files,
+                                               Problems& problems) {
+  return any_automatic(closures) ? recognise_open(recogniser, closures, files, problems)
+                                 : recogniser.recognise(closures, problems);
 }
 
 // Both texts have been read once, so that they are known to parse, or the problem is known.

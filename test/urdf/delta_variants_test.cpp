@@ -54,7 +54,11 @@ void expect_delta(const Mechanism& mechanism) {
 
 // Clavel's parallelogram: a bar turns on the crank, two rods on the bar, and a second bar on the rods and the
 // platform.
-TEST(DeltaVariant, HasParallelogramsOfRevoluteJoints) {
+struct LoopTexts {
+  std::string urdf, closures;
+};
+
+LoopTexts delta_of_revolute_joints() {
   std::string urdf = "<robot name=\"delta\">" + cranks();
   std::string closures;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -80,8 +84,27 @@ TEST(DeltaVariant, HasParallelogramsOfRevoluteJoints) {
             frame("point_" + leg, "side_" + leg, "xyz=\"0.05 0 0\"" + y_as_z);
     closures += "{frames: [middle_" + leg + ", point_" + leg + "], type: revolute}, ";
   }
-  const auto mechanism = test::load(urdf + "</robot>", config(closures));
+  return {urdf + "</robot>", closures};
+}
+
+TEST(DeltaVariant, HasParallelogramsOfRevoluteJoints) {
+  const LoopTexts delta = delta_of_revolute_joints();
+  expect_delta(*test::load(delta.urdf, config(delta.closures)));
+}
+
+// As CAD exports frames: nothing says what joint they are.
+TEST(DeltaVariant, LeavesTheTypesOfItsClosuresOpen) {
+  const LoopTexts delta = delta_of_revolute_joints();
+  const std::string open =
+      test::replaced(test::replaced(delta.closures, "revolute", "auto"), "point", "auto");
+  const auto mechanism = test::load(delta.urdf, config(test::replaced(open, "auto_", "point_")));
   expect_delta(*mechanism);
+  ASSERT_EQ(mechanism->notes().size(), 1u);
+  EXPECT_EQ(
+      mechanism->notes().front(),
+      "robot.yaml leaves the type of closures open; they are taken as point ('right_tip_1 - right_end_1', "
+      "'right_tip_2 - right_end_2', 'right_tip_3 - right_end_3') and revolute ('middle_2 - point_2', "
+      "'middle_3 - point_3'), under which the mobility is the number of drives.");
 }
 
 // A single rod between two universal joints whose axes are parallel in pairs.
