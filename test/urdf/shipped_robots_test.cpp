@@ -92,6 +92,43 @@ TEST_P(ShippedRobot, CompletesItsPassiveJoints) {
   EXPECT_GE(completed, 40);
 }
 
+// df/dX = 2 A and df/dq = -2 B, by central differences at random poses in random working modes.
+TEST_P(ShippedRobot, HasTheMatricesThatItsEquationsHave) {
+  const std::vector<WorkingMode> modes = working_modes(manipulator_);
+  const double size = manipulator_.size(), tolerance = 1e-12 * size * size;
+  const auto n = static_cast<Eigen::Index>(manipulator_.leg_count());
+  const auto turns = static_cast<Eigen::Index>(rotational_freedoms(GetParam().space));
+  TaskVector twist = TaskVector::Constant(n, 1e-5 * size), change = twist;
+  twist.head(turns).setConstant(1e-5);
+  for (Eigen::Index j = 0; j < n; ++j)
+    if (manipulator_.leg(static_cast<std::size_t>(j)).driven_by_angle()) change[j] = 1e-5;
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> number(-1.0, 1.0);
+  int compared = 0;
+  for (int trial = 0; trial < 1000000 && compared < 2000; ++trial) {
+    TaskVector step(n);
+    for (Eigen::Index k = 0; k < n; ++k) step[k] = number(random) * (k < turns ? EIGEN_PI : 0.3 * size);
+    const Pose pose = displaced(GetParam().space, mechanism_->assembled().pose, step);
+    const JointVector q = inverse(manipulator_, pose, modes[random() % modes.size()]).q;
+    if (q.size() != n) continue;
+    ++compared;
+    const TaskMatrix a = direct_matrix(manipulator_, pose, q);
+    const TaskVector b = inverse_diagonal(manipulator_, pose, q);
+    for (Eigen::Index k = 0; k < n; ++k) {
+      const TaskVector t = twist[k] * TaskVector::Unit(n, k), dq = change[k] * TaskVector::Unit(n, k);
+      const TaskVector by_pose = residuals(manipulator_, displaced(GetParam().space, pose, t), q) -
+                                 residuals(manipulator_, displaced(GetParam().space, pose, -t), q);
+      const TaskVector by_drive =
+          residuals(manipulator_, pose, q + dq) - residuals(manipulator_, pose, q - dq);
+      ASSERT_LT((by_pose - 4.0 * (a * t)).cwiseAbs().maxCoeff(), tolerance)
+          << to_string(GetParam().space, pose);
+      ASSERT_LT((by_drive + 4.0 * b.cwiseProduct(dq)).cwiseAbs().maxCoeff(), tolerance)
+          << to_string(GetParam().space, pose);
+    }
+  }
+  EXPECT_EQ(compared, 2000);
+}
+
 INSTANTIATE_TEST_SUITE_P(Robots, ShippedRobot,
                          ::testing::Values(Expected{"five_bar", TaskSpace::T2, "revolute drive", 4},
                                            Expected{"bipod", TaskSpace::T2, "strut", 1},
