@@ -16,6 +16,8 @@ constexpr int most_iterations = 6;
 // Of an interval without zero.
 Interval inverse_of(const Interval& a) { return a.positive() ? reciprocal(a) : -reciprocal(-a); }
 
+bool is_finite(const Interval& a) { return std::isfinite(a.lower()) && std::isfinite(a.upper()); }
+
 double mignitude(const Interval& a) { return std::max({0.0, a.lower(), -a.upper()}); }
 
 template <int N>
@@ -102,9 +104,14 @@ int proved_determinant_sign(std::size_t size, SquareArray<Interval> matrix) noex
     }
     if (matrix[k][k].negative()) sign = -sign;
     const Interval inverse = inverse_of(matrix[k][k]);
+    if (!is_finite(inverse)) return 0;
     for (std::size_t i = k + 1; i < size; ++i) {
       const Interval factor = matrix[i][k] * inverse;
-      for (std::size_t j = k + 1; j < size; ++j) matrix[i][j] = matrix[i][j] - factor * matrix[k][j];
+      if (!is_finite(factor)) return 0;
+      for (std::size_t j = k + 1; j < size; ++j) {
+        matrix[i][j] = matrix[i][j] - factor * matrix[k][j];
+        if (!is_finite(matrix[i][j])) return 0;
+      }
     }
   }
   return sign;

@@ -6,6 +6,10 @@
 namespace parallel_aspects {
 namespace {
 
+// Of quaternions between two of about unit length at most a right angle apart it is at least a half; less
+// shows that the part is too long.
+constexpr double least_squared_norm = 0.01;
+
 // The quaternion of `to` that is on the same side as that of `from`.
 Eigen::Vector4d nearer_quaternion(const Pose& from, const Pose& to) {
   const Eigen::Vector4d &first = from.orientation.coeffs(), &last = to.orientation.coeffs();
@@ -42,7 +46,7 @@ bool PoseSegment::place(const PathForm& t, Placement& placement) const noexcept 
   for (std::size_t i = 0; i < 4; ++i) q[i] = quaternion_[i] + turning_[i] * t;
   const PathForm xx = square(q[0]), yy = square(q[1]), zz = square(q[2]), ww = square(q[3]);
   const PathForm squared_norm = xx + yy + zz + ww;
-  if (!squared_norm.range.positive()) return false;
+  if (!(squared_norm.range.lower() > least_squared_norm)) return false;
   const PathForm scale = reciprocal(squared_norm);
   const Interval two(2.0);
   const PathForm xy = two * (q[0] * q[1]), xz = two * (q[0] * q[2]), yz = two * (q[1] * q[2]);

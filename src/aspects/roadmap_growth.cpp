@@ -59,9 +59,9 @@ class Growth {
       for (std::uint32_t b = 0; b < size(); ++b)
         if (b != a && wanted(a, b)) all.push_back({distance(a, b), std::min(a, b), std::max(a, b)});
       const std::size_t kept = std::min(count, all.size());
-      std::partial_sort(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(kept), all.end());
-      all.resize(kept);
-      found[a] = std::move(all);
+      const auto end = all.begin() + static_cast<std::ptrdiff_t>(kept);
+      std::partial_sort(all.begin(), end, all.end());
+      found[a].assign(all.begin(), end);
     });
     std::vector<Candidate> candidates;
     for (const auto& each : found) candidates.insert(candidates.end(), each.begin(), each.end());

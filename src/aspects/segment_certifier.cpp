@@ -17,9 +17,23 @@ constexpr double aimed_ratio = 0.75;  // of a step, against the longest that pas
 constexpr int parts_between_looks = 16;
 constexpr int points_of_a_look = 12;
 
+// Interval arithmetic needs finite operands: with lengths below this, no product comes near the largest
+// double.
+constexpr double longest_length = 1e12;  // [m]
+
+bool is_usable(const Eigen::Vector3d& point) {
+  return point.allFinite() && point.cwiseAbs().maxCoeff() < longest_length;
+}
+
 bool is_usable(const Pose& pose) {
-  return pose.position.allFinite() && pose.orientation.coeffs().allFinite() &&
-         pose.orientation.squaredNorm() > 0.0;
+  const double squared_norm = pose.orientation.squaredNorm();
+  return is_usable(pose.position) && squared_norm > 0.25 && squared_norm < 4.0;
+}
+
+bool is_usable(const Manipulator& manipulator) {
+  return manipulator.size() < longest_length &&
+         std::all_of(manipulator.legs().begin(), manipulator.legs().end(),
+                     [](const Leg& leg) { return is_usable(leg.anchor) && is_usable(leg.base_point()); });
 }
 
 // What is proved to be at or before a configuration, on the way from one whose det A has this sign.
@@ -173,7 +187,7 @@ class SegmentCertifier::Evaluation {
 };
 
 SegmentCertifier::SegmentCertifier(std::shared_ptr<const Manipulator> manipulator)
-    : manipulator_(std::move(manipulator)) {
+    : manipulator_(std::move(manipulator)), usable_(is_usable(*manipulator_)) {
   const RoundingUpward rounding;
   for (const Leg& leg : manipulator_->legs()) {
     legs_.emplace_back(leg);
@@ -182,7 +196,7 @@ SegmentCertifier::SegmentCertifier(std::shared_ptr<const Manipulator> manipulato
 }
 
 ConfigurationProof SegmentCertifier::prove(const Pose& pose, const WorkingMode& mode) const noexcept {
-  if (!is_usable(pose) || mode.leg_count() != legs_.size()) return {};
+  if (!usable_ || !is_usable(pose) || mode.leg_count() != legs_.size()) return {};
   for (std::size_t j = 0; j < legs_.size(); ++j)
     if (!manipulator_->leg(j).has_branch(mode.sign(j))) return {0, Hindrance::out_of_reach};
   const RoundingUpward rounding;

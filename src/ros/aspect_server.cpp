@@ -162,9 +162,9 @@ void AspectServer::on_compute_map(const ComputeMapGoalConstPtr& goal) {
 
 void AspectServer::finish(const MapProgress& progress, ComputeMapResult result) {
   if (progress.state == MapProgress::COMPLETE) {
-    const auto map = worker_.map();
-    for (const Aspect& aspect : map->aspects())
-      result.aspects.push_back(summary_message(*setup_.mechanism->manipulator(), aspect));
+    if (const auto map = worker_.map())
+      for (const Aspect& aspect : map->aspects())
+        result.aspects.push_back(summary_message(*setup_.mechanism->manipulator(), aspect));
     result.proved_count = progress.proved_count;
     result.seconds = progress.seconds;
     compute_map_->setSucceeded(result, progress.sentence);

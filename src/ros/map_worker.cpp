@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/ros/map_worker.h"
 
+#include "parallel_aspects/aspects/pose_roadmap.h"
+
 #include <ros/time.h>
 
 #include <cmath>
@@ -28,14 +30,36 @@ std::string complete_sentence(const AspectMap& map) {
          " pairs unresolved, in " + seconds + ".";
 }
 
-MapProgress ended(const MapResult& result) {
+std::string complete_sentence(const PoseRoadmap& roadmap) {
+  return "With six freedoms there is a certified roadmap in place of a map: " +
+         std::to_string(roadmap.poses().size()) + " sampled poses, at least " +
+         std::to_string(roadmap.proved_count()) + " aspects proved, and the samples lie in at most " +
+         std::to_string(roadmap.component_count()) + ".";
+}
+
+MapProgress ended(MapStatus status, const std::string& sentence) {
   MapProgress report;
   report.header.stamp = ros::Time::now();
-  report.sentence = result.sentence;
-  report.state = result.status == MapStatus::cancelled ? MapProgress::CANCELLED : MapProgress::REFUSED;
+  report.sentence = sentence;
+  report.state = status == MapStatus::complete    ? MapProgress::COMPLETE
+                 : status == MapStatus::cancelled ? MapProgress::CANCELLED
+                                                  : MapProgress::REFUSED;
+  if (status == MapStatus::complete) report.progress = 1.0;
+  return report;
+}
+
+MapProgress ended(const RoadmapResult& result) {
+  MapProgress report = ended(result.status, result.sentence);
   if (result.status != MapStatus::complete) return report;
-  report.state = MapProgress::COMPLETE;
-  report.progress = 1.0;
+  report.proved_count = static_cast<std::uint32_t>(result.roadmap->proved_count());
+  report.seconds = result.roadmap->seconds();
+  report.sentence = complete_sentence(*result.roadmap);
+  return report;
+}
+
+MapProgress ended(const MapResult& result) {
+  MapProgress report = ended(result.status, result.sentence);
+  if (result.status != MapStatus::complete) return report;
   report.resolution = result.map->resolution();
   report.aspects = static_cast<std::uint32_t>(result.map->aspects().size());
   report.proved_count = static_cast<std::uint32_t>(result.map->proved_count());
@@ -121,7 +145,8 @@ void MapWorker::run() {
 }
 
 void MapWorker::compute_now(const MapOptions& options) {
-  const double resolution = options.resolution.value_or(default_resolution(*manipulator_));
+  const bool has_map = manipulator_->task_space() != TaskSpace::SE3;
+  const double resolution = has_map ? options.resolution.value_or(default_resolution(*manipulator_)) : 0.0;
   report(computing(0.0, resolution), nullptr);
   double reported = 0.0;
   MapControl control;
@@ -131,6 +156,13 @@ void MapWorker::compute_now(const MapOptions& options) {
     reported = share;
     report(computing(share, resolution), nullptr);
   };
+  if (!has_map) {
+    RoadmapOptions roadmap;
+    roadmap.region = options.region;
+    roadmap.threads = options.threads;
+    report(ended(compute_pose_roadmap(manipulator_, roadmap, control)), nullptr);
+    return;
+  }
   const MapResult result = compute_aspect_map(manipulator_, options, control);
   report(ended(result), result.status == MapStatus::complete ? result.map : nullptr);
 }

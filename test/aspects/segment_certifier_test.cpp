@@ -155,8 +155,8 @@ TEST_P(SegmentCertifierTest, NumbersThatAreNotFiniteProveNothing) {
   const WorkingMode mode = pairs.mode();
   const auto pose = pairs.reached(mode);
   ASSERT_TRUE(pose);
-  for (const double bad :
-       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e308}) {
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+                           1e308, 1e100, 1e13}) {
     Pose moved = *pose, turned = *pose;
     moved.position.x() = bad;
     turned.orientation.x() = bad;
@@ -197,6 +197,17 @@ TEST(SegmentCertifier, ModesThatDoNotExistHoldNothing) {
   mode.set_sign(3, -1);
   EXPECT_EQ(certifier.prove(pose, mode).sign, 0);
   EXPECT_EQ(certifier.prove(pose, mode).proved_hindrance, Hindrance::out_of_reach);
+}
+
+// Beyond what the arithmetic can take, nothing is proved.
+TEST(SegmentCertifier, HugeRobotsProveNothing) {
+  auto legs = test::stewart()->legs();
+  for (Leg& leg : legs) std::get<StrutDrive>(leg.drive).base *= 1e200;
+  const SegmentCertifier certifier(test::manipulator("huge", TaskSpace::SE3, legs));
+  Pose pose;
+  pose.position.z() = 0.6;
+  EXPECT_EQ(certifier.prove(pose, WorkingMode(6)).sign, 0);
+  EXPECT_EQ(certifier.prove(pose, pose, WorkingMode(6)).verdict, SegmentVerdict::undecided);
 }
 
 // Opposite orientations: the quaternion of the straight way goes through zero.

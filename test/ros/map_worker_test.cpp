@@ -71,5 +71,29 @@ TEST_F(MapWorkerTest, SaysWhyItRefuses) {
 
 TEST_F(MapWorkerTest, EndsWhileItComputes) { worker_.compute(resolution(1e-4)); }
 
+// With six freedoms a roadmap is made, in all its modes, and told of; there is no map.
+TEST(MapWorkerOfSixFreedoms, TellsOfARoadmap) {
+  ros::Time::init();
+  auto legs = test::stewart()->legs();
+  for (Leg& leg : legs) leg.limits = JointLimits{0.4, 0.8};
+  MapWorker worker(test::manipulator("stewart", TaskSpace::SE3, legs),
+                   [](const MapProgress&, const auto& map) { EXPECT_FALSE(map); });
+  const MapProgress end = worker.wait(worker.compute({}), deadline);
+  ASSERT_EQ(end.state, MapProgress::COMPLETE) << end.sentence;
+  EXPECT_EQ(end.proved_count, 2U);
+  EXPECT_EQ(end.progress, 1.0);
+  EXPECT_NE(end.sentence.find("roadmap"), std::string::npos);
+  EXPECT_FALSE(worker.map());
+}
+
+// Struts without limits reach everywhere.
+TEST(MapWorkerOfSixFreedoms, SaysWhyItRefuses) {
+  ros::Time::init();
+  MapWorker worker(test::stewart(), [](const MapProgress&, const auto&) {});
+  const MapProgress end = worker.wait(worker.compute({}), deadline);
+  EXPECT_EQ(end.state, MapProgress::REFUSED);
+  EXPECT_FALSE(end.sentence.empty());
+}
+
 }  // namespace
 }  // namespace parallel_aspects

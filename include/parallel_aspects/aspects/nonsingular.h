@@ -16,7 +16,7 @@ template <class Scalar>
 using SquareArray = std::array<std::array<Scalar, max_legs>, max_legs>;
 
 /// The sign of the determinant of every real matrix in an interval matrix of `size` rows, by Gaussian
-/// elimination; 0 where that is not proved. Needs a live `RoundingUpward`.
+/// elimination; 0 where that is not proved. Entries must be finite. Needs a live `RoundingUpward`.
 int proved_determinant_sign(std::size_t size, SquareArray<Interval> matrix) noexcept;
 
 /// Whether each A(s), s in [-1, 1], is proved nonsingular: with C an approximate inverse of A(0), all entries

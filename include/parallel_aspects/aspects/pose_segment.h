@@ -15,7 +15,7 @@ Pose pose_between(const Pose& from, const Pose& to, double t) noexcept;
 
 /// The segment from one pose to another, t from 0 to 1: the position runs straight, the quaternion runs
 /// straight the short way and is normalised. So it is rational in t, and stays in each task space that holds
-/// both ends. A quaternion stands for its direction, whatever its length.
+/// both ends. A quaternion stands for its direction, so it need not be of unit length to the last digit.
 class PoseSegment {
  public:
   /// Position [m] and rows of the rotation matrix.
@@ -24,11 +24,11 @@ class PoseSegment {
     std::array<Spatial<PathForm>, 3> rotation;
   };
 
-  /// Both poses must be finite, and neither quaternion zero. Needs a live `RoundingUpward`.
+  /// Both poses must be finite, and their quaternions about unit length. Needs a live `RoundingUpward`.
   PoseSegment(const Pose& from, const Pose& to) noexcept;
 
-  /// Encloses the poses of a part of the segment; false, and nothing, where the quaternion can not be kept
-  /// off zero. Needs a live `RoundingUpward`.
+  /// Encloses the poses of a part of the segment; false, and nothing, where the part is too long for it.
+  /// Needs a live `RoundingUpward`.
   bool place(const PathForm& t, Placement& placement) const noexcept;
 
  private:

@@ -54,7 +54,8 @@ class SegmentCertifier {
 
   const std::shared_ptr<const Manipulator>& manipulator() const noexcept { return manipulator_; }
 
-  /// What is proved of the pose in this working mode. A pose with numbers that are not finite proves nothing.
+  /// What is proved of the pose in this working mode. Nothing where numbers are not
+  /// finite, lengths are beyond 1e12 m, or the quaternion is far from unit length.
   ConfigurationProof prove(const Pose& pose, const WorkingMode& mode) const noexcept;
 
   /// What is proved of the segment in this working mode; both poses must lie in the task space. At most
@@ -73,6 +74,7 @@ class SegmentCertifier {
                      int most_parts) const noexcept;
 
   std::shared_ptr<const Manipulator> manipulator_;
+  bool usable_;  // no length beyond what the arithmetic can take
   std::vector<SpatialLeg> legs_;
   std::vector<Spatial<Interval>> anchors_;
 };

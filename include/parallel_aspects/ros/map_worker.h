@@ -19,10 +19,12 @@
 
 namespace parallel_aspects {
 
-/// Computes maps on a thread of its own, one at a time, and keeps the last complete one.
+/// Computes maps on a thread of its own, one at a time, and keeps the last complete one. With six freedoms it
+/// makes a roadmap instead, of which the reports tell; there is no map then.
 class MapWorker {
  public:
-  /// Called on the worker thread with every report; `map` is set with the one that says COMPLETE.
+  /// Called on the worker thread with every report; `map` is set with the one that says COMPLETE, but not
+  /// with six freedoms.
   using Listener = std::function<void(const MapProgress&, const std::shared_ptr<const AspectMap>& map)>;
   using Job = std::uint64_t;
 
