@@ -38,7 +38,10 @@ class Growth {
 
   void run() {
     join(nearest([](std::uint32_t, std::uint32_t) { return true; }, ground_.neighbors));
-    for (std::size_t round = 0; round < most_bridging_rounds && joined_; ++round) bridge();
+    for (std::size_t round = 0; round < most_bridging_rounds && joined_; ++round) {
+      if (is_cancelled(control_)) return;
+      bridge();
+    }
     number_components();
   }
 
@@ -74,6 +77,7 @@ class Growth {
     std::sort(candidates.begin(), candidates.end());
     std::vector<Candidate> batch;
     for (const Candidate& candidate : candidates) {
+      if (is_cancelled(control_)) return;
       if (sets_.find(candidate.a) == sets_.find(candidate.b)) continue;
       if (!tried_.insert({candidate.a, candidate.b}).second) continue;
       batch.push_back(candidate);

@@ -132,6 +132,8 @@ void AspectServer::on_map_progress(const MapProgress& progress, const std::share
     monitor_.set_map(map);
     display_.set_map(map);
     ROS_INFO_STREAM(progress.sentence << "\n" << aspect_table(*map));
+  } else if (progress.state == MapProgress::COMPLETE) {
+    ROS_INFO_STREAM(progress.sentence);
   } else if (progress.state == MapProgress::REFUSED) {
     ROS_ERROR_STREAM("The map was not computed: " << progress.sentence);
   } else {
