@@ -22,7 +22,8 @@ constexpr double share_of_sampling = 0.1;
 
 RoadmapResult refused(const std::string& sentence) { return {MapStatus::refused, sentence, nullptr}; }
 
-bool is_usable(const Box& box) {
+bool is_usable(const Box& box, TaskSpace space) {
+  if (box.dimension < position_count(space)) return false;
   for (std::size_t i = 0; i < box.dimension; ++i)
     if (!std::isfinite(box.width(i)) || box.width(i) < 0.0) return false;
   return true;
@@ -39,8 +40,8 @@ std::string problem_of(const Manipulator& manipulator, const RoadmapOptions& opt
     if (mode.leg_count() != manipulator.leg_count())
       return "Working mode " + to_string(mode) + " needs one sign for each of the " +
              std::to_string(manipulator.leg_count()) + " legs.";
-  if (options.region && !is_usable(*options.region))
-    return "The region is empty or not finite; give a box of positions.";
+  if (options.region && !is_usable(*options.region, manipulator.task_space()))
+    return "The region is empty, not finite or of too few coordinates; give a box of positions.";
   return "";
 }
 

@@ -2,10 +2,12 @@
 #include "parallel_aspects/aspects/pose_roadmap.h"
 
 #include "parallel_aspects/aspects/disjoint_sets.h"
+#include "parallel_aspects/aspects/pose_sampler.h"
 
 #include <gtest/gtest.h>
 
 #include "support/pose_pairs.h"
+#include "support/random_robots.h"
 #include "support/robots.h"
 #include "support/shipped.h"
 #include <algorithm>
@@ -134,9 +136,29 @@ TEST(PoseRoadmap, ModesAndRotationsAreThoseAskedFor) {
   }
 }
 
+// Whatever the legs would allow beyond it.
+TEST(PoseRoadmap, PosesStayInTheTaskSpace) {
+  test::RandomRobots random(9);
+  for (const TaskSpace space : test::all_task_spaces) {
+    const auto robot = random.robot(space, test::DriveKind::revolute);
+    PoseSampler sampler(robot, 1, std::nullopt, EIGEN_PI);
+    int drawn = 0;
+    for (int i = 0; i < 1000; ++i) {
+      const auto pose = sampler.draw();
+      if (!pose) continue;
+      ++drawn;
+      const auto again = pose_from_coordinates(space, pose_coordinates(space, *pose));
+      ASSERT_TRUE(again);
+      EXPECT_EQ(again->position, pose->position) << name(space);
+      EXPECT_LT(again->orientation.angularDistance(pose->orientation), 1e-7) << name(space);
+    }
+    EXPECT_GT(drawn, 10) << name(space);
+  }
+}
+
 TEST(PoseRoadmap, BadOptionsAreRefusedWithASentence) {
   const auto robot = shipped("stewart");
-  std::vector<RoadmapOptions> bad(9, options_of(10));
+  std::vector<RoadmapOptions> bad(10, options_of(10));
   bad[0].samples = 0;
   bad[1].samples = 1000000;
   bad[2].neighbors = 0;
@@ -146,6 +168,7 @@ TEST(PoseRoadmap, BadOptionsAreRefusedWithASentence) {
   bad[6].modes = {WorkingMode(5)};
   bad[7].region = Box{3, {1.0, 0.0, 0.0}, {0.0, 1.0, 1.0}};
   bad[8].region = Box{3, {100.0, 100.0, 100.0}, {101.0, 101.0, 101.0}};
+  bad[9].region = Box{2, {-1.0, -1.0, 0.0}, {1.0, 1.0, 0.0}};
   for (const RoadmapOptions& options : bad) {
     const RoadmapResult result = compute_pose_roadmap(robot, options);
     EXPECT_EQ(result.status, MapStatus::refused);

@@ -34,6 +34,15 @@ std::string text(const Manipulator& robot, const WorkingMode& mode, const Pose& 
          to_string(robot.task_space(), to);
 }
 
+// The PRRP of Caro et al.: a slider along y at x = 0.5, a rod, and a platform that slides along x.
+std::shared_ptr<const Manipulator> prrp() {
+  Leg leg = test::named_leg(0);
+  leg.drive = PrismaticDrive{{0.5, 0.0, 0.0}, Eigen::Vector3d::UnitY()};
+  leg.rod_length = 1.0;
+  leg.anchor.y() = 0.3;
+  return test::manipulator("prrp", TaskSpace::T1, {leg});
+}
+
 class SegmentCertifierTest : public testing::TestWithParam<Case> {
  protected:
   // Random segments in random modes.
@@ -178,7 +187,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"shipped_six_pus", shipped("six_pus")}, Case{"dietmaier", test::dietmaier},
                     Case{"planar_stewart", test::planar_stewart},
                     Case{"octahedral", test::octahedral_stewart}, Case{"hexa", test::hexa},
-                    Case{"six_pus", test::six_pus}, Case{"five_bar", test::five_bar},
+                    Case{"six_pus", test::six_pus}, Case{"prrp", prrp}, Case{"five_bar", test::five_bar},
                     Case{"bipod", test::bipod}, Case{"three_rpr", test::three_rpr},
                     Case{"three_rrr", test::three_rrr}, Case{"driven_elbow", test::three_rrr_driven_elbow},
                     Case{"three_prr", test::three_prr}, Case{"delta", test::delta},
