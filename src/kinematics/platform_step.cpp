@@ -8,7 +8,7 @@
 // One compiled version for each generation of processors, chosen when the program starts; each works on as
 // many lanes at once as the processor's vectors have. Wider ones are compiled to code that is several times
 // slower.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_THREAD__)
+#if defined(__x86_64__) && __GNUC__ >= 12 && !defined(__clang__) && !defined(__SANITIZE_THREAD__)
 #define PARALLEL_ASPECTS_VERSIONS
 #endif
 
