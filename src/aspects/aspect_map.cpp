@@ -75,6 +75,17 @@ void AspectMap::visit_inside_leaves(int aspect, const std::function<void(const B
       visit(contents_->tree.space().shown(contents_->tree.box(node)));
 }
 
+void AspectMap::visit_inside_poses(int aspect,
+                                   const std::function<void(const Pose&, double measure)>& visit) const {
+  const auto mode = mode_index(*contents_, contents_->aspects[static_cast<std::size_t>(aspect - 1)].mode);
+  const PoseTree& tree = contents_->tree;
+  for (NodeIndex node = 0; node < tree.node_count(); ++node) {
+    if (contents_->leaf_aspect(node, *mode) != aspect) continue;
+    const Box box = tree.box(node);
+    visit(tree.space().pose({tree.place(node).root, box.middle()}), tree.space().measure(box));
+  }
+}
+
 void AspectMap::visit_undecided_leaves(const WorkingMode& mode,
                                        const std::function<void(const Box&)>& visit) const {
   const auto m = mode_index(*contents_, mode);

@@ -1,18 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Plays joint_states of the drives along a tour through every aspect that can be reached without crossing det
-// A = 0. The tour is planned from the robot that aspect_node was given. Parameters: ~server (name of that
-// node), ~duration of one round [s], ~loop (until shut down, or once).
+// Plays joint_states of the drives, for any robot that aspect_node serves. It begins with a local motion
+// about the start pose, which needs no map. Once the node's map is complete, it plans a tour through every
+// aspect that can be reached without crossing det A = 0, and goes over to it at the end of a round.
+// Parameters: ~server (name of that node), ~duration of one round of the tour [s], ~local_duration of one
+// round of the local motion [s], ~loop (until shut down; or until one tour is over, or one local round where
+// there is no tour), ~patience: no tour of a map that took longer than this, as it is computed again here
+// [s].
+#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/kinematics/jacobians.h"
 #include "parallel_aspects/ros/load_options.h"
+#include "parallel_aspects/singularity/indices.h"
+#include "parallel_aspects/tracking/local_motion.h"
 #include "parallel_aspects/tracking/tour.h"
 
 #include <parallel_aspects/MapProgress.h>
 
 #include <ros/ros.h>
-#include <ros/topic.h>
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <cstdlib>
+#include <future>
 #include <optional>
 #include <sensor_msgs/JointState.h>
 #include <string>
@@ -22,44 +32,73 @@ namespace parallel_aspects {
 namespace {
 
 constexpr double rate = 100.0;             // of joint_states [Hz]
-constexpr double seconds_to_start = 60.0;  // until the node must be ready
+constexpr double seconds_to_start = 60.0;  // until the node must listen
 
 struct Start {
   Pose pose;
   WorkingMode mode;
 };
 
-bool larger(const Aspect& a, const Aspect& b) { return a.measure < b.measure; }
+struct DemoOptions {
+  std::string server;
+  double duration, local_duration, patience;
+  bool loop;
+};
 
-// The start that the parameters say, in the largest aspect that it leaves open.
-std::optional<Start> choose_start(const AspectMap& map, const StartOptions& options) {
-  std::vector<Aspect> open;
-  Start start;
+DemoOptions options_from(const ros::NodeHandle& private_nh) {
+  return {private_nh.param<std::string>("server", "aspect_node"), private_nh.param("duration", 60.0),
+          private_nh.param("local_duration", 20.0), private_nh.param("patience", 60.0),
+          private_nh.param("loop", true)};
+}
+
+bool closes(const Mechanism& mechanism, const Pose& pose, const JointVector& q) {
+  Eigen::VectorXd positions(static_cast<Eigen::Index>(mechanism.joint_names().size()));
+  return mechanism.complete(pose, q, positions);
+}
+
+// Where the robot is when the demo begins: the pose that the parameters say, in every working mode that
+// assembles there; first the one that the mechanism was recognised in, then falling distance from
+// singularities.
+std::vector<Start> possible_starts(const Mechanism& mechanism, const StartOptions& options) {
+  const Manipulator& robot = *mechanism.manipulator();
+  const AssembledConfiguration assembled = mechanism.assembled();
+  Pose pose = assembled.pose;
   if (options.pose) {
     const Eigen::Map<const Eigen::VectorXd> values(options.pose->data(),
                                                    static_cast<Eigen::Index>(options.pose->size()));
-    start.pose = pose_from_coordinates(map.manipulator()->task_space(), values).value_or(Pose{});
+    pose = pose_from_coordinates(robot.task_space(), values).value_or(pose);
   }
-  for (const Aspect& aspect : map.aspects()) {
-    const bool holds = !options.pose || map.locate(start.pose, aspect.mode).aspect == aspect.id;
-    if (holds && aspect.determinant_sign == options.determinant_sign.value_or(aspect.determinant_sign))
-      open.push_back(aspect);
+  const auto usual = working_mode(robot, assembled.pose, assembled.q);
+  std::vector<std::pair<double, Start>> starts;
+  for (const InverseSolution& solution : inverse_in_all_modes(robot, pose)) {
+    if (solution.status != InverseStatus::solved) continue;
+    const SingularityIndices indices = singularity_indices(robot, pose, solution.q);
+    if (options.determinant_sign && *options.determinant_sign * indices.determinant <= 0.0) continue;
+    const double rank = indices.smallest_singular_value + (usual && solution.mode == *usual ? 1e3 : 0.0);
+    starts.push_back({rank, {pose, solution.mode}});
   }
-  if (open.empty()) return std::nullopt;
-  const Aspect& chosen = *std::max_element(open.begin(), open.end(), larger);
-  return Start{options.pose ? start.pose : chosen.deepest, chosen.mode};
+  std::stable_sort(starts.begin(), starts.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<Start> result;
+  for (const auto& ranked : starts) result.push_back(ranked.second);
+  return result;
 }
 
-Tour plan(const NodeSetup& setup) {
-  const MapResult result = compute_aspect_map(setup.mechanism->manipulator(), setup.options.map);
-  if (!result.map) {
-    ROS_FATAL_STREAM("No tour: " << result.sentence);
-    return {};
+struct LocalMotion {
+  Start start;
+  std::vector<JointVector> drives;
+};
+
+// In the first start that leaves room to move.
+std::optional<LocalMotion> plan_local(const NodeSetup& setup) {
+  const Mechanism& mechanism = *setup.mechanism;
+  for (const Start& start : possible_starts(mechanism, setup.options.start)) {
+    auto drives =
+        plan_local_motion(*mechanism.manipulator(), start.pose, start.mode,
+                          [&](const Pose& pose, const JointVector& q) { return closes(mechanism, pose, q); });
+    if (!drives.empty()) return LocalMotion{start, std::move(drives)};
   }
-  const auto start = choose_start(*result.map, setup.options.start);
-  const Tour tour = start ? plan_tour(*result.map, start->pose, start->mode) : Tour{};
-  if (tour.drives.size() < 2) ROS_FATAL("No tour: no aspect holds the start that the parameters say.");
-  return tour;
+  return std::nullopt;
 }
 
 std::string text(const std::vector<int>& aspects) {
@@ -68,17 +107,20 @@ std::string text(const std::vector<int>& aspects) {
   return result;
 }
 
-// Drive values along the corners of a tour, at constant speed.
+// Drive values along corners, at constant speed.
 class Motion {
  public:
-  explicit Motion(std::vector<JointVector> corners) : corners_(std::move(corners)), lengths_{0.0} {
+  Motion(std::vector<JointVector> corners, double duration)
+      : corners_(std::move(corners)), lengths_{0.0}, duration_(duration) {
     for (std::size_t i = 1; i < corners_.size(); ++i)
       lengths_.push_back(lengths_.back() + (corners_[i] - corners_[i - 1]).norm());
   }
 
-  // `share` of the way, 0 to 1.
-  JointVector at(double share) const {
-    const double length = std::clamp(share, 0.0, 1.0) * lengths_.back();
+  double duration() const { return duration_; }
+
+  // After `seconds` of one round.
+  JointVector at(double seconds) const {
+    const double length = std::clamp(seconds / duration_, 0.0, 1.0) * lengths_.back();
     const auto next = std::upper_bound(lengths_.begin(), lengths_.end() - 1, length);
     const auto i = static_cast<std::size_t>(next - lengths_.begin());
     const double piece = lengths_[i] - lengths_[i - 1];
@@ -92,54 +134,128 @@ class Motion {
  private:
   std::vector<JointVector> corners_;
   std::vector<double> lengths_;
+  double duration_;
+};
+
+// Plans the tour on a thread of its own, once the node has its map.
+class TourPlanner {
+ public:
+  TourPlanner(ros::NodeHandle nh, NodeSetup setup, Start start, const DemoOptions& options)
+      : setup_(std::move(setup)), start_(std::move(start)), patience_(options.patience) {
+    subscriber_ = nh.subscribe(options.server + "/map_progress", 10, &TourPlanner::on_progress, this);
+  }
+  ~TourPlanner() { cancelled_ = true; }
+
+  // Whether it is known what comes of the tour.
+  bool ready() const {
+    return refused_ ||
+           (tour_.valid() && tour_.wait_for(std::chrono::seconds(0)) == std::future_status::ready);
+  }
+
+  // Empty where there is none; only once `ready`, and only once.
+  Tour take() { return refused_ ? Tour{} : tour_.get(); }
+
+ private:
+  void on_progress(const MapProgress::ConstPtr& progress) {
+    if (refused_ || tour_.valid() || progress->state == MapProgress::COMPUTING) return;
+    refused_ = progress->state != MapProgress::COMPLETE || progress->seconds > patience_;
+    if (!refused_) tour_ = std::async(std::launch::async, [this] { return plan(); });
+  }
+
+  Tour plan() const {
+    MapControl control;
+    control.cancelled = &cancelled_;
+    const auto map = compute_aspect_map(setup_.mechanism->manipulator(), setup_.options.map, control).map;
+    return map ? plan_tour(*map, start_.pose, start_.mode) : Tour{};
+  }
+
+  const NodeSetup setup_;
+  const Start start_;
+  const double patience_;
+  std::atomic<bool> cancelled_{false};
+  bool refused_ = false;
+  std::future<Tour> tour_;
+  ros::Subscriber subscriber_;
+};
+
+// Publishes one motion after the other.
+class Player {
+ public:
+  Player(const Manipulator& robot, ros::Publisher publisher)
+      : publisher_(std::move(publisher)),
+        offset_(JointVector::Zero(static_cast<Eigen::Index>(robot.leg_count()))) {
+    for (const Leg& leg : robot.legs()) message_.name.push_back(leg.driven_joint);
+  }
+
+  // One round; returns early when ROS shuts down.
+  void play(const Motion& motion) {
+    ros::Rate clock(rate);
+    const ros::Time begin = ros::Time::now();
+    for (double seconds = 0.0; ros::ok() && seconds < motion.duration();
+         seconds = (ros::Time::now() - begin).toSec()) {
+      publish(motion.at(seconds));
+      ros::spinOnce();
+      clock.sleep();
+    }
+    offset_ += motion.gain();
+  }
+
+ private:
+  void publish(const JointVector& drives) {
+    const JointVector q = drives + offset_;
+    message_.header.stamp = ros::Time::now();
+    message_.position.assign(q.begin(), q.end());
+    publisher_.publish(message_);
+  }
+
+  ros::Publisher publisher_;
+  sensor_msgs::JointState message_;
+  JointVector offset_;  // turns made so far
 };
 
 bool wait_for_server(const std::string& server, const ros::Publisher& publisher) {
   const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(seconds_to_start);
-  MapProgress::ConstPtr progress;
   while (ros::ok() && ros::WallTime::now() < deadline) {
-    progress = ros::topic::waitForMessage<MapProgress>(server + "/map_progress", ros::Duration(1.0));
-    if (progress && progress->state == MapProgress::COMPLETE && publisher.getNumSubscribers() > 0)
-      return true;
+    if (publisher.getNumSubscribers() > 0) return true;
+    ros::WallDuration(0.05).sleep();
   }
-  ROS_FATAL_STREAM("The node " << server << " had no map within " << seconds_to_start << " s.");
+  ROS_FATAL_STREAM("The node " << server << " did not listen within " << seconds_to_start << " s.");
   return false;
 }
 
-void play(const Manipulator& manipulator, const Motion& motion, double duration, bool loop,
-          const ros::Publisher& publisher) {
-  sensor_msgs::JointState message;
-  for (const Leg& leg : manipulator.legs()) message.name.push_back(leg.driven_joint);
-  JointVector offset = JointVector::Zero(static_cast<Eigen::Index>(manipulator.leg_count()));
-  ros::Rate clock(rate);
-  ros::Time begin = ros::Time::now();
+// The local motion until the tour is planned, then the tour.
+void play_all(const Motion& local, TourPlanner& planner, const DemoOptions& options, Player& player) {
+  std::optional<Motion> tour;
+  bool known = false;
   while (ros::ok()) {
-    message.header.stamp = ros::Time::now();
-    double share = (message.header.stamp - begin).toSec() / duration;
-    if (share > 1.0 && !loop) return;
-    if (share > 1.0) {
-      begin += ros::Duration(duration);
-      offset += motion.gain();
-      share -= 1.0;
+    if (!known && planner.ready()) {
+      known = true;
+      const Tour planned = planner.take();
+      if (planned.drives.size() > 1) {
+        tour.emplace(planned.drives, options.duration);
+        ROS_INFO_STREAM("The motion visits aspects " << text(planned.aspects) << ".");
+      }
     }
-    const JointVector q = motion.at(share) + offset;
-    message.position.assign(q.begin(), q.end());
-    publisher.publish(message);
-    clock.sleep();
+    player.play(tour ? *tour : local);
+    if (known && !options.loop) return;
   }
 }
 
 int run(ros::NodeHandle nh, const ros::NodeHandle& private_nh) {
-  const std::string server = private_nh.param<std::string>("server", "aspect_node");
-  const double duration = private_nh.param("duration", 60.0);
-  const NodeSetup setup = load_setup(nh, ros::NodeHandle(server));
-  const Tour tour = plan(setup);
-  if (tour.drives.size() < 2) return EXIT_FAILURE;
+  const DemoOptions options = options_from(private_nh);
+  const NodeSetup setup = load_setup(nh, ros::NodeHandle(options.server));
+  const auto local = plan_local(setup);
+  if (!local) {
+    ROS_FATAL(
+        "No motion: the robot does not assemble at the start that the parameters say, or not clear of "
+        "singularities; set start/pose to another pose.");
+    return EXIT_FAILURE;
+  }
   const ros::Publisher publisher = nh.advertise<sensor_msgs::JointState>("joint_states", 100);
-  if (!wait_for_server(server, publisher)) return EXIT_FAILURE;
-  ROS_INFO_STREAM("The motion visits aspects " << text(tour.aspects) << ".");
-  play(*setup.mechanism->manipulator(), Motion(tour.drives), duration, private_nh.param("loop", true),
-       publisher);
+  if (!wait_for_server(options.server, publisher)) return EXIT_FAILURE;
+  TourPlanner planner(nh, setup, local->start, options);
+  Player player(*setup.mechanism->manipulator(), publisher);
+  play_all(Motion(local->drives, options.local_duration), planner, options, player);
   return EXIT_SUCCESS;
 }
 

@@ -14,8 +14,9 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr std::size_t most_places = 600;  // of one roadmap
-constexpr std::size_t most_gates = 8;     // tried from one aspect to another
+constexpr std::size_t most_places = 600;    // of one roadmap
+constexpr std::size_t most_leaves = 20000;  // looked at in one aspect
+constexpr std::size_t most_gates = 8;       // tried from one aspect to another
 
 /// A pose on either side of a serial singularity of one leg: drives q_before in one aspect, q_after in the
 /// other.
@@ -86,11 +87,15 @@ class Planner {
   void explore(const Aspect& aspect, Country& country) const {
     std::vector<std::pair<double, Place>> places;
     std::map<int, std::vector<Gate>> gates;
-    map_.visit_inside_leaves(aspect.id, [&](const Box& box) {
-      const auto place = place_at(box, aspect.mode);
-      if (!place) return;
-      places.emplace_back(box.measure(), *place);
-      add_gates(*place, aspect, gates);
+    const std::size_t stride = 1 + aspect.inside_leaves / most_leaves;
+    std::size_t leaf = 0;
+    map_.visit_inside_poses(aspect.id, [&](const Pose& pose, double measure) {
+      if (leaf++ % stride != 0) return;
+      const InverseSolution solution = inverse(robot_, pose, aspect.mode);
+      if (solution.status != InverseStatus::solved) return;
+      const Place place{pose, solution.q};
+      places.emplace_back(measure, place);
+      add_gates(place, aspect, gates);
     });
     std::stable_sort(places.begin(), places.end(),
                      [](const auto& a, const auto& b) { return a.first > b.first; });
@@ -100,16 +105,6 @@ class Planner {
     country.deepest = country.roads->add({aspect.deepest, inverse(robot_, aspect.deepest, aspect.mode).q});
     for (auto& [to, candidates] : gates)
       if (const auto gate = open_gate(std::move(candidates))) country.gates.push_back(*gate);
-  }
-
-  std::optional<Place> place_at(const Box& box, const WorkingMode& mode) const {
-    PoseCoordinates center(static_cast<Eigen::Index>(box.dimension));
-    for (std::size_t i = 0; i < box.dimension; ++i) center[static_cast<Eigen::Index>(i)] = box.center(i);
-    const auto pose = pose_from_coordinates(robot_.task_space(), center);
-    if (!pose) return std::nullopt;
-    const InverseSolution solution = inverse(robot_, *pose, mode);
-    if (solution.status != InverseStatus::solved) return std::nullopt;
-    return Place{*pose, solution.q};
   }
 
   // The same pose with one leg in its other posture.
