@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/aspects/boundary_curves.h"
 
+#include "parallel_aspects/aspects/pose_slice.h"
 #include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/kinematics/jacobians.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -13,7 +15,7 @@ namespace {
 using Eigen::Vector2d;
 
 // det A, then each B_jj^2, then the distance of each limited drive from its limits. Zero sets bound the mode.
-constexpr int most_functions = 1 + 2 + 4;
+constexpr int most_functions = 1 + 3 + 6;
 using Values = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, most_functions, 1>;
 
 struct Function {
@@ -52,33 +54,88 @@ Vector2d middle_of(const Polygon& polygon) {
 
 class Tracer {
  public:
-  Tracer(const AspectMap& map, const WorkingMode& mode)
-      : map_(map), robot_(*map.manipulator()), mode_(mode), functions_{{BoundaryKind::parallel, 0}} {
+  Tracer(const AspectMap& map, const WorkingMode& mode, const PoseSlice& slice)
+      : map_(map),
+        robot_(*map.manipulator()),
+        mode_(mode),
+        slice_(slice),
+        functions_{{BoundaryKind::parallel, 0}} {
     for (std::size_t j = 0; j < robot_.leg_count(); ++j) functions_.push_back({BoundaryKind::serial, j});
     for (std::size_t j = 0; j < robot_.leg_count(); ++j)
       for (const double limit : {robot_.leg(j).limits.lower, robot_.leg(j).limits.upper})
         if (std::isfinite(limit)) functions_.push_back({BoundaryKind::limit, j});
   }
 
-  BoundaryPicture trace() {
-    map_.visit_undecided_leaves(mode_, [this](const Box& box) { trace_in(box); });
+  // The undecided leaves; the others hold no boundary. For maps of two dimensions.
+  BoundaryPicture trace_leaves() {
+    map_.visit_undecided_leaves(mode_, [this](const Box& box) {
+      trace_in(vertex({box.lower[0], box.lower[1]}), vertex({box.upper[0], box.lower[1]}),
+               vertex({box.upper[0], box.upper[1]}), vertex({box.lower[0], box.upper[1]}));
+    });
+    return std::move(picture_);
+  }
+
+  BoundaryPicture trace_grid(const Eigen::AlignedBox2d& bounds, int cells) {
+    const Vector2d step = bounds.sizes() / cells;
+    const auto row_at = [&](int row) {
+      std::vector<Vertex> vertices;
+      for (int column = 0; column <= cells; ++column)
+        vertices.push_back(vertex(bounds.min() + step.cwiseProduct(Vector2d(column, row))));
+      return vertices;
+    };
+    std::vector<Vertex> below = row_at(0);
+    for (int row = 1; row <= cells; ++row) {
+      const std::vector<Vertex> above = row_at(row);
+      trace_row(below, above);
+      below = above;
+    }
     return std::move(picture_);
   }
 
  private:
-  // Two triangles a leaf: linear interpolation in a triangle has no ambiguous case.
-  void trace_in(const Box& box) {
-    const Vertex a = vertex({box.lower[0], box.lower[1]}), b = vertex({box.upper[0], box.lower[1]});
-    const Vertex c = vertex({box.upper[0], box.upper[1]}), d = vertex({box.lower[0], box.upper[1]});
+  // Neighbouring cells that lie wholly in one aspect are filled as one.
+  void trace_row(const std::vector<Vertex>& below, const std::vector<Vertex>& above) {
+    int filled = 0;
+    std::size_t begin = 0;
+    const auto fill_until = [&](std::size_t end) {
+      if (filled != 0)
+        picture_.slivers.push_back(
+            {filled, {below[begin].point, below[end].point, above[end].point, above[begin].point}});
+      filled = 0;
+    };
+    for (std::size_t i = 0; i + 1 < below.size(); ++i) {
+      const bool whole = crosses_nothing({below[i], below[i + 1], above[i + 1], above[i]});
+      const int aspect = whole ? located(0.5 * (below[i].point + above[i + 1].point)) : 0;
+      if (aspect != filled) {
+        fill_until(i);
+        begin = i;
+        filled = aspect;
+      }
+      if (!whole) trace_in(below[i], below[i + 1], above[i + 1], above[i]);
+    }
+    fill_until(below.size() - 1);
+  }
+
+  bool crosses_nothing(const Polygon& cell) const {
+    const double sign = cell.front().values[0];
+    return std::all_of(cell.begin(), cell.end(), [&](const Vertex& vertex) {
+      return slice_.holds(vertex.point) && sign * vertex.values[0] > 0.0 &&
+             vertex.values.tail(vertex.values.size() - 1).minCoeff() > 0.0;
+    });
+  }
+
+  // Two triangles a cell: linear interpolation in a triangle has no ambiguous case.
+  void trace_in(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& d) {
+    for (const Vertex& corner : {a, b, c, d})
+      if (!slice_.holds(corner.point)) return;
     for (const Polygon& triangle : {Polygon{a, b, c}, Polygon{a, c, d}})
-      for (const double sign : {1.0, -1.0}) add_part(triangle, sign, box.width(0));
+      for (const double sign : {1.0, -1.0}) add_part(triangle, sign, (b.point - a.point).norm());
   }
 
   Vertex vertex(const Vector2d& point) const { return {point, values(point)}; }
 
   Values values(const Vector2d& point) const {
-    Pose pose;
-    pose.position << point, 0.0;
+    const Pose pose = slice_.pose(point);
     JointVector q(robot_.leg_count());
     Values result(functions_.size());
     for (std::size_t j = 0; j < robot_.leg_count(); ++j) {
@@ -142,15 +199,14 @@ class Tracer {
   }
 
   int located(const Vector2d& point) const {
-    Pose pose;
-    pose.position << point, 0.0;
-    const Location found = map_.locate(pose, mode_);
+    const Location found = map_.locate(slice_.pose(point), mode_);
     return found.status == LocationStatus::inside ? found.aspect : 0;
   }
 
   const AspectMap& map_;
   const Manipulator& robot_;
   const WorkingMode mode_;
+  const PoseSlice slice_;
   std::vector<Function> functions_;
   BoundaryPicture picture_;
 };
@@ -159,7 +215,12 @@ class Tracer {
 
 BoundaryPicture trace_boundary(const AspectMap& map, const WorkingMode& mode) {
   if (map.manipulator()->task_space() != TaskSpace::T2) return {};
-  return Tracer(map, mode).trace();
+  return Tracer(map, mode, PoseSlice(TaskSpace::T2, 0.0)).trace_leaves();
+}
+
+BoundaryPicture trace_slice(const AspectMap& map, const WorkingMode& mode, const PoseSlice& slice,
+                            const Eigen::AlignedBox2d& bounds, int cells) {
+  return Tracer(map, mode, slice).trace_grid(bounds, cells);
 }
 
 }  // namespace parallel_aspects

@@ -125,7 +125,7 @@ void AspectServer::check_age() {
   state_.publish(*state);
 }
 
-void AspectServer::show() { display_.show(monitor_.current(ros::Time::now())); }
+void AspectServer::show() { display_.show(monitor_.current(ros::Time::now()), worker_.progress().sentence); }
 
 void AspectServer::on_map_progress(const MapProgress& progress, const std::shared_ptr<const AspectMap>& map) {
   if (map) {

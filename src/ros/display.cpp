@@ -1,42 +1,111 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/ros/display.h"
 
+#include "parallel_aspects/ros/gauge_picture.h"
+#include "parallel_aspects/ros/map_picture.h"
+#include "parallel_aspects/ros/picture_parts.h"
+#include "parallel_aspects/ros/slice_picture.h"
+
 namespace parallel_aspects {
 namespace {
 
-std::optional<DrawnConfiguration> drawn(const CurrentConfiguration& current) {
+// Slices move with the robot; this leaves time for other things.
+const ros::WallDuration between_galleries(0.5), between_present(0.2);
+
+Drawn drawn(const CurrentConfiguration& current) {
   if (current.status.code != Status::OK) return std::nullopt;
   return DrawnConfiguration{current.tracked.mode, current.tracked.aspect, current.solved};
+}
+
+MarkerFrames frames_of(const NodeSetup& setup) {
+  return {setup.mechanism->manipulator()->base_frame(), setup.options.frame_prefix + "/aspects",
+          setup.options.frame_prefix + "/joint_space"};
+}
+
+ros::Publisher latched(ros::NodeHandle& nh, const std::string& topic) {
+  return nh.advertise<visualization_msgs::MarkerArray>(topic, 1, true);
 }
 
 }  // namespace
 
 Display::Display(const NodeSetup& setup, ros::NodeHandle private_nh)
-    : frames_{setup.mechanism->manipulator()->base_frame(), setup.options.frame_prefix + "/aspects",
-              setup.options.frame_prefix + "/joint_space"},
+    : manipulator_(setup.mechanism->manipulator()),
+      frames_(frames_of(setup)),
+      scene_(scene_of(*setup.mechanism, setup.options.start)),
       options_(setup.options.display),
-      markers_(private_nh.advertise<visualization_msgs::MarkerArray>("markers", 1, true)),
-      position_markers_(private_nh.advertise<visualization_msgs::MarkerArray>("position_markers", 1, true)) {}
+      markers_(latched(private_nh, "markers")),
+      present_markers_(latched(private_nh, "present_markers")),
+      position_markers_(latched(private_nh, "position_markers")) {
+  set_picture(std::make_shared<const GaugePicture>(manipulator_, frames_, scene_));
+}
 
 void Display::set_map(const std::shared_ptr<const AspectMap>& map) {
-  if (!MapPicture::can_draw(*map)) return;
-  const auto picture = std::make_shared<const MapPicture>(map, frames_, options_);
+  if (map->aspects().empty()) return;
+  if (map->manipulator()->task_space() == TaskSpace::T2)
+    set_picture(std::make_shared<const MapPicture>(map, frames_, options_));
+  else
+    set_picture(std::make_shared<const SlicePicture>(map, frames_, scene_, options_));
+  const std::lock_guard<std::mutex> lock(mutex_);
+  mapped_ = true;
+}
+
+void Display::set_picture(const std::shared_ptr<const Picture>& picture) {
   static_tf_.sendTransform(picture->frames());
   const std::lock_guard<std::mutex> lock(mutex_);
   picture_ = picture;
   fresh_ = true;
 }
 
-void Display::show(const CurrentConfiguration& current) {
+void Display::show(const CurrentConfiguration& current, const std::string& map_sentence) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (!picture_) return;
-  const auto now = drawn(current);
-  const Highlight highlight = now ? Highlight({now->mode, now->aspect}) : std::nullopt;
-  if (fresh_ || highlight != highlight_) markers_.publish(picture_->aspects(now));
-  if (now || dot_ || fresh_) position_markers_.publish(picture_->position(now));
+  const Drawn now = drawn(current);
+  const ros::WallTime time = ros::WallTime::now();
+  const bool gallery_rested = time - gallery_time_ > between_galleries;
+  const bool present_rested = time - present_time_ > between_present;
+  if (fresh_ || (gallery_rested && picture_->gallery_differs(drawn_gallery_, now))) publish_gallery(now);
+  if (fresh_ || (present_rested && picture_->present_differs(drawn_present_, now))) publish_present(now);
+  const std::string words = caption(current, map_sentence);
+  if (fresh_ || now || words != caption_) publish_position(now, words);
   fresh_ = false;
-  highlight_ = highlight;
-  dot_ = now.has_value();
+}
+
+void Display::publish_gallery(const Drawn& now) {
+  markers_.publish(picture_->gallery(now));
+  drawn_gallery_ = now;
+  gallery_time_ = ros::WallTime::now();
+}
+
+void Display::publish_present(const Drawn& now) {
+  present_markers_.publish(picture_->present(now));
+  drawn_present_ = now;
+  present_time_ = ros::WallTime::now();
+}
+
+void Display::publish_position(const Drawn& now, const std::string& caption) {
+  visualization_msgs::MarkerArray array = picture_->position(now);
+  const Eigen::AlignedBox3d& robot = scene_.robot;
+  const double text = 0.045 * scene_.tiles.height();
+  Eigen::Vector3d at(robot.center().x(), robot.min().y() - 1.5 * text, 0.0);
+  if (!scene_.planar)  // where no part of the robot hides it
+    at = scene_.gallery * Eigen::Vector3d(0.5 * scene_.tiles.width(), 3.0 * text, 0.0);
+  MarkerBatch batch;
+  batch.text({frames_.base, manipulator_->task_frame() * Eigen::Translation3d(at)}, "caption",
+             Eigen::Vector2d::Zero(), 0.0, text, caption, ink());
+  array.markers.push_back(batch.take().markers.back());
+  position_markers_.publish(array);
+  caption_ = caption;
+}
+
+std::string Display::caption(const CurrentConfiguration& current, const std::string& map_sentence) const {
+  std::string words = manipulator_->name() + ": ";
+  if (current.status.code == Status::OK) {
+    const TrackedState& state = current.tracked;
+    if (state.aspect != 0) words += "aspect " + std::to_string(state.aspect) + ", ";
+    words += "working mode " + branch_text(state.mode, state.determinant_sign);
+  } else {
+    words += current.status.sentence;
+  }
+  return mapped_ || map_sentence.empty() ? words : words + "\n" + map_sentence;
 }
 
 }  // namespace parallel_aspects

@@ -3,8 +3,9 @@
 #define PARALLEL_ASPECTS_ROS_DISPLAY_H
 
 #include "parallel_aspects/ros/load_options.h"
-#include "parallel_aspects/ros/map_picture.h"
+#include "parallel_aspects/ros/picture.h"
 #include "parallel_aspects/ros/robot_monitor.h"
+#include "parallel_aspects/ros/scene.h"
 
 #include <ros/node_handle.h>
 #include <ros/publisher.h>
@@ -12,12 +13,11 @@
 
 #include <memory>
 #include <mutex>
-#include <optional>
-#include <utility>
+#include <string>
 
 namespace parallel_aspects {
 
-/// Publishes the picture of the map, and keeps it up with the robot.
+/// Publishes the picture of the map, or gauges while there is none, and keeps it up with the robot.
 class Display {
  public:
   Display(const NodeSetup& setup, ros::NodeHandle private_nh);
@@ -25,22 +25,30 @@ class Display {
   /// Works out a new picture; may take long. Call from any thread.
   void set_map(const std::shared_ptr<const AspectMap>& map);
 
-  /// Draws what has changed since the last call.
-  void show(const CurrentConfiguration& current);
+  /// Draws what has changed since the last call. `map_sentence`: what there is to say about the map.
+  void show(const CurrentConfiguration& current, const std::string& map_sentence);
 
  private:
-  using Highlight = std::optional<std::pair<WorkingMode, int>>;
+  void set_picture(const std::shared_ptr<const Picture>& picture);
+  void publish_gallery(const Drawn& now);
+  void publish_present(const Drawn& now);
+  void publish_position(const Drawn& now, const std::string& caption);
+  std::string caption(const CurrentConfiguration& current, const std::string& map_sentence) const;
 
-  MarkerFrames frames_;
-  DisplayOptions options_;
-  ros::Publisher markers_, position_markers_;
+  const std::shared_ptr<const Manipulator> manipulator_;
+  const MarkerFrames frames_;
+  const Scene scene_;
+  const DisplayOptions options_;
+  ros::Publisher markers_, present_markers_, position_markers_;
   tf2_ros::StaticTransformBroadcaster static_tf_;
 
   std::mutex mutex_;
-  std::shared_ptr<const MapPicture> picture_;
-  bool fresh_ = false;   // the picture has never been published
-  Highlight highlight_;  // as published
-  bool dot_ = false;     // whether a position is drawn
+  std::shared_ptr<const Picture> picture_;
+  bool mapped_ = false;                  // whether the picture is of a map
+  bool fresh_ = true;                    // the picture has never been published
+  Drawn drawn_gallery_, drawn_present_;  // as published
+  ros::WallTime gallery_time_, present_time_;
+  std::string caption_;
 };
 
 }  // namespace parallel_aspects

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASPECTS_POSE_SLICE_H
+#define PARALLEL_ASPECTS_ASPECTS_POSE_SLICE_H
+
+#include "parallel_aspects/aspects/aspect_map.h"
+#include "parallel_aspects/aspects/boundary_curves.h"
+
+#include <Eigen/Geometry>
+
+#include <string>
+
+namespace parallel_aspects {
+
+/// A two-dimensional slice through the poses of a task space, for drawing:
+///  - SE2: x, y [m] at one phi [rad];
+///  - T3: x, y [m] at one z [m];
+///  - SO3: the tilt (theta cos(azimuth), theta sin(azimuth)) [rad] of the platform's z axis, within the disc
+///  of
+///    radius pi, at one torsion [rad] (the tilt and torsion of Bonev, Zlatanov and Gosselin, 2002);
+///  - T2: x, y [m], all there is.
+class PoseSlice {
+ public:
+  /// `level`: phi, z or torsion; unused in T2. Not for SE3.
+  PoseSlice(TaskSpace space, double level) noexcept : space_(space), level_(level) {}
+
+  /// The slice that holds a pose.
+  static PoseSlice through(TaskSpace space, const Pose& pose) noexcept;
+
+  double level() const noexcept { return level_; }
+
+  Pose pose(const Eigen::Vector2d& point) const noexcept;
+
+  /// Where in its own slice a pose lies.
+  static Eigen::Vector2d point(TaskSpace space, const Pose& pose) noexcept;
+
+  /// Whether the slice reaches this far: the disc in SO3, else everywhere.
+  bool holds(const Eigen::Vector2d& point) const noexcept;
+
+  /// "phi = 0.3 rad", for people; empty in T2.
+  std::string text() const;
+
+ private:
+  TaskSpace space_;
+  double level_;
+};
+
+/// What slices of the map can show: bounds in the coordinates of `PoseSlice` [m or rad], of all aspects.
+Eigen::AlignedBox2d slice_bounds(const AspectMap& map);
+
+/// How far apart two slices are, the short way round where the level is an angle [m or rad].
+double level_difference(TaskSpace space, double a, double b) noexcept;
+
+/// The aspects of one working mode in a slice, and their boundaries, traced on a grid of `cells` x `cells`
+/// over `bounds`. What is filled was located in its aspect by proof at the middle of each piece.
+BoundaryPicture trace_slice(const AspectMap& map, const WorkingMode& mode, const PoseSlice& slice,
+                            const Eigen::AlignedBox2d& bounds, int cells);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ASPECTS_POSE_SLICE_H
