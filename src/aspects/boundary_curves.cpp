@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/aspects/boundary_curves.h"
 
-#include "parallel_aspects/aspects/pose_slice.h"
 #include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/kinematics/jacobians.h"
 
@@ -54,25 +53,17 @@ Vector2d middle_of(const Polygon& polygon) {
 
 class Tracer {
  public:
-  Tracer(const AspectMap& map, const WorkingMode& mode, const PoseSlice& slice)
+  Tracer(const AspectMap& map, const WorkingMode& mode, const PoseSlice& slice, Cells merging)
       : map_(map),
         robot_(*map.manipulator()),
         mode_(mode),
         slice_(slice),
+        merging_(merging),
         functions_{{BoundaryKind::parallel, 0}} {
     for (std::size_t j = 0; j < robot_.leg_count(); ++j) functions_.push_back({BoundaryKind::serial, j});
     for (std::size_t j = 0; j < robot_.leg_count(); ++j)
       for (const double limit : {robot_.leg(j).limits.lower, robot_.leg(j).limits.upper})
         if (std::isfinite(limit)) functions_.push_back({BoundaryKind::limit, j});
-  }
-
-  // The undecided leaves; the others hold no boundary. For maps of two dimensions.
-  BoundaryPicture trace_leaves() {
-    map_.visit_undecided_leaves(mode_, [this](const Box& box) {
-      trace_in(vertex({box.lower[0], box.lower[1]}), vertex({box.upper[0], box.lower[1]}),
-               vertex({box.upper[0], box.upper[1]}), vertex({box.lower[0], box.upper[1]}));
-    });
-    return std::move(picture_);
   }
 
   BoundaryPicture trace_grid(const Eigen::AlignedBox2d& bounds, int cells) {
@@ -106,7 +97,7 @@ class Tracer {
     for (std::size_t i = 0; i + 1 < below.size(); ++i) {
       const bool whole = crosses_nothing({below[i], below[i + 1], above[i + 1], above[i]});
       const int aspect = whole ? located(0.5 * (below[i].point + above[i + 1].point)) : 0;
-      if (aspect != filled) {
+      if (aspect != filled || merging_ == Cells::single) {
         fill_until(i);
         begin = i;
         filled = aspect;
@@ -207,20 +198,16 @@ class Tracer {
   const Manipulator& robot_;
   const WorkingMode mode_;
   const PoseSlice slice_;
+  const Cells merging_;
   std::vector<Function> functions_;
   BoundaryPicture picture_;
 };
 
 }  // namespace
 
-BoundaryPicture trace_boundary(const AspectMap& map, const WorkingMode& mode) {
-  if (map.manipulator()->task_space() != TaskSpace::T2) return {};
-  return Tracer(map, mode, PoseSlice(TaskSpace::T2, 0.0)).trace_leaves();
-}
-
 BoundaryPicture trace_slice(const AspectMap& map, const WorkingMode& mode, const PoseSlice& slice,
-                            const Eigen::AlignedBox2d& bounds, int cells) {
-  return Tracer(map, mode, slice).trace_grid(bounds, cells);
+                            const Eigen::AlignedBox2d& bounds, int cells, Cells merging) {
+  return Tracer(map, mode, slice, merging).trace_grid(bounds, cells);
 }
 
 }  // namespace parallel_aspects

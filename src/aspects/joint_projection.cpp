@@ -14,8 +14,12 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double turn = 2.0 * EIGEN_PI;
-constexpr double longest_edge = 0.1;  // of an image, where it can be had [rad or m]
-constexpr int most_splits = 5;
+constexpr double longest_edge = 0.25;  // of an image, where it can be had [rad or m]
+constexpr int most_splits = 2;
+
+// Images are drawn a little larger than they are, so that no gap is seen where a straight side meets two that
+// are not quite in line.
+constexpr double enlargement = 1.04;
 
 std::array<Vector2d, 4> corners_of(const Box& box) {
   return {Vector2d(box.lower[0], box.lower[1]), Vector2d(box.upper[0], box.lower[1]),
@@ -58,6 +62,13 @@ void add_fan(const Polygon& polygon, TriangleCorners& corners) {
     const bool turned = first.x() * second.y() - first.y() * second.x() < 0.0;
     corners.insert(corners.end(), {polygon[0], polygon[turned ? i : i - 1], polygon[turned ? i - 1 : i]});
   }
+}
+
+Polygon enlarged(Polygon polygon) {
+  Vector2d center = Vector2d::Zero();
+  for (const Vector2d& corner : polygon) center += corner / static_cast<double>(polygon.size());
+  for (Vector2d& corner : polygon) corner = center + enlargement * (corner - center);
+  return polygon;
 }
 
 // Adds every copy of the polygon, a turn apart, that meets the window.
@@ -130,12 +141,8 @@ void JointProjection::find_window() {
 TriangleCorners JointProjection::triangles(int aspect, const std::vector<BoundarySliver>& slivers) const {
   const WorkingMode mode = map_->aspects()[static_cast<std::size_t>(aspect - 1)].mode;
   TriangleCorners corners;
-  map_->visit_inside_leaves(aspect, [&](const Box& box) {
-    const auto polygon = corners_of(box);
-    add_image({polygon.begin(), polygon.end()}, mode, most_splits, corners);
-  });
   for (const BoundarySliver& sliver : slivers)
-    if (sliver.aspect == aspect) add_image(sliver.corners, mode, 1, corners);
+    if (sliver.aspect == aspect) add_image(sliver.corners, mode, most_splits, corners);
   return corners;
 }
 
@@ -154,7 +161,7 @@ void JointProjection::add_image(const std::vector<Vector2d>& polygon, const Work
   }
   // An image that still spans a large part of a turn cannot be unwrapped safely; it is smaller than can be
   // seen.
-  if (longest < 0.25 * turn) add_copies(image, window_, corners);
+  if (longest < 0.25 * turn) add_copies(enlarged(image), window_, corners);
 }
 
 std::vector<BoundarySegment> JointProjection::images(const std::vector<BoundarySegment>& segments,

@@ -14,17 +14,8 @@ namespace {
 using Eigen::Vector2d;
 using Points = MarkerBatch::Points;
 
-Points workspace_triangles(const AspectMap& map, int aspect, const std::vector<BoundarySliver>& slivers) {
-  Points corners;
-  map.visit_inside_leaves(aspect, [&](const Box& box) {
-    const Vector2d a(box.lower[0], box.lower[1]), b(box.upper[0], box.lower[1]);
-    const Vector2d c(box.upper[0], box.upper[1]), d(box.lower[0], box.upper[1]);
-    corners.insert(corners.end(), {a, b, c, a, c, d});
-  });
-  const Points more = sliver_triangles(slivers, aspect);
-  corners.insert(corners.end(), more.begin(), more.end());
-  return corners;
-}
+// Cells across the workspace, of the pictures at the robot, in a tile, and in joint space.
+constexpr int robot_cells = 160, tile_cells = 96, joint_cells = 46;
 
 // Where a label of an aspect has most room.
 Vector2d label_point(const Aspect& aspect) { return aspect.deepest.position.head<2>(); }
@@ -52,20 +43,22 @@ MapPicture::MapPicture(std::shared_ptr<const AspectMap> map, MarkerFrames frames
   at_robot_ = {frames_.base, map_->manipulator()->task_frame() * behind};
   workspaces_ = {frames_.aspects, Eigen::Isometry3d::Identity()};
   joint_spaces_ = {frames_.joint_space, Eigen::Isometry3d::Identity()};
-  workspace_triangles_.resize(map_->aspects().size());
   joint_triangles_.resize(map_->aspects().size());
   for (const WorkingMode& mode : map_->working_modes()) add_mode(mode);
 }
 
 void MapPicture::add_mode(const WorkingMode& mode) {
-  const BoundaryPicture boundary = trace_boundary(*map_, mode);
-  modes_.push_back({mode, boundary.segments, projection_.images(boundary.segments, mode)});
-  for (const Aspect& aspect : map_->aspects()) {
-    if (aspect.mode != mode) continue;
-    const auto index = static_cast<std::size_t>(aspect.id - 1);
-    workspace_triangles_[index] = workspace_triangles(*map_, aspect.id, boundary.slivers);
-    joint_triangles_[index] = projection_.triangles(aspect.id, boundary.slivers);
-  }
+  const PoseSlice all(TaskSpace::T2, 0.0);
+  const Eigen::AlignedBox2d bounds = slice_bounds(*map_);
+  const BoundaryPicture pieces = trace_slice(*map_, mode, all, bounds, joint_cells, Cells::single);
+  BoundaryPicture tile = trace_slice(*map_, mode, all, bounds, tile_cells);
+  auto joint_boundary = projection_.images(tile.segments, mode);
+  modes_.push_back(
+      {mode, trace_slice(*map_, mode, all, bounds, robot_cells), std::move(tile), std::move(joint_boundary)});
+  for (const Aspect& aspect : map_->aspects())
+    if (aspect.mode == mode)
+      joint_triangles_[static_cast<std::size_t>(aspect.id - 1)] =
+          projection_.triangles(aspect.id, pieces.slivers);
 }
 
 visualization_msgs::MarkerArray MapPicture::gallery(const Drawn&) const {
@@ -132,20 +125,20 @@ void MapPicture::draw_at_robot(const DrawnConfiguration& now, std::size_t column
     if (aspect.mode != now.mode) continue;
     const auto full = aspect_color(aspect.id);
     const auto shade = aspect.id == now.aspect ? full : lightened(full, 0.65);
-    batch.triangles(at_robot_, "robot/aspects", workspace_triangles_[static_cast<std::size_t>(aspect.id - 1)],
+    batch.triangles(at_robot_, "robot/aspects", sliver_triangles(modes_[column].at_robot.slivers, aspect.id),
                     height_of(Layer::fill, text), shade);
     batch.text(at_robot_, "robot/labels", label_point(aspect), height_of(Layer::text, text), text,
                std::to_string(aspect.id), readable_on(shade));
   }
   const CurveStyle style{text, 0.1 * text};
-  draw_outline(modes_[column].boundary, now.aspect, place, style, at_robot_, "robot", batch);
-  draw_curves(modes_[column].boundary, place, style, at_robot_, "robot", batch);
+  draw_outline(modes_[column].at_robot.segments, now.aspect, place, style, at_robot_, "robot", batch);
+  draw_curves(modes_[column].at_robot.segments, place, style, at_robot_, "robot", batch);
 }
 
 void MapPicture::outline_in_gallery(std::size_t column, int aspect, MarkerBatch& batch) const {
   const CurveStyle style{layout_.text_height(), 0.06 * layout_.text_height()};
   draw_outline(
-      modes_[column].boundary, aspect,
+      modes_[column].tile.segments, aspect,
       [&](const Vector2d& x) { return layout_.in_workspace_tile(x, column); }, style, workspaces_,
       "workspace", batch);
   draw_outline(
@@ -161,12 +154,12 @@ void MapPicture::draw_workspace_tile(std::size_t column, MarkerBatch& batch) con
     if (aspect.mode != modes_[column].mode) continue;
     const auto fill = aspect_color(aspect.id);
     batch.triangles(workspaces_, "workspace/aspects",
-                    placed(workspace_triangles_[static_cast<std::size_t>(aspect.id - 1)], place),
+                    placed(sliver_triangles(modes_[column].tile.slivers, aspect.id), place),
                     height_of(Layer::fill, text), fill);
     batch.text(workspaces_, "workspace/labels", place(label_point(aspect)), height_of(Layer::text, text),
                0.8 * text, std::to_string(aspect.id), readable_on(fill));
   }
-  draw_curves(modes_[column].boundary, place, {text, 0.06 * text}, workspaces_, "workspace", batch);
+  draw_curves(modes_[column].tile.segments, place, {text, 0.06 * text}, workspaces_, "workspace", batch);
 }
 
 void MapPicture::draw_joint_tile(std::size_t column, MarkerBatch& batch) const {
@@ -217,7 +210,8 @@ void MapPicture::draw_legend(MarkerBatch& batch) const {
   const Vector2d below(0.0, -0.5 * layout_.joint_tile_size().y() - 3.2 * text);
   const Vector2d step = layout_.joint_tile_center(1) - layout_.joint_tile_center(0);
   std::vector<BoundarySegment> all;
-  for (const ModePicture& mode : modes_) all.insert(all.end(), mode.boundary.begin(), mode.boundary.end());
+  for (const ModePicture& mode : modes_)
+    all.insert(all.end(), mode.tile.segments.begin(), mode.tile.segments.end());
   Vector2d at = below;
   for (const auto& [kind, words] : boundary_legend(all)) {
     batch.text(joint_spaces_, "joint_space/legend", at, height_of(Layer::text, text), 0.8 * text, words,

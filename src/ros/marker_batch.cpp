@@ -48,7 +48,10 @@ Marker& MarkerBatch::add(const Plane& plane, const std::string& group, int type,
 void MarkerBatch::triangles(const Plane& plane, const std::string& group, const Points& corners,
                             double height, const std_msgs::ColorRGBA& color) {
   if (corners.empty()) return;
-  set_points(add(plane, group, Marker::TRIANGLE_LIST, color), corners, height);
+  Marker& marker = add(plane, group, Marker::TRIANGLE_LIST, color);
+  set_points(marker, corners, height);
+  if (!plane.lit)
+    marker.colors.assign(marker.points.size(), color);  // rviz lights only markers of one colour
 }
 
 void MarkerBatch::lines(const Plane& plane, const std::string& group, const Points& ends, double height,

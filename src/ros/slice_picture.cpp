@@ -167,7 +167,8 @@ void SlicePicture::draw_at_robot(const DrawnConfiguration& now, MarkerBatch& bat
   const double behind = -0.02 * map_->manipulator()->size();  // the links, in front of the base
   const double height = space_ == TaskSpace::T3 ? slice.level() : behind;
   const MarkerBatch::Plane plane{frames_.base,
-                                 map_->manipulator()->task_frame() * Eigen::Translation3d(0.0, 0.0, height)};
+                                 map_->manipulator()->task_frame() * Eigen::Translation3d(0.0, 0.0, height),
+                                 scene_.planar};  // seen at a flat angle, it would be dark
   const Placing place = [](const Vector2d& point) { return point; };
   const double unit = 0.06 * bounds_.sizes().maxCoeff();
   fill(traced, place, plane, "robot", 0.0, now.aspect == 0 ? -1 : now.aspect, batch);

@@ -4,6 +4,7 @@
 #include "parallel_aspects/ros/palette.h"
 
 #include <gtest/gtest.h>
+#include <ros/serialization.h>
 
 #include "ros/five_bar_setup.h"
 #include "support/robots.h"
@@ -22,6 +23,10 @@ std::shared_ptr<const AspectMap> map_of(const std::shared_ptr<const Manipulator>
   MapOptions options;
   options.resolution = 0.2;
   return compute_aspect_map(manipulator, options).map;
+}
+
+BoundaryPicture traced(const AspectMap& map, const WorkingMode& mode) {
+  return trace_slice(map, mode, PoseSlice(TaskSpace::T2, 0.0), slice_bounds(map), 160);
 }
 
 const MarkerFrames frames{"base_link", "robot/aspects", "robot/joint_space"};
@@ -57,9 +62,9 @@ class MapPictureTest : public testing::Test {
 };
 
 TEST_F(MapPictureTest, EveryArrayDeletesFirstAndHasStampZeroAndUniqueIds) {
-  for (const MarkerArray& array :
-       {picture_.aspects(std::nullopt), picture_.aspects(now(4.5, 8.0, {1, -1})),
-        picture_.position(std::nullopt), picture_.position(now(4.5, 8.0, {1, -1}))}) {
+  for (const MarkerArray& array : {picture_.gallery(std::nullopt), picture_.present(now(4.5, 8.0, {1, -1})),
+                                   picture_.present(std::nullopt), picture_.position(std::nullopt),
+                                   picture_.position(now(4.5, 8.0, {1, -1}))}) {
     ASSERT_FALSE(array.markers.empty());
     EXPECT_EQ(array.markers.front().action, Marker::DELETEALL);
     std::set<std::pair<std::string, int>> ids;
@@ -73,13 +78,14 @@ TEST_F(MapPictureTest, EveryArrayDeletesFirstAndHasStampZeroAndUniqueIds) {
 }
 
 TEST_F(MapPictureTest, PointsAreFinite) {
-  for (const Marker& marker : picture_.aspects(now(4.5, 8.0, {1, -1})).markers)
-    for (const auto& point : marker.points)
-      ASSERT_TRUE(std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z)) << marker.ns;
+  for (const MarkerArray& array : {picture_.gallery(std::nullopt), picture_.present(now(4.5, 8.0, {1, -1}))})
+    for (const Marker& marker : array.markers)
+      for (const auto& point : marker.points)
+        ASSERT_TRUE(std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z)) << marker.ns;
 }
 
 TEST_F(MapPictureTest, EachAspectIsOneTriangleListInItsColourAndSize) {
-  const auto fills = in_group(picture_.aspects(std::nullopt), "workspace/aspects");
+  const auto fills = in_group(picture_.gallery(std::nullopt), "workspace/aspects");
   ASSERT_EQ(fills.size(), map_->aspects().size());
   const double scale = DisplayOptions{}.gallery_scale;
   for (const Aspect& aspect : map_->aspects()) {
@@ -94,7 +100,7 @@ TEST_F(MapPictureTest, EachAspectIsOneTriangleListInItsColourAndSize) {
 }
 
 TEST_F(MapPictureTest, JointProjectionsAreInTheWindowAndTurnedToTheViewer) {
-  const auto fills = in_group(picture_.aspects(std::nullopt), "joint_space/aspects");
+  const auto fills = in_group(picture_.gallery(std::nullopt), "joint_space/aspects");
   ASSERT_EQ(fills.size(), map_->aspects().size());
   for (const Marker& marker : fills) {
     EXPECT_EQ(marker.header.frame_id, frames.joint_space);
@@ -110,7 +116,7 @@ TEST_F(MapPictureTest, TheProjectionOfAnAspectHoldsTheDrivesOfItsPoses) {
   for (const Aspect& aspect : map_->aspects()) {
     const Eigen::Vector2d q =
         projection.window().wrapped(inverse(*robot_, aspect.deepest, aspect.mode).q.head<2>());
-    const auto corners = projection.triangles(aspect.id, {});
+    const auto corners = projection.triangles(aspect.id, traced(*map_, aspect.mode).slivers);
     bool held = false;
     for (std::size_t i = 0; i + 2 < corners.size() && !held; i += 3) {
       const auto left_of = [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
@@ -125,7 +131,7 @@ TEST_F(MapPictureTest, TheProjectionOfAnAspectHoldsTheDrivesOfItsPoses) {
 
 TEST_F(MapPictureTest, TheBoundaryLiesOnSingularities) {
   for (const WorkingMode& mode : map_->working_modes()) {
-    const BoundaryPicture boundary = trace_boundary(*map_, mode);
+    const BoundaryPicture boundary = traced(*map_, mode);
     ASSERT_FALSE(boundary.segments.empty());
     for (const BoundarySegment& segment : boundary.segments) {
       ASSERT_EQ(segment.kind == BoundaryKind::limit, false);
@@ -138,15 +144,15 @@ TEST_F(MapPictureTest, TheBoundaryLiesOnSingularities) {
 }
 
 TEST_F(MapPictureTest, OnlyTheAspectsOfThePresentModeAreAtTheRobot) {
-  EXPECT_TRUE(in_group(picture_.aspects(std::nullopt), "robot/aspects").empty());
+  EXPECT_TRUE(in_group(picture_.present(std::nullopt), "robot/aspects").empty());
   const auto present = now(4.5, 8.0, {1, -1});
   ASSERT_NE(present->aspect, 0);
-  const auto fills = in_group(picture_.aspects(present), "robot/aspects");
+  const auto fills = in_group(picture_.present(present), "robot/aspects");
   EXPECT_EQ(fills.size(), 3U);
   int highlighted = 0;
   for (const Marker& marker : fills) highlighted += marker.color == aspect_color(present->aspect) ? 1 : 0;
   EXPECT_EQ(highlighted, 1);
-  EXPECT_EQ(in_group(picture_.aspects(present), "robot/outline").size(), 1U);
+  EXPECT_EQ(in_group(picture_.present(present), "robot/outline").size(), 1U);
 }
 
 TEST_F(MapPictureTest, ThePositionIsDrawnInBothTilesOfItsModeAndGoesAway) {
@@ -156,19 +162,35 @@ TEST_F(MapPictureTest, ThePositionIsDrawnInBothTilesOfItsModeAndGoesAway) {
   EXPECT_EQ(picture_.position(std::nullopt).markers.size(), 1U);
 }
 
+TEST_F(MapPictureTest, OnlyAnotherModeOrAspectIsDrawnAnew) {
+  const Drawn here = now(4.5, 8.0, {1, -1});
+  EXPECT_FALSE(picture_.present_differs(here, now(4.6, 8.0, {1, -1})));
+  EXPECT_TRUE(picture_.present_differs(here, now(4.5, 8.0, {1, 1})));
+  EXPECT_TRUE(picture_.present_differs(here, std::nullopt));
+  EXPECT_FALSE(picture_.gallery_differs(here, now(4.5, 8.0, {1, 1})));
+}
+
+// rviz takes them over the network, and again each time that it is opened.
+TEST_F(MapPictureTest, MessagesAreSmall) {
+  const auto map = compute_aspect_map(robot_).map;
+  const MapPicture picture(map, frames, DisplayOptions{});
+  EXPECT_LT(ros::serialization::serializationLength(picture.gallery(std::nullopt)), 3000000U);
+  EXPECT_LT(ros::serialization::serializationLength(picture.present(now(4.5, 8.0, {1, -1}))), 1500000U);
+}
+
 TEST_F(MapPictureTest, WithoutAGalleryOnlyTheRobotIsDrawn) {
   DisplayOptions options;
   options.gallery = false;
   const MapPicture plain(map_, frames, options);
-  EXPECT_TRUE(in_group(plain.aspects(now(4.5, 8.0, {1, -1})), "workspace/aspects").empty());
-  EXPECT_FALSE(in_group(plain.aspects(now(4.5, 8.0, {1, -1})), "robot/aspects").empty());
+  EXPECT_TRUE(in_group(plain.gallery(now(4.5, 8.0, {1, -1})), "workspace/aspects").empty());
+  EXPECT_FALSE(in_group(plain.present(now(4.5, 8.0, {1, -1})), "robot/aspects").empty());
 }
 
 TEST(MapPictureOfABipod, DrawsJointLimitsAsBoundaries) {
   const auto map = map_of(test::bipod());
   ASSERT_TRUE(map);
   std::map<BoundaryKind, int> kinds;
-  for (const BoundarySegment& segment : trace_boundary(*map, map->working_modes().front()).segments)
+  for (const BoundarySegment& segment : traced(*map, map->working_modes().front()).segments)
     ++kinds[segment.kind];
   EXPECT_GT(kinds[BoundaryKind::limit], 0);
   EXPECT_GT(kinds[BoundaryKind::parallel], 0);

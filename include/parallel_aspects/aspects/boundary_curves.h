@@ -3,6 +3,7 @@
 #define PARALLEL_ASPECTS_ASPECTS_BOUNDARY_CURVES_H
 
 #include "parallel_aspects/aspects/aspect_map.h"
+#include "parallel_aspects/aspects/pose_slice.h"
 #include "parallel_aspects/kinematics/working_mode.h"
 
 #include <Eigen/Core>
@@ -20,19 +21,19 @@ enum class BoundaryKind {
 };
 
 /// A short straight piece of the boundary of the aspects of one working mode, for drawing: approximated
-/// inside one undecided leaf, not certified.
+/// in one cell of a grid, not certified.
 struct BoundarySegment {
   BoundaryKind kind = BoundaryKind::parallel;
   std::size_t leg = 0;           ///< whose B_jj or limit it is; unused for parallel
-  Eigen::Vector2d from, to;      ///< pose coordinates [m]
+  Eigen::Vector2d from, to;      ///< in the slice [m or rad]
   std::array<int, 2> aspects{};  ///< ids on its left and right side; 0 for none, or too close to tell
 };
 
-/// The part of an undecided leaf that belongs to one aspect, for drawing: its curved sides are straightened,
-/// while a point in it was located in the aspect by proof.
+/// A piece of one aspect, for drawing: its curved sides are straightened, while a point in it was located in
+/// the aspect by proof.
 struct BoundarySliver {
   int aspect = 0;                        ///< id
-  std::vector<Eigen::Vector2d> corners;  ///< convex, counter-clockwise [m]
+  std::vector<Eigen::Vector2d> corners;  ///< convex, counter-clockwise [m or rad]
 };
 
 struct BoundaryPicture {
@@ -40,8 +41,13 @@ struct BoundaryPicture {
   std::vector<BoundarySliver> slivers;
 };
 
-/// The boundary of one working mode, in no order. Empty for maps of other task spaces than T2.
-BoundaryPicture trace_boundary(const AspectMap& map, const WorkingMode& mode);
+/// Whether neighbouring cells that lie wholly in one aspect become one sliver.
+enum class Cells { merged, single };
+
+/// The aspects of one working mode in a slice, and their boundaries, traced on a grid of `cells` x `cells`
+/// over `bounds`; in no order.
+BoundaryPicture trace_slice(const AspectMap& map, const WorkingMode& mode, const PoseSlice& slice,
+                            const Eigen::AlignedBox2d& bounds, int cells, Cells merging = Cells::merged);
 
 }  // namespace parallel_aspects
 

@@ -26,8 +26,8 @@ struct JointWindow {
 /// Corners of triangles, three each, counter-clockwise.
 using TriangleCorners = std::vector<Eigen::Vector2d>;
 
-/// Pictures of a two-dimensional map in joint space. Not certified: images of boxes are drawn as
-/// quadrilaterals with edges of at most about a tenth of a radian.
+/// Pictures of a two-dimensional map in joint space. Not certified: images of pieces are drawn as
+/// polygons with edges of about a quarter of a radian, or a little more.
 class JointProjection {
  public:
   /// `map` must be two-dimensional.
@@ -35,8 +35,8 @@ class JointProjection {
 
   const JointWindow& window() const noexcept { return window_; }
 
-  /// QA_ij, the joint projection of an aspect: its inside leaves and its slivers among `slivers` under q_s,
-  /// cut at the edges of the window.
+  /// QA_ij, the joint projection of an aspect: its pieces among `slivers` under q_s, cut at the edges of the
+  /// window.
   TriangleCorners triangles(int aspect, const std::vector<BoundarySliver>& slivers) const;
 
   /// Images of boundary pieces of one working mode; the few that meet an edge of the window are left out.

@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_ASPECTS_POSE_SLICE_H
 
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "parallel_aspects/aspects/boundary_curves.h"
+#include "parallel_aspects/model/pose.h"
 
 #include <Eigen/Geometry>
 
@@ -49,11 +49,6 @@ Eigen::AlignedBox2d slice_bounds(const AspectMap& map);
 
 /// How far apart two slices are, the short way round where the level is an angle [m or rad].
 double level_difference(TaskSpace space, double a, double b) noexcept;
-
-/// The aspects of one working mode in a slice, and their boundaries, traced on a grid of `cells` x `cells`
-/// over `bounds`. What is filled was located in its aspect by proof at the middle of each piece.
-BoundaryPicture trace_slice(const AspectMap& map, const WorkingMode& mode, const PoseSlice& slice,
-                            const Eigen::AlignedBox2d& bounds, int cells);
 
 }  // namespace parallel_aspects
 

@@ -33,7 +33,8 @@ class MapPicture : public Picture {
  private:
   struct ModePicture {
     WorkingMode mode;
-    std::vector<BoundarySegment> boundary, joint_boundary;  // in the workspace and in joint space
+    BoundaryPicture at_robot, tile;               // in the workspace, finely and less so
+    std::vector<BoundarySegment> joint_boundary;  // in joint space
   };
 
   std::optional<std::size_t> column_of(const WorkingMode& mode) const;
@@ -51,8 +52,8 @@ class MapPicture : public Picture {
   JointProjection projection_;
   GalleryLayout layout_;
   MarkerBatch::Plane at_robot_, workspaces_, joint_spaces_;
-  std::vector<ModePicture> modes_;                                      // a column each
-  std::vector<TriangleCorners> workspace_triangles_, joint_triangles_;  // by aspect id - 1
+  std::vector<ModePicture> modes_;                // a column each
+  std::vector<TriangleCorners> joint_triangles_;  // by aspect id - 1
 };
 
 }  // namespace parallel_aspects

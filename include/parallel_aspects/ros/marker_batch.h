@@ -21,6 +21,7 @@ class MarkerBatch {
   struct Plane {
     std::string frame;
     Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+    bool lit = true;  ///< whether triangles are shaded by the light of the scene
   };
 
   using Points = std::vector<Eigen::Vector2d>;

@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ROS_SLICE_PICTURE_H
 #define PARALLEL_ASPECTS_ROS_SLICE_PICTURE_H
 
+#include "parallel_aspects/aspects/boundary_curves.h"
 #include "parallel_aspects/aspects/pose_slice.h"
 #include "parallel_aspects/ros/marker_batch.h"
 #include "parallel_aspects/ros/node_options.h"

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/aspects/pose_slice.h"
+
+#include "parallel_aspects/aspects/boundary_curves.h"
+#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/kinematics/jacobians.h"
+
+#include <gtest/gtest.h>
+
+#include "support/random_robots.h"
+#include "support/shipped.h"
+#include <cmath>
+
+namespace parallel_aspects {
+namespace {
+
+using Eigen::Vector2d;
+
+TEST(PoseSlice, ThroughAPoseHoldsThatPose) {
+  test::RandomRobots random(11);
+  for (const TaskSpace space : {TaskSpace::T2, TaskSpace::SE2, TaskSpace::T3, TaskSpace::SO3})
+    for (int i = 0; i < 200; ++i) {
+      const Pose pose = random.pose(space);
+      const PoseSlice slice = PoseSlice::through(space, pose);
+      const Vector2d point = PoseSlice::point(space, pose);
+      EXPECT_TRUE(slice.holds(point));
+      const Pose again = slice.pose(point);
+      EXPECT_LT((again.position - pose.position).norm(), 1e-12) << to_string(space, pose);
+      EXPECT_LT(again.orientation.angularDistance(pose.orientation), 1e-6) << to_string(space, pose);
+    }
+}
+
+TEST(PoseSlice, TiltPointsThePlatformAxisThatWay) {
+  const Vector2d point(0.3, -0.4);
+  const Pose pose = PoseSlice(TaskSpace::SO3, 1.1).pose(point);
+  const Eigen::Vector3d axis = pose.orientation * Eigen::Vector3d::UnitZ();
+  EXPECT_NEAR(axis.z(), std::cos(0.5), 1e-12);
+  EXPECT_NEAR(std::atan2(axis.y(), axis.x()), std::atan2(-0.4, 0.3), 1e-12);
+}
+
+double area_of(const std::vector<Vector2d>& polygon) {
+  double twice = 0.0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vector2d &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    twice += a.x() * b.y() - a.y() * b.x();
+  }
+  return 0.5 * twice;
+}
+
+// Whatever is filled lies, by its own inverse and determinant, in the mode and sign of the aspect that it is
+// filled for; and all slices together have the volume of the aspects.
+TEST(PoseSlice, SlicesOfAMapAddUpToItsAspects) {
+  const auto mechanism = test::shipped("three_prr");
+  const Manipulator& robot = *mechanism->manipulator();
+  MapOptions options;
+  options.resolution = 0.1;
+  const auto map = compute_aspect_map(mechanism->manipulator(), options).map;
+  ASSERT_TRUE(map);
+  const Eigen::AlignedBox2d bounds = slice_bounds(*map);
+  std::vector<double> volumes(map->aspects().size(), 0.0);
+  constexpr int levels = 60;
+  const double step = 2.0 * EIGEN_PI / levels;
+  for (int i = 0; i < levels; ++i) {
+    const PoseSlice slice(TaskSpace::SE2, -EIGEN_PI + (i + 0.5) * step);
+    for (const WorkingMode& mode : map->working_modes())
+      for (const BoundarySliver& sliver : trace_slice(*map, mode, slice, bounds, 40).slivers) {
+        const Aspect& aspect = map->aspects()[static_cast<std::size_t>(sliver.aspect - 1)];
+        ASSERT_EQ(aspect.mode, mode);
+        volumes[static_cast<std::size_t>(sliver.aspect - 1)] += step * area_of(sliver.corners);
+        Vector2d middle = Vector2d::Zero();
+        for (const Vector2d& corner : sliver.corners)
+          middle += corner / static_cast<double>(sliver.corners.size());
+        const Pose pose = slice.pose(middle);
+        const InverseSolution solution = inverse(robot, pose, mode);
+        ASSERT_EQ(solution.status, InverseStatus::solved);
+        ASSERT_GT(aspect.determinant_sign * direct_determinant(robot, pose, solution.q), 0.0);
+      }
+  }
+  for (const Aspect& aspect : map->aspects()) {
+    const double volume = volumes[static_cast<std::size_t>(aspect.id - 1)];
+    EXPECT_GE(volume, 0.95 * aspect.measure_lower) << aspect.id;
+    EXPECT_LE(volume, 1.05 * aspect.measure_upper) << aspect.id;
+  }
+}
+
+}  // namespace
+}  // namespace parallel_aspects
