@@ -135,7 +135,7 @@ void AspectServer::on_map_progress(const MapProgress& progress, const std::share
   } else if (progress.state == MapProgress::COMPLETE) {
     ROS_INFO_STREAM(progress.sentence);
   } else if (progress.state == MapProgress::REFUSED) {
-    ROS_ERROR_STREAM("The map was not computed: " << progress.sentence);
+    ROS_WARN_STREAM("The map was not computed: " << progress.sentence);
   } else {
     ROS_INFO_STREAM_THROTTLE(1.0, progress.sentence);
   }

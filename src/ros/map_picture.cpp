@@ -15,7 +15,7 @@ using Eigen::Vector2d;
 using Points = MarkerBatch::Points;
 
 // Cells across the workspace, of the pictures at the robot, in a tile, and in joint space.
-constexpr int robot_cells = 160, tile_cells = 96, joint_cells = 46;
+constexpr int robot_cells = 160, tile_cells = 72, joint_cells = 40;
 
 // Where a label of an aspect has most room.
 Vector2d label_point(const Aspect& aspect) { return aspect.deepest.position.head<2>(); }

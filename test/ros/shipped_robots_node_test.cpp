@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Every shipped robot in the running node, moved by the demo's motion: it is followed without a wrong word,
+// seen to move, drawn, and the node ends cleanly even while it computes a map.
+#include "parallel_aspects/ros/conversions.h"
+
+#include <parallel_aspects/AspectState.h>
+#include <parallel_aspects/AspectTransition.h>
+#include <parallel_aspects/GetSingularityDistance.h>
+
+#include <gtest/gtest.h>
+#include <ros/ros.h>
+
+#include "support/shipped.h"
+#include <algorithm>
+#include <csignal>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <sensor_msgs/JointState.h>
+#include <set>
+#include <spawn.h>
+#include <string>
+#include <sys/wait.h>
+#include <vector>
+#include <visualization_msgs/MarkerArray.h>
+
+extern char** environ;
+
+namespace parallel_aspects {
+namespace {
+
+constexpr double deadline = 30.0;     // of everything that is waited for [s]
+constexpr double seconds_seen = 3.0;  // of the motion, by the stamps of its states
+
+bool eventually(const std::function<bool()>& condition) {
+  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(deadline);
+  while (ros::WallTime::now() < end) {
+    if (condition()) return true;
+    ros::WallDuration(0.01).sleep();
+  }
+  return condition();
+}
+
+/// A program in a namespace of its own.
+class Process {
+ public:
+  Process(std::string program, const std::string& name_space, const std::vector<std::string>& more = {}) {
+    std::vector<std::string> words{std::move(program), "__ns:=" + name_space};
+    words.insert(words.end(), more.begin(), more.end());
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    if (posix_spawn(&id_, arguments[0], nullptr, nullptr, arguments.data(), environ) != 0) id_ = -1;
+  }
+  ~Process() {
+    if (id_ > 0 && !status_) {
+      kill(id_, SIGKILL);
+      waitpid(id_, nullptr, 0);
+    }
+  }
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+
+  /// Asks it to end as Ctrl-C does. Its exit status, -1 after a signal; nothing where it does not end in
+  /// time.
+  std::optional<int> end() {
+    kill(id_, SIGINT);
+    eventually([this] { return has_ended(); });
+    return status_;
+  }
+
+  bool has_ended() {
+    int status = 0;
+    if (!status_ && waitpid(id_, &status, WNOHANG) == id_)
+      status_ = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    return status_.has_value();
+  }
+
+ private:
+  pid_t id_ = -1;
+  std::optional<int> status_;
+};
+
+/// What one node says while it runs.
+class Listener {
+ public:
+  explicit Listener(const std::string& node)
+      : states_(on<AspectState>(node + "/state", [this](const auto& state) { add(state); })),
+        transitions_(on<AspectTransition>(node + "/transitions",
+                                          [this](const auto& transition) { told_.push_back(transition); })),
+        joints_(on<sensor_msgs::JointState>(node + "/joint_states",
+                                            [this](const auto& joints) { joint_states_.push_back(joints); })),
+        markers_(on<visualization_msgs::MarkerArray>(
+            node + "/position_markers", [this](const auto& array) { drawn_ = array.markers.size(); })) {}
+
+  double seconds_followed() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return known_.empty() ? 0.0 : (known_.back().header.stamp - known_.front().header.stamp).toSec();
+  }
+  std::vector<AspectState> known() const { return copy(known_); }
+  std::vector<AspectState> unknown() const { return copy(unknown_); }
+  std::vector<AspectTransition> told() const { return copy(told_); }
+  std::vector<sensor_msgs::JointState> joint_states() const { return copy(joint_states_); }
+  std::size_t drawn() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return drawn_;
+  }
+
+ private:
+  template <typename Message, typename Callback>
+  ros::Subscriber on(const std::string& topic, Callback callback) {
+    return ros::NodeHandle().subscribe<Message>(topic, 10000, [this, callback](const auto& message) {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      callback(*message);
+    });
+  }
+
+  template <typename Message>
+  std::vector<Message> copy(const std::vector<Message>& messages) const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return messages;
+  }
+
+  void add(const AspectState& state) {
+    if (state.status.code == Status::OK)
+      known_.push_back(state);
+    else if (!known_.empty())
+      unknown_.push_back(state);
+  }
+
+  mutable std::mutex mutex_;
+  std::vector<AspectState> known_, unknown_;  // the latter only since the first known one
+  std::vector<AspectTransition> told_;
+  std::vector<sensor_msgs::JointState> joint_states_;
+  std::size_t drawn_ = 0;
+  ros::Subscriber states_, transitions_, joints_, markers_;
+};
+
+class ShippedRobot : public testing::TestWithParam<const char*> {};
+
+double farthest(const std::vector<AspectState>& states) {
+  const auto position = [](const AspectState& state) {
+    return Eigen::Vector3d(state.pose.position.x, state.pose.position.y, state.pose.position.z);
+  };
+  const auto orientation = [](const AspectState& state) {
+    const auto& q = state.pose.orientation;
+    return Eigen::Quaterniond(q.w, q.x, q.y, q.z);
+  };
+  double most = 0.0;
+  for (const AspectState& state : states)
+    most = std::max({most, (position(state) - position(states.front())).norm(),
+                     orientation(state).angularDistance(orientation(states.front()))});
+  return most;
+}
+
+TEST_P(ShippedRobot, IsFollowedAndDrawnAndEndsCleanly) {
+  const std::string name_space = std::string("/") + GetParam(), node = name_space + "/aspect_node";
+  const auto mechanism = test::shipped(GetParam());
+  Process server(PARALLEL_ASPECTS_NODE, name_space);
+  Process motion(PARALLEL_ASPECTS_DEMO_MOTION, name_space, {"_patience:=0.0", "_local_duration:=10.0"});
+  const Listener listener(node);
+  ASSERT_TRUE(eventually([&] { return listener.seconds_followed() > seconds_seen || server.has_ended(); }));
+  ASSERT_FALSE(server.has_ended());
+  EXPECT_TRUE(eventually([&] { return listener.drawn() > 1; }));
+
+  // One working mode and sign of det A, at most one aspect, nothing lost.
+  const auto states = listener.known();
+  EXPECT_TRUE(listener.unknown().empty()) << listener.unknown().front().status.sentence;
+  std::set<std::uint32_t> aspects;
+  for (const AspectState& state : states) {
+    ASSERT_EQ(state.working_mode, states.front().working_mode);
+    ASSERT_EQ(state.determinant_sign, states.front().determinant_sign);
+    ASSERT_EQ(state.working_mode.size(), mechanism->manipulator()->leg_count());
+    if (state.aspect != 0) aspects.insert(state.aspect);
+  }
+  EXPECT_LE(aspects.size(), 1U);
+  for (const AspectTransition& transition : listener.told())
+    EXPECT_EQ(transition.kind, AspectTransition::ASPECT) << transition.sentence;
+  EXPECT_GT(farthest(states), 0.003 * std::min(1.0, mechanism->manipulator()->size()));
+
+  ASSERT_FALSE(listener.joint_states().empty());
+  const auto completed = listener.joint_states().back();
+  EXPECT_EQ(completed.name, mechanism->joint_names());
+  EXPECT_TRUE(std::all_of(completed.position.begin(), completed.position.end(),
+                          [](double value) { return std::isfinite(value); }));
+
+  GetSingularityDistance distance;
+  ASSERT_TRUE(ros::service::call(node + "/get_singularity_distance", distance));
+  ASSERT_EQ(distance.response.reports.size(), 1U) << distance.response.status.sentence;
+  EXPECT_GT(distance.response.reports[0].smallest_singular_value, 0.0);
+
+  EXPECT_EQ(motion.end(), 0);
+  EXPECT_EQ(server.end(), 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Node, ShippedRobot,
+                         testing::Values("five_bar", "bipod", "three_rrr", "three_rpr", "three_prr", "delta",
+                                         "linear_delta", "hexa", "stewart", "six_pus", "agile_eye",
+                                         "spherical_3rrr"),
+                         [](const auto& robot) { return std::string(robot.param); });
+
+}  // namespace
+}  // namespace parallel_aspects
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "shipped_robots_node_test");
+  const ros::NodeHandle nh;
+  ros::AsyncSpinner spinner(1);
+  spinner.start();
+  return RUN_ALL_TESTS();
+}
