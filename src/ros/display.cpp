@@ -40,7 +40,7 @@ Display::Display(const NodeSetup& setup, ros::NodeHandle private_nh)
 }
 
 void Display::set_map(const std::shared_ptr<const AspectMap>& map) {
-  if (map->aspects().empty()) return;
+  if (map->aspects().empty() || freedoms(map->manipulator()->task_space()) < 2) return;  // the gauges stay
   if (map->manipulator()->task_space() == TaskSpace::T2)
     set_picture(std::make_shared<const MapPicture>(map, frames_, options_));
   else

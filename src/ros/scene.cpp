@@ -14,7 +14,9 @@ using Eigen::Vector3d;
 
 constexpr double links = 0.06;  // how far links stick out from their joints, of the size of the box
 
-bool is_planar(TaskSpace space) { return space == TaskSpace::T2 || space == TaskSpace::SE2; }
+bool is_planar(TaskSpace space) {
+  return space == TaskSpace::T1 || space == TaskSpace::T2 || space == TaskSpace::SE2;
+}
 
 // The circle of a crank.
 void extend_by_circle(const RevoluteDrive& drive, AlignedBox3d& box) {
@@ -104,8 +106,8 @@ Scene scene_of(const Mechanism& mechanism, const StartOptions& start) {
   const double seen_height =
       scene.planar ? size.y() : size.z() * std::cos(view_pitch) + size.y() * std::sin(view_pitch);
   const double height = std::max(seen_height, 0.6 * size.x());
-  const bool mapped = robot.task_space() != TaskSpace::SE3;
-  scene.tiles = TileLayout(mapped ? working_modes(robot).size() : 1, height);
+  const bool drawn = freedoms(robot.task_space()) == 2 || freedoms(robot.task_space()) == 3;
+  scene.tiles = TileLayout(drawn ? working_modes(robot).size() : 1, height);
   scene.gallery = gallery_frame(scene, height);
   return scene;
 }

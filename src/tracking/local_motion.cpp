@@ -58,13 +58,10 @@ class Planner {
 
   std::optional<Place> place(double amplitude, double share) const {
     const auto freedoms = static_cast<Eigen::Index>(robot_.leg_count());
-    const Eigen::Index positions =
-        !has_translation(robot_.task_space())                                           ? 0
-        : robot_.task_space() == TaskSpace::T2 || robot_.task_space() == TaskSpace::SE2 ? 2
-                                                                                        : 3;
+    const auto rotations = static_cast<Eigen::Index>(rotational_freedoms(robot_.task_space()));
     TaskVector twist(freedoms);
     for (Eigen::Index i = 0; i < freedoms; ++i) {
-      const double unit = i < freedoms - positions ? 2.0 : robot_.size();
+      const double unit = i < rotations ? 2.0 : robot_.size();
       twist[i] = amplitude * unit * std::sin(2.0 * EIGEN_PI * turns[static_cast<std::size_t>(i)] * share);
     }
     const Pose pose = displaced(robot_.task_space(), middle_, twist);
