@@ -126,8 +126,8 @@ class AspectMap {
   /// Calls `visit` with every inside leaf of an aspect.
   void visit_inside_leaves(int aspect, const std::function<void(const Box&)>& visit) const;
 
-  /// Calls `visit` with the pose at the center of every inside leaf of an aspect, and the volume of the leaf in
-  /// the unit of `measure_unit`.
+  /// Calls `visit` with the pose at the center of every inside leaf of an aspect, and the volume of the leaf
+  /// in the unit of `measure_unit`.
   void visit_inside_poses(int aspect, const std::function<void(const Pose&, double measure)>& visit) const;
 
   /// Calls `visit` with every undecided leaf of a working mode.
