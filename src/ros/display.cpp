@@ -6,6 +6,8 @@
 #include "parallel_aspects/ros/picture_parts.h"
 #include "parallel_aspects/ros/slice_picture.h"
 
+#include <sstream>
+
 namespace parallel_aspects {
 namespace {
 
@@ -20,6 +22,20 @@ Drawn drawn(const CurrentConfiguration& current) {
 MarkerFrames frames_of(const NodeSetup& setup) {
   return {setup.mechanism->manipulator()->base_frame(), setup.options.frame_prefix + "/aspects",
           setup.options.frame_prefix + "/joint_space"};
+}
+
+// In lines of at most this many letters, broken at blanks.
+std::string wrapped(const std::string& words, std::size_t longest) {
+  std::string lines, word;
+  std::size_t column = 0;
+  std::istringstream stream(words);
+  while (stream >> word) {
+    const bool fits = column + word.size() < longest;
+    if (column > 0) lines += fits ? ' ' : '\n';
+    column = fits ? column + 1 + word.size() : word.size();
+    lines += word;
+  }
+  return lines;
 }
 
 ros::Publisher latched(ros::NodeHandle& nh, const std::string& topic) {
@@ -105,7 +121,7 @@ std::string Display::caption(const CurrentConfiguration& current, const std::str
   } else {
     words += current.status.sentence;
   }
-  return mapped_ || map_sentence.empty() ? words : words + "\n" + map_sentence;
+  return mapped_ || map_sentence.empty() ? words : words + "\n" + wrapped(map_sentence, 50);
 }
 
 }  // namespace parallel_aspects
