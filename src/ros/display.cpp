@@ -47,7 +47,7 @@ ros::Publisher latched(ros::NodeHandle& nh, const std::string& topic) {
 Display::Display(const NodeSetup& setup, ros::NodeHandle private_nh)
     : manipulator_(setup.mechanism->manipulator()),
       frames_(frames_of(setup)),
-      scene_(scene_of(*setup.mechanism, setup.options.start)),
+      scene_(scene_of(*setup.mechanism, setup.options)),
       options_(setup.options.display),
       markers_(latched(private_nh, "markers")),
       present_markers_(latched(private_nh, "present_markers")),

@@ -88,6 +88,7 @@ DisplayOptions display_options_from(ParameterReader reader) {
   DisplayOptions display;
   reader.read("gallery", display.gallery);
   reader.read("gallery_scale", display.gallery_scale);
+  reader.read("radius", display.radius);
   reader.read("rate", display.rate);
   reader.report_unknown_keys();
   return display;

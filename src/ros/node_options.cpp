@@ -74,6 +74,7 @@ Problems problems_of(const NodeOptions& options, const Manipulator& manipulator,
                  "must be zero or a positive number [s].");
   checks.require(positive(options.display.gallery_scale) && options.display.gallery_scale <= 10.0,
                  "display/gallery_scale", "must be above 0 and at most 10.");
+  checks.require(positive(options.display.radius), "display/radius", "must be a positive number [m].");
   checks.require(positive(options.display.rate) && options.display.rate <= 100.0, "display/rate",
                  "must be above 0 and at most 100 [Hz].");
   checks.require(valid_frame_prefix(options.frame_prefix), "frame_prefix",

@@ -114,7 +114,7 @@ YAML::Node from_the_front(const Vector3d& center, const Vector3d& size, const Ve
 std::string with_view_of(const std::string& config, const NodeSetup& setup) {
   YAML::Node document = YAML::Load(config);
   const Manipulator& robot = *setup.mechanism->manipulator();
-  const Scene scene = scene_of(*setup.mechanism, setup.options.start);
+  const Scene scene = scene_of(*setup.mechanism, setup.options);
   const Eigen::Matrix3d axes = viewer_axes(robot, scene.planar);
   Eigen::AlignedBox3d seen;  // in the viewer's axes
   for (const Vector3d& corner : corners_of(setup, scene))

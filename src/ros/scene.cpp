@@ -92,11 +92,13 @@ Pose start_pose(const Mechanism& mechanism, const StartOptions& start) {
   return pose_from_coordinates(mechanism.manipulator()->task_space(), values).value_or(assembled);
 }
 
-Scene scene_of(const Mechanism& mechanism, const StartOptions& start) {
+Scene scene_of(const Mechanism& mechanism, const NodeOptions& options) {
   const Manipulator& robot = *mechanism.manipulator();
   Scene scene;
   scene.planar = is_planar(robot.task_space());
-  scene.robot = robot_box(robot, start_pose(mechanism, start));
+  scene.robot = robot_box(robot, start_pose(mechanism, options.start));
+  if (robot.task_space() == TaskSpace::SO3)
+    scene.robot = {Vector3d::Constant(-options.display.radius), Vector3d::Constant(options.display.radius)};
   if (scene.planar) {
     const AlignedBox3d reach = reach_box(robot);
     if (reach.sizes().head<2>().maxCoeff() < 1e8) scene.robot.extend(reach);

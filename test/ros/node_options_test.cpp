@@ -102,6 +102,7 @@ TEST(ProblemsOf, NamesEveryValueOutOfRangeAtOnce) {
   options.joint_states_timeout = infinity;
   options.tf_timeout = -0.1;
   options.display.gallery_scale = not_a_number;
+  options.display.radius = -0.2;
   options.display.rate = 0.0;
   options.frame_prefix = "/five bar";
   const Problems problems = problems_of(options, *test::five_bar(), "/node/");
@@ -109,9 +110,9 @@ TEST(ProblemsOf, NamesEveryValueOutOfRangeAtOnce) {
        {"/node/map/resolution", "/node/map/extra_levels", "/node/map/region", "/node/start has both",
         "/node/start/pose must be a list of finite numbers [x, y]", "/node/start/determinant_sign",
         "/node/start/tolerance", "/node/joint_states_timeout", "/node/tf_timeout",
-        "/node/display/gallery_scale", "/node/display/rate", "/node/frame_prefix"})
+        "/node/display/gallery_scale", "/node/display/radius", "/node/display/rate", "/node/frame_prefix"})
     EXPECT_TRUE(mention(problems, words)) << words;
-  EXPECT_EQ(problems.size(), 12U);
+  EXPECT_EQ(problems.size(), 13U);
 }
 
 TEST(ProblemsOf, RefusesARegionOfTheWrongDimension) {

@@ -24,7 +24,8 @@ struct StartOptions {
 struct DisplayOptions {
   bool gallery = true;         ///< whether every working mode is drawn beside the robot
   double gallery_scale = 0.5;  ///< size of the gallery against the robot, above 0, at most 10
-  double rate = 20.0;          ///< how often the drawn position is renewed [Hz], above 0, at most 100
+  double radius = 1.0;  ///< of the sphere that a robot of SO3 takes, as its model has no size [m]; positive
+  double rate = 20.0;   ///< how often the drawn position is renewed [Hz], above 0, at most 100
 };
 
 /// Every parameter of the node but the description of the robot.

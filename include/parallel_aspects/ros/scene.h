@@ -47,7 +47,7 @@ struct Scene {
 /// How far the viewer looks down on a robot that is not planar [rad].
 inline constexpr double view_pitch = 0.3;
 
-Scene scene_of(const Mechanism& mechanism, const StartOptions& start);
+Scene scene_of(const Mechanism& mechanism, const NodeOptions& options);
 
 /// The pose that the parameters say, or the one that the mechanism was recognised in.
 Pose start_pose(const Mechanism& mechanism, const StartOptions& start);
