@@ -23,11 +23,12 @@ ModeSet pending_modes(const PoseTree& tree, NodeIndex node) {
   return modes;
 }
 
-void classify_block(PoseTree& tree, const BoxClassifier& classifier, NodeIndex begin, NodeIndex end) {
+void classify_block(PoseTree& tree, const BoxClassifier& classifier, Detail detail, NodeIndex begin,
+                    NodeIndex end) {
   tbb::parallel_for(tbb::blocked_range<NodeIndex>(begin, end, nodes_per_task), [&](const auto& range) {
     const RoundingUpward rounding;
     for (NodeIndex node = range.begin(); node != range.end(); ++node)
-      classifier.classify(tree.place(node).root, tree.box(node), pending_modes(tree, node),
+      classifier.classify(tree.place(node).root, tree.box(node), pending_modes(tree, node), detail,
                           tree.states(node));
   });
 }
@@ -71,7 +72,7 @@ BaseMapStatus grow_base_map(PoseTree& tree, const BoxClassifier& classifier, std
     for (NodeIndex block = begin; block < end; block += nodes_per_block) {
       if (is_cancelled(control)) return BaseMapStatus::cancelled;
       const NodeIndex block_end = std::min(end, block + nodes_per_block);
-      classify_block(tree, classifier, block, block_end);
+      classify_block(tree, classifier, level < depth ? Detail::states : Detail::parts, block, block_end);
       progress.tell(level, static_cast<double>(block_end - begin) / (end - begin));
     }
     if (level < depth) divide_undecided(tree, begin, end);

@@ -5,23 +5,30 @@
 #include <cmath>
 
 namespace parallel_aspects {
-namespace {
-
-Verdict opposite(Verdict a) {
-  if (a == Verdict::unsure) return a;
-  return a == Verdict::holds ? Verdict::fails : Verdict::holds;
-}
-
-Verdict is_positive(const Interval& value) {
-  if (value.positive()) return Verdict::holds;
-  return value.negative() ? Verdict::fails : Verdict::unsure;
-}
-
-}  // namespace
 
 Verdict both(Verdict a, Verdict b) noexcept {
   if (a == Verdict::fails || b == Verdict::fails) return Verdict::fails;
   return a == Verdict::holds && b == Verdict::holds ? Verdict::holds : Verdict::unsure;
+}
+
+Verdict either(Verdict a, Verdict b) noexcept {
+  if (a == Verdict::holds || b == Verdict::holds) return Verdict::holds;
+  return a == Verdict::fails && b == Verdict::fails ? Verdict::fails : Verdict::unsure;
+}
+
+Verdict is_positive(const Interval& value) noexcept {
+  if (value.positive()) return Verdict::holds;
+  return value.negative() ? Verdict::fails : Verdict::unsure;
+}
+
+Verdict verdict(const LimitFunctions<Interval>& limits) noexcept {
+  if (limits.count == 0) return Verdict::holds;
+  Verdict result = is_positive(limits.values[0]);
+  for (std::size_t i = 1; i < limits.count; ++i) {
+    const Verdict next = is_positive(limits.values[i]);
+    result = limits.any ? either(result, next) : both(result, next);
+  }
+  return result;
 }
 
 AngleLimits::AngleLimits(const JointLimits& limits, double offset, double sense)
@@ -40,25 +47,6 @@ AngleLimits::Direction AngleLimits::direction(double angle) {
   const double error = 0x1p-48 * (1.0 + std::abs(angle));
   const double cosine = std::cos(angle), sine = std::sin(angle);
   return {{cosine - error, cosine + error}, {sine - error, sine + error}};
-}
-
-Verdict AngleLimits::test(const Interval& cosine, const Interval& sine) const noexcept {
-  if (!limited_) return Verdict::holds;
-  const auto follows = [&](const Direction& limit) {
-    return is_positive(limit.cosine * sine - limit.sine * cosine);
-  };
-  const auto precedes = [&](const Direction& limit) {
-    return is_positive(limit.sine * cosine - limit.cosine * sine);
-  };
-  if (less_than_half_turn_) return both(follows(lower_), precedes(upper_));
-  return opposite(both(follows(upper_), precedes(lower_)));
-}
-
-Verdict LengthLimits::test(const Interval& length) const noexcept {
-  Verdict verdict = Verdict::holds;
-  if (std::isfinite(limits_.lower)) verdict = is_positive(length - Interval(limits_.lower));
-  if (std::isfinite(limits_.upper)) verdict = both(verdict, is_positive(Interval(limits_.upper) - length));
-  return verdict;
 }
 
 }  // namespace parallel_aspects

@@ -3,6 +3,7 @@
 #include "parallel_aspects/aspects/components.h"
 #include "parallel_aspects/aspects/deepest_point.h"
 #include "parallel_aspects/aspects/map_contents.h"
+#include "parallel_aspects/aspects/refinement.h"
 
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -139,17 +140,13 @@ void find_deepest_poses(AspectMap::Contents& map) {
 bool add_components(AspectMap::Contents& map, const Plan& plan, const MapControl& control) {
   const std::size_t count = plan.modes.size();
   std::vector<std::unique_ptr<LeafGraph>> graphs(count);
-  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t mode) {
-    graphs[mode] = std::make_unique<LeafGraph>(map.tree, mode);
-    graphs[mode]->find_center_signs(map.tree, *map.classifier);
-  });
-  for (std::size_t mode = 0; mode < count; ++mode)
-    refine_contested(map.tree, *map.classifier, *graphs[mode], plan.deepest_level, control);
-  if (is_cancelled(control)) return false;
+  tbb::parallel_for(std::size_t{0}, count,
+                    [&](std::size_t mode) { graphs[mode] = std::make_unique<LeafGraph>(map.tree, mode); });
+  if (!refine_contested(map.tree, *map.classifier, graphs, plan.depth, plan.deepest_level, control))
+    return false;
   std::vector<ModeComponents> found(count);
-  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t mode) {
-    found[mode] = find_components(map.tree, *map.classifier, mode, *graphs[mode]);
-  });
+  tbb::parallel_for(std::size_t{0}, count,
+                    [&](std::size_t mode) { found[mode] = find_components(map.tree, mode, *graphs[mode]); });
   map.leaf_aspects.assign(map.tree.node_count() * count, 0);
   for (std::size_t mode = 0; mode < count; ++mode) add_mode(map, mode, found[mode]);
   return true;

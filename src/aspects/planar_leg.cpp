@@ -58,28 +58,4 @@ void PlanarLeg::set(const ElbowDrive& drive, const Leg& leg) {
   angle_limits_ = AngleLimits(leg.limits, drive.angle_at_zero, drive.sense);
 }
 
-Verdict PlanarLeg::within_limits(const Planar<Interval>& d, const Interval& entry, int sign) const {
-  if (!angle_limits_.limited() && !length_limits_.limited()) return Verdict::holds;
-  const Interval signed_entry = sign > 0 ? entry : -entry;
-  const Interval squared_distance = square(d.x) + square(d.y);
-  switch (kind_) {
-    case Kind::prismatic:
-      return length_limits_.test(direction_.x * d.x + direction_.y * d.y - signed_entry);
-    case Kind::strut:
-      return length_limits_.test(Interval(sense_) *
-                                 (square_root(squared_distance + squared_height_) - length_at_zero_));
-    case Kind::elbow:
-      return angle_limits_.test(Interval(0.5) * (squared_distance + squared_height_) - half_sum_,
-                                Interval(-sense_) * signed_entry);
-    case Kind::revolute:
-      break;
-  }
-  // The crank points along a d - B_jj (axis x d), mirrored where the axis points down so that angles grow
-  // with q.
-  const Planar<Interval> mirrored{d.x, Interval(sense_) * d.y};
-  const Interval along = Interval(0.5) * squared_distance - half_difference_;
-  return angle_limits_.test(along * mirrored.x + signed_entry * mirrored.y,
-                            along * mirrored.y - signed_entry * mirrored.x);
-}
-
 }  // namespace parallel_aspects

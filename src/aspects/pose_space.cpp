@@ -165,6 +165,27 @@ class Rotations final : public PoseSpace {
 
 }  // namespace
 
+MapPosition PoseSpace::across(const MapPosition& position, std::size_t axis) const noexcept {
+  const bool upper = position.point[axis] == region_.upper[axis];
+  const RootFace face{position.root, static_cast<std::uint8_t>(axis), upper};
+  for (const Gluing& gluing : gluings_)
+    if (gluing.first == face || gluing.second == face) return image(gluing, position, gluing.first == face);
+  return position;
+}
+
+// Ranges of flipped coordinates are symmetric, so that changing the sign is exact.
+MapPosition PoseSpace::image(const Gluing& gluing, const MapPosition& position,
+                             bool from_first) const noexcept {
+  const RootFace& to = from_first ? gluing.second : gluing.first;
+  MapPosition result{to.root, {}};
+  for (std::size_t i = 0; i < dimension(); ++i) {
+    const std::size_t from = from_first ? i : gluing.axis_of[i], there = from_first ? gluing.axis_of[i] : i;
+    result.point[there] = gluing.flipped[i] ? -position.point[from] : position.point[from];
+  }
+  result.point[to.axis] = to.upper ? region_.upper[to.axis] : region_.lower[to.axis];
+  return result;
+}
+
 std::shared_ptr<const PoseSpace> make_pose_space(TaskSpace space, const Box& positions,
                                                  double characteristic_length) {
   switch (space) {

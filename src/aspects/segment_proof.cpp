@@ -6,13 +6,12 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr int most_halvings = 12;
 constexpr std::size_t most_modes = 64;
 
 LeafState classify(const BoxClassifier& classifier, std::size_t mode, RootIndex root,
                    const Box& box) noexcept {
   std::array<LeafState, most_modes> states;
-  classifier.classify(root, box, ModeSet{1} << mode, states.data());
+  classifier.classify(root, box, ModeSet{1} << mode, Detail::states, states.data());
   return states[mode];
 }
 
@@ -25,6 +24,7 @@ struct Segment {
   RootIndex root;
   const MapPoint& from;
   const MapPoint& to;
+  int most_halvings;
 
   // A box around the part between the shares `begin` and `end` of its length.
   Box hull(double begin, double end) const noexcept {
@@ -59,8 +59,9 @@ int proved_sign(const BoxClassifier& classifier, std::size_t dimension, std::siz
 }
 
 bool segment_is_free(const BoxClassifier& classifier, std::size_t dimension, std::size_t mode, int sign,
-                     const MapPosition& from, const MapPoint& to) noexcept {
-  return Segment{classifier, dimension, mode, sign, from.root, from.point, to}.is_free(0.0, 1.0, 0);
+                     const MapPosition& from, const MapPoint& to, int most_halvings) noexcept {
+  return Segment{classifier, dimension, mode, sign, from.root, from.point, to, most_halvings}.is_free(0.0,
+                                                                                                      1.0, 0);
 }
 
 }  // namespace parallel_aspects

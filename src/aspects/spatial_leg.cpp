@@ -49,23 +49,4 @@ void SpatialLeg::set(const ElbowDrive& drive, const Leg& leg) {
   angle_limits_ = AngleLimits(leg.limits, drive.angle_at_zero, drive.sense);
 }
 
-Verdict SpatialLeg::within_limits(const Spatial<Interval>& d, const Interval& entry, int sign) const {
-  if (!angle_limits_.limited() && !length_limits_.limited()) return Verdict::holds;
-  const Interval signed_entry = sign > 0 ? entry : -entry;
-  const Interval w = square(d[0]) + square(d[1]) + square(d[2]);
-  switch (kind_) {
-    case Kind::prismatic:
-      return length_limits_.test(dot(axis_, d) - signed_entry);
-    case Kind::strut:
-      return length_limits_.test(Interval(sense_) * (square_root(w) - length_at_zero_));
-    case Kind::elbow:
-      return angle_limits_.test(Interval(0.5) * w - half_sum_, Interval(-sense_) * signed_entry);
-    case Kind::revolute:
-      break;
-  }
-  const Interval d1 = dot(zero_direction_, d), d2 = dot(side_direction_, d);
-  const Interval a = Interval(0.5) * w - half_difference_;
-  return angle_limits_.test(a * d1 + signed_entry * d2, a * d2 - signed_entry * d1);
-}
-
 }  // namespace parallel_aspects

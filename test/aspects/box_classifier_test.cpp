@@ -102,7 +102,7 @@ TEST_P(BoxClassifierTest, NoPoseContradictsItsBox) {
     const Box box = random_box();
     {
       const RoundingUpward rounding;
-      classifier->classify(root, box, ~ModeSet{0}, states.data());
+      classifier->classify(root, box, ~ModeSet{0}, Detail::parts, states.data());
     }
     for (int k = 0; k < 3; ++k) {
       const MapPoint point = random_point(box);
@@ -136,7 +136,7 @@ TEST_P(BoxClassifierTest, SmallBoxesAreDecided) {
     Box box{space->dimension(), position.point, position.point};
     for (std::size_t k = 0; k < box.dimension; ++k) box.upper[k] += 1e-9 * space->region().width(k);
     const RoundingUpward rounding;
-    classifier->classify(position.root, box, ~ModeSet{0}, states.data());
+    classifier->classify(position.root, box, ~ModeSet{0}, Detail::parts, states.data());
     for (std::size_t m = 0; m < modes.size(); ++m) {
       if (!sign_at(*robot, space->pose(position), modes[m])) continue;
       ++clear;

@@ -2,6 +2,7 @@
 #include "parallel_aspects/aspects/pose_tree.h"
 
 #include "parallel_aspects/aspects/face_traversal.h"
+#include "parallel_aspects/aspects/neighbour_leaves.h"
 
 #include <gtest/gtest.h>
 

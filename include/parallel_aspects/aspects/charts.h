@@ -19,7 +19,7 @@
 //  - Placement<Scalar>: the pose as its legs need it, made by place(root, coordinates) once for all legs;
 //  - displacement(j, placement): d = p - base point of leg j;
 //  - rows(j, displacement, placement);
-//  - within_limits(j, displacement, |B_jj|, sign of B_jj);
+//  - limits(j, displacement, |B_jj|, sign of B_jj): of the drive, see LimitFunctions;
 //  - reachable_positions(): see BoxClassifier.
 // Scalar is Interval or Dual<size>. All of it needs a live `RoundingUpward`.
 
@@ -91,9 +91,10 @@ class T2Chart {
     return {form.squared_entry, {form.fixed.x, form.fixed.y}, {form.turned.x, form.turned.y}};
   }
 
-  Verdict within_limits(std::size_t j, const Displacement<Interval>& d, const Interval& entry,
-                        int sign) const {
-    return legs_[j].within_limits(d, entry, sign);
+  template <class Scalar>
+  LimitFunctions<Scalar> limits(std::size_t j, const Displacement<Scalar>& d, const Scalar& entry,
+                                int sign) const {
+    return legs_[j].limits(d, entry, sign);
   }
 
   std::optional<Box> reachable_positions() const;
@@ -143,9 +144,10 @@ class SE2Chart {
             {cross(b, form.turned), form.turned.x, form.turned.y}};
   }
 
-  Verdict within_limits(std::size_t j, const Displacement<Interval>& d, const Interval& entry,
-                        int sign) const {
-    return legs_[j].within_limits(d, entry, sign);
+  template <class Scalar>
+  LimitFunctions<Scalar> limits(std::size_t j, const Displacement<Scalar>& d, const Scalar& entry,
+                                int sign) const {
+    return legs_[j].limits(d, entry, sign);
   }
 
   std::optional<Box> reachable_positions() const;
@@ -184,9 +186,10 @@ class T3Chart {
     return {form.squared_entry, form.fixed, form.turned};
   }
 
-  Verdict within_limits(std::size_t j, const Displacement<Interval>& d, const Interval& entry,
-                        int sign) const {
-    return legs_[j].within_limits(d, entry, sign);
+  template <class Scalar>
+  LimitFunctions<Scalar> limits(std::size_t j, const Displacement<Scalar>& d, const Scalar& entry,
+                                int sign) const {
+    return legs_[j].limits(d, entry, sign);
   }
 
   std::optional<Box> reachable_positions() const;
@@ -229,9 +232,10 @@ class SO3Chart {
     return {form.squared_entry, cross(d.anchor, form.fixed), cross(d.anchor, form.turned)};
   }
 
-  Verdict within_limits(std::size_t j, const Displacement<Interval>& d, const Interval& entry,
-                        int sign) const {
-    return legs_[j].within_limits(d.from_base, entry, sign);
+  template <class Scalar>
+  LimitFunctions<Scalar> limits(std::size_t j, const Displacement<Scalar>& d, const Scalar& entry,
+                                int sign) const {
+    return legs_[j].limits(d.from_base, entry, sign);
   }
 
   /// Rotations need no bounds.

@@ -2,8 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_COMPONENTS_H
 #define PARALLEL_ASPECTS_ASPECTS_COMPONENTS_H
 
-#include "parallel_aspects/aspects/aspect_map.h"
-#include "parallel_aspects/aspects/box_classifier.h"
+#include "parallel_aspects/aspects/box.h"
 #include "parallel_aspects/aspects/leaf_graph.h"
 #include "parallel_aspects/aspects/pose_tree.h"
 
@@ -35,15 +34,8 @@ struct ModeComponents {
   double measure_undecided = 0.0;
 };
 
-/// Joins components of one sign where a straight way between them is proved free of singularities, divides
-/// the leaves where others meet until they are joined or apart, and leaves near no component until they show
-/// one or vanish; ends at `deepest_level`, or when some hundred thousand leaves are spent.
-void refine_contested(PoseTree& tree, const BoxClassifier& classifier, LeafGraph& graph,
-                      std::uint32_t deepest_level, const MapControl& control);
-
 /// Sums up what the graph of a working mode has shown.
-ModeComponents find_components(const PoseTree& tree, const BoxClassifier& classifier, std::size_t mode,
-                               LeafGraph& graph);
+ModeComponents find_components(const PoseTree& tree, std::size_t mode, LeafGraph& graph);
 
 }  // namespace parallel_aspects
 

@@ -39,7 +39,7 @@ class FaceTraversal {
 
  private:
   bool divided(NodeIndex node) const { return tree_.state(node, mode_).is_divided(); }
-  bool outside(NodeIndex node) const { return tree_.state(node, mode_) == LeafState::outside(); }
+  bool outside(NodeIndex node) const { return tree_.state(node, mode_).is_outside(); }
 
   void inside(NodeIndex node) {
     if (!divided(node)) return;
@@ -68,10 +68,6 @@ template <class Visitor>
 void visit_faces(const PoseTree& tree, std::size_t mode, const Visitor& visitor) {
   FaceTraversal<Visitor>(tree, mode, visitor).run();
 }
-
-/// Whether two nodes, neither inside the other, share part of a face (more than an edge or a corner), be it a
-/// glued one.
-bool share_face(const PoseTree& tree, NodeIndex a, NodeIndex b) noexcept;
 
 }  // namespace parallel_aspects
 

@@ -26,12 +26,12 @@ inline Turn<Interval> turn_of_half_turns(const Interval& a) noexcept {
   return {cosine_of_half_turns(a), sine_of_half_turns(a)};
 }
 
-template <std::size_t N>
-Turn<Dual<N>> turn_of_half_turns(const Dual<N>& a) noexcept {
-  const Turn<Interval> value = turn_of_half_turns(a.value);
-  Turn<Dual<N>> result{Dual<N>(value.cosine), Dual<N>(value.sine)};
+template <std::size_t N, class Value>
+Turn<Dual<N, Value>> turn_of_half_turns(const Dual<N, Value>& a) noexcept {
+  const Turn<Value> value = turn_of_half_turns(a.value);
+  Turn<Dual<N, Value>> result{value.cosine, value.sine};
   for (std::size_t i = 0; i < N; ++i) {
-    const Interval angle_gradient = pi_enclosure() * a.gradient[i];
+    const Value angle_gradient = pi_enclosure() * a.gradient[i];
     result.cosine.gradient[i] = -(value.sine * angle_gradient);
     result.sine.gradient[i] = value.cosine * angle_gradient;
   }

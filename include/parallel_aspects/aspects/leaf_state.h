@@ -11,36 +11,62 @@ namespace parallel_aspects {
 ///  - outside: it meets neither S(s,+) nor S(s,-);
 ///  - inside: it is a subset of S(s, sigma);
 ///  - undecided: neither, though S(s, sigma) may be ruled out for one sigma.
+/// The part of S(s, sigma) in an undecided box is *whole* where all of it is proved to lie in one aspect.
 class LeafState {
  public:
   static constexpr LeafState outside() noexcept { return LeafState(0); }
   static constexpr LeafState inside(int sign) noexcept { return LeafState(bit(sign) | proved); }
   static constexpr LeafState undecided(bool may_be_positive, bool may_be_negative) noexcept {
-    return LeafState(static_cast<std::uint8_t>((may_be_positive ? 1U : 0U) | (may_be_negative ? 2U : 0U)));
+    return LeafState((may_be_positive ? 1U : 0U) | (may_be_negative ? 2U : 0U));
   }
 
   /// Inner nodes: this mode is told by the children.
-  static constexpr LeafState divided() noexcept { return LeafState(0x10); }
+  static constexpr LeafState divided() noexcept { return LeafState(inner | 1U); }
   /// Told by an ancestor.
-  static constexpr LeafState inherited() noexcept { return LeafState(0x20); }
+  static constexpr LeafState inherited() noexcept { return LeafState(inner | 2U); }
   /// Not classified yet.
-  static constexpr LeafState pending() noexcept { return LeafState(0x40); }
+  static constexpr LeafState pending() noexcept { return LeafState(inner | 4U); }
 
   constexpr LeafState() noexcept = default;
 
-  constexpr bool is_inside() const noexcept { return (code_ & proved) != 0; }
-  constexpr bool is_inside(int sign) const noexcept { return code_ == (bit(sign) | proved); }
-  constexpr bool is_undecided() const noexcept { return code_ >= 1 && code_ <= 3; }
-  constexpr bool may_be(int sign) const noexcept { return code_ < 8 && (code_ & bit(sign)) != 0; }
-  constexpr bool is_leaf() const noexcept { return code_ < 8; }
-  constexpr bool is_divided() const noexcept { return code_ == 0x10; }
-  constexpr bool is_pending() const noexcept { return code_ == 0x40; }
+  constexpr bool is_inside() const noexcept { return (code_ & (inner | proved)) == proved; }
+  constexpr bool is_inside(int sign) const noexcept { return is_inside() && (code_ & bit(sign)) != 0; }
+  constexpr bool is_outside() const noexcept { return (code_ & (inner | signs)) == 0; }
+  constexpr bool is_undecided() const noexcept {
+    return (code_ & (inner | proved)) == 0 && (code_ & signs) != 0;
+  }
+  constexpr bool may_be(int sign) const noexcept { return (code_ & inner) == 0 && (code_ & bit(sign)) != 0; }
+  constexpr bool is_leaf() const noexcept { return (code_ & inner) == 0; }
+  constexpr bool is_divided() const noexcept { return code_ == (inner | 1U); }
+  constexpr bool is_pending() const noexcept { return code_ == (inner | 4U); }
+
+  /// Whether the box meets S(s, sign), if at all, in one aspect only.
+  constexpr bool is_whole(int sign) const noexcept {
+    return is_inside(sign) || (is_undecided() && (code_ & whole_bit(sign)) != 0);
+  }
+
+  /// The sign of det A that is proved at the center of an undecided box; 0 where none is.
+  constexpr int center_sign() const noexcept {
+    if ((code_ & center_positive) != 0) return 1;
+    return (code_ & center_negative) != 0 ? -1 : 0;
+  }
+
+  /// The same undecided state with more proved.
+  constexpr LeafState with_whole(int sign) const noexcept { return LeafState(code_ | whole_bit(sign)); }
+  constexpr LeafState with_center(int sign) const noexcept {
+    return LeafState(code_ | (sign > 0 ? center_positive : center_negative));
+  }
+  constexpr LeafState without(int sign) const noexcept {
+    return (code_ & signs) == bit(sign) ? outside() : LeafState(code_ & ~bit(sign) & ~whole_bit(sign));
+  }
 
   friend constexpr bool operator==(LeafState a, LeafState b) noexcept { return a.code_ == b.code_; }
 
  private:
-  static constexpr std::uint8_t proved = 4;
-  static constexpr std::uint8_t bit(int sign) noexcept { return sign > 0 ? 1 : 2; }
+  static constexpr unsigned signs = 1U | 2U, proved = 4U, center_positive = 32U, center_negative = 64U,
+                            inner = 128U;
+  static constexpr unsigned bit(int sign) noexcept { return sign > 0 ? 1U : 2U; }
+  static constexpr unsigned whole_bit(int sign) noexcept { return sign > 0 ? 8U : 16U; }
   explicit constexpr LeafState(unsigned code) noexcept : code_(static_cast<std::uint8_t>(code)) {}
 
   std::uint8_t code_ = 0;

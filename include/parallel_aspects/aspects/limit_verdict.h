@@ -5,12 +5,31 @@
 #include "parallel_aspects/aspects/interval.h"
 #include "parallel_aspects/model/leg.h"
 
+#include <array>
+#include <cmath>
+#include <cstddef>
+
 namespace parallel_aspects {
 
 /// What is proved of a condition on a whole box: it holds everywhere, it fails everywhere, or neither.
 enum class Verdict { holds, fails, unsure };
 
 Verdict both(Verdict a, Verdict b) noexcept;
+Verdict either(Verdict a, Verdict b) noexcept;
+Verdict is_positive(const Interval& value) noexcept;
+
+/// Limits of a drive as functions of the pose: within limits where all of `values`, or with `any` at least
+/// one, are positive. The limits themselves may be counted to either side.
+template <class Scalar>
+struct LimitFunctions {
+  std::array<Scalar, 2> values;
+  std::size_t count = 0;
+  bool any = false;
+
+  void add(const Scalar& value) { values[count++] = value; }
+};
+
+Verdict verdict(const LimitFunctions<Interval>& limits) noexcept;
 
 /// Limits of a drive angle, tested on its cosine and sine without any arc function.
 class AngleLimits {
@@ -24,8 +43,16 @@ class AngleLimits {
 
   bool limited() const noexcept { return limited_; }
 
-  /// For an angle whose cosine and sine, up to one positive factor, are enclosed by the arguments.
-  Verdict test(const Interval& cosine, const Interval& sine) const noexcept;
+  /// For an angle whose cosine and sine, up to one positive factor, are the arguments.
+  template <class Scalar>
+  LimitFunctions<Scalar> functions(const Scalar& cosine, const Scalar& sine) const {
+    LimitFunctions<Scalar> result;
+    if (!limited_) return result;
+    result.any = !less_than_half_turn_;
+    result.add(lower_.cosine * sine - lower_.sine * cosine);
+    result.add(upper_.sine * cosine - upper_.cosine * sine);
+    return result;
+  }
 
  private:
   struct Direction {
@@ -45,7 +72,14 @@ class LengthLimits {
   explicit LengthLimits(const JointLimits& limits) noexcept : limits_(limits) {}
 
   bool limited() const noexcept { return limits_.limited(); }
-  Verdict test(const Interval& length) const noexcept;
+
+  template <class Scalar>
+  LimitFunctions<Scalar> functions(const Scalar& length) const {
+    LimitFunctions<Scalar> result;
+    if (std::isfinite(limits_.lower)) result.add(length - Scalar(limits_.lower));
+    if (std::isfinite(limits_.upper)) result.add(Scalar(limits_.upper) - length);
+    return result;
+  }
 
  private:
   JointLimits limits_;

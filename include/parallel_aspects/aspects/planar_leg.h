@@ -43,9 +43,9 @@ class PlanarLeg {
   template <class Scalar>
   PlanarLegForm<Scalar> form(const Planar<Scalar>& d) const;
 
-  /// Whether the drive value of branch `sign` is within limits for all d in the box, for none, or neither is
-  /// proved.
-  Verdict within_limits(const Planar<Interval>& d, const Interval& entry, int sign) const;
+  /// Limits of the drive value of branch `sign`, where |B_jj| is `entry`.
+  template <class Scalar>
+  LimitFunctions<Scalar> limits(const Planar<Scalar>& d, const Scalar& entry, int sign) const;
 
  private:
   enum class Kind { revolute, prismatic, strut, elbow };
@@ -91,6 +91,33 @@ PlanarLegForm<Scalar> PlanarLeg::form(const Planar<Scalar>& d) const {
   return {quarter * ((squared_longest_ - squared_distance) * (squared_distance - squared_shortest_)),
           {along * d.x, along * d.y},
           turned};
+}
+
+template <class Scalar>
+LimitFunctions<Scalar> PlanarLeg::limits(const Planar<Scalar>& d, const Scalar& entry, int sign) const {
+  if (!angle_limits_.limited() && !length_limits_.limited()) return {};
+  const Scalar signed_entry = sign > 0 ? entry : -entry;
+  const Scalar squared_distance = square(d.x) + square(d.y);
+  switch (kind_) {
+    case Kind::prismatic:
+      return length_limits_.functions<Scalar>(direction_.x * d.x + direction_.y * d.y - signed_entry);
+    case Kind::strut:
+      return length_limits_.functions<Scalar>(
+          Interval(sense_) *
+          (square_root(squared_distance + Scalar(squared_height_)) - Scalar(length_at_zero_)));
+    case Kind::elbow:
+      return angle_limits_.functions<Scalar>(
+          Interval(0.5) * (squared_distance + Scalar(squared_height_)) - Scalar(half_sum_),
+          Interval(-sense_) * signed_entry);
+    case Kind::revolute:
+      break;
+  }
+  // The crank points along a d - B_jj (axis x d), mirrored where the axis points down so that angles grow
+  // with q.
+  const Planar<Scalar> mirrored{d.x, Interval(sense_) * d.y};
+  const Scalar along = Interval(0.5) * squared_distance - Scalar(half_difference_);
+  return angle_limits_.functions<Scalar>(along * mirrored.x + signed_entry * mirrored.y,
+                                         along * mirrored.y - signed_entry * mirrored.x);
 }
 
 }  // namespace parallel_aspects

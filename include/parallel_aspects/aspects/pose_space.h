@@ -60,6 +60,10 @@ class PoseSpace {
 
   const std::vector<Gluing>& gluings() const noexcept { return gluings_; }
 
+  /// The same pose on the other side of a glued face that it lies on, exactly; `position` itself where that
+  /// face is not glued.
+  MapPosition across(const MapPosition& position, std::size_t axis) const noexcept;
+
   /// Where a pose lies; it may be outside the region.
   virtual MapPosition position(const Pose& pose) const noexcept = 0;
 
@@ -89,6 +93,8 @@ class PoseSpace {
       : region_(region), root_count_(root_count), gluings_(std::move(gluings)) {}
 
  private:
+  MapPosition image(const Gluing& gluing, const MapPosition& position, bool from_first) const noexcept;
+
   Box region_;
   std::size_t root_count_;
   std::vector<Gluing> gluings_;

@@ -15,10 +15,10 @@ int proved_sign(const BoxClassifier& classifier, std::size_t dimension, std::siz
                 const MapPosition& position) noexcept;
 
 /// Whether the straight segment between two points of a root box is proved free of singularities and within
-/// limits, with det A of the given sign all along: it is covered by boxes, halved where they are too long,
-/// 2^12 at most. Needs a live `RoundingUpward`. Neither allocates nor throws.
+/// limits, with det A of the given sign all along: it is covered by boxes, halved where they are too long, at
+/// most `most_halvings` times. Needs a live `RoundingUpward`. Neither allocates nor throws.
 bool segment_is_free(const BoxClassifier& classifier, std::size_t dimension, std::size_t mode, int sign,
-                     const MapPosition& from, const MapPoint& to) noexcept;
+                     const MapPosition& from, const MapPoint& to, int most_halvings = 12) noexcept;
 
 }  // namespace parallel_aspects
 

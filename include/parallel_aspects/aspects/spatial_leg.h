@@ -49,9 +49,9 @@ class SpatialLeg {
   template <class Scalar>
   SpatialLegForm<Scalar> form(const Spatial<Scalar>& d) const;
 
-  /// Whether the drive value of branch `sign` is within limits for all d in the box, for none, or neither is
-  /// proved.
-  Verdict within_limits(const Spatial<Interval>& d, const Interval& entry, int sign) const;
+  /// Limits of the drive value of branch `sign`, where |B_jj| is `entry`.
+  template <class Scalar>
+  LimitFunctions<Scalar> limits(const Spatial<Scalar>& d, const Scalar& entry, int sign) const;
 
  private:
   enum class Kind { revolute, prismatic, strut, elbow };
@@ -98,6 +98,27 @@ SpatialLegForm<Scalar> SpatialLeg::form(const Spatial<Scalar>& d) const {
           {k * d[0] + axis_[0] * lift, k * d[1] + axis_[1] * lift, k * d[2] + axis_[2] * lift},
           {axis_[1] * d[2] - axis_[2] * d[1], axis_[2] * d[0] - axis_[0] * d[2],
            axis_[0] * d[1] - axis_[1] * d[0]}};
+}
+
+template <class Scalar>
+LimitFunctions<Scalar> SpatialLeg::limits(const Spatial<Scalar>& d, const Scalar& entry, int sign) const {
+  if (!angle_limits_.limited() && !length_limits_.limited()) return {};
+  const Scalar signed_entry = sign > 0 ? entry : -entry;
+  const Scalar w = square(d[0]) + square(d[1]) + square(d[2]);
+  switch (kind_) {
+    case Kind::prismatic:
+      return length_limits_.functions<Scalar>(dot(axis_, d) - signed_entry);
+    case Kind::strut:
+      return length_limits_.functions<Scalar>(Interval(sense_) * (square_root(w) - Scalar(length_at_zero_)));
+    case Kind::elbow:
+      return angle_limits_.functions<Scalar>(Interval(0.5) * w - Scalar(half_sum_),
+                                             Interval(-sense_) * signed_entry);
+    case Kind::revolute:
+      break;
+  }
+  const Scalar d1 = dot(zero_direction_, d), d2 = dot(side_direction_, d);
+  const Scalar a = Interval(0.5) * w - Scalar(half_difference_);
+  return angle_limits_.functions<Scalar>(a * d1 + signed_entry * d2, a * d2 - signed_entry * d1);
 }
 
 }  // namespace parallel_aspects

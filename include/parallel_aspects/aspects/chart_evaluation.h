@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASPECTS_CHART_EVALUATION_H
+#define PARALLEL_ASPECTS_ASPECTS_CHART_EVALUATION_H
+
+#include "parallel_aspects/aspects/affine.h"
+#include "parallel_aspects/aspects/box.h"
+#include "parallel_aspects/aspects/box_classifier.h"
+#include "parallel_aspects/aspects/dual.h"
+#include "parallel_aspects/aspects/growth.h"
+#include "parallel_aspects/aspects/leaf_state.h"
+#include "parallel_aspects/aspects/leg_rows.h"
+#include "parallel_aspects/aspects/limit_verdict.h"
+#include "parallel_aspects/aspects/pose_space.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+
+namespace parallel_aspects {
+
+/// What is found of one box of a chart (see charts.h): B_jj^2 and det A, enclosed by intervals first and
+/// then, much tighter in small boxes, by affine forms. A leg is *clear* where B_jj^2 is positive on the whole
+/// box. Where it is not, its row of A is taken as a function of the pose and of |B_jj|, for |B_jj| has no
+/// slope at zero.
+template <class Chart>
+class ChartEvaluation {
+ public:
+  static constexpr std::size_t size = Chart::size;
+  using Signs = std::array<int, size>;
+
+  ChartEvaluation(const Chart& chart, RootIndex root, const Box& box)
+      : chart_(chart), root_(root), box_(box) {}
+
+  const Box& box() const noexcept { return box_; }
+
+  void evaluate_by_intervals() {
+    std::array<Interval, size> coordinates;
+    for (std::size_t i = 0; i < size; ++i) coordinates[i] = Interval(box_.lower[i], box_.upper[i]);
+    find_legs(coordinates, intervals_.legs);
+    for (std::size_t j = 0; j < size; ++j) squared_entries_[j] = intervals_.legs[j].rows.squared_entry;
+    find_entries();
+    if (reachable_nowhere_) return;
+    for (std::size_t j = 0; j < size; ++j) intervals_.entries[j] = entries_[j];
+    intervals_.combine();
+  }
+
+  /// Needs the intervals.
+  void evaluate_by_affine_forms() {
+    std::array<Form, size> coordinates;
+    for (std::size_t i = 0; i < size; ++i)
+      coordinates[i] = Form::coordinate(Interval(box_.lower[i], box_.upper[i]), i);
+    find_legs(coordinates, forms_.legs);
+    for (std::size_t j = 0; j < size; ++j)
+      squared_entries_[j] = intersection(squared_entries_[j], forms_.legs[j].rows.squared_entry.range());
+    find_entries();
+    if (reachable_nowhere_) return;
+    for (std::size_t j = 0; j < size; ++j)
+      forms_.entries[j] = clear_[j]
+                              ? square_root(forms_.legs[j].rows.squared_entry, squared_entries_[j].lower())
+                              : Form(entries_[j]);
+    forms_.combine();
+    has_forms_ = true;
+  }
+
+  LeafState state(const Signs& signs) {
+    if (reachable_nowhere_) return LeafState::outside();
+    const Verdict limits = within_limits(signs);
+    if (limits == Verdict::fails) return LeafState::outside();
+    const Interval value = determinant(signs);
+    const bool proved = limits == Verdict::holds && clear_everywhere();
+    if (proved && value.positive()) return LeafState::inside(1);
+    if (proved && value.negative()) return LeafState::inside(-1);
+    return LeafState::undecided(value.upper() > 0.0, value.lower() < 0.0);
+  }
+
+  /// How S(signs, sign) grows in the box. Needs affine forms.
+  Growth growth(const Signs& signs, int sign) {
+    if (reachable_nowhere_) return Growth::unknown();
+    evaluate_slopes();
+    Growth growth = Growth::of_everything();
+    for (std::size_t j = 0; j < size; ++j) {
+      if (!clear_[j]) growth.require(ranges(slopes_.legs[j].rows.squared_entry.gradient));
+      require_limits(j, signs[j], growth);
+    }
+    const Interval value = determinant(signs);
+    if (!(sign > 0 ? value.positive() : value.negative())) require_determinant(signs, sign, growth);
+    return growth;
+  }
+
+  /// Whether all of S(signs, sign) in the box is proved to be connected, be it empty. Needs affine forms.
+  bool is_whole(const Signs& signs, int sign) {
+    return growth(signs, sign).along_all(box_) || shell(signs, sign);
+  }
+
+  /// Where S(signs, sign) is a shell along the serial singularity: with the box oriented as the result tells,
+  /// growing upward along every coordinate, the lowest corner is not reachable, reachable poses grow upward,
+  /// det A has the sign all along the serial singularity and, if at all, loses it upward. Every ray from the
+  /// lowest corner then meets the set in an interval that begins at the serial singularity, if it comes to
+  /// it, and the rays that do are those to the reachable poses of the upper faces, which are connected with
+  /// the highest corner. So the set is connected, and empty only where the highest corner is not reachable.
+  /// Needs affine forms.
+  std::optional<Growth> shell(const Signs& signs, int sign) {
+    if (reachable_nowhere_ || clear_everywhere() || within_limits(signs) != Verdict::holds)
+      return std::nullopt;
+    evaluate_slopes();
+    Growth reachable = Growth::of_everything(), falling = Growth::of_everything();
+    for (std::size_t j = 0; j < size; ++j) {
+      if (clear_[j]) continue;
+      reachable.require(ranges(slopes_.legs[j].rows.squared_entry.gradient));
+      const Interval at_boundary = determinant_without_entry(j, signs).range();
+      if (!(sign > 0 ? at_boundary.positive() : at_boundary.negative())) return std::nullopt;
+    }
+    require_determinant(signs, -sign, falling);
+    const Growth both = reachable.with(falling);
+    if (!both.along_all(box_) || !is_unreachable(both.lowest(box_))) return std::nullopt;
+    return both;
+  }
+
+  /// The sign of det A at the center, where it is proved and the center is reachable and within limits; else
+  /// 0. Needs affine forms.
+  int center_sign(const Signs& signs) {
+    if (reachable_nowhere_ || !center_is_reachable(signs)) return 0;
+    const Interval value = forms_.determinants->of(signs).at_center();
+    return value.positive() ? 1 : value.negative() ? -1 : 0;
+  }
+
+  /// See BoxClassifier::conditions. Needs affine forms.
+  Conditions conditions(const Signs& signs, int sign) {
+    Conditions result;
+    if (reachable_nowhere_ || !clear_everywhere()) return result;
+    evaluate_slopes();
+    for (std::size_t j = 0; j < size; ++j) {
+      result.add(condition(slopes_.legs[j].rows.squared_entry));
+      add_limits(chart_.limits(j, slopes_.legs[j].displacement, slopes_.entries[j], signs[j]), result);
+    }
+    result.add(condition(Interval(sign) * slopes_.determinants->of(signs)));
+    return result;
+  }
+
+ private:
+  using Form = Affine<size>;
+  using Slope = Dual<size, Form>;
+
+  template <class Scalar>
+  struct EvaluatedLeg {
+    typename Chart::template Displacement<Scalar> displacement;
+    LegRows<Scalar, size> rows;
+  };
+
+  /// Legs and what follows from them, over one kind of numbers.
+  template <class Scalar>
+  struct Evaluated {
+    std::array<EvaluatedLeg<Scalar>, size> legs;
+    std::array<Scalar, size> entries;  // |B_jj|
+    std::array<BranchRows<Scalar, size>, size> rows;
+    std::optional<Determinants<Scalar, size>> determinants;
+
+    void combine() {
+      for (std::size_t j = 0; j < size; ++j) rows[j] = branch_rows(legs[j].rows, entries[j]);
+      determinants.emplace(rows);
+    }
+  };
+
+  template <class Scalar>
+  void find_legs(const std::array<Scalar, size>& coordinates,
+                 std::array<EvaluatedLeg<Scalar>, size>& legs) const {
+    const auto placement = chart_.place(root_, coordinates);
+    for (std::size_t j = 0; j < size; ++j) {
+      legs[j].displacement = chart_.displacement(j, placement);
+      legs[j].rows = chart_.rows(j, legs[j].displacement, placement);
+    }
+  }
+
+  void find_entries() {
+    for (std::size_t j = 0; j < size; ++j) {
+      clear_[j] = squared_entries_[j].positive();
+      reachable_nowhere_ = reachable_nowhere_ || squared_entries_[j].upper() <= 0.0;
+      if (!reachable_nowhere_) entries_[j] = square_root(not_negative_part(squared_entries_[j]));
+    }
+  }
+
+  void evaluate_slopes() {
+    if (slopes_.determinants) return;
+    std::array<Slope, size> coordinates;
+    for (std::size_t i = 0; i < size; ++i)
+      coordinates[i] = Slope::coordinate(Form::coordinate(Interval(box_.lower[i], box_.upper[i]), i), i);
+    find_legs(coordinates, slopes_.legs);
+    for (std::size_t j = 0; j < size; ++j) {
+      slopes_.entries[j] = Slope(forms_.entries[j]);
+      if (!clear_[j]) continue;
+      const Form factor = reciprocal(Interval(2.0) * forms_.entries[j], entries_[j].lower());
+      for (std::size_t i = 0; i < size; ++i)
+        slopes_.entries[j].gradient[i] = factor * slopes_.legs[j].rows.squared_entry.gradient[i];
+    }
+    slopes_.combine();
+  }
+
+  bool clear_everywhere() const {
+    return std::all_of(clear_.begin(), clear_.end(), [](bool clear) { return clear; });
+  }
+
+  Interval determinant(const Signs& signs) {
+    const Interval natural = intervals_.determinants->of(signs);
+    if (!has_forms_ || natural.positive() || natural.negative()) return natural;
+    return intersection(natural, forms_.determinants->of(signs).range());
+  }
+
+  Verdict within_limits(const Signs& signs) const {
+    Verdict all = Verdict::holds;
+    for (std::size_t j = 0; j < size && all != Verdict::fails; ++j)
+      all = both(all, verdict(chart_.limits(j, intervals_.legs[j].displacement, entries_[j], signs[j])));
+    return all;
+  }
+
+  static std::array<Interval, size> ranges(const std::array<Form, size>& forms) {
+    std::array<Interval, size> result;
+    for (std::size_t i = 0; i < size; ++i) result[i] = forms[i].range();
+    return result;
+  }
+
+  void require_limits(std::size_t j, int sign, Growth& growth) const {
+    const LimitFunctions<Interval> limits =
+        chart_.limits(j, intervals_.legs[j].displacement, entries_[j], sign);
+    if (verdict(limits) == Verdict::holds) return;
+    if (!clear_[j]) {
+      growth = Growth::unknown();
+      return;
+    }
+    const LimitFunctions<Slope> slopes =
+        chart_.limits(j, slopes_.legs[j].displacement, slopes_.entries[j], sign);
+    for (std::size_t k = 0; k < limits.count; ++k)
+      if (is_positive(limits.values[k]) == Verdict::unsure) growth.require(ranges(slopes.values[k].gradient));
+  }
+
+  void require_determinant(const Signs& signs, int sign, Growth& growth) {
+    const Interval factor(sign);
+    const Slope determinant = factor * slopes_.determinants->of(signs);
+    const auto unclear = static_cast<std::size_t>(std::count(clear_.begin(), clear_.end(), false));
+    // With g = B_jj^2 of the one leg that is not clear, d = d/dx at constant |B_jj| and D = d det A /
+    // d|B_jj|, the slope of det A times 2 |B_jj| is  2 |B_jj| d(det A) + D dg.  With several such legs each
+    // term is asked to have the sign.
+    if (unclear != 1) growth.require(ranges(determinant.gradient));
+    for (std::size_t j = 0; j < size; ++j) {
+      if (clear_[j]) continue;
+      const Form lever = factor * slope_along_entry(j, signs), weight = Interval(2.0) * forms_.entries[j];
+      std::array<Form, size> term;
+      for (std::size_t i = 0; i < size; ++i) {
+        term[i] = lever * slopes_.legs[j].rows.squared_entry.gradient[i];
+        if (unclear == 1) term[i] += weight * determinant.gradient[i];
+      }
+      growth.require(ranges(term));
+    }
+  }
+
+  /// d det A / d|B_jj|: det A with row j turned.
+  Form slope_along_entry(std::size_t j, const Signs& signs) const {
+    std::array<BranchRows<Form, size>, size> rows = forms_.rows;
+    rows[j].positive = forms_.legs[j].rows.turned;
+    for (std::size_t i = 0; i < size; ++i) rows[j].negative[i] = -forms_.legs[j].rows.turned[i];
+    return Determinants<Form, size>(rows).of(signs);
+  }
+
+  /// det A where B_jj = 0.
+  Form determinant_without_entry(std::size_t j, const Signs& signs) const {
+    std::array<BranchRows<Form, size>, size> rows = forms_.rows;
+    rows[j].positive = rows[j].negative = forms_.legs[j].rows.fixed;
+    return Determinants<Form, size>(rows).of(signs);
+  }
+
+  bool is_unreachable(const MapPoint& point) const {
+    const Box box{size, point, point};
+    ChartEvaluation evaluation(chart_, root_, box);
+    evaluation.evaluate_by_intervals();
+    return evaluation.reachable_nowhere_;
+  }
+
+  bool center_is_reachable(const Signs& signs) const {
+    for (std::size_t j = 0; j < size; ++j) {
+      const Interval squared_entry = forms_.legs[j].rows.squared_entry.at_center();
+      if (!squared_entry.positive()) return false;
+      const Form entry(square_root(squared_entry));
+      const LimitFunctions<Form> limits = chart_.limits(j, forms_.legs[j].displacement, entry, signs[j]);
+      LimitFunctions<Interval> at_center{{}, limits.count, limits.any};
+      for (std::size_t k = 0; k < limits.count; ++k) at_center.values[k] = limits.values[k].at_center();
+      if (verdict(at_center) != Verdict::holds) return false;
+    }
+    return true;
+  }
+
+  static Condition condition(const Slope& function) {
+    Condition result{middle(function.value.range()), {}};
+    for (std::size_t i = 0; i < size; ++i) result.slope[i] = middle(function.gradient[i].range());
+    return result;
+  }
+
+  static double middle(const Interval& a) { return 0.5 * (a.lower() + a.upper()); }
+
+  static void add_limits(const LimitFunctions<Slope>& limits, Conditions& result) {
+    std::array<Condition, 2> each;
+    for (std::size_t k = 0; k < limits.count; ++k) each[k] = condition(limits.values[k]);
+    if (limits.any && limits.count == 2) return result.add(each[each[0].value < each[1].value ? 1 : 0]);
+    for (std::size_t k = 0; k < limits.count; ++k) result.add(each[k]);
+  }
+
+  const Chart& chart_;
+  RootIndex root_;
+  const Box& box_;
+  std::array<Interval, size> squared_entries_, entries_;  // B_jj^2 and |B_jj|, from the best enclosures
+  std::array<bool, size> clear_{};
+  bool reachable_nowhere_ = false, has_forms_ = false;
+  Evaluated<Interval> intervals_;
+  Evaluated<Form> forms_;
+  Evaluated<Slope> slopes_;
+};
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ASPECTS_CHART_EVALUATION_H

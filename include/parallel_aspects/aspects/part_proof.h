@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASPECTS_PART_PROOF_H
+#define PARALLEL_ASPECTS_ASPECTS_PART_PROOF_H
+
+#include "parallel_aspects/aspects/box.h"
+#include "parallel_aspects/aspects/box_classifier.h"
+
+#include <cstddef>
+
+namespace parallel_aspects {
+
+/// What is proved of the poses of S(mode, sign) in a box.
+struct Part {
+  enum class Kind { empty, connected, unknown };
+  Kind kind = Kind::unknown;
+  MapPoint pose{};  ///< one of them, where connected
+};
+
+/// Pushes the set onto faces, edges and corners of the box along which it grows (see Growth), until what is
+/// left of the box is all inside or has nothing of it. The box may be flat along some coordinates. Needs a
+/// live `RoundingUpward`.
+Part find_part(const BoxClassifier& classifier, std::size_t mode, int sign, RootIndex root, Box box) noexcept;
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ASPECTS_PART_PROOF_H

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASPECTS_REFINEMENT_H
+#define PARALLEL_ASPECTS_ASPECTS_REFINEMENT_H
+
+#include "parallel_aspects/aspects/aspect_map.h"
+#include "parallel_aspects/aspects/box_classifier.h"
+#include "parallel_aspects/aspects/leaf_graph.h"
+#include "parallel_aspects/aspects/pose_tree.h"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// Divides leaves where components of one working mode and sign meet until they are joined or apart, and
+/// leaves near no component until they show one or vanish; ends at `deepest_level`. Where two components meet
+/// in more and more leaves with each level, they touch along a curve or surface and no depth tells them
+/// apart: such leaves are left undecided early. All modes go in step, on all threads of the calling arena;
+/// the result does not depend on their number. False when cancelled.
+bool refine_contested(PoseTree& tree, const BoxClassifier& classifier,
+                      const std::vector<std::unique_ptr<LeafGraph>>& graphs, std::uint32_t base_level,
+                      std::uint32_t deepest_level, const MapControl& control);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ASPECTS_REFINEMENT_H

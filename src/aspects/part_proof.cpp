@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/aspects/part_proof.h"
+
+namespace parallel_aspects {
+namespace {
+
+/// Flattens the box onto the end of each coordinate along which the set grows; whether there was any.
+bool push(Box& box, const Growth& growth) noexcept {
+  bool pushed = false;
+  for (std::size_t i = 0; i < box.dimension; ++i) {
+    if (!(box.width(i) > 0.0) || !growth.along(i)) continue;
+    (growth.upward(i) ? box.lower[i] : box.upper[i]) = growth.upward(i) ? box.upper[i] : box.lower[i];
+    pushed = true;
+  }
+  return pushed;
+}
+
+constexpr int bisections = 50;
+
+/// The set is a shell that begins between two corners, or beyond the highest.
+class ShellSearch {
+ public:
+  ShellSearch(const BoxClassifier& classifier, std::size_t mode, int sign, RootIndex root, const Box& box,
+              const Growth& shell) noexcept
+      : classifier_(classifier),
+        mode_(mode),
+        sign_(sign),
+        root_(root),
+        dimension_(box.dimension),
+        lowest_(shell.lowest(box)),
+        highest_(shell.highest(box)) {}
+
+  Part run() const noexcept {
+    if (examine(highest_).state.is_outside()) return {Part::Kind::empty, {}};
+    double beyond = 0.0, reachable = 1.0;
+    for (int i = 0; i < bisections; ++i) {
+      const double middle = 0.5 * (beyond + reachable);
+      (is_reachable(at(middle)) ? reachable : beyond) = middle;
+    }
+    Part part;
+    for (double step = 0x1p-40; step < 1.0; step *= 2.0) {
+      const MapPoint pose = at(reachable + step * (1.0 - reachable));
+      if (examine(pose).state.is_inside(sign_))
+        part = {Part::Kind::connected, pose};
+      else if (part.kind == Part::Kind::connected)
+        break;
+    }
+    return part;
+  }
+
+ private:
+  MapPoint at(double share) const noexcept {
+    MapPoint point{};
+    for (std::size_t i = 0; i < dimension_; ++i)
+      point[i] = share == 1.0 ? highest_[i] : lowest_[i] + share * (highest_[i] - lowest_[i]);
+    return point;
+  }
+
+  Examined examine(const MapPoint& point) const noexcept {
+    return classifier_.examine(root_, Box{dimension_, point, point}, mode_, sign_);
+  }
+
+  bool is_reachable(const MapPoint& point) const noexcept {
+    return classifier_.conditions({root_, point}, mode_, sign_).count > 0;
+  }
+
+  const BoxClassifier& classifier_;
+  std::size_t mode_;
+  int sign_;
+  RootIndex root_;
+  std::size_t dimension_;
+  MapPoint lowest_, highest_;
+};
+
+}  // namespace
+
+Part find_part(const BoxClassifier& classifier, std::size_t mode, int sign, RootIndex root,
+               Box box) noexcept {
+  for (;;) {
+    const Examined examined = classifier.examine(root, box, mode, sign);
+    if (examined.state.is_inside(sign)) return {Part::Kind::connected, box.middle()};
+    if (!examined.state.may_be(sign)) return {Part::Kind::empty, {}};
+    if (examined.shell) return ShellSearch(classifier, mode, sign, root, box, *examined.shell).run();
+    if (!push(box, examined.growth)) return {};
+  }
+}
+
+}  // namespace parallel_aspects

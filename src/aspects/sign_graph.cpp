@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/aspects/sign_graph.h"
+
+#include "parallel_aspects/aspects/climb.h"
+#include "parallel_aspects/aspects/neighbour_leaves.h"
+#include "parallel_aspects/aspects/part_proof.h"
+
+#include <algorithm>
+
+namespace parallel_aspects {
+namespace {
+
+constexpr int most_steps = 100;
+
+}  // namespace
+
+void SignGraph::add_leaf(const PoseTree& tree, NodeIndex node) {
+  if (slot_.size() < tree.node_count()) slot_.resize(tree.node_count(), none);
+  const LeafState state = tree.state(node, mode_);
+  if (!state.may_be(sign_)) return;
+  if (!state.is_whole(sign_)) {
+    slot_[node] = static_cast<std::uint32_t>(open_.size()) | open_flag;
+    open_.push_back({node, {}});
+    return;
+  }
+  slot_[node] = components_.add();
+  traits_.push_back({state.is_inside(sign_), false});
+  new_leaves_.push_back(node);
+}
+
+void SignGraph::unite(NodeIndex a, NodeIndex b) {
+  const std::uint32_t one = component(a), other = component(b);
+  const Traits traits{traits_[one].has_inside_leaf || traits_[other].has_inside_leaf,
+                      traits_[one].climbed || traits_[other].climbed};
+  components_.unite(one, other);
+  traits_[component(a)] = traits;
+}
+
+void SignGraph::connect(const PoseTree& tree, NodeIndex a, NodeIndex b) {
+  if (a == b || slot_[a] == none || slot_[b] == none) return;
+  if (is_in_component(a) && is_in_component(b)) {
+    const bool inside = tree.state(a, mode_).is_inside(sign_) || tree.state(b, mode_).is_inside(sign_);
+    if (inside)
+      unite(a, b);
+    else
+      faces_.emplace_back(a, b);
+    return;
+  }
+  if (is_open(a)) open_leaf(a).neighbours.push_back(b);
+  if (is_open(b)) open_leaf(b).neighbours.push_back(a);
+}
+
+void SignGraph::settle_faces(const PoseTree& tree, const BoxClassifier& classifier) {
+  std::vector<std::pair<NodeIndex, NodeIndex>> faces;
+  faces.swap(faces_);
+  for (std::size_t i = 0; i < faces.size(); ++i) settle(tree, classifier, faces[i].first, faces[i].second);
+}
+
+void SignGraph::settle(const PoseTree& tree, const BoxClassifier& classifier, NodeIndex a, NodeIndex b) {
+  if (slot_[a] == none || slot_[b] == none || component(a) == component(b)) return;
+  bool known = true;
+  for (const SharedFace& face : shared_faces(tree, a, b)) {
+    const Part part = find_part(classifier, mode_, sign_, face.root, face.box);
+    if (part.kind == Part::Kind::connected) return unite(a, b);
+    known = known && part.kind == Part::Kind::empty;
+  }
+  if (!known) faces_.emplace_back(a, b);
+}
+
+void SignGraph::forget_neighbour(NodeIndex node, NodeIndex old_neighbour) {
+  if (!is_open(node)) return;
+  auto& list = open_leaf(node).neighbours;
+  list.erase(std::remove(list.begin(), list.end(), old_neighbour), list.end());
+}
+
+void SignGraph::replace(PoseTree& tree, NodeIndex node) {
+  slot_.resize(tree.node_count(), none);
+  const std::uint32_t old_slot = slot_[node];
+  std::vector<NodeIndex> children;
+  for (NodeIndex rank = 0; rank < tree.children_per_node(); ++rank) {
+    children.push_back(tree.first_child(node) + rank);
+    LeafState& state = tree.state(children.back(), mode_);
+    if (old_slot == none && state.may_be(sign_)) state = state.without(sign_);
+  }
+  if (old_slot == none) return;
+  const std::vector<NodeIndex> neighbours = neighbour_leaves(tree, mode_, node);
+  for (const NodeIndex neighbour : neighbours) forget_neighbour(neighbour, node);
+  if (is_in_component(node)) {
+    replace_whole(tree, node, children);
+  } else {
+    open_leaf(node) = {};
+    for (const NodeIndex child : children) add_leaf(tree, child);
+    for (std::size_t i = 0; i < children.size(); ++i)
+      for (std::size_t j = i + 1; j < children.size(); ++j)
+        if (share_face(tree, children[i], children[j])) connect(tree, children[i], children[j]);
+  }
+  for (const NodeIndex child : children)
+    for (const NodeIndex neighbour : neighbours)
+      if (slot_[child] != none && slot_[neighbour] != none && share_face(tree, child, neighbour))
+        connect(tree, child, neighbour);
+  slot_[node] = none;
+}
+
+/// All that the children hold of the set is in the component that the leaf was in.
+void SignGraph::replace_whole(PoseTree& tree, NodeIndex node, const std::vector<NodeIndex>& children) {
+  const std::uint32_t whole = component(node);
+  for (const NodeIndex child : children) {
+    LeafState& state = tree.state(child, mode_);
+    if (!state.may_be(sign_)) continue;
+    slot_[child] = whole;
+    if (state.is_inside(sign_))
+      traits_[whole].has_inside_leaf = true;
+    else
+      state = state.with_whole(sign_);
+    if (!traits_[whole].has_inside_leaf) new_leaves_.push_back(child);
+  }
+}
+
+std::vector<NodeIndex> SignGraph::climb_from_new(PoseTree& tree, const BoxClassifier& classifier) {
+  std::vector<NodeIndex> bare, leaves;
+  leaves.swap(new_leaves_);
+  if (!has_climbed_ && !leaves.empty()) traits_[largest_component(leaves)].climbed = has_climbed_ = true;
+  for (const NodeIndex leaf : leaves) {
+    if (slot_[leaf] == none || !tree.state(leaf, mode_).is_leaf()) continue;
+    Traits& traits = traits_[component(leaf)];
+    if (!traits.climbed) {
+      const Part part = witness(tree, classifier, leaf);
+      if (part.kind == Part::Kind::empty) {
+        drop(tree, leaf);
+        continue;
+      }
+      if (part.kind == Part::Kind::connected) climb(tree, classifier, leaf, part.pose);
+    }
+    if (!traits_[component(leaf)].has_inside_leaf) bare.push_back(leaf);
+  }
+  return bare;
+}
+
+Part SignGraph::witness(const PoseTree& tree, const BoxClassifier& classifier, NodeIndex leaf) const {
+  const Box box = tree.box(leaf);
+  if (tree.state(leaf, mode_).is_inside(sign_)) return {Part::Kind::connected, box.middle()};
+  return find_part(classifier, mode_, sign_, tree.place(leaf).root, box);
+}
+
+std::uint32_t SignGraph::largest_component(const std::vector<NodeIndex>& leaves) {
+  std::vector<std::uint32_t> size(components_.size(), 0);
+  std::uint32_t largest = none;
+  for (const NodeIndex leaf : leaves) {
+    const std::uint32_t each = component(leaf);
+    ++size[each];
+    if (largest == none || size[each] > size[largest]) largest = each;
+  }
+  return largest;
+}
+
+void SignGraph::climb(const PoseTree& tree, const BoxClassifier& classifier, NodeIndex leaf,
+                      const MapPoint& pose) {
+  traits_[component(leaf)].climbed = true;
+  Climb climb(classifier, tree.space(), mode_, sign_, {tree.place(leaf).root, pose});
+  for (int i = 0; i < most_steps && climb.step(); ++i) {
+    const auto here = tree.leaf_at(climb.position(), mode_);
+    if (!here || slot_[*here] == none || !is_in_component(*here) || component(*here) == component(leaf))
+      continue;
+    return unite(leaf, *here);
+  }
+}
+
+void SignGraph::drop(PoseTree& tree, NodeIndex node) {
+  LeafState& state = tree.state(node, mode_);
+  state = state.without(sign_);
+  slot_[node] = none;
+}
+
+void SignGraph::compare(const Contact& contact, Meeting& meeting) {
+  if (component(contact.leaf) != component(contact.other_leaf)) meeting.contacts.push_back(contact);
+}
+
+void SignGraph::start_from_components(Meeting& meeting, std::vector<std::uint32_t>& queue) {
+  for (std::uint32_t v = 0; v < open_.size(); ++v) {
+    if (open_[v].node == no_node) continue;
+    for (const NodeIndex neighbour : open_[v].neighbours) {
+      if (slot_[neighbour] == none || !is_in_component(neighbour)) continue;
+      if (meeting.nearest[v] == no_node) {
+        meeting.nearest[v] = neighbour;
+        queue.push_back(v);
+      } else {
+        compare({open_[v].node, open_[v].node, meeting.nearest[v], neighbour}, meeting);
+      }
+    }
+  }
+}
+
+void SignGraph::spread(Meeting& meeting, std::vector<std::uint32_t>& queue) {
+  for (std::size_t head = 0; head < queue.size(); ++head) {
+    const std::uint32_t v = queue[head];
+    for (const NodeIndex neighbour : open_[v].neighbours) {
+      if (!is_open(neighbour)) continue;
+      const std::uint32_t w = slot_[neighbour] & ~open_flag;
+      if (meeting.nearest[w] == no_node) {
+        meeting.nearest[w] = meeting.nearest[v];
+        queue.push_back(w);
+      } else if (v < w) {
+        compare({open_[v].node, neighbour, meeting.nearest[v], meeting.nearest[w]}, meeting);
+      }
+    }
+  }
+}
+
+SignGraph::Meeting SignGraph::meeting() {
+  Meeting meeting;
+  meeting.nearest.assign(open_.size(), no_node);
+  std::vector<std::uint32_t> queue;
+  start_from_components(meeting, queue);
+  spread(meeting, queue);
+  for (std::uint32_t v = 0; v < open_.size(); ++v)
+    if (meeting.nearest[v] == no_node && open_[v].node != no_node) meeting.hidden.push_back(open_[v].node);
+  for (const auto& [a, b] : faces_)
+    if (slot_[a] != none && slot_[b] != none) compare({a, b, a, b}, meeting);
+  return meeting;
+}
+
+}  // namespace parallel_aspects
