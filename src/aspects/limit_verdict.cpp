@@ -49,4 +49,18 @@ AngleLimits::Direction AngleLimits::direction(double angle) {
   return {{cosine - error, cosine + error}, {sine - error, sine + error}};
 }
 
+LengthLimits::LengthLimits(const JointLimits& limits, double zero, double sense) : limits_(limits) {
+  const double first = sense > 0.0 ? limits.lower : limits.upper;
+  const double last = sense > 0.0 ? limits.upper : limits.lower;
+  const Interval at_zero(zero), factor(sense);
+  if (std::isfinite(first)) {
+    const Interval shortest = at_zero + factor * Interval(first);
+    if (!shortest.negative()) squared_lower_ = square(not_negative_part(shortest));
+  }
+  if (std::isfinite(last)) {
+    const Interval longest = at_zero + factor * Interval(last);
+    squared_upper_ = longest.negative() ? Interval(-1.0) : square(not_negative_part(longest));
+  }
+}
+
 }  // namespace parallel_aspects

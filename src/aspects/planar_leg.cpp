@@ -43,9 +43,7 @@ void PlanarLeg::set(const PrismaticDrive& drive, const Leg& leg) {
 
 void PlanarLeg::set(const StrutDrive& drive, const Leg& leg) {
   kind_ = Kind::strut;
-  sense_ = drive.sense;
-  length_at_zero_ = drive.length_at_zero;
-  length_limits_ = LengthLimits(leg.limits);
+  length_limits_ = LengthLimits(leg.limits, drive.length_at_zero, drive.sense);
 }
 
 void PlanarLeg::set(const ElbowDrive& drive, const Leg& leg) {

@@ -17,6 +17,10 @@ namespace {
 constexpr std::size_t most_leaves_of_a_point = 1000;
 constexpr std::uint32_t levels_to_see_growth = 3;
 
+// Aspects smaller than a leaf could hide in open leaves beside another component. Where open leaves are few
+// they are divided down to this level.
+constexpr std::uint32_t level_of_open_leaves = 10;
+
 // What one working mode may divide: a share of what the base map has left undecided.
 constexpr std::size_t least_budget = 20000;
 constexpr std::size_t undecided_leaves_for_one = 8;
@@ -42,6 +46,7 @@ class ModeRefinement {
       graph_.of(sign).settle_faces(tree_, classifier_);
       request_bare(sign);
       request_contested(sign);
+      request_open(sign);
     }
     std::sort(requests_.begin(), requests_.end());
     requests_.erase(std::unique(requests_.begin(), requests_.end()), requests_.end());
@@ -99,6 +104,14 @@ class ModeRefinement {
     for (auto& [pair, leaves] : contested) request_all(leaves);
     std::vector<NodeIndex> hidden = meeting.hidden;
     if (hidden.size() <= most_leaves_of_a_point) request_all(hidden);
+  }
+
+  void request_open(int sign) {
+    std::vector<NodeIndex> leaves;
+    for (const SignGraph::OpenLeaf& open : graph_.of(sign).open_leaves())
+      if (open.node != no_node && tree_.place(open.node).level < level_of_open_leaves)
+        leaves.push_back(open.node);
+    if (leaves.size() <= most_leaves_of_a_point) request_all(leaves);
   }
 
   /// The coarsest of them, unless they seem endless.

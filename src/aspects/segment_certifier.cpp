@@ -171,9 +171,9 @@ class SegmentCertifier::Evaluation {
   bool is_within_limits(std::size_t j, const Spatial<PathForm>& d, const PathForm& entry) {
     const SpatialLeg& leg = certifier_.legs_[j];
     const Spatial<Interval> range{d[0].range, d[1].range, d[2].range};
-    if (leg.within_limits(range, entry.range, mode_.sign(j)) == Verdict::holds) return true;
+    if (verdict(leg.limits(range, entry.range, mode_.sign(j))) == Verdict::holds) return true;
     const Spatial<Interval> center{d[0].center, d[1].center, d[2].center};
-    if (leg.within_limits(center, entry.center, mode_.sign(j)) == Verdict::fails)
+    if (verdict(leg.limits(center, entry.center, mode_.sign(j))) == Verdict::fails)
       hindrance_ = Hindrance::joint_limit;
     return false;
   }

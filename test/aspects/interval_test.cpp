@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/aspects/interval.h"
 
-#include "parallel_aspects/aspects/dual.h"
-
 #include <gtest/gtest.h>
 #include <mpfi.h>
 
@@ -145,27 +143,6 @@ TEST(RoundingUpward, EndsWithItsScope) {
     EXPECT_EQ(std::fegetround(), FE_UPWARD);
   }
   EXPECT_EQ(std::fegetround(), before);
-}
-
-// f(x, y) = sqrt((x + 2 y)^2 + 3) (x - y), differentiated by hand.
-TEST(Dual, GradientEnclosesTheDerivative) {
-  const RoundingUpward rounding;
-  std::mt19937 random(3);
-  std::uniform_real_distribution<double> coordinate(-2.0, 2.0);
-  for (int i = 0; i < 1000; ++i) {
-    const double x = coordinate(random), y = coordinate(random);
-    const auto dx = Dual<2>::coordinate(Interval(x - 0.01, x + 0.01), 0);
-    const auto dy = Dual<2>::coordinate(Interval(y - 0.01, y + 0.01), 1);
-    const auto root = square_root(square(dx + Interval(2.0) * dy) + Dual<2>(3.0));
-    const Dual<2> value = root * (dx - dy);
-    const double r = std::sqrt((x + 2 * y) * (x + 2 * y) + 3.0);
-    const double along_x = (x + 2 * y) / r * (x - y) + r, along_y = 2 * (x + 2 * y) / r * (x - y) - r;
-    EXPECT_LE(value.gradient[0].lower(), along_x);
-    EXPECT_GE(value.gradient[0].upper(), along_x);
-    EXPECT_LE(value.gradient[1].lower(), along_y);
-    EXPECT_GE(value.gradient[1].upper(), along_y);
-    EXPECT_LT(value.gradient[0].upper() - value.gradient[0].lower(), 1.0);
-  }
 }
 
 }  // namespace

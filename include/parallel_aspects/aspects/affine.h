@@ -95,8 +95,8 @@ class Affine {
 
   friend Affine square(const Affine& a) noexcept { return a * a; }
 
-  /// 1/a where a is at least `least` > 0 on the box, if its own range does not show it.
-  friend Affine reciprocal(const Affine& a, double least = 0.0) noexcept {
+  /// 1/a where a is known to be at least `least` > 0 on the box.
+  friend Affine reciprocal(const Affine& a, double least) noexcept {
     const Interval range = a.range();
     const double lower = std::max(least, range.lower()), c = a.center_;
     if (!(c > lower && lower > 0.0)) return Affine(reciprocal(Interval(lower, range.upper())));
@@ -106,8 +106,8 @@ class Affine {
     return linear(a, reciprocal(over), -slope, square(bend) * slope * reciprocal(Interval(lower)));
   }
 
-  /// sqrt(a) where a is at least `least` > 0 on the box, if its own range does not show it.
-  friend Affine square_root(const Affine& a, double least = 0.0) noexcept {
+  /// sqrt(a) where a is known to be at least `least` > 0 on the box.
+  friend Affine square_root(const Affine& a, double least) noexcept {
     const Interval range = a.range();
     const double lower = std::max(least, range.lower()), c = a.center_;
     if (!(c > lower && lower > 0.0)) return Affine(square_root(Interval(lower, range.upper())));

@@ -21,7 +21,7 @@
 //  - rows(j, displacement, placement);
 //  - limits(j, displacement, |B_jj|, sign of B_jj): of the drive, see LimitFunctions;
 //  - reachable_positions(): see BoxClassifier.
-// Scalar is Interval or Dual<size>. All of it needs a live `RoundingUpward`.
+// Scalar is Interval, Affine<size> or Dual<size, Affine<size>>. All of it needs a live `RoundingUpward`.
 
 namespace parallel_aspects {
 
@@ -52,8 +52,10 @@ class T1Chart {
     return {form.squared_entry, {form.fixed.x}, {form.turned.x}};
   }
 
-  Verdict within_limits(std::size_t, const Displacement<Interval>& d, const Interval& entry, int sign) const {
-    return leg_.within_limits(d, entry, sign);
+  template <class Scalar>
+  LimitFunctions<Scalar> limits(std::size_t, const Displacement<Scalar>& d, const Scalar& entry,
+                                int sign) const {
+    return leg_.limits(d, entry, sign);
   }
 
   std::optional<Box> reachable_positions() const;
@@ -256,7 +258,7 @@ SO3Chart::Placement<Scalar> SO3Chart::place(RootIndex root, const std::array<Sca
   const Scalar xx = square(q[0]), yy = square(q[1]), zz = square(q[2]), ww = square(q[3]);
   const Scalar xy = two * (q[0] * q[1]), xz = two * (q[0] * q[2]), yz = two * (q[1] * q[2]);
   const Scalar wx = two * (q[3] * q[0]), wy = two * (q[3] * q[1]), wz = two * (q[3] * q[2]);
-  const Scalar scale = reciprocal(xx + yy + zz + ww);
+  const Scalar scale = reciprocal(xx + yy + zz + ww, 1.0);
   return {{{scale * ((ww + xx) - (yy + zz)), scale * (xy - wz), scale * (xz + wy)},
            {scale * (xy + wz), scale * ((ww + yy) - (xx + zz)), scale * (yz - wx)},
            {scale * (xz - wy), scale * (yz + wx), scale * ((ww + zz) - (xx + yy))}}};

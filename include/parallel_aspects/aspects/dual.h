@@ -49,18 +49,11 @@ struct Dual {
     return a.mapped(square(a.value), [&slope](const Value& g) { return slope * g; });
   }
 
-  /// The value must be positive on the whole box.
-  friend Dual reciprocal(const Dual& a) {
-    const Value value = reciprocal(a.value);
+  /// The value must be at least `least` > 0 on the whole box.
+  friend Dual reciprocal(const Dual& a, double least) {
+    const Value value = reciprocal(a.value, least);
     const Value slope = -square(value);
     return a.mapped(value, [&slope](const Value& g) { return slope * g; });
-  }
-
-  /// The value must be positive on the whole box.
-  friend Dual square_root(const Dual& a) {
-    const Value root = square_root(a.value);
-    const Value slope = reciprocal(Interval(2.0) * root);
-    return a.mapped(root, [&slope](const Value& g) { return slope * g; });
   }
 
  private:

@@ -91,6 +91,11 @@ class Interval {
   Lanes lanes_;
 };
 
+/// The same where a is known to be at least `least` > 0.
+inline Interval reciprocal(const Interval& a, double least) noexcept {
+  return reciprocal(Interval(std::max(a.lower(), least), a.upper()));
+}
+
 /// What two enclosures of one value leave of it; they must meet.
 inline Interval intersection(const Interval& a, const Interval& b) noexcept {
   return {std::max(a.lower(), b.lower()), std::min(a.upper(), b.upper())};

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 
 namespace parallel_aspects {
 
@@ -65,11 +66,14 @@ class AngleLimits {
   Direction lower_, upper_;
 };
 
-/// Limits of a drive value that is a length [m].
+/// Limits of a length [m].
 class LengthLimits {
  public:
   LengthLimits() = default;
   explicit LengthLimits(const JointLimits& limits) noexcept : limits_(limits) {}
+
+  /// Of the length `zero` + `sense` q of a strut, q in `limits`; `sense` +1 or -1.
+  LengthLimits(const JointLimits& limits, double zero, double sense);
 
   bool limited() const noexcept { return limits_.limited(); }
 
@@ -81,8 +85,18 @@ class LengthLimits {
     return result;
   }
 
+  /// For a length of at least zero, told by its square: no root is needed. Only for limits of a strut.
+  template <class Scalar>
+  LimitFunctions<Scalar> functions_of_square(const Scalar& squared_length) const {
+    LimitFunctions<Scalar> result;
+    if (squared_lower_) result.add(squared_length - Scalar(*squared_lower_));
+    if (squared_upper_) result.add(Scalar(*squared_upper_) - squared_length);
+    return result;
+  }
+
  private:
   JointLimits limits_;
+  std::optional<Interval> squared_lower_, squared_upper_;
 };
 
 }  // namespace parallel_aspects

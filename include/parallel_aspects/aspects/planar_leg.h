@@ -66,7 +66,6 @@ class PlanarLeg {
   Interval half_sum_;                            // (inner^2 + outer^2) / 2 of an elbow
   Planar<Interval> direction_;                   // of a prismatic drive
   double sense_ = 1.0;                           // of turning about z, or of a strut or elbow
-  Interval length_at_zero_;                      // of a strut
   AngleLimits angle_limits_;
   LengthLimits length_limits_;
 };
@@ -102,9 +101,7 @@ LimitFunctions<Scalar> PlanarLeg::limits(const Planar<Scalar>& d, const Scalar& 
     case Kind::prismatic:
       return length_limits_.functions<Scalar>(direction_.x * d.x + direction_.y * d.y - signed_entry);
     case Kind::strut:
-      return length_limits_.functions<Scalar>(
-          Interval(sense_) *
-          (square_root(squared_distance + Scalar(squared_height_)) - Scalar(length_at_zero_)));
+      return length_limits_.functions_of_square<Scalar>(squared_distance + Scalar(squared_height_));
     case Kind::elbow:
       return angle_limits_.functions<Scalar>(
           Interval(0.5) * (squared_distance + Scalar(squared_height_)) - Scalar(half_sum_),

@@ -68,9 +68,8 @@ class SpatialLeg {
   Interval squared_longest_, squared_shortest_;               // two links stretched, folded
   Interval squared_crank_, half_difference_;                  // (rod^2 - crank^2) / 2
   Interval squared_rod_;
-  Interval half_sum_;        // (inner^2 + outer^2) / 2 of an elbow
-  double sense_ = 1.0;       // of a strut or elbow
-  Interval length_at_zero_;  // of a strut
+  Interval half_sum_;   // (inner^2 + outer^2) / 2 of an elbow
+  double sense_ = 1.0;  // of a strut or elbow
   AngleLimits angle_limits_;
   LengthLimits length_limits_;
 };
@@ -109,7 +108,7 @@ LimitFunctions<Scalar> SpatialLeg::limits(const Spatial<Scalar>& d, const Scalar
     case Kind::prismatic:
       return length_limits_.functions<Scalar>(dot(axis_, d) - signed_entry);
     case Kind::strut:
-      return length_limits_.functions<Scalar>(Interval(sense_) * (square_root(w) - Scalar(length_at_zero_)));
+      return length_limits_.functions_of_square<Scalar>(w);
     case Kind::elbow:
       return angle_limits_.functions<Scalar>(Interval(0.5) * w - Scalar(half_sum_),
                                              Interval(-sense_) * signed_entry);
