@@ -152,6 +152,9 @@ class TourPlanner {
            (tour_.valid() && tour_.wait_for(std::chrono::seconds(0)) == std::future_status::ready);
   }
 
+  // Whether the node's map is still to come.
+  bool waiting() const { return !refused_ && !tour_.valid(); }
+
   // Empty where there is none; only once `ready`, and only once.
   Tour take() { return refused_ ? Tour{} : tour_.get(); }
 
@@ -227,6 +230,7 @@ bool wait_for_server(const std::string& server, const ros::Publisher& publisher)
 void play_all(const Motion& local, TourPlanner& planner, const DemoOptions& options, Player& player) {
   std::optional<Motion> tour;
   bool known = false;
+  const ros::Time begin = ros::Time::now();
   while (ros::ok()) {
     if (!known && planner.ready()) {
       known = true;
@@ -237,7 +241,8 @@ void play_all(const Motion& local, TourPlanner& planner, const DemoOptions& opti
       }
     }
     player.play(tour ? *tour : local);
-    if (known && !options.loop) return;
+    const bool given_up = planner.waiting() && (ros::Time::now() - begin).toSec() > options.patience;
+    if ((known || given_up) && !options.loop) return;
   }
 }
 
