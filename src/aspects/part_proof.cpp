@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/aspects/part_proof.h"
 
+#include <array>
+
 namespace parallel_aspects {
 namespace {
 
@@ -15,7 +17,8 @@ bool push(Box& box, const Growth& growth) noexcept {
   return pushed;
 }
 
-constexpr int bisections = 50;
+constexpr std::size_t most_modes = 64;
+constexpr int bisections = 30;
 
 /// The set is a shell that begins between two corners, or beyond the highest.
 class ShellSearch {
@@ -38,7 +41,7 @@ class ShellSearch {
       (is_reachable(at(middle)) ? reachable : beyond) = middle;
     }
     Part part;
-    for (double step = 0x1p-40; step < 1.0; step *= 2.0) {
+    for (double step = 0x1p-28; step < 1.0; step *= 2.0) {
       const MapPoint pose = at(reachable + step * (1.0 - reachable));
       if (examine(pose).state.is_inside(sign_))
         part = {Part::Kind::connected, pose};
@@ -61,7 +64,10 @@ class ShellSearch {
   }
 
   bool is_reachable(const MapPoint& point) const noexcept {
-    return classifier_.conditions({root_, point}, mode_, sign_).count > 0;
+    std::array<LeafState, most_modes> states;
+    classifier_.classify(root_, Box{dimension_, point, point}, ModeSet{1} << mode_, Detail::states,
+                         states.data());
+    return !states[mode_].is_outside();
   }
 
   const BoxClassifier& classifier_;

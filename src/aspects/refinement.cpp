@@ -15,14 +15,14 @@ namespace {
 // Contacts at points keep a number of leaves that does not grow with depth, those along curves double it with
 // each level.
 constexpr std::size_t most_leaves_of_a_point = 1000;
-constexpr std::uint32_t levels_to_see_growth = 3;
+constexpr std::uint32_t levels_to_see_growth = 1;
 
 // Aspects smaller than a leaf could hide in open leaves beside another component. Where open leaves are few
 // they are divided down to this level.
 constexpr std::uint32_t level_of_open_leaves = 10;
 
 // What one working mode may divide: a share of what the base map has left undecided.
-constexpr std::size_t least_budget = 20000;
+constexpr std::size_t least_budget = 10000;
 constexpr std::size_t undecided_leaves_for_one = 8;
 
 /// What one working mode wants divided.
