@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/aspects/aspect_map.h"
+#include "parallel_aspects/aspects/map_file.h"
 
 #include <benchmark/benchmark.h>
 
 #include "support/robots.h"
+#include <filesystem>
 
 namespace parallel_aspects {
 namespace {
@@ -44,6 +46,30 @@ void locate(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(map->locate(pose, mode));
 }
 BENCHMARK(locate)->Arg(0)->Arg(1)->ArgName("near_boundary");
+
+// A saved map, from the file to an `AspectMap` that answers.
+void load(benchmark::State& state, const std::shared_ptr<const Manipulator>& robot,
+          const MapOptions& options) {
+  const std::filesystem::path file =
+      std::filesystem::temp_directory_path() / (robot->name() + "_benchmark.map");
+  const SaveResult saved = save_map(*compute_aspect_map(robot, options).map, file);
+  if (!saved.saved) return state.SkipWithError(saved.sentence.c_str());
+  for (auto _ : state)
+    if (!load_map(robot, options, file).map) state.SkipWithError("The map was refused.");
+  state.counters["bytes"] = static_cast<double>(std::filesystem::file_size(file));
+  std::filesystem::remove(file);
+}
+
+void load_five_bar_map(benchmark::State& state) {
+  MapOptions options;
+  options.resolution = 0.1;
+  options.region = Box{2, {-20.0, -20.0, 0.0}, {20.0, 20.0, 0.0}};
+  load(state, test::five_bar(), options);
+}
+BENCHMARK(load_five_bar_map)->Unit(benchmark::kMillisecond);
+
+void load_three_rrr_map(benchmark::State& state) { load(state, test::three_rrr(), {}); }
+BENCHMARK(load_three_rrr_map)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace parallel_aspects

@@ -3,6 +3,7 @@
 #include "parallel_aspects/aspects/components.h"
 #include "parallel_aspects/aspects/deepest_point.h"
 #include "parallel_aspects/aspects/map_contents.h"
+#include "parallel_aspects/aspects/map_plan.h"
 #include "parallel_aspects/aspects/refinement.h"
 
 #include <tbb/parallel_for.h>
@@ -10,77 +11,14 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <tuple>
 
 namespace parallel_aspects {
 namespace {
 
-constexpr int most_extra_levels = 20;
 constexpr double share_of_base_map = 0.9;
 
-struct Plan {
-  std::vector<WorkingMode> modes;
-  std::unique_ptr<const BoxClassifier> classifier;
-  std::shared_ptr<const PoseSpace> space;
-  double resolution = 0.0;
-  std::uint32_t depth = 0;
-  std::uint32_t deepest_level = 0;
-};
-
 MapResult refused(const std::string& sentence) { return {MapStatus::refused, sentence, nullptr}; }
-
-Box at_level(Box box, std::uint32_t level) {
-  for (std::size_t i = 0; i < box.dimension; ++i)
-    box.upper[i] = box.lower[i] + std::ldexp(box.width(i), -static_cast<int>(level));
-  return box;
-}
-
-double longest_edge(const Plan& plan, std::uint32_t level) {
-  return plan.space->longest_edge(at_level(plan.space->region(), level));
-}
-
-/// The positions that the map covers; the sentence says why there are none, and is empty otherwise.
-std::string find_positions(const Manipulator& manipulator, const MapOptions& options, const Plan& plan,
-                           Box& positions) {
-  const std::optional<Box> region = options.region ? options.region : plan.classifier->reachable_positions();
-  if (!region)
-    return "The legs of '" + manipulator.name() +
-           "' have no limits that bound the workspace; limit the drives in the URDF or give a region.";
-  const std::optional<Box> exact = exact_region(*region);
-  if (!exact)
-    return "The region of the map is empty, not finite, or too far from the origin for its size; give "
-           "another "
-           "region, or mend the lengths of the legs if they cannot reach a common pose.";
-  positions = *exact;
-  return "";
-}
-
-/// Fills `plan`; the sentence says why that cannot be, and is empty otherwise.
-std::string make_plan(const Manipulator& manipulator, const MapOptions& options, Plan& plan) {
-  plan.modes = working_modes(manipulator);
-  plan.classifier = make_box_classifier(manipulator, plan.modes);
-  if (!plan.classifier)
-    return "Aspects can not be mapped in the task space " + std::string(name(manipulator.task_space())) +
-           " yet.";
-  plan.resolution = options.resolution.value_or(default_resolution(manipulator));
-  if (!std::isfinite(plan.resolution) || plan.resolution <= 0.0)
-    return "The resolution is " + std::to_string(plan.resolution) + " m; give a finite and positive one.";
-  if (options.extra_levels < 0 || options.extra_levels > most_extra_levels)
-    return "The number of extra levels is " + std::to_string(options.extra_levels) + "; give 0 to 20.";
-
-  Box positions;
-  const std::string problem = find_positions(manipulator, options, plan, positions);
-  if (!problem.empty()) return problem;
-  plan.space = make_pose_space(manipulator.task_space(), positions, manipulator.characteristic_length());
-  while (longest_edge(plan, plan.depth) > plan.resolution && plan.depth < PoseTree::deepest_level)
-    ++plan.depth;
-  if (longest_edge(plan, plan.depth) > plan.resolution)
-    return "The resolution is too fine for the size of the region; give a coarser one.";
-  plan.deepest_level =
-      std::min(PoseTree::deepest_level, plan.depth + static_cast<std::uint32_t>(options.extra_levels));
-  return "";
-}
 
 Aspect make_aspect(const WorkingMode& mode, const Component& component) {
   Aspect aspect;
@@ -137,7 +75,7 @@ void find_deepest_poses(AspectMap::Contents& map) {
 }
 
 /// Components of every mode, with contested leaves refined. False when cancelled.
-bool add_components(AspectMap::Contents& map, const Plan& plan, const MapControl& control) {
+bool add_components(AspectMap::Contents& map, const MapPlan& plan, const MapControl& control) {
   const std::size_t count = plan.modes.size();
   std::vector<std::unique_ptr<LeafGraph>> graphs(count);
   tbb::parallel_for(std::size_t{0}, count,
@@ -154,31 +92,18 @@ bool add_components(AspectMap::Contents& map, const Plan& plan, const MapControl
 
 }  // namespace
 
-double default_resolution(const Manipulator& manipulator) noexcept {
-  switch (manipulator.task_space()) {
-    case TaskSpace::T1:
-    case TaskSpace::T2:
-      return manipulator.size() / 200.0;
-    case TaskSpace::SE2:
-    case TaskSpace::T3:
-      return manipulator.size() / 50.0;
-    case TaskSpace::SO3:
-    case TaskSpace::SE3:
-      break;
-  }
-  return 0.1;
-}
-
 MapResult compute_aspect_map(std::shared_ptr<const Manipulator> manipulator, const MapOptions& options,
                              const MapControl& control) {
   const auto start = std::chrono::steady_clock::now();
-  Plan plan;
-  const std::string problem = make_plan(*manipulator, options, plan);
+  MapPlan plan;
+  const std::string problem = make_map_plan(*manipulator, options, plan);
   if (!problem.empty()) return refused(problem);
 
   auto map = std::make_unique<AspectMap::Contents>(manipulator, std::move(plan.classifier),
                                                    PoseTree(plan.space, plan.modes.size()), plan.modes);
-  map->resolution = longest_edge(plan, plan.depth);
+  map->resolution = plan.resolution;
+  map->depth = plan.depth;
+  map->deepest_level = plan.deepest_level;
   MapControl scaled = control;
   if (control.progress)
     scaled.progress = [&control](double share) { control.progress(share_of_base_map * share); };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/aspects/aspect_map.h"
+#include "parallel_aspects/aspects/map_file.h"
 #include "parallel_aspects/model/problems.h"
 #include "parallel_aspects/tools/arguments.h"
 #include "parallel_aspects/tools/numbers.h"
@@ -8,7 +9,9 @@
 #include "parallel_aspects/tools/subcommands.h"
 #include "parallel_aspects/tools/text_table.h"
 
+#include <filesystem>
 #include <optional>
+#include <unistd.h>
 #include <utility>
 
 namespace parallel_aspects::tools {
@@ -99,6 +102,7 @@ struct MapArguments {
   RobotChoice robot;
   std::string resolution;
   std::string threads;
+  std::string load_file, save_file;  // empty where not given
   RoadmapArguments roadmap;
 };
 
@@ -111,6 +115,15 @@ MapOptions parse_options(const MapArguments& arguments, Problems& problems) {
   return options;
 }
 
+/// A long computation is not to be lost to a folder that is not there.
+void check_save_folder(const std::string& file, Problems& problems) {
+  if (file.empty()) return;
+  const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+  if (access(folder.empty() ? "." : folder.c_str(), W_OK | X_OK) != 0)
+    problems.push_back("--save is '" + file +
+                       "', which is in no folder that can be written to; give another.");
+}
+
 // With six freedoms there is a roadmap in place of a map.
 Report roadmap_report(std::shared_ptr<const Manipulator> manipulator, const MapArguments& arguments,
                       const Surroundings& surroundings) {
@@ -120,6 +133,9 @@ Report roadmap_report(std::shared_ptr<const Manipulator> manipulator, const MapA
   if (!arguments.resolution.empty())
     problems.emplace_back(
         "--resolution is that of a map of boxes, which there is none of in SE3; give --samples.");
+  if (!arguments.load_file.empty() || !arguments.save_file.empty())
+    problems.emplace_back(
+        "--load and --save are for maps of boxes, which there is none of in SE3; leave them out.");
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
   return report_roadmap(*compute_roadmap(std::move(manipulator), options, surroundings));
 }
@@ -145,9 +161,38 @@ std::shared_ptr<const AspectMap> compute(std::shared_ptr<const Manipulator> mani
   return result.map;
 }
 
+/// The map in the file that is to be loaded; null, with the reason as a message, where it is of no use.
+std::shared_ptr<const AspectMap> load(const std::shared_ptr<const Manipulator>& manipulator,
+                                      const MapOptions& options, const MapArguments& arguments,
+                                      const Surroundings& surroundings) {
+  if (arguments.load_file.empty()) return nullptr;
+  const MapResult result = load_map(manipulator, options, arguments.load_file);
+  if (result.status != MapStatus::complete) surroundings.messages << result.sentence << std::endl;
+  return result.map;
+}
+
+void save(const AspectMap& map, const MapArguments& arguments) {
+  if (arguments.save_file.empty()) return;
+  const SaveResult result = save_map(map, arguments.save_file);
+  if (!result.saved) throw InvalidDescription({result.sentence});
+}
+
+Report load_or_compute(const std::shared_ptr<const Manipulator>& manipulator, const MapOptions& options,
+                       const MapArguments& arguments, const Surroundings& surroundings) {
+  std::shared_ptr<const AspectMap> map = load(manipulator, options, arguments, surroundings);
+  const bool loaded = map != nullptr;
+  if (!loaded) map = compute(manipulator, options, surroundings);
+  save(*map, arguments);
+  return report_map(*map, loaded);
+}
+
 }  // namespace
 
-Report report_map(const AspectMap& map) { return {json_map(map), map_text(map)}; }
+Report report_map(const AspectMap& map, bool loaded) {
+  Report report{json_map(map), map_text(map)};
+  report.json["loaded"] = loaded;
+  return report;
+}
 
 Subcommand map_subcommand() {
   const auto arguments = std::make_shared<MapArguments>();
@@ -159,6 +204,9 @@ Subcommand map_subcommand() {
   options.push_back({"--threads", "N",
                      "Threads to compute with; by default one a core. The result does not depend on it",
                      &arguments->threads});
+  options.push_back({"--load", "FILE", "Take the map from this file if it is of this robot and these options",
+                     &arguments->load_file});
+  options.push_back({"--save", "FILE", "Write the map to this file, for --load", &arguments->save_file});
   options.push_back({"--samples", "N", "With six freedoms: poses of the certified roadmap, by default 1000",
                      &arguments->roadmap.samples});
   options.push_back(
@@ -167,11 +215,12 @@ Subcommand map_subcommand() {
           [arguments](const Surroundings& surroundings) {
             Problems problems;
             const MapOptions map_options = parse_options(*arguments, problems);
+            check_save_folder(arguments->save_file, problems);
             const auto mechanism = load_robot(arguments->robot, std::move(problems));
             if (mechanism->manipulator()->task_space() == TaskSpace::SE3)
               return roadmap_report(mechanism->manipulator(), *arguments, surroundings);
             refuse_roadmap_options(arguments->roadmap, *mechanism->manipulator());
-            return report_map(*compute(mechanism->manipulator(), map_options, surroundings));
+            return load_or_compute(mechanism->manipulator(), map_options, *arguments, surroundings);
           }};
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <map>
 #include <sstream>
 #include <string>
@@ -233,14 +234,53 @@ TEST_F(Command, MapHasTheTenAspectsOfThePaper) {
 
 TEST_F(Command, MapHasTheDocumentedFields) {
   const json map = run_json({"map", "five_bar", "--resolution", "0.5", "--threads", "1"});
-  for (const char* field : {"mechanism", "task_space", "resolution", "seconds", "working_modes", "aspects",
-                            "proved_count", "inside_components", "unresolved", "measure_undecided"})
+  for (const char* field :
+       {"mechanism", "task_space", "resolution", "seconds", "loaded", "working_modes", "aspects",
+        "proved_count", "inside_components", "unresolved", "measure_undecided"})
     EXPECT_TRUE(map.contains(field)) << field;
   for (const json& aspect : map.at("aspects"))
     for (const char* field : {"id", "working_mode", "det_a_sign", "measure", "unit", "inside_leaves",
                               "bounding_box", "deepest_pose"})
       EXPECT_TRUE(aspect.contains(field)) << field;
   EXPECT_LE(map.at("resolution").get<double>(), 0.5);
+}
+
+TEST_F(Command, MapsAreSavedAndLoaded) {
+  std::string folder = (std::filesystem::temp_directory_path() / "command_XXXXXX").string();
+  ASSERT_NE(mkdtemp(folder.data()), nullptr);
+  const std::string file = folder + "/map";
+  const auto map = [&](const char* option) {
+    return run_json({"map", "five_bar", "--resolution", "0.5", option, file.c_str()});
+  };
+  json computed = map("--save");
+  EXPECT_EQ(computed.at("loaded"), false);
+  json loaded = map("--load");
+  EXPECT_EQ(loaded.at("loaded"), true);
+  computed.erase("loaded");
+  loaded.erase("loaded");
+  EXPECT_EQ(computed, loaded);
+
+  const std::vector<const char*> other{"map",        "five_bar", "--resolution", "0.2",   "--load",
+                                       file.c_str(), "--save",   file.c_str(),   "--json"};
+  Outcome outcome = run(other);
+  EXPECT_EQ(outcome.code, exit_code::ok);
+  EXPECT_EQ(line_count(outcome.messages), 1U) << outcome.messages;
+  EXPECT_NE(outcome.messages.find("resolution"), std::string::npos) << outcome.messages;
+  EXPECT_EQ(json::parse(outcome.output).at("loaded"), false);
+  outcome = run(other);
+  EXPECT_EQ(outcome.messages, "");
+  EXPECT_EQ(json::parse(outcome.output).at("loaded"), true);
+  std::filesystem::remove_all(folder);
+}
+
+TEST_F(Command, FilesOfMapsThatCannotBeAreRefused) {
+  Outcome outcome = run({"map", "five_bar", "--resolution", "0.5", "--save", "/no/such/folder/map"});
+  EXPECT_EQ(outcome.code, exit_code::bad_input);
+  EXPECT_EQ(outcome.output, "");
+  EXPECT_NE(outcome.messages.find("/no/such/folder/map"), std::string::npos) << outcome.messages;
+  outcome = run({"map", "stewart", "--load", "/no/such"});
+  EXPECT_EQ(outcome.code, exit_code::bad_input);
+  EXPECT_NE(outcome.messages.find("--load"), std::string::npos) << outcome.messages;
 }
 
 TEST_F(Command, InterruptedMapPrintsNothing) {

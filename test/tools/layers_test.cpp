@@ -24,7 +24,7 @@ const Strings layers{"model", "kinematics", "singularity", "aspects", "tracking"
 // What a layer below ros/ may include besides the standard library and lower layers.
 const Strings& libraries(const std::string& layer) {
   static const Strings eigen{"Eigen/"};
-  static const Strings aspects{"Eigen/", "tbb/"};
+  static const Strings aspects{"Eigen/", "tbb/", "zlib.h", "fcntl.h", "sys/stat.h", "unistd.h"};
   static const Strings urdf{"Eigen/",          "urdf_parser/", "urdf_model/", "urdf_world/",
                             "urdf_exception/", "yaml-cpp/",    "tinyxml2.h",  "console_bridge/"};
   static const Strings tools{"Eigen/", "CLI/", "nlohmann/", "unistd.h"};

@@ -133,6 +133,9 @@ class AspectMap {
   /// Calls `visit` with every undecided leaf of a working mode.
   void visit_undecided_leaves(const WorkingMode& mode, const std::function<void(const Box&)>& visit) const;
 
+  /// All of it, as `save_map` writes it.
+  const Contents& contents() const noexcept { return *contents_; }
+
  private:
   std::unique_ptr<const Contents> contents_;
 };

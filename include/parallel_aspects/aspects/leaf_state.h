@@ -3,6 +3,7 @@
 #define PARALLEL_ASPECTS_ASPECTS_LEAF_STATE_H
 
 #include <cstdint>
+#include <optional>
 
 namespace parallel_aspects {
 
@@ -28,6 +29,16 @@ class LeafState {
   static constexpr LeafState pending() noexcept { return LeafState(inner | 4U); }
 
   constexpr LeafState() noexcept = default;
+
+  /// The state as a number, to keep in a file.
+  constexpr std::uint8_t code() const noexcept { return code_; }
+  /// The divided, outside, inside or undecided state with this `code()`; nothing where there is none.
+  static constexpr std::optional<LeafState> from_code(std::uint8_t code) noexcept {
+    const LeafState state(code);
+    const bool is_known = code == outside().code_ || code == inside(1).code_ || code == inside(-1).code_ ||
+                          state.is_divided() || state.is_undecided();
+    return is_known ? std::optional<LeafState>(state) : std::nullopt;
+  }
 
   constexpr bool is_inside() const noexcept { return (code_ & (inner | proved)) == proved; }
   constexpr bool is_inside(int sign) const noexcept { return is_inside() && (code_ & bit(sign)) != 0; }

@@ -34,6 +34,8 @@ struct AspectMap::Contents {
   std::vector<std::pair<int, int>> unresolved;
   std::size_t proved_count = 0;
   double resolution = 0.0;
+  std::uint32_t depth = 0;          ///< level of the finest leaves of the base map
+  std::uint32_t deepest_level = 0;  ///< that contested leaves may have
   double measure_undecided = 0.0;
   double seconds = 0.0;
 

@@ -26,6 +26,12 @@ struct NodePlace {
   RootIndex root = 0;
 };
 
+/// What a `PoseTree` holds beside its space, without what follows from the rest.
+struct TreeRecord {
+  std::vector<NodeIndex> parents;    ///< nodes with children, in the order in which they got them
+  std::vector<std::uint8_t> states;  ///< codes by node and mode, except of those that are inherited
+};
+
 /// A 2^d-tree of pose boxes, or as many of them as the space has roots. Each node has one `LeafState` for
 /// each of its working modes; a mode's leaves are the nodes where it is decided or undecided, and modes may
 /// end at different depths of the one tree.
@@ -63,11 +69,24 @@ class PoseTree {
   template <class Predicate>
   NodeIndex divide(NodeIndex node, const Predicate& divides_mode);
 
+  TreeRecord record() const;
+
+  /// The tree with that record, node by node the same; nothing where no tree without pending states has it.
+  static std::optional<PoseTree> from_record(std::shared_ptr<const PoseSpace> space, std::size_t modes,
+                                             const TreeRecord& record);
+
   /// The leaf of `mode` that contains a position; nothing where that is outside the region.
   std::optional<NodeIndex> leaf_at(const MapPosition& position, std::size_t mode) const noexcept;
 
  private:
   NodeIndex append_children(NodeIndex node);
+  bool append_all_children(const std::vector<NodeIndex>& parents);
+  bool set_states(const TreeRecord& record);
+
+  /// Whether the state is inherited, where that of the parent is known.
+  bool inherits(const std::vector<NodeIndex>& parents, NodeIndex node, std::size_t mode) const noexcept {
+    return node >= root_count() && !state(parents[(node - root_count()) >> dimension()], mode).is_divided();
+  }
 
   std::shared_ptr<const PoseSpace> space_;
   Box region_;

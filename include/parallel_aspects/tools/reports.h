@@ -16,8 +16,9 @@
 /// What each subcommand says about a result. Pure functions; the fields are documented in docs/command.md.
 namespace parallel_aspects::tools {
 
-/// `aspects map`: the table of aspects, and what is proved and what is not.
-Report report_map(const AspectMap& map);
+/// `aspects map`: the table of aspects, and what is proved and what is not; and whether the map was `loaded`
+/// from a file.
+Report report_map(const AspectMap& map, bool loaded);
 
 /// `aspects map` with six freedoms: samples and components by working mode and sign of det A.
 Report report_roadmap(const PoseRoadmap& roadmap);

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASPECTS_MAP_FILE_H
+#define PARALLEL_ASPECTS_ASPECTS_MAP_FILE_H
+
+#include "parallel_aspects/aspects/aspect_map.h"
+
+#include <memory>
+#include <string>
+
+namespace parallel_aspects {
+
+struct SaveResult {
+  bool saved = false;
+  std::string sentence;  ///< why not, unless saved
+};
+
+/// Writes the map to a file. At every moment the file is the old one or the new one, whole.
+SaveResult save_map(const AspectMap& map, const std::string& path);
+
+/// The map of this manipulator with these options, as `compute_aspect_map` gave it, if the file holds that.
+/// Refused with a sentence where it cannot be read, is damaged, is of another version of the package, or
+/// holds the map of another robot or of other options. What the file claims is believed then, so it is as
+/// good as those who can write to it; but no file, not even a forged one, does harm beyond wrong answers.
+MapResult load_map(std::shared_ptr<const Manipulator> manipulator, const MapOptions& options,
+                   const std::string& path);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ASPECTS_MAP_FILE_H
