@@ -50,17 +50,17 @@ class ChartEvaluation {
     std::array<Form, size> coordinates;
     for (std::size_t i = 0; i < size; ++i)
       coordinates[i] = Form::coordinate(Interval(box_.lower[i], box_.upper[i]), i);
-    find_legs(coordinates, forms_.legs);
+    forms_.emplace();
+    find_legs(coordinates, forms_->legs);
     for (std::size_t j = 0; j < size; ++j)
-      squared_entries_[j] = intersection(squared_entries_[j], forms_.legs[j].rows.squared_entry.range());
+      squared_entries_[j] = intersection(squared_entries_[j], forms_->legs[j].rows.squared_entry.range());
     find_entries();
     if (reachable_nowhere_) return;
     for (std::size_t j = 0; j < size; ++j)
-      forms_.entries[j] = clear_[j]
-                              ? square_root(forms_.legs[j].rows.squared_entry, squared_entries_[j].lower())
-                              : Form(entries_[j]);
-    forms_.combine();
-    has_forms_ = true;
+      forms_->entries[j] = clear_[j]
+                               ? square_root(forms_->legs[j].rows.squared_entry, squared_entries_[j].lower())
+                               : Form(entries_[j]);
+    forms_->combine();
   }
 
   LeafState state(const Signs& signs) {
@@ -80,7 +80,7 @@ class ChartEvaluation {
     evaluate_slopes();
     Growth growth = Growth::of_everything();
     for (std::size_t j = 0; j < size; ++j) {
-      if (!clear_[j]) growth.require(ranges(slopes_.legs[j].rows.squared_entry.gradient));
+      if (!clear_[j]) growth.require(ranges(slopes_->legs[j].rows.squared_entry.gradient));
       require_limits(j, signs[j], growth);
     }
     const Interval value = determinant(signs);
@@ -107,7 +107,7 @@ class ChartEvaluation {
     Growth reachable = Growth::of_everything(), falling = Growth::of_everything();
     for (std::size_t j = 0; j < size; ++j) {
       if (clear_[j]) continue;
-      reachable.require(ranges(slopes_.legs[j].rows.squared_entry.gradient));
+      reachable.require(ranges(slopes_->legs[j].rows.squared_entry.gradient));
       const Interval at_boundary = determinant_without_entry(j, signs).range();
       if (!(sign > 0 ? at_boundary.positive() : at_boundary.negative())) return std::nullopt;
     }
@@ -121,7 +121,7 @@ class ChartEvaluation {
   /// 0. Needs affine forms.
   int center_sign(const Signs& signs) {
     if (reachable_nowhere_ || !center_is_reachable(signs)) return 0;
-    const Interval value = forms_.determinants->of(signs).at_center();
+    const Interval value = forms_->determinants->of(signs).at_center();
     return value.positive() ? 1 : value.negative() ? -1 : 0;
   }
 
@@ -131,10 +131,10 @@ class ChartEvaluation {
     if (reachable_nowhere_ || !clear_everywhere()) return result;
     evaluate_slopes();
     for (std::size_t j = 0; j < size; ++j) {
-      result.add(condition(slopes_.legs[j].rows.squared_entry));
-      add_limits(chart_.limits(j, slopes_.legs[j].displacement, slopes_.entries[j], signs[j]), result);
+      result.add(condition(slopes_->legs[j].rows.squared_entry));
+      add_limits(chart_.limits(j, slopes_->legs[j].displacement, slopes_->entries[j], signs[j]), result);
     }
-    result.add(condition(Interval(sign) * slopes_.determinants->of(signs)));
+    result.add(condition(Interval(sign) * slopes_->determinants->of(signs)));
     return result;
   }
 
@@ -181,19 +181,20 @@ class ChartEvaluation {
   }
 
   void evaluate_slopes() {
-    if (slopes_.determinants) return;
+    if (slopes_) return;
+    slopes_.emplace();
     std::array<Slope, size> coordinates;
     for (std::size_t i = 0; i < size; ++i)
       coordinates[i] = Slope::coordinate(Form::coordinate(Interval(box_.lower[i], box_.upper[i]), i), i);
-    find_legs(coordinates, slopes_.legs);
+    find_legs(coordinates, slopes_->legs);
     for (std::size_t j = 0; j < size; ++j) {
-      slopes_.entries[j] = Slope(forms_.entries[j]);
+      slopes_->entries[j] = Slope(forms_->entries[j]);
       if (!clear_[j]) continue;
-      const Form factor = reciprocal(Interval(2.0) * forms_.entries[j], entries_[j].lower());
+      const Form factor = reciprocal(Interval(2.0) * forms_->entries[j], entries_[j].lower());
       for (std::size_t i = 0; i < size; ++i)
-        slopes_.entries[j].gradient[i] = factor * slopes_.legs[j].rows.squared_entry.gradient[i];
+        slopes_->entries[j].gradient[i] = factor * slopes_->legs[j].rows.squared_entry.gradient[i];
     }
-    slopes_.combine();
+    slopes_->combine();
   }
 
   bool clear_everywhere() const {
@@ -202,8 +203,8 @@ class ChartEvaluation {
 
   Interval determinant(const Signs& signs) {
     const Interval natural = intervals_.determinants->of(signs);
-    if (!has_forms_ || natural.positive() || natural.negative()) return natural;
-    return intersection(natural, forms_.determinants->of(signs).range());
+    if (!forms_ || natural.positive() || natural.negative()) return natural;
+    return intersection(natural, forms_->determinants->of(signs).range());
   }
 
   Verdict within_limits(const Signs& signs) const {
@@ -228,14 +229,14 @@ class ChartEvaluation {
       return;
     }
     const LimitFunctions<Slope> slopes =
-        chart_.limits(j, slopes_.legs[j].displacement, slopes_.entries[j], sign);
+        chart_.limits(j, slopes_->legs[j].displacement, slopes_->entries[j], sign);
     for (std::size_t k = 0; k < limits.count; ++k)
       if (is_positive(limits.values[k]) == Verdict::unsure) growth.require(ranges(slopes.values[k].gradient));
   }
 
   void require_determinant(const Signs& signs, int sign, Growth& growth) {
     const Interval factor(sign);
-    const Slope determinant = factor * slopes_.determinants->of(signs);
+    const Slope determinant = factor * slopes_->determinants->of(signs);
     const auto unclear = static_cast<std::size_t>(std::count(clear_.begin(), clear_.end(), false));
     // With g = B_jj^2 of the one leg that is not clear, d = d/dx at constant |B_jj| and D = d det A /
     // d|B_jj|, the slope of det A times 2 |B_jj| is  2 |B_jj| d(det A) + D dg.  With several such legs each
@@ -243,10 +244,10 @@ class ChartEvaluation {
     if (unclear != 1) growth.require(ranges(determinant.gradient));
     for (std::size_t j = 0; j < size; ++j) {
       if (clear_[j]) continue;
-      const Form lever = factor * slope_along_entry(j, signs), weight = Interval(2.0) * forms_.entries[j];
+      const Form lever = factor * slope_along_entry(j, signs), weight = Interval(2.0) * forms_->entries[j];
       std::array<Form, size> term;
       for (std::size_t i = 0; i < size; ++i) {
-        term[i] = lever * slopes_.legs[j].rows.squared_entry.gradient[i];
+        term[i] = lever * slopes_->legs[j].rows.squared_entry.gradient[i];
         if (unclear == 1) term[i] += weight * determinant.gradient[i];
       }
       growth.require(ranges(term));
@@ -255,16 +256,16 @@ class ChartEvaluation {
 
   /// d det A / d|B_jj|: det A with row j turned.
   Form slope_along_entry(std::size_t j, const Signs& signs) const {
-    std::array<BranchRows<Form, size>, size> rows = forms_.rows;
-    rows[j].positive = forms_.legs[j].rows.turned;
-    for (std::size_t i = 0; i < size; ++i) rows[j].negative[i] = -forms_.legs[j].rows.turned[i];
+    std::array<BranchRows<Form, size>, size> rows = forms_->rows;
+    rows[j].positive = forms_->legs[j].rows.turned;
+    for (std::size_t i = 0; i < size; ++i) rows[j].negative[i] = -forms_->legs[j].rows.turned[i];
     return Determinants<Form, size>(rows).of(signs);
   }
 
   /// det A where B_jj = 0.
   Form determinant_without_entry(std::size_t j, const Signs& signs) const {
-    std::array<BranchRows<Form, size>, size> rows = forms_.rows;
-    rows[j].positive = rows[j].negative = forms_.legs[j].rows.fixed;
+    std::array<BranchRows<Form, size>, size> rows = forms_->rows;
+    rows[j].positive = rows[j].negative = forms_->legs[j].rows.fixed;
     return Determinants<Form, size>(rows).of(signs);
   }
 
@@ -277,10 +278,10 @@ class ChartEvaluation {
 
   bool center_is_reachable(const Signs& signs) const {
     for (std::size_t j = 0; j < size; ++j) {
-      const Interval squared_entry = forms_.legs[j].rows.squared_entry.at_center();
+      const Interval squared_entry = forms_->legs[j].rows.squared_entry.at_center();
       if (!squared_entry.positive()) return false;
       const Form entry(square_root(squared_entry));
-      const LimitFunctions<Form> limits = chart_.limits(j, forms_.legs[j].displacement, entry, signs[j]);
+      const LimitFunctions<Form> limits = chart_.limits(j, forms_->legs[j].displacement, entry, signs[j]);
       LimitFunctions<Interval> at_center{{}, limits.count, limits.any};
       for (std::size_t k = 0; k < limits.count; ++k) at_center.values[k] = limits.values[k].at_center();
       if (verdict(at_center) != Verdict::holds) return false;
@@ -308,10 +309,10 @@ class ChartEvaluation {
   const Box& box_;
   std::array<Interval, size> squared_entries_, entries_;  // B_jj^2 and |B_jj|, from the best enclosures
   std::array<bool, size> clear_{};
-  bool reachable_nowhere_ = false, has_forms_ = false;
+  bool reachable_nowhere_ = false;
   Evaluated<Interval> intervals_;
-  Evaluated<Form> forms_;
-  Evaluated<Slope> slopes_;
+  std::optional<Evaluated<Form>> forms_;  // made where they are needed: they are large
+  std::optional<Evaluated<Slope>> slopes_;
 };
 
 }  // namespace parallel_aspects
