@@ -106,6 +106,9 @@ Eigen::VectorXd random_start(const ClosureSystem& system, std::mt19937& random) 
 struct Candidate {
   Assembly assembly;
   double conditioning = 0.0;  // 0 at a singularity
+  std::size_t at_limits = 0;  // passive joints that stand on a limit, where legs may be stretched by chance
+
+  double worth() const { return at_limits == 0 ? conditioning : 0.01 * conditioning; }
 
   bool drives_move() const { return conditioning > rank_tolerance; }
 };
@@ -130,6 +133,19 @@ double smallest_singular_value(const Eigen::MatrixXd& rows) {
   return rows.bdcSvd().singularValues().minCoeff();
 }
 
+std::size_t passive_joints_at_limits(const ClosureSystem& system, const Eigen::VectorXd& values,
+                                     const std::vector<std::size_t>& drives) {
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < system.in_loop().size(); ++k) {
+    const JointLimits& limits = system.tree().joint_of(k).limits;
+    const double value = values[static_cast<Eigen::Index>(k)];
+    const bool driven = std::find(drives.begin(), drives.end(), k) != drives.end();
+    if (system.in_loop()[k] && !driven && limits.lower < limits.upper)
+      count += std::min(value - limits.lower, limits.upper - value) < closing_tolerance;
+  }
+  return count;
+}
+
 Candidate judged(const ClosureSystem& system, const Eigen::VectorXd& values,
                  const std::vector<std::size_t>& drives) {
   const Eigen::MatrixXd scaling = loop_scaling(system);
@@ -149,17 +165,18 @@ Candidate judged(const ClosureSystem& system, const Eigen::VectorXd& values,
         (sliding ? system.size() : 1.0);
   }
   candidate.conditioning = std::min(held, smallest_singular_value(driven));
+  candidate.at_limits = passive_joints_at_limits(system, values, drives);
   return candidate;
 }
 
 // Drives that move independently come first: a mechanism may have other branches, as a parallelogram that is
-// crossed. Then least mobility; then the earliest, which is nearest to zero, unless a later one is much
-// better conditioned.
+// crossed. Then least mobility; then the earliest, which is nearest to
+// zero, unless a later one is much better conditioned.
 bool is_better(const Candidate& one, const Candidate& other) {
   if (one.drives_move() != other.drives_move()) return one.drives_move();
   const Eigen::Index mobility = one.assembly.motions.cols(), other_mobility = other.assembly.motions.cols();
   if (mobility != other_mobility) return mobility < other_mobility;
-  return one.conditioning > 5.0 * other.conditioning;
+  return one.worth() > 5.0 * other.worth();
 }
 
 // Of all motions together; a step that closes its loops again and is far enough to tell.

@@ -86,9 +86,10 @@ class MotionFinder {
     const std::string numbers = "drives " + driven_names() + ", but the closed mechanism of " + files_.urdf +
                                 " has mobility " + std::to_string(result_.mobility);
     if (independent < count)
-      return refuse(
-          numbers + ", and only " + std::to_string(independent) + " of the " + std::to_string(count) +
-          " drives can move independently; list fewer actuated_joints, or mend closures that hold too much.");
+      return refuse(numbers + ", and only " + std::to_string(independent) + " of the " +
+                    std::to_string(count) +
+                    " drives can move independently; list fewer actuated_joints, or mend closures that hold "
+                    "too much (a revolute closure turns about z of its frames; type auto finds out).");
     const MatrixXd locked = null_space(drive_rates_);
     result_.idle = locked.cols();
     const MatrixXd free_twists = twists_ * locked;

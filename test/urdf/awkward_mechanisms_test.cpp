@@ -234,6 +234,18 @@ TEST(AwkwardMechanism, HasJointsThatItsLoopsHoldStill) {
 }
 
 // Four digits, as people write them, leave a Delta that is one only nearly.
+// At zero, on the limit, the leg is stretched: no place to take ranks.
+TEST(AwkwardMechanism, HasItsZeroOnALimitOfAPassiveJoint) {
+  Description robot = shipped_text("three_rrr");
+  const std::string elbow = "<joint name=\"elbow_1_joint\" type=\"";
+  robot.urdf =
+      replaced(robot.urdf, elbow + "continuous\">",
+               elbow + "revolute\">\n    <limit lower=\"0\" upper=\"2.5\" effort=\"1\" velocity=\"1\"/>");
+  const auto mechanism = test::load(robot);
+  EXPECT_EQ(mechanism->manipulator()->task_space(), TaskSpace::SE2);
+  EXPECT_EQ(mechanism->manipulator()->leg_count(), 3U);
+}
+
 TEST(AwkwardMechanism, HasRoundedAngles) {
   Description five_bar = shipped_text("five_bar");
   const std::string crank_2 =
