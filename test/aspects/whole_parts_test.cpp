@@ -110,7 +110,7 @@ TEST_P(WholePartsTest, AreConnectedOnAGrid) {
   std::shuffle(parts.begin(), parts.end(), random);
   const bool flat = tree->dimension() == 2;
   const int points = flat ? 40 : 14;
-  for (std::size_t i = 0; i < std::min<std::size_t>(parts.size(), flat ? 400 : 150); ++i) {
+  for (std::size_t i = 0; i < std::min<std::size_t>(parts.size(), flat ? 300 : 50); ++i) {
     const std::vector<int> sizes = grid_components(parts[i], points);
     if (sizes.size() < 2) continue;
     EXPECT_LT(sizes[1], 3 * points) << "node " << parts[i].node << ", mode "
@@ -123,7 +123,7 @@ TEST_P(WholePartsTest, PartsThatAreProvedEmptyHoldNoGridPointAndOthersTheirPose)
   std::mt19937 random(8);
   std::shuffle(parts.begin(), parts.end(), random);
   int known = 0;
-  parts.resize(std::min<std::size_t>(parts.size(), 200));
+  parts.resize(std::min<std::size_t>(parts.size(), 100));
   for (const Part& each : parts) {
     parallel_aspects::Part found;
     {
@@ -151,7 +151,7 @@ TEST_P(WholePartsTest, ClimbsLeadIntoTheOpen) {
   std::mt19937 random(9);
   std::shuffle(parts.begin(), parts.end(), random);
   int climbed = 0;
-  for (std::size_t i = 0; i < std::min<std::size_t>(parts.size(), 100); ++i) {
+  for (std::size_t i = 0; i < std::min<std::size_t>(parts.size(), 40); ++i) {
     const Part& each = parts[i];
     const RoundingUpward rounding;
     const RootIndex root = tree->place(each.node).root;
@@ -165,7 +165,7 @@ TEST_P(WholePartsTest, ClimbsLeadIntoTheOpen) {
     }
     climbed += steps > 0;
   }
-  EXPECT_GT(climbed, 20);
+  EXPECT_GT(climbed, 10);
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, WholePartsTest,
@@ -173,8 +173,7 @@ INSTANTIATE_TEST_SUITE_P(Robots, WholePartsTest,
                                          Case{"three_rpr", test::three_rpr, 5},
                                          Case{"three_rrr", test::three_rrr, 6},
                                          Case{"driven_elbow", test::three_rrr_driven_elbow, 6},
-                                         Case{"delta", test::delta, 6},
-                                         Case{"agile_eye", test::agile_eye, 6}),
+                                         Case{"delta", test::delta, 6}),
                          [](const auto& robot) { return std::string(robot.param.name); });
 
 }  // namespace
