@@ -4,7 +4,20 @@
 #include "parallel_aspects/aspects/chart_classifier.h"
 #include "parallel_aspects/aspects/charts.h"
 
+#include <array>
+
 namespace parallel_aspects {
+namespace {
+
+constexpr std::size_t most_modes = 64;  // the bits of a ModeSet
+
+}  // namespace
+
+LeafState BoxClassifier::state(RootIndex root, const Box& box, std::size_t mode) const noexcept {
+  std::array<LeafState, most_modes> states;
+  classify(root, box, ModeSet{1} << mode, Detail::states, states.data());
+  return states[mode];
+}
 
 std::unique_ptr<const BoxClassifier> make_box_classifier(const Manipulator& manipulator,
                                                          const std::vector<WorkingMode>& modes) {

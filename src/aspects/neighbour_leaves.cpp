@@ -40,24 +40,17 @@ bool lies_on(const Patch& patch, const RootFace& face) noexcept {
 
 Span end_of(bool upper) noexcept { return upper ? Span{units, units} : Span{0, 0}; }
 
-/// The face of `on_first` on the first side of a gluing, seen from the second; and the other way.
-Patch image_on_second(const Gluing& gluing, const Patch& on_first, std::size_t dimension) noexcept {
-  Patch image{gluing.second.root, {}};
-  for (std::size_t i = 0; i < dimension; ++i)
-    if (i != gluing.first.axis)
-      image.spans[gluing.axis_of[i]] = gluing.flipped[i] ? on_first.spans[i].flipped() : on_first.spans[i];
-  image.spans[gluing.second.axis] = end_of(gluing.second.upper);
-  return image;
-}
-
-Patch image_on_first(const Gluing& gluing, const Patch& on_second, std::size_t dimension) noexcept {
-  Patch image{gluing.first.root, {}};
+/// A face that lies on one side of a gluing, seen from the other.
+Patch image(const Gluing& gluing, const Patch& here, bool from_first, std::size_t dimension) noexcept {
+  const RootFace& to = from_first ? gluing.second : gluing.first;
+  Patch there{to.root, {}};
   for (std::size_t i = 0; i < dimension; ++i) {
-    const Span& there = on_second.spans[gluing.axis_of[i]];
-    if (i != gluing.first.axis) image.spans[i] = gluing.flipped[i] ? there.flipped() : there;
+    const std::size_t from = from_first ? i : gluing.axis_of[i];
+    const Span& span = here.spans[from];
+    there.spans[from_first ? gluing.axis_of[i] : i] = gluing.flipped[i] ? span.flipped() : span;
   }
-  image.spans[gluing.first.axis] = end_of(gluing.first.upper);
-  return image;
+  there.spans[to.axis] = end_of(to.upper);
+  return there;
 }
 
 /// The node itself, and its faces as seen from across glued faces.
@@ -66,8 +59,8 @@ void for_each_image(const PoseTree& tree, NodeIndex node, const Visitor& visit) 
   const Patch own = patch(tree.place(node));
   visit(own);
   for (const Gluing& gluing : tree.space().gluings()) {
-    if (lies_on(own, gluing.first)) visit(image_on_second(gluing, own, tree.dimension()));
-    if (lies_on(own, gluing.second)) visit(image_on_first(gluing, own, tree.dimension()));
+    if (lies_on(own, gluing.first)) visit(image(gluing, own, true, tree.dimension()));
+    if (lies_on(own, gluing.second)) visit(image(gluing, own, false, tree.dimension()));
   }
 }
 

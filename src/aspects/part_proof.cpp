@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/aspects/part_proof.h"
 
-#include <array>
-
 namespace parallel_aspects {
 namespace {
 
@@ -17,7 +15,6 @@ bool push(Box& box, const Growth& growth) noexcept {
   return pushed;
 }
 
-constexpr std::size_t most_modes = 64;
 constexpr int bisections = 30;
 
 /// The set is a shell that begins between two corners, or beyond the highest.
@@ -64,10 +61,7 @@ class ShellSearch {
   }
 
   bool is_reachable(const MapPoint& point) const noexcept {
-    std::array<LeafState, most_modes> states;
-    classifier_.classify(root_, Box{dimension_, point, point}, ModeSet{1} << mode_, Detail::states,
-                         states.data());
-    return !states[mode_].is_outside();
+    return !classifier_.state(root_, Box{dimension_, point, point}, mode_).is_outside();
   }
 
   const BoxClassifier& classifier_;

@@ -95,15 +95,14 @@ class ModeRefinement {
 
   void request_contested(int sign) {
     SignGraph& graph = graph_.of(sign);
-    const SignGraph::Meeting meeting = graph.meeting();
+    SignGraph::Meeting meeting = graph.meeting();
     std::map<Pair, std::vector<NodeIndex>> contested;
     for (const SignGraph::Contact& contact : meeting.contacts) {
       auto& leaves = contested[components(contact, graph)];
       leaves.insert(leaves.end(), {contact.node, contact.other_node});
     }
     for (auto& [pair, leaves] : contested) request_all(leaves);
-    std::vector<NodeIndex> hidden = meeting.hidden;
-    if (hidden.size() <= most_leaves_of_a_point) request_all(hidden);
+    if (meeting.hidden.size() <= most_leaves_of_a_point) request_all(meeting.hidden);
   }
 
   void request_open(int sign) {

@@ -6,15 +6,6 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr std::size_t most_modes = 64;
-
-LeafState classify(const BoxClassifier& classifier, std::size_t mode, RootIndex root,
-                   const Box& box) noexcept {
-  std::array<LeafState, most_modes> states;
-  classifier.classify(root, box, ModeSet{1} << mode, Detail::states, states.data());
-  return states[mode];
-}
-
 /// The segment from `from` to `to` in one working mode.
 struct Segment {
   const BoxClassifier& classifier;
@@ -38,12 +29,12 @@ struct Segment {
   }
 
   bool is_free(double begin, double end, int halvings) const noexcept {
-    const LeafState state = classify(classifier, mode, root, hull(begin, end));
+    const LeafState state = classifier.state(root, hull(begin, end), mode);
     if (state.is_inside(sign)) return true;
     if (!state.may_be(sign) || halvings == most_halvings) return false;
     const double middle = 0.5 * (begin + end);
     // Most segments that are not free show it at a single point.
-    if (!classify(classifier, mode, root, hull(middle, middle)).is_inside(sign)) return false;
+    if (!classifier.state(root, hull(middle, middle), mode).is_inside(sign)) return false;
     return is_free(begin, middle, halvings + 1) && is_free(middle, end, halvings + 1);
   }
 };
@@ -53,7 +44,7 @@ struct Segment {
 int proved_sign(const BoxClassifier& classifier, std::size_t dimension, std::size_t mode,
                 const MapPosition& position) noexcept {
   const LeafState state =
-      classify(classifier, mode, position.root, Box{dimension, position.point, position.point});
+      classifier.state(position.root, Box{dimension, position.point, position.point}, mode);
   if (!state.is_inside()) return 0;
   return state.is_inside(1) ? 1 : -1;
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/tools/arguments.h"
 
+#include "parallel_aspects/tools/computation.h"
 #include "parallel_aspects/tools/numbers.h"
-#include "parallel_aspects/tools/progress_bar.h"
 #include "parallel_aspects/tools/subcommands.h"
 
 #include <utility>
@@ -53,16 +53,9 @@ RoadmapOptions parse_roadmap(const RoadmapArguments& arguments, Problems& proble
 std::shared_ptr<const PoseRoadmap> compute_roadmap(std::shared_ptr<const Manipulator> manipulator,
                                                    const RoadmapOptions& options,
                                                    const Surroundings& surroundings) {
-  std::optional<ProgressBar> bar;
-  MapControl control;
-  control.cancelled = surroundings.interrupted;
-  if (surroundings.messages_on_terminal) {
-    bar.emplace(surroundings.messages);
-    control.progress = [&bar](double share) { bar->show(share); };
-  }
-  const RoadmapResult result = compute_pose_roadmap(std::move(manipulator), options, control);
-  if (result.status == MapStatus::cancelled) throw Interrupted{};
-  if (result.status == MapStatus::refused) throw InvalidDescription({result.sentence});
+  const auto result = completed(surroundings, [&](const MapControl& control) {
+    return compute_pose_roadmap(manipulator, options, control);
+  });
   return result.roadmap;
 }
 

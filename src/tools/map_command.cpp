@@ -3,8 +3,8 @@
 #include "parallel_aspects/aspects/map_file.h"
 #include "parallel_aspects/model/problems.h"
 #include "parallel_aspects/tools/arguments.h"
+#include "parallel_aspects/tools/computation.h"
 #include "parallel_aspects/tools/numbers.h"
-#include "parallel_aspects/tools/progress_bar.h"
 #include "parallel_aspects/tools/reports.h"
 #include "parallel_aspects/tools/subcommands.h"
 #include "parallel_aspects/tools/text_table.h"
@@ -148,16 +148,9 @@ void refuse_roadmap_options(const RoadmapArguments& arguments, const Manipulator
 
 std::shared_ptr<const AspectMap> compute(std::shared_ptr<const Manipulator> manipulator,
                                          const MapOptions& options, const Surroundings& surroundings) {
-  std::optional<ProgressBar> bar;
-  MapControl control;
-  control.cancelled = surroundings.interrupted;
-  if (surroundings.messages_on_terminal) {
-    bar.emplace(surroundings.messages);
-    control.progress = [&bar](double share) { bar->show(share); };
-  }
-  const MapResult result = compute_aspect_map(std::move(manipulator), options, control);
-  if (result.status == MapStatus::cancelled) throw Interrupted{};
-  if (result.status == MapStatus::refused) throw InvalidDescription({result.sentence});
+  const auto result = completed(surroundings, [&](const MapControl& control) {
+    return compute_aspect_map(manipulator, options, control);
+  });
   return result.map;
 }
 

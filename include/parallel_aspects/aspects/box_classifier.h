@@ -59,6 +59,9 @@ class BoxClassifier {
   virtual void classify(RootIndex root, const Box& box, ModeSet modes, Detail detail,
                         LeafState* states) const noexcept = 0;
 
+  /// The state of a box in one mode alone. A live `RoundingUpward` is required.
+  LeafState state(RootIndex root, const Box& box, std::size_t mode) const noexcept;
+
   /// The state of a box in one mode, and how S(s, sign) grows in it.
   virtual Examined examine(RootIndex root, const Box& box, std::size_t mode, int sign) const noexcept = 0;
 

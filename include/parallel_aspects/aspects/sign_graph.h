@@ -72,8 +72,6 @@ class SignGraph {
   /// The component of a leaf that is in one: the same number for all leaves of it.
   std::uint32_t component(NodeIndex node) noexcept { return components_.find(slot_[node]); }
 
-  bool has_inside_leaf(std::uint32_t component) const noexcept { return traits_[component].has_inside_leaf; }
-
   /// More than the number of any component.
   std::size_t component_bound() const noexcept { return components_.size(); }
 
