@@ -33,6 +33,7 @@ add_service_files(FILES
   GetSingularityDistance.srv
   GetWorkingMode.srv
   ListAspects.srv
+  Reload.srv
   SetAssemblyMode.srv
 )
 add_action_files(FILES

@@ -1,217 +1,50 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/ros/aspect_server.h"
 
-#include "parallel_aspects/ros/tables.h"
+#include "parallel_aspects/model/problems.h"
 
 #include <ros/console.h>
-#include <tf2_geometry_msgs/tf2_geometry_msgs.h>
 
-#include <chrono>
-#include <cmath>
 #include <utility>
 
 namespace parallel_aspects {
-namespace {
-
-constexpr double seconds_between_warnings = 5.0;
-
-ros::NodeHandle on_queue(ros::NodeHandle nh, ros::CallbackQueue& queue) {
-  nh.setCallbackQueue(&queue);
-  return nh;
-}
-
-}  // namespace
 
 AspectServer::AspectServer(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh)
-    : setup_(load_setup(nh, private_nh)),
-      tracking_nh_(on_queue(private_nh, tracking_queue_)),
-      service_nh_(on_queue(private_nh, service_queue_)),
-      joint_states_nh_(on_queue(nh, tracking_queue_)),
-      tf_listener_(tf_),
-      monitor_(setup_.mechanism, setup_.options.start, setup_.options.joint_states_timeout),
-      display_(setup_, service_nh_),
-      state_(tracking_nh_.advertise<AspectState>("state", 100, true)),
-      transitions_(tracking_nh_.advertise<AspectTransition>("transitions", 100)),
-      joint_states_(tracking_nh_.advertise<sensor_msgs::JointState>("joint_states", 100)),
-      map_progress_(service_nh_.advertise<MapProgress>("map_progress", 10, true)),
-      worker_(setup_.mechanism->manipulator(),
-              [this](const MapProgress& progress, const auto& map) { on_map_progress(progress, map); }),
-      queries_(setup_.mechanism->manipulator(), monitor_, worker_,
-               [this](const auto& pose, std::string& sentence) { return to_base(pose, sentence); }),
-      diagnostics_(on_queue(nh, service_queue_), service_nh_),
-      tracking_spinner_(1, &tracking_queue_),
-      service_spinner_(2, &service_queue_) {
-  for (const std::string& note : setup_.mechanism->notes()) ROS_INFO_STREAM(note);
-  advertise();
-  subscribe();
-  state_.publish(
-      unknown_state(*setup_.mechanism->manipulator(), monitor_.current(ros::Time::now()).status, {}));
-  tracking_spinner_.start();
-  service_spinner_.start();
-  worker_.compute(setup_.options.map);
+    : nh_(nh),
+      private_nh_(private_nh),
+      robot_(std::make_unique<RobotServer>(nh, private_nh, load_setup(nh, private_nh))),
+      spinner_(1, &queue_) {
+  ros::NodeHandle on_own_queue(private_nh);
+  on_own_queue.setCallbackQueue(&queue_);
+  const boost::function<bool(Reload::Request&, Reload::Response&)> callback =
+      [this](Reload::Request&, Reload::Response& response) {
+        response = reload();
+        return true;
+      };
+  reload_ = on_own_queue.advertiseService("reload", callback);
+  spinner_.start();
 }
 
 AspectServer::~AspectServer() {
-  stopping_ = true;
-  subscriber_.shutdown();
-  compute_map_->shutdown();
-  tracking_spinner_.stop();
-  service_spinner_.stop();
+  reload_.shutdown();
+  spinner_.stop();
 }
 
-void AspectServer::advertise() {
-  serve<GetWorkingMode>("get_working_mode");
-  serve<GetCurrentAspect>("get_current_aspect");
-  serve<GetSingularityDistance>("get_singularity_distance");
-  serve<ListAspects>("list_aspects");
-  serve<SetAssemblyMode>("set_assembly_mode");
-  compute_map_ = std::make_unique<ComputeMapServer>(
-      service_nh_, "compute_map", [this](const ComputeMapGoalConstPtr& goal) { on_compute_map(goal); },
-      false);
-  compute_map_->start();
-  diagnostics_.setHardwareID(setup_.mechanism->manipulator()->name());
-  diagnostics_.add("tracking", [this](auto& status) { diagnose(status); });
-}
-
-void AspectServer::subscribe() {
-  subscriber_ = joint_states_nh_.subscribe("joint_states", 1000, &AspectServer::on_joint_states, this,
-                                           ros::TransportHints().tcpNoDelay());
-  age_timer_ = tracking_nh_.createTimer(ros::Duration(setup_.options.joint_states_timeout / 4.0),
-                                        [this](const ros::TimerEvent&) { check_age(); });
-  display_timer_ = service_nh_.createTimer(ros::Duration(1.0 / setup_.options.display.rate),
-                                           [this](const ros::TimerEvent&) { show(); });
-  diagnostics_timer_ =
-      service_nh_.createTimer(ros::Duration(0.5), [this](const ros::TimerEvent&) { diagnostics_.update(); });
-}
-
-// A service that was reached returns true: what became of the request is in the response.
-template <typename Service>
-void AspectServer::serve(const std::string& name) {
-  using Request = typename Service::Request;
-  using Response = typename Service::Response;
-  const boost::function<bool(Request&, Response&)> callback = [this](Request& request, Response& response) {
-    response = queries_.answer(request);
-    return true;
-  };
-  services_.push_back(service_nh_.advertiseService(name, callback));
-}
-
-void AspectServer::on_joint_states(const sensor_msgs::JointState::ConstPtr& message) {
-  const MonitorUpdate update = monitor_.update(*message, ros::Time::now());
-  if (!update.warning.empty()) ROS_WARN_STREAM_THROTTLE(seconds_between_warnings, update.warning);
-  if (!update.state) return;
-  state_.publish(*update.state);
-  for (const AspectTransition& transition : update.transitions) {
-    transitions_.publish(transition);
-    ROS_INFO_STREAM(transition.sentence);
-  }
-  if (update.completed) joint_states_.publish(*update.completed);
-  if (update.platform) send_platform(*update.platform, update.state->header.stamp);
-}
-
-void AspectServer::send_platform(const Eigen::Isometry3d& platform, const ros::Time& stamp) {
-  geometry_msgs::TransformStamped message;
-  message.header.frame_id = setup_.mechanism->manipulator()->base_frame();
-  message.header.stamp = stamp;
-  message.child_frame_id = setup_.options.frame_prefix + "/platform";
-  message.transform = transform_message(platform);
-  tf_broadcaster_.sendTransform(message);
-}
-
-void AspectServer::check_age() {
-  const auto state = monitor_.expire(ros::Time::now());
-  if (!state) return;
-  ROS_WARN_STREAM_THROTTLE(seconds_between_warnings, state->status.sentence);
-  state_.publish(*state);
-}
-
-void AspectServer::show() { display_.show(monitor_.current(ros::Time::now()), worker_.progress().sentence); }
-
-void AspectServer::on_map_progress(const MapProgress& progress, const std::shared_ptr<const AspectMap>& map) {
-  if (map) {
-    monitor_.set_map(map);
-    display_.set_map(map);
-    ROS_INFO_STREAM(progress.sentence << "\n" << aspect_table(*map));
-  } else if (progress.state == MapProgress::COMPLETE) {
-    ROS_INFO_STREAM(progress.sentence);
-  } else if (progress.state == MapProgress::REFUSED) {
-    ROS_WARN_STREAM("The map was not computed: " << progress.sentence);
-  } else {
-    ROS_INFO_STREAM_THROTTLE(1.0, progress.sentence);
-  }
-  map_progress_.publish(progress);
-}
-
-void AspectServer::on_compute_map(const ComputeMapGoalConstPtr& goal) {
-  ComputeMapResult result;
-  MapOptions options = setup_.options.map;
-  if (!std::isfinite(goal->resolution) || goal->resolution < 0.0) {
-    result.status =
-        make_status(Status::INVALID_REQUEST, "resolution must be 0 or a positive number [m or rad].");
-    compute_map_->setAborted(result, result.status.sentence);
-    return;
-  }
-  if (goal->resolution > 0.0) options.resolution = goal->resolution;
-  const MapWorker::Job job = worker_.compute(options);
-  ComputeMapFeedback feedback;
-  do {
-    if (stopping_ || compute_map_->isPreemptRequested()) worker_.cancel(job);
-    feedback.progress = worker_.wait(job, std::chrono::milliseconds(50));
-    compute_map_->publishFeedback(feedback);
-  } while (feedback.progress.state == MapProgress::COMPUTING && !stopping_);
-  finish(feedback.progress, result);
-}
-
-void AspectServer::finish(const MapProgress& progress, ComputeMapResult result) {
-  if (progress.state == MapProgress::COMPLETE) {
-    if (const auto map = worker_.map())
-      for (const Aspect& aspect : map->aspects())
-        result.aspects.push_back(summary_message(*setup_.mechanism->manipulator(), aspect));
-    result.proved_count = progress.proved_count;
-    result.seconds = progress.seconds;
-    compute_map_->setSucceeded(result, progress.sentence);
-    return;
-  }
-  const bool cancelled = progress.state == MapProgress::CANCELLED;
-  result.status = make_status(cancelled ? Status::CANCELLED : Status::FAILED, progress.sentence);
-  if (cancelled && compute_map_->isPreemptRequested())
-    compute_map_->setPreempted(result, progress.sentence);
-  else
-    compute_map_->setAborted(result, progress.sentence);
-}
-
-void AspectServer::diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) const {
-  using Level = diagnostic_msgs::DiagnosticStatus;
-  const CurrentConfiguration current = monitor_.current(ros::Time::now());
-  const bool well = current.status.code == Status::OK;
-  status.summary(well                                   ? Level::OK
-                 : current.status.code == Status::STALE ? Level::STALE
-                                                        : Level::WARN,
-                 well ? "tracking" : current.status.sentence);
-  const MonitorCounts counts = monitor_.counts();
-  status.add("joint_states used", counts.usable);
-  status.add("joint_states refused", counts.invalid);
-  status.add("joint_states of other robots", counts.foreign);
-  status.add("age of the last sample [s]", current.stamp.isZero()
-                                               ? "none yet"
-                                               : std::to_string((ros::Time::now() - current.stamp).toSec()));
-  status.add("aspect", well ? std::to_string(current.tracked.aspect) : "unknown");
-  status.add("map", worker_.progress().sentence);
-}
-
-std::optional<geometry_msgs::Pose> AspectServer::to_base(const geometry_msgs::PoseStamped& pose,
-                                                         std::string& sentence) const {
-  const std::string& base = setup_.mechanism->manipulator()->base_frame();
-  if (pose.header.frame_id.empty() || pose.header.frame_id == base) return pose.pose;
-  geometry_msgs::PoseStamped given = pose;
-  const geometry_msgs::Quaternion& q = given.pose.orientation;
-  if (q.x == 0.0 && q.y == 0.0 && q.z == 0.0 && q.w == 0.0) given.pose.orientation.w = 1.0;
+Reload::Response AspectServer::reload() {
+  Reload::Response response;
   try {
-    return tf_.transform(given, base, ros::Duration(setup_.options.tf_timeout)).pose;
-  } catch (const tf2::TransformException& failure) {
-    sentence = "tf does not connect " + given.header.frame_id + " with " + base + ": " + failure.what();
-    return std::nullopt;
+    NodeSetup setup = load_setup(nh_, private_nh_);
+    robot_.reset();  // names of topics and services are free again
+    robot_ = std::make_unique<RobotServer>(nh_, private_nh_, std::move(setup));
+    ROS_INFO("robot_description and the parameters were loaded anew.");
+  } catch (const InvalidDescription& invalid) {
+    response.problems.assign(invalid.problems().begin(), invalid.problems().end());
+    response.status.code = Status::FAILED;
+    response.status.sentence = "What was there before stays in use, as there are problems: " +
+                               std::to_string(response.problems.size()) + ".";
+    for (const std::string& problem : invalid.problems()) ROS_ERROR_STREAM("Not loaded anew: " << problem);
   }
+  return response;
 }
 
 }  // namespace parallel_aspects

@@ -8,6 +8,9 @@
 namespace parallel_aspects {
 namespace {
 
+// Beyond this, angles are no longer exact to a ten-millionth of a degree; no drive gets there [rad or m].
+constexpr double largest_position = 1e6;
+
 JointSample invalid(std::string sentence) { return {SampleStatus::invalid, std::move(sentence), {}}; }
 
 // Fills `sample.q` from the message; leaves `count` at how many of the robot's drives it holds.
@@ -28,6 +31,8 @@ JointSample collect(const Manipulator& manipulator, const std::vector<std::strin
       return invalid("joint " + joint + " is there twice; publish each joint once.");
     const double value = positions[static_cast<std::size_t>(found - names.begin())];
     if (!std::isfinite(value)) return invalid("position of joint " + joint + " is not a finite number.");
+    if (std::abs(value) > largest_position)
+      return invalid("position of joint " + joint + " is beyond a million rad or m; check its unit.");
     sample.q[static_cast<Eigen::Index>(j)] = value;
   }
   if (!missing.empty())

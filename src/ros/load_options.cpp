@@ -62,8 +62,10 @@ std::optional<Box> region_from(ParameterReader reader, Problems& problems, const
   return region;
 }
 
-MapOptions map_options_from(ParameterReader reader, const std::string& prefix, Problems& problems) {
+MapOptions map_options_from(ParameterReader reader, const std::string& prefix, std::string& file,
+                            Problems& problems) {
   MapOptions map;
+  reader.read("file", file);
   reader.read("resolution", map.resolution);
   reader.read("extra_levels", map.extra_levels);
   int threads = 0;
@@ -92,6 +94,13 @@ DisplayOptions display_options_from(ParameterReader reader) {
   reader.read("rate", display.rate);
   reader.report_unknown_keys();
   return display;
+}
+
+int decimation_from(ParameterReader reader) {
+  int decimation = 1;
+  reader.read("decimation", decimation);
+  reader.report_unknown_keys();
+  return decimation;
 }
 
 std::shared_ptr<const Mechanism> mechanism_from(const ros::NodeHandle& nh, const XmlRpcValue& description,
@@ -125,9 +134,11 @@ std::string yaml_text(const XmlRpcValue& value) {
 NodeOptions options_from(const XmlRpcValue& parameters, const std::string& prefix, Problems& problems) {
   ParameterReader reader(parameters, prefix, problems);
   NodeOptions options;
-  options.map = map_options_from(reader.group("map"), prefix, problems);
+  options.map = map_options_from(reader.group("map"), prefix, options.map_file, problems);
   options.start = start_options_from(reader.group("start"));
   options.display = display_options_from(reader.group("display"));
+  options.state_decimation = decimation_from(reader.group("state"));
+  options.completed_decimation = decimation_from(reader.group("completed"));
   reader.read("joint_states_timeout", options.joint_states_timeout);
   reader.read("tf_timeout", options.tf_timeout);
   reader.read("frame_prefix", options.frame_prefix);

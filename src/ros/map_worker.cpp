@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/ros/map_worker.h"
 
+#include "parallel_aspects/aspects/map_file.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"
 
+#include <ros/console.h>
 #include <ros/time.h>
 
 #include <cmath>
@@ -71,8 +73,12 @@ MapProgress ended(const MapResult& result) {
 
 }  // namespace
 
-MapWorker::MapWorker(std::shared_ptr<const Manipulator> manipulator, Listener listener)
-    : manipulator_(std::move(manipulator)), listener_(std::move(listener)), thread_([this] { run(); }) {}
+MapWorker::MapWorker(std::shared_ptr<const Manipulator> manipulator, std::string file, Listener listener)
+    : manipulator_(std::move(manipulator)),
+      file_(std::move(file)),
+      listener_(std::move(listener)),
+      file_sentence_(file_.empty() ? "none; see map/file" : "not read yet"),
+      thread_([this] { run(); }) {}
 
 MapWorker::~MapWorker() {
   {
@@ -84,9 +90,9 @@ MapWorker::~MapWorker() {
   thread_.join();
 }
 
-MapWorker::Job MapWorker::compute(const MapOptions& options) {
+MapWorker::Job MapWorker::compute(const MapOptions& options, FileUse use) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  next_ = options;
+  next_ = Request{options, file_.empty() ? FileUse::none : use};
   cancelled_ = true;
   changed_.notify_all();
   return ++newest_job_;
@@ -128,26 +134,33 @@ std::shared_ptr<const AspectMap> MapWorker::map() const {
   return map_;
 }
 
+std::string MapWorker::file_sentence() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return file_sentence_;
+}
+
 void MapWorker::run() {
   while (true) {
-    MapOptions options;
+    Request request;
     {
       std::unique_lock<std::mutex> lock(mutex_);
       changed_.wait(lock, [&] { return stopping_ || next_.has_value(); });
       if (stopping_) return;
-      options = *std::exchange(next_, std::nullopt);
+      request = *std::exchange(next_, std::nullopt);
       running_job_ = newest_job_;
       progress_ = MapProgress();  // COMPUTING; what was said of the job before is over
       cancelled_ = false;
     }
-    compute_now(options);
+    carry_out(request);
   }
 }
 
-void MapWorker::compute_now(const MapOptions& options) {
+void MapWorker::carry_out(const Request& request) {
   const bool has_map = manipulator_->task_space() != TaskSpace::SE3;
+  const MapOptions& options = request.options;
   const double resolution = has_map ? options.resolution.value_or(default_resolution(*manipulator_)) : 0.0;
   report(computing(0.0, resolution), nullptr);
+  if (has_map && request.use == FileUse::load && load(options)) return;
   double reported = 0.0;
   MapControl control;
   control.cancelled = &cancelled_;
@@ -156,15 +169,43 @@ void MapWorker::compute_now(const MapOptions& options) {
     reported = share;
     report(computing(share, resolution), nullptr);
   };
-  if (!has_map) {
-    RoadmapOptions roadmap;
-    roadmap.region = options.region;
-    roadmap.threads = options.threads;
-    report(ended(compute_pose_roadmap(manipulator_, roadmap, control)), nullptr);
-    return;
-  }
+  if (!has_map) return make_roadmap(options, control);
   const MapResult result = compute_aspect_map(manipulator_, options, control);
   report(ended(result), result.status == MapStatus::complete ? result.map : nullptr);
+  if (result.status == MapStatus::complete && request.use != FileUse::none) save(*result.map);
+}
+
+void MapWorker::make_roadmap(const MapOptions& options, const MapControl& control) {
+  if (!file_.empty()) say_of_file("not used: with six freedoms there is no map", false);
+  RoadmapOptions roadmap;
+  roadmap.region = options.region;
+  roadmap.threads = options.threads;
+  report(ended(compute_pose_roadmap(manipulator_, roadmap, control)), nullptr);
+}
+
+bool MapWorker::load(const MapOptions& options) {
+  const MapResult result = load_map(manipulator_, options, file_);
+  if (result.status != MapStatus::complete) {
+    say_of_file("the map is computed, as the file was not used: " + result.sentence, false);
+    return false;
+  }
+  say_of_file("loaded from " + file_, true);
+  report(ended(result), result.map);
+  return true;
+}
+
+void MapWorker::save(const AspectMap& map) {
+  const SaveResult result = save_map(map, file_);
+  say_of_file(result.saved ? "saved to " + file_ : "the map was not saved: " + result.sentence, result.saved);
+}
+
+void MapWorker::say_of_file(const std::string& sentence, bool well) {
+  if (well)
+    ROS_INFO_STREAM("Map file: " << sentence);
+  else
+    ROS_WARN_STREAM("Map file: " << sentence);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  file_sentence_ = sentence;
 }
 
 // The map is in use everywhere before anyone is told that it is complete.

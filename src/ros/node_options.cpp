@@ -29,17 +29,17 @@ class Checks {
   Problems problems_;
 };
 
-void check_map(const MapOptions& map, std::size_t dimension, Checks& checks) {
-  checks.require(!map.resolution || positive(*map.resolution), "map/resolution",
+void check_map(const MapOptions& map, std::size_t dimension, Checks& checks, const std::string& group) {
+  checks.require(!map.resolution || positive(*map.resolution), group + "resolution",
                  "must be a positive number [m or rad]; leave it out for 1/200 of the robot's size.");
-  checks.require(map.threads <= 1024, "map/threads", "must be 0 (one a core) to 1024.");
-  checks.require(map.extra_levels >= 0 && map.extra_levels <= 20, "map/extra_levels", "must be 0 to 20.");
+  checks.require(map.threads <= 1024, group + "threads", "must be 0 (one a core) to 1024.");
+  checks.require(map.extra_levels >= 0 && map.extra_levels <= 20, group + "extra_levels", "must be 0 to 20.");
   if (!map.region) return;
   checks.require(
-      map.region->dimension == dimension, "map/region",
+      map.region->dimension == dimension, group + "region",
       "must have " + std::to_string(dimension) + " numbers in lower and in upper, one a coordinate.");
   for (std::size_t i = 0; i < map.region->dimension; ++i)
-    checks.require(std::isfinite(map.region->width(i)) && map.region->width(i) > 0.0, "map/region",
+    checks.require(std::isfinite(map.region->width(i)) && map.region->width(i) > 0.0, group + "region",
                    "must have finite numbers, each of lower below that of upper; number " +
                        std::to_string(i + 1) + " is not.");
 }
@@ -62,21 +62,32 @@ void check_start(const StartOptions& start, TaskSpace space, Checks& checks) {
                  "must be a list of finite numbers [" + names + "].");
 }
 
+bool within(double value, double lowest, double highest) { return value >= lowest && value <= highest; }
+
 }  // namespace
+
+Problems problems_of(const MapOptions& options, const Manipulator& manipulator, const std::string& prefix) {
+  Checks checks(prefix);
+  check_map(options, freedoms(manipulator.task_space()), checks, "");
+  return checks.take();
+}
 
 Problems problems_of(const NodeOptions& options, const Manipulator& manipulator, const std::string& prefix) {
   Checks checks(prefix);
-  check_map(options.map, freedoms(manipulator.task_space()), checks);
+  check_map(options.map, freedoms(manipulator.task_space()), checks, "map/");
+  checks.require(options.map_file.empty() || options.map_file.front() == '/', "map/file",
+                 "must be an absolute path, or empty for none.");
   check_start(options.start, manipulator.task_space(), checks);
-  checks.require(positive(options.joint_states_timeout), "joint_states_timeout",
-                 "must be a positive number [s].");
-  checks.require(std::isfinite(options.tf_timeout) && options.tf_timeout >= 0.0, "tf_timeout",
-                 "must be zero or a positive number [s].");
+  checks.require(within(options.joint_states_timeout, 0.001, 3600.0), "joint_states_timeout",
+                 "must be a positive number, 0.001 to 3600 [s].");
+  checks.require(within(options.tf_timeout, 0.0, 60.0), "tf_timeout", "must be 0 to 60 [s].");
+  checks.require(within(options.state_decimation, 1, 10000), "state/decimation", "must be 1 to 10000.");
+  checks.require(within(options.completed_decimation, 1, 10000), "completed/decimation",
+                 "must be 1 to 10000.");
   checks.require(positive(options.display.gallery_scale) && options.display.gallery_scale <= 10.0,
                  "display/gallery_scale", "must be above 0 and at most 10.");
   checks.require(positive(options.display.radius), "display/radius", "must be a positive number [m].");
-  checks.require(positive(options.display.rate) && options.display.rate <= 100.0, "display/rate",
-                 "must be above 0 and at most 100 [Hz].");
+  checks.require(within(options.display.rate, 0.1, 100.0), "display/rate", "must be 0.1 to 100 [Hz].");
   checks.require(valid_frame_prefix(options.frame_prefix), "frame_prefix",
                  "must have no space, and no slash at its ends.");
   return checks.take();

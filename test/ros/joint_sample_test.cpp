@@ -72,6 +72,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{both, {1.0, 2.0}, {0.0}, "1 velocities"},
         Fault{both, {1.0, not_a_number}, {}, "crank_2_joint is not a finite number"},
         Fault{both, {-infinity, 1.0}, {}, "crank_1_joint is not a finite number"},
+        Fault{both, {1.0, 1e308}, {}, "crank_2_joint is beyond a million"},
         Fault{{"crank_1_joint"}, {1.0}, {}, "crank_2_joint is missing"},
         Fault{{"elbow_1_joint"}, {1.0}, {}, "crank_1_joint, crank_2_joint is missing"},
         Fault{{"crank_1_joint", "crank_2_joint", "crank_1_joint"}, {1.0, 2.0, 1.0}, {}, "there twice"}));

@@ -25,7 +25,7 @@ class MapWorkerTest : public testing::Test {
 
   std::mutex mutex_;
   std::vector<MapProgress> reports_;
-  MapWorker worker_{test::five_bar(), [this](const MapProgress& report, const auto&) {
+  MapWorker worker_{test::five_bar(), "", [this](const MapProgress& report, const auto&) {
                       const std::lock_guard<std::mutex> lock(mutex_);
                       reports_.push_back(report);
                     }};
@@ -76,7 +76,7 @@ TEST(MapWorkerOfSixFreedoms, TellsOfARoadmap) {
   ros::Time::init();
   auto legs = test::stewart()->legs();
   for (Leg& leg : legs) leg.limits = JointLimits{0.4, 0.8};
-  MapWorker worker(test::manipulator("stewart", TaskSpace::SE3, legs),
+  MapWorker worker(test::manipulator("stewart", TaskSpace::SE3, legs), "",
                    [](const MapProgress&, const auto& map) { EXPECT_FALSE(map); });
   const MapProgress end = worker.wait(worker.compute({}), deadline);
   ASSERT_EQ(end.state, MapProgress::COMPLETE) << end.sentence;
@@ -89,7 +89,7 @@ TEST(MapWorkerOfSixFreedoms, TellsOfARoadmap) {
 // Struts without limits reach everywhere.
 TEST(MapWorkerOfSixFreedoms, SaysWhyItRefuses) {
   ros::Time::init();
-  MapWorker worker(test::stewart(), [](const MapProgress&, const auto&) {});
+  MapWorker worker(test::stewart(), "", [](const MapProgress&, const auto&) {});
   const MapProgress end = worker.wait(worker.compute({}), deadline);
   EXPECT_EQ(end.state, MapProgress::REFUSED);
   EXPECT_FALSE(end.sentence.empty());

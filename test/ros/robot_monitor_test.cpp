@@ -57,10 +57,11 @@ TEST_F(RobotMonitorTest, TracksFromTheConfiguredPose) {
   EXPECT_NEAR(first.state->pose.position.x, 4.5, 1e-9);
   EXPECT_NEAR(first.state->pose.position.y, 8.0, 1e-9);
   EXPECT_EQ(first.state->working_mode, (std::vector<std::int8_t>{1, -1}));
-  ASSERT_TRUE(first.completed);
-  EXPECT_EQ(first.completed->name, mechanism_->joint_names());
-  ASSERT_TRUE(first.platform);
-  EXPECT_NEAR(first.platform->translation().y(), 8.0, 1e-9);
+  ASSERT_TRUE(first.tracked);
+  EXPECT_NEAR(first.tracked->pose.position.y(), 8.0, 1e-9);
+  const auto completed = monitor_.complete(*first.tracked, at(1.0));
+  ASSERT_TRUE(completed);
+  EXPECT_EQ(completed->name, mechanism_->joint_names());
 }
 
 TEST_F(RobotMonitorTest, DoesNotStartFarFromTheConfiguredPose) {
@@ -94,8 +95,7 @@ TEST_F(RobotMonitorTest, ABadMessageMakesTheStateUnknownUntilTheNextGoodOne) {
   EXPECT_EQ(refused.state->status.code, Status::INVALID_JOINT_STATES);
   EXPECT_NE(refused.warning.find("crank_1_joint"), std::string::npos);
   expect_says_nothing(*refused.state);
-  EXPECT_FALSE(refused.completed);
-  EXPECT_FALSE(refused.platform);
+  EXPECT_FALSE(refused.tracked);
   EXPECT_EQ(code(1.1), Status::INVALID_JOINT_STATES);
   EXPECT_EQ(update(drives(4.5, 8.01, {1, -1}, 1.2), 1.2).state->status.code, Status::OK);
 }
@@ -149,6 +149,87 @@ TEST_F(RobotMonitorTest, ForgetsEverythingWhenTimeIsReset) {
   const MonitorUpdate again = update(drives(4.5, 8.0, {1, -1}, 1.0), 1.0);
   EXPECT_EQ(again.state->status.code, Status::OK) << again.state->status.sentence;
   EXPECT_EQ(again.state->header.stamp, at(1.0));
+}
+
+TEST_F(RobotMonitorTest, AClockThatIsSetBackIsNoReasonToStartAsConfigured) {
+  ros::Time::setNow(at(5.0));  // as a simulation does
+  update(drives(4.5, 8.0, {1, -1}, 5.0), 5.0);
+  EXPECT_EQ(update(drives(4.5, 8.0, {1, -1}, 1.0), 1.0).state->status.code, Status::OK);
+  ros::Time::init();  // from here on the clock of the computer
+  ASSERT_FALSE(ros::Time::isSimTime());
+  update(drives(4.5, 8.0, {1, -1}, 5.0), 5.0);
+  const MonitorUpdate again = update(drives(4.5, 8.0, {1, -1}, 2.0), 2.0);
+  EXPECT_EQ(again.state->status.code, Status::NOT_STARTED);
+  EXPECT_NE(again.state->status.sentence.find("clock"), std::string::npos);
+  EXPECT_EQ(monitor_.start_near(test::pose_at(4.5, 8.0), at(2.0)).code, Status::OK);
+  EXPECT_EQ(code(2.0), Status::OK);
+}
+
+TEST_F(RobotMonitorTest, ASampleThatIsOldWhenItComesIsFollowedButStale) {
+  update(drives(4.5, 8.0, {1, -1}, 1.0), 1.0);
+  const MonitorUpdate late = update(drives(4.5, 8.1, {1, -1}, 1.1), 2.0);
+  EXPECT_EQ(late.state->status.code, Status::STALE);
+  expect_says_nothing(*late.state);
+  EXPECT_FALSE(late.tracked);
+  EXPECT_EQ(code(2.0), Status::STALE);
+  EXPECT_FALSE(monitor_.expire(at(2.1))) << "that was said";
+  EXPECT_EQ(update(drives(4.5, 8.2, {1, -1}, 2.0), 2.0).state->status.code, Status::OK);
+}
+
+TEST_F(RobotMonitorTest, RefusesStampsThatNoClockGives) {
+  update(drives(4.5, 8.0, {1, -1}, 1.0), 1.0);
+  auto message = drives(4.5, 8.0, {1, -1}, 1.1);
+  for (const ros::Time& stamp :
+       {ros::Time(), at(1.0), at(0.5), at(1000.0), ros::Time(4294967295U, 999999999U)}) {
+    message.header.stamp = stamp;
+    const MonitorUpdate refused = update(message, 1.1);
+    EXPECT_EQ(refused.state->status.code, Status::INVALID_JOINT_STATES) << stamp;
+    EXPECT_NE(refused.warning.find("stamp"), std::string::npos) << refused.warning;
+  }
+  EXPECT_EQ(update(drives(4.5, 8.0, {1, -1}, 1.2), 1.2).state->status.code, Status::OK);
+}
+
+TEST_F(RobotMonitorTest, AnEncoderThatWrapsHasNotTurned) {
+  update(drives(4.5, 8.0, {1, -1}, 1.0), 1.0);
+  for (int turn = 1; turn <= 3; ++turn) {
+    auto wrapped = drives(4.5, 8.0 + 0.01 * turn, {1, -1}, 1.0 + 0.1 * turn);
+    for (double& position : wrapped.position) position += (turn % 2 == 0 ? 2.0 : -2.0) * EIGEN_PI;
+    const MonitorUpdate update_ = update(wrapped, 1.0 + 0.1 * turn);
+    EXPECT_EQ(update_.state->status.code, Status::OK);
+    EXPECT_TRUE(update_.transitions.empty());
+    EXPECT_NEAR(update_.state->pose.position.y, 8.0 + 0.01 * turn, 1e-9);
+  }
+}
+
+TEST_F(RobotMonitorTest, TwoNodesThatPublishTheDrivesAreRefused) {
+  const auto from = [&](const char* publisher, double seconds) {
+    return monitor_.update(drives(4.5, 8.0, {1, -1}, seconds), at(seconds), publisher).state->status;
+  };
+  EXPECT_EQ(from("/one", 1.0).code, Status::OK);
+  const Status refused = from("/two", 1.1);
+  EXPECT_EQ(refused.code, Status::SEVERAL_PUBLISHERS);
+  EXPECT_NE(refused.sentence.find("/one"), std::string::npos);
+  EXPECT_NE(refused.sentence.find("/two"), std::string::npos);
+  EXPECT_EQ(from("/one", 1.2).code, Status::SEVERAL_PUBLISHERS);
+  EXPECT_EQ(code(1.2), Status::SEVERAL_PUBLISHERS);
+  EXPECT_EQ(from("/one", 1.7).code, Status::OK) << "the other one has been silent since";
+}
+
+TEST_F(RobotMonitorTest, CountsWhatWasLost) {
+  const auto send = [&](std::uint32_t sequence, double seconds) {
+    auto message = drives(4.5, 8.0, {1, -1}, seconds);
+    message.header.seq = sequence;
+    monitor_.update(message, at(seconds), "/driver");
+  };
+  send(0, 1.0);
+  send(0, 1.1);
+  EXPECT_FALSE(monitor_.counts().counted);
+  send(4294967295U, 1.2);  // another way of counting
+  send(1, 1.3);            // 0 was lost
+  EXPECT_TRUE(monitor_.counts().counted);
+  EXPECT_EQ(monitor_.counts().lost, 1U);
+  send(5, 1.4);
+  EXPECT_EQ(monitor_.counts().lost, 4U);
 }
 
 // Leg 1 goes through its stretched configuration while drive 2 rests: B_11 changes sign, det A does not.

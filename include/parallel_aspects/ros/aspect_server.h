@@ -2,34 +2,22 @@
 #ifndef PARALLEL_ASPECTS_ROS_ASPECT_SERVER_H
 #define PARALLEL_ASPECTS_ROS_ASPECT_SERVER_H
 
-#include "parallel_aspects/ros/display.h"
 #include "parallel_aspects/ros/load_options.h"
-#include "parallel_aspects/ros/map_worker.h"
-#include "parallel_aspects/ros/queries.h"
-#include "parallel_aspects/ros/robot_monitor.h"
+#include "parallel_aspects/ros/robot_server.h"
 
-#include <parallel_aspects/ComputeMapAction.h>
+#include <parallel_aspects/Reload.h>
 
 #include <ros/callback_queue.h>
 #include <ros/node_handle.h>
+#include <ros/service_server.h>
 #include <ros/spinner.h>
-#include <tf2_ros/buffer.h>
-#include <tf2_ros/transform_broadcaster.h>
-#include <tf2_ros/transform_listener.h>
 
-#include <actionlib/server/simple_action_server.h>
-#include <atomic>
-#include <diagnostic_updater/diagnostic_updater.h>
 #include <memory>
-#include <sensor_msgs/JointState.h>
 
 namespace parallel_aspects {
 
-/// The node and the nodelet: connects topics, services, an action, tf and timers to the objects that do the
-/// work.
-///
-/// Three threads of its own, so that nothing long holds up what is short: joint_states; services, display and
-/// diagnostics; the map.
+/// The node and the nodelet: serves the robot of `robot_description`, and another one when it is asked to
+/// load it anew.
 class AspectServer {
  public:
   /// Loads everything before it advertises anything. Throws `InvalidDescription` with every problem found.
@@ -39,44 +27,13 @@ class AspectServer {
   AspectServer& operator=(const AspectServer&) = delete;
 
  private:
-  using ComputeMapServer = actionlib::SimpleActionServer<ComputeMapAction>;
+  Reload::Response reload();
 
-  void advertise();
-  void subscribe();
-  template <typename Service>
-  void serve(const std::string& name);
-
-  void on_joint_states(const sensor_msgs::JointState::ConstPtr& message);
-  void on_map_progress(const MapProgress& progress, const std::shared_ptr<const AspectMap>& map);
-  void on_compute_map(const ComputeMapGoalConstPtr& goal);
-  void finish(const MapProgress& progress, ComputeMapResult result);
-  void check_age();
-  void show();
-  void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) const;
-  void send_platform(const Eigen::Isometry3d& platform, const ros::Time& stamp);
-  std::optional<geometry_msgs::Pose> to_base(const geometry_msgs::PoseStamped& pose,
-                                             std::string& sentence) const;
-
-  const NodeSetup setup_;
-  ros::CallbackQueue tracking_queue_, service_queue_;
-  ros::NodeHandle tracking_nh_, service_nh_;  // private namespace
-  ros::NodeHandle joint_states_nh_;           // of the input topic
-  tf2_ros::Buffer tf_;
-  tf2_ros::TransformListener tf_listener_;
-  tf2_ros::TransformBroadcaster tf_broadcaster_;
-
-  RobotMonitor monitor_;
-  Display display_;
-  ros::Publisher state_, transitions_, joint_states_, map_progress_;
-  MapWorker worker_;
-  Queries queries_;
-  diagnostic_updater::Updater diagnostics_;
-  std::unique_ptr<ComputeMapServer> compute_map_;
-  std::vector<ros::ServiceServer> services_;
-  ros::Subscriber subscriber_;
-  ros::Timer age_timer_, display_timer_, diagnostics_timer_;
-  std::atomic<bool> stopping_{false};
-  ros::AsyncSpinner tracking_spinner_, service_spinner_;
+  ros::CallbackQueue queue_;  // of `reload` alone, which takes the robot's queues down
+  ros::NodeHandle nh_, private_nh_;
+  std::unique_ptr<RobotServer> robot_;
+  ros::ServiceServer reload_;
+  ros::AsyncSpinner spinner_;
 };
 
 }  // namespace parallel_aspects

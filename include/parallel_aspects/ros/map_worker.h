@@ -15,9 +15,17 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <thread>
 
 namespace parallel_aspects {
+
+/// What a computation has to do with the map file.
+enum class FileUse {
+  none,  ///< for options that are not those of the node
+  save,  ///< writes the new map to it
+  load,  ///< takes the map from it if it is the one wanted; computes and writes it otherwise
+};
 
 /// Computes maps on a thread of its own, one at a time, and keeps the last complete one. With six freedoms it
 /// makes a roadmap instead, of which the reports tell; there is no map then.
@@ -28,13 +36,14 @@ class MapWorker {
   using Listener = std::function<void(const MapProgress&, const std::shared_ptr<const AspectMap>& map)>;
   using Job = std::uint64_t;
 
-  MapWorker(std::shared_ptr<const Manipulator> manipulator, Listener listener);
+  /// `file`: path of the map file; empty for none.
+  MapWorker(std::shared_ptr<const Manipulator> manipulator, std::string file, Listener listener);
 
   /// Cancels and waits.
   ~MapWorker();
 
   /// Begins a computation and cancels the one that runs, if any.
-  Job compute(const MapOptions& options);
+  Job compute(const MapOptions& options, FileUse use = FileUse::none);
 
   /// Cancels this job if it still runs or waits.
   void cancel(Job job);
@@ -45,24 +54,36 @@ class MapWorker {
 
   MapProgress progress() const;                  ///< newest report of all
   std::shared_ptr<const AspectMap> map() const;  ///< null until the first is complete
+  std::string file_sentence() const;             ///< what became of the map file
 
  private:
+  struct Request {
+    MapOptions options;
+    FileUse use = FileUse::none;
+  };
+
   void run();
-  void compute_now(const MapOptions& options);
+  void carry_out(const Request& request);
+  void make_roadmap(const MapOptions& options, const MapControl& control);
+  bool load(const MapOptions& options);
+  void save(const AspectMap& map);
+  void say_of_file(const std::string& sentence, bool well);
   void report(MapProgress progress, const std::shared_ptr<const AspectMap>& map);
 
   const std::shared_ptr<const Manipulator> manipulator_;
+  const std::string file_;
   const Listener listener_;
 
   mutable std::mutex mutex_;
   mutable std::condition_variable changed_;
-  std::optional<MapOptions> next_;
+  std::optional<Request> next_;
   Job newest_job_ = 0;   // last one asked for
   Job running_job_ = 0;  // the one that `progress_` is about
   std::atomic<bool> cancelled_{false};
   bool stopping_ = false;
   MapProgress progress_;
   std::shared_ptr<const AspectMap> map_;
+  std::string file_sentence_;
   std::thread thread_;
 };
 

@@ -31,12 +31,18 @@ struct DisplayOptions {
 /// Every parameter of the node but the description of the robot.
 struct NodeOptions {
   MapOptions map;
+  std::string map_file;  ///< where the map is kept, an absolute path; empty for nowhere
   StartOptions start;
   DisplayOptions display;
-  double joint_states_timeout = 0.5;  ///< age at which the last sample is stale [s]; positive
-  double tf_timeout = 0.2;            ///< how long a query waits for tf [s]; zero or more
+  double joint_states_timeout = 0.5;  ///< age at which the last sample is stale [s], 0.001 to 3600
+  double tf_timeout = 0.2;            ///< how long a query waits for tf [s], 0 to 60
+  int state_decimation = 1;           ///< ~state is published with every n-th sample, 1 to 10,000
+  int completed_decimation = 1;       ///< likewise ~joint_states and tf
   std::string frame_prefix;           ///< of the frames that the node adds; by default the robot's name
 };
+
+/// Everything wrong with the options of a map; sentences that name parameters below `prefix`.
+Problems problems_of(const MapOptions& options, const Manipulator& manipulator, const std::string& prefix);
 
 /// Everything wrong with the options for this manipulator; sentences that name parameters below `prefix`,
 /// which ends in a slash. Empty when all is well.

@@ -5,6 +5,7 @@
 #include "parallel_aspects/ros/conversions.h"
 #include "parallel_aspects/ros/joint_sample.h"
 #include "parallel_aspects/ros/node_options.h"
+#include "parallel_aspects/ros/publisher_watch.h"
 #include "parallel_aspects/tracking/tracker.h"
 #include "parallel_aspects/urdf/mechanism.h"
 
@@ -28,8 +29,7 @@ struct MonitorUpdate {
   std::optional<AspectState> state;  ///< to publish; nothing for another robot's message
   std::string warning;               ///< to log, throttled; empty when all is well
   std::vector<AspectTransition> transitions;
-  std::optional<sensor_msgs::JointState> completed;  ///< every joint of the URDF, while tracking
-  std::optional<Eigen::Isometry3d> platform;         ///< in the base frame, while tracking
+  std::optional<TrackedState> tracked;  ///< what the state was made of, while tracking
 };
 
 /// What is known of the robot now.
@@ -40,8 +40,11 @@ struct CurrentConfiguration {
   TrackedState tracked;
 };
 
+/// Messages since the start.
 struct MonitorCounts {
-  std::uint64_t usable = 0, invalid = 0, foreign = 0;  ///< messages since the start
+  std::uint64_t usable = 0, invalid = 0, foreign = 0;
+  std::uint64_t lost = 0;  ///< on the way to the node, by gaps in header.seq
+  bool counted = false;    ///< whether the publisher sets header.seq, so that losses show
 };
 
 /// Guards a tracker against everything that joint_states may bring, and against threads. Knows no topics.
@@ -50,8 +53,12 @@ class RobotMonitor {
   /// `start` must have passed `problems_of`. `timeout` [s].
   RobotMonitor(std::shared_ptr<const Mechanism> mechanism, const StartOptions& start, double timeout);
 
-  /// The next message, received at `now`.
-  MonitorUpdate update(const sensor_msgs::JointState& message, const ros::Time& now);
+  /// The next message, received at `now` from the node `publisher`.
+  MonitorUpdate update(const sensor_msgs::JointState& message, const ros::Time& now,
+                       const std::string& publisher = {});
+
+  /// Every joint of the URDF in a tracked configuration; nothing where the passive joints do not close it.
+  std::optional<sensor_msgs::JointState> complete(const TrackedState& tracked, const ros::Time& stamp) const;
 
   /// The state to publish when the last usable sample has become stale; nothing while it has not, or that was
   /// said.
@@ -68,11 +75,13 @@ class RobotMonitor {
   Status start_with_sign(int determinant_sign, const ros::Time& now);
 
  private:
-  MonitorUpdate refuse(std::string sentence, const ros::Time& stamp);
-  MonitorUpdate accept(const JointSample& sample, const ros::Time& stamp);
-  std::string fault_of_stamp(const ros::Time& stamp) const;
+  MonitorUpdate refuse(std::uint8_t code, const std::string& sentence, const ros::Time& stamp);
+  MonitorUpdate accept(const JointSample& sample, const ros::Time& stamp, const ros::Time& now);
+  std::string fault_of_stamp(const ros::Time& stamp, const ros::Time& now) const;
+  void unwrap(JointVector& q) const;
   Status start_as_configured(double time, const JointVector& q);
   Status status_of_tracker() const;
+  Status stale_status() const;
   bool stale(const ros::Time& now) const;
   void fill_tracked(const ros::Time& stamp, MonitorUpdate& update);
   void keep_transitions();
@@ -82,7 +91,7 @@ class RobotMonitor {
   const JointSampleReader reader_;
   const StartOptions start_;
   const double start_tolerance_;
-  const ros::Duration timeout_;
+  const double timeout_;  // [s]
 
   mutable std::mutex mutex_;
   Tracker tracker_;
@@ -94,7 +103,9 @@ class RobotMonitor {
   std::optional<JointVector> last_q_;
   std::vector<AspectTransition> transitions_;  // still to be published
   bool said_stale_ = false;
+  bool clock_went_back_ = false;  // though it was not a simulation that began anew
   MonitorCounts counts_;
+  PublisherWatch publishers_;
 };
 
 }  // namespace parallel_aspects

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/ros/robot_server.h"
+
+#include "parallel_aspects/ros/tables.h"
+
+#include <ros/console.h>
+#include <tf2_geometry_msgs/tf2_geometry_msgs.h>
+
+#include <chrono>
+#include <utility>
+
+namespace parallel_aspects {
+namespace {
+
+ros::NodeHandle on_queue(ros::NodeHandle nh, ros::CallbackQueue& queue) {
+  nh.setCallbackQueue(&queue);
+  return nh;
+}
+
+}  // namespace
+
+RobotServer::RobotServer(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh, NodeSetup setup)
+    : setup_(std::move(setup)),
+      tracking_nh_(on_queue(private_nh, tracking_queue_)),
+      service_nh_(on_queue(private_nh, service_queue_)),
+      joint_states_nh_(on_queue(nh, tracking_queue_)),
+      tf_listener_(tf_),
+      monitor_(setup_.mechanism, setup_.options.start, setup_.options.joint_states_timeout),
+      display_(setup_, service_nh_),
+      state_(tracking_nh_.advertise<AspectState>("state", 100, true)),
+      transitions_(tracking_nh_.advertise<AspectTransition>("transitions", 100)),
+      joint_states_(tracking_nh_.advertise<sensor_msgs::JointState>("joint_states", 100)),
+      map_progress_(service_nh_.advertise<MapProgress>("map_progress", 10, true)),
+      worker_(setup_.mechanism->manipulator(), setup_.options.map_file,
+              [this](const MapProgress& progress, const auto& map) { on_map_progress(progress, map); }),
+      queries_(setup_.mechanism->manipulator(), monitor_, worker_,
+               [this](const auto& pose, std::string& sentence) { return to_base(pose, sentence); }),
+      diagnostics_(on_queue(nh, service_queue_), service_nh_, *setup_.mechanism->manipulator(), monitor_,
+                   worker_),
+      thinned_(setup_.options.state_decimation),
+      completed_(setup_.options.completed_decimation),
+      tracking_spinner_(1, &tracking_queue_),
+      service_spinner_(2, &service_queue_) {
+  for (const std::string& note : setup_.mechanism->notes()) ROS_INFO_STREAM(note);
+  advertise();
+  subscribe();
+  state_.publish(
+      unknown_state(*setup_.mechanism->manipulator(), monitor_.current(ros::Time::now()).status, {}));
+  tracking_spinner_.start();
+  service_spinner_.start();
+  worker_.compute(setup_.options.map, FileUse::load);
+}
+
+RobotServer::~RobotServer() {
+  stopping_ = true;
+  subscriber_.shutdown();
+  compute_map_->shutdown();
+  tracking_spinner_.stop();
+  service_spinner_.stop();
+}
+
+void RobotServer::advertise() {
+  serve<GetWorkingMode>("get_working_mode");
+  serve<GetCurrentAspect>("get_current_aspect");
+  serve<GetSingularityDistance>("get_singularity_distance");
+  serve<ListAspects>("list_aspects");
+  serve<SetAssemblyMode>("set_assembly_mode");
+  compute_map_ = std::make_unique<ComputeMapServer>(
+      service_nh_, "compute_map", [this](const ComputeMapGoalConstPtr& goal) { on_compute_map(goal); },
+      false);
+  compute_map_->start();
+}
+
+void RobotServer::subscribe() {
+  subscriber_ = joint_states_nh_.subscribe("joint_states", 1000, &RobotServer::on_joint_states, this,
+                                           ros::TransportHints().tcpNoDelay());
+  age_timer_ = tracking_nh_.createTimer(ros::Duration(setup_.options.joint_states_timeout / 4.0),
+                                        [this](const ros::TimerEvent&) { check_age(); });
+  display_timer_ = service_nh_.createTimer(ros::Duration(1.0 / setup_.options.display.rate),
+                                           [this](const ros::TimerEvent&) { show(); });
+  // By the wall clock: a simulation that stands still, or begins anew, must not silence them.
+  diagnostics_timer_ =
+      service_nh_.createWallTimer(ros::WallDuration(diagnostics_.period()),
+                                  [this](const ros::WallTimerEvent&) { diagnostics_.publish(); });
+  log_timer_ = service_nh_.createWallTimer(ros::WallDuration(0.1),
+                                           [this](const ros::WallTimerEvent&) { log_.write(); });
+}
+
+// A service that was reached returns true: what became of the request is in the response.
+template <typename Service>
+void RobotServer::serve(const std::string& name) {
+  using Request = typename Service::Request;
+  using Response = typename Service::Response;
+  const boost::function<bool(Request&, Response&)> callback = [this](Request& request, Response& response) {
+    response = queries_.answer(request);
+    return true;
+  };
+  services_.push_back(service_nh_.advertiseService(name, callback));
+}
+
+// The state goes out before anything else is worked out.
+void RobotServer::on_joint_states(const ros::MessageEvent<const sensor_msgs::JointState>& event) {
+  const MonitorUpdate update =
+      monitor_.update(*event.getConstMessage(), ros::Time::now(), event.getPublisherName());
+  if (!update.warning.empty()) log_.warn(update.warning);
+  if (!update.state) return;
+  const bool changed = thinned_.differs(*update.state) || !update.transitions.empty();
+  if (thinned_.next() || changed) {
+    state_.publish(*update.state);
+    diagnostics_.count_output();
+  }
+  for (const AspectTransition& transition : update.transitions) {
+    transitions_.publish(transition);
+    log_.say(transition.sentence);
+  }
+  if (update.tracked && (completed_.next() || changed))
+    publish_robot(*update.tracked, update.state->header.stamp);
+}
+
+void RobotServer::publish_robot(const TrackedState& tracked, const ros::Time& stamp) {
+  if (const auto completed = monitor_.complete(tracked, stamp)) joint_states_.publish(*completed);
+  send_platform(platform_in_base(*setup_.mechanism->manipulator(), tracked.pose), stamp);
+}
+
+void RobotServer::send_platform(const Eigen::Isometry3d& platform, const ros::Time& stamp) {
+  geometry_msgs::TransformStamped message;
+  message.header.frame_id = setup_.mechanism->manipulator()->base_frame();
+  message.header.stamp = stamp;
+  message.child_frame_id = setup_.options.frame_prefix + "/platform";
+  message.transform = transform_message(platform);
+  tf_broadcaster_.sendTransform(message);
+}
+
+void RobotServer::check_age() {
+  const auto state = monitor_.expire(ros::Time::now());
+  if (!state) return;
+  log_.warn(state->status.sentence);
+  state_.publish(*state);
+  diagnostics_.count_output();
+}
+
+void RobotServer::show() { display_.show(monitor_.current(ros::Time::now()), worker_.progress().sentence); }
+
+void RobotServer::on_map_progress(const MapProgress& progress, const std::shared_ptr<const AspectMap>& map) {
+  if (map) {
+    monitor_.set_map(map);
+    display_.set_map(map);
+    ROS_INFO_STREAM(progress.sentence << "\n" << aspect_table(*map));
+  } else if (progress.state == MapProgress::COMPLETE) {
+    ROS_INFO_STREAM(progress.sentence);
+  } else if (progress.state == MapProgress::REFUSED) {
+    ROS_WARN_STREAM("The map was not computed: " << progress.sentence);
+  } else {
+    ROS_INFO_STREAM_THROTTLE(1.0, progress.sentence);
+  }
+  map_progress_.publish(progress);
+}
+
+// The map file is of the node's own options; a map of others does not go there.
+void RobotServer::on_compute_map(const ComputeMapGoalConstPtr& goal) {
+  ComputeMapResult result;
+  MapOptions options = setup_.options.map;
+  if (goal->resolution != 0.0) options.resolution = goal->resolution;
+  if (goal->extra_levels != 0) options.extra_levels = goal->extra_levels;
+  const Problems problems = problems_of(options, *setup_.mechanism->manipulator(), "goal/");
+  if (!problems.empty()) {
+    result.status = make_status(Status::INVALID_REQUEST, problems.front());
+    compute_map_->setAborted(result, result.status.sentence);
+    return;
+  }
+  const bool as_configured = goal->resolution == 0.0 && goal->extra_levels == 0;
+  const MapWorker::Job job = worker_.compute(options, as_configured ? FileUse::save : FileUse::none);
+  ComputeMapFeedback feedback;
+  do {
+    if (stopping_ || compute_map_->isPreemptRequested()) worker_.cancel(job);
+    feedback.progress = worker_.wait(job, std::chrono::milliseconds(20));
+    compute_map_->publishFeedback(feedback);
+  } while (feedback.progress.state == MapProgress::COMPUTING && !stopping_);
+  finish(feedback.progress, result);
+}
+
+void RobotServer::finish(const MapProgress& progress, ComputeMapResult result) {
+  if (progress.state == MapProgress::COMPLETE) {
+    if (const auto map = worker_.map())
+      for (const Aspect& aspect : map->aspects())
+        result.aspects.push_back(summary_message(*setup_.mechanism->manipulator(), aspect));
+    result.proved_count = progress.proved_count;
+    result.seconds = progress.seconds;
+    compute_map_->setSucceeded(result, progress.sentence);
+    return;
+  }
+  const bool cancelled = progress.state == MapProgress::CANCELLED;
+  result.status = make_status(cancelled ? Status::CANCELLED : Status::FAILED, progress.sentence);
+  if (cancelled && compute_map_->isPreemptRequested())
+    compute_map_->setPreempted(result, progress.sentence);
+  else
+    compute_map_->setAborted(result, progress.sentence);
+}
+
+std::optional<geometry_msgs::Pose> RobotServer::to_base(const geometry_msgs::PoseStamped& pose,
+                                                        std::string& sentence) const {
+  const std::string& base = setup_.mechanism->manipulator()->base_frame();
+  if (pose.header.frame_id.empty() || pose.header.frame_id == base) return pose.pose;
+  geometry_msgs::PoseStamped given = pose;
+  const geometry_msgs::Quaternion& q = given.pose.orientation;
+  if (q.x == 0.0 && q.y == 0.0 && q.z == 0.0 && q.w == 0.0) given.pose.orientation.w = 1.0;
+  try {
+    return tf_.transform(given, base, ros::Duration(setup_.options.tf_timeout)).pose;
+  } catch (const tf2::TransformException& failure) {
+    sentence = "tf does not connect " + given.header.frame_id + " with " + base + ": " + failure.what();
+    return std::nullopt;
+  }
+}
+
+}  // namespace parallel_aspects
