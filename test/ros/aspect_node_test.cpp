@@ -21,14 +21,12 @@
 #include <tf2_ros/transform_listener.h>
 
 #include "ros/five_bar_setup.h"
+#include "ros/node_client.h"
 #include <actionlib/client/simple_action_client.h>
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <mutex>
-#include <optional>
 #include <string>
 #include <vector>
 #include <visualization_msgs/MarkerArray.h>
@@ -36,72 +34,12 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr double deadline = 60.0;  // [s]
-
-// Whether `condition` becomes true before the deadline.
-bool eventually(const std::function<bool()>& condition) {
-  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(deadline);
-  while (ros::WallTime::now() < end) {
-    if (condition()) return true;
-    ros::WallDuration(0.005).sleep();
-  }
-  return condition();
-}
-
-// Keeps every message of a topic.
-template <typename Message>
-class Recorder {
- public:
-  explicit Recorder(const std::string& topic)
-      : subscriber_(ros::NodeHandle().subscribe<Message>(topic, 10000, [this](const auto& message) {
-          const std::lock_guard<std::mutex> lock(mutex_);
-          messages_.push_back(*message);
-        })) {}
-
-  std::vector<Message> all() const {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    return messages_;
-  }
-  std::optional<Message> last() const {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    return messages_.empty() ? std::nullopt : std::make_optional(messages_.back());
-  }
-  bool connected() const { return subscriber_.getNumPublishers() > 0; }
-
- private:
-  mutable std::mutex mutex_;
-  std::vector<Message> messages_;
-  ros::Subscriber subscriber_;
-};
-
-template <typename Service>
-typename Service::Response call(const std::string& name, const typename Service::Request& request) {
-  const std::string full = name.front() == '/' ? name : "/aspect_node/" + name;
-  EXPECT_TRUE(ros::service::waitForService(full, ros::Duration(deadline))) << full;
-  Service service;
-  service.request = request;
-  EXPECT_TRUE(ros::service::call(full, service)) << full;
-  return service.response;
-}
-
-Configuration at_pose(double x, double y, const std::string& frame,
-                      const std::vector<std::int8_t>& mode = {}) {
-  Configuration configuration;
-  configuration.kind = Configuration::POSE;
-  configuration.pose.header.frame_id = frame;
-  configuration.pose.pose.position.x = x;
-  configuration.pose.pose.position.y = y;
-  configuration.pose.pose.orientation.w = 1.0;
-  configuration.working_mode = mode;
-  return configuration;
-}
-
-template <typename Service>
-typename Service::Response ask(const std::string& name, const Configuration& configuration) {
-  typename Service::Request request;
-  request.configuration = configuration;
-  return call<Service>(name, request);
-}
+using test::ask;
+using test::at_pose;
+using test::call;
+using test::deadline;
+using test::eventually;
+using test::Recorder;
 
 class AspectNode : public testing::Test {
  protected:
