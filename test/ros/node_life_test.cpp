@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What happens to a node while it lives: reloads, parameters that turn to garbage, map files that vanish or
+// break, simulated time that begins anew, a robot that starts in a singular pose, queries while a map is
+// computed. Every node has a namespace of its own.
+#include "parallel_aspects/aspects/aspect_map.h"
+#include "parallel_aspects/kinematics/inverse.h"
+
+#include <parallel_aspects/AspectState.h>
+#include <parallel_aspects/ComputeMapAction.h>
+#include <parallel_aspects/GetCurrentAspect.h>
+#include <parallel_aspects/GetSingularityDistance.h>
+#include <parallel_aspects/GetWorkingMode.h>
+#include <parallel_aspects/ListAspects.h>
+#include <parallel_aspects/MapProgress.h>
+#include <parallel_aspects/Reload.h>
+#include <parallel_aspects/SetAssemblyMode.h>
+
+#include <gtest/gtest.h>
+#include <ros/ros.h>
+#include <rosgraph_msgs/Clock.h>
+
+#include "ros/five_bar_setup.h"
+#include "ros/node_client.h"
+#include "ros/process.h"
+#include <actionlib/client/simple_action_client.h>
+#include <cstdio>
+#include <cstdlib>
+#include <diagnostic_msgs/DiagnosticArray.h>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <string>
+
+namespace parallel_aspects {
+namespace {
+
+using test::at_pose;
+using test::eventually;
+using test::Recorder;
+
+XmlRpc::XmlRpcValue mechanism_parameter() {
+  XmlRpc::XmlRpcValue mechanism;
+  mechanism["operational_point"] = "tool";
+  mechanism["base_link"] = "base_link";
+  mechanism["actuated_joints"][0] = "crank_1_joint";
+  mechanism["actuated_joints"][1] = "crank_2_joint";
+  mechanism["closures"][0]["type"] = "revolute";
+  mechanism["closures"][0]["frames"][0] = "tool";
+  mechanism["closures"][0]["frames"][1] = "closing_2";
+  return mechanism;
+}
+
+/// A node of the five-bar in the namespace of its test, with these private parameters.
+class NodeLife : public testing::Test {
+ protected:
+  void SetUp() override {
+    space_ = std::string("/") + testing::UnitTest::GetInstance()->current_test_info()->name();
+    node_ = space_ + "/aspect_node";
+    ros::param::set(space_ + "/robot_description", test::source_file("urdf/five_bar.urdf"));
+    set("mechanism", mechanism_parameter());
+    set("start/pose", std::vector<double>{4.5, 8.0});
+    set("map/resolution", 0.2);
+    joint_states_ = ros::NodeHandle().advertise<sensor_msgs::JointState>(space_ + "/joint_states", 1000);
+  }
+  void TearDown() override {
+    ASSERT_TRUE(process_);
+    EXPECT_FALSE(process_->has_ended());
+    EXPECT_EQ(process_->end(), 0);
+  }
+
+  template <typename Value>
+  void set(const std::string& key, const Value& value) {
+    ros::param::set(node_ + "/" + key, value);
+  }
+  void start() {
+    process_ = std::make_unique<test::Process>(PARALLEL_ASPECTS_NODE, space_);
+    states_ = std::make_unique<Recorder<AspectState>>(node_ + "/state");
+    ASSERT_TRUE(eventually([&] { return states_->last().has_value(); }));
+    ASSERT_TRUE(eventually([&] { return joint_states_.getNumSubscribers() == 1; }));
+  }
+  template <typename Service>
+  typename Service::Response call(const std::string& name, const typename Service::Request& request = {}) {
+    return test::call<Service>(node_ + "/" + name, request);
+  }
+  std::size_t aspects_known() {
+    ListAspects::Response response;
+    EXPECT_TRUE(eventually([&] {
+      response = call<ListAspects>("list_aspects");
+      return response.status.code == Status::OK;
+    })) << response.status.sentence;
+    return response.aspects.size();
+  }
+  // The code of the answer to the drives at this pose.
+  AspectState move_to(const Pose& pose, const ros::Time& stamp = ros::Time::now()) {
+    const auto message = test::drives_at(*robot_->manipulator(), pose, {1, -1}, stamp);
+    joint_states_.publish(message);
+    EXPECT_TRUE(eventually([&] { return states_->last()->header.stamp == stamp; }));
+    return *states_->last();
+  }
+  // What /diagnostics says of this part of this node, once it says that.
+  bool diagnosed(const std::string& part, int level) const {
+    const auto messages = diagnostics_.all();
+    for (auto array = messages.rbegin(); array != messages.rend(); ++array)
+      for (const auto& status : array->status)
+        if (status.name.find(space_.substr(1)) != std::string::npos &&
+            status.name.find(": " + part) != std::string::npos)
+          return status.level == level;
+    return false;
+  }
+
+  const std::shared_ptr<const Mechanism> robot_ = test::five_bar_mechanism();
+  const Pose start_ = test::pose_at(4.5, 8.0);
+  int tries_ = 0;
+  std::string space_, node_;
+  ros::Publisher joint_states_;
+  std::unique_ptr<test::Process> process_;
+  std::unique_ptr<Recorder<AspectState>> states_;
+  const Recorder<diagnostic_msgs::DiagnosticArray> diagnostics_{"/diagnostics"};
+};
+
+TEST_F(NodeLife, ReloadsARobot) {
+  start();
+  EXPECT_EQ(move_to(start_).status.code, Status::OK);
+  set("start/pose", std::vector<double>{4.5, -8.0});
+  set("map/resolution", 0.25);
+  EXPECT_EQ(call<Reload>("reload").status.code, Status::OK);
+  ASSERT_TRUE(eventually([&] { return states_->last()->status.code == Status::NO_JOINT_STATES; }));
+  ASSERT_TRUE(eventually([&] { return joint_states_.getNumSubscribers() == 1; }));
+  EXPECT_EQ(move_to(start_).status.code, Status::NOT_STARTED) << "it starts at the new pose";
+  EXPECT_EQ(aspects_known(), 10U);
+}
+
+TEST_F(NodeLife, RefusesToReloadGarbageAndGoesOn) {
+  start();
+  EXPECT_EQ(move_to(start_).status.code, Status::OK);
+  ros::param::set(space_ + "/robot_description", "<robot name='broken'>");
+  set("map/resolution", "fine");
+  set("joint_states_timeout", std::vector<double>{1.0, 2.0});
+  set("no_such_thing", 1);
+  const auto response = call<Reload>("reload");
+  EXPECT_EQ(response.status.code, Status::FAILED);
+  EXPECT_GE(response.problems.size(), 4U);
+  for (const auto& problem : response.problems) EXPECT_FALSE(problem.empty());
+  EXPECT_EQ(move_to(test::pose_at(4.5, 8.01)).status.code, Status::OK) << "as if nothing had been asked";
+  EXPECT_EQ(aspects_known(), 10U);
+  ros::param::del(space_ + "/robot_description");
+  EXPECT_EQ(call<Reload>("reload").status.code, Status::FAILED);
+  EXPECT_EQ(move_to(test::pose_at(4.5, 8.02)).status.code, Status::OK);
+}
+
+TEST_F(NodeLife, SurvivesWhatBecomesOfItsMapFile) {
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("aspects_of_" + std::to_string(getpid()));
+  std::filesystem::create_directories(folder);
+  const std::string file = folder / "five_bar.map";
+  set("map/file", file);
+  start();
+  EXPECT_EQ(aspects_known(), 10U);
+  ASSERT_TRUE(eventually([&] { return std::filesystem::exists(file); }));
+  const auto whole = std::filesystem::file_size(file);
+
+  // While it runs the map is in memory.
+  std::filesystem::resize_file(file, whole / 2);
+  EXPECT_EQ(aspects_known(), 10U);
+  std::filesystem::remove(file);
+  EXPECT_EQ(aspects_known(), 10U);
+
+  // At a start a file that is not there, cut off, another one's, or no file at all, is replaced.
+  const auto reload = [&] {
+    EXPECT_EQ(call<Reload>("reload").status.code, Status::OK);
+    EXPECT_EQ(aspects_known(), 10U);
+  };
+  const auto is_whole = [&] {
+    return std::filesystem::is_regular_file(file) && std::filesystem::file_size(file) == whole;
+  };
+  reload();
+  ASSERT_TRUE(eventually(is_whole));
+  std::filesystem::resize_file(file, whole / 2);
+  reload();
+  ASSERT_TRUE(eventually(is_whole));
+  std::ofstream(file) << "not a map";
+  reload();
+  ASSERT_TRUE(eventually(is_whole));
+  const auto written = std::filesystem::last_write_time(file);
+  reload();
+  EXPECT_EQ(std::filesystem::last_write_time(file), written) << "loaded, so not written again";
+  std::filesystem::remove(file);
+  std::filesystem::create_directories(file);
+  reload();
+  std::filesystem::remove_all(folder);
+  reload();
+  EXPECT_TRUE(eventually([&] { return diagnosed("map", diagnostic_msgs::DiagnosticStatus::OK); }));
+}
+
+TEST_F(NodeLife, StartsInASingularPose) {
+  // P, C and D in one line: det A = 0.
+  set("start/pose", std::vector<double>{4.218, 6.490});
+  start();
+  const auto& legs = robot_->manipulator()->legs();
+  sensor_msgs::JointState message;
+  for (const Leg& leg : legs) message.name.push_back(leg.driven_joint);
+  message.position = {1.5, EIGEN_PI - 1.5};
+  // The cranks such that the elbows are 13 apart: both rods in line, 5 + 8.
+  const auto gap = [&](double q) {
+    return (Eigen::Vector2d(8.0 * std::cos(1.5), 8.0 * std::sin(1.5)) -
+            Eigen::Vector2d(9.0 + 5.0 * std::cos(q), 5.0 * std::sin(q)))
+               .norm() -
+           13.0;
+  };
+  double low = 0.0, high = EIGEN_PI / 2;
+  ASSERT_LT(gap(high) * gap(low), 0.0);
+  for (int i = 0; i < 80; ++i) (gap(low) * gap(0.5 * (low + high)) > 0.0 ? low : high) = 0.5 * (low + high);
+  message.position[1] = low;
+  message.header.stamp = ros::Time::now();
+  joint_states_.publish(message);
+  ASSERT_TRUE(eventually([&] { return states_->last()->header.stamp == message.header.stamp; }));
+  EXPECT_NE(states_->last()->status.code, Status::OK);
+  EXPECT_FALSE(states_->last()->status.sentence.empty());
+  EXPECT_EQ(states_->last()->aspect, 0U);
+
+  // Elsewhere it can be told.
+  move_to(start_);
+  SetAssemblyMode::Request request;
+  request.configuration = at_pose(4.5, 8.0, "");
+  EXPECT_EQ(call<SetAssemblyMode>("set_assembly_mode", request).status.code, Status::OK);
+  EXPECT_EQ(move_to(test::pose_at(4.5, 8.01)).status.code, Status::OK);
+}
+
+TEST_F(NodeLife, SimulatedTimeBeginsAnew) {
+  ros::param::set("/use_sim_time", true);
+  start();
+  ros::param::set("/use_sim_time", false);
+  ros::Publisher clock = ros::NodeHandle().advertise<rosgraph_msgs::Clock>("/clock", 100, true);
+  ASSERT_TRUE(eventually([&] { return clock.getNumSubscribers() >= 1; }));
+  const auto at = [&](double seconds, double y) {
+    rosgraph_msgs::Clock now;
+    now.clock = ros::Time(seconds);
+    clock.publish(now);
+    return move_to(test::pose_at(4.5, y), ros::Time(seconds)).status.code;
+  };
+  // The clock and joint_states come on two connections, so one may be late for the other.
+  ASSERT_TRUE(eventually([&] { return at(100.0 + 1e-3 * ++tries_, 8.0) == Status::OK; }));
+  ASSERT_TRUE(eventually([&] { return at(5.0 + 1e-3 * ++tries_, 8.0) == Status::OK; }));
+  EXPECT_EQ(states_->last()->working_mode, (std::vector<std::int8_t>{1, -1}));
+  clock.shutdown();
+}
+
+TEST_F(NodeLife, AnswersWhileAMapIsComputed) {
+  set("map/resolution", 1e-4);  // far more than there is time for
+  start();
+  EXPECT_EQ(move_to(start_).status.code, Status::OK);
+  GetCurrentAspect::Response aspect = call<GetCurrentAspect>("get_current_aspect");
+  EXPECT_EQ(aspect.status.code, Status::MAP_NOT_READY);
+  EXPECT_NE(aspect.status.sentence.find("map"), std::string::npos);
+  EXPECT_EQ(call<ListAspects>("list_aspects").status.code, Status::MAP_NOT_READY);
+  move_to(start_);
+  EXPECT_EQ(call<GetWorkingMode>("get_working_mode").status.code, Status::OK);
+  move_to(start_);
+  EXPECT_EQ(call<GetSingularityDistance>("get_singularity_distance").status.code, Status::OK);
+  EXPECT_TRUE(eventually([&] { return diagnosed("map", diagnostic_msgs::DiagnosticStatus::WARN); }));
+
+  // Another map takes the place of the endless one.
+  actionlib::SimpleActionClient<ComputeMapAction> client(node_ + "/compute_map", true);
+  ASSERT_TRUE(client.waitForServer(ros::Duration(test::deadline)));
+  ComputeMapGoal goal;
+  goal.resolution = 0.2;
+  goal.extra_levels = 10;
+  client.sendGoalAndWait(goal, ros::Duration(test::deadline));
+  EXPECT_EQ(client.getState(), actionlib::SimpleClientGoalState::SUCCEEDED);
+  EXPECT_EQ(aspects_known(), 10U);
+}
+
+TEST_F(NodeLife, TellsRatesAndLossesInDiagnostics) {
+  using Level = diagnostic_msgs::DiagnosticStatus;
+  start();
+  EXPECT_TRUE(eventually(
+      [&] { return diagnosed("tracking", Level::WARN) && diagnosed("joint_states", Level::WARN); }));
+  int step = 0;
+  const auto move = [&] { return move_to(test::pose_at(4.5, 8.0 + 1e-5 * ++step)).status.code; };
+  EXPECT_TRUE(eventually([&] {
+    move();
+    return diagnosed("tracking", Level::OK) && diagnosed("joint_states", Level::OK);
+  }));
+  EXPECT_TRUE(eventually([&] {
+    return diagnosed("tracking", Level::ERROR) && diagnosed("joint_states", Level::ERROR);
+  })) << "stale";
+}
+
+}  // namespace
+}  // namespace parallel_aspects
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "node_life_test");
+  const ros::NodeHandle nh;
+  ros::AsyncSpinner spinner(2);
+  spinner.start();
+  return RUN_ALL_TESTS();
+}
