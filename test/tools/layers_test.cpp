@@ -19,7 +19,8 @@ namespace fs = std::filesystem;
 using Strings = std::vector<std::string>;
 
 // From the bottom to the top; each may include itself and those before it.
-const Strings layers{"model", "kinematics", "singularity", "aspects", "tracking", "urdf", "tools", "ros"};
+const Strings layers{"model",    "kinematics", "singularity", "aspects", "distance",
+                     "tracking", "urdf",       "tools",       "ros"};
 
 // What a layer below ros/ may include besides the standard library and lower layers.
 const Strings& libraries(const std::string& layer) {

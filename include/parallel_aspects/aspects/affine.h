@@ -35,6 +35,17 @@ class Affine {
     return result;
   }
 
+  /// The i-th coordinate of the box of this center and half width.
+  static Affine coordinate(double center, double half_width, std::size_t i) noexcept {
+    Affine result(center);
+    result.slope_[i] = half_width;
+    return result;
+  }
+
+  double center() const noexcept { return center_; }
+  double slope(std::size_t i) const noexcept { return slope_[i]; }
+  double error() const noexcept { return error_; }
+
   Interval range() const noexcept { return around(deviation()); }
 
   /// Encloses the value at the center of the box.

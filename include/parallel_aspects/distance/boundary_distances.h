@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_DISTANCE_BOUNDARY_DISTANCES_H
+#define PARALLEL_ASPECTS_DISTANCE_BOUNDARY_DISTANCES_H
+
+#include "parallel_aspects/kinematics/working_mode.h"
+#include "parallel_aspects/model/manipulator.h"
+#include "parallel_aspects/model/pose.h"
+
+#include <cstddef>
+#include <limits>
+#include <memory>
+
+namespace parallel_aspects {
+
+/// What is known of the distance to one kind of boundary.
+enum class DistanceStatus {
+  tight,        ///< `lower` is proved and at least (1 - tolerance) `upper`
+  loose,        ///< `lower` is proved, but the budget was used up before it came near `upper`
+  no_witness,   ///< `lower` is proved; no pose of the boundary was found, so `upper` is infinite
+  absent,       ///< proved: there is no such boundary in this working mode; `lower` is infinite
+  touching,     ///< the configuration is on the boundary to rounding, or beyond its limits; `lower` is 0
+  unavailable,  ///< nothing is known; see `ConfigurationStatus`
+};
+
+/// Which limit of a drive.
+enum class LimitEnd { lower, upper };
+
+/// Distance from a configuration to the nearest boundary of one kind, in the metric
+///
+///     D^2 = mean |p_j(X) - p_j(X')|^2   over the anchors p_j of the legs   [m],
+///
+/// which is the distance of the operational points where the platform does not turn (T1, T2, T3).
+struct BoundaryDistance {
+  DistanceStatus status = DistanceStatus::unavailable;
+
+  /// Proved, with outward rounding: no pose of the boundary is closer than this [m].
+  double lower = 0.0;
+
+  /// Distance of the witness [m]; infinite where there is none.
+  double upper = std::numeric_limits<double>::infinity();
+
+  /// Whether `upper` is a theorem too: the boundary is proved to have a pose at most this far away, within
+  /// `upper` - D(witness) of the witness, by a change of sign. Where false, `upper` comes from floating-point
+  /// arithmetic: as where det A touches zero without a change of sign.
+  bool upper_proved = false;
+
+  /// The nearest pose of the boundary that was found, of no meaning where `upper` is infinite; and the drive
+  /// values there [rad or m].
+  Pose witness;
+  JointVector witness_q;
+
+  /// The way from the pose to the witness, as it starts: twist (w, v) as in `displaced`, such that the
+  /// anchors move by 1 m a unit in the mean (D = 1 m to first order) [rad and m, a metre].
+  TaskVector direction;
+
+  /// `witness_q` less the present drive values [rad or m], angles of drives without limits the short way
+  /// round. An upper bound of how far each drive has to go to the boundary, as far as `upper` is one: the
+  /// witness is reached with these displacements. It is no lower bound; a smaller displacement may lead to
+  /// another pose of the boundary.
+  JointVector drive_displacement;
+
+  /// The leg at fault, and its limit; serial singularities and limits only.
+  std::size_t leg = 0;
+  LimitEnd end = LimitEnd::lower;
+
+  int boxes = 0;  ///< that were evaluated
+};
+
+enum class ConfigurationStatus {
+  measured,
+  outside_limits,  ///< a drive is at or beyond a limit; singularities are measured, the limit is `touching`
+  out_of_reach,    ///< not proved that each leg reaches with B_jj != 0; nothing is measured
+  invalid,  ///< numbers not finite or beyond 1e9 m, a quaternion far from unit length, a mode that the legs
+            ///< do not have, or anchors in one point or line, about which the metric sees no rotation
+};
+
+/// All of one configuration.
+struct BoundaryDistances {
+  ConfigurationStatus status = ConfigurationStatus::invalid;
+  JointVector q;  ///< drive values at the pose in the working mode [rad or m]
+  BoundaryDistance parallel, serial, drive_limit;
+};
+
+/// How much work is spent.
+struct DistanceOptions {
+  double tolerance = 0.01;  ///< relative gap between the bounds that is aimed at, in (0, 1)
+  int most_boxes = 2000;    ///< evaluated in one search, at least 1; there are three searches
+};
+
+/// Measures how far a configuration (pose X, working mode s) is from
+///  - the nearest parallel singularity: poses where every leg reaches on branch s and det A = 0;
+///  - the nearest serial singularity: poses where every leg reaches and some B_jj = 0;
+///  - the nearest limit: poses where every leg reaches on branch s and some drive is at its limit.
+/// Each is the distance to a set of poses of the working mode, whether or not the way there leaves the mode;
+/// so the ball of poses with D < lower holds no such pose, and its part of the aspect none at all. Ranges of
+/// a full turn or more limit no pose. docs/distance.md says how, and what is proved.
+///
+/// One object for each thread: `measure` uses memory that is taken by the constructor. Results depend on the
+/// arguments alone, not on earlier calls.
+class BoundaryDistanceMeter {
+ public:
+  /// Allocates. Throws `InvalidDescription` for options out of range.
+  explicit BoundaryDistanceMeter(std::shared_ptr<const Manipulator> manipulator,
+                                 const DistanceOptions& options = {});
+  ~BoundaryDistanceMeter();
+  BoundaryDistanceMeter(BoundaryDistanceMeter&&) noexcept;
+  BoundaryDistanceMeter& operator=(BoundaryDistanceMeter&&) noexcept;
+
+  /// Neither allocates nor throws.
+  BoundaryDistances measure(const Pose& pose, const WorkingMode& mode) noexcept;
+
+ private:
+  class Searches;
+  template <TaskSpace>
+  class SearchesIn;
+
+  std::unique_ptr<Searches> searches_;
+};
+
+/// "tight", "loose", "no witness", "absent", "touching" or "unavailable".
+const char* name(DistanceStatus status) noexcept;
+
+/// "measured", "outside limits", "out of reach" or "invalid".
+const char* name(ConfigurationStatus status) noexcept;
+
+/// "lower" or "upper".
+const char* name(LimitEnd end) noexcept;
+
+/// D between two poses [m], in floating point.
+double anchor_distance(const Manipulator& manipulator, const Pose& a, const Pose& b) noexcept;
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_DISTANCE_BOUNDARY_DISTANCES_H

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/distance/boundary_distances.h"
+
+#include "parallel_aspects/distance/leg_search.h"
+#include "parallel_aspects/distance/parallel_search.h"
+#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/model/problems.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace parallel_aspects {
+namespace {
+
+// Interval arithmetic needs finite operands: with lengths below this, no product comes near the largest
+// double.
+constexpr double longest_length = 1e9;  // [m]
+constexpr int most_boxes_at_all = 10'000'000;
+
+bool is_usable(const Eigen::Vector3d& point) {
+  return point.allFinite() && point.cwiseAbs().maxCoeff() < longest_length;
+}
+
+bool is_usable(const Pose& pose) {
+  const double squared_norm = pose.orientation.squaredNorm();
+  return is_usable(pose.position) && squared_norm > 0.25 && squared_norm < 4.0;
+}
+
+bool is_usable(const Manipulator& manipulator) {
+  return manipulator.size() < longest_length &&
+         std::all_of(manipulator.legs().begin(), manipulator.legs().end(),
+                     [](const Leg& leg) { return is_usable(leg.anchor) && is_usable(leg.base_point()); });
+}
+
+// What the task space does not move is left out.
+Pose within(TaskSpace space, const Pose& pose) {
+  Pose result = pose;
+  if (space == TaskSpace::SO3) result.position.setZero();
+  if (space == TaskSpace::T1) result.position.tail<2>().setZero();
+  if (space == TaskSpace::T2 || space == TaskSpace::SE2) result.position.z() = 0.0;
+  if (!has_rotation(space)) result.orientation.setIdentity();
+  if (space == TaskSpace::SE2) result.orientation.x() = result.orientation.y() = 0.0;
+  return result;
+}
+
+bool has_branches(const Manipulator& manipulator, const WorkingMode& mode) {
+  if (mode.leg_count() != manipulator.leg_count()) return false;
+  for (std::size_t j = 0; j < manipulator.leg_count(); ++j)
+    if (!manipulator.leg(j).has_branch(mode.sign(j))) return false;
+  return true;
+}
+
+bool is_bounded_by_links(const Leg& leg) {
+  return std::holds_alternative<RevoluteDrive>(leg.drive) || std::holds_alternative<ElbowDrive>(leg.drive);
+}
+
+double displacement(const Leg& leg, double from, double to) {
+  const bool wraps = leg.driven_by_angle() && !leg.limits.limited();
+  return wraps ? std::remainder(to - from, 2.0 * EIGEN_PI) : to - from;
+}
+
+}  // namespace
+
+/// The searches of one manipulator, whatever its task space.
+class BoundaryDistanceMeter::Searches {
+ public:
+  virtual ~Searches() = default;
+  virtual BoundaryDistances measure(const Pose& pose, const WorkingMode& mode) noexcept = 0;
+};
+
+template <TaskSpace space>
+class BoundaryDistanceMeter::SearchesIn final : public Searches {
+ public:
+  using Hood = Neighbourhood<space>;
+
+  SearchesIn(std::shared_ptr<const Manipulator> manipulator, const DistanceOptions& options)
+      : manipulator_(std::move(manipulator)),
+        hood_(*manipulator_),
+        boundaries_(boundaries_of(*manipulator_)),
+        determinant_(hood_, *manipulator_),
+        parallel_(hood_, options),
+        leg_(hood_, options),
+        usable_(is_usable(*manipulator_) && hood_.metric().usable) {}
+
+  BoundaryDistances measure(const Pose& given, const WorkingMode& mode) noexcept override {
+    BoundaryDistances result;
+    if (!usable_ || !is_usable(given) || !has_branches(*manipulator_, mode)) return result;
+    const Pose pose = within(space, given);
+    if (!is_usable(pose)) return result;
+    const InverseSolution solution = inverse(*manipulator_, pose, mode);
+    result.q = solution.q;
+    result.status = ConfigurationStatus::out_of_reach;
+    if (solution.status == InverseStatus::out_of_reach) return result;
+    result.status = solution.status == InverseStatus::solved ? ConfigurationStatus::measured
+                                                             : ConfigurationStatus::outside_limits;
+    search(pose, mode, result);
+    if (result.status == ConfigurationStatus::outside_limits) {
+      result.drive_limit = BoundaryDistance();
+      result.drive_limit.status = DistanceStatus::touching;
+      result.drive_limit.leg = solution.leg;
+    }
+    return result;
+  }
+
+ private:
+  static LegBoundaries<Hood::dimension> boundaries_of(const Manipulator& manipulator) {
+    const RoundingUpward rounding;
+    return leg_boundaries<Hood::dimension>(manipulator);
+  }
+
+  void search(const Pose& pose, const WorkingMode& mode, BoundaryDistances& result) noexcept {
+    std::optional<SearchResult<Hood::size>> parallel, serial, limit;
+    {
+      const RoundingUpward rounding;
+      hood_.move_to(pose);
+      determinant_.set_mode(mode);
+      if (!determinant_.is_reached(std::array<Interval, Hood::size>{})) {
+        result.status = ConfigurationStatus::out_of_reach;
+        return;
+      }
+      const SearchRange range = search_range();
+      parallel = parallel_.run(determinant_, range);
+      serial = leg_.run(boundaries_.serial, false, mode, determinant_, range);
+      limit = leg_.run(boundaries_.limits, true, mode, determinant_, range);
+      for (auto* each : {&*parallel, &*serial, &*limit}) {
+        each->lower = -((hood_.metric().error - 1.0) * each->lower);
+        each->upper *= 1.0 + hood_.metric().error;
+      }
+    }
+    result.parallel = translated(*parallel, mode, result.q);
+    result.serial = translated(*serial, mode, result.q);
+    result.drive_limit = translated(*limit, mode, result.q);
+  }
+
+  // Poses that all legs reach are within the reach of each.
+  SearchRange search_range() const noexcept {
+    SearchRange range{10.0 * manipulator_->size(), false};
+    const AnchorMetric& metric = hood_.metric();
+    if (space == TaskSpace::SO3) return {metric.widest_turn * (1.0 + 1e-12), true};
+    for (std::size_t j = 0; j < Hood::size; ++j) {
+      const Leg& leg = manipulator_->leg(j);
+      const double reach = leg.longest_reach();
+      if (!std::isfinite(reach)) continue;
+      Interval squared;
+      for (const Interval& each : hood_.displacement_at_origin(j)) squared += square(each);
+      const double height = Hood::planar ? std::abs(leg.anchor.z() - leg.base_point().z()) : 0.0;
+      const double far =
+          std::sqrt(squared.upper()) + height + reach + (Hood::turns > 0 ? 2.0 * metric.longest_arm : 0.0);
+      const double radius = std::sqrt(far * far + metric.widest_turn * metric.widest_turn) * (1.0 + 1e-12);
+      if (is_bounded_by_links(leg) ? !range.holds_all || radius < range.radius
+                                   : !range.holds_all && radius < range.radius)
+        range = {radius, is_bounded_by_links(leg)};
+    }
+    return range;
+  }
+
+  BoundaryDistance translated(const SearchResult<Hood::size>& found, const WorkingMode& mode,
+                              const JointVector& q) const noexcept {
+    BoundaryDistance result;
+    result.status = found.status;
+    result.lower = found.lower;
+    result.upper = found.upper;
+    result.upper_proved = found.upper_proved;
+    result.leg = found.leg;
+    result.end = found.end;
+    result.boxes = found.boxes;
+    if (!found.has_witness()) return result;
+    result.witness = hood_.pose_at(found.witness);
+    result.direction = hood_.direction_to(found.witness);
+    result.witness_q.resize(q.size());
+    result.drive_displacement.resize(q.size());
+    for (Eigen::Index j = 0; j < q.size(); ++j) {
+      const Leg& leg = manipulator_->leg(static_cast<std::size_t>(j));
+      result.witness_q[j] =
+          drive_value(leg, result.witness.transform(leg.anchor), mode.sign(static_cast<std::size_t>(j)));
+      result.drive_displacement[j] = displacement(leg, q[j], result.witness_q[j]);
+    }
+    return result;
+  }
+
+  std::shared_ptr<const Manipulator> manipulator_;
+  Hood hood_;
+  LegBoundaries<Hood::dimension> boundaries_;
+  ModeDeterminant<space> determinant_;
+  ParallelSearch<space> parallel_;
+  LegSearch<space> leg_;
+  bool usable_;
+};
+
+BoundaryDistanceMeter::BoundaryDistanceMeter(std::shared_ptr<const Manipulator> manipulator,
+                                             const DistanceOptions& options) {
+  Problems problems;
+  if (!(options.tolerance > 0.0 && options.tolerance < 1.0))
+    problems.push_back("The tolerance of distances must be between 0 and 1; choose one such as 0.01.");
+  if (options.most_boxes < 1 || options.most_boxes > most_boxes_at_all)
+    problems.push_back(
+        "The number of boxes of a search must be from 1 to 10000000; choose one such as 2000.");
+  if (!problems.empty()) throw InvalidDescription(std::move(problems));
+  switch (manipulator->task_space()) {
+    case TaskSpace::T1:
+      searches_ = std::make_unique<SearchesIn<TaskSpace::T1>>(std::move(manipulator), options);
+      break;
+    case TaskSpace::T2:
+      searches_ = std::make_unique<SearchesIn<TaskSpace::T2>>(std::move(manipulator), options);
+      break;
+    case TaskSpace::SE2:
+      searches_ = std::make_unique<SearchesIn<TaskSpace::SE2>>(std::move(manipulator), options);
+      break;
+    case TaskSpace::T3:
+      searches_ = std::make_unique<SearchesIn<TaskSpace::T3>>(std::move(manipulator), options);
+      break;
+    case TaskSpace::SO3:
+      searches_ = std::make_unique<SearchesIn<TaskSpace::SO3>>(std::move(manipulator), options);
+      break;
+    case TaskSpace::SE3:
+      searches_ = std::make_unique<SearchesIn<TaskSpace::SE3>>(std::move(manipulator), options);
+      break;
+  }
+}
+
+BoundaryDistanceMeter::~BoundaryDistanceMeter() = default;
+BoundaryDistanceMeter::BoundaryDistanceMeter(BoundaryDistanceMeter&&) noexcept = default;
+BoundaryDistanceMeter& BoundaryDistanceMeter::operator=(BoundaryDistanceMeter&&) noexcept = default;
+
+BoundaryDistances BoundaryDistanceMeter::measure(const Pose& pose, const WorkingMode& mode) noexcept {
+  return searches_->measure(pose, mode);
+}
+
+const char* name(DistanceStatus status) noexcept {
+  switch (status) {
+    case DistanceStatus::tight:
+      return "tight";
+    case DistanceStatus::loose:
+      return "loose";
+    case DistanceStatus::no_witness:
+      return "no witness";
+    case DistanceStatus::absent:
+      return "absent";
+    case DistanceStatus::touching:
+      return "touching";
+    case DistanceStatus::unavailable:
+      return "unavailable";
+  }
+  return "unknown";
+}
+
+const char* name(ConfigurationStatus status) noexcept {
+  switch (status) {
+    case ConfigurationStatus::measured:
+      return "measured";
+    case ConfigurationStatus::outside_limits:
+      return "outside limits";
+    case ConfigurationStatus::out_of_reach:
+      return "out of reach";
+    case ConfigurationStatus::invalid:
+      return "invalid";
+  }
+  return "unknown";
+}
+
+const char* name(LimitEnd end) noexcept { return end == LimitEnd::lower ? "lower" : "upper"; }
+
+double anchor_distance(const Manipulator& manipulator, const Pose& a, const Pose& b) noexcept {
+  double sum = 0.0;
+  for (const Leg& leg : manipulator.legs())
+    sum += (a.transform(leg.anchor) - b.transform(leg.anchor)).squaredNorm();
+  return std::sqrt(sum / static_cast<double>(manipulator.leg_count()));
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/distance/leg_boundary.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace parallel_aspects {
+namespace {
+
+/// Collects the boundaries of one leg.
+template <std::size_t dimension>
+class Collector {
+ public:
+  using Boundary = LegBoundary<dimension>;
+  using Surface = typename Boundary::Surface;
+
+  Collector(const Leg& leg, std::size_t index, LegBoundaries<dimension>& all)
+      : leg_(leg), index_(index), all_(all) {
+    if constexpr (dimension == 2)
+      squared_height_ = square(Interval(leg.anchor.z()) - Interval(leg.base_point().z()));
+  }
+
+  void operator()(const RevoluteDrive& drive) {
+    const Interval rod(leg_.rod_length), crank(drive.radius);
+    if constexpr (dimension == 2) {
+      const Interval in_plane = root(square(rod) - squared_height_);
+      add_serial_sphere(crank + in_plane);
+      add_serial_sphere(magnitude_of(crank - in_plane));
+    } else {
+      for (const Surface surface : {Surface::near_torus, Surface::far_torus}) {
+        Boundary boundary = at_surface(surface, rod);
+        boundary.axis = point(drive.axis);
+        boundary.crank = crank;
+        all_.serial.push_back(boundary);
+      }
+    }
+    if (is_angle_limited()) {
+      add_limit(drive, LimitEnd::lower, leg_.limits.lower);
+      add_limit(drive, LimitEnd::upper, leg_.limits.upper);
+    }
+  }
+
+  void operator()(const PrismaticDrive& drive) {
+    Boundary boundary =
+        at_surface(Surface::cylinder, root(square(Interval(leg_.rod_length)) - squared_height_));
+    boundary.axis = point(drive.direction);
+    all_.serial.push_back(boundary);
+    for (const auto& [end, value] : finite_limits()) {
+      Boundary limit = boundary;
+      limit.surface = Surface::sphere;
+      limit.end = end;
+      limit.sided = true;
+      for (std::size_t i = 0; i < dimension; ++i) limit.center[i] = Interval(value) * boundary.axis[i];
+      all_.limits.push_back(limit);
+    }
+  }
+
+  void operator()(const StrutDrive& drive) {
+    // B_jj is the length: it vanishes where the anchor is at the base point, if it can come there.
+    if (squared_height_.lower() <= 0.0) add_serial_sphere(Interval(0.0));
+    for (const auto& [end, value] : finite_limits())
+      add_limit_sphere(
+          end, square_of_length(Interval(drive.length_at_zero) + Interval(drive.sense) * Interval(value)), 0);
+  }
+
+  void operator()(const ElbowDrive& drive) {
+    const Interval inner(drive.inner_length), outer(drive.outer_length);
+    add_serial_sphere(root(square(inner + outer) - squared_height_));
+    add_serial_sphere(root(square(inner - outer) - squared_height_));
+    if (!is_angle_limited()) return;
+    for (const auto& [end, value] : finite_limits()) {
+      const double angle = drive.angle_at_zero + drive.sense * value;
+      // On one branch sin(angle) has one sign; at zero the limit is the serial singularity itself.
+      const double entry = -drive.sense * std::sin(angle);
+      const int branch = std::abs(entry) < 1e-9 ? 0 : entry > 0.0 ? 1 : -1;
+      add_limit_sphere(
+          end,
+          square(inner) + square(outer) + Interval(2.0) * inner * outer * enclosed(std::cos(angle), angle),
+          branch);
+    }
+  }
+
+ private:
+  struct FiniteLimit {
+    LimitEnd end;
+    double value;
+  };
+
+  // Cosines and sines are a few units in the last place off, in every rounding direction.
+  static Interval enclosed(double value, double angle) {
+    const double error = 0x1p-48 * (1.0 + std::abs(angle));
+    return {value - error, value + error};
+  }
+
+  static Interval magnitude_of(const Interval& a) { return root(square(a)); }
+
+  // A length below zero assembles nowhere.
+  static Interval square_of_length(const Interval& length) {
+    return length.negative() ? Interval(-1.0) : square(not_negative_part(length));
+  }
+
+  static std::array<Interval, dimension> point(const Eigen::Vector3d& vector) {
+    std::array<Interval, dimension> result;
+    for (std::size_t i = 0; i < dimension; ++i) result[i] = Interval(vector[static_cast<Eigen::Index>(i)]);
+    return result;
+  }
+
+  bool is_angle_limited() const {
+    return std::isfinite(leg_.limits.lower) && std::isfinite(leg_.limits.upper) &&
+           leg_.limits.upper - leg_.limits.lower < 2.0 * EIGEN_PI;
+  }
+
+  std::vector<FiniteLimit> finite_limits() const {
+    std::vector<FiniteLimit> result;
+    if (std::isfinite(leg_.limits.lower)) result.push_back({LimitEnd::lower, leg_.limits.lower});
+    if (std::isfinite(leg_.limits.upper)) result.push_back({LimitEnd::upper, leg_.limits.upper});
+    return result;
+  }
+
+  Boundary at_surface(Surface surface, const Interval& radius) const {
+    Boundary boundary;
+    boundary.surface = surface;
+    boundary.leg = index_;
+    boundary.radius = radius;
+    return boundary;
+  }
+
+  void add_serial_sphere(const Interval& radius) {
+    all_.serial.push_back(at_surface(Surface::sphere, radius));
+  }
+
+  void add_limit_sphere(LimitEnd end, const Interval& squared_radius, int branch) {
+    const Interval in_plane = squared_radius - squared_height_;
+    if (in_plane.negative()) return;
+    Boundary boundary = at_surface(Surface::sphere, root(in_plane));
+    boundary.end = end;
+    boundary.branch = branch;
+    all_.limits.push_back(boundary);
+  }
+
+  void add_limit(const RevoluteDrive& drive, LimitEnd end, double angle) {
+    const Interval cosine = enclosed(std::cos(angle), angle), sine = enclosed(std::sin(angle), angle);
+    const Eigen::Vector3d& e1 = drive.zero_direction;
+    const Interval radius = root(square(Interval(leg_.rod_length)) - squared_height_);
+    Boundary boundary = at_surface(Surface::sphere, radius);
+    boundary.end = end;
+    boundary.sided = true;
+    const std::array<Interval, dimension> zero = point(e1), side = side_direction(drive);
+    for (std::size_t i = 0; i < dimension; ++i) {
+      boundary.center[i] = Interval(drive.radius) * (cosine * zero[i] + sine * side[i]);
+      boundary.axis[i] = cosine * side[i] - sine * zero[i];
+    }
+    all_.limits.push_back(boundary);
+  }
+
+  static std::array<Interval, dimension> side_direction(const RevoluteDrive& drive) {
+    const Eigen::Vector3d &a = drive.axis, &e = drive.zero_direction;
+    const std::array<Interval, 3> side{Interval(a.y()) * Interval(e.z()) - Interval(a.z()) * Interval(e.y()),
+                                       Interval(a.z()) * Interval(e.x()) - Interval(a.x()) * Interval(e.z()),
+                                       Interval(a.x()) * Interval(e.y()) - Interval(a.y()) * Interval(e.x())};
+    std::array<Interval, dimension> result;
+    for (std::size_t i = 0; i < dimension; ++i) result[i] = side[i];
+    return result;
+  }
+
+  const Leg& leg_;
+  std::size_t index_;
+  LegBoundaries<dimension>& all_;
+  Interval squared_height_;  // of the anchor over the base point, out of the plane
+};
+
+}  // namespace
+
+template <std::size_t dimension>
+LegBoundaries<dimension> leg_boundaries(const Manipulator& manipulator) {
+  LegBoundaries<dimension> all;
+  for (std::size_t j = 0; j < manipulator.leg_count(); ++j)
+    std::visit(Collector<dimension>(manipulator.leg(j), j, all), manipulator.leg(j).drive);
+  return all;
+}
+
+template LegBoundaries<2> leg_boundaries<2>(const Manipulator&);
+template LegBoundaries<3> leg_boundaries<3>(const Manipulator&);
+
+}  // namespace parallel_aspects

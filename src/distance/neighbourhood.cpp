@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/distance/neighbourhood.h"
+
+#include <cmath>
+
+namespace parallel_aspects {
+
+template <TaskSpace space>
+Neighbourhood<space>::Neighbourhood(const Manipulator& manipulator) : metric_(manipulator) {
+  const RoundingUpward rounding;
+  for (std::size_t j = 0; j < size; ++j) {
+    const Leg& leg = manipulator.leg(j);
+    legs_.emplace_back(leg);
+    const Vector<Interval> anchor = interval_vector(leg.anchor), center = interval_vector(metric_.center);
+    base_points_[j] = interval_vector(leg.base_point());
+    for (std::size_t i = 0; i < dimension; ++i) platform_arms_[j][i] = anchor[i] - center[i];
+  }
+}
+
+template <TaskSpace space>
+typename Neighbourhood<space>::template Vector<Interval> Neighbourhood<space>::interval_vector(
+    const Eigen::Vector3d& vector) noexcept {
+  Vector<Interval> result;
+  for (std::size_t i = 0; i < dimension; ++i) result[i] = Interval(vector[static_cast<Eigen::Index>(i)]);
+  return result;
+}
+
+// A quaternion stands for its direction, so it need not be of unit length to the last digit.
+template <TaskSpace space>
+void Neighbourhood<space>::find_rotation(const Pose& pose) noexcept {
+  const Interval x(pose.orientation.x()), y(pose.orientation.y()), z(pose.orientation.z()),
+      w(pose.orientation.w()), two(2.0);
+  const Interval xx = square(x), yy = square(y), zz = square(z), ww = square(w);
+  const Interval scale = reciprocal(xx + yy + zz + ww);
+  rotation_[0][0] = scale * ((ww + xx) - (yy + zz));
+  rotation_[0][1] = scale * (two * (x * y - w * z));
+  rotation_[1][0] = scale * (two * (x * y + w * z));
+  rotation_[1][1] = scale * ((ww + yy) - (xx + zz));
+  if constexpr (dimension == 3) {
+    rotation_[0][2] = scale * (two * (x * z + w * y));
+    rotation_[1][2] = scale * (two * (y * z - w * x));
+    rotation_[2][0] = scale * (two * (x * z - w * y));
+    rotation_[2][1] = scale * (two * (y * z + w * x));
+    rotation_[2][2] = scale * ((ww + zz) - (xx + yy));
+  }
+}
+
+template <TaskSpace space>
+void Neighbourhood<space>::move_to(const Pose& pose) noexcept {
+  pose_ = pose;
+  find_rotation(pose);
+  const auto turned = [this](const Vector<Interval>& vector) {
+    Vector<Interval> result;
+    for (std::size_t i = 0; i < dimension; ++i)
+      for (std::size_t k = 0; k < dimension; ++k) result[i] += rotation_[i][k] * vector[k];
+    return result;
+  };
+  center_at_pose_ = pose.orientation.normalized() * metric_.center;
+  const Vector<Interval> position = interval_vector(pose.position);
+  const Vector<Interval> center = turned(interval_vector(metric_.center));
+  for (std::size_t j = 0; j < size; ++j) {
+    arms_[j] = turned(platform_arms_[j]);
+    for (std::size_t i = 0; i < dimension; ++i) {
+      offsets_[j][i] = position[i] + center[i] - base_points_[j][i];
+      displacements_[j][i] = offsets_[j][i] + arms_[j][i];
+    }
+  }
+  const Interval half(0.5);
+  half_turns_at_pose_ = 0.5 * (pose.orientation.normalized().toRotationMatrix() * metric_.half_turns);
+  if constexpr (dimension == 2) half_turns_[2][2] = half * Interval(metric_.half_turns(2, 2));
+  if constexpr (dimension == 3)
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t k = 0; k < 3; ++k) {
+        half_turns_[i][k] = Interval(0.0);
+        for (std::size_t a = 0; a < 3; ++a)
+          half_turns_[i][k] +=
+              half * rotation_[i][a] *
+              Interval(metric_.half_turns(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(k)));
+      }
+}
+
+template <TaskSpace space>
+Pose Neighbourhood<space>::pose_at(const Coordinates<size>& y) const noexcept {
+  Eigen::Vector3d move = Eigen::Vector3d::Zero(), turn = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < moves; ++i) move[static_cast<Eigen::Index>(i)] = y[i];
+  Pose pose = pose_;
+  if constexpr (turns > 0) {
+    for (std::size_t i = 0; i < turns; ++i) turn[static_cast<Eigen::Index>(3 - turns + i)] = y[moves + i];
+    const Eigen::Vector3d v = half_turns_at_pose_ * turn;
+    const Eigen::Quaterniond by(std::sqrt(std::max(0.0, 1.0 - v.squaredNorm())), v.x(), v.y(), v.z());
+    pose.orientation = (by.normalized() * pose_.orientation).normalized();
+  }
+  if constexpr (moves > 0) {
+    const Eigen::Vector3d center = pose.orientation * metric_.center;
+    pose.position = pose_.position + move + (center_at_pose_ - center);
+  }
+  return pose;
+}
+
+template <TaskSpace space>
+TaskVector Neighbourhood<space>::direction_to(const Coordinates<size>& y) const noexcept {
+  const double length = std::sqrt(dot<size>(y, y));
+  Eigen::Vector3d move = Eigen::Vector3d::Zero(), turn = Eigen::Vector3d::Zero();
+  if (length > 0.0) {
+    for (std::size_t i = 0; i < moves; ++i) move[static_cast<Eigen::Index>(i)] = y[i] / length;
+    for (std::size_t i = 0; i < turns; ++i)
+      turn[static_cast<Eigen::Index>(3 - turns + i)] = y[moves + i] / length;
+  }
+  const Eigen::Vector3d rate = 2.0 * (half_turns_at_pose_ * turn);
+  const Eigen::Vector3d velocity = move - rate.cross(center_at_pose_);
+  TaskVector twist(static_cast<Eigen::Index>(size));
+  if constexpr (turns == 1) twist[0] = rate.z();
+  if constexpr (turns == 3) twist.head<3>() = rate;
+  for (std::size_t i = 0; i < moves; ++i)
+    twist[static_cast<Eigen::Index>(turns + i)] = velocity[static_cast<Eigen::Index>(i)];
+  return twist;
+}
+
+template class Neighbourhood<TaskSpace::T1>;
+template class Neighbourhood<TaskSpace::T2>;
+template class Neighbourhood<TaskSpace::SE2>;
+template class Neighbourhood<TaskSpace::T3>;
+template class Neighbourhood<TaskSpace::SO3>;
+template class Neighbourhood<TaskSpace::SE3>;
+
+}  // namespace parallel_aspects
