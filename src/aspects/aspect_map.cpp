@@ -43,6 +43,16 @@ AspectMap::~AspectMap() = default;
 const std::shared_ptr<const Manipulator>& AspectMap::manipulator() const noexcept {
   return contents_->manipulator;
 }
+const std::optional<MapSlice>& AspectMap::slice() const noexcept { return contents_->slice; }
+std::vector<std::string> AspectMap::coordinates() const {
+  if (contents_->slice) return coordinate_names(*contents_->slice);
+  const TaskSpace space = manipulator()->task_space();
+  return space == TaskSpace::SO3 ? std::vector<std::string>() : coordinate_names(space);
+}
+std::string AspectMap::unit() const {
+  if (contents_->slice) return measure_unit(*contents_->slice);
+  return std::string(measure_unit(manipulator()->task_space()));
+}
 Box AspectMap::region() const noexcept { return contents_->tree.space().shown(contents_->tree.region()); }
 double AspectMap::resolution() const noexcept { return contents_->resolution; }
 const std::vector<WorkingMode>& AspectMap::working_modes() const noexcept {

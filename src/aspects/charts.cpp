@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/aspects/charts.h"
 
+#include "parallel_aspects/aspects/reachable_box.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -11,32 +13,6 @@ namespace {
 constexpr double least_slope = 1e-6;
 
 Spatial<Interval> enclosed(const Eigen::Vector3d& vector) { return {vector.x(), vector.y(), vector.z()}; }
-
-/// The positions within reach of every leg; each leg allows positions that are at most `reach` from `center`.
-class ReachableBox {
- public:
-  explicit ReachableBox(std::size_t dimension) : box_{dimension, {}, {}} {
-    box_.lower.fill(-HUGE_VAL);
-    box_.upper.fill(HUGE_VAL);
-  }
-
-  void restrict(std::size_t i, const Interval& center, double reach) {
-    if (!std::isfinite(reach)) return;
-    // Reaches are rounded sums of lengths.
-    const Interval range = center + Interval(1.0 + 1e-12) * Interval(-reach, reach);
-    box_.lower[i] = std::max(box_.lower[i], range.lower());
-    box_.upper[i] = std::min(box_.upper[i], range.upper());
-  }
-
-  std::optional<Box> box() const {
-    for (std::size_t i = 0; i < box_.dimension; ++i)
-      if (!std::isfinite(box_.width(i))) return std::nullopt;
-    return box_;
-  }
-
- private:
-  Box box_;
-};
 
 }  // namespace
 
@@ -63,7 +39,7 @@ std::optional<Box> T1Chart::reachable_positions() const {
 }
 
 T2Chart::T2Chart(const Manipulator& manipulator) {
-  for (std::size_t j = 0; j < size; ++j) {
+  for (std::size_t j = 0; j < leg_count; ++j) {
     const Leg& leg = manipulator.leg(j);
     legs_.emplace_back(leg);
     offsets_[j] = {Interval(leg.anchor.x()) - legs_[j].base().x,
@@ -74,7 +50,7 @@ T2Chart::T2Chart(const Manipulator& manipulator) {
 std::optional<Box> T2Chart::reachable_positions() const {
   const RoundingUpward rounding;
   ReachableBox box(2);
-  for (std::size_t j = 0; j < size; ++j) {
+  for (std::size_t j = 0; j < leg_count; ++j) {
     box.restrict(0, -offsets_[j].x, legs_[j].reach());
     box.restrict(1, -offsets_[j].y, legs_[j].reach());
   }
@@ -82,7 +58,7 @@ std::optional<Box> T2Chart::reachable_positions() const {
 }
 
 SE2Chart::SE2Chart(const Manipulator& manipulator) {
-  for (std::size_t j = 0; j < size; ++j) {
+  for (std::size_t j = 0; j < leg_count; ++j) {
     const Leg& leg = manipulator.leg(j);
     legs_.emplace_back(leg);
     anchors_[j] = {leg.anchor.x(), leg.anchor.y()};
@@ -92,7 +68,7 @@ SE2Chart::SE2Chart(const Manipulator& manipulator) {
 std::optional<Box> SE2Chart::reachable_positions() const {
   const RoundingUpward rounding;
   ReachableBox box(2);
-  for (std::size_t j = 0; j < size; ++j) {
+  for (std::size_t j = 0; j < leg_count; ++j) {
     const double anchor = square_root(square(anchors_[j].x) + square(anchors_[j].y)).upper();
     box.restrict(0, legs_[j].base().x, legs_[j].reach() + anchor);
     box.restrict(1, legs_[j].base().y, legs_[j].reach() + anchor);
@@ -101,7 +77,7 @@ std::optional<Box> SE2Chart::reachable_positions() const {
 }
 
 T3Chart::T3Chart(const Manipulator& manipulator) {
-  for (std::size_t j = 0; j < size; ++j) {
+  for (std::size_t j = 0; j < leg_count; ++j) {
     const Leg& leg = manipulator.leg(j);
     legs_.emplace_back(leg);
     const Spatial<Interval> anchor = enclosed(leg.anchor);
@@ -112,13 +88,13 @@ T3Chart::T3Chart(const Manipulator& manipulator) {
 std::optional<Box> T3Chart::reachable_positions() const {
   const RoundingUpward rounding;
   ReachableBox box(3);
-  for (std::size_t j = 0; j < size; ++j)
+  for (std::size_t j = 0; j < leg_count; ++j)
     for (std::size_t i = 0; i < 3; ++i) box.restrict(i, -offsets_[j][i], legs_[j].reach());
   return box.box();
 }
 
 SO3Chart::SO3Chart(const Manipulator& manipulator) {
-  for (std::size_t j = 0; j < size; ++j) {
+  for (std::size_t j = 0; j < leg_count; ++j) {
     legs_.emplace_back(manipulator.leg(j));
     anchors_[j] = enclosed(manipulator.leg(j).anchor);
   }

@@ -101,6 +101,7 @@ MapResult compute_aspect_map(std::shared_ptr<const Manipulator> manipulator, con
 
   auto map = std::make_unique<AspectMap::Contents>(manipulator, std::move(plan.classifier),
                                                    PoseTree(plan.space, plan.modes.size()), plan.modes);
+  map->slice = plan.slice;
   map->resolution = plan.resolution;
   map->depth = plan.depth;
   map->deepest_level = plan.deepest_level;

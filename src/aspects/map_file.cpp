@@ -19,7 +19,7 @@ namespace parallel_aspects {
 namespace {
 
 constexpr std::array<std::uint8_t, 8> magic{'A', 'S', 'P', 'E', 'C', 'T', 'S', 0x1a};
-constexpr std::uint32_t format_version = 1;
+constexpr std::uint32_t format_version = 2;
 constexpr std::size_t checksum_size = 4;
 constexpr std::size_t largest_file = std::size_t{1} << 32;
 const char* const package_version = PARALLEL_ASPECTS_VERSION;
@@ -35,7 +35,8 @@ Bytes encode(const AspectMap::Contents& map) {
   const std::size_t length_at = writer.bytes().size();
   writer.put_u64(0);
   writer.put_text(package_version);
-  writer.put_text(map_key(*map.manipulator, map.tree.region(), map.resolution, map.depth, map.deepest_level));
+  writer.put_text(map_key(*map.manipulator, map.tree.region(), map.resolution, map.depth, map.deepest_level) +
+                  coverage_key(map.slice, map.modes));
   write_record(map, writer);
   writer.replace_u64(length_at, writer.bytes().size() + checksum_size);
   writer.put_u32(checksum(writer.bytes(), writer.bytes().size()));
@@ -74,7 +75,8 @@ std::string decode(std::shared_ptr<const Manipulator> manipulator, MapPlan plan,
   std::string problem = find_damage(file, reader);
   if (!problem.empty()) return problem;
   const std::string key =
-      map_key(*manipulator, plan.space->region(), plan.resolution, plan.depth, plan.deepest_level);
+      map_key(*manipulator, plan.space->region(), plan.resolution, plan.depth, plan.deepest_level) +
+      coverage_key(plan.slice, plan.modes);
   problem = find_other_key(reader.take_text(), key);
   if (!problem.empty()) return problem;
   map = read_record(std::move(manipulator), std::move(plan), reader);

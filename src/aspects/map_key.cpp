@@ -84,6 +84,24 @@ std::string map_key(const Manipulator& manipulator, const Box& region, double re
   return key;
 }
 
+std::string coverage_key(const std::optional<MapSlice>& slice, const std::vector<WorkingMode>& modes) {
+  std::string key = "slice:";
+  if (slice) {
+    const Eigen::Vector4d orientation = slice->held.orientation.coeffs();
+    for (const double each : slice->held.position) key += " " + number(each);
+    for (const double each : orientation) key += " " + number(each);
+    for (const double each : slice->axis) key += " " + number(each);
+    for (const bool each : slice->moves) key += each ? " free" : " held";
+    key +=
+        " turning " + std::to_string(static_cast<int>(slice->turning)) + " " + printable(slice->angle_name);
+  } else {
+    key += " all poses";
+  }
+  key += "\nworking modes";
+  for (const WorkingMode& mode : modes) key += " " + to_string(mode);
+  return key + "\n";
+}
+
 std::string first_difference(const std::string& one, const std::string& other) {
   std::istringstream lines(one), other_lines(other);
   for (std::string line, other_line; std::getline(lines, line);)

@@ -2,6 +2,7 @@
 #include "parallel_aspects/aspects/map_plan.h"
 
 #include "parallel_aspects/aspects/pose_tree.h"
+#include "parallel_aspects/aspects/slice_space.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,6 +25,9 @@ double longest_edge(const MapPlan& plan, std::uint32_t level) {
 /// The positions that the map covers; the sentence says why there are none, and is empty otherwise.
 std::string find_positions(const Manipulator& manipulator, const MapOptions& options, const MapPlan& plan,
                            Box& positions) {
+  if (plan.slice && options.region && options.region->dimension != plan.slice->free_positions())
+    return "The region of the slice has " + std::to_string(options.region->dimension) +
+           " coordinates; give one for each free position.";
   const std::optional<Box> region = options.region ? options.region : plan.classifier->reachable_positions();
   if (!region)
     return "The legs of '" + manipulator.name() +
@@ -37,24 +41,62 @@ std::string find_positions(const Manipulator& manipulator, const MapOptions& opt
   return "";
 }
 
+/// The working modes that are mapped, in the order of `working_modes`.
+std::string find_modes(const Manipulator& manipulator, const MapOptions& options, MapPlan& plan) {
+  const std::vector<WorkingMode> all = working_modes(manipulator);
+  const auto holds = [](const std::vector<WorkingMode>& modes, const WorkingMode& mode) {
+    return std::find(modes.begin(), modes.end(), mode) != modes.end();
+  };
+  for (const WorkingMode& mode : options.modes)
+    if (!holds(all, mode))
+      return "'" + manipulator.name() + "' has no working mode " + to_string(mode) + "; its first is " +
+             to_string(all.front()) + ".";
+  for (const WorkingMode& mode : all)
+    if (options.modes.empty() || holds(options.modes, mode)) plan.modes.push_back(mode);
+  return "";
+}
+
+std::string make_classifier(const Manipulator& manipulator, const MapOptions& options, MapPlan& plan) {
+  if (!options.slice) {
+    plan.classifier = make_box_classifier(manipulator, plan.modes);
+    return plan.classifier ? ""
+                           : "All poses of " + std::string(name(manipulator.task_space())) +
+                                 " are more than can be mapped; give a slice of them.";
+  }
+  std::string problem = find_slice_problem(manipulator, *options.slice);
+  if (problem.empty()) plan.classifier = make_slice_classifier(manipulator, plan.modes, *options.slice);
+  plan.slice = options.slice;
+  return problem;
+}
+
+std::shared_ptr<const PoseSpace> make_space(const Manipulator& manipulator, const MapPlan& plan,
+                                            const Box& positions) {
+  const double length = manipulator.characteristic_length();
+  if (plan.slice) return make_slice_space(*plan.slice, positions, length);
+  return make_pose_space(manipulator.task_space(), positions, length);
+}
+
+double default_resolution_of_slice(const Manipulator& manipulator, const MapSlice& slice) {
+  if (slice.free_positions() == 0) return slice.dimension() == 1 ? 0.01 : 0.1;
+  return manipulator.size() / (slice.dimension() < 3 ? 200.0 : 50.0);
+}
+
 }  // namespace
 
 std::string make_map_plan(const Manipulator& manipulator, const MapOptions& options, MapPlan& plan) {
-  plan.modes = working_modes(manipulator);
-  plan.classifier = make_box_classifier(manipulator, plan.modes);
-  if (!plan.classifier)
-    return "Aspects can not be mapped in the task space " + std::string(name(manipulator.task_space())) +
-           " yet.";
-  const double resolution = options.resolution.value_or(default_resolution(manipulator));
+  std::string problem = find_modes(manipulator, options, plan);
+  if (problem.empty()) problem = make_classifier(manipulator, options, plan);
+  if (!problem.empty()) return problem;
+  const double resolution = options.resolution.value_or(default_resolution(manipulator, options.slice));
   if (!std::isfinite(resolution) || resolution <= 0.0)
     return "The resolution is " + std::to_string(resolution) + " m; give a finite and positive one.";
   if (options.extra_levels < 0 || options.extra_levels > most_extra_levels)
     return "The number of extra levels is " + std::to_string(options.extra_levels) + "; give 0 to 20.";
 
   Box positions;
-  const std::string problem = find_positions(manipulator, options, plan, positions);
+  problem = find_positions(manipulator, options, plan, positions);
   if (!problem.empty()) return problem;
-  plan.space = make_pose_space(manipulator.task_space(), positions, manipulator.characteristic_length());
+  plan.space = make_space(manipulator, plan, positions);
   while (longest_edge(plan, plan.depth) > resolution && plan.depth < PoseTree::deepest_level) ++plan.depth;
   if (longest_edge(plan, plan.depth) > resolution)
     return "The resolution is too fine for the size of the region; give a coarser one.";
@@ -64,7 +106,8 @@ std::string make_map_plan(const Manipulator& manipulator, const MapOptions& opti
   return "";
 }
 
-double default_resolution(const Manipulator& manipulator) noexcept {
+double default_resolution(const Manipulator& manipulator, const std::optional<MapSlice>& slice) noexcept {
+  if (slice) return default_resolution_of_slice(manipulator, *slice);
   switch (manipulator.task_space()) {
     case TaskSpace::T1:
     case TaskSpace::T2:

@@ -67,6 +67,7 @@ class RecordReader {
     std::optional<PoseTree> tree = read_tree(plan);
     if (!tree) return nullptr;
     AspectMap::Contents map(std::move(manipulator), std::move(plan.classifier), std::move(*tree), plan.modes);
+    map.slice = plan.slice;
     map.resolution = plan.resolution;
     map.depth = plan.depth;
     map.deepest_level = plan.deepest_level;

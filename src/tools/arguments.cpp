@@ -5,6 +5,9 @@
 #include "parallel_aspects/tools/numbers.h"
 #include "parallel_aspects/tools/subcommands.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -25,17 +28,64 @@ Pose parse_pose(const std::string& option, TaskSpace space, const std::string& t
   return pose.value_or(Pose{});
 }
 
-std::optional<WorkingMode> parse_mode(const std::string& option, const Manipulator& manipulator,
-                                      const std::string& text, Problems& problems) {
+namespace {
+
+/// The signs in the text; nothing where there is anything else of meaning in it.
+std::optional<std::vector<int>> parse_signs(const std::string& text) {
   std::vector<int> signs;
-  bool understood = true;
   for (const char character : text) {
     if (character == '+' || character == '-')
       signs.push_back(character == '+' ? 1 : -1);
-    else
-      understood = understood && std::string(" ,()").find(character) != std::string::npos;
+    else if (std::string(" ,()").find(character) == std::string::npos)
+      return std::nullopt;
   }
-  if (understood && signs.size() == manipulator.leg_count()) return WorkingMode::from_signs(signs);
+  return signs;
+}
+
+}  // namespace
+
+std::vector<WorkingMode> parse_modes(const std::string& option, const Manipulator& manipulator,
+                                     const std::string& text, Problems& problems) {
+  if (text.empty()) return {};
+  const auto signs = parse_signs(text);
+  const std::size_t legs = manipulator.leg_count();
+  if (!signs || signs->empty() || signs->size() % legs != 0) {
+    const WorkingMode example = WorkingMode::from_index(legs, 1);
+    problems.push_back(option + " is '" + text + "'; give the signs of B_jj of each leg, such as \"" +
+                       to_string(example) + "\", for each working mode.");
+    return {};
+  }
+  std::vector<WorkingMode> modes;
+  for (auto first = signs->begin(); first != signs->end(); first += static_cast<std::ptrdiff_t>(legs))
+    modes.push_back(*WorkingMode::from_signs({first, first + static_cast<std::ptrdiff_t>(legs)}));
+  return modes;
+}
+
+MapSlice parse_slice(const std::string& option, TaskSpace space, const std::string& text,
+                     Problems& problems) {
+  std::string words = text;
+  std::replace(words.begin(), words.end(), ',', ' ');
+  std::istringstream stream(words);
+  std::vector<HeldCoordinate> held;
+  const std::size_t known = problems.size();
+  for (std::string word; stream >> word;) {
+    const std::size_t equals = word.find('=');
+    const std::string name = word.substr(0, equals);
+    if (equals == std::string::npos) {
+      problems.push_back(option + " has '" + word +
+                         "'; give what is held with its value, such as \"z=0.5\".");
+      continue;
+    }
+    const auto value = parse_numbers(option, word.substr(equals + 1), {name}, problems);
+    held.push_back({name, value.empty() ? 0.0 : value.front()});
+  }
+  return problems.size() > known ? MapSlice{} : make_slice(space, held, problems);
+}
+
+std::optional<WorkingMode> parse_mode(const std::string& option, const Manipulator& manipulator,
+                                      const std::string& text, Problems& problems) {
+  const auto signs = parse_signs(text);
+  if (signs && signs->size() == manipulator.leg_count()) return WorkingMode::from_signs(*signs);
   const WorkingMode example = WorkingMode::from_index(manipulator.leg_count(), 1);
   problems.push_back(option + " is '" + text + "'; give the sign of B_jj of each leg, such as \"" +
                      to_string(example) + "\".");

@@ -21,32 +21,48 @@ using nlohmann::json;
 
 constexpr unsigned most_threads = 1024;
 
-json json_aspect(TaskSpace space, const Aspect& aspect) {
+json json_aspect(const AspectMap& map, const Aspect& aspect) {
   return {{"id", aspect.id},
           {"working_mode", aspect.mode.signs()},
           {"det_a_sign", aspect.determinant_sign},
           {"measure", json_number(aspect.measure)},
           {"measure_lower", json_number(aspect.measure_lower)},
           {"measure_upper", json_number(aspect.measure_upper)},
-          {"unit", std::string(measure_unit(space))},
+          {"unit", map.unit()},
           {"inside_leaves", aspect.inside_leaves},
-          {"bounding_box", json_box(space, aspect.bounds)},
-          {"deepest_pose", json_pose(space, aspect.deepest)},
+          {"bounding_box", json_box(map.coordinates(), aspect.bounds)},
+          {"deepest_pose", json_pose(map.manipulator()->task_space(), aspect.deepest)},
           {"clearance", json_number(aspect.deepest_clearance)},
           {"unresolved_with", aspect.unresolved_with}};
 }
 
+/// What is held and what is free; null where all poses are mapped.
+json json_slice(const AspectMap& map) {
+  if (!map.slice()) return nullptr;
+  json held = json::object();
+  for (const HeldCoordinate& each : map.slice()->held_coordinates) held[each.name] = json_number(each.value);
+  const bool freely = map.slice()->turning == MapSlice::Turning::freely;
+  return {{"held", held},
+          {"free", freely ? std::vector<std::string>{"roll", "pitch", "yaw"} : map.coordinates()}};
+}
+
 json json_map(const AspectMap& map) {
   const TaskSpace space = map.manipulator()->task_space();
-  json object = {
-      {"mechanism", map.manipulator()->name()},  {"task_space", std::string(name(space))},
-      {"region", json_box(space, map.region())}, {"resolution", json_number(map.resolution())},
-      {"seconds", json_number(map.seconds())},   {"unit", std::string(measure_unit(space))},
-      {"working_modes", json::array()},          {"aspects", json::array()},
-      {"proved_count", map.proved_count()},      {"inside_components", map.aspects().size()},
-      {"unresolved", map.unresolved()},          {"measure_undecided", json_number(map.measure_undecided())}};
+  json object = {{"mechanism", map.manipulator()->name()},
+                 {"task_space", std::string(name(space))},
+                 {"slice", json_slice(map)},
+                 {"region", json_box(map.coordinates(), map.region())},
+                 {"resolution", json_number(map.resolution())},
+                 {"seconds", json_number(map.seconds())},
+                 {"unit", map.unit()},
+                 {"working_modes", json::array()},
+                 {"aspects", json::array()},
+                 {"proved_count", map.proved_count()},
+                 {"inside_components", map.aspects().size()},
+                 {"unresolved", map.unresolved()},
+                 {"measure_undecided", json_number(map.measure_undecided())}};
   for (const WorkingMode& mode : map.working_modes()) object["working_modes"].push_back(mode.signs());
-  for (const Aspect& aspect : map.aspects()) object["aspects"].push_back(json_aspect(space, aspect));
+  for (const Aspect& aspect : map.aspects()) object["aspects"].push_back(json_aspect(map, aspect));
   return object;
 }
 
@@ -65,14 +81,15 @@ std::string bounds_text(const Box& box) {
   return text;
 }
 
-std::string aspect_table(TaskSpace space, const std::vector<Aspect>& aspects) {
-  TextTable table({">id", "working mode", "det A", ">measure [" + std::string(measure_unit(space)) + "]",
-                   ">at least", ">at most", ">leaves", "bounds", "deepest pose", ">clearance"});
-  for (const Aspect& aspect : aspects)
+std::string aspect_table(const AspectMap& map) {
+  TextTable table({">id", "working mode", "det A", ">measure [" + map.unit() + "]", ">at least", ">at most",
+                   ">leaves", "bounds", "deepest pose", ">clearance"});
+  for (const Aspect& aspect : map.aspects())
     table.add({std::to_string(aspect.id), to_string(aspect.mode), shown_sign(aspect.determinant_sign),
                shown(aspect.measure), shown(aspect.measure_lower), shown(aspect.measure_upper),
                std::to_string(aspect.inside_leaves), bounds_text(aspect.bounds),
-               pose_text(space, aspect.deepest), shown_briefly(aspect.deepest_clearance)});
+               pose_text(map.manipulator()->task_space(), aspect.deepest),
+               shown_briefly(aspect.deepest_clearance)});
   return table.text();
 }
 
@@ -86,20 +103,23 @@ std::string unresolved_text(const std::vector<std::pair<int, int>>& pairs) {
 
 std::string map_text(const AspectMap& map) {
   const TaskSpace space = map.manipulator()->task_space();
-  const std::string unit(measure_unit(space));
   std::string text = map.manipulator()->name() + ": " + counted(map.aspects().size(), "aspect") + " in " +
                      counted(map.working_modes().size(), "working mode") + ", " +
                      std::to_string(map.proved_count()) + " proved distinct\n";
+  if (map.slice())
+    text += "slice " + to_string(*map.slice()) +
+            ": aspects of the slice, of which two may be joined outside of it\n";
   text += "task space " + std::string(name(space)) + ", region " + bounds_text(map.region()) +
           ", resolution " + shown(map.resolution()) + ", " + shown(map.seconds()) + " s\n\n";
-  text += aspect_table(space, map.aspects());
+  text += aspect_table(map);
   text += "\npairs that could be one aspect: " + unresolved_text(map.unresolved()) + "\n";
-  text += "undecided, over all working modes: " + shown(map.measure_undecided()) + " " + unit + "\n";
+  text += "undecided, over all working modes: " + shown(map.measure_undecided()) + " " + map.unit() + "\n";
   return text;
 }
 
 struct MapArguments {
   RobotChoice robot;
+  std::string slice, modes;  // empty where not given
   std::string resolution;
   std::string threads;
   std::string load_file, save_file;  // empty where not given
@@ -132,18 +152,29 @@ Report roadmap_report(std::shared_ptr<const Manipulator> manipulator, const MapA
   options.threads = parse_options(arguments, problems).threads;
   if (!arguments.resolution.empty())
     problems.emplace_back(
-        "--resolution is that of a map of boxes, which there is none of in SE3; give --samples.");
+        "--resolution is that of a map of boxes, which there is none of in SE3 without --slice; give that or "
+        "--samples.");
   if (!arguments.load_file.empty() || !arguments.save_file.empty())
     problems.emplace_back(
-        "--load and --save are for maps of boxes, which there is none of in SE3; leave them out.");
+        "--load and --save are for maps of boxes, which there is none of in SE3 without --slice; leave them "
+        "out.");
+  if (!arguments.modes.empty())
+    problems.emplace_back(
+        "--mode is for maps of boxes, which there is none of in SE3 without --slice; leave it out.");
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
   return report_roadmap(*compute_roadmap(std::move(manipulator), options, surroundings));
 }
 
-void refuse_roadmap_options(const RoadmapArguments& arguments, const Manipulator& manipulator) {
-  if (arguments.samples.empty() && arguments.seed.empty()) return;
-  throw InvalidDescription({"--samples and --seed are for roadmaps, in SE3; '" + manipulator.name() +
-                            "' has a map of boxes, so give --resolution."});
+/// The options that depend on the robot.
+void add_coverage(const MapArguments& arguments, const Manipulator& manipulator, MapOptions& options) {
+  Problems problems;
+  if (!arguments.roadmap.samples.empty() || !arguments.roadmap.seed.empty())
+    problems.push_back("--samples and --seed are for roadmaps, in SE3 without --slice; the map of '" +
+                       manipulator.name() + "' is one of boxes, so give --resolution.");
+  options.modes = parse_modes("--mode", manipulator, arguments.modes, problems);
+  if (!arguments.slice.empty())
+    options.slice = parse_slice("--slice", manipulator.task_space(), arguments.slice, problems);
+  if (!problems.empty()) throw InvalidDescription(std::move(problems));
 }
 
 std::shared_ptr<const AspectMap> compute(std::shared_ptr<const Manipulator> manipulator,
@@ -194,6 +225,13 @@ Subcommand map_subcommand() {
       {"--resolution", "R",
        "Longest edge of an undecided leaf of the base map [m or rad]; by default what suits the robot",
        &arguments->resolution});
+  options.push_back({"--slice", "\"z=1\"",
+                     "Map a line, plane or volume of poses: what is held, with its value [m or rad]; the "
+                     "rest is free",
+                     &arguments->slice});
+  options.push_back({"--mode", "\"(+,-)\"",
+                     "Map these working modes only, as signs of B_jj; by default every one",
+                     &arguments->modes});
   options.push_back({"--threads", "N",
                      "Threads to compute with; by default one a core. The result does not depend on it",
                      &arguments->threads});
@@ -207,12 +245,12 @@ Subcommand map_subcommand() {
   return {"map", "Compute the certified map of aspects, or with six freedoms a certified roadmap", options,
           [arguments](const Surroundings& surroundings) {
             Problems problems;
-            const MapOptions map_options = parse_options(*arguments, problems);
+            MapOptions map_options = parse_options(*arguments, problems);
             check_save_folder(arguments->save_file, problems);
             const auto mechanism = load_robot(arguments->robot, std::move(problems));
-            if (mechanism->manipulator()->task_space() == TaskSpace::SE3)
+            if (mechanism->manipulator()->task_space() == TaskSpace::SE3 && arguments->slice.empty())
               return roadmap_report(mechanism->manipulator(), *arguments, surroundings);
-            refuse_roadmap_options(arguments->roadmap, *mechanism->manipulator());
+            add_coverage(*arguments, *mechanism->manipulator(), map_options);
             return load_or_compute(mechanism->manipulator(), map_options, *arguments, surroundings);
           }};
 }

@@ -34,8 +34,7 @@ nlohmann::json json_pose(TaskSpace space, const Pose& pose) {
   return object;
 }
 
-nlohmann::json json_box(TaskSpace space, const Box& box) {
-  const auto& names = coordinate_names(space);
+nlohmann::json json_box(const std::vector<std::string>& names, const Box& box) {
   nlohmann::json lower = nlohmann::json::object();
   nlohmann::json upper = nlohmann::json::object();
   for (std::size_t i = 0; i < box.dimension; ++i) {

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "support/robots.h"
+#include "support/sign_at.h"
 #include <cmath>
 #include <functional>
 #include <random>
@@ -20,28 +21,6 @@ struct Case {
   const char* name;
   std::function<std::shared_ptr<const Manipulator>()> make;
 };
-
-// A second way to S(s, sigma), in plain double precision: the sign of det A at one pose; 0 outside; nothing
-// where rounding may tell one from the other.
-std::optional<int> sign_at(const Manipulator& robot, const Pose& pose, const WorkingMode& mode) {
-  const InverseSolution solution = inverse(robot, pose, mode);
-  for (const Leg& leg : robot.legs()) {
-    const double entry = squared_inverse_entry(leg, pose.transform(leg.anchor));
-    const double scale = leg.driven_by_angle() ? std::pow(robot.size(), 4) : std::pow(robot.size(), 2);
-    if (std::abs(entry) < 1e-9 * scale) return std::nullopt;
-  }
-  if (solution.status == InverseStatus::out_of_reach) return 0;
-  for (std::size_t j = 0; j < robot.leg_count(); ++j) {
-    const double q = solution.q[static_cast<Eigen::Index>(j)];
-    const JointLimits& limits = robot.leg(j).limits;
-    if (std::abs(q - limits.lower) < 1e-9 || std::abs(q - limits.upper) < 1e-9) return std::nullopt;
-  }
-  if (solution.status != InverseStatus::solved) return 0;
-  const TaskMatrix direct = direct_matrix(robot, pose, solution.q);
-  const double determinant = direct_determinant(robot, pose, solution.q);
-  if (std::abs(determinant) < 1e-9 * std::pow(direct.norm(), direct.rows())) return std::nullopt;
-  return determinant > 0.0 ? 1 : -1;
-}
 
 bool contradicts(LeafState state, int sign) {
   if (state.is_inside()) return !state.is_inside(sign);
@@ -109,7 +88,7 @@ TEST_P(BoxClassifierTest, NoPoseContradictsItsBox) {
       const Pose pose = space->pose({root, point});
       for (std::size_t m = 0; m < modes.size(); ++m) {
         inside += states[m].is_inside();
-        const auto sign = sign_at(*robot, pose, modes[m]);
+        const auto sign = test::sign_at(*robot, pose, modes[m]);
         if (!sign) continue;
         ++checked;
         ASSERT_FALSE(contradicts(states[m], *sign))
@@ -138,7 +117,7 @@ TEST_P(BoxClassifierTest, SmallBoxesAreDecided) {
     const RoundingUpward rounding;
     classifier->classify(position.root, box, ~ModeSet{0}, Detail::parts, states.data());
     for (std::size_t m = 0; m < modes.size(); ++m) {
-      if (!sign_at(*robot, space->pose(position), modes[m])) continue;
+      if (!test::sign_at(*robot, space->pose(position), modes[m])) continue;
       ++clear;
       decided += !states[m].is_undecided();
     }

@@ -245,6 +245,48 @@ TEST_F(Command, MapHasTheDocumentedFields) {
   EXPECT_LE(map.at("resolution").get<double>(), 0.5);
 }
 
+TEST_F(Command, SlicesAreMapped) {
+  const json plane =
+      run_json({"map", "stewart", "--slice", "z=1.3, roll=0 pitch=0 yaw=0", "--resolution", "0.1"});
+  EXPECT_EQ(plane.at("slice").at("held").at("z"), 1.3);
+  EXPECT_EQ(plane.at("slice").at("free"), (std::vector<std::string>{"x", "y"}));
+  EXPECT_EQ(plane.at("unit"), "m^2");
+  EXPECT_EQ(plane.at("region").at("lower").size(), 2U);
+  EXPECT_EQ(plane.at("proved_count"), 1);
+  EXPECT_EQ(plane.at("aspects").at(0).at("deepest_pose").at("z"), 1.3);
+  const json line = run_json({"map", "three_rrr", "--slice", "x=-3 y=0", "--mode", "(+,+,+) (-,+,+)"});
+  EXPECT_EQ(line.at("slice").at("free"), (std::vector<std::string>{"phi"}));
+  EXPECT_EQ(line.at("unit"), "rad");
+  EXPECT_LE(line.at("working_modes").size(), 2U);
+  EXPECT_TRUE(run_json({"map", "five_bar"}).at("slice").is_null());
+}
+
+TEST_F(Command, BadSlicesAreRefused) {
+  const std::map<std::vector<const char*>, const char*> refused{
+      {{"map", "delta", "--slice", "phi=0"},
+       "A slice of T3 has no coordinate 'phi'; hold some of x, y and z.\n"},
+      {{"map", "delta", "--slice", "z"},
+       "--slice has 'z'; give what is held with its value, such as \"z=0.5\".\n"},
+      {{"map", "delta", "--slice", "z=high"},
+       "--slice has 'high', which is not a finite number; give one.\n"},
+      {{"map", "delta", "--mode", "(+,-)"},
+       "--mode is '(+,-)'; give the signs of B_jj of each leg, such as \"(-,+,+)\", for each working "
+       "mode.\n"},
+      {{"map", "stewart", "--mode", "(-,+,+,+,+,+)", "--slice", "z=1.3 roll=0 pitch=0 yaw=0"},
+       "'stewart' has no working mode (-,+,+,+,+,+); its first is (+,+,+,+,+,+).\n"},
+      {{"map", "stewart", "--mode", "(+,+,+,+,+,+)"},
+       "--mode is for maps of boxes, which there is none of in SE3 without --slice; leave it out.\n"},
+      {{"map", "hexa", "--slice", "z=-0.6 roll=0 pitch=0", "--samples", "10"},
+       "--samples and --seed are for roadmaps, in SE3 without --slice; the map of 'hexa' is one of boxes, so "
+       "give --resolution.\n"}};
+  for (const auto& [arguments, message] : refused) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.code, exit_code::bad_input) << message;
+    EXPECT_EQ(outcome.messages, message);
+    EXPECT_EQ(outcome.output, "");
+  }
+}
+
 TEST_F(Command, MapsAreSavedAndLoaded) {
   std::string folder = (std::filesystem::temp_directory_path() / "command_XXXXXX").string();
   ASSERT_NE(mkdtemp(folder.data()), nullptr);

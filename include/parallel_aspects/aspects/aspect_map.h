@@ -3,6 +3,7 @@
 #define PARALLEL_ASPECTS_ASPECTS_ASPECT_MAP_H
 
 #include "parallel_aspects/aspects/box.h"
+#include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/kinematics/working_mode.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"
@@ -26,9 +27,15 @@ struct MapOptions {
   /// By default `default_resolution`.
   std::optional<double> resolution;
 
-  /// Where to look: a box of positions [m], over all orientations; by default one that encloses every
-  /// reachable pose. Rounded outward to binary fractions. Not used in SO3.
+  /// Where to look: a box of positions [m], over all orientations, of a slice the free ones; by default one
+  /// that encloses every reachable pose. Rounded outward to binary fractions. Not used in SO3.
   std::optional<Box> region;
+
+  /// What is mapped in place of all poses; by default all of them. Needed in SE3.
+  std::optional<MapSlice> slice;
+
+  /// Which working modes are mapped; by default every one that the kinds of the legs allow.
+  std::vector<WorkingMode> modes;
 
   /// Worker threads; 0 for one a core. The result does not depend on it.
   unsigned threads = 0;
@@ -99,6 +106,12 @@ class AspectMap {
   AspectMap& operator=(const AspectMap&) = delete;
 
   const std::shared_ptr<const Manipulator>& manipulator() const noexcept;
+
+  /// What was mapped in place of all poses; nothing where all of them were.
+  const std::optional<MapSlice>& slice() const noexcept;
+  std::vector<std::string> coordinates() const;  ///< of its boxes, by name; of none in SO3
+  std::string unit() const;                      ///< of its measures
+
   Box region() const noexcept;                                     ///< what was searched
   double resolution() const noexcept;                              ///< longest edge of a base leaf [m or rad]
   const std::vector<WorkingMode>& working_modes() const noexcept;  ///< those with at least one inside leaf
@@ -148,14 +161,16 @@ struct MapResult {
   std::shared_ptr<const AspectMap> map;  ///< set when complete
 };
 
-/// Computes the map, in every task space but SE3, which is refused with a sentence. Bad options are refused
-/// likewise.
+/// Computes the map, of a slice in SE3 and of all poses or of a slice elsewhere. SE3 without a slice and bad
+/// options are refused with a sentence.
 MapResult compute_aspect_map(std::shared_ptr<const Manipulator> manipulator, const MapOptions& options = {},
                              const MapControl& control = {});
 
 /// The resolution that is taken where none is given: 1/200 of the robot's size in T2, 1/50 in SE2 and T3 [m],
-/// 0.1 rad in SO3.
-double default_resolution(const Manipulator& manipulator) noexcept;
+/// 0.1 rad in SO3; in slices 1/200 of the robot's size for one or two free coordinates and 1/50 for three
+/// [m], or where no position is free 0.01 rad for an angle and 0.1 rad for orientations.
+double default_resolution(const Manipulator& manipulator,
+                          const std::optional<MapSlice>& slice = std::nullopt) noexcept;
 
 }  // namespace parallel_aspects
 

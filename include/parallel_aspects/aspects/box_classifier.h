@@ -5,6 +5,7 @@
 #include "parallel_aspects/aspects/box.h"
 #include "parallel_aspects/aspects/growth.h"
 #include "parallel_aspects/aspects/leaf_state.h"
+#include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/aspects/pose_space.h"
 #include "parallel_aspects/kinematics/working_mode.h"
 #include "parallel_aspects/model/manipulator.h"
@@ -40,7 +41,7 @@ struct Condition {
 /// Functions that are positive in S(mode, sign), and zero or less on its boundary: B_jj^2 of each leg, det A
 /// times the sign, and what limits demand.
 struct Conditions {
-  static constexpr std::size_t most = 3 * max_map_dimension + 1;
+  static constexpr std::size_t most = 3 * std::size_t{max_legs} + 1;
 
   std::array<Condition, most> items;
   std::size_t count = 0;
@@ -75,6 +76,12 @@ class BoxClassifier {
 /// The classifier for the manipulator's task space; null where there is none yet.
 std::unique_ptr<const BoxClassifier> make_box_classifier(const Manipulator& manipulator,
                                                          const std::vector<WorkingMode>& modes);
+
+/// The classifier for a slice of the manipulator's poses (see `find_slice_problem`), in the coordinates of
+/// `make_slice_space`.
+std::unique_ptr<const BoxClassifier> make_slice_classifier(const Manipulator& manipulator,
+                                                           const std::vector<WorkingMode>& modes,
+                                                           const MapSlice& slice);
 
 }  // namespace parallel_aspects
 

@@ -14,8 +14,10 @@ namespace parallel_aspects {
 template <class Chart>
 class ChartClassifier final : public BoxClassifier {
  public:
-  ChartClassifier(const Manipulator& manipulator, const std::vector<WorkingMode>& modes)
-      : chart_(made_under_upward_rounding(manipulator)) {
+  /// `more`: what the chart is made of besides the manipulator.
+  template <class... More>
+  ChartClassifier(const Manipulator& manipulator, const std::vector<WorkingMode>& modes, const More&... more)
+      : chart_(made_under_upward_rounding(manipulator, more...)) {
     for (const WorkingMode& mode : modes) signs_.push_back(signs_of(mode));
   }
 
@@ -44,7 +46,7 @@ class ChartClassifier final : public BoxClassifier {
   }
 
   Conditions conditions(const MapPosition& position, std::size_t mode, int sign) const noexcept override {
-    const Box box{Chart::size, position.point, position.point};
+    const Box box{Chart::coordinate_count, position.point, position.point};
     Evaluation evaluation(chart_, position.root, box);
     evaluation.evaluate_by_intervals();
     evaluation.evaluate_by_affine_forms();
@@ -57,9 +59,10 @@ class ChartClassifier final : public BoxClassifier {
   using Evaluation = ChartEvaluation<Chart>;
   using Signs = typename Evaluation::Signs;
 
-  static Chart made_under_upward_rounding(const Manipulator& manipulator) {
+  template <class... More>
+  static Chart made_under_upward_rounding(const Manipulator& manipulator, const More&... more) {
     const RoundingUpward rounding;
-    return Chart(manipulator);
+    return Chart(manipulator, more...);
   }
 
   static Signs signs_of(const WorkingMode& mode) {

@@ -26,8 +26,8 @@ namespace parallel_aspects {
 template <class Chart>
 class ChartEvaluation {
  public:
-  static constexpr std::size_t size = Chart::size;
-  using Signs = std::array<int, size>;
+  static constexpr std::size_t leg_count = Chart::leg_count, coordinate_count = Chart::coordinate_count;
+  using Signs = std::array<int, leg_count>;
 
   ChartEvaluation(const Chart& chart, RootIndex root, const Box& box)
       : chart_(chart), root_(root), box_(box) {}
@@ -35,28 +35,27 @@ class ChartEvaluation {
   const Box& box() const noexcept { return box_; }
 
   void evaluate_by_intervals() {
-    std::array<Interval, size> coordinates;
-    for (std::size_t i = 0; i < size; ++i) coordinates[i] = Interval(box_.lower[i], box_.upper[i]);
-    find_legs(coordinates, intervals_.legs);
-    for (std::size_t j = 0; j < size; ++j) squared_entries_[j] = intervals_.legs[j].rows.squared_entry;
+    std::array<Interval, coordinate_count> position;
+    for (std::size_t i = 0; i < coordinate_count; ++i) position[i] = range(i);
+    find_legs(position, intervals_.legs);
+    for (std::size_t j = 0; j < leg_count; ++j) squared_entries_[j] = intervals_.legs[j].rows.squared_entry;
     find_entries();
     if (reachable_nowhere_) return;
-    for (std::size_t j = 0; j < size; ++j) intervals_.entries[j] = entries_[j];
+    for (std::size_t j = 0; j < leg_count; ++j) intervals_.entries[j] = entries_[j];
     intervals_.combine();
   }
 
   /// Needs the intervals.
   void evaluate_by_affine_forms() {
-    std::array<Form, size> coordinates;
-    for (std::size_t i = 0; i < size; ++i)
-      coordinates[i] = Form::coordinate(Interval(box_.lower[i], box_.upper[i]), i);
+    std::array<Form, coordinate_count> position;
+    for (std::size_t i = 0; i < coordinate_count; ++i) position[i] = Form::coordinate(range(i), i);
     forms_.emplace();
-    find_legs(coordinates, forms_->legs);
-    for (std::size_t j = 0; j < size; ++j)
+    find_legs(position, forms_->legs);
+    for (std::size_t j = 0; j < leg_count; ++j)
       squared_entries_[j] = intersection(squared_entries_[j], forms_->legs[j].rows.squared_entry.range());
     find_entries();
     if (reachable_nowhere_) return;
-    for (std::size_t j = 0; j < size; ++j)
+    for (std::size_t j = 0; j < leg_count; ++j)
       forms_->entries[j] = clear_[j]
                                ? square_root(forms_->legs[j].rows.squared_entry, squared_entries_[j].lower())
                                : Form(entries_[j]);
@@ -79,7 +78,7 @@ class ChartEvaluation {
     if (reachable_nowhere_) return Growth::unknown();
     evaluate_slopes();
     Growth growth = Growth::of_everything();
-    for (std::size_t j = 0; j < size; ++j) {
+    for (std::size_t j = 0; j < leg_count; ++j) {
       if (!clear_[j]) growth.require(ranges(slopes_->legs[j].rows.squared_entry.gradient));
       require_limits(j, signs[j], growth);
     }
@@ -105,7 +104,7 @@ class ChartEvaluation {
       return std::nullopt;
     evaluate_slopes();
     Growth reachable = Growth::of_everything(), falling = Growth::of_everything();
-    for (std::size_t j = 0; j < size; ++j) {
+    for (std::size_t j = 0; j < leg_count; ++j) {
       if (clear_[j]) continue;
       reachable.require(ranges(slopes_->legs[j].rows.squared_entry.gradient));
       const Interval at_boundary = determinant_without_entry(j, signs).range();
@@ -130,7 +129,7 @@ class ChartEvaluation {
     Conditions result;
     if (reachable_nowhere_ || !clear_everywhere()) return result;
     evaluate_slopes();
-    for (std::size_t j = 0; j < size; ++j) {
+    for (std::size_t j = 0; j < leg_count; ++j) {
       result.add(condition(slopes_->legs[j].rows.squared_entry));
       add_limits(chart_.limits(j, slopes_->legs[j].displacement, slopes_->entries[j], signs[j]), result);
     }
@@ -139,41 +138,41 @@ class ChartEvaluation {
   }
 
  private:
-  using Form = Affine<size>;
-  using Slope = Dual<size, Form>;
+  using Form = Affine<coordinate_count>;
+  using Slope = Dual<coordinate_count, Form>;
 
   template <class Scalar>
   struct EvaluatedLeg {
     typename Chart::template Displacement<Scalar> displacement;
-    LegRows<Scalar, size> rows;
+    LegRows<Scalar, leg_count> rows;
   };
 
   /// Legs and what follows from them, over one kind of numbers.
   template <class Scalar>
   struct Evaluated {
-    std::array<EvaluatedLeg<Scalar>, size> legs;
-    std::array<Scalar, size> entries;  // |B_jj|
-    std::array<BranchRows<Scalar, size>, size> rows;
-    std::optional<Determinants<Scalar, size>> determinants;
+    std::array<EvaluatedLeg<Scalar>, leg_count> legs;
+    std::array<Scalar, leg_count> entries;  // |B_jj|
+    std::array<BranchRows<Scalar, leg_count>, leg_count> rows;
+    std::optional<Determinants<Scalar, leg_count>> determinants;
 
     void combine() {
-      for (std::size_t j = 0; j < size; ++j) rows[j] = branch_rows(legs[j].rows, entries[j]);
+      for (std::size_t j = 0; j < leg_count; ++j) rows[j] = branch_rows(legs[j].rows, entries[j]);
       determinants.emplace(rows);
     }
   };
 
   template <class Scalar>
-  void find_legs(const std::array<Scalar, size>& coordinates,
-                 std::array<EvaluatedLeg<Scalar>, size>& legs) const {
-    const auto placement = chart_.place(root_, coordinates);
-    for (std::size_t j = 0; j < size; ++j) {
-      legs[j].displacement = chart_.displacement(j, placement);
-      legs[j].rows = chart_.rows(j, legs[j].displacement, placement);
+  void find_legs(const std::array<Scalar, coordinate_count>& position,
+                 std::array<EvaluatedLeg<Scalar>, leg_count>& found) const {
+    const auto placement = chart_.place(root_, position);
+    for (std::size_t j = 0; j < leg_count; ++j) {
+      found[j].displacement = chart_.displacement(j, placement);
+      found[j].rows = chart_.rows(j, found[j].displacement, placement);
     }
   }
 
   void find_entries() {
-    for (std::size_t j = 0; j < size; ++j) {
+    for (std::size_t j = 0; j < leg_count; ++j) {
       clear_[j] = squared_entries_[j].positive();
       reachable_nowhere_ = reachable_nowhere_ || squared_entries_[j].upper() <= 0.0;
       if (!reachable_nowhere_) entries_[j] = square_root(not_negative_part(squared_entries_[j]));
@@ -183,15 +182,15 @@ class ChartEvaluation {
   void evaluate_slopes() {
     if (slopes_) return;
     slopes_.emplace();
-    std::array<Slope, size> coordinates;
-    for (std::size_t i = 0; i < size; ++i)
-      coordinates[i] = Slope::coordinate(Form::coordinate(Interval(box_.lower[i], box_.upper[i]), i), i);
-    find_legs(coordinates, slopes_->legs);
-    for (std::size_t j = 0; j < size; ++j) {
+    std::array<Slope, coordinate_count> position;
+    for (std::size_t i = 0; i < coordinate_count; ++i)
+      position[i] = Slope::coordinate(Form::coordinate(range(i), i), i);
+    find_legs(position, slopes_->legs);
+    for (std::size_t j = 0; j < leg_count; ++j) {
       slopes_->entries[j] = Slope(forms_->entries[j]);
       if (!clear_[j]) continue;
       const Form factor = reciprocal(Interval(2.0) * forms_->entries[j], entries_[j].lower());
-      for (std::size_t i = 0; i < size; ++i)
+      for (std::size_t i = 0; i < coordinate_count; ++i)
         slopes_->entries[j].gradient[i] = factor * slopes_->legs[j].rows.squared_entry.gradient[i];
     }
     slopes_->combine();
@@ -209,14 +208,16 @@ class ChartEvaluation {
 
   Verdict within_limits(const Signs& signs) const {
     Verdict all = Verdict::holds;
-    for (std::size_t j = 0; j < size && all != Verdict::fails; ++j)
+    for (std::size_t j = 0; j < leg_count && all != Verdict::fails; ++j)
       all = both(all, verdict(chart_.limits(j, intervals_.legs[j].displacement, entries_[j], signs[j])));
     return all;
   }
 
-  static std::array<Interval, size> ranges(const std::array<Form, size>& forms) {
-    std::array<Interval, size> result;
-    for (std::size_t i = 0; i < size; ++i) result[i] = forms[i].range();
+  Interval range(std::size_t i) const { return {box_.lower[i], box_.upper[i]}; }
+
+  static std::array<Interval, coordinate_count> ranges(const std::array<Form, coordinate_count>& forms) {
+    std::array<Interval, coordinate_count> result;
+    for (std::size_t i = 0; i < coordinate_count; ++i) result[i] = forms[i].range();
     return result;
   }
 
@@ -242,11 +243,11 @@ class ChartEvaluation {
     // d|B_jj|, the slope of det A times 2 |B_jj| is  2 |B_jj| d(det A) + D dg.  With several such legs each
     // term is asked to have the sign.
     if (unclear != 1) growth.require(ranges(determinant.gradient));
-    for (std::size_t j = 0; j < size; ++j) {
+    for (std::size_t j = 0; j < leg_count; ++j) {
       if (clear_[j]) continue;
       const Form lever = factor * slope_along_entry(j, signs), weight = Interval(2.0) * forms_->entries[j];
-      std::array<Form, size> term;
-      for (std::size_t i = 0; i < size; ++i) {
+      std::array<Form, coordinate_count> term;
+      for (std::size_t i = 0; i < coordinate_count; ++i) {
         term[i] = lever * slopes_->legs[j].rows.squared_entry.gradient[i];
         if (unclear == 1) term[i] += weight * determinant.gradient[i];
       }
@@ -256,28 +257,28 @@ class ChartEvaluation {
 
   /// d det A / d|B_jj|: det A with row j turned.
   Form slope_along_entry(std::size_t j, const Signs& signs) const {
-    std::array<BranchRows<Form, size>, size> rows = forms_->rows;
+    std::array<BranchRows<Form, leg_count>, leg_count> rows = forms_->rows;
     rows[j].positive = forms_->legs[j].rows.turned;
-    for (std::size_t i = 0; i < size; ++i) rows[j].negative[i] = -forms_->legs[j].rows.turned[i];
-    return Determinants<Form, size>(rows).of(signs);
+    for (std::size_t i = 0; i < leg_count; ++i) rows[j].negative[i] = -forms_->legs[j].rows.turned[i];
+    return Determinants<Form, leg_count>(rows).of(signs);
   }
 
   /// det A where B_jj = 0.
   Form determinant_without_entry(std::size_t j, const Signs& signs) const {
-    std::array<BranchRows<Form, size>, size> rows = forms_->rows;
+    std::array<BranchRows<Form, leg_count>, leg_count> rows = forms_->rows;
     rows[j].positive = rows[j].negative = forms_->legs[j].rows.fixed;
-    return Determinants<Form, size>(rows).of(signs);
+    return Determinants<Form, leg_count>(rows).of(signs);
   }
 
   bool is_unreachable(const MapPoint& point) const {
-    const Box box{size, point, point};
+    const Box box{coordinate_count, point, point};
     ChartEvaluation evaluation(chart_, root_, box);
     evaluation.evaluate_by_intervals();
     return evaluation.reachable_nowhere_;
   }
 
   bool center_is_reachable(const Signs& signs) const {
-    for (std::size_t j = 0; j < size; ++j) {
+    for (std::size_t j = 0; j < leg_count; ++j) {
       const Interval squared_entry = forms_->legs[j].rows.squared_entry.at_center();
       if (!squared_entry.positive()) return false;
       const Form entry(square_root(squared_entry));
@@ -291,7 +292,7 @@ class ChartEvaluation {
 
   static Condition condition(const Slope& function) {
     Condition result{middle(function.value.range()), {}};
-    for (std::size_t i = 0; i < size; ++i) result.slope[i] = middle(function.gradient[i].range());
+    for (std::size_t i = 0; i < coordinate_count; ++i) result.slope[i] = middle(function.gradient[i].range());
     return result;
   }
 
@@ -307,8 +308,8 @@ class ChartEvaluation {
   const Chart& chart_;
   RootIndex root_;
   const Box& box_;
-  std::array<Interval, size> squared_entries_, entries_;  // B_jj^2 and |B_jj|, from the best enclosures
-  std::array<bool, size> clear_{};
+  std::array<Interval, leg_count> squared_entries_, entries_;  // B_jj^2 and |B_jj|, from the best enclosures
+  std::array<bool, leg_count> clear_{};
   bool reachable_nowhere_ = false;
   Evaluated<Interval> intervals_;
   std::optional<Evaluated<Form>> forms_;  // made where they are needed: they are large

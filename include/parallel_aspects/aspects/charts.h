@@ -7,6 +7,7 @@
 #include "parallel_aspects/aspects/leg_rows.h"
 #include "parallel_aspects/aspects/planar_leg.h"
 #include "parallel_aspects/aspects/pose_space.h"
+#include "parallel_aspects/aspects/quaternion_cube.h"
 #include "parallel_aspects/aspects/spatial_leg.h"
 #include "parallel_aspects/model/manipulator.h"
 
@@ -15,20 +16,21 @@
 #include <vector>
 
 // A chart turns the map coordinates of one task space into the rows of A. Each has
-//  - size: legs, freedoms and coordinates, all the same number;
+//  - leg_count, which is the number of freedoms, and coordinate_count, of the map;
 //  - Placement<Scalar>: the pose as its legs need it, made by place(root, coordinates) once for all legs;
 //  - displacement(j, placement): d = p - base point of leg j;
 //  - rows(j, displacement, placement);
 //  - limits(j, displacement, |B_jj|, sign of B_jj): of the drive, see LimitFunctions;
 //  - reachable_positions(): see BoxClassifier.
-// Scalar is Interval, Affine<size> or Dual<size, Affine<size>>. All of it needs a live `RoundingUpward`.
+// Scalar is Interval, Affine<coordinate_count> or Dual<coordinate_count, Affine<coordinate_count>>. All of it
+// needs a live `RoundingUpward`.
 
 namespace parallel_aspects {
 
 /// T1: x. The leg is in the x-y plane.
 class T1Chart {
  public:
-  static constexpr std::size_t size = 1;
+  static constexpr std::size_t leg_count = 1, coordinate_count = 1;
   template <class Scalar>
   using Placement = Scalar;
   template <class Scalar>
@@ -37,7 +39,7 @@ class T1Chart {
   explicit T1Chart(const Manipulator& manipulator);
 
   template <class Scalar>
-  Placement<Scalar> place(RootIndex, const std::array<Scalar, size>& x) const {
+  Placement<Scalar> place(RootIndex, const std::array<Scalar, coordinate_count>& x) const {
     return x[0];
   }
 
@@ -47,7 +49,8 @@ class T1Chart {
   }
 
   template <class Scalar>
-  LegRows<Scalar, size> rows(std::size_t, const Displacement<Scalar>& d, const Placement<Scalar>&) const {
+  LegRows<Scalar, leg_count> rows(std::size_t, const Displacement<Scalar>& d,
+                                  const Placement<Scalar>&) const {
     const PlanarLegForm<Scalar> form = leg_.form(d);
     return {form.squared_entry, {form.fixed.x}, {form.turned.x}};
   }
@@ -69,7 +72,7 @@ class T1Chart {
 /// T2: x, y.
 class T2Chart {
  public:
-  static constexpr std::size_t size = 2;
+  static constexpr std::size_t leg_count = 2, coordinate_count = 2;
   template <class Scalar>
   using Placement = Planar<Scalar>;
   template <class Scalar>
@@ -78,7 +81,7 @@ class T2Chart {
   explicit T2Chart(const Manipulator& manipulator);
 
   template <class Scalar>
-  Placement<Scalar> place(RootIndex, const std::array<Scalar, size>& x) const {
+  Placement<Scalar> place(RootIndex, const std::array<Scalar, coordinate_count>& x) const {
     return {x[0], x[1]};
   }
 
@@ -88,7 +91,8 @@ class T2Chart {
   }
 
   template <class Scalar>
-  LegRows<Scalar, size> rows(std::size_t j, const Displacement<Scalar>& d, const Placement<Scalar>&) const {
+  LegRows<Scalar, leg_count> rows(std::size_t j, const Displacement<Scalar>& d,
+                                  const Placement<Scalar>&) const {
     const PlanarLegForm<Scalar> form = legs_[j].form(d);
     return {form.squared_entry, {form.fixed.x, form.fixed.y}, {form.turned.x, form.turned.y}};
   }
@@ -103,13 +107,13 @@ class T2Chart {
 
  private:
   std::vector<PlanarLeg> legs_;
-  std::array<Planar<Interval>, size> offsets_;  // d = position + offset
+  std::array<Planar<Interval>, leg_count> offsets_;  // d = position + offset
 };
 
 /// SE2: x, y and phi / pi.
 class SE2Chart {
  public:
-  static constexpr std::size_t size = 3;
+  static constexpr std::size_t leg_count = 3, coordinate_count = 3;
   template <class Scalar>
   struct Placement {
     Planar<Scalar> position;
@@ -125,7 +129,7 @@ class SE2Chart {
   explicit SE2Chart(const Manipulator& manipulator);
 
   template <class Scalar>
-  Placement<Scalar> place(RootIndex, const std::array<Scalar, size>& x) const {
+  Placement<Scalar> place(RootIndex, const std::array<Scalar, coordinate_count>& x) const {
     return {{x[0], x[1]}, turn_of_half_turns(x[2])};
   }
 
@@ -137,8 +141,8 @@ class SE2Chart {
   }
 
   template <class Scalar>
-  LegRows<Scalar, size> rows(std::size_t j, const Displacement<Scalar>& d,
-                             const Placement<Scalar>& at) const {
+  LegRows<Scalar, leg_count> rows(std::size_t j, const Displacement<Scalar>& d,
+                                  const Placement<Scalar>& at) const {
     const PlanarLegForm<Scalar> form = legs_[j].form(d);
     const Planar<Scalar> b = at.turned(anchors_[j]);
     return {form.squared_entry,
@@ -156,13 +160,13 @@ class SE2Chart {
 
  private:
   std::vector<PlanarLeg> legs_;
-  std::array<Planar<Interval>, size> anchors_;
+  std::array<Planar<Interval>, leg_count> anchors_;
 };
 
 /// T3: x, y, z.
 class T3Chart {
  public:
-  static constexpr std::size_t size = 3;
+  static constexpr std::size_t leg_count = 3, coordinate_count = 3;
   template <class Scalar>
   using Placement = Spatial<Scalar>;
   template <class Scalar>
@@ -171,7 +175,7 @@ class T3Chart {
   explicit T3Chart(const Manipulator& manipulator);
 
   template <class Scalar>
-  Placement<Scalar> place(RootIndex, const std::array<Scalar, size>& x) const {
+  Placement<Scalar> place(RootIndex, const std::array<Scalar, coordinate_count>& x) const {
     return x;
   }
 
@@ -183,7 +187,8 @@ class T3Chart {
   }
 
   template <class Scalar>
-  LegRows<Scalar, size> rows(std::size_t j, const Displacement<Scalar>& d, const Placement<Scalar>&) const {
+  LegRows<Scalar, leg_count> rows(std::size_t j, const Displacement<Scalar>& d,
+                                  const Placement<Scalar>&) const {
     const SpatialLegForm<Scalar> form = legs_[j].form(d);
     return {form.squared_entry, form.fixed, form.turned};
   }
@@ -198,15 +203,15 @@ class T3Chart {
 
  private:
   std::vector<SpatialLeg> legs_;
-  std::array<Spatial<Interval>, size> offsets_;  // d = position + offset
+  std::array<Spatial<Interval>, leg_count> offsets_;  // d = position + offset
 };
 
 /// SO3: three components of the quaternion over its largest.
 class SO3Chart {
  public:
-  static constexpr std::size_t size = 3;
+  static constexpr std::size_t leg_count = 3, coordinate_count = 3;
   template <class Scalar>
-  using Placement = std::array<Spatial<Scalar>, 3>;  // rows of the rotation matrix
+  using Placement = RotationRows<Scalar>;
   template <class Scalar>
   struct Displacement {
     Spatial<Scalar> from_base, anchor;
@@ -215,7 +220,9 @@ class SO3Chart {
   explicit SO3Chart(const Manipulator& manipulator);
 
   template <class Scalar>
-  Placement<Scalar> place(RootIndex root, const std::array<Scalar, size>& x) const;
+  Placement<Scalar> place(RootIndex root, const std::array<Scalar, coordinate_count>& x) const {
+    return rotation_of_cube(root, x);
+  }
 
   template <class Scalar>
   Displacement<Scalar> displacement(std::size_t j, const Placement<Scalar>& rotation) const {
@@ -229,7 +236,8 @@ class SO3Chart {
   }
 
   template <class Scalar>
-  LegRows<Scalar, size> rows(std::size_t j, const Displacement<Scalar>& d, const Placement<Scalar>&) const {
+  LegRows<Scalar, leg_count> rows(std::size_t j, const Displacement<Scalar>& d,
+                                  const Placement<Scalar>&) const {
     const SpatialLegForm<Scalar> form = legs_[j].form(d.from_base);
     return {form.squared_entry, cross(d.anchor, form.fixed), cross(d.anchor, form.turned)};
   }
@@ -245,24 +253,8 @@ class SO3Chart {
 
  private:
   std::vector<SpatialLeg> legs_;
-  std::array<Spatial<Interval>, size> anchors_;
+  std::array<Spatial<Interval>, leg_count> anchors_;
 };
-
-template <class Scalar>
-SO3Chart::Placement<Scalar> SO3Chart::place(RootIndex root, const std::array<Scalar, size>& a) const {
-  // The quaternion with its largest component 1: every product of two components, over the squared norm.
-  std::array<Scalar, 4> q;
-  for (std::size_t component = 0, i = 0; component < 4; ++component)
-    q[component] = component == root ? Scalar(1.0) : a[i++];
-  const Interval two(2.0);
-  const Scalar xx = square(q[0]), yy = square(q[1]), zz = square(q[2]), ww = square(q[3]);
-  const Scalar xy = two * (q[0] * q[1]), xz = two * (q[0] * q[2]), yz = two * (q[1] * q[2]);
-  const Scalar wx = two * (q[3] * q[0]), wy = two * (q[3] * q[1]), wz = two * (q[3] * q[2]);
-  const Scalar scale = reciprocal(xx + yy + zz + ww, 1.0);
-  return {{{scale * ((ww + xx) - (yy + zz)), scale * (xy - wz), scale * (xz + wy)},
-           {scale * (xy + wz), scale * ((ww + yy) - (xx + zz)), scale * (yz - wx)},
-           {scale * (xz - wy), scale * (yz + wx), scale * ((ww + zz) - (xx + yy))}}};
-}
 
 }  // namespace parallel_aspects
 

@@ -99,6 +99,66 @@ class Determinants<Scalar, 3> {
   std::array<bool, 4> known_{};
 };
 
+/// The minors of three rows of six, by column triples; those of the other three rows serve all branches of
+/// these, and the other way round (Laplace's expansion along three rows).
+template <class Scalar>
+class Determinants<Scalar, 6> {
+ public:
+  explicit Determinants(const std::array<BranchRows<Scalar, 6>, 6>& rows) : rows_(rows) {}
+
+  Scalar of(const std::array<int, 6>& signs) {
+    const Minors &upper = minors(0, signs), &lower = minors(3, signs);
+    Scalar sum = upper[0] * lower[triple_count - 1];
+    // In this order the complement of a triple stands as far from the end as the triple from the start.
+    for (std::size_t k = 1; k < triple_count; ++k) {
+      const Scalar product = upper[k] * lower[triple_count - 1 - k];
+      sum = is_odd(triples[k]) ? sum - product : sum + product;
+    }
+    return sum;
+  }
+
+ private:
+  using Triple = std::array<std::size_t, 3>;
+  static constexpr std::size_t triple_count = 20;
+  static constexpr std::array<Triple, triple_count> triples{
+      {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}, {0, 1, 5}, {0, 2, 3}, {0, 2, 4}, {0, 2, 5},
+       {0, 3, 4}, {0, 3, 5}, {0, 4, 5}, {1, 2, 3}, {1, 2, 4}, {1, 2, 5}, {1, 3, 4},
+       {1, 3, 5}, {1, 4, 5}, {2, 3, 4}, {2, 3, 5}, {2, 4, 5}, {3, 4, 5}}};
+  using Minors = std::array<Scalar, triple_count>;
+
+  /// Whether moving these columns to the front takes an odd number of exchanges.
+  static constexpr bool is_odd(const Triple& columns) {
+    return (columns[0] + columns[1] + columns[2] + 1) % 2 != 0;
+  }
+
+  /// Of the rows `first` to `first` + 2.
+  const Minors& minors(std::size_t first, const std::array<int, 6>& signs) {
+    std::size_t branches = first == 0 ? 0 : 8;
+    for (std::size_t j = 0; j < 3; ++j) branches += signs[first + j] > 0 ? 0U : std::size_t{1} << j;
+    if (!known_[branches]) {
+      find(rows_[first].of(signs[first]), rows_[first + 1].of(signs[first + 1]),
+           rows_[first + 2].of(signs[first + 2]), minors_[branches]);
+      known_[branches] = true;
+    }
+    return minors_[branches];
+  }
+
+  static void find(const Row<Scalar, 6>& a, const Row<Scalar, 6>& b, const Row<Scalar, 6>& c,
+                   Minors& result) {
+    std::array<std::array<Scalar, 6>, 6> pairs;
+    for (std::size_t i = 0; i < 6; ++i)
+      for (std::size_t k = i + 1; k < 6; ++k) pairs[i][k] = b[i] * c[k] - b[k] * c[i];
+    for (std::size_t k = 0; k < triple_count; ++k) {
+      const auto [i, j, l] = triples[k];
+      result[k] = a[i] * pairs[j][l] - a[j] * pairs[i][l] + a[l] * pairs[i][j];
+    }
+  }
+
+  const std::array<BranchRows<Scalar, 6>, 6>& rows_;
+  std::array<Minors, 16> minors_;
+  std::array<bool, 16> known_{};
+};
+
 }  // namespace parallel_aspects
 
 #endif  // PARALLEL_ASPECTS_ASPECTS_LEG_ROWS_H

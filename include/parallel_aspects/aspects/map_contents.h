@@ -4,10 +4,12 @@
 
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/box_classifier.h"
+#include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/aspects/pose_tree.h"
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -25,7 +27,8 @@ struct AspectMap::Contents {
   std::shared_ptr<const Manipulator> manipulator;
   std::unique_ptr<const BoxClassifier> classifier;
   PoseTree tree;
-  std::vector<WorkingMode> modes;           ///< of the tree, in its order
+  std::vector<WorkingMode> modes;  ///< of the tree, in its order
+  std::optional<MapSlice> slice;
   std::vector<WorkingMode> existing_modes;  ///< those with an inside leaf
   std::vector<int> leaf_aspects;            ///< id by node * modes + mode; 0 where the leaf is not inside
   std::vector<Aspect> aspects;

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@ namespace parallel_aspects {
 /// All that a map follows from: the options with every default filled in, and how boxes are proved.
 struct MapPlan {
   std::vector<WorkingMode> modes;
+  std::optional<MapSlice> slice;
   std::unique_ptr<const BoxClassifier> classifier;
   std::shared_ptr<const PoseSpace> space;
   double resolution = 0.0;          ///< longest edge of a base leaf [m or rad]

@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_TOOLS_ARGUMENTS_H
 #define PARALLEL_ASPECTS_TOOLS_ARGUMENTS_H
 
+#include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"
 #include "parallel_aspects/kinematics/working_mode.h"
 #include "parallel_aspects/model/pose.h"
@@ -11,6 +12,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace parallel_aspects::tools {
 
@@ -21,6 +23,14 @@ Pose parse_pose(const std::string& option, TaskSpace space, const std::string& t
 /// A working mode such as "(+,-)" or "+-"; nothing, with a sentence, for any other text.
 std::optional<WorkingMode> parse_mode(const std::string& option, const Manipulator& manipulator,
                                       const std::string& text, Problems& problems);
+
+/// Some working modes, such as "(+,-) (-,-)"; nothing where the text is empty.
+std::vector<WorkingMode> parse_modes(const std::string& option, const Manipulator& manipulator,
+                                     const std::string& text, Problems& problems);
+
+/// The slice that `text` describes, such as "z=1.3 roll=0": what is held, separated by blanks or commas (see
+/// `make_slice`).
+MapSlice parse_slice(const std::string& option, TaskSpace space, const std::string& text, Problems& problems);
 
 /// What is sampled for a roadmap, as text from the command line; empty where not given.
 struct RoadmapArguments {

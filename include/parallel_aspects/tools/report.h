@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include <string>
+#include <vector>
 
 namespace parallel_aspects::tools {
 
@@ -28,8 +29,8 @@ nlohmann::json json_numbers(const TaskVector& values);
 /// {"x": 4.5, "y": 8} and so on, by `coordinate_names(space)`.
 nlohmann::json json_pose(TaskSpace space, const Pose& pose);
 
-/// {"lower": {...}, "upper": {...}}, each as a pose.
-nlohmann::json json_box(TaskSpace space, const Box& box);
+/// {"lower": {...}, "upper": {...}}, each an object by these coordinate names.
+nlohmann::json json_box(const std::vector<std::string>& names, const Box& box);
 
 /// {"det_a", "b_jj", "smallest_singular_value", "inverse_condition_number"}, as in `SingularityIndices`.
 nlohmann::json json_indices(const SingularityIndices& indices);
