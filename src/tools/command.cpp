@@ -76,6 +76,7 @@ class CommandLine {
       app->add_option(option.name, *option.value, option.help)
           ->type_name(option.placeholder)
           ->required(option.required);
+    for (const Flag& flag : subcommand.flags) app->add_flag(flag.name, *flag.value, flag.help);
     app->add_flag("--json", json_, "Print JSON, as documented in docs/command.md");
   }
 

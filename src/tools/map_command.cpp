@@ -123,6 +123,7 @@ struct MapArguments {
   std::string resolution;
   std::string threads;
   std::string load_file, save_file;  // empty where not given
+  bool neighbours = false;
   RoadmapArguments roadmap;
 };
 
@@ -158,6 +159,9 @@ Report roadmap_report(std::shared_ptr<const Manipulator> manipulator, const MapA
     problems.emplace_back(
         "--load and --save are for maps of boxes, which there is none of in SE3 without --slice; leave them "
         "out.");
+  if (arguments.neighbours)
+    problems.emplace_back(
+        "--neighbours is for maps of boxes, which there is none of in SE3 without --slice; leave it out.");
   if (!arguments.modes.empty())
     problems.emplace_back(
         "--mode is for maps of boxes, which there is none of in SE3 without --slice; leave it out.");
@@ -207,7 +211,13 @@ Report load_or_compute(const std::shared_ptr<const Manipulator>& manipulator, co
   const bool loaded = map != nullptr;
   if (!loaded) map = compute(manipulator, options, surroundings);
   save(*map, arguments);
-  return report_map(*map, loaded);
+  Report report = report_map(*map, loaded);
+  if (arguments.neighbours) {
+    MapControl control;
+    control.cancelled = surroundings.interrupted;
+    add_neighbours(*map, find_neighbours(*map, control), report);
+  }
+  return report;
 }
 
 }  // namespace
@@ -242,7 +252,9 @@ Subcommand map_subcommand() {
                      &arguments->roadmap.samples});
   options.push_back(
       {"--seed", "N", "With six freedoms: seed of its poses, by default 1", &arguments->roadmap.seed});
-  return {"map", "Compute the certified map of aspects, or with six freedoms a certified roadmap", options,
+  return {"map",
+          "Compute the certified map of aspects, or with six freedoms a certified roadmap",
+          options,
           [arguments](const Surroundings& surroundings) {
             Problems problems;
             MapOptions map_options = parse_options(*arguments, problems);
@@ -252,7 +264,9 @@ Subcommand map_subcommand() {
               return roadmap_report(mechanism->manipulator(), *arguments, surroundings);
             add_coverage(*arguments, *mechanism->manipulator(), map_options);
             return load_or_compute(mechanism->manipulator(), map_options, *arguments, surroundings);
-          }};
+          },
+          {{"--neighbours", "Tell which aspects touch across a singularity, and where that is proved",
+            &arguments->neighbours}}};
 }
 
 }  // namespace parallel_aspects::tools

@@ -261,6 +261,21 @@ TEST_F(Command, SlicesAreMapped) {
   EXPECT_TRUE(run_json({"map", "five_bar"}).at("slice").is_null());
 }
 
+TEST_F(Command, NeighboursAreToldWhereAsked) {
+  const json map = run_json({"map", "five_bar", "--neighbours"});
+  ASSERT_EQ(map.at("neighbours").size(), 18U);
+  const json& first = map.at("neighbours").at(0);
+  EXPECT_EQ(first.at("aspects"), (std::vector<int>{1, 2}));
+  EXPECT_EQ(first.at("crossing"), "parallel");
+  EXPECT_TRUE(first.at("leg").is_null());
+  EXPECT_EQ(first.at("proved"), true);
+  EXPECT_EQ(first.at("pose").size(), 2U);
+  EXPECT_EQ(map.at("neighbours").at(1).at("leg"), "leg_1");
+  EXPECT_EQ(run_json({"map", "five_bar"}).count("neighbours"), 0U);
+  EXPECT_NE(run({"map", "five_bar", "--neighbours"}).output.find("B_jj = 0 of leg_1"), std::string::npos);
+  EXPECT_EQ(run({"map", "stewart", "--neighbours"}).code, exit_code::bad_input);
+}
+
 TEST_F(Command, BadSlicesAreRefused) {
   const std::map<std::vector<const char*>, const char*> refused{
       {{"map", "delta", "--slice", "phi=0"},

@@ -49,6 +49,25 @@ struct Conditions {
   void add(const Condition& condition) noexcept { items[count++] = condition; }
 };
 
+/// A set of legs: bit j stands for leg j.
+using LegSet = std::uint8_t;
+
+/// What is proved of a box in one working mode, fact by fact.
+struct BoxFacts {
+  LegSet legs = 0;         ///< all that there are
+  LegSet clear = 0;        ///< those with B_jj^2 positive on the whole box
+  LegSet unreachable = 0;  ///< those with B_jj^2 positive nowhere; where there is one nothing below is told
+  bool within_limits = false;  ///< at every pose that all legs reach
+  int determinant_sign = 0;  ///< of det A at every pose that all legs reach, B_jj = 0 too; 0 where not proved
+
+  /// Where all legs are clear and the sign is not proved: partial derivatives of a function that is det A
+  /// times a positive one.
+  std::array<Interval, max_map_dimension> determinant_slope{};
+
+  static LegSet bit(std::size_t leg) noexcept { return static_cast<LegSet>(1U << leg); }
+  bool all_clear_but(LegSet except) const noexcept { return (clear | except) == legs; }
+};
+
 /// Proves boxes inside or outside, in the coordinates of the manipulator's `PoseSpace`. Immutable; may be
 /// used from any number of threads.
 class BoxClassifier {
@@ -65,6 +84,9 @@ class BoxClassifier {
 
   /// The state of a box in one mode, and how S(s, sign) grows in it.
   virtual Examined examine(RootIndex root, const Box& box, std::size_t mode, int sign) const noexcept = 0;
+
+  /// A live `RoundingUpward` is required.
+  virtual BoxFacts facts(RootIndex root, const Box& box, std::size_t mode) const noexcept = 0;
 
   /// In double precision, proving nothing; none where a leg does not reach the position.
   virtual Conditions conditions(const MapPosition& position, std::size_t mode, int sign) const noexcept = 0;

@@ -45,6 +45,13 @@ class ChartClassifier final : public BoxClassifier {
     return {state, growth, evaluation.shell(signs_[mode], sign)};
   }
 
+  BoxFacts facts(RootIndex root, const Box& box, std::size_t mode) const noexcept override {
+    Evaluation evaluation(chart_, root, box);
+    evaluation.evaluate_by_intervals();
+    evaluation.evaluate_by_affine_forms();
+    return evaluation.facts(signs_[mode]);
+  }
+
   Conditions conditions(const MapPosition& position, std::size_t mode, int sign) const noexcept override {
     const Box box{Chart::coordinate_count, position.point, position.point};
     Evaluation evaluation(chart_, position.root, box);

@@ -73,6 +73,25 @@ class ChartEvaluation {
     return LeafState::undecided(value.upper() > 0.0, value.lower() < 0.0);
   }
 
+  /// Needs affine forms.
+  BoxFacts facts(const Signs& signs) {
+    BoxFacts facts;
+    for (std::size_t j = 0; j < leg_count; ++j) {
+      facts.legs |= BoxFacts::bit(j);
+      if (clear_[j]) facts.clear |= BoxFacts::bit(j);
+      if (squared_entries_[j].upper() <= 0.0) facts.unreachable |= BoxFacts::bit(j);
+    }
+    if (reachable_nowhere_) return facts;
+    facts.within_limits = within_limits(signs) == Verdict::holds;
+    const Interval value = determinant(signs);
+    facts.determinant_sign = value.positive() ? 1 : value.negative() ? -1 : 0;
+    if (facts.determinant_sign != 0 || !clear_everywhere()) return facts;
+    evaluate_slopes();
+    const auto slope = ranges(slopes_->determinants->of(signs).gradient);
+    std::copy(slope.begin(), slope.end(), facts.determinant_slope.begin());
+    return facts;
+  }
+
   /// How S(signs, sign) grows in the box. Needs affine forms.
   Growth growth(const Signs& signs, int sign) {
     if (reachable_nowhere_) return Growth::unknown();

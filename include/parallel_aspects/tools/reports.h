@@ -3,6 +3,7 @@
 #define PARALLEL_ASPECTS_TOOLS_REPORTS_H
 
 #include "parallel_aspects/aspects/aspect_map.h"
+#include "parallel_aspects/aspects/neighbours.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"
 #include "parallel_aspects/aspects/same_aspect.h"
 #include "parallel_aspects/kinematics/direct.h"
@@ -19,6 +20,9 @@ namespace parallel_aspects::tools {
 /// `aspects map`: the table of aspects, and what is proved and what is not; and whether the map was `loaded`
 /// from a file.
 Report report_map(const AspectMap& map, bool loaded);
+
+/// `aspects map --neighbours`: adds the pairs of aspects that touch.
+void add_neighbours(const AspectMap& map, const std::vector<Neighbours>& neighbours, Report& report);
 
 /// `aspects map` with six freedoms: samples and components by working mode and sign of det A.
 Report report_roadmap(const PoseRoadmap& roadmap);

@@ -24,12 +24,20 @@ struct Option {
   bool required = false;
 };
 
+/// `--name` without a value.
+struct Flag {
+  std::string name;
+  std::string help;
+  bool* value;  ///< turns true where the flag is given
+};
+
 /// A subcommand: its options, and what it does once they are filled.
 struct Subcommand {
   std::string name;
   std::string help;
   std::vector<Option> options;
   std::function<Report(const Surroundings&)> run;  ///< throws `InvalidDescription` or `Interrupted`
+  std::vector<Flag> flags{};
 };
 
 Subcommand map_subcommand();

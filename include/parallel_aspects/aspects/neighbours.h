@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASPECTS_NEIGHBOURS_H
+#define PARALLEL_ASPECTS_ASPECTS_NEIGHBOURS_H
+
+#include "parallel_aspects/aspects/aspect_map.h"
+#include "parallel_aspects/model/pose.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// What two aspects that touch have between them.
+enum class Crossing {
+  serial,  ///< B_jj = 0 of one leg, whose sign changes: the working modes differ in it, det A keeps its sign
+  parallel,  ///< det A = 0, whose sign changes; the working mode stays
+};
+
+/// Two aspects that touch, or that may.
+///
+/// Proved of a serial crossing: there is a segment of poses from one that lies in both aspects, in the one's
+/// working mode and in the other's, to one that `leg` does not reach. Up to where B_jj first is zero the legs
+/// reach within limits, no other B_jj is zero, and det A has the aspects' sign in both modes, at B_jj = 0
+/// too. So the robot can go there in one mode and come back in the other, through this singularity alone.
+///
+/// Proved of a parallel crossing: there is a segment of poses from one aspect to the other all along which
+/// the legs reach within limits, no B_jj is zero, and det A is zero exactly once, where it changes sign at a
+/// rate that is not zero.
+///
+/// Not proved: such configurations were found close to each other, in one leaf, but no segment was.
+struct Neighbours {
+  int first = 0, second = 0;  ///< ids, rising
+  Crossing crossing = Crossing::parallel;
+  std::size_t leg = 0;  ///< whose B_jj is zero, where serial
+  bool proved = false;
+  Pose pose;  ///< in the leaf where they touch, on the segment where proved
+};
+
+/// Pairs of aspects that touch, by rising ids. All undecided leaves are looked at, or where a working mode
+/// has very many an even share of them; of pairs that are not listed nothing is claimed. Empty where
+/// cancelled.
+std::vector<Neighbours> find_neighbours(const AspectMap& map, const MapControl& control = {});
+
+/// "serial" or "parallel".
+const char* name(Crossing crossing) noexcept;
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ASPECTS_NEIGHBOURS_H

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/aspects/neighbours.h"
+
+#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/kinematics/jacobians.h"
+
+#include <gtest/gtest.h>
+
+#include "support/robots.h"
+#include "support/shipped.h"
+#include <atomic>
+#include <functional>
+#include <map>
+#include <ostream>
+#include <set>
+#include <tuple>
+
+namespace parallel_aspects {
+namespace {
+
+using Robot = std::shared_ptr<const Manipulator>;
+
+struct Pair {
+  int first, second;
+  Crossing crossing;
+  std::size_t leg;
+
+  friend bool operator<(const Pair& a, const Pair& b) {
+    return std::tie(a.first, a.second, a.crossing, a.leg) < std::tie(b.first, b.second, b.crossing, b.leg);
+  }
+  friend bool operator==(const Pair& a, const Pair& b) { return !(a < b) && !(b < a); }
+  friend std::ostream& operator<<(std::ostream& out, const Pair& pair) {
+    return out << pair.first << "-" << pair.second << " " << name(pair.crossing) << " " << pair.leg;
+  }
+};
+
+Pair pair_of(int one, int other, Crossing crossing, std::size_t leg) {
+  return {std::min(one, other), std::max(one, other), crossing, leg};
+}
+
+std::set<Pair> proved_pairs(const AspectMap& map) {
+  std::set<Pair> pairs;
+  for (const Neighbours& each : find_neighbours(map)) {
+    EXPECT_LT(each.first, each.second);
+    if (each.proved) pairs.insert({each.first, each.second, each.crossing, each.leg});
+  }
+  return pairs;
+}
+
+/// A second way, which proves nothing: steps of a fine grid from one configuration to the next, across
+/// det A = 0 or out of reach of one leg.
+class Grid {
+ public:
+  explicit Grid(const AspectMap& map) : map_(map), robot_(*map.manipulator()) {}
+
+  /// Steps by pair, `cells` x `cells` times four.
+  std::map<Pair, int> count(const Box& region, int cells) {
+    cells_ = cells;
+    for (int i = 0; i < cells; ++i)
+      for (int k = 0; k < cells; ++k)
+        for (const auto& [di, dk] : {std::pair{1, 0}, std::pair{0, 1}, std::pair{-1, 0}, std::pair{0, -1}})
+          for (const WorkingMode& mode : map_.working_modes()) {
+            step(at(region, i, k), at(region, i + di, k + dk), mode);
+          }
+    return std::move(count_);
+  }
+
+ private:
+  Pose at(const Box& region, int i, int k) const {
+    Pose pose;
+    pose.position << region.lower[0] + (i + 0.5) / cells_ * region.width(0),
+        region.lower[1] + (k + 0.5) / cells_ * region.width(1), 0.0;
+    return pose;
+  }
+
+  int sign(const Pose& pose, const WorkingMode& mode) const {
+    const InverseSolution solution = inverse(robot_, pose, mode);
+    if (solution.status != InverseStatus::solved) return 0;
+    return direct_determinant(robot_, pose, solution.q) > 0.0 ? 1 : -1;
+  }
+
+  int aspect(const Pose& pose, const WorkingMode& mode) const {
+    const Location location = map_.locate(pose, mode);
+    return location.status == LocationStatus::inside ? location.aspect : 0;
+  }
+
+  void step(const Pose& from, const Pose& to, const WorkingMode& mode) {
+    const int before = sign(from, mode);
+    if (before == 0) return;
+    const int after = sign(to, mode);
+    if (after == -before)
+      add(aspect(from, mode), aspect(to, mode), Crossing::parallel, 0);
+    else if (after == 0)
+      step_out(from, to, mode, before);
+  }
+
+  void step_out(const Pose& from, const Pose& to, const WorkingMode& mode, int before) {
+    for (std::size_t j = 0; j < robot_.leg_count(); ++j) {
+      if (squared_inverse_entry(robot_.leg(j), to.transform(robot_.leg(j).anchor)) > 0.0) continue;
+      WorkingMode flipped = mode;
+      flipped.set_sign(j, -mode.sign(j));
+      if (sign(from, flipped) == before) add(aspect(from, mode), aspect(from, flipped), Crossing::serial, j);
+    }
+  }
+
+  void add(int one, int other, Crossing crossing, std::size_t leg) {
+    if (one != 0 && other != 0) ++count_[pair_of(one, other, crossing, leg)];
+  }
+
+  const AspectMap& map_;
+  const Manipulator& robot_;
+  int cells_ = 0;
+  std::map<Pair, int> count_;
+};
+
+Robot limited_five_bar() {
+  ManipulatorDescription description{"limited_five_bar", TaskSpace::T2, test::five_bar()->legs(), "base", {}};
+  description.task_frame.setIdentity();
+  description.legs[0].limits = {-1.0, 1.5};
+  description.legs[1].limits = {0.5, 5.5};
+  return std::make_shared<const Manipulator>(description);
+}
+
+struct Case {
+  const char* name;
+  std::function<Robot()> make;
+};
+
+class NeighboursOfTwoFreedoms : public testing::TestWithParam<Case> {};
+
+// Pairs that a grid steps across often are proved, and a proved pair is one that a fine grid about its pose
+// does.
+TEST_P(NeighboursOfTwoFreedoms, AgreeWithSteppingOverAGrid) {
+  const auto map = compute_aspect_map(GetParam().make()).map;
+  ASSERT_TRUE(map);
+  std::set<Pair> proved;
+  for (const Neighbours& each : find_neighbours(*map)) {
+    if (!each.proved) continue;
+    const Pair pair{each.first, each.second, each.crossing, each.leg};
+    proved.insert(pair);
+    const double x = each.pose.position.x(), y = each.pose.position.y(), around = 2.0 * map->resolution();
+    const Box near{2, {x - around, y - around, 0.0}, {x + around, y + around, 0.0}};
+    // Steps that are too short end where the map does not tell the aspect.
+    bool found = false;
+    for (const int cells : {60, 30, 15, 8}) found = found || Grid(*map).count(near, cells).count(pair) == 1;
+    EXPECT_TRUE(found) << pair;
+  }
+  EXPECT_FALSE(proved.empty());
+  for (const auto& [pair, count] : Grid(*map).count(map->region(), 300))
+    EXPECT_TRUE(count <= 8 || proved.count(pair) == 1) << pair << ", " << count << " steps";
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, NeighboursOfTwoFreedoms,
+                         testing::Values(Case{"five_bar", test::five_bar}, Case{"bipod", test::bipod},
+                                         Case{"limited_five_bar", limited_five_bar}),
+                         [](const auto& robot) { return std::string(robot.param.name); });
+
+// The reflection in the base line flips all signs: it maps aspects to aspects, and so neighbours to
+// neighbours.
+TEST(Neighbours, OfTheFiveBarAreTheirOwnReflection) {
+  const auto map = compute_aspect_map(test::five_bar()).map;
+  const auto reflected = [&map](int id) {
+    const Aspect& aspect = map->aspects()[static_cast<std::size_t>(id - 1)];
+    Pose pose = aspect.deepest;
+    pose.position.y() *= -1.0;
+    WorkingMode mode(2);
+    for (std::size_t j = 0; j < 2; ++j) mode.set_sign(j, -aspect.mode.sign(j));
+    return map->locate(pose, mode).aspect;
+  };
+  const std::set<Pair> pairs = proved_pairs(*map);
+  EXPECT_EQ(pairs.size(), 18U);
+  std::set<Pair> images;
+  for (const Pair& pair : pairs)
+    images.insert(pair_of(reflected(pair.first), reflected(pair.second), pair.crossing, pair.leg));
+  EXPECT_EQ(images, pairs);
+}
+
+TEST(Neighbours, DifferInTheLegThatCrossesOrInTheSignOfTheDeterminant) {
+  for (const char* name : {"linear_delta", "three_prr"}) {
+    const Robot robot = test::shipped(name)->manipulator();
+    MapOptions options;
+    options.resolution = robot->size() / 20.0;
+    const auto map = compute_aspect_map(robot, options).map;
+    ASSERT_TRUE(map);
+    const auto neighbours = find_neighbours(*map);
+    EXPECT_GT(neighbours.size(), map->aspects().size());
+    for (const Neighbours& each : neighbours) {
+      const Aspect& one = map->aspects()[static_cast<std::size_t>(each.first - 1)];
+      const Aspect& other = map->aspects()[static_cast<std::size_t>(each.second - 1)];
+      WorkingMode expected = one.mode;
+      if (each.crossing == Crossing::serial) expected.set_sign(each.leg, -one.mode.sign(each.leg));
+      EXPECT_EQ(other.mode, expected) << each.first << "-" << each.second;
+      const int factor = each.crossing == Crossing::serial ? 1 : -1;
+      EXPECT_EQ(other.determinant_sign, factor * one.determinant_sign) << each.first << "-" << each.second;
+    }
+  }
+}
+
+// Near the pose of a proved crossing there are poses on both sides of it.
+TEST(Neighbours, PosesAreCloseToWhatVanishes) {
+  const Robot robot = test::shipped("three_rrr")->manipulator();
+  MapOptions options;
+  Problems problems;
+  options.slice = make_slice(TaskSpace::SE2, {{"phi", 0.0}}, problems);
+  options.extra_levels = 6;
+  const auto map = compute_aspect_map(robot, options).map;
+  const double near = 4.0 * map->resolution(), size = robot->size();
+  std::size_t proved = 0;
+  for (const Neighbours& each : find_neighbours(*map)) {
+    if (!each.proved) continue;
+    ++proved;
+    const Aspect& one = map->aspects()[static_cast<std::size_t>(each.first - 1)];
+    const InverseSolution solution = inverse(*robot, each.pose, one.mode);
+    if (each.crossing == Crossing::serial) {
+      const Leg& leg = robot->leg(each.leg);
+      const double entry = squared_inverse_entry(leg, each.pose.transform(leg.anchor));
+      EXPECT_LT(std::abs(entry), near * size * size * size) << each.first << "-" << each.second;
+    } else if (solution.status == InverseStatus::solved) {
+      EXPECT_LT(std::abs(direct_determinant(*robot, each.pose, solution.q)), near * size * size * size);
+    }
+  }
+  EXPECT_GT(proved, 27U);
+}
+
+TEST(Neighbours, AreNoneWhereCancelled) {
+  const auto map = compute_aspect_map(test::five_bar()).map;
+  const std::atomic<bool> cancelled{true};
+  MapControl control;
+  control.cancelled = &cancelled;
+  EXPECT_TRUE(find_neighbours(*map, control).empty());
+}
+
+}  // namespace
+}  // namespace parallel_aspects
