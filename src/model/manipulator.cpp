@@ -23,6 +23,8 @@ class LegCheck {
       say("has joint limits that are NaN or whose lower end is above the upper one; mend the limits of joint "
           "'" +
           leg.driven_joint + "'.");
+    if (!(leg.limits.velocity > 0.0))
+      say("has a velocity limit that is not positive; give one, or none, to joint '" + leg.driven_joint + "'.");
   }
 
  private:

@@ -50,6 +50,8 @@ std::uint8_t kind_of(TransitionKind kind) {
       return AspectTransition::WORKING_MODE;
     case TransitionKind::aspect:
       return AspectTransition::ASPECT;
+    case TransitionKind::assembly_mode:
+      return AspectTransition::ASSEMBLY_MODE;
     case TransitionKind::lost:
       break;
   }
@@ -64,7 +66,10 @@ std::string cause_of(const AspectTransition& t, const Transition& transition) {
     case AspectTransition::WORKING_MODE:
       return "B_" + number + number + " of " + t.leg + " (" + t.joint + ") crossed zero";
     case AspectTransition::LOST:
-      return "det A came too close to zero to tell the assembly mode";
+      return t.determinant_crossed ? "det A came too close to zero to tell the assembly mode"
+                                   : "the step to the next sample cannot be certified";
+    case AspectTransition::ASSEMBLY_MODE:
+      return "the drives are back, and the platform is in another assembly mode";
     default:
       return t.determinant_crossed ? "det A has changed its sign" : "the aspect became known";
   }

@@ -179,9 +179,10 @@ Status RobotMonitor::status_of_tracker() const {
     case TrackStatus::tracking:
       return {};
     case TrackStatus::ambiguous:
-      return make_status(
-          Status::AMBIGUOUS,
-          "The drives came too close to det A = 0 to tell the assembly mode; call set_assembly_mode.");
+      return make_status(Status::AMBIGUOUS, std::string("The assembly mode is not known: ") +
+                                                reason(tracker_.state().doubt) + "; call set_assembly_mode.");
+    case TrackStatus::inconsistent:
+      return make_status(Status::AMBIGUOUS, "Measured passive joints contradict the pose.");
     case TrackStatus::unstarted:
       break;
   }

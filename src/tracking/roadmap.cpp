@@ -36,10 +36,12 @@ JointVector drive_change(const Manipulator& manipulator, const JointVector& from
 
 bool straight_motion_exists(const Manipulator& manipulator, const Place& from, const JointVector& change,
                             const Pose& to) {
-  Continuation path(manipulator, from.pose, from.q, from.q + change);
-  for (int step = 0; step < most_steps && !path.finished(); ++step)
-    if (!path.advance()) return false;
-  return path.finished() && distance(manipulator, path.at().pose, to) < 1e-6 * manipulator.size();
+  const PoseCertifier certifier(manipulator);
+  CertifiedPoint start;
+  if (!certify_solution(certifier, from.pose, from.q, start)) return false;
+  Continuation path(certifier, start, from.q + change);
+  return path.run(most_steps) == ContinuationStatus::finished &&
+         distance(manipulator, path.at().pose, to) < 1e-6 * manipulator.size();
 }
 
 std::size_t Roadmap::add(const Place& place) {

@@ -2,8 +2,7 @@
 #include "parallel_aspects/tracking/tracker.h"
 
 #include "parallel_aspects/kinematics/direct.h"
-#include "parallel_aspects/kinematics/jacobians.h"
-#include "parallel_aspects/tracking/continuation.h"
+#include "parallel_aspects/tracking/anchor_distance.h"
 
 #include <cmath>
 #include <utility>
@@ -11,66 +10,33 @@
 namespace parallel_aspects {
 namespace {
 
-double anchor_distance(const Manipulator& manipulator, const Pose& a, const Pose& b) {
-  double sum = 0.0;
-  for (const Leg& leg : manipulator.legs())
-    sum += (a.transform(leg.anchor) - b.transform(leg.anchor)).squaredNorm();
-  return std::sqrt(sum / static_cast<double>(manipulator.leg_count()));
-}
+constexpr int most_root_steps = 4;
 
 int sign_of(double value) { return (value > 0.0) - (value < 0.0); }
 
-// B_jj / (|u_j| |c_j'|): sine of the angle between rod and crank, or between rod and the normal of a rail;
-// for legs whose length is driven, B_jj over its largest value.
-TaskVector entry_sines(const Manipulator& manipulator, const Pose& pose, const JointVector& q) {
-  TaskVector sines = inverse_diagonal(manipulator, pose, q);
-  for (Eigen::Index j = 0; j < sines.size(); ++j) {
-    const Leg& leg = manipulator.leg(static_cast<std::size_t>(j));
-    const double rod = (pose.transform(leg.anchor) - leg.proximal_point(q[j])).norm();
-    if (const auto* elbow = std::get_if<ElbowDrive>(&leg.drive))
-      sines[j] /= elbow->inner_length * elbow->outer_length;
-    else if (std::holds_alternative<StrutDrive>(leg.drive))
-      sines[j] /= rod;
-    else
-      sines[j] /= rod * leg.proximal_point_derivative(q[j]).norm();
+int sign_of(const Interval& value) { return value.positive() ? 1 : value.negative() ? -1 : 0; }
+
+// The working mode, where the sign of every B_jj is proved.
+bool proved_mode(const CertifiedPoint& point, WorkingMode& mode) {
+  mode = WorkingMode(static_cast<std::size_t>(point.q.size()));
+  for (std::size_t j = 0; j < mode.leg_count(); ++j) {
+    const int sign = sign_of(point.inverse_diagonal[j]);
+    if (sign == 0) return false;
+    mode.set_sign(j, sign);
   }
-  return sines;
+  return true;
 }
 
 }  // namespace
 
-const char* name(TrackStatus status) noexcept {
-  switch (status) {
-    case TrackStatus::unstarted:
-      return "unstarted";
-    case TrackStatus::tracking:
-      return "tracking";
-    case TrackStatus::ambiguous:
-      return "ambiguous";
-  }
-  return "unknown";
-}
-
-const char* name(TransitionKind kind) noexcept {
-  switch (kind) {
-    case TransitionKind::working_mode:
-      return "working mode";
-    case TransitionKind::aspect:
-      return "aspect";
-    case TransitionKind::lost:
-      return "lost";
-  }
-  return "unknown";
-}
-
 Tracker::Tracker(std::shared_ptr<const Manipulator> manipulator, const TrackerOptions& options)
-    : manipulator_(std::move(manipulator)), options_(options) {}
+    : manipulator_(std::move(manipulator)), options_(options), certifier_(*manipulator_) {}
 
 void Tracker::set_map(std::shared_ptr<const AspectMap> map) noexcept {
   map_ = std::move(map);
   transitions_ = {};
   state_.aspect = last_aspect_ = 0;
-  if (state_.status == TrackStatus::tracking) identify_aspect();
+  if (state_.followed()) identify_aspect();
   transitions_ = {};
 }
 
@@ -78,9 +44,16 @@ bool Tracker::start(double time, const JointVector& q, const Pose& pose, double 
   stop();
   if (q.size() != static_cast<Eigen::Index>(manipulator_->leg_count()) || !q.allFinite()) return false;
   if (!pose.position.allFinite() || !pose.orientation.coeffs().allFinite()) return false;
-  Pose refined = pose;
-  if (!refine_pose(*manipulator_, q, refined)) return false;
-  return anchor_distance(*manipulator_, refined, pose) <= tolerance && begin_at(time, q, refined);
+  Candidate found;
+  const JointVector drives = options_.samples.unwrap ? unwrapped(*manipulator_, {}, q) : q;
+  if (!certify_solution(certifier_, pose, drives, found.point)) return false;
+  if (!(anchor_distance(*manipulator_, found.point.pose, pose) <= tolerance)) return false;
+  const RoundingUpward upward;
+  found.determinant_sign = certifier_.determinant_sign(found.point);
+  candidates_.set(found);
+  state_.time = time;
+  state_.q = drives;
+  return settle();
 }
 
 bool Tracker::start(double time, const JointVector& q, int determinant_sign) {
@@ -93,24 +66,62 @@ bool Tracker::start(double time, const JointVector& q, int determinant_sign) {
     if (chosen != nullptr) return false;
     chosen = &mode;
   }
-  return result.status == DirectStatus::solved && chosen != nullptr && begin_at(time, q, chosen->pose);
+  return result.status == DirectStatus::solved && chosen != nullptr &&
+         start(time, q, chosen->pose, manipulator_->size() * 1e-6);
 }
 
-bool Tracker::begin_at(double time, const JointVector& q, const Pose& pose) {
-  const auto mode = working_mode(*manipulator_, pose, q);
-  const int determinant_sign = sign_of(direct_determinant(*manipulator_, pose, q));
-  if (!mode || determinant_sign == 0) return false;
-  state_ = {TrackStatus::tracking, time, q, pose, *mode, determinant_sign, 0};
-  entry_sines_ = entry_sines(*manipulator_, pose, q);
-  path_time_ = time;
+bool Tracker::find_candidates() {
+  if (!wants_candidates()) return state_.followed();
+  const bool first = state_.status == TrackStatus::unstarted;
+  candidates_.find(*manipulator_, certifier_, state_.q);
+  if (candidates_.complete() && candidates_.size() == 0)
+    doubt(Doubt::no_direct_solution);
+  else if (first || state_.doubt == Doubt::no_direct_solution)
+    doubt(Doubt::several_assembly_modes);
+  return settle();
+}
+
+bool Tracker::wants_candidates() const noexcept {
+  return state_.q.size() > 0 && !state_.followed() && !candidates_.complete();
+}
+
+// Starts in the only candidate that is left.
+bool Tracker::settle() noexcept {
+  if (state_.followed() || !candidates_.complete() || candidates_.size() != 1) return false;
+  const Candidate only = candidates_[0];
+  if (!only.followed || only.determinant_sign == 0) return false;
+  if (begin_at(state_.time, only.point, only.determinant_sign)) return true;
+  doubt(Doubt::serial_singularity);
+  return false;
+}
+
+bool Tracker::settle_kept() noexcept {
+  if (state_.followed() || state_.status == TrackStatus::unstarted) return state_.followed();
+  if (candidates_.size() > 0) return settle();
+  candidates_.clear();
+  doubt(Doubt::no_candidate_fits);
+  return false;
+}
+
+bool Tracker::begin_at(double time, const CertifiedPoint& point, int determinant_sign) noexcept {
+  WorkingMode mode;
+  if (!proved_mode(point, mode)) return false;
+  point_ = point;
+  state_ = {TrackStatus::tracking, time, point.q, point.pose, mode, determinant_sign, 0, Doubt::none, 0.0};
+  entry_sines_ = certifier_.entry_sines(point);
   zero_times_.fill(time);
+  candidates_.clear();
+  set_reference();
   identify_aspect();
   return true;
 }
 
 void Tracker::stop() noexcept {
   state_.status = TrackStatus::unstarted;
+  state_.doubt = Doubt::none;
   state_.aspect = 0;
+  state_.q.resize(0);
+  candidates_.clear();
   transitions_ = {};
 }
 
@@ -119,37 +130,60 @@ const TrackedState& Tracker::update(double time, const JointVector& q) noexcept 
   if (q.size() != static_cast<Eigen::Index>(manipulator_->leg_count()) || !q.allFinite() ||
       !std::isfinite(time))
     return state_;
-  if (state_.status == TrackStatus::tracking) {
-    Continuation path(*manipulator_, state_.pose, state_.q, q);
-    const double start = state_.time;
-    while (!path.finished()) {
-      const bool followed = path.advance();
-      const double at = start + (time - start) * path.at().t;
-      if (!followed) {
-        lose(at);
-        break;
-      }
-      watch_legs(at, path.at().pose, path.at().q);
-    }
-    state_.pose = path.at().pose;
-  }
+  const JointVector drives = options_.samples.unwrap ? unwrapped(*manipulator_, state_.q, q) : q;
+  const bool gap =
+      state_.q.size() > 0 && is_gap(*manipulator_, options_.samples, state_.q, drives, time - state_.time);
+  const bool followed = state_.followed();
+  if (followed && gap)
+    lose(time, Doubt::gap);
+  else if (followed)
+    follow(time, drives);
+  else
+    follow_candidates(drives, gap);
   state_.time = time;
-  state_.q = q;
-  if (state_.status == TrackStatus::tracking && state_.aspect == 0) identify_aspect();
+  state_.q = drives;
+  if (state_.followed() && state_.aspect == 0) identify_aspect();
+  if (!followed) settle();
   return state_;
 }
 
-void Tracker::watch_legs(double time, const Pose& pose, const JointVector& q) noexcept {
-  const TaskVector sines = entry_sines(*manipulator_, pose, q);
-  for (Eigen::Index i = 0; i < sines.size(); ++i) {
-    const auto leg = static_cast<std::size_t>(i);
-    const double before = entry_sines_[i], after = sines[i];
-    if (sign_of(before) != sign_of(after))
-      zero_times_[leg] = path_time_ + (time - path_time_) * before / (before - after);
+void Tracker::follow(double time, const JointVector& q) noexcept {
+  Continuation path(certifier_, point_, q);
+  const double start = state_.time;
+  const auto time_at = [&](double share) { return share >= 1.0 ? time : start + (time - start) * share; };
+  for (int i = 0; i < options_.most_steps && path.status() == ContinuationStatus::under_way; ++i) {
+    const double before = path.share();
+    if (path.advance() == ContinuationStatus::too_near_singular) break;
+    watch_legs(point_, path.at(), time_at(before), time_at(path.share()));
+    point_ = path.at();
+  }
+  state_.pose = point_.pose;
+  if (path.status() == ContinuationStatus::too_near_singular)
+    lose(time_at(path.share()), Doubt::near_parallel_singularity);
+  else if (path.status() == ContinuationStatus::under_way)
+    lose(time_at(path.share()), Doubt::step_budget);
+  else
+    watch_assembly(time);
+}
+
+void Tracker::follow_candidates(const JointVector& q, bool gap) noexcept {
+  if (gap && state_.status == TrackStatus::ambiguous) {
+    candidates_.clear();
+    doubt(Doubt::gap);
+  }
+  candidates_.follow(certifier_, q, options_.most_steps);
+}
+
+void Tracker::watch_legs(const CertifiedPoint& from, const CertifiedPoint& to, double start,
+                         double end) noexcept {
+  const TaskVector sines = certifier_.entry_sines(to);
+  state_.pose = to.pose;
+  for (std::size_t leg = 0; leg < manipulator_->leg_count(); ++leg) {
+    const auto i = static_cast<Eigen::Index>(leg);
+    if (sign_of(entry_sines_[i]) != sign_of(sines[i]))
+      zero_times_[leg] = zero_time(from, to, leg, start, end);
   }
   entry_sines_ = sines;
-  path_time_ = time;
-  state_.pose = pose;
   for (std::size_t leg = 0; leg < manipulator_->leg_count(); ++leg) {
     const double sine = sines[static_cast<Eigen::Index>(leg)];
     if (sine * state_.mode.sign(leg) < 0.0 && std::abs(sine) >= options_.hysteresis)
@@ -157,10 +191,38 @@ void Tracker::watch_legs(double time, const Pose& pose, const JointVector& q) no
   }
 }
 
+// Regula falsi between two ends of a certified step, in its Illinois form.
+double Tracker::zero_time(const CertifiedPoint& from, const CertifiedPoint& to, std::size_t leg, double start,
+                          double end) const noexcept {
+  const auto i = static_cast<Eigen::Index>(leg);
+  const RoundingUpward upward;
+  double low = 0.0, high = 1.0;
+  double at_low = certifier_.entry_sines(from)[i], at_high = certifier_.entry_sines(to)[i];
+  double share = at_low / (at_low - at_high);
+  CertifiedPoint between = to;
+  for (int k = 0; k < most_root_steps && std::isfinite(share); ++k) {
+    between.q = from.q + share * (to.q - from.q);
+    if (!certifier_.evaluate(between)) break;
+    const double here = certifier_.entry_sines(between)[i];
+    if (sign_of(here) == sign_of(at_low)) {
+      low = share;
+      at_low = here;
+      at_high *= 0.5;
+    } else {
+      high = share;
+      at_high = here;
+      at_low *= 0.5;
+    }
+    share = low + (high - low) * at_low / (at_low - at_high);
+  }
+  return std::isfinite(share) ? start + (end - start) * share : end;
+}
+
 void Tracker::cross(std::size_t leg, double time) noexcept {
   Transition transition = from_here(TransitionKind::working_mode, time);
   state_.mode.set_sign(leg, -state_.mode.sign(leg));
   state_.aspect = 0;
+  mode_changed_ = true;
   if (map_) {
     const Location location = map_->locate(state_.pose, state_.mode);
     if (location.status == LocationStatus::inside) state_.aspect = location.aspect;
@@ -171,14 +233,46 @@ void Tracker::cross(std::size_t leg, double time) noexcept {
   add(transition);
 }
 
-void Tracker::lose(double time) noexcept {
+void Tracker::watch_assembly(double time) noexcept {
+  if (assembly_.watch(*manipulator_, certifier_, point_) != AssemblyComparison::other) return;
+  Transition transition = from_here(TransitionKind::assembly_mode, time);
+  WorkingMode before;
+  if (proved_mode(assembly_.reference(), before)) transition.mode_before = before;
+  transition.inside_aspect = !mode_changed_;
+  mode_changed_ = false;
+  add(transition);
+}
+
+void Tracker::set_reference() noexcept {
+  if (!state_.followed()) return;
+  assembly_.set_reference(point_);
+  mode_changed_ = false;
+}
+
+AssemblyComparison Tracker::compare_with_reference(int most_steps) const noexcept {
+  if (!state_.followed()) return AssemblyComparison::unknown;
+  return assembly_.compare(*manipulator_, certifier_, point_, most_steps);
+}
+
+void Tracker::report_residual(double residual, bool contradicts) noexcept {
+  state_.residual = residual;
+  if (state_.followed()) state_.status = contradicts ? TrackStatus::inconsistent : TrackStatus::tracking;
+}
+
+void Tracker::lose(double time, Doubt why) noexcept {
   Transition transition = from_here(TransitionKind::lost, time);
-  transition.determinant = true;
+  transition.determinant = why == Doubt::near_parallel_singularity;
   transition.determinant_sign_after = 0;
   transition.aspect_after = 0;
-  state_.status = TrackStatus::ambiguous;
-  state_.aspect = 0;
+  candidates_.clear();
+  doubt(why);
   add(transition);
+}
+
+void Tracker::doubt(Doubt why) noexcept {
+  state_.status = TrackStatus::ambiguous;
+  state_.doubt = why;
+  state_.aspect = 0;
 }
 
 void Tracker::identify_aspect() noexcept {

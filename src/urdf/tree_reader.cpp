@@ -5,6 +5,7 @@
 
 #include <urdf_parser/urdf_parser.h>
 
+#include <cmath>
 #include <console_bridge/console.h>
 #include <exception>
 
@@ -79,6 +80,9 @@ class TreeBuilder {
     const bool limited = joint.type == urdf::Joint::REVOLUTE || joint.type == urdf::Joint::PRISMATIC;
     if (limited && inspection_.without_limits.count(joint.name) == 0)
       added.limits = {joint.limits->lower, joint.limits->upper};
+    // Zero is what urdfdom demands of those who have no limit to give.
+    if (joint.limits && std::isfinite(joint.limits->velocity) && joint.limits->velocity > 0.0)
+      added.limits.velocity = joint.limits->velocity;
     tree_.links.push_back(joint.child_link_name);
     tree_.joint_above.emplace_back(tree_.joints.size());
     tree_.joints.push_back(added);

@@ -48,11 +48,13 @@ struct ElbowDrive {
 
 using Drive = std::variant<RevoluteDrive, PrismaticDrive, StrutDrive, ElbowDrive>;
 
-/// Range of a joint value, both ends included; unlimited by default. rad or m.
+/// Range of a joint value, both ends included, and its speed; unlimited by default. rad or m.
 struct JointLimits {
   double lower = -std::numeric_limits<double>::infinity();
   double upper = std::numeric_limits<double>::infinity();
+  double velocity = std::numeric_limits<double>::infinity();  ///< fastest change [rad/s or m/s], positive
 
+  /// Whether the range, not the speed, has an end.
   bool limited() const noexcept {
     return lower > -std::numeric_limits<double>::infinity() ||
            upper < std::numeric_limits<double>::infinity();

@@ -2,49 +2,58 @@
 #ifndef PARALLEL_ASPECTS_TRACKING_CONTINUATION_H
 #define PARALLEL_ASPECTS_TRACKING_CONTINUATION_H
 
-#include "parallel_aspects/model/manipulator.h"
-#include "parallel_aspects/model/pose.h"
+#include "parallel_aspects/tracking/pose_certifier.h"
 
 namespace parallel_aspects {
 
-/// A point of the path q(t) = q0 + t (q1 - q0), t in [0, 1], and the pose there.
-struct PathPoint {
-  double t = 0.0;
-  JointVector q;
-  Pose pose;
+enum class ContinuationStatus {
+  under_way,         ///< some of the path is left
+  finished,          ///< the pose belongs to the end of the path
+  too_near_singular  ///< not even the shortest step can be certified: too near to det A = 0
 };
 
-/// Follows the pose of one assembly mode while the drives move straight from q0 to q1, in steps each of which
-/// passes the Newton-Kantorovich test: for every drive value on the step the direct solution exists, is the
-/// only one near the pose, and det A keeps its sign. So the path never slips to another assembly mode.
+/// Follows the direct solution at a point while the drives move straight from there to `end`, in steps each
+/// of which is proved: for every drive value on it the solution exists, is the only one near by, and det A
+/// keeps its sign. One step begins with the solution that the one before ended with. So the path never slips
+/// to another assembly mode, and the end is the solution that the robot, moving so, arrives at.
 ///
-/// Bounds are evaluated in double precision and tested with a margin a million times wider than their
-/// rounding.
+/// Nothing allocates or throws. The certifier must outlive this.
 class Continuation {
  public:
-  /// `pose` must be a direct solution at `q0`. All values finite, one entry a leg.
-  Continuation(const Manipulator& manipulator, const Pose& pose, const JointVector& q0,
-               const JointVector& q1) noexcept;
+  /// `start` must have been evaluated, and its ball without motion be certified. `end` must be finite, one
+  /// entry a leg.
+  Continuation(const PoseCertifier& certifier, const CertifiedPoint& start, const JointVector& end) noexcept;
 
-  const PathPoint& at() const noexcept { return at_; }
-  bool finished() const noexcept { return at_.t >= 1.0; }
+  const CertifiedPoint& at() const noexcept { return at_; }
 
-  /// Goes on by one certified step, as long as the test allows. False, and no move, where not even the
-  /// shortest step passes: the path comes too close to det A = 0.
-  bool advance() noexcept;
+  /// Share of the path that is gone, 0 to 1.
+  double share() const noexcept { return share_; }
+  ContinuationStatus status() const noexcept { return status_; }
+
+  /// Goes on by one certified step.
+  ContinuationStatus advance() noexcept;
+
+  /// Goes on to the end, or as far as `most_steps` lead.
+  ContinuationStatus run(int most_steps) noexcept;
 
  private:
-  bool step_is_certified(double inverse_norm, double length) const noexcept;
-  bool correct(PathPoint& point) const noexcept;
+  bool step(double length) noexcept;
 
-  const Manipulator& manipulator_;
-  JointVector q0_, q1_;
-  PathPoint at_;
+  const PoseCertifier& certifier_;
+  CertifiedPoint at_;
+  JointVector start_, end_;
+  TaskVector direction_, slack_;
+  double speed_ = -1.0;  // at `at_`; negative where it is not known yet
+  double share_ = 0.0;
   double length_ = 1.0;  // of the next step to try, as a share of the path
+  ContinuationStatus status_ = ContinuationStatus::under_way;
 };
 
-/// Newton's method on f(X, q) = 0 from `pose`. True when it ends with a step below 1e-13 of the robot's size.
-bool refine_pose(const Manipulator& manipulator, const JointVector& q, Pose& pose) noexcept;
+/// A point at a pose that Newton's method finds from `pose` for `q`, around which a direct solution is proved
+/// to exist, on its own and off det A = 0. False, with `point` of no use, where that fails. All entries must
+/// be finite, one entry of `q` a leg.
+bool certify_solution(const PoseCertifier& certifier, const Pose& pose, const JointVector& q,
+                      CertifiedPoint& point) noexcept;
 
 }  // namespace parallel_aspects
 

@@ -6,64 +6,58 @@
 #include "parallel_aspects/kinematics/working_mode.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"
+#include "parallel_aspects/tracking/assembly_watch.h"
+#include "parallel_aspects/tracking/candidates.h"
+#include "parallel_aspects/tracking/drive_samples.h"
+#include "parallel_aspects/tracking/transitions.h"
 
 #include <array>
 #include <cstddef>
 #include <memory>
-#include <optional>
 
 namespace parallel_aspects {
 
 enum class TrackStatus {
-  unstarted,  ///< no pose is known yet
-  tracking,   ///< the pose belongs to the last sample
-  ambiguous,  ///< the last steps came too close to det A = 0 to tell which assembly mode the robot is in
+  unstarted,     ///< no pose is known yet
+  tracking,      ///< the pose belongs to the last sample
+  ambiguous,     ///< it is not known which assembly mode the robot is in; `doubt` says why
+  inconsistent,  ///< followed as while tracking, but measured passive joints contradict the pose
 };
 
-/// "unstarted", "tracking" or "ambiguous".
+/// Why the assembly mode is not known.
+enum class Doubt {
+  none,
+  near_parallel_singularity,  ///< the last step came too near to det A = 0 to be certified
+  gap,                        ///< the last step was longer than the velocity limits allow, or took too long
+  step_budget,                ///< the last step needed more subdivisions than allowed
+  several_assembly_modes,     ///< the drives can be assembled in several ways
+  serial_singularity,         ///< a leg is stretched or folded where tracking would start
+  no_direct_solution,         ///< the drives cannot be assembled
+  no_candidate_fits,          ///< what was said of the pose contradicts every candidate
+};
+
+/// "unstarted", "tracking", "ambiguous" or "inconsistent".
 const char* name(TrackStatus status) noexcept;
+
+/// A clause for people, such as "the step came too near to det A = 0"; empty for none.
+const char* reason(Doubt doubt) noexcept;
 
 /// What is known of the robot at the time of one joint sample.
 struct TrackedState {
   TrackStatus status = TrackStatus::unstarted;
   double time = 0.0;         ///< of the sample [s]
-  JointVector q;             ///< of the sample
-  Pose pose;                 ///< valid while tracking
-  WorkingMode mode;          ///< valid while tracking; at B_jj = 0 the last mode
-  int determinant_sign = 0;  ///< +1 or -1 while tracking
+  JointVector q;             ///< of the sample; whole turns may have been added
+  Pose pose;                 ///< valid while tracking or inconsistent
+  WorkingMode mode;          ///< valid while tracking or inconsistent; at B_jj = 0 the last mode
+  int determinant_sign = 0;  ///< +1 or -1 while tracking or inconsistent
   int aspect = 0;  ///< id in the map; 0 without a map, or too close to a singularity since the last change
-};
+  Doubt doubt = Doubt::none;  ///< set while ambiguous
+  double residual = 0.0;      ///< last `report_residual`
 
-enum class TransitionKind {
-  working_mode,  ///< B_jj of `leg` went through zero
-  aspect,        ///< the aspect became known, or a start found the robot in another one than before
-  lost,          ///< det A came too close to zero to tell the assembly mode from here on
-};
-
-/// "working mode", "aspect" or "lost".
-const char* name(TransitionKind kind) noexcept;
-
-/// One change of working mode or aspect.
-struct Transition {
-  TransitionKind kind = TransitionKind::working_mode;
-  double time = 0.0;         ///< of the crossing, interpolated between two samples [s]
-  std::size_t leg = 0;       ///< whose B_jj crossed zero, for a change of working mode
-  bool determinant = false;  ///< whether det A lost its sign, or has another one than before
-  WorkingMode mode_before, mode_after;
-  int determinant_sign_before = 0, determinant_sign_after = 0;
-  int aspect_before = 0, aspect_after = 0;  ///< 0 while unknown
-};
-
-/// Transitions of one update, in the order of time.
-struct Transitions {
-  static constexpr std::size_t most = 16;  ///< a step that crosses more often ends with `dropped`
-  std::array<Transition, most> items;
-  std::size_t count = 0;
-  bool dropped = false;  ///< more happened than there was room for
-
-  const Transition* begin() const noexcept { return items.data(); }
-  const Transition* end() const noexcept { return items.data() + count; }
-  bool empty() const noexcept { return count == 0; }
+  /// Whether pose, mode and sign are those of the robot.
+  bool followed() const noexcept {
+    return status == TrackStatus::tracking || status == TrackStatus::inconsistent;
+  }
 };
 
 struct TrackerOptions {
@@ -71,10 +65,21 @@ struct TrackerOptions {
   /// angle at its elbow, |B_jj| / (|u_j| |c_j'|) [0 to 1]: noise about B_jj = 0, and touching it, are no
   /// change.
   double hysteresis = 1e-3;
+
+  SampleOptions samples;
+
+  /// Certified subdivisions of one step between samples, for each assembly mode that is followed.
+  int most_steps = 256;
 };
 
 /// Follows the pose of the platform from the actuated joints alone, by certified continuation of the direct
-/// kinematics. Between two samples the drives are taken to move straight. Not thread-safe; one owner.
+/// kinematics: between two samples the drives are taken to move straight, and the solution on that way is
+/// proved to exist, to be the only one near by and to stay off det A = 0. A step that this cannot be proved
+/// of, or that is a gap, ends in `ambiguous`. `find_candidates` then lists the assembly modes that remain
+/// possible; each is followed until what is known of the robot leaves one.
+///
+/// `update` neither allocates nor locks, throws or logs. Not thread-safe; one owner. docs/tracking.md says
+/// what is certified.
 class Tracker {
  public:
   explicit Tracker(std::shared_ptr<const Manipulator> manipulator, const TrackerOptions& options = {});
@@ -84,14 +89,15 @@ class Tracker {
 
   /// Starts from a pose known to belong to `q`: the direct solution that Newton's method finds from there.
   /// False, and unstarted, where that is farther than `tolerance` from the pose [m, RMS over the anchors],
-  /// where q or pose are not finite, or where det A or a B_jj is zero there.
+  /// where q or pose are not finite, or where no solution is proved there. False, and ambiguous, where a leg
+  /// is stretched or folded; tracking then starts once it is not.
   bool start(double time, const JointVector& q, const Pose& pose, double tolerance);
 
   /// Starts in the assembly mode with this sign of det A (+1 or -1). False, and unstarted, unless there is
-  /// exactly one and it is not near singular.
+  /// exactly one and it is not near singular. Allocates.
   bool start(double time, const JointVector& q, int determinant_sign);
 
-  /// Forgets the pose.
+  /// Forgets the pose and the candidates.
   void stop() noexcept;
 
   /// The next sample: one entry a leg. What is not finite changes nothing. No allocation, no exception.
@@ -102,22 +108,67 @@ class Tracker {
   /// What the last `update` or `start` crossed.
   const Transitions& transitions() const noexcept { return transitions_; }
 
+  /// Whether `find_candidates` would add to what is known: a sample has come, the pose is not followed, and
+  /// there is no complete list of assembly modes.
+  bool wants_candidates() const noexcept;
+
+  /// Lists the assembly modes that the last sample allows and starts in the only one if there is but one.
+  /// From then on `update` follows each. Allocates; takes up to some 10 ms in SE3, so not for the hot path.
+  /// True where tracking has started.
+  bool find_candidates();
+
+  /// While ambiguous: the assembly modes that remain possible. The robot is in one of them if
+  /// `candidates().complete()`.
+  const Candidates& candidates() const noexcept { return candidates_; }
+
+  /// Drops every candidate of which `keep(pose, q)` is false: by passive joints, their limits, or whatever
+  /// else is known of the robot. Tracking starts in the only one left of a complete list. True where it has.
+  template <class Keep>
+  bool keep_candidates(const Keep& keep) {
+    for (std::size_t i = candidates_.size(); i-- > 0;)
+      if (!keep(candidates_[i].point.pose, candidates_[i].point.q)) candidates_.remove(i);
+    return settle_kept();
+  }
+
+  /// What measured passive joints say of the pose: a residual, and whether it contradicts the pose. The state
+  /// is `inconsistent` for as long as it does.
+  void report_residual(double residual, bool contradicts) noexcept;
+
+  /// From now on `assembly_mode` transitions compare with the present configuration; a start sets it as well.
+  void set_reference() noexcept;
+
+  /// Whether the robot is in the assembly mode that it had at the reference; `unknown` unless followed. Takes
+  /// up to `most_steps` certified steps; never allocates.
+  AssemblyComparison compare_with_reference(int most_steps = 4096) const noexcept;
+
  private:
-  bool begin_at(double time, const JointVector& q, const Pose& pose);
-  void watch_legs(double time, const Pose& pose, const JointVector& q) noexcept;
+  bool begin_at(double time, const CertifiedPoint& point, int determinant_sign) noexcept;
+  bool settle() noexcept;
+  bool settle_kept() noexcept;
+  void follow(double time, const JointVector& q) noexcept;
+  void follow_candidates(const JointVector& q, bool gap) noexcept;
+  void watch_legs(const CertifiedPoint& from, const CertifiedPoint& to, double start, double end) noexcept;
+  double zero_time(const CertifiedPoint& from, const CertifiedPoint& to, std::size_t leg, double start,
+                   double end) const noexcept;
   void cross(std::size_t leg, double time) noexcept;
-  void lose(double time) noexcept;
+  void watch_assembly(double time) noexcept;
+  void lose(double time, Doubt doubt) noexcept;
+  void doubt(Doubt doubt) noexcept;
   void identify_aspect() noexcept;
   void add(const Transition& transition) noexcept;
   Transition from_here(TransitionKind kind, double time) const noexcept;
 
   std::shared_ptr<const Manipulator> manipulator_;
   TrackerOptions options_;
+  PoseCertifier certifier_;
   std::shared_ptr<const AspectMap> map_;
   TrackedState state_;
   Transitions transitions_;
-  TaskVector entry_sines_;                     // at the last point of the path
-  double path_time_ = 0.0;                     // of that point
+  CertifiedPoint point_;    // of the last sample, while followed
+  TaskVector entry_sines_;  // there
+  Candidates candidates_;   // while ambiguous
+  AssemblyWatch assembly_;
+  bool mode_changed_ = false;                  // since the reference was set
   std::array<double, max_legs> zero_times_{};  // when each B_jj last went through zero
   int last_determinant_sign_ = 0;              // also over times when it was unknown
   int last_aspect_ = 0;                        // also over times when it was unknown

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_TRACKING_DRIVE_SAMPLES_H
+#define PARALLEL_ASPECTS_TRACKING_DRIVE_SAMPLES_H
+
+#include "parallel_aspects/model/manipulator.h"
+
+#include <limits>
+
+namespace parallel_aspects {
+
+/// What samples of the drives are taken to mean.
+struct SampleOptions {
+  /// Angles of drives without limits are taken to have turned less than half a turn since the sample before,
+  /// whatever whole turns their encoder reports; those with limits to be inside them, where a whole number of
+  /// turns can bring them there.
+  bool unwrap = true;
+
+  /// Whether a step longer than the velocity limits of the drives allow in its time is a gap.
+  bool check_velocity = true;
+
+  /// By how much a step may be longer, for jitter of the stamps, as a share [0 or more].
+  double velocity_tolerance = 0.25;
+
+  /// And for noise of the encoders: this many rad, or of this share of the robot's size in m.
+  double encoder_noise = 1e-4;
+
+  /// Samples farther apart than this are a gap, whatever the drives do [s].
+  double longest_interval = std::numeric_limits<double>::infinity();
+};
+
+/// `q` with angles turned to where `last` says that they are; without a last sample (empty), to where the
+/// limits say. One entry a leg [rad or m]. Never allocates.
+JointVector unwrapped(const Manipulator& manipulator, const JointVector& last, const JointVector& q) noexcept;
+
+/// Whether nothing is known of the way of the drives between two samples that are `seconds` apart.
+bool is_gap(const Manipulator& manipulator, const SampleOptions& options, const JointVector& last,
+            const JointVector& q, double seconds) noexcept;
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_TRACKING_DRIVE_SAMPLES_H

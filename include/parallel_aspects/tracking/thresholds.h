@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_TRACKING_THRESHOLDS_H
+#define PARALLEL_ASPECTS_TRACKING_THRESHOLDS_H
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// What a distance is measured to.
+enum class Hazard { parallel_singularity, serial_singularity, limit };
+inline constexpr std::size_t hazard_count = 3;
+
+/// "parallel singularity", "serial singularity" or "limit".
+const char* name(Hazard hazard) noexcept;
+
+enum class ThresholdLevel {
+  unknown,  ///< no distance is known, or it is not a number
+  clear,
+  warn,
+  stop,
+};
+
+/// "unknown", "clear", "warn" or "stop".
+const char* name(ThresholdLevel level) noexcept;
+
+/// Thresholds on distances to hazards, all in the unit of the distances that they are compared with [m].
+/// 0 for no such threshold.
+struct ThresholdOptions {
+  double warn = 0.0;
+  double stop = 0.0;
+  double hysteresis = 0.1;  ///< a level is left above its threshold times 1 plus this [0 or more]
+};
+
+/// Every problem, a sentence each; empty when the options can be used. All must be finite and not negative,
+/// and `stop` not above `warn` where both are set.
+std::vector<std::string> problems_of(const ThresholdOptions& options);
+
+/// What the thresholds make of the last distances.
+struct ThresholdState {
+  ThresholdLevel level = ThresholdLevel::unknown;
+  Hazard hazard =
+      Hazard::parallel_singularity;  ///< that the level is due to: the nearest of those that have it
+  double distance = 0.0;             ///< to that hazard; valid for clear, warn and stop [m]
+  double threshold = 0.0;            ///< below which the level was taken; valid for warn and stop [m]
+  bool held = false;                 ///< the distance is above the threshold again, but not by the hysteresis
+};
+
+/// Compares lower bounds of the distances to the nearest hazards with thresholds, each hazard with its own.
+/// The level of the whole is the worst; an unknown distance is worse than clear, and never hides a warning or
+/// a stop. Never allocates, never throws.
+class DistanceThresholds {
+ public:
+  using Options = std::array<ThresholdOptions, hazard_count>;
+  using Distances = std::array<double, hazard_count>;  ///< by `Hazard`; not a number while unknown [m]
+
+  explicit DistanceThresholds(const Options& options = {}) noexcept : options_(options) {}
+
+  /// Levels are taken anew from the next distances.
+  void set_options(const Options& options) noexcept;
+
+  /// The next distances. A hazard with no threshold of its own is always clear.
+  const ThresholdState& update(const Distances& distances) noexcept;
+
+  /// Nothing is known of the robot.
+  const ThresholdState& forget() noexcept;
+
+  const ThresholdState& state() const noexcept { return state_; }
+  ThresholdLevel level(Hazard hazard) const noexcept { return levels_[static_cast<std::size_t>(hazard)]; }
+
+ private:
+  Options options_;
+  std::array<ThresholdLevel, hazard_count> levels_{};
+  ThresholdState state_;
+};
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_TRACKING_THRESHOLDS_H

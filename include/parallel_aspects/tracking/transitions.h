@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_TRACKING_TRANSITIONS_H
+#define PARALLEL_ASPECTS_TRACKING_TRANSITIONS_H
+
+#include "parallel_aspects/kinematics/working_mode.h"
+
+#include <array>
+#include <cstddef>
+
+namespace parallel_aspects {
+
+enum class TransitionKind {
+  working_mode,  ///< B_jj of `leg` went through zero
+  aspect,        ///< the aspect became known, or a start found the robot in another one than before
+  lost,  ///< the assembly mode is not known from here on; `determinant` where det A came too near zero
+  assembly_mode,  ///< the drives are back where they were at the reference, the platform at another direct
+                  ///< solution, and det A never vanished in between
+};
+
+/// "working mode", "aspect", "lost" or "assembly mode".
+const char* name(TransitionKind kind) noexcept;
+
+/// One change of working mode, aspect or assembly mode.
+struct Transition {
+  TransitionKind kind = TransitionKind::working_mode;
+  double time = 0.0;           ///< of the crossing, interpolated between two samples [s]
+  std::size_t leg = 0;         ///< whose B_jj crossed zero, for a change of working mode
+  bool determinant = false;    ///< whether det A lost its sign, or has another one than before
+  bool inside_aspect = false;  ///< for a change of assembly mode: no working mode has changed either since
+                               ///< the reference, so that both solutions are in one aspect
+  WorkingMode mode_before, mode_after;
+  int determinant_sign_before = 0, determinant_sign_after = 0;
+  int aspect_before = 0, aspect_after = 0;  ///< 0 while unknown
+};
+
+/// Transitions of one update, in the order of time.
+struct Transitions {
+  static constexpr std::size_t most = 16;  ///< a step that crosses more often ends with `dropped`
+  std::array<Transition, most> items;
+  std::size_t count = 0;
+  bool dropped = false;  ///< more happened than there was room for
+
+  const Transition* begin() const noexcept { return items.data(); }
+  const Transition* end() const noexcept { return items.data() + count; }
+  bool empty() const noexcept { return count == 0; }
+};
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_TRACKING_TRANSITIONS_H

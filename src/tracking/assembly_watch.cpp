@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/tracking/assembly_watch.h"
+
+#include "parallel_aspects/tracking/anchor_distance.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace parallel_aspects {
+namespace {
+
+constexpr int most_steps_when_back = 32;
+
+// Direct solutions that are proved to be isolated are known far better than this, over the robot's size.
+constexpr double same_pose = 1e-6;
+
+}  // namespace
+
+const char* name(AssemblyComparison comparison) noexcept {
+  switch (comparison) {
+    case AssemblyComparison::same:
+      return "same";
+    case AssemblyComparison::other:
+      return "other";
+    case AssemblyComparison::unknown:
+      break;
+  }
+  return "unknown";
+}
+
+void AssemblyWatch::set_reference(const CertifiedPoint& reference) noexcept {
+  reference_ = reference;
+  away_ = false;
+}
+
+// From `q` to the reference; whole turns of drives without limits are left out.
+JointVector AssemblyWatch::way_back(const Manipulator& manipulator, const JointVector& q) const noexcept {
+  JointVector way = reference_.q - q;
+  for (Eigen::Index i = 0; i < way.size(); ++i) {
+    const Leg& leg = manipulator.leg(static_cast<std::size_t>(i));
+    if (leg.driven_by_angle() && !leg.limits.limited()) way[i] = std::remainder(way[i], 2.0 * EIGEN_PI);
+  }
+  return way;
+}
+
+AssemblyComparison AssemblyWatch::watch(const Manipulator& manipulator, const PoseCertifier& certifier,
+                                        const CertifiedPoint& now) noexcept {
+  const JointVector way = way_back(manipulator, now.q);
+  double farthest = 0.0;
+  for (Eigen::Index i = 0; i < way.size(); ++i) {
+    const bool angle = manipulator.leg(static_cast<std::size_t>(i)).driven_by_angle();
+    farthest = std::max(farthest, std::abs(way[i]) / (angle ? near : near * manipulator.size()));
+  }
+  if (farthest > 2.0) away_ = true;
+  if (!away_ || farthest > 1.0) return AssemblyComparison::same;
+  Pose end;
+  const AssemblyComparison result = compare(manipulator, certifier, now, most_steps_when_back, end);
+  if (result == AssemblyComparison::unknown) return AssemblyComparison::same;
+  away_ = false;
+  if (result == AssemblyComparison::other) reference_.pose = end;
+  return result;
+}
+
+AssemblyComparison AssemblyWatch::compare(const Manipulator& manipulator, const PoseCertifier& certifier,
+                                          const CertifiedPoint& now, int most_steps) const noexcept {
+  Pose end;
+  return compare(manipulator, certifier, now, most_steps, end);
+}
+
+AssemblyComparison AssemblyWatch::compare(const Manipulator& manipulator, const PoseCertifier& certifier,
+                                          const CertifiedPoint& now, int most_steps,
+                                          Pose& end) const noexcept {
+  Continuation path(certifier, now, now.q + way_back(manipulator, now.q));
+  if (path.run(most_steps) != ContinuationStatus::finished) return AssemblyComparison::unknown;
+  end = path.at().pose;
+  return anchor_distance(manipulator, end, reference_.pose) <= same_pose * manipulator.size()
+             ? AssemblyComparison::same
+             : AssemblyComparison::other;
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/tracking/drive_samples.h"
+
+#include <cmath>
+
+namespace parallel_aspects {
+namespace {
+
+constexpr double turn = 2.0 * EIGEN_PI;
+
+double nearest_turn(double last, double angle) { return angle + turn * std::round((last - angle) / turn); }
+
+// The value inside the limits that is a whole number of turns away and closest to `wanted`; the angle itself
+// where there is none.
+double turned_inside(const JointLimits& limits, double wanted, double angle) {
+  const double near = nearest_turn(wanted, angle);
+  if (limits.contain(near)) return near;
+  const double end = near < limits.lower ? limits.lower : limits.upper;
+  const double at_end = nearest_turn(end, angle);
+  for (const double value : {at_end, at_end - turn, at_end + turn})
+    if (limits.contain(value)) return value;
+  return angle;
+}
+
+}  // namespace
+
+JointVector unwrapped(const Manipulator& manipulator, const JointVector& last,
+                      const JointVector& q) noexcept {
+  JointVector result = q;
+  for (std::size_t j = 0; j < manipulator.leg_count(); ++j) {
+    const Leg& leg = manipulator.leg(j);
+    const auto i = static_cast<Eigen::Index>(j);
+    if (!leg.driven_by_angle()) continue;
+    const double before = last.size() == q.size() ? last[i] : q[i];
+    result[i] = leg.limits.limited() ? turned_inside(leg.limits, before, q[i]) : nearest_turn(before, q[i]);
+  }
+  return result;
+}
+
+bool is_gap(const Manipulator& manipulator, const SampleOptions& options, const JointVector& last,
+            const JointVector& q, double seconds) noexcept {
+  if (seconds > options.longest_interval) return true;
+  if (!options.check_velocity) return false;
+  for (std::size_t j = 0; j < manipulator.leg_count(); ++j) {
+    const Leg& leg = manipulator.leg(j);
+    if (!std::isfinite(leg.limits.velocity)) continue;
+    const auto i = static_cast<Eigen::Index>(j);
+    const double noise = options.encoder_noise * (leg.driven_by_angle() ? 1.0 : manipulator.size());
+    const double possible =
+        leg.limits.velocity * (1.0 + options.velocity_tolerance) * std::fmax(0.0, seconds);
+    if (!(std::abs(q[i] - last[i]) <= possible + noise)) return true;
+  }
+  return false;
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/tracking/leg_enclosure.h"
+
+#include <cmath>
+
+namespace parallel_aspects {
+namespace {
+
+// Of sine and cosine from the C library: its manual states one unit in the last place, 2^-53 near 1.
+constexpr double trigonometric_error = 0x1p-52;
+
+// `Manipulator` accepts directions whose length is 1 to within 1e-9.
+constexpr double longest_direction = 1.0 + 2e-9;
+
+struct Trigonometry {
+  Interval cosine, sine;
+};
+
+// `error` of the angle itself [rad].
+Trigonometry enclosed(double angle, double error = 0.0) {
+  const double all = trigonometric_error + error;
+  const Interval margin(-all, all);
+  return {Interval(std::cos(angle)) + margin, Interval(std::sin(angle)) + margin};
+}
+
+IntervalVector scaled(double factor, const Eigen::Vector3d& v) {
+  return {Interval(factor) * v.x(), Interval(factor) * v.y(), Interval(factor) * v.z()};
+}
+
+IntervalVector cross(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double factor) {
+  const Interval ax = a.x(), ay = a.y(), az = a.z(), scale = factor;
+  return {scale * (ay * b.z() - az * b.y()), scale * (az * b.x() - ax * b.z()),
+          scale * (ax * b.y() - ay * b.x())};
+}
+
+Interval dot(const IntervalVector& a, const IntervalVector& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+Interval squared_norm(const IntervalVector& a) { return square(a[0]) + square(a[1]) + square(a[2]); }
+
+IntervalVector turned(const IntervalRotation* turn, const Eigen::Vector3d& v) {
+  if (turn == nullptr) return {v.x(), v.y(), v.z()};
+  const IntervalVector w{v.x(), v.y(), v.z()};
+  return {dot((*turn)[0], w), dot((*turn)[1], w), dot((*turn)[2], w)};
+}
+
+}  // namespace
+
+IntervalRotation enclosed_rotation(const Eigen::Quaterniond& quaternion) noexcept {
+  const Interval x = quaternion.x(), y = quaternion.y(), z = quaternion.z(), w = quaternion.w();
+  const Interval xx = square(x), yy = square(y), zz = square(z);
+  const Interval scale = Interval(2.0) * reciprocal(xx + yy + zz + square(w));
+  const Interval xy = x * y, xz = x * z, yz = y * z, xw = x * w, yw = y * w, zw = z * w;
+  const Interval one = 1.0;
+  return {{{one - scale * (yy + zz), scale * (xy - zw), scale * (xz + yw)},
+           {scale * (xy + zw), one - scale * (xx + zz), scale * (yz - xw)},
+           {scale * (xz - yw), scale * (yz + xw), one - scale * (xx + yy)}}};
+}
+
+LegForm::LegForm(const Leg& leg) noexcept : anchor_(leg.anchor) {
+  first_.setZero();
+  second_.setZero();
+  std::visit([&](const auto& drive) { prepare(leg, drive); }, leg.drive);
+}
+
+void LegForm::prepare(const Leg& leg, const RevoluteDrive& drive) noexcept {
+  kind_ = Kind::revolute;
+  fixed_ = drive.center;
+  first_ = drive.radius * drive.zero_direction;
+  second_ = drive.radius * drive.axis.cross(drive.zero_direction);
+  exact_first_ = scaled(drive.radius, drive.zero_direction);
+  exact_second_ = cross(drive.axis, drive.zero_direction, drive.radius);
+  squared_rod_ = square(Interval(leg.rod_length));
+  // The second direction is a product of two.
+  point_speed_ = drive.radius * longest_direction * longest_direction;
+  point_curvature_ = point_speed_;
+  curvature_ = point_speed_ * point_speed_;
+}
+
+void LegForm::prepare(const Leg& leg, const PrismaticDrive& drive) noexcept {
+  kind_ = Kind::prismatic;
+  fixed_ = drive.origin;
+  first_ = drive.direction;
+  exact_first_ = scaled(1.0, drive.direction);
+  squared_rod_ = square(Interval(leg.rod_length));
+  point_speed_ = longest_direction;
+  curvature_ = longest_direction * longest_direction;
+}
+
+void LegForm::prepare(const Leg&, const StrutDrive& drive) noexcept {
+  kind_ = Kind::strut;
+  fixed_ = drive.base;
+  offset_ = drive.length_at_zero;
+  sense_ = drive.sense;
+  curvature_ = 1.0;
+}
+
+void LegForm::prepare(const Leg&, const ElbowDrive& drive) noexcept {
+  kind_ = Kind::elbow;
+  fixed_ = drive.base;
+  offset_ = drive.angle_at_zero;
+  sense_ = drive.sense;
+  squared_rod_ = square(Interval(drive.inner_length)) + square(Interval(drive.outer_length));
+  product_ = Interval(drive.inner_length) * drive.outer_length;
+  curvature_ = product_.upper();
+}
+
+Eigen::Vector3d LegForm::proximal_point(double q) const noexcept {
+  if (kind_ == Kind::revolute) return fixed_ + std::cos(q) * first_ + std::sin(q) * second_;
+  if (kind_ == Kind::prismatic) return fixed_ + q * first_;
+  return fixed_;
+}
+
+double LegForm::squared_distance(double q) const noexcept {
+  const double moved = offset_ + sense_ * q;
+  if (kind_ == Kind::strut) return moved * moved;
+  if (kind_ == Kind::elbow) return squared_rod_.upper() + 2.0 * product_.upper() * std::cos(moved);
+  return squared_rod_.upper();
+}
+
+LegEnclosure LegForm::enclose(const Pose& pose, const IntervalRotation* turn, double q) const noexcept {
+  LegEnclosure leg;
+  leg.b = turned(turn, anchor_);
+  for (int k = 0; k < 3; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    leg.u[i] = leg.b[i] + pose.position[k] - fixed_[k];
+  }
+  Interval squared_length = squared_rod_;
+  if (kind_ == Kind::revolute) {
+    const Trigonometry at = enclosed(q);
+    IntervalVector speed;
+    for (std::size_t i = 0; i < 3; ++i) {
+      leg.u[i] = leg.u[i] - (at.cosine * exact_first_[i] + at.sine * exact_second_[i]);
+      speed[i] = at.cosine * exact_second_[i] - at.sine * exact_first_[i];
+    }
+    leg.inverse_diagonal = dot(leg.u, speed);
+  } else if (kind_ == Kind::prismatic) {
+    for (std::size_t i = 0; i < 3; ++i) leg.u[i] = leg.u[i] - exact_first_[i] * q;
+    leg.inverse_diagonal = dot(leg.u, exact_first_);
+  } else {
+    const Interval moved = Interval(offset_) + Interval(sense_) * q;
+    if (kind_ == Kind::strut) {
+      squared_length = square(moved);
+      leg.inverse_diagonal = moved * sense_;
+    } else {
+      const Trigonometry at = enclosed(moved.upper(), moved.upper() - moved.lower());
+      squared_length = squared_rod_ + Interval(2.0) * (product_ * at.cosine);
+      leg.inverse_diagonal = -(Interval(sense_) * (product_ * at.sine));
+    }
+  }
+  leg.half_residual = Interval(0.5) * (squared_norm(leg.u) - squared_length);
+  return leg;
+}
+
+}  // namespace parallel_aspects

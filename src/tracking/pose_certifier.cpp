@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/tracking/pose_certifier.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace parallel_aspects {
+namespace {
+
+constexpr int most_newton_steps = 20;
+
+// Over the robot's size. With C that is right to the second of these, a step of the first leaves rounding.
+constexpr double converged = 1e-10;
+constexpr double outdated = 1e-5;
+
+// The smallest radius tried, over the robot's size: far above rounding, far below everything else.
+constexpr double least_radius = 1e-9;
+
+// Rotations in a ball stay below half a turn, where exponential coordinates are one to one.
+constexpr double largest_turn = 3.0;
+
+// What `Eigen::Quaternion::normalize` leaves of a length other than 1, with room.
+constexpr double unit_error = 0x1p-48;
+
+template <int n>
+void invert(const SquareArray<double>& matrix, SquareArray<double>& inverse) {
+  Eigen::Matrix<double, n, n> fixed;
+  for (int i = 0; i < n; ++i)
+    for (int k = 0; k < n; ++k)
+      fixed(i, k) = matrix[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)];
+  const Eigen::Matrix<double, n, n> result = fixed.inverse();
+  for (int i = 0; i < n; ++i)
+    for (int k = 0; k < n; ++k)
+      inverse[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)] = result(i, k);
+}
+
+void invert(std::size_t size, const SquareArray<double>& matrix, SquareArray<double>& inverse) {
+  switch (size) {
+    case 1:
+      return invert<1>(matrix, inverse);
+    case 2:
+      return invert<2>(matrix, inverse);
+    case 3:
+      return invert<3>(matrix, inverse);
+    default:
+      return invert<6>(matrix, inverse);
+  }
+}
+
+// Row j of A from b and u, whose entries are numbers or intervals.
+template <class Scalar, class Vector>
+void fill_row(TaskSpace space, const Vector& b, const Vector& u, const Scalar& over_length,
+              std::array<Scalar, max_legs>& row) {
+  const auto moment = [&](std::size_t i, std::size_t k) { return (b[i] * u[k] - b[k] * u[i]) * over_length; };
+  std::size_t next = 0;
+  if (space == TaskSpace::SO3 || space == TaskSpace::SE3) {
+    row[next++] = moment(1, 2);
+    row[next++] = moment(2, 0);
+  }
+  if (has_rotation(space)) row[next++] = moment(0, 1);
+  const std::size_t translations = freedoms(space) - next;
+  for (std::size_t i = 0; i < translations; ++i) row[next++] = u[i];
+}
+
+}  // namespace
+
+PoseCertifier::PoseCertifier(const Manipulator& manipulator) noexcept
+    : space_(manipulator.task_space()),
+      size_(manipulator.leg_count()),
+      rotational_(rotational_freedoms(space_)),
+      length_(manipulator.characteristic_length()),
+      scale_(manipulator.size()) {
+  const RoundingUpward upward;
+  for (std::size_t j = 0; j < size_; ++j) {
+    legs_[j] = LegForm(manipulator.leg(j));
+    const Eigen::Vector3d& anchor = manipulator.leg(j).anchor;
+    const double arm =
+        rotational_ == 0
+            ? 0.0
+            : std::sqrt(anchor.x() * anchor.x() + anchor.y() * anchor.y() + anchor.z() * anchor.z()) /
+                  length_;
+    lever_[j] = has_translation(space_) ? std::sqrt(1.0 + arm * arm) : arm;
+    arm_[j] = arm / length_;
+  }
+}
+
+void PoseCertifier::approximate(const Pose& pose, const JointVector& q, LegBounds& residual,
+                                Rows* matrix) const noexcept {
+  const Eigen::Matrix3d turn =
+      rotational_ == 0 ? Eigen::Matrix3d::Identity() : pose.orientation.toRotationMatrix();
+  for (std::size_t j = 0; j < size_; ++j) {
+    const double drive = q[static_cast<Eigen::Index>(j)];
+    const Eigen::Vector3d b = turn * legs_[j].anchor();
+    const Eigen::Vector3d u = pose.position + b - legs_[j].proximal_point(drive);
+    residual[j] = 0.5 * (u.squaredNorm() - legs_[j].squared_distance(drive));
+    if (matrix != nullptr) fill_row(space_, b, u, 1.0 / length_, (*matrix)[j]);
+  }
+}
+
+Pose PoseCertifier::stepped(const Pose& pose, const Rows& inverse, const LegBounds& residual,
+                            double& size) const noexcept {
+  TaskVector step(static_cast<Eigen::Index>(size_));
+  for (std::size_t i = 0; i < size_; ++i) {
+    double sum = 0.0;
+    for (std::size_t j = 0; j < size_; ++j) sum -= inverse[i][j] * residual[j];
+    step[static_cast<Eigen::Index>(i)] = sum;
+  }
+  size = step.norm();
+  step.head(static_cast<Eigen::Index>(rotational_)) /= length_;
+  return displaced(space_, pose, step);
+}
+
+Pose PoseCertifier::predicted(const CertifiedPoint& point, const JointVector& q) const noexcept {
+  LegBounds residual;
+  double size = 0.0;
+  approximate(point.pose, q, residual, nullptr);
+  return stepped(point.pose, point.inverse, residual, size);
+}
+
+bool PoseCertifier::refine(CertifiedPoint& point) const noexcept {
+  LegBounds residual;
+  Rows matrix;
+  bool fresh = false;
+  for (int i = 0; i < most_newton_steps; ++i) {
+    approximate(point.pose, point.q, residual, fresh ? nullptr : &matrix);
+    if (!fresh) invert(size_, matrix, point.inverse);
+    double size = 0.0;
+    point.pose = stepped(point.pose, point.inverse, residual, size);
+    if (!std::isfinite(size)) return false;
+    if (size <= converged * scale_) return true;
+    fresh = size <= outdated * scale_;
+  }
+  return false;
+}
+
+SquareArray<Interval> PoseCertifier::enclosed_matrix(
+    const CertifiedPoint& point, std::array<LegEnclosure, max_legs>& legs) const noexcept {
+  SquareArray<Interval> matrix;
+  IntervalRotation turn;
+  if (rotational_ > 0) turn = enclosed_rotation(point.pose.orientation);
+  const Interval over_length = reciprocal(Interval(length_));
+  for (std::size_t j = 0; j < size_; ++j) {
+    legs[j] = legs_[j].enclose(point.pose, rotational_ > 0 ? &turn : nullptr,
+                               point.q[static_cast<Eigen::Index>(j)]);
+    fill_row(space_, legs[j].b, legs[j].u, over_length, matrix[j]);
+  }
+  return matrix;
+}
+
+bool PoseCertifier::enclose(CertifiedPoint& point) const noexcept {
+  std::array<LegEnclosure, max_legs> legs;
+  const SquareArray<Interval> matrix = enclosed_matrix(point, legs);
+  double squared_defect = 0.0, squared_residual = 0.0;
+  for (std::size_t i = 0; i < size_; ++i) {
+    Interval corrected = 0.0;
+    for (std::size_t k = 0; k < size_; ++k) {
+      Interval entry = i == k ? -1.0 : 0.0;
+      for (std::size_t j = 0; j < size_; ++j) entry += matrix[j][k] * point.inverse[i][j];
+      squared_defect += magnitude(entry) * magnitude(entry);
+      corrected += legs[k].half_residual * point.inverse[i][k];
+    }
+    squared_residual += magnitude(corrected) * magnitude(corrected);
+  }
+  point.defect = std::sqrt(squared_defect);
+  point.residual = std::sqrt(squared_residual);
+  for (std::size_t j = 0; j < size_; ++j) {
+    point.inverse_diagonal[j] = legs[j].inverse_diagonal;
+    const IntervalVector& u = legs[j].u;
+    point.rod[j] = square_root(square(u[0]) + square(u[1]) + square(u[2])).upper();
+  }
+  return std::isfinite(point.defect) && std::isfinite(point.residual);
+}
+
+bool PoseCertifier::evaluate(CertifiedPoint& point) const noexcept {
+  return refine(point) && enclose(point) && std::abs(point.pose.orientation.squaredNorm() - 1.0) < unit_error;
+}
+
+// At least |C v| for every v that is at most `entries`, leg by leg.
+double PoseCertifier::spread(const CertifiedPoint& point, const LegBounds& entries) const noexcept {
+  double squared = 0.0;
+  for (std::size_t i = 0; i < size_; ++i) {
+    double sum = 0.0;
+    for (std::size_t j = 0; j < size_; ++j) sum += std::abs(point.inverse[i][j]) * entries[j];
+    squared += sum * sum;
+  }
+  return std::sqrt(squared);
+}
+
+double PoseCertifier::path_speed(const CertifiedPoint& point, const TaskVector& direction) const noexcept {
+  std::array<Interval, max_legs> change;
+  for (std::size_t j = 0; j < size_; ++j)
+    change[j] = point.inverse_diagonal[j] * direction[static_cast<Eigen::Index>(j)];
+  double squared = 0.0;
+  for (std::size_t i = 0; i < size_; ++i) {
+    Interval sum = 0.0;
+    for (std::size_t j = 0; j < size_; ++j) sum += change[j] * point.inverse[i][j];
+    squared += magnitude(sum) * magnitude(sum);
+  }
+  return std::sqrt(squared);
+}
+
+CertifiedBall PoseCertifier::ball(const CertifiedPoint& point) const noexcept {
+  const TaskVector still = TaskVector::Zero(static_cast<Eigen::Index>(size_));
+  return ball(point, still, still, 0.0, 0.0);
+}
+
+CertifiedBall PoseCertifier::ball(const CertifiedPoint& point, const TaskVector& direction,
+                                  const TaskVector& slack, double share, double speed) const noexcept {
+  LegBounds rod{}, row{}, bend{}, curvature{};
+  for (std::size_t j = 0; j < size_; ++j) {
+    const auto i = static_cast<Eigen::Index>(j);
+    const double change = share * std::abs(direction[i]) + slack[i];
+    const double motion = legs_[j].point_speed() * change;
+    rod[j] = point.rod[j] + motion;
+    row[j] = lever_[j] * motion;
+    bend[j] = 0.5 * legs_[j].drive_curvature(rod[j]) * change * change +
+              magnitude(point.inverse_diagonal[j]) * slack[i];
+  }
+  const double lost = point.defect + spread(point, row);
+  const double gain = -(lost - 1.0);  // rounded down: 1 - g
+  const double moved = point.residual + share * speed + spread(point, bend);
+  if (!(gain > 0.0)) return {};
+  const double radius = std::max(2.0 * moved / gain, least_radius * scale_);
+  for (std::size_t j = 0; j < size_; ++j)
+    curvature[j] = lever_[j] * lever_[j] + (rod[j] + lever_[j] * radius) * arm_[j];
+  const double bent = spread(point, curvature) * radius;
+  const double kept = -(-gain * radius);  // rounded down
+  const bool turns_little = rotational_ == 0 || radius <= largest_turn * length_;
+  return {turns_little && bent < gain && moved + 0.5 * bent * radius <= kept, radius};
+}
+
+double PoseCertifier::distance(const Pose& a, const Pose& b) const noexcept {
+  double squared = 0.0;
+  for (int k = 0; k < 3; ++k) {
+    const double up = a.position[k] - b.position[k], down = b.position[k] - a.position[k];
+    squared += std::max(up * up, down * down);
+  }
+  if (rotational_ == 0) return std::sqrt(squared);
+  // Half the chord of two unit quaternions is the sine of a quarter of the angle between the rotations, and
+  // asin x <= x + x^3 for 0 <= x <= 1/2.
+  double chord = 0.0;
+  for (int k = 0; k < 4; ++k) {
+    const double up = a.orientation.coeffs()[k] - b.orientation.coeffs()[k];
+    const double down = b.orientation.coeffs()[k] - a.orientation.coeffs()[k];
+    chord += std::max(up * up, down * down);
+  }
+  const double half = 0.5 * std::sqrt(chord) + 2.0 * unit_error;
+  if (!(half <= 0.5)) return std::numeric_limits<double>::infinity();
+  const double arc = length_ * 4.0 * (half + half * half * half);
+  return std::sqrt(squared + arc * arc);
+}
+
+TaskVector PoseCertifier::entry_sines(const CertifiedPoint& point) const noexcept {
+  TaskVector sines(static_cast<Eigen::Index>(size_));
+  for (std::size_t j = 0; j < size_; ++j) {
+    const Interval& entry = point.inverse_diagonal[j];
+    sines[static_cast<Eigen::Index>(j)] =
+        0.5 * (entry.lower() + entry.upper()) / legs_[j].largest_inverse_entry(point.rod[j]);
+  }
+  return sines;
+}
+
+int PoseCertifier::determinant_sign(const CertifiedPoint& point) const noexcept {
+  std::array<LegEnclosure, max_legs> legs;
+  return proved_determinant_sign(size_, enclosed_matrix(point, legs));
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/tracking/thresholds.h"
+
+#include <cmath>
+
+namespace parallel_aspects {
+namespace {
+
+// A level is entered below its threshold, and left above that by the hysteresis.
+bool inside(double distance, double threshold, double hysteresis, bool was_inside) {
+  if (threshold == 0.0) return false;
+  return distance < threshold || (was_inside && distance < threshold * (1.0 + hysteresis));
+}
+
+ThresholdLevel next_level(const ThresholdOptions& options, double distance, ThresholdLevel before) {
+  if (options.warn == 0.0 && options.stop == 0.0) return ThresholdLevel::clear;
+  if (std::isnan(distance)) return ThresholdLevel::unknown;
+  const bool stopped = before == ThresholdLevel::stop;
+  if (inside(distance, options.stop, options.hysteresis, stopped)) return ThresholdLevel::stop;
+  if (inside(distance, options.warn, options.hysteresis, stopped || before == ThresholdLevel::warn))
+    return ThresholdLevel::warn;
+  return ThresholdLevel::clear;
+}
+
+// Clear, unknown, warn, stop: the worse the higher.
+int severity(ThresholdLevel level) {
+  switch (level) {
+    case ThresholdLevel::clear:
+      return 0;
+    case ThresholdLevel::unknown:
+      return 1;
+    case ThresholdLevel::warn:
+      return 2;
+    case ThresholdLevel::stop:
+      break;
+  }
+  return 3;
+}
+
+}  // namespace
+
+const char* name(Hazard hazard) noexcept {
+  switch (hazard) {
+    case Hazard::parallel_singularity:
+      return "parallel singularity";
+    case Hazard::serial_singularity:
+      return "serial singularity";
+    case Hazard::limit:
+      break;
+  }
+  return "limit";
+}
+
+const char* name(ThresholdLevel level) noexcept {
+  switch (level) {
+    case ThresholdLevel::unknown:
+      return "unknown";
+    case ThresholdLevel::clear:
+      return "clear";
+    case ThresholdLevel::warn:
+      return "warn";
+    case ThresholdLevel::stop:
+      break;
+  }
+  return "stop";
+}
+
+std::vector<std::string> problems_of(const ThresholdOptions& options) {
+  std::vector<std::string> problems;
+  const auto check = [&](double value, const std::string& what) {
+    if (!std::isfinite(value) || value < 0.0)
+      problems.push_back("The " + what + " is " + std::to_string(value) +
+                         "; it must be finite and not negative, and 0 for none.");
+  };
+  check(options.warn, "warn threshold");
+  check(options.stop, "stop threshold");
+  check(options.hysteresis, "hysteresis");
+  if (problems.empty() && options.warn > 0.0 && options.stop > options.warn)
+    problems.push_back("The stop threshold of " + std::to_string(options.stop) +
+                       " m is above the warn threshold of " + std::to_string(options.warn) +
+                       " m; exchange them.");
+  return problems;
+}
+
+void DistanceThresholds::set_options(const Options& options) noexcept {
+  options_ = options;
+  forget();
+}
+
+const ThresholdState& DistanceThresholds::forget() noexcept {
+  levels_.fill(ThresholdLevel::unknown);
+  return state_ = {};
+}
+
+const ThresholdState& DistanceThresholds::update(const Distances& distances) noexcept {
+  std::size_t worst = 0;
+  for (std::size_t i = 0; i < hazard_count; ++i) {
+    levels_[i] = next_level(options_[i], distances[i], levels_[i]);
+    const int here = severity(levels_[i]), there = severity(levels_[worst]);
+    if (here > there || (here == there && distances[i] < distances[worst])) worst = i;
+  }
+  const ThresholdLevel level = levels_[worst];
+  const double threshold = level == ThresholdLevel::stop   ? options_[worst].stop
+                           : level == ThresholdLevel::warn ? options_[worst].warn
+                                                           : 0.0;
+  return state_ = {level, static_cast<Hazard>(worst), distances[worst], threshold,
+                   threshold > 0.0 && distances[worst] >= threshold};
+}
+
+}  // namespace parallel_aspects
