@@ -16,7 +16,8 @@ constexpr int most_newton_steps = 20;
 constexpr double converged = 1e-10;
 constexpr double outdated = 1e-5;
 
-// The smallest radius tried, over the robot's size: far above rounding, far below everything else.
+// The smallest radius tried where drives move, over the robot's size: far above what is left around a point
+// where they stay, far below everything else.
 constexpr double least_radius = 1e-9;
 
 // Rotations in a ball stay below half a turn, where exponential coordinates are one to one.
@@ -204,11 +205,17 @@ double PoseCertifier::path_speed(const CertifiedPoint& point, const TaskVector& 
 
 CertifiedBall PoseCertifier::ball(const CertifiedPoint& point) const noexcept {
   const TaskVector still = TaskVector::Zero(static_cast<Eigen::Index>(size_));
-  return ball(point, still, still, 0.0, 0.0);
+  return ball(point, still, still, 0.0, 0.0, 0.0);
 }
 
 CertifiedBall PoseCertifier::ball(const CertifiedPoint& point, const TaskVector& direction,
                                   const TaskVector& slack, double share, double speed) const noexcept {
+  return ball(point, direction, slack, share, speed, least_radius * scale_);
+}
+
+CertifiedBall PoseCertifier::ball(const CertifiedPoint& point, const TaskVector& direction,
+                                  const TaskVector& slack, double share, double speed,
+                                  double least) const noexcept {
   LegBounds rod{}, row{}, bend{}, curvature{};
   for (std::size_t j = 0; j < size_; ++j) {
     const auto i = static_cast<Eigen::Index>(j);
@@ -223,7 +230,7 @@ CertifiedBall PoseCertifier::ball(const CertifiedPoint& point, const TaskVector&
   const double gain = -(lost - 1.0);  // rounded down: 1 - g
   const double moved = point.residual + share * speed + spread(point, bend);
   if (!(gain > 0.0)) return {};
-  const double radius = std::max(2.0 * moved / gain, least_radius * scale_);
+  const double radius = std::max(2.0 * moved / gain, least);
   for (std::size_t j = 0; j < size_; ++j)
     curvature[j] = lever_[j] * lever_[j] + (rod[j] + lever_[j] * radius) * arm_[j];
   const double bent = spread(point, curvature) * radius;

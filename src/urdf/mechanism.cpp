@@ -3,6 +3,8 @@
 
 #include "parallel_aspects/urdf/mechanism_contents.h"
 
+#include <Eigen/SVD>
+
 #include <utility>
 
 namespace parallel_aspects {
@@ -11,6 +13,9 @@ namespace {
 // A completion is closed form, so that it either closes to rounding or not at all; rounded descriptions do as
 // well as they assembled.
 constexpr double completion_tolerance = 1e-9;
+
+// Of singular values and of unit vectors: far above rounding, far below a joint that moves.
+constexpr double idle_tolerance = 1e-6;
 
 // Completed values are known no better.
 constexpr double limit_tolerance = 1e-9;
@@ -29,6 +34,28 @@ const std::vector<JointLimits>& Mechanism::joint_limits() const noexcept { retur
 const std::vector<std::string>& Mechanism::notes() const noexcept { return contents_->notes; }
 int Mechanism::mobility() const noexcept { return contents_->mobility; }
 int Mechanism::idle_freedoms() const noexcept { return contents_->idle_freedoms; }
+
+// Idle motions are the kernel of the closures with the drives locked.
+std::vector<PassiveJoint> Mechanism::determined_joints() const {
+  const Completion& completion = contents_->completion;
+  const ClosureSystem& system = completion.system();
+  const Eigen::VectorXd values =
+      completion.joint_values(completion.reference_pose(), completion.reference_drives());
+  Eigen::MatrixXd locked = system.jacobian(values);
+  for (const std::size_t drive : completion.drive_variables())
+    locked.col(static_cast<Eigen::Index>(drive)).setZero();
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(locked, Eigen::ComputeFullV);
+  const Eigen::VectorXd& sizes = svd.singularValues();
+  const auto rank = (sizes.array() > idle_tolerance * sizes[0]).count();
+  const Eigen::MatrixXd idle = svd.matrixV().rightCols(locked.cols() - rank);
+  std::vector<PassiveJoint> joints;
+  for (Eigen::Index k = 0; k < locked.cols(); ++k) {
+    const auto index = static_cast<std::size_t>(k);
+    if (!system.in_loop()[index] || idle.row(k).norm() > idle_tolerance) continue;
+    joints.push_back({index, system.tree().joint_of(index).motion == JointMotion::turning});
+  }
+  return joints;
+}
 
 AssembledConfiguration Mechanism::assembled() const {
   return {contents_->completion.reference_pose(), contents_->completion.reference_drives()};

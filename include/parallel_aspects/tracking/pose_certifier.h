@@ -56,7 +56,7 @@ class PoseCertifier {
   /// where it does not converge; the point is then of no use.
   bool evaluate(CertifiedPoint& point) const noexcept;
 
-  /// What is proved where the drives stay at `point.q`.
+  /// What is proved where the drives stay at `point.q`: the smallest ball, of rounding alone.
   CertifiedBall ball(const CertifiedPoint& point) const noexcept;
 
   /// What is proved while they move by `share` (0 to 1) of `direction` from there, with `speed` of
@@ -84,6 +84,8 @@ class PoseCertifier {
  private:
   using Rows = SquareArray<double>;
 
+  CertifiedBall ball(const CertifiedPoint& point, const TaskVector& direction, const TaskVector& slack,
+                     double share, double speed, double least) const noexcept;
   void approximate(const Pose& pose, const JointVector& q, LegBounds& residual, Rows* matrix) const noexcept;
   Pose stepped(const Pose& pose, const Rows& inverse, const LegBounds& residual, double& size) const noexcept;
   bool refine(CertifiedPoint& point) const noexcept;

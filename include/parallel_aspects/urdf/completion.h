@@ -38,6 +38,9 @@ class Completion {
 
   const ClosureSystem& system() const noexcept { return system_; }
 
+  /// Index of the joint value of each drive.
+  const std::vector<std::size_t>& drive_variables() const noexcept { return drive_variables_; }
+
  private:
   Eigen::Isometry3d solve(const SplitChain& chain, double drive_step,
                           const Eigen::Isometry3d& platform_motion, Eigen::VectorXd& values) const;

@@ -21,6 +21,12 @@ struct AssembledConfiguration {
   JointVector q;  ///< [rad or m]
 };
 
+/// A passive joint whose value the pose and the drives determine.
+struct PassiveJoint {
+  std::size_t index = 0;  ///< into `Mechanism::joint_names()`
+  bool turns = true;      ///< an angle [rad]; else a length [m]
+};
+
 /// A manipulator together with the joints of the URDF that it came from. Immutable.
 class Mechanism {
  public:
@@ -46,6 +52,10 @@ class Mechanism {
 
   /// Those of its freedoms that move neither a drive nor the platform, as a rod that spins.
   int idle_freedoms() const noexcept;
+
+  /// The passive joints that pose and drives determine: those that move no loop or spin idly are left out. In
+  /// the order of `joint_names()`.
+  std::vector<PassiveJoint> determined_joints() const;
 
   /// The configuration, inside the joint limits, that the mechanism was recognised in.
   AssembledConfiguration assembled() const;

@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What the tracker says where the drives alone do not tell the assembly mode.
+#include "parallel_aspects/kinematics/direct.h"
+#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/kinematics/jacobians.h"
+#include "parallel_aspects/tracking/roadmap.h"
+#include "parallel_aspects/tracking/tracker.h"
+
+#include <gtest/gtest.h>
+
+#include "support/robots.h"
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace parallel_aspects {
+namespace {
+
+JointVector joints(const std::vector<double>& values) {
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+Pose at(double x, double y, double phi = 0.0) {
+  Pose pose;
+  pose.position << x, y, 0.0;
+  pose.orientation = Eigen::AngleAxisd(phi, Eigen::Vector3d::UnitZ());
+  return pose;
+}
+
+JointVector drives(const Manipulator& robot, const Pose& pose, const std::vector<int>& signs) {
+  return inverse(robot, pose, *WorkingMode::from_signs(signs)).q;
+}
+
+std::shared_ptr<const Manipulator> with_velocity(const Manipulator& robot, double velocity) {
+  std::vector<Leg> legs = robot.legs();
+  for (Leg& leg : legs) leg.limits.velocity = velocity;
+  return test::manipulator(robot.name(), robot.task_space(), std::move(legs));
+}
+
+const auto bipod = with_velocity(*test::bipod(), 1.0);
+
+TEST(TrackerInDoubt, AStepBeyondTheVelocityLimitsIsAGap) {
+  Tracker tracker(bipod);
+  const JointVector q = drives(*bipod, at(2.0, 4.0), {1, 1});
+  ASSERT_TRUE(tracker.start(0.0, q, at(2.0, 4.0), 1e-6));
+  JointVector moved = q + joints({0.0009, -0.0009});
+  EXPECT_EQ(tracker.update(0.001, moved).status, TrackStatus::tracking);
+  moved[0] += 0.05;
+  EXPECT_EQ(tracker.update(0.101, moved).status, TrackStatus::tracking);
+  moved[0] += 0.05;
+  EXPECT_EQ(tracker.update(0.102, moved).status, TrackStatus::ambiguous);
+  EXPECT_EQ(tracker.state().doubt, Doubt::gap);
+  ASSERT_EQ(tracker.transitions().count, 1U);
+  EXPECT_EQ(tracker.transitions().begin()->kind, TransitionKind::lost);
+  EXPECT_FALSE(tracker.transitions().begin()->determinant);
+  EXPECT_TRUE(tracker.wants_candidates());
+  EXPECT_FALSE(tracker.find_candidates());
+  EXPECT_EQ(tracker.candidates().size(), 2U);
+  EXPECT_TRUE(tracker.candidates().complete());
+  EXPECT_TRUE(
+      tracker.keep_candidates([](const Pose& pose, const JointVector&) { return pose.position.y() > 0.0; }));
+  EXPECT_EQ(tracker.state().status, TrackStatus::tracking);
+  EXPECT_GT(tracker.state().pose.position.y(), 0.0);
+}
+
+TEST(TrackerInDoubt, AnIntervalThatIsTooLongIsAGap) {
+  TrackerOptions options;
+  options.samples.longest_interval = 0.5;
+  Tracker tracker(bipod, options);
+  const JointVector q = drives(*bipod, at(2.0, 4.0), {1, 1});
+  ASSERT_TRUE(tracker.start(0.0, q, at(2.0, 4.0), 1e-6));
+  EXPECT_EQ(tracker.update(0.5, q).status, TrackStatus::tracking);
+  EXPECT_EQ(tracker.update(1.1, q).doubt, Doubt::gap);
+}
+
+// At (4.5, 8) the second crank stands at 3.138 in this mode, just below half a turn.
+TEST(TrackerInDoubt, EncodersMayWrap) {
+  const auto robot = test::five_bar();
+  Tracker tracker(robot);
+  JointVector q = drives(*robot, at(4.5, 8.0), {-1, -1});
+  ASSERT_NEAR(q[1], 3.138465, 1e-6);
+  ASSERT_TRUE(tracker.start(0.0, q, at(4.5, 8.0), 1e-6));
+  for (int i = 1; i <= 100; ++i) {
+    q += joints({0.0, 0.001});
+    JointVector wrapped = q;
+    for (double& angle : wrapped) angle = std::remainder(angle, 2.0 * EIGEN_PI);
+    ASSERT_EQ(tracker.update(i * 0.001, wrapped).status, TrackStatus::tracking);
+    ASSERT_LT((tracker.state().q - q).norm(), 1e-12);
+  }
+  EXPECT_GT(q[1], EIGEN_PI);
+}
+
+TEST(TrackerInDoubt, LimitsSayWhichTurnIsMeant) {
+  std::vector<Leg> legs = test::five_bar()->legs();
+  legs[0].limits = JointLimits{0.5, 5.0};
+  const auto robot = test::manipulator("limited", TaskSpace::T2, legs);
+  EXPECT_NEAR(unwrapped(*robot, {}, joints({-2.0, 9.0}))[0], 2.0 * EIGEN_PI - 2.0, 1e-12);
+  EXPECT_EQ(unwrapped(*robot, {}, joints({-2.0, 9.0}))[1], 9.0);
+  EXPECT_EQ(unwrapped(*robot, joints({0.5, 3.0}), joints({4.9, -3.0}))[0], 4.9);
+  EXPECT_NEAR(unwrapped(*robot, joints({0.5, 3.0}), joints({4.9, -3.0}))[1], 2.0 * EIGEN_PI - 3.0, 1e-12);
+  EXPECT_EQ(unwrapped(*robot, joints({0.5, 3.0}), joints({0.0, 3.0}))[0], 0.0);
+}
+
+// Six assembly modes at the first sample: each is followed until what is known leaves one.
+TEST(TrackerInDoubt, FollowsEveryAssemblyModeUntilOneIsLeft) {
+  const auto robot = test::three_rpr();
+  Tracker tracker(robot);
+  JointVector q = joints({14.98, 15.38, 12.0});
+  EXPECT_EQ(tracker.update(0.0, q).status, TrackStatus::unstarted);
+  EXPECT_FALSE(tracker.find_candidates());
+  EXPECT_EQ(tracker.state().doubt, Doubt::several_assembly_modes);
+  ASSERT_EQ(tracker.candidates().size(), 6U);
+  for (int i = 1; i <= 50; ++i) {
+    q += joints({0.001, -0.0005, 0.0007});
+    ASSERT_EQ(tracker.update(0.001 * i, q).status, TrackStatus::ambiguous);
+  }
+  ASSERT_EQ(tracker.candidates().size(), 6U);
+  ASSERT_TRUE(tracker.candidates().complete());
+  const DirectResult truth = direct(*robot, q);
+  ASSERT_EQ(truth.solutions.size(), 6U);
+  for (std::size_t i = 0; i < 6; ++i)
+    EXPECT_LT((tracker.candidates()[i].point.pose.position - truth.solutions[i].pose.position).norm(), 1e-7);
+  const Eigen::Vector3d known = truth.solutions[2].pose.position;
+  const auto near = [&](const Pose& pose, const JointVector&) {
+    return (pose.position - known).norm() < 0.1;
+  };
+  EXPECT_TRUE(tracker.keep_candidates(near));
+  EXPECT_LT((tracker.state().pose.position - known).norm(), 1e-7);
+  EXPECT_EQ(tracker.update(1.0, q).status, TrackStatus::tracking);
+}
+
+TEST(TrackerInDoubt, SaysWhereNoCandidateFitsOrNoneExists) {
+  const auto robot = test::three_rpr();
+  Tracker tracker(robot);
+  tracker.update(0.0, joints({14.98, 15.38, 12.0}));
+  tracker.find_candidates();
+  EXPECT_FALSE(tracker.keep_candidates([](const Pose&, const JointVector&) { return false; }));
+  EXPECT_EQ(tracker.state().doubt, Doubt::no_candidate_fits);
+  EXPECT_TRUE(tracker.wants_candidates());
+  tracker.stop();
+  tracker.update(1.0, joints({10.0, 32.0, 60.0}));
+  EXPECT_FALSE(tracker.find_candidates());
+  EXPECT_EQ(tracker.state().doubt, Doubt::no_direct_solution);
+}
+
+TEST(TrackerInDoubt, StartsWhereALegIsStretchedOnceItIsNot) {
+  const auto robot = test::five_bar();
+  Tracker tracker(robot);
+  // Leg 1 in line, along x: the tip of the crank at (8, 0), the platform at (13, 0); leg 2 reaches it.
+  const JointVector stretched = joints({0.0, drives(*robot, at(13.0, 0.0), {1, -1})[1]});
+  EXPECT_FALSE(tracker.start(0.0, stretched, at(13.0, 0.0), 1e-3));
+  EXPECT_EQ(tracker.state().status, TrackStatus::ambiguous);
+  EXPECT_EQ(tracker.state().doubt, Doubt::serial_singularity);
+  int i = 1;
+  JointVector q = stretched;
+  while (i < 100 && tracker.state().status != TrackStatus::tracking) {
+    q += joints({0.001, 0.0});
+    tracker.update(0.001 * i++, q);
+  }
+  EXPECT_EQ(tracker.state().status, TrackStatus::tracking);
+  EXPECT_EQ(tracker.state().mode.sign(1), -1);
+}
+
+TEST(TrackerInDoubt, AResidualMakesTheStateInconsistentAndIsFollowedOn) {
+  Tracker tracker(bipod);
+  const JointVector q = drives(*bipod, at(2.0, 4.0), {1, 1});
+  ASSERT_TRUE(tracker.start(0.0, q, at(2.0, 4.0), 1e-6));
+  tracker.report_residual(3.0, true);
+  EXPECT_EQ(tracker.state().status, TrackStatus::inconsistent);
+  EXPECT_EQ(tracker.update(0.1, q + joints({0.01, 0.0})).status, TrackStatus::inconsistent);
+  tracker.report_residual(0.1, false);
+  EXPECT_EQ(tracker.state().status, TrackStatus::tracking);
+}
+
+TEST(TrackerInDoubt, AStepThatNeedsTooManySubdivisionsIsSaidToBeOne) {
+  TrackerOptions options;
+  options.most_steps = 1;
+  const auto robot = test::five_bar();
+  Tracker tracker(robot, options);
+  const JointVector q = drives(*robot, at(4.5, 8.0), {-1, -1});
+  ASSERT_TRUE(tracker.start(0.0, q, 1));
+  EXPECT_EQ(tracker.update(1.0, q + joints({0.5, 0.5})).doubt, Doubt::step_budget);
+}
+
+// The time of a crossing is right even where one step leads far across it.
+TEST(TrackerInDoubt, CrossingsOfLongStepsAreTimed) {
+  const auto robot = test::five_bar();
+  const JointVector q = drives(*robot, at(4.5, 8.0), {-1, -1});
+  double fine = 0.0;
+  Tracker tracker(robot);
+  ASSERT_TRUE(tracker.start(0.0, q, 1));
+  for (int i = 1; i <= 4000 && fine == 0.0; ++i) {
+    tracker.update(i * 0.001, q + joints({i * 0.001, 0.0}));
+    if (!tracker.transitions().empty()) fine = tracker.transitions().begin()->time;
+  }
+  ASSERT_GT(fine, 0.0);
+  ASSERT_TRUE(tracker.start(0.0, q, 1));
+  tracker.update(fine + 0.2, q + joints({fine + 0.2, 0.0}));
+  ASSERT_EQ(tracker.transitions().count, 1U);
+  EXPECT_NEAR(tracker.transitions().begin()->time, fine, 1e-3);
+}
+
+// The 3-RPR of Innocenti and Parenti-Castelli changes its assembly mode without a singularity: of its six
+// direct solutions three have det A > 0, all in one aspect.
+class NonsingularAssemblyModeChange : public testing::Test {
+ protected:
+  // Drives along a way from one direct solution to another of the same sign, found at random.
+  std::vector<JointVector> find_way() {
+    const DirectResult result = direct(*robot_, q_);
+    Roadmap roads(*robot_);
+    for (const AssemblyMode& mode : result.solutions)
+      if (mode.determinant > 0.0) ends_.push_back(roads.add({mode.pose, q_}));
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> position(-30.0, 30.0), angle(-EIGEN_PI, EIGEN_PI);
+    for (int i = 0; i < 4000; ++i) add_place(at(position(random), position(random), angle(random)), roads);
+    std::vector<JointVector> way;
+    for (const std::size_t place : roads.way(ends_[0], ends_[1])) way.push_back(roads.place(place).q);
+    from_ = roads.place(ends_[0]).pose;
+    to_ = roads.place(ends_[1]).pose;
+    return way;
+  }
+
+  void add_place(const Pose& pose, Roadmap& roads) const {
+    const InverseSolution solution = inverse(*robot_, pose, *WorkingMode::from_signs({1, 1, 1}));
+    if (solution.status != InverseStatus::solved) return;
+    if (direct_determinant(*robot_, pose, solution.q) > 0.0) roads.add({pose, solution.q});
+  }
+
+  // The changes of assembly mode that are told on the way.
+  int follow(const std::vector<JointVector>& way, Tracker& tracker) {
+    int told = 0;
+    for (std::size_t k = 1; k < way.size(); ++k)
+      for (int i = 1; i <= samples_; ++i) {
+        tracker.update(time_ += 1e-3, way[k - 1] + (way[k] - way[k - 1]) * i / samples_);
+        for (const Transition& each : tracker.transitions()) {
+          EXPECT_EQ(each.kind, TransitionKind::assembly_mode);
+          EXPECT_TRUE(each.inside_aspect);
+          EXPECT_EQ(each.determinant_sign_before, each.determinant_sign_after);
+          ++told;
+        }
+      }
+    return told;
+  }
+
+  const std::shared_ptr<const Manipulator> robot_ = test::three_rpr();
+  const JointVector q_ = joints({14.98, 15.38, 12.0});
+  const int samples_ = 200;
+  std::vector<std::size_t> ends_;
+  Pose from_, to_;
+  double time_ = 0.0;
+};
+
+TEST_F(NonsingularAssemblyModeChange, IsToldWhenTheDrivesAreBack) {
+  std::vector<JointVector> way = find_way();
+  ASSERT_GE(way.size(), 3U);
+  Tracker tracker(robot_);
+  ASSERT_TRUE(tracker.start(0.0, q_, from_, 1e-6));
+  EXPECT_EQ(tracker.compare_with_reference(), AssemblyComparison::same);
+  EXPECT_EQ(follow(way, tracker) % 2, 1);
+  ASSERT_EQ(tracker.state().status, TrackStatus::tracking);
+  EXPECT_LT((tracker.state().pose.position - to_.position).norm(), 1e-6);
+  EXPECT_EQ(tracker.compare_with_reference(), AssemblyComparison::same) << "the reference went along";
+  std::reverse(way.begin(), way.end());
+  EXPECT_EQ(follow(way, tracker) % 2, 1);
+  EXPECT_LT((tracker.state().pose.position - from_.position).norm(), 1e-6);
+}
+
+TEST_F(NonsingularAssemblyModeChange, IsAnsweredOnDemand) {
+  const std::vector<JointVector> way = find_way();
+  ASSERT_GE(way.size(), 3U);
+  Tracker tracker(robot_);
+  ASSERT_TRUE(tracker.start(0.0, q_, from_, 1e-6));
+  bool told = false, answered = false;
+  for (std::size_t k = 1; k < way.size() && !told; ++k)
+    for (int i = 1; i <= samples_ && !told; ++i) {
+      tracker.update(time_ += 1e-3, way[k - 1] + (way[k] - way[k - 1]) * i / samples_);
+      told = !tracker.transitions().empty();
+      if (!told) answered = tracker.compare_with_reference() == AssemblyComparison::other;
+    }
+  EXPECT_TRUE(told);
+  EXPECT_TRUE(answered) << "just before the drives were back";
+}
+
+}  // namespace
+}  // namespace parallel_aspects
