@@ -21,33 +21,46 @@ double quantile(std::vector<double>& values, double share) {
   return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
 }
 
-// Samples at 1 kHz of a round of five seconds through all freedoms about the pose that the robot was
-// assembled in.
-std::vector<JointVector> samples_of(const Mechanism& mechanism) {
+struct Round {
+  Pose start;
+  std::vector<JointVector> samples;  // of the drives, at 1 kHz
+};
+
+// A round of five seconds through all freedoms about the first random pose that leaves room for one.
+Round round_of(const Mechanism& mechanism) {
   const Manipulator& robot = *mechanism.manipulator();
-  const AssembledConfiguration start = mechanism.assembled();
-  const auto mode = working_mode(robot, start.pose, start.q);
-  std::vector<JointVector> samples;
-  if (!mode) return samples;
-  const auto corners =
-      plan_local_motion(robot, start.pose, *mode, [](const Pose&, const JointVector&) { return true; });
-  const std::size_t between = 5000 / std::max<std::size_t>(1, corners.size());
-  for (std::size_t k = 0; k + 1 < corners.size(); ++k)
-    for (std::size_t i = 0; i < between; ++i)
-      samples.push_back(corners[k] + (corners[k + 1] - corners[k]) * static_cast<double>(i) /
-                                         static_cast<double>(between));
-  return samples;
+  test::RandomRobots random(1);
+  const auto turns = static_cast<Eigen::Index>(rotational_freedoms(robot.task_space()));
+  Round round;
+  for (int i = 0; i < 2000; ++i) {
+    TaskVector step(static_cast<Eigen::Index>(robot.leg_count()));
+    for (Eigen::Index k = 0; k < step.size(); ++k)
+      step[k] = random.uniform(-1.0, 1.0) * (k < turns ? 0.2 : 0.1 * robot.size());
+    round.start = displaced(robot.task_space(), mechanism.assembled().pose, step);
+    for (const WorkingMode& mode : working_modes(robot)) {
+      const auto corners =
+          plan_local_motion(robot, round.start, mode, [](const Pose&, const JointVector&) { return true; });
+      if (corners.size() < 2) continue;
+      const std::size_t between = 5000 / (corners.size() - 1);
+      for (std::size_t k = 0; k + 1 < corners.size(); ++k)
+        for (std::size_t n = 0; n < between; ++n)
+          round.samples.push_back(corners[k] + (corners[k + 1] - corners[k]) * static_cast<double>(n) /
+                                                   static_cast<double>(between));
+      return round;
+    }
+  }
+  return round;
 }
 
 // One update each; the time of every one is taken, its own cost of some 20 ns included.
 void update_of(benchmark::State& state, const char* name) {
   const auto mechanism = test::shipped(name);
-  const auto samples = samples_of(*mechanism);
+  const auto [start_pose, samples] = round_of(*mechanism);
   if (samples.empty()) return state.SkipWithError("no motion was found");
   TrackerOptions options;
   options.samples.check_velocity = false;
   Tracker tracker(mechanism->manipulator(), options);
-  if (!tracker.start(0.0, samples[0], mechanism->assembled().pose, 1e-3 * mechanism->manipulator()->size()))
+  if (!tracker.start(0.0, samples[0], start_pose, 1e-3 * mechanism->manipulator()->size()))
     return state.SkipWithError("the tracker did not start");
   std::vector<double> nanoseconds;
   std::size_t i = 0;
@@ -66,7 +79,7 @@ void update_of(benchmark::State& state, const char* name) {
 // With a candidate for every assembly mode of the drives.
 void update_of_candidates(benchmark::State& state, const char* name) {
   const auto mechanism = test::shipped(name);
-  const auto samples = samples_of(*mechanism);
+  const std::vector<JointVector> samples = round_of(*mechanism).samples;
   if (samples.empty()) return state.SkipWithError("no motion was found");
   TrackerOptions options;
   options.samples.check_velocity = false;

@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <future>
 #include <optional>
@@ -137,6 +138,21 @@ class Motion {
   double duration_;
 };
 
+// Lasts longer than asked for where a drive would be faster than its velocity limit.
+Motion within_velocities(const Manipulator& robot, const std::vector<JointVector>& corners, double duration) {
+  double length = 0.0, stretch = 1.0;
+  for (std::size_t i = 1; i < corners.size(); ++i) length += (corners[i] - corners[i - 1]).norm();
+  for (std::size_t i = 1; i < corners.size(); ++i) {
+    const JointVector change = corners[i] - corners[i - 1];
+    const double seconds = duration * change.norm() / length;
+    for (std::size_t j = 0; j < robot.leg_count() && seconds > 0.0; ++j) {
+      const double speed = std::abs(change[static_cast<Eigen::Index>(j)]) / seconds;
+      stretch = std::max(stretch, speed / robot.leg(j).limits.velocity);
+    }
+  }
+  return Motion(corners, duration * stretch);
+}
+
 // Plans the tour on a thread of its own, once the node has its map.
 class TourPlanner {
  public:
@@ -227,7 +243,8 @@ bool wait_for_server(const std::string& server, const ros::Publisher& publisher)
 }
 
 // The local motion until the tour is planned, then the tour.
-void play_all(const Motion& local, TourPlanner& planner, const DemoOptions& options, Player& player) {
+void play_all(const Manipulator& robot, const Motion& local, TourPlanner& planner, const DemoOptions& options,
+              Player& player) {
   std::optional<Motion> tour;
   bool known = false;
   const ros::Time begin = ros::Time::now();
@@ -236,7 +253,7 @@ void play_all(const Motion& local, TourPlanner& planner, const DemoOptions& opti
       known = true;
       const Tour planned = planner.take();
       if (planned.drives.size() > 1) {
-        tour.emplace(planned.drives, options.duration);
+        tour = within_velocities(robot, planned.drives, options.duration);
         ROS_INFO_STREAM("The motion visits aspects " << text(planned.aspects) << ".");
       }
     }
@@ -259,8 +276,9 @@ int run(ros::NodeHandle nh, const ros::NodeHandle& private_nh) {
   const ros::Publisher publisher = nh.advertise<sensor_msgs::JointState>("joint_states", 100);
   if (!wait_for_server(options.server, publisher)) return EXIT_FAILURE;
   TourPlanner planner(nh, setup, local->start, options);
-  Player player(*setup.mechanism->manipulator(), publisher);
-  play_all(Motion(local->drives, options.local_duration), planner, options, player);
+  const Manipulator& robot = *setup.mechanism->manipulator();
+  Player player(robot, publisher);
+  play_all(robot, within_velocities(robot, local->drives, options.local_duration), planner, options, player);
   return EXIT_SUCCESS;
 }
 
