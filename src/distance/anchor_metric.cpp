@@ -80,6 +80,32 @@ double center_error(const Manipulator& manipulator, const Eigen::Vector3d& cente
 
 }  // namespace
 
+double AnchorMetric::turning(const Eigen::Vector3d& point) const {
+  const RoundingUpward rounding;
+  std::array<Interval, 3> b;
+  for (std::size_t i = 0; i < 3; ++i)
+    b[i] = Interval(point[static_cast<Eigen::Index>(i)]) - Interval(center[static_cast<Eigen::Index>(i)]);
+  std::array<std::array<Interval, 3>, 3> columns, products;
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t i = 0; i < 3; ++i)
+      columns[k][i] = Interval(half_turns(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)));
+    products[k] = {columns[k][1] * b[2] - columns[k][2] * b[1], columns[k][2] * b[0] - columns[k][0] * b[2],
+                   columns[k][0] * b[1] - columns[k][1] * b[0]};
+  }
+  // The largest eigenvalue of the Gram matrix is at most the largest sum of magnitudes in a row of it.
+  double largest = 0.0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    double sum = 0.0;
+    for (std::size_t l = 0; l < 3; ++l) {
+      Interval entry;
+      for (std::size_t i = 0; i < 3; ++i) entry += products[k][i] * products[l][i];
+      sum += largest_magnitude(entry);
+    }
+    largest = std::max(largest, sum);
+  }
+  return std::sqrt(largest);
+}
+
 AnchorMetric::AnchorMetric(const Manipulator& manipulator)
     : center(Eigen::Vector3d::Zero()), half_turns(Eigen::Matrix3d::Zero()) {
   const RoundingUpward rounding;

@@ -136,7 +136,7 @@ class BoundaryDistanceMeter::SearchesIn final : public Searches {
 
   // Poses that all legs reach are within the reach of each.
   SearchRange search_range() const noexcept {
-    SearchRange range{10.0 * manipulator_->size(), false};
+    SearchRange range{2.0 * manipulator_->size(), false};
     const AnchorMetric& metric = hood_.metric();
     if (space == TaskSpace::SO3) return {metric.widest_turn * (1.0 + 1e-12), true};
     for (std::size_t j = 0; j < Hood::size; ++j) {

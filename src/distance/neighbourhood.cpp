@@ -14,6 +14,7 @@ Neighbourhood<space>::Neighbourhood(const Manipulator& manipulator) : metric_(ma
     const Vector<Interval> anchor = interval_vector(leg.anchor), center = interval_vector(metric_.center);
     base_points_[j] = interval_vector(leg.base_point());
     for (std::size_t i = 0; i < dimension; ++i) platform_arms_[j][i] = anchor[i] - center[i];
+    turning_[j] = metric_.turning(leg.anchor);
   }
 }
 

@@ -22,6 +22,10 @@ namespace parallel_aspects {
 struct AnchorMetric {
   explicit AnchorMetric(const Manipulator& manipulator);
 
+  /// A point of the platform moves about c by at most this much a metre of |r|: 2 |v x b| = |half_turns r x
+  /// b|.
+  double turning(const Eigen::Vector3d& point) const;
+
   bool usable = false;         ///< anchors spread enough to see every rotation of the task space
   Eigen::Vector3d center;      ///< c in the platform frame [m]
   Eigen::Matrix3d half_turns;  ///< [1/m]; of it only the last entry in SE2

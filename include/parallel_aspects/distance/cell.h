@@ -21,9 +21,18 @@ struct Cell {
   double bound = 0.0;   ///< cells of the least are looked at first
   std::size_t tag = 0;  ///< for the search that owns it
 
-  std::array<Affine<N>, N> forms() const noexcept {
-    std::array<Affine<N>, N> result;
-    for (std::size_t i = 0; i < N; ++i) result[i] = Affine<N>::coordinate(center[i], half_width[i], i);
+  std::array<Interval, N> box() const noexcept {
+    std::array<Interval, N> result;
+    for (std::size_t i = 0; i < N; ++i)
+      result[i] = Interval(-(half_width[i] - center[i]), center[i] + half_width[i]);
+    return result;
+  }
+
+  /// Its coordinates as linear or quadratic forms.
+  template <class Form>
+  std::array<Form, N> forms() const noexcept {
+    std::array<Form, N> result;
+    for (std::size_t i = 0; i < N; ++i) result[i] = Form::coordinate(center[i], half_width[i], i);
     return result;
   }
 

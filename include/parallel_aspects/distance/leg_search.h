@@ -5,6 +5,7 @@
 #include "parallel_aspects/distance/cell.h"
 #include "parallel_aspects/distance/leg_boundary.h"
 #include "parallel_aspects/distance/mode_determinant.h"
+#include "parallel_aspects/distance/quadratic_form.h"
 #include "parallel_aspects/distance/search_result.h"
 #include "parallel_aspects/distance/witness_search.h"
 
@@ -69,9 +70,9 @@ class LegSearch {
   static constexpr bool moves_freely = moves == dimension;
   static constexpr std::size_t searched = moves_freely ? Hood::turns : size;
   static constexpr std::size_t first_searched = moves_freely ? moves : 0;
-  static constexpr int most_attempts = 40;
+  static constexpr int most_attempts = 24;
   using SearchedCell = Cell<searched>;
-  using Form = Affine<searched>;
+  using Form = QuadraticForm<searched>;
 
   bool is_of_mode(const Boundary& boundary) const noexcept {
     return boundary.branch == 0 || boundary.branch == mode_->sign(boundary.leg);
@@ -148,12 +149,24 @@ class LegSearch {
   }
 
   std::array<Form, dimension> displacement(std::size_t leg, const SearchedCell& cell) const noexcept {
-    const std::array<Form, searched> forms = cell.forms();
+    const std::array<Form, searched> forms = cell.template forms<Form>();
     if constexpr (!moves_freely) {
       return displacement<Form>(leg, forms);
     } else {
       return hood_.turned_displacement(leg, hood_.arm(leg, hood_.rotation(forms.data())));
     }
+  }
+
+  // No pose of the boundary is closer: an anchor moves by |c' - c| + turning |r| at most.
+  double first_bound(const Boundary& boundary) const noexcept {
+    const auto& d = hood_.displacement_at_origin(boundary.leg);
+    double distance = least_magnitude(boundary.slack(d));
+    if (boundary.sided && side(boundary, d).negative())
+      distance = std::max(distance, least_magnitude(boundary.rim_distance(d)));
+    if constexpr (Hood::turns == 0) return distance;
+    const Interval turning(hood_.turning(boundary.leg));
+    const Interval squared = (moves_freely ? Interval(1.0) : Interval(0.0)) + square(turning);
+    return (Interval(distance) * reciprocal(square_root(squared))).lower();
   }
 
   void search() noexcept {
@@ -163,7 +176,8 @@ class LegSearch {
       all.tag = i;
       const double turn = Hood::turns > 0 ? hood_.metric().widest_turn : target();
       all.half_width.fill(std::min(target(), turn));
-      bound_and_push(all);
+      all.bound = first_bound((*boundaries_)[i]);
+      queue_.push(all);
     }
     while (!queue_.empty() && queue_.first().bound < target() && result_.boxes < options_.most_boxes) {
       const SearchedCell cell = queue_.pop();
@@ -176,12 +190,12 @@ class LegSearch {
   void bound_and_push(SearchedCell cell) noexcept {
     ++result_.boxes;
     const double least = cell.least_length(), radius = target();
-    if (least >= radius || hood_.is_beyond_half_turn(cell)) return;
+    if (least >= radius || hood_.is_beyond_half_turn(cell.box())) return;
     const Boundary& boundary = (*boundaries_)[cell.tag];
     const auto d = displacement(boundary.leg, cell);
     double distance = 0.0;
     if (is_clear(boundary.slack(d), cell, radius, distance)) return;
-    if (boundary.sided && range_in_ball(side(boundary, d), cell, radius).negative() &&
+    if (boundary.sided && range_in_ball(side(boundary, d).linear(), cell, radius).negative() &&
         is_clear(boundary.rim_distance(d), cell, radius, distance))
       return;
     const double negated_square = -distance * distance + -least * least;
@@ -193,14 +207,14 @@ class LegSearch {
   // Whether the surface is farther from the anchor than a displacement can be all over the cell; else
   // `distance` is raised to what is proved.
   bool is_clear(const Form& slack, const SearchedCell& cell, double radius, double& distance) const noexcept {
-    const Interval range = range_in_ball(slack, cell, radius);
+    const Interval range = range_in_ball(slack.linear(), cell, radius);
     distance = std::max(distance, least_magnitude(range));
     if constexpr (!moves_freely) return distance > 0.0;
     if (!(distance > 0.0)) return false;
     // sqrt(a) <= (a / t + t) / 2 for every t > 0; here a = radius^2 - |r|^2.
     double squared = 0.0;
     Form sum(0.0);
-    const std::array<Form, searched> forms = cell.forms();
+    const std::array<Form, searched> forms = cell.template forms<Form>();
     for (std::size_t i = 0; i < searched; ++i) {
       sum = sum + square(forms[i]);
       squared += cell.center[i] * cell.center[i];
@@ -209,7 +223,7 @@ class LegSearch {
     const Interval half(0.5), factor = half * reciprocal(Interval(t));
     const Form farthest = factor * (Form(square(Interval(radius))) - sum) + Form(half * Interval(t));
     const Form gap = (range.positive() ? slack : -slack) - farthest;
-    return range_in_ball(gap, cell, radius).positive();
+    return range_in_ball(gap.linear(), cell, radius).positive();
   }
 
   void look_at_center(const SearchedCell& cell) noexcept {
@@ -221,9 +235,17 @@ class LegSearch {
     double squared = slack.value * slack.value + dot<searched>(cell.center, cell.center);
     if constexpr (!moves_freely) squared = dot<searched>(cell.center, cell.center);
     if (!(squared < 0.98 * result_.upper * result_.upper)) return;
-    if constexpr (moves_freely)
-      for (std::size_t i = 0; i < moves; ++i) y[i] = -slack.value * slack.gradient[i];
+    move_to_surface(boundary, y);
     look_for_witness(boundary, y);
+  }
+
+  // With the rotation of y, takes the shortest displacement to the surface.
+  void move_to_surface(const Boundary& boundary, Coordinates<size>& y) const noexcept {
+    if constexpr (moves_freely) {
+      std::fill_n(y.begin(), moves, 0.0);
+      const PointDual<size> slack = slack_at(boundary, y);
+      for (std::size_t i = 0; i < moves; ++i) y[i] = -slack.value * slack.gradient[i];
+    }
   }
 
   PointDual<size> slack_at(const Boundary& boundary, const Coordinates<size>& y) const noexcept {
@@ -242,6 +264,7 @@ class LegSearch {
       return std::optional<PointDual<size>>(slack_at(boundary, at));
     };
     const auto at = WitnessSearch<size, decltype(function)>(function).run(y);
+    if (at) move_to_surface(boundary, y);
     if (!at || hood_.is_about_half_turn(y) || !(length<size>(y) < result_.upper)) return;
     bool proved = false;
     if (limits_ && !is_reached_about(y, 0.0, proved)) return;

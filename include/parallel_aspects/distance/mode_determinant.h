@@ -4,6 +4,7 @@
 
 #include "parallel_aspects/distance/cell.h"
 #include "parallel_aspects/distance/neighbourhood.h"
+#include "parallel_aspects/distance/quadratic_form.h"
 #include "parallel_aspects/kinematics/working_mode.h"
 
 #include <array>
@@ -82,6 +83,22 @@ class ModeDeterminant {
     return determinant_of(rows);
   }
 
+  /// The same with |B_jj| of some legs held at `entries`; and B_jj^2 of every leg.
+  PointDual<size> at(const Coordinates<size>& y, const std::array<bool, size>& held,
+                     const Coordinates<size>& entries,
+                     std::array<PointDual<size>, size>& squared) const noexcept {
+    std::array<PointDual<size>, size> point;
+    for (std::size_t i = 0; i < size; ++i) point[i] = PointDual<size>::coordinate(y[i], i);
+    std::array<LegRows<PointDual<size>, size>, size> legs;
+    hood_.find_rows(point, legs);
+    SquareRows<PointDual<size>, size> rows;
+    for (std::size_t j = 0; j < size; ++j) {
+      squared[j] = legs[j].squared_entry;
+      rows[j] = row(j, legs[j], held[j] ? PointDual<size>(entries[j]) : root(squared[j]));
+    }
+    return determinant_of(rows);
+  }
+
   /// The sign of det A at every pose of a box, where it and that every leg reaches with B_jj != 0 are proved;
   /// else 0.
   int proved_sign(const std::array<Interval, size>& box) const noexcept {
@@ -105,26 +122,120 @@ class ModeDeterminant {
     return true;
   }
 
-  /// Encloses det A over the part of a cell in the ball |y| <= radius; nothing where no leg reaches there.
-  std::optional<Affine<size>> over(const Cell<size>& cell, double radius) const noexcept {
-    std::array<LegRows<Affine<size>, size>, size> legs;
-    hood_.find_rows(cell.forms(), legs);
-    SquareRows<Affine<size>, size> rows;
+  /// det A over the part of a cell in a ball, and B_jj^2 of the legs of which it is not proved there that
+  /// they reach.
+  struct OverCell {
+    Affine<size> determinant;
+    std::array<Affine<size>, size> squared_entries;
+    std::array<bool, size> unclear{};
+    bool any_unclear = false;
+  };
+
+  /// Encloses det A over the part of a cell with |y| <= radius where every leg reaches; false where there is
+  /// no such part.
+  bool over(const Cell<size>& cell, double radius, OverCell& result) const noexcept {
+    using Form = std::conditional_t<(size > 2), QuadraticForm<size>, Affine<size>>;
+    std::array<LegRows<Form, size>, size> legs;
+    hood_.find_rows(reflected(cell.template forms<Form>()), legs);
+    SquareRows<Form, size> rows;
+    result.any_unclear = false;
     for (std::size_t j = 0; j < size; ++j) {
-      const Affine<size>& squared = legs[j].squared_entry;
-      const Interval range = range_in_ball(squared, cell, radius);
-      if (range.negative()) return std::nullopt;
-      if (!branches_[j])
-        rows[j] = legs[j].fixed;
-      else if (range.positive())
-        rows[j] = row(j, legs[j], square_root(squared, range.lower()));
-      else
-        rows[j] = row(j, legs[j], Affine<size>(root(range)));
+      const Form& squared = legs[j].squared_entry;
+      result.squared_entries[j] = linear(squared);
+      const Interval range = range_in_ball(result.squared_entries[j], cell, radius);
+      if (range.upper() < 0.0) return false;
+      const bool clear = range.lower() > 0.0;
+      result.unclear[j] = !clear;
+      result.any_unclear = result.any_unclear || !clear;
+      rows[j] = row(j, legs[j],
+                    clear ? square_root(squared, range.lower()) : root_from_zero(squared, range.upper()));
     }
-    return determinant_of(rows);
+    result.determinant = linear(determinant_of(rows));
+    return true;
+  }
+
+  /// The sign of det A wherever |y| <= radius and every leg reaches, where it is proved; else 0.
+  int proved_sign_in_ball(double radius) const noexcept {
+    using Form = QuadraticForm<size, FormDomain::ball>;
+    std::array<Form, size> coordinates;
+    for (std::size_t i = 0; i < size; ++i) coordinates[i] = Form::coordinate(0.0, radius, i);
+    std::array<LegRows<Form, size>, size> legs;
+    hood_.find_rows(coordinates, legs);
+    SquareRows<Form, size> rows;
+    for (std::size_t j = 0; j < size; ++j) {
+      const Interval range = legs[j].squared_entry.range();
+      rows[j] = row(j, legs[j],
+                    range.positive() ? square_root(legs[j].squared_entry, range.lower())
+                                     : root_from_zero(legs[j].squared_entry, range.upper()));
+    }
+    const Interval value = determinant_of(rows).range();
+    return value.positive() ? 1 : value.negative() ? -1 : 0;
+  }
+
+  /// Cells are boxes of coordinates whose first axis points to `y`, by a reflection.
+  void point_cells_to(const Coordinates<size>& y) noexcept {
+    const double length = std::sqrt(dot<size>(y, y));
+    reflects_ = length > 0.0;
+    if (!reflects_) return;
+    Coordinates<size> mirror = y;
+    for (double& each : mirror) each /= length;
+    mirror[0] += mirror[0] > 0.0 ? 1.0 : -1.0;
+    const double squared = dot<size>(mirror, mirror);
+    for (std::size_t i = 0; i < size; ++i)
+      for (std::size_t k = 0; k < size; ++k)
+        reflection_[i][k] = (i == k ? 1.0 : 0.0) - 2.0 * mirror[i] * mirror[k] / squared;
+  }
+
+  /// Proved: lengths of points and of their reflections differ by this share at most.
+  double reflection_error() const noexcept {
+    if (!reflects_) return 0.0;
+    double squares = 0.0;
+    for (std::size_t i = 0; i < size; ++i)
+      for (std::size_t k = 0; k < size; ++k) {
+        Interval entry(i == k ? -1.0 : 0.0);
+        for (std::size_t a = 0; a < size; ++a)
+          entry += Interval(reflection_[a][i]) * Interval(reflection_[a][k]);
+        const double most = std::max(-entry.lower(), entry.upper());
+        squares += most * most;
+      }
+    return std::sqrt(squares);
+  }
+
+  /// The point with the reflected coordinates `z`, or what encloses it.
+  template <class Scalar>
+  std::array<Scalar, size> reflected(const std::array<Scalar, size>& z) const noexcept {
+    if (!reflects_) return z;
+    std::array<Scalar, size> y;
+    for (std::size_t i = 0; i < size; ++i) {
+      y[i] = Interval(reflection_[i][0]) * z[0];
+      for (std::size_t k = 1; k < size; ++k) y[i] = y[i] + Interval(reflection_[i][k]) * z[k];
+    }
+    return y;
+  }
+  /// The same in floating point.
+  Coordinates<size> reflected_point(const Coordinates<size>& z) const noexcept {
+    if (!reflects_) return z;
+    Coordinates<size> y{};
+    for (std::size_t i = 0; i < size; ++i)
+      for (std::size_t k = 0; k < size; ++k) y[i] += reflection_[i][k] * z[k];
+    return y;
   }
 
  private:
+  // sqrt(a) where a is from 0 to `most`: with m = sqrt(most), within m / 8 of a / m + m / 8.
+  template <class Form>
+  static Form root_from_zero(const Form& a, double most) noexcept {
+    const Interval m = square_root(Interval(most));
+    if (!m.positive()) return Form(Interval(0.0, m.upper()));
+    const Interval slope = reciprocal(m), above = Interval(1.0) - slope * m;
+    // sqrt(a) - slope a is at least 0 or `above` m at the ends, and at most 1 / (4 slope) between.
+    const double least = std::min(0.0, (above * m).lower());
+    return slope * a + Form(Interval(least, (Interval(0.25) * reciprocal(slope)).upper()));
+  }
+
+  static const Affine<size>& linear(const Affine<size>& a) noexcept { return a; }
+  static Affine<size> linear(const QuadraticForm<size>& a) noexcept { return a.linear(); }
+
   template <class Scalar>
   std::array<Scalar, size> row(std::size_t j, const LegRows<Scalar, size>& leg,
                                const Scalar& entry) const noexcept {
@@ -138,6 +249,8 @@ class ModeDeterminant {
   }
 
   const Hood& hood_;
+  bool reflects_ = false;
+  SquareRows<double, size> reflection_{};
   std::array<bool, size> branches_{};  // whether the row depends on the sign of B_jj
   WorkingMode mode_;
 };

@@ -46,6 +46,9 @@ class Neighbourhood {
   const AnchorMetric& metric() const noexcept { return metric_; }
   const DistanceLeg& leg(std::size_t j) const noexcept { return legs_[j]; }
 
+  /// The anchor of leg j moves about the centroid by this much at most, a metre of |r| of the rotation r.
+  double turning(std::size_t j) const noexcept { return turning_[j]; }
+
   /// Makes `pose` the origin of the coordinates.
   void move_to(const Pose& pose) noexcept;
 
@@ -90,16 +93,12 @@ class Neighbourhood {
   void find_rows(const std::array<Scalar, size>& y,
                  std::array<LegRows<Scalar, size>, size>& rows) const noexcept;
 
-  /// Whether a cell, of all coordinates or of those of the rotation, is proved to hold no pose: |v| > 1.
+  /// Whether a box, of all coordinates or of those of the rotation, is proved to hold no pose: |v| > 1.
   template <std::size_t N>
-  bool is_beyond_half_turn(const Cell<N>& cell) const noexcept {
+  bool is_beyond_half_turn(const std::array<Interval, N>& box) const noexcept {
     if constexpr (turns == 0) return false;
     std::array<Interval, 3> turn{};
-    for (std::size_t i = 0; i < turns; ++i) {
-      const std::size_t k = N - turns + i;
-      turn[3 - turns + i] =
-          Interval(-(cell.half_width[k] - cell.center[k]), cell.center[k] + cell.half_width[k]);
-    }
+    for (std::size_t i = 0; i < turns; ++i) turn[3 - turns + i] = box[N - turns + i];
     return squared_half_turn(turn).lower() > 1.0;
   }
 
@@ -135,6 +134,7 @@ class Neighbourhood {
 
   AnchorMetric metric_;
   std::vector<DistanceLeg> legs_;
+  std::array<double, size> turning_{};
   std::array<Vector<Interval>, size> platform_arms_, base_points_;
   Eigen::Matrix3d half_turns_at_pose_ = Eigen::Matrix3d::Zero();  // in the task frame, middle of the next
   std::array<std::array<Interval, 3>, 3> half_turns_;

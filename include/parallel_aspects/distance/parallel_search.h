@@ -29,56 +29,97 @@ class ParallelSearch {
 
   /// Needs a live `RoundingUpward`; so does all of this class. Every leg must be proved to reach at the
   /// origin.
-  Result run(const ModeDeterminant<space>& determinant, const SearchRange& range) noexcept {
+  Result run(ModeDeterminant<space>& determinant, const SearchRange& range) noexcept {
     determinant_ = &determinant;
     const std::array<Interval, size> origin{};
     sign_ = determinant.proved_sign(origin);
     if (sign_ == 0) return Result::touching();
     result_ = Result();
-    attempts_ = 0;
+    attempts_ = corner_attempts_ = 0;
     look_for_witness(Coordinates<size>{});
     range_ = range;
+    determinant.point_cells_to(result_.witness);
+    if (size > 3) prove_ball();
     start();
-    while (!queue_.empty() && queue_.first().bound < target() && result_.boxes < options_.most_boxes)
+    while (!queue_.empty() && queue_.first().bound < target() && result_.boxes < most_boxes())
       examine(queue_.pop());
     finish();
     return result_;
   }
 
  private:
-  static constexpr int most_attempts = 24;
+  static constexpr int most_attempts = 12;
+
+  // In six freedoms a box takes about as long as `box_cost` of a search over legs.
+  static constexpr int box_cost = 32, balls = 8;
+
+  int most_boxes() const noexcept {
+    return size > 3 ? std::max(balls, options_.most_boxes / box_cost) : options_.most_boxes;
+  }
 
   double target() const noexcept {
     return result_.has_witness() ? std::min(range_.radius, (1.0 - options_.tolerance) * result_.upper)
                                  : range_.radius;
   }
 
+  // The largest ball about the origin, to a tenth or so, in which one enclosure proves the sign.
+  void prove_ball() noexcept {
+    proved_radius_ = 0.0;
+    double untried = target();
+    for (int i = 0; i < balls; ++i) {
+      const double radius = proved_radius_ > 0.0 ? 0.5 * (proved_radius_ + untried) : 0.5 * untried;
+      ++result_.boxes;
+      if (determinant_->proved_sign_in_ball(radius) == sign_)
+        proved_radius_ = radius;
+      else
+        untried = radius;
+    }
+  }
+
   void start() noexcept {
     queue_.clear();
     Cell<size> all;
-    const double turn = hood_.metric().widest_turn;
-    for (std::size_t i = 0; i < size; ++i)
-      all.half_width[i] = i < Neighbourhood<space>::moves ? target() : std::min(target(), turn);
+    for (std::size_t i = 0; i < size; ++i) all.half_width[i] = target();
     queue_.push(all);
   }
 
   void examine(const Cell<size>& cell) noexcept {
     ++result_.boxes;
-    if (hood_.is_beyond_half_turn(cell)) return;
-    const auto value = determinant_->over(cell, target());
-    if (!value) return;
-    const Interval range = range_in_ball(*value, cell, target());
-    if (sign_ > 0 ? range.positive() : range.negative()) return;
-    if (sign_ < 0 ? range.positive() : range.negative()) {
+    if (Neighbourhood<space>::turns > 0 && hood_.is_beyond_half_turn(determinant_->reflected(cell.box())))
+      return;
+    if (!determinant_->over(cell, target(), over_)) return;
+    const Affine<size> value = sign_ > 0 ? over_.determinant : -over_.determinant;
+    const Interval range = range_in_ball(value, cell, target());
+    if (range.lower() > 0.0 || is_positive_where_reached(value, cell)) return;
+    if (range.upper() < 0.0) {
       // Beyond a singularity: between here and the origin there is a witness, unless legs do not reach there.
-      if (attempts_ < most_attempts) look_for_witness(cell.center);
+      if (attempts_ < most_attempts) look_for_witness(determinant_->reflected_point(cell.center));
       return;
     }
-    look_where_expected(LinearModel<size>(*value, cell), cell);
+    look_where_expected(LinearModel<size>(value, cell), cell);
+    if (over_.any_unclear) look_at_corner(cell);
     for (Cell<size> half : cell.halves(cell.widest())) {
       half.bound = std::max(cell.bound, half.least_length());
       queue_.push(half);
     }
+  }
+
+  // Where B_jj^2 >= 0, value > 0 follows from value - factor B_jj^2 > 0 for any factor >= 0.
+  bool is_positive_where_reached(const Affine<size>& value, const Cell<size>& cell) const noexcept {
+    if (!over_.any_unclear) return false;
+    Affine<size> rest = value;
+    for (std::size_t j = 0; j < size; ++j) {
+      if (!over_.unclear[j]) continue;
+      const Affine<size>& squared = over_.squared_entries[j];
+      double along = 0.0, length = 0.0;
+      for (std::size_t i = 0; i < size; ++i) {
+        const double width = cell.half_width[i] * cell.half_width[i];
+        along += rest.slope(i) * squared.slope(i) / width;
+        length += squared.slope(i) * squared.slope(i) / width;
+      }
+      if (along > 0.0 && length > 0.0) rest = rest - Interval(along / length) * squared;
+    }
+    return range_in_ball(rest, cell, target()).lower() > 0.0;
   }
 
   // Where det A is expected to vanish in the cell, nearer than all witnesses.
@@ -91,16 +132,22 @@ class ParallelSearch {
       y[i] = factor * model.gradient[i];
       if (std::abs(y[i] - cell.center[i]) > 1.2 * cell.half_width[i]) return;
     }
-    if (length<size>(y) < 0.98 * result_.upper) look_for_witness(y);
+    if (length<size>(y) < 0.98 * result_.upper) look_for_witness(determinant_->reflected_point(y));
   }
 
   void look_for_witness(Coordinates<size> y) noexcept {
     ++attempts_;
     const auto function = [this](const Coordinates<size>& at) { return determinant_->at(at); };
     const auto at = WitnessSearch<size, decltype(function)>(function).run(y);
-    if (!at || hood_.is_about_half_turn(y) || !(length<size>(y) < result_.upper)) return;
-    const double distance = length<size>(y), slope = length<size>(at->gradient);
-    Coordinates<size> normal = at->gradient;
+    if (at) look_for_witness_at(y, *at);
+  }
+
+  // Takes y where det A vanishes there.
+  void look_for_witness_at(const Coordinates<size>& y, const PointDual<size>& at) noexcept {
+    if (hood_.is_about_half_turn(y) || !(length<size>(y) < result_.upper)) return;
+    const double distance = length<size>(y), slope = length<size>(at.gradient);
+    if (!(std::abs(at.value) <= 1e-6 * slope * distance)) return;
+    Coordinates<size> normal = at.gradient;
     for (double& each : normal) each /= slope;
     for (double offset = 1e-13; offset < 1e-5; offset *= 10.0) {
       const Coordinates<size> before = moved<size>(y, -offset * distance, normal),
@@ -114,11 +161,65 @@ class ParallelSearch {
     result_.offer(y, distance, false);
   }
 
+  // Surfaces det A = 0 may end where a leg just reaches. There det A has no slope, and steps go by det A at a
+  // small constant |B_jj| and by B_jj^2 itself.
+  void look_at_corner(const Cell<size>& cell) noexcept {
+    if (corner_attempts_ >= most_attempts || !(cell.least_length() < 0.98 * result_.upper)) return;
+    std::size_t held = 0;
+    for (const bool unclear : over_.unclear) held += unclear ? 1 : 0;
+    if (held + 1 > size) return;
+    ++corner_attempts_;
+    Coordinates<size> y = determinant_->reflected_point(cell.center);
+    if (!walk_to_corner(over_.unclear, y)) return;
+    const auto function = [this](const Coordinates<size>& at) { return determinant_->at(at); };
+    const auto at = WitnessSearch<size, decltype(function)>(function).polished(y);
+    if (at) look_for_witness_at(y, *at);
+  }
+
+  bool walk_to_corner(const std::array<bool, size>& held, Coordinates<size>& y) const noexcept {
+    constexpr double small = 1e-8;  // |B_jj|^2 is left at this times its slope times |y|
+    Coordinates<size> entries{};
+    for (int step = 0; step < 12; ++step) {
+      std::array<PointDual<size>, size> squared, conditions;
+      conditions[0] = determinant_->at(y, held, entries, squared);
+      std::size_t count = 1;
+      for (std::size_t j = 0; j < size; ++j) {
+        if (!held[j]) continue;
+        const double left = small * length<size>(squared[j].gradient) * length<size>(y);
+        entries[j] = std::sqrt(left);
+        conditions[count++] = squared[j] - PointDual<size>(left);
+      }
+      const Coordinates<size> next = nearest_common_zero(conditions, count, y);
+      const double change = length<size>(moved<size>(next, -1.0, y));
+      y = next;
+      if (!std::isfinite(change) || change > 1e3 * range_.radius) return false;
+      if (change < 1e-12 * length<size>(y)) break;
+    }
+    return length<size>(y) < result_.upper && determinant_->at(y).has_value();
+  }
+
+  // Of the linear functions that touch these at y, by modified Gram and Schmidt.
+  static Coordinates<size> nearest_common_zero(std::array<PointDual<size>, size>& conditions,
+                                               std::size_t count, const Coordinates<size>& y) noexcept {
+    Coordinates<size> result{};
+    for (std::size_t k = 0; k < count; ++k) {
+      Coordinates<size>& normal = conditions[k].gradient;
+      double right = dot<size>(normal, y) - conditions[k].value;
+      right -= dot<size>(normal, result);
+      for (std::size_t i = 0; i < k; ++i)
+        normal = moved<size>(normal, -dot<size>(normal, conditions[i].gradient), conditions[i].gradient);
+      const double slope = length<size>(normal);
+      for (double& each : normal) each /= slope;
+      result = moved<size>(result, right / slope, normal);
+    }
+    return result;
+  }
+
   static std::array<Interval, size> point(const Coordinates<size>& y) noexcept { return hull<size>(y, y); }
 
   void finish() noexcept {
     const bool done = queue_.empty() || queue_.first().bound >= target();
-    result_.lower = done ? target() : std::min(target(), queue_.first().bound);
+    result_.lower = done ? target() : std::min(target(), std::max(proved_radius_, queue_.first().bound));
     if (done && !result_.has_witness() && range_.holds_all) {
       const int boxes = result_.boxes;
       result_ = Result::absent();
@@ -128,6 +229,7 @@ class ParallelSearch {
     result_.status = !result_.has_witness() ? DistanceStatus::no_witness
                      : result_.lower >= (1.0 - options_.tolerance) * result_.upper ? DistanceStatus::tight
                                                                                    : DistanceStatus::loose;
+    result_.lower = -((determinant_->reflection_error() - 1.0) * result_.lower);
   }
 
   const Neighbourhood<space>& hood_;
@@ -135,7 +237,9 @@ class ParallelSearch {
   CellQueue<size> queue_;
   const ModeDeterminant<space>* determinant_ = nullptr;
   int sign_ = 0;
-  int attempts_ = 0;
+  double proved_radius_ = 0.0;
+  int attempts_ = 0, corner_attempts_ = 0;
+  typename ModeDeterminant<space>::OverCell over_;
   SearchRange range_;
   Result result_;
 };

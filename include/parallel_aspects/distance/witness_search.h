@@ -36,7 +36,28 @@ class WitnessSearch {
         break;
       }
     }
-    return at ? polished(y, at) : std::nullopt;
+    return at ? polished(y) : std::nullopt;
+  }
+
+  /// Newton's method along the gradient, to a zero as exact as rounding lets it be.
+  std::optional<PointDual<N>> polished(Coordinates<N>& y) const noexcept {
+    std::optional<PointDual<N>> at = function_(y);
+    PointDual<N> sloped;  // the last with a slope: at the tip of a cone there is none
+    for (int i = 0; i < 6 && at; ++i) {
+      const double squared = dot<N>(at->gradient, at->gradient);
+      if (!std::isfinite(squared)) return std::nullopt;
+      if (!(squared > 0.0)) break;
+      sloped.gradient = at->gradient;
+      const double factor = at->value / squared, gap = std::abs(at->value) / std::sqrt(squared);
+      for (std::size_t k = 0; k < N; ++k) y[k] -= factor * at->gradient[k];
+      at = function_(y);
+      if (gap <= 1e-13 * std::sqrt(dot<N>(y, y))) break;
+    }
+    if (!at) return std::nullopt;
+    sloped.value = at->value;
+    const double scale = std::sqrt(dot<N>(sloped.gradient, sloped.gradient) * dot<N>(y, y));
+    return std::abs(at->value) <= 1e-9 * scale && scale > 0.0 ? std::optional<PointDual<N>>(sloped)
+                                                              : std::nullopt;
   }
 
  private:
@@ -63,21 +84,6 @@ class WitnessSearch {
       return true;
     }
     return false;
-  }
-
-  // Newton's method along the gradient, to a zero as exact as rounding lets it be.
-  std::optional<PointDual<N>> polished(Coordinates<N>& y, std::optional<PointDual<N>> at) const noexcept {
-    for (int i = 0; i < 6 && at; ++i) {
-      const double squared = dot<N>(at->gradient, at->gradient);
-      if (!(squared > 0.0) || !std::isfinite(squared)) return std::nullopt;
-      const double factor = at->value / squared, gap = std::abs(at->value) / std::sqrt(squared);
-      for (std::size_t k = 0; k < N; ++k) y[k] -= factor * at->gradient[k];
-      at = function_(y);
-      if (gap <= 1e-13 * std::sqrt(dot<N>(y, y))) break;
-    }
-    if (!at || !(std::abs(at->value) <= 1e-9 * std::sqrt(dot<N>(at->gradient, at->gradient) * dot<N>(y, y))))
-      return std::nullopt;
-    return at;
   }
 
   const Function& function_;

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Distances of random configurations against dense samples of poses, whose kinematics share no code with the
+// enclosures.
+#include "parallel_aspects/distance/boundary_distances.h"
+#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/kinematics/jacobians.h"
+#include "parallel_aspects/singularity/indices.h"
+
+#include <gtest/gtest.h>
+
+#include "support/pose_pairs.h"
+#include "support/robots.h"
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <random>
+#include <string>
+
+namespace parallel_aspects {
+namespace {
+
+using Robot = std::shared_ptr<const Manipulator>;
+
+/// Poses in the ball about a pose, many of them close to its border.
+class BallSampler {
+ public:
+  BallSampler(const Robot& robot, const Pose& center, std::uint64_t seed)
+      : robot_(robot), center_(center), engine_(seed) {}
+
+  /// D from the center is at most `radius`.
+  Pose draw(double radius) {
+    TaskVector twist(static_cast<Eigen::Index>(robot_->leg_count()));
+    for (Eigen::Index i = 0; i < twist.size(); ++i) twist[i] = normal_(engine_);
+    const auto turning = static_cast<Eigen::Index>(rotational_freedoms(robot_->task_space()));
+    twist.head(turning) /= robot_->characteristic_length();
+    const double aim = radius * (1.0 - std::pow(uniform_(engine_), 3.0));
+    Pose pose = center_;
+    for (int i = 0; i < 3; ++i) {
+      const double distance = i == 0 ? twist.norm() : anchor_distance(*robot_, center_, pose);
+      if (distance > 0.0) twist *= aim / distance;
+      pose = displaced(robot_->task_space(), center_, twist);
+    }
+    return anchor_distance(*robot_, center_, pose) <= radius ? pose : center_;
+  }
+
+ private:
+  Robot robot_;
+  Pose center_;
+  std::mt19937_64 engine_;
+  std::normal_distribution<double> normal_;
+  std::uniform_real_distribution<double> uniform_{0.0, 1.0};
+};
+
+double sign_of(double value) { return value > 0.0 ? 1.0 : value < 0.0 ? -1.0 : 0.0; }
+
+struct Case {
+  Robot robot;
+  Pose pose;
+  WorkingMode mode;
+  BoundaryDistances distances;
+
+  std::string text() const {
+    return robot->name() + " " + to_string(mode) + " at " + to_string(robot->task_space(), pose);
+  }
+  double determinant_sign(const Pose& at) const {
+    const InverseSolution solution = inverse(*robot, at, mode);
+    return solution.status == InverseStatus::out_of_reach
+               ? 0.0
+               : sign_of(direct_determinant(*robot, at, solution.q));
+  }
+};
+
+double within(double lower) { return std::isfinite(lower) ? lower * (1.0 - 1e-9) : 0.0; }
+
+void expect_no_boundary_below(const Case& each, std::uint64_t seed, int samples) {
+  BallSampler ball(each.robot, each.pose, seed);
+  const BoundaryDistances& d = each.distances;
+  const double sign = each.determinant_sign(each.pose);
+  for (int i = 0; i < samples; ++i) {
+    const Pose near = ball.draw(within(d.parallel.lower));
+    const double there = each.determinant_sign(near);
+    ASSERT_TRUE(there == 0.0 || there == sign)
+        << each.text() << ": det A changes its sign below " << d.parallel.lower << " at "
+        << to_string(each.robot->task_space(), near);
+    const Pose reached = ball.draw(within(d.serial.lower));
+    ASSERT_NE(inverse(*each.robot, reached, each.mode).status, InverseStatus::out_of_reach)
+        << each.text() << " below " << d.serial.lower << " at "
+        << to_string(each.robot->task_space(), reached);
+    const Pose free = ball.draw(within(std::min(d.drive_limit.lower, d.serial.lower)));
+    if (d.status == ConfigurationStatus::measured) {
+      ASSERT_EQ(inverse(*each.robot, free, each.mode).status, InverseStatus::solved)
+          << each.text() << " below " << d.drive_limit.lower << " at "
+          << to_string(each.robot->task_space(), free);
+    }
+  }
+}
+
+void expect_at_its_distance(const Case& each, const BoundaryDistance& distance) {
+  EXPECT_LE(distance.lower, distance.upper) << each.text();
+  if (!std::isfinite(distance.upper)) return;
+  EXPECT_NEAR(anchor_distance(*each.robot, each.pose, distance.witness), distance.upper,
+              1e-5 * distance.upper)
+      << each.text();
+}
+
+void expect_parallel_witness(const Case& each) {
+  const BoundaryDistance& parallel = each.distances.parallel;
+  expect_at_its_distance(each, parallel);
+  if (!std::isfinite(parallel.upper)) return;
+  const SingularityIndices here = singularity_indices(*each.robot, each.pose, each.distances.q);
+  const SingularityIndices there = singularity_indices(*each.robot, parallel.witness, parallel.witness_q);
+  EXPECT_LT(std::abs(there.smallest_singular_value), 1e-4) << each.text();
+  EXPECT_LT(std::abs(there.determinant),
+            1e-4 * std::abs(here.determinant) + 1e-6 * std::pow(each.robot->size(), 9))
+      << each.text();
+}
+
+void expect_leg_witnesses(const Case& each) {
+  const BoundaryDistance &serial = each.distances.serial, &limit = each.distances.drive_limit;
+  expect_at_its_distance(each, serial);
+  if (std::isfinite(serial.upper)) {
+    const Leg& leg = each.robot->leg(serial.leg);
+    const double there = squared_inverse_entry(leg, serial.witness.transform(leg.anchor));
+    const double here = squared_inverse_entry(leg, each.pose.transform(leg.anchor));
+    EXPECT_LT(std::abs(there), 1e-6 * std::abs(here) + 1e-9 * std::pow(each.robot->size(), 2)) << each.text();
+  }
+  if (each.distances.status != ConfigurationStatus::measured) return;
+  expect_at_its_distance(each, limit);
+  if (!std::isfinite(limit.upper)) return;
+  const JointLimits& limits = each.robot->leg(limit.leg).limits;
+  const double end = limit.end == LimitEnd::lower ? limits.lower : limits.upper;
+  const double gap = limit.witness_q[static_cast<Eigen::Index>(limit.leg)] - end;
+  EXPECT_NEAR(each.robot->leg(limit.leg).driven_by_angle() ? std::remainder(gap, 2.0 * EIGEN_PI) : gap, 0.0,
+              1e-6)
+      << each.text();
+}
+
+void expect_right_distances(const Robot& robot, int configurations, int samples) {
+  BoundaryDistanceMeter meter(robot);
+  test::PosePairs random(robot, 20261121);
+  for (int i = 0; i < configurations; ++i) {
+    const WorkingMode mode = random.mode();
+    const auto pose = random.reached(mode);
+    ASSERT_TRUE(pose) << robot->name();
+    const Case each{robot, *pose, mode, meter.measure(*pose, mode)};
+    ASSERT_NE(each.distances.status, ConfigurationStatus::invalid) << each.text();
+    expect_no_boundary_below(each, 1000 + static_cast<std::uint64_t>(i), samples);
+    expect_parallel_witness(each);
+    expect_leg_witnesses(each);
+  }
+}
+
+/// With limits of the drives about where the robots work.
+Robot limited(const Robot& robot, double lower, double upper) {
+  ManipulatorDescription description;
+  description.name = robot->name() + "_limited";
+  description.task_space = robot->task_space();
+  description.legs = robot->legs();
+  for (Leg& leg : description.legs) leg.limits = JointLimits{lower, upper};
+  return std::make_shared<const Manipulator>(description);
+}
+
+class EveryRobot : public testing::TestWithParam<Robot> {};
+
+TEST_P(EveryRobot, HasNoBoundaryBelowTheLowerBoundAndOneAtTheWitness) {
+  const bool six = GetParam()->leg_count() == 6;
+  expect_right_distances(GetParam(), six ? 6 : 20, six ? 1000 : 600);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Distances, EveryRobot,
+    testing::Values(test::five_bar(), limited(test::five_bar(), -1.0, 2.5), test::bipod(), test::three_rpr(),
+                    test::three_rrr(), limited(test::three_rrr(), -2.0, 2.5), test::three_rrr_driven_elbow(),
+                    limited(test::three_rrr_driven_elbow(), 0.3, 2.0), test::three_prr(),
+                    limited(test::three_prr(), -0.5, 0.6), test::delta(), limited(test::delta(), -0.8, 1.4),
+                    test::linear_delta(), limited(test::linear_delta(), -0.3, 0.5), test::agile_eye(),
+                    limited(test::agile_eye(), -2.0, 1.5), test::spherical_three_rrr(), test::stewart(),
+                    limited(test::stewart(), 0.3, 1.0), test::dietmaier(), test::hexa(), test::six_pus()),
+    [](const testing::TestParamInfo<Robot>& parameter) { return parameter.param->name(); });
+
+}  // namespace
+}  // namespace parallel_aspects
