@@ -24,6 +24,21 @@ double turned_inside(const JointLimits& limits, double wanted, double angle) {
 
 }  // namespace
 
+std::vector<std::string> problems_of(const SampleOptions& options) {
+  std::vector<std::string> problems;
+  const auto not_negative = [&](double value, const std::string& what) {
+    if (!std::isfinite(value) || value < 0.0)
+      problems.push_back("The " + what + " is " + std::to_string(value) +
+                         "; it must be finite and not negative.");
+  };
+  not_negative(options.velocity_tolerance, "tolerance of velocities");
+  not_negative(options.encoder_noise, "noise of the encoders");
+  if (!(options.longest_interval > 0.0))
+    problems.push_back("The longest interval between samples is " + std::to_string(options.longest_interval) +
+                       " s; it must be positive, and infinite for none.");
+  return problems;
+}
+
 JointVector unwrapped(const Manipulator& manipulator, const JointVector& last,
                       const JointVector& q) noexcept {
   JointVector result = q;

@@ -176,6 +176,7 @@ bool PoseCertifier::enclose(CertifiedPoint& point) const noexcept {
 }
 
 bool PoseCertifier::evaluate(CertifiedPoint& point) const noexcept {
+  if (rotational_ == 0) point.pose.orientation.setIdentity();
   return refine(point) && enclose(point) && std::abs(point.pose.orientation.squaredNorm() - 1.0) < unit_error;
 }
 

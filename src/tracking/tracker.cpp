@@ -29,6 +29,17 @@ bool proved_mode(const CertifiedPoint& point, WorkingMode& mode) {
 
 }  // namespace
 
+std::vector<std::string> problems_of(const TrackerOptions& options) {
+  std::vector<std::string> problems = problems_of(options.samples);
+  if (!(options.hysteresis >= 0.0 && options.hysteresis < 1.0))
+    problems.push_back("The hysteresis of working modes is " + std::to_string(options.hysteresis) +
+                       "; it must be a sine from 0 to below 1.");
+  if (options.most_steps < 1)
+    problems.push_back("The number of subdivisions of a step is " + std::to_string(options.most_steps) +
+                       "; it must be 1 or more.");
+  return problems;
+}
+
 Tracker::Tracker(std::shared_ptr<const Manipulator> manipulator, const TrackerOptions& options)
     : manipulator_(std::move(manipulator)), options_(options), certifier_(*manipulator_) {}
 

@@ -12,6 +12,7 @@
 #include "support/robots.h"
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -63,6 +64,17 @@ TEST(TrackerInDoubt, AStepBeyondTheVelocityLimitsIsAGap) {
       tracker.keep_candidates([](const Pose& pose, const JointVector&) { return pose.position.y() > 0.0; }));
   EXPECT_EQ(tracker.state().status, TrackStatus::tracking);
   EXPECT_GT(tracker.state().pose.position.y(), 0.0);
+}
+
+TEST(TrackerInDoubt, RefusesOptionsThatMakeNoSense) {
+  EXPECT_TRUE(problems_of(TrackerOptions{}).empty());
+  TrackerOptions options;
+  options.hysteresis = 1.0;
+  options.most_steps = 0;
+  options.samples.velocity_tolerance = -0.1;
+  options.samples.encoder_noise = std::numeric_limits<double>::quiet_NaN();
+  options.samples.longest_interval = 0.0;
+  EXPECT_EQ(problems_of(options).size(), 5U);
 }
 
 TEST(TrackerInDoubt, AnIntervalThatIsTooLongIsAGap) {

@@ -83,14 +83,17 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(Limits, ComeFromTheUrdf) {
   std::string urdf = test::source_file("urdf/five_bar.urdf");
   urdf = replaced(urdf, crank_1,
-                  revolute_crank_1 + "<limit lower=\"0\" upper=\"2\" effort=\"1\" velocity=\"1\"/>");
+                  revolute_crank_1 + "<limit lower=\"0\" upper=\"2\" effort=\"1\" velocity=\"1.5\"/>");
   urdf = replaced(urdf, "<joint name=\"elbow_1_joint\" type=\"continuous\">",
                   "<joint name=\"elbow_1_joint\" type=\"revolute\"><limit lower=\"0.5\" upper=\"3\" "
-                  "effort=\"1\" velocity=\"1\"/>");
+                  "effort=\"1\" velocity=\"0\"/>");
   const auto mechanism = test::load(urdf, test::source_file("config/robots/five_bar.yaml"));
   const JointLimits& driven = mechanism->manipulator()->leg(0).limits;
   EXPECT_EQ(driven.lower, 0.0);
   EXPECT_EQ(driven.upper, 2.0);
+  EXPECT_EQ(driven.velocity, 1.5);
+  EXPECT_TRUE(std::isinf(mechanism->joint_limits()[1].velocity)) << "0 is none";
+  EXPECT_TRUE(std::isinf(mechanism->manipulator()->leg(1).limits.velocity));
   EXPECT_FALSE(mechanism->manipulator()->leg(1).limits.limited());
   EXPECT_EQ(mechanism->joint_limits()[1].lower, 0.5);
   EXPECT_EQ(mechanism->joint_limits()[1].upper, 3.0);
@@ -106,7 +109,7 @@ TEST(Limits, OfPassiveJointsAreToldApart) {
   std::string urdf = test::source_file("urdf/five_bar.urdf");
   urdf = replaced(urdf, "<joint name=\"elbow_1_joint\" type=\"continuous\">",
                   "<joint name=\"elbow_1_joint\" type=\"revolute\"><limit lower=\"0\" upper=\"3\" "
-                  "effort=\"1\" velocity=\"1\"/>");
+                  "effort=\"1\" velocity=\"0\"/>");
   const auto mechanism = test::load(urdf, test::source_file("config/robots/five_bar.yaml"));
   Pose pose;
   pose.position << 4.5, 8.0, 0.0;

@@ -5,6 +5,8 @@
 #include "parallel_aspects/model/manipulator.h"
 
 #include <limits>
+#include <string>
+#include <vector>
 
 namespace parallel_aspects {
 
@@ -27,6 +29,9 @@ struct SampleOptions {
   /// Samples farther apart than this are a gap, whatever the drives do [s].
   double longest_interval = std::numeric_limits<double>::infinity();
 };
+
+/// Every problem, a sentence each; empty when the options can be used.
+std::vector<std::string> problems_of(const SampleOptions& options);
 
 /// `q` with angles turned to where `last` says that they are; without a last sample (empty), to where the
 /// limits say. One entry a leg [rad or m]. Never allocates.

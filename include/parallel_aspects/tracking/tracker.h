@@ -14,6 +14,8 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace parallel_aspects {
 
@@ -71,6 +73,9 @@ struct TrackerOptions {
   /// Certified subdivisions of one step between samples, for each assembly mode that is followed.
   int most_steps = 256;
 };
+
+/// Every problem, a sentence each; empty when the options can be used.
+std::vector<std::string> problems_of(const TrackerOptions& options);
 
 /// Follows the pose of the platform from the actuated joints alone, by certified continuation of the direct
 /// kinematics: between two samples the drives are taken to move straight, and the solution on that way is
