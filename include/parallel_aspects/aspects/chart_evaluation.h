@@ -11,6 +11,7 @@
 #include "parallel_aspects/aspects/leg_rows.h"
 #include "parallel_aspects/aspects/limit_verdict.h"
 #include "parallel_aspects/aspects/pose_space.h"
+#include "parallel_aspects/aspects/preconditioned_sign.h"
 
 #include <algorithm>
 #include <array>
@@ -67,9 +68,9 @@ class ChartEvaluation {
     const Verdict limits = within_limits(signs);
     if (limits == Verdict::fails) return LeafState::outside();
     const Interval value = determinant(signs);
-    const bool proved = limits == Verdict::holds && clear_everywhere();
-    if (proved && value.positive()) return LeafState::inside(1);
-    if (proved && value.negative()) return LeafState::inside(-1);
+    const int sign = determinant_sign(value, signs);
+    if (sign != 0 && limits == Verdict::holds && clear_everywhere()) return LeafState::inside(sign);
+    if (sign != 0) return LeafState::undecided(sign > 0, sign < 0);
     return LeafState::undecided(value.upper() > 0.0, value.lower() < 0.0);
   }
 
@@ -84,7 +85,7 @@ class ChartEvaluation {
     if (reachable_nowhere_) return facts;
     facts.within_limits = within_limits(signs) == Verdict::holds;
     const Interval value = determinant(signs);
-    facts.determinant_sign = value.positive() ? 1 : value.negative() ? -1 : 0;
+    facts.determinant_sign = determinant_sign(value, signs);
     if (facts.determinant_sign != 0 || !clear_everywhere()) return facts;
     evaluate_slopes();
     const auto slope = ranges(slopes_->determinants->of(signs).gradient);
@@ -223,6 +224,19 @@ class ChartEvaluation {
     const Interval natural = intervals_.determinants->of(signs);
     if (!forms_ || natural.positive() || natural.negative()) return natural;
     return intersection(natural, forms_->determinants->of(signs).range());
+  }
+
+  /// Of det A on the whole box, whose range is known to be in `value`; 0 where it is not proved. Matrices of
+  /// six rows are worth the inverse of one.
+  int determinant_sign(const Interval& value, const Signs& signs) const {
+    if (value.positive() || value.negative()) return value.positive() ? 1 : -1;
+    if constexpr (leg_count == max_legs) {
+      if (!forms_) return 0;
+      typename PreconditionedSign<leg_count, coordinate_count>::Rows rows;
+      for (std::size_t j = 0; j < leg_count; ++j) rows[j] = &forms_->rows[j].of(signs[j]);
+      return PreconditionedSign<leg_count, coordinate_count>::of(rows);
+    }
+    return 0;
   }
 
   Verdict within_limits(const Signs& signs) const {

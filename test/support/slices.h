@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_TEST_SUPPORT_SLICES_H
+#define PARALLEL_ASPECTS_TEST_SUPPORT_SLICES_H
+
+#include "parallel_aspects/aspects/aspect_map.h"
+#include "parallel_aspects/aspects/map_slice.h"
+#include "parallel_aspects/aspects/pose_space.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <random>
+#include <vector>
+
+namespace parallel_aspects::test {
+
+using Robot = std::shared_ptr<const Manipulator>;
+using Held = std::vector<HeldCoordinate>;
+
+inline MapSlice slice_of(const Robot& robot, const Held& held) {
+  Problems problems;
+  const MapSlice slice = make_slice(robot->task_space(), held, problems);
+  EXPECT_TRUE(problems.empty()) << problems.front();
+  return slice;
+}
+
+inline MapOptions options_of(const MapSlice& slice, double resolution,
+                             const std::vector<WorkingMode>& modes = {}) {
+  MapOptions options;
+  options.slice = slice;
+  options.resolution = resolution;
+  options.modes = modes;
+  options.extra_levels = 6;
+  return options;
+}
+
+inline std::shared_ptr<const AspectMap> map_of(const Robot& robot, const MapOptions& options) {
+  const MapResult result = compute_aspect_map(robot, options);
+  EXPECT_TRUE(result.map) << result.sentence;
+  return result.map;
+}
+
+inline double uniform(std::mt19937_64& random, double lower, double upper) {
+  return std::uniform_real_distribution<double>(lower, upper)(random);
+}
+
+inline MapPosition random_position(const PoseSpace& space, std::mt19937_64& random) {
+  MapPosition position;
+  position.root = static_cast<RootIndex>(random() % space.root_count());
+  for (std::size_t i = 0; i < space.dimension(); ++i)
+    position.point[i] = uniform(random, space.region().lower[i], space.region().upper[i]);
+  return position;
+}
+
+/// What is held of a pose without tilt or turn.
+inline Held upright(const Held& more = {}) {
+  Held held{{"roll", 0.0}, {"pitch", 0.0}, {"yaw", 0.0}};
+  held.insert(held.end(), more.begin(), more.end());
+  return held;
+}
+
+}  // namespace parallel_aspects::test
+
+#endif  // PARALLEL_ASPECTS_TEST_SUPPORT_SLICES_H
