@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/map_file.h"
+#include "parallel_aspects/aspects/whole_file.h"
 #include "parallel_aspects/model/problems.h"
 #include "parallel_aspects/tools/arguments.h"
 #include "parallel_aspects/tools/computation.h"
+#include "parallel_aspects/tools/map_drawing.h"
 #include "parallel_aspects/tools/numbers.h"
 #include "parallel_aspects/tools/reports.h"
 #include "parallel_aspects/tools/subcommands.h"
@@ -123,6 +125,7 @@ struct MapArguments {
   std::string resolution;
   std::string threads;
   std::string load_file, save_file;  // empty where not given
+  std::string picture_file;
   bool neighbours = false;
   RoadmapArguments roadmap;
 };
@@ -137,11 +140,11 @@ MapOptions parse_options(const MapArguments& arguments, Problems& problems) {
 }
 
 /// A long computation is not to be lost to a folder that is not there.
-void check_save_folder(const std::string& file, Problems& problems) {
+void check_folder(const std::string& option, const std::string& file, Problems& problems) {
   if (file.empty()) return;
   const std::filesystem::path folder = std::filesystem::path(file).parent_path();
   if (access(folder.empty() ? "." : folder.c_str(), W_OK | X_OK) != 0)
-    problems.push_back("--save is '" + file +
+    problems.push_back(option + " is '" + file +
                        "', which is in no folder that can be written to; give another.");
 }
 
@@ -159,6 +162,11 @@ Report roadmap_report(std::shared_ptr<const Manipulator> manipulator, const MapA
     problems.emplace_back(
         "--load and --save are for maps of boxes, which there is none of in SE3 without --slice; leave them "
         "out.");
+  if (!arguments.picture_file.empty())
+    problems.emplace_back(
+        "--picture is for maps of boxes, which there is none of in SE3 without --slice; give a slice of two "
+        "free "
+        "coordinates.");
   if (arguments.neighbours)
     problems.emplace_back(
         "--neighbours is for maps of boxes, which there is none of in SE3 without --slice; leave it out.");
@@ -178,6 +186,11 @@ void add_coverage(const MapArguments& arguments, const Manipulator& manipulator,
   options.modes = parse_modes("--mode", manipulator, arguments.modes, problems);
   if (!arguments.slice.empty())
     options.slice = parse_slice("--slice", manipulator.task_space(), arguments.slice, problems);
+  const std::size_t dimension =
+      options.slice ? options.slice->dimension() : freedoms(manipulator.task_space());
+  if (problems.empty() && !arguments.picture_file.empty() && dimension != 2)
+    problems.push_back("--picture is of two coordinates, but the map has " + std::to_string(dimension) +
+                       "; give a slice that leaves two free.");
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
 }
 
@@ -205,12 +218,22 @@ void save(const AspectMap& map, const MapArguments& arguments) {
   if (!result.saved) throw InvalidDescription({result.sentence});
 }
 
+void draw(const AspectMap& map, const MapArguments& arguments) {
+  if (arguments.picture_file.empty()) return;
+  const std::string svg = draw_map(map);
+  const std::string problem = replace_file(arguments.picture_file, Bytes(svg.begin(), svg.end()));
+  if (!problem.empty())
+    throw InvalidDescription({"Picture '" + arguments.picture_file + "' is not written, since " + problem +
+                              "; give a file in a folder that can be written to and has room."});
+}
+
 Report load_or_compute(const std::shared_ptr<const Manipulator>& manipulator, const MapOptions& options,
                        const MapArguments& arguments, const Surroundings& surroundings) {
   std::shared_ptr<const AspectMap> map = load(manipulator, options, arguments, surroundings);
   const bool loaded = map != nullptr;
   if (!loaded) map = compute(manipulator, options, surroundings);
   save(*map, arguments);
+  draw(*map, arguments);
   Report report = report_map(*map, loaded);
   if (arguments.neighbours) {
     MapControl control;
@@ -248,6 +271,9 @@ Subcommand map_subcommand() {
   options.push_back({"--load", "FILE", "Take the map from this file if it is of this robot and these options",
                      &arguments->load_file});
   options.push_back({"--save", "FILE", "Write the map to this file, for --load", &arguments->save_file});
+  options.push_back({"--picture", "FILE",
+                     "Draw the aspects of every working mode as SVG, where two coordinates are free",
+                     &arguments->picture_file});
   options.push_back({"--samples", "N", "With six freedoms: poses of the certified roadmap, by default 1000",
                      &arguments->roadmap.samples});
   options.push_back(
@@ -258,7 +284,8 @@ Subcommand map_subcommand() {
           [arguments](const Surroundings& surroundings) {
             Problems problems;
             MapOptions map_options = parse_options(*arguments, problems);
-            check_save_folder(arguments->save_file, problems);
+            check_folder("--save", arguments->save_file, problems);
+            check_folder("--picture", arguments->picture_file, problems);
             const auto mechanism = load_robot(arguments->robot, std::move(problems));
             if (mechanism->manipulator()->task_space() == TaskSpace::SE3 && arguments->slice.empty())
               return roadmap_report(mechanism->manipulator(), *arguments, surroundings);

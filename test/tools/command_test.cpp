@@ -8,6 +8,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <sstream>
 #include <string>
@@ -274,6 +276,30 @@ TEST_F(Command, NeighboursAreToldWhereAsked) {
   EXPECT_EQ(run_json({"map", "five_bar"}).count("neighbours"), 0U);
   EXPECT_NE(run({"map", "five_bar", "--neighbours"}).output.find("B_jj = 0 of leg_1"), std::string::npos);
   EXPECT_EQ(run({"map", "stewart", "--neighbours"}).code, exit_code::bad_input);
+}
+
+TEST_F(Command, MapsWithTwoCoordinatesAreDrawn) {
+  const std::string file = testing::TempDir() + "aspects_drawn.svg";
+  std::filesystem::remove(file);
+  ASSERT_EQ(run({"map", "three_rrr", "--slice", "phi=0", "--mode", "(+,+,+) (-,+,+)", "--resolution", "1",
+                 "--picture", file.c_str()})
+                .code,
+            exit_code::ok);
+  std::ifstream stream(file);
+  const std::string svg{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  EXPECT_EQ(svg.rfind("<svg ", 0), 0U);
+  EXPECT_EQ(svg.substr(svg.size() - 7), "</svg>\n");
+  EXPECT_NE(svg.find(">(+,+,+)<"), std::string::npos);
+  EXPECT_NE(svg.find(">(-,+,+)<"), std::string::npos);
+  EXPECT_EQ(svg.find(">(+,-,+)<"), std::string::npos);
+  EXPECT_NE(svg.find("slice phi = 0 rad"), std::string::npos);
+  std::filesystem::remove(file);
+  const Outcome refused = run({"map", "delta", "--picture", file.c_str()});
+  EXPECT_EQ(refused.code, exit_code::bad_input);
+  EXPECT_EQ(refused.messages,
+            "--picture is of two coordinates, but the map has 3; give a slice that leaves two free.\n");
+  EXPECT_EQ(run({"map", "five_bar", "--picture", "/no/such/folder/a.svg"}).code, exit_code::bad_input);
+  EXPECT_EQ(run({"map", "stewart", "--picture", file.c_str()}).code, exit_code::bad_input);
 }
 
 TEST_F(Command, BadSlicesAreRefused) {
