@@ -53,27 +53,27 @@ AssemblyComparison AssemblyWatch::watch(const Manipulator& manipulator, const Po
   }
   if (farthest > 2.0) away_ = true;
   if (!away_ || farthest > 1.0) return AssemblyComparison::same;
-  Pose end;
+  CertifiedPoint end;
   const AssemblyComparison result = compare(manipulator, certifier, now, most_steps_when_back, end);
   if (result == AssemblyComparison::unknown) return AssemblyComparison::same;
   away_ = false;
-  if (result == AssemblyComparison::other) reference_.pose = end;
+  if (result == AssemblyComparison::other) reference_ = end;
   return result;
 }
 
 AssemblyComparison AssemblyWatch::compare(const Manipulator& manipulator, const PoseCertifier& certifier,
                                           const CertifiedPoint& now, int most_steps) const noexcept {
-  Pose end;
+  CertifiedPoint end;
   return compare(manipulator, certifier, now, most_steps, end);
 }
 
 AssemblyComparison AssemblyWatch::compare(const Manipulator& manipulator, const PoseCertifier& certifier,
                                           const CertifiedPoint& now, int most_steps,
-                                          Pose& end) const noexcept {
+                                          CertifiedPoint& end) const noexcept {
   Continuation path(certifier, now, now.q + way_back(manipulator, now.q));
   if (path.run(most_steps) != ContinuationStatus::finished) return AssemblyComparison::unknown;
-  end = path.at().pose;
-  return anchor_distance(manipulator, end, reference_.pose) <= same_pose * manipulator.size()
+  end = path.at();
+  return anchor_distance(manipulator, end.pose, reference_.pose) <= same_pose * manipulator.size()
              ? AssemblyComparison::same
              : AssemblyComparison::other;
 }

@@ -64,6 +64,8 @@ bool is_gap(const Manipulator& manipulator, const SampleOptions& options, const 
     const double possible =
         leg.limits.velocity * (1.0 + options.velocity_tolerance) * std::fmax(0.0, seconds);
     if (!(std::abs(q[i] - last[i]) <= possible + noise)) return true;
+    const bool turns_freely = leg.driven_by_angle() && !leg.limits.limited();
+    if (options.unwrap && turns_freely && possible >= EIGEN_PI) return true;
   }
   return false;
 }

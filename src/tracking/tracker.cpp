@@ -245,10 +245,11 @@ void Tracker::cross(std::size_t leg, double time) noexcept {
 }
 
 void Tracker::watch_assembly(double time) noexcept {
+  WorkingMode before;
+  const bool known = proved_mode(assembly_.reference(), before);
   if (assembly_.watch(*manipulator_, certifier_, point_) != AssemblyComparison::other) return;
   Transition transition = from_here(TransitionKind::assembly_mode, time);
-  WorkingMode before;
-  if (proved_mode(assembly_.reference(), before)) transition.mode_before = before;
+  if (known) transition.mode_before = before;
   transition.inside_aspect = !mode_changed_;
   mode_changed_ = false;
   add(transition);

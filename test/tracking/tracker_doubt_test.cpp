@@ -104,6 +104,18 @@ TEST(TrackerInDoubt, EncodersMayWrap) {
   EXPECT_GT(q[1], EIGEN_PI);
 }
 
+// A drive of 1 rad/s may have gone round the other way within three seconds.
+TEST(TrackerInDoubt, ATimeForHalfATurnIsAGap) {
+  const auto robot = with_velocity(*test::five_bar(), 1.0);
+  const JointVector q = drives(*robot, at(4.5, 8.0), {-1, -1});
+  const SampleOptions options;
+  EXPECT_FALSE(is_gap(*robot, options, q, q + joints({1.2, -1.2}), 1.0));
+  EXPECT_TRUE(is_gap(*robot, options, q, q + joints({1.3, 0.0}), 1.0));
+  EXPECT_FALSE(is_gap(*robot, options, q, q, 2.5));
+  EXPECT_TRUE(is_gap(*robot, options, q, q, 3.0));
+  EXPECT_TRUE(is_gap(*robot, options, q, q + joints({0.001, 0.0}), -1.0)) << "time goes backwards";
+}
+
 TEST(TrackerInDoubt, LimitsSayWhichTurnIsMeant) {
   std::vector<Leg> legs = test::five_bar()->legs();
   legs[0].limits = JointLimits{0.5, 5.0};

@@ -31,7 +31,7 @@ class AssemblyWatch {
   const CertifiedPoint& reference() const noexcept { return reference_; }
 
   /// The robot is at `now`, reached by certified continuation. `other` once for each change, when the drives
-  /// come back; the reference pose is then the present one. `same` otherwise. Never allocates.
+  /// come back; the reference is then the present solution. `same` otherwise. Never allocates.
   AssemblyComparison watch(const Manipulator& manipulator, const PoseCertifier& certifier,
                            const CertifiedPoint& now) noexcept;
 
@@ -42,7 +42,7 @@ class AssemblyWatch {
  private:
   JointVector way_back(const Manipulator& manipulator, const JointVector& q) const noexcept;
   AssemblyComparison compare(const Manipulator& manipulator, const PoseCertifier& certifier,
-                             const CertifiedPoint& now, int most_steps, Pose& end) const noexcept;
+                             const CertifiedPoint& now, int most_steps, CertifiedPoint& end) const noexcept;
 
   CertifiedPoint reference_;
   bool away_ = false;

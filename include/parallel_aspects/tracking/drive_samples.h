@@ -17,7 +17,8 @@ struct SampleOptions {
   /// turns can bring them there.
   bool unwrap = true;
 
-  /// Whether a step longer than the velocity limits of the drives allow in its time is a gap.
+  /// Whether a step longer than the velocity limits of the drives allow in its time is a gap, and so is a
+  /// time in which a drive that is unwrapped may have turned by half a turn.
   bool check_velocity = true;
 
   /// By how much a step may be longer, for jitter of the stamps, as a share [0 or more].
