@@ -195,11 +195,23 @@ void Tracker::watch_legs(const CertifiedPoint& from, const CertifiedPoint& to, d
       zero_times_[leg] = zero_time(from, to, leg, start, end);
   }
   entry_sines_ = sines;
-  for (std::size_t leg = 0; leg < manipulator_->leg_count(); ++leg) {
-    const double sine = sines[static_cast<Eigen::Index>(leg)];
-    if (sine * state_.mode.sign(leg) < 0.0 && std::abs(sine) >= options_.hysteresis)
-      cross(leg, zero_times_[leg]);
+  for (int leg = next_crossing(); leg >= 0; leg = next_crossing()) {
+    const auto crossed = static_cast<std::size_t>(leg);
+    cross(crossed, zero_times_[crossed]);
   }
+}
+
+// The leg that is past the hysteresis on the other side, the first by the time of its zero; -1 for none.
+int Tracker::next_crossing() const noexcept {
+  int first = -1;
+  for (Eigen::Index i = 0; i < entry_sines_.size(); ++i) {
+    const auto leg = static_cast<std::size_t>(i);
+    if (!(entry_sines_[i] * state_.mode.sign(leg) < 0.0)) continue;
+    if (!(std::abs(entry_sines_[i]) >= options_.hysteresis)) continue;
+    if (first < 0 || zero_times_[leg] < zero_times_[static_cast<std::size_t>(first)])
+      first = static_cast<int>(i);
+  }
+  return first;
 }
 
 // Regula falsi between two ends of a certified step, in its Illinois form.

@@ -226,6 +226,34 @@ TEST(TrackerInDoubt, CrossingsOfLongStepsAreTimed) {
   EXPECT_NEAR(tracker.transitions().begin()->time, fine, 1e-3);
 }
 
+// Steps so long that several legs change sides in one.
+TEST(TrackerInDoubt, CrossingsOfOneStepAreAChain) {
+  const auto robot = test::three_prr();
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> uniform(-0.4, 0.4);
+  int several = 0;
+  for (int run = 0; run < 3000 && several < 20; ++run) {
+    const InverseSolution start = inverse(*robot, at(uniform(random), uniform(random), uniform(random)),
+                                          WorkingMode::from_index(3, static_cast<std::size_t>(run) % 8));
+    if (start.status != InverseStatus::solved) continue;
+    Tracker tracker(robot);
+    if (!tracker.start(0.0, start.q, run % 2 == 0 ? 1 : -1)) continue;
+    const WorkingMode first = tracker.state().mode;
+    tracker.update(1.0, start.q + joints({uniform(random), uniform(random), uniform(random)}));
+    const WorkingMode* mode = &first;
+    for (const Transition& each : tracker.transitions()) {
+      if (each.kind != TransitionKind::working_mode) continue;
+      several += mode != &first;
+      EXPECT_EQ(each.mode_before, *mode) << "run " << run;
+      EXPECT_EQ(each.mode_after.sign(each.leg), -each.mode_before.sign(each.leg)) << "run " << run;
+      EXPECT_TRUE(each.time > 0.0 && each.time < 1.0) << "run " << run;
+      mode = &each.mode_after;
+    }
+    EXPECT_EQ(*mode, tracker.state().mode) << "run " << run;
+  }
+  EXPECT_GT(several, 0);
+}
+
 // The 3-RPR of Innocenti and Parenti-Castelli changes its assembly mode without a singularity: of its six
 // direct solutions three have det A > 0, all in one aspect.
 class NonsingularAssemblyModeChange : public testing::Test {

@@ -155,6 +155,7 @@ class Tracker {
   void watch_legs(const CertifiedPoint& from, const CertifiedPoint& to, double start, double end) noexcept;
   double zero_time(const CertifiedPoint& from, const CertifiedPoint& to, std::size_t leg, double start,
                    double end) const noexcept;
+  int next_crossing() const noexcept;
   void cross(std::size_t leg, double time) noexcept;
   void watch_assembly(double time) noexcept;
   void lose(double time, Doubt doubt) noexcept;

@@ -33,7 +33,8 @@ struct Transition {
   int aspect_before = 0, aspect_after = 0;  ///< 0 while unknown
 };
 
-/// Transitions of one update, in the order of time.
+/// Transitions of one update, in the order in which they were certain; the zero of a leg that is slow to come
+/// past the hysteresis can be earlier than that of the one before.
 struct Transitions {
   static constexpr std::size_t most = 16;  ///< a step that crosses more often ends with `dropped`
   std::array<Transition, most> items;
