@@ -45,6 +45,7 @@ class KnownMotion {
     if (t_ >= 1.0) plan();
     t_ = std::min(1.0, t_ + step(longest));
     if (t_ >= 1.0) {
+      if (passes_) ++pass_count_;
       mode_ = next_mode_;
       last_q_ = to_.q;
       return {to_.q, to_.pose, mode_};
@@ -77,50 +78,62 @@ class KnownMotion {
 
   double step(double longest) const { return longest / std::max(longest, largest_change_); }
 
+  // Every third leg of the way leads near a boundary; where a leg of the robot is nearly stretched or folded
+  // there, it passes to its other posture.
   void plan() {
     from_ = to_;
     if (last_q_.size() > 0) from_.q = last_q_;
     t_ = 0.0;
-    passes_ = uniform(0.0, 1.0) < 0.3 && plan_pass();
-    for (double reach = 0.3; !passes_; reach *= 0.8)
-      if (plan_segment(reach)) return;
+    passes_ = plan_pass();
+    if (passes_) return;
+    if (engine_() % 3 == 0 && go_to(nearly_out_of_reach())) return;
+    for (double reach = 0.3; !go_to(displaced_by(reach)); reach *= 0.8) {
+    }
   }
 
   bool plan_pass() {
-    const std::size_t leg = engine_() % robot_->leg_count();
-    WorkingMode other = mode_;
-    other.set_sign(leg, -mode_.sign(leg));
-    const InverseSolution solution = inverse(*robot_, from_.pose, other);
-    if (!robot_->leg(leg).has_branch(other.sign(leg)) || solution.status != InverseStatus::solved)
-      return false;
-    change_ = drive_change(*robot_, from_.q, solution.q);
-    largest_change_ = change_.cwiseAbs().maxCoeff();
-    if (largest_change_ > 2.0 || largest_change_ < 0.01 ||
-        !straight_motion_exists(*robot_, from_, change_, from_.pose))
-      return false;
-    to_ = {from_.pose, from_.q + change_};
-    next_mode_ = other;
-    ++pass_count_;
-    return true;
+    for (std::size_t leg = 0; leg < robot_->leg_count(); ++leg) {
+      WorkingMode other = mode_;
+      other.set_sign(leg, -mode_.sign(leg));
+      if (!robot_->leg(leg).has_branch(other.sign(leg))) continue;
+      const InverseSolution solution = inverse(*robot_, from_.pose, other);
+      if (solution.status != InverseStatus::solved) continue;
+      change_ = drive_change(*robot_, from_.q, solution.q);
+      largest_change_ = change_.cwiseAbs().maxCoeff();
+      if (largest_change_ > 0.5 || !straight_motion_exists(*robot_, from_, change_, from_.pose)) continue;
+      to_ = {from_.pose, from_.q + change_};
+      next_mode_ = other;
+      return true;
+    }
+    return false;
   }
 
-  bool plan_segment(double reach) {
+  Pose displaced_by(double reach) {
     TaskVector twist(static_cast<Eigen::Index>(freedoms(robot_->task_space())));
     const auto turns = static_cast<Eigen::Index>(rotational_freedoms(robot_->task_space()));
     for (Eigen::Index i = 0; i < twist.size(); ++i)
       twist[i] = reach * uniform(-1.0, 1.0) * (i < turns ? 1.0 : robot_->size());
-    to_.pose = displaced(robot_->task_space(), from_.pose, twist);
-    if (certifier_.prove(from_.pose, to_.pose, mode_).verdict != SegmentVerdict::free) return false;
+    return displaced(robot_->task_space(), from_.pose, twist);
+  }
+
+  Pose nearly_out_of_reach() {
+    const Pose far = displaced_by(1.0);
+    const SegmentProof proof = certifier_.prove_start(from_.pose, far, mode_);
+    return pose_between(from_.pose, far, std::max(0.0, proof.free_until - 1e-4));
+  }
+
+  bool go_to(const Pose& pose) {
+    if (certifier_.prove(from_.pose, pose, mode_).verdict != SegmentVerdict::free) return false;
     largest_change_ = 0.0;
     JointVector before = from_.q;
-    constexpr int parts = 64;  // drives need not move evenly along the segment
+    constexpr int parts = 256;  // drives do not move evenly along the segment
     for (int i = 1; i <= parts; ++i) {
-      const JointVector q = inverse(*robot_, pose_between(from_.pose, to_.pose, i / double{parts}), mode_).q;
+      const JointVector q = inverse(*robot_, pose_between(from_.pose, pose, i / double{parts}), mode_).q;
       largest_change_ =
           std::max(largest_change_, parts * drive_change(*robot_, before, q).cwiseAbs().maxCoeff());
       before = q;
     }
-    to_.q = from_.q + drive_change(*robot_, from_.q, inverse(*robot_, to_.pose, mode_).q);
+    to_ = {pose, from_.q + drive_change(*robot_, from_.q, inverse(*robot_, pose, mode_).q)};
     return true;
   }
 
