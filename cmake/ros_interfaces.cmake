@@ -23,7 +23,9 @@ add_message_files(FILES
   AspectSummary.msg
   AspectTransition.msg
   Configuration.msg
+  DistanceBounds.msg
   MapProgress.msg
+  MetricDistance.msg
   SingularityReport.msg
   SolvedConfiguration.msg
   Status.msg

@@ -24,7 +24,10 @@ std_msgs::Header header_in_base(const Manipulator& manipulator, const ros::Time&
   return header;
 }
 
-std::vector<double> to_vector(const TaskVector& values) { return {values.begin(), values.end()}; }
+template <typename Vector>
+std::vector<double> to_vector(const Vector& values) {
+  return {values.begin(), values.end()};
+}
 
 void locate(const AspectMap& map, const Pose& pose, const WorkingMode& mode, SolvedConfiguration& message) {
   const Location location = map.locate(pose, mode);
@@ -42,6 +45,41 @@ void locate(const AspectMap& map, const Pose& pose, const WorkingMode& mode, Sol
     case LocationStatus::not_mapped:
       message.aspect_status = SolvedConfiguration::NOT_MAPPED;
   }
+}
+
+std::uint8_t status_of(DistanceStatus status) {
+  switch (status) {
+    case DistanceStatus::tight:
+      return MetricDistance::TIGHT;
+    case DistanceStatus::loose:
+      return MetricDistance::LOOSE;
+    case DistanceStatus::no_witness:
+      return MetricDistance::NO_WITNESS;
+    case DistanceStatus::absent:
+      return MetricDistance::ABSENT;
+    case DistanceStatus::touching:
+      return MetricDistance::TOUCHING;
+    case DistanceStatus::unavailable:
+      break;
+  }
+  return MetricDistance::UNAVAILABLE;
+}
+
+// Between the rod and its crank, or the normal of its rail: 0 where B_jj = 0. A strut is never near.
+std::vector<double> leg_angles(const Manipulator& manipulator, const SolvedPose& solved) {
+  const TaskVector entries = inverse_diagonal(manipulator, solved.pose, solved.q);
+  std::vector<double> angles;
+  for (std::size_t j = 0; j < manipulator.leg_count(); ++j) {
+    const Leg& leg = manipulator.leg(j);
+    const double q = solved.q[static_cast<Eigen::Index>(j)];
+    double largest = std::sqrt(leg.squared_distance(q));
+    if (const auto* elbow = std::get_if<ElbowDrive>(&leg.drive))
+      largest = elbow->inner_length * elbow->outer_length;
+    else if (!std::holds_alternative<StrutDrive>(leg.drive))
+      largest *= leg.proximal_point_derivative(q).norm();
+    angles.push_back(std::asin(std::min(1.0, std::abs(entries[static_cast<Eigen::Index>(j)]) / largest)));
+  }
+  return angles;
 }
 
 std::uint8_t kind_of(TransitionKind kind) {
@@ -216,17 +254,42 @@ AspectSummary summary_message(const Manipulator& manipulator, const Aspect& aspe
   return message;
 }
 
+MetricDistance distance_message(const Manipulator& manipulator, const BoundaryDistance& distance,
+                                bool of_leg) {
+  MetricDistance message;
+  message.status = status_of(distance.status);
+  const bool available = distance.status != DistanceStatus::unavailable;
+  message.lower = available ? distance.lower : not_a_number;
+  message.upper = available ? distance.upper : not_a_number;
+  message.upper_proved = distance.upper_proved;
+  if (!available || !std::isfinite(distance.upper)) return message;
+  message.witness = pose_message(platform_in_base(manipulator, distance.witness));
+  message.joint_positions = to_vector(distance.witness_q);
+  message.joint_displacements = to_vector(distance.drive_displacement);
+  message.direction = to_vector(distance.direction);
+  if (!of_leg) return message;
+  message.leg = manipulator.leg(distance.leg).name;
+  message.joint = manipulator.leg(distance.leg).driven_joint;
+  return message;
+}
+
 SingularityReport report_message(const Manipulator& manipulator, const SolvedPose& solved,
-                                 const AspectMap* map, const ros::Time& stamp) {
+                                 const BoundaryDistances& distances, const AspectMap* map,
+                                 const ros::Time& stamp) {
   const SingularityIndices indices = singularity_indices(manipulator, solved.pose, solved.q);
   SingularityReport message;
   message.configuration = solved_message(manipulator, solved, map, stamp);
+  message.parallel_distance = distance_message(manipulator, distances.parallel, false);
+  message.serial_distance = distance_message(manipulator, distances.serial, true);
+  message.limit_distance = distance_message(manipulator, distances.drive_limit, true);
+  if (!message.limit_distance.leg.empty()) message.limit_distance.limit = name(distances.drive_limit.end);
   message.determinant = indices.determinant;
   message.determinant_unit = determinant_unit(manipulator.task_space());
   message.inverse_diagonal = to_vector(indices.inverse_diagonal);
   for (const Leg& leg : manipulator.legs()) message.inverse_diagonal_units.push_back(inverse_entry_unit(leg));
   message.smallest_singular_value = indices.smallest_singular_value;
   message.inverse_condition_number = indices.inverse_condition_number;
+  message.leg_angles = leg_angles(manipulator, solved);
   return message;
 }
 

@@ -79,7 +79,8 @@ Queries::Queries(std::shared_ptr<const Manipulator> manipulator, RobotMonitor& m
     : manipulator_(std::move(manipulator)),
       monitor_(monitor),
       worker_(worker),
-      to_base_(std::move(to_base)) {}
+      to_base_(std::move(to_base)),
+      meter_(manipulator_) {}
 
 ConfigurationAnswer Queries::resolve(const Configuration& configuration) const {
   switch (configuration.kind) {
@@ -169,7 +170,8 @@ GetSingularityDistance::Response Queries::answer(const GetSingularityDistance::R
   GetSingularityDistance::Response response;
   response.status = found.status;
   for (const SolvedPose& solved : found.configurations)
-    response.reports.push_back(report_message(*manipulator_, solved, map.get(), found.stamp));
+    response.reports.push_back(
+        report_message(*manipulator_, solved, distances(solved), map.get(), found.stamp));
   return response;
 }
 
@@ -191,6 +193,13 @@ ListAspects::Response Queries::answer(const ListAspects::Request& request) const
   response.proved_count = static_cast<std::uint32_t>(map->proved_count());
   response.measure_undecided = map->measure_undecided();
   return response;
+}
+
+// Where B_jj = 0 the working mode has no distances.
+BoundaryDistances Queries::distances(const SolvedPose& solved) const {
+  const auto mode = working_mode(*manipulator_, solved.pose, solved.q);
+  const std::lock_guard<std::mutex> lock(meter_mutex_);
+  return mode ? meter_.measure(solved.pose, *mode) : BoundaryDistances{};
 }
 
 Status Queries::start(const Configuration& configuration) const {

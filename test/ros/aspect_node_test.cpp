@@ -115,6 +115,30 @@ TEST_F(AspectNode, AnswersAboutAPoseInEveryWorkingMode) {
   EXPECT_EQ(distance.reports[0].inverse_diagonal.size(), 2U);
   EXPECT_GT(distance.reports[0].inverse_diagonal[0], 0.0);
   EXPECT_GT(distance.reports[0].smallest_singular_value, 0.0);
+  ASSERT_EQ(distance.reports[0].leg_angles.size(), 2U);
+  EXPECT_GT(distance.reports[0].leg_angles[0], 0.0);
+  EXPECT_LE(distance.reports[0].leg_angles[0], EIGEN_PI / 2);
+
+  // Distances of the paper's five-bar by brute force.
+  Configuration drives;
+  drives.kind = Configuration::JOINTS;
+  drives.joint_names = {"crank_1_joint", "crank_2_joint"};
+  drives.joint_positions = {1.633334, 1.027907};
+  auto near = ask<GetSingularityDistance>("get_singularity_distance", drives);
+  ASSERT_EQ(near.reports.size(), 2U);
+  if (near.reports[0].configuration.pose.position.y < 7.9) near.reports.erase(near.reports.begin());
+  ASSERT_NEAR(near.reports[0].configuration.pose.position.y, 8.0, 1e-4);
+  const MetricDistance& parallel = near.reports[0].parallel_distance;
+  EXPECT_EQ(parallel.status, MetricDistance::TIGHT);
+  EXPECT_LE(parallel.lower, 1.5360);
+  EXPECT_GE(parallel.upper, 1.5358);
+  EXPECT_NEAR(parallel.witness.position.x, 4.218, 0.05);
+  EXPECT_NEAR(parallel.witness.position.y, 6.490, 0.05);
+  EXPECT_EQ(parallel.joint_positions.size(), 2U);
+  EXPECT_TRUE(parallel.leg.empty());
+  EXPECT_NEAR(near.reports[0].serial_distance.upper, 3.82122, 0.04);
+  EXPECT_FALSE(near.reports[0].serial_distance.leg.empty());
+  EXPECT_EQ(near.reports[0].limit_distance.status, MetricDistance::ABSENT);
 }
 
 TEST_F(AspectNode, TakesPosesInAnyFrameOfTf) {

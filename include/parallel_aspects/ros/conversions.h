@@ -3,6 +3,7 @@
 #define PARALLEL_ASPECTS_ROS_CONVERSIONS_H
 
 #include "parallel_aspects/aspects/aspect_map.h"
+#include "parallel_aspects/distance/boundary_distances.h"
 #include "parallel_aspects/kinematics/working_mode.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/singularity/indices.h"
@@ -11,6 +12,7 @@
 #include <parallel_aspects/AspectState.h>
 #include <parallel_aspects/AspectSummary.h>
 #include <parallel_aspects/AspectTransition.h>
+#include <parallel_aspects/MetricDistance.h>
 #include <parallel_aspects/SingularityReport.h>
 #include <parallel_aspects/SolvedConfiguration.h>
 #include <parallel_aspects/Status.h>
@@ -65,8 +67,13 @@ SolvedConfiguration solved_message(const Manipulator& manipulator, const SolvedP
 
 AspectSummary summary_message(const Manipulator& manipulator, const Aspect& aspect);
 
+/// `of_leg`: whether the boundary is one leg's, as serial singularities and limits are.
+MetricDistance distance_message(const Manipulator& manipulator, const BoundaryDistance& distance,
+                                bool of_leg);
+
 SingularityReport report_message(const Manipulator& manipulator, const SolvedPose& solved,
-                                 const AspectMap* map, const ros::Time& stamp);
+                                 const BoundaryDistances& distances, const AspectMap* map,
+                                 const ros::Time& stamp);
 
 /// State of a robot that is being tracked.
 AspectState state_message(const Manipulator& manipulator, const TrackedState& state, const ros::Time& stamp);

@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ROS_QUERIES_H
 #define PARALLEL_ASPECTS_ROS_QUERIES_H
 
+#include "parallel_aspects/distance/boundary_distances.h"
 #include "parallel_aspects/ros/conversions.h"
 #include "parallel_aspects/ros/map_worker.h"
 #include "parallel_aspects/ros/robot_monitor.h"
@@ -16,6 +17,7 @@
 #include <functional>
 #include <geometry_msgs/PoseStamped.h>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -62,11 +64,14 @@ class Queries {
   Status start(const Configuration& configuration) const;
   std::vector<SolvedConfiguration> solutions(const ConfigurationAnswer& answer, const AspectMap* map) const;
   Status map_status(const AspectMap* map) const;
+  BoundaryDistances distances(const SolvedPose& solved) const;
 
   std::shared_ptr<const Manipulator> manipulator_;
   RobotMonitor& monitor_;
   const MapWorker& worker_;
   PoseTransformer to_base_;
+  mutable std::mutex meter_mutex_;
+  mutable BoundaryDistanceMeter meter_;  // owns the memory it works in
 };
 
 }  // namespace parallel_aspects
