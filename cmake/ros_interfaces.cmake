@@ -19,6 +19,7 @@ find_package(catkin REQUIRED COMPONENTS
 )
 
 add_message_files(FILES
+  AssemblyCandidates.msg
   AspectState.msg
   AspectSummary.msg
   AspectTransition.msg

@@ -313,6 +313,11 @@ AspectState unknown_state(const Manipulator& manipulator, const Status& status, 
   message.pose.orientation.x = message.pose.orientation.y = not_a_number;
   message.pose.orientation.z = message.pose.orientation.w = not_a_number;
   message.determinant = not_a_number;
+  for (DistanceBounds* bounds :
+       {&message.parallel_distance, &message.serial_distance, &message.limit_distance})
+    bounds->lower = bounds->upper = bounds->speed = not_a_number;
+  message.residual = not_a_number;
+  message.reason = "nothing is known of the distances";
   return message;
 }
 

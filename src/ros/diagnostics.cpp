@@ -2,6 +2,7 @@
 #include "parallel_aspects/ros/diagnostics.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace parallel_aspects {
@@ -56,7 +57,17 @@ void Diagnostics::tell_tracking(Wrapper& status) const {
   const ros::Time now = ros::Time::now();
   const CurrentConfiguration current = monitor_.current(now);
   const bool well = current.status.code == Status::OK;
+  const MonitorFindings findings = monitor_.findings();
   status.summary(diagnostic_level(current.status), well ? "tracking" : current.status.sentence);
+  if (well && findings.threshold.level == ThresholdLevel::warn)
+    status.mergeSummary(Level::WARN, "near a boundary");
+  if (well && findings.threshold.level == ThresholdLevel::stop)
+    status.mergeSummary(Level::ERROR, "too near a boundary");
+  for (std::size_t i = 0; i < hazard_count; ++i)
+    status.add(std::string("proved distance to the nearest ") + name(static_cast<Hazard>(i)) + " [m]",
+               well ? std::to_string(findings.distances[i].lower) : "unknown");
+  status.add("residual of passive joints [tolerances]",
+             well && std::isfinite(findings.residual) ? std::to_string(findings.residual) : "unknown");
   status.add("status code", static_cast<int>(current.status.code));
   status.add("working mode", well ? to_string(current.tracked.mode) : "unknown");
   status.add("sign of det A", well ? std::to_string(current.tracked.determinant_sign) : "unknown");

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace parallel_aspects {
@@ -11,12 +12,12 @@ namespace {
 // Beyond this, angles are no longer exact to a ten-millionth of a degree; no drive gets there [rad or m].
 constexpr double largest_position = 1e6;
 
-JointSample invalid(std::string sentence) { return {SampleStatus::invalid, std::move(sentence), {}}; }
+JointSample invalid(std::string sentence) { return {SampleStatus::invalid, std::move(sentence), {}, {}}; }
 
 // Fills `sample.q` from the message; leaves `count` at how many of the robot's drives it holds.
 JointSample collect(const Manipulator& manipulator, const std::vector<std::string>& names,
                     const std::vector<double>& positions, std::size_t& count) {
-  JointSample sample{SampleStatus::usable, {}, JointVector(manipulator.leg_count())};
+  JointSample sample{SampleStatus::usable, {}, JointVector(manipulator.leg_count()), {}};
   std::string missing;
   count = 0;
   for (std::size_t j = 0; j < manipulator.leg_count(); ++j) {
@@ -63,10 +64,24 @@ JointSample JointSampleReader::read(const sensor_msgs::JointState& message) cons
     return std::find(known.begin(), known.end(), name) == known.end();
   });
   if (count == 0 && sample.status == SampleStatus::invalid && unknown != message.name.end())
-    return {SampleStatus::foreign, "it holds none of the actuated joints.", {}};
+    return {SampleStatus::foreign, "it holds none of the actuated joints.", {}, {}};
   if (sample.status == SampleStatus::usable && unknown != message.name.end())
     sample.sentence = "joint " + *unknown + " is not in the URDF and is ignored.";
+  if (sample.status == SampleStatus::usable) sample.readings = joint_readings(*mechanism_, message);
   return sample;
+}
+
+Eigen::VectorXd joint_readings(const Mechanism& mechanism, const sensor_msgs::JointState& message) {
+  const auto& names = mechanism.joint_names();
+  Eigen::VectorXd readings = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(names.size()),
+                                                       std::numeric_limits<double>::quiet_NaN());
+  const std::size_t count = std::min(message.name.size(), message.position.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto found = std::find(names.begin(), names.end(), message.name[i]);
+    if (found != names.end() && std::abs(message.position[i]) <= largest_position)
+      readings[found - names.begin()] = message.position[i];
+  }
+  return readings;
 }
 
 JointSample actuated_values(const Manipulator& manipulator, const std::vector<std::string>& names,

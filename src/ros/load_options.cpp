@@ -96,6 +96,45 @@ DisplayOptions display_options_from(ParameterReader reader) {
   return display;
 }
 
+TrackerOptions tracker_options_from(ParameterReader reader) {
+  TrackerOptions tracking;
+  reader.read("hysteresis", tracking.hysteresis);
+  reader.read("check_velocity", tracking.samples.check_velocity);
+  reader.read("velocity_tolerance", tracking.samples.velocity_tolerance);
+  reader.read("encoder_noise", tracking.samples.encoder_noise);
+  reader.read("longest_interval", tracking.samples.longest_interval);
+  reader.report_unknown_keys();
+  return tracking;
+}
+
+PassiveOptions passive_options_from(ParameterReader reader) {
+  PassiveOptions passive;
+  reader.read("angle_tolerance", passive.angle_tolerance);
+  reader.read("length_tolerance", passive.length_tolerance);
+  reader.read("hysteresis", passive.hysteresis);
+  reader.report_unknown_keys();
+  return passive;
+}
+
+ThresholdParameters thresholds_from(ParameterReader reader) {
+  ThresholdParameters thresholds;
+  reader.read("parallel_warn", thresholds.parallel_warn);
+  reader.read("parallel_stop", thresholds.parallel_stop);
+  reader.read("serial_warn", thresholds.serial_warn);
+  reader.read("serial_stop", thresholds.serial_stop);
+  reader.read("limit_warn", thresholds.limit_warn);
+  reader.read("limit_stop", thresholds.limit_stop);
+  reader.read("hysteresis", thresholds.hysteresis);
+  reader.report_unknown_keys();
+  return thresholds;
+}
+
+double rate_from(ParameterReader reader, double rate) {
+  reader.read("rate", rate);
+  reader.report_unknown_keys();
+  return rate;
+}
+
 int decimation_from(ParameterReader reader) {
   int decimation = 1;
   reader.read("decimation", decimation);
@@ -137,6 +176,10 @@ NodeOptions options_from(const XmlRpcValue& parameters, const std::string& prefi
   options.map = map_options_from(reader.group("map"), prefix, options.map_file, problems);
   options.start = start_options_from(reader.group("start"));
   options.display = display_options_from(reader.group("display"));
+  options.tracking = tracker_options_from(reader.group("tracking"));
+  options.passive = passive_options_from(reader.group("passive"));
+  options.thresholds = thresholds_from(reader.group("thresholds"));
+  options.distance_rate = rate_from(reader.group("distance"), options.distance_rate);
   options.state_decimation = decimation_from(reader.group("state"));
   options.completed_decimation = decimation_from(reader.group("completed"));
   reader.read("joint_states_timeout", options.joint_states_timeout);

@@ -64,7 +64,48 @@ void check_start(const StartOptions& start, TaskSpace space, Checks& checks) {
 
 bool within(double value, double lowest, double highest) { return value >= lowest && value <= highest; }
 
+void check_thresholds(const ThresholdParameters& given, const std::string& group, Checks& checks) {
+  const auto check = [&](const std::string& key, double warn, double stop) {
+    checks.require(within(warn, 0.0, 1e6), group + key + "_warn",
+                   "must be 0 (none) or a positive number [m].");
+    checks.require(within(stop, 0.0, 1e6), group + key + "_stop",
+                   "must be 0 (none) or a positive number [m].");
+    checks.require(!(warn > 0.0 && stop > warn), group + key + "_stop",
+                   "must not be above " + key + "_warn, as the robot would stop before it is warned.");
+  };
+  check("parallel", given.parallel_warn, given.parallel_stop);
+  check("serial", given.serial_warn, given.serial_stop);
+  check("limit", given.limit_warn, given.limit_stop);
+  checks.require(within(given.hysteresis, 0.0, 10.0), group + "hysteresis", "must be 0 to 10.");
+}
+
+void check_tracking(const TrackerOptions& tracking, const PassiveOptions& passive, Checks& checks) {
+  checks.require(within(tracking.hysteresis, 0.0, 0.5), "tracking/hysteresis", "must be 0 to 0.5.");
+  checks.require(tracking.samples.longest_interval > 0.0, "tracking/longest_interval",
+                 "must be a positive number [s]; leave it out for no limit.");
+  checks.require(within(tracking.samples.velocity_tolerance, 0.0, 100.0), "tracking/velocity_tolerance",
+                 "must be 0 to 100.");
+  checks.require(within(tracking.samples.encoder_noise, 0.0, 1.0), "tracking/encoder_noise",
+                 "must be 0 to 1 [rad, or share of the robot's size].");
+  checks.require(positive(passive.angle_tolerance), "passive/angle_tolerance", "must be positive [rad].");
+  checks.require(positive(passive.length_tolerance), "passive/length_tolerance",
+                 "must be positive [share of the robot's size].");
+  checks.require(within(passive.hysteresis, 0.0, 1.0), "passive/hysteresis", "must be 0 to 1.");
+}
+
 }  // namespace
+
+DistanceThresholds::Options thresholds_of(const ThresholdParameters& given) {
+  return {{{given.parallel_warn, given.parallel_stop, given.hysteresis},
+           {given.serial_warn, given.serial_stop, given.hysteresis},
+           {given.limit_warn, given.limit_stop, given.hysteresis}}};
+}
+
+Problems problems_of(const ThresholdParameters& thresholds, const std::string& prefix) {
+  Checks checks(prefix);
+  check_thresholds(thresholds, "", checks);
+  return checks.take();
+}
 
 Problems problems_of(const MapOptions& options, const Manipulator& manipulator, const std::string& prefix) {
   Checks checks(prefix);
@@ -78,6 +119,9 @@ Problems problems_of(const NodeOptions& options, const Manipulator& manipulator,
   checks.require(options.map_file.empty() || options.map_file.front() == '/', "map/file",
                  "must be an absolute path, or empty for none.");
   check_start(options.start, manipulator.task_space(), checks);
+  check_tracking(options.tracking, options.passive, checks);
+  check_thresholds(options.thresholds, "thresholds/", checks);
+  checks.require(within(options.distance_rate, 0.1, 1000.0), "distance/rate", "must be 0.1 to 1000 [Hz].");
   checks.require(within(options.joint_states_timeout, 0.001, 3600.0), "joint_states_timeout",
                  "must be a positive number, 0.001 to 3600 [s].");
   checks.require(within(options.tf_timeout, 0.0, 60.0), "tf_timeout", "must be 0 to 60 [s].");

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/ros/robot_monitor.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <limits>
 #include <utility>
 
 namespace parallel_aspects {
@@ -19,20 +22,76 @@ double seconds_between(const ros::Time& from, const ros::Time& to) {
          1e-9 * (static_cast<double>(to.nsec) - static_cast<double>(from.nsec));
 }
 
+constexpr double speed_window = 0.2;  // over which approach is looked at [s]
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+DistanceBounds unknown_distance() {
+  DistanceBounds bounds;
+  bounds.lower = bounds.upper = bounds.speed = not_a_number;
+  return bounds;
+}
+
+DistanceBounds bounds_of(const BoundaryDistance& distance) {
+  DistanceBounds bounds = unknown_distance();
+  if (distance.status == DistanceStatus::unavailable) return bounds;
+  bounds.lower = distance.lower;
+  bounds.upper = distance.upper;
+  return bounds;
+}
+
+// The distance is that to a set of poses, so it changes by no more than the robot moves; a little more is
+// taken off for rounding.
+DistanceBounds moved(DistanceBounds bounds, double by, double size) {
+  const double change = by * (1.0 + 1e-9) + 1e-12 * size;
+  bounds.lower = std::max(0.0, bounds.lower - change);
+  bounds.upper += change;
+  return bounds;
+}
+
+std::string reason_of(const ThresholdState& state) {
+  if (state.level == ThresholdLevel::clear) return {};
+  if (state.level == ThresholdLevel::unknown)
+    return std::string("the distance to the nearest ") + name(state.hazard) + " is not known";
+  char text[160];
+  std::snprintf(text, sizeof text, "%s: the nearest %s may be %.4g m away; the threshold is %.4g m%s",
+                name(state.level), name(state.hazard), state.distance, state.threshold,
+                state.held ? ", held until left by the hysteresis" : "");
+  return text;
+}
+
+std::uint8_t level_of(ThresholdLevel level) {
+  switch (level) {
+    case ThresholdLevel::clear:
+      return AspectState::CLEAR;
+    case ThresholdLevel::warn:
+      return AspectState::WARN;
+    case ThresholdLevel::stop:
+      return AspectState::STOP;
+    case ThresholdLevel::unknown:
+      break;
+  }
+  return AspectState::UNKNOWN;
+}
+
 const char* const how_to_start = "call set_assembly_mode, or set start/pose or start/determinant_sign.";
 
 }  // namespace
 
-RobotMonitor::RobotMonitor(std::shared_ptr<const Mechanism> mechanism, const StartOptions& start,
-                           double timeout)
+RobotMonitor::RobotMonitor(std::shared_ptr<const Mechanism> mechanism, const NodeOptions& options)
     : mechanism_(mechanism),
       reader_(mechanism),
-      start_(start),
-      start_tolerance_(start.tolerance.value_or(mechanism->manipulator()->size() / 20.0)),
-      timeout_(timeout),
-      tracker_(mechanism->manipulator()),
+      start_(options.start),
+      start_tolerance_(options.start.tolerance.value_or(mechanism->manipulator()->size() / 20.0)),
+      timeout_(options.joint_states_timeout),
+      passive_(mechanism, options.passive),
+      meter_(mechanism->manipulator()),
+      tracker_(mechanism->manipulator(), options.tracking),
       status_(make_status(Status::NO_JOINT_STATES, "No usable joint_states have arrived yet.")),
-      publishers_(ros::Duration(timeout_)) {}
+      publishers_(ros::Duration(timeout_)),
+      thresholds_(thresholds_of(options.thresholds)) {
+  speeds_.fill(ApproachSpeed(speed_window));
+  residual_.compared = 0;
+}
 
 MonitorUpdate RobotMonitor::update(const sensor_msgs::JointState& message, const ros::Time& now,
                                    const std::string& publisher) {
@@ -78,33 +137,23 @@ MonitorUpdate RobotMonitor::refuse(std::uint8_t code, const std::string& sentenc
   return update;
 }
 
-// A change by more than half a turn is an encoder that wraps where it is close to whole turns; otherwise the
-// drive moved as far as it says.
-void RobotMonitor::unwrap(JointVector& q) const {
-  if (!last_q_) return;
-  for (std::size_t j = 0; j < mechanism_->manipulator()->leg_count(); ++j) {
-    if (!mechanism_->manipulator()->leg(j).driven_by_angle()) continue;
-    double& value = q[static_cast<Eigen::Index>(j)];
-    const double change = value - (*last_q_)[static_cast<Eigen::Index>(j)];
-    const double rest = std::remainder(change, 2.0 * EIGEN_PI);
-    if (std::abs(change) > EIGEN_PI && std::abs(rest) <= 0.25 * EIGEN_PI) value += rest - change;
-  }
-}
-
 MonitorUpdate RobotMonitor::accept(const JointSample& sample, const ros::Time& stamp, const ros::Time& now) {
   ++counts_.usable;
   const bool first = last_stamp_.isZero();
   if (first) epoch_ = stamp;
-  JointVector q = sample.q;
-  unwrap(q);
+  const JointVector& q = sample.q;
   last_usable_ = now;
   last_stamp_ = stamp;
   last_q_ = q;
+  readings_ = sample.readings;
   const double time = seconds_between(epoch_, stamp);
   const Status start = first ? start_as_configured(time, q) : Status();
-  if (!first && tracker_.state().status != TrackStatus::unstarted) tracker_.update(time, q);
-  if (first || status_.code != Status::NOT_STARTED)
-    status_ = start.code == Status::OK ? status_of_tracker() : start;
+  if (!first || start.code != Status::OK) tracker_.update(time, q);
+  const bool unstarted = tracker_.state().status == TrackStatus::unstarted;
+  if (first && unstarted && start.code != Status::OK)
+    status_ = not_started_ = start;
+  else
+    status_ = unstarted && not_started_.code != Status::OK ? not_started_ : status_of_tracker();
 
   MonitorUpdate update;
   if (!sample.sentence.empty()) update.warning = "In joint_states, " + sample.sentence;
@@ -133,10 +182,107 @@ void RobotMonitor::fill_tracked(const ros::Time& stamp, MonitorUpdate& update) {
   update.transitions = std::exchange(transitions_, {});
   if (tracked.status != TrackStatus::tracking) {
     update.state = unknown_state(manipulator, status_, stamp);
+    if (tracked.status == TrackStatus::inconsistent) update.state->residual = tracked.residual;
+    thresholds_.forget();
     return;
   }
   update.state = state_message(manipulator, tracked, stamp);
+  judge(tracked, *update.state);
   update.tracked = tracked;
+}
+
+// Distances to boundaries of another working mode say nothing here, but for that to serial singularities,
+// which are the same poses in every mode.
+void RobotMonitor::judge(const TrackedState& tracked, AspectState& state) {
+  const Manipulator& manipulator = *mechanism_->manipulator();
+  findings_.distances.fill(unknown_distance());
+  DistanceThresholds::Distances lower;
+  if (measured_) {
+    const double by = anchor_distance(manipulator, measured_->pose, tracked.pose);
+    const bool same = measured_->mode == tracked.mode;
+    for (std::size_t i = 0; i < hazard_count; ++i) {
+      if (!same && i != static_cast<std::size_t>(Hazard::serial_singularity)) continue;
+      findings_.distances[i] = moved(measured_->bounds[i], by, manipulator.size());
+    }
+  }
+  for (std::size_t i = 0; i < hazard_count; ++i) lower[i] = findings_.distances[i].lower;
+  findings_.threshold = thresholds_.update(lower);
+  findings_.residual = residual_.compared > 0 ? residual_.excess : not_a_number;
+  state.parallel_distance = findings_.distances[0];
+  state.serial_distance = findings_.distances[1];
+  state.limit_distance = findings_.distances[2];
+  state.level = level_of(findings_.threshold.level);
+  state.reason = reason_of(findings_.threshold);
+  state.residual = findings_.residual;
+}
+
+std::optional<AssemblyCandidates> RobotMonitor::work() {
+  TrackedState tracked;
+  Eigen::VectorXd readings;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (last_stamp_.isZero()) return std::nullopt;
+    tracked = tracker_.state();
+    readings = readings_;
+  }
+  if (tracked.followed())
+    measure(tracked, readings);
+  else
+    look_for_assembly_mode(readings);
+  return new_candidates();
+}
+
+// Without the lock while it measures.
+void RobotMonitor::measure(const TrackedState& tracked, const Eigen::VectorXd& readings) {
+  const BoundaryDistances found = meter_.measure(tracked.pose, tracked.mode);
+  const PassiveResidual residual = passive_.residual(tracked.pose, tracked.q, readings);
+  const double limit =
+      tracked.status == TrackStatus::inconsistent ? 1.0 - passive_.options().hysteresis : 1.0;
+  Measured measured{tracked.pose,
+                    tracked.mode,
+                    {bounds_of(found.parallel), bounds_of(found.serial), bounds_of(found.drive_limit)}};
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (std::size_t i = 0; i < hazard_count; ++i) {
+    DistanceBounds& bounds = measured.bounds[i];
+    if (measured_ && !(measured_->mode == measured.mode)) speeds_[i].forget();
+    speeds_[i].add(tracked.time, std::isfinite(bounds.upper) ? bounds.upper : bounds.lower);
+    if (speeds_[i].known()) bounds.speed = speeds_[i].speed();
+  }
+  measured_ = measured;
+  residual_ = residual;
+  if (tracker_.state().followed() && residual.compared > 0)
+    tracker_.report_residual(residual.excess, residual.excess > limit);
+}
+
+void RobotMonitor::look_for_assembly_mode(const Eigen::VectorXd& readings) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  measured_.reset();
+  for (ApproachSpeed& speed : speeds_) speed.forget();
+  if (tracker_.state().followed()) return;
+  if (tracker_.wants_candidates()) tracker_.find_candidates();
+  if (!tracker_.state().followed()) passive_.apply(readings, tracker_);
+  keep_transitions();
+}
+
+std::optional<AssemblyCandidates> RobotMonitor::new_candidates() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const bool followed = tracker_.state().followed();
+  const auto& list = tracker_.candidates();
+  const std::size_t count = followed ? 0 : list.size();
+  if (count == told_candidates_) return std::nullopt;
+  told_candidates_ = count;
+  const Manipulator& manipulator = *mechanism_->manipulator();
+  AssemblyCandidates message;
+  message.header.stamp = last_stamp_;
+  message.header.frame_id = manipulator.base_frame();
+  message.complete = followed || list.complete();
+  for (std::size_t i = 0; i < count; ++i)
+    message.candidates.push_back(
+        solved_message(manipulator, {list[i].point.pose, list[i].point.q}, nullptr, last_stamp_));
+  message.sentence = followed ? "The assembly mode is known."
+                              : std::to_string(count) + (list.complete() ? "" : " or more") +
+                                    " assembly modes are possible: " + reason(tracker_.state().doubt) + ".";
+  return message;
 }
 
 std::optional<sensor_msgs::JointState> RobotMonitor::complete(const TrackedState& tracked,
@@ -182,11 +328,19 @@ Status RobotMonitor::status_of_tracker() const {
       return make_status(Status::AMBIGUOUS, std::string("The assembly mode is not known: ") +
                                                 reason(tracker_.state().doubt) + "; call set_assembly_mode.");
     case TrackStatus::inconsistent:
-      return make_status(Status::AMBIGUOUS, "Measured passive joints contradict the pose.");
+      return make_status(Status::INCONSISTENT, contradiction());
     case TrackStatus::unstarted:
       break;
   }
   return make_status(Status::NOT_STARTED, std::string("The assembly mode is not known; ") + how_to_start);
+}
+
+std::string RobotMonitor::contradiction() const {
+  if (residual_.compared == 0) return "Measured passive joints contradict the pose.";
+  return "Joint " + mechanism_->joint_names()[residual_.joint] + " is measured " +
+         std::to_string(residual_.difference) +
+         " rad or m off the value that belongs to the pose; check the encoders, and the dimensions in the "
+         "URDF.";
 }
 
 bool RobotMonitor::stale(const ros::Time& now) const {
@@ -216,6 +370,16 @@ CurrentConfiguration RobotMonitor::current(const ros::Time& now) const {
   current.tracked = tracker_.state();
   current.solved = {current.tracked.pose, current.tracked.q};
   return current;
+}
+
+MonitorFindings RobotMonitor::findings() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return findings_;
+}
+
+void RobotMonitor::set_thresholds(const DistanceThresholds::Options& thresholds) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  thresholds_.set_options(thresholds);
 }
 
 MonitorCounts RobotMonitor::counts() const {
@@ -264,6 +428,8 @@ void RobotMonitor::forget() {
   clock_went_back_ = !ros::Time::isSimTime();
   publishers_.forget_claims();
   tracker_.stop();
+  measured_.reset();
+  not_started_ = {};
   last_stamp_ = last_usable_ = ros::Time();
   last_q_.reset();
   status_ =

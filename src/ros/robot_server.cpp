@@ -23,13 +23,15 @@ RobotServer::RobotServer(const ros::NodeHandle& nh, const ros::NodeHandle& priva
     : setup_(std::move(setup)),
       tracking_nh_(on_queue(private_nh, tracking_queue_)),
       service_nh_(on_queue(private_nh, service_queue_)),
+      work_nh_(on_queue(private_nh, work_queue_)),
       joint_states_nh_(on_queue(nh, tracking_queue_)),
       tf_listener_(tf_),
-      monitor_(setup_.mechanism, setup_.options.start, setup_.options.joint_states_timeout),
+      monitor_(setup_.mechanism, setup_.options),
       display_(setup_, service_nh_),
       state_(tracking_nh_.advertise<AspectState>("state", 100, true)),
       transitions_(tracking_nh_.advertise<AspectTransition>("transitions", 100)),
       joint_states_(tracking_nh_.advertise<sensor_msgs::JointState>("joint_states", 100)),
+      candidates_(work_nh_.advertise<AssemblyCandidates>("candidates", 10, true)),
       map_progress_(service_nh_.advertise<MapProgress>("map_progress", 10, true)),
       worker_(setup_.mechanism->manipulator(), setup_.options.map_file,
               [this](const MapProgress& progress, const auto& map) { on_map_progress(progress, map); }),
@@ -40,7 +42,8 @@ RobotServer::RobotServer(const ros::NodeHandle& nh, const ros::NodeHandle& priva
       thinned_(setup_.options.state_decimation),
       completed_(setup_.options.completed_decimation),
       tracking_spinner_(1, &tracking_queue_),
-      service_spinner_(2, &service_queue_) {
+      service_spinner_(2, &service_queue_),
+      work_spinner_(1, &work_queue_) {
   for (const std::string& note : setup_.mechanism->notes()) ROS_INFO_STREAM(note);
   advertise();
   subscribe();
@@ -48,6 +51,7 @@ RobotServer::RobotServer(const ros::NodeHandle& nh, const ros::NodeHandle& priva
       unknown_state(*setup_.mechanism->manipulator(), monitor_.current(ros::Time::now()).status, {}));
   tracking_spinner_.start();
   service_spinner_.start();
+  work_spinner_.start();
   worker_.compute(setup_.options.map, FileUse::load);
 }
 
@@ -57,6 +61,7 @@ RobotServer::~RobotServer() {
   compute_map_->shutdown();
   tracking_spinner_.stop();
   service_spinner_.stop();
+  work_spinner_.stop();
 }
 
 void RobotServer::advertise() {
@@ -76,6 +81,8 @@ void RobotServer::subscribe() {
                                            ros::TransportHints().tcpNoDelay());
   age_timer_ = tracking_nh_.createTimer(ros::Duration(setup_.options.joint_states_timeout / 4.0),
                                         [this](const ros::TimerEvent&) { check_age(); });
+  work_timer_ = work_nh_.createWallTimer(ros::WallDuration(1.0 / setup_.options.distance_rate),
+                                         [this](const ros::WallTimerEvent&) { work(); });
   display_timer_ = service_nh_.createTimer(ros::Duration(1.0 / setup_.options.display.rate),
                                            [this](const ros::TimerEvent&) { show(); });
   // By the wall clock: a simulation that stands still, or begins anew, must not silence them.
@@ -137,6 +144,10 @@ void RobotServer::check_age() {
   log_.warn(state->status.sentence);
   state_.publish(*state);
   diagnostics_.count_output();
+}
+
+void RobotServer::work() {
+  if (const auto candidates = monitor_.work()) candidates_.publish(*candidates);
 }
 
 void RobotServer::show() { display_.show(monitor_.current(ros::Time::now()), worker_.progress().sentence); }

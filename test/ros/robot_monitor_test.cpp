@@ -12,10 +12,11 @@ namespace {
 
 constexpr double timeout = 0.5;
 
-StartOptions start_at_pose(double x, double y) {
-  StartOptions start;
-  start.pose = std::vector<double>{x, y};
-  return start;
+NodeOptions start_at_pose(double x, double y) {
+  NodeOptions options;
+  options.start.pose = std::vector<double>{x, y};
+  options.joint_states_timeout = timeout;
+  return options;
 }
 
 class RobotMonitorTest : public testing::Test {
@@ -33,7 +34,7 @@ class RobotMonitorTest : public testing::Test {
   std::uint8_t code(double seconds) const { return monitor_.current(at(seconds)).status.code; }
 
   std::shared_ptr<const Mechanism> mechanism_ = test::five_bar_mechanism();
-  RobotMonitor monitor_{mechanism_, start_at_pose(4.5, 8.0), timeout};
+  RobotMonitor monitor_{mechanism_, start_at_pose(4.5, 8.0)};
 };
 
 void expect_says_nothing(const AspectState& state) {
@@ -234,7 +235,7 @@ TEST_F(RobotMonitorTest, CountsWhatWasLost) {
 
 // Leg 1 goes through its stretched configuration while drive 2 rests: B_11 changes sign, det A does not.
 TEST_F(RobotMonitorTest, ReportsAWorkingModeThatChanges) {
-  RobotMonitor monitor(mechanism_, start_at_pose(4.51, 11.73), timeout);
+  RobotMonitor monitor(mechanism_, start_at_pose(4.51, 11.73));
   const auto before = drives(4.51, 11.73, {1, -1}, 1.0), after = drives(4.51, 11.73, {-1, -1}, 1.0);
   const double change = std::remainder(after.position[0] - before.position[0], 2.0 * EIGEN_PI);
   std::vector<AspectTransition> transitions;

@@ -21,8 +21,13 @@ enum class SampleStatus {
 struct JointSample {
   SampleStatus status = SampleStatus::invalid;
   std::string sentence;
-  JointVector q;  ///< in the order of the legs [rad or m]
+  JointVector q;             ///< in the order of the legs [rad or m]
+  Eigen::VectorXd readings;  ///< of every joint, as `joint_readings`; only where usable
 };
+
+/// What a message says of every joint of the URDF, in the order of `Mechanism::joint_names()`: not a number
+/// where it says nothing or nothing finite [rad or m].
+Eigen::VectorXd joint_readings(const Mechanism& mechanism, const sensor_msgs::JointState& message);
 
 /// Finds the actuated joints of one robot in joint_states, in whatever order they come.
 class JointSampleReader {

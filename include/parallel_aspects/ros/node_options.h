@@ -5,6 +5,9 @@
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/problems.h"
+#include "parallel_aspects/tracking/thresholds.h"
+#include "parallel_aspects/tracking/tracker.h"
+#include "parallel_aspects/urdf/passive_joints.h"
 
 #include <optional>
 #include <string>
@@ -28,12 +31,27 @@ struct DisplayOptions {
   double rate = 20.0;   ///< how often the drawn position is renewed [Hz], above 0, at most 100
 };
 
+/// Thresholds on the proved distances [m]; 0 for none.
+struct ThresholdParameters {
+  double parallel_warn = 0.0, parallel_stop = 0.0;
+  double serial_warn = 0.0, serial_stop = 0.0;
+  double limit_warn = 0.0, limit_stop = 0.0;
+  double hysteresis = 0.1;  ///< a level is left above its threshold times 1 plus this, 0 to 10
+};
+
+/// What the thresholds of each hazard are.
+DistanceThresholds::Options thresholds_of(const ThresholdParameters& parameters);
+
 /// Every parameter of the node but the description of the robot.
 struct NodeOptions {
   MapOptions map;
   std::string map_file;  ///< where the map is kept, an absolute path; empty for nowhere
   StartOptions start;
   DisplayOptions display;
+  TrackerOptions tracking;
+  PassiveOptions passive;
+  ThresholdParameters thresholds;
+  double distance_rate = 50.0;        ///< how often distances are measured [Hz], 0.1 to 1000
   double joint_states_timeout = 0.5;  ///< age at which the last sample is stale [s], 0.001 to 3600
   double tf_timeout = 0.2;            ///< how long a query waits for tf [s], 0 to 60
   int state_decimation = 1;           ///< ~state is published with every n-th sample, 1 to 10,000
@@ -43,6 +61,9 @@ struct NodeOptions {
 
 /// Everything wrong with the options of a map; sentences that name parameters below `prefix`.
 Problems problems_of(const MapOptions& options, const Manipulator& manipulator, const std::string& prefix);
+
+/// Everything wrong with thresholds; sentences that name parameters below `prefix`.
+Problems problems_of(const ThresholdParameters& thresholds, const std::string& prefix);
 
 /// Everything wrong with the options for this manipulator; sentences that name parameters below `prefix`,
 /// which ends in a slash. Empty when all is well.

@@ -2,18 +2,24 @@
 #ifndef PARALLEL_ASPECTS_ROS_ROBOT_MONITOR_H
 #define PARALLEL_ASPECTS_ROS_ROBOT_MONITOR_H
 
+#include "parallel_aspects/distance/boundary_distances.h"
 #include "parallel_aspects/ros/conversions.h"
 #include "parallel_aspects/ros/joint_sample.h"
 #include "parallel_aspects/ros/node_options.h"
 #include "parallel_aspects/ros/publisher_watch.h"
+#include "parallel_aspects/tracking/approach_speed.h"
+#include "parallel_aspects/tracking/thresholds.h"
 #include "parallel_aspects/tracking/tracker.h"
 #include "parallel_aspects/urdf/mechanism.h"
+#include "parallel_aspects/urdf/passive_joints.h"
 
 #include <parallel_aspects/AspectState.h>
 #include <parallel_aspects/AspectTransition.h>
+#include <parallel_aspects/AssemblyCandidates.h>
 
 #include <ros/time.h>
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <mutex>
@@ -47,11 +53,21 @@ struct MonitorCounts {
   bool counted = false;    ///< whether the publisher sets header.seq, so that losses show
 };
 
+/// What the last state said of distances and passive joints.
+struct MonitorFindings {
+  ThresholdState threshold;
+  std::array<DistanceBounds, hazard_count> distances;  ///< by `Hazard`
+  double residual = 0.0;                               ///< as in AspectState
+};
+
 /// Guards a tracker against everything that joint_states may bring, and against threads. Knows no topics.
+///
+/// `update` is for the thread of joint_states; what takes longer, as measuring distances, looking for the
+/// assembly mode and comparing passive joints, is left to `work`, for another thread.
 class RobotMonitor {
  public:
-  /// `start` must have passed `problems_of`. `timeout` [s].
-  RobotMonitor(std::shared_ptr<const Mechanism> mechanism, const StartOptions& start, double timeout);
+  /// `options` must have passed `problems_of`.
+  RobotMonitor(std::shared_ptr<const Mechanism> mechanism, const NodeOptions& options);
 
   /// The next message, received at `now` from the node `publisher`.
   MonitorUpdate update(const sensor_msgs::JointState& message, const ros::Time& now,
@@ -64,10 +80,16 @@ class RobotMonitor {
   /// said.
   std::optional<AspectState> expire(const ros::Time& now);
 
+  /// Measures distances at the last sample, or looks for the assembly mode; to be called again and again from
+  /// one thread. The assembly modes that remain, where their number has changed.
+  std::optional<AssemblyCandidates> work();
+
   CurrentConfiguration current(const ros::Time& now) const;
+  MonitorFindings findings() const;
   MonitorCounts counts() const;
 
   void set_map(std::shared_ptr<const AspectMap> map);
+  void set_thresholds(const DistanceThresholds::Options& thresholds);
 
   /// Starts at the direct solution of the last sample that is closest to `pose`, or that has this sign of det
   /// A.
@@ -78,13 +100,17 @@ class RobotMonitor {
   MonitorUpdate refuse(std::uint8_t code, const std::string& sentence, const ros::Time& stamp);
   MonitorUpdate accept(const JointSample& sample, const ros::Time& stamp, const ros::Time& now);
   std::string fault_of_stamp(const ros::Time& stamp, const ros::Time& now) const;
-  void unwrap(JointVector& q) const;
   Status start_as_configured(double time, const JointVector& q);
   Status status_of_tracker() const;
   Status stale_status() const;
+  std::string contradiction() const;
   bool stale(const ros::Time& now) const;
   void fill_tracked(const ros::Time& stamp, MonitorUpdate& update);
   void keep_transitions();
+  void judge(const TrackedState& tracked, AspectState& state);
+  void measure(const TrackedState& tracked, const Eigen::VectorXd& readings);
+  void look_for_assembly_mode(const Eigen::VectorXd& readings);
+  std::optional<AssemblyCandidates> new_candidates();
   void forget();
 
   const std::shared_ptr<const Mechanism> mechanism_;
@@ -92,10 +118,13 @@ class RobotMonitor {
   const StartOptions start_;
   const double start_tolerance_;
   const double timeout_;  // [s]
+  const PassiveJoints passive_;
+  BoundaryDistanceMeter meter_;  // of `work` alone
 
   mutable std::mutex mutex_;
   Tracker tracker_;
   Status status_;
+  Status not_started_;       // why, where the first sample could not start
   ros::Time epoch_;          // of the tracker's clock
   ros::Time last_stamp_;     // of the last usable sample; zero for none
   ros::Time last_received_;  // when any message came
@@ -106,6 +135,20 @@ class RobotMonitor {
   bool clock_went_back_ = false;  // though it was not a simulation that began anew
   MonitorCounts counts_;
   PublisherWatch publishers_;
+
+  /// Distances as they were measured, and where.
+  struct Measured {
+    Pose pose;
+    WorkingMode mode;
+    std::array<DistanceBounds, hazard_count> bounds;  // by `Hazard`
+  };
+  std::optional<Measured> measured_;
+  std::array<ApproachSpeed, hazard_count> speeds_;
+  DistanceThresholds thresholds_;
+  MonitorFindings findings_;
+  Eigen::VectorXd readings_;  // of all joints, from the last usable sample
+  PassiveResidual residual_;
+  std::size_t told_candidates_ = 0;
 };
 
 }  // namespace parallel_aspects

@@ -55,21 +55,22 @@ class RobotServer {
   void finish(const MapProgress& progress, ComputeMapResult result);
   void check_age();
   void show();
+  void work();
   void send_platform(const Eigen::Isometry3d& platform, const ros::Time& stamp);
   std::optional<geometry_msgs::Pose> to_base(const geometry_msgs::PoseStamped& pose,
                                              std::string& sentence) const;
 
   const NodeSetup setup_;
-  ros::CallbackQueue tracking_queue_, service_queue_;
-  ros::NodeHandle tracking_nh_, service_nh_;  // private namespace
-  ros::NodeHandle joint_states_nh_;           // of the input topic
+  ros::CallbackQueue tracking_queue_, service_queue_, work_queue_;
+  ros::NodeHandle tracking_nh_, service_nh_, work_nh_;  // private namespace
+  ros::NodeHandle joint_states_nh_;                     // of the input topic
   tf2_ros::Buffer tf_;
   tf2_ros::TransformListener tf_listener_;
   tf2_ros::TransformBroadcaster tf_broadcaster_;
 
   RobotMonitor monitor_;
   Display display_;
-  ros::Publisher state_, transitions_, joint_states_, map_progress_;
+  ros::Publisher state_, transitions_, joint_states_, candidates_, map_progress_;
   MapWorker worker_;
   Queries queries_;
   Diagnostics diagnostics_;
@@ -79,9 +80,9 @@ class RobotServer {
   std::vector<ros::ServiceServer> services_;
   ros::Subscriber subscriber_;
   ros::Timer age_timer_, display_timer_;
-  ros::WallTimer diagnostics_timer_, log_timer_;
+  ros::WallTimer diagnostics_timer_, log_timer_, work_timer_;
   std::atomic<bool> stopping_{false};
-  ros::AsyncSpinner tracking_spinner_, service_spinner_;
+  ros::AsyncSpinner tracking_spinner_, service_spinner_, work_spinner_;
 };
 
 }  // namespace parallel_aspects
