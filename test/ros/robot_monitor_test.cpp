@@ -233,6 +233,72 @@ TEST_F(RobotMonitorTest, CountsWhatWasLost) {
   EXPECT_EQ(monitor_.counts().lost, 4U);
 }
 
+// Between two measurements distances are bounded by the motion since; the nearest boundary here is det A = 0.
+TEST_F(RobotMonitorTest, DistancesAreBoundedAndJudged) {
+  NodeOptions options = start_at_pose(4.5, 8.0);
+  RobotMonitor unlimited(mechanism_, options);
+  const auto first = unlimited.update(drives(4.5, 8.0, {1, -1}, 1.0), at(1.0));
+  EXPECT_TRUE(std::isnan(first.state->parallel_distance.lower)) << "not measured yet";
+  unlimited.work();
+  const AspectState here = *unlimited.update(drives(4.5, 8.0, {1, -1}, 1.01), at(1.01)).state;
+  EXPECT_EQ(here.level, AspectState::CLEAR);
+  ASSERT_GT(here.parallel_distance.lower, 0.0);
+  EXPECT_GE(here.parallel_distance.upper, here.parallel_distance.lower);
+  EXPECT_EQ(here.limit_distance.lower, std::numeric_limits<double>::infinity());
+  const AspectState near = *unlimited.update(drives(4.5, 8.2, {1, -1}, 1.1), at(1.1)).state;
+  EXPECT_NEAR(near.parallel_distance.lower, here.parallel_distance.lower - 0.2, 1e-6);
+  EXPECT_NEAR(near.parallel_distance.upper, here.parallel_distance.upper + 0.2, 1e-6);
+
+  options.thresholds.parallel_warn = here.parallel_distance.lower + 0.01;
+  options.thresholds.parallel_stop = here.parallel_distance.lower - 0.1;
+  RobotMonitor monitor(mechanism_, options);
+  monitor.update(drives(4.5, 8.0, {1, -1}, 1.0), at(1.0));
+  monitor.work();
+  const AspectState warned = *monitor.update(drives(4.5, 8.0, {1, -1}, 1.01), at(1.01)).state;
+  EXPECT_EQ(warned.level, AspectState::WARN);
+  EXPECT_NE(warned.reason.find("parallel singularity"), std::string::npos) << warned.reason;
+  const AspectState stopped = *monitor.update(drives(4.5, 8.2, {1, -1}, 1.1), at(1.1)).state;
+  EXPECT_EQ(stopped.level, AspectState::STOP) << "it may be that much closer now";
+}
+
+TEST_F(RobotMonitorTest, PassiveJointsStartItAndContradictABrokenEncoder) {
+  update(drives(4.5, 8.0, {1, -1}, 1.0), 1.0);
+  const auto all = *monitor_.complete(monitor_.current(at(1.0)).tracked, at(1.0));
+  NodeOptions options;
+  options.joint_states_timeout = timeout;
+  RobotMonitor monitor(mechanism_, options);
+  auto alone = drives(4.5, 8.0, {1, -1}, 1.0);
+  EXPECT_EQ(monitor.update(alone, at(1.0)).state->status.code, Status::NOT_STARTED);
+  const auto candidates = monitor.work();
+  ASSERT_TRUE(candidates);
+  EXPECT_EQ(candidates->candidates.size(), 2U);
+  EXPECT_TRUE(candidates->complete);
+  alone.header.stamp = at(1.1);
+  EXPECT_EQ(monitor.update(alone, at(1.1)).state->status.code, Status::AMBIGUOUS);
+
+  auto measured = all;
+  measured.header.stamp = at(1.2);
+  monitor.update(measured, at(1.2));
+  monitor.work();
+  measured.header.stamp = at(1.3);
+  const MonitorUpdate known = monitor.update(measured, at(1.3));
+  EXPECT_EQ(known.state->status.code, Status::OK) << known.state->status.sentence;
+  EXPECT_NEAR(known.state->pose.position.y, 8.0, 1e-9);
+  monitor.work();
+
+  for (std::size_t i = 0; i < measured.name.size(); ++i)
+    if (measured.name[i].find("elbow") != std::string::npos) measured.position[i] += 0.2;
+  measured.header.stamp = at(1.4);
+  monitor.update(measured, at(1.4));
+  monitor.work();
+  measured.header.stamp = at(1.5);
+  const MonitorUpdate broken = monitor.update(measured, at(1.5));
+  EXPECT_EQ(broken.state->status.code, Status::INCONSISTENT);
+  EXPECT_NE(broken.state->status.sentence.find("elbow"), std::string::npos) << broken.state->status.sentence;
+  EXPECT_GT(broken.state->residual, 1.0);
+  expect_says_nothing(*broken.state);
+}
+
 // Leg 1 goes through its stretched configuration while drive 2 rests: B_11 changes sign, det A does not.
 TEST_F(RobotMonitorTest, ReportsAWorkingModeThatChanges) {
   RobotMonitor monitor(mechanism_, start_at_pose(4.51, 11.73));
