@@ -83,9 +83,9 @@ class CommandLine {
   CLI::App app_;
   bool version_ = false;
   bool json_ = false;
-  const std::vector<Subcommand> subcommands_{map_subcommand(),      connect_subcommand(),
-                                             describe_subcommand(), inverse_subcommand(),
-                                             direct_subcommand(),   robots_subcommand()};
+  const std::vector<Subcommand> subcommands_{
+      map_subcommand(),     connect_subcommand(), describe_subcommand(), distance_subcommand(),
+      inverse_subcommand(), direct_subcommand(),  robots_subcommand()};
 };
 
 }  // namespace

@@ -9,12 +9,14 @@
 #include <gtest/gtest.h>
 
 #include "support/pose_pairs.h"
+#include "support/random_robots.h"
 #include "support/robots.h"
 #include <algorithm>
 #include <cmath>
 #include <memory>
 #include <random>
 #include <string>
+#include <vector>
 
 namespace parallel_aspects {
 namespace {
@@ -135,6 +137,13 @@ void expect_leg_witnesses(const Case& each) {
       << each.text();
 }
 
+void expect_right(const Case& each, std::uint64_t seed, int samples) {
+  ASSERT_NE(each.distances.status, ConfigurationStatus::invalid) << each.text();
+  expect_no_boundary_below(each, seed, samples);
+  expect_parallel_witness(each);
+  expect_leg_witnesses(each);
+}
+
 void expect_right_distances(const Robot& robot, int configurations, int samples) {
   BoundaryDistanceMeter meter(robot);
   test::PosePairs random(robot, 20261121);
@@ -142,11 +151,8 @@ void expect_right_distances(const Robot& robot, int configurations, int samples)
     const WorkingMode mode = random.mode();
     const auto pose = random.reached(mode);
     ASSERT_TRUE(pose) << robot->name();
-    const Case each{robot, *pose, mode, meter.measure(*pose, mode)};
-    ASSERT_NE(each.distances.status, ConfigurationStatus::invalid) << each.text();
-    expect_no_boundary_below(each, 1000 + static_cast<std::uint64_t>(i), samples);
-    expect_parallel_witness(each);
-    expect_leg_witnesses(each);
+    expect_right({robot, *pose, mode, meter.measure(*pose, mode)}, 1000 + static_cast<std::uint64_t>(i),
+                 samples);
   }
 }
 
@@ -164,7 +170,7 @@ class EveryRobot : public testing::TestWithParam<Robot> {};
 
 TEST_P(EveryRobot, HasNoBoundaryBelowTheLowerBoundAndOneAtTheWitness) {
   const bool six = GetParam()->leg_count() == 6;
-  expect_right_distances(GetParam(), six ? 6 : 20, six ? 1000 : 600);
+  expect_right_distances(GetParam(), six ? 5 : 12, 500);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -177,6 +183,25 @@ INSTANTIATE_TEST_SUITE_P(
                     limited(test::agile_eye(), -2.0, 1.5), test::spherical_three_rrr(), test::stewart(),
                     limited(test::stewart(), 0.3, 1.0), test::dietmaier(), test::hexa(), test::six_pus()),
     [](const testing::TestParamInfo<Robot>& parameter) { return parameter.param->name(); });
+
+// Every kind of leg in every task space, of general geometry.
+TEST(Distances, HoldForRandomRobots) {
+  test::RandomRobots random(20261121);
+  int measured = 0;
+  for (const TaskSpace space : test::all_task_spaces)
+    for (const test::DriveKind kind : test::all_drive_kinds)
+      for (int i = 0; i < 40; ++i) {
+        const Robot robot = random.robot(space, kind);
+        const Pose pose = random.pose(space, 0.5);
+        const std::vector<WorkingMode> modes = working_modes(*robot);
+        const WorkingMode mode = modes[static_cast<std::size_t>(i) % modes.size()];
+        if (inverse(*robot, pose, mode).status == InverseStatus::out_of_reach) continue;
+        BoundaryDistanceMeter meter(robot, DistanceOptions{0.01, 200});
+        expect_right({robot, pose, mode, meter.measure(pose, mode)}, 1, 50);
+        ++measured;
+      }
+  EXPECT_GT(measured, 200);
+}
 
 }  // namespace
 }  // namespace parallel_aspects

@@ -77,6 +77,33 @@ TEST_F(Command, MisunderstoodCommandLinesAreUsageErrors) {
   }
 }
 
+TEST_F(Command, DistancesComeWithBoundsAndWitnesses) {
+  const json report = run_json({"distance", "five_bar", "--pose", "4.5 8", "--mode", "-+"});
+  ASSERT_EQ(report["answers"].size(), 1U);
+  const json& answer = report["answers"][0];
+  EXPECT_EQ(answer["status"], "measured");
+  EXPECT_EQ(answer["parallel"]["status"], "tight");
+  EXPECT_TRUE(answer["parallel"]["upper_proved"]);
+  EXPECT_NEAR(answer["parallel"]["upper"], 1.5359, 5e-5);
+  EXPECT_GE(answer["parallel"]["lower"], 0.98 * 1.5359);
+  EXPECT_NEAR(answer["parallel"]["witness"]["x"], 4.218, 2e-3);
+  EXPECT_EQ(answer["parallel"]["joint_displacement"].size(), 2U);
+  EXPECT_FALSE(answer["parallel"].contains("leg"));
+  EXPECT_NEAR(answer["serial"]["lower"], 3.821220, 1e-6);
+  EXPECT_TRUE(answer["serial"].contains("leg"));
+  EXPECT_EQ(answer["drive_limit"]["status"], "absent");
+  EXPECT_TRUE(answer["drive_limit"]["lower"].is_null());
+}
+
+TEST_F(Command, DistancesAreATable) {
+  const Outcome outcome = run({"distance", "bipod", "--pose", "2 4"});
+  EXPECT_EQ(outcome.code, exit_code::ok);
+  EXPECT_NE(outcome.output.find("drive limit, "), std::string::npos) << outcome.output;
+  EXPECT_EQ(run({"distance", "five_bar", "--pose", "4.5 8", "--boxes", "0"}).code, exit_code::bad_input);
+  EXPECT_EQ(run({"distance", "five_bar", "--pose", "4.5 8", "--tolerance", "2"}).code, exit_code::bad_input);
+  EXPECT_EQ(run({"distance", "five_bar", "--pose", "4.5 80"}).code, exit_code::ok);
+}
+
 TEST_F(Command, UnknownRobotIsAnsweredWithTheKnownOnes) {
   const Outcome outcome = run({"describe", "four_bar"});
   EXPECT_EQ(outcome.code, exit_code::bad_input);

@@ -36,8 +36,9 @@ class ParallelSearch {
     if (sign_ == 0) return Result::touching();
     result_ = Result();
     attempts_ = corner_attempts_ = 0;
-    look_for_witness(Coordinates<size>{});
     range_ = range;
+    look_for_witness(Coordinates<size>{});
+    if (size > 3) look_about();
     determinant.point_cells_to(result_.witness);
     if (size > 3) prove_ball();
     start();
@@ -60,6 +61,18 @@ class ParallelSearch {
   double target() const noexcept {
     return result_.has_witness() ? std::min(range_.radius, (1.0 - options_.tolerance) * result_.upper)
                                  : range_.radius;
+  }
+
+  // From symmetric poses the first steps may end at a saddle; turns to either side leave it.
+  void look_about() noexcept {
+    const double away = 0.5 * std::min(range_.radius, result_.upper);
+    for (std::size_t i = Neighbourhood<space>::moves; i < size; ++i)
+      for (const double sense : {-1.0, 1.0}) {
+        Coordinates<size> y{};
+        y[i] = sense * away;
+        look_for_witness(y);
+      }
+    attempts_ = 0;
   }
 
   // The largest ball about the origin, to a tenth or so, in which one enclosure proves the sign.

@@ -6,6 +6,7 @@
 #include "parallel_aspects/aspects/neighbours.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"
 #include "parallel_aspects/aspects/same_aspect.h"
+#include "parallel_aspects/distance/boundary_distances.h"
 #include "parallel_aspects/kinematics/direct.h"
 #include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/tools/report.h"
@@ -36,6 +37,16 @@ struct ModeAnswer {
 /// `aspects connect`: whether two poses lie in one aspect, by working mode.
 Report report_comparison(const Manipulator& manipulator, const Pose& from, const Pose& to,
                          const std::vector<ModeAnswer>& answers);
+
+/// What is measured in one working mode.
+struct ModeDistances {
+  WorkingMode mode;
+  BoundaryDistances distances;
+};
+
+/// `aspects distance`: bounds of the distances from a pose to singularities and limits, by working mode.
+Report report_distances(const Manipulator& manipulator, const Pose& pose,
+                        const std::vector<ModeDistances>& answers);
 
 /// `aspects describe`: what was recognised in the description of the robot.
 Report report_mechanism(const Mechanism& mechanism);

@@ -43,6 +43,7 @@ struct Subcommand {
 Subcommand map_subcommand();
 Subcommand connect_subcommand();
 Subcommand describe_subcommand();
+Subcommand distance_subcommand();
 Subcommand inverse_subcommand();
 Subcommand direct_subcommand();
 Subcommand robots_subcommand();
