@@ -14,7 +14,7 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr std::size_t configuration_count = 1000;
+constexpr std::size_t configuration_count = 500;
 
 // Of this thread alone, so that a busy machine does not count [s].
 double processor_time() {
