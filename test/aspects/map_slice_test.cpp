@@ -176,19 +176,28 @@ int the_one_aspect_of(const AspectMap& map, const WorkingMode& mode,
   return found.size() == 1 ? *found.begin() : 0;
 }
 
+// Sanitizers make doubles ten times as slow; builds with them look at two working modes.
+#ifdef NDEBUG
+constexpr std::size_t flooded_modes = 8, aspects_in_them = 27;
+#else
+constexpr std::size_t flooded_modes = 2, aspects_in_them = 8;
+#endif
+
 // The robot and the slice of Caro, Chablat, Goldsztejn, Ishii and Jermann, Artificial Intelligence 211, 2014.
 TEST(MapSlice, ThreeRrrWithFrozenOrientationAgreesWithFloodFill) {
   const Robot robot = test::three_rrr();
   const double smallest = 0.5;  // [m^2], which a grid of 0.05 m shows well
   MapOptions options = options_of(slice_of(robot, {{"phi", 0.0}}), 0.2);
   options.extra_levels = 12;
+  options.modes = working_modes(*robot);
+  options.modes.resize(flooded_modes);
   const auto map = map_of(robot, options);
   ASSERT_TRUE(map);
-  EXPECT_EQ(map->proved_count(), 27U);
-  EXPECT_EQ(map->aspects().size(), 27U);
+  EXPECT_EQ(map->proved_count(), aspects_in_them);
+  EXPECT_EQ(map->aspects().size(), aspects_in_them);
   std::map<int, double> areas;
   std::size_t large_pieces = 0;
-  for (const WorkingMode& mode : working_modes(*robot))
+  for (const WorkingMode& mode : options.modes)
     for (const int sign : {1, -1})
       for (const auto& piece : Flood(*robot, mode, sign).pieces()) {
         const double area = static_cast<double>(piece.size()) * Flood::area_of_cell();

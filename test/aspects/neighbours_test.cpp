@@ -179,7 +179,8 @@ TEST(Neighbours, DifferInTheLegThatCrossesOrInTheSignOfTheDeterminant) {
   for (const char* name : {"linear_delta", "three_prr"}) {
     const Robot robot = test::shipped(name)->manipulator();
     MapOptions options;
-    options.resolution = robot->size() / 20.0;
+    options.resolution = robot->size() / 16.0;
+    options.extra_levels = 6;
     const auto map = compute_aspect_map(robot, options).map;
     ASSERT_TRUE(map);
     const auto neighbours = find_neighbours(*map);
@@ -203,6 +204,7 @@ TEST(Neighbours, PosesAreCloseToWhatVanishes) {
   Problems problems;
   options.slice = make_slice(TaskSpace::SE2, {{"phi", 0.0}}, problems);
   options.extra_levels = 6;
+  options.resolution = 0.3;
   const auto map = compute_aspect_map(robot, options).map;
   const double near = 4.0 * map->resolution(), size = robot->size();
   std::size_t proved = 0;
