@@ -263,15 +263,18 @@ class LegSearch {
     const auto function = [&](const Coordinates<size>& at) {
       return std::optional<PointDual<size>>(slack_at(boundary, at));
     };
+    const Coordinates<size> start = y;
     const auto at = WitnessSearch<size, decltype(function)>(function).run(y);
-    if (at) move_to_surface(boundary, y);
-    if (!at || hood_.is_about_half_turn(y) || !(length<size>(y) < result_.upper)) return;
+    if (!at && !moves_freely) return;
+    if (!at) y = start;  // at the tip of a cone steps fail, but a displacement leads there
+    move_to_surface(boundary, y);
+    if (hood_.is_about_half_turn(y) || !(length<size>(y) < result_.upper)) return;
     bool proved = false;
     if (limits_ && !is_reached_about(y, 0.0, proved)) return;
     std::array<PointDual<size>, size> point;
     for (std::size_t i = 0; i < size; ++i) point[i] = PointDual<size>(y[i]);
     if (boundary.sided && !(side(boundary, displacement(boundary.leg, point)).value >= 0.0)) return;
-    const double distance = proved_distance(boundary, y, *at);
+    const double distance = proved_distance(boundary, y, at.value_or(PointDual<size>()));
     proved = distance > 0.0;
     if (result_.offer(y, proved ? distance : length<size>(y), proved)) result_ = of_leg(result_, boundary);
   }

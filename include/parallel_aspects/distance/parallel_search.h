@@ -65,7 +65,7 @@ class ParallelSearch {
 
   // From symmetric poses the first steps may end at a saddle; turns to either side leave it.
   void look_about() noexcept {
-    const double away = 0.5 * std::min(range_.radius, result_.upper);
+    const double away = std::min(0.1 * range_.radius, 0.5 * result_.upper);
     for (std::size_t i = Neighbourhood<space>::moves; i < size; ++i)
       for (const double sense : {-1.0, 1.0}) {
         Coordinates<size> y{};
