@@ -68,12 +68,18 @@ class QuadraticForm {
     result.center_ = a.center_ + b.center_;
     for (std::size_t i = 0; i < N; ++i) result.slope_[i] = a.slope_[i] + b.slope_[i];
     for (std::size_t i = 0; i < bends; ++i) result.bend_[i] = a.bend_[i] + b.bend_[i];
-    result.error_ =
-        a.error_ + b.error_ + rounding * (std::abs(result.center_) + result.slopes() + result.bendings());
+    result.error_ = a.error_ + b.error_ + result.size_of_rounding();
     return result;
   }
 
-  friend QuadraticForm operator-(const QuadraticForm& a, const QuadraticForm& b) noexcept { return a + (-b); }
+  friend QuadraticForm operator-(const QuadraticForm& a, const QuadraticForm& b) noexcept {
+    QuadraticForm result;
+    result.center_ = a.center_ - b.center_;
+    for (std::size_t i = 0; i < N; ++i) result.slope_[i] = a.slope_[i] - b.slope_[i];
+    for (std::size_t i = 0; i < bends; ++i) result.bend_[i] = a.bend_[i] - b.bend_[i];
+    result.error_ = a.error_ + b.error_ + result.size_of_rounding();
+    return result;
+  }
 
   friend QuadraticForm operator*(const QuadraticForm& a, const QuadraticForm& b) noexcept {
     QuadraticForm result;
@@ -158,6 +164,14 @@ class QuadraticForm {
     } else {
       return std::sqrt(squared_bends());
     }
+  }
+
+  // What a sum of this result is off by at most.
+  double size_of_rounding() const noexcept {
+    double sum = std::abs(center_);
+    for (const double each : slope_) sum += std::abs(each);
+    for (const double each : bend_) sum += std::abs(each);
+    return rounding * sum;
   }
 
   // Squared Frobenius norm of the symmetric matrix.
