@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The hot path asks for no memory: operator new and malloc are counted while the tracker works.
+// The hot path asks for no memory: what malloc is asked for is counted while the tracker works.
 #include "parallel_aspects/kinematics/direct.h"
 #include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/tracking/approach_speed.h"
@@ -14,8 +14,9 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
-#include <new>
+#include <memory>
 #include <random>
+#include <vector>
 
 namespace {
 
@@ -23,23 +24,56 @@ std::atomic<long> allocations{0};
 
 }  // namespace
 
-void* operator new(std::size_t size) {
+// Everything that asks for memory comes to malloc and its like, operator new included.
+#if defined(__SANITIZE_ADDRESS__)
+extern "C" int __sanitizer_install_malloc_and_free_hooks(void (*malloc_hook)(const volatile void*,
+                                                                             std::size_t),
+                                                         void (*free_hook)(const volatile void*));
+
+namespace {
+
+const bool counting = [] {
+  return __sanitizer_install_malloc_and_free_hooks([](const volatile void*, std::size_t) { ++allocations; },
+                                                   [](const volatile void*) {}) != 0;
+}();
+
+}  // namespace
+#else
+extern "C" {
+
+void* __libc_malloc(std::size_t size) noexcept;
+void* __libc_calloc(std::size_t count, std::size_t size) noexcept;
+void* __libc_realloc(void* memory, std::size_t size) noexcept;
+void* __libc_memalign(std::size_t alignment, std::size_t size) noexcept;
+
+void* malloc(std::size_t size) noexcept {
   ++allocations;
-  if (void* memory = std::malloc(size)) return memory;
-  throw std::bad_alloc();
+  return __libc_malloc(size);
 }
 
-void* operator new(std::size_t size, std::align_val_t alignment) {
+void* calloc(std::size_t count, std::size_t size) noexcept {
   ++allocations;
-  const auto step = static_cast<std::size_t>(alignment);
-  if (void* memory = std::aligned_alloc(step, (size + step - 1) / step * step)) return memory;
-  throw std::bad_alloc();
+  return __libc_calloc(count, size);
 }
 
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+void* realloc(void* memory, std::size_t size) noexcept {
+  ++allocations;
+  return __libc_realloc(memory, size);
+}
+
+void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept {
+  ++allocations;
+  return __libc_memalign(alignment, size);
+}
+
+}  // extern "C"
+
+namespace {
+
+const bool counting = true;
+
+}  // namespace
+#endif
 
 namespace parallel_aspects {
 namespace {
@@ -101,6 +135,14 @@ std::shared_ptr<const Manipulator> with_velocity(const Manipulator& robot, doubl
   std::vector<Leg> legs = robot.legs();
   for (Leg& leg : legs) leg.limits.velocity = velocity;
   return test::manipulator(robot.name(), robot.task_space(), std::move(legs));
+}
+
+TEST(HotPath, IsCountedByWhatWorks) {
+  ASSERT_TRUE(counting);
+  const long before = allocations;
+  const auto number = std::make_unique<double>(1.0);
+  const Eigen::VectorXd vector = Eigen::VectorXd::Constant(100, *number);
+  EXPECT_GE(allocations, before + 2) << vector.size();
 }
 
 TEST(HotPath, AllocatesNothing) {
