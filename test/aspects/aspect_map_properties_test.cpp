@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "support/robots.h"
+#include "support/thoroughness.h"
 #include <cmath>
 #include <functional>
 #include <random>
@@ -112,7 +113,7 @@ TEST_P(MapProperties, NoPoseContradictsItsLeaf) {
       y(region.lower[1], region.upper[1]);
   const auto modes = working_modes(*robot);
   std::size_t inside = 0;
-  for (int i = 0; i < 250000; ++i) {
+  for (int i = 0; i < test::thinned(250000); ++i) {
     Pose pose;
     pose.position << x(random), y(random), 0.0;
     for (const WorkingMode& mode : modes) {
@@ -126,7 +127,7 @@ TEST_P(MapProperties, NoPoseContradictsItsLeaf) {
       ASSERT_EQ(sign_at(*robot, pose, mode), expected) << text(*robot, pose, mode);
     }
   }
-  EXPECT_GT(inside, 1000U);
+  EXPECT_GT(inside, test::thinned(1000U));
 }
 
 // With the local proof hardly any pose is left undecided.
@@ -137,7 +138,7 @@ TEST_P(MapProperties, FewPosesAreUndecided) {
   std::uniform_real_distribution<double> x(region.lower[0], region.upper[0]),
       y(region.lower[1], region.upper[1]);
   int undecided = 0, total = 0;
-  for (int i = 0; i < 20000; ++i) {
+  for (int i = 0; i < test::thinned(20000); ++i) {
     Pose pose;
     pose.position << x(random), y(random), 0.0;
     for (const WorkingMode& mode : working_modes(*robot)) {

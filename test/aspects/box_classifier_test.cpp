@@ -10,6 +10,7 @@
 
 #include "support/robots.h"
 #include "support/sign_at.h"
+#include "support/thoroughness.h"
 #include <cmath>
 #include <functional>
 #include <random>
@@ -76,7 +77,7 @@ class BoxClassifierTest : public testing::TestWithParam<Case> {
 TEST_P(BoxClassifierTest, NoPoseContradictsItsBox) {
   std::vector<LeafState> states(modes.size());
   std::size_t inside = 0, checked = 0;
-  for (int i = 0; i < 20000; ++i) {
+  for (int i = 0; i < test::thinned(20000); ++i) {
     const auto root = static_cast<RootIndex>(random() % space->root_count());
     const Box box = random_box();
     {
@@ -98,8 +99,8 @@ TEST_P(BoxClassifierTest, NoPoseContradictsItsBox) {
       }
     }
   }
-  EXPECT_GT(inside, 100U);
-  EXPECT_GT(checked, 20000U);
+  EXPECT_GT(inside, test::thinned(100U));
+  EXPECT_GT(checked, test::thinned(20000U));
 }
 
 // Small boxes around poses that are clear of singularities must be decided: bounds that are never tight are
@@ -107,7 +108,7 @@ TEST_P(BoxClassifierTest, NoPoseContradictsItsBox) {
 TEST_P(BoxClassifierTest, SmallBoxesAreDecided) {
   std::vector<LeafState> states(modes.size());
   int decided = 0, clear = 0;
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < test::thinned(3000); ++i) {
     const MapPosition position = [this] {
       const Box box = random_box();
       return MapPosition{static_cast<RootIndex>(random() % space->root_count()), random_point(box)};
@@ -127,7 +128,7 @@ TEST_P(BoxClassifierTest, SmallBoxesAreDecided) {
 
 // Every position has a pose with that position, across all root boxes.
 TEST_P(BoxClassifierTest, PositionsAndPosesAgree) {
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < test::thinned(1000); ++i) {
     const MapPosition position{static_cast<RootIndex>(random() % space->root_count()),
                                random_point(space->region())};
     const Pose pose = space->pose(position), again = space->pose(space->position(pose));

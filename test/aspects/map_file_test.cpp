@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "support/robots.h"
+#include "support/thoroughness.h"
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -209,7 +210,7 @@ TEST_P(RoundTrip, EveryAnswerIsTheSame) {
   ASSERT_EQ(loaded.status, MapStatus::complete) << loaded.sentence;
   EXPECT_EQ(loaded.map->manipulator(), robot);
   expect_equal(*computed.map, *loaded.map);
-  EXPECT_GT(expect_equal_locations(*computed.map, *loaded.map, 1000), 100);
+  EXPECT_GT(expect_equal_locations(*computed.map, *loaded.map, test::thinned(1000)), test::thinned(100));
   EXPECT_EQ(saved(*loaded.map), bytes);
 }
 
@@ -233,7 +234,7 @@ TEST_F(MapFile, CutFilesAreRefused) {
 TEST_F(MapFile, EveryFlippedBitIsNoticed) {
   const std::string bytes = saved(*map_);
   std::mt19937_64 random(11);
-  for (int i = 0; i < 500; ++i) {
+  for (int i = 0; i < test::thinned(500); ++i) {
     const std::size_t at = random() % bytes.size(), bit = random() % 8;
     SCOPED_TRACE("byte " + std::to_string(at) + ", bit " + std::to_string(bit));
     std::string flipped = bytes;
@@ -353,7 +354,7 @@ TEST_F(MapFile, ForgedFilesDoNoHarm) {
   const std::size_t at = record_at(bytes);
   std::mt19937_64 random(13);
   int refused = 0, taken = 0;
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < test::thinned(1000); ++i) {
     std::string forged = bytes;
     for (std::size_t change = 0; change <= random() % 3; ++change)
       forged[at + random() % (bytes.size() - at - 4)] = static_cast<char>(random());
@@ -367,7 +368,7 @@ TEST_F(MapFile, ForgedFilesDoNoHarm) {
         EXPECT_LE(location.aspect, static_cast<int>(map->aspects().size()));
       }
   }
-  EXPECT_GT(refused, 300);
+  EXPECT_GT(refused, test::thinned(300));
   RecordProperty("taken", taken);
 }
 

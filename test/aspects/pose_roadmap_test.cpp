@@ -10,6 +10,7 @@
 #include "support/random_robots.h"
 #include "support/robots.h"
 #include "support/shipped.h"
+#include "support/thoroughness.h"
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -60,7 +61,7 @@ void expect_consistent(const RoadmapSide& side) {
 TEST(PoseRoadmap, EveryLinkIsFreeAtRandomPoints) {
   for (const char* name : {"stewart", "hexa", "six_pus"}) {
     const auto robot = shipped(name);
-    const auto roadmap = roadmap_of(robot, options_of(60));
+    const auto roadmap = roadmap_of(robot, options_of(test::is_sanitized ? 20 : 60));
     test::PosePairs random(robot, 7);
     std::size_t links = 0;
     for (const RoadmapSide& side : roadmap->sides()) {
@@ -107,7 +108,7 @@ TEST(PoseRoadmap, TheSeedDecidesAndTheThreadsDoNot) {
 
 // Both signs of det A are found on the platform's two sides, each mostly one piece.
 TEST(PoseRoadmap, StewartHasTwoSidesEachMostlyConnected) {
-  const auto roadmap = roadmap_of(shipped("stewart"), options_of(1000));
+  const auto roadmap = roadmap_of(shipped("stewart"), options_of(test::is_sanitized ? 300 : 1000));
   ASSERT_EQ(roadmap->sides().size(), 2U);
   EXPECT_EQ(roadmap->proved_count(), 2U);
   for (const RoadmapSide& side : roadmap->sides())
@@ -118,7 +119,7 @@ TEST(PoseRoadmap, StewartHasTwoSidesEachMostlyConnected) {
 }
 
 TEST(PoseRoadmap, HexaHasBothSignsInEveryMode) {
-  const auto roadmap = roadmap_of(shipped("hexa"), options_of(100));
+  const auto roadmap = roadmap_of(shipped("hexa"), options_of(test::is_sanitized ? 20 : 100));
   EXPECT_EQ(roadmap->sides().size(), 128U);
 }
 

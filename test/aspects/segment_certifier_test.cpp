@@ -6,6 +6,7 @@
 #include "support/pose_pairs.h"
 #include "support/robots.h"
 #include "support/shipped.h"
+#include "support/thoroughness.h"
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -17,12 +18,7 @@ namespace {
 
 using test::sign_in_doubles;
 
-// Sanitizers make doubles ten times as slow; builds with them look at fewer points.
-#ifdef NDEBUG
-constexpr int random_points = 150, dense_points = 500;
-#else
-constexpr int random_points = 20, dense_points = 80;
-#endif
+constexpr int random_points = test::thinned(150), dense_points = test::thinned(500);
 
 struct Case {
   const char* name;
@@ -80,7 +76,7 @@ class SegmentCertifierTest : public testing::TestWithParam<Case> {
 
 TEST_P(SegmentCertifierTest, NoRandomPointContradictsWhatIsProved) {
   long proved = 0, checked = 0;
-  visit_segments(1500, [&](const Pose& from, const Pose& to, const WorkingMode& mode) {
+  visit_segments(test::thinned(1500), [&](const Pose& from, const Pose& to, const WorkingMode& mode) {
     const SegmentProof proof = certifier.prove(from, to, mode);
     const int sign = sign_in_doubles(*robot, from, mode);
     proved += proof.verdict == SegmentVerdict::free;
@@ -91,8 +87,8 @@ TEST_P(SegmentCertifierTest, NoRandomPointContradictsWhatIsProved) {
           << text(*robot, mode, from, to) << " at " << t;
     }
   });
-  EXPECT_GT(proved, 500);
-  EXPECT_GT(checked, 500 * random_points);
+  EXPECT_GT(proved, test::thinned(500));
+  EXPECT_GT(checked, test::thinned(500) * random_points);
   RecordProperty("checked", std::to_string(checked));
 }
 
@@ -100,21 +96,21 @@ TEST_P(SegmentCertifierTest, NoRandomPointContradictsWhatIsProved) {
 // and nearly all that seem free are proved.
 TEST_P(SegmentCertifierTest, AgreesWithDenseSampling) {
   int free = 0, proved = 0, hindered = 0;
-  visit_segments(1500, [&](const Pose& from, const Pose& to, const WorkingMode& mode) {
+  visit_segments(test::thinned(1500), [&](const Pose& from, const Pose& to, const WorkingMode& mode) {
     const SegmentVerdict verdict = certifier.prove(from, to, mode).verdict;
     const bool seems = seems_free(from, to, mode, dense_points);
     ++(seems ? free : hindered);
     proved += seems && verdict == SegmentVerdict::free;
     EXPECT_TRUE(seems || verdict != SegmentVerdict::free) << text(*robot, mode, from, to);
   });
-  EXPECT_TRUE(hindered > 20 || !GetParam().has_ends) << hindered;
+  EXPECT_TRUE(hindered > test::thinned(20) || !GetParam().has_ends) << hindered;
   EXPECT_GE(proved, 0.97 * free) << proved << " of " << free;
 }
 
 // What is said to stand in the way is there: at the witness or before it doubles see the segment end.
 TEST_P(SegmentCertifierTest, BlockedSegmentsAreBlockedAtTheWitness) {
   int blocked = 0;
-  visit_segments(1000, [&](const Pose& from, const Pose& to, const WorkingMode& mode) {
+  visit_segments(test::thinned(1000), [&](const Pose& from, const Pose& to, const WorkingMode& mode) {
     const SegmentProof proof = certifier.prove(from, to, mode);
     if (proof.verdict != SegmentVerdict::blocked) return;
     ++blocked;
@@ -124,13 +120,13 @@ TEST_P(SegmentCertifierTest, BlockedSegmentsAreBlockedAtTheWitness) {
     const int there = sign_in_doubles(*robot, pose_between(from, to, proof.witness), mode);
     EXPECT_NE(there, sign) << text(*robot, mode, from, to) << " at " << proof.witness;
   });
-  EXPECT_TRUE(blocked > 20 || !GetParam().has_ends) << blocked;
+  EXPECT_TRUE(blocked > test::thinned(20) || !GetParam().has_ends) << blocked;
 }
 
 // Bisects the way between det A > 0 and det A < 0 down to rounding, and goes through the singular pose.
 TEST_P(SegmentCertifierTest, SegmentsThroughASingularityAreNeverProved) {
   int crossings = 0;
-  visit_segments(4000, [&](const Pose& from, const Pose& to, const WorkingMode& mode) {
+  visit_segments(test::thinned(4000), [&](const Pose& from, const Pose& to, const WorkingMode& mode) {
     const int sign = sign_in_doubles(*robot, from, mode);
     double before = 0.0, after = 1.0;
     for (int i = 0; i < 60 && crossings < 200; ++i) {
@@ -153,7 +149,7 @@ TEST_P(SegmentCertifierTest, SegmentsThroughASingularityAreNeverProved) {
     EXPECT_NE(proof.verdict, SegmentVerdict::free);
     EXPECT_LE(proof.free_until, after + 1e-9);
   });
-  EXPECT_TRUE(crossings > 5 || !GetParam().has_ends) << crossings;
+  EXPECT_TRUE(crossings > test::thinned(5) || !GetParam().has_ends) << crossings;
 }
 
 TEST_P(SegmentCertifierTest, APoseToItselfIsFreeAndTheOtherQuaternionIsTheSame) {

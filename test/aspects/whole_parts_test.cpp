@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "support/robots.h"
+#include "support/thoroughness.h"
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -110,7 +111,7 @@ TEST_P(WholePartsTest, AreConnectedOnAGrid) {
   std::shuffle(parts.begin(), parts.end(), random);
   const bool flat = tree->dimension() == 2;
   const int points = flat ? 40 : 14;
-  for (std::size_t i = 0; i < std::min<std::size_t>(parts.size(), flat ? 300 : 50); ++i) {
+  for (std::size_t i = 0; i < std::min(parts.size(), test::thinned<std::size_t>(flat ? 300 : 50)); ++i) {
     const std::vector<int> sizes = grid_components(parts[i], points);
     if (sizes.size() < 2) continue;
     EXPECT_LT(sizes[1], 3 * points) << "node " << parts[i].node << ", mode "
@@ -123,7 +124,7 @@ TEST_P(WholePartsTest, PartsThatAreProvedEmptyHoldNoGridPointAndOthersTheirPose)
   std::mt19937 random(8);
   std::shuffle(parts.begin(), parts.end(), random);
   int known = 0;
-  parts.resize(std::min<std::size_t>(parts.size(), 100));
+  parts.resize(std::min(parts.size(), test::thinned<std::size_t>(100)));
   for (const Part& each : parts) {
     parallel_aspects::Part found;
     {
@@ -151,7 +152,7 @@ TEST_P(WholePartsTest, ClimbsLeadIntoTheOpen) {
   std::mt19937 random(9);
   std::shuffle(parts.begin(), parts.end(), random);
   int climbed = 0;
-  for (std::size_t i = 0; i < std::min<std::size_t>(parts.size(), 40); ++i) {
+  for (std::size_t i = 0; i < std::min(parts.size(), test::thinned<std::size_t>(40)); ++i) {
     const Part& each = parts[i];
     const RoundingUpward rounding;
     const RootIndex root = tree->place(each.node).root;
@@ -165,7 +166,7 @@ TEST_P(WholePartsTest, ClimbsLeadIntoTheOpen) {
     }
     climbed += steps > 0;
   }
-  EXPECT_GT(climbed, 10);
+  EXPECT_GT(climbed, test::thinned(10));
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, WholePartsTest,

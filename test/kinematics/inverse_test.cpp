@@ -7,6 +7,7 @@
 
 #include "support/random_robots.h"
 #include "support/round_trip.h"
+#include "support/thoroughness.h"
 #include <tuple>
 
 namespace parallel_aspects {
@@ -21,7 +22,7 @@ TEST_P(Inverse, AssemblesWithTheSignsOfItsMode) {
   const auto [space, kind] = GetParam();
   test::RandomRobots random(20260104);
   int solved = 0;
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < test::thinned(2000); ++i) {
     const auto robot = random.robot(space, kind);
     const Pose pose = random.pose(space);
     for (const InverseSolution& solution : inverse_in_all_modes(*robot, pose)) {
@@ -36,7 +37,7 @@ TEST_P(Inverse, AssemblesWithTheSignsOfItsMode) {
             << test::describe(*robot, pose, solution.q) << " mode " << to_string(solution.mode);
     }
   }
-  EXPECT_GT(solved, 500);
+  EXPECT_GT(solved, test::thinned(500));
 }
 
 // Where the squared entry of B is negative no drive value assembles: the best that a scan of the drive
@@ -44,7 +45,7 @@ TEST_P(Inverse, AssemblesWithTheSignsOfItsMode) {
 TEST_P(Inverse, OutOfReachMeansThatNoDriveValueAssembles) {
   const auto [space, kind] = GetParam();
   test::RandomRobots random(20260105);
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < test::thinned(300); ++i) {
     const auto robot = random.robot(space, kind);
     const Pose pose = random.pose(space);
     const Leg& leg = robot->leg(0);

@@ -3,6 +3,7 @@
 
 #include "support/loops.h"
 #include "support/shipped.h"
+#include "support/thoroughness.h"
 #include <array>
 #include <chrono>
 #include <cstdlib>
@@ -16,7 +17,7 @@ using Clock = std::chrono::steady_clock;
 // More, for a long search: DESCRIPTION_MUTATIONS=100000.
 int trials() {
   const char* wanted = std::getenv("DESCRIPTION_MUTATIONS");
-  return wanted != nullptr ? std::atoi(wanted) : 150;
+  return wanted != nullptr ? std::atoi(wanted) : test::thinned(150);
 }
 
 std::string mutated(std::string text, std::mt19937& random) {
