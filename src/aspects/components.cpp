@@ -29,6 +29,7 @@ class Summary {
       collect_components(sign);
       collect_parts(sign);
       collect_meetings(sign);
+      collect_bound(sign);
     }
     collect_clusters();
     return std::move(result_);
@@ -90,6 +91,17 @@ class Summary {
     for (const SignGraph::Contact& contact : meeting.contacts) add_unresolved(contact, graph);
     for (std::size_t v = 0; v < meeting.nearest.size(); ++v)
       if (meeting.nearest[v] != no_node) add_undecided(graph.open_leaves()[v].node, meeting.nearest[v], sign);
+  }
+
+  /// What hides in no open leaf is in a component: an aspect in each at most.
+  void collect_bound(int sign) {
+    SignGraph& graph = graph_.of(sign);
+    std::vector<bool> seen(graph.component_bound(), false);
+    for (NodeIndex node = 0; node < tree_.node_count(); ++node)
+      if (tree_.state(node, mode_).may_be(sign) && graph.is_in_component(node))
+        seen[graph.component(node)] = true;
+    result_.bound += static_cast<std::size_t>(std::count(seen.begin(), seen.end(), true));
+    for (const SignGraph::OpenLeaf& open : graph.open_leaves()) result_.open_leaves += open.node != no_node;
   }
 
   void add_unresolved(const SignGraph::Contact& contact, SignGraph& graph) {

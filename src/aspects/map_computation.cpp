@@ -59,6 +59,8 @@ void add_mode(AspectMap::Contents& map, std::size_t mode, const ModeComponents& 
   for (const auto& [a, b] : found.unresolved)
     map.unresolved.emplace_back(std::min(id[a], id[b]), std::max(id[a], id[b]));
   map.proved_count += found.cluster_count;
+  map.open_leaves += found.open_leaves;
+  map.bound += found.bound;
   map.measure_undecided += found.measure_undecided;
   if (!found.components.empty()) map.existing_modes.push_back(map.modes[mode]);
 }

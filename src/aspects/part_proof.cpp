@@ -4,17 +4,6 @@
 namespace parallel_aspects {
 namespace {
 
-/// Flattens the box onto the end of each coordinate along which the set grows; whether there was any.
-bool push(Box& box, const Growth& growth) noexcept {
-  bool pushed = false;
-  for (std::size_t i = 0; i < box.dimension; ++i) {
-    if (!(box.width(i) > 0.0) || !growth.along(i)) continue;
-    (growth.upward(i) ? box.lower[i] : box.upper[i]) = growth.upward(i) ? box.upper[i] : box.lower[i];
-    pushed = true;
-  }
-  return pushed;
-}
-
 constexpr int bisections = 30;
 
 /// The set is a shell that begins between two corners, or beyond the highest.
@@ -72,6 +61,28 @@ class ShellSearch {
   MapPoint lowest_, highest_;
 };
 
+constexpr int most_halvings = 8;
+
+/// Looks for a pose of the set on an edge where it is an interval, by halving.
+Part find_interval(const BoxClassifier& classifier, std::size_t mode, int sign, RootIndex root,
+                   const Box& edge, int halvings) noexcept {
+  const LeafState state = classifier.state(root, edge, mode);
+  if (!state.may_be(sign)) return {Part::Kind::empty, {}};
+  const MapPoint middle = edge.middle();
+  if (classifier.state(root, Box{edge.dimension, middle, middle}, mode).is_inside(sign))
+    return {Part::Kind::connected, middle};
+  if (halvings == 0) return {};
+  Part::Kind kind = Part::Kind::empty;
+  for (const bool upper : {false, true}) {
+    Box half = edge;
+    (upper ? half.lower : half.upper) = middle;
+    const Part part = find_interval(classifier, mode, sign, root, half, halvings - 1);
+    if (part.kind == Part::Kind::connected) return part;
+    if (part.kind == Part::Kind::unknown) kind = Part::Kind::unknown;
+  }
+  return {kind, {}};
+}
+
 }  // namespace
 
 Part find_part(const BoxClassifier& classifier, std::size_t mode, int sign, RootIndex root,
@@ -81,8 +92,17 @@ Part find_part(const BoxClassifier& classifier, std::size_t mode, int sign, Root
     if (examined.state.is_inside(sign)) return {Part::Kind::connected, box.middle()};
     if (!examined.state.may_be(sign)) return {Part::Kind::empty, {}};
     if (examined.shell) return ShellSearch(classifier, mode, sign, root, box, *examined.shell).run();
-    if (!push(box, examined.growth)) return {};
+    if (examined.is_interval) return find_interval(classifier, mode, sign, root, box, most_halvings);
+    if (!examined.growth.flatten(box)) return {};
   }
+}
+
+Part find_part_or_wedge(const BoxClassifier& classifier, std::size_t mode, int sign, RootIndex root,
+                        const Box& box) noexcept {
+  const Part part = find_part(classifier, mode, sign, root, box);
+  if (part.kind != Part::Kind::unknown) return part;
+  const auto pose = classifier.find_wedge(root, box, mode, sign);
+  return pose ? Part{Part::Kind::joined, *pose} : part;
 }
 
 }  // namespace parallel_aspects

@@ -21,6 +21,12 @@ constexpr std::uint32_t levels_to_see_growth = 1;
 // they are divided down to this level.
 constexpr std::uint32_t level_of_open_leaves = 10;
 
+// Up to two freedoms what stays open lies at points, and is divided until nothing can hide.
+constexpr std::size_t most_freedoms_to_count = 2;
+
+// With more freedoms most contacts end within a few levels, and the work for all parts does not pay there.
+constexpr std::uint32_t levels_before_all_parts = 3;
+
 // What one working mode may divide: a share of what the base map has left undecided.
 constexpr std::size_t least_budget = 10000;
 constexpr std::size_t undecided_leaves_for_one = 8;
@@ -63,7 +69,7 @@ class ModeRefinement {
       const NodeIndex first = tree_.first_child(node);
       for (NodeIndex child = first; child < first + tree_.children_per_node(); ++child)
         classifier_.classify(tree_.place(child).root, tree_.box(child), ModeSet{1} << graph_.mode(),
-                             Detail::parts, tree_.states(child));
+                             detail(child), tree_.states(child));
     }
     for (const NodeIndex node : requests_) graph_.replace(tree_, node);
   }
@@ -77,6 +83,12 @@ class ModeRefinement {
     for (NodeIndex node = 0; node < tree_.node_count(); ++node)
       count += tree_.state(node, graph_.mode()).is_undecided();
     return count;
+  }
+
+  Detail detail(NodeIndex node) const {
+    const bool thorough = tree_.dimension() <= most_freedoms_to_count ||
+                          tree_.place(node).level >= base_level_ + levels_before_all_parts;
+    return thorough ? Detail::all_parts : Detail::parts;
   }
 
   void request(NodeIndex node) {
@@ -107,9 +119,10 @@ class ModeRefinement {
 
   void request_open(int sign) {
     std::vector<NodeIndex> leaves;
+    const std::uint32_t level =
+        tree_.dimension() <= most_freedoms_to_count ? deepest_level_ : level_of_open_leaves;
     for (const SignGraph::OpenLeaf& open : graph_.of(sign).open_leaves())
-      if (open.node != no_node && tree_.place(open.node).level < level_of_open_leaves)
-        leaves.push_back(open.node);
+      if (open.node != no_node && tree_.place(open.node).level < level) leaves.push_back(open.node);
     if (leaves.size() <= most_leaves_of_a_point) request_all(leaves);
   }
 

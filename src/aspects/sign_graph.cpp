@@ -129,7 +129,7 @@ std::vector<NodeIndex> SignGraph::climb_from_new(PoseTree& tree, const BoxClassi
         drop(tree, leaf);
         continue;
       }
-      if (part.kind == Part::Kind::connected) climb(tree, classifier, leaf, part.pose);
+      if (part.kind != Part::Kind::unknown) climb(tree, classifier, leaf, part.pose);
     }
     if (!traits_[component(leaf)].has_inside_leaf) bare.push_back(leaf);
   }
@@ -139,7 +139,8 @@ std::vector<NodeIndex> SignGraph::climb_from_new(PoseTree& tree, const BoxClassi
 Part SignGraph::witness(const PoseTree& tree, const BoxClassifier& classifier, NodeIndex leaf) const {
   const Box box = tree.box(leaf);
   if (tree.state(leaf, mode_).is_inside(sign_)) return {Part::Kind::connected, box.middle()};
-  return find_part(classifier, mode_, sign_, tree.place(leaf).root, box);
+  const Part part = find_part_or_wedge(classifier, mode_, sign_, tree.place(leaf).root, box);
+  return part.kind != Part::Kind::joined || tree.region().contains(part.pose) ? part : Part{};
 }
 
 std::uint32_t SignGraph::largest_component(const std::vector<NodeIndex>& leaves) {
@@ -157,11 +158,11 @@ void SignGraph::climb(const PoseTree& tree, const BoxClassifier& classifier, Nod
                       const MapPoint& pose) {
   traits_[component(leaf)].climbed = true;
   Climb climb(classifier, tree.space(), mode_, sign_, {tree.place(leaf).root, pose});
-  for (int i = 0; i < most_steps && climb.step(); ++i) {
+  for (int i = 0; i <= most_steps; ++i) {
     const auto here = tree.leaf_at(climb.position(), mode_);
-    if (!here || slot_[*here] == none || !is_in_component(*here) || component(*here) == component(leaf))
-      continue;
-    return unite(leaf, *here);
+    if (here && slot_[*here] != none && is_in_component(*here) && component(*here) != component(leaf))
+      return unite(leaf, *here);
+    if (!climb.step()) return;
   }
 }
 

@@ -60,6 +60,8 @@ json json_map(const AspectMap& map) {
                  {"working_modes", json::array()},
                  {"aspects", json::array()},
                  {"proved_count", map.proved_count()},
+                 {"count_at_most", map.count_at_most() ? json(*map.count_at_most()) : json()},
+                 {"open_leaves", map.open_leaves()},
                  {"inside_components", map.aspects().size()},
                  {"unresolved", map.unresolved()},
                  {"measure_undecided", json_number(map.measure_undecided())}};
@@ -103,11 +105,18 @@ std::string unresolved_text(const std::vector<std::pair<int, int>>& pairs) {
   return text;
 }
 
+/// What is proved of aspects that are not listed.
+std::string completeness_text(const AspectMap& map) {
+  const auto most = map.count_at_most();
+  if (!most) return "";
+  return *most == map.proved_count() ? ", proved to be all" : ", " + std::to_string(*most) + " at most";
+}
+
 std::string map_text(const AspectMap& map) {
   const TaskSpace space = map.manipulator()->task_space();
   std::string text = map.manipulator()->name() + ": " + counted(map.aspects().size(), "aspect") + " in " +
                      counted(map.working_modes().size(), "working mode") + ", " +
-                     std::to_string(map.proved_count()) + " proved distinct\n";
+                     std::to_string(map.proved_count()) + " proved distinct" + completeness_text(map) + "\n";
   if (map.slice())
     text += "slice " + to_string(*map.slice()) +
             ": aspects of the slice, of which two may be joined outside of it\n";

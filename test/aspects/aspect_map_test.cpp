@@ -40,6 +40,8 @@ TEST(FiveBarMap, HasTheTenAspectsOfThePaper) {
   const auto map = compute_aspect_map(test::five_bar()).map;
   EXPECT_EQ(map->aspects().size(), 10U);
   EXPECT_EQ(map->proved_count(), 10U);
+  EXPECT_EQ(map->open_leaves(), 0U);
+  EXPECT_EQ(map->count_at_most().value_or(0), 10U) << "there are no more";
   EXPECT_TRUE(map->unresolved().empty());
   EXPECT_EQ(map->working_modes().size(), 4U);
   EXPECT_EQ(counts(*map), expected_counts);
@@ -65,6 +67,7 @@ TEST(FiveBarMap, CountDoesNotDependOnTheResolution) {
   for (const double resolution : {3.0, 1.0, 0.5, 0.3, 0.2, 0.07, 0.03}) {
     const auto map = map_of(test::five_bar(), resolution);
     EXPECT_EQ(map->proved_count(), 10U) << "resolution " << resolution;
+    EXPECT_EQ(map->count_at_most().value_or(0), 10U) << "resolution " << resolution;
     EXPECT_EQ(counts(*map), expected_counts) << "resolution " << resolution;
     EXPECT_LE(map->resolution(), resolution);
   }

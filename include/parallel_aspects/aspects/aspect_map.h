@@ -123,6 +123,15 @@ class AspectMap {
   /// one.
   std::size_t proved_count() const noexcept;
 
+  /// Upper bound of the number of generalized aspects that have a pose in the region, proved; none where
+  /// `open_leaves` is not zero.
+  std::optional<std::size_t> count_at_most() const noexcept;
+
+  /// Undecided leaves, counted by mode and sign of det A, of which it is not proved that what they hold lies
+  /// in one aspect at most: aspects that are not listed could hide there. With one and two freedoms they are
+  /// divided until none is left, or down to the deepest level.
+  std::size_t open_leaves() const noexcept;
+
   /// Pairs of `aspects()` that are neither joined nor proved separate.
   const std::vector<std::pair<int, int>>& unresolved() const noexcept;
 

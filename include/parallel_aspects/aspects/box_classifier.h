@@ -23,13 +23,18 @@ namespace parallel_aspects {
 using ModeSet = std::uint64_t;
 
 /// How much is asked of a classification.
-enum class Detail { states, parts };
+enum class Detail {
+  states,    ///< inside, outside or undecided
+  parts,     ///< what is whole, too, as far as it is seen at once, and the signs at the center
+  all_parts  ///< and what more work shows to be whole
+};
 
 /// A box as one working mode and sign see it.
 struct Examined {
   LeafState state;
   Growth growth;
   std::optional<Growth> shell;  ///< see ChartEvaluation::shell
+  bool is_interval = false;     ///< see ChartEvaluation::is_interval
 };
 
 /// A function of the pose, and its slope.
@@ -87,6 +92,10 @@ class BoxClassifier {
 
   /// A live `RoundingUpward` is required.
   virtual BoxFacts facts(RootIndex root, const Box& box, std::size_t mode) const noexcept = 0;
+
+  /// See WedgeProof: a pose that all of S(mode, sign) in the box hangs together with, where there is a proof.
+  virtual std::optional<MapPoint> find_wedge(RootIndex root, const Box& box, std::size_t mode,
+                                             int sign) const noexcept = 0;
 
   /// In double precision, proving nothing; none where a leg does not reach the position.
   virtual Conditions conditions(const MapPosition& position, std::size_t mode, int sign) const noexcept = 0;

@@ -4,6 +4,7 @@
 
 #include "parallel_aspects/aspects/box_classifier.h"
 #include "parallel_aspects/aspects/chart_evaluation.h"
+#include "parallel_aspects/aspects/wedge_proof.h"
 
 #include <optional>
 #include <vector>
@@ -29,7 +30,7 @@ class ChartClassifier final : public BoxClassifier {
     if (open == 0) return;
     evaluation.evaluate_by_affine_forms();
     open = classify(evaluation, open, states);
-    if (detail == Detail::parts) add_parts(evaluation, open, states);
+    if (detail != Detail::states) add_parts(root, evaluation, open, detail, states);
   }
 
   Examined examine(RootIndex root, const Box& box, std::size_t mode, int sign) const noexcept override {
@@ -42,7 +43,14 @@ class ChartClassifier final : public BoxClassifier {
     if (!state.may_be(sign) || state.is_inside()) return {state, Growth::unknown(), std::nullopt};
     const Growth growth = evaluation.growth(signs_[mode], sign);
     if (growth.along_all(box)) return {state, growth, std::nullopt};
-    return {state, growth, evaluation.shell(signs_[mode], sign)};
+    return {state, growth, evaluation.shell(signs_[mode], sign), evaluation.is_interval(signs_[mode], sign)};
+  }
+
+  std::optional<MapPoint> find_wedge(RootIndex root, const Box& box, std::size_t mode,
+                                     int sign) const noexcept override {
+    Evaluation evaluation(chart_, root, box);
+    if (!evaluation.evaluate_by_both()) return std::nullopt;
+    return WedgeProof<Chart>(chart_, root, evaluation, signs_[mode], sign).find();
   }
 
   BoxFacts facts(RootIndex root, const Box& box, std::size_t mode) const noexcept override {
@@ -94,14 +102,21 @@ class ChartClassifier final : public BoxClassifier {
     return open;
   }
 
-  void add_parts(Evaluation& evaluation, ModeSet modes, LeafState* states) const {
+  void add_parts(RootIndex root, Evaluation& evaluation, ModeSet modes, Detail detail,
+                 LeafState* states) const {
     for_each(modes, [&](std::size_t mode) {
       LeafState& state = states[mode];
       for (const int sign : {1, -1})
-        if (state.may_be(sign) && evaluation.is_whole(signs_[mode], sign)) state = state.with_whole(sign);
+        if (state.may_be(sign) && is_whole(root, evaluation, signs_[mode], sign, detail))
+          state = state.with_whole(sign);
       const int center = evaluation.center_sign(signs_[mode]);
       if (center != 0) state = state.with_center(center);
     });
+  }
+
+  bool is_whole(RootIndex root, Evaluation& evaluation, const Signs& signs, int sign, Detail detail) const {
+    if (evaluation.is_whole(signs, sign, detail)) return true;
+    return detail == Detail::all_parts && WedgeProof<Chart>(chart_, root, evaluation, signs, sign).find();
   }
 
   Chart chart_;

@@ -33,6 +33,12 @@ class ChartEvaluation {
   ChartEvaluation(const Chart& chart, RootIndex root, const Box& box)
       : chart_(chart), root_(root), box_(box) {}
 
+  /// To be looked at only where B_jj^2 of this leg, if it vanishes in the box, is at most `most`.
+  void bound_squared_entry(std::size_t j, double most) noexcept {
+    bounded_leg_ = j;
+    most_squared_entry_ = most;
+  }
+
   const Box& box() const noexcept { return box_; }
 
   void evaluate_by_intervals() {
@@ -61,6 +67,13 @@ class ChartEvaluation {
                                ? square_root(forms_->legs[j].rows.squared_entry, squared_entries_[j].lower())
                                : Form(entries_[j]);
     forms_->combine();
+  }
+
+  /// Both; false where no pose of the box is reachable.
+  bool evaluate_by_both() {
+    evaluate_by_intervals();
+    if (!reachable_nowhere_) evaluate_by_affine_forms();
+    return !reachable_nowhere_;
   }
 
   LeafState state(const Signs& signs) {
@@ -95,21 +108,26 @@ class ChartEvaluation {
 
   /// How S(signs, sign) grows in the box. Needs affine forms.
   Growth growth(const Signs& signs, int sign) {
-    if (reachable_nowhere_) return Growth::unknown();
-    evaluate_slopes();
-    Growth growth = Growth::of_everything();
-    for (std::size_t j = 0; j < leg_count; ++j) {
-      if (!clear_[j]) growth.require(ranges(slopes_->legs[j].rows.squared_entry.gradient));
-      require_limits(j, signs[j], growth);
-    }
-    const Interval value = determinant(signs);
-    if (!(sign > 0 ? value.positive() : value.negative())) require_determinant(signs, sign, growth);
-    return growth;
+    Growth all = reachable_nowhere_ ? Growth::unknown() : Growth::of_everything();
+    visit_open_conditions(signs, sign, [&all](const Growth& each) { all = all.with(each); });
+    return all;
   }
 
   /// Whether all of S(signs, sign) in the box is proved to be connected, be it empty. Needs affine forms.
-  bool is_whole(const Signs& signs, int sign) {
-    return growth(signs, sign).along_all(box_) || shell(signs, sign);
+  bool is_whole(const Signs& signs, int sign, Detail detail) {
+    const Growth here = growth(signs, sign);
+    return here.along_all(box_) || is_interval(signs, sign) || shell(signs, sign) ||
+           (detail == Detail::all_parts && is_whole_on_face(here, signs, sign));
+  }
+
+  /// Whether the box is an edge along which each condition of S(signs, sign) grows one way or the other: each
+  /// holds on an interval of the edge, and so do all. Needs affine forms.
+  bool is_interval(const Signs& signs, int sign) {
+    if (reachable_nowhere_ || widths() != 1) return false;
+    bool interval = true;
+    visit_open_conditions(signs, sign,
+                          [&](const Growth& each) { interval = interval && each.along_all(box_); });
+    return interval;
   }
 
   /// Where S(signs, sign) is a shell along the serial singularity: with the box oriented as the result tells,
@@ -123,17 +141,61 @@ class ChartEvaluation {
     if (reachable_nowhere_ || clear_everywhere() || within_limits(signs) != Verdict::holds)
       return std::nullopt;
     evaluate_slopes();
-    Growth reachable = Growth::of_everything(), falling = Growth::of_everything();
+    Growth reachable = Growth::of_everything();
     for (std::size_t j = 0; j < leg_count; ++j) {
       if (clear_[j]) continue;
       reachable.require(ranges(slopes_->legs[j].rows.squared_entry.gradient));
       const Interval at_boundary = determinant_without_entry(j, signs).range();
       if (!(sign > 0 ? at_boundary.positive() : at_boundary.negative())) return std::nullopt;
     }
-    require_determinant(signs, -sign, falling);
-    const Growth both = reachable.with(falling);
+    const Growth both = reachable.with(growth_of_determinant(signs, -sign));
     if (!both.along_all(box_) || !is_unreachable(both.lowest(box_))) return std::nullopt;
     return both;
+  }
+
+  /// Enclosure of B_jj^2, and of its value at the center. Needs affine forms.
+  const Interval& squared_entry(std::size_t j) const noexcept { return squared_entries_[j]; }
+  Interval squared_entry_at_center(std::size_t j) const {
+    return forms_->legs[j].rows.squared_entry.at_center();
+  }
+
+  /// Partial derivatives of B_jj^2. Needs affine forms.
+  std::array<Interval, coordinate_count> entry_slopes(std::size_t j) {
+    evaluate_slopes();
+    return ranges(slopes_->legs[j].rows.squared_entry.gradient);
+  }
+
+  /// With g = B_jj^2 of a leg that is not clear, F = det A as a function of the pose and of |B_jj|, and
+  /// indices for partial derivatives at constant |B_jj|: F_i g_k - F_k g_i for each i. Needs affine forms.
+  std::array<Interval, coordinate_count> level_slopes(const Signs& signs, std::size_t j, std::size_t k) {
+    evaluate_slopes();
+    const auto slope = slopes_->determinants->of(signs).gradient;
+    const auto& of_entry = slopes_->legs[j].rows.squared_entry.gradient;
+    std::array<Interval, coordinate_count> result;
+    for (std::size_t i = 0; i < coordinate_count; ++i)
+      result[i] = i == k ? Interval(0.0) : (slope[i] * of_entry[k] - slope[k] * of_entry[i]).range();
+    return result;
+  }
+
+  /// Whether all legs but j are clear, and limits hold on the whole box.
+  bool holds_but_for(std::size_t j, const Signs& signs) const {
+    for (std::size_t i = 0; i < leg_count; ++i)
+      if (i != j && !clear_[i]) return false;
+    return !reachable_nowhere_ && within_limits(signs) == Verdict::holds;
+  }
+
+  /// The only leg that is not clear, where all else but the sign of det A is proved.
+  std::optional<std::size_t> single_unclear_leg(const Signs& signs) const {
+    const auto found = std::find(clear_.begin(), clear_.end(), false);
+    const auto j = static_cast<std::size_t>(found - clear_.begin());
+    if (j == leg_count || !holds_but_for(j, signs)) return std::nullopt;
+    return j;
+  }
+
+  Interval determinant(const Signs& signs) {
+    const Interval natural = intervals_.determinants->of(signs);
+    if (!forms_ || natural.positive() || natural.negative()) return natural;
+    return intersection(natural, forms_->determinants->of(signs).range());
   }
 
   /// The sign of det A at the center, where it is proved and the center is reachable and within limits; else
@@ -195,8 +257,14 @@ class ChartEvaluation {
     for (std::size_t j = 0; j < leg_count; ++j) {
       clear_[j] = squared_entries_[j].positive();
       reachable_nowhere_ = reachable_nowhere_ || squared_entries_[j].upper() <= 0.0;
-      if (!reachable_nowhere_) entries_[j] = square_root(not_negative_part(squared_entries_[j]));
+      if (!reachable_nowhere_) entries_[j] = square_root(squared_entry_looked_at(j));
     }
+  }
+
+  Interval squared_entry_looked_at(std::size_t j) const {
+    const Interval all = not_negative_part(squared_entries_[j]);
+    if (j != bounded_leg_ || clear_[j]) return all;
+    return {all.lower(), std::min(all.upper(), most_squared_entry_)};
   }
 
   void evaluate_slopes() {
@@ -218,12 +286,6 @@ class ChartEvaluation {
 
   bool clear_everywhere() const {
     return std::all_of(clear_.begin(), clear_.end(), [](bool clear) { return clear; });
-  }
-
-  Interval determinant(const Signs& signs) {
-    const Interval natural = intervals_.determinants->of(signs);
-    if (!forms_ || natural.positive() || natural.negative()) return natural;
-    return intersection(natural, forms_->determinants->of(signs).range());
   }
 
   /// Of det A on the whole box, whose range is known to be in `value`; 0 where it is not proved. Matrices of
@@ -254,27 +316,51 @@ class ChartEvaluation {
     return result;
   }
 
-  void require_limits(std::size_t j, int sign, Growth& growth) const {
+  /// Calls `take` with how { condition > 0 } grows, for each condition of S(signs, sign) that does not hold
+  /// on the whole box.
+  template <class Take>
+  void visit_open_conditions(const Signs& signs, int sign, const Take& take) {
+    if (reachable_nowhere_) return;
+    evaluate_slopes();
+    for (std::size_t j = 0; j < leg_count; ++j) {
+      if (!clear_[j]) take(grows_with(slopes_->legs[j].rows.squared_entry));
+      visit_open_limits(j, signs[j], take);
+    }
+    const Interval value = determinant(signs);
+    if (!(sign > 0 ? value.positive() : value.negative())) take(growth_of_determinant(signs, sign));
+  }
+
+  static Growth grows_with(const Slope& function) {
+    Growth growth = Growth::of_everything();
+    growth.require(ranges(function.gradient));
+    return growth;
+  }
+
+  template <class Take>
+  void visit_open_limits(std::size_t j, int sign, const Take& take) const {
     const LimitFunctions<Interval> limits =
         chart_.limits(j, intervals_.legs[j].displacement, entries_[j], sign);
     if (verdict(limits) == Verdict::holds) return;
-    if (!clear_[j]) {
-      growth = Growth::unknown();
-      return;
-    }
+    if (!clear_[j]) return take(Growth::unknown());
     const LimitFunctions<Slope> slopes =
         chart_.limits(j, slopes_->legs[j].displacement, slopes_->entries[j], sign);
-    for (std::size_t k = 0; k < limits.count; ++k)
-      if (is_positive(limits.values[k]) == Verdict::unsure) growth.require(ranges(slopes.values[k].gradient));
+    Growth all = Growth::of_everything();
+    for (std::size_t k = 0; k < limits.count; ++k) {
+      if (is_positive(limits.values[k]) != Verdict::unsure) continue;
+      if (!limits.any) take(grows_with(slopes.values[k]));
+      all = all.with(grows_with(slopes.values[k]));
+    }
+    if (limits.any) take(all);
   }
 
-  void require_determinant(const Signs& signs, int sign, Growth& growth) {
+  /// How { sign det A > 0 } grows. With g = B_jj^2 of the one leg that is not clear, d = d/dx at constant
+  /// |B_jj| and D = d det A / d|B_jj|, the slope of det A times 2 |B_jj| is  2 |B_jj| d(det A) + D dg.  With
+  /// several such legs each term is asked to have the sign.
+  Growth growth_of_determinant(const Signs& signs, int sign) {
+    Growth growth = Growth::of_everything();
     const Interval factor(sign);
     const Slope determinant = factor * slopes_->determinants->of(signs);
     const auto unclear = static_cast<std::size_t>(std::count(clear_.begin(), clear_.end(), false));
-    // With g = B_jj^2 of the one leg that is not clear, d = d/dx at constant |B_jj| and D = d det A /
-    // d|B_jj|, the slope of det A times 2 |B_jj| is  2 |B_jj| d(det A) + D dg.  With several such legs each
-    // term is asked to have the sign.
     if (unclear != 1) growth.require(ranges(determinant.gradient));
     for (std::size_t j = 0; j < leg_count; ++j) {
       if (clear_[j]) continue;
@@ -286,6 +372,30 @@ class ChartEvaluation {
       }
       growth.require(ranges(term));
     }
+    return growth;
+  }
+
+  std::size_t widths() const {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < coordinate_count; ++i) count += box_.width(i) > 0.0;
+    return count;
+  }
+
+  /// Where the set grows along some coordinates, it is connected if what it has of the face that it grows to
+  /// is.
+  bool is_whole_on_face(const Growth& growth, const Signs& signs, int sign) const {
+    Box face = box_;
+    if (!growth.flatten(face)) return false;
+    ChartEvaluation evaluation(chart_, root_, face);
+    evaluation.evaluate_by_intervals();
+    if (!evaluation.is_open(signs, sign)) return true;
+    evaluation.evaluate_by_affine_forms();
+    return !evaluation.is_open(signs, sign) || evaluation.is_whole(signs, sign, Detail::all_parts);
+  }
+
+  bool is_open(const Signs& signs, int sign) {
+    const LeafState found = state(signs);
+    return found.may_be(sign) && !found.is_inside();
   }
 
   /// d det A / d|B_jj|: det A with row j turned.
@@ -344,6 +454,8 @@ class ChartEvaluation {
   std::array<Interval, leg_count> squared_entries_, entries_;  // B_jj^2 and |B_jj|, from the best enclosures
   std::array<bool, leg_count> clear_{};
   bool reachable_nowhere_ = false;
+  std::size_t bounded_leg_ = leg_count;
+  double most_squared_entry_ = 0.0;
   Evaluated<Interval> intervals_;
   std::optional<Evaluated<Form>> forms_;  // made where they are needed: they are large
   std::optional<Evaluated<Slope>> slopes_;

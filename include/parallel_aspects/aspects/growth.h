@@ -44,6 +44,18 @@ class Growth {
                   static_cast<std::uint8_t>(downward_ & other.downward_));
   }
 
+  /// Flattens the box onto the face, edge or corner that the set grows to, along every coordinate along which
+  /// it grows; whether there was any.
+  bool flatten(Box& box) const noexcept {
+    bool flattened = false;
+    for (std::size_t i = 0; i < box.dimension; ++i) {
+      if (!(box.width(i) > 0.0) || !along(i)) continue;
+      (upward(i) ? box.lower[i] : box.upper[i]) = upward(i) ? box.upper[i] : box.lower[i];
+      flattened = true;
+    }
+    return flattened;
+  }
+
   /// The corner of the box that the set grows away from.
   MapPoint lowest(const Box& box) const noexcept {
     MapPoint corner{};
