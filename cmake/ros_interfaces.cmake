@@ -5,6 +5,7 @@ find_package(catkin REQUIRED COMPONENTS
   actionlib
   actionlib_msgs
   diagnostic_updater
+  dynamic_reconfigure
   geometry_msgs
   message_generation
   nodelet
@@ -42,6 +43,10 @@ add_service_files(FILES
 add_action_files(FILES
   ComputeMap.action
 )
+generate_dynamic_reconfigure_options(
+  cfg/Display.cfg
+  cfg/Thresholds.cfg
+)
 generate_messages(DEPENDENCIES actionlib_msgs geometry_msgs std_msgs)
 
 catkin_package(
@@ -51,6 +56,7 @@ catkin_package(
     actionlib
     actionlib_msgs
     diagnostic_updater
+    dynamic_reconfigure
     geometry_msgs
     message_runtime
     nodelet

@@ -48,19 +48,35 @@ Display::Display(const NodeSetup& setup, ros::NodeHandle private_nh)
     : manipulator_(setup.mechanism->manipulator()),
       frames_(frames_of(setup)),
       scene_(scene_of(*setup.mechanism, setup.options)),
-      options_(setup.options.display),
       markers_(latched(private_nh, "markers")),
       present_markers_(latched(private_nh, "present_markers")),
-      position_markers_(latched(private_nh, "position_markers")) {
+      position_markers_(latched(private_nh, "position_markers")),
+      options_(setup.options.display) {
   set_picture(std::make_shared<const GaugePicture>(manipulator_, frames_, scene_));
 }
 
+void Display::set_options(const DisplayOptions& options) {
+  std::shared_ptr<const AspectMap> map;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    options_ = options;
+    map = map_;
+  }
+  if (map) set_map(map);
+}
+
 void Display::set_map(const std::shared_ptr<const AspectMap>& map) {
+  DisplayOptions options;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    options = options_;
+    map_ = map;
+  }
   if (map->aspects().empty() || freedoms(map->manipulator()->task_space()) < 2) return;  // the gauges stay
   if (map->manipulator()->task_space() == TaskSpace::T2)
-    set_picture(std::make_shared<const MapPicture>(map, frames_, options_));
+    set_picture(std::make_shared<const MapPicture>(map, frames_, options));
   else
-    set_picture(std::make_shared<const SlicePicture>(map, frames_, scene_, options_));
+    set_picture(std::make_shared<const SlicePicture>(map, frames_, scene_, options));
   const std::lock_guard<std::mutex> lock(mutex_);
   mapped_ = true;
 }

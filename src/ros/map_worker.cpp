@@ -170,7 +170,8 @@ void MapWorker::carry_out(const Request& request) {
     report(computing(share, resolution), nullptr);
   };
   if (!has_map) return make_roadmap(options, control);
-  const MapResult result = compute_aspect_map(manipulator_, options, control);
+  MapResult result = compute_aspect_map(manipulator_, options, control);
+  if (cancelled_) result = {MapStatus::cancelled, "The computation was cancelled.", nullptr};
   report(ended(result), result.status == MapStatus::complete ? result.map : nullptr);
   if (result.status == MapStatus::complete && request.use != FileUse::none) save(*result.map);
 }

@@ -128,8 +128,8 @@ Problems problems_of(const NodeOptions& options, const Manipulator& manipulator,
   checks.require(within(options.state_decimation, 1, 10000), "state/decimation", "must be 1 to 10000.");
   checks.require(within(options.completed_decimation, 1, 10000), "completed/decimation",
                  "must be 1 to 10000.");
-  checks.require(positive(options.display.gallery_scale) && options.display.gallery_scale <= 10.0,
-                 "display/gallery_scale", "must be above 0 and at most 10.");
+  checks.require(within(options.display.gallery_scale, 0.01, 10.0), "display/gallery_scale",
+                 "must be 0.01 to 10.");
   checks.require(positive(options.display.radius), "display/radius", "must be a positive number [m].");
   checks.require(within(options.display.rate, 0.1, 100.0), "display/rate", "must be 0.1 to 100 [Hz].");
   checks.require(valid_frame_prefix(options.frame_prefix), "frame_prefix",

@@ -47,6 +47,13 @@ RobotServer::RobotServer(const ros::NodeHandle& nh, const ros::NodeHandle& priva
   for (const std::string& note : setup_.mechanism->notes()) ROS_INFO_STREAM(note);
   advertise();
   subscribe();
+  reconfiguration_ = std::make_unique<Reconfiguration>(
+      service_nh_, setup_.options,
+      [this](const ThresholdParameters& wanted) { monitor_.set_thresholds(thresholds_of(wanted)); },
+      [this](const DisplayOptions& wanted) {
+        display_.set_options(wanted);
+        display_timer_.setPeriod(ros::Duration(1.0 / wanted.rate));
+      });
   state_.publish(
       unknown_state(*setup_.mechanism->manipulator(), monitor_.current(ros::Time::now()).status, {}));
   tracking_spinner_.start();
@@ -182,11 +189,19 @@ void RobotServer::on_compute_map(const ComputeMapGoalConstPtr& goal) {
   const bool as_configured = goal->resolution == 0.0 && goal->extra_levels == 0;
   const MapWorker::Job job = worker_.compute(options, as_configured ? FileUse::save : FileUse::none);
   ComputeMapFeedback feedback;
+  int polls_since_cancel = 0;
   do {
-    if (stopping_ || compute_map_->isPreemptRequested()) worker_.cancel(job);
+    const bool cancel = stopping_ || compute_map_->isPreemptRequested();
+    if (cancel) worker_.cancel(job);
     feedback.progress = worker_.wait(job, std::chrono::milliseconds(20));
     compute_map_->publishFeedback(feedback);
-  } while (feedback.progress.state == MapProgress::COMPUTING && !stopping_);
+    polls_since_cancel += cancel ? 1 : 0;
+  } while (feedback.progress.state == MapProgress::COMPUTING && polls_since_cancel < 3 && !stopping_);
+  if (polls_since_cancel > 0 && feedback.progress.state == MapProgress::COMPUTING) {
+    // The thread ends its piece of work; what it finds is not used.
+    feedback.progress.state = MapProgress::CANCELLED;
+    feedback.progress.sentence = "The computation was cancelled.";
+  }
   finish(feedback.progress, result);
 }
 

@@ -24,13 +24,16 @@
 #include "ros/node_client.h"
 #include "ros/process.h"
 #include <actionlib/client/simple_action_client.h>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <diagnostic_msgs/DiagnosticArray.h>
+#include <dynamic_reconfigure/Reconfigure.h>
 #include <filesystem>
 #include <fstream>
 #include <memory>
 #include <string>
+#include <utility>
 
 namespace parallel_aspects {
 namespace {
@@ -269,6 +272,43 @@ TEST_F(NodeLife, AnswersWhileAMapIsComputed) {
   client.sendGoalAndWait(goal, ros::Duration(test::deadline));
   EXPECT_EQ(client.getState(), actionlib::SimpleClientGoalState::SUCCEEDED);
   EXPECT_EQ(aspects_known(), 10U);
+}
+
+// Thresholds by dynamic_reconfigure: taken where they make sense, and refused where they do not.
+TEST_F(NodeLife, ThresholdsChangeWhileItRuns) {
+  set("map/resolution", 0.5);
+  start();
+  double y = 8.0;
+  const auto level = [&] { return move_to(test::pose_at(4.5, y += 1e-6)).level; };
+  ASSERT_TRUE(eventually([&] { return level() == AspectState::CLEAR; }));
+  const auto change = [&](double warn, double stop) {
+    dynamic_reconfigure::Reconfigure service;
+    for (const auto& [name, value] :
+         {std::make_pair("parallel_warn", warn), std::make_pair("parallel_stop", stop)}) {
+      dynamic_reconfigure::DoubleParameter parameter;
+      parameter.name = name;
+      parameter.value = value;
+      service.request.config.doubles.push_back(parameter);
+    }
+    EXPECT_TRUE(
+        ros::service::waitForService(node_ + "/thresholds/set_parameters", ros::Duration(test::deadline)));
+    EXPECT_TRUE(ros::service::call(node_ + "/thresholds/set_parameters", service));
+    for (const auto& parameter : service.response.config.doubles)
+      if (parameter.name == "parallel_warn") return parameter.value;
+    return std::nan("");
+  };
+  EXPECT_EQ(change(100.0, 0.0), 100.0);
+  EXPECT_TRUE(eventually([&] { return level() == AspectState::WARN; }));
+  EXPECT_NE(states_->last()->reason.find("parallel"), std::string::npos);
+  EXPECT_TRUE(eventually([&] {
+    level();
+    return diagnosed("tracking", diagnostic_msgs::DiagnosticStatus::WARN);
+  }));
+  EXPECT_EQ(change(std::nan(""), 0.0), 100.0) << "not a number";
+  EXPECT_EQ(change(50.0, 60.0), 100.0) << "a stop before the warning";
+  EXPECT_EQ(level(), AspectState::WARN);
+  EXPECT_EQ(change(100.0, 90.0), 100.0);
+  EXPECT_TRUE(eventually([&] { return level() == AspectState::STOP; }));
 }
 
 TEST_F(NodeLife, TellsRatesAndLossesInDiagnostics) {

@@ -25,6 +25,9 @@ class Display {
   /// Works out a new picture; may take long. Call from any thread.
   void set_map(const std::shared_ptr<const AspectMap>& map);
 
+  /// From now on; a picture that differs is worked out at once.
+  void set_options(const DisplayOptions& options);
+
   /// Draws what has changed since the last call. `map_sentence`: what there is to say about the map.
   void show(const CurrentConfiguration& current, const std::string& map_sentence);
 
@@ -38,11 +41,12 @@ class Display {
   const std::shared_ptr<const Manipulator> manipulator_;
   const MarkerFrames frames_;
   const Scene scene_;
-  const DisplayOptions options_;
   ros::Publisher markers_, present_markers_, position_markers_;
   tf2_ros::StaticTransformBroadcaster static_tf_;
 
   std::mutex mutex_;
+  DisplayOptions options_;
+  std::shared_ptr<const AspectMap> map_;  // that the picture is of
   std::shared_ptr<const Picture> picture_;
   bool mapped_ = false;                  // whether the picture is of a map
   bool fresh_ = true;                    // the picture has never been published

@@ -26,9 +26,9 @@ struct StartOptions {
 
 struct DisplayOptions {
   bool gallery = true;         ///< whether every working mode is drawn beside the robot
-  double gallery_scale = 0.5;  ///< size of the gallery against the robot, above 0, at most 10
+  double gallery_scale = 0.5;  ///< size of the gallery against the robot, 0.01 to 10
   double radius = 1.0;  ///< of the sphere that a robot of SO3 takes, as its model has no size [m]; positive
-  double rate = 20.0;   ///< how often the drawn position is renewed [Hz], above 0, at most 100
+  double rate = 20.0;   ///< how often the drawn position is renewed [Hz], 0.1 to 100
 };
 
 /// Thresholds on the proved distances [m]; 0 for none.

@@ -9,6 +9,7 @@
 #include "parallel_aspects/ros/log_queue.h"
 #include "parallel_aspects/ros/map_worker.h"
 #include "parallel_aspects/ros/queries.h"
+#include "parallel_aspects/ros/reconfiguration.h"
 #include "parallel_aspects/ros/robot_monitor.h"
 
 #include <parallel_aspects/ComputeMapAction.h>
@@ -77,6 +78,7 @@ class RobotServer {
   LogQueue log_;                    // what the threads of joint_states have to say
   Decimation thinned_, completed_;  // of joint_states_: state, and what is drawn from it
   std::unique_ptr<ComputeMapServer> compute_map_;
+  std::unique_ptr<Reconfiguration> reconfiguration_;
   std::vector<ros::ServiceServer> services_;
   ros::Subscriber subscriber_;
   ros::Timer age_timer_, display_timer_;
