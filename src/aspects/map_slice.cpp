@@ -203,7 +203,11 @@ std::string to_string(const MapSlice& slice) {
     std::snprintf(value, sizeof value, "%.6g", each.value);
     text += (text.empty() ? "" : ", ") + each.name + " = " + value + (is_angle(each.name) ? " rad" : " m");
   }
-  return text;
+  if (slice.turning != MapSlice::Turning::about_axis || slice.angle_name != "phi") return text;
+  char axis[120];
+  std::snprintf(axis, sizeof axis, "phi turns about (%.6g, %.6g, %.6g)", slice.axis.x(), slice.axis.y(),
+                slice.axis.z());
+  return text + (text.empty() ? "" : ", ") + axis;
 }
 
 }  // namespace parallel_aspects

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/tools/arguments.h"
 
+#include "parallel_aspects/aspects/turning_slice.h"
 #include "parallel_aspects/tools/computation.h"
 #include "parallel_aspects/tools/numbers.h"
 #include "parallel_aspects/tools/subcommands.h"
@@ -67,6 +68,7 @@ MapSlice parse_slice(const std::string& option, TaskSpace space, const std::stri
   std::replace(words.begin(), words.end(), ',', ' ');
   std::istringstream stream(words);
   std::vector<HeldCoordinate> held;
+  std::string axis;
   const std::size_t known = problems.size();
   for (std::string word; stream >> word;) {
     const std::size_t equals = word.find('=');
@@ -76,10 +78,15 @@ MapSlice parse_slice(const std::string& option, TaskSpace space, const std::stri
                          "'; give what is held with its value, such as \"z=0.5\".");
       continue;
     }
+    if (name == "turn" && axis.empty()) {
+      axis = word.substr(equals + 1);
+      continue;
+    }
     const auto value = parse_numbers(option, word.substr(equals + 1), {name}, problems);
     held.push_back({name, value.empty() ? 0.0 : value.front()});
   }
-  return problems.size() > known ? MapSlice{} : make_slice(space, held, problems);
+  if (problems.size() > known) return {};
+  return axis.empty() ? make_slice(space, held, problems) : make_turning_slice(space, held, axis, problems);
 }
 
 std::optional<WorkingMode> parse_mode(const std::string& option, const Manipulator& manipulator,

@@ -44,7 +44,11 @@ json json_slice(const AspectMap& map) {
   json held = json::object();
   for (const HeldCoordinate& each : map.slice()->held_coordinates) held[each.name] = json_number(each.value);
   const bool freely = map.slice()->turning == MapSlice::Turning::freely;
+  json axis = nullptr;
+  if (map.slice()->turning == MapSlice::Turning::about_axis)
+    axis = {map.slice()->axis.x(), map.slice()->axis.y(), map.slice()->axis.z()};
   return {{"held", held},
+          {"axis", axis},
           {"free", freely ? std::vector<std::string>{"roll", "pitch", "yaw"} : map.coordinates()}};
 }
 

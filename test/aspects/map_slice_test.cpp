@@ -6,6 +6,7 @@
 #include "parallel_aspects/aspects/interval.h"
 #include "parallel_aspects/aspects/map_contents.h"
 #include "parallel_aspects/aspects/slice_space.h"
+#include "parallel_aspects/aspects/turning_slice.h"
 
 #include <gtest/gtest.h>
 
@@ -15,6 +16,7 @@
 #include "support/slices.h"
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <random>
 #include <set>
@@ -252,6 +254,70 @@ TEST(MapSlice, TurnsAboutEveryAxis) {
     if (!sign || location.status == LocationStatus::undecided) continue;
     ASSERT_EQ(location.status == LocationStatus::inside, *sign != 0) << to_string(TaskSpace::SE3, at);
   }
+}
+
+Eigen::Quaterniond orientation_of(double roll, double pitch, double yaw) {
+  return Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()) *
+         Eigen::AngleAxisd(pitch, Eigen::Vector3d::UnitY()) *
+         Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitX());
+}
+
+TEST(MapSlice, TurnsAboutAxesOfTheBaseAndOfThePlatform) {
+  const Robot robot = test::shipped("stewart")->manipulator();
+  Problems problems;
+  const Held held{{"x", 0.0}, {"y", 0.0}, {"z", 1.3}, {"roll", 0.3}, {"pitch", 0.2}, {"yaw", 0.1}};
+  const MapSlice base = make_turning_slice(TaskSpace::SE3, held, "y", problems);
+  const MapSlice own = make_turning_slice(TaskSpace::SE3, held, "own-z", problems);
+  ASSERT_TRUE(problems.empty());
+  EXPECT_EQ(find_slice_problem(*robot, own), "");
+  const Eigen::Quaterniond start = orientation_of(0.3, 0.2, 0.1);
+  const MapPosition quarter{0, {0.5, 0.0, 0.0}};
+  const Pose about_base = make_slice_space(base, Box{}, 1.0)->pose(quarter);
+  const Pose about_own = make_slice_space(own, Box{}, 1.0)->pose(quarter);
+  const Eigen::Quaterniond y(Eigen::AngleAxisd(0.5 * EIGEN_PI, Eigen::Vector3d::UnitY()));
+  const Eigen::Quaterniond z(Eigen::AngleAxisd(0.5 * EIGEN_PI, Eigen::Vector3d::UnitZ()));
+  EXPECT_LT(about_base.orientation.angularDistance(y * start), 1e-7);
+  EXPECT_LT(about_own.orientation.angularDistance(start * z), 1e-7);
+  EXPECT_EQ(coordinate_names(own), std::vector<std::string>{"phi"});
+  EXPECT_EQ(measure_unit(own), "rad");
+}
+
+// A free roll, pitch or yaw turns about the axis that it should.
+TEST(MapSlice, FreeAnglesAreThoseOfTheOrientation) {
+  const std::map<std::string, std::function<Eigen::Quaterniond(double)>> expected{
+      {"roll", [](double t) { return orientation_of(t, 0.2, 0.1); }},
+      {"pitch", [](double t) { return orientation_of(0.3, t, 0.1); }},
+      {"yaw", [](double t) { return orientation_of(0.3, 0.2, t); }}};
+  for (const auto& [free, orientation] : expected) {
+    Held held;
+    for (const HeldCoordinate& each :
+         Held{{"x", 0.0}, {"y", 0.0}, {"z", 1.0}, {"roll", 0.3}, {"pitch", 0.2}, {"yaw", 0.1}})
+      if (each.name != free) held.push_back(each);
+    Problems problems;
+    const auto space = make_slice_space(make_slice(TaskSpace::SE3, held, problems), Box{}, 1.0);
+    for (const double half_turns : {-0.7, -0.2, 0.0, 0.1, 0.9})
+      EXPECT_LT(space->pose({0, {half_turns, 0.0, 0.0}})
+                    .orientation.angularDistance(orientation(half_turns * EIGEN_PI)),
+                1e-7)
+          << free << " " << half_turns;
+  }
+}
+
+std::string turning_problem(TaskSpace space, const Held& held, const std::string& axis) {
+  Problems problems;
+  make_turning_slice(space, held, axis, problems);
+  return problems.size() == 1 ? problems.front() : std::to_string(problems.size()) + " problems";
+}
+
+TEST(MapSlice, EveryMistakeAboutAxesIsOneSentence) {
+  EXPECT_EQ(
+      turning_problem(TaskSpace::SE3, upright({{"x", 0.0}}), "w"),
+      "The slice turns about 'w'; give x, y or z of the base, or own-x, own-y or own-z of the platform.");
+  EXPECT_EQ(turning_problem(TaskSpace::SE3, {{"x", 0.0}, {"y", 0.0}, {"roll", 0.0}}, "x"),
+            "The slice turns from an orientation that it does not tell; hold 'pitch' once.");
+  EXPECT_EQ(turning_problem(TaskSpace::SE2, {{"x", 0.0}}, "z"),
+            "A slice of SE2 turns about no other axis; leave 'turn' out.");
+  EXPECT_NE(turning_problem(TaskSpace::SE3, upright(), "x"), "0 problems");
 }
 
 std::string problem_of(TaskSpace space, const Held& held) {
