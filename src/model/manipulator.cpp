@@ -24,7 +24,8 @@ class LegCheck {
           "'" +
           leg.driven_joint + "'.");
     if (!(leg.limits.velocity > 0.0))
-      say("has a velocity limit that is not positive; give one, or none, to joint '" + leg.driven_joint + "'.");
+      say("has a velocity limit that is not positive; give one, or none, to joint '" + leg.driven_joint +
+          "'.");
   }
 
  private:
