@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/aspects/boundary_curves.h"
 
+#include "parallel_aspects/aspects/constraint_clearance.h"
 #include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/kinematics/jacobians.h"
 
@@ -13,14 +14,25 @@ namespace {
 
 using Eigen::Vector2d;
 
-// det A, then each B_jj^2, then the distance of each limited drive from its limits. Zero sets bound the mode.
-constexpr int most_functions = 1 + 3 + 6;
+// det A, then each B_jj^2, then the distance of each limited drive from its limits, then how far each other
+// constraint is from being broken. Zero sets bound the mode.
+constexpr int most_functions = 1 + 3 + 6 + 4;
 using Values = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, most_functions, 1>;
 
 struct Function {
   BoundaryKind kind;
   std::size_t leg;
 };
+
+struct DrawnConstraint {
+  ConstraintKind constraint;
+  BoundaryKind kind;
+};
+constexpr DrawnConstraint drawn_constraints[] = {
+    {ConstraintKind::passive_limits, BoundaryKind::passive_limit},
+    {ConstraintKind::self_collision, BoundaryKind::self_collision},
+    {ConstraintKind::obstacles, BoundaryKind::obstacle},
+    {ConstraintKind::workspace, BoundaryKind::workspace}};
 
 struct Vertex {
   Vector2d point;
@@ -64,6 +76,11 @@ class Tracer {
     for (std::size_t j = 0; j < robot_.leg_count(); ++j)
       for (const double limit : {robot_.leg(j).limits.lower, robot_.leg(j).limits.upper})
         if (std::isfinite(limit)) functions_.push_back({BoundaryKind::limit, j});
+    for (const DrawnConstraint& drawn : drawn_constraints) {
+      if (!robot_.constraint_kinds()[index_of(drawn.constraint)]) continue;
+      functions_.push_back({drawn.kind, 0});
+      constraints_.push_back(drawn.constraint);
+    }
   }
 
   BoundaryPicture trace_grid(const Eigen::AlignedBox2d& bounds, int cells) {
@@ -137,6 +154,9 @@ class Tracer {
     }
     result[0] = direct_determinant(robot_, pose, q);
     add_limits(q, result);
+    for (std::size_t k = 0; k < constraints_.size(); ++k)
+      result[result.size() - static_cast<Eigen::Index>(constraints_.size() - k)] =
+          std::min(robot_.size(), constraint_clearance(robot_, constraints_[k], pose, q));
     return result;
   }
 
@@ -200,6 +220,7 @@ class Tracer {
   const PoseSlice slice_;
   const Cells merging_;
   std::vector<Function> functions_;
+  std::vector<ConstraintKind> constraints_;  // of the last functions
   BoundaryPicture picture_;
 };
 

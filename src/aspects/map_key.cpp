@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/aspects/map_key.h"
 
+#include "parallel_aspects/aspects/constraint_key.h"
+
 #include <array>
 #include <cctype>
 #include <cstddef>
@@ -76,6 +78,7 @@ std::string map_key(const Manipulator& manipulator, const Box& region, double re
   std::string key = "robot '" + printable(manipulator.name()) + "'\n";
   key += "task space " + std::string(name(manipulator.task_space())) + "\n";
   for (std::size_t j = 0; j < manipulator.leg_count(); ++j) key += LegLines(manipulator.leg(j), j).text();
+  key += constraint_key(manipulator.constraints());
   for (std::size_t i = 0; i < region.dimension; ++i)
     key += "region along coordinate " + std::to_string(i + 1) + " from " + number(region.lower[i]) + " to " +
            number(region.upper[i]) + "\n";

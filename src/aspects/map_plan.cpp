@@ -18,8 +18,39 @@ Box at_level(Box box, std::uint32_t level) {
   return box;
 }
 
+Box unbounded(std::size_t dimension) {
+  Box box{dimension, {}, {}};
+  box.lower.fill(-HUGE_VAL);
+  box.upper.fill(HUGE_VAL);
+  return box;
+}
+
 double longest_edge(const MapPlan& plan, std::uint32_t level) {
   return plan.space->longest_edge(at_level(plan.space->region(), level));
+}
+
+/// The positions within reach, and those of a workspace that the operational point must stay in.
+std::optional<Box> allowed_positions(const Manipulator& manipulator, const MapPlan& plan) {
+  std::optional<Box> positions = plan.classifier->reachable_positions();
+  const auto& workspace = manipulator.constraints().workspace;
+  if (!workspace || plan.slice) return positions;
+  if (!positions) positions = unbounded(directions(manipulator.task_space()));
+  for (std::size_t i = 0; i < positions->dimension; ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    positions->lower[i] = std::max(positions->lower[i], workspace->lower[row]);
+    positions->upper[i] = std::min(positions->upper[i], workspace->upper[row]);
+  }
+  return positions;
+}
+
+/// Slices take every leg in space, where it is not seen that links of a planar robot cross.
+std::string find_constraint_problem(const Manipulator& manipulator, const MapOptions& options) {
+  ConstraintKinds kinds = manipulator.constraint_kinds();
+  kinds[index_of(ConstraintKind::driven_limits)] = false;
+  if (!options.slice || !is_planar(manipulator.task_space()) || kinds.none()) return "";
+  return "Maps of slices of planar robots know no constraints but driven_limits; leave the others out, or "
+         "map "
+         "all poses.";
 }
 
 /// The positions that the map covers; the sentence says why there are none, and is empty otherwise.
@@ -28,10 +59,11 @@ std::string find_positions(const Manipulator& manipulator, const MapOptions& opt
   if (plan.slice && options.region && options.region->dimension != plan.slice->free_positions())
     return "The region of the slice has " + std::to_string(options.region->dimension) +
            " coordinates; give one for each free position.";
-  const std::optional<Box> region = options.region ? options.region : plan.classifier->reachable_positions();
+  const std::optional<Box> region = options.region ? options.region : allowed_positions(manipulator, plan);
   if (!region)
     return "The legs of '" + manipulator.name() +
-           "' have no limits that bound the workspace; limit the drives in the URDF or give a region.";
+           "' have no limits that bound the workspace; limit the drives in the URDF, or give a region or "
+           "a workspace.";
   const std::optional<Box> exact = exact_region(*region);
   if (!exact)
     return "The region of the map is empty, not finite, or too far from the origin for its size; give "
@@ -85,6 +117,7 @@ double default_resolution_of_slice(const Manipulator& manipulator, const MapSlic
 
 std::string make_map_plan(const Manipulator& manipulator, const MapOptions& options, MapPlan& plan) {
   std::string problem = find_modes(manipulator, options, plan);
+  if (problem.empty()) problem = find_constraint_problem(manipulator, options);
   if (problem.empty()) problem = make_classifier(manipulator, options, plan);
   if (!problem.empty()) return problem;
   const double resolution = options.resolution.value_or(default_resolution(manipulator, options.slice));

@@ -29,9 +29,9 @@ struct Candidate {
   }
 };
 
-class Growth {
+class SideGrowth {
  public:
-  Growth(RoadmapSide& side, const RoadmapGround& ground, const MapControl& control)
+  SideGrowth(RoadmapSide& side, const RoadmapGround& ground, const MapControl& control)
       : side_(side), ground_(ground), control_(control), sets_(side.poses.size()) {
     side_.links.assign(side_.poses.size(), {});
   }
@@ -171,7 +171,7 @@ AnchorPoint anchor_point(const Manipulator& manipulator, const Pose& pose) {
 }
 
 void grow(RoadmapSide& side, const RoadmapGround& ground, const MapControl& control) {
-  Growth(side, ground, control).run();
+  SideGrowth(side, ground, control).run();
 }
 
 }  // namespace parallel_aspects

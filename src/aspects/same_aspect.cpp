@@ -14,6 +14,8 @@ const char* reason(Hindrance hindrance) {
       return "a leg cannot reach it";
     case Hindrance::joint_limit:
       return "a drive would be outside its limits";
+    case Hindrance::constraint:
+      return "another constraint does not hold there";
     case Hindrance::singularity:
     case Hindrance::none:
       break;

@@ -2,6 +2,7 @@
 #include "parallel_aspects/aspects/segment_certifier.h"
 
 #include "parallel_aspects/aspects/limit_verdict.h"
+#include "parallel_aspects/aspects/robot_points.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,6 +35,12 @@ bool is_usable(const Manipulator& manipulator) {
   return manipulator.size() < longest_length &&
          std::all_of(manipulator.legs().begin(), manipulator.legs().end(),
                      [](const Leg& leg) { return is_usable(leg.anchor) && is_usable(leg.base_point()); });
+}
+
+template <std::size_t D>
+ConstraintTests<D> made_under_upward_rounding(const Manipulator& manipulator) {
+  const RoundingUpward rounding;
+  return ConstraintTests<D>(manipulator);
 }
 
 // What is proved to be at or before a configuration, on the way from one whose det A has this sign.
@@ -137,7 +144,34 @@ class SegmentCertifier::Evaluation {
     if (!segment_.place(PathForm::parameter(begin, middle, end), placement)) return false;
     for (std::size_t j = 0; j < certifier_.legs_.size(); ++j)
       if (!leg_is_free(j, placement)) return false;
-    return true;
+    return certifier_.is_planar_ ? is_allowed(certifier_.planar_constraints_, placement)
+                                 : is_allowed(certifier_.spatial_constraints_, placement);
+  }
+
+  /// By the constraints besides limits of drives. The legs must be free.
+  template <std::size_t D>
+  bool is_allowed(const ConstraintTests<D>& tests, const PoseSegment::Placement& placement) {
+    if (tests.none()) return true;
+    RobotPoints<PathForm, D> robot;
+    robot.leg_count = certifier_.legs_.size();
+    for (std::size_t j = 0; j < robot.leg_count; ++j) {
+      const auto points = certifier_.legs_[j].link_points(displacements_[j], entries_[j], mode_.sign(j));
+      if (!points) return false;
+      robot.legs[j] = {reduced<D>(points->base), reduced<D>(points->joint), reduced<D>(points->anchor)};
+    }
+    robot.position = reduced<D>(placement.position);
+    robot.heading = {placement.rotation[0][0], placement.rotation[1][0]};
+    if (verdict(tests, robot) == Verdict::holds) return true;
+    if (verdict(tests, at_center(robot)) == Verdict::fails) hindrance_ = Hindrance::constraint;
+    return false;
+  }
+
+  // In the plane, what is out of it is left out.
+  template <std::size_t D>
+  static Point<PathForm, D> reduced(const Spatial<PathForm>& point) {
+    Point<PathForm, D> result;
+    std::copy_n(point.begin(), D, result.begin());
+    return result;
   }
 
   int proved_sign_at_middle() const {
@@ -158,6 +192,8 @@ class SegmentCertifier::Evaluation {
     if (form.squared_entry.center.upper() <= 0.0) hindrance_ = Hindrance::out_of_reach;
     if (!form.squared_entry.range.positive()) return false;
     const PathForm entry = square_root(form.squared_entry);
+    displacements_[j] = d;
+    entries_[j] = entry;
     if (!is_within_limits(j, d, entry)) return false;
     Spatial<PathForm> u;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -182,12 +218,18 @@ class SegmentCertifier::Evaluation {
   const PoseSegment& segment_;
   const WorkingMode& mode_;
   SquareArray<PathForm> rows_;
-  Hindrance hindrance_ = Hindrance::none;  // proved of a leg at the middle of the part
+  std::array<Spatial<PathForm>, max_legs> displacements_;  // of the anchors from the base points
+  std::array<PathForm, max_legs> entries_;                 // |B_jj|
+  Hindrance hindrance_ = Hindrance::none;                  // proved of a leg at the middle of the part
   double ratio_ = 0.0;  // upper bound of the spectral radius that must be below 1; infinite where unknown
 };
 
 SegmentCertifier::SegmentCertifier(std::shared_ptr<const Manipulator> manipulator)
-    : manipulator_(std::move(manipulator)), usable_(is_usable(*manipulator_)) {
+    : manipulator_(std::move(manipulator)),
+      usable_(is_usable(*manipulator_)),
+      is_planar_(is_planar(manipulator_->task_space())),
+      planar_constraints_(made_under_upward_rounding<2>(*manipulator_)),
+      spatial_constraints_(made_under_upward_rounding<3>(*manipulator_)) {
   const RoundingUpward rounding;
   for (const Leg& leg : manipulator_->legs()) {
     legs_.emplace_back(leg);

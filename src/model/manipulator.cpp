@@ -112,6 +112,9 @@ Problems find_problems(const ManipulatorDescription& description) {
   for (const Leg& leg : description.legs) LegCheck(leg, problems);
   if (!description.task_frame.matrix().allFinite())
     problems.emplace_back("The task frame is not finite; give finite numbers.");
+  const Problems of_constraints =
+      find_problems(description.constraints, description.task_space, description.legs);
+  problems.insert(problems.end(), of_constraints.begin(), of_constraints.end());
   return problems;
 }
 
@@ -139,6 +142,37 @@ Manipulator::Manipulator(ManipulatorDescription description) : description_(std:
   const double distance = mean_anchor_distance(description_.legs);
   characteristic_length_ = has_rotation(description_.task_space) && distance > 0.0 ? distance : 1.0;
   size_ = robot_size(description_.legs);
+}
+
+ConstraintKinds Manipulator::constraint_kinds() const noexcept {
+  const Constraints& constraints = description_.constraints;
+  ConstraintKinds kinds;
+  kinds[index_of(ConstraintKind::driven_limits)] =
+      std::any_of(legs().begin(), legs().end(), [](const Leg& leg) { return leg.limits.limited(); });
+  kinds[index_of(ConstraintKind::passive_limits)] = !constraints.passive_limits.empty();
+  kinds[index_of(ConstraintKind::self_collision)] = constraints.self_collision.has_value();
+  kinds[index_of(ConstraintKind::obstacles)] = !constraints.obstacles.empty();
+  kinds[index_of(ConstraintKind::workspace)] = constraints.workspace.has_value();
+  return kinds;
+}
+
+std::shared_ptr<const Manipulator> Manipulator::with_constraints(ConstraintKinds kinds) const {
+  const auto asked = [&kinds](ConstraintKind kind) { return kinds[index_of(kind)]; };
+  ManipulatorDescription description = description_;
+  Constraints& constraints = description.constraints;
+  if (!asked(ConstraintKind::driven_limits))
+    for (Leg& leg : description.legs) leg.limits = {};
+  if (!asked(ConstraintKind::passive_limits)) {
+    constraints.passive_limits.clear();
+    constraints.untold_joints.clear();
+  }
+  if (!asked(ConstraintKind::self_collision))
+    constraints.self_collision.reset();
+  else if (!constraints.self_collision)
+    constraints.self_collision.emplace();
+  if (!asked(ConstraintKind::obstacles)) constraints.obstacles.clear();
+  if (!asked(ConstraintKind::workspace)) constraints.workspace.reset();
+  return std::make_shared<const Manipulator>(std::move(description));
 }
 
 bool Manipulator::within_limits(const JointVector& q) const noexcept {

@@ -142,8 +142,11 @@ int decimation_from(ParameterReader reader) {
   return decimation;
 }
 
-std::shared_ptr<const Mechanism> mechanism_from(const ros::NodeHandle& nh, const XmlRpcValue& description,
-                                                const std::string& description_name, Problems& problems) {
+// What is under `prefix` for the loader: `mechanism`, and `constraints` where there are some.
+std::shared_ptr<const Mechanism> mechanism_from(const ros::NodeHandle& nh, const XmlRpcValue& parameters,
+                                                const std::string& prefix, Problems& problems) {
+  const std::string description_name = prefix + "mechanism";
+  const XmlRpcValue description = parameters.hasMember("mechanism") ? parameters["mechanism"] : XmlRpcValue();
   std::string urdf, urdf_name = nh.resolveName("robot_description");
   nh.searchParam("robot_description", urdf_name);
   if (!ros::param::get(urdf_name, urdf))
@@ -154,6 +157,7 @@ std::shared_ptr<const Mechanism> mechanism_from(const ros::NodeHandle& nh, const
   if (urdf.empty() || !description.valid()) return nullptr;
   XmlRpcValue document;
   document["mechanism"] = description;
+  if (parameters.hasMember("constraints")) document["constraints"] = parameters["constraints"];
   try {
     return load_mechanism(urdf, urdf_name, yaml_text(document), description_name);
   } catch (const InvalidDescription& invalid) {
@@ -185,7 +189,7 @@ NodeOptions options_from(const XmlRpcValue& parameters, const std::string& prefi
   reader.read("joint_states_timeout", options.joint_states_timeout);
   reader.read("tf_timeout", options.tf_timeout);
   reader.read("frame_prefix", options.frame_prefix);
-  for (const char* read_elsewhere : {"mechanism", "diagnostic_period"}) reader.raw(read_elsewhere);
+  for (const char* read_elsewhere : {"mechanism", "constraints", "diagnostic_period"}) reader.raw(read_elsewhere);
   reader.report_unknown_keys();
   return options;
 }
@@ -197,8 +201,7 @@ NodeSetup load_setup(const ros::NodeHandle& nh, const ros::NodeHandle& private_n
   Problems problems;
   NodeSetup setup;
   setup.options = options_from(parameters, prefix, problems);
-  const XmlRpcValue description = parameters.hasMember("mechanism") ? parameters["mechanism"] : XmlRpcValue();
-  setup.mechanism = mechanism_from(nh, description, prefix + "mechanism", problems);
+  setup.mechanism = mechanism_from(nh, parameters, prefix, problems);
   if (setup.mechanism) {
     const Manipulator& manipulator = *setup.mechanism->manipulator();
     const Problems found = problems_of(setup.options, manipulator, prefix);

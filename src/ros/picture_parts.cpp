@@ -14,7 +14,9 @@ namespace {
 using Eigen::Vector2d;
 using Points = MarkerBatch::Points;
 
-constexpr std::array<BoundaryKind, 3> kinds{BoundaryKind::limit, BoundaryKind::serial,
+constexpr std::array<BoundaryKind, 7> kinds{BoundaryKind::limit,          BoundaryKind::passive_limit,
+                                            BoundaryKind::self_collision, BoundaryKind::obstacle,
+                                            BoundaryKind::workspace,      BoundaryKind::serial,
                                             BoundaryKind::parallel};
 
 Points ends_of(const std::vector<BoundarySegment>& segments, const Placing& place,
@@ -37,6 +39,14 @@ std_msgs::ColorRGBA color_of(BoundaryKind kind) {
       return color(0xB00020);
     case BoundaryKind::serial:
       return color(0x00305A);
+    case BoundaryKind::passive_limit:
+      return color(0xA0826D);
+    case BoundaryKind::self_collision:
+      return color(0x8A2BE2);
+    case BoundaryKind::obstacle:
+      return color(0xE07B00);
+    case BoundaryKind::workspace:
+      return color(0x2E8B57);
     case BoundaryKind::limit:
       break;
   }
@@ -96,7 +106,11 @@ std::vector<std::pair<BoundaryKind, const char*>> boundary_legend(
   std::vector<std::pair<BoundaryKind, const char*>> entries{
       {BoundaryKind::serial, "serial singularity, Bjj = 0"},
       {BoundaryKind::parallel, "parallel singularity, det A = 0"},
-      {BoundaryKind::limit, "joint limit"}};
+      {BoundaryKind::limit, "joint limit"},
+      {BoundaryKind::passive_limit, "limit of a passive joint"},
+      {BoundaryKind::self_collision, "links touch"},
+      {BoundaryKind::obstacle, "obstacle"},
+      {BoundaryKind::workspace, "workspace"}};
   const auto is_absent = [&](const auto& entry) {
     return std::none_of(segments.begin(), segments.end(),
                         [&](const BoundarySegment& segment) { return segment.kind == entry.first; });

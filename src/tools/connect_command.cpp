@@ -19,6 +19,7 @@ struct ConnectArguments {
   RobotChoice robot;
   std::string from, to, mode, resolution;
   RoadmapArguments roadmap;
+  ConstraintArguments constraints;
 };
 
 /// What is asked, with every number understood.
@@ -166,10 +167,11 @@ Subcommand connect_subcommand() {
   options.push_back({"--resolution", "R",
                      "Resolution of the map that is asked last [m or rad]; by default one is made in T2 only",
                      &arguments->resolution});
+  for (const Option& option : constraint_options(arguments->constraints)) options.push_back(option);
   return {"connect", "Tell whether two poses lie in one aspect, with a certified path", options,
           [arguments](const Surroundings& surroundings) {
             const auto mechanism = load_robot(arguments->robot);
-            const auto& manipulator = mechanism->manipulator();
+            const auto manipulator = choose_constraints(mechanism->manipulator(), arguments->constraints);
             const Question question = parse(*arguments, *manipulator);
             Asking asking(manipulator, question, surroundings);
             std::vector<ModeAnswer> answers;

@@ -4,6 +4,7 @@
 #include "parallel_aspects/aspects/whole_file.h"
 #include "parallel_aspects/model/problems.h"
 #include "parallel_aspects/tools/arguments.h"
+#include "parallel_aspects/tools/bounds_report.h"
 #include "parallel_aspects/tools/computation.h"
 #include "parallel_aspects/tools/map_drawing.h"
 #include "parallel_aspects/tools/numbers.h"
@@ -141,6 +142,7 @@ struct MapArguments {
   std::string picture_file;
   bool neighbours = false;
   RoadmapArguments roadmap;
+  ConstraintArguments constraints;
 };
 
 MapOptions parse_options(const MapArguments& arguments, Problems& problems) {
@@ -260,6 +262,9 @@ Report load_or_compute(const std::shared_ptr<const Manipulator>& manipulator, co
 
 Report report_map(const AspectMap& map, bool loaded) {
   Report report{json_map(map), map_text(map)};
+  const Report bounds = report_bounds(map);
+  report.json.update(bounds.json);
+  report.text += bounds.text;
   report.json["loaded"] = loaded;
   return report;
 }
@@ -291,6 +296,7 @@ Subcommand map_subcommand() {
                      &arguments->roadmap.samples});
   options.push_back(
       {"--seed", "N", "With six freedoms: seed of its poses, by default 1", &arguments->roadmap.seed});
+  for (const Option& option : constraint_options(arguments->constraints)) options.push_back(option);
   return {"map",
           "Compute the certified map of aspects, or with six freedoms a certified roadmap",
           options,
@@ -300,10 +306,11 @@ Subcommand map_subcommand() {
             check_folder("--save", arguments->save_file, problems);
             check_folder("--picture", arguments->picture_file, problems);
             const auto mechanism = load_robot(arguments->robot, std::move(problems));
-            if (mechanism->manipulator()->task_space() == TaskSpace::SE3 && arguments->slice.empty())
-              return roadmap_report(mechanism->manipulator(), *arguments, surroundings);
-            add_coverage(*arguments, *mechanism->manipulator(), map_options);
-            return load_or_compute(mechanism->manipulator(), map_options, *arguments, surroundings);
+            const auto manipulator = choose_constraints(mechanism->manipulator(), arguments->constraints);
+            if (manipulator->task_space() == TaskSpace::SE3 && arguments->slice.empty())
+              return roadmap_report(manipulator, *arguments, surroundings);
+            add_coverage(*arguments, *manipulator, map_options);
+            return load_or_compute(manipulator, map_options, *arguments, surroundings);
           },
           {{"--neighbours", "Tell which aspects touch across a singularity, and where that is proved",
             &arguments->neighbours}}};

@@ -83,8 +83,9 @@ std::string determinant_unit(TaskSpace space) {
   return "";
 }
 
-std::string counted(std::size_t number, const std::string& noun) {
-  return std::to_string(number) + ' ' + noun + (number == 1 ? "" : "s");
+std::string counted(std::size_t number, const std::string& noun, const std::string& plural) {
+  const std::string several = plural.empty() ? noun + "s" : plural;
+  return std::to_string(number) + ' ' + (number == 1 ? noun : several);
 }
 
 std::string to_text(const nlohmann::json& json) {

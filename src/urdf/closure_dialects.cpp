@@ -3,6 +3,7 @@
 
 #include "parallel_aspects/urdf/mechanism_config.h"
 #include "parallel_aspects/urdf/xml_values.h"
+#include "parallel_aspects/urdf/yaml_values.h"
 
 #include <algorithm>
 #include <array>

@@ -6,6 +6,7 @@
 #include "parallel_aspects/urdf/leg_recognition.h"
 #include "parallel_aspects/urdf/mechanism_config.h"
 #include "parallel_aspects/urdf/mechanism_contents.h"
+#include "parallel_aspects/urdf/passive_limits.h"
 #include "parallel_aspects/urdf/platform_motion.h"
 #include "parallel_aspects/urdf/resolved_config.h"
 #include "parallel_aspects/urdf/tree_reader.h"
@@ -157,6 +158,9 @@ class Recogniser {
     description.base_frame = tree_->links[resolved_.base];
     description.task_frame = motion.task_frame;
     for (const RecognisedLeg& leg : legs) description.legs.push_back(leg.leg);
+    const FoundPassiveLimits passive = find_passive_limits(system, assembly.values, motion, legs);
+    description.constraints.passive_limits = passive.limits;
+    description.constraints.untold_joints = passive.untold;
     try {
       auto contents = std::unique_ptr<Mechanism::Contents>(new Mechanism::Contents{
           std::make_shared<const Manipulator>(description),
@@ -303,6 +307,28 @@ std::unique_ptr<Mechanism::Contents> recognise(const Recogniser& recogniser,
                                  : recogniser.recognise(closures, problems);
 }
 
+// Limits that the URDF states hold unless the YAML says otherwise; the rest is in the YAML alone.
+void add_constraints(const MechanismConfig& config, const SourceNames& files, Mechanism::Contents& contents,
+                     Problems& problems) {
+  const std::size_t before = problems.size();
+  ManipulatorDescription description = contents.manipulator->description();
+  const Constraints limits = description.constraints;
+  description.constraints = resolve_constraints(config.constraints, description.task_space,
+                                                description.legs.size(), files.config, problems);
+  if (config.constraints.passive_limits) {
+    description.constraints.passive_limits = limits.passive_limits;
+    description.constraints.untold_joints = limits.untold_joints;
+  }
+  if (!config.constraints.driven_limits)
+    for (Leg& leg : description.legs) leg.limits = {};
+  if (problems.size() > before) return;
+  try {
+    contents.manipulator = std::make_shared<const Manipulator>(std::move(description));
+  } catch (const InvalidDescription& invalid) {
+    for (const std::string& problem : invalid.problems()) problems.push_back(files.config + ": " + problem);
+  }
+}
+
 // Both texts have been read once, so that they are known to parse, or the problem is known.
 ResolvedConfig resolved_names(const Tree& tree, const MechanismConfig& config, const std::string& urdf_text,
                               const std::string& config_text, const SourceNames& files, Problems& problems,
@@ -335,6 +361,9 @@ std::shared_ptr<const Mechanism> load_mechanism(const std::string& urdf_text, co
   const Recogniser recogniser(std::make_shared<const Tree>(std::move(*tree)), config, resolved, files);
   auto contents = recognise(recogniser, resolved.closures, files, problems);
   if (!contents) throw InvalidDescription(problems);
+  Problems of_constraints;
+  add_constraints(config, files, *contents, of_constraints);
+  if (!of_constraints.empty()) throw InvalidDescription(of_constraints);
   contents->notes.insert(contents->notes.begin(), notes.begin(), notes.end());
   return std::make_shared<const Mechanism>(std::move(contents));
 }

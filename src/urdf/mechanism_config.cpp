@@ -1,28 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/urdf/mechanism_config.h"
 
+#include "parallel_aspects/urdf/yaml_values.h"
+
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
-#include <numeric>
 
 namespace parallel_aspects {
 namespace {
-
-std::size_t edit_distance(const std::string& one, const std::string& other) {
-  std::vector<std::size_t> row(other.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 1; i <= one.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= other.size(); ++j) {
-      const std::size_t replaced = diagonal + (one[i - 1] == other[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
-    }
-  }
-  return row.back();
-}
 
 const std::vector<std::string>& mechanism_keys() {
   static const std::vector<std::string> keys{
@@ -30,14 +16,36 @@ const std::vector<std::string>& mechanism_keys() {
   return keys;
 }
 
+// What a robot's file may say; all but the first two is for the node.
+const std::vector<std::string>& top_keys() {
+  static const std::vector<std::string> keys{"mechanism",
+                                             "constraints",
+                                             "map",
+                                             "start",
+                                             "tracking",
+                                             "passive",
+                                             "distance",
+                                             "thresholds",
+                                             "state",
+                                             "completed",
+                                             "joint_states_timeout",
+                                             "tf_timeout",
+                                             "frame_prefix",
+                                             "display",
+                                             "diagnostic_period"};
+  return keys;
+}
+
 class Reader {
  public:
-  Reader(const std::string& file, Problems& problems) : file_(file), problems_(problems) {}
+  Reader(const std::string& file, Problems& problems)
+      : file_(file), problems_(problems), yaml_(file, problems) {}
 
   MechanismConfig read(const YAML::Node& root) {
     MechanismConfig config;
     // What is there but unusable is one problem, not two.
     config.lists_actuated_joints = config.lists_closures = true;
+    check_top(root);
     const YAML::Node mechanism = root.IsMap() ? root["mechanism"] : YAML::Node();
     if (!root.IsMap() || !mechanism.IsDefined()) {
       problem(
@@ -51,40 +59,28 @@ class Reader {
           "under it.");
       return config;
     }
-    check_keys(mechanism, mechanism_keys(), "mechanism");
+    yaml_.check_keys(mechanism, mechanism_keys(), "mechanism");
     text(mechanism["name"], "mechanism.name", config.name);
     text(mechanism["base_link"], "mechanism.base_link", config.base_link);
     read_operational_point(mechanism, config);
     read_actuated_joints(mechanism["actuated_joints"], config);
     read_task_space(mechanism["task_space"], config);
     read_closures(mechanism["closures"], config);
+    config.constraints = read_constraints_config(root["constraints"], file_, problems_);
     return config;
   }
 
  private:
-  void problem(const std::string& text) { problems_.push_back(file_ + " " + text); }
+  void problem(const std::string& sentence) const { yaml_.problem(sentence); }
 
-  void check_keys(const YAML::Node& map, const std::vector<std::string>& known, const std::string& where) {
-    std::vector<std::string> seen;
-    for (const auto& entry : map) {
-      const std::string key = entry.first.IsScalar() ? entry.first.Scalar() : "";
-      if (std::find(known.begin(), known.end(), key) == known.end())
-        problem("has an unknown key '" + key + "' under " + where + "; did you mean '" +
-                nearest_name(key, known) + "'?");
-      if (std::find(seen.begin(), seen.end(), key) != seen.end())
-        problem("has the key '" + key + "' twice under " + where + "; keep one of them.");
-      seen.push_back(key);
-    }
+  bool text(const YAML::Node& node, const std::string& where, std::string& value) const {
+    return yaml_.text(node, where, value);
   }
 
-  bool text(const YAML::Node& node, const std::string& where, std::string& value) {
-    if (!node.IsDefined()) return false;
-    if (!node.IsScalar() || node.Scalar().empty()) {
-      problem("has a " + where + " that is not a text; give one name.");
-      return false;
-    }
-    value = node.Scalar();
-    return true;
+  // What a file of the gepetto toolbox has besides is not known here.
+  void check_top(const YAML::Node& root) const {
+    if (root.IsMap() && root["mechanism"].IsDefined() && !root["closed_loop"].IsDefined())
+      yaml_.check_keys(root, top_keys(), "the top of the file");
   }
 
   void read_operational_point(const YAML::Node& mechanism, MechanismConfig& config) {
@@ -149,7 +145,7 @@ class Reader {
       problem("has a " + where + " that is not a map; write {frames: [link, link], type: point}.");
       return;
     }
-    check_keys(node, {"frames", "type"}, where);
+    yaml_.check_keys(node, {"frames", "type"}, where);
     ConfiguredClosure closure;
     const YAML::Node frames = node["frames"];
     if (!frames.IsDefined() || !frames.IsSequence() || frames.size() != 2) {
@@ -180,25 +176,23 @@ class Reader {
 
   const std::string& file_;
   Problems& problems_;
+  YamlValues yaml_;
 };
 
 }  // namespace
 
 MechanismConfig read_mechanism_config(const std::string& text, const std::string& file, Problems& problems) {
   try {
-    return Reader(file, problems).read(YAML::Load(text));
+    const std::vector<YAML::Node> documents = YAML::LoadAll(text);
+    if (documents.size() > 1)
+      problems.push_back(file + " holds " + std::to_string(documents.size()) +
+                         " documents, separated by '---'; keep one.");
+    return Reader(file, problems).read(documents.empty() ? YAML::Node() : documents.front());
   } catch (const YAML::Exception& error) {
     problems.push_back(file + " is not valid YAML at line " + std::to_string(error.mark.line + 1) + ": " +
                        error.msg + "; mend it there.");
     return {};
   }
-}
-
-std::string nearest_name(const std::string& word, const std::vector<std::string>& known) {
-  const auto nearest = std::min_element(known.begin(), known.end(), [&](const auto& a, const auto& b) {
-    return edit_distance(word, a) < edit_distance(word, b);
-  });
-  return nearest == known.end() ? std::string() : *nearest;
 }
 
 }  // namespace parallel_aspects

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/urdf/resolved_config.h"
 
+#include "parallel_aspects/urdf/yaml_values.h"
+
 #include <algorithm>
 
 namespace parallel_aspects {

@@ -274,6 +274,44 @@ TEST_F(Command, MapHasTheDocumentedFields) {
   EXPECT_LE(map.at("resolution").get<double>(), 0.5);
 }
 
+TEST_F(Command, ConstraintsAreChosen) {
+  const json whole = run_json({"map", "five_bar", "--resolution", "0.5"});
+  EXPECT_TRUE(whole["constraints"].empty());
+  const json bounded = run_json({"map", "five_bar", "--resolution", "0.5", "--constraint", "self_collision"});
+  ASSERT_EQ(bounded["constraints"].size(), 1U);
+  EXPECT_EQ(bounded["constraints"][0]["name"], "self_collision");
+  EXPECT_GT(bounded["constraints"][0]["undecided_leaves"], 10);
+  EXPECT_EQ(bounded["proved_count"], 10);
+  EXPECT_EQ(run_json({"map", "bipod"})["constraints"][0]["name"], "driven_limits");
+  EXPECT_TRUE(bounded["empty_working_modes"].empty());
+}
+
+TEST_F(Command, BadConstraintsAreRefused) {
+  const std::vector<std::pair<std::vector<const char*>, std::string>> cases{
+      {{"map", "five_bar", "--constraint", "gravity"},
+       "--constraint names 'gravity'; give some of driven_limits, passive_limits, self_collision, obstacles, "
+       "workspace, all or none.\n"},
+      {{"map", "five_bar", "--no-constraint", "gravity"},
+       "--no-constraint names 'gravity'; give some of driven_limits, passive_limits, self_collision, "
+       "obstacles, "
+       "workspace, all or none.\n"},
+      {{"map", "five_bar", "--constraint", "obstacles"},
+       "--constraint names obstacles, which 'five_bar' has none of; state it in the robot's YAML or URDF, or "
+       "leave it out.\n"},
+      {{"map", "bipod", "--no-constraint", "driven_limits"},
+       "The legs of 'bipod' have no limits that bound the workspace; limit the drives in the URDF, or give a "
+       "region or a workspace.\n"},
+      {{"map", "three_prr", "--constraint", "driven_limits,self_collision", "--slice", "phi=0"},
+       "Maps of slices of planar robots know no constraints but driven_limits; leave the others out, or map "
+       "all "
+       "poses.\n"}};
+  for (const auto& [arguments, sentence] : cases) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.code, exit_code::bad_input);
+    EXPECT_EQ(outcome.messages, sentence);
+  }
+}
+
 TEST_F(Command, SlicesAreMapped) {
   const json plane =
       run_json({"map", "stewart", "--slice", "z=1.3, roll=0 pitch=0 yaw=0", "--resolution", "0.1"});

@@ -15,16 +15,20 @@
 namespace parallel_aspects {
 
 enum class BoundaryKind {
-  parallel,  ///< det A = 0
-  serial,    ///< B_jj = 0
-  limit,     ///< a drive at one of its joint limits
+  parallel,        ///< det A = 0
+  serial,          ///< B_jj = 0
+  limit,           ///< a drive at one of its joint limits
+  passive_limit,   ///< another joint at one of its limits
+  self_collision,  ///< links of two legs touch
+  obstacle,        ///< a link or the platform touches an obstacle
+  workspace,       ///< the operational point on the side of its box
 };
 
 /// A short straight piece of the boundary of the aspects of one working mode, for drawing: approximated
 /// in one cell of a grid, not certified.
 struct BoundarySegment {
   BoundaryKind kind = BoundaryKind::parallel;
-  std::size_t leg = 0;           ///< whose B_jj or limit it is; unused for parallel
+  std::size_t leg = 0;           ///< whose B_jj or limit it is; unused for others
   Eigen::Vector2d from, to;      ///< in the slice [m or rad]
   std::array<int, 2> aspects{};  ///< ids on its left and right side; 0 for none, or too close to tell
 };

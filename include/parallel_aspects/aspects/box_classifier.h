@@ -8,6 +8,7 @@
 #include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/aspects/pose_space.h"
 #include "parallel_aspects/kinematics/working_mode.h"
+#include "parallel_aspects/model/constraints.h"
 #include "parallel_aspects/model/manipulator.h"
 
 #include <array>
@@ -44,14 +45,17 @@ struct Condition {
 };
 
 /// Functions that are positive in S(mode, sign), and zero or less on its boundary: B_jj^2 of each leg, det A
-/// times the sign, and what limits demand.
+/// times the sign, and what limits and other constraints demand.
 struct Conditions {
-  static constexpr std::size_t most = 3 * std::size_t{max_legs} + 1;
+  static constexpr std::size_t most = 48;
 
   std::array<Condition, most> items;
   std::size_t count = 0;
 
-  void add(const Condition& condition) noexcept { items[count++] = condition; }
+  /// What there is no room for is left out.
+  void add(const Condition& condition) noexcept {
+    if (count < most) items[count++] = condition;
+  }
 };
 
 /// A set of legs: bit j stands for leg j.
@@ -62,7 +66,7 @@ struct BoxFacts {
   LegSet legs = 0;         ///< all that there are
   LegSet clear = 0;        ///< those with B_jj^2 positive on the whole box
   LegSet unreachable = 0;  ///< those with B_jj^2 positive nowhere; where there is one nothing below is told
-  bool within_limits = false;  ///< at every pose that all legs reach
+  bool within_limits = false;  ///< at every pose that all legs reach; of drives and by all other constraints
   int determinant_sign = 0;  ///< of det A at every pose that all legs reach, B_jj = 0 too; 0 where not proved
 
   /// Where all legs are clear and the sign is not proved: partial derivatives of a function that is det A
@@ -99,6 +103,11 @@ class BoxClassifier {
 
   /// In double precision, proving nothing; none where a leg does not reach the position.
   virtual Conditions conditions(const MapPosition& position, std::size_t mode, int sign) const noexcept = 0;
+
+  /// Writes kinds[i] for each mode i in `modes`: the constraints, limits of drives among them, that are
+  /// neither proved to hold in all of the box nor to fail in all of it. A live `RoundingUpward` is required.
+  virtual void find_unsure_constraints(RootIndex root, const Box& box, ModeSet modes,
+                                       ConstraintKinds* kinds) const noexcept = 0;
 
   /// A box of positions [m] that holds every reachable pose; nothing where legs without limits leave none.
   virtual std::optional<Box> reachable_positions() const = 0;

@@ -14,17 +14,21 @@ namespace parallel_aspects {
 /// Boxes of one chart (see charts.h). Legs are evaluated once for all working modes.
 template <class Chart>
 class ChartClassifier final : public BoxClassifier {
+  using Evaluation = ChartEvaluation<Chart>;
+  using Signs = typename Evaluation::Signs;
+
  public:
   /// `more`: what the chart is made of besides the manipulator.
   template <class... More>
   ChartClassifier(const Manipulator& manipulator, const std::vector<WorkingMode>& modes, const More&... more)
-      : chart_(made_under_upward_rounding(manipulator, more...)) {
+      : chart_(made_under_upward_rounding<Chart>(manipulator, more...)),
+        tests_(made_under_upward_rounding<typename Evaluation::Tests>(manipulator)) {
     for (const WorkingMode& mode : modes) signs_.push_back(signs_of(mode));
   }
 
   void classify(RootIndex root, const Box& box, ModeSet modes, Detail detail,
                 LeafState* states) const noexcept override {
-    Evaluation evaluation(chart_, root, box);
+    Evaluation evaluation(chart_, tests_, root, box);
     evaluation.evaluate_by_intervals();
     ModeSet open = classify(evaluation, modes, states);
     if (open == 0) return;
@@ -34,7 +38,7 @@ class ChartClassifier final : public BoxClassifier {
   }
 
   Examined examine(RootIndex root, const Box& box, std::size_t mode, int sign) const noexcept override {
-    Evaluation evaluation(chart_, root, box);
+    Evaluation evaluation(chart_, tests_, root, box);
     evaluation.evaluate_by_intervals();
     LeafState state = evaluation.state(signs_[mode]);
     if (!state.is_undecided()) return {state, Growth::unknown(), std::nullopt};
@@ -48,13 +52,13 @@ class ChartClassifier final : public BoxClassifier {
 
   std::optional<MapPoint> find_wedge(RootIndex root, const Box& box, std::size_t mode,
                                      int sign) const noexcept override {
-    Evaluation evaluation(chart_, root, box);
+    Evaluation evaluation(chart_, tests_, root, box);
     if (!evaluation.evaluate_by_both()) return std::nullopt;
     return WedgeProof<Chart>(chart_, root, evaluation, signs_[mode], sign).find();
   }
 
   BoxFacts facts(RootIndex root, const Box& box, std::size_t mode) const noexcept override {
-    Evaluation evaluation(chart_, root, box);
+    Evaluation evaluation(chart_, tests_, root, box);
     evaluation.evaluate_by_intervals();
     evaluation.evaluate_by_affine_forms();
     return evaluation.facts(signs_[mode]);
@@ -62,22 +66,27 @@ class ChartClassifier final : public BoxClassifier {
 
   Conditions conditions(const MapPosition& position, std::size_t mode, int sign) const noexcept override {
     const Box box{Chart::coordinate_count, position.point, position.point};
-    Evaluation evaluation(chart_, position.root, box);
+    Evaluation evaluation(chart_, tests_, position.root, box);
     evaluation.evaluate_by_intervals();
     evaluation.evaluate_by_affine_forms();
     return evaluation.conditions(signs_[mode], sign);
   }
 
+  void find_unsure_constraints(RootIndex root, const Box& box, ModeSet modes,
+                               ConstraintKinds* kinds) const noexcept override {
+    Evaluation evaluation(chart_, tests_, root, box);
+    evaluation.evaluate_by_intervals();
+    evaluation.evaluate_by_affine_forms();
+    for_each(modes, [&](std::size_t mode) { kinds[mode] = evaluation.unsure_constraints(signs_[mode]); });
+  }
+
   std::optional<Box> reachable_positions() const override { return chart_.reachable_positions(); }
 
  private:
-  using Evaluation = ChartEvaluation<Chart>;
-  using Signs = typename Evaluation::Signs;
-
-  template <class... More>
-  static Chart made_under_upward_rounding(const Manipulator& manipulator, const More&... more) {
+  template <class Made, class... More>
+  static Made made_under_upward_rounding(const Manipulator& manipulator, const More&... more) {
     const RoundingUpward rounding;
-    return Chart(manipulator, more...);
+    return Made(manipulator, more...);
   }
 
   static Signs signs_of(const WorkingMode& mode) {
@@ -120,6 +129,7 @@ class ChartClassifier final : public BoxClassifier {
   }
 
   Chart chart_;
+  typename Evaluation::Tests tests_;
   std::vector<Signs> signs_;
 };
 

@@ -5,13 +5,17 @@
 #include "parallel_aspects/aspects/affine.h"
 #include "parallel_aspects/aspects/box.h"
 #include "parallel_aspects/aspects/box_classifier.h"
+#include "parallel_aspects/aspects/constraint_tests.h"
+#include "parallel_aspects/aspects/constraint_verdicts.h"
 #include "parallel_aspects/aspects/dual.h"
+#include "parallel_aspects/aspects/evaluated_legs.h"
 #include "parallel_aspects/aspects/growth.h"
 #include "parallel_aspects/aspects/leaf_state.h"
 #include "parallel_aspects/aspects/leg_rows.h"
 #include "parallel_aspects/aspects/limit_verdict.h"
 #include "parallel_aspects/aspects/pose_space.h"
 #include "parallel_aspects/aspects/preconditioned_sign.h"
+#include "parallel_aspects/aspects/slope_functions.h"
 
 #include <algorithm>
 #include <array>
@@ -29,9 +33,10 @@ class ChartEvaluation {
  public:
   static constexpr std::size_t leg_count = Chart::leg_count, coordinate_count = Chart::coordinate_count;
   using Signs = std::array<int, leg_count>;
+  using Tests = ConstraintTests<Chart::point_dimension>;
 
-  ChartEvaluation(const Chart& chart, RootIndex root, const Box& box)
-      : chart_(chart), root_(root), box_(box) {}
+  ChartEvaluation(const Chart& chart, const Tests& tests, RootIndex root, const Box& box)
+      : chart_(chart), tests_(tests), root_(root), box_(box), constraints_(tests) {}
 
   /// To be looked at only where B_jj^2 of this leg, if it vanishes in the box, is at most `most`.
   void bound_squared_entry(std::size_t j, double most) noexcept {
@@ -40,11 +45,12 @@ class ChartEvaluation {
   }
 
   const Box& box() const noexcept { return box_; }
+  const Tests& tests() const noexcept { return tests_; }
 
   void evaluate_by_intervals() {
     std::array<Interval, coordinate_count> position;
     for (std::size_t i = 0; i < coordinate_count; ++i) position[i] = range(i);
-    find_legs(position, intervals_.legs);
+    intervals_.place(chart_, root_, position);
     for (std::size_t j = 0; j < leg_count; ++j) squared_entries_[j] = intervals_.legs[j].rows.squared_entry;
     find_entries();
     if (reachable_nowhere_) return;
@@ -57,7 +63,8 @@ class ChartEvaluation {
     std::array<Form, coordinate_count> position;
     for (std::size_t i = 0; i < coordinate_count; ++i) position[i] = Form::coordinate(range(i), i);
     forms_.emplace();
-    find_legs(position, forms_->legs);
+    forms_->place(chart_, root_, position);
+    constraints_.expect_tighter();
     for (std::size_t j = 0; j < leg_count; ++j)
       squared_entries_[j] = intersection(squared_entries_[j], forms_->legs[j].rows.squared_entry.range());
     find_entries();
@@ -78,11 +85,11 @@ class ChartEvaluation {
 
   LeafState state(const Signs& signs) {
     if (reachable_nowhere_) return LeafState::outside();
-    const Verdict limits = within_limits(signs);
-    if (limits == Verdict::fails) return LeafState::outside();
+    const Verdict allowed = is_allowed(signs);
+    if (allowed == Verdict::fails) return LeafState::outside();
     const Interval value = determinant(signs);
     const int sign = determinant_sign(value, signs);
-    if (sign != 0 && limits == Verdict::holds && clear_everywhere()) return LeafState::inside(sign);
+    if (sign != 0 && allowed == Verdict::holds && clear_everywhere()) return LeafState::inside(sign);
     if (sign != 0) return LeafState::undecided(sign > 0, sign < 0);
     return LeafState::undecided(value.upper() > 0.0, value.lower() < 0.0);
   }
@@ -96,7 +103,7 @@ class ChartEvaluation {
       if (squared_entries_[j].upper() <= 0.0) facts.unreachable |= BoxFacts::bit(j);
     }
     if (reachable_nowhere_) return facts;
-    facts.within_limits = within_limits(signs) == Verdict::holds;
+    facts.within_limits = is_allowed(signs) == Verdict::holds;
     const Interval value = determinant(signs);
     facts.determinant_sign = determinant_sign(value, signs);
     if (facts.determinant_sign != 0 || !clear_everywhere()) return facts;
@@ -104,6 +111,16 @@ class ChartEvaluation {
     const auto slope = ranges(slopes_->determinants->of(signs).gradient);
     std::copy(slope.begin(), slope.end(), facts.determinant_slope.begin());
     return facts;
+  }
+
+  /// The constraints, limits of drives among them, that are neither proved to hold in all of the box nor to
+  /// fail in all of it.
+  ConstraintKinds unsure_constraints(const Signs& signs) {
+    ConstraintKinds kinds;
+    if (reachable_nowhere_) return kinds;
+    for (const ConstraintKind kind : all_constraint_kinds)
+      kinds[index_of(kind)] = constraint(kind, signs) == Verdict::unsure;
+    return kinds;
   }
 
   /// How S(signs, sign) grows in the box. Needs affine forms.
@@ -138,8 +155,7 @@ class ChartEvaluation {
   /// the highest corner. So the set is connected, and empty only where the highest corner is not reachable.
   /// Needs affine forms.
   std::optional<Growth> shell(const Signs& signs, int sign) {
-    if (reachable_nowhere_ || clear_everywhere() || within_limits(signs) != Verdict::holds)
-      return std::nullopt;
+    if (reachable_nowhere_ || clear_everywhere() || is_allowed(signs) != Verdict::holds) return std::nullopt;
     evaluate_slopes();
     Growth reachable = Growth::of_everything();
     for (std::size_t j = 0; j < leg_count; ++j) {
@@ -177,11 +193,11 @@ class ChartEvaluation {
     return result;
   }
 
-  /// Whether all legs but j are clear, and limits hold on the whole box.
+  /// Whether all legs but j are clear, and all constraints hold on the whole box.
   bool holds_but_for(std::size_t j, const Signs& signs) const {
     for (std::size_t i = 0; i < leg_count; ++i)
       if (i != j && !clear_[i]) return false;
-    return !reachable_nowhere_ && within_limits(signs) == Verdict::holds;
+    return !reachable_nowhere_ && is_allowed(signs) == Verdict::holds;
   }
 
   /// The only leg that is not clear, where all else but the sign of det A is proved.
@@ -198,10 +214,10 @@ class ChartEvaluation {
     return intersection(natural, forms_->determinants->of(signs).range());
   }
 
-  /// The sign of det A at the center, where it is proved and the center is reachable and within limits; else
-  /// 0. Needs affine forms.
+  /// The sign of det A at the center, where it is proved and the center is reachable and allowed by the
+  /// constraints; else 0. Needs affine forms.
   int center_sign(const Signs& signs) {
-    if (reachable_nowhere_ || !center_is_reachable(signs)) return 0;
+    if (reachable_nowhere_ || !center_is_reachable(signs) || !center_is_allowed(signs)) return 0;
     const Interval value = forms_->determinants->of(signs).at_center();
     return value.positive() ? 1 : value.negative() ? -1 : 0;
   }
@@ -216,6 +232,7 @@ class ChartEvaluation {
       add_limits(chart_.limits(j, slopes_->legs[j].displacement, slopes_->entries[j], signs[j]), result);
     }
     result.add(condition(Interval(sign) * slopes_->determinants->of(signs)));
+    add_constraints(signs, result);
     return result;
   }
 
@@ -224,33 +241,8 @@ class ChartEvaluation {
   using Slope = Dual<coordinate_count, Form>;
 
   template <class Scalar>
-  struct EvaluatedLeg {
-    typename Chart::template Displacement<Scalar> displacement;
-    LegRows<Scalar, leg_count> rows;
-  };
-
-  /// Legs and what follows from them, over one kind of numbers.
-  template <class Scalar>
-  struct Evaluated {
-    std::array<EvaluatedLeg<Scalar>, leg_count> legs;
-    std::array<Scalar, leg_count> entries;  // |B_jj|
-    std::array<BranchRows<Scalar, leg_count>, leg_count> rows;
-    std::optional<Determinants<Scalar, leg_count>> determinants;
-
-    void combine() {
-      for (std::size_t j = 0; j < leg_count; ++j) rows[j] = branch_rows(legs[j].rows, entries[j]);
-      determinants.emplace(rows);
-    }
-  };
-
-  template <class Scalar>
-  void find_legs(const std::array<Scalar, coordinate_count>& position,
-                 std::array<EvaluatedLeg<Scalar>, leg_count>& found) const {
-    const auto placement = chart_.place(root_, position);
-    for (std::size_t j = 0; j < leg_count; ++j) {
-      found[j].displacement = chart_.displacement(j, placement);
-      found[j].rows = chart_.rows(j, found[j].displacement, placement);
-    }
+  EvaluatedLinks<Chart, Scalar> links(const EvaluatedLegs<Chart, Scalar>& legs) const {
+    return {chart_, legs};
   }
 
   void find_entries() {
@@ -273,7 +265,7 @@ class ChartEvaluation {
     std::array<Slope, coordinate_count> position;
     for (std::size_t i = 0; i < coordinate_count; ++i)
       position[i] = Slope::coordinate(Form::coordinate(range(i), i), i);
-    find_legs(position, slopes_->legs);
+    slopes_->place(chart_, root_, position);
     for (std::size_t j = 0; j < leg_count; ++j) {
       slopes_->entries[j] = Slope(forms_->entries[j]);
       if (!clear_[j]) continue;
@@ -308,13 +300,22 @@ class ChartEvaluation {
     return all;
   }
 
-  Interval range(std::size_t i) const { return {box_.lower[i], box_.upper[i]}; }
-
-  static std::array<Interval, coordinate_count> ranges(const std::array<Form, coordinate_count>& forms) {
-    std::array<Interval, coordinate_count> result;
-    for (std::size_t i = 0; i < coordinate_count; ++i) result[i] = forms[i].range();
-    return result;
+  Verdict constraint(ConstraintKind kind, const Signs& signs) const {
+    if (kind == ConstraintKind::driven_limits) return within_limits(signs);
+    if (tests_.none()) return Verdict::holds;
+    return forms_ ? constraints_.of(kind, signs, links(*forms_))
+                  : constraints_.of(kind, signs, links(intervals_));
   }
+
+  /// By limits and all other constraints.
+  Verdict is_allowed(const Signs& signs) const {
+    const Verdict limits = within_limits(signs);
+    if (tests_.none() || limits == Verdict::fails) return limits;
+    return both(limits, forms_ ? constraints_.all(signs, links(*forms_))
+                               : constraints_.all(signs, links(intervals_)));
+  }
+
+  Interval range(std::size_t i) const { return {box_.lower[i], box_.upper[i]}; }
 
   /// Calls `take` with how { condition > 0 } grows, for each condition of S(signs, sign) that does not hold
   /// on the whole box.
@@ -326,6 +327,7 @@ class ChartEvaluation {
       if (!clear_[j]) take(grows_with(slopes_->legs[j].rows.squared_entry));
       visit_open_limits(j, signs[j], take);
     }
+    visit_open_constraints(signs, take);
     const Interval value = determinant(signs);
     if (!(sign > 0 ? value.positive() : value.negative())) take(growth_of_determinant(signs, sign));
   }
@@ -351,6 +353,57 @@ class ChartEvaluation {
       all = all.with(grows_with(slopes.values[k]));
     }
     if (limits.any) take(all);
+  }
+
+  template <class Take>
+  void visit_open_constraints(const Signs& signs, const Take& take) const {
+    if (tests_.none()) return;
+    Growth all = Growth::of_everything();
+    require_constraints(signs, all);
+    take(all);
+  }
+
+  /// Constraints besides limits of drives.
+  void require_constraints(const Signs& signs, Growth& growth) const {
+    if (tests_.none()) return;
+    const auto slopes = links(*slopes_);
+    if (constraint(ConstraintKind::obstacles, signs) != Verdict::holds) require_no_contact(signs, growth);
+    if (constraint(ConstraintKind::self_collision, signs) != Verdict::holds)
+      require_no_collision(signs, growth);
+    const auto require = [&growth](const Slope& f) { require_positive(f, growth); };
+    if (constraint(ConstraintKind::workspace, signs) != Verdict::holds)
+      tests_.for_each_workspace_function(slopes.position(), require);
+    for (std::size_t j = 0; j < leg_count; ++j) {
+      if (constraints_.passive_limits(j, signs[j], links(*forms_)) == Verdict::holds) continue;
+      const auto* points = clear_points(j, signs, growth);
+      if (points == nullptr) return;
+      tests_.for_each_passive_limit(j, *points, slopes.heading(), [&](const LimitFunctions<Slope>& limits) {
+        for (std::size_t k = 0; k < limits.count; ++k) require(limits.values[k]);
+      });
+    }
+  }
+
+  /// Where the links of a leg are that reaches all over the box; else null, and growth is unknown.
+  const LinkPoints<Slope, Chart::point_dimension>* clear_points(std::size_t j, const Signs& signs,
+                                                                Growth& growth) const {
+    const auto* points = clear_[j] ? links(*slopes_).points(j, signs[j]) : nullptr;
+    if (points == nullptr) growth = Growth::unknown();
+    return points;
+  }
+
+  void require_no_contact(const Signs& signs, Growth& growth) const {
+    if (tests_.has_platform()) tests_.require_no_contact(links(*slopes_).anchors(), growth);
+    for (std::size_t j = 0; j < leg_count; ++j)
+      if (const auto* points = clear_points(j, signs, growth)) tests_.require_no_contact(j, *points, growth);
+  }
+
+  void require_no_collision(const Signs& signs, Growth& growth) const {
+    for (std::size_t j = 0; j < leg_count; ++j)
+      for (std::size_t k = j + 1; k < leg_count; ++k) {
+        if (!tests_.can_collide(j, k)) continue;
+        const auto *one = clear_points(j, signs, growth), *other = clear_points(k, signs, growth);
+        if (one != nullptr && other != nullptr) tests_.require_no_collision(j, *one, k, *other, growth);
+      }
   }
 
   /// How { sign det A > 0 } grows. With g = B_jj^2 of the one leg that is not clear, d = d/dx at constant
@@ -386,7 +439,7 @@ class ChartEvaluation {
   bool is_whole_on_face(const Growth& growth, const Signs& signs, int sign) const {
     Box face = box_;
     if (!growth.flatten(face)) return false;
-    ChartEvaluation evaluation(chart_, root_, face);
+    ChartEvaluation evaluation(chart_, tests_, root_, face);
     evaluation.evaluate_by_intervals();
     if (!evaluation.is_open(signs, sign)) return true;
     evaluation.evaluate_by_affine_forms();
@@ -415,9 +468,35 @@ class ChartEvaluation {
 
   bool is_unreachable(const MapPoint& point) const {
     const Box box{coordinate_count, point, point};
-    ChartEvaluation evaluation(chart_, root_, box);
+    ChartEvaluation evaluation(chart_, tests_, root_, box);
     evaluation.evaluate_by_intervals();
     return evaluation.reachable_nowhere_;
+  }
+
+  /// By the constraints besides limits of drives.
+  bool center_is_allowed(const Signs& signs) {
+    if (tests_.none() || constraints_.all(signs, links(*forms_)) == Verdict::holds) return true;
+    const Box center{coordinate_count, box_.middle(), box_.middle()};
+    ChartEvaluation evaluation(chart_, tests_, root_, center);
+    evaluation.evaluate_by_intervals();
+    return !evaluation.reachable_nowhere_ && evaluation.is_allowed(signs) == Verdict::holds;
+  }
+
+  void add_constraints(const Signs& signs, Conditions& result) {
+    if (tests_.none()) return;
+    const auto at = links(*slopes_);
+    const auto add = [&result](const Slope& function) { result.add(condition(function)); };
+    tests_.for_each_workspace_function(at.position(), add);
+    if (tests_.has_platform()) tests_.for_each_clearance(at.anchors(), add);
+    for (std::size_t j = 0; j < leg_count; ++j) {
+      const auto* points = at.points(j, signs[j]);
+      if (points == nullptr) continue;
+      tests_.for_each_passive_limit(j, *points, at.heading(),
+                                    [&](const LimitFunctions<Slope>& limits) { add_limits(limits, result); });
+      tests_.for_each_clearance(j, *points, add);
+      for (std::size_t k = j + 1; k < leg_count; ++k)
+        if (const auto* other = at.points(k, signs[k])) tests_.for_each_clearance(j, *points, k, *other, add);
+    }
   }
 
   bool center_is_reachable(const Signs& signs) const {
@@ -433,22 +512,8 @@ class ChartEvaluation {
     return true;
   }
 
-  static Condition condition(const Slope& function) {
-    Condition result{middle(function.value.range()), {}};
-    for (std::size_t i = 0; i < coordinate_count; ++i) result.slope[i] = middle(function.gradient[i].range());
-    return result;
-  }
-
-  static double middle(const Interval& a) { return 0.5 * (a.lower() + a.upper()); }
-
-  static void add_limits(const LimitFunctions<Slope>& limits, Conditions& result) {
-    std::array<Condition, 2> each;
-    for (std::size_t k = 0; k < limits.count; ++k) each[k] = condition(limits.values[k]);
-    if (limits.any && limits.count == 2) return result.add(each[each[0].value < each[1].value ? 1 : 0]);
-    for (std::size_t k = 0; k < limits.count; ++k) result.add(each[k]);
-  }
-
   const Chart& chart_;
+  const Tests& tests_;
   RootIndex root_;
   const Box& box_;
   std::array<Interval, leg_count> squared_entries_, entries_;  // B_jj^2 and |B_jj|, from the best enclosures
@@ -456,9 +521,10 @@ class ChartEvaluation {
   bool reachable_nowhere_ = false;
   std::size_t bounded_leg_ = leg_count;
   double most_squared_entry_ = 0.0;
-  Evaluated<Interval> intervals_;
-  std::optional<Evaluated<Form>> forms_;  // made where they are needed: they are large
-  std::optional<Evaluated<Slope>> slopes_;
+  mutable ConstraintVerdicts<leg_count, Chart::point_dimension> constraints_;
+  EvaluatedLegs<Chart, Interval> intervals_;
+  std::optional<EvaluatedLegs<Chart, Form>> forms_;  // made where they are needed: they are large
+  std::optional<EvaluatedLegs<Chart, Slope>> slopes_;
 };
 
 }  // namespace parallel_aspects

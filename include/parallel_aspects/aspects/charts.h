@@ -21,6 +21,11 @@
 //  - displacement(j, placement): d = p - base point of leg j;
 //  - rows(j, displacement, placement);
 //  - limits(j, displacement, |B_jj|, sign of B_jj): of the drive, see LimitFunctions;
+//  - point_dimension: of its points, 2 or 3;
+//  - link_points(j, displacement, |B_jj|, sign of B_jj): see LinkPoints;
+//  - anchor(j, displacement);
+//  - position(placement): of the operational point;
+//  - heading(placement): the x axis of the platform, where it turns in the plane;
 //  - reachable_positions(): see BoxClassifier.
 // Scalar is Interval, Affine<coordinate_count> or Dual<coordinate_count, Affine<coordinate_count>>. All of it
 // needs a live `RoundingUpward`.
@@ -30,7 +35,7 @@ namespace parallel_aspects {
 /// T1: x. The leg is in the x-y plane.
 class T1Chart {
  public:
-  static constexpr std::size_t leg_count = 1, coordinate_count = 1;
+  static constexpr std::size_t leg_count = 1, coordinate_count = 1, point_dimension = 2;
   template <class Scalar>
   using Placement = Scalar;
   template <class Scalar>
@@ -61,6 +66,27 @@ class T1Chart {
     return leg_.limits(d, entry, sign);
   }
 
+  template <class Scalar>
+  std::optional<LinkPoints<Scalar, point_dimension>> link_points(std::size_t, const Displacement<Scalar>& d,
+                                                                 const Scalar& entry, int sign) const {
+    return leg_.link_points(d, entry, sign);
+  }
+
+  template <class Scalar>
+  Point<Scalar, point_dimension> anchor(std::size_t, const Displacement<Scalar>& d) const {
+    return {d.x + Scalar(leg_.base().x), d.y + Scalar(leg_.base().y)};
+  }
+
+  template <class Scalar>
+  Point<Scalar, point_dimension> position(const Placement<Scalar>& position) const {
+    return {position, Scalar(0.0)};
+  }
+
+  template <class Scalar>
+  Point<Scalar, 2> heading(const Placement<Scalar>&) const {
+    return {Scalar(1.0), Scalar(0.0)};
+  }
+
   std::optional<Box> reachable_positions() const;
 
  private:
@@ -72,7 +98,7 @@ class T1Chart {
 /// T2: x, y.
 class T2Chart {
  public:
-  static constexpr std::size_t leg_count = 2, coordinate_count = 2;
+  static constexpr std::size_t leg_count = 2, coordinate_count = 2, point_dimension = 2;
   template <class Scalar>
   using Placement = Planar<Scalar>;
   template <class Scalar>
@@ -103,6 +129,27 @@ class T2Chart {
     return legs_[j].limits(d, entry, sign);
   }
 
+  template <class Scalar>
+  std::optional<LinkPoints<Scalar, point_dimension>> link_points(std::size_t j, const Displacement<Scalar>& d,
+                                                                 const Scalar& entry, int sign) const {
+    return legs_[j].link_points(d, entry, sign);
+  }
+
+  template <class Scalar>
+  Point<Scalar, point_dimension> anchor(std::size_t j, const Displacement<Scalar>& d) const {
+    return {d.x + Scalar(legs_[j].base().x), d.y + Scalar(legs_[j].base().y)};
+  }
+
+  template <class Scalar>
+  Point<Scalar, point_dimension> position(const Placement<Scalar>& position) const {
+    return {position.x, position.y};
+  }
+
+  template <class Scalar>
+  Point<Scalar, 2> heading(const Placement<Scalar>&) const {
+    return {Scalar(1.0), Scalar(0.0)};
+  }
+
   std::optional<Box> reachable_positions() const;
 
  private:
@@ -113,7 +160,7 @@ class T2Chart {
 /// SE2: x, y and phi / pi.
 class SE2Chart {
  public:
-  static constexpr std::size_t leg_count = 3, coordinate_count = 3;
+  static constexpr std::size_t leg_count = 3, coordinate_count = 3, point_dimension = 2;
   template <class Scalar>
   struct Placement {
     Planar<Scalar> position;
@@ -156,6 +203,27 @@ class SE2Chart {
     return legs_[j].limits(d, entry, sign);
   }
 
+  template <class Scalar>
+  std::optional<LinkPoints<Scalar, point_dimension>> link_points(std::size_t j, const Displacement<Scalar>& d,
+                                                                 const Scalar& entry, int sign) const {
+    return legs_[j].link_points(d, entry, sign);
+  }
+
+  template <class Scalar>
+  Point<Scalar, point_dimension> anchor(std::size_t j, const Displacement<Scalar>& d) const {
+    return {d.x + Scalar(legs_[j].base().x), d.y + Scalar(legs_[j].base().y)};
+  }
+
+  template <class Scalar>
+  Point<Scalar, point_dimension> position(const Placement<Scalar>& at) const {
+    return {at.position.x, at.position.y};
+  }
+
+  template <class Scalar>
+  Point<Scalar, 2> heading(const Placement<Scalar>& at) const {
+    return {at.turn.cosine, at.turn.sine};
+  }
+
   std::optional<Box> reachable_positions() const;
 
  private:
@@ -166,7 +234,7 @@ class SE2Chart {
 /// T3: x, y, z.
 class T3Chart {
  public:
-  static constexpr std::size_t leg_count = 3, coordinate_count = 3;
+  static constexpr std::size_t leg_count = 3, coordinate_count = 3, point_dimension = 3;
   template <class Scalar>
   using Placement = Spatial<Scalar>;
   template <class Scalar>
@@ -199,6 +267,28 @@ class T3Chart {
     return legs_[j].limits(d, entry, sign);
   }
 
+  template <class Scalar>
+  std::optional<LinkPoints<Scalar, point_dimension>> link_points(std::size_t j, const Displacement<Scalar>& d,
+                                                                 const Scalar& entry, int sign) const {
+    return legs_[j].link_points(d, entry, sign);
+  }
+
+  template <class Scalar>
+  Point<Scalar, point_dimension> anchor(std::size_t j, const Displacement<Scalar>& d) const {
+    const Spatial<Interval>& base = legs_[j].base();
+    return {d[0] + Scalar(base[0]), d[1] + Scalar(base[1]), d[2] + Scalar(base[2])};
+  }
+
+  template <class Scalar>
+  Point<Scalar, point_dimension> position(const Placement<Scalar>& position) const {
+    return position;
+  }
+
+  template <class Scalar>
+  Point<Scalar, 2> heading(const Placement<Scalar>&) const {
+    return {Scalar(1.0), Scalar(0.0)};
+  }
+
   std::optional<Box> reachable_positions() const;
 
  private:
@@ -209,7 +299,7 @@ class T3Chart {
 /// SO3: three components of the quaternion over its largest.
 class SO3Chart {
  public:
-  static constexpr std::size_t leg_count = 3, coordinate_count = 3;
+  static constexpr std::size_t leg_count = 3, coordinate_count = 3, point_dimension = 3;
   template <class Scalar>
   using Placement = RotationRows<Scalar>;
   template <class Scalar>
@@ -246,6 +336,29 @@ class SO3Chart {
   LimitFunctions<Scalar> limits(std::size_t j, const Displacement<Scalar>& d, const Scalar& entry,
                                 int sign) const {
     return legs_[j].limits(d.from_base, entry, sign);
+  }
+
+  template <class Scalar>
+  std::optional<LinkPoints<Scalar, point_dimension>> link_points(std::size_t j, const Displacement<Scalar>& d,
+                                                                 const Scalar& entry, int sign) const {
+    return legs_[j].link_points(d.from_base, entry, sign);
+  }
+
+  template <class Scalar>
+  Point<Scalar, point_dimension> anchor(std::size_t j, const Displacement<Scalar>& d) const {
+    const Spatial<Interval>& base = legs_[j].base();
+    return {d.from_base[0] + Scalar(base[0]), d.from_base[1] + Scalar(base[1]),
+            d.from_base[2] + Scalar(base[2])};
+  }
+
+  template <class Scalar>
+  Point<Scalar, point_dimension> position(const Placement<Scalar>&) const {
+    return {Scalar(0.0), Scalar(0.0), Scalar(0.0)};
+  }
+
+  template <class Scalar>
+  Point<Scalar, 2> heading(const Placement<Scalar>&) const {
+    return {Scalar(1.0), Scalar(0.0)};
   }
 
   /// Rotations need no bounds.

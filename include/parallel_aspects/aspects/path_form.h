@@ -55,6 +55,12 @@ struct PathForm {
     return tightened(reciprocal(a.center), range, -(square(range) * a.slope));
   }
 
+  /// The same where a is known to be at least `least` > 0.
+  friend PathForm reciprocal(const PathForm& a, double least) {
+    const Interval range = reciprocal(a.range, least);
+    return tightened(reciprocal(a.center, least), range, -(square(range) * a.slope));
+  }
+
   /// The range must be positive.
   friend PathForm square_root(const PathForm& a) {
     const Interval range = square_root(a.range);

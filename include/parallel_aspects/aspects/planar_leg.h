@@ -5,7 +5,11 @@
 #include "parallel_aspects/aspects/dual.h"
 #include "parallel_aspects/aspects/interval.h"
 #include "parallel_aspects/aspects/limit_verdict.h"
+#include "parallel_aspects/aspects/link_points.h"
+#include "parallel_aspects/aspects/scalar_range.h"
 #include "parallel_aspects/model/leg.h"
+
+#include <optional>
 
 namespace parallel_aspects {
 
@@ -46,6 +50,12 @@ class PlanarLeg {
   /// Limits of the drive value of branch `sign`, where |B_jj| is `entry`.
   template <class Scalar>
   LimitFunctions<Scalar> limits(const Planar<Scalar>& d, const Scalar& entry, int sign) const;
+
+  /// Where the links of branch `sign` end, where |B_jj| is `entry`. Nothing where the box is too large to
+  /// tell.
+  template <class Scalar>
+  std::optional<LinkPoints<Scalar, 2>> link_points(const Planar<Scalar>& d, const Scalar& entry,
+                                                   int sign) const;
 
  private:
   enum class Kind { revolute, prismatic, strut, elbow };
@@ -115,6 +125,27 @@ LimitFunctions<Scalar> PlanarLeg::limits(const Planar<Scalar>& d, const Scalar& 
   const Scalar along = Interval(0.5) * squared_distance - Scalar(half_difference_);
   return angle_limits_.functions<Scalar>(along * mirrored.x + signed_entry * mirrored.y,
                                          along * mirrored.y - signed_entry * mirrored.x);
+}
+
+template <class Scalar>
+std::optional<LinkPoints<Scalar, 2>> PlanarLeg::link_points(const Planar<Scalar>& d, const Scalar& entry,
+                                                            int sign) const {
+  const Scalar x(base_.x), y(base_.y);
+  LinkPoints<Scalar, 2> points{{x, y}, {x, y}, {x + d.x, y + d.y}};
+  const Scalar signed_entry = sign > 0 ? entry : -entry;
+  if (kind_ == Kind::prismatic) {
+    const Scalar slide = direction_.x * d.x + direction_.y * d.y - signed_entry;
+    points.joint = {x + direction_.x * slide, y + direction_.y * slide};
+  }
+  if (kind_ != Kind::revolute) return points;
+  const Scalar squared_distance = square(d.x) + square(d.y);
+  const double least = std::max(range_of(squared_distance).lower(), squared_shortest_.lower());
+  if (!(least > 0.0)) return std::nullopt;
+  const Scalar scale = reciprocal(squared_distance, least);
+  const Scalar along = Interval(0.5) * squared_distance - Scalar(half_difference_);
+  const Scalar across = Interval(sense_) * signed_entry;
+  points.joint = {x + scale * (along * d.x + across * d.y), y + scale * (along * d.y - across * d.x)};
+  return points;
 }
 
 }  // namespace parallel_aspects

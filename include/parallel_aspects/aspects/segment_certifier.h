@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_SEGMENT_CERTIFIER_H
 #define PARALLEL_ASPECTS_ASPECTS_SEGMENT_CERTIFIER_H
 
+#include "parallel_aspects/aspects/constraint_tests.h"
 #include "parallel_aspects/aspects/nonsingular.h"
 #include "parallel_aspects/aspects/pose_segment.h"
 #include "parallel_aspects/aspects/spatial_leg.h"
@@ -21,6 +22,7 @@ enum class Hindrance {
   singularity,   ///< det A is zero, or has the other sign
   out_of_reach,  ///< a leg cannot reach, or just reaches: B_jj = 0
   joint_limit,   ///< a drive is outside its limits
+  constraint,    ///< another constraint of the manipulator does not hold
 };
 
 /// What is proved of one configuration.
@@ -31,7 +33,7 @@ struct ConfigurationProof {
 };
 
 enum class SegmentVerdict {
-  free,       ///< proved: every leg reaches within its limits, B_jj != 0 and det A != 0 all along
+  free,       ///< proved: every leg reaches, all constraints hold, B_jj != 0 and det A != 0 all along
   blocked,    ///< proved not to be free
   undecided,  ///< neither, with the parts allowed
 };
@@ -77,6 +79,9 @@ class SegmentCertifier {
   bool usable_;  // no length beyond what the arithmetic can take
   std::vector<SpatialLeg> legs_;
   std::vector<Spatial<Interval>> anchors_;
+  bool is_planar_;
+  ConstraintTests<2> planar_constraints_;
+  ConstraintTests<3> spatial_constraints_;  // of one of them the robot has no use
 };
 
 }  // namespace parallel_aspects

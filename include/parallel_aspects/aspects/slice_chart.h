@@ -45,7 +45,7 @@ Row<Scalar, N> row_of(TaskSpace space, const Spatial<Scalar>& b, const Spatial<S
 template <std::size_t Legs, std::size_t Coordinates>
 class SliceLegs {
  public:
-  static constexpr std::size_t leg_count = Legs, coordinate_count = Coordinates;
+  static constexpr std::size_t leg_count = Legs, coordinate_count = Coordinates, point_dimension = 3;
   template <class Scalar>
   using Displacement = SliceDisplacement<Scalar>;
 
@@ -60,6 +60,19 @@ class SliceLegs {
   LimitFunctions<Scalar> limits(std::size_t j, const Displacement<Scalar>& d, const Scalar& entry,
                                 int sign) const {
     return legs_[j].limits(d.from_base, entry, sign);
+  }
+
+  template <class Scalar>
+  std::optional<LinkPoints<Scalar, 3>> link_points(std::size_t j, const Displacement<Scalar>& d,
+                                                   const Scalar& entry, int sign) const {
+    return legs_[j].link_points(d.from_base, entry, sign);
+  }
+
+  template <class Scalar>
+  Point<Scalar, 3> anchor(std::size_t j, const Displacement<Scalar>& d) const {
+    const Spatial<Interval>& base = legs_[j].base();
+    return {d.from_base[0] + Scalar(base[0]), d.from_base[1] + Scalar(base[1]),
+            d.from_base[2] + Scalar(base[2])};
   }
 
  protected:
@@ -125,6 +138,17 @@ class SliceChart : public SliceLegs<Legs, Coordinates> {
     return d;
   }
 
+  template <class Scalar>
+  Point<Scalar, 3> position(const Placement<Scalar>& at) const {
+    return at.position;
+  }
+
+  /// No platform is told to turn in the plane.
+  template <class Scalar>
+  Point<Scalar, 2> heading(const Placement<Scalar>&) const {
+    return {Scalar(1.0), Scalar(0.0)};
+  }
+
   std::optional<Box> reachable_positions() const {
     const RoundingUpward rounding;
     ReachableBox box(slice_.free_positions());
@@ -172,6 +196,7 @@ class OrientationChart : public SliceLegs<6, 3> {
   using Placement = RotationRows<Scalar>;
 
   OrientationChart(const Manipulator& manipulator, const MapSlice& slice) : SliceLegs<6, 3>(manipulator) {
+    for (std::size_t i = 0; i < 3; ++i) held_[i] = slice.held.position[static_cast<Eigen::Index>(i)];
     for (std::size_t j = 0; j < leg_count; ++j) {
       const Eigen::Vector3d &point = manipulator.leg(j).anchor, &position = slice.held.position;
       anchors_[j] = {point.x(), point.y(), point.z()};
@@ -195,10 +220,22 @@ class OrientationChart : public SliceLegs<6, 3> {
     return d;
   }
 
+  template <class Scalar>
+  Point<Scalar, 3> position(const Placement<Scalar>&) const {
+    return {Scalar(held_[0]), Scalar(held_[1]), Scalar(held_[2])};
+  }
+
+  /// No platform is told to turn in the plane.
+  template <class Scalar>
+  Point<Scalar, 2> heading(const Placement<Scalar>&) const {
+    return {Scalar(1.0), Scalar(0.0)};
+  }
+
   /// Rotations need no bounds.
   std::optional<Box> reachable_positions() const { return Box{}; }
 
  private:
+  Spatial<Interval> held_;  // position
   std::array<Spatial<Interval>, leg_count> anchors_;
   std::array<Spatial<Interval>, leg_count> offsets_;  // position - base point
 };

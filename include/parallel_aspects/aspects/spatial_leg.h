@@ -5,10 +5,13 @@
 #include "parallel_aspects/aspects/dual.h"
 #include "parallel_aspects/aspects/interval.h"
 #include "parallel_aspects/aspects/limit_verdict.h"
+#include "parallel_aspects/aspects/link_points.h"
+#include "parallel_aspects/aspects/scalar_range.h"
 #include "parallel_aspects/model/leg.h"
 
 #include <array>
 #include <cstddef>
+#include <optional>
 
 namespace parallel_aspects {
 
@@ -52,6 +55,12 @@ class SpatialLeg {
   /// Limits of the drive value of branch `sign`, where |B_jj| is `entry`.
   template <class Scalar>
   LimitFunctions<Scalar> limits(const Spatial<Scalar>& d, const Scalar& entry, int sign) const;
+
+  /// Where the links of branch `sign` end, where |B_jj| is `entry`. Nothing where the box is too large to
+  /// tell.
+  template <class Scalar>
+  std::optional<LinkPoints<Scalar, 3>> link_points(const Spatial<Scalar>& d, const Scalar& entry,
+                                                   int sign) const;
 
  private:
   enum class Kind { revolute, prismatic, strut, elbow };
@@ -118,6 +127,32 @@ LimitFunctions<Scalar> SpatialLeg::limits(const Spatial<Scalar>& d, const Scalar
   const Scalar d1 = dot(zero_direction_, d), d2 = dot(side_direction_, d);
   const Scalar a = Interval(0.5) * w - Scalar(half_difference_);
   return angle_limits_.functions<Scalar>(a * d1 + signed_entry * d2, a * d2 - signed_entry * d1);
+}
+
+template <class Scalar>
+std::optional<LinkPoints<Scalar, 3>> SpatialLeg::link_points(const Spatial<Scalar>& d, const Scalar& entry,
+                                                             int sign) const {
+  LinkPoints<Scalar, 3> points;
+  for (std::size_t i = 0; i < 3; ++i) {
+    points.base[i] = points.joint[i] = Scalar(base_[i]);
+    points.anchor[i] = points.base[i] + d[i];
+  }
+  const Scalar signed_entry = sign > 0 ? entry : -entry;
+  if (kind_ == Kind::prismatic) {
+    const Scalar slide = dot(axis_, d) - signed_entry;
+    for (std::size_t i = 0; i < 3; ++i) points.joint[i] = points.base[i] + axis_[i] * slide;
+  }
+  if (kind_ != Kind::revolute) return points;
+  const Scalar d1 = dot(zero_direction_, d), d2 = dot(side_direction_, d);
+  const Scalar in_plane = square(d1) + square(d2);
+  const double least = range_of(in_plane).lower();
+  if (!(least > 0.0)) return std::nullopt;
+  const Scalar scale = reciprocal(in_plane, least);
+  const Scalar a = Interval(0.5) * (square(d[0]) + square(d[1]) + square(d[2])) - Scalar(half_difference_);
+  const Scalar first = scale * (a * d1 + signed_entry * d2), second = scale * (a * d2 - signed_entry * d1);
+  for (std::size_t i = 0; i < 3; ++i)
+    points.joint[i] = points.base[i] + zero_direction_[i] * first + side_direction_[i] * second;
+  return points;
 }
 
 }  // namespace parallel_aspects

@@ -148,13 +148,13 @@ class WedgeProof {
 
   Interval squared_entry_at(const MapPoint& pose) const {
     const Box point{size, pose, pose};
-    Evaluation evaluation(chart_, root_, point);
+    Evaluation evaluation(chart_, here_.tests(), root_, point);
     evaluation.evaluate_by_intervals();
     return evaluation.squared_entry(leg_);
   }
 
   bool end_is_free(const Box& end) const {
-    Evaluation evaluation(chart_, root_, end);
+    Evaluation evaluation(chart_, here_.tests(), root_, end);
     evaluation.bound_squared_entry(leg_, highest());
     if (!evaluation.evaluate_by_both()) return false;
     return evaluation.holds_but_for(leg_, signs_) &&
@@ -168,13 +168,13 @@ class WedgeProof {
   }
 
   Interval squared_entry(const Box& box) const {
-    Evaluation evaluation(chart_, root_, box);
+    Evaluation evaluation(chart_, here_.tests(), root_, box);
     evaluation.evaluate_by_both();
     return evaluation.squared_entry(leg_);
   }
 
   bool rises(const Box& wide, std::size_t x, bool upward) const {
-    Evaluation evaluation(chart_, root_, wide);
+    Evaluation evaluation(chart_, here_.tests(), root_, wide);
     evaluation.bound_squared_entry(leg_, highest());
     if (!evaluation.evaluate_by_both() || !evaluation.holds_but_for(leg_, signs_)) return false;
     const Interval steepness = evaluation.entry_slopes(leg_)[y_], slope = level_slopes(evaluation)[x];

@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_MODEL_MANIPULATOR_H
 #define PARALLEL_ASPECTS_MODEL_MANIPULATOR_H
 
+#include "parallel_aspects/model/constraints.h"
 #include "parallel_aspects/model/leg.h"
 #include "parallel_aspects/model/task_space.h"
 #include "parallel_aspects/model/vectors.h"
@@ -9,6 +10,7 @@
 #include <Eigen/Geometry>
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -21,6 +23,7 @@ struct ManipulatorDescription {
   std::vector<Leg> legs;                                         ///< as many as the task space has freedoms
   std::string base_frame = "base_link";                          ///< link that `task_frame` is given in
   Eigen::Isometry3d task_frame = Eigen::Isometry3d::Identity();  ///< task frame in the base frame [m]
+  Constraints constraints{};                                     ///< none by default
 };
 
 /// A fully parallel manipulator (Definition 1 of the paper) with one distance equation a leg. Immutable.
@@ -28,9 +31,10 @@ class Manipulator {
  public:
   /// Throws `InvalidDescription` with every problem: wrong number of legs; lengths that are not finite and
   /// positive; directions that are not unit or not orthogonal; empty or repeated names; limits that are NaN
-  /// or crossed.
+  /// or crossed; constraints that do not fit the legs.
   explicit Manipulator(ManipulatorDescription description);
 
+  const ManipulatorDescription& description() const noexcept { return description_; }
   const std::string& name() const noexcept { return description_.name; }
   TaskSpace task_space() const noexcept { return description_.task_space; }
   const std::vector<Leg>& legs() const noexcept { return description_.legs; }
@@ -38,6 +42,15 @@ class Manipulator {
   std::size_t leg_count() const noexcept { return description_.legs.size(); }
   const std::string& base_frame() const noexcept { return description_.base_frame; }
   const Eigen::Isometry3d& task_frame() const noexcept { return description_.task_frame; }
+  const Constraints& constraints() const noexcept { return description_.constraints; }
+
+  /// The kinds of constraints that there are, limits of drives among them.
+  ConstraintKinds constraint_kinds() const noexcept;
+
+  /// The same manipulator with no constraints but those of these kinds that it has. Links of a planar robot
+  /// that has no `self_collision` become segments without thickness there.
+  /// Throws `InvalidDescription` where a kind is asked for that does not fit the legs.
+  std::shared_ptr<const Manipulator> with_constraints(ConstraintKinds kinds) const;
 
   /// Root mean square distance of the anchors from the operational point [m]; the length that makes rotations
   /// and displacements comparable. 1 when the platform does not turn or all anchors are at the operational

@@ -8,6 +8,7 @@
 #include "parallel_aspects/model/pose.h"
 #include "parallel_aspects/model/problems.h"
 #include "parallel_aspects/tools/command.h"
+#include "parallel_aspects/tools/subcommands.h"
 
 #include <memory>
 #include <optional>
@@ -31,6 +32,19 @@ std::vector<WorkingMode> parse_modes(const std::string& option, const Manipulato
 /// The slice that `text` describes, such as "z=1.3 roll=0": what is held, separated by blanks or commas (see
 /// `make_slice`).
 MapSlice parse_slice(const std::string& option, TaskSpace space, const std::string& text, Problems& problems);
+
+/// Which constraints bound the aspects, as text from the command line; empty where not given.
+struct ConstraintArguments {
+  std::string only, without;
+};
+
+/// `--constraint LIST` and `--no-constraint LIST`, which fill `arguments`.
+std::vector<Option> constraint_options(ConstraintArguments& arguments);
+
+/// The manipulator with the constraints that are chosen; by default those that its description states.
+/// Throws `InvalidDescription` with every problem.
+std::shared_ptr<const Manipulator> choose_constraints(std::shared_ptr<const Manipulator> manipulator,
+                                                      const ConstraintArguments& arguments);
 
 /// What is sampled for a roadmap, as text from the command line; empty where not given.
 struct RoadmapArguments {

@@ -53,8 +53,8 @@ std::string drive_unit(const Leg& leg);
 /// Unit of det A: "m^2", "m^4" and so on, as in `direct_determinant`.
 std::string determinant_unit(TaskSpace space);
 
-/// "1 aspect", "2 aspects".
-std::string counted(std::size_t number, const std::string& noun);
+/// "1 aspect", "2 aspects"; or with `plural` where that has another form.
+std::string counted(std::size_t number, const std::string& noun, const std::string& plural = "");
 
 /// JSON as text: indented, valid UTF-8 whatever is in the names, with a line end.
 std::string to_text(const nlohmann::json& json);

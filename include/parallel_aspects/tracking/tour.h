@@ -20,7 +20,8 @@ struct Tour {
 };
 
 /// Plans a tour from a pose in a working mode through every aspect that it finds a way to. Empty where the
-/// map cannot locate the start. Takes up to some seconds.
+/// map cannot locate the start, and where there are constraints besides limits of drives: straight motions of
+/// drives are not proved to keep those. Takes up to some seconds.
 Tour plan_tour(const AspectMap& map, const Pose& start, const WorkingMode& mode);
 
 }  // namespace parallel_aspects

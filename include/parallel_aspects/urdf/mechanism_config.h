@@ -5,6 +5,7 @@
 #include "parallel_aspects/model/problems.h"
 #include "parallel_aspects/model/task_space.h"
 #include "parallel_aspects/urdf/closure.h"
+#include "parallel_aspects/urdf/constraints_config.h"
 
 #include <array>
 #include <optional>
@@ -19,7 +20,7 @@ struct ConfiguredClosure {
   ClosureType type = ClosureType::automatic;
 };
 
-/// The `mechanism:` part of a robot's YAML file; names are not yet looked up.
+/// The `mechanism:` and `constraints:` parts of a robot's YAML file; names are not yet looked up.
 struct MechanismConfig {
   std::string name;               ///< empty: that of the URDF
   std::string base_link;          ///< empty: the root link
@@ -29,14 +30,12 @@ struct MechanismConfig {
   std::optional<TaskSpace> task_space;
   std::vector<ConfiguredClosure> closures;
   bool lists_closures = false;  ///< otherwise the URDF or the rest of the file may say them
+  ConstraintsConfig constraints;
 };
 
-/// Reads it from the text of the whole file; other top-level keys belong to others. What is wrong is added to
+/// Reads it from the text of the whole file; other top-level keys are for the node. What is wrong is added to
 /// `problems`, each a sentence that names `file` and the key.
 MechanismConfig read_mechanism_config(const std::string& text, const std::string& file, Problems& problems);
-
-/// The entry of `known` that looks most like `word`; empty when there is none.
-std::string nearest_name(const std::string& word, const std::vector<std::string>& known);
 
 }  // namespace parallel_aspects
 

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_MODEL_CONSTRAINTS_H
+#define PARALLEL_ASPECTS_MODEL_CONSTRAINTS_H
+
+#include "parallel_aspects/model/leg.h"
+#include "parallel_aspects/model/problems.h"
+#include "parallel_aspects/model/task_space.h"
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <array>
+#include <bitset>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// What can bound an aspect besides singularities.
+enum class ConstraintKind {
+  driven_limits,   ///< limits of the drives
+  passive_limits,  ///< limits of joints that are not driven
+  self_collision,  ///< links of two legs that touch
+  obstacles,       ///< links or the platform that touch something in the surroundings
+  workspace,       ///< a box that the operational point must stay in
+};
+
+inline constexpr std::array<ConstraintKind, 5> all_constraint_kinds{
+    ConstraintKind::driven_limits, ConstraintKind::passive_limits, ConstraintKind::self_collision,
+    ConstraintKind::obstacles, ConstraintKind::workspace};
+
+/// Bit k stands for the k-th of `all_constraint_kinds`.
+using ConstraintKinds = std::bitset<all_constraint_kinds.size()>;
+
+inline std::size_t index_of(ConstraintKind kind) noexcept { return static_cast<std::size_t>(kind); }
+
+/// "driven_limits", "passive_limits", "self_collision", "obstacles" or "workspace".
+std::string_view name(ConstraintKind kind) noexcept;
+
+/// The kind of that name; nothing for any other text.
+std::optional<ConstraintKind> constraint_named(std::string_view text) noexcept;
+
+/// What is measured by a passive joint of a planar leg.
+enum class PassiveAngle {
+  base_to_rod,      ///< from the x axis to the rod
+  crank_to_rod,     ///< from the crank to the rod
+  rod_to_platform,  ///< from the rod to the x axis of the platform
+};
+
+/// The limits of a passive joint. The angle, counter-clockwise in the plane and up to full turns, is
+/// `offset` + `sense` q for the joint value q.
+struct PassiveLimit {
+  std::string joint;
+  std::size_t leg = 0;
+  PassiveAngle angle = PassiveAngle::base_to_rod;
+  double offset = 0.0;  ///< [rad]
+  double sense = 1.0;   ///< +1 or -1
+  JointLimits limits;   ///< [rad]
+};
+
+/// Widths of the links, which are segments with round ends [m]: a link touches what is closer to its middle
+/// line than half of that.
+struct LinkThickness {
+  double crank = 0.0;
+  double rod = 0.0;
+  std::optional<double> platform;  ///< of the segments between the anchors; without, they touch nothing
+};
+
+enum class LinkKind { crank, rod };
+
+/// "crank_1", "rod_1" and so on: legs are counted from 1.
+struct LinkName {
+  LinkKind kind = LinkKind::crank;
+  std::size_t leg = 0;  ///< index
+
+  friend bool operator==(const LinkName& a, const LinkName& b) noexcept {
+    return a.kind == b.kind && a.leg == b.leg;
+  }
+};
+
+std::string to_string(const LinkName& link);
+
+/// Cranks and rods of different legs must not touch each other. Links that are joined to each other are not
+/// tested: the crank and the rod of one leg, rods with one anchor, cranks with one centre.
+struct SelfCollision {
+  std::vector<std::array<LinkName, 2>> ignored;  ///< pairs that pass each other, as in different planes
+};
+
+/// A ball, or in the plane a disc.
+struct BallObstacle {
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();  ///< in the task frame [m]
+  double radius = 0.0;                               ///< [m]
+};
+
+/// A box, or in the plane a rectangle.
+struct BoxObstacle {
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();                 ///< in the task frame [m]
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< about z in the plane
+  Eigen::Vector3d half_size = Eigen::Vector3d::Zero();              ///< along its own axes [m]
+};
+
+struct Obstacle {
+  std::string name;
+  std::variant<BallObstacle, BoxObstacle> shape;
+};
+
+/// The operational point must stay in it, in the task frame [m]; as many numbers count as the platform can
+/// move in directions.
+struct WorkspaceBox {
+  Eigen::Vector3d lower = Eigen::Vector3d::Zero();
+  Eigen::Vector3d upper = Eigen::Vector3d::Zero();
+};
+
+/// What bounds the motions of a manipulator besides singularities and the limits of its drives, which its
+/// legs hold. What is not there is not asked.
+struct Constraints {
+  LinkThickness thickness;
+  std::vector<PassiveLimit> passive_limits;
+  std::optional<SelfCollision> self_collision;
+  std::vector<Obstacle> obstacles;
+  std::optional<WorkspaceBox> workspace;
+
+  /// Limited joints that none of `passive_limits` stands for, since distances do not tell where they are.
+  std::vector<std::string> untold_joints;
+};
+
+/// In how many directions the platform can move away: 0 to 3.
+std::size_t directions(TaskSpace space) noexcept;
+
+/// Whether legs and platform stay in the x-y plane (T1, T2, SE2).
+bool is_planar(TaskSpace space) noexcept;
+
+/// What is wrong with the constraints for these legs, a sentence each.
+Problems find_problems(const Constraints& constraints, TaskSpace space, const std::vector<Leg>& legs);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_MODEL_CONSTRAINTS_H

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/model/constraints.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace parallel_aspects {
+namespace {
+
+bool is_width(double value) { return std::isfinite(value) && value >= 0.0; }
+
+class Check {
+ public:
+  Check(const Constraints& constraints, TaskSpace space, const std::vector<Leg>& legs)
+      : constraints_(constraints), space_(space), legs_(legs) {}
+
+  Problems run() {
+    check_thickness();
+    if (constraints_.self_collision) check_self_collision(*constraints_.self_collision);
+    for (const Obstacle& obstacle : constraints_.obstacles)
+      std::visit([&](const auto& shape) { check(obstacle.name, shape); }, obstacle.shape);
+    if (!constraints_.obstacles.empty()) check_links("obstacles");
+    if (constraints_.workspace) check_workspace(*constraints_.workspace);
+    for (const PassiveLimit& limit : constraints_.passive_limits) check_passive(limit);
+    return std::move(problems_);
+  }
+
+ private:
+  void problem(const std::string& sentence) { problems_.push_back(sentence); }
+
+  void check_thickness() {
+    const LinkThickness& thickness = constraints_.thickness;
+    if (!is_width(thickness.crank) || !is_width(thickness.rod) || !is_width(thickness.platform.value_or(0.0)))
+      problem("The thickness of a link is negative or not finite; give zero or a positive width in m.");
+  }
+
+  /// Of all that asks where links are.
+  void check_links(const std::string& what) {
+    if (space_ == TaskSpace::SO3)
+      problem("The links of a robot in SO3 are not straight, so that " + what +
+              " cannot be told from distances; leave that out.");
+    for (const Leg& leg : legs_)
+      if (std::holds_alternative<ElbowDrive>(leg.drive))
+        problem("Leg '" + leg.name + "' is driven at its elbow, so that " + what +
+                " cannot be told from the distance of its ends; leave that out.");
+  }
+
+  void check_self_collision(const SelfCollision& collision) {
+    check_links("self_collision");
+    const LinkThickness& thickness = constraints_.thickness;
+    const bool cranks = std::any_of(legs_.begin(), legs_.end(), [](const Leg& leg) {
+      return std::holds_alternative<RevoluteDrive>(leg.drive);
+    });
+    if (!is_planar(space_) && !(thickness.rod > 0.0 && (thickness.crank > 0.0 || !cranks)))
+      problem(
+          "In space, links without thickness all but never touch; give self_collision a thickness of crank "
+          "and rod.");
+    for (const auto& pair : collision.ignored)
+      for (const LinkName& link : pair)
+        if (link.leg >= legs_.size())
+          problem("There is no link '" + to_string(link) +
+                  "' to leave out of self_collision; the robot has " + std::to_string(legs_.size()) +
+                  " legs.");
+  }
+
+  void check(const std::string& name, const BallObstacle& ball) {
+    if (!ball.center.allFinite() || !std::isfinite(ball.radius) || !(ball.radius > 0.0))
+      problem("Obstacle '" + name + "' needs a finite center and a positive radius in m; correct it.");
+  }
+
+  void check(const std::string& name, const BoxObstacle& box) {
+    const double smallest = is_planar(space_) ? box.half_size.head<2>().minCoeff() : box.half_size.minCoeff();
+    if (!box.center.allFinite() || !box.half_size.allFinite() || !(smallest > 0.0) ||
+        !(std::abs(box.orientation.norm() - 1.0) < 1e-9))
+      problem("Obstacle '" + name +
+              "' needs a finite center, positive sizes in m and a direction; correct it.");
+  }
+
+  void check_workspace(const WorkspaceBox& box) {
+    const auto count = static_cast<Eigen::Index>(directions(space_));
+    if (count == 0) problem("A robot in SO3 stays where it is; leave out the workspace.");
+    for (Eigen::Index i = 0; i < count; ++i)
+      if (!std::isfinite(box.lower[i]) || !std::isfinite(box.upper[i]) || !(box.lower[i] < box.upper[i]))
+        problem("The workspace needs finite numbers, each of lower below that of upper; number " +
+                std::to_string(i + 1) + " is not.");
+  }
+
+  void check_passive(const PassiveLimit& limit) {
+    if (limit.leg >= legs_.size() || !std::isfinite(limit.offset) || std::abs(limit.sense) != 1.0 ||
+        !(limit.limits.lower <= limit.limits.upper) || !is_planar(space_))
+      problem("The limits of joint '" + limit.joint + "' are not those of a leg in the plane; correct them.");
+  }
+
+  const Constraints& constraints_;
+  TaskSpace space_;
+  const std::vector<Leg>& legs_;
+  Problems problems_;
+};
+
+}  // namespace
+
+std::string_view name(ConstraintKind kind) noexcept {
+  switch (kind) {
+    case ConstraintKind::driven_limits:
+      return "driven_limits";
+    case ConstraintKind::passive_limits:
+      return "passive_limits";
+    case ConstraintKind::self_collision:
+      return "self_collision";
+    case ConstraintKind::obstacles:
+      return "obstacles";
+    case ConstraintKind::workspace:
+      break;
+  }
+  return "workspace";
+}
+
+std::optional<ConstraintKind> constraint_named(std::string_view text) noexcept {
+  for (const ConstraintKind kind : all_constraint_kinds)
+    if (text == name(kind)) return kind;
+  return std::nullopt;
+}
+
+std::string to_string(const LinkName& link) {
+  return (link.kind == LinkKind::crank ? "crank_" : "rod_") + std::to_string(link.leg + 1);
+}
+
+std::size_t directions(TaskSpace space) noexcept { return freedoms(space) - rotational_freedoms(space); }
+
+bool is_planar(TaskSpace space) noexcept {
+  return space == TaskSpace::T1 || space == TaskSpace::T2 || space == TaskSpace::SE2;
+}
+
+Problems find_problems(const Constraints& constraints, TaskSpace space, const std::vector<Leg>& legs) {
+  return Check(constraints, space, legs).run();
+}
+
+}  // namespace parallel_aspects

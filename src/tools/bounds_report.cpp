@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/tools/bounds_report.h"
+
+#include "parallel_aspects/aspects/constraint_boundaries.h"
+
+#include <string>
+#include <vector>
+
+namespace parallel_aspects::tools {
+namespace {
+
+using nlohmann::json;
+
+json json_modes(const std::vector<WorkingMode>& modes) {
+  json array = json::array();
+  for (const WorkingMode& mode : modes) array.push_back(mode.signs());
+  return array;
+}
+
+std::string modes_text(const std::string& what, const std::vector<WorkingMode>& modes) {
+  if (modes.empty()) return "";
+  std::string text;
+  for (const WorkingMode& mode : modes) text += " " + to_string(mode);
+  return what + text + "\n";
+}
+
+}  // namespace
+
+Report report_bounds(const AspectMap& map) {
+  Report report;
+  report.json["constraints"] = json::array();
+  std::string list;
+  for (const ConstraintBoundary& boundary : constraint_boundaries(map)) {
+    const std::string constraint(name(boundary.kind));
+    report.json["constraints"].push_back({{"name", constraint},
+                                          {"undecided_leaves", boundary.leaves},
+                                          {"measure_undecided", json_number(boundary.measure)}});
+    list += (list.empty() ? "" : "; ") + constraint + ", undecided in " +
+            counted(boundary.leaves, "leaf", "leaves") + " of " + shown_briefly(boundary.measure) + " " +
+            map.unit();
+  }
+  report.text = "constraints: " + (list.empty() ? "none" : list) + "\n";
+  const std::vector<std::string>& untold = map.manipulator()->constraints().untold_joints;
+  report.json["joints_not_limited"] = untold;
+  for (const std::string& joint : untold)
+    report.text += "note: The limits of joint '" + joint +
+                   "' do not bound the map, since distances do not tell where it is.\n";
+  const MissingModes missing = missing_modes(map);
+  report.json["empty_working_modes"] = json_modes(missing.empty);
+  report.json["undecided_working_modes"] = json_modes(missing.unknown);
+  report.text += modes_text("working modes proved empty:", missing.empty) +
+                 modes_text("working modes in which no pose was found:", missing.unknown);
+  return report;
+}
+
+}  // namespace parallel_aspects::tools

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/model/problems.h"
+
+#include <gtest/gtest.h>
+
+#include "support/clearance_at.h"
+#include "support/shipped.h"
+#include <random>
+#include <regex>
+
+namespace parallel_aspects {
+namespace {
+
+std::shared_ptr<const Mechanism> loaded(const std::string& robot, const std::string& constraints,
+                                        const std::string& urdf = "") {
+  return load_mechanism(urdf.empty() ? test::source_file("urdf/" + robot + ".urdf") : urdf, robot + ".urdf",
+                        test::source_file("config/robots/" + robot + ".yaml") + "\n" + constraints,
+                        robot + ".yaml");
+}
+
+// The URDF with limits on joints that turn freely.
+std::string limited(const std::string& robot, const std::string& joints, double lower, double upper) {
+  const std::string limit = "<limit lower=\"" + std::to_string(lower) + "\" upper=\"" +
+                            std::to_string(upper) + "\" effort=\"1\" velocity=\"1\"/>";
+  const std::regex free("<joint name=\"(" + joints + ")\" type=\"continuous\">");
+  return std::regex_replace(test::source_file("urdf/" + robot + ".urdf"), free,
+                            "<joint name=\"$1\" type=\"revolute\">" + limit);
+}
+
+TEST(ConstraintsConfig, IsReadWhole) {
+  const auto mechanism = loaded("five_bar", R"(
+constraints:
+  thickness: {crank: 0.35, rod: 0.25, platform: 0.1}
+  self_collision: {ignore: [[rod_2, crank_1]]}
+  obstacles:
+    - {name: post, center: [4.5, 3.0], radius: 0.5}
+    - {center: [1.0, -2.0], size: [2.0, 1.0], rotation: [0.5]}
+  workspace: {lower: [0.0, 1.0], upper: [8.0, 9.0]}
+)");
+  const Constraints& found = mechanism->manipulator()->constraints();
+  EXPECT_EQ(found.thickness.crank, 0.35);
+  EXPECT_EQ(found.thickness.rod, 0.25);
+  EXPECT_EQ(found.thickness.platform, 0.1);
+  ASSERT_TRUE(found.self_collision);
+  ASSERT_EQ(found.self_collision->ignored.size(), 1U);
+  EXPECT_EQ(to_string(found.self_collision->ignored[0][0]), "rod_2");
+  EXPECT_EQ(to_string(found.self_collision->ignored[0][1]), "crank_1");
+  ASSERT_EQ(found.obstacles.size(), 2U);
+  EXPECT_EQ(found.obstacles[0].name, "post");
+  EXPECT_EQ(std::get<BallObstacle>(found.obstacles[0].shape).radius, 0.5);
+  const auto& box = std::get<BoxObstacle>(found.obstacles[1].shape);
+  EXPECT_EQ(box.half_size, Eigen::Vector3d(1.0, 0.5, 0.0));
+  EXPECT_NEAR(Eigen::AngleAxisd(box.orientation).angle(), 0.5, 1e-15);
+  ASSERT_TRUE(found.workspace);
+  EXPECT_EQ(found.workspace->upper, Eigen::Vector3d(8.0, 9.0, 0.0));
+}
+
+TEST(ConstraintsConfig, CanSwitchLimitsOff) {
+  EXPECT_TRUE(loaded("bipod", "")->manipulator()->leg(0).limits.limited());
+  EXPECT_FALSE(
+      loaded("bipod", "constraints: {driven_limits: false}")->manipulator()->leg(0).limits.limited());
+  const std::string urdf = limited("five_bar", "elbow_1_joint", -1.0, 2.0);
+  EXPECT_EQ(loaded("five_bar", "", urdf)->manipulator()->constraints().passive_limits.size(), 1U);
+  EXPECT_TRUE(loaded("five_bar", "constraints: {passive_limits: false}", urdf)
+                  ->manipulator()
+                  ->constraints()
+                  .passive_limits.empty());
+}
+
+struct Limited {
+  const char* robot;
+  const char* joints;
+  std::size_t told, untold;
+  double lower, upper;
+};
+
+class PassiveLimits : public testing::TestWithParam<Limited> {};
+
+// What the limits of the joints of the URDF say when its loops are closed, against the angles between links.
+TEST_P(PassiveLimits, AgreeWithTheClosedLoops) {
+  const Limited& limits = GetParam();
+  const auto mechanism =
+      loaded(limits.robot, "", limited(limits.robot, limits.joints, limits.lower, limits.upper));
+  const Manipulator& robot = *mechanism->manipulator();
+  ASSERT_EQ(robot.constraints().passive_limits.size(), limits.told);
+  ASSERT_EQ(robot.constraints().untold_joints.size(), limits.untold);
+  if (limits.told == 0) return;
+  std::mt19937_64 random(20261121);
+  std::uniform_real_distribution<double> entries(-1.0, 1.0);
+  const AssembledConfiguration start = mechanism->assembled();
+  Eigen::VectorXd positions(static_cast<Eigen::Index>(mechanism->joint_names().size()));
+  int inside = 0, outside = 0;
+  for (int i = 0; i < 3000; ++i) {
+    TaskVector step(static_cast<Eigen::Index>(robot.leg_count()));
+    for (double& entry : step) entry = entries(random);
+    const auto angles = static_cast<Eigen::Index>(rotational_freedoms(robot.task_space()));
+    step.tail(step.size() - angles) *= 0.7 * robot.size();
+    const Pose pose = displaced(robot.task_space(), start.pose, step);
+    for (const InverseSolution& solution : inverse_in_all_modes(robot, pose)) {
+      if (solution.status != InverseStatus::solved || !mechanism->complete(pose, solution.q, positions))
+        continue;
+      const double clearance = test::ClearanceAt(robot, pose, solution.q).of_passive_joints();
+      if (std::abs(clearance) < 1e-6) continue;
+      bool within = true;
+      for (std::size_t k = 0; k < mechanism->joint_names().size(); ++k) {
+        const JointLimits& range = mechanism->joint_limits()[k];
+        if (!range.limited()) continue;
+        const double middle = 0.5 * (range.lower + range.upper);
+        const bool turns = std::regex_match(mechanism->joint_names()[k], std::regex(limits.joints));
+        const double off = positions[static_cast<Eigen::Index>(k)] - middle;
+        const double turned = turns ? std::remainder(off, 2.0 * EIGEN_PI) : 0.0;
+        within = within && std::abs(turned) <= 0.5 * (range.upper - range.lower);
+      }
+      (within ? inside : outside) += 1;
+      ASSERT_EQ(within, clearance > 0.0)
+          << to_string(robot.task_space(), pose) << " in " << to_string(solution.mode);
+    }
+  }
+  EXPECT_GT(inside, 10);
+  EXPECT_GT(outside, 10);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Robots, PassiveLimits,
+    testing::Values(Limited{"five_bar", "elbow_[12]_joint", 2, 0, -1.0, 2.5},
+                    Limited{"three_rpr", "pivot_[123]_joint|platform_joint", 4, 0, -1.5, 1.7},
+                    Limited{"three_prr", "elbow_[123]_joint|platform_joint", 4, 0, -1.0, 1.2},
+                    Limited{"delta", "rod_1_left_(pitch|roll)_joint", 0, 2, -3.0, 3.0}),
+    [](const auto& each) { return std::string(each.param.robot); });
+
+}  // namespace
+}  // namespace parallel_aspects
