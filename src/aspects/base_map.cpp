@@ -13,7 +13,7 @@ namespace parallel_aspects {
 namespace {
 
 // Between two blocks progress is told and cancelling is possible; a block takes some ten milliseconds.
-constexpr NodeIndex nodes_per_block = 16384;
+constexpr NodeIndex nodes_per_block = 4096;
 constexpr NodeIndex nodes_per_task = 128;
 
 ModeSet pending_modes(const PoseTree& tree, NodeIndex node) {

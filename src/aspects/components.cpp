@@ -20,12 +20,13 @@ void extend(Box& bounds, const Box& box) {
 /// Collects the components of one graph.
 class Summary {
  public:
-  Summary(const PoseTree& tree, std::size_t mode, LeafGraph& graph)
-      : tree_(tree), mode_(mode), graph_(graph) {}
+  Summary(const PoseTree& tree, std::size_t mode, LeafGraph& graph, const MapControl& control)
+      : tree_(tree), mode_(mode), graph_(graph), control_(control) {}
 
   ModeComponents collect() {
     collect_undecided();
     for (const int sign : {1, -1}) {
+      if (is_cancelled(control_)) break;
       collect_components(sign);
       collect_parts(sign);
       collect_meetings(sign);
@@ -131,6 +132,7 @@ class Summary {
   const PoseTree& tree_;
   std::size_t mode_;
   LeafGraph& graph_;
+  const MapControl& control_;
   ModeComponents result_;
   std::vector<std::uint32_t> index_;  // of a component, by its number in the graph of the sign
   std::vector<double> undecided_;     // measure of the undecided leaves nearest to a component
@@ -138,8 +140,9 @@ class Summary {
 
 }  // namespace
 
-ModeComponents find_components(const PoseTree& tree, std::size_t mode, LeafGraph& graph) {
-  return Summary(tree, mode, graph).collect();
+ModeComponents find_components(const PoseTree& tree, std::size_t mode, LeafGraph& graph,
+                               const MapControl& control) {
+  return Summary(tree, mode, graph, control).collect();
 }
 
 }  // namespace parallel_aspects

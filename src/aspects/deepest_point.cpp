@@ -82,14 +82,14 @@ struct Cell {
 /// Best-first search over boxes.
 class Search {
  public:
-  Search(const AspectMap::Contents& map, const Aspect& aspect, std::size_t mode)
-      : map_(map), aspect_(aspect), mode_(mode), weights_(map.tree.space().weights()) {}
+  Search(const AspectMap::Contents& map, const Aspect& aspect, std::size_t mode, const MapControl& control)
+      : map_(map), aspect_(aspect), mode_(mode), control_(control), weights_(map.tree.space().weights()) {}
 
   ClearPoint run() {
     const auto& bounds = map_.aspect_bounds[static_cast<std::size_t>(aspect_.id - 1)];
     for (RootIndex root = 0; root < bounds.size(); ++root)
       if (bounds[root].dimension != 0) push(root, bounds[root]);
-    while (!queue_.empty() && worth(queue_.top())) {
+    while (!queue_.empty() && worth(queue_.top()) && !is_cancelled(control_)) {
       const Cell top = queue_.top();
       queue_.pop();
       divide(top);
@@ -125,6 +125,7 @@ class Search {
   const AspectMap::Contents& map_;
   const Aspect& aspect_;
   std::size_t mode_;
+  const MapControl& control_;
   MapPoint weights_;
   ClearPoint best_;
   std::priority_queue<Cell> queue_;
@@ -137,8 +138,9 @@ double clearance(const AspectMap::Contents& map, const Aspect& aspect, std::size
   return NearestForeignLeaf(map, aspect.id, mode, position).distance();
 }
 
-ClearPoint deepest_point(const AspectMap::Contents& map, const Aspect& aspect, std::size_t mode) {
-  return Search(map, aspect, mode).run();
+ClearPoint deepest_point(const AspectMap::Contents& map, const Aspect& aspect, std::size_t mode,
+                         const MapControl& control) {
+  return Search(map, aspect, mode, control).run();
 }
 
 }  // namespace parallel_aspects

@@ -5,16 +5,17 @@
 
 namespace parallel_aspects {
 
-LeafGraph::LeafGraph(const PoseTree& tree, std::size_t mode)
-    : mode_(mode), positive_(mode, 1), negative_(mode, -1) {
-  for (NodeIndex node = 0; node < tree.node_count(); ++node) {
+LeafGraph::LeafGraph(const PoseTree& tree, std::size_t mode, const MapControl& control)
+    : mode_(mode), positive_(mode, 1, control), negative_(mode, -1, control) {
+  for (NodeIndex node = 0; node < tree.node_count() && !is_cancelled(control); ++node) {
     positive_.add_leaf(tree, node);
     negative_.add_leaf(tree, node);
   }
-  visit_faces(tree, mode, [this, &tree](NodeIndex a, NodeIndex b) {
+  const auto connect = [this, &tree](NodeIndex a, NodeIndex b) {
     positive_.connect(tree, a, b);
     negative_.connect(tree, a, b);
-  });
+  };
+  if (!is_cancelled(control)) visit_faces(tree, mode, connect, control);
 }
 
 void LeafGraph::replace(PoseTree& tree, NodeIndex node) {

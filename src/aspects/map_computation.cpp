@@ -65,12 +65,12 @@ void add_mode(AspectMap::Contents& map, std::size_t mode, const ModeComponents& 
   if (!found.components.empty()) map.existing_modes.push_back(map.modes[mode]);
 }
 
-void find_deepest_poses(AspectMap::Contents& map) {
-  tbb::parallel_for(std::size_t{0}, map.aspects.size(), [&map](std::size_t i) {
+void find_deepest_poses(AspectMap::Contents& map, const MapControl& control) {
+  tbb::parallel_for(std::size_t{0}, map.aspects.size(), [&](std::size_t i) {
     Aspect& aspect = map.aspects[i];
     const auto mode = static_cast<std::size_t>(std::find(map.modes.begin(), map.modes.end(), aspect.mode) -
                                                map.modes.begin());
-    const ClearPoint deepest = deepest_point(map, aspect, mode);
+    const ClearPoint deepest = deepest_point(map, aspect, mode, control);
     aspect.deepest = map.tree.space().pose(deepest.position);
     aspect.deepest_clearance = map.tree.space().proved_radius(deepest.position.point, deepest.clearance);
   });
@@ -80,13 +80,15 @@ void find_deepest_poses(AspectMap::Contents& map) {
 bool add_components(AspectMap::Contents& map, const MapPlan& plan, const MapControl& control) {
   const std::size_t count = plan.modes.size();
   std::vector<std::unique_ptr<LeafGraph>> graphs(count);
-  tbb::parallel_for(std::size_t{0}, count,
-                    [&](std::size_t mode) { graphs[mode] = std::make_unique<LeafGraph>(map.tree, mode); });
+  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t mode) {
+    graphs[mode] = std::make_unique<LeafGraph>(map.tree, mode, control);
+  });
   if (!refine_contested(map.tree, *map.classifier, graphs, plan.depth, plan.deepest_level, control))
     return false;
   std::vector<ModeComponents> found(count);
-  tbb::parallel_for(std::size_t{0}, count,
-                    [&](std::size_t mode) { found[mode] = find_components(map.tree, mode, *graphs[mode]); });
+  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t mode) {
+    found[mode] = find_components(map.tree, mode, *graphs[mode], control);
+  });
   map.leaf_aspects.assign(map.tree.node_count() * count, 0);
   for (std::size_t mode = 0; mode < count; ++mode) add_mode(map, mode, found[mode]);
   return true;
@@ -117,8 +119,8 @@ MapResult compute_aspect_map(std::shared_ptr<const Manipulator> manipulator, con
     const BaseMapStatus base = grow_base_map(map->tree, *map->classifier, plan.depth, scaled);
     if (base != BaseMapStatus::complete) return base;
     if (!add_components(*map, plan, control)) return BaseMapStatus::cancelled;
-    find_deepest_poses(*map);
-    return BaseMapStatus::complete;
+    find_deepest_poses(*map, control);
+    return is_cancelled(control) ? BaseMapStatus::cancelled : BaseMapStatus::complete;
   });
   if (status == BaseMapStatus::cancelled)
     return {MapStatus::cancelled, "The computation was cancelled.", nullptr};

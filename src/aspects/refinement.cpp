@@ -35,10 +35,11 @@ constexpr std::size_t undecided_leaves_for_one = 8;
 class ModeRefinement {
  public:
   ModeRefinement(PoseTree& tree, const BoxClassifier& classifier, LeafGraph& graph, std::uint32_t base_level,
-                 std::uint32_t deepest_level)
+                 std::uint32_t deepest_level, const MapControl& control)
       : tree_(tree),
         classifier_(classifier),
         graph_(graph),
+        control_(control),
         base_level_(base_level),
         deepest_level_(deepest_level),
         budget_(least_budget + undecided_leaves() / undecided_leaves_for_one) {}
@@ -49,6 +50,7 @@ class ModeRefinement {
     if (done_) return requests_;
     requests_.clear();
     for (const int sign : {1, -1}) {
+      if (is_cancelled(control_)) return requests_;
       graph_.of(sign).settle_faces(tree_, classifier_);
       request_bare(sign);
       request_contested(sign);
@@ -66,12 +68,14 @@ class ModeRefinement {
   void take_in_children() {
     const RoundingUpward rounding;
     for (const NodeIndex node : requests_) {
+      if (is_cancelled(control_)) return;
       const NodeIndex first = tree_.first_child(node);
       for (NodeIndex child = first; child < first + tree_.children_per_node(); ++child)
         classifier_.classify(tree_.place(child).root, tree_.box(child), ModeSet{1} << graph_.mode(),
                              detail(child), tree_.states(child));
     }
-    for (const NodeIndex node : requests_) graph_.replace(tree_, node);
+    for (const NodeIndex node : requests_)
+      if (!is_cancelled(control_)) graph_.replace(tree_, node);
   }
 
   std::size_t mode() const noexcept { return graph_.mode(); }
@@ -140,6 +144,7 @@ class ModeRefinement {
   PoseTree& tree_;
   const BoxClassifier& classifier_;
   LeafGraph& graph_;
+  const MapControl& control_;
   std::uint32_t base_level_, deepest_level_;
   std::size_t budget_;  // of leaves to divide
   bool done_ = false;
@@ -152,10 +157,12 @@ bool refine_contested(PoseTree& tree, const BoxClassifier& classifier,
                       const std::vector<std::unique_ptr<LeafGraph>>& graphs, std::uint32_t base_level,
                       std::uint32_t deepest_level, const MapControl& control) {
   std::vector<ModeRefinement> modes;
-  for (const auto& graph : graphs) modes.emplace_back(tree, classifier, *graph, base_level, deepest_level);
+  for (const auto& graph : graphs)
+    modes.emplace_back(tree, classifier, *graph, base_level, deepest_level, control);
   for (bool busy = true; busy;) {
     if (is_cancelled(control)) return false;
     tbb::parallel_for(std::size_t{0}, modes.size(), [&](std::size_t i) { modes[i].find_requests(); });
+    if (is_cancelled(control)) return false;
     busy = false;
     for (const ModeRefinement& mode : modes) {
       busy = busy || !mode.requests().empty();

@@ -53,7 +53,8 @@ void SignGraph::connect(const PoseTree& tree, NodeIndex a, NodeIndex b) {
 void SignGraph::settle_faces(const PoseTree& tree, const BoxClassifier& classifier) {
   std::vector<std::pair<NodeIndex, NodeIndex>> faces;
   faces.swap(faces_);
-  for (std::size_t i = 0; i < faces.size(); ++i) settle(tree, classifier, faces[i].first, faces[i].second);
+  for (std::size_t i = 0; i < faces.size() && !is_cancelled(control_); ++i)
+    settle(tree, classifier, faces[i].first, faces[i].second);
 }
 
 void SignGraph::settle(const PoseTree& tree, const BoxClassifier& classifier, NodeIndex a, NodeIndex b) {
@@ -121,6 +122,7 @@ std::vector<NodeIndex> SignGraph::climb_from_new(PoseTree& tree, const BoxClassi
   leaves.swap(new_leaves_);
   if (!has_climbed_ && !leaves.empty()) traits_[largest_component(leaves)].climbed = has_climbed_ = true;
   for (const NodeIndex leaf : leaves) {
+    if (is_cancelled(control_)) break;
     if (slot_[leaf] == none || !tree.state(leaf, mode_).is_leaf()) continue;
     Traits& traits = traits_[component(leaf)];
     if (!traits.climbed) {
@@ -177,7 +179,7 @@ void SignGraph::compare(const Contact& contact, Meeting& meeting) {
 }
 
 void SignGraph::start_from_components(Meeting& meeting, std::vector<std::uint32_t>& queue) {
-  for (std::uint32_t v = 0; v < open_.size(); ++v) {
+  for (std::uint32_t v = 0; v < open_.size() && !is_cancelled(control_); ++v) {
     if (open_[v].node == no_node) continue;
     for (const NodeIndex neighbour : open_[v].neighbours) {
       if (slot_[neighbour] == none || !is_in_component(neighbour)) continue;
@@ -192,7 +194,7 @@ void SignGraph::start_from_components(Meeting& meeting, std::vector<std::uint32_
 }
 
 void SignGraph::spread(Meeting& meeting, std::vector<std::uint32_t>& queue) {
-  for (std::size_t head = 0; head < queue.size(); ++head) {
+  for (std::size_t head = 0; head < queue.size() && !is_cancelled(control_); ++head) {
     const std::uint32_t v = queue[head];
     for (const NodeIndex neighbour : open_[v].neighbours) {
       if (!is_open(neighbour)) continue;

@@ -37,7 +37,9 @@ struct ModeComponents {
 };
 
 /// Sums up what the graph of a working mode has shown.
-ModeComponents find_components(const PoseTree& tree, std::size_t mode, LeafGraph& graph);
+/// Ends early, unfinished, when cancelled.
+ModeComponents find_components(const PoseTree& tree, std::size_t mode, LeafGraph& graph,
+                               const MapControl& control);
 
 }  // namespace parallel_aspects
 

@@ -21,7 +21,9 @@ double clearance(const AspectMap::Contents& map, const Aspect& aspect, std::size
 
 /// The center of the largest ball within the inside leaves of an aspect, within one part in a hundred of the
 /// radius (best-first search with a Lipschitz bound, as "polylabel" does for polygons).
-ClearPoint deepest_point(const AspectMap::Contents& map, const Aspect& aspect, std::size_t mode);
+/// Ends early when cancelled.
+ClearPoint deepest_point(const AspectMap::Contents& map, const Aspect& aspect, std::size_t mode,
+                         const MapControl& control);
 
 }  // namespace parallel_aspects
 

@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_FACE_TRAVERSAL_H
 #define PARALLEL_ASPECTS_ASPECTS_FACE_TRAVERSAL_H
 
+#include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/pose_tree.h"
 
 #include <cstddef>
@@ -25,8 +26,8 @@ template <class Visitor>
 class FaceTraversal {
  public:
   /// Calls `visitor(NodeIndex, NodeIndex)`.
-  FaceTraversal(const PoseTree& tree, std::size_t mode, Visitor visitor)
-      : tree_(tree), mode_(mode), visitor_(visitor) {
+  FaceTraversal(const PoseTree& tree, std::size_t mode, Visitor visitor, const MapControl& control)
+      : tree_(tree), mode_(mode), visitor_(visitor), control_(control) {
     for (std::size_t axis = 0; axis < tree.dimension(); ++axis)
       along_.push_back(facing_ranks(tree.dimension(), axis));
   }
@@ -42,7 +43,7 @@ class FaceTraversal {
   bool outside(NodeIndex node) const { return tree_.state(node, mode_).is_outside(); }
 
   void inside(NodeIndex node) {
-    if (!divided(node)) return;
+    if (!divided(node) || is_cancelled(control_)) return;
     const NodeIndex first = tree_.first_child(node);
     for (NodeIndex rank = 0; rank < tree_.children_per_node(); ++rank) inside(first + rank);
     for (const FacingRanks& facing : along_)
@@ -61,12 +62,15 @@ class FaceTraversal {
   const PoseTree& tree_;
   std::size_t mode_;
   Visitor visitor_;
+  const MapControl& control_;
   std::vector<FacingRanks> along_;
 };
 
+/// Ends early when cancelled.
 template <class Visitor>
-void visit_faces(const PoseTree& tree, std::size_t mode, const Visitor& visitor) {
-  FaceTraversal<Visitor>(tree, mode, visitor).run();
+void visit_faces(const PoseTree& tree, std::size_t mode, const Visitor& visitor,
+                 const MapControl& control = {}) {
+  FaceTraversal<Visitor>(tree, mode, visitor, control).run();
 }
 
 }  // namespace parallel_aspects

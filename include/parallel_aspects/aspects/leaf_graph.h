@@ -12,7 +12,7 @@ namespace parallel_aspects {
 /// How the leaves of one working mode hang together, for both signs of det A.
 class LeafGraph {
  public:
-  LeafGraph(const PoseTree& tree, std::size_t mode);
+  LeafGraph(const PoseTree& tree, std::size_t mode, const MapControl& control);
 
   std::size_t mode() const noexcept { return mode_; }
   SignGraph& of(int sign) noexcept { return sign > 0 ? positive_ : negative_; }

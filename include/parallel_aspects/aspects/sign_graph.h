@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_SIGN_GRAPH_H
 #define PARALLEL_ASPECTS_ASPECTS_SIGN_GRAPH_H
 
+#include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/box_classifier.h"
 #include "parallel_aspects/aspects/disjoint_sets.h"
 #include "parallel_aspects/aspects/part_proof.h"
@@ -24,7 +25,9 @@ class SignGraph {
  public:
   static constexpr std::uint32_t none = 0xffffffffU;
 
-  SignGraph(std::size_t mode, int sign) : mode_(mode), sign_(sign) {}
+  /// Long work ends early, and unfinished, when `control` says that it is cancelled; it must outlive this.
+  SignGraph(std::size_t mode, int sign, const MapControl& control)
+      : mode_(mode), sign_(sign), control_(control) {}
 
   int sign() const noexcept { return sign_; }
 
@@ -98,6 +101,7 @@ class SignGraph {
 
   std::size_t mode_;
   int sign_;
+  const MapControl& control_;
   std::vector<std::uint32_t> slot_;  // of a node: element of `components_`, or open leaf with `open_flag`
   DisjointSets components_;
   std::vector<Traits> traits_;  // by component
