@@ -232,6 +232,11 @@ SolvedConfiguration solved_message(const Manipulator& manipulator, const SolvedP
   return message;
 }
 
+std::int64_t count_at_most(const AspectMap& map) noexcept {
+  const auto most = map.count_at_most();
+  return most ? static_cast<std::int64_t>(*most) : -1;
+}
+
 AspectSummary summary_message(const Manipulator& manipulator, const Aspect& aspect) {
   AspectSummary message;
   message.id = static_cast<std::uint32_t>(aspect.id);

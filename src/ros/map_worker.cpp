@@ -3,6 +3,7 @@
 
 #include "parallel_aspects/aspects/map_file.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"
+#include "parallel_aspects/ros/conversions.h"
 
 #include <ros/console.h>
 #include <ros/time.h>
@@ -14,8 +15,15 @@
 namespace parallel_aspects {
 namespace {
 
-MapProgress computing(double share, double resolution) {
+// Nothing is known yet.
+MapProgress empty_report() {
   MapProgress report;
+  report.count_at_most = -1;
+  return report;
+}
+
+MapProgress computing(double share, double resolution) {
+  MapProgress report = empty_report();
   report.header.stamp = ros::Time::now();
   report.state = MapProgress::COMPUTING;
   report.progress = share;
@@ -27,9 +35,10 @@ MapProgress computing(double share, double resolution) {
 std::string complete_sentence(const AspectMap& map) {
   char seconds[32];
   std::snprintf(seconds, sizeof seconds, "%.3g s", map.seconds());
+  const std::int64_t most = count_at_most(map);
   return "The map is complete: " + std::to_string(map.aspects().size()) + " aspects found, at least " +
-         std::to_string(map.proved_count()) + " proved, " + std::to_string(map.unresolved().size()) +
-         " pairs unresolved, in " + seconds + ".";
+         std::to_string(map.proved_count()) + (most < 0 ? "" : " and at most " + std::to_string(most)) +
+         " proved, " + std::to_string(map.unresolved().size()) + " pairs unresolved, in " + seconds + ".";
 }
 
 std::string complete_sentence(const PoseRoadmap& roadmap) {
@@ -40,7 +49,7 @@ std::string complete_sentence(const PoseRoadmap& roadmap) {
 }
 
 MapProgress ended(MapStatus status, const std::string& sentence) {
-  MapProgress report;
+  MapProgress report = empty_report();
   report.header.stamp = ros::Time::now();
   report.sentence = sentence;
   report.state = status == MapStatus::complete    ? MapProgress::COMPLETE
@@ -65,6 +74,7 @@ MapProgress ended(const MapResult& result) {
   report.resolution = result.map->resolution();
   report.aspects = static_cast<std::uint32_t>(result.map->aspects().size());
   report.proved_count = static_cast<std::uint32_t>(result.map->proved_count());
+  report.count_at_most = count_at_most(*result.map);
   report.unresolved = static_cast<std::uint32_t>(result.map->unresolved().size());
   report.seconds = result.map->seconds();
   report.sentence = complete_sentence(*result.map);
@@ -77,6 +87,7 @@ MapWorker::MapWorker(std::shared_ptr<const Manipulator> manipulator, std::string
     : manipulator_(std::move(manipulator)),
       file_(std::move(file)),
       listener_(std::move(listener)),
+      progress_(empty_report()),
       file_sentence_(file_.empty() ? "none; see map/file" : "not read yet"),
       thread_([this] { run(); }) {}
 
@@ -117,7 +128,7 @@ MapProgress MapWorker::wait(Job job, std::chrono::milliseconds patience) const {
   };
   changed_.wait_for(lock, patience, over);
   if (job == running_job_) return progress_;
-  MapProgress report;
+  MapProgress report = empty_report();
   report.state = job == newest_job_ ? MapProgress::COMPUTING : MapProgress::CANCELLED;
   report.sentence =
       job == newest_job_ ? "The computation is about to begin." : "A newer request took its place.";
@@ -148,7 +159,7 @@ void MapWorker::run() {
       if (stopping_) return;
       request = *std::exchange(next_, std::nullopt);
       running_job_ = newest_job_;
-      progress_ = MapProgress();  // COMPUTING; what was said of the job before is over
+      progress_ = empty_report();  // COMPUTING; what was said of the job before is over
       cancelled_ = false;
     }
     carry_out(request);

@@ -178,6 +178,7 @@ GetSingularityDistance::Response Queries::answer(const GetSingularityDistance::R
 ListAspects::Response Queries::answer(const ListAspects::Request& request) const {
   const auto map = worker_.map();
   ListAspects::Response response;
+  response.count_at_most = -1;
   response.status = map_status(map.get());
   if (!map) return response;
   ConfigurationAnswer found;
@@ -191,6 +192,7 @@ ListAspects::Response Queries::answer(const ListAspects::Request& request) const
         std::count(wanted.begin(), wanted.end(), static_cast<std::uint32_t>(aspect.id)) > 0)
       response.aspects.push_back(summary_message(*manipulator_, aspect));
   response.proved_count = static_cast<std::uint32_t>(map->proved_count());
+  response.count_at_most = count_at_most(*map);
   response.measure_undecided = map->measure_undecided();
   return response;
 }

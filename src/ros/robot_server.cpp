@@ -177,6 +177,7 @@ void RobotServer::on_map_progress(const MapProgress& progress, const std::shared
 // The map file is of the node's own options; a map of others does not go there.
 void RobotServer::on_compute_map(const ComputeMapGoalConstPtr& goal) {
   ComputeMapResult result;
+  result.count_at_most = -1;
   MapOptions options = setup_.options.map;
   if (goal->resolution != 0.0) options.resolution = goal->resolution;
   if (goal->extra_levels != 0) options.extra_levels = goal->extra_levels;
@@ -211,6 +212,7 @@ void RobotServer::finish(const MapProgress& progress, ComputeMapResult result) {
       for (const Aspect& aspect : map->aspects())
         result.aspects.push_back(summary_message(*setup_.mechanism->manipulator(), aspect));
     result.proved_count = progress.proved_count;
+    result.count_at_most = progress.count_at_most;
     result.seconds = progress.seconds;
     compute_map_->setSucceeded(result, progress.sentence);
     return;

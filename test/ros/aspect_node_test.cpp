@@ -83,6 +83,7 @@ TEST_F(AspectNode, ListsTenAspects) {
   EXPECT_EQ(response.status.code, Status::OK) << response.status.sentence;
   ASSERT_EQ(response.aspects.size(), 10U);
   EXPECT_EQ(response.proved_count, 10U);
+  EXPECT_EQ(response.count_at_most, 10);
   for (std::size_t i = 0; i < 10; ++i) EXPECT_EQ(response.aspects[i].id, i + 1);
   EXPECT_EQ(response.aspects.front().unit, "m^2");
 }

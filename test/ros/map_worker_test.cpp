@@ -38,10 +38,12 @@ TEST_F(MapWorkerTest, KeepsTheMapThatItComputes) {
   ASSERT_TRUE(worker_.map());
   EXPECT_EQ(end.aspects, worker_.map()->aspects().size());
   EXPECT_EQ(end.proved_count, 10U);
+  EXPECT_EQ(end.count_at_most, 10);
   EXPECT_EQ(end.progress, 1.0);
   const std::lock_guard<std::mutex> lock(mutex_);
   ASSERT_FALSE(reports_.empty());
   EXPECT_EQ(reports_.front().state, MapProgress::COMPUTING);
+  EXPECT_EQ(reports_.front().count_at_most, -1);
   EXPECT_EQ(reports_.back().state, MapProgress::COMPLETE);
   for (std::size_t i = 1; i < reports_.size(); ++i) EXPECT_GE(reports_[i].progress, reports_[i - 1].progress);
 }
@@ -81,6 +83,7 @@ TEST(MapWorkerOfSixFreedoms, TellsOfARoadmap) {
   const MapProgress end = worker.wait(worker.compute({}), deadline);
   ASSERT_EQ(end.state, MapProgress::COMPLETE) << end.sentence;
   EXPECT_EQ(end.proved_count, 2U);
+  EXPECT_EQ(end.count_at_most, -1);
   EXPECT_EQ(end.progress, 1.0);
   EXPECT_NE(end.sentence.find("roadmap"), std::string::npos);
   EXPECT_FALSE(worker.map());

@@ -65,6 +65,9 @@ const char* determinant_unit(TaskSpace space);
 SolvedConfiguration solved_message(const Manipulator& manipulator, const SolvedPose& solved,
                                    const AspectMap* map, const ros::Time& stamp);
 
+/// Upper bound of the number of aspects with a pose in the region, proved; -1 where none is.
+std::int64_t count_at_most(const AspectMap& map) noexcept;
+
 AspectSummary summary_message(const Manipulator& manipulator, const Aspect& aspect);
 
 /// `of_leg`: whether the boundary is one leg's, as serial singularities and limits are.
