@@ -8,6 +8,11 @@
 #include <utility>
 
 namespace parallel_aspects {
+namespace {
+
+const ros::WallDuration between_looks(2.0);  // at the master
+
+}  // namespace
 
 AspectServer::AspectServer(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh)
     : nh_(nh),
@@ -22,11 +27,15 @@ AspectServer::AspectServer(const ros::NodeHandle& nh, const ros::NodeHandle& pri
         return true;
       };
   reload_ = on_own_queue.advertiseService("reload", callback);
+  master_.look();
+  master_timer_ =
+      on_own_queue.createWallTimer(between_looks, [this](const ros::WallTimerEvent&) { master_.look(); });
   spinner_.start();
 }
 
 AspectServer::~AspectServer() {
   reload_.shutdown();
+  master_timer_.stop();
   spinner_.stop();
 }
 

@@ -15,16 +15,17 @@ extern char** environ;
 
 namespace parallel_aspects::test {
 
-/// A program in a namespace of its own.
+/// A program, of PATH or with its path; a node in a namespace of its own, where one is given.
 class Process {
  public:
   Process(std::string program, const std::string& name_space, const std::vector<std::string>& more = {}) {
-    std::vector<std::string> words{std::move(program), "__ns:=" + name_space};
+    std::vector<std::string> words{std::move(program)};
+    if (!name_space.empty()) words.push_back("__ns:=" + name_space);
     words.insert(words.end(), more.begin(), more.end());
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
-    if (posix_spawn(&id_, arguments[0], nullptr, nullptr, arguments.data(), environ) != 0) id_ = -1;
+    if (posix_spawnp(&id_, arguments[0], nullptr, nullptr, arguments.data(), environ) != 0) id_ = -1;
   }
   ~Process() {
     if (id_ > 0 && !status_) {

@@ -3,6 +3,7 @@
 #define PARALLEL_ASPECTS_ROS_ASPECT_SERVER_H
 
 #include "parallel_aspects/ros/load_options.h"
+#include "parallel_aspects/ros/master_watch.h"
 #include "parallel_aspects/ros/robot_server.h"
 
 #include <parallel_aspects/Reload.h>
@@ -11,13 +12,14 @@
 #include <ros/node_handle.h>
 #include <ros/service_server.h>
 #include <ros/spinner.h>
+#include <ros/wall_timer.h>
 
 #include <memory>
 
 namespace parallel_aspects {
 
 /// The node and the nodelet: serves the robot of `robot_description`, and another one when it is asked to
-/// load it anew.
+/// load it anew. A master that is started anew is told of it again; robot, map and tracking stay.
 class AspectServer {
  public:
   /// Loads everything before it advertises anything. Throws `InvalidDescription` with every problem found.
@@ -29,10 +31,13 @@ class AspectServer {
  private:
   Reload::Response reload();
 
-  ros::CallbackQueue queue_;  // of `reload` alone, which takes the robot's queues down
+  // Of `reload`, which takes the robot's queues down, and of calls of the master, which may block.
+  ros::CallbackQueue queue_;
   ros::NodeHandle nh_, private_nh_;
   std::unique_ptr<RobotServer> robot_;
   ros::ServiceServer reload_;
+  MasterWatch master_;
+  ros::WallTimer master_timer_;
   ros::AsyncSpinner spinner_;
 };
 
