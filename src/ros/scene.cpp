@@ -14,10 +14,6 @@ using Eigen::Vector3d;
 
 constexpr double links = 0.06;  // how far links stick out from their joints, of the size of the box
 
-bool is_planar(TaskSpace space) {
-  return space == TaskSpace::T1 || space == TaskSpace::T2 || space == TaskSpace::SE2;
-}
-
 // The circle of a crank.
 void extend_by_circle(const RevoluteDrive& drive, AlignedBox3d& box) {
   const Vector3d half = drive.radius * (Vector3d::Ones() - drive.axis.cwiseAbs2()).cwiseMax(0.0).cwiseSqrt();
