@@ -200,6 +200,10 @@ TEST(Soak, EveryStateIsRightAndMemoryIsFlat) {
   EXPECT_TRUE(eventually([&] { return judge.heard() >= static_cast<std::size_t>(samples); }))
       << judge.heard();
 
+  // The motion may end within a pass, whose crossing is told already.
+  EXPECT_TRUE(eventually([&] { return crossings.load() >= motion.passes(); }));
+  EXPECT_LE(crossings.load(), motion.passes() + 1);
+
   const double grown = resident_megabytes(process) - memory;
   std::size_t unknown = 0;
   for (const auto& [sentence, count] : judge.unknown()) {
