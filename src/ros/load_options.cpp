@@ -102,6 +102,7 @@ TrackerOptions tracker_options_from(ParameterReader reader) {
   reader.read("check_velocity", tracking.samples.check_velocity);
   reader.read("velocity_tolerance", tracking.samples.velocity_tolerance);
   reader.read("encoder_noise", tracking.samples.encoder_noise);
+  reader.read("path_bend", tracking.samples.path_bend);
   reader.read("longest_interval", tracking.samples.longest_interval);
   reader.report_unknown_keys();
   return tracking;
@@ -189,7 +190,8 @@ NodeOptions options_from(const XmlRpcValue& parameters, const std::string& prefi
   reader.read("joint_states_timeout", options.joint_states_timeout);
   reader.read("tf_timeout", options.tf_timeout);
   reader.read("frame_prefix", options.frame_prefix);
-  for (const char* read_elsewhere : {"mechanism", "constraints", "diagnostic_period"}) reader.raw(read_elsewhere);
+  for (const char* read_elsewhere : {"mechanism", "constraints", "diagnostic_period"})
+    reader.raw(read_elsewhere);
   reader.report_unknown_keys();
   return options;
 }

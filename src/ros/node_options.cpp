@@ -87,6 +87,7 @@ void check_tracking(const TrackerOptions& tracking, const PassiveOptions& passiv
                  "must be 0 to 100.");
   checks.require(within(tracking.samples.encoder_noise, 0.0, 1.0), "tracking/encoder_noise",
                  "must be 0 to 1 [rad, or share of the robot's size].");
+  checks.require(within(tracking.samples.path_bend, 0.0, 1000.0), "tracking/path_bend", "must be 0 to 1000.");
   checks.require(positive(passive.angle_tolerance), "passive/angle_tolerance", "must be positive [rad].");
   checks.require(positive(passive.length_tolerance), "passive/length_tolerance",
                  "must be positive [share of the robot's size].");

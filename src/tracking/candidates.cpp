@@ -8,7 +8,9 @@ namespace parallel_aspects {
 void Candidates::find(const Manipulator& manipulator, const PoseCertifier& certifier, const JointVector& q) {
   clear();
   const DirectResult result = direct(manipulator, q);
+  bool told_apart = true;  // near det A = 0 two assembly modes may come as one
   for (const AssemblyMode& mode : result.solutions) {
+    told_apart = told_apart && !mode.near_singular;
     if (list_.size() == most) break;
     Candidate candidate;
     candidate.followed = certify_solution(certifier, mode.pose, q, candidate.point);
@@ -21,7 +23,7 @@ void Candidates::find(const Manipulator& manipulator, const PoseCertifier& certi
     }
     list_.push_back(candidate);
   }
-  complete_ = result.status == DirectStatus::solved && result.solutions.size() <= most;
+  complete_ = result.status == DirectStatus::solved && told_apart && result.solutions.size() <= most;
 }
 
 void Candidates::set(const Candidate& only) noexcept {
@@ -30,12 +32,13 @@ void Candidates::set(const Candidate& only) noexcept {
   complete_ = true;
 }
 
-void Candidates::follow(const PoseCertifier& certifier, const JointVector& q, int most_steps) noexcept {
+void Candidates::follow(const PoseCertifier& certifier, const JointVector& q, const JointVector& bend,
+                        int most_steps) noexcept {
   for (std::size_t i = list_.size(); i-- > 0;) {
     Candidate& candidate = list_[i];
     bool stays = candidate.point.q == q;
     if (candidate.followed && !stays) {
-      Continuation path(certifier, candidate.point, q);
+      Continuation path(certifier, candidate.point, q, bend);
       stays = path.run(most_steps) == ContinuationStatus::finished;
       candidate.point = path.at();
     }

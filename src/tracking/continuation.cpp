@@ -14,13 +14,15 @@ constexpr double path_rounding = 0x1p-48;
 }  // namespace
 
 Continuation::Continuation(const PoseCertifier& certifier, const CertifiedPoint& start,
-                           const JointVector& end) noexcept
+                           const JointVector& end, const JointVector& bend) noexcept
     : certifier_(certifier),
       at_(start),
       start_(start.q),
       end_(end),
       direction_(end - start.q),
-      slack_(path_rounding * (start.q.cwiseAbs() + end.cwiseAbs())) {}
+      slack_(path_rounding * (start.q.cwiseAbs() + end.cwiseAbs())) {
+  if (bend.size() == slack_.size()) slack_ += bend;
+}
 
 // The solution at the new point is the one that the ball of the old point holds.
 bool Continuation::step(double length) noexcept {

@@ -33,6 +33,7 @@ std::vector<std::string> problems_of(const SampleOptions& options) {
   };
   not_negative(options.velocity_tolerance, "tolerance of velocities");
   not_negative(options.encoder_noise, "noise of the encoders");
+  not_negative(options.path_bend, "bend of the path");
   if (!(options.longest_interval > 0.0))
     problems.push_back("The longest interval between samples is " + std::to_string(options.longest_interval) +
                        " s; it must be positive, and infinite for none.");
@@ -68,6 +69,18 @@ bool is_gap(const Manipulator& manipulator, const SampleOptions& options, const 
     if (options.unwrap && turns_freely && possible >= EIGEN_PI) return true;
   }
   return false;
+}
+
+JointVector PathBend::next(const SampleOptions& options, const JointVector& step, double seconds) noexcept {
+  // Without usable stamps, steps are taken to be equally long.
+  const double interval = seconds > 0.0 ? seconds : seconds_ > 0.0 ? seconds_ : 1.0;
+  const JointVector velocity = step / interval;
+  const bool at_rest = velocity_.size() != step.size();
+  const double apart = at_rest ? interval : 0.5 * (interval + seconds_);
+  const JointVector change = at_rest ? velocity : JointVector(velocity - velocity_);
+  velocity_ = velocity;
+  seconds_ = interval;
+  return change.cwiseAbs() * (options.path_bend * interval * interval / (8.0 * apart));
 }
 
 }  // namespace parallel_aspects

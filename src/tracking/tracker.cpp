@@ -93,7 +93,8 @@ bool Tracker::find_candidates() {
 }
 
 bool Tracker::wants_candidates() const noexcept {
-  return state_.q.size() > 0 && !state_.followed() && !candidates_.complete();
+  const bool known = candidates_.complete() && candidates_.size() > 0;
+  return state_.q.size() > 0 && !state_.followed() && !known;
 }
 
 // Starts in the only candidate that is left.
@@ -132,6 +133,7 @@ void Tracker::stop() noexcept {
   state_.doubt = Doubt::none;
   state_.aspect = 0;
   state_.q.resize(0);
+  bend_.forget();
   candidates_.clear();
   transitions_ = {};
 }
@@ -144,13 +146,15 @@ const TrackedState& Tracker::update(double time, const JointVector& q) noexcept 
   const JointVector drives = options_.samples.unwrap ? unwrapped(*manipulator_, state_.q, q) : q;
   const bool gap =
       state_.q.size() > 0 && is_gap(*manipulator_, options_.samples, state_.q, drives, time - state_.time);
+  const JointVector step = state_.q.size() > 0 ? JointVector(drives - state_.q) : JointVector::Zero(q.size());
+  const JointVector bend = bend_.next(options_.samples, step, time - state_.time);
   const bool followed = state_.followed();
   if (followed && gap)
     lose(time, Doubt::gap);
   else if (followed)
-    follow(time, drives);
+    follow(time, drives, bend);
   else
-    follow_candidates(drives, gap);
+    follow_candidates(drives, bend, gap);
   state_.time = time;
   state_.q = drives;
   if (state_.followed() && state_.aspect == 0) identify_aspect();
@@ -158,8 +162,8 @@ const TrackedState& Tracker::update(double time, const JointVector& q) noexcept 
   return state_;
 }
 
-void Tracker::follow(double time, const JointVector& q) noexcept {
-  Continuation path(certifier_, point_, q);
+void Tracker::follow(double time, const JointVector& q, const JointVector& bend) noexcept {
+  Continuation path(certifier_, point_, q, bend);
   const double start = state_.time;
   const auto time_at = [&](double share) { return share >= 1.0 ? time : start + (time - start) * share; };
   for (int i = 0; i < options_.most_steps && path.status() == ContinuationStatus::under_way; ++i) {
@@ -177,12 +181,12 @@ void Tracker::follow(double time, const JointVector& q) noexcept {
     watch_assembly(time);
 }
 
-void Tracker::follow_candidates(const JointVector& q, bool gap) noexcept {
+void Tracker::follow_candidates(const JointVector& q, const JointVector& bend, bool gap) noexcept {
   if (gap && state_.status == TrackStatus::ambiguous) {
     candidates_.clear();
     doubt(Doubt::gap);
   }
-  candidates_.follow(certifier_, q, options_.most_steps);
+  candidates_.follow(certifier_, q, bend, options_.most_steps);
 }
 
 void Tracker::watch_legs(const CertifiedPoint& from, const CertifiedPoint& to, double start,

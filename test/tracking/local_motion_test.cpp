@@ -33,7 +33,9 @@ class LocalMotion : public testing::TestWithParam<const char*> {
 
   // The tracker, which knows only the drives, sees one assembly mode in one working mode all along.
   void follow(const std::vector<JointVector>& drives, const WorkingMode& mode) const {
-    Tracker tracker(mechanism_->manipulator());
+    TrackerOptions straight;
+    straight.samples.path_bend = 0.0;
+    Tracker tracker(mechanism_->manipulator(), straight);
     ASSERT_TRUE(tracker.start(0.0, drives.front(), start_, 1e-6 * robot_.size()));
     EXPECT_EQ(tracker.state().mode, mode);
     double farthest = 0.0;

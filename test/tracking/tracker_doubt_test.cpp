@@ -40,6 +40,13 @@ std::shared_ptr<const Manipulator> with_velocity(const Manipulator& robot, doubl
   return test::manipulator(robot.name(), robot.task_space(), std::move(legs));
 }
 
+// For steps that are long, and taken to be straight.
+TrackerOptions straight() {
+  TrackerOptions options;
+  options.samples.path_bend = 0.0;
+  return options;
+}
+
 const auto bipod = with_velocity(*test::bipod(), 1.0);
 
 TEST(TrackerInDoubt, AStepBeyondTheVelocityLimitsIsAGap) {
@@ -152,7 +159,36 @@ TEST(TrackerInDoubt, FollowsEveryAssemblyModeUntilOneIsLeft) {
   };
   EXPECT_TRUE(tracker.keep_candidates(near));
   EXPECT_LT((tracker.state().pose.position - known).norm(), 1e-7);
-  EXPECT_EQ(tracker.update(1.0, q).status, TrackStatus::tracking);
+  EXPECT_EQ(tracker.update(0.051, q).status, TrackStatus::tracking);
+}
+
+// So near det A = 0 that the direct solver tells both assembly modes as one: the list is not complete.
+TEST(TrackerInDoubt, DoesNotStartWhereTwoAssemblyModesMeet) {
+  Tracker tracker(test::five_bar());
+  JointVector q = joints({1.558, 0.8314682264352418});
+  tracker.update(0.0, q);
+  EXPECT_FALSE(tracker.find_candidates());
+  EXPECT_FALSE(tracker.candidates().complete());
+  for (int i = 1; i <= 60; ++i) {
+    q[1] += 0.002;
+    ASSERT_NE(tracker.update(0.001 * i, q).status, TrackStatus::tracking);
+    ASSERT_TRUE(tracker.wants_candidates());
+  }
+  EXPECT_FALSE(tracker.find_candidates());
+  EXPECT_EQ(tracker.candidates().size(), 2U);
+  EXPECT_TRUE(tracker.candidates().complete());
+}
+
+// One sample that cannot be assembled is no reason to list none from then on.
+TEST(TrackerInDoubt, ListsCandidatesAgainAfterDrivesThatCannotBeAssembled) {
+  Tracker tracker(test::five_bar());
+  tracker.update(0.0, joints({EIGEN_PI, 0.0}));
+  EXPECT_FALSE(tracker.find_candidates());
+  EXPECT_EQ(tracker.candidates().size(), 0U);
+  tracker.update(0.001, joints({1.633334, 1.027907}));
+  ASSERT_TRUE(tracker.wants_candidates());
+  EXPECT_FALSE(tracker.find_candidates());
+  EXPECT_EQ(tracker.candidates().size(), 2U);
 }
 
 TEST(TrackerInDoubt, SaysWhereNoCandidateFitsOrNoneExists) {
@@ -199,7 +235,7 @@ TEST(TrackerInDoubt, AResidualMakesTheStateInconsistentAndIsFollowedOn) {
 }
 
 TEST(TrackerInDoubt, AStepThatNeedsTooManySubdivisionsIsSaidToBeOne) {
-  TrackerOptions options;
+  TrackerOptions options = straight();
   options.most_steps = 1;
   const auto robot = test::five_bar();
   Tracker tracker(robot, options);
@@ -213,7 +249,7 @@ TEST(TrackerInDoubt, CrossingsOfLongStepsAreTimed) {
   const auto robot = test::five_bar();
   const JointVector q = drives(*robot, at(4.5, 8.0), {-1, -1});
   double fine = 0.0;
-  Tracker tracker(robot);
+  Tracker tracker(robot, straight());
   ASSERT_TRUE(tracker.start(0.0, q, 1));
   for (int i = 1; i <= 4000 && fine == 0.0; ++i) {
     tracker.update(i * 0.001, q + joints({i * 0.001, 0.0}));
@@ -236,7 +272,7 @@ TEST(TrackerInDoubt, CrossingsOfOneStepAreAChain) {
     const InverseSolution start = inverse(*robot, at(uniform(random), uniform(random), uniform(random)),
                                           WorkingMode::from_index(3, static_cast<std::size_t>(run) % 8));
     if (start.status != InverseStatus::solved) continue;
-    Tracker tracker(robot);
+    Tracker tracker(robot, straight());
     if (!tracker.start(0.0, start.q, run % 2 == 0 ? 1 : -1)) continue;
     const WorkingMode first = tracker.state().mode;
     tracker.update(1.0, start.q + joints({uniform(random), uniform(random), uniform(random)}));

@@ -117,7 +117,9 @@ TEST(Tracker, ReportsTheLegAndTimeOfAWorkingModeChange) {
   EXPECT_EQ(to_string(seen[0].mode_before), "(-,-)");
   EXPECT_EQ(to_string(seen[0].mode_after), "(-,+)");
   // At the time told, B_22 is zero.
-  Tracker again(robot);
+  TrackerOptions straight;
+  straight.samples.path_bend = 0.0;
+  Tracker again(robot, straight);
   const JointVector start = drives(at(4.5, 8.0), -1, -1);
   ASSERT_TRUE(again.start(0.0, start, 1));
   const JointVector there = start + joints(seen[0].time, 0.0);

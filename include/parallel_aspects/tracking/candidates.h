@@ -33,7 +33,8 @@ class Candidates {
 
   /// Moves the drives straight to `q`. A candidate that cannot be followed is dropped, and the list is then
   /// no longer complete. Never allocates.
-  void follow(const PoseCertifier& certifier, const JointVector& q, int most_steps) noexcept;
+  void follow(const PoseCertifier& certifier, const JointVector& q, const JointVector& bend,
+              int most_steps) noexcept;
 
   void remove(std::size_t index) noexcept;
   void clear() noexcept;

@@ -21,8 +21,10 @@ enum class ContinuationStatus {
 class Continuation {
  public:
   /// `start` must have been evaluated, and its ball without motion be certified. `end` must be finite, one
-  /// entry a leg.
-  Continuation(const PoseCertifier& certifier, const CertifiedPoint& start, const JointVector& end) noexcept;
+  /// entry a leg. What is certified holds for every continuous way that leaves the straight one by `bend` at
+  /// most, in each drive [rad or m, not negative]; empty for the straight one alone.
+  Continuation(const PoseCertifier& certifier, const CertifiedPoint& start, const JointVector& end,
+               const JointVector& bend = {}) noexcept;
 
   const CertifiedPoint& at() const noexcept { return at_; }
 

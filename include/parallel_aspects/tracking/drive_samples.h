@@ -27,6 +27,12 @@ struct SampleOptions {
   /// And for noise of the encoders: this many rad, or of this share of the robot's size in m.
   double encoder_noise = 1e-4;
 
+  /// How far the drives may leave the straight way between two samples: this many times |a| dt^2 / 8, where a
+  /// is the acceleration that the last two steps show, the first step being taken from rest. 0: the way is
+  /// exactly straight. A smooth motion through det A = 0 touches the image of the singularity, which its
+  /// chords miss by just that much.
+  double path_bend = 2.0;
+
   /// Samples farther apart than this are a gap, whatever the drives do [s].
   double longest_interval = std::numeric_limits<double>::infinity();
 };
@@ -41,6 +47,21 @@ JointVector unwrapped(const Manipulator& manipulator, const JointVector& last, c
 /// Whether nothing is known of the way of the drives between two samples that are `seconds` apart.
 bool is_gap(const Manipulator& manipulator, const SampleOptions& options, const JointVector& last,
             const JointVector& q, double seconds) noexcept;
+
+/// How far the drives may have left the straight way between samples, from one step to the next. Never
+/// allocates.
+class PathBend {
+ public:
+  /// For a step of the drives in `seconds`, by `SampleOptions::path_bend` [rad or m].
+  JointVector next(const SampleOptions& options, const JointVector& step, double seconds) noexcept;
+
+  /// The next step starts from rest.
+  void forget() noexcept { velocity_.resize(0); }
+
+ private:
+  JointVector velocity_;  // of the last step; empty at rest
+  double seconds_ = 0.0;  // of the last step
+};
 
 }  // namespace parallel_aspects
 

@@ -150,8 +150,8 @@ class Tracker {
   bool begin_at(double time, const CertifiedPoint& point, int determinant_sign) noexcept;
   bool settle() noexcept;
   bool settle_kept() noexcept;
-  void follow(double time, const JointVector& q) noexcept;
-  void follow_candidates(const JointVector& q, bool gap) noexcept;
+  void follow(double time, const JointVector& q, const JointVector& bend) noexcept;
+  void follow_candidates(const JointVector& q, const JointVector& bend, bool gap) noexcept;
   void watch_legs(const CertifiedPoint& from, const CertifiedPoint& to, double start, double end) noexcept;
   double zero_time(const CertifiedPoint& from, const CertifiedPoint& to, std::size_t leg, double start,
                    double end) const noexcept;
@@ -173,6 +173,7 @@ class Tracker {
   CertifiedPoint point_;    // of the last sample, while followed
   TaskVector entry_sines_;  // there
   Candidates candidates_;   // while ambiguous
+  PathBend bend_;
   AssemblyWatch assembly_;
   bool mode_changed_ = false;                  // since the reference was set
   std::array<double, max_legs> zero_times_{};  // when each B_jj last went through zero
