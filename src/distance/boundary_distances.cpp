@@ -262,11 +262,4 @@ const char* name(ConfigurationStatus status) noexcept {
 
 const char* name(LimitEnd end) noexcept { return end == LimitEnd::lower ? "lower" : "upper"; }
 
-double anchor_distance(const Manipulator& manipulator, const Pose& a, const Pose& b) noexcept {
-  double sum = 0.0;
-  for (const Leg& leg : manipulator.legs())
-    sum += (a.transform(leg.anchor) - b.transform(leg.anchor)).squaredNorm();
-  return std::sqrt(sum / static_cast<double>(manipulator.leg_count()));
-}
-
 }  // namespace parallel_aspects

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/tracking/assembly_watch.h"
 
-#include "parallel_aspects/tracking/anchor_distance.h"
+#include "parallel_aspects/model/anchor_distance.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #include "parallel_aspects/tracking/tracker.h"
 
 #include "parallel_aspects/kinematics/direct.h"
-#include "parallel_aspects/tracking/anchor_distance.h"
+#include "parallel_aspects/model/anchor_distance.h"
 
 #include <cmath>
 #include <utility>

@@ -3,6 +3,7 @@
 #define PARALLEL_ASPECTS_DISTANCE_BOUNDARY_DISTANCES_H
 
 #include "parallel_aspects/kinematics/working_mode.h"
+#include "parallel_aspects/model/anchor_distance.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"
 
@@ -127,9 +128,6 @@ const char* name(ConfigurationStatus status) noexcept;
 
 /// "lower" or "upper".
 const char* name(LimitEnd end) noexcept;
-
-/// D between two poses [m], in floating point.
-double anchor_distance(const Manipulator& manipulator, const Pose& a, const Pose& b) noexcept;
 
 }  // namespace parallel_aspects
 
