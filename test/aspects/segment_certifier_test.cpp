@@ -103,7 +103,7 @@ TEST_P(SegmentCertifierTest, AgreesWithDenseSampling) {
     proved += seems && verdict == SegmentVerdict::free;
     EXPECT_TRUE(seems || verdict != SegmentVerdict::free) << text(*robot, mode, from, to);
   });
-  EXPECT_TRUE(hindered > test::thinned(20) || !GetParam().has_ends) << hindered;
+  EXPECT_TRUE(hindered > 20 || test::is_sanitized || !GetParam().has_ends) << hindered;
   EXPECT_GE(proved, 0.97 * free) << proved << " of " << free;
 }
 
@@ -120,7 +120,7 @@ TEST_P(SegmentCertifierTest, BlockedSegmentsAreBlockedAtTheWitness) {
     const int there = sign_in_doubles(*robot, pose_between(from, to, proof.witness), mode);
     EXPECT_NE(there, sign) << text(*robot, mode, from, to) << " at " << proof.witness;
   });
-  EXPECT_TRUE(blocked > test::thinned(20) || !GetParam().has_ends) << blocked;
+  EXPECT_TRUE(blocked > 20 || test::is_sanitized || !GetParam().has_ends) << blocked;
 }
 
 // Bisects the way between det A > 0 and det A < 0 down to rounding, and goes through the singular pose.
@@ -149,7 +149,7 @@ TEST_P(SegmentCertifierTest, SegmentsThroughASingularityAreNeverProved) {
     EXPECT_NE(proof.verdict, SegmentVerdict::free);
     EXPECT_LE(proof.free_until, after + 1e-9);
   });
-  EXPECT_TRUE(crossings > test::thinned(5) || !GetParam().has_ends) << crossings;
+  EXPECT_TRUE(crossings > 5 || test::is_sanitized || !GetParam().has_ends) << crossings;
 }
 
 TEST_P(SegmentCertifierTest, APoseToItselfIsFreeAndTheOtherQuaternionIsTheSame) {
