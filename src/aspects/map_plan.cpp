@@ -65,6 +65,10 @@ std::string find_positions(const Manipulator& manipulator, const MapOptions& opt
            "' have no limits that bound the workspace; limit the drives in the URDF, or give a region or "
            "a workspace.";
   const std::optional<Box> exact = exact_region(*region);
+  if (!exact && !options.region && !plan.slice && manipulator.constraints().workspace)
+    return "The workspace that the constraints of '" + manipulator.name() +
+           "' name holds no reachable position, or is too thin for a map; mend constraints.workspace, or "
+           "leave it out.";
   if (!exact)
     return "The region of the map is empty, not finite, or too far from the origin for its size; give "
            "another "

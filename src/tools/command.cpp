@@ -46,6 +46,14 @@ int perform(const Subcommand& subcommand, bool json, const Surroundings& surroun
   }
 }
 
+/// A variable of a script that is not set is no value.
+CLI::Validator not_empty() {
+  const auto problem = [](const std::string& value) {
+    return value.empty() ? std::string("it is empty; give a value, or leave the option out") : std::string();
+  };
+  return CLI::Validator(problem, "");
+}
+
 class CommandLine {
  public:
   CommandLine() : app_(description, "aspects") {
@@ -75,7 +83,8 @@ class CommandLine {
     for (const Option& option : subcommand.options)
       app->add_option(option.name, *option.value, option.help)
           ->type_name(option.placeholder)
-          ->required(option.required);
+          ->required(option.required)
+          ->check(not_empty());
     for (const Flag& flag : subcommand.flags) app->add_flag(flag.name, *flag.value, flag.help);
     app->add_flag("--json", json_, "Print JSON, as documented in docs/command.md");
   }

@@ -232,11 +232,18 @@ TEST_F(Command, InverseTellsOfPassiveLimits) {
     EXPECT_TRUE(solution.at("joint_outside_limits").is_null());
 }
 
+TEST_F(Command, EmptyValuesAreRefused) {
+  for (const char* option : {"--mode", "--resolution", "--slice", "--save", "--constraint"}) {
+    const Outcome outcome = run({"map", "five_bar", option, ""});
+    EXPECT_EQ(outcome.code, exit_code::bad_usage) << option;
+    EXPECT_NE(outcome.messages.find(std::string(option) + ": it is empty"), std::string::npos);
+  }
+}
+
 TEST_F(Command, BadNumbersAreRefused) {
   for (const auto& arguments :
        std::vector<std::vector<const char*>>{{"ik", "five_bar", "--pose", "nan 2"},
                                              {"ik", "five_bar", "--pose", "1"},
-                                             {"ik", "five_bar", "--pose", ""},
                                              {"fk", "five_bar", "--joints", "1 2 3"},
                                              {"fk", "five_bar", "--joints", "one 2"},
                                              {"map", "five_bar", "--resolution", "0"},
