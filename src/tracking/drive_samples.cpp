@@ -71,16 +71,11 @@ bool is_gap(const Manipulator& manipulator, const SampleOptions& options, const 
   return false;
 }
 
-JointVector PathBend::next(const SampleOptions& options, const JointVector& step, double seconds) noexcept {
-  // Without usable stamps, steps are taken to be equally long.
-  const double interval = seconds > 0.0 ? seconds : seconds_ > 0.0 ? seconds_ : 1.0;
-  const JointVector velocity = step / interval;
-  const bool at_rest = velocity_.size() != step.size();
-  const double apart = at_rest ? interval : 0.5 * (interval + seconds_);
-  const JointVector change = at_rest ? velocity : JointVector(velocity - velocity_);
-  velocity_ = velocity;
-  seconds_ = interval;
-  return change.cwiseAbs() * (options.path_bend * interval * interval / (8.0 * apart));
+JointVector PathBend::next(const SampleOptions& options, const JointVector& step) noexcept {
+  JointVector change = step;
+  if (last_step_.size() == step.size()) change -= last_step_;
+  last_step_ = step;
+  return change.cwiseAbs() * (options.path_bend / 8.0);
 }
 
 }  // namespace parallel_aspects

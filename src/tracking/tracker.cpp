@@ -147,7 +147,7 @@ const TrackedState& Tracker::update(double time, const JointVector& q) noexcept 
   const bool gap =
       state_.q.size() > 0 && is_gap(*manipulator_, options_.samples, state_.q, drives, time - state_.time);
   const JointVector step = state_.q.size() > 0 ? JointVector(drives - state_.q) : JointVector::Zero(q.size());
-  const JointVector bend = bend_.next(options_.samples, step, time - state_.time);
+  const JointVector bend = bend_.next(options_.samples, step);
   const bool followed = state_.followed();
   if (followed && gap)
     lose(time, Doubt::gap);

@@ -62,6 +62,7 @@ class NodeLife : public testing::Test {
     node_ = space_ + "/aspect_node";
     ros::param::set(space_ + "/robot_description", test::source_file("urdf/five_bar.urdf"));
     set("mechanism", mechanism_parameter());
+    set("tracking/path_bend", 0.0);  // the motions are straight between samples
     set("start/pose", std::vector<double>{4.5, 8.0});
     set("map/resolution", 0.2);
     joint_states_ = ros::NodeHandle().advertise<sensor_msgs::JointState>(space_ + "/joint_states", 1000);

@@ -27,10 +27,10 @@ struct SampleOptions {
   /// And for noise of the encoders: this many rad, or of this share of the robot's size in m.
   double encoder_noise = 1e-4;
 
-  /// How far the drives may leave the straight way between two samples: this many times |a| dt^2 / 8, where a
-  /// is the acceleration that the last two steps show, the first step being taken from rest. 0: the way is
-  /// exactly straight. A smooth motion through det A = 0 touches the image of the singularity, which its
-  /// chords miss by just that much.
+  /// How far the drives may leave the straight way between two samples: this many times an eighth of the
+  /// difference of the last two steps, the first step being taken from rest. For samples at even times an
+  /// eighth is |a| dt^2 / 8, what the acceleration bends the way. 0: the way is exactly straight. A smooth
+  /// motion through det A = 0 touches the image of the singularity, which its chords miss by just that much.
   double path_bend = 2.0;
 
   /// Samples farther apart than this are a gap, whatever the drives do [s].
@@ -52,15 +52,15 @@ bool is_gap(const Manipulator& manipulator, const SampleOptions& options, const 
 /// allocates.
 class PathBend {
  public:
-  /// For a step of the drives in `seconds`, by `SampleOptions::path_bend` [rad or m].
-  JointVector next(const SampleOptions& options, const JointVector& step, double seconds) noexcept;
+  /// For a step of the drives, by `SampleOptions::path_bend` [rad or m]. Stamps play no part: their jitter
+  /// would look like accelerations.
+  JointVector next(const SampleOptions& options, const JointVector& step) noexcept;
 
   /// The next step starts from rest.
-  void forget() noexcept { velocity_.resize(0); }
+  void forget() noexcept { last_step_.resize(0); }
 
  private:
-  JointVector velocity_;  // of the last step; empty at rest
-  double seconds_ = 0.0;  // of the last step
+  JointVector last_step_;  // empty at rest
 };
 
 }  // namespace parallel_aspects
