@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/aspects/segment_certifier.h"
 
+#include "parallel_aspects/aspects/finite_lengths.h"
 #include "parallel_aspects/aspects/limit_verdict.h"
 #include "parallel_aspects/aspects/robot_points.h"
 
@@ -18,24 +19,8 @@ constexpr double aimed_ratio = 0.75;  // of a step, against the longest that pas
 constexpr int parts_between_looks = 16;
 constexpr int points_of_a_look = 12;
 
-// Interval arithmetic needs finite operands: with lengths below this, no product comes near the largest
-// double.
+// See finite_lengths.h.
 constexpr double longest_length = 1e12;  // [m]
-
-bool is_usable(const Eigen::Vector3d& point) {
-  return point.allFinite() && point.cwiseAbs().maxCoeff() < longest_length;
-}
-
-bool is_usable(const Pose& pose) {
-  const double squared_norm = pose.orientation.squaredNorm();
-  return is_usable(pose.position) && squared_norm > 0.25 && squared_norm < 4.0;
-}
-
-bool is_usable(const Manipulator& manipulator) {
-  return manipulator.size() < longest_length &&
-         std::all_of(manipulator.legs().begin(), manipulator.legs().end(),
-                     [](const Leg& leg) { return is_usable(leg.anchor) && is_usable(leg.base_point()); });
-}
 
 template <std::size_t D>
 ConstraintTests<D> made_under_upward_rounding(const Manipulator& manipulator) {
@@ -226,7 +211,7 @@ class SegmentCertifier::Evaluation {
 
 SegmentCertifier::SegmentCertifier(std::shared_ptr<const Manipulator> manipulator)
     : manipulator_(std::move(manipulator)),
-      usable_(is_usable(*manipulator_)),
+      usable_(is_usable(*manipulator_, longest_length)),
       is_planar_(is_planar(manipulator_->task_space())),
       planar_constraints_(made_under_upward_rounding<2>(*manipulator_)),
       spatial_constraints_(made_under_upward_rounding<3>(*manipulator_)) {
@@ -238,7 +223,7 @@ SegmentCertifier::SegmentCertifier(std::shared_ptr<const Manipulator> manipulato
 }
 
 ConfigurationProof SegmentCertifier::prove(const Pose& pose, const WorkingMode& mode) const noexcept {
-  if (!usable_ || !is_usable(pose) || mode.leg_count() != legs_.size()) return {};
+  if (!usable_ || !is_usable(pose, longest_length) || mode.leg_count() != legs_.size()) return {};
   for (std::size_t j = 0; j < legs_.size(); ++j)
     if (!manipulator_->leg(j).has_branch(mode.sign(j))) return {0, Hindrance::out_of_reach};
   const RoundingUpward rounding;
@@ -260,7 +245,7 @@ SegmentProof SegmentCertifier::prove(const Pose& from, const Pose& to, const Wor
 SegmentProof SegmentCertifier::prove_start(const Pose& from, const Pose& to, const WorkingMode& mode,
                                            int most_parts) const noexcept {
   const ConfigurationProof start = prove(from, mode);
-  if (start.sign == 0 || !is_usable(to)) return {};
+  if (start.sign == 0 || !is_usable(to, longest_length)) return {};
   return march(from, to, mode, start.sign, most_parts);
 }
 

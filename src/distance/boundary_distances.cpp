@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/distance/boundary_distances.h"
 
+#include "parallel_aspects/aspects/finite_lengths.h"
 #include "parallel_aspects/distance/leg_search.h"
 #include "parallel_aspects/distance/parallel_search.h"
 #include "parallel_aspects/kinematics/inverse.h"
@@ -14,25 +15,9 @@
 namespace parallel_aspects {
 namespace {
 
-// Interval arithmetic needs finite operands: with lengths below this, no product comes near the largest
-// double.
+// See finite_lengths.h.
 constexpr double longest_length = 1e9;  // [m]
 constexpr int most_boxes_at_all = 10'000'000;
-
-bool is_usable(const Eigen::Vector3d& point) {
-  return point.allFinite() && point.cwiseAbs().maxCoeff() < longest_length;
-}
-
-bool is_usable(const Pose& pose) {
-  const double squared_norm = pose.orientation.squaredNorm();
-  return is_usable(pose.position) && squared_norm > 0.25 && squared_norm < 4.0;
-}
-
-bool is_usable(const Manipulator& manipulator) {
-  return manipulator.size() < longest_length &&
-         std::all_of(manipulator.legs().begin(), manipulator.legs().end(),
-                     [](const Leg& leg) { return is_usable(leg.anchor) && is_usable(leg.base_point()); });
-}
 
 // What the task space does not move is left out.
 Pose within(TaskSpace space, const Pose& pose) {
@@ -82,13 +67,13 @@ class BoundaryDistanceMeter::SearchesIn final : public Searches {
         determinant_(hood_, *manipulator_),
         parallel_(hood_, options),
         leg_(hood_, options),
-        usable_(is_usable(*manipulator_) && hood_.metric().usable) {}
+        usable_(is_usable(*manipulator_, longest_length) && hood_.metric().usable) {}
 
   BoundaryDistances measure(const Pose& given, const WorkingMode& mode) noexcept override {
     BoundaryDistances result;
-    if (!usable_ || !is_usable(given) || !has_branches(*manipulator_, mode)) return result;
+    if (!usable_ || !is_usable(given, longest_length) || !has_branches(*manipulator_, mode)) return result;
     const Pose pose = within(space, given);
-    if (!is_usable(pose)) return result;
+    if (!is_usable(pose, longest_length)) return result;
     const InverseSolution solution = inverse(*manipulator_, pose, mode);
     result.q = solution.q;
     result.status = ConfigurationStatus::out_of_reach;

@@ -12,10 +12,24 @@
 #include <sensor_msgs/JointState.h>
 #include <string>
 #include <vector>
+#include <xmlrpcpp/XmlRpcValue.h>
 
 namespace parallel_aspects::test {
 
 inline std::shared_ptr<const Mechanism> five_bar_mechanism() { return shipped("five_bar"); }
+
+/// The parameter `mechanism` that closes its loop.
+inline XmlRpc::XmlRpcValue five_bar_mechanism_parameter() {
+  XmlRpc::XmlRpcValue mechanism;
+  mechanism["operational_point"] = "tool";
+  mechanism["base_link"] = "base_link";
+  mechanism["actuated_joints"][0] = "crank_1_joint";
+  mechanism["actuated_joints"][1] = "crank_2_joint";
+  mechanism["closures"][0]["type"] = "revolute";
+  mechanism["closures"][0]["frames"][0] = "tool";
+  mechanism["closures"][0]["frames"][1] = "closing_2";
+  return mechanism;
+}
 
 inline Pose pose_at(double x, double y) {
   Pose pose;

@@ -76,15 +76,7 @@ class MasterRestart : public testing::Test {
     ros::param::set("/robot_description", test::source_file("urdf/five_bar.urdf"));
     ros::param::set(node + "/start/pose", std::vector<double>{4.5, 8.0});
     ros::param::set(node + "/map/resolution", 0.2);
-    XmlRpc::XmlRpcValue mechanism;
-    mechanism["operational_point"] = "tool";
-    mechanism["base_link"] = "base_link";
-    mechanism["actuated_joints"][0] = "crank_1_joint";
-    mechanism["actuated_joints"][1] = "crank_2_joint";
-    mechanism["closures"][0]["type"] = "revolute";
-    mechanism["closures"][0]["frames"][0] = "tool";
-    mechanism["closures"][0]["frames"][1] = "closing_2";
-    ros::param::set(node + "/mechanism", mechanism);
+    ros::param::set(node + "/mechanism", test::five_bar_mechanism_parameter());
     process_ = std::make_unique<test::Process>(PARALLEL_ASPECTS_NODE, "/");
     advertise();
     ASSERT_TRUE(eventually([&] { return states_.last().has_value() && log_.connected(); }));

@@ -40,19 +40,8 @@ namespace {
 
 using test::at_pose;
 using test::eventually;
+using test::five_bar_mechanism_parameter;
 using test::Recorder;
-
-XmlRpc::XmlRpcValue mechanism_parameter() {
-  XmlRpc::XmlRpcValue mechanism;
-  mechanism["operational_point"] = "tool";
-  mechanism["base_link"] = "base_link";
-  mechanism["actuated_joints"][0] = "crank_1_joint";
-  mechanism["actuated_joints"][1] = "crank_2_joint";
-  mechanism["closures"][0]["type"] = "revolute";
-  mechanism["closures"][0]["frames"][0] = "tool";
-  mechanism["closures"][0]["frames"][1] = "closing_2";
-  return mechanism;
-}
 
 /// A node of the five-bar in the namespace of its test, with these private parameters.
 class NodeLife : public testing::Test {
@@ -61,7 +50,7 @@ class NodeLife : public testing::Test {
     space_ = std::string("/") + testing::UnitTest::GetInstance()->current_test_info()->name();
     node_ = space_ + "/aspect_node";
     ros::param::set(space_ + "/robot_description", test::source_file("urdf/five_bar.urdf"));
-    set("mechanism", mechanism_parameter());
+    set("mechanism", five_bar_mechanism_parameter());
     set("tracking/path_bend", 0.0);  // the motions are straight between samples
     set("start/pose", std::vector<double>{4.5, 8.0});
     set("map/resolution", 0.2);
