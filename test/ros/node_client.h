@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <ros/ros.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <mutex>
@@ -45,6 +46,12 @@ class Recorder {
   std::optional<Message> last() const {
     const std::lock_guard<std::mutex> lock(mutex_);
     return messages_.empty() ? std::nullopt : std::make_optional(messages_.back());
+  }
+  // The newest message that fits.
+  std::optional<Message> newest(const std::function<bool(const Message&)>& fits) const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const auto found = std::find_if(messages_.rbegin(), messages_.rend(), fits);
+    return found == messages_.rend() ? std::nullopt : std::make_optional(*found);
   }
   bool connected() const { return subscriber_.getNumPublishers() > 0; }
 
