@@ -29,18 +29,41 @@ double longest_edge(const MapPlan& plan, std::uint32_t level) {
   return plan.space->longest_edge(at_level(plan.space->region(), level));
 }
 
-/// The positions within reach, and those of a workspace that the operational point must stay in.
-std::optional<Box> allowed_positions(const Manipulator& manipulator, const MapPlan& plan) {
-  std::optional<Box> positions = plan.classifier->reachable_positions();
+/// Which of x, y and z the coordinates of the map are, in order.
+std::vector<Eigen::Index> mapped_positions(const Manipulator& manipulator, const MapPlan& plan) {
+  std::vector<Eigen::Index> result;
+  for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(directions(manipulator.task_space())); ++i)
+    if (!plan.slice || plan.slice->moves[static_cast<std::size_t>(i)]) result.push_back(i);
+  return result;
+}
+
+/// The positions within reach or in the region that is asked for, and in the workspace.
+std::optional<Box> allowed_positions(const Manipulator& manipulator, const MapOptions& options,
+                                     const MapPlan& plan) {
+  std::optional<Box> positions = options.region ? options.region : plan.classifier->reachable_positions();
   const auto& workspace = manipulator.constraints().workspace;
-  if (!workspace || plan.slice) return positions;
-  if (!positions) positions = unbounded(directions(manipulator.task_space()));
-  for (std::size_t i = 0; i < positions->dimension; ++i) {
-    const auto row = static_cast<Eigen::Index>(i);
-    positions->lower[i] = std::max(positions->lower[i], workspace->lower[row]);
-    positions->upper[i] = std::min(positions->upper[i], workspace->upper[row]);
+  const std::vector<Eigen::Index> mapped = mapped_positions(manipulator, plan);
+  if (!workspace || mapped.empty()) return positions;
+  if (!positions) positions = unbounded(mapped.size());
+  for (std::size_t i = 0; i < mapped.size(); ++i) {
+    positions->lower[i] = std::max(positions->lower[i], workspace->lower[mapped[i]]);
+    positions->upper[i] = std::min(positions->upper[i], workspace->upper[mapped[i]]);
   }
   return positions;
+}
+
+/// Why the workspace holds no pose of the slice; empty otherwise.
+std::string find_workspace_problem(const Manipulator& manipulator, const MapPlan& plan) {
+  const auto& workspace = manipulator.constraints().workspace;
+  if (!workspace || !plan.slice) return "";
+  for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(directions(manipulator.task_space())); ++i) {
+    const double held = plan.slice->held.position[i];
+    if (!plan.slice->moves[static_cast<std::size_t>(i)] &&
+        !(workspace->lower[i] < held && held < workspace->upper[i]))
+      return "The slice holds a position outside of the workspace that the constraints of '" +
+             manipulator.name() + "' name; hold it inside, or leave the constraint out.";
+  }
+  return "";
 }
 
 /// Slices take every leg in space, where it is not seen that links of a planar robot cross.
@@ -56,19 +79,21 @@ std::string find_constraint_problem(const Manipulator& manipulator, const MapOpt
 /// The positions that the map covers; the sentence says why there are none, and is empty otherwise.
 std::string find_positions(const Manipulator& manipulator, const MapOptions& options, const MapPlan& plan,
                            Box& positions) {
-  if (plan.slice && options.region && options.region->dimension != plan.slice->free_positions())
-    return "The region of the slice has " + std::to_string(options.region->dimension) +
-           " coordinates; give one for each free position.";
-  const std::optional<Box> region = options.region ? options.region : allowed_positions(manipulator, plan);
+  const std::size_t free = mapped_positions(manipulator, plan).size();
+  if (options.region && options.region->dimension != free && (plan.slice || free > 0))
+    return "The region of the map has " + std::to_string(options.region->dimension) +
+           " coordinates; give one for each position that is free, which are " + std::to_string(free) + ".";
+  if (const std::string problem = find_workspace_problem(manipulator, plan); !problem.empty()) return problem;
+  const std::optional<Box> region = allowed_positions(manipulator, options, plan);
   if (!region)
     return "The legs of '" + manipulator.name() +
            "' have no limits that bound the workspace; limit the drives in the URDF, or give a region or "
            "a workspace.";
   const std::optional<Box> exact = exact_region(*region);
-  if (!exact && !options.region && !plan.slice && manipulator.constraints().workspace)
-    return "The workspace that the constraints of '" + manipulator.name() +
-           "' name holds no reachable position, or is too thin for a map; mend constraints.workspace, or "
-           "leave it out.";
+  if (!exact && manipulator.constraints().workspace && (!options.region || exact_region(*options.region)))
+    return "The workspace that the constraints of '" + manipulator.name() + "' name holds no " +
+           (options.region ? "position of the region" : "reachable position") +
+           ", or is too thin for a map; mend constraints.workspace, or leave it out.";
   if (!exact)
     return "The region of the map is empty, not finite, or too far from the origin for its size; give "
            "another "

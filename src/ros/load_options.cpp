@@ -52,7 +52,7 @@ std::optional<Box> region_from(ParameterReader reader, Problems& problems, const
   reader.report_unknown_keys();
   if (lower.size() != upper.size() || lower.empty() || lower.size() > max_map_dimension) {
     problems.push_back("Parameter " + name +
-                       " must have lower and upper, lists of as many numbers as the pose has.");
+                       " must have lower and upper, lists of as many numbers as the platform has positions.");
     return std::nullopt;
   }
   Box region;

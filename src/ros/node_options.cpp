@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/ros/node_options.h"
 
+#include "parallel_aspects/model/constraints.h"
+
 #include <cmath>
 
 namespace parallel_aspects {
@@ -29,15 +31,17 @@ class Checks {
   Problems problems_;
 };
 
-void check_map(const MapOptions& map, std::size_t dimension, Checks& checks, const std::string& group) {
+void check_map(const MapOptions& map, std::size_t positions, Checks& checks, const std::string& group) {
   checks.require(!map.resolution || positive(*map.resolution), group + "resolution",
                  "must be a positive number [m or rad]; leave it out for 1/200 of the robot's size.");
   checks.require(map.threads <= 1024, group + "threads", "must be 0 (one a core) to 1024.");
   checks.require(map.extra_levels >= 0 && map.extra_levels <= 20, group + "extra_levels", "must be 0 to 20.");
   if (!map.region) return;
+  checks.require(positions > 0, group + "region",
+                 "is of positions, but every orientation of a robot in SO3 is searched; leave it out.");
   checks.require(
-      map.region->dimension == dimension, group + "region",
-      "must have " + std::to_string(dimension) + " numbers in lower and in upper, one a coordinate.");
+      positions == 0 || map.region->dimension == positions, group + "region",
+      "must have " + std::to_string(positions) + " numbers in lower and in upper, one a position [m].");
   for (std::size_t i = 0; i < map.region->dimension; ++i)
     checks.require(std::isfinite(map.region->width(i)) && map.region->width(i) > 0.0, group + "region",
                    "must have finite numbers, each of lower below that of upper; number " +
@@ -110,13 +114,13 @@ Problems problems_of(const ThresholdParameters& thresholds, const std::string& p
 
 Problems problems_of(const MapOptions& options, const Manipulator& manipulator, const std::string& prefix) {
   Checks checks(prefix);
-  check_map(options, freedoms(manipulator.task_space()), checks, "");
+  check_map(options, directions(manipulator.task_space()), checks, "");
   return checks.take();
 }
 
 Problems problems_of(const NodeOptions& options, const Manipulator& manipulator, const std::string& prefix) {
   Checks checks(prefix);
-  check_map(options.map, freedoms(manipulator.task_space()), checks, "map/");
+  check_map(options.map, directions(manipulator.task_space()), checks, "map/");
   checks.require(options.map_file.empty() || options.map_file.front() == '/', "map/file",
                  "must be an absolute path, or empty for none.");
   check_start(options.start, manipulator.task_space(), checks);

@@ -2,6 +2,7 @@
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/map_file.h"
 #include "parallel_aspects/aspects/whole_file.h"
+#include "parallel_aspects/model/constraints.h"
 #include "parallel_aspects/model/problems.h"
 #include "parallel_aspects/tools/arguments.h"
 #include "parallel_aspects/tools/bounds_report.h"
@@ -135,8 +136,8 @@ std::string map_text(const AspectMap& map) {
 
 struct MapArguments {
   RobotChoice robot;
-  std::string slice, modes;  // empty where not given
-  std::string resolution;
+  std::string slice, modes;        // empty where not given
+  std::string resolution, region;  // likewise
   std::string threads;
   std::string load_file, save_file;  // empty where not given
   std::string picture_file;
@@ -145,13 +146,50 @@ struct MapArguments {
   ConstraintArguments constraints;
 };
 
-MapOptions parse_options(const MapArguments& arguments, Problems& problems) {
+/// What the command line says, and else the robot's file; the region is not yet looked at.
+MapOptions parse_options(const MapArguments& arguments, const MapConfig& section, Problems& problems) {
   MapOptions options;
+  options.resolution = section.resolution;
+  options.threads = section.threads.value_or(options.threads);
+  options.extra_levels = section.extra_levels.value_or(options.extra_levels);
   if (!arguments.resolution.empty())
     options.resolution = parse_positive("--resolution", arguments.resolution, problems);
   if (!arguments.threads.empty())
     options.threads = parse_count("--threads", arguments.threads, most_threads, problems);
   return options;
+}
+
+/// The ranges of a robot's file that belong to the free positions of a slice.
+std::optional<Box> region_of_slice(const Box& region, const MapSlice& slice, const std::string& file,
+                                   Problems& problems) {
+  Box result;
+  for (std::size_t i = 0; i < region.dimension; ++i) {
+    const double held = slice.held.position[static_cast<Eigen::Index>(i)];
+    if (slice.moves[i]) {
+      result.lower[result.dimension] = region.lower[i];
+      result.upper[result.dimension++] = region.upper[i];
+    } else if (!(region.lower[i] <= held && held <= region.upper[i])) {
+      problems.push_back("--slice holds position " + std::to_string(i + 1) + " at " + shown(held) +
+                         " m, outside of the map.region of " + file + "; hold it inside, or give --region.");
+    }
+  }
+  return result.dimension > 0 ? std::optional<Box>(result) : std::nullopt;
+}
+
+/// Where to look, as the command line says, and else the robot's file; nothing where neither does.
+std::optional<Box> find_region(const MapArguments& arguments, const MapSection& section, TaskSpace space,
+                               const std::optional<MapSlice>& slice, Problems& problems) {
+  std::vector<std::string> names = slice ? coordinate_names(*slice) : coordinate_names(space);
+  names.resize(slice ? slice->free_positions() : directions(space));
+  if (!arguments.region.empty() && names.empty())
+    problems.emplace_back(
+        "--region is of positions, but here every orientation is searched and no more; "
+        "leave it out.");
+  else if (!arguments.region.empty())
+    return parse_region("--region", names, arguments.region, problems);
+  if (!arguments.region.empty()) return std::nullopt;
+  const auto region = resolve_region(section.config, space, section.file, problems);
+  return region && slice ? region_of_slice(*region, *slice, section.file, problems) : region;
 }
 
 /// A long computation is not to be lost to a folder that is not there.
@@ -165,10 +203,11 @@ void check_folder(const std::string& option, const std::string& file, Problems& 
 
 // With six freedoms there is a roadmap in place of a map.
 Report roadmap_report(std::shared_ptr<const Manipulator> manipulator, const MapArguments& arguments,
-                      const Surroundings& surroundings) {
+                      const MapSection& section, const Surroundings& surroundings) {
   Problems problems;
   RoadmapOptions options = parse_roadmap(arguments.roadmap, problems);
-  options.threads = parse_options(arguments, problems).threads;
+  options.threads = parse_options(arguments, section.config, problems).threads;
+  options.region = find_region(arguments, section, manipulator->task_space(), std::nullopt, problems);
   if (!arguments.resolution.empty())
     problems.emplace_back(
         "--resolution is that of a map of boxes, which there is none of in SE3 without --slice; give that or "
@@ -193,7 +232,8 @@ Report roadmap_report(std::shared_ptr<const Manipulator> manipulator, const MapA
 }
 
 /// The options that depend on the robot.
-void add_coverage(const MapArguments& arguments, const Manipulator& manipulator, MapOptions& options) {
+void add_coverage(const MapArguments& arguments, const MapSection& section, const Manipulator& manipulator,
+                  MapOptions& options) {
   Problems problems;
   if (!arguments.roadmap.samples.empty() || !arguments.roadmap.seed.empty())
     problems.push_back("--samples and --seed are for roadmaps, in SE3 without --slice; the map of '" +
@@ -201,6 +241,8 @@ void add_coverage(const MapArguments& arguments, const Manipulator& manipulator,
   options.modes = parse_modes("--mode", manipulator, arguments.modes, problems);
   if (!arguments.slice.empty())
     options.slice = parse_slice("--slice", manipulator.task_space(), arguments.slice, problems);
+  if (problems.empty())
+    options.region = find_region(arguments, section, manipulator.task_space(), options.slice, problems);
   const std::size_t dimension =
       options.slice ? options.slice->dimension() : freedoms(manipulator.task_space());
   if (problems.empty() && !arguments.picture_file.empty() && dimension != 2)
@@ -276,6 +318,10 @@ Subcommand map_subcommand() {
       {"--resolution", "R",
        "Longest edge of an undecided leaf of the base map [m or rad]; by default what suits the robot",
        &arguments->resolution});
+  options.push_back({"--region", "\"x=0:5 y=0:9\"",
+                     "Where to look: a lower and an upper end of every position that is free [m]; by default "
+                     "all that the legs reach",
+                     &arguments->region});
   options.push_back({"--slice", "\"z=1\"",
                      "Map a line, plane or volume of poses: what is held, with its value [m or rad]; the "
                      "rest is free",
@@ -302,14 +348,15 @@ Subcommand map_subcommand() {
           options,
           [arguments](const Surroundings& surroundings) {
             Problems problems;
-            MapOptions map_options = parse_options(*arguments, problems);
+            const MapSection section = load_map_section(arguments->robot, problems);
+            MapOptions map_options = parse_options(*arguments, section.config, problems);
             check_folder("--save", arguments->save_file, problems);
             check_folder("--picture", arguments->picture_file, problems);
             const auto mechanism = load_robot(arguments->robot, std::move(problems));
             const auto manipulator = choose_constraints(mechanism->manipulator(), arguments->constraints);
             if (manipulator->task_space() == TaskSpace::SE3 && arguments->slice.empty())
-              return roadmap_report(manipulator, *arguments, surroundings);
-            add_coverage(*arguments, *manipulator, map_options);
+              return roadmap_report(manipulator, *arguments, section, surroundings);
+            add_coverage(*arguments, section, *manipulator, map_options);
             return load_or_compute(manipulator, map_options, *arguments, surroundings);
           },
           {{"--neighbours", "Tell which aspects touch across a singularity, and where that is proved",

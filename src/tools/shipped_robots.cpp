@@ -115,6 +115,17 @@ std::vector<std::string> shipped_robots(const fs::path& share) {
   return names;
 }
 
+MapSection load_map_section(const RobotChoice& choice, Problems& problems) {
+  MapSection section;
+  if (!problems_of(choice).empty()) return section;
+  section.file = choice.config_file;
+  if (!choice.name.empty()) section.file = (config_folder(share_folder()) / (choice.name + ".yaml")).string();
+  Problems told_by_load_robot;
+  if (const auto text = contents(section.file, told_by_load_robot))
+    section.config = read_map_config(*text, section.file, problems);
+  return section;
+}
+
 std::shared_ptr<const Mechanism> load_robot(const RobotChoice& choice, Problems known) {
   try {
     auto mechanism = load(choice);

@@ -4,13 +4,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "support/command_run.h"
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <map>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -19,37 +16,15 @@ namespace parallel_aspects::tools {
 namespace {
 
 using nlohmann::json;
-
-struct Outcome {
-  int code = 0;
-  std::string output;
-  std::string messages;
-};
-
-Outcome run(std::vector<const char*> arguments, const std::atomic<bool>* interrupted = nullptr) {
-  std::ostringstream output, messages;
-  arguments.insert(arguments.begin(), "aspects");
-  const int code = run_command(static_cast<int>(arguments.size()), arguments.data(),
-                               {output, messages, false, interrupted});
-  return {code, output.str(), messages.str()};
-}
-
-json run_json(std::vector<const char*> arguments) {
-  arguments.push_back("--json");
-  const Outcome outcome = run(arguments);
-  EXPECT_EQ(outcome.code, exit_code::ok) << outcome.messages;
-  EXPECT_EQ(outcome.messages, "");
-  return json::parse(outcome.output, nullptr, false);
-}
+using test::Outcome;
+using test::run;
+using test::run_json;
 
 std::size_t line_count(const std::string& text) {
   return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
 }
 
-class Command : public testing::Test {
- protected:
-  void SetUp() override { setenv("PARALLEL_ASPECTS_SHARE", PARALLEL_ASPECTS_SOURCE_DIR, 1); }
-};
+using Command = test::CommandTest;
 
 TEST_F(Command, HelpGoesToTheOutput) {
   for (const auto& arguments : std::vector<std::vector<const char*>>{
@@ -253,196 +228,6 @@ TEST_F(Command, BadNumbersAreRefused) {
     EXPECT_EQ(outcome.output, "");
     EXPECT_NE(outcome.messages, "");
   }
-}
-
-TEST_F(Command, MapHasTheTenAspectsOfThePaper) {
-  const json map = run_json({"map", "five_bar"});
-  EXPECT_EQ(map.at("proved_count"), 10);
-  EXPECT_EQ(map.at("inside_components"), 10);
-  EXPECT_EQ(map.at("unresolved"), json::array());
-  std::map<std::string, int> count;
-  for (const json& aspect : map.at("aspects"))
-    ++count[aspect.at("working_mode").dump() + (aspect.at("det_a_sign").get<int>() > 0 ? "+" : "-")];
-  const std::map<std::string, int> expected{{"[1,1]+", 1},  {"[1,1]-", 1},  {"[-1,-1]+", 1}, {"[-1,-1]-", 1},
-                                            {"[1,-1]+", 2}, {"[1,-1]-", 1}, {"[-1,1]+", 1},  {"[-1,1]-", 2}};
-  EXPECT_EQ(count, expected);
-}
-
-TEST_F(Command, MapHasTheDocumentedFields) {
-  const json map = run_json({"map", "five_bar", "--resolution", "0.5", "--threads", "1"});
-  for (const char* field :
-       {"mechanism", "task_space", "resolution", "seconds", "loaded", "working_modes", "aspects",
-        "proved_count", "inside_components", "unresolved", "measure_undecided"})
-    EXPECT_TRUE(map.contains(field)) << field;
-  for (const json& aspect : map.at("aspects"))
-    for (const char* field : {"id", "working_mode", "det_a_sign", "measure", "unit", "inside_leaves",
-                              "bounding_box", "deepest_pose"})
-      EXPECT_TRUE(aspect.contains(field)) << field;
-  EXPECT_LE(map.at("resolution").get<double>(), 0.5);
-}
-
-TEST_F(Command, ConstraintsAreChosen) {
-  const json whole = run_json({"map", "five_bar", "--resolution", "0.5"});
-  EXPECT_TRUE(whole["constraints"].empty());
-  const json bounded = run_json({"map", "five_bar", "--resolution", "0.5", "--constraint", "self_collision"});
-  ASSERT_EQ(bounded["constraints"].size(), 1U);
-  EXPECT_EQ(bounded["constraints"][0]["name"], "self_collision");
-  EXPECT_GT(bounded["constraints"][0]["undecided_leaves"], 10);
-  EXPECT_EQ(bounded["proved_count"], 10);
-  EXPECT_EQ(run_json({"map", "bipod"})["constraints"][0]["name"], "driven_limits");
-  EXPECT_TRUE(bounded["empty_working_modes"].empty());
-}
-
-TEST_F(Command, BadConstraintsAreRefused) {
-  const std::vector<std::pair<std::vector<const char*>, std::string>> cases{
-      {{"map", "five_bar", "--constraint", "gravity"},
-       "--constraint names 'gravity'; give some of driven_limits, passive_limits, self_collision, obstacles, "
-       "workspace, all or none.\n"},
-      {{"map", "five_bar", "--no-constraint", "gravity"},
-       "--no-constraint names 'gravity'; give some of driven_limits, passive_limits, self_collision, "
-       "obstacles, "
-       "workspace, all or none.\n"},
-      {{"map", "five_bar", "--constraint", "obstacles"},
-       "--constraint names obstacles, which 'five_bar' has none of; state it in the robot's YAML or URDF, or "
-       "leave it out.\n"},
-      {{"map", "bipod", "--no-constraint", "driven_limits"},
-       "The legs of 'bipod' have no limits that bound the workspace; limit the drives in the URDF, or give a "
-       "region or a workspace.\n"},
-      {{"map", "three_prr", "--constraint", "driven_limits,self_collision", "--slice", "phi=0"},
-       "Maps of slices of planar robots know no constraints but driven_limits; leave the others out, or map "
-       "all "
-       "poses.\n"}};
-  for (const auto& [arguments, sentence] : cases) {
-    const Outcome outcome = run(arguments);
-    EXPECT_EQ(outcome.code, exit_code::bad_input);
-    EXPECT_EQ(outcome.messages, sentence);
-  }
-}
-
-TEST_F(Command, SlicesAreMapped) {
-  const json plane =
-      run_json({"map", "stewart", "--slice", "z=1.3, roll=0 pitch=0 yaw=0", "--resolution", "0.1"});
-  EXPECT_EQ(plane.at("slice").at("held").at("z"), 1.3);
-  EXPECT_EQ(plane.at("slice").at("free"), (std::vector<std::string>{"x", "y"}));
-  EXPECT_EQ(plane.at("unit"), "m^2");
-  EXPECT_EQ(plane.at("region").at("lower").size(), 2U);
-  EXPECT_EQ(plane.at("proved_count"), 1);
-  EXPECT_EQ(plane.at("aspects").at(0).at("deepest_pose").at("z"), 1.3);
-  const json line = run_json({"map", "three_rrr", "--slice", "x=-3 y=0", "--mode", "(+,+,+) (-,+,+)"});
-  EXPECT_EQ(line.at("slice").at("free"), (std::vector<std::string>{"phi"}));
-  EXPECT_EQ(line.at("unit"), "rad");
-  EXPECT_LE(line.at("working_modes").size(), 2U);
-  EXPECT_TRUE(run_json({"map", "five_bar"}).at("slice").is_null());
-}
-
-TEST_F(Command, NeighboursAreToldWhereAsked) {
-  const json map = run_json({"map", "five_bar", "--neighbours"});
-  ASSERT_EQ(map.at("neighbours").size(), 18U);
-  const json& first = map.at("neighbours").at(0);
-  EXPECT_EQ(first.at("aspects"), (std::vector<int>{1, 2}));
-  EXPECT_EQ(first.at("crossing"), "parallel");
-  EXPECT_TRUE(first.at("leg").is_null());
-  EXPECT_EQ(first.at("proved"), true);
-  EXPECT_EQ(first.at("pose").size(), 2U);
-  EXPECT_EQ(map.at("neighbours").at(1).at("leg"), "leg_1");
-  EXPECT_EQ(run_json({"map", "five_bar"}).count("neighbours"), 0U);
-  EXPECT_NE(run({"map", "five_bar", "--neighbours"}).output.find("B_jj = 0 of leg_1"), std::string::npos);
-  EXPECT_EQ(run({"map", "stewart", "--neighbours"}).code, exit_code::bad_input);
-}
-
-TEST_F(Command, MapsWithTwoCoordinatesAreDrawn) {
-  const std::string file = testing::TempDir() + "aspects_drawn.svg";
-  std::filesystem::remove(file);
-  ASSERT_EQ(run({"map", "three_rrr", "--slice", "phi=0", "--mode", "(+,+,+) (-,+,+)", "--resolution", "1",
-                 "--picture", file.c_str()})
-                .code,
-            exit_code::ok);
-  std::ifstream stream(file);
-  const std::string svg{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  EXPECT_EQ(svg.rfind("<svg ", 0), 0U);
-  EXPECT_EQ(svg.substr(svg.size() - 7), "</svg>\n");
-  EXPECT_NE(svg.find(">(+,+,+)<"), std::string::npos);
-  EXPECT_NE(svg.find(">(-,+,+)<"), std::string::npos);
-  EXPECT_EQ(svg.find(">(+,-,+)<"), std::string::npos);
-  EXPECT_NE(svg.find("slice phi = 0 rad"), std::string::npos);
-  std::filesystem::remove(file);
-  const Outcome refused = run({"map", "delta", "--picture", file.c_str()});
-  EXPECT_EQ(refused.code, exit_code::bad_input);
-  EXPECT_EQ(refused.messages,
-            "--picture is of two coordinates, but the map has 3; give a slice that leaves two free.\n");
-  EXPECT_EQ(run({"map", "five_bar", "--picture", "/no/such/folder/a.svg"}).code, exit_code::bad_input);
-  EXPECT_EQ(run({"map", "stewart", "--picture", file.c_str()}).code, exit_code::bad_input);
-}
-
-TEST_F(Command, BadSlicesAreRefused) {
-  const std::map<std::vector<const char*>, const char*> refused{
-      {{"map", "delta", "--slice", "phi=0"},
-       "A slice of T3 has no coordinate 'phi'; hold some of x, y and z.\n"},
-      {{"map", "delta", "--slice", "z"},
-       "--slice has 'z'; give what is held with its value, such as \"z=0.5\".\n"},
-      {{"map", "delta", "--slice", "z=high"},
-       "--slice has 'high', which is not a finite number; give one.\n"},
-      {{"map", "delta", "--mode", "(+,-)"},
-       "--mode is '(+,-)'; give the signs of B_jj of each leg, such as \"(-,+,+)\", for each working "
-       "mode.\n"},
-      {{"map", "stewart", "--mode", "(-,+,+,+,+,+)", "--slice", "z=1.3 roll=0 pitch=0 yaw=0"},
-       "'stewart' has no working mode (-,+,+,+,+,+); its first is (+,+,+,+,+,+).\n"},
-      {{"map", "stewart", "--mode", "(+,+,+,+,+,+)"},
-       "--mode is for maps of boxes, which there is none of in SE3 without --slice; leave it out.\n"},
-      {{"map", "hexa", "--slice", "z=-0.6 roll=0 pitch=0", "--samples", "10"},
-       "--samples and --seed are for roadmaps, in SE3 without --slice; the map of 'hexa' is one of boxes, so "
-       "give --resolution.\n"}};
-  for (const auto& [arguments, message] : refused) {
-    const Outcome outcome = run(arguments);
-    EXPECT_EQ(outcome.code, exit_code::bad_input) << message;
-    EXPECT_EQ(outcome.messages, message);
-    EXPECT_EQ(outcome.output, "");
-  }
-}
-
-TEST_F(Command, MapsAreSavedAndLoaded) {
-  std::string folder = (std::filesystem::temp_directory_path() / "command_XXXXXX").string();
-  ASSERT_NE(mkdtemp(folder.data()), nullptr);
-  const std::string file = folder + "/map";
-  const auto map = [&](const char* option) {
-    return run_json({"map", "five_bar", "--resolution", "0.5", option, file.c_str()});
-  };
-  json computed = map("--save");
-  EXPECT_EQ(computed.at("loaded"), false);
-  json loaded = map("--load");
-  EXPECT_EQ(loaded.at("loaded"), true);
-  computed.erase("loaded");
-  loaded.erase("loaded");
-  EXPECT_EQ(computed, loaded);
-
-  const std::vector<const char*> other{"map",        "five_bar", "--resolution", "0.2",   "--load",
-                                       file.c_str(), "--save",   file.c_str(),   "--json"};
-  Outcome outcome = run(other);
-  EXPECT_EQ(outcome.code, exit_code::ok);
-  EXPECT_EQ(line_count(outcome.messages), 1U) << outcome.messages;
-  EXPECT_NE(outcome.messages.find("resolution"), std::string::npos) << outcome.messages;
-  EXPECT_EQ(json::parse(outcome.output).at("loaded"), false);
-  outcome = run(other);
-  EXPECT_EQ(outcome.messages, "");
-  EXPECT_EQ(json::parse(outcome.output).at("loaded"), true);
-  std::filesystem::remove_all(folder);
-}
-
-TEST_F(Command, FilesOfMapsThatCannotBeAreRefused) {
-  Outcome outcome = run({"map", "five_bar", "--resolution", "0.5", "--save", "/no/such/folder/map"});
-  EXPECT_EQ(outcome.code, exit_code::bad_input);
-  EXPECT_EQ(outcome.output, "");
-  EXPECT_NE(outcome.messages.find("/no/such/folder/map"), std::string::npos) << outcome.messages;
-  outcome = run({"map", "stewart", "--load", "/no/such"});
-  EXPECT_EQ(outcome.code, exit_code::bad_input);
-  EXPECT_NE(outcome.messages.find("--load"), std::string::npos) << outcome.messages;
-}
-
-TEST_F(Command, InterruptedMapPrintsNothing) {
-  const std::atomic<bool> interrupted{true};
-  const Outcome outcome = run({"map", "five_bar"}, &interrupted);
-  EXPECT_EQ(outcome.code, exit_code::interrupted);
-  EXPECT_EQ(outcome.output, "");
 }
 
 TEST_F(Command, UnwritableOutputIsAnError) {

@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <cstdlib>
+#include "support/command_run.h"
+#include <atomic>
 #include <map>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -14,32 +14,12 @@ namespace parallel_aspects::tools {
 namespace {
 
 using nlohmann::json;
+using test::Outcome;
+using test::run;
+using test::run_json;
 
-struct Outcome {
-  int code = 0;
-  std::string output;
-  std::string messages;
-};
-
-class RoadmapCommand : public testing::Test {
+class RoadmapCommand : public test::CommandTest {
  protected:
-  void SetUp() override { setenv("PARALLEL_ASPECTS_SHARE", PARALLEL_ASPECTS_SOURCE_DIR, 1); }
-
-  static Outcome run(std::vector<const char*> arguments, const std::atomic<bool>* interrupted = nullptr) {
-    std::ostringstream output, messages;
-    arguments.insert(arguments.begin(), "aspects");
-    const int code = run_command(static_cast<int>(arguments.size()), arguments.data(),
-                                 {output, messages, false, interrupted});
-    return {code, output.str(), messages.str()};
-  }
-
-  static json run_json(std::vector<const char*> arguments) {
-    arguments.push_back("--json");
-    const Outcome outcome = run(arguments);
-    EXPECT_EQ(outcome.code, exit_code::ok) << outcome.messages;
-    return json::parse(outcome.output, nullptr, false);
-  }
-
   static std::map<std::string, std::string> answers(const json& connection) {
     std::map<std::string, std::string> result;
     for (const json& answer : connection.at("answers"))
@@ -73,6 +53,7 @@ TEST_F(RoadmapCommand, MapOfAStewartPlatformIsARoadmap) {
   EXPECT_EQ(map.at("sides")[1].at("det_a_sign"), -1);
   EXPECT_LE(samples, 200U);
   EXPECT_EQ(map.at("components_at_most"), components);
+  EXPECT_EQ(map.at("constraints"), json::parse(R"(["driven_limits"])"));
 }
 
 TEST_F(RoadmapCommand, TextSaysWhatIsProvedAndWhatIsNot) {
@@ -111,6 +92,11 @@ TEST_F(RoadmapCommand, ConnectsPosesOfAStewartPlatform) {
       run_json({"connect", "stewart", "--from", "0 0 1.3 0 0 0 1", "--to", "0 0 -1.3 0 0 0 1"});
   EXPECT_EQ(below.at("answers")[0].at("same_aspect"), "no");
   EXPECT_EQ(below.at("answers")[0].at("path"), json::array());
+  EXPECT_EQ(near.at("constraints"), json::parse(R"(["driven_limits"])"));
+  EXPECT_TRUE(near.at("answers")[0].at("failing_constraint").is_null());
+  const json high = run_json({"connect", "stewart", "--from", "0 0 1.3 0 0 0 1", "--to", "0 0 2 0 0 0 1"});
+  EXPECT_EQ(high.at("answers")[0].at("same_aspect"), "no");
+  EXPECT_EQ(high.at("answers")[0].at("failing_constraint"), "driven_limits");
   const json away = run_json({"connect", "stewart", "--from", "0 0 1.3 0 0 0 1", "--to", "0 0 9 0 0 0 1"});
   EXPECT_EQ(away.at("answers")[0].at("same_aspect"), "no");
 }

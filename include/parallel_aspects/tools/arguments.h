@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_TOOLS_ARGUMENTS_H
 #define PARALLEL_ASPECTS_TOOLS_ARGUMENTS_H
 
+#include "parallel_aspects/aspects/box.h"
 #include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"
 #include "parallel_aspects/kinematics/working_mode.h"
@@ -32,6 +33,11 @@ std::vector<WorkingMode> parse_modes(const std::string& option, const Manipulato
 /// The slice that `text` describes, such as "z=1.3 roll=0": what is held, separated by blanks or commas (see
 /// `make_slice`).
 MapSlice parse_slice(const std::string& option, TaskSpace space, const std::string& text, Problems& problems);
+
+/// The box that `text` gives, such as "x=-5:5 y=0:10": a lower and an upper end for each of `names`,
+/// separated by blanks or commas.
+Box parse_region(const std::string& option, const std::vector<std::string>& names, const std::string& text,
+                 Problems& problems);
 
 /// Which constraints bound the aspects, as text from the command line; empty where not given.
 struct ConstraintArguments {

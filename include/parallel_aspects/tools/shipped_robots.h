@@ -3,6 +3,7 @@
 #define PARALLEL_ASPECTS_TOOLS_SHIPPED_ROBOTS_H
 
 #include "parallel_aspects/model/problems.h"
+#include "parallel_aspects/urdf/map_config.h"
 #include "parallel_aspects/urdf/mechanism.h"
 
 #include <filesystem>
@@ -31,6 +32,16 @@ struct RobotChoice {
 /// ones), a choice that names too little or too much, files that cannot be read, and whatever
 /// `load_mechanism` finds, after those that are `known` already.
 std::shared_ptr<const Mechanism> load_robot(const RobotChoice& choice, Problems known = {});
+
+/// How the map of a robot is to be computed, as its files say.
+struct MapSection {
+  MapConfig config;
+  std::string file;  ///< that it stands in
+};
+
+/// The section `map` of the YAML of the robot. What is wrong with it is added to `problems`; of a choice or
+/// files of no use `load_robot` tells.
+MapSection load_map_section(const RobotChoice& choice, Problems& problems);
 
 }  // namespace parallel_aspects::tools
 
