@@ -3,6 +3,7 @@
 
 #include "parallel_aspects/aspects/pose_sampler.h"
 #include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/model/constraints.h"
 
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -23,7 +24,7 @@ constexpr double share_of_sampling = 0.1;
 RoadmapResult refused(const std::string& sentence) { return {MapStatus::refused, sentence, nullptr}; }
 
 bool is_usable(const Box& box, TaskSpace space) {
-  if (box.dimension < position_count(space)) return false;
+  if (box.dimension < directions(space)) return false;
   for (std::size_t i = 0; i < box.dimension; ++i)
     if (!std::isfinite(box.width(i)) || box.width(i) < 0.0) return false;
   return true;
@@ -156,8 +157,10 @@ RoadmapResult compute_pose_roadmap(std::shared_ptr<const Manipulator> manipulato
   });
   if (is_cancelled(control)) return {MapStatus::cancelled, "The computation was cancelled.", nullptr};
   if (sides.empty())
-    return refused("No pose was found that '" + manipulator->name() +
-                   "' reaches away from singularities; give another region, or check limits and lengths.");
+    return refused(
+        "No pose was found that '" + manipulator->name() +
+        "' reaches away from singularities and within its constraints; give another region, or check limits, "
+        "lengths and the workspace.");
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return {MapStatus::complete, "",
           std::make_shared<const PoseRoadmap>(std::move(certifier), std::move(poses), std::move(sides),

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/aspects/pose_sampler.h"
 
+#include "parallel_aspects/model/constraints.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -34,35 +36,21 @@ Eigen::AlignedBox3d anchor_box(const Leg& leg) {
 
 }  // namespace
 
-std::size_t position_count(TaskSpace space) noexcept {
-  switch (space) {
-    case TaskSpace::SO3:
-      return 0;
-    case TaskSpace::T1:
-      return 1;
-    case TaskSpace::T2:
-    case TaskSpace::SE2:
-      return 2;
-    case TaskSpace::T3:
-    case TaskSpace::SE3:
-      break;
-  }
-  return 3;
-}
-
 PoseSampler::PoseSampler(std::shared_ptr<const Manipulator> manipulator, std::uint64_t seed,
                          const std::optional<Box>& region, double largest_rotation)
     : manipulator_(std::move(manipulator)), largest_rotation_(largest_rotation), engine_(seed) {
   for (const Leg& leg : manipulator_->legs()) anchor_boxes_.push_back(anchor_box(leg));
   region_.min().setConstant(-std::numeric_limits<double>::infinity());
   region_.max().setConstant(std::numeric_limits<double>::infinity());
-  const auto moved = static_cast<Eigen::Index>(position_count(manipulator_->task_space()));
+  const auto& workspace = manipulator_->constraints().workspace;
+  if (workspace) region_ = Positions(workspace->lower, workspace->upper);
+  const auto moved = static_cast<Eigen::Index>(directions(manipulator_->task_space()));
   for (Eigen::Index i = 0; i < 3; ++i) {
     if (i >= moved)
       region_.min()[i] = region_.max()[i] = 0.0;
     else if (region) {
-      region_.min()[i] = region->lower[static_cast<std::size_t>(i)];
-      region_.max()[i] = region->upper[static_cast<std::size_t>(i)];
+      region_.min()[i] = std::max(region_.min()[i], region->lower[static_cast<std::size_t>(i)]);
+      region_.max()[i] = std::min(region_.max()[i], region->upper[static_cast<std::size_t>(i)]);
     }
   }
 }

@@ -8,14 +8,17 @@
 namespace parallel_aspects {
 namespace {
 
-const char* reason(Hindrance hindrance) {
-  switch (hindrance) {
+/// Why no aspect holds a configuration.
+std::string reason(const Manipulator& manipulator, const ConfigurationProof& proof) {
+  const std::string leg = proof.leg ? "leg '" + manipulator.leg(*proof.leg).name + "'" : "a leg";
+  switch (proof.proved_hindrance) {
     case Hindrance::out_of_reach:
-      return "a leg cannot reach it";
+      return leg + " cannot reach it";
     case Hindrance::joint_limit:
-      return "a drive would be outside its limits";
+      return "the drive of " + leg + " would be outside its limits (constraint driven_limits)";
     case Hindrance::constraint:
-      return "another constraint does not hold there";
+      return "the constraint " + std::string(name(proof.failing.value_or(ConstraintKind::workspace))) +
+             " does not hold there";
     case Hindrance::singularity:
     case Hindrance::none:
       break;
@@ -24,13 +27,15 @@ const char* reason(Hindrance hindrance) {
 }
 
 /// Whether `proof` answers the question already; so it does where the configuration lies in no aspect.
-bool is_answered(const ConfigurationProof& proof, const std::string& which, AspectComparison& comparison) {
+bool is_answered(const Manipulator& manipulator, const ConfigurationProof& proof, const std::string& which,
+                 AspectComparison& comparison) {
   if (proof.sign != 0) return false;
   const bool proved = proof.proved_hindrance != Hindrance::none;
   comparison.answer = proved ? SameAspect::no : SameAspect::unknown;
   comparison.sentence =
-      proved ? "The " + which + " configuration lies in no aspect: " + reason(proof.proved_hindrance) + "."
+      proved ? "The " + which + " configuration lies in no aspect: " + reason(manipulator, proof) + "."
              : "The " + which + " configuration is too close to a singularity or a limit to be told.";
+  comparison.failing = proof.failing;
   return true;
 }
 
@@ -54,7 +59,10 @@ AspectComparison same_aspect(const SegmentCertifier& certifier, const PoseInMode
   const ConfigurationProof start = certifier.prove(first.pose, first.mode);
   const ConfigurationProof end = certifier.prove(second.pose, second.mode);
   AspectComparison comparison;
-  if (is_answered(start, "first", comparison) || is_answered(end, "second", comparison)) return comparison;
+  const Manipulator& manipulator = *certifier.manipulator();
+  if (is_answered(manipulator, start, "first", comparison) ||
+      is_answered(manipulator, end, "second", comparison))
+    return comparison;
   if (first.mode != second.mode) return no("They are in different working modes.");
   if (start.sign != end.sign) return no("det A differs in sign, " + signs_text(start.sign, end.sign) + ".");
   if (certifier.prove(first.pose, second.pose, first.mode).verdict == SegmentVerdict::free)

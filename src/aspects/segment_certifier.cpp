@@ -72,8 +72,8 @@ class SegmentCertifier::Evaluation {
 
   /// What is proved of a single point.
   ConfigurationProof at(double t) {
-    if (legs_are_free(t, t)) return {proved_sign_at_middle(), Hindrance::none};
-    return {0, hindrance_};
+    if (legs_are_free(t, t)) return {proved_sign_at_middle(), Hindrance::none, {}, {}};
+    return found_;
   }
 
   /// Part by part from a start with this sign of det A, as long as the parts may be.
@@ -123,7 +123,7 @@ class SegmentCertifier::Evaluation {
   }
 
   bool legs_are_free(double begin, double end) {
-    hindrance_ = Hindrance::none;
+    found_ = {};
     const double middle = std::clamp(0.5 * (begin + end), begin, end);
     PoseSegment::Placement placement;
     if (!segment_.place(PathForm::parameter(begin, middle, end), placement)) return false;
@@ -147,7 +147,8 @@ class SegmentCertifier::Evaluation {
     robot.position = reduced<D>(placement.position);
     robot.heading = {placement.rotation[0][0], placement.rotation[1][0]};
     if (verdict(tests, robot) == Verdict::holds) return true;
-    if (verdict(tests, at_center(robot)) == Verdict::fails) hindrance_ = Hindrance::constraint;
+    found_.failing = find_failing(tests, at_center(robot));
+    if (found_.failing) found_.proved_hindrance = Hindrance::constraint;
     return false;
   }
 
@@ -174,7 +175,7 @@ class SegmentCertifier::Evaluation {
       d[i] = placement.position[i] + b[i] - PathForm(leg.base()[i]);
     }
     const SpatialLegForm<PathForm> form = leg.form(d);
-    if (form.squared_entry.center.upper() <= 0.0) hindrance_ = Hindrance::out_of_reach;
+    if (form.squared_entry.center.upper() <= 0.0) found_ = {0, Hindrance::out_of_reach, {}, j};
     if (!form.squared_entry.range.positive()) return false;
     const PathForm entry = square_root(form.squared_entry);
     displacements_[j] = d;
@@ -195,7 +196,7 @@ class SegmentCertifier::Evaluation {
     if (verdict(leg.limits(range, entry.range, mode_.sign(j))) == Verdict::holds) return true;
     const Spatial<Interval> center{d[0].center, d[1].center, d[2].center};
     if (verdict(leg.limits(center, entry.center, mode_.sign(j))) == Verdict::fails)
-      hindrance_ = Hindrance::joint_limit;
+      found_ = {0, Hindrance::joint_limit, ConstraintKind::driven_limits, j};
     return false;
   }
 
@@ -205,7 +206,7 @@ class SegmentCertifier::Evaluation {
   SquareArray<PathForm> rows_;
   std::array<Spatial<PathForm>, max_legs> displacements_;  // of the anchors from the base points
   std::array<PathForm, max_legs> entries_;                 // |B_jj|
-  Hindrance hindrance_ = Hindrance::none;                  // proved of a leg at the middle of the part
+  ConfigurationProof found_;                               // of the middle of the part; its sign is not told
   double ratio_ = 0.0;  // upper bound of the spectral radius that must be below 1; infinite where unknown
 };
 
@@ -225,7 +226,7 @@ SegmentCertifier::SegmentCertifier(std::shared_ptr<const Manipulator> manipulato
 ConfigurationProof SegmentCertifier::prove(const Pose& pose, const WorkingMode& mode) const noexcept {
   if (!usable_ || !is_usable(pose, longest_length) || mode.leg_count() != legs_.size()) return {};
   for (std::size_t j = 0; j < legs_.size(); ++j)
-    if (!manipulator_->leg(j).has_branch(mode.sign(j))) return {0, Hindrance::out_of_reach};
+    if (!manipulator_->leg(j).has_branch(mode.sign(j))) return {0, Hindrance::out_of_reach, {}, j};
   const RoundingUpward rounding;
   const PoseSegment segment(pose, pose);
   return Evaluation(*this, segment, mode).at(0.0);

@@ -24,7 +24,30 @@ std::string modes_text(const std::string& what, const std::vector<WorkingMode>& 
   return what + text + "\n";
 }
 
+/// Which limits do not count.
+void add_untold_joints(const Manipulator& manipulator, const std::string& what, Report& report) {
+  const std::vector<std::string>& untold = manipulator.constraints().untold_joints;
+  report.json["joints_not_limited"] = untold;
+  for (const std::string& joint : untold)
+    report.text += "note: The limits of joint '" + joint + "' do not bound the " + what +
+                   ", since distances do not tell where it is.\n";
+}
+
 }  // namespace
+
+Report report_constraints(const Manipulator& manipulator) {
+  Report report;
+  report.json["constraints"] = json::array();
+  std::string list;
+  for (const ConstraintKind kind : all_constraint_kinds) {
+    if (!manipulator.constraint_kinds()[index_of(kind)]) continue;
+    report.json["constraints"].push_back(name(kind));
+    list += (list.empty() ? "" : ", ") + std::string(name(kind));
+  }
+  report.text = "constraints: " + (list.empty() ? "none" : list) + "\n";
+  add_untold_joints(manipulator, "aspects", report);
+  return report;
+}
 
 Report report_bounds(const AspectMap& map) {
   Report report;
@@ -40,11 +63,7 @@ Report report_bounds(const AspectMap& map) {
             map.unit();
   }
   report.text = "constraints: " + (list.empty() ? "none" : list) + "\n";
-  const std::vector<std::string>& untold = map.manipulator()->constraints().untold_joints;
-  report.json["joints_not_limited"] = untold;
-  for (const std::string& joint : untold)
-    report.text += "note: The limits of joint '" + joint +
-                   "' do not bound the map, since distances do not tell where it is.\n";
+  add_untold_joints(*map.manipulator(), "map", report);
   const MissingModes missing = missing_modes(map);
   report.json["empty_working_modes"] = json_modes(missing.empty);
   report.json["undecided_working_modes"] = json_modes(missing.unknown);

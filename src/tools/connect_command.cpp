@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/aspects/same_aspect.h"
 #include "parallel_aspects/tools/arguments.h"
+#include "parallel_aspects/tools/bounds_report.h"
 #include "parallel_aspects/tools/numbers.h"
 #include "parallel_aspects/tools/reports.h"
 #include "parallel_aspects/tools/subcommands.h"
@@ -114,7 +115,9 @@ json json_answer(TaskSpace space, const ModeAnswer& answer) {
   json object = {{"working_mode", answer.mode.signs()},
                  {"same_aspect", name(answer.comparison.answer)},
                  {"reason", answer.comparison.sentence},
+                 {"failing_constraint", nullptr},
                  {"path", json::array()}};
+  if (answer.comparison.failing) object["failing_constraint"] = name(*answer.comparison.failing);
   for (const Pose& pose : answer.comparison.path) object["path"].push_back(json_pose(space, pose));
   return object;
 }
@@ -149,7 +152,9 @@ Report report_comparison(const Manipulator& manipulator, const Pose& from, const
                  {"to", json_pose(space, to)},
                  {"answers", json::array()}};
   for (const ModeAnswer& answer : answers) object["answers"].push_back(json_answer(space, answer));
-  return {object, answers_text(manipulator, from, to, answers)};
+  const Report constraints = report_constraints(manipulator);
+  object.update(constraints.json);
+  return {object, answers_text(manipulator, from, to, answers) + '\n' + constraints.text};
 }
 
 Subcommand connect_subcommand() {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/tools/bounds_report.h"
 #include "parallel_aspects/tools/reports.h"
 #include "parallel_aspects/tools/text_table.h"
 
@@ -63,6 +64,12 @@ std::string roadmap_text(const PoseRoadmap& roadmap) {
 
 }  // namespace
 
-Report report_roadmap(const PoseRoadmap& roadmap) { return {json_roadmap(roadmap), roadmap_text(roadmap)}; }
+Report report_roadmap(const PoseRoadmap& roadmap) {
+  Report report{json_roadmap(roadmap), roadmap_text(roadmap)};
+  const Report constraints = report_constraints(*roadmap.certifier().manipulator());
+  report.json.update(constraints.json);
+  report.text += constraints.text;
+  return report;
+}
 
 }  // namespace parallel_aspects::tools

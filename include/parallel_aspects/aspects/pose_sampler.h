@@ -17,14 +17,12 @@
 
 namespace parallel_aspects {
 
-/// How many of x, y, z a task space moves, from the first; the others are zero.
-std::size_t position_count(TaskSpace space) noexcept;
-
 /// Seeded random poses of a manipulator's task space: the orientation is uniform, then the position is
 /// uniform in the box that the reach of the legs leaves for it.
 class PoseSampler {
  public:
-  /// Positions are kept in `region` where one is given: as many of x, y, z as it moves [m]. Orientations turn
+  /// Positions are kept in the workspace of its constraints, and in `region` where one is given: as many of
+  /// x, y, z as it moves [m]. Orientations turn
   /// from the identity by at most `largest_rotation` [rad].
   PoseSampler(std::shared_ptr<const Manipulator> manipulator, std::uint64_t seed,
               const std::optional<Box>& region, double largest_rotation);

@@ -6,10 +6,12 @@
 #include "parallel_aspects/aspects/limit_verdict.h"
 #include "parallel_aspects/aspects/link_points.h"
 #include "parallel_aspects/aspects/scalar_range.h"
+#include "parallel_aspects/model/constraints.h"
 #include "parallel_aspects/model/vectors.h"
 
 #include <array>
 #include <cstddef>
+#include <optional>
 
 namespace parallel_aspects {
 
@@ -36,6 +38,25 @@ Verdict verdict(const ConstraintTests<D>& tests, const RobotPoints<Scalar, D>& r
   }
   if (tests.has_platform() && result != Verdict::fails) result = both(result, tests.platform(anchors));
   return result;
+}
+
+/// A constraint that is proved to fail, but the limits of drives; nothing where none is.
+template <class Scalar, std::size_t D>
+std::optional<ConstraintKind> find_failing(const ConstraintTests<D>& tests,
+                                           const RobotPoints<Scalar, D>& robot) {
+  const auto fails = [](Verdict verdict) { return verdict == Verdict::fails; };
+  if (fails(tests.workspace(robot.position))) return ConstraintKind::workspace;
+  std::array<Point<Scalar, D>, max_legs> anchors;
+  for (std::size_t j = 0; j < robot.leg_count; ++j) {
+    anchors[j] = robot.legs[j].anchor;
+    if (fails(tests.passive_limits(j, robot.legs[j], robot.heading))) return ConstraintKind::passive_limits;
+    if (tests.has_obstacles() && fails(tests.obstacles(j, robot.legs[j]))) return ConstraintKind::obstacles;
+    for (std::size_t k = 0; k < j; ++k)
+      if (tests.can_collide(k, j) && fails(tests.collision(k, robot.legs[k], j, robot.legs[j])))
+        return ConstraintKind::self_collision;
+  }
+  if (tests.has_platform() && fails(tests.platform(anchors))) return ConstraintKind::obstacles;
+  return std::nullopt;
 }
 
 /// Every enclosure at the middle.

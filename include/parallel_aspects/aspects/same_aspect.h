@@ -6,6 +6,7 @@
 #include "parallel_aspects/kinematics/working_mode.h"
 #include "parallel_aspects/model/pose.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,10 @@ struct AspectComparison {
 
   /// The sign of det A at both where a way was looked for and none was found; 0 where no search can help.
   int open_sign = 0;
+
+  /// Where the answer is no since one of them lies in no aspect: the constraint that is proved to fail there,
+  /// if it is one.
+  std::optional<ConstraintKind> failing{};
 };
 
 /// Whether two configurations lie in one aspect, by what is proved of them and of the segment between them.

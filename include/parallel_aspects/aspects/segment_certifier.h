@@ -7,11 +7,13 @@
 #include "parallel_aspects/aspects/pose_segment.h"
 #include "parallel_aspects/aspects/spatial_leg.h"
 #include "parallel_aspects/kinematics/working_mode.h"
+#include "parallel_aspects/model/constraints.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace parallel_aspects {
@@ -27,9 +29,12 @@ enum class Hindrance {
 
 /// What is proved of one configuration.
 struct ConfigurationProof {
-  int sign =
-      0;  ///< of det A, where every leg is proved to reach within its limits; 0 where that is not proved
+  /// Of det A, where every leg is proved to reach and all constraints to hold; 0 where that is not proved.
+  int sign = 0;
+
   Hindrance proved_hindrance = Hindrance::none;  ///< where it is proved to lie in no aspect
+  std::optional<ConstraintKind> failing;         ///< which constraint, where the hindrance is one
+  std::optional<std::size_t> leg;                ///< which leg cannot reach, or has the drive outside
 };
 
 enum class SegmentVerdict {

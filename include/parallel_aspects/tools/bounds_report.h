@@ -11,6 +11,10 @@ namespace parallel_aspects::tools {
 /// last lines of `aspects map`, and fields of its object.
 Report report_bounds(const AspectMap& map);
 
+/// Which constraints bound the aspects of a manipulator: the last lines of `aspects connect` and of roadmaps,
+/// and fields of their objects.
+Report report_constraints(const Manipulator& manipulator);
+
 }  // namespace parallel_aspects::tools
 
 #endif  // PARALLEL_ASPECTS_TOOLS_BOUNDS_REPORT_H

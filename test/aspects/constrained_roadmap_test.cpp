@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/aspects/aspect_map.h"
+#include "parallel_aspects/aspects/pose_roadmap.h"
+#include "parallel_aspects/aspects/pose_sampler.h"
+#include "parallel_aspects/aspects/same_aspect.h"
+#include "parallel_aspects/kinematics/inverse.h"
+
+#include <gtest/gtest.h>
+
+#include "support/clearance_at.h"
+#include "support/constrained_robots.h"
+#include "support/robots.h"
+#include "support/shipped.h"
+#include "support/slices.h"
+#include "support/thoroughness.h"
+#include <optional>
+
+namespace parallel_aspects {
+namespace {
+
+using test::all_kinds;
+using test::Robot;
+using test::with;
+
+Robot within(const Robot& robot, const Eigen::Vector3d& lower, const Eigen::Vector3d& upper) {
+  Constraints constraints;
+  constraints.workspace = WorkspaceBox{lower, upper};
+  return with(robot, constraints);
+}
+
+Robot stewart() { return test::shipped("stewart")->manipulator(); }
+
+Robot stewart_in_a_box() { return within(stewart(), {-0.2, -0.1, 1.1}, {0.3, 0.2, 1.4}); }
+
+bool is_in_the_box(const Pose& pose) {
+  return (pose.position.array() > Eigen::Array3d(-0.2, -0.1, 1.1)).all() &&
+         (pose.position.array() < Eigen::Array3d(0.3, 0.2, 1.4)).all();
+}
+
+// Poses are sampled in it, so that none is wasted on what lies outside.
+TEST(ConstrainedRoadmap, StaysInTheWorkspace) {
+  RoadmapOptions options;
+  options.samples = 200;
+  const RoadmapResult result = compute_pose_roadmap(stewart_in_a_box(), options);
+  ASSERT_TRUE(result.roadmap) << result.sentence;
+  std::size_t poses = 0;
+  for (const RoadmapSide& side : result.roadmap->sides()) poses += side.poses.size();
+  EXPECT_GT(poses, 190U);
+  for (const Pose& pose : result.roadmap->poses()) EXPECT_TRUE(is_in_the_box(pose));
+  options.region = Box{3, {0.0, -1.0, -1.0}, {1.0, 1.0, 2.0}};
+  const RoadmapResult part = compute_pose_roadmap(stewart_in_a_box(), options);
+  for (const Pose& pose : part.roadmap->poses()) EXPECT_TRUE(is_in_the_box(pose) && pose.position.x() >= 0.0);
+}
+
+// Struts without limits reach everywhere; the workspace bounds them.
+TEST(ConstrainedRoadmap, TheWorkspaceBoundsWhatLegsDoNot) {
+  EXPECT_EQ(compute_pose_roadmap(test::dietmaier()).status, MapStatus::refused);
+  RoadmapOptions options;
+  options.samples = 50;
+  const Robot robot =
+      within(test::dietmaier(), Eigen::Vector3d::Constant(-1.0), Eigen::Vector3d::Constant(1.0));
+  EXPECT_EQ(compute_pose_roadmap(robot, options).status, MapStatus::complete);
+}
+
+TEST(ConstrainedRoadmap, QuestionsAreToldWhichConstraintFails) {
+  const SegmentCertifier certifier(stewart_in_a_box());
+  const WorkingMode mode(6);
+  PoseInMode inside{{}, mode}, outside{{}, mode};
+  inside.pose.position = {0.0, 0.0, 1.3};
+  outside.pose.position = {0.0, 0.0, 1.41};
+  const AspectComparison answer = same_aspect(certifier, inside, outside);
+  EXPECT_EQ(answer.answer, SameAspect::no);
+  EXPECT_EQ(answer.sentence,
+            "The second configuration lies in no aspect: the constraint workspace does not hold there.");
+  EXPECT_EQ(answer.failing, ConstraintKind::workspace);
+  outside.pose.position = {0.0, 0.0, 3.0};
+  const AspectComparison far = same_aspect(certifier, outside, inside);
+  EXPECT_EQ(far.failing, ConstraintKind::driven_limits) << far.sentence;
+  EXPECT_NE(far.sentence.find("the drive of leg '"), std::string::npos) << far.sentence;
+  outside.pose.position = {0.0, 0.0, 1.39};
+  const AspectComparison same = same_aspect(certifier, inside, outside);
+  EXPECT_EQ(same.answer, SameAspect::yes) << same.sentence;
+  EXPECT_FALSE(same.failing);
+}
+
+// A segment is proved only where all of it is in the workspace, although its ends alone may be asked.
+TEST(ConstrainedRoadmap, SegmentsThatLeaveTheWorkspaceAreNeverProved) {
+  const SegmentCertifier bounded(stewart_in_a_box()), free(stewart());
+  PoseSampler sampler(stewart(), 7, Box{3, {-0.3, -0.2, 1.0}, {0.4, 0.3, 1.5}}, 0.3);
+  const WorkingMode mode(6);
+  int proved = 0, refused = 0;
+  for (int i = 0; i < test::thinned(300); ++i) {
+    const auto from = sampler.draw(), to = sampler.draw();
+    if (!from || !to || free.prove(*from, *to, mode).verdict != SegmentVerdict::free) continue;
+    const bool inside = is_in_the_box(*from) && is_in_the_box(*to);
+    EXPECT_EQ(bounded.prove(*from, *to, mode).verdict,
+              inside ? SegmentVerdict::free : SegmentVerdict::blocked);
+    ++(inside ? proved : refused);
+  }
+  if (test::is_sanitized) return;
+  EXPECT_GT(proved, 5);
+  EXPECT_GT(refused, 50);
+}
+
+/// How far a configuration is from breaking each constraint, by a second way.
+double clearance(const test::ClearanceAt& at, ConstraintKind kind) {
+  switch (kind) {
+    case ConstraintKind::passive_limits:
+      return at.of_passive_joints();
+    case ConstraintKind::self_collision:
+      return at.of_self_collision();
+    case ConstraintKind::obstacles:
+      return at.of_obstacles();
+    case ConstraintKind::workspace:
+    case ConstraintKind::driven_limits:
+      break;
+  }
+  return at.of_workspace();
+}
+
+TEST(ConstrainedRoadmap, TheConstraintThatIsNamedFails) {
+  ConstraintKinds named;
+  for (const Robot& plain : {test::five_bar(), test::three_rrr(), test::delta()}) {
+    const Robot robot = with(plain, all_kinds(plain, 0.02));
+    const SegmentCertifier certifier(robot);
+    PoseSampler sampler(plain, 3, std::nullopt, EIGEN_PI);
+    for (int i = 0; i < test::thinned(2000); ++i) {
+      const auto pose = sampler.draw();
+      if (!pose) continue;
+      for (const WorkingMode& mode : working_modes(*robot)) {
+        const ConfigurationProof proof = certifier.prove(*pose, mode);
+        if (proof.proved_hindrance != Hindrance::constraint) continue;
+        ASSERT_TRUE(proof.failing);
+        named[index_of(*proof.failing)] = true;
+        const InverseSolution solution = inverse(*robot, *pose, mode);
+        EXPECT_LT(clearance(test::ClearanceAt(*robot, *pose, solution.q), *proof.failing),
+                  1e-3 * robot->size())
+            << name(*proof.failing) << " at " << to_string(robot->task_space(), *pose);
+      }
+    }
+  }
+  // Limits of drives are another hindrance.
+  if (test::is_sanitized) return;
+  EXPECT_EQ(named.count(), all_constraint_kinds.size() - 1);
+}
+
+TEST(ConstrainedSlice, IsMappedInTheWorkspaceOnly) {
+  const Robot robot = stewart_in_a_box();
+  const auto map =
+      test::map_of(robot, test::options_of(test::slice_of(robot, test::upright({{"z", 1.3}})), 0.05));
+  ASSERT_TRUE(map);
+  EXPECT_NEAR(map->region().lower[0], -0.2, 1e-3);
+  EXPECT_NEAR(map->region().upper[1], 0.2, 1e-3);
+  for (const Aspect& aspect : map->aspects())
+    map->visit_inside_poses(aspect.id, [](const Pose& pose, double) { EXPECT_TRUE(is_in_the_box(pose)); });
+  MapOptions beyond = test::options_of(test::slice_of(robot, test::upright({{"z", 1.5}})), 0.05);
+  EXPECT_EQ(
+      compute_aspect_map(robot, beyond).sentence,
+      "The slice holds a position outside of the workspace that the constraints of 'stewart' name; hold "
+      "it inside, or leave the constraint out.");
+}
+
+TEST(ConstrainedMap, RegionsAreClippedToTheWorkspace) {
+  const Robot robot = within(test::five_bar(), {-1.0, 2.0, 0.0}, {5.0, 6.0, 0.0});
+  MapOptions options;
+  options.region = Box{2, {0.0, 0.0, 0.0}, {9.0, 9.0, 0.0}};
+  const auto map = test::map_of(robot, options);
+  EXPECT_EQ(map->region().lower, (MapPoint{0.0, 2.0, 0.0}));
+  EXPECT_EQ(map->region().upper, (MapPoint{5.0, 6.0, 0.0}));
+  options.region = Box{2, {6.0, 0.0, 0.0}, {9.0, 9.0, 0.0}};
+  EXPECT_EQ(
+      compute_aspect_map(robot, options).sentence,
+      "The workspace that the constraints of 'five_bar' name holds no position of the region, or is too "
+      "thin for a map; mend constraints.workspace, or leave it out.");
+  options.region = Box{3, {0.0, 0.0, 0.0}, {9.0, 9.0, 9.0}};
+  EXPECT_EQ(compute_aspect_map(robot, options).sentence,
+            "The region of the map has 3 coordinates; give one for each position that is free, which are 2.");
+}
+
+}  // namespace
+}  // namespace parallel_aspects
