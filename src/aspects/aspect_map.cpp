@@ -41,6 +41,7 @@ const std::vector<std::pair<int, int>>& AspectMap::unresolved() const noexcept {
 }
 double AspectMap::measure_undecided() const noexcept { return contents_->measure_undecided; }
 double AspectMap::seconds() const noexcept { return contents_->seconds; }
+const std::optional<SymmetryUse>& AspectMap::symmetry_use() const noexcept { return contents_->symmetry_use; }
 
 Location AspectMap::locate(const Pose& pose, const WorkingMode& mode) const noexcept {
   const auto m = mode_index(*contents_, mode);

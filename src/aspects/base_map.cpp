@@ -2,6 +2,7 @@
 #include "parallel_aspects/aspects/base_map.h"
 
 #include "parallel_aspects/aspects/interval.h"
+#include "parallel_aspects/aspects/level_symmetry.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -16,20 +17,13 @@ namespace {
 constexpr NodeIndex nodes_per_block = 4096;
 constexpr NodeIndex nodes_per_task = 128;
 
-ModeSet pending_modes(const PoseTree& tree, NodeIndex node) {
-  ModeSet modes = 0;
-  for (std::size_t mode = 0; mode < tree.mode_count(); ++mode)
-    if (tree.state(node, mode).is_pending()) modes |= ModeSet{1} << mode;
-  return modes;
-}
-
-void classify_block(PoseTree& tree, const BoxClassifier& classifier, Detail detail, NodeIndex begin,
-                    NodeIndex end) {
+void classify_block(PoseTree& tree, const BoxClassifier& classifier, const LevelSymmetry& symmetry,
+                    Detail detail, NodeIndex begin, NodeIndex end) {
   tbb::parallel_for(tbb::blocked_range<NodeIndex>(begin, end, nodes_per_task), [&](const auto& range) {
     const RoundingUpward rounding;
     for (NodeIndex node = range.begin(); node != range.end(); ++node)
-      classifier.classify(tree.place(node).root, tree.box(node), pending_modes(tree, node), detail,
-                          tree.states(node));
+      if (const ModeSet modes = symmetry.own_modes(tree, node); modes != 0)
+        classifier.classify(tree.place(node).root, tree.box(node), modes, detail, tree.states(node));
   });
 }
 
@@ -64,7 +58,8 @@ class Progress {
 }  // namespace
 
 BaseMapStatus grow_base_map(PoseTree& tree, const BoxClassifier& classifier, std::uint32_t depth,
-                            const MapControl& control) {
+                            const MapControl& control, const std::vector<MapSymmetry>& symmetries) {
+  LevelSymmetry symmetry(tree, symmetries);
   const Progress progress(control, tree.dimension(), depth);
   NodeIndex begin = 0;
   for (std::uint32_t level = 0; level <= depth; ++level) {
@@ -72,10 +67,13 @@ BaseMapStatus grow_base_map(PoseTree& tree, const BoxClassifier& classifier, std
     for (NodeIndex block = begin; block < end; block += nodes_per_block) {
       if (is_cancelled(control)) return BaseMapStatus::cancelled;
       const NodeIndex block_end = std::min(end, block + nodes_per_block);
-      classify_block(tree, classifier, level < depth ? Detail::states : Detail::parts, block, block_end);
+      classify_block(tree, classifier, symmetry, level < depth ? Detail::states : Detail::parts, block,
+                     block_end);
       progress.tell(level, static_cast<double>(block_end - begin) / (end - begin));
     }
+    symmetry.tell(tree);
     if (level < depth) divide_undecided(tree, begin, end);
+    symmetry.descend(tree);
     if (tree.node_count() > most_nodes) return BaseMapStatus::too_large;
     begin = end;
   }

@@ -4,6 +4,7 @@
 #include "parallel_aspects/aspects/deepest_point.h"
 #include "parallel_aspects/aspects/map_contents.h"
 #include "parallel_aspects/aspects/map_plan.h"
+#include "parallel_aspects/aspects/mirrored_modes.h"
 #include "parallel_aspects/aspects/refinement.h"
 
 #include <tbb/parallel_for.h>
@@ -31,8 +32,11 @@ Aspect make_aspect(const WorkingMode& mode, const Component& component) {
   return aspect;
 }
 
-/// The components of one mode become aspects with the next ids.
-void add_mode(AspectMap::Contents& map, std::size_t mode, const ModeComponents& found) {
+/// Ids of aspects, by mode and by index of the component.
+using ComponentIds = std::vector<std::vector<int>>;
+
+/// The components of one mode become aspects with the next ids, which are returned.
+std::vector<int> add_mode(AspectMap::Contents& map, std::size_t mode, const ModeComponents& found) {
   const auto first_id = static_cast<int>(map.aspects.size()) + 1;
   std::vector<std::size_t> order(found.components.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -63,35 +67,82 @@ void add_mode(AspectMap::Contents& map, std::size_t mode, const ModeComponents& 
   map.bound += found.bound;
   map.measure_undecided += found.measure_undecided;
   if (!found.components.empty()) map.existing_modes.push_back(map.modes[mode]);
+  return id;
 }
 
-void find_deepest_poses(AspectMap::Contents& map, const MapControl& control) {
-  tbb::parallel_for(std::size_t{0}, map.aspects.size(), [&](std::size_t i) {
-    Aspect& aspect = map.aspects[i];
-    const auto mode = static_cast<std::size_t>(std::find(map.modes.begin(), map.modes.end(), aspect.mode) -
-                                               map.modes.begin());
-    const ClearPoint deepest = deepest_point(map, aspect, mode, control);
-    aspect.deepest = map.tree.space().pose(deepest.position);
-    aspect.deepest_clearance = map.tree.space().proved_radius(deepest.position.point, deepest.clearance);
+/// By id - 1: of the modes that have no representative.
+std::vector<ClearPoint> find_deepest_points(const AspectMap::Contents& map,
+                                            const std::vector<ModeSource>& sources, const ComponentIds& ids,
+                                            const MapControl& control) {
+  std::vector<std::pair<std::size_t, int>> tasks;  // mode and id
+  for (std::size_t mode = 0; mode < sources.size(); ++mode)
+    if (sources[mode].symmetry == nullptr)
+      for (const int id : ids[mode]) tasks.emplace_back(mode, id);
+  std::vector<ClearPoint> deepest(map.aspects.size());
+  tbb::parallel_for(std::size_t{0}, tasks.size(), [&](std::size_t i) {
+    const auto [mode, id] = tasks[i];
+    const auto index = static_cast<std::size_t>(id - 1);
+    deepest[index] = deepest_point(map, map.aspects[index], mode, control);
   });
+  return deepest;
 }
 
-/// Components of every mode, with contested leaves refined. False when cancelled.
-bool add_components(AspectMap::Contents& map, const MapPlan& plan, const MapControl& control) {
-  const std::size_t count = plan.modes.size();
-  std::vector<std::unique_ptr<LeafGraph>> graphs(count);
-  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t mode) {
-    graphs[mode] = std::make_unique<LeafGraph>(map.tree, mode, control);
+void find_deepest_poses(AspectMap::Contents& map, const std::vector<ModeSource>& sources,
+                        const ComponentIds& ids, const MapControl& control) {
+  const std::vector<ClearPoint> deepest = find_deepest_points(map, sources, ids, control);
+  for (std::size_t mode = 0; mode < sources.size(); ++mode) {
+    const auto [representative, symmetry] = sources[mode];
+    for (std::size_t i = 0; i < ids[mode].size(); ++i) {
+      const ClearPoint& point = deepest[static_cast<std::size_t>(ids[representative][i] - 1)];
+      const MapPosition at = symmetry == nullptr ? point.position : symmetry->poses.image(point.position);
+      Aspect& aspect = map.aspects[static_cast<std::size_t>(ids[mode][i] - 1)];
+      aspect.deepest = map.tree.space().pose(at);
+      aspect.deepest_clearance = map.tree.space().proved_radius(at.point, point.clearance);
+    }
+  }
+}
+
+/// Components of every mode, with contested leaves refined. Nothing when cancelled.
+std::vector<ModeComponents> find_all_components(AspectMap::Contents& map, const MapPlan& plan,
+                                                const std::vector<ModeSource>& sources,
+                                                const MapControl& control) {
+  std::vector<std::size_t> representatives;
+  for (std::size_t mode = 0; mode < sources.size(); ++mode)
+    if (sources[mode].symmetry == nullptr) representatives.push_back(mode);
+  std::vector<std::unique_ptr<LeafGraph>> graphs(representatives.size());
+  tbb::parallel_for(std::size_t{0}, graphs.size(), [&](std::size_t i) {
+    graphs[i] = std::make_unique<LeafGraph>(map.tree, representatives[i], control);
   });
   if (!refine_contested(map.tree, *map.classifier, graphs, plan.depth, plan.deepest_level, control))
-    return false;
-  std::vector<ModeComponents> found(count);
-  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t mode) {
-    found[mode] = find_components(map.tree, mode, *graphs[mode], control);
+    return {};
+  std::vector<ModeComponents> found(sources.size());
+  tbb::parallel_for(std::size_t{0}, graphs.size(), [&](std::size_t i) {
+    found[representatives[i]] = find_components(map.tree, representatives[i], *graphs[i], control);
   });
+  graphs.clear();
+  mirror_modes(map.tree, plan.symmetries, sources, found);
+  return found;
+}
+
+SymmetryUse symmetry_use(const std::vector<MapSymmetry>& symmetries, const std::vector<ModeSource>& sources) {
+  SymmetryUse use;
+  for (const MapSymmetry& symmetry : symmetries) use.motions.push_back(symmetry.text);
+  for (const ModeSource& source : sources) use.computed_modes += source.symmetry == nullptr;
+  return use;
+}
+
+/// The aspects, from the base map. False when cancelled.
+bool add_aspects(AspectMap::Contents& map, const MapPlan& plan, const MapControl& control) {
+  const std::size_t count = plan.modes.size();
+  const std::vector<ModeSource> sources = find_mode_sources(plan.symmetries, count);
+  map.symmetry_use = symmetry_use(plan.symmetries, sources);
+  const std::vector<ModeComponents> found = find_all_components(map, plan, sources, control);
+  if (found.empty() || is_cancelled(control)) return false;
   map.leaf_aspects.assign(map.tree.node_count() * count, 0);
-  for (std::size_t mode = 0; mode < count; ++mode) add_mode(map, mode, found[mode]);
-  return true;
+  ComponentIds ids;
+  for (std::size_t mode = 0; mode < count; ++mode) ids.push_back(add_mode(map, mode, found[mode]));
+  find_deepest_poses(map, sources, ids, control);
+  return !is_cancelled(control);
 }
 
 }  // namespace
@@ -116,11 +167,10 @@ MapResult compute_aspect_map(std::shared_ptr<const Manipulator> manipulator, con
   tbb::task_arena arena(options.threads == 0 ? tbb::task_arena::automatic
                                              : static_cast<int>(options.threads));
   const BaseMapStatus status = arena.execute([&] {
-    const BaseMapStatus base = grow_base_map(map->tree, *map->classifier, plan.depth, scaled);
+    const BaseMapStatus base =
+        grow_base_map(map->tree, *map->classifier, plan.depth, scaled, plan.symmetries);
     if (base != BaseMapStatus::complete) return base;
-    if (!add_components(*map, plan, control)) return BaseMapStatus::cancelled;
-    find_deepest_poses(*map, control);
-    return is_cancelled(control) ? BaseMapStatus::cancelled : BaseMapStatus::complete;
+    return add_aspects(*map, plan, control) ? BaseMapStatus::complete : BaseMapStatus::cancelled;
   });
   if (status == BaseMapStatus::cancelled)
     return {MapStatus::cancelled, "The computation was cancelled.", nullptr};

@@ -159,6 +159,8 @@ std::string make_map_plan(const Manipulator& manipulator, const MapOptions& opti
   problem = find_positions(manipulator, options, plan, positions);
   if (!problem.empty()) return problem;
   plan.space = make_space(manipulator, plan, positions);
+  if (options.use_symmetry && !plan.slice)
+    plan.symmetries = find_map_symmetries(manipulator, plan.space->region(), plan.modes);
   while (longest_edge(plan, plan.depth) > resolution && plan.depth < PoseTree::deepest_level) ++plan.depth;
   if (longest_edge(plan, plan.depth) > resolution)
     return "The resolution is too fine for the size of the region; give a coarser one.";

@@ -54,6 +54,12 @@ json json_slice(const AspectMap& map) {
           {"free", freely ? std::vector<std::string>{"roll", "pitch", "yaw"} : map.coordinates()}};
 }
 
+/// Null where the map was loaded.
+json json_symmetry(const AspectMap& map) {
+  if (!map.symmetry_use()) return nullptr;
+  return {{"motions", map.symmetry_use()->motions}, {"computed_modes", map.symmetry_use()->computed_modes}};
+}
+
 json json_map(const AspectMap& map) {
   const TaskSpace space = map.manipulator()->task_space();
   json object = {{"mechanism", map.manipulator()->name()},
@@ -62,6 +68,7 @@ json json_map(const AspectMap& map) {
                  {"region", json_box(map.coordinates(), map.region())},
                  {"resolution", json_number(map.resolution())},
                  {"seconds", json_number(map.seconds())},
+                 {"symmetry", json_symmetry(map)},
                  {"unit", map.unit()},
                  {"working_modes", json::array()},
                  {"aspects", json::array()},
@@ -118,6 +125,15 @@ std::string completeness_text(const AspectMap& map) {
   return *most == map.proved_count() ? ", proved to be all" : ", " + std::to_string(*most) + " at most";
 }
 
+/// Which symmetries were used, and what for.
+std::string symmetry_text(const AspectMap& map) {
+  if (!map.symmetry_use() || map.symmetry_use()->motions.empty()) return "";
+  std::string text;
+  for (const std::string& motion : map.symmetry_use()->motions) text += (text.empty() ? " " : "; ") + motion;
+  return "symmetry" + text + ": components of " +
+         counted(map.symmetry_use()->computed_modes, "working mode") + " computed\n";
+}
+
 std::string map_text(const AspectMap& map) {
   const TaskSpace space = map.manipulator()->task_space();
   std::string text = map.manipulator()->name() + ": " + counted(map.aspects().size(), "aspect") + " in " +
@@ -127,7 +143,8 @@ std::string map_text(const AspectMap& map) {
     text += "slice " + to_string(*map.slice()) +
             ": aspects of the slice, of which two may be joined outside of it\n";
   text += "task space " + std::string(name(space)) + ", region " + bounds_text(map.region()) +
-          ", resolution " + shown(map.resolution()) + ", " + shown(map.seconds()) + " s\n\n";
+          ", resolution " + shown(map.resolution()) + ", " + shown(map.seconds()) + " s\n" +
+          symmetry_text(map) + "\n";
   text += aspect_table(map);
   text += "\npairs that could be one aspect: " + unresolved_text(map.unresolved()) + "\n";
   text += "undecided, over all working modes: " + shown(map.measure_undecided()) + " " + map.unit() + "\n";
@@ -142,6 +159,7 @@ struct MapArguments {
   std::string load_file, save_file;  // empty where not given
   std::string picture_file;
   bool neighbours = false;
+  bool no_symmetry = false;
   RoadmapArguments roadmap;
   ConstraintArguments constraints;
 };
@@ -152,6 +170,7 @@ MapOptions parse_options(const MapArguments& arguments, const MapConfig& section
   options.resolution = section.resolution;
   options.threads = section.threads.value_or(options.threads);
   options.extra_levels = section.extra_levels.value_or(options.extra_levels);
+  options.use_symmetry = !arguments.no_symmetry;
   if (!arguments.resolution.empty())
     options.resolution = parse_positive("--resolution", arguments.resolution, problems);
   if (!arguments.threads.empty())
@@ -224,6 +243,9 @@ Report roadmap_report(std::shared_ptr<const Manipulator> manipulator, const MapA
   if (arguments.neighbours)
     problems.emplace_back(
         "--neighbours is for maps of boxes, which there is none of in SE3 without --slice; leave it out.");
+  if (arguments.no_symmetry)
+    problems.emplace_back(
+        "--no-symmetry is for maps of boxes, which there is none of in SE3 without --slice; leave it out.");
   if (!arguments.modes.empty())
     problems.emplace_back(
         "--mode is for maps of boxes, which there is none of in SE3 without --slice; leave it out.");
@@ -360,7 +382,9 @@ Subcommand map_subcommand() {
             return load_or_compute(manipulator, map_options, *arguments, surroundings);
           },
           {{"--neighbours", "Tell which aspects touch across a singularity, and where that is proved",
-            &arguments->neighbours}}};
+            &arguments->neighbours},
+           {"--no-symmetry", "Compute what symmetries of the robot show to be the same, too",
+            &arguments->no_symmetry}}};
 }
 
 }  // namespace parallel_aspects::tools

@@ -56,6 +56,16 @@ TEST_F(MapCommand, MapHasTheDocumentedFields) {
   EXPECT_LE(map.at("resolution").get<double>(), 0.5);
 }
 
+TEST_F(MapCommand, TellsWhichSymmetriesItUsed) {
+  const json map = run_json({"map", "five_bar", "--resolution", "0.5"});
+  EXPECT_EQ(map["symmetry"]["motions"], json::array({"(x, -y)"}));
+  EXPECT_EQ(map["symmetry"]["computed_modes"], 2);
+  const json without = run_json({"map", "five_bar", "--resolution", "0.5", "--no-symmetry"});
+  EXPECT_TRUE(without["symmetry"]["motions"].empty());
+  EXPECT_EQ(without["symmetry"]["computed_modes"], 4);
+  EXPECT_EQ(without["proved_count"], map["proved_count"]);
+}
+
 TEST_F(MapCommand, ConstraintsAreChosen) {
   const json whole = run_json({"map", "five_bar", "--resolution", "0.5"});
   EXPECT_TRUE(whole["constraints"].empty());
@@ -186,8 +196,11 @@ TEST_F(MapCommand, MapsAreSavedAndLoaded) {
   EXPECT_EQ(computed.at("loaded"), false);
   json loaded = map("--load");
   EXPECT_EQ(loaded.at("loaded"), true);
-  computed.erase("loaded");
-  loaded.erase("loaded");
+  EXPECT_TRUE(loaded.at("symmetry").is_null());
+  for (const char* field : {"loaded", "symmetry"}) {
+    computed.erase(field);
+    loaded.erase(field);
+  }
   EXPECT_EQ(computed, loaded);
 
   const std::vector<const char*> other{"map",        "five_bar", "--resolution", "0.2",   "--load",

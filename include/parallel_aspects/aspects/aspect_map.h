@@ -42,6 +42,10 @@ struct MapOptions {
 
   /// How many times contested leaves may be halved below the resolution, 0 to 20.
   int extra_levels = 12;
+
+  /// Whether what symmetries of the robot show to be the same is computed only once (docs/maps.md). Not in
+  /// slices.
+  bool use_symmetry = true;
 };
 
 /// Hooks into a long computation. Both may be left empty.
@@ -80,6 +84,12 @@ struct Aspect {
 
   /// Ids that could be the same aspect; empty when proved separate from all others.
   std::vector<int> unresolved_with;
+};
+
+/// What symmetries of the robot saved a computation.
+struct SymmetryUse {
+  std::vector<std::string> motions;  ///< what becomes of a point of the base in each, as "(x, -y)"
+  std::size_t computed_modes = 0;    ///< working modes whose components are not images of others
 };
 
 enum class LocationStatus {
@@ -140,6 +150,9 @@ class AspectMap {
 
   /// Time that the computation took [s].
   double seconds() const noexcept;
+
+  /// Which symmetries were used; nothing where the map was loaded from a file.
+  const std::optional<SymmetryUse>& symmetry_use() const noexcept;
 
   /// Which aspect holds this pose in this working mode; in an undecided leaf, by proving a straight way to an
   /// inside leaf near by. Neither allocates nor throws.

@@ -4,10 +4,12 @@
 
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/box_classifier.h"
+#include "parallel_aspects/aspects/map_symmetry.h"
 #include "parallel_aspects/aspects/pose_tree.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace parallel_aspects {
 
@@ -18,9 +20,9 @@ inline constexpr std::size_t most_nodes = 30'000'000;
 
 /// Classifies the pending nodes of `tree` and divides what stays undecided, level by level, down to `depth`,
 /// on all threads of the calling arena; the result does not depend on their number. Unless complete, the tree
-/// is unfinished.
+/// is unfinished. Of boxes and working modes that `symmetries` take to each other one is classified.
 BaseMapStatus grow_base_map(PoseTree& tree, const BoxClassifier& classifier, std::uint32_t depth,
-                            const MapControl& control);
+                            const MapControl& control, const std::vector<MapSymmetry>& symmetries = {});
 
 }  // namespace parallel_aspects
 

@@ -71,6 +71,13 @@ class LeafState {
     return (code_ & signs) == bit(sign) ? outside() : LeafState(code_ & ~bit(sign) & ~whole_bit(sign));
   }
 
+  /// What is proved where S(s, +) and S(s, -) change places. Inner nodes stay as they are.
+  constexpr LeafState with_signs_exchanged() const noexcept {
+    if ((code_ & inner) != 0) return *this;
+    const unsigned positive = bit(1) | whole_bit(1) | center_positive;
+    return LeafState((code_ & proved) | (code_ & positive) << 1U | (code_ >> 1U & positive));
+  }
+
   friend constexpr bool operator==(LeafState a, LeafState b) noexcept { return a.code_ == b.code_; }
 
  private:

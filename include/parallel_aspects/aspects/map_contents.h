@@ -43,6 +43,7 @@ struct AspectMap::Contents {
   std::uint32_t deepest_level = 0;  ///< that contested leaves may have
   double measure_undecided = 0.0;
   double seconds = 0.0;
+  std::optional<SymmetryUse> symmetry_use;  ///< not kept in files
 
   int leaf_aspect(NodeIndex node, std::size_t mode) const noexcept {
     return leaf_aspects[node * modes.size() + mode];

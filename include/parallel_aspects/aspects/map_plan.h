@@ -4,6 +4,7 @@
 
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/box_classifier.h"
+#include "parallel_aspects/aspects/map_symmetry.h"
 #include "parallel_aspects/aspects/pose_space.h"
 
 #include <cstdint>
@@ -20,9 +21,10 @@ struct MapPlan {
   std::optional<MapSlice> slice;
   std::unique_ptr<const BoxClassifier> classifier;
   std::shared_ptr<const PoseSpace> space;
-  double resolution = 0.0;          ///< longest edge of a base leaf [m or rad]
-  std::uint32_t depth = 0;          ///< level of the finest leaves of the base map
-  std::uint32_t deepest_level = 0;  ///< of contested leaves
+  std::vector<MapSymmetry> symmetries;  ///< that are used
+  double resolution = 0.0;              ///< longest edge of a base leaf [m or rad]
+  std::uint32_t depth = 0;              ///< level of the finest leaves of the base map
+  std::uint32_t deepest_level = 0;      ///< of contested leaves
 };
 
 /// Fills `plan`; the sentence says why that cannot be, and is empty otherwise.

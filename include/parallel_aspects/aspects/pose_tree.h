@@ -69,6 +69,11 @@ class PoseTree {
   template <class Predicate>
   NodeIndex divide(NodeIndex node, const Predicate& divides_mode);
 
+  /// Gives `node` children, unless it has them, in which every mode is inherited. Returns the first.
+  NodeIndex add_children(NodeIndex node) {
+    return first_child_[node] == no_node ? append_children(node) : first_child_[node];
+  }
+
   TreeRecord record() const;
 
   /// The tree with that record, node by node the same; nothing where no tree without pending states has it.
@@ -104,8 +109,7 @@ std::optional<Box> exact_region(const Box& box) noexcept;
 
 template <class Predicate>
 NodeIndex PoseTree::divide(NodeIndex node, const Predicate& divides_mode) {
-  if (first_child_[node] == no_node) append_children(node);
-  const NodeIndex first = first_child_[node];
+  const NodeIndex first = add_children(node);
   for (std::size_t mode = 0; mode < modes_; ++mode) {
     if (!state(node, mode).is_undecided() || !divides_mode(mode)) continue;
     state(node, mode) = LeafState::divided();
