@@ -11,16 +11,21 @@ namespace parallel_aspects {
 namespace {
 
 // The paper's five-bar over [-20, 20]^2, all four working modes, everything that `compute_aspect_map`
-// reports.
+// reports; with its symmetry and without.
 void five_bar_map(benchmark::State& state) {
   const auto robot = test::five_bar();
   MapOptions options;
   options.resolution = 0.1;
   options.region = Box{2, {-20.0, -20.0, 0.0}, {20.0, 20.0, 0.0}};
   options.threads = static_cast<unsigned>(state.range(0));
+  options.use_symmetry = state.range(1) != 0;
   for (auto _ : state) benchmark::DoNotOptimize(compute_aspect_map(robot, options).map);
 }
-BENCHMARK(five_bar_map)->Arg(1)->Arg(2)->ArgName("threads")->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(five_bar_map)
+    ->ArgsProduct({{1, 2}, {0, 1}})
+    ->ArgNames({"threads", "symmetry"})
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
 
 // Time against resolution, in units of a micrometre; the boundary is a curve, so it should double as this
 // halves.

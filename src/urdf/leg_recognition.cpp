@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/urdf/leg_recognition.h"
 
+#include "parallel_aspects/urdf/leg_rounding.h"
+
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -220,7 +222,8 @@ class LegBuilder {
     if (!drive) return std::nullopt;
     leg.drive = *drive;
     if (chain.drive_first) leg.rod_length = (p - c).norm();
-    return leg;
+    // Spherical robots are drawn on the unit sphere.
+    return without_rounding_noise(leg, motion_.space == TaskSpace::SO3 ? 1.0 : setting_.size);
   }
 
  private:

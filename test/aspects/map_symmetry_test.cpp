@@ -50,7 +50,7 @@ Robot built(unsigned seed, const Eigen::Vector3d& signs, TaskSpace space, test::
 const Case cases[] = {
     {"five_bar", test::five_bar, 0.3, 12, 2},
     {"bipod", test::bipod, 0.1, 12, 1},
-    {"delta", [] { return test::shipped("delta")->manipulator(); }, 0.1, 0, 4},
+    {"delta", [] { return test::shipped("delta")->manipulator(); }, 0.1, 0, 3},
     {"agile_eye", [] { return test::shipped("agile_eye")->manipulator(); }, 0.3, 0, 2},
     {"built_t2",
      [] {

@@ -35,12 +35,12 @@ TEST_F(FiveBarMechanism, IsRecognisedAsThePaperDrawsIt) {
     const Leg& leg = manipulator_.leg(j);
     const auto& drive = std::get<RevoluteDrive>(leg.drive);
     EXPECT_EQ(leg.driven_joint, "crank_" + std::to_string(j + 1) + "_joint");
-    EXPECT_NEAR(drive.radius, cranks[j], 1e-12);
-    EXPECT_NEAR(leg.rod_length, rods[j], 1e-12);
-    EXPECT_NEAR((drive.center - Eigen::Vector3d(bases[j], 0.0, 0.0)).norm(), 0.0, 1e-12);
-    EXPECT_NEAR((drive.axis - Eigen::Vector3d::UnitZ()).norm(), 0.0, 1e-12);
-    EXPECT_NEAR((drive.zero_direction - Eigen::Vector3d::UnitX()).norm(), 0.0, 1e-12);
-    EXPECT_NEAR(leg.anchor.norm(), 0.0, 1e-12);
+    EXPECT_EQ(drive.radius, cranks[j]);
+    EXPECT_EQ(leg.rod_length, rods[j]);
+    EXPECT_EQ(drive.center, Eigen::Vector3d(bases[j], 0.0, 0.0));
+    EXPECT_EQ(drive.axis, Eigen::Vector3d::UnitZ());
+    EXPECT_EQ(drive.zero_direction, Eigen::Vector3d::UnitX());
+    EXPECT_EQ(leg.anchor, Eigen::Vector3d::Zero());
     EXPECT_FALSE(leg.limits.limited());
   }
 }

@@ -165,8 +165,8 @@ TEST(Delta, HasThePublishedLengths) {
   for (const Leg& leg : mechanism->manipulator()->legs()) {
     const auto& drive = std::get<RevoluteDrive>(leg.drive);
     EXPECT_NEAR(drive.center.norm(), 0.200, 1e-12);
-    EXPECT_NEAR(drive.radius, 0.235, 1e-12);
-    EXPECT_NEAR(leg.rod_length, 0.800, 1e-12);
+    EXPECT_EQ(drive.radius, 0.235);
+    EXPECT_EQ(leg.rod_length, 0.800);
     EXPECT_NEAR(leg.anchor.norm(), 0.045, 1e-12);
     EXPECT_NEAR(drive.zero_direction.dot(drive.center), 0.200, 1e-12) << "cranks point outwards at zero";
   }
@@ -179,7 +179,7 @@ TEST(LinearDelta, HasThePublishedLengths) {
     const auto& drive = std::get<PrismaticDrive>(leg.drive);
     EXPECT_NEAR(drive.origin.head<2>().norm(), 0.1255, 1e-12);
     EXPECT_NEAR((drive.direction - Eigen::Vector3d::UnitZ()).norm(), 0.0, 1e-12);
-    EXPECT_NEAR(leg.rod_length, 0.215, 1e-12);
+    EXPECT_EQ(leg.rod_length, 0.215);
     EXPECT_NEAR(leg.anchor.norm(), 0.0199, 1e-12);
   }
 }
