@@ -14,7 +14,8 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double turn = 2.0 * EIGEN_PI;
-constexpr double longest_edge = 0.25;  // of an image, where it can be had [rad or m]
+constexpr double longest_edge = 0.25;    // of an image, where it can be had [rad]
+constexpr double longest_segment = 0.5;  // likewise
 constexpr int most_splits = 2;
 
 // Images are drawn a little larger than they are, so that no gap is seen where a straight side meets two that
@@ -118,6 +119,15 @@ Vector2d JointProjection::near(const Vector2d& reference, Vector2d q) const {
   return q;
 }
 
+// The whole range of a length counts like a turn, whatever its unit.
+double JointProjection::span(const Vector2d& from, const Vector2d& to) const {
+  Vector2d result = (to - from).cwiseAbs();
+  for (const int i : {0, 1})
+    if (!map_->manipulator()->leg(static_cast<std::size_t>(i)).driven_by_angle())
+      result[i] *= turn / (window_.upper[i] - window_.lower[i]);
+  return result.maxCoeff();
+}
+
 void JointProjection::find_window() {
   window_.lower.setConstant(std::numeric_limits<double>::infinity());
   window_.upper = -window_.lower;
@@ -153,7 +163,7 @@ void JointProjection::add_image(const std::vector<Vector2d>& polygon, const Work
   for (const Vector2d& corner : polygon) {
     const Vector2d q = drives(corner, mode);
     image.push_back(image.empty() ? q : near(image.front(), q));
-    longest = std::max(longest, (image.back() - image.front()).cwiseAbs().maxCoeff());
+    longest = std::max(longest, span(image.front(), image.back()));
   }
   if (longest > longest_edge && splits_left > 0) {
     for (const Polygon& part : parts_of(polygon)) add_image(part, mode, splits_left - 1, corners);
@@ -170,7 +180,7 @@ std::vector<BoundarySegment> JointProjection::images(const std::vector<BoundaryS
   for (BoundarySegment segment : segments) {
     segment.from = window_.wrapped(drives(segment.from, mode));
     segment.to = window_.wrapped(drives(segment.to, mode));
-    if ((segment.to - segment.from).cwiseAbs().maxCoeff() < 0.5) images.push_back(segment);
+    if (span(segment.from, segment.to) < longest_segment) images.push_back(segment);
   }
   return images;
 }

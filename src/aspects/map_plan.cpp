@@ -25,6 +25,9 @@ Box unbounded(std::size_t dimension) {
   return box;
 }
 
+/// Longest edge of an angle beside positions where no resolution is given [rad].
+double default_angle(std::size_t dimension) { return dimension < 3 ? 0.025 : 0.1; }
+
 double longest_edge(const MapPlan& plan, std::uint32_t level) {
   return plan.space->longest_edge(at_level(plan.space->region(), level));
 }
@@ -117,6 +120,19 @@ std::string find_modes(const Manipulator& manipulator, const MapOptions& options
   return "";
 }
 
+/// Whether leaves of this level are as fine as is asked for. Where nothing is asked, angles beside positions
+/// have a length of their own, since the unit of length of the robot says nothing of them.
+bool is_fine_enough(const MapPlan& plan, const MapOptions& options, double resolution, std::uint32_t level) {
+  const PoseSpace& space = *plan.space;
+  const Box leaf = at_level(space.region(), level);
+  const std::size_t last = leaf.dimension - 1;
+  if (options.resolution || last == 0 || !space.is_periodic(last))
+    return space.longest_edge(leaf) <= resolution;
+  for (std::size_t i = 0; i < last; ++i)
+    if (leaf.width(i) > resolution) return false;
+  return EIGEN_PI * leaf.width(last) <= default_angle(leaf.dimension);
+}
+
 std::string make_classifier(const Manipulator& manipulator, const MapOptions& options, MapPlan& plan) {
   if (!options.slice) {
     plan.classifier = make_box_classifier(manipulator, plan.modes);
@@ -161,9 +177,9 @@ std::string make_map_plan(const Manipulator& manipulator, const MapOptions& opti
   plan.space = make_space(manipulator, plan, positions);
   if (options.use_symmetry && !plan.slice)
     plan.symmetries = find_map_symmetries(manipulator, plan.space->region(), plan.modes);
-  while (longest_edge(plan, plan.depth) > resolution && plan.depth < PoseTree::deepest_level) ++plan.depth;
-  if (longest_edge(plan, plan.depth) > resolution)
-    return "The resolution is too fine for the size of the region; give a coarser one.";
+  const auto is_fine = [&] { return is_fine_enough(plan, options, resolution, plan.depth); };
+  while (!is_fine() && plan.depth < PoseTree::deepest_level) ++plan.depth;
+  if (!is_fine()) return "The resolution is too fine for the size of the region; give a coarser one.";
   plan.resolution = longest_edge(plan, plan.depth);
   plan.deepest_level =
       std::min(PoseTree::deepest_level, plan.depth + static_cast<std::uint32_t>(options.extra_levels));

@@ -173,6 +173,21 @@ MapPosition PoseSpace::across(const MapPosition& position, std::size_t axis) con
   return position;
 }
 
+std::optional<MapPosition> PoseSpace::beyond(const MapPosition& position, std::size_t axis,
+                                             double depth) const noexcept {
+  const bool upper = position.point[axis] == region_.upper[axis];
+  const RootFace face{position.root, static_cast<std::uint8_t>(axis), upper};
+  for (const Gluing& gluing : gluings_) {
+    if (!(gluing.first == face) && !(gluing.second == face)) continue;
+    const bool from_first = gluing.first == face;
+    const RootFace& to = from_first ? gluing.second : gluing.first;
+    MapPosition result = image(gluing, position, from_first);
+    result.point[to.axis] += to.upper ? -depth : depth;
+    return result;
+  }
+  return std::nullopt;
+}
+
 // Ranges of flipped coordinates are symmetric, so that changing the sign is exact.
 MapPosition PoseSpace::image(const Gluing& gluing, const MapPosition& position,
                              bool from_first) const noexcept {

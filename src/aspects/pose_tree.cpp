@@ -8,24 +8,23 @@
 namespace parallel_aspects {
 namespace {
 
-// Corners are multiples of one grid unit: widths of at most 2^13 units, offsets of at most 2^22. Divided 2^28
-// times a corner then needs 22 + 28 = 50 bits of the 53 that a double has.
-constexpr double units_across = 4096.0;
-constexpr double most_units_away = 4194304.0;
+// Corners are multiples of one grid unit, at most 2^23 of them. Divided 2^28 times a corner then needs
+// 23 + 28 = 51 bits of the 53 that a double has, and a center one more.
+constexpr int bits_of_corners = 23;
+constexpr double least_units_across = 4096.0;
 
 }  // namespace
 
+// The unit is as fine as it can be: the box is then cut alike in every unit of length.
 std::optional<Box> exact_region(const Box& box) noexcept {
   Box exact = box;
   for (std::size_t i = 0; i < box.dimension; ++i) {
-    const double width = box.width(i);
-    if (!std::isfinite(box.lower[i]) || !std::isfinite(width) || width <= 0.0) return std::nullopt;
-    const double unit = std::ldexp(1.0, std::ilogb(width / units_across));
-    if (!std::isnormal(unit)) return std::nullopt;
+    const double farthest = std::max(std::abs(box.lower[i]), std::abs(box.upper[i]));
+    if (!std::isfinite(farthest) || !(box.lower[i] < box.upper[i])) return std::nullopt;
+    const double unit = std::ldexp(1.0, std::ilogb(farthest) + 1 - bits_of_corners);
+    if (!std::isnormal(unit) || !(box.width(i) >= least_units_across * unit)) return std::nullopt;
     exact.lower[i] = std::floor(box.lower[i] / unit) * unit;
     exact.upper[i] = std::ceil(box.upper[i] / unit) * unit;
-    if (std::max(std::abs(exact.lower[i]), std::abs(exact.upper[i])) > most_units_away * unit)
-      return std::nullopt;
   }
   return exact;
 }

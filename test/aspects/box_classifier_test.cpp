@@ -171,6 +171,33 @@ TEST(PoseSpace, GluedFacesHoldTheSamePoses) {
   }
 }
 
+// Inside the root box of the other side, and as close to the pose on the face as the depth says.
+TEST(PoseSpace, PositionsBeyondAGluedFaceAreCloseToIt) {
+  const Box square{2, {-1.0, -1.0, 0.0}, {1.0, 1.0, 0.0}};
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> coordinate(-1.0, 1.0);
+  for (const TaskSpace task_space : {TaskSpace::SE2, TaskSpace::SO3}) {
+    const auto space = make_pose_space(task_space, square, 1.0);
+    for (int i = 0; i < 200; ++i) {
+      MapPosition face{static_cast<RootIndex>(random() % space->root_count()), {}};
+      for (double& each : face.point) each = coordinate(random);
+      const std::size_t axis = task_space == TaskSpace::SE2 ? 2 : random() % 3;
+      face.point[axis] = random() % 2 == 0 ? 1.0 : -1.0;
+      const auto beyond = space->beyond(face, axis, 0.01);
+      ASSERT_TRUE(beyond);
+      EXPECT_TRUE(space->region().contains(beyond->point));
+      const double angle = space->pose(face).orientation.angularDistance(space->pose(*beyond).orientation);
+      EXPECT_GT(angle, 1e-3);
+      EXPECT_LT(angle, 0.05);
+      MapPosition inside = face;
+      inside.point[axis] *= 0.99;
+      EXPECT_GT(space->pose(inside).orientation.angularDistance(space->pose(*beyond).orientation),
+                1.2 * angle);
+    }
+    EXPECT_FALSE(make_pose_space(TaskSpace::T2, square, 1.0)->beyond({0, {1.0, 0.0, 0.0}}, 0, 0.01));
+  }
+}
+
 TEST(HalfTurns, EnclosuresHoldTheCosineAndSineOfEveryPoint) {
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> end(-1.0, 1.0), share(0.0, 1.0);

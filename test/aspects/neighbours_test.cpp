@@ -226,6 +226,29 @@ TEST(Neighbours, PosesAreCloseToWhatVanishes) {
   EXPECT_GT(proved, 27U);
 }
 
+/// A 3-RPR with a platform like its base: det A = 0 wherever the platform is parallel to the base, that is in
+/// a plane phi = const of poses, which turning the frame of the platform moves.
+Robot congruent_three_rpr(double turned) {
+  const test::Points base{{0.0, 0.0, 0.0}, {10.0, 0.0, 0.0}, {3.0, 8.0, 0.0}};
+  test::Points platform;
+  for (const Eigen::Vector3d& point : base)
+    platform.push_back(Eigen::AngleAxisd(turned, Eigen::Vector3d::UnitZ()) * point);
+  std::vector<Leg> legs = test::struts(base, platform);
+  for (Leg& leg : legs) leg.limits = JointLimits{3.0, 9.0};
+  return test::manipulator("congruent", TaskSpace::SE2, std::move(legs));
+}
+
+TEST(Neighbours, AreFoundAcrossTheEndsOfTheAngle) {
+  MapOptions options;
+  options.resolution = 1.2;
+  for (const double turned : {0.0, static_cast<double>(EIGEN_PI), 1.0}) {
+    const auto map = compute_aspect_map(congruent_three_rpr(turned), options).map;
+    ASSERT_TRUE(map);
+    EXPECT_EQ(map->proved_count(), 4U) << turned;
+    EXPECT_EQ(proved_pairs(*map).size(), 3U) << turned;
+  }
+}
+
 TEST(Neighbours, AreNoneWhereCancelled) {
   const auto map = compute_aspect_map(test::five_bar()).map;
   const std::atomic<bool> cancelled{true};

@@ -190,7 +190,8 @@ MapResult compute_aspect_map(std::shared_ptr<const Manipulator> manipulator, con
 
 /// The resolution that is taken where none is given: 1/200 of the robot's size in T2, 1/50 in SE2 and T3 [m],
 /// 0.1 rad in SO3; in slices 1/200 of the robot's size for one or two free coordinates and 1/50 for three
-/// [m], or where no position is free 0.01 rad for an angle and 0.1 rad for orientations.
+/// [m], or where no position is free 0.01 rad for an angle and 0.1 rad for orientations. Angles beside
+/// positions are taken to 0.1 rad then, with one position to 0.025 rad, whatever the unit of length.
 double default_resolution(const Manipulator& manipulator,
                           const std::optional<MapSlice>& slice = std::nullopt) noexcept;
 

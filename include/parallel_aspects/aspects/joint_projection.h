@@ -27,7 +27,8 @@ struct JointWindow {
 using TriangleCorners = std::vector<Eigen::Vector2d>;
 
 /// Pictures of a two-dimensional map in joint space. Not certified: images of pieces are drawn as
-/// polygons with edges of about a quarter of a radian, or a little more.
+/// polygons with edges of about a quarter of a radian, or of a 25th of the range of a length, or a little
+/// more.
 class JointProjection {
  public:
   /// `map` must be two-dimensional.
@@ -45,6 +46,7 @@ class JointProjection {
 
  private:
   Eigen::Vector2d drives(const Eigen::Vector2d& point, const WorkingMode& mode) const;
+  double span(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const;
   Eigen::Vector2d near(const Eigen::Vector2d& reference, Eigen::Vector2d q) const;
   void add_image(const std::vector<Eigen::Vector2d>& polygon, const WorkingMode& mode, int splits_left,
                  TriangleCorners& corners) const;

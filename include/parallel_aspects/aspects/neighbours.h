@@ -36,9 +36,8 @@ struct Neighbours {
   Pose pose;  ///< in the leaf where they touch, on the segment where proved
 };
 
-/// Pairs of aspects that touch, by rising ids. All undecided leaves are looked at, or where a working mode
-/// has very many an even share of them; of pairs that are not listed nothing is claimed. Empty where
-/// cancelled.
+/// Pairs of aspects that touch, by rising ids, in all undecided leaves and across glued faces of the space of
+/// poses. Of pairs that are not listed nothing is claimed. Empty where cancelled.
 std::vector<Neighbours> find_neighbours(const AspectMap& map, const MapControl& control = {});
 
 /// "serial" or "parallel".

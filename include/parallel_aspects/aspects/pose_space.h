@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace parallel_aspects {
@@ -63,6 +64,11 @@ class PoseSpace {
   /// The same pose on the other side of a glued face that it lies on, exactly; `position` itself where that
   /// face is not glued.
   MapPosition across(const MapPosition& position, std::size_t axis) const noexcept;
+
+  /// A position as far inside as `depth` says, across the glued face that a position lies on; nothing where
+  /// that face is not glued.
+  std::optional<MapPosition> beyond(const MapPosition& position, std::size_t axis,
+                                    double depth) const noexcept;
 
   /// Where a pose lies; it may be outside the region.
   virtual MapPosition position(const Pose& pose) const noexcept = 0;

@@ -103,8 +103,8 @@ class PoseTree {
 };
 
 /// `box` widened so that every corner of every node down to `PoseTree::deepest_level` is an exact double: its
-/// corners become multiples of a power of two near width / 4096. Nothing where it lies too far from the
-/// origin for that (more than some hundred widths), is empty or is not finite.
+/// corners become multiples of a power of two, some 2^-22 of the farthest of them. Nothing where it lies too
+/// far from the origin for its width (more than some thousand widths), is empty or is not finite.
 std::optional<Box> exact_region(const Box& box) noexcept;
 
 template <class Predicate>
