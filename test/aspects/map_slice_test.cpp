@@ -14,6 +14,7 @@
 #include "support/shipped.h"
 #include "support/sign_at.h"
 #include "support/slices.h"
+#include "support/thoroughness.h"
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -179,12 +180,9 @@ int the_one_aspect_of(const AspectMap& map, const WorkingMode& mode,
   return found.size() == 1 ? *found.begin() : 0;
 }
 
-// Sanitizers make doubles ten times as slow; builds with them look at two working modes.
-#ifdef NDEBUG
-constexpr std::size_t flooded_modes = 8, aspects_in_them = 27;
-#else
-constexpr std::size_t flooded_modes = 2, aspects_in_them = 8;
-#endif
+// Of eight working modes.
+constexpr std::size_t flooded_modes = test::is_sanitized ? 2 : 8,
+                      aspects_in_them = test::is_sanitized ? 8 : 27;
 
 // The robot and the slice of Caro, Chablat, Goldsztejn, Ishii and Jermann, Artificial Intelligence 211, 2014.
 TEST(MapSlice, ThreeRrrWithFrozenOrientationAgreesWithFloodFill) {

@@ -8,6 +8,7 @@
 #include "support/shipped.h"
 #include "support/sign_at.h"
 #include "support/slices.h"
+#include "support/thoroughness.h"
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -25,12 +26,7 @@ using test::Robot;
 using test::slice_of;
 using test::upright;
 
-// Sanitizers make doubles ten times as slow; builds with them look at fewer poses.
-#ifdef NDEBUG
-constexpr int looks = 100000, least_inside = 50;
-#else
-constexpr int looks = 20000, least_inside = 5;
-#endif
+constexpr int looks = test::thinned(100000), least_inside = test::thinned(50);
 
 struct Case {
   const char* name;
