@@ -16,8 +16,13 @@ constexpr double relative_precision = 0.01;
 class NearestForeignLeaf {
  public:
   NearestForeignLeaf(const AspectMap::Contents& map, int aspect, std::size_t mode,
-                     const MapPosition& position)
-      : map_(map), aspect_(aspect), mode_(mode), weights_(map.tree.space().weights()), position_(position) {}
+                     const MapPosition& position, double of_interest)
+      : map_(map),
+        aspect_(aspect),
+        mode_(mode),
+        weights_(map.tree.space().weights()),
+        position_(position),
+        enough_(of_interest > 0.0 ? of_interest * of_interest : 0.0) {}
 
   double distance() {
     const Box& region = map_.tree.region();
@@ -50,6 +55,7 @@ class NearestForeignLeaf {
   }
 
   void descend(NodeIndex node) {
+    if (best_ <= enough_) return;
     const Box box = map_.tree.box(node);
     const double distance = box.squared_distance(position_.point, weights_);
     if (distance >= best_) return;
@@ -67,6 +73,7 @@ class NearestForeignLeaf {
   std::size_t mode_;
   MapPoint weights_;
   MapPosition position_;
+  double enough_;  // squared distance below which nothing more is asked
   double best_ = std::numeric_limits<double>::infinity();
 };
 
@@ -98,7 +105,8 @@ class Search {
   }
 
  private:
-  bool worth(const Cell& cell) const { return cell.bound > best_.clearance * (1.0 + relative_precision); }
+  double least_bound() const { return best_.clearance * (1.0 + relative_precision); }
+  bool worth(const Cell& cell) const { return cell.bound > least_bound(); }
 
   double edge(const Box& box, std::size_t i) const { return weights_[i] * box.width(i); }
 
@@ -106,8 +114,10 @@ class Search {
     double squared_diagonal = 0.0;
     for (std::size_t i = 0; i < box.dimension; ++i) squared_diagonal += edge(box, i) * edge(box, i);
     const MapPosition middle{root, box.middle()};
-    const double clear = clearance(map_, aspect_, mode_, middle);
-    const Cell cell{box, {middle, clear}, clear + 0.5 * std::sqrt(squared_diagonal)};
+    const double half_diagonal = 0.5 * std::sqrt(squared_diagonal);
+    const double worth_from = std::min(best_.clearance, least_bound() - half_diagonal);
+    const double clear = clearance(map_, aspect_, mode_, middle, worth_from);
+    const Cell cell{box, {middle, clear}, clear + half_diagonal};
     if (clear > best_.clearance) best_ = cell.center;
     if (worth(cell)) queue_.push(cell);
   }
@@ -134,8 +144,8 @@ class Search {
 }  // namespace
 
 double clearance(const AspectMap::Contents& map, const Aspect& aspect, std::size_t mode,
-                 const MapPosition& position) {
-  return NearestForeignLeaf(map, aspect.id, mode, position).distance();
+                 const MapPosition& position, double of_interest) {
+  return NearestForeignLeaf(map, aspect.id, mode, position, of_interest).distance();
 }
 
 ClearPoint deepest_point(const AspectMap::Contents& map, const Aspect& aspect, std::size_t mode,

@@ -15,9 +15,10 @@ struct ClearPoint {
 };
 
 /// Distance from a position to the nearest leaf of its working mode that is not an inside leaf of this
-/// aspect, or to a face of its root box that no periodic coordinate goes through; 0 outside the aspect.
+/// aspect, or to a face of its root box that no periodic coordinate goes through; 0 outside the aspect. Where
+/// it is no more than `of_interest` only that is told: it is then somewhat larger, but no more than that.
 double clearance(const AspectMap::Contents& map, const Aspect& aspect, std::size_t mode,
-                 const MapPosition& position);
+                 const MapPosition& position, double of_interest = 0.0);
 
 /// The center of the largest ball within the inside leaves of an aspect, within one part in a hundred of the
 /// radius (best-first search with a Lipschitz bound, as "polylabel" does for polygons).
