@@ -3,8 +3,7 @@
 
 #include "parallel_aspects/kinematics/jacobians.h"
 #include "parallel_aspects/kinematics/refinement.h"
-
-#include <Eigen/SVD>
+#include "parallel_aspects/model/dense_decompositions.h"
 
 #include <array>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/urdf/assembly.h"
 
-#include <Eigen/Dense>
+#include "parallel_aspects/model/dense_decompositions.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/urdf/mechanism.h"
 
+#include "parallel_aspects/model/dense_decompositions.h"
 #include "parallel_aspects/urdf/mechanism_contents.h"
-
-#include <Eigen/SVD>
 
 #include <utility>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/urdf/platform_motion.h"
 
-#include <Eigen/Dense>
+#include "parallel_aspects/model/dense_decompositions.h"
 
 namespace parallel_aspects {
 namespace {
