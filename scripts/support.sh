@@ -50,8 +50,9 @@ install_packages() {
   as_root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y "${missing[@]}"
 }
 
-# Options for every cmake: ccache, where it is there.
+# Options for every cmake: ccache, where it is there, which may take precompiled headers for what they were made of.
 cmake_options=()
+export CCACHE_SLOPPINESS=pch_defines,time_macros
 if command -v ccache > /dev/null; then cmake_options+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
 
 # quietly LOG COMMAND...: shows the output only where the command fails.
