@@ -55,7 +55,7 @@ class AspectNode : public testing::Test {
   // Publishes drive values, stamped now.
   static void publish(const JointVector& q) {
     sensor_msgs::JointState message;
-    message.header.stamp = ros::Time::now();
+    message.header.stamp = last_stamp_ = ros::Time::now();
     message.name = {"crank_2_joint", "crank_1_joint"};  // not in the order of the legs
     message.position = {q[1], q[0]};
     publisher_.publish(message);
@@ -63,11 +63,13 @@ class AspectNode : public testing::Test {
   }
 
   static ros::Publisher publisher_;
+  static ros::Time last_stamp_;
   const std::shared_ptr<const Mechanism> mechanism_ = test::five_bar_mechanism();
   const Manipulator& robot_ = *mechanism_->manipulator();
 };
 
 ros::Publisher AspectNode::publisher_;
+ros::Time AspectNode::last_stamp_;
 
 TEST_F(AspectNode, SaysThatItKnowsNothingWithoutJointStates) {
   const Recorder<AspectState> state("/aspect_node/state");
@@ -218,8 +220,10 @@ TEST_F(AspectNode, TellsEveryTransitionOfATour) {
     EXPECT_NE(transition.kind, AspectTransition::LOST);
     EXPECT_FALSE(transition.kind == AspectTransition::WORKING_MODE && transition.determinant_crossed);
   }
-  EXPECT_EQ(completed.last()->name, mechanism_->joint_names());
-  EXPECT_NEAR(state.last()->pose.position.y, 8.0, 1e-6);
+  const AspectState end = state.answer(last_stamp_);
+  EXPECT_EQ(end.status.code, Status::OK) << end.status.sentence;
+  EXPECT_NEAR(end.pose.position.y, 8.0, 1e-6);
+  EXPECT_EQ(completed.answer(last_stamp_).name, mechanism_->joint_names());
 }
 
 TEST_F(AspectNode, SendsThePlatformToTf) {
@@ -284,14 +288,11 @@ TEST_F(AspectNode, SurvivesBadJointStatesAndSaysSo) {
   for (auto& message : bad) {
     message.header.stamp = ros::Time::now();
     publisher_.publish(message);
-    const auto is_told = [&] {
-      return state.last()->header.stamp == message.header.stamp &&
-             state.last()->status.code == Status::INVALID_JOINT_STATES &&
-             !state.last()->status.sentence.empty();
-    };
-    EXPECT_TRUE(eventually(is_told)) << message;
-    EXPECT_EQ(state.last()->aspect, 0U);
-    EXPECT_TRUE(state.last()->working_mode.empty());
+    const AspectState answer = state.answer(message.header.stamp);
+    EXPECT_EQ(answer.status.code, Status::INVALID_JOINT_STATES) << message;
+    EXPECT_FALSE(answer.status.sentence.empty());
+    EXPECT_EQ(answer.aspect, 0U);
+    EXPECT_TRUE(answer.working_mode.empty());
   }
 }
 

@@ -24,10 +24,10 @@ struct Ending {
   std::string output;
 };
 
-// Runs the node in a namespace of its own until it ends, at most 20 s.
+// Runs the node in a namespace of its own until it ends, at most a minute.
 Ending run_node(const std::string& name_space) {
   const std::string command =
-      "timeout --kill-after=5 20 " PARALLEL_ASPECTS_NODE " __ns:=" + name_space + " 2>&1";
+      "timeout --kill-after=5 60 " PARALLEL_ASPECTS_NODE " __ns:=" + name_space + " 2>&1";
   FILE* pipe = popen(command.c_str(), "r");
   Ending ending;
   std::array<char, 4096> buffer;

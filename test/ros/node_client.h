@@ -47,11 +47,22 @@ class Recorder {
     const std::lock_guard<std::mutex> lock(mutex_);
     return messages_.empty() ? std::nullopt : std::make_optional(messages_.back());
   }
-  // The newest message that fits.
-  std::optional<Message> newest(const std::function<bool(const Message&)>& fits) const {
+  // The first message that fits, from the one numbered `start` on.
+  std::optional<Message> first(const std::function<bool(const Message&)>& fits, std::size_t start = 0) const {
     const std::lock_guard<std::mutex> lock(mutex_);
-    const auto found = std::find_if(messages_.rbegin(), messages_.rend(), fits);
-    return found == messages_.rend() ? std::nullopt : std::make_optional(*found);
+    const auto begin = messages_.begin() + static_cast<std::ptrdiff_t>(std::min(start, messages_.size()));
+    const auto found = std::find_if(begin, messages_.end(), fits);
+    return found == messages_.end() ? std::nullopt : std::make_optional(*found);
+  }
+  // The answer to what was stamped so, once it is there: the first with that stamp. What the node says later,
+  // that nothing came since or of another's message, may bear the same stamp or come in between.
+  Message answer(const ros::Time& stamp) const {
+    std::optional<Message> answer;
+    EXPECT_TRUE(eventually([&] {
+      answer = first([&](const Message& message) { return message.header.stamp == stamp; });
+      return answer.has_value();
+    })) << stamp;
+    return answer.value_or(Message());
   }
   bool connected() const { return subscriber_.getNumPublishers() > 0; }
 

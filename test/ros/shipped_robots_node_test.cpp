@@ -105,7 +105,7 @@ double farthest(const std::vector<AspectState>& states) {
 TEST_P(ShippedRobot, IsFollowedAndDrawnAndEndsCleanly) {
   const std::string name_space = std::string("/") + GetParam(), node = name_space + "/aspect_node";
   const auto mechanism = test::shipped(GetParam());
-  Process server(PARALLEL_ASPECTS_NODE, name_space);
+  Process server(PARALLEL_ASPECTS_NODE, name_space, {"_joint_states_timeout:=2.0"});  // a busy computer
   Process motion(PARALLEL_ASPECTS_DEMO_MOTION, name_space, {"_patience:=0.0", "_local_duration:=10.0"});
   const Listener listener(node);
   ASSERT_TRUE(eventually([&] { return listener.seconds_followed() > seconds_seen || server.has_ended(); }));
