@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "support/robots.h"
+#include "support/thoroughness.h"
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -142,6 +143,7 @@ TEST(AspectMap, RefusesBadOptionsWithASentence) {
 }
 
 TEST(AspectMap, RefusesWhatWouldTakeAllMemory) {
+  if (test::is_sanitized) GTEST_SKIP() << "takes half a minute under the sanitizers";
   MapOptions options;
   options.resolution = 2e-6;
   const MapResult result = compute_aspect_map(test::five_bar(), options);

@@ -208,7 +208,8 @@ TEST(PoseRoadmap, EndsSoonWhenCancelled) {
     control.progress = [&](double done) {
       if (done >= share) cancelled = true;
     };
-    const RoadmapResult result = compute_pose_roadmap(shipped("hexa"), options_of(3000), control);
+    const RoadmapResult result =
+        compute_pose_roadmap(shipped("hexa"), options_of(test::thinned(3000)), control);
     EXPECT_EQ(result.status, MapStatus::cancelled) << share;
     EXPECT_EQ(result.roadmap, nullptr);
   }
