@@ -38,12 +38,10 @@ std::optional<Box> T1Chart::reachable_positions() const {
   return box.box();
 }
 
-T2Chart::T2Chart(const Manipulator& manipulator) {
+T2Chart::T2Chart(const Manipulator& manipulator) : PlanarLegs(manipulator) {
   for (std::size_t j = 0; j < leg_count; ++j) {
-    const Leg& leg = manipulator.leg(j);
-    legs_.emplace_back(leg);
-    offsets_[j] = {Interval(leg.anchor.x()) - legs_[j].base().x,
-                   Interval(leg.anchor.y()) - legs_[j].base().y};
+    const Eigen::Vector3d& anchor = manipulator.leg(j).anchor;
+    offsets_[j] = {Interval(anchor.x()) - leg(j).base().x, Interval(anchor.y()) - leg(j).base().y};
   }
 }
 
@@ -51,17 +49,16 @@ std::optional<Box> T2Chart::reachable_positions() const {
   const RoundingUpward rounding;
   ReachableBox box(2);
   for (std::size_t j = 0; j < leg_count; ++j) {
-    box.restrict(0, -offsets_[j].x, legs_[j].reach());
-    box.restrict(1, -offsets_[j].y, legs_[j].reach());
+    box.restrict(0, -offsets_[j].x, leg(j).reach());
+    box.restrict(1, -offsets_[j].y, leg(j).reach());
   }
   return box.box();
 }
 
-SE2Chart::SE2Chart(const Manipulator& manipulator) {
+SE2Chart::SE2Chart(const Manipulator& manipulator) : PlanarLegs(manipulator) {
   for (std::size_t j = 0; j < leg_count; ++j) {
-    const Leg& leg = manipulator.leg(j);
-    legs_.emplace_back(leg);
-    anchors_[j] = {leg.anchor.x(), leg.anchor.y()};
+    const Eigen::Vector3d& anchor = manipulator.leg(j).anchor;
+    anchors_[j] = {anchor.x(), anchor.y()};
   }
 }
 
@@ -70,8 +67,8 @@ std::optional<Box> SE2Chart::reachable_positions() const {
   ReachableBox box(2);
   for (std::size_t j = 0; j < leg_count; ++j) {
     const double anchor = square_root(square(anchors_[j].x) + square(anchors_[j].y)).upper();
-    box.restrict(0, legs_[j].base().x, legs_[j].reach() + anchor);
-    box.restrict(1, legs_[j].base().y, legs_[j].reach() + anchor);
+    box.restrict(0, leg(j).base().x, leg(j).reach() + anchor);
+    box.restrict(1, leg(j).base().y, leg(j).reach() + anchor);
   }
   return box.box();
 }

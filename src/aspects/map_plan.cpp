@@ -69,16 +69,6 @@ std::string find_workspace_problem(const Manipulator& manipulator, const MapPlan
   return "";
 }
 
-/// Slices take every leg in space, where it is not seen that links of a planar robot cross.
-std::string find_constraint_problem(const Manipulator& manipulator, const MapOptions& options) {
-  ConstraintKinds kinds = manipulator.constraint_kinds();
-  kinds[index_of(ConstraintKind::driven_limits)] = false;
-  if (!options.slice || !is_planar(manipulator.task_space()) || kinds.none()) return "";
-  return "Maps of slices of planar robots know no constraints but driven_limits; leave the others out, or "
-         "map "
-         "all poses.";
-}
-
 /// The positions that the map covers; the sentence says why there are none, and is empty otherwise.
 std::string find_positions(const Manipulator& manipulator, const MapOptions& options, const MapPlan& plan,
                            Box& positions) {
@@ -162,7 +152,6 @@ double default_resolution_of_slice(const Manipulator& manipulator, const MapSlic
 
 std::string make_map_plan(const Manipulator& manipulator, const MapOptions& options, MapPlan& plan) {
   std::string problem = find_modes(manipulator, options, plan);
-  if (problem.empty()) problem = find_constraint_problem(manipulator, options);
   if (problem.empty()) problem = make_classifier(manipulator, options, plan);
   if (!problem.empty()) return problem;
   const double resolution = options.resolution.value_or(default_resolution(manipulator, options.slice));

@@ -152,14 +152,6 @@ class SegmentCertifier::Evaluation {
     return false;
   }
 
-  // In the plane, what is out of it is left out.
-  template <std::size_t D>
-  static Point<PathForm, D> reduced(const Spatial<PathForm>& point) {
-    Point<PathForm, D> result;
-    std::copy_n(point.begin(), D, result.begin());
-    return result;
-  }
-
   int proved_sign_at_middle() const {
     SquareArray<Interval> middle;
     for (std::size_t i = 0; i < max_legs; ++i)

@@ -2,6 +2,7 @@
 #include "parallel_aspects/aspects/box_classifier.h"
 #include "parallel_aspects/aspects/chart_classifier.h"
 #include "parallel_aspects/aspects/slice_chart.h"
+#include "parallel_aspects/model/constraints.h"
 
 namespace parallel_aspects {
 namespace {
@@ -15,8 +16,12 @@ Classifier make(const Manipulator& manipulator, const Modes& modes, const MapSli
 }
 
 Classifier make_for_three_legs(const Manipulator& manipulator, const Modes& modes, const MapSlice& slice) {
-  return slice.dimension() == 1 ? make<SliceChart<3, 1>>(manipulator, modes, slice)
-                                : make<SliceChart<3, 2>>(manipulator, modes, slice);
+  const bool is_line = slice.dimension() == 1;
+  if (is_planar(manipulator.task_space()))
+    return is_line ? make<SliceChart<3, 1, 2>>(manipulator, modes, slice)
+                   : make<SliceChart<3, 2, 2>>(manipulator, modes, slice);
+  return is_line ? make<SliceChart<3, 1>>(manipulator, modes, slice)
+                 : make<SliceChart<3, 2>>(manipulator, modes, slice);
 }
 
 Classifier make_for_six_legs(const Manipulator& manipulator, const Modes& modes, const MapSlice& slice) {
@@ -36,7 +41,7 @@ Classifier make_for_six_legs(const Manipulator& manipulator, const Modes& modes,
 Classifier make_slice_classifier(const Manipulator& manipulator, const Modes& modes, const MapSlice& slice) {
   switch (manipulator.leg_count()) {
     case 2:
-      return make<SliceChart<2, 1>>(manipulator, modes, slice);
+      return make<SliceChart<2, 1, 2>>(manipulator, modes, slice);
     case 3:
       return make_for_three_legs(manipulator, modes, slice);
     case 6:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/aspects/aspect_map.h"
+#include "parallel_aspects/aspects/map_contents.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"
 #include "parallel_aspects/aspects/pose_sampler.h"
 #include "parallel_aspects/aspects/same_aspect.h"
@@ -11,9 +12,12 @@
 #include "support/constrained_robots.h"
 #include "support/robots.h"
 #include "support/shipped.h"
+#include "support/sign_at.h"
 #include "support/slices.h"
 #include "support/thoroughness.h"
 #include <optional>
+#include <random>
+#include <string>
 
 namespace parallel_aspects {
 namespace {
@@ -158,6 +162,51 @@ TEST(ConstrainedSlice, IsMappedInTheWorkspaceOnly) {
       compute_aspect_map(robot, beyond).sentence,
       "The slice holds a position outside of the workspace that the constraints of 'stewart' name; hold "
       "it inside, or leave the constraint out.");
+}
+
+struct PlanarSlice {
+  Robot plain;
+  test::Held held;
+};
+
+// Every kind of constraint, against a second way to all of them at random poses of slices of planar robots.
+TEST(ConstrainedSlice, OfPlanarRobotsKnowsAllConstraints) {
+  std::mt19937_64 random(8);
+  for (const auto& [plain, held] :
+       {PlanarSlice{test::three_rrr(), {{"phi", 0.4}}}, PlanarSlice{test::three_rrr(), {{"y", -2.0}}},
+        PlanarSlice{test::three_rpr(), {{"phi", 2.1}}}, PlanarSlice{test::five_bar(), {{"x", 5.0}}}}) {
+    const Robot robot = with(plain, all_kinds(plain, 0.01));
+    MapOptions options = test::options_of(test::slice_of(robot, held), 0.4);
+    options.extra_levels = 1;
+    const auto map = test::map_of(robot, options);
+    ASSERT_TRUE(map);
+    EXPECT_EQ(map->manipulator()->constraint_kinds(), robot->constraint_kinds());
+    int inside = 0, outside = 0;
+    for (int i = 0; i < test::thinned(4000); ++i) {
+      const PoseSpace& space = map->contents().tree.space();
+      const Pose pose = space.pose(test::random_position(space, random));
+      for (const WorkingMode& mode : working_modes(*robot)) {
+        const Location found = map->locate(pose, mode);
+        const auto sign = test::sign_at(*robot, pose, mode);
+        if (!sign || found.status == LocationStatus::undecided) continue;
+        double clearance = -1.0;
+        if (*sign != 0)
+          clearance = test::ClearanceAt(*robot, pose, inverse(*robot, pose, mode).q).of_all() / robot->size();
+        const std::string where = to_string(mode) + " at " + to_string(robot->task_space(), pose);
+        if (found.status == LocationStatus::inside) {
+          EXPECT_EQ(map->aspects()[static_cast<std::size_t>(found.aspect - 1)].determinant_sign, *sign)
+              << where;
+          EXPECT_GT(clearance, -1e-3) << where;
+        } else {
+          EXPECT_LT(clearance, 1e-3) << where;
+        }
+        ++(found.status == LocationStatus::inside ? inside : outside);
+      }
+    }
+    if (test::is_sanitized) continue;
+    EXPECT_GT(inside, 20) << robot->name();
+    EXPECT_GT(outside, 100) << robot->name();
+  }
 }
 
 TEST(ConstrainedMap, RegionsAreClippedToTheWorkspace) {

@@ -92,11 +92,7 @@ TEST_F(MapCommand, BadConstraintsAreRefused) {
        "leave it out.\n"},
       {{"map", "bipod", "--no-constraint", "driven_limits"},
        "The legs of 'bipod' have no limits that bound the workspace; limit the drives in the URDF, or give a "
-       "region or a workspace.\n"},
-      {{"map", "three_prr", "--constraint", "driven_limits,self_collision", "--slice", "phi=0"},
-       "Maps of slices of planar robots know no constraints but driven_limits; leave the others out, or map "
-       "all "
-       "poses.\n"}};
+       "region or a workspace.\n"}};
   for (const auto& [arguments, sentence] : cases) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.code, exit_code::bad_input);
@@ -256,8 +252,8 @@ TEST_F(MapCommand, RegionsAreSearched) {
   EXPECT_EQ(part.at("region").at("lower").at("x"), 1.0);
   EXPECT_EQ(part.at("region").at("upper").at("y"), 9.0);
   EXPECT_LT(part.at("aspects").size(), 10U);
-  const json plane =
-      run_json({"map", "delta", "--slice", "z=-0.6", "--region", "x=-0.25:0.125, y=0:0.125", "--mode", "+++"});
+  const json plane = run_json(
+      {"map", "delta", "--slice", "z=-0.6", "--region", "x=-0.25:0.125, y=0:0.125", "--mode", "+++"});
   EXPECT_EQ(plane.at("region").at("upper").at("x"), 0.125);
   EXPECT_EQ(plane.at("region").at("lower").at("y"), 0.0);
 }

@@ -95,14 +95,47 @@ class T1Chart {
   std::optional<Leg> slide_;  // a leg on a prismatic drive, which bounds x even without limits
 };
 
-/// T2: x, y.
-class T2Chart {
+/// What the charts of planar robots with several legs have in common.
+class PlanarLegs {
  public:
-  static constexpr std::size_t leg_count = 2, coordinate_count = 2, point_dimension = 2;
-  template <class Scalar>
-  using Placement = Planar<Scalar>;
+  static constexpr std::size_t point_dimension = 2;
   template <class Scalar>
   using Displacement = Planar<Scalar>;
+
+  template <class Scalar>
+  LimitFunctions<Scalar> limits(std::size_t j, const Displacement<Scalar>& d, const Scalar& entry,
+                                int sign) const {
+    return legs_[j].limits(d, entry, sign);
+  }
+
+  template <class Scalar>
+  std::optional<LinkPoints<Scalar, point_dimension>> link_points(std::size_t j, const Displacement<Scalar>& d,
+                                                                 const Scalar& entry, int sign) const {
+    return legs_[j].link_points(d, entry, sign);
+  }
+
+  template <class Scalar>
+  Point<Scalar, point_dimension> anchor(std::size_t j, const Displacement<Scalar>& d) const {
+    return {d.x + Scalar(legs_[j].base().x), d.y + Scalar(legs_[j].base().y)};
+  }
+
+ protected:
+  explicit PlanarLegs(const Manipulator& manipulator) {
+    for (const Leg& leg : manipulator.legs()) legs_.emplace_back(leg);
+  }
+
+  const PlanarLeg& leg(std::size_t j) const { return legs_[j]; }
+
+ private:
+  std::vector<PlanarLeg> legs_;
+};
+
+/// T2: x, y.
+class T2Chart : public PlanarLegs {
+ public:
+  static constexpr std::size_t leg_count = 2, coordinate_count = 2;
+  template <class Scalar>
+  using Placement = Planar<Scalar>;
 
   explicit T2Chart(const Manipulator& manipulator);
 
@@ -119,25 +152,8 @@ class T2Chart {
   template <class Scalar>
   LegRows<Scalar, leg_count> rows(std::size_t j, const Displacement<Scalar>& d,
                                   const Placement<Scalar>&) const {
-    const PlanarLegForm<Scalar> form = legs_[j].form(d);
+    const PlanarLegForm<Scalar> form = leg(j).form(d);
     return {form.squared_entry, {form.fixed.x, form.fixed.y}, {form.turned.x, form.turned.y}};
-  }
-
-  template <class Scalar>
-  LimitFunctions<Scalar> limits(std::size_t j, const Displacement<Scalar>& d, const Scalar& entry,
-                                int sign) const {
-    return legs_[j].limits(d, entry, sign);
-  }
-
-  template <class Scalar>
-  std::optional<LinkPoints<Scalar, point_dimension>> link_points(std::size_t j, const Displacement<Scalar>& d,
-                                                                 const Scalar& entry, int sign) const {
-    return legs_[j].link_points(d, entry, sign);
-  }
-
-  template <class Scalar>
-  Point<Scalar, point_dimension> anchor(std::size_t j, const Displacement<Scalar>& d) const {
-    return {d.x + Scalar(legs_[j].base().x), d.y + Scalar(legs_[j].base().y)};
   }
 
   template <class Scalar>
@@ -153,14 +169,13 @@ class T2Chart {
   std::optional<Box> reachable_positions() const;
 
  private:
-  std::vector<PlanarLeg> legs_;
   std::array<Planar<Interval>, leg_count> offsets_;  // d = position + offset
 };
 
 /// SE2: x, y and phi / pi.
-class SE2Chart {
+class SE2Chart : public PlanarLegs {
  public:
-  static constexpr std::size_t leg_count = 3, coordinate_count = 3, point_dimension = 2;
+  static constexpr std::size_t leg_count = 3, coordinate_count = 3;
   template <class Scalar>
   struct Placement {
     Planar<Scalar> position;
@@ -170,8 +185,6 @@ class SE2Chart {
       return {b.x * turn.cosine - b.y * turn.sine, b.x * turn.sine + b.y * turn.cosine};
     }
   };
-  template <class Scalar>
-  using Displacement = Planar<Scalar>;
 
   explicit SE2Chart(const Manipulator& manipulator);
 
@@ -183,35 +196,18 @@ class SE2Chart {
   template <class Scalar>
   Displacement<Scalar> displacement(std::size_t j, const Placement<Scalar>& at) const {
     const Planar<Scalar> b = at.turned(anchors_[j]);
-    const Planar<Interval>& base = legs_[j].base();
+    const Planar<Interval>& base = leg(j).base();
     return {at.position.x + b.x - Scalar(base.x), at.position.y + b.y - Scalar(base.y)};
   }
 
   template <class Scalar>
   LegRows<Scalar, leg_count> rows(std::size_t j, const Displacement<Scalar>& d,
                                   const Placement<Scalar>& at) const {
-    const PlanarLegForm<Scalar> form = legs_[j].form(d);
+    const PlanarLegForm<Scalar> form = leg(j).form(d);
     const Planar<Scalar> b = at.turned(anchors_[j]);
     return {form.squared_entry,
             {cross(b, form.fixed), form.fixed.x, form.fixed.y},
             {cross(b, form.turned), form.turned.x, form.turned.y}};
-  }
-
-  template <class Scalar>
-  LimitFunctions<Scalar> limits(std::size_t j, const Displacement<Scalar>& d, const Scalar& entry,
-                                int sign) const {
-    return legs_[j].limits(d, entry, sign);
-  }
-
-  template <class Scalar>
-  std::optional<LinkPoints<Scalar, point_dimension>> link_points(std::size_t j, const Displacement<Scalar>& d,
-                                                                 const Scalar& entry, int sign) const {
-    return legs_[j].link_points(d, entry, sign);
-  }
-
-  template <class Scalar>
-  Point<Scalar, point_dimension> anchor(std::size_t j, const Displacement<Scalar>& d) const {
-    return {d.x + Scalar(legs_[j].base().x), d.y + Scalar(legs_[j].base().y)};
   }
 
   template <class Scalar>
@@ -227,7 +223,6 @@ class SE2Chart {
   std::optional<Box> reachable_positions() const;
 
  private:
-  std::vector<PlanarLeg> legs_;
   std::array<Planar<Interval>, leg_count> anchors_;
 };
 

@@ -11,6 +11,14 @@ namespace parallel_aspects {
 template <class Scalar, std::size_t D>
 using Point = std::array<Scalar, D>;
 
+/// Of a point in space; what is out of the plane is left out where D is 2.
+template <std::size_t D, class Scalar>
+Point<Scalar, D> reduced(const std::array<Scalar, 3>& point) {
+  Point<Scalar, D> result;
+  for (std::size_t i = 0; i < D; ++i) result[i] = point[i];
+  return result;
+}
+
 /// A straight link between two points.
 template <class Scalar, std::size_t D>
 struct Segment {

@@ -41,11 +41,12 @@ Row<Scalar, N> row_of(TaskSpace space, const Spatial<Scalar>& b, const Spatial<S
   }
 }
 
-/// What the charts of slices have in common: legs, and rows of A from displacements.
-template <std::size_t Legs, std::size_t Coordinates>
+/// What the charts of slices have in common: legs, and rows of A from displacements. Points of planar robots,
+/// which have two coordinates, leave out the third.
+template <std::size_t Legs, std::size_t Coordinates, std::size_t Dimension = 3>
 class SliceLegs {
  public:
-  static constexpr std::size_t leg_count = Legs, coordinate_count = Coordinates, point_dimension = 3;
+  static constexpr std::size_t leg_count = Legs, coordinate_count = Coordinates, point_dimension = Dimension;
   template <class Scalar>
   using Displacement = SliceDisplacement<Scalar>;
 
@@ -63,16 +64,20 @@ class SliceLegs {
   }
 
   template <class Scalar>
-  std::optional<LinkPoints<Scalar, 3>> link_points(std::size_t j, const Displacement<Scalar>& d,
-                                                   const Scalar& entry, int sign) const {
-    return legs_[j].link_points(d.from_base, entry, sign);
+  std::optional<LinkPoints<Scalar, Dimension>> link_points(std::size_t j, const Displacement<Scalar>& d,
+                                                           const Scalar& entry, int sign) const {
+    const auto points = legs_[j].link_points(d.from_base, entry, sign);
+    if (!points) return std::nullopt;
+    return LinkPoints<Scalar, Dimension>{reduced<Dimension>(points->base), reduced<Dimension>(points->joint),
+                                         reduced<Dimension>(points->anchor)};
   }
 
   template <class Scalar>
-  Point<Scalar, 3> anchor(std::size_t j, const Displacement<Scalar>& d) const {
+  Point<Scalar, Dimension> anchor(std::size_t j, const Displacement<Scalar>& d) const {
     const Spatial<Interval>& base = legs_[j].base();
-    return {d.from_base[0] + Scalar(base[0]), d.from_base[1] + Scalar(base[1]),
-            d.from_base[2] + Scalar(base[2])};
+    Point<Scalar, Dimension> result;
+    for (std::size_t i = 0; i < Dimension; ++i) result[i] = d.from_base[i] + Scalar(base[i]);
+    return result;
   }
 
  protected:
@@ -96,8 +101,8 @@ inline RotationRows<Interval> held_rotation(const MapSlice& slice) {
 
 /// Free positions in the order of x, y and z, then the angle in half turns where there is one. An anchor that
 /// turns about the unit vector a is  b = a (a.v) + cos (v - a (a.v)) + sin (a x v)  with v where it is held.
-template <std::size_t Legs, std::size_t Coordinates>
-class SliceChart : public SliceLegs<Legs, Coordinates> {
+template <std::size_t Legs, std::size_t Coordinates, std::size_t Dimension = 3>
+class SliceChart : public SliceLegs<Legs, Coordinates, Dimension> {
  public:
   template <class Scalar>
   struct Placement {
@@ -106,11 +111,12 @@ class SliceChart : public SliceLegs<Legs, Coordinates> {
   };
 
   SliceChart(const Manipulator& manipulator, const MapSlice& slice)
-      : SliceLegs<Legs, Coordinates>(manipulator),
+      : SliceLegs<Legs, Coordinates, Dimension>(manipulator),
         slice_(slice),
         turns_(slice.turning == MapSlice::Turning::about_axis) {
     const RotationRows<Interval> rotation = held_rotation(slice);
     for (std::size_t j = 0; j < Legs; ++j) set_anchor(manipulator.leg(j).anchor, rotation, anchors_[j]);
+    set_anchor(Eigen::Vector3d::UnitX(), rotation, x_axis_);
   }
 
   template <class Scalar>
@@ -126,27 +132,23 @@ class SliceChart : public SliceLegs<Legs, Coordinates> {
 
   template <class Scalar>
   SliceDisplacement<Scalar> displacement(std::size_t j, const Placement<Scalar>& at) const {
-    const Anchor& anchor = anchors_[j];
     const Spatial<Interval>& base = this->leg(j).base();
     SliceDisplacement<Scalar> d;
     for (std::size_t i = 0; i < 3; ++i) {
-      d.anchor[i] = Scalar(anchor.still[i]);
-      if (turns_)
-        d.anchor[i] = d.anchor[i] + (anchor.across[i] * at.turn.cosine + anchor.sideways[i] * at.turn.sine);
+      d.anchor[i] = turned(anchors_[j], at, i);
       d.from_base[i] = at.position[i] + (d.anchor[i] - Scalar(base[i]));
     }
     return d;
   }
 
   template <class Scalar>
-  Point<Scalar, 3> position(const Placement<Scalar>& at) const {
-    return at.position;
+  Point<Scalar, Dimension> position(const Placement<Scalar>& at) const {
+    return reduced<Dimension>(at.position);
   }
 
-  /// No platform is told to turn in the plane.
   template <class Scalar>
-  Point<Scalar, 2> heading(const Placement<Scalar>&) const {
-    return {Scalar(1.0), Scalar(0.0)};
+  Point<Scalar, 2> heading(const Placement<Scalar>& at) const {
+    return {turned(x_axis_, at, 0), turned(x_axis_, at, 1)};
   }
 
   std::optional<Box> reachable_positions() const {
@@ -168,6 +170,12 @@ class SliceChart : public SliceLegs<Legs, Coordinates> {
     Spatial<Interval> still, across, sideways;  // of it, what does not turn, goes with the cosine, the sine
   };
 
+  template <class Scalar>
+  Scalar turned(const Anchor& anchor, const Placement<Scalar>& at, std::size_t i) const {
+    const Scalar still(anchor.still[i]);
+    return turns_ ? still + (anchor.across[i] * at.turn.cosine + anchor.sideways[i] * at.turn.sine) : still;
+  }
+
   void set_anchor(const Eigen::Vector3d& point, const RotationRows<Interval>& rotation,
                   Anchor& anchor) const {
     const Spatial<Interval> local{point.x(), point.y(), point.z()};
@@ -187,6 +195,7 @@ class SliceChart : public SliceLegs<Legs, Coordinates> {
   MapSlice slice_;
   bool turns_;
   std::array<Anchor, Legs> anchors_;
+  Anchor x_axis_;  // of the platform
 };
 
 /// Every orientation at one position: the cubes of SO3.
