@@ -18,7 +18,8 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr int most_attempts = 30;  // to prove a pair
+constexpr std::size_t leaves_of_a_share = 20000;  // of one working mode
+constexpr int most_attempts = 30;                 // to prove a pair
 
 using Key = std::tuple<int, int, Crossing, std::size_t>;
 
@@ -52,7 +53,13 @@ class ModeNeighbours {
     std::vector<NodeIndex> leaves;
     for (NodeIndex node = 0; node < map_.tree.node_count(); ++node)
       if (map_.tree.state(node, mode_).is_undecided()) leaves.push_back(node);
-    for (std::size_t i = 0; i < leaves.size() && !is_cancelled(control_); ++i) look_at(leaves[i]);
+    const std::size_t shares = 1 + leaves.size() / leaves_of_a_share;
+    has_news_ = true;
+    for (std::size_t share = 0; share < shares && has_news_; ++share) {
+      has_news_ = false;
+      for (std::size_t i = share; i < leaves.size() && !is_cancelled(control_); i += shares)
+        look_at(leaves[i]);
+    }
     return std::move(found_);
   }
 
@@ -121,8 +128,12 @@ class ModeNeighbours {
         found_[{std::min(one, other), std::max(one, other), std::get<Crossing>(side), std::get<1>(side)}];
     if (finding.proved || finding.attempts == most_attempts) return;
     ++finding.attempts;
+    has_news_ = has_news_ || finding.attempts == 1;
     finding.proved = proof(*way);
-    if (finding.proved) --open_pairs_[side];
+    if (finding.proved) {
+      --open_pairs_[side];
+      has_news_ = true;
+    }
     if (finding.proved || finding.attempts == 1) finding.pose = map_.tree.space().pose(middle(*way));
   }
 
@@ -214,6 +225,7 @@ class ModeNeighbours {
   const MapControl& control_;
   std::map<Key, Finding> found_;
   std::map<Side, std::size_t> open_pairs_;  // of aspects, not proved to touch
+  bool has_news_ = false;                   // since a share of the leaves was begun
 };
 
 }  // namespace

@@ -203,7 +203,7 @@ TEST(ConstrainedSlice, OfPlanarRobotsKnowsAllConstraints) {
         ++(found.status == LocationStatus::inside ? inside : outside);
       }
     }
-    if (test::is_sanitized) continue;
+    if (test::is_sanitized) return;
     EXPECT_GT(inside, 20) << robot->name();
     EXPECT_GT(outside, 100) << robot->name();
   }

@@ -36,8 +36,9 @@ struct Neighbours {
   Pose pose;  ///< in the leaf where they touch, on the segment where proved
 };
 
-/// Pairs of aspects that touch, by rising ids, in all undecided leaves and across glued faces of the space of
-/// poses. Of pairs that are not listed nothing is claimed. Empty where cancelled.
+/// Pairs of aspects that touch, by rising ids, across glued faces of the space of poses too. All undecided
+/// leaves are looked at; where a working mode has more than 20,000, even shares of about so many, until one
+/// shows nothing new. Of pairs that are not listed nothing is claimed. Empty where cancelled.
 std::vector<Neighbours> find_neighbours(const AspectMap& map, const MapControl& control = {});
 
 /// "serial" or "parallel".
