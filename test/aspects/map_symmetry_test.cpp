@@ -66,7 +66,7 @@ const Case cases[] = {
      [] {
        return built(7, {1.0, -1.0, 1.0}, TaskSpace::T3, test::DriveKind::prismatic, true);
      },
-     0.3, 2, 6},
+     0.1, 0, 6},
     {"driven_elbow", test::three_rrr_driven_elbow, 2.0, 2, 1},
 };
 
