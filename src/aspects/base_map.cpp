@@ -58,7 +58,8 @@ class Progress {
 }  // namespace
 
 BaseMapStatus grow_base_map(PoseTree& tree, const BoxClassifier& classifier, std::uint32_t depth,
-                            const MapControl& control, const std::vector<MapSymmetry>& symmetries) {
+                            Detail detail, const MapControl& control,
+                            const std::vector<MapSymmetry>& symmetries) {
   LevelSymmetry symmetry(tree, symmetries);
   const Progress progress(control, tree.dimension(), depth);
   NodeIndex begin = 0;
@@ -67,8 +68,7 @@ BaseMapStatus grow_base_map(PoseTree& tree, const BoxClassifier& classifier, std
     for (NodeIndex block = begin; block < end; block += nodes_per_block) {
       if (is_cancelled(control)) return BaseMapStatus::cancelled;
       const NodeIndex block_end = std::min(end, block + nodes_per_block);
-      classify_block(tree, classifier, symmetry, level < depth ? Detail::states : Detail::parts, block,
-                     block_end);
+      classify_block(tree, classifier, symmetry, level < depth ? Detail::states : detail, block, block_end);
       progress.tell(level, static_cast<double>(block_end - begin) / (end - begin));
     }
     symmetry.tell(tree);

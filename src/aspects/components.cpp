@@ -89,7 +89,7 @@ class Summary {
   void collect_meetings(int sign) {
     SignGraph& graph = graph_.of(sign);
     const SignGraph::Meeting meeting = graph.meeting();
-    for (const SignGraph::Contact& contact : meeting.contacts) add_unresolved(contact, graph);
+    add_unresolved(meeting.contacts, graph);
     for (std::size_t v = 0; v < meeting.nearest.size(); ++v)
       if (meeting.nearest[v] != no_node) add_undecided(graph.open_leaves()[v].node, meeting.nearest[v], sign);
   }
@@ -105,11 +105,32 @@ class Summary {
     for (const SignGraph::OpenLeaf& open : graph.open_leaves()) result_.open_leaves += open.node != no_node;
   }
 
-  void add_unresolved(const SignGraph::Contact& contact, SignGraph& graph) {
-    const std::size_t a = index_[graph.component(contact.leaf)],
-                      b = index_[graph.component(contact.other_leaf)];
-    if (a != SignGraph::none && b != SignGraph::none)
-      result_.unresolved.emplace_back(std::min(a, b), std::max(a, b));
+  /// Components that have no inside leaf are not listed, but those they meet could hang together through
+  /// them.
+  void add_unresolved(const std::vector<SignGraph::Contact>& contacts, SignGraph& graph) {
+    DisjointSets unlisted(index_.size());
+    const auto is_listed = [this](std::uint32_t component) { return index_[component] != SignGraph::none; };
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+    for (const SignGraph::Contact& contact : contacts) {
+      std::uint32_t a = graph.component(contact.leaf), b = graph.component(contact.other_leaf);
+      if (!is_listed(a)) std::swap(a, b);
+      if (!is_listed(a))
+        unlisted.unite(a, b);
+      else if (is_listed(b))
+        add_unresolved(index_[a], index_[b]);
+      else
+        pairs.emplace_back(b, a);
+    }
+    for (auto& [b, a] : pairs) b = unlisted.find(b);
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    for (std::size_t first = 0; first < pairs.size(); ++first)
+      for (std::size_t i = first + 1; i < pairs.size() && pairs[i].first == pairs[first].first; ++i)
+        add_unresolved(index_[pairs[first].second], index_[pairs[i].second]);
+  }
+
+  void add_unresolved(std::size_t a, std::size_t b) {
+    result_.unresolved.emplace_back(std::min(a, b), std::max(a, b));
   }
 
   void collect_clusters() {

@@ -168,7 +168,8 @@ MapResult compute_aspect_map(std::shared_ptr<const Manipulator> manipulator, con
                                              : static_cast<int>(options.threads));
   const BaseMapStatus status = arena.execute([&] {
     const BaseMapStatus base =
-        grow_base_map(map->tree, *map->classifier, plan.depth, scaled, plan.symmetries);
+        grow_base_map(map->tree, *map->classifier, plan.depth, detail_of_base_map(map->tree.dimension()),
+                      scaled, plan.symmetries);
     if (base != BaseMapStatus::complete) return base;
     return add_aspects(*map, plan, control) ? BaseMapStatus::complete : BaseMapStatus::cancelled;
   });

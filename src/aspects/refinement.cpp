@@ -1,35 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/aspects/refinement.h"
 
+#include "parallel_aspects/aspects/contact_choice.h"
+#include "parallel_aspects/aspects/contact_search.h"
 #include "parallel_aspects/aspects/interval.h"
 
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <map>
-#include <utility>
+#include <atomic>
 
 namespace parallel_aspects {
 namespace {
 
-// Contacts at points keep a number of leaves that does not grow with depth, those along curves double it with
-// each level.
-constexpr std::size_t most_leaves_of_a_point = 1000;
-constexpr std::uint32_t levels_to_see_growth = 1;
-
 // Aspects smaller than a leaf could hide in open leaves beside another component. Where open leaves are few
-// they are divided down to this level.
-constexpr std::uint32_t level_of_open_leaves = 10;
-
-// Up to two freedoms what stays open lies at points, and is divided until nothing can hide.
-constexpr std::size_t most_freedoms_to_count = 2;
-
-// With more freedoms most contacts end within a few levels, and the work for all parts does not pay there.
-constexpr std::uint32_t levels_before_all_parts = 3;
+// they are divided until nothing can hide.
+constexpr std::size_t most_open_leaves = 1000;
 
 // What one working mode may divide: a share of what the base map has left undecided.
 constexpr std::size_t least_budget = 10000;
 constexpr std::size_t undecided_leaves_for_one = 8;
+
+std::size_t most_leaves_of_a_point(const PoseTree& tree) {
+  return looks_everywhere(tree.dimension()) ? 1000 : 400;
+}
 
 /// What one working mode wants divided.
 class ModeRefinement {
@@ -40,28 +34,30 @@ class ModeRefinement {
         classifier_(classifier),
         graph_(graph),
         control_(control),
-        base_level_(base_level),
         deepest_level_(deepest_level),
+        looks_everywhere_(looks_everywhere(tree.dimension())),
+        positive_contacts_(tree, base_level, most_leaves_of_a_point(tree)),
+        negative_contacts_(tree, base_level, most_leaves_of_a_point(tree)),
         budget_(least_budget + undecided_leaves() / undecided_leaves_for_one) {}
 
-  /// The leaves to divide next; none when done.
-  const std::vector<NodeIndex>& find_requests() {
+  /// Looks into leaves again, and finds those to divide next; false when done.
+  bool find_requests() {
     const RoundingUpward rounding;
-    if (done_) return requests_;
     requests_.clear();
+    has_examined_ = false;
+    if (done_) return false;
     for (const int sign : {1, -1}) {
-      if (is_cancelled(control_)) return requests_;
+      if (is_cancelled(control_)) return false;
       graph_.of(sign).settle_faces(tree_, classifier_);
       request_bare(sign);
       request_contested(sign);
-      request_open(sign);
+      if (looks_everywhere_) request_open(sign);
     }
-    std::sort(requests_.begin(), requests_.end());
-    requests_.erase(std::unique(requests_.begin(), requests_.end()), requests_.end());
+    make_unique(requests_);
     if (requests_.size() > budget_) requests_.clear();
     budget_ -= requests_.size();
-    done_ = requests_.empty();
-    return requests_;
+    done_ = requests_.empty() && !has_examined_;
+    return !done_;
   }
 
   /// After the requested leaves were divided.
@@ -71,8 +67,7 @@ class ModeRefinement {
       if (is_cancelled(control_)) return;
       const NodeIndex first = tree_.first_child(node);
       for (NodeIndex child = first; child < first + tree_.children_per_node(); ++child)
-        classifier_.classify(tree_.place(child).root, tree_.box(child), ModeSet{1} << graph_.mode(),
-                             detail(child), tree_.states(child));
+        classify(child, looks_everywhere_ ? Detail::all_parts : Detail::centers);
     }
     for (const NodeIndex node : requests_)
       if (!is_cancelled(control_)) graph_.replace(tree_, node);
@@ -82,6 +77,11 @@ class ModeRefinement {
   const std::vector<NodeIndex>& requests() const noexcept { return requests_; }
 
  private:
+  static void make_unique(std::vector<NodeIndex>& nodes) {
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  }
+
   std::size_t undecided_leaves() const {
     std::size_t count = 0;
     for (NodeIndex node = 0; node < tree_.node_count(); ++node)
@@ -89,10 +89,22 @@ class ModeRefinement {
     return count;
   }
 
-  Detail detail(NodeIndex node) const {
-    const bool thorough = tree_.dimension() <= most_freedoms_to_count ||
-                          tree_.place(node).level >= base_level_ + levels_before_all_parts;
-    return thorough ? Detail::all_parts : Detail::parts;
+  void classify(NodeIndex node, Detail detail) {
+    classifier_.classify(tree_.place(node).root, tree_.box(node), ModeSet{1} << graph_.mode(), detail,
+                         tree_.states(node));
+  }
+
+  /// Keeps what the graph has proved of the leaf.
+  void examine(NodeIndex node) {
+    const LeafState before = tree_.state(node, graph_.mode());
+    classify(node, Detail::all_parts);
+    LeafState& state = tree_.state(node, graph_.mode());
+    for (const int sign : {1, -1}) {
+      if (!before.may_be(sign) && state.may_be(sign)) state = state.without(sign);
+      if (before.is_whole(sign) && state.is_undecided() && state.may_be(sign)) state = state.with_whole(sign);
+    }
+    graph_.take_in_proof(tree_, node);
+    has_examined_ = true;
   }
 
   void request(NodeIndex node) {
@@ -100,54 +112,47 @@ class ModeRefinement {
   }
 
   void request_bare(int sign) {
-    for (const NodeIndex node : graph_.of(sign).climb_from_new(tree_, classifier_)) request(node);
-  }
-
-  using Pair = std::pair<std::uint32_t, std::uint32_t>;
-
-  Pair components(const SignGraph::Contact& contact, SignGraph& graph) const {
-    return std::minmax(graph.component(contact.leaf), graph.component(contact.other_leaf));
+    for (const NodeIndex node : graph_.of(sign).climb_from_new(tree_, classifier_, looks_everywhere_))
+      if (looks_everywhere_) request(node);
   }
 
   void request_contested(int sign) {
     SignGraph& graph = graph_.of(sign);
-    SignGraph::Meeting meeting = graph.meeting();
-    std::map<Pair, std::vector<NodeIndex>> contested;
-    for (const SignGraph::Contact& contact : meeting.contacts) {
-      auto& leaves = contested[components(contact, graph)];
-      leaves.insert(leaves.end(), {contact.node, contact.other_node});
+    ContactChoice& choice = sign > 0 ? positive_contacts_ : negative_contacts_;
+    if (looks_everywhere_) {
+      const SignGraph::Meeting meeting = graph.meeting();
+      for (const NodeIndex node : choice.choose(graph, meeting.contacts)) request(node);
+      if (meeting.hidden.size() <= most_open_leaves) request_coarsest(meeting.hidden);
+      return;
     }
-    for (auto& [pair, leaves] : contested) request_all(leaves);
-    if (meeting.hidden.size() <= most_leaves_of_a_point) request_all(meeting.hidden);
+    for (const NodeIndex node : choice.choose(graph, ContactSearch(tree_, graph, control_).run())) {
+      if (is_cancelled(control_)) return;
+      const bool is_new = graph.is_unexamined(node);
+      if (is_new) examine(node);
+      if (!is_new || !graph.is_settled(node)) request(node);
+    }
   }
 
   void request_open(int sign) {
     std::vector<NodeIndex> leaves;
-    const std::uint32_t level =
-        tree_.dimension() <= most_freedoms_to_count ? deepest_level_ : level_of_open_leaves;
     for (const SignGraph::OpenLeaf& open : graph_.of(sign).open_leaves())
-      if (open.node != no_node && tree_.place(open.node).level < level) leaves.push_back(open.node);
-    if (leaves.size() <= most_leaves_of_a_point) request_all(leaves);
+      if (open.node != no_node && tree_.place(open.node).level < deepest_level_) leaves.push_back(open.node);
+    if (leaves.size() <= most_open_leaves) request_coarsest(leaves);
   }
 
-  /// The coarsest of them, unless they seem endless.
-  void request_all(std::vector<NodeIndex>& leaves) {
-    std::sort(leaves.begin(), leaves.end());
-    leaves.erase(std::unique(leaves.begin(), leaves.end()), leaves.end());
-    std::uint32_t coarsest = deepest_level_;
-    for (const NodeIndex node : leaves) coarsest = std::min(coarsest, tree_.place(node).level);
-    if (coarsest >= base_level_ + levels_to_see_growth && leaves.size() > most_leaves_of_a_point) return;
-    for (const NodeIndex node : leaves)
-      if (tree_.place(node).level == coarsest) request(node);
+  void request_coarsest(const std::vector<NodeIndex>& leaves) {
+    for (const NodeIndex node : coarsest_of(tree_, leaves)) request(node);
   }
 
   PoseTree& tree_;
   const BoxClassifier& classifier_;
   LeafGraph& graph_;
   const MapControl& control_;
-  std::uint32_t base_level_, deepest_level_;
+  std::uint32_t deepest_level_;
+  bool looks_everywhere_;
+  ContactChoice positive_contacts_, negative_contacts_;
   std::size_t budget_;  // of leaves to divide
-  bool done_ = false;
+  bool done_ = false, has_examined_ = false;
   std::vector<NodeIndex> requests_;
 };
 
@@ -161,11 +166,13 @@ bool refine_contested(PoseTree& tree, const BoxClassifier& classifier,
     modes.emplace_back(tree, classifier, *graph, base_level, deepest_level, control);
   for (bool busy = true; busy;) {
     if (is_cancelled(control)) return false;
-    tbb::parallel_for(std::size_t{0}, modes.size(), [&](std::size_t i) { modes[i].find_requests(); });
+    std::atomic<bool> found = false;
+    tbb::parallel_for(std::size_t{0}, modes.size(), [&](std::size_t i) {
+      if (modes[i].find_requests()) found = true;
+    });
     if (is_cancelled(control)) return false;
-    busy = false;
+    busy = found;
     for (const ModeRefinement& mode : modes) {
-      busy = busy || !mode.requests().empty();
       for (const NodeIndex node : mode.requests())
         tree.divide(node, [&mode](std::size_t each) { return each == mode.mode(); });
     }

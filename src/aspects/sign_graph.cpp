@@ -2,7 +2,6 @@
 #include "parallel_aspects/aspects/sign_graph.h"
 
 #include "parallel_aspects/aspects/climb.h"
-#include "parallel_aspects/aspects/neighbour_leaves.h"
 #include "parallel_aspects/aspects/part_proof.h"
 
 #include <algorithm>
@@ -20,18 +19,34 @@ void SignGraph::add_leaf(const PoseTree& tree, NodeIndex node) {
   if (!state.may_be(sign_)) return;
   if (!state.is_whole(sign_)) {
     slot_[node] = static_cast<std::uint32_t>(open_.size()) | open_flag;
-    open_.push_back({node, {}});
+    open_.push_back({node, false, {}});
     return;
   }
   slot_[node] = components_.add();
-  traits_.push_back({state.is_inside(sign_), false});
+  traits_.push_back({state.is_inside(sign_)});
   new_leaves_.push_back(node);
+  members_.push_back(node);
+}
+
+void SignGraph::take_in_proof(const PoseTree& tree, NodeIndex node) {
+  if (!is_open(node)) return;
+  open_leaf(node).is_examined = true;
+  if (tree.state(node, mode_).may_be(sign_) && !tree.state(node, mode_).is_whole(sign_)) return;
+  const std::vector<NodeIndex> neighbours = open_leaf(node).neighbours;
+  for (const NodeIndex neighbour : neighbours) forget_neighbour(neighbour, node);
+  open_leaf(node) = {};
+  slot_[node] = none;
+  add_leaf(tree, node);
+  for (const NodeIndex neighbour : neighbours) connect(tree, node, neighbour);
 }
 
 void SignGraph::unite(NodeIndex a, NodeIndex b) {
   const std::uint32_t one = component(a), other = component(b);
-  const Traits traits{traits_[one].has_inside_leaf || traits_[other].has_inside_leaf,
-                      traits_[one].climbed || traits_[other].climbed};
+  if (one == other) return;
+  const Traits &larger = traits_[traits_[one].leaves < traits_[other].leaves ? other : one],
+               &smaller = traits_[&larger == &traits_[one] ? other : one];
+  const Traits traits{larger.has_inside_leaf || smaller.has_inside_leaf, larger.climbed || smaller.climbed,
+                      larger.is_given_up, larger.leaves + smaller.leaves};
   components_.unite(one, other);
   traits_[component(a)] = traits;
 }
@@ -65,7 +80,7 @@ void SignGraph::settle(const PoseTree& tree, const BoxClassifier& classifier, No
     if (part.kind == Part::Kind::connected) return unite(a, b);
     known = known && part.kind == Part::Kind::empty;
   }
-  if (!known) faces_.emplace_back(a, b);
+  if (!known) unsure_faces_.emplace_back(a, b);
 }
 
 void SignGraph::forget_neighbour(NodeIndex node, NodeIndex old_neighbour) {
@@ -109,6 +124,8 @@ void SignGraph::replace_whole(PoseTree& tree, NodeIndex node, const std::vector<
     LeafState& state = tree.state(child, mode_);
     if (!state.may_be(sign_)) continue;
     slot_[child] = whole;
+    members_.push_back(child);
+    ++traits_[whole].leaves;
     if (state.is_inside(sign_))
       traits_[whole].has_inside_leaf = true;
     else
@@ -117,15 +134,16 @@ void SignGraph::replace_whole(PoseTree& tree, NodeIndex node, const std::vector<
   }
 }
 
-std::vector<NodeIndex> SignGraph::climb_from_new(PoseTree& tree, const BoxClassifier& classifier) {
+std::vector<NodeIndex> SignGraph::climb_from_new(PoseTree& tree, const BoxClassifier& classifier,
+                                                 bool bare_too) {
   std::vector<NodeIndex> bare, leaves;
   leaves.swap(new_leaves_);
-  if (!has_climbed_ && !leaves.empty()) traits_[largest_component(leaves)].climbed = has_climbed_ = true;
+  if (!has_climbed_ && !leaves.empty()) traits_[largest_component()].climbed = has_climbed_ = true;
   for (const NodeIndex leaf : leaves) {
     if (is_cancelled(control_)) break;
     if (slot_[leaf] == none || !tree.state(leaf, mode_).is_leaf()) continue;
     Traits& traits = traits_[component(leaf)];
-    if (!traits.climbed) {
+    if (!traits.climbed && (traits.has_inside_leaf || bare_too)) {
       const Part part = witness(tree, classifier, leaf);
       if (part.kind == Part::Kind::empty) {
         drop(tree, leaf);
@@ -145,14 +163,11 @@ Part SignGraph::witness(const PoseTree& tree, const BoxClassifier& classifier, N
   return part.kind != Part::Kind::joined || tree.region().contains(part.pose) ? part : Part{};
 }
 
-std::uint32_t SignGraph::largest_component(const std::vector<NodeIndex>& leaves) {
-  std::vector<std::uint32_t> size(components_.size(), 0);
+std::uint32_t SignGraph::largest_component() {
   std::uint32_t largest = none;
-  for (const NodeIndex leaf : leaves) {
-    const std::uint32_t each = component(leaf);
-    ++size[each];
-    if (largest == none || size[each] > size[largest]) largest = each;
-  }
+  for (std::uint32_t i = 0; i < traits_.size(); ++i)
+    if (components_.find(i) == i && (largest == none || traits_[i].leaves > traits_[largest].leaves))
+      largest = i;
   return largest;
 }
 
@@ -174,8 +189,8 @@ void SignGraph::drop(PoseTree& tree, NodeIndex node) {
   slot_[node] = none;
 }
 
-void SignGraph::compare(const Contact& contact, Meeting& meeting) {
-  if (component(contact.leaf) != component(contact.other_leaf)) meeting.contacts.push_back(contact);
+void SignGraph::compare(const Contact& contact, std::vector<Contact>& contacts) {
+  if (component(contact.leaf) != component(contact.other_leaf)) contacts.push_back(contact);
 }
 
 void SignGraph::start_from_components(Meeting& meeting, std::vector<std::uint32_t>& queue) {
@@ -187,7 +202,7 @@ void SignGraph::start_from_components(Meeting& meeting, std::vector<std::uint32_
         meeting.nearest[v] = neighbour;
         queue.push_back(v);
       } else {
-        compare({open_[v].node, open_[v].node, meeting.nearest[v], neighbour}, meeting);
+        compare({open_[v].node, open_[v].node, meeting.nearest[v], neighbour}, meeting.contacts);
       }
     }
   }
@@ -203,7 +218,7 @@ void SignGraph::spread(Meeting& meeting, std::vector<std::uint32_t>& queue) {
         meeting.nearest[w] = meeting.nearest[v];
         queue.push_back(w);
       } else if (v < w) {
-        compare({open_[v].node, neighbour, meeting.nearest[v], meeting.nearest[w]}, meeting);
+        compare({open_[v].node, neighbour, meeting.nearest[v], meeting.nearest[w]}, meeting.contacts);
       }
     }
   }
@@ -217,9 +232,14 @@ SignGraph::Meeting SignGraph::meeting() {
   spread(meeting, queue);
   for (std::uint32_t v = 0; v < open_.size(); ++v)
     if (meeting.nearest[v] == no_node && open_[v].node != no_node) meeting.hidden.push_back(open_[v].node);
-  for (const auto& [a, b] : faces_)
-    if (slot_[a] != none && slot_[b] != none) compare({a, b, a, b}, meeting);
+  add_contacts_of_faces(meeting.contacts);
   return meeting;
+}
+
+void SignGraph::add_contacts_of_faces(std::vector<Contact>& contacts) {
+  for (const auto* faces : {&faces_, &unsure_faces_})
+    for (const auto& [a, b] : *faces)
+      if (slot_[a] != none && slot_[b] != none) compare({a, b, a, b}, contacts);
 }
 
 }  // namespace parallel_aspects

@@ -19,10 +19,12 @@ enum class BaseMapStatus { complete, cancelled, too_large };
 inline constexpr std::size_t most_nodes = 30'000'000;
 
 /// Classifies the pending nodes of `tree` and divides what stays undecided, level by level, down to `depth`,
-/// on all threads of the calling arena; the result does not depend on their number. Unless complete, the tree
-/// is unfinished. Of boxes and working modes that `symmetries` take to each other one is classified.
+/// on all threads of the calling arena; the result does not depend on their number. At `depth` that much
+/// detail is asked for. Unless complete, the tree is unfinished. Of boxes and working modes that `symmetries`
+/// take to each other one is classified.
 BaseMapStatus grow_base_map(PoseTree& tree, const BoxClassifier& classifier, std::uint32_t depth,
-                            const MapControl& control, const std::vector<MapSymmetry>& symmetries = {});
+                            Detail detail, const MapControl& control,
+                            const std::vector<MapSymmetry>& symmetries = {});
 
 }  // namespace parallel_aspects
 

@@ -26,7 +26,8 @@ using ModeSet = std::uint64_t;
 /// How much is asked of a classification.
 enum class Detail {
   states,    ///< inside, outside or undecided
-  parts,     ///< what is whole, too, as far as it is seen at once, and the signs at the center
+  centers,   ///< the signs at the center, too
+  parts,     ///< and what is whole, as far as it is seen at once
   all_parts  ///< and what more work shows to be whole
 };
 

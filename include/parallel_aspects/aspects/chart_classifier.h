@@ -116,7 +116,8 @@ class ChartClassifier final : public BoxClassifier {
     for_each(modes, [&](std::size_t mode) {
       LeafState& state = states[mode];
       for (const int sign : {1, -1})
-        if (state.may_be(sign) && is_whole(root, evaluation, signs_[mode], sign, detail))
+        if (detail != Detail::centers && state.may_be(sign) &&
+            is_whole(root, evaluation, signs_[mode], sign, detail))
           state = state.with_whole(sign);
       const int center = evaluation.center_sign(signs_[mode]);
       if (center != 0) state = state.with_center(center);

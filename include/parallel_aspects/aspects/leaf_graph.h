@@ -17,6 +17,12 @@ class LeafGraph {
   std::size_t mode() const noexcept { return mode_; }
   SignGraph& of(int sign) noexcept { return sign > 0 ? positive_ : negative_; }
 
+  /// After more was proved of an undecided leaf.
+  void take_in_proof(const PoseTree& tree, NodeIndex node) {
+    positive_.take_in_proof(tree, node);
+    negative_.take_in_proof(tree, node);
+  }
+
   /// After a leaf was divided and its children were classified.
   void replace(PoseTree& tree, NodeIndex node);
 

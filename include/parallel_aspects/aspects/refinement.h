@@ -13,6 +13,16 @@
 
 namespace parallel_aspects {
 
+/// Whether so few freedoms are left that the map looks into all undecided leaves for what is hidden there,
+/// and divides what stays open at points until nothing can hide. With more of them boundaries meet along
+/// curves, no depth would end it, and only leaves where components could meet are looked into.
+constexpr bool looks_everywhere(std::size_t dimension) noexcept { return dimension <= 2; }
+
+/// What `refine_contested` expects of the base map.
+constexpr Detail detail_of_base_map(std::size_t dimension) noexcept {
+  return looks_everywhere(dimension) ? Detail::parts : Detail::centers;
+}
+
 /// Divides leaves where components of one working mode and sign meet until they are joined or apart, and
 /// leaves near no component until they show one or vanish; ends at `deepest_level`. Where two components meet
 /// in more and more leaves with each level, they touch along a curve or surface and no depth tells them

@@ -5,6 +5,7 @@
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/box_classifier.h"
 #include "parallel_aspects/aspects/disjoint_sets.h"
+#include "parallel_aspects/aspects/neighbour_leaves.h"
 #include "parallel_aspects/aspects/part_proof.h"
 #include "parallel_aspects/aspects/pose_tree.h"
 
@@ -42,9 +43,10 @@ class SignGraph {
   /// After a leaf was divided and its children were classified.
   void replace(PoseTree& tree, NodeIndex node);
 
-  /// Joins components that are new since the last call to others by a `Climb`. Returns leaves of those that
-  /// have no inside leaf after that. Needs a live `RoundingUpward`.
-  std::vector<NodeIndex> climb_from_new(PoseTree& tree, const BoxClassifier& classifier);
+  /// Joins components that are new since the last call to others by a `Climb`; those without an inside leaf
+  /// only where `bare_too`. Returns leaves of those that have no inside leaf after that. Needs a live
+  /// `RoundingUpward`.
+  std::vector<NodeIndex> climb_from_new(PoseTree& tree, const BoxClassifier& classifier, bool bare_too);
 
   /// Forgets a whole part that is proved empty.
   void drop(PoseTree& tree, NodeIndex node);
@@ -63,12 +65,55 @@ class SignGraph {
   };
   Meeting meeting();
 
+  /// The contacts of this component, by its number, are not worth more work.
+  void give_up(std::uint32_t component) noexcept { traits_[component].is_given_up = true; }
+  bool is_given_up(std::uint32_t component) const noexcept { return traits_[component].is_given_up; }
+
+  /// Whether the component holds an inside leaf, so that it is not empty.
+  bool is_listed(std::uint32_t component) const noexcept { return traits_[component].has_inside_leaf; }
+
+  std::uint32_t smaller_of(std::uint32_t a, std::uint32_t b) const noexcept {
+    return traits_[a].leaves < traits_[b].leaves ? a : b;
+  }
+
+  /// All leaves of components, and some that were divided.
+  const std::vector<NodeIndex>& members() const noexcept { return members_; }
+
+  /// The number of the component with the most leaves; `none` where there is none.
+  std::uint32_t largest_component();
+
+  /// Calls `visit` with the leaves beside one through which what it holds of the set may go on, but for whole
+  /// parts beside whole parts: those are told by `unsure_faces`.
+  template <class Visitor>
+  void visit_ways_on(const PoseTree& tree, NodeIndex node, const Visitor& visit) const {
+    if (is_in_component(node)) return visit_open_leaves_beside(tree, node, visit);
+    for (const NodeIndex leaf : open_[slot_[node] & ~open_flag].neighbours)
+      if (!holds_nothing(leaf)) visit(leaf);
+  }
+
+  /// Pairs of whole parts whose common face is not known to be empty, some of which were divided since.
+  const std::vector<std::pair<NodeIndex, NodeIndex>>& unsure_faces() const noexcept { return unsure_faces_; }
+
+  bool holds_nothing(NodeIndex node) const noexcept { return slot_[node] == none; }
+
   /// An undecided leaf of which it is not known what it holds.
   struct OpenLeaf {
     NodeIndex node = no_node;  ///< no_node once it was divided
+    bool is_examined = false;  ///< was looked into again
     std::vector<NodeIndex> neighbours;
   };
   const std::vector<OpenLeaf>& open_leaves() const noexcept { return open_; }
+
+  /// Whether a leaf that may hold poses of the set is open, and was not looked into again.
+  bool is_unexamined(NodeIndex node) const noexcept {
+    return is_open(node) && !open_[slot_[node] & ~open_flag].is_examined;
+  }
+
+  /// Whether a leaf is known to hold nothing of the set, or only poses of the component that it is in.
+  bool is_settled(NodeIndex node) const noexcept { return holds_nothing(node) || is_in_component(node); }
+
+  /// After more was proved of an open leaf.
+  void take_in_proof(const PoseTree& tree, NodeIndex node);
 
   bool is_in_component(NodeIndex node) const noexcept { return (slot_[node] & open_flag) == 0; }
 
@@ -81,23 +126,30 @@ class SignGraph {
  private:
   static constexpr std::uint32_t open_flag = 0x80000000U;
 
+  template <class Visitor>
+  void visit_open_leaves_beside(const PoseTree& tree, NodeIndex node, const Visitor& visit) const {
+    for (const NodeIndex leaf : neighbour_leaves(tree, mode_, node))
+      if (is_open(leaf)) visit(leaf);
+  }
+
   bool is_open(NodeIndex node) const noexcept { return slot_[node] != none && !is_in_component(node); }
   OpenLeaf& open_leaf(NodeIndex node) noexcept { return open_[slot_[node] & ~open_flag]; }
 
   struct Traits {
-    bool has_inside_leaf, climbed;
+    bool has_inside_leaf = false, climbed = false, is_given_up = false;
+    std::size_t leaves = 1;  // at least; some may have been divided since
   };
 
   void unite(NodeIndex a, NodeIndex b);
   Part witness(const PoseTree& tree, const BoxClassifier& classifier, NodeIndex leaf) const;
-  std::uint32_t largest_component(const std::vector<NodeIndex>& leaves);
   void climb(const PoseTree& tree, const BoxClassifier& classifier, NodeIndex leaf, const MapPoint& pose);
   void settle(const PoseTree& tree, const BoxClassifier& classifier, NodeIndex a, NodeIndex b);
   void replace_whole(PoseTree& tree, NodeIndex node, const std::vector<NodeIndex>& children);
   void forget_neighbour(NodeIndex node, NodeIndex old_neighbour);
   void start_from_components(Meeting& meeting, std::vector<std::uint32_t>& queue);
   void spread(Meeting& meeting, std::vector<std::uint32_t>& queue);
-  void compare(const Contact& contact, Meeting& meeting);
+  void compare(const Contact& contact, std::vector<Contact>& contacts);
+  void add_contacts_of_faces(std::vector<Contact>& contacts);
 
   std::size_t mode_;
   int sign_;
@@ -108,7 +160,9 @@ class SignGraph {
   std::vector<OpenLeaf> open_;
   bool has_climbed_ = false;
   std::vector<NodeIndex> new_leaves_;                   // in components, since the last climb
-  std::vector<std::pair<NodeIndex, NodeIndex>> faces_;  // between whole parts, not settled
+  std::vector<NodeIndex> members_;                      // of components, and leaves that were divided since
+  std::vector<std::pair<NodeIndex, NodeIndex>> faces_;  // between whole parts, not looked at yet
+  std::vector<std::pair<NodeIndex, NodeIndex>> unsure_faces_;  // and those without a proof
 };
 
 }  // namespace parallel_aspects
