@@ -18,10 +18,10 @@ ContactSearch::ContactSearch(const PoseTree& tree, SignGraph& graph, const MapCo
       control_(control),
       largest_(graph.largest_component()),
       reached_from_(tree.node_count(), no_node) {
-  for (const auto& [a, b] : graph.unsure_faces()) {
+  graph.visit_unsure_faces([this](NodeIndex a, NodeIndex b) {
     across_faces_[a].push_back(b);
     across_faces_[b].push_back(a);
-  }
+  });
 }
 
 std::vector<SignGraph::Contact> ContactSearch::run() {
@@ -47,8 +47,7 @@ void ContactSearch::visit_ways_on(NodeIndex node, const Visitor& visit) const {
   graph_.visit_ways_on(tree_, node, visit);
   const auto found = across_faces_.find(node);
   if (found == across_faces_.end()) return;
-  for (const NodeIndex leaf : found->second)
-    if (!graph_.holds_nothing(leaf)) visit(leaf);
+  for (const NodeIndex leaf : found->second) visit(leaf);
 }
 
 void ContactSearch::go_on(NodeIndex node, NodeIndex from) {

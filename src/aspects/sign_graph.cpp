@@ -237,9 +237,7 @@ SignGraph::Meeting SignGraph::meeting() {
 }
 
 void SignGraph::add_contacts_of_faces(std::vector<Contact>& contacts) {
-  for (const auto* faces : {&faces_, &unsure_faces_})
-    for (const auto& [a, b] : *faces)
-      if (slot_[a] != none && slot_[b] != none) compare({a, b, a, b}, contacts);
+  visit_unsure_faces([&](NodeIndex a, NodeIndex b) { compare({a, b, a, b}, contacts); });
 }
 
 }  // namespace parallel_aspects

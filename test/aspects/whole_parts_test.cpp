@@ -40,7 +40,7 @@ class WholePartsTest : public testing::TestWithParam<Case> {
       positions = *exact_region(*reachable);
     tree = std::make_unique<PoseTree>(
         make_pose_space(robot->task_space(), positions, robot->characteristic_length()), modes.size());
-    grow_base_map(*tree, *classifier, GetParam().depth, {});
+    grow_base_map(*tree, *classifier, GetParam().depth, Detail::parts, {});
   }
 
   struct Part {

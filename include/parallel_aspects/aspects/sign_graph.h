@@ -83,7 +83,7 @@ class SignGraph {
   std::uint32_t largest_component();
 
   /// Calls `visit` with the leaves beside one through which what it holds of the set may go on, but for whole
-  /// parts beside whole parts: those are told by `unsure_faces`.
+  /// parts beside whole parts: those are told by `visit_unsure_faces`.
   template <class Visitor>
   void visit_ways_on(const PoseTree& tree, NodeIndex node, const Visitor& visit) const {
     if (is_in_component(node)) return visit_open_leaves_beside(tree, node, visit);
@@ -91,8 +91,13 @@ class SignGraph {
       if (!holds_nothing(leaf)) visit(leaf);
   }
 
-  /// Pairs of whole parts whose common face is not known to be empty, some of which were divided since.
-  const std::vector<std::pair<NodeIndex, NodeIndex>>& unsure_faces() const noexcept { return unsure_faces_; }
+  /// Calls `visit` with pairs of whole parts whose common face is not known to be empty.
+  template <class Visitor>
+  void visit_unsure_faces(const Visitor& visit) const {
+    for (const auto* faces : {&faces_, &unsure_faces_})
+      for (const auto& [a, b] : *faces)
+        if (!holds_nothing(a) && !holds_nothing(b)) visit(a, b);
+  }
 
   bool holds_nothing(NodeIndex node) const noexcept { return slot_[node] == none; }
 
