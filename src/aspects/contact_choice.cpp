@@ -10,8 +10,7 @@ namespace parallel_aspects {
 namespace {
 
 constexpr std::uint32_t levels_of_a_try = 3;
-constexpr std::size_t tries_for_one = 4;  // in the next round
-constexpr std::size_t most_tries = 1024;
+constexpr std::size_t tries_for_one = 8;  // in the next round
 
 }  // namespace
 
@@ -60,7 +59,6 @@ std::vector<NodeIndex> ContactChoice::choose_of_pair(const std::vector<NodeIndex
   }
   if (deepest >= base_level_ + levels_of_a_try || tried.size() > most_leaves_of_a_point_) return {};
   if (!tried.empty()) return coarsest_of(tree_, tried);
-  if (tries_ > most_tries) return {};
   asks_for_more_ = true;
   return spread(leaves);
 }

@@ -111,7 +111,10 @@ std::vector<ModeComponents> find_all_components(AspectMap::Contents& map, const 
     if (sources[mode].symmetry == nullptr) representatives.push_back(mode);
   std::vector<std::unique_ptr<LeafGraph>> graphs(representatives.size());
   tbb::parallel_for(std::size_t{0}, graphs.size(), [&](std::size_t i) {
-    graphs[i] = std::make_unique<LeafGraph>(map.tree, representatives[i], control);
+    const std::size_t mode = representatives[i];
+    const bool everywhere = looks_everywhere(map.tree, mode);
+    if (everywhere) look_into_leaves(map.tree, *map.classifier, mode, control);
+    graphs[i] = std::make_unique<LeafGraph>(map.tree, mode, everywhere, control);
   });
   if (!refine_contested(map.tree, *map.classifier, graphs, plan.depth, plan.deepest_level, control))
     return {};

@@ -51,7 +51,7 @@ PoseTree row_of(const std::vector<LeafState>& states) {
 
 ModeComponents components_of(const PoseTree& tree) {
   const MapControl control;
-  LeafGraph graph(tree, 0, control);
+  LeafGraph graph(tree, 0, true, control);
   return find_components(tree, 0, graph, control);
 }
 
@@ -119,7 +119,7 @@ TEST_P(RandomStates, ClustersAreWhatAFloodReaches) {
 
 TEST_P(RandomStates, ContactsAreFoundFromTheSmallerOnes) {
   const MapControl control;
-  LeafGraph graphs(tree_, 0, control);
+  LeafGraph graphs(tree_, 0, false, control);
   SignGraph& graph = graphs.of(1);
   std::set<std::pair<std::uint32_t, std::uint32_t>> parts;  // reach of listed components
   for (NodeIndex node = 0; node < tree_.node_count(); ++node)

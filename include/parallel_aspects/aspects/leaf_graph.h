@@ -12,9 +12,11 @@ namespace parallel_aspects {
 /// How the leaves of one working mode hang together, for both signs of det A.
 class LeafGraph {
  public:
-  LeafGraph(const PoseTree& tree, std::size_t mode, const MapControl& control);
+  /// `looks_everywhere`: see there.
+  LeafGraph(const PoseTree& tree, std::size_t mode, bool looks_everywhere, const MapControl& control);
 
   std::size_t mode() const noexcept { return mode_; }
+  bool looks_everywhere() const noexcept { return looks_everywhere_; }
   SignGraph& of(int sign) noexcept { return sign > 0 ? positive_ : negative_; }
 
   /// After more was proved of an undecided leaf.
@@ -28,6 +30,7 @@ class LeafGraph {
 
  private:
   std::size_t mode_;
+  bool looks_everywhere_;
   SignGraph positive_, negative_;
 };
 

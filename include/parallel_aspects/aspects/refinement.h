@@ -13,15 +13,20 @@
 
 namespace parallel_aspects {
 
-/// Whether so few freedoms are left that the map looks into all undecided leaves for what is hidden there,
-/// and divides what stays open at points until nothing can hide. With more of them boundaries meet along
-/// curves, no depth would end it, and only leaves where components could meet are looked into.
-constexpr bool looks_everywhere(std::size_t dimension) noexcept { return dimension <= 2; }
-
-/// What `refine_contested` expects of the base map.
+/// What `prepare_refinement` expects of the base map: leaves of many freedoms are too many to look into all.
 constexpr Detail detail_of_base_map(std::size_t dimension) noexcept {
-  return looks_everywhere(dimension) ? Detail::parts : Detail::centers;
+  return dimension <= 2 ? Detail::parts : Detail::centers;
 }
+
+/// Whether a mode looks into all of its undecided leaves for what is hidden there. It does with up to two
+/// freedoms, and divides what stays open at points until nothing can hide. With more of them boundaries meet
+/// along curves, and no depth would end that: it does where the leaves are few, and else looks only into
+/// those where components could meet.
+bool looks_everywhere(const PoseTree& tree, std::size_t mode) noexcept;
+
+/// Finds what is whole in the undecided leaves of a mode that looks everywhere. Ends early when cancelled.
+void look_into_leaves(PoseTree& tree, const BoxClassifier& classifier, std::size_t mode,
+                      const MapControl& control);
 
 /// Divides leaves where components of one working mode and sign meet until they are joined or apart, and
 /// leaves near no component until they show one or vanish; ends at `deepest_level`. Where two components meet
