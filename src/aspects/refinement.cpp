@@ -18,7 +18,7 @@ constexpr std::size_t least_budget = 10000;
 constexpr std::size_t undecided_leaves_for_one = 8;
 
 // With more than two freedoms leaves that do not matter otherwise are looked into where they are few.
-constexpr std::size_t most_leaves_to_look_into = 20000;
+constexpr std::size_t most_leaves_to_look_into = 50000;
 
 constexpr std::size_t most_freedoms_to_count = 2;
 
@@ -125,6 +125,7 @@ class ModeRefinement {
   }
 
   void request_bare(int sign) {
+    if (!graph_.looks_everywhere()) graph_.of(sign).climb_from_given_up(tree_, classifier_);
     for (const NodeIndex node : graph_.of(sign).climb_from_new(tree_, classifier_, graph_.looks_everywhere()))
       if (graph_.looks_everywhere()) request(node);
   }

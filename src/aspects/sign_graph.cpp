@@ -5,11 +5,16 @@
 #include "parallel_aspects/aspects/part_proof.h"
 
 #include <algorithm>
+#include <map>
 
 namespace parallel_aspects {
 namespace {
 
 constexpr int most_steps = 100;
+
+// Of a component that was given up.
+constexpr std::size_t most_leaves_to_climb_from = 1000;
+constexpr std::size_t most_climbs = 32;
 
 }  // namespace
 
@@ -154,6 +159,30 @@ std::vector<NodeIndex> SignGraph::climb_from_new(PoseTree& tree, const BoxClassi
     if (!traits_[component(leaf)].has_inside_leaf) bare.push_back(leaf);
   }
   return bare;
+}
+
+void SignGraph::give_up(std::uint32_t component) {
+  if (traits_[component].is_given_up) return;
+  traits_[component].is_given_up = true;
+  if (traits_[component].leaves <= most_leaves_to_climb_from) given_up_.push_back(component);
+}
+
+void SignGraph::climb_from_given_up(const PoseTree& tree, const BoxClassifier& classifier) {
+  std::map<std::uint32_t, std::vector<NodeIndex>> leaves;
+  for (const std::uint32_t component : given_up_) leaves[components_.find(component)];
+  given_up_.clear();
+  if (leaves.empty()) return;
+  for (const NodeIndex leaf : members_) {
+    if (slot_[leaf] == none || !tree.state(leaf, mode_).is_inside(sign_)) continue;
+    const auto found = leaves.find(component(leaf));
+    if (found != leaves.end()) found->second.push_back(leaf);
+  }
+  for (const auto& [component, members] : leaves) {
+    const std::size_t step = members.size() / most_climbs + 1;
+    for (std::size_t i = 0; i < members.size() && !is_cancelled(control_); i += step)
+      if (components_.find(component) == component)
+        climb(tree, classifier, members[i], tree.box(members[i]).middle());
+  }
 }
 
 Part SignGraph::witness(const PoseTree& tree, const BoxClassifier& classifier, NodeIndex leaf) const {
