@@ -61,7 +61,7 @@ const Case cases[] = {
      [] {
        return built(5, {-1.0, 1.0, 1.0}, TaskSpace::SE2, test::DriveKind::revolute, false);
      },
-     0.2, 0, 4},
+     0.14, 0, 4},
     {"built_t3",
      [] {
        return built(7, {1.0, -1.0, 1.0}, TaskSpace::T3, test::DriveKind::prismatic, true);
@@ -116,8 +116,9 @@ TEST_P(MapWithSymmetry, AgreesWithTheMapWithout) {
     EXPECT_EQ(counts(*with), counts(*without));
   }
   if (GetParam().extra_levels > 0) return;
-  EXPECT_NEAR(measure_inside(*with), measure_inside(*without), 0.01 * measure_inside(*without));
-  EXPECT_NEAR(with->measure_undecided(), without->measure_undecided(), 0.01 * without->measure_undecided());
+  // A box and its image are two tries at one proof.
+  EXPECT_GT(measure_inside(*with), 0.99 * measure_inside(*without));
+  EXPECT_LT(with->measure_undecided(), 1.01 * without->measure_undecided());
 }
 
 // No leaf may contradict its own proof, whichever leaf it is the image of. That there is none for the image,
