@@ -5,7 +5,11 @@
 #include <benchmark/benchmark.h>
 
 #include "support/robots.h"
+#include "support/shipped.h"
 #include <filesystem>
+#include <memory>
+#include <variant>
+#include <vector>
 
 namespace parallel_aspects {
 namespace {
@@ -41,6 +45,41 @@ BENCHMARK(five_bar_map_by_resolution)
     ->ArgName("um")
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
+
+void map_once(benchmark::State& state, const std::shared_ptr<const Manipulator>& robot,
+              const MapOptions& options) {
+  std::shared_ptr<const AspectMap> map;
+  for (auto _ : state) map = compute_aspect_map(robot, options).map;
+  state.counters["proved"] = static_cast<double>(map->proved_count());
+  state.counters["components"] = static_cast<double>(map->aspects().size());
+}
+
+// The 3-RRR of Caro et al. in all orientations; its leaves have edges of 0.134 m and 2 pi / 256.
+void three_rrr_map(benchmark::State& state) {
+  MapOptions options;
+  options.resolution = 0.135;
+  options.threads = static_cast<unsigned>(state.range(0));
+  map_once(state, test::three_rrr(), options);
+}
+BENCHMARK(three_rrr_map)
+    ->Arg(1)
+    ->Arg(2)
+    ->ArgName("threads")
+    ->Iterations(1)
+    ->UseRealTime()
+    ->Unit(benchmark::kSecond);
+
+// The shipped Delta, which is symmetric to the last digit, with longer cranks.
+void delta_map(benchmark::State& state) {
+  std::vector<Leg> legs = test::shipped("delta")->manipulator()->legs();
+  for (Leg& leg : legs) std::get<RevoluteDrive>(leg.drive).radius = 0.35;
+  MapOptions options;
+  options.resolution = 0.01;
+  options.threads = static_cast<unsigned>(state.range(0));
+  map_once(state, test::manipulator("delta", TaskSpace::T3, std::move(legs)), options);
+}
+BENCHMARK(delta_map)->Arg(1)->Arg(2)->ArgName("threads")->Iterations(1)->UseRealTime()->Unit(
+    benchmark::kSecond);
 
 // A pose in an inside leaf, and one that needs a proof of its own.
 void locate(benchmark::State& state) {
