@@ -2,6 +2,7 @@
 #include "parallel_aspects/aspects/contact_choice.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 #include <utility>
@@ -11,6 +12,16 @@ namespace {
 
 constexpr std::uint32_t levels_of_a_try = 3;
 constexpr std::size_t tries_for_one = 8;  // in the next round
+
+// Before a contact is given up.
+constexpr std::size_t most_leaves_to_examine = 2000;
+
+std::vector<NodeIndex> unexamined_of(const SignGraph& graph, const std::vector<NodeIndex>& leaves) {
+  std::vector<NodeIndex> result;
+  std::copy_if(leaves.begin(), leaves.end(), std::back_inserter(result),
+               [&graph](NodeIndex node) { return graph.is_unexamined(node); });
+  return result;
+}
 
 }  // namespace
 
@@ -36,7 +47,7 @@ std::vector<NodeIndex> ContactChoice::choose(SignGraph& graph,
   for (auto& [pair, leaves] : pairs) {
     std::sort(leaves.begin(), leaves.end());
     leaves.erase(std::unique(leaves.begin(), leaves.end()), leaves.end());
-    const std::vector<NodeIndex> of_pair = choose_of_pair(leaves);
+    const std::vector<NodeIndex> of_pair = choose_of_pair(graph, leaves);
     chosen.insert(chosen.end(), of_pair.begin(), of_pair.end());
     // The contact will be found again from the smaller component.
     if (!of_pair.empty()) worked_on.insert(graph.smaller_of(pair.first, pair.second));
@@ -48,7 +59,8 @@ std::vector<NodeIndex> ContactChoice::choose(SignGraph& graph,
   return chosen;
 }
 
-std::vector<NodeIndex> ContactChoice::choose_of_pair(const std::vector<NodeIndex>& leaves) {
+std::vector<NodeIndex> ContactChoice::choose_of_pair(const SignGraph& graph,
+                                                     const std::vector<NodeIndex>& leaves) {
   if (leaves.size() <= most_leaves_of_a_point_) return coarsest_of(tree_, leaves);
   std::vector<NodeIndex> tried;
   std::uint32_t deepest = base_level_;
@@ -57,7 +69,8 @@ std::vector<NodeIndex> ContactChoice::choose_of_pair(const std::vector<NodeIndex
     deepest = std::max(deepest, level);
     if (level > base_level_) tried.push_back(node);
   }
-  if (deepest >= base_level_ + levels_of_a_try || tried.size() > most_leaves_of_a_point_) return {};
+  if (deepest >= base_level_ + levels_of_a_try || tried.size() > most_leaves_of_a_point_)
+    return leaves.size() <= most_leaves_to_examine ? unexamined_of(graph, leaves) : std::vector<NodeIndex>();
   if (!tried.empty()) return coarsest_of(tree_, tried);
   asks_for_more_ = true;
   return spread(leaves);

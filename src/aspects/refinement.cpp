@@ -74,7 +74,7 @@ class ModeRefinement {
     make_unique(requests_);
     if (requests_.size() > budget_) requests_.clear();
     budget_ -= requests_.size();
-    done_ = requests_.empty() && !has_examined_;
+    if (requests_.empty() && !has_examined_) reconsider();
     return !done_;
   }
 
@@ -95,6 +95,14 @@ class ModeRefinement {
   const std::vector<NodeIndex>& requests() const noexcept { return requests_; }
 
  private:
+  /// When nothing is left to do.
+  void reconsider() {
+    done_ = graph_.looks_everywhere() || chances_ == 0;
+    if (done_) return;
+    --chances_;
+    for (const int sign : {1, -1}) graph_.of(sign).reconsider();
+  }
+
   static void make_unique(std::vector<NodeIndex>& nodes) {
     std::sort(nodes.begin(), nodes.end());
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
@@ -167,6 +175,7 @@ class ModeRefinement {
   std::uint32_t deepest_level_, base_level_;
   ContactChoice positive_contacts_, negative_contacts_;
   std::size_t budget_;  // of leaves to divide
+  int chances_ = 3;     // of components that were given up
   bool done_ = false, has_examined_ = false;
   std::vector<NodeIndex> requests_;
 };

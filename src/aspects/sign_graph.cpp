@@ -13,7 +13,7 @@ namespace {
 constexpr int most_steps = 100;
 
 // Of a component that was given up.
-constexpr std::size_t most_leaves_to_climb_from = 1000;
+constexpr std::size_t most_leaves_of_a_small_one = 1000;
 constexpr std::size_t most_climbs = 32;
 
 }  // namespace
@@ -164,7 +164,12 @@ std::vector<NodeIndex> SignGraph::climb_from_new(PoseTree& tree, const BoxClassi
 void SignGraph::give_up(std::uint32_t component) {
   if (traits_[component].is_given_up) return;
   traits_[component].is_given_up = true;
-  if (traits_[component].leaves <= most_leaves_to_climb_from) given_up_.push_back(component);
+  if (traits_[component].leaves <= most_leaves_of_a_small_one) given_up_.push_back(component);
+}
+
+void SignGraph::reconsider() noexcept {
+  for (Traits& traits : traits_)
+    if (traits.leaves <= most_leaves_of_a_small_one) traits.is_given_up = false;
 }
 
 void SignGraph::climb_from_given_up(const PoseTree& tree, const BoxClassifier& classifier) {

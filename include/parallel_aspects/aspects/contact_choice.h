@@ -30,7 +30,7 @@ class ContactChoice {
   std::vector<NodeIndex> choose(SignGraph& graph, const std::vector<SignGraph::Contact>& contacts);
 
  private:
-  std::vector<NodeIndex> choose_of_pair(const std::vector<NodeIndex>& leaves);
+  std::vector<NodeIndex> choose_of_pair(const SignGraph& graph, const std::vector<NodeIndex>& leaves);
   std::vector<NodeIndex> spread(const std::vector<NodeIndex>& leaves) const;
 
   const PoseTree& tree_;

@@ -71,6 +71,8 @@ class SignGraph {
 
   /// The contacts of this component, by its number, are not worth more work.
   void give_up(std::uint32_t component);
+  /// Takes up again what was given up of small components: their contacts may have become fewer.
+  void reconsider() noexcept;
   bool is_given_up(std::uint32_t component) const noexcept { return traits_[component].is_given_up; }
 
   /// Whether the component holds an inside leaf, so that it is not empty.
