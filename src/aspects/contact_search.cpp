@@ -27,6 +27,7 @@ ContactSearch::ContactSearch(const PoseTree& tree, SignGraph& graph, const MapCo
 std::vector<SignGraph::Contact> ContactSearch::run() {
   std::size_t most_leaves = least_most_leaves;
   for (const NodeIndex leaf : graph_.members()) {
+    if (is_cancelled(control_)) break;
     if (!is_source(leaf)) continue;
     go_on(leaf, leaf);
     most_leaves += leaves_for_one;

@@ -86,7 +86,11 @@ std::string read_whole_file(const std::string& path, std::size_t most, Bytes& by
   return read_all(file.number(), bytes) ? "" : failure("read");
 }
 
-std::string replace_file(const std::string& path, const Bytes& bytes) {
+std::string replace_file(const std::string& name, const Bytes& bytes) {
+  std::error_code missing;
+  const std::filesystem::path target = std::filesystem::canonical(name, missing);
+  const std::string path = missing ? name : target.string();
+  if (!missing && !std::filesystem::is_regular_file(target, missing)) return "it is not a regular file";
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   std::string temporary = path + ".XXXXXX";
   Descriptor file(mkostemp(temporary.data(), O_CLOEXEC));

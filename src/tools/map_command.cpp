@@ -211,13 +211,16 @@ std::optional<Box> find_region(const MapArguments& arguments, const MapSection& 
   return region && slice ? region_of_slice(*region, *slice, section.file, problems) : region;
 }
 
-/// A long computation is not to be lost to a folder that is not there.
-void check_folder(const std::string& option, const std::string& file, Problems& problems) {
+/// A long computation is not to be lost to a folder that is not there, or a file that cannot be replaced.
+void check_file(const std::string& option, const std::string& file, Problems& problems) {
   if (file.empty()) return;
   const std::filesystem::path folder = std::filesystem::path(file).parent_path();
   if (access(folder.empty() ? "." : folder.c_str(), W_OK | X_OK) != 0)
     problems.push_back(option + " is '" + file +
                        "', which is in no folder that can be written to; give another.");
+  else if (std::error_code error;
+           std::filesystem::exists(file, error) && !std::filesystem::is_regular_file(file, error))
+    problems.push_back(option + " is '" + file + "', which is not a regular file; give another.");
 }
 
 // With six freedoms there is a roadmap in place of a map.
@@ -372,8 +375,8 @@ Subcommand map_subcommand() {
             Problems problems;
             const MapSection section = load_map_section(arguments->robot, problems);
             MapOptions map_options = parse_options(*arguments, section.config, problems);
-            check_folder("--save", arguments->save_file, problems);
-            check_folder("--picture", arguments->picture_file, problems);
+            check_file("--save", arguments->save_file, problems);
+            check_file("--picture", arguments->picture_file, problems);
             const auto mechanism = load_robot(arguments->robot, std::move(problems));
             const auto manipulator = choose_constraints(mechanism->manipulator(), arguments->constraints);
             if (manipulator->task_space() == TaskSpace::SE3 && arguments->slice.empty())

@@ -14,6 +14,7 @@
 #include <random>
 #include <string>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <tuple>
 #include <vector>
 #include <zlib.h>
@@ -419,6 +420,21 @@ TEST_F(MapFile, FoldersThatCannotBeWrittenToAreReported) {
   EXPECT_TRUE(fs::is_directory(file_));
   EXPECT_EQ(files_in_folder(), 1U);
   EXPECT_FALSE(save_map(*map_, "/proc/map").saved);
+}
+
+TEST_F(MapFile, LinksAreFollowedAndWhatIsNoFileIsNotReplaced) {
+  saved(*map_);
+  const fs::path link = folder_ / "link", pipe = folder_ / "pipe";
+  fs::create_symlink(file_, link);
+  ASSERT_TRUE(fs::remove(file_) && std::ofstream(file_));
+  EXPECT_TRUE(save_map(*map_, link).saved);
+  EXPECT_TRUE(fs::is_symlink(link));
+  EXPECT_GT(fs::file_size(file_), 0U);
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const SaveResult refused = save_map(*map_, pipe);
+  EXPECT_FALSE(refused.saved);
+  EXPECT_NE(refused.sentence.find("not a regular file"), std::string::npos) << refused.sentence;
+  EXPECT_TRUE(fs::is_fifo(pipe));
 }
 
 }  // namespace

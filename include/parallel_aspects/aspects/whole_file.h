@@ -14,8 +14,9 @@ namespace parallel_aspects {
 std::string read_whole_file(const std::string& path, std::size_t most, Bytes& bytes);
 
 /// Makes `bytes` the file's whole contents: at every moment, also after a crash, the file is the old one or
-/// the new one. Empty when done; else why not, and the old file is untouched.
-std::string replace_file(const std::string& path, const Bytes& bytes);
+/// the new one. A link is followed, and what is no regular file, such as a device, is not touched. Empty when
+/// done; else why not, and the old file is untouched.
+std::string replace_file(const std::string& name, const Bytes& bytes);
 
 }  // namespace parallel_aspects
 
