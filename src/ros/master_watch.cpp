@@ -8,6 +8,7 @@
 #include <ros/network.h>
 #include <ros/service_manager.h>
 #include <ros/this_node.h>
+#include <ros/time.h>
 #include <ros/xmlrpc_manager.h>
 
 #include <XmlRpc.h>
@@ -22,6 +23,8 @@ namespace {
 
 using XmlRpc::XmlRpcValue;
 using Types = std::map<std::string, std::string>;  // of topics, by name
+
+const ros::WallDuration patience_with_self(2.0);
 
 std::string own_address() { return ros::XMLRPCManager::instance()->getServerURI(); }
 
@@ -41,16 +44,32 @@ std::optional<XmlRpcValue> ask_master(const std::string& method, const XmlRpcVal
   return payload;
 }
 
+// While this process shuts down its own connections are still open, but nobody serves them.
+std::optional<XmlRpcValue> answer_of(XmlRpc::XmlRpcClient& client, const std::string& method,
+                                     const XmlRpcValue& request) {
+  if (!client.executeNonBlock(method.c_str(), request)) return std::nullopt;
+  XmlRpc::XmlRpcDispatch dispatch;
+  dispatch.addSource(&client, XmlRpc::XmlRpcDispatch::WritableEvent | XmlRpc::XmlRpcDispatch::Exception);
+  const ros::WallTime end = ros::WallTime::now() + patience_with_self;
+  XmlRpcValue answer;
+  bool answered = client.executeCheckDone(answer);
+  while (!answered && !ros::isShuttingDown() && ros::WallTime::now() < end) {
+    dispatch.work(0.01);
+    answered = client.executeCheckDone(answer);
+  }
+  dispatch.removeSource(&client);
+  return answered ? std::make_optional(answer) : std::nullopt;
+}
+
 // Asks this process itself, in the way in which other nodes do; roscpp has no other for the types of topics.
 std::optional<XmlRpcValue> ask_self(const std::string& method, const XmlRpcValue& request) {
   std::string host;
   std::uint32_t port = 0;
   if (!ros::network::splitURI(own_address(), host, port)) return std::nullopt;
   XmlRpc::XmlRpcClient client(host.c_str(), static_cast<int>(port), "/");
-  XmlRpcValue answer;
-  if (!client.execute(method.c_str(), request, answer)) return std::nullopt;
-  if (answer.getType() != XmlRpcValue::TypeArray || answer.size() < 3) return std::nullopt;
-  return answer[2];
+  auto answer = answer_of(client, method, request);
+  if (!answer || answer->getType() != XmlRpcValue::TypeArray || answer->size() < 3) return std::nullopt;
+  return (*answer)[2];
 }
 
 std::optional<Types> own_topics(const std::string& method) {
