@@ -67,6 +67,7 @@ class ModeRefinement {
     for (const int sign : {1, -1}) {
       if (is_cancelled(control_)) return false;
       graph_.of(sign).settle_faces(tree_, classifier_);
+      if (!graph_.looks_everywhere()) graph_.of(sign).climb_from_given_up(tree_, classifier_);
       request_bare(sign);
       request_contested(sign);
       if (graph_.looks_everywhere()) request_open(sign);
@@ -133,7 +134,6 @@ class ModeRefinement {
   }
 
   void request_bare(int sign) {
-    if (!graph_.looks_everywhere()) graph_.of(sign).climb_from_given_up(tree_, classifier_);
     for (const NodeIndex node : graph_.of(sign).climb_from_new(tree_, classifier_, graph_.looks_everywhere()))
       if (graph_.looks_everywhere()) request(node);
   }

@@ -8,6 +8,7 @@
 #include <ros/node_handle.h>
 #include <ros/param.h>
 
+#include "ros/five_bar_setup.h"
 #include "support/shipped.h"
 #include <array>
 #include <cstdio>
@@ -46,17 +47,6 @@ void expect_refused(const std::string& name_space, const std::vector<std::string
                                                            << ending.output;
 }
 
-XmlRpc::XmlRpcValue good_mechanism() {
-  XmlRpc::XmlRpcValue mechanism;
-  mechanism["operational_point"] = "tool";
-  mechanism["actuated_joints"][0] = "crank_1_joint";
-  mechanism["actuated_joints"][1] = "crank_2_joint";
-  mechanism["closures"][0]["type"] = "revolute";
-  mechanism["closures"][0]["frames"][0] = "tool";
-  mechanism["closures"][0]["frames"][1] = "closing_2";
-  return mechanism;
-}
-
 void set_good_urdf(const std::string& name_space) {
   ros::param::set(name_space + "/robot_description", test::source_file("urdf/five_bar.urdf"));
 }
@@ -68,13 +58,13 @@ TEST(BadDescription, NothingIsThere) {
 
 TEST(BadDescription, TheUrdfIsNotXml) {
   ros::param::set("/not_xml/robot_description", "five_bar.urdf");
-  ros::param::set("/not_xml/aspect_node/mechanism", good_mechanism());
+  ros::param::set("/not_xml/aspect_node/mechanism", test::five_bar_mechanism_parameter());
   expect_refused("/not_xml", {"/not_xml/robot_description"});
 }
 
 TEST(BadDescription, TheClosureNamesAnUnknownLink) {
   set_good_urdf("/unknown_link");
-  XmlRpc::XmlRpcValue mechanism = good_mechanism();
+  XmlRpc::XmlRpcValue mechanism = test::five_bar_mechanism_parameter();
   mechanism["closures"][0]["frames"][1] = "closing_3";
   ros::param::set("/unknown_link/aspect_node/mechanism", mechanism);
   expect_refused("/unknown_link", {"/unknown_link/aspect_node/mechanism", "closing_3"});
@@ -82,7 +72,7 @@ TEST(BadDescription, TheClosureNamesAnUnknownLink) {
 
 TEST(BadDescription, EveryProblemIsSaidAtOnce) {
   set_good_urdf("/many");
-  XmlRpc::XmlRpcValue mechanism = good_mechanism();
+  XmlRpc::XmlRpcValue mechanism = test::five_bar_mechanism_parameter();
   mechanism["actuated_joints"][0] = "crank_7_joint";
   ros::param::set("/many/aspect_node/mechanism", mechanism);
   ros::param::set("/many/aspect_node/map/resolution", "fine");
@@ -93,7 +83,7 @@ TEST(BadDescription, EveryProblemIsSaidAtOnce) {
 
 TEST(BadDescription, AnOptionIsOutOfRange) {
   set_good_urdf("/range");
-  ros::param::set("/range/aspect_node/mechanism", good_mechanism());
+  ros::param::set("/range/aspect_node/mechanism", test::five_bar_mechanism_parameter());
   ros::param::set("/range/aspect_node/start/pose", std::vector<double>{1.0, 2.0, 3.0});
   ros::param::set("/range/aspect_node/joint_states_timeout", -1.0);
   expect_refused("/range", {"start/pose must be a list of finite numbers [x, y]",

@@ -7,7 +7,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <atomic>
+#include <cstddef>
 #include <cstdlib>
 #include <sstream>
 #include <string>
@@ -37,6 +39,10 @@ inline nlohmann::json run_json(std::vector<const char*> arguments) {
   EXPECT_EQ(outcome.code, tools::exit_code::ok) << outcome.messages;
   EXPECT_EQ(outcome.messages, "");
   return nlohmann::json::parse(outcome.output, nullptr, false);
+}
+
+inline std::size_t line_count(const std::string& text) {
+  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
 }
 
 /// Commands that find the shipped robots in the source tree.

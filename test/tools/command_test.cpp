@@ -16,13 +16,10 @@ namespace parallel_aspects::tools {
 namespace {
 
 using nlohmann::json;
+using test::line_count;
 using test::Outcome;
 using test::run;
 using test::run_json;
-
-std::size_t line_count(const std::string& text) {
-  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
-}
 
 using Command = test::CommandTest;
 

@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 
 #include "support/command_run.h"
-#include <algorithm>
 #include <atomic>
 #include <cstdlib>
 #include <filesystem>
@@ -20,13 +19,10 @@ namespace parallel_aspects::tools {
 namespace {
 
 using nlohmann::json;
+using test::line_count;
 using test::Outcome;
 using test::run;
 using test::run_json;
-
-std::size_t line_count(const std::string& text) {
-  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
-}
 
 using MapCommand = test::CommandTest;
 
