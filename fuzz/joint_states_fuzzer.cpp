@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/model/coefficients.h"
 #include "parallel_aspects/ros/joint_sample.h"
 #include "parallel_aspects/ros/publisher_watch.h"
 
@@ -69,9 +70,9 @@ void require(bool condition) {
 void check(const Mechanism& mechanism, const JointSample& sample) {
   if (sample.status != SampleStatus::usable) return require(!sample.sentence.empty());
   require(static_cast<std::size_t>(sample.q.size()) == mechanism.manipulator()->leg_count());
-  for (const double value : sample.q) require(std::isfinite(value));
+  for (const double value : coefficients_of(sample.q)) require(std::isfinite(value));
   require(static_cast<std::size_t>(sample.readings.size()) == mechanism.joint_names().size());
-  for (const double value : sample.readings) require(!std::isinf(value));
+  for (const double value : coefficients_of(sample.readings)) require(!std::isinf(value));
 }
 
 }  // namespace

@@ -79,7 +79,7 @@ class Motion {
   }
   const sensor_msgs::JointState& at(const ros::Time& stamp, double phase) {
     message_.header.stamp = stamp;
-    message_.position.assign(middle_.begin(), middle_.end());
+    message_.position.assign(middle_.data(), middle_.data() + middle_.size());
     for (double& position : message_.position) position += width_ * std::sin(phase);
     return message_;
   }

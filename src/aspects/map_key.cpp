@@ -2,6 +2,7 @@
 #include "parallel_aspects/aspects/map_key.h"
 
 #include "parallel_aspects/aspects/constraint_key.h"
+#include "parallel_aspects/model/coefficients.h"
 
 #include <array>
 #include <cctype>
@@ -91,9 +92,9 @@ std::string coverage_key(const std::optional<MapSlice>& slice, const std::vector
   std::string key = "slice:";
   if (slice) {
     const Eigen::Vector4d orientation = slice->held.orientation.coeffs();
-    for (const double each : slice->held.position) key += " " + number(each);
-    for (const double each : orientation) key += " " + number(each);
-    for (const double each : slice->axis) key += " " + number(each);
+    for (const double each : coefficients_of(slice->held.position)) key += " " + number(each);
+    for (const double each : coefficients_of(orientation)) key += " " + number(each);
+    for (const double each : coefficients_of(slice->axis)) key += " " + number(each);
     for (const bool each : slice->moves) key += each ? " free" : " held";
     key +=
         " turning " + std::to_string(static_cast<int>(slice->turning)) + " " + printable(slice->angle_name);

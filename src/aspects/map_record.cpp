@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/aspects/map_record.h"
 
+#include "parallel_aspects/model/coefficients.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -16,8 +18,8 @@ std::size_t mode_index(const AspectMap::Contents& map, const WorkingMode& mode) 
 }
 
 void write_pose(const Pose& pose, ByteWriter& writer) {
-  for (const double each : pose.position) writer.put_double(each);
-  for (const double each : pose.orientation.coeffs()) writer.put_double(each);
+  for (const double each : coefficients_of(pose.position)) writer.put_double(each);
+  for (const double each : coefficients_of(pose.orientation.coeffs())) writer.put_double(each);
 }
 
 void write_bounds(const Box& box, ByteWriter& writer) {
@@ -129,8 +131,8 @@ class RecordReader {
   }
 
   bool read_pose(Pose& pose) {
-    for (double& each : pose.position) each = reader_.take_double();
-    for (double& each : pose.orientation.coeffs()) each = reader_.take_double();
+    for (double& each : coefficients_of(pose.position)) each = reader_.take_double();
+    for (double& each : coefficients_of(pose.orientation.coeffs())) each = reader_.take_double();
     return pose.position.allFinite() && std::abs(pose.orientation.norm() - 1.0) < unit_tolerance;
   }
 

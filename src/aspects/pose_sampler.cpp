@@ -96,7 +96,7 @@ PoseSampler::Positions PoseSampler::positions(const Eigen::Quaterniond& orientat
   Positions box = region_;
   for (std::size_t j = 0; j < anchor_boxes_.size(); ++j) {
     const Eigen::Vector3d anchor = orientation * manipulator_->leg(j).anchor;
-    box = box.intersection(anchor_boxes_[j].translated(-anchor));
+    box = box.intersection(Positions(anchor_boxes_[j]).translate(-anchor));
   }
   return box;
 }

@@ -3,6 +3,7 @@
 
 #include "parallel_aspects/kinematics/jacobians.h"
 #include "parallel_aspects/kinematics/refinement.h"
+#include "parallel_aspects/model/coefficients.h"
 #include "parallel_aspects/model/dense_decompositions.h"
 
 #include <array>
@@ -58,7 +59,7 @@ bool leads_on(const Manipulator& manipulator, const Pose& pose, const JointVecto
 Pose random_pose(const Manipulator& manipulator, std::mt19937& engine) {
   std::normal_distribution<double> normal;
   TaskVector twist(static_cast<Eigen::Index>(manipulator.leg_count()));
-  for (double& each : twist) each = normal(engine);
+  for (double& each : coefficients_of(twist)) each = normal(engine);
   const auto rotations = static_cast<Eigen::Index>(rotational_freedoms(manipulator.task_space()));
   twist.tail(twist.size() - rotations) *= manipulator.size();
   return displaced(manipulator.task_space(), Pose{}, twist);

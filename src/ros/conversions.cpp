@@ -2,6 +2,7 @@
 #include "parallel_aspects/ros/conversions.h"
 
 #include "parallel_aspects/kinematics/jacobians.h"
+#include "parallel_aspects/model/coefficients.h"
 
 #include <algorithm>
 #include <cmath>
@@ -217,7 +218,8 @@ SolvedConfiguration solved_message(const Manipulator& manipulator, const SolvedP
   message.pose = pose_message(platform_in_base(manipulator, solved.pose));
   for (const Leg& leg : manipulator.legs()) message.joint_names.push_back(leg.driven_joint);
   message.joint_positions = to_vector(solved.q);
-  for (const double entry : inverse_diagonal(manipulator, solved.pose, solved.q))
+  const TaskVector diagonal = inverse_diagonal(manipulator, solved.pose, solved.q);
+  for (const double entry : coefficients_of(diagonal))
     message.working_mode.push_back(static_cast<std::int8_t>(sign_of(entry)));
   message.determinant_sign =
       static_cast<std::int8_t>(sign_of(direct_determinant(manipulator, solved.pose, solved.q)));

@@ -223,7 +223,7 @@ class Player {
   void publish(const JointVector& drives) {
     const JointVector q = drives + offset_;
     message_.header.stamp = ros::Time::now();
-    message_.position.assign(q.begin(), q.end());
+    message_.position.assign(q.data(), q.data() + q.size());
     publisher_.publish(message_);
   }
 

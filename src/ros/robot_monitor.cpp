@@ -292,7 +292,7 @@ std::optional<sensor_msgs::JointState> RobotMonitor::complete(const TrackedState
   sensor_msgs::JointState message;
   message.header.stamp = stamp;
   message.name = mechanism_->joint_names();
-  message.position.assign(positions.begin(), positions.end());
+  message.position.assign(positions.data(), positions.data() + positions.size());
   return message;
 }
 

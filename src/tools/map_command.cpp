@@ -2,6 +2,7 @@
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/map_file.h"
 #include "parallel_aspects/aspects/whole_file.h"
+#include "parallel_aspects/model/coefficients.h"
 #include "parallel_aspects/model/constraints.h"
 #include "parallel_aspects/model/problems.h"
 #include "parallel_aspects/tools/arguments.h"
@@ -85,7 +86,8 @@ json json_map(const AspectMap& map) {
 
 std::string pose_text(TaskSpace space, const Pose& pose) {
   std::string text;
-  for (const double coordinate : pose_coordinates(space, pose))
+  const PoseCoordinates coordinates = pose_coordinates(space, pose);
+  for (const double coordinate : coefficients_of(coordinates))
     text += (text.empty() ? "(" : ", ") + shown_briefly(coordinate);
   return text + ")";
 }

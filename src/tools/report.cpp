@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/tools/report.h"
 
+#include "parallel_aspects/model/coefficients.h"
+
 #include <cmath>
 #include <sstream>
 
@@ -21,7 +23,7 @@ nlohmann::json json_number(double value) { return std::isfinite(value) ? nlohman
 
 nlohmann::json json_numbers(const TaskVector& values) {
   nlohmann::json array = nlohmann::json::array();
-  for (const double value : values) array.push_back(json_number(value));
+  for (const double value : coefficients_of(values)) array.push_back(json_number(value));
   return array;
 }
 
@@ -57,7 +59,7 @@ std::string shown_briefly(double value) { return with_digits(value, 4); }
 
 std::string shown(const TaskVector& values) {
   std::string text;
-  for (const double value : values) text += (text.empty() ? "" : ", ") + shown(value);
+  for (const double value : coefficients_of(values)) text += (text.empty() ? "" : ", ") + shown(value);
   return text;
 }
 

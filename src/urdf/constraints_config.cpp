@@ -171,7 +171,7 @@ class Resolver {
   Eigen::Vector3d point(const std::vector<double>& numbers, std::size_t count, const std::string& where) {
     Eigen::Vector3d result = Eigen::Vector3d::Zero();
     if (numbers.size() == count)
-      std::copy(numbers.begin(), numbers.end(), result.begin());
+      std::copy(numbers.begin(), numbers.end(), result.data());
     else
       problems_.push_back(file_ + " has " + std::to_string(numbers.size()) + " numbers in " + where +
                           "; give " + std::to_string(count) + ", one a direction.");

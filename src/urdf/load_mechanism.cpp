@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/kinematics/working_mode.h"
+#include "parallel_aspects/model/coefficients.h"
 #include "parallel_aspects/urdf/assembly.h"
 #include "parallel_aspects/urdf/chain.h"
 #include "parallel_aspects/urdf/leg_recognition.h"
@@ -215,7 +216,7 @@ class Recogniser {
     const Manipulator& manipulator = *contents.manipulator;
     std::uniform_real_distribution<double> entries(-spread, spread);
     TaskVector step(static_cast<Eigen::Index>(manipulator.leg_count()));
-    for (double& entry : step) entry = entries(random);
+    for (double& entry : coefficients_of(step)) entry = entries(random);
     scale_translations(manipulator, step);
     return displaced(manipulator.task_space(), contents.completion.reference_pose(), step);
   }

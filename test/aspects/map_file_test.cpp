@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/aspects/map_file.h"
 
+#include "parallel_aspects/model/coefficients.h"
+
 #include <gtest/gtest.h>
 
 #include "support/robots.h"
@@ -92,7 +94,7 @@ Numbers leaves(const AspectMap& map) {
     map.visit_inside_leaves(aspect.id, [&list](const Box& box) { append(list, box); });
     map.visit_inside_poses(aspect.id, [&list](const Pose& pose, double measure) {
       list.insert(list.end(), {pose.position.x(), pose.position.y(), pose.position.z(), measure});
-      for (const double each : pose.orientation.coeffs()) list.push_back(each);
+      for (const double each : coefficients_of(pose.orientation.coeffs())) list.push_back(each);
     });
   }
   for (const WorkingMode& mode : map.working_modes())

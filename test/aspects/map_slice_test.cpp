@@ -242,7 +242,7 @@ TEST(MapSlice, TurnsAboutEveryAxis) {
   const auto map = map_of(robot, options_of(slice, 0.01));
   ASSERT_TRUE(map);
   const Eigen::Quaterniond third(Eigen::AngleAxisd(0.3, slice.axis.normalized()));
-  const Pose pose = map->contents().tree.space().pose({0, {0.3 / EIGEN_PI, 0.0, 0.0}});
+  const Pose pose = map->contents().tree.space().pose({0, {0.3 / static_cast<double>(EIGEN_PI), 0.0, 0.0}});
   EXPECT_LT(pose.orientation.angularDistance(third * slice.held.orientation), 1e-12);
   std::mt19937_64 random(11);
   for (int i = 0; i < 2000; ++i) {

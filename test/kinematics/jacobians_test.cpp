@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/kinematics/jacobians.h"
 
+#include "parallel_aspects/model/coefficients.h"
+
 #include <gtest/gtest.h>
 
 #include "support/random_robots.h"
@@ -49,7 +51,7 @@ TEST_P(Jacobians, MatchCentralDifferences) {
     const auto robot = random.robot(space, kind);
     const Pose pose = random.pose(space);
     JointVector q(static_cast<Eigen::Index>(robot->leg_count()));
-    for (double& each : q) each = random.uniform(-2.0, 2.0);
+    for (double& each : coefficients_of(q)) each = random.uniform(-2.0, 2.0);
     const TaskMatrix a = direct_matrix(*robot, pose, q);
     const TaskMatrix b = inverse_diagonal(*robot, pose, q).asDiagonal().toDenseMatrix();
     ASSERT_LT((a - differences_by_pose(*robot, pose, q)).cwiseAbs().maxCoeff(), tolerance)
@@ -69,7 +71,7 @@ TEST_P(Jacobians, RelateVelocities) {
     const Pose pose = random.pose(space);
     const auto n = static_cast<Eigen::Index>(robot->leg_count());
     TaskVector twist(n);
-    for (double& each : twist) each = random.uniform(-1.0, 1.0);
+    for (double& each : coefficients_of(twist)) each = random.uniform(-1.0, 1.0);
     const WorkingMode mode = working_modes(*robot).back();
     const InverseSolution here = inverse(*robot, pose, mode);
     const InverseSolution ahead = inverse(*robot, displaced(space, pose, step * twist), mode);
@@ -80,7 +82,7 @@ TEST_P(Jacobians, RelateVelocities) {
     ++compared;
     TaskVector rate = ahead.q - behind.q;
     if (robot->leg(0).driven_by_angle())
-      for (double& each : rate) each = std::remainder(each, 2.0 * EIGEN_PI);
+      for (double& each : coefficients_of(rate)) each = std::remainder(each, 2.0 * EIGEN_PI);
     const TaskVector left = direct_matrix(*robot, pose, here.q) * twist;
     const TaskVector right = b.cwiseProduct(rate / (2.0 * step));
     ASSERT_LT((left - right).cwiseAbs().maxCoeff(), 1e-5) << test::describe(*robot, pose, here.q);

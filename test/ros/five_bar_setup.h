@@ -44,7 +44,7 @@ inline sensor_msgs::JointState drives_at(const Manipulator& manipulator, const P
   message.header.stamp = stamp;
   for (const Leg& leg : manipulator.legs()) message.name.push_back(leg.driven_joint);
   const JointVector q = inverse(manipulator, pose, *WorkingMode::from_signs(signs)).q;
-  message.position.assign(q.begin(), q.end());
+  message.position.assign(q.data(), q.data() + q.size());
   return message;
 }
 

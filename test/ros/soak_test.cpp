@@ -192,7 +192,7 @@ TEST(Soak, EveryStateIsRightAndMemoryIsFlat) {
     const double fastest = 1e-3 * std::min(1.0, robot.size()) * (1.1 + std::sin(1e-3 * i));
     const KnownMotion::Sample sample = motion.next(fastest);
     message.header.stamp = pace.next();
-    message.position.assign(sample.q.begin(), sample.q.end());
+    message.position.assign(sample.q.data(), sample.q.data() + sample.q.size());
     judge.expect(message.header.stamp, sample);
     publisher.publish(message);
     if (i == warm) memory = resident_megabytes(process);

@@ -3,6 +3,7 @@
 #define PARALLEL_ASPECTS_TEST_SUPPORT_LOOPS_H
 
 #include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/model/coefficients.h"
 #include "parallel_aspects/model/problems.h"
 #include "parallel_aspects/urdf/mechanism.h"
 
@@ -45,7 +46,7 @@ inline int open_loops(const Mechanism& mechanism, double spread = 0.2) {
   int tried = 0, open = 0;
   for (int trial = 0; trial < 100; ++trial) {
     TaskVector step(static_cast<Eigen::Index>(manipulator.leg_count()));
-    for (double& entry : step) entry = spread * manipulator.size() * number(random);
+    for (double& entry : coefficients_of(step)) entry = spread * manipulator.size() * number(random);
     if (has_rotation(manipulator.task_space())) step.head(step.size() / 2) /= manipulator.size();
     const Pose pose = displaced(manipulator.task_space(), mechanism.assembled().pose, step);
     for (const InverseSolution& solution : inverse_in_all_modes(manipulator, pose)) {

@@ -3,6 +3,7 @@
 // The hot path asks for no memory: what malloc is asked for is counted while the tracker works.
 #include "parallel_aspects/kinematics/direct.h"
 #include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/model/coefficients.h"
 #include "parallel_aspects/tracking/approach_speed.h"
 #include "parallel_aspects/tracking/thresholds.h"
 #include "parallel_aspects/tracking/tracker.h"
@@ -104,7 +105,7 @@ Seen walk(const std::shared_ptr<const Manipulator>& robot, const JointVector& st
     double time = 0.0;
     for (int i = 0; i < 300; ++i) {
       if (i % 50 == 0)
-        for (double& entry : direction) entry = size * uniform(random);
+        for (double& entry : coefficients_of(direction)) entry = size * uniform(random);
       q += direction;
       if (i % 97 == 96) q += 100.0 * direction;
       if (i == 120) q[0] = std::numeric_limits<double>::quiet_NaN();

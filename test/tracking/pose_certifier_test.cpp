@@ -3,6 +3,7 @@
 
 #include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/kinematics/jacobians.h"
+#include "parallel_aspects/model/coefficients.h"
 #include "parallel_aspects/tracking/continuation.h"
 
 #include <gtest/gtest.h>
@@ -41,7 +42,7 @@ std::optional<Case> random_case(test::RandomRobots& random, TaskSpace space, tes
   made.q = solution.q;
   made.direction = solution.q;
   const double size = std::pow(10.0, random.uniform(-6.0, 0.0));
-  for (double& entry : made.direction) entry = size * random.uniform(-1.0, 1.0);
+  for (double& entry : coefficients_of(made.direction)) entry = size * random.uniform(-1.0, 1.0);
   return made;
 }
 
@@ -62,7 +63,7 @@ int for_random_cases(unsigned seed, int tries, const Check& check) {
 // A pose anywhere in the ball.
 Pose within(const Manipulator& robot, const Pose& middle, double radius, test::RandomRobots& random) {
   TaskVector twist(static_cast<Eigen::Index>(robot.leg_count()));
-  for (double& entry : twist) entry = random.uniform(-1.0, 1.0);
+  for (double& entry : coefficients_of(twist)) entry = random.uniform(-1.0, 1.0);
   twist *= radius * random.uniform(0.0, 1.0) / twist.norm();
   twist.head(static_cast<Eigen::Index>(rotational_freedoms(robot.task_space()))) /=
       robot.characteristic_length();
@@ -156,7 +157,7 @@ TEST(PoseCertifier, DistanceBoundsTheLengthOfTheTwist) {
     const PoseCertifier certifier(*tried.robot);
     const double radius = std::pow(10.0, random.uniform(-8.0, -0.5));
     TaskVector twist(tried.q.size());
-    for (double& entry : twist) entry = random.uniform(-1.0, 1.0);
+    for (double& entry : coefficients_of(twist)) entry = random.uniform(-1.0, 1.0);
     twist *= radius / twist.norm();
     TaskVector scaled = twist;
     scaled.head(static_cast<Eigen::Index>(rotational_freedoms(tried.robot->task_space()))) /=

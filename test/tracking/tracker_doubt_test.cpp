@@ -4,6 +4,7 @@
 #include "parallel_aspects/kinematics/direct.h"
 #include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/kinematics/jacobians.h"
+#include "parallel_aspects/model/coefficients.h"
 #include "parallel_aspects/tracking/roadmap.h"
 #include "parallel_aspects/tracking/tracker.h"
 
@@ -104,7 +105,7 @@ TEST(TrackerInDoubt, EncodersMayWrap) {
   for (int i = 1; i <= 100; ++i) {
     q += joints({0.0, 0.001});
     JointVector wrapped = q;
-    for (double& angle : wrapped) angle = std::remainder(angle, 2.0 * EIGEN_PI);
+    for (double& angle : coefficients_of(wrapped)) angle = std::remainder(angle, 2.0 * EIGEN_PI);
     ASSERT_EQ(tracker.update(i * 0.001, wrapped).status, TrackStatus::tracking);
     ASSERT_LT((tracker.state().q - q).norm(), 1e-12);
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/model/coefficients.h"
 #include "parallel_aspects/model/problems.h"
 
 #include <gtest/gtest.h>
@@ -93,7 +94,7 @@ TEST_P(PassiveLimits, AgreeWithTheClosedLoops) {
   int inside = 0, outside = 0;
   for (int i = 0; i < 3000; ++i) {
     TaskVector step(static_cast<Eigen::Index>(robot.leg_count()));
-    for (double& entry : step) entry = entries(random);
+    for (double& entry : coefficients_of(step)) entry = entries(random);
     const auto angles = static_cast<Eigen::Index>(rotational_freedoms(robot.task_space()));
     step.tail(step.size() - angles) *= 0.7 * robot.size();
     const Pose pose = displaced(robot.task_space(), start.pose, step);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/kinematics/jacobians.h"
+#include "parallel_aspects/model/coefficients.h"
 
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>
@@ -66,7 +67,7 @@ TEST_P(ShippedRobot, CompletesItsPassiveJoints) {
   int completed = 0;
   for (int trial = 0; trial < 200; ++trial) {
     TaskVector step(static_cast<Eigen::Index>(manipulator_.leg_count()));
-    for (double& entry : step) entry = 0.3 * manipulator_.size() * number(random);
+    for (double& entry : coefficients_of(step)) entry = 0.3 * manipulator_.size() * number(random);
     if (has_rotation(GetParam().space)) step.head(step.size() / 2) /= 0.3 * manipulator_.size();
     const Pose pose = displaced(GetParam().space, mechanism_->assembled().pose, step);
     for (const InverseSolution& solution : inverse_in_all_modes(manipulator_, pose)) {
