@@ -2,10 +2,11 @@
 #include "parallel_aspects/tools/command.h"
 
 #include "parallel_aspects/model/problems.h"
+#include "parallel_aspects/tools/command_line.h"
 #include "parallel_aspects/tools/subcommands.h"
+#include "parallel_aspects/tools/text_table.h"
 
-#include <CLI/CLI.hpp>
-
+#include <algorithm>
 #include <exception>
 #include <string>
 #include <vector>
@@ -20,7 +21,7 @@ constexpr const char* description =
 constexpr const char* footer =
     "\nExit codes: 0 done, 1 the robot, a file or a number was refused, 2 the command line was not "
     "understood,\n"
-    "130 ended by Ctrl-C. Results go to the standard output, problems to the standard error, one a line.";
+    "130 ended by Ctrl-C. Results go to the standard output, problems to the standard error, one a line.\n";
 
 bool is_interrupted(const Surroundings& surroundings) {
   return surroundings.interrupted != nullptr && *surroundings.interrupted;
@@ -46,62 +47,57 @@ int perform(const Subcommand& subcommand, bool json, const Surroundings& surroun
   }
 }
 
-/// A variable of a script that is not set is no value.
-CLI::Validator not_empty() {
-  const auto problem = [](const std::string& value) {
-    return value.empty() ? std::string("it is empty; give a value, or leave the option out") : std::string();
-  };
-  return CLI::Validator(problem, "");
-}
-
-class CommandLine {
+class Command {
  public:
-  CommandLine() : app_(description, "aspects") {
-    app_.footer(footer);
-    app_.require_subcommand(0, 1);
-    app_.add_flag("--version", version_, "Print the version and exit");
-    for (const Subcommand& subcommand : subcommands_) add(subcommand);
+  Command() {
+    for (Subcommand& subcommand : subcommands_)
+      subcommand.flags.push_back({"--json", "Print JSON, as documented in docs/command.md", &json_});
   }
 
-  int run(int argc, const char* const* argv, const Surroundings& surroundings) {
-    try {
-      app_.parse(argc, argv);
-    } catch (const CLI::ParseError& end) {
-      return app_.exit(end, surroundings.output, surroundings.messages) == 0 ? exit_code::ok
-                                                                             : exit_code::bad_usage;
+  int run(const std::vector<std::string>& arguments, const Surroundings& surroundings) {
+    if (arguments.empty()) {
+      surroundings.messages << help();
+      return exit_code::bad_usage;
     }
-    if (version_) return print("aspects " PARALLEL_ASPECTS_VERSION "\n", surroundings);
-    for (const Subcommand& subcommand : subcommands_)
-      if (app_.got_subcommand(subcommand.name)) return perform(subcommand, json_, surroundings);
-    surroundings.messages << app_.help();
-    return exit_code::bad_usage;
+    if (asks_for_help(arguments.front())) return print(help(), surroundings);
+    if (arguments.front() == "--version")
+      return print("aspects " PARALLEL_ASPECTS_VERSION "\n", surroundings);
+    const Subcommand& subcommand = find(arguments.front());
+    if (!parse_arguments(subcommand, {arguments.begin() + 1, arguments.end()}))
+      return print(help_of(subcommand), surroundings);
+    return perform(subcommand, json_, surroundings);
   }
 
  private:
-  void add(const Subcommand& subcommand) {
-    CLI::App* app = app_.add_subcommand(subcommand.name, subcommand.help);
-    for (const Option& option : subcommand.options)
-      app->add_option(option.name, *option.value, option.help)
-          ->type_name(option.placeholder)
-          ->required(option.required)
-          ->check(not_empty());
-    for (const Flag& flag : subcommand.flags) app->add_flag(flag.name, *flag.value, flag.help);
-    app->add_flag("--json", json_, "Print JSON, as documented in docs/command.md");
+  const Subcommand& find(const std::string& name) const {
+    for (const Subcommand& subcommand : subcommands_)
+      if (subcommand.name == name) return subcommand;
+    throw UsageError("'" + name + "': there is no such subcommand");
   }
 
-  CLI::App app_;
-  bool version_ = false;
+  std::string help() const {
+    TextTable table({"Subcommands:", ""});
+    for (const Subcommand& subcommand : subcommands_) table.add({"  " + subcommand.name, subcommand.help});
+    return std::string(description) +
+           "\n\nUsage: aspects SUBCOMMAND [OPTIONS]\n       aspects SUBCOMMAND --help\n" +
+           "       aspects --version\n\n" + table.text() + footer;
+  }
+
   bool json_ = false;
-  const std::vector<Subcommand> subcommands_{
-      map_subcommand(),     connect_subcommand(), describe_subcommand(), distance_subcommand(),
-      inverse_subcommand(), direct_subcommand(),  robots_subcommand()};
+  std::vector<Subcommand> subcommands_{map_subcommand(),      connect_subcommand(), describe_subcommand(),
+                                       distance_subcommand(), inverse_subcommand(), direct_subcommand(),
+                                       robots_subcommand()};
 };
 
 }  // namespace
 
 int run_command(int argc, const char* const* argv, const Surroundings& surroundings) noexcept {
   try {
-    return CommandLine().run(argc, argv, surroundings);
+    return Command().run({argv + std::min(argc, 1), argv + argc}, surroundings);
+  } catch (const UsageError& error) {
+    surroundings.messages << error.what() << ". `aspects --help` and `aspects SUBCOMMAND --help` tell more."
+                          << std::endl;
+    return exit_code::bad_usage;
   } catch (const std::exception& error) {
     surroundings.messages << "The command failed: " << error.what() << std::endl;
     return exit_code::bad_input;
