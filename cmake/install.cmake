@@ -23,7 +23,7 @@ if(NOT PARALLEL_ASPECTS_ROS)
                                 INSTALL_DESTINATION ${package_folder})
   write_basic_package_version_file(${PROJECT_BINARY_DIR}/parallel_aspectsConfigVersion.cmake
                                    COMPATIBILITY SameMinorVersion)
-  install(FILES ${PROJECT_BINARY_DIR}/parallel_aspectsConfig.cmake
+  install(FILES cmake/Findtinyxml2.cmake ${PROJECT_BINARY_DIR}/parallel_aspectsConfig.cmake
                 ${PROJECT_BINARY_DIR}/parallel_aspectsConfigVersion.cmake
           DESTINATION ${package_folder})
 endif()
