@@ -12,6 +12,7 @@
 #include "parallel_aspects/ros/load_options.h"
 #include "parallel_aspects/singularity/indices.h"
 #include "parallel_aspects/tracking/local_motion.h"
+#include "parallel_aspects/tracking/rehearsal.h"
 #include "parallel_aspects/tracking/tour.h"
 
 #include <parallel_aspects/MapProgress.h>
@@ -32,8 +33,9 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr double rate = 100.0;             // of joint_states [Hz]
+constexpr double interval = 0.01;          // from one joint_states to the next [s]
 constexpr double seconds_to_start = 60.0;  // until the node must listen
+constexpr double longest_delay = 5.0;      // of a sample behind its time; then time is set anew [s]
 
 struct Start {
   Pose pose;
@@ -85,19 +87,24 @@ std::vector<Start> possible_starts(const Mechanism& mechanism, const StartOption
   return result;
 }
 
+// A round about the start, and what the tracker has seen once it was played.
 struct LocalMotion {
   Start start;
-  std::vector<JointVector> drives;
+  SampledMotion motion;
+  Rehearsal rehearsal;
 };
 
-// In the first start that leaves room to move.
-std::optional<LocalMotion> plan_local(const NodeSetup& setup) {
+// In the first start that leaves room to move, played as the node's own tracker follows it.
+std::optional<LocalMotion> plan_local(const NodeSetup& setup, double duration) {
   const Mechanism& mechanism = *setup.mechanism;
+  const Manipulator& robot = *mechanism.manipulator();
+  const auto allowed = [&](const Pose& pose, const JointVector& q) { return closes(mechanism, pose, q); };
   for (const Start& start : possible_starts(mechanism, setup.options.start)) {
-    auto drives =
-        plan_local_motion(*mechanism.manipulator(), start.pose, start.mode,
-                          [&](const Pose& pose, const JointVector& q) { return closes(mechanism, pose, q); });
-    if (!drives.empty()) return LocalMotion{start, std::move(drives)};
+    const auto corners = plan_local_motion(robot, start.pose, start.mode, allowed);
+    Rehearsal rehearsal(mechanism.manipulator(), setup.options.tracking, interval);
+    if (corners.size() < 2 || !rehearsal.start(start.pose, corners.front())) continue;
+    SampledMotion motion = rehearsal.slow_enough(corners, duration);
+    if (rehearsal.play(motion)) return LocalMotion{start, std::move(motion), std::move(rehearsal)};
   }
   return std::nullopt;
 }
@@ -108,56 +115,11 @@ std::string text(const std::vector<int>& aspects) {
   return result;
 }
 
-// Drive values along corners, at constant speed.
-class Motion {
- public:
-  Motion(std::vector<JointVector> corners, double duration)
-      : corners_(std::move(corners)), lengths_{0.0}, duration_(duration) {
-    for (std::size_t i = 1; i < corners_.size(); ++i)
-      lengths_.push_back(lengths_.back() + (corners_[i] - corners_[i - 1]).norm());
-  }
-
-  double duration() const { return duration_; }
-
-  // After `seconds` of one round.
-  JointVector at(double seconds) const {
-    const double length = std::clamp(seconds / duration_, 0.0, 1.0) * lengths_.back();
-    const auto next = std::upper_bound(lengths_.begin(), lengths_.end() - 1, length);
-    const auto i = static_cast<std::size_t>(next - lengths_.begin());
-    const double piece = lengths_[i] - lengths_[i - 1];
-    const double t = piece > 0.0 ? (length - lengths_[i - 1]) / piece : 0.0;
-    return corners_[i - 1] + t * (corners_[i] - corners_[i - 1]);
-  }
-
-  // What a round adds to drives that turn on.
-  JointVector gain() const { return corners_.back() - corners_.front(); }
-
- private:
-  std::vector<JointVector> corners_;
-  std::vector<double> lengths_;
-  double duration_;
-};
-
-// Lasts longer than asked for where a drive would be faster than its velocity limit.
-Motion within_velocities(const Manipulator& robot, const std::vector<JointVector>& corners, double duration) {
-  double length = 0.0, stretch = 1.0;
-  for (std::size_t i = 1; i < corners.size(); ++i) length += (corners[i] - corners[i - 1]).norm();
-  for (std::size_t i = 1; i < corners.size(); ++i) {
-    const JointVector change = corners[i] - corners[i - 1];
-    const double seconds = duration * change.norm() / length;
-    for (std::size_t j = 0; j < robot.leg_count() && seconds > 0.0; ++j) {
-      const double speed = std::abs(change[static_cast<Eigen::Index>(j)]) / seconds;
-      stretch = std::max(stretch, speed / robot.leg(j).limits.velocity);
-    }
-  }
-  return Motion(corners, duration * stretch);
-}
-
 // Plans the tour on a thread of its own, once the node has its map.
 class TourPlanner {
  public:
-  TourPlanner(ros::NodeHandle nh, NodeSetup setup, Start start, const DemoOptions& options)
-      : setup_(std::move(setup)), start_(std::move(start)), patience_(options.patience) {
+  TourPlanner(ros::NodeHandle nh, NodeSetup setup, LocalMotion local, const DemoOptions& options)
+      : setup_(std::move(setup)), local_(std::move(local)), options_(options) {
     subscriber_ = nh.subscribe(options.server + "/map_progress", 10, &TourPlanner::on_progress, this);
   }
   ~TourPlanner() { cancelled_ = true; }
@@ -168,36 +130,44 @@ class TourPlanner {
            (tour_.valid() && tour_.wait_for(std::chrono::seconds(0)) == std::future_status::ready);
   }
 
-  // Whether the node's map is still to come.
-  bool waiting() const { return !refused_ && !tour_.valid(); }
-
-  // Empty where there is none; only once `ready`, and only once.
-  Tour take() { return refused_ ? Tour{} : tour_.get(); }
+  // No samples where there is none; only once `ready`, and only once.
+  SampledMotion take() { return refused_ ? SampledMotion{} : tour_.get(); }
 
  private:
   void on_progress(const MapProgress::ConstPtr& progress) {
     if (refused_ || tour_.valid() || progress->state == MapProgress::COMPUTING) return;
-    refused_ = progress->state != MapProgress::COMPLETE || progress->seconds > patience_;
+    refused_ = progress->state != MapProgress::COMPLETE || progress->seconds > options_.patience;
     if (!refused_) tour_ = std::async(std::launch::async, [this] { return plan(); });
   }
 
-  Tour plan() const {
+  SampledMotion plan() const {
     MapControl control;
     control.cancelled = &cancelled_;
     const auto map = compute_aspect_map(setup_.mechanism->manipulator(), setup_.options.map, control).map;
-    return map ? plan_tour(*map, start_.pose, start_.mode) : Tour{};
+    if (!map) return {};
+    const Tour tour = plan_tour(*map, local_.start.pose, local_.start.mode);
+    if (tour.drives.size() < 2) return {};
+    SampledMotion motion = local_.rehearsal.slow_enough(tour.drives, options_.duration);
+    if (motion.samples.empty())
+      ROS_WARN("There is no tour: a tracker with the options of the node does not follow it at any speed.");
+    else
+      ROS_INFO_STREAM("The motion visits aspects " << text(tour.aspects) << ", in "
+                                                   << interval * static_cast<double>(motion.samples.size())
+                                                   << " s.");
+    return motion;
   }
 
   const NodeSetup setup_;
-  const Start start_;
-  const double patience_;
+  const LocalMotion local_;
+  const DemoOptions options_;
   std::atomic<bool> cancelled_{false};
   bool refused_ = false;
-  std::future<Tour> tour_;
+  std::future<SampledMotion> tour_;
   ros::Subscriber subscriber_;
 };
 
-// Publishes one motion after the other.
+// Publishes one motion after the other. Every sample is sent, with stamps at even times: what was rehearsed
+// is what the node gets. On a busy computer some come late, and then the next ones at once.
 class Player {
  public:
   Player(const Manipulator& robot, ros::Publisher publisher)
@@ -207,28 +177,34 @@ class Player {
   }
 
   // One round; returns early when ROS shuts down.
-  void play(const Motion& motion) {
-    ros::Rate clock(rate);
-    const ros::Time begin = ros::Time::now();
-    for (double seconds = 0.0; ros::ok() && seconds < motion.duration();
-         seconds = (ros::Time::now() - begin).toSec()) {
-      publish(motion.at(seconds));
+  void play(const SampledMotion& motion) {
+    for (const JointVector& sample : motion.samples) {
+      if (!ros::ok()) return;
+      wait();
+      publish(sample + offset_);
       ros::spinOnce();
-      clock.sleep();
     }
-    offset_ += motion.gain();
+    offset_ += motion.gain;
   }
 
  private:
-  void publish(const JointVector& drives) {
-    const JointVector q = drives + offset_;
-    message_.header.stamp = ros::Time::now();
+  // Until the time of the next stamp.
+  void wait() {
+    const ros::Time now = ros::Time::now();
+    next_ += ros::Duration(interval);
+    if (std::abs((now - next_).toSec()) > longest_delay) next_ = now;
+    ros::Time::sleepUntil(next_);
+  }
+
+  void publish(const JointVector& q) {
+    message_.header.stamp = next_;
     message_.position.assign(q.data(), q.data() + q.size());
     publisher_.publish(message_);
   }
 
   ros::Publisher publisher_;
   sensor_msgs::JointState message_;
+  ros::Time next_;
   JointVector offset_;  // turns made so far
 };
 
@@ -243,42 +219,34 @@ bool wait_for_server(const std::string& server, const ros::Publisher& publisher)
 }
 
 // The local motion until the tour is planned, then the tour.
-void play_all(const Manipulator& robot, const Motion& local, TourPlanner& planner, const DemoOptions& options,
-              Player& player) {
-  std::optional<Motion> tour;
+void play_all(SampledMotion motion, TourPlanner& planner, bool loop, Player& player) {
   bool known = false;
-  const ros::Time begin = ros::Time::now();
   while (ros::ok()) {
     if (!known && planner.ready()) {
       known = true;
-      const Tour planned = planner.take();
-      if (planned.drives.size() > 1) {
-        tour = within_velocities(robot, planned.drives, options.duration);
-        ROS_INFO_STREAM("The motion visits aspects " << text(planned.aspects) << ".");
-      }
+      SampledMotion tour = planner.take();
+      if (!tour.samples.empty()) motion = std::move(tour);
     }
-    player.play(tour ? *tour : local);
-    const bool given_up = planner.waiting() && (ros::Time::now() - begin).toSec() > options.patience;
-    if ((known || given_up) && !options.loop) return;
+    player.play(motion);
+    if (known && !loop) return;
   }
 }
 
 int run(ros::NodeHandle nh, const ros::NodeHandle& private_nh) {
   const DemoOptions options = options_from(private_nh);
   const NodeSetup setup = load_setup(nh, ros::NodeHandle(options.server));
-  const auto local = plan_local(setup);
+  const auto local = plan_local(setup, options.local_duration);
   if (!local) {
     ROS_FATAL(
         "No motion: the robot does not assemble at the start that the parameters say, or not clear of "
         "singularities; set start/pose to another pose.");
     return EXIT_FAILURE;
   }
-  const ros::Publisher publisher = nh.advertise<sensor_msgs::JointState>("joint_states", 100);
+  const ros::Publisher publisher = nh.advertise<sensor_msgs::JointState>("joint_states", 1000);
   if (!wait_for_server(options.server, publisher)) return EXIT_FAILURE;
-  TourPlanner planner(nh, setup, local->start, options);
-  const Manipulator& robot = *setup.mechanism->manipulator();
-  Player player(robot, publisher);
-  play_all(robot, within_velocities(robot, local->drives, options.local_duration), planner, options, player);
+  TourPlanner planner(nh, setup, *local, options);
+  Player player(*setup.mechanism->manipulator(), publisher);
+  play_all(local->motion, planner, options.loop, player);
   return EXIT_SUCCESS;
 }
 

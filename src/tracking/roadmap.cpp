@@ -3,6 +3,7 @@
 
 #include "parallel_aspects/singularity/indices.h"
 #include "parallel_aspects/tracking/continuation.h"
+#include "parallel_aspects/tracking/tracker.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +14,10 @@ namespace parallel_aspects {
 namespace {
 
 constexpr std::size_t neighbours_wanted = 12;
-constexpr int most_steps = 2000;  // of one straight motion
+
+// Of one straight motion: half of what the tracker takes for one sample, so that it follows the motion
+// however many samples there are on it.
+const int most_steps = TrackerOptions().most_steps / 2;
 
 double distance(const Manipulator& manipulator, const Pose& a, const Pose& b) {
   double longest = 0.0;

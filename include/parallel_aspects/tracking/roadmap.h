@@ -23,7 +23,8 @@ struct Place {
 JointVector drive_change(const Manipulator& manipulator, const JointVector& from, const JointVector& to);
 
 /// Whether the platform, when the drives move straight from `from` by `change`, gets to the pose of `to` with
-/// det A away from zero all along; certified by continuation.
+/// det A away from zero all along; certified by continuation, in half the steps that a tracker has for one
+/// sample.
 bool straight_motion_exists(const Manipulator& manipulator, const Place& from, const JointVector& change,
                             const Pose& to);
 
