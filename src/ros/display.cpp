@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/ros/display.h"
 
+#include "parallel_aspects/ros/caption.h"
 #include "parallel_aspects/ros/gauge_picture.h"
 #include "parallel_aspects/ros/map_picture.h"
 #include "parallel_aspects/ros/picture_parts.h"
 #include "parallel_aspects/ros/slice_picture.h"
-
-#include <sstream>
 
 namespace parallel_aspects {
 namespace {
@@ -22,20 +21,6 @@ Drawn drawn(const CurrentConfiguration& current) {
 MarkerFrames frames_of(const NodeSetup& setup) {
   return {setup.mechanism->manipulator()->base_frame(), setup.options.frame_prefix + "/aspects",
           setup.options.frame_prefix + "/joint_space"};
-}
-
-// In lines of at most this many letters, broken at blanks.
-std::string wrapped(const std::string& words, std::size_t longest) {
-  std::string lines, word;
-  std::size_t column = 0;
-  std::istringstream stream(words);
-  while (stream >> word) {
-    const bool fits = column + word.size() < longest;
-    if (column > 0) lines += fits ? ' ' : '\n';
-    column = fits ? column + 1 + word.size() : word.size();
-    lines += word;
-  }
-  return lines;
 }
 
 ros::Publisher latched(ros::NodeHandle& nh, const std::string& topic) {
@@ -113,19 +98,15 @@ void Display::publish_present(const Drawn& now) {
   present_time_ = ros::WallTime::now();
 }
 
-void Display::publish_position(const Drawn& now, const std::string& caption) {
+void Display::publish_position(const Drawn& now, const std::string& words) {
   visualization_msgs::MarkerArray array = picture_->position(now);
-  const Eigen::AlignedBox3d& robot = scene_.robot;
-  const double text = 0.045 * scene_.tiles.height();
-  Eigen::Vector3d at(robot.center().x(), robot.min().y() - 1.5 * text, 0.0);
-  if (!scene_.planar)  // where no part of the robot hides it
-    at = scene_.gallery * Eigen::Vector3d(0.5 * scene_.tiles.width(), 3.0 * text, 0.0);
+  const Caption caption = caption_of(scene_, words);
   MarkerBatch batch;
-  batch.text({frames_.base, manipulator_->task_frame() * Eigen::Translation3d(at)}, "caption",
-             Eigen::Vector2d::Zero(), 0.0, text, caption, ink());
+  batch.text({frames_.base, manipulator_->task_frame() * Eigen::Translation3d(caption.at)}, "caption",
+             Eigen::Vector2d::Zero(), 0.0, caption.text_height, caption.words, ink());
   array.markers.push_back(batch.take().markers.back());
   position_markers_.publish(array);
-  caption_ = caption;
+  caption_ = words;
 }
 
 std::string Display::caption(const CurrentConfiguration& current, const std::string& map_sentence) const {
@@ -137,7 +118,7 @@ std::string Display::caption(const CurrentConfiguration& current, const std::str
   } else {
     words += current.status.sentence;
   }
-  return mapped_ || map_sentence.empty() ? words : words + "\n" + wrapped(map_sentence, 50);
+  return mapped_ || map_sentence.empty() ? words : words + "\n" + map_sentence;
 }
 
 }  // namespace parallel_aspects

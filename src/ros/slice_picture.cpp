@@ -44,14 +44,16 @@ Points square(const Vector2d& center, double side) {
 }
 
 void fill(const BoundaryPicture& traced, const Placing& place, const MarkerBatch::Plane& plane,
-          const std::string& group, double height, int highlighted, MarkerBatch& batch) {
+          const std::string& group, double height, int highlighted, float opacity, MarkerBatch& batch) {
   std::set<int> ids;
   for (const BoundarySliver& sliver : traced.slivers) ids.insert(sliver.aspect);
   for (const int id : ids) {
     const auto full = aspect_color(id);
     const bool pale = highlighted != 0 && id != highlighted;
+    auto shade = pale ? lightened(full, 0.65) : full;
+    shade.a = opacity;
     batch.triangles(plane, group + "/aspects", placed(sliver_triangles(traced.slivers, id), place), height,
-                    pale ? lightened(full, 0.65) : full);
+                    shade);
   }
 }
 
@@ -95,7 +97,7 @@ visualization_msgs::MarkerArray SlicePicture::gallery(const Drawn& now) const {
     const BoundaryPicture traced =
         trace_slice(*map_, map_->working_modes()[tile], slice(now), bounds_, tile_cells);
     draw_tile(tile, traced, batch);
-    draw_titles(tile, batch);
+    draw_titles(tile, now, batch);
     all.insert(all.end(), traced.segments.begin(), traced.segments.end());
   }
   const double text = scene_.tiles.text_height();
@@ -113,14 +115,28 @@ visualization_msgs::MarkerArray SlicePicture::gallery(const Drawn& now) const {
 void SlicePicture::draw_tile(std::size_t tile, const BoundaryPicture& traced, MarkerBatch& batch) const {
   const double text = scene_.tiles.text_height();
   const Placing place = [&](const Vector2d& point) { return in_tile(point, tile); };
-  fill(traced, place, gallery_plane_, "gallery", height_of(Layer::fill, text), 0, batch);
+  fill(traced, place, gallery_plane_, "gallery", height_of(Layer::fill, text), 0, 1.0F, batch);
   draw_curves(traced.segments, place, {text, 0.09 * text}, gallery_plane_, "gallery", batch);
   batch.lines(gallery_plane_, "gallery/frame",
               rectangle(scene_.tiles.center(tile), Vector2d::Constant(scene_.tiles.side())),
               height_of(Layer::frame, text), 0.04 * text, color(0xB0B0B0));
 }
 
-void SlicePicture::draw_titles(std::size_t tile, MarkerBatch& batch) const {
+// The first aspects of a working mode, and always the present one.
+std::vector<int> SlicePicture::legend(const WorkingMode& mode, const Drawn& now) const {
+  std::vector<int> ids;
+  for (const Aspect& aspect : map_->aspects())
+    if (aspect.mode == mode) ids.push_back(aspect.id);
+  if (ids.size() <= most_lines) return ids;
+  const bool here = now && now->mode == mode && now->aspect != 0;
+  const bool hidden =
+      here && std::find(ids.begin(), ids.begin() + most_lines, now->aspect) == ids.begin() + most_lines;
+  ids.resize(most_lines);
+  if (hidden) ids.back() = now->aspect;
+  return ids;
+}
+
+void SlicePicture::draw_titles(std::size_t tile, const Drawn& now, MarkerBatch& batch) const {
   const double text = scene_.tiles.text_height();
   const double height = height_of(Layer::text, text);
   const WorkingMode& mode = map_->working_modes()[tile];
@@ -128,24 +144,21 @@ void SlicePicture::draw_titles(std::size_t tile, MarkerBatch& batch) const {
   batch.text(gallery_plane_, "gallery/modes", scene_.tiles.center(tile) + half_up + Vector2d(0.0, 0.8 * text),
              height, text, "mode " + to_string(mode), ink());
   Vector2d line = scene_.tiles.center(tile) - half_up - Vector2d(0.0, 0.7 * text);
-  std::size_t lines = 0, left_out = 0;
-  for (const Aspect& aspect : map_->aspects()) {
-    if (aspect.mode != mode) continue;
-    if (lines == most_lines) {
-      ++left_out;
-      continue;
-    }
-    ++lines;
+  const std::vector<int> shown = legend(mode, now);
+  for (const int id : shown) {
     const Vector2d swatch = line - Vector2d(0.5 * scene_.tiles.side(), 0.0);
     batch.triangles(gallery_plane_, "gallery/swatches", square(swatch, 0.6 * text),
-                    height_of(Layer::fill, text), aspect_color(aspect.id));
-    batch.text(gallery_plane_, "gallery/sizes", line, height, 0.75 * text, legend_text(aspect, space_),
-               ink());
+                    height_of(Layer::fill, text), aspect_color(id));
+    batch.text(gallery_plane_, "gallery/sizes", line, height, 0.75 * text,
+               legend_text(map_->aspects()[static_cast<std::size_t>(id - 1)], space_), ink());
     line.y() -= 0.9 * text;
   }
-  if (left_out > 0)
+  const auto all =
+      static_cast<std::size_t>(std::count_if(map_->aspects().begin(), map_->aspects().end(),
+                                             [&](const Aspect& aspect) { return aspect.mode == mode; }));
+  if (all > shown.size())
     batch.text(gallery_plane_, "gallery/sizes", line, height, 0.75 * text,
-               "and " + std::to_string(left_out) + " more", ink());
+               "and " + std::to_string(all - shown.size()) + " more", ink());
 }
 
 visualization_msgs::MarkerArray SlicePicture::present(const Drawn& now) const {
@@ -164,14 +177,16 @@ visualization_msgs::MarkerArray SlicePicture::present(const Drawn& now) const {
 void SlicePicture::draw_at_robot(const DrawnConfiguration& now, MarkerBatch& batch) const {
   const PoseSlice slice = PoseSlice::through(space_, now.solved.pose);
   const BoundaryPicture traced = trace_slice(*map_, now.mode, slice, bounds_, robot_cells);
-  const double behind = -0.02 * map_->manipulator()->size();  // the links, in front of the base
-  const double height = space_ == TaskSpace::T3 ? slice.level() : behind;
+  // In front of the base, and behind or below the platform and its joints, which it would hide. One of T3 is
+  // also looked through: it comes seldom, so that a platform that moves fast may be below it.
+  const double height = (space_ == TaskSpace::T3 ? slice.level() : 0.0) - 0.02 * map_->manipulator()->size();
   const MarkerBatch::Plane plane{frames_.base,
                                  map_->manipulator()->task_frame() * Eigen::Translation3d(0.0, 0.0, height),
                                  scene_.planar};  // seen at a flat angle, it would be dark
   const Placing place = [](const Vector2d& point) { return point; };
   const double unit = 0.06 * bounds_.sizes().maxCoeff();
-  fill(traced, place, plane, "robot", 0.0, now.aspect == 0 ? -1 : now.aspect, batch);
+  fill(traced, place, plane, "robot", 0.0, now.aspect == 0 ? -1 : now.aspect,
+       space_ == TaskSpace::T3 ? 0.6F : 1.0F, batch);
   draw_outline(traced.segments, now.aspect, place, {unit, 0.06 * unit}, plane, "robot", batch);
   draw_curves(traced.segments, place, {unit, 0.06 * unit}, plane, "robot", batch);
 }
@@ -190,7 +205,9 @@ double SlicePicture::level_change(const Drawn& before, const Drawn& now) const {
 }
 
 bool SlicePicture::gallery_differs(const Drawn& before, const Drawn& now) const {
-  return options_.gallery && now && level_change(before, now) > gallery_step * level_range_;
+  if (!options_.gallery || !now) return false;
+  return level_change(before, now) > gallery_step * level_range_ ||
+         legend(now->mode, before) != legend(now->mode, now);
 }
 
 bool SlicePicture::present_differs(const Drawn& before, const Drawn& now) const {

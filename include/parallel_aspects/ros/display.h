@@ -35,7 +35,7 @@ class Display {
   void set_picture(const std::shared_ptr<const Picture>& picture);
   void publish_gallery(const Drawn& now);
   void publish_present(const Drawn& now);
-  void publish_position(const Drawn& now, const std::string& caption);
+  void publish_position(const Drawn& now, const std::string& words);
   std::string caption(const CurrentConfiguration& current, const std::string& map_sentence) const;
 
   const std::shared_ptr<const Manipulator> manipulator_;
