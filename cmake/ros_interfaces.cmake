@@ -69,4 +69,5 @@ catkin_package(
     tf2_ros
     visualization_msgs
   DEPENDS EIGEN3
+  CFG_EXTRAS parallel_aspects-extras.cmake
 )

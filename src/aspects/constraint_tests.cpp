@@ -47,6 +47,7 @@ template <std::size_t D>
 ConstraintTests<D>::ConstraintTests(const Manipulator& manipulator)
     : passive_limits_(manipulator.leg_count()),
       pairs_(manipulator.leg_count(), std::vector<std::vector<LinkPair>>(manipulator.leg_count())) {
+  assert_rounding_upward();
   const Constraints& constraints = manipulator.constraints();
   ConstraintKinds kinds = manipulator.constraint_kinds();
   kinds[index_of(ConstraintKind::driven_limits)] = false;

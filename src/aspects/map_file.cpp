@@ -5,6 +5,7 @@
 #include "parallel_aspects/aspects/map_key.h"
 #include "parallel_aspects/aspects/map_plan.h"
 #include "parallel_aspects/aspects/map_record.h"
+#include "parallel_aspects/aspects/proof_revision.h"
 #include "parallel_aspects/aspects/whole_file.h"
 
 #include <algorithm>
@@ -13,13 +14,14 @@
 #include <utility>
 #include <zlib.h>
 
-// A file: magic, format version, its whole length, version of the package, key (`map_key`), the record
-// (map_record.cpp), and last the CRC-32 of everything before. All numbers are little-endian.
+// A file: magic, format version, its whole length, version of the package, revision of the proofs, key
+// (`map_key`), the record (map_record.cpp), and last the CRC-32 of everything before. All numbers are
+// little-endian.
 namespace parallel_aspects {
 namespace {
 
 constexpr std::array<std::uint8_t, 8> magic{'A', 'S', 'P', 'E', 'C', 'T', 'S', 0x1a};
-constexpr std::uint32_t format_version = 2;
+constexpr std::uint32_t format_version = 3;
 constexpr std::size_t checksum_size = 4;
 constexpr std::size_t largest_file = std::size_t{1} << 32;
 const char* const package_version = PARALLEL_ASPECTS_VERSION;
@@ -35,6 +37,7 @@ Bytes encode(const AspectMap::Contents& map) {
   const std::size_t length_at = writer.bytes().size();
   writer.put_u64(0);
   writer.put_text(package_version);
+  writer.put_u32(proof_revision);
   writer.put_text(map_key(*map.manipulator, map.tree.region(), map.resolution, map.depth, map.deepest_level) +
                   coverage_key(map.slice, map.modes));
   write_record(map, writer);
@@ -57,9 +60,12 @@ std::string find_damage(const Bytes& file, ByteReader& reader) {
   if (last.take_u32() != checksum(file, file.size() - checksum_size))
     return "it is damaged: its checksum is wrong";
   const std::string written_by = reader.take_text();
-  return written_by == package_version
-             ? ""
-             : "it was written by version '" + written_by + "' of the package and not " + package_version;
+  if (written_by != package_version)
+    return "it was written by version '" + written_by + "' of the package and not " + package_version;
+  const std::uint32_t revision = reader.take_u32();
+  return revision == proof_revision ? ""
+                                    : "it was computed by revision " + std::to_string(revision) +
+                                          " of the proofs and not " + std::to_string(proof_revision);
 }
 
 std::string find_other_key(const std::string& held, const std::string& asked) {

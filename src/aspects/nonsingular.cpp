@@ -92,6 +92,7 @@ bool proved(const SquareArray<PathForm>& matrix, double& ratio) {
 }  // namespace
 
 int proved_determinant_sign(std::size_t size, SquareArray<Interval> matrix) noexcept {
+  assert_rounding_upward();
   int sign = 1;
   for (std::size_t k = 0; k < size; ++k) {
     std::size_t pivot = k;
@@ -118,6 +119,7 @@ int proved_determinant_sign(std::size_t size, SquareArray<Interval> matrix) noex
 }
 
 bool proved_nonsingular(std::size_t size, const SquareArray<PathForm>& matrix, double& ratio) noexcept {
+  assert_rounding_upward();
   switch (size) {
     case 1:
       return proved<1>(matrix, ratio);

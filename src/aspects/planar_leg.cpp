@@ -6,6 +6,7 @@
 namespace parallel_aspects {
 
 PlanarLeg::PlanarLeg(const Leg& leg) {
+  assert_rounding_upward();
   set_base(leg.base_point(), leg);
   std::visit([this, &leg](const auto& drive) { set(drive, leg); }, leg.drive);
 }

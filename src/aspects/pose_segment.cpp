@@ -27,6 +27,7 @@ Pose pose_between(const Pose& from, const Pose& to, double t) noexcept {
 }
 
 PoseSegment::PoseSegment(const Pose& from, const Pose& to) noexcept {
+  assert_rounding_upward();
   const Eigen::Vector4d first = from.orientation.coeffs(), last = nearer_quaternion(from, to);
   for (std::size_t i = 0; i < 3; ++i) {
     const auto k = static_cast<Eigen::Index>(i);
@@ -41,6 +42,7 @@ PoseSegment::PoseSegment(const Pose& from, const Pose& to) noexcept {
 }
 
 bool PoseSegment::place(const PathForm& t, Placement& placement) const noexcept {
+  assert_rounding_upward();
   for (std::size_t i = 0; i < 3; ++i) placement.position[i] = position_[i] + travel_[i] * t;
   std::array<PathForm, 4> q;
   for (std::size_t i = 0; i < 4; ++i) q[i] = quaternion_[i] + turning_[i] * t;

@@ -9,6 +9,7 @@ Spatial<Interval> enclosed(const Eigen::Vector3d& vector) { return {vector.x(), 
 }  // namespace
 
 SpatialLeg::SpatialLeg(const Leg& leg) : reach_(leg.longest_reach()), base_(enclosed(leg.base_point())) {
+  assert_rounding_upward();
   std::visit([this, &leg](const auto& drive) { set(drive, leg); }, leg.drive);
 }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/distance/anchor_metric.h"
 
+#include "parallel_aspects/model/linear_algebra.h"
+
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <array>
@@ -121,7 +122,7 @@ AnchorMetric::AnchorMetric(const Manipulator& manipulator)
   const Moments j = moments(manipulator, center);
   const Eigen::Matrix3d about = middle_of(j);
   const Eigen::Index first = space == TaskSpace::SE2 ? 2 : 0;
-  const Eigen::Vector3d values = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(about).eigenvalues();
+  const Eigen::Vector3d values = symmetric_eigenvalues(about);
   const double least = space == TaskSpace::SE2 ? about(2, 2) : values[0];
   usable = least > least_spread * about.trace() && std::isfinite(about.trace()) && about.trace() > 0.0;
   if (!usable) return;

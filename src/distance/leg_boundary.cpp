@@ -173,6 +173,7 @@ class Collector {
 
 template <std::size_t dimension>
 LegBoundaries<dimension> leg_boundaries(const Manipulator& manipulator) {
+  assert_rounding_upward();
   LegBoundaries<dimension> all;
   for (std::size_t j = 0; j < manipulator.leg_count(); ++j)
     std::visit(Collector<dimension>(manipulator.leg(j), j, all), manipulator.leg(j).drive);

@@ -48,6 +48,7 @@ void Neighbourhood<space>::find_rotation(const Pose& pose) noexcept {
 
 template <TaskSpace space>
 void Neighbourhood<space>::move_to(const Pose& pose) noexcept {
+  assert_rounding_upward();
   pose_ = pose;
   find_rotation(pose);
   const auto turned = [this](const Vector<Interval>& vector) {

@@ -4,7 +4,7 @@
 #include "parallel_aspects/kinematics/jacobians.h"
 #include "parallel_aspects/kinematics/refinement.h"
 #include "parallel_aspects/model/coefficients.h"
-#include "parallel_aspects/model/dense_decompositions.h"
+#include "parallel_aspects/model/linear_algebra.h"
 
 #include <array>
 #include <cmath>
@@ -25,10 +25,10 @@ constexpr double null_motion = 1e-3;
 // Gauss-Newton that stays where it started along the null motions of A.
 Pose pulled_back(const Manipulator& manipulator, Pose pose, const JointVector& q, int steps) {
   for (int i = 0; i < steps; ++i) {
-    Eigen::JacobiSVD<Eigen::MatrixXd> svd(direct_matrix(manipulator, pose, q),
-                                          Eigen::ComputeThinU | Eigen::ComputeThinV);
-    svd.setThreshold(null_motion);
-    const TaskVector step = svd.solve(Eigen::VectorXd(-0.5 * residuals(manipulator, pose, q)));
+    const auto svd = singular_value_decomposition(direct_matrix(manipulator, pose, q));
+    const Eigen::Index rank = svd.rank_above(null_motion * svd.values[0]);
+    const Eigen::VectorXd parts = svd.u.leftCols(rank).transpose() * (-0.5 * residuals(manipulator, pose, q));
+    const TaskVector step = svd.v.leftCols(rank) * parts.cwiseQuotient(svd.values.head(rank));
     pose = displaced(manipulator.task_space(), pose, step);
   }
   return pose;
@@ -68,10 +68,10 @@ Pose random_pose(const Manipulator& manipulator, std::mt19937& engine) {
 }  // namespace
 
 bool on_continuum(const Manipulator& manipulator, const Pose& pose, const JointVector& q) {
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(homogenised_matrix(manipulator, pose, q), Eigen::ComputeFullV);
+  const auto svd = singular_value_decomposition(homogenised_matrix(manipulator, pose, q));
   const double size = manipulator.size();
-  for (Eigen::Index k = svd.singularValues().size() - 1; k >= 0 && svd.singularValues()[k] < singular; --k) {
-    const TaskVector twist = svd.matrixV().col(k);
+  for (Eigen::Index k = svd.values.size() - 1; k >= 0 && svd.values[k] < singular; --k) {
+    const TaskVector twist = svd.v.col(k);
     const auto leads = [&](double share) { return leads_on(manipulator, pose, q, twist, share * size); };
     if ((leads(0.005) && leads(0.01) && leads(0.02)) || (leads(-0.005) && leads(-0.01) && leads(-0.02)))
       return true;

@@ -3,6 +3,7 @@
 
 #include "parallel_aspects/kinematics/circle_family.h"
 #include "parallel_aspects/kinematics/locked_legs.h"
+#include "parallel_aspects/model/linear_algebra.h"
 
 #include <Eigen/Geometry>
 
@@ -50,7 +51,7 @@ class FirstLegLocked {
   explicit FirstLegLocked(const SphericalLegs& legs) : legs_(legs) {
     const double cosine = legs[0].cosine, sine = std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
     const Eigen::Vector3d held = cosine * legs[0].base + sine * legs[0].base.unitOrthogonal();
-    start_ = Eigen::Quaterniond::FromTwoVectors(legs[0].anchor, held);
+    start_ = shortest_rotation(legs[0].anchor, held);
   }
 
   LinearPair equations(double t) const {

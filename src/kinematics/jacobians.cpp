@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/kinematics/jacobians.h"
 
+#include "parallel_aspects/model/linear_algebra.h"
+
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 
 namespace parallel_aspects {
 namespace {
@@ -79,7 +80,7 @@ TaskVector residuals(const Manipulator& manipulator, const Pose& pose, const Joi
 }
 
 double direct_determinant(const Manipulator& manipulator, const Pose& pose, const JointVector& q) {
-  return direct_matrix(manipulator, pose, q).determinant();
+  return determinant(direct_matrix(manipulator, pose, q));
 }
 
 std::optional<WorkingMode> working_mode(const Manipulator& manipulator, const Pose& pose,

@@ -3,8 +3,7 @@
 
 #include "parallel_aspects/kinematics/jacobians.h"
 #include "parallel_aspects/kinematics/locked_legs.h"
-
-#include <Eigen/LU>
+#include "parallel_aspects/model/linear_algebra.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +22,7 @@ constexpr double converged = 1e-14;
 
 Pose after_newton_step(const Manipulator& manipulator, const Pose& pose, const JointVector& q) {
   const TaskVector f = residuals(manipulator, pose, q);
-  const TaskVector step = -0.5 * direct_matrix(manipulator, pose, q).partialPivLu().solve(f);
+  const TaskVector step = -0.5 * solution(direct_matrix(manipulator, pose, q), f);
   return displaced(manipulator.task_space(), pose, step);
 }
 
@@ -66,7 +65,7 @@ double assembly_scale(const Manipulator& manipulator, const JointVector& q) {
 }
 
 double smallest_singular_value_bound(const Manipulator& manipulator, const Pose& pose, const JointVector& q) {
-  const double inverse_norm = homogenised_matrix(manipulator, pose, q).inverse().norm();
+  const double inverse_norm = inverse(homogenised_matrix(manipulator, pose, q)).norm();
   return std::isfinite(inverse_norm) ? 1.0 / inverse_norm : 0.0;
 }
 

@@ -2,19 +2,16 @@
 #include "parallel_aspects/singularity/indices.h"
 
 #include "parallel_aspects/kinematics/jacobians.h"
-
-#include <Eigen/LU>
-#include <Eigen/SVD>
+#include "parallel_aspects/model/linear_algebra.h"
 
 namespace parallel_aspects {
 SingularityIndices singularity_indices(const Manipulator& manipulator, const Pose& pose,
                                        const JointVector& q) {
   const TaskMatrix direct = direct_matrix(manipulator, pose, q);
-  const TaskVector singular_values =
-      Eigen::JacobiSVD<TaskMatrix>(homogenised_matrix(manipulator, pose, q)).singularValues();
-  const double largest = singular_values[0];
-  const double smallest = singular_values[singular_values.size() - 1];
-  return {direct.determinant(), inverse_diagonal(manipulator, pose, q), smallest,
+  const TaskVector values = singular_values(homogenised_matrix(manipulator, pose, q));
+  const double largest = values[0];
+  const double smallest = values[values.size() - 1];
+  return {determinant(direct), inverse_diagonal(manipulator, pose, q), smallest,
           largest > 0.0 ? smallest / largest : 0.0};
 }
 

@@ -48,6 +48,7 @@ IntervalVector turned(const IntervalRotation* turn, const Eigen::Vector3d& v) {
 }  // namespace
 
 IntervalRotation enclosed_rotation(const Eigen::Quaterniond& quaternion) noexcept {
+  assert_rounding_upward();
   const Interval x = quaternion.x(), y = quaternion.y(), z = quaternion.z(), w = quaternion.w();
   const Interval xx = square(x), yy = square(y), zz = square(z);
   const Interval scale = Interval(2.0) * reciprocal(xx + yy + zz + square(w));
@@ -59,6 +60,7 @@ IntervalRotation enclosed_rotation(const Eigen::Quaterniond& quaternion) noexcep
 }
 
 LegForm::LegForm(const Leg& leg) noexcept : anchor_(leg.anchor) {
+  assert_rounding_upward();
   first_.setZero();
   second_.setZero();
   std::visit([&](const auto& drive) { prepare(leg, drive); }, leg.drive);

@@ -152,6 +152,7 @@ SquareArray<Interval> PoseCertifier::enclosed_matrix(
 }
 
 bool PoseCertifier::enclose(CertifiedPoint& point) const noexcept {
+  assert_rounding_upward();
   std::array<LegEnclosure, max_legs> legs;
   const SquareArray<Interval> matrix = enclosed_matrix(point, legs);
   double squared_defect = 0.0, squared_residual = 0.0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/urdf/assembly.h"
 
-#include "parallel_aspects/model/dense_decompositions.h"
+#include "parallel_aspects/model/linear_algebra.h"
 
 #include <algorithm>
 #include <limits>
@@ -67,12 +67,11 @@ class FreeJoints {
 Eigen::VectorXd polished(const ClosureSystem& system, Eigen::VectorXd values, std::vector<bool> held) {
   double error = largest(system.residual(values));
   for (int step = 0; step < polishing_steps && error > 0.0; ++step) {
-    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
-    solver.setThreshold(rank_tolerance);
     const FreeJoints free(system, held);
     if (free.none()) break;
-    solver.compute(free.jacobian(values));
-    const Eigen::VectorXd wanted = free.moved(values, solver.solve(system.residual(values)));
+    const Eigen::VectorXd step_back =
+        least_squares_solution(free.jacobian(values), system.residual(values), rank_tolerance);
+    const Eigen::VectorXd wanted = free.moved(values, step_back);
     Eigen::VectorXd next = wanted;
     clamp_to_limits(system.tree(), next);
     bool stopped = false;
@@ -130,7 +129,7 @@ Eigen::MatrixXd loop_scaling(const ClosureSystem& system) {
 // How independent the rows are: 0 when there are more of them than columns.
 double smallest_singular_value(const Eigen::MatrixXd& rows) {
   if (rows.rows() == 0 || rows.rows() > rows.cols()) return 0.0;
-  return rows.bdcSvd().singularValues().minCoeff();
+  return singular_values(rows).minCoeff();
 }
 
 std::size_t passive_joints_at_limits(const ClosureSystem& system, const Eigen::VectorXd& values,
@@ -150,13 +149,12 @@ Candidate judged(const ClosureSystem& system, const Eigen::VectorXd& values,
                  const std::vector<std::size_t>& drives) {
   const Eigen::MatrixXd scaling = loop_scaling(system);
   const Eigen::MatrixXd jacobian = system.jacobian(values) * scaling;
-  Eigen::BDCSVD<Eigen::MatrixXd> svd(jacobian, Eigen::ComputeFullV);
-  svd.setThreshold(rank_tolerance);
-  const Eigen::Index rank = svd.rank();
+  const auto svd = singular_value_decomposition(jacobian);
+  const Eigen::Index rank = svd.rank_above(rank_tolerance * svd.values[0]);
   Candidate candidate;
-  candidate.assembly = {values, scaling * svd.matrixV().rightCols(jacobian.cols() - rank),
+  candidate.assembly = {values, scaling * svd.null_space(rank),
                         largest(system.residual(values)) / system.size()};
-  const double held = rank > 0 ? svd.singularValues()[rank - 1] / svd.singularValues()[0] : 0.0;
+  const double held = rank > 0 ? svd.values[rank - 1] / svd.values[0] : 0.0;
   Eigen::MatrixXd driven(static_cast<Eigen::Index>(drives.size()), candidate.assembly.motions.cols());
   for (std::size_t k = 0; k < drives.size(); ++k) {
     const bool sliding = system.tree().joint_of(drives[k]).motion == JointMotion::sliding;
@@ -221,7 +219,8 @@ Eigen::VectorXd close_loops(const ClosureSystem& system, Eigen::VectorXd values,
     const Eigen::MatrixXd jacobian = free.jacobian(values);
     Eigen::MatrixXd normal = jacobian.transpose() * jacobian;
     normal.diagonal().array() += damping * std::max(normal.diagonal().maxCoeff(), 1e-12);
-    Eigen::VectorXd next = free.moved(values, normal.ldlt().solve(jacobian.transpose() * residual));
+    Eigen::VectorXd next =
+        free.moved(values, positive_definite_solution(normal, jacobian.transpose() * residual));
     clamp_to_limits(system.tree(), next);
     const Eigen::VectorXd next_residual = system.residual(next);
     const bool better = next_residual.squaredNorm() < residual.squaredNorm();

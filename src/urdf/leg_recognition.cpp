@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/urdf/leg_recognition.h"
 
+#include "parallel_aspects/model/linear_algebra.h"
 #include "parallel_aspects/urdf/leg_rounding.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
@@ -186,8 +189,7 @@ class ChainRecogniser {
       normal += across;
       moment += across * pivot.point;
     }
-    const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(normal);
-    if (solver.eigenvalues()[0] < 1e-3) return std::nullopt;  // parallel axes
+    if (symmetric_eigenvalues(normal)[0] < 1e-3) return std::nullopt;  // parallel axes
     const Vector3d point = normal.ldlt().solve(moment);
     for (const Pivot& pivot : group) {
       const double off =

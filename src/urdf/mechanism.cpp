@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/urdf/mechanism.h"
 
-#include "parallel_aspects/model/dense_decompositions.h"
+#include "parallel_aspects/model/linear_algebra.h"
 #include "parallel_aspects/urdf/mechanism_contents.h"
 
 #include <utility>
@@ -43,10 +43,8 @@ std::vector<PassiveJoint> Mechanism::determined_joints() const {
   Eigen::MatrixXd locked = system.jacobian(values);
   for (const std::size_t drive : completion.drive_variables())
     locked.col(static_cast<Eigen::Index>(drive)).setZero();
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(locked, Eigen::ComputeFullV);
-  const Eigen::VectorXd& sizes = svd.singularValues();
-  const auto rank = (sizes.array() > idle_tolerance * sizes[0]).count();
-  const Eigen::MatrixXd idle = svd.matrixV().rightCols(locked.cols() - rank);
+  const auto svd = singular_value_decomposition(locked);
+  const Eigen::MatrixXd idle = svd.null_space(svd.rank_above(idle_tolerance * svd.values[0]));
   std::vector<PassiveJoint> joints;
   for (Eigen::Index k = 0; k < locked.cols(); ++k) {
     const auto index = static_cast<std::size_t>(k);

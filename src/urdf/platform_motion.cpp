@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/urdf/platform_motion.h"
 
-#include "parallel_aspects/model/dense_decompositions.h"
+#include "parallel_aspects/model/linear_algebra.h"
 
 namespace parallel_aspects {
 namespace {
@@ -13,19 +13,13 @@ using Eigen::Vector3d;
 // Velocities come from an orthonormal basis, lengths in sizes of the robot; see rank_tolerance.
 constexpr double velocity_tolerance = 1e-3;
 
-Eigen::JacobiSVD<MatrixXd> decomposed(const MatrixXd& matrix) {
-  return Eigen::JacobiSVD<MatrixXd>(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
+Eigen::Index rank(const MatrixXd& matrix) {
+  return matrix.size() > 0 ? (singular_values(matrix).array() > velocity_tolerance).count() : 0;
 }
-
-Eigen::Index rank(const Eigen::JacobiSVD<MatrixXd>& svd) {
-  return (svd.singularValues().array() > velocity_tolerance).count();
-}
-
-Eigen::Index rank(const MatrixXd& matrix) { return matrix.size() > 0 ? rank(decomposed(matrix)) : 0; }
 
 MatrixXd null_space(const MatrixXd& matrix) {
-  const auto svd = decomposed(matrix);
-  return svd.matrixV().rightCols(matrix.cols() - rank(svd));
+  const auto svd = singular_value_decomposition(matrix);
+  return svd.null_space(svd.rank_above(velocity_tolerance));
 }
 
 // Unit vector whose largest entry is positive, so that the frame does not hang on the sign of a singular
@@ -134,7 +128,7 @@ class MotionFinder {
 
   // The leg is in a plane through the line, whose normal its joints tell.
   bool line() {
-    const Vector3d along = oriented(decomposed(linear()).matrixU().col(0));
+    const Vector3d along = oriented(singular_value_decomposition(linear()).u.col(0));
     const Vector3d normal = normal_of_joints(along);
     result_.space = TaskSpace::T1;
     result_.task_frame.linear() << along, normal.cross(along), normal;
@@ -156,7 +150,7 @@ class MotionFinder {
   }
 
   bool plane_of_points() {
-    const Vector3d normal = oriented(decomposed(linear()).matrixU().col(2));
+    const Vector3d normal = oriented(singular_value_decomposition(linear()).u.col(2));
     result_.space = TaskSpace::T2;
     result_.point_platform = rank(angular()) > 0;
     set_plane(normal, axes_about(normal, Matrix3d::Identity()));
@@ -164,9 +158,9 @@ class MotionFinder {
   }
 
   bool plane_of_motion() {
-    const auto svd = decomposed(angular());
-    if (rank(svd) != 1) return false;
-    const Vector3d normal = oriented(svd.matrixU().col(0));
+    const auto svd = singular_value_decomposition(angular());
+    if (svd.rank_above(velocity_tolerance) != 1) return false;
+    const Vector3d normal = oriented(svd.u.col(0));
     if ((normal.transpose() * linear()).norm() > velocity_tolerance) return false;
     result_.space = TaskSpace::SE2;
     set_plane(normal, axes_about(normal, link_.linear()));
@@ -190,7 +184,7 @@ class MotionFinder {
       equations.middleRows<3>(3 * k) << 0.0, -w.z(), w.y(), w.z(), 0.0, -w.x(), -w.y(), w.x(), 0.0;
       known.segment<3>(3 * k) = -twists_.col(k).tail<3>();
     }
-    const Vector3d to_center = equations.colPivHouseholderQr().solve(known);
+    const Vector3d to_center = least_squares_solution(equations, known, velocity_tolerance);
     if ((equations * to_center - known).norm() > velocity_tolerance) return false;
     result_.space = TaskSpace::SO3;
     result_.task_frame.translation() = link_.translation() + system_.size() * to_center;

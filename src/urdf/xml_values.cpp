@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/urdf/xml_values.h"
 
+#include "parallel_aspects/model/linear_algebra.h"
+
 #include <algorithm>
 #include <cmath>
 #include <locale>
@@ -49,7 +51,7 @@ std::optional<Eigen::Isometry3d> frame_of(const std::string& xyz, const std::str
 }
 
 Eigen::Matrix3d axes_with_z(const Eigen::Vector3d& axis) {
-  return Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), axis).toRotationMatrix();
+  return shortest_rotation(Eigen::Vector3d::UnitZ(), axis).toRotationMatrix();
 }
 
 }  // namespace parallel_aspects

@@ -260,6 +260,14 @@ TEST_F(MapFile, OtherVersionsAreRefused) {
   expect_refused(with_checksum(other), "it was written by version '9");
 }
 
+// A proof that was corrected since: the map is not taken for one.
+TEST_F(MapFile, OtherRevisionsOfTheProofsAreRefused) {
+  std::string other = saved(*map_);
+  const std::size_t revision_at = package_at + 4 + u32(other, package_at);
+  put_u32(other, revision_at, u32(other, revision_at) + 1);
+  expect_refused(with_checksum(other), "of the proofs and not");
+}
+
 TEST_F(MapFile, ForeignFilesAreRefused) {
   expect_refused("", "not a map file");
   expect_refused(std::string(100000, 'A'), "not a map file");

@@ -71,7 +71,18 @@ TEST_F(MapWorkerTest, SaysWhyItRefuses) {
   EXPECT_FALSE(end.sentence.empty());
 }
 
-TEST_F(MapWorkerTest, EndsWhileItComputes) { worker_.compute(resolution(1e-4)); }
+// A map this fine takes minutes: it is given up, and said to be.
+TEST(MapWorker, EndsWhileItComputes) {
+  ros::Time::init();
+  std::vector<MapProgress> reports;
+  {
+    MapWorker worker(test::five_bar(), "",
+                     [&reports](const MapProgress& progress, const auto&) { reports.push_back(progress); });
+    worker.compute(resolution(1e-4));
+  }
+  ASSERT_FALSE(reports.empty());
+  EXPECT_EQ(reports.back().state, MapProgress::CANCELLED);
+}
 
 // With six freedoms a roadmap is made, in all its modes, and told of; there is no map.
 TEST(MapWorkerOfSixFreedoms, TellsOfARoadmap) {

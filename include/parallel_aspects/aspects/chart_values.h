@@ -35,7 +35,9 @@ class ChartValues {
   using Tests = ConstraintTests<Chart::point_dimension>;
 
   ChartValues(const Chart& chart, const Tests& tests, RootIndex root, const Box& box)
-      : chart_(chart), tests_(tests), root_(root), box_(box), constraints_(tests) {}
+      : chart_(chart), tests_(tests), root_(root), box_(box), constraints_(tests) {
+    assert_rounding_upward();
+  }
 
   /// To be looked at only where B_jj^2 of this leg, if it vanishes in the box, is at most `most`.
   void bound_squared_entry(std::size_t j, double most) noexcept {

@@ -3,6 +3,7 @@
 #define PARALLEL_ASPECTS_ASPECTS_INTERVAL_H
 
 #include <algorithm>
+#include <cassert>
 #include <cfenv>
 #include <cmath>
 
@@ -20,6 +21,17 @@ class RoundingUpward {
  private:
   int before_;
 };
+
+/// Whether this thread rounds upward, found by arithmetic. `fegetround` of glibc reads the control word of
+/// the x87 unit only, while the proofs are computed by SSE.
+inline bool rounds_upward() noexcept {
+  const volatile double one = 1.0, tiny = 0x1p-60;
+  return one + tiny > 1.0;
+}
+
+/// First in whatever needs a live `RoundingUpward`. Checked where assertions are: in debug and sanitized
+/// builds.
+inline void assert_rounding_upward() noexcept { assert(rounds_upward()); }
 
 /// A closed interval of real numbers [lower, upper] with outward rounding.
 ///

@@ -18,9 +18,10 @@ struct SaveResult {
 SaveResult save_map(const AspectMap& map, const std::string& path);
 
 /// The map of this manipulator with these options, as `compute_aspect_map` gave it, if the file holds that.
-/// Refused with a sentence where it cannot be read, is damaged, is of another version of the package, or
-/// holds the map of another robot or of other options. What the file claims is believed then, so it is as
-/// good as those who can write to it; but no file, not even a forged one, does harm beyond wrong answers.
+/// Refused with a sentence where it cannot be read, is damaged, is of another version of the package or
+/// another revision of the proofs, or holds the map of another robot or of other options. What the file
+/// claims is believed then, so it is as good as those who can write to it; but no file, not even a forged
+/// one, does harm beyond wrong answers.
 MapResult load_map(std::shared_ptr<const Manipulator> manipulator, const MapOptions& options,
                    const std::string& path);
 

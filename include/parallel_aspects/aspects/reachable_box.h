@@ -22,6 +22,7 @@ class ReachableBox {
 
   /// Along coordinate i. An infinite reach is no restriction. Needs a live `RoundingUpward`.
   void restrict(std::size_t i, const Interval& center, double reach) {
+    assert_rounding_upward();
     if (!std::isfinite(reach)) return;
     // Reaches are rounded sums of lengths.
     const Interval range = center + Interval(1.0 + 1e-12) * Interval(-reach, reach);

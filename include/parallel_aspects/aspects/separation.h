@@ -43,6 +43,7 @@ Interval along(const Eigen::Vector3d& direction, const Point<Scalar, D>& point) 
 
 /// An upper bound of the length of a vector. Needs a live `RoundingUpward`.
 inline Interval length_of(const Eigen::Vector3d& vector) {
+  assert_rounding_upward();
   return square_root(square(Interval(vector[0])) + square(Interval(vector[1])) + square(Interval(vector[2])));
 }
 

@@ -40,6 +40,7 @@ class LegSearch {
   /// always does. Needs a live `RoundingUpward`.
   Result run(const std::vector<Boundary>& boundaries, bool limits, const WorkingMode& mode,
              const ModeDeterminant<space>& determinant, const SearchRange& range) noexcept {
+    assert_rounding_upward();
     boundaries_ = &boundaries;
     limits_ = limits;
     mode_ = &mode;

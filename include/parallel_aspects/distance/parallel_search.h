@@ -30,6 +30,7 @@ class ParallelSearch {
   /// Needs a live `RoundingUpward`; so does all of this class. Every leg must be proved to reach at the
   /// origin.
   Result run(ModeDeterminant<space>& determinant, const SearchRange& range) noexcept {
+    assert_rounding_upward();
     determinant_ = &determinant;
     const std::array<Interval, size> origin{};
     sign_ = determinant.proved_sign(origin);

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_MODEL_LINEAR_ALGEBRA_H
+#define PARALLEL_ASPECTS_MODEL_LINEAR_ALGEBRA_H
+
+#include "parallel_aspects/model/vectors.h"
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+// Eigen's decompositions behind plain functions: each is compiled once. In a source of their own they take up to
+// forty seconds.
+namespace parallel_aspects {
+
+/// M = U diag(values) V^T of a matrix of m rows and n columns.
+struct SingularValueDecomposition {
+  Eigen::MatrixXd u;       ///< m x m, orthogonal
+  Eigen::VectorXd values;  ///< min(m, n) of them, decreasing
+  Eigen::MatrixXd v;       ///< n x n, orthogonal
+
+  /// How many singular values exceed `tolerance`.
+  Eigen::Index rank_above(double tolerance) const { return (values.array() > tolerance).count(); }
+
+  /// An orthonormal basis of the vectors that M takes to zero, where `rank` singular values count.
+  Eigen::MatrixXd null_space(Eigen::Index rank) const { return v.rightCols(v.cols() - rank); }
+};
+
+/// Of a matrix with at least one row and one column; entries must be finite.
+SingularValueDecomposition singular_value_decomposition(const Eigen::MatrixXd& matrix);
+
+/// Decreasing; as above.
+Eigen::VectorXd singular_values(const Eigen::MatrixXd& matrix);
+
+/// The x of smallest norm among those for which |M x - right| is least. Columns that are dependent to `tolerance`,
+/// relative to the largest pivot, count as dependent.
+Eigen::VectorXd least_squares_solution(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right,
+                                       double tolerance);
+
+/// The x with M x = right, of a symmetric positive definite matrix.
+Eigen::VectorXd positive_definite_solution(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right);
+
+/// Of a symmetric matrix, increasing.
+Eigen::Vector3d symmetric_eigenvalues(const Eigen::Matrix3d& matrix);
+
+/// The shortest rotation that takes the direction `from` to the direction `to`; neither is zero.
+Eigen::Quaterniond shortest_rotation(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
+
+// Square matrices of a manipulator. None of these allocates.
+
+double determinant(const TaskMatrix& matrix);
+
+/// Not finite where the matrix is singular.
+TaskMatrix inverse(const TaskMatrix& matrix);
+
+/// The x with M x = right; not finite where the matrix is singular.
+TaskVector solution(const TaskMatrix& matrix, const TaskVector& right);
+
+/// Decreasing.
+TaskVector singular_values(const TaskMatrix& matrix);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_MODEL_LINEAR_ALGEBRA_H

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/aspects/box_classifier.h"
+#include "parallel_aspects/aspects/interval.h"
+#include "parallel_aspects/aspects/nonsingular.h"
+#include "parallel_aspects/distance/leg_boundary.h"
+#include "parallel_aspects/tracking/leg_enclosure.h"
+
+#include <gtest/gtest.h>
+#include <tbb/parallel_for.h>
+
+#include "support/robots.h"
+#include <atomic>
+#include <cfenv>
+
+namespace parallel_aspects {
+namespace {
+
+TEST(Rounding, IsUpwardWhileAGuardLives) {
+  EXPECT_FALSE(rounds_upward());
+  {
+    const RoundingUpward rounding;
+    EXPECT_TRUE(rounds_upward());
+  }
+  EXPECT_FALSE(rounds_upward());
+}
+
+TEST(Rounding, EveryOtherDirectionIsNoticed) {
+  for (const int direction : {FE_TONEAREST, FE_DOWNWARD, FE_TOWARDZERO}) {
+    std::fesetround(direction);
+    const bool upward = rounds_upward();
+    std::fesetround(FE_TONEAREST);
+    EXPECT_FALSE(upward) << direction;
+  }
+}
+
+// A guard is of its thread: tasks on other threads need their own.
+TEST(Rounding, IsUpwardInEveryTaskThatHoldsAGuard) {
+  std::atomic<int> wrong{0};
+  tbb::parallel_for(0, 1000, [&wrong](int) {
+    const RoundingUpward rounding;
+    if (!rounds_upward()) ++wrong;
+  });
+  EXPECT_EQ(wrong, 0);
+}
+
+#ifndef NDEBUG
+
+void prove_a_sign() { proved_determinant_sign(1, SquareArray<Interval>{}); }
+
+void enclose_a_rotation() { enclosed_rotation(Eigen::Quaterniond::Identity()); }
+
+void enclose_a_leg() { const LegForm form(test::five_bar()->leg(0)); }
+
+void collect_boundaries() { leg_boundaries<2>(*test::five_bar()); }
+
+void classify_a_box() {
+  const auto robot = test::five_bar();
+  const std::vector<WorkingMode> modes{WorkingMode(2)};
+  const auto classifier = make_box_classifier(*robot, modes);
+  std::vector<LeafState> states(modes.size());
+  classifier->classify(0, Box{2, {4.0, 8.0}, {4.1, 8.1}}, 1, Detail::states, states.data());
+}
+
+// What proves must not run without a guard: the assertion is there to be hit.
+TEST(RoundingDeathTest, ProofsWithoutAGuardEndTheProgram) {
+  EXPECT_DEATH(prove_a_sign(), "rounds_upward");
+  EXPECT_DEATH(enclose_a_rotation(), "rounds_upward");
+  EXPECT_DEATH(enclose_a_leg(), "rounds_upward");
+  EXPECT_DEATH(collect_boundaries(), "rounds_upward");
+  EXPECT_DEATH(classify_a_box(), "rounds_upward");
+}
+
+#endif
+
+}  // namespace
+}  // namespace parallel_aspects
