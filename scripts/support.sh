@@ -8,6 +8,16 @@ export PATH="/usr/bin:/bin:${PATH}"
 root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 workspace="${root}/.workspace"
 
+# Where the `aspects` command is built, and the command: in a workspace that the demo or the tests have built the
+# library is there already; else the core alone is built.
+if [ -f "${workspace}/build/build.ninja" ]; then
+  command_build="${workspace}/build"
+  command="${workspace}/devel/lib/parallel_aspects/aspects"
+else
+  command_build="${root}/build_core"
+  command="${command_build}/src/tools/aspects"
+fi
+
 say() { printf '\n== %s\n' "$*"; }
 
 fail() {
