@@ -317,9 +317,9 @@ TEST_F(MapFile, OtherOptionsAreRefusedWithWhatDiffers) {
   EXPECT_EQ(load_map(five_bar_, options, file_).status, MapStatus::refused);
 }
 
-// Where the record begins: behind the versions and the key.
+// Where the record begins: behind the versions, the revision of the proofs and the key.
 std::size_t record_at(const std::string& bytes) {
-  const std::size_t key_at = package_at + 4 + u32(bytes, package_at);
+  const std::size_t key_at = package_at + 8 + u32(bytes, package_at);
   return key_at + 4 + u32(bytes, key_at);
 }
 
