@@ -5,6 +5,7 @@
 #include <ros/time.h>
 
 #include "support/robots.h"
+#include <future>
 #include <mutex>
 #include <vector>
 
@@ -72,16 +73,20 @@ TEST_F(MapWorkerTest, SaysWhyItRefuses) {
 }
 
 // A map this fine takes minutes: it is given up, and said to be.
-TEST(MapWorker, EndsWhileItComputes) {
+TEST(MapWorkerThatEnds, GivesUpWhatItComputes) {
   ros::Time::init();
-  std::vector<MapProgress> reports;
+  std::promise<void> started;
+  std::vector<int> states;
   {
-    MapWorker worker(test::five_bar(), "",
-                     [&reports](const MapProgress& progress, const auto&) { reports.push_back(progress); });
+    MapWorker worker(test::five_bar(), "", [&](const MapProgress& progress, const auto&) {
+      if (states.empty()) started.set_value();
+      states.push_back(progress.state);
+    });
     worker.compute(resolution(1e-4));
+    ASSERT_EQ(started.get_future().wait_for(deadline), std::future_status::ready);
   }
-  ASSERT_FALSE(reports.empty());
-  EXPECT_EQ(reports.back().state, MapProgress::CANCELLED);
+  EXPECT_EQ(states.front(), MapProgress::COMPUTING);
+  EXPECT_EQ(states.back(), MapProgress::CANCELLED);
 }
 
 // With six freedoms a roadmap is made, in all its modes, and told of; there is no map.
