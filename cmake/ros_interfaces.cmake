@@ -15,6 +15,7 @@ find_package(catkin REQUIRED COMPONENTS
   std_msgs
   tf2
   tf2_geometry_msgs
+  tf2_msgs
   tf2_ros
   visualization_msgs
 )
@@ -66,6 +67,7 @@ catkin_package(
     std_msgs
     tf2
     tf2_geometry_msgs
+    tf2_msgs
     tf2_ros
     visualization_msgs
   DEPENDS EIGEN3

@@ -30,10 +30,12 @@ std::uint8_t diagnostic_level(const Status& status) noexcept {
 }
 
 Diagnostics::Diagnostics(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh,
-                         const Manipulator& manipulator, const RobotMonitor& monitor, const MapWorker& worker)
+                         const Manipulator& manipulator, const RobotMonitor& monitor, const MapWorker& worker,
+                         const FrameWatch& frames)
     : manipulator_(manipulator),
       monitor_(monitor),
       worker_(worker),
+      frames_(frames),
       before_(take()),
       now_(before_),
       updater_(nh, private_nh) {
@@ -41,6 +43,7 @@ Diagnostics::Diagnostics(const ros::NodeHandle& nh, const ros::NodeHandle& priva
   updater_.add("tracking", [this](Wrapper& status) { tell_tracking(status); });
   updater_.add("joint_states", [this](Wrapper& status) { tell_joint_states(status); });
   updater_.add("map", [this](Wrapper& status) { tell_map(status); });
+  updater_.add("tf", [this](Wrapper& status) { tell_frames(status); });
 }
 
 Diagnostics::Snapshot Diagnostics::take() const {
@@ -122,6 +125,12 @@ void Diagnostics::tell_map(Wrapper& status) const {
   status.add("aspects proved", progress.proved_count);
   status.add("pairs unresolved", progress.unresolved);
   status.add("file", worker_.file_sentence());
+}
+
+void Diagnostics::tell_frames(Wrapper& status) const {
+  const std::string sentence = frames_.sentence(ros::WallTime::now());
+  status.summary(sentence.empty() ? Level::OK : Level::WARN,
+                 sentence.empty() ? "each frame has one publisher" : sentence);
 }
 
 }  // namespace parallel_aspects

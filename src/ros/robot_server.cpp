@@ -37,8 +37,9 @@ RobotServer::RobotServer(const ros::NodeHandle& nh, const ros::NodeHandle& priva
               [this](const MapProgress& progress, const auto& map) { on_map_progress(progress, map); }),
       queries_(setup_.mechanism->manipulator(), monitor_, worker_,
                [this](const auto& pose, std::string& sentence) { return to_base(pose, sentence); }),
+      frame_watch_(setup_.options.frame_prefix + "/"),
       diagnostics_(on_queue(nh, service_queue_), service_nh_, *setup_.mechanism->manipulator(), monitor_,
-                   worker_),
+                   worker_, frame_watch_),
       thinned_(setup_.options.state_decimation),
       completed_(setup_.options.completed_decimation),
       tracking_spinner_(1, &tracking_queue_),
@@ -86,6 +87,8 @@ void RobotServer::advertise() {
 void RobotServer::subscribe() {
   subscriber_ = joint_states_nh_.subscribe("joint_states", 1000, &RobotServer::on_joint_states, this,
                                            ros::TransportHints().tcpNoDelay());
+  tf_subscriber_ = service_nh_.subscribe("/tf", 1000, &RobotServer::on_tf, this);
+  tf_static_subscriber_ = service_nh_.subscribe("/tf_static", 1000, &RobotServer::on_tf_static, this);
   age_timer_ = tracking_nh_.createTimer(ros::Duration(setup_.options.joint_states_timeout / 4.0),
                                         [this](const ros::TimerEvent&) { check_age(); });
   work_timer_ = work_nh_.createWallTimer(ros::WallDuration(1.0 / setup_.options.distance_rate),
@@ -129,6 +132,18 @@ void RobotServer::on_joint_states(const ros::MessageEvent<const sensor_msgs::Joi
   }
   if (update.tracked && (completed_.next() || changed))
     publish_robot(*update.tracked, update.state->header.stamp);
+}
+
+void RobotServer::on_tf(const Transforms& event) { watch(event, FrameWatch::Topic::tf); }
+
+void RobotServer::on_tf_static(const Transforms& event) { watch(event, FrameWatch::Topic::tf_static); }
+
+void RobotServer::watch(const Transforms& event, FrameWatch::Topic topic) {
+  for (const geometry_msgs::TransformStamped& transform : event.getConstMessage()->transforms) {
+    const std::string sentence =
+        frame_watch_.hear(transform.child_frame_id, event.getPublisherName(), topic, ros::WallTime::now());
+    if (!sentence.empty()) ROS_WARN_STREAM(sentence);
+  }
 }
 
 void RobotServer::publish_robot(const TrackedState& tracked, const ros::Time& stamp) {

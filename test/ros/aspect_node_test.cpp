@@ -26,6 +26,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <diagnostic_msgs/DiagnosticArray.h>
 #include <limits>
 #include <string>
 #include <vector>
@@ -236,6 +237,18 @@ TEST_F(AspectNode, SendsThePlatformToTf) {
   }));
   EXPECT_NEAR(tf.lookupTransform("base_link", "five_bar/platform", ros::Time(0)).transform.translation.y, 8.0,
               1e-6);
+}
+
+// The nodelet beside it has the same robot, and so the same names of frames.
+TEST_F(AspectNode, SaysThatTwoNodesPublishTheSameFrame) {
+  const Recorder<diagnostic_msgs::DiagnosticArray> diagnostics("/diagnostics");
+  const auto says_so = [](const diagnostic_msgs::DiagnosticArray& array) {
+    return std::any_of(array.status.begin(), array.status.end(), [](const auto& status) {
+      return status.name == "aspect_node: tf" && status.level == diagnostic_msgs::DiagnosticStatus::WARN &&
+             status.message.find("publish the tf frame five_bar/") != std::string::npos;
+    });
+  };
+  EXPECT_TRUE(eventually([&] { return diagnostics.first(says_so).has_value(); }));
 }
 
 TEST_F(AspectNode, BecomesStale) {

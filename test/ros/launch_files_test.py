@@ -37,6 +37,21 @@ class LaunchFiles(unittest.TestCase):
             required = {kind for kind, node in nodes(load(file, "rviz:=true")).items() if node.required}
             self.assertEqual(required, {"aspect_node"})
 
+    def test_what_two_robots_differ_in_are_arguments(self):
+        thresholds = {"parallel_warn": 0.2, "parallel_stop": 0.1, "serial_warn": 0.04, "serial_stop": 0.03,
+                      "limit_warn": 0.02, "limit_stop": 0.01}
+        given = [f"{name}:={value}" for name, value in thresholds.items()]
+        config = load("aspects.launch", "frame_prefix:=left", "map_file:=/tmp/left.map", *given)
+        self.assertEqual(config.params["/aspect_node/frame_prefix"].value, "left")
+        self.assertEqual(config.params["/aspect_node/map/file"].value, "/tmp/left.map")
+        for name, value in thresholds.items():
+            self.assertEqual(config.params["/aspect_node/thresholds/" + name].value, value)
+
+    def test_what_is_not_given_stays_as_the_files_say(self):
+        params = load("aspects.launch").params
+        self.assertEqual(params["/aspect_node/thresholds/parallel_stop"].value, 0.0)
+        self.assertEqual(params["/aspect_node/map/file"].value, "")
+
 
 if __name__ == "__main__":
     unittest.main()

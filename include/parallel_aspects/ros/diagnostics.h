@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ROS_DIAGNOSTICS_H
 #define PARALLEL_ASPECTS_ROS_DIAGNOSTICS_H
 
+#include "parallel_aspects/ros/frame_watch.h"
 #include "parallel_aspects/ros/map_worker.h"
 #include "parallel_aspects/ros/robot_monitor.h"
 
@@ -13,14 +14,15 @@
 
 namespace parallel_aspects {
 
-/// /diagnostics of one robot, as three statuses. `tracking`: whether its configuration is known.
-/// `joint_states`: rates, age, refusals and losses of the input. `map`: whether there is one. ERROR where the
+/// /diagnostics of one robot, as four statuses. `tracking`: whether its configuration is known.
+/// `joint_states`: rates, age, refusals and losses of the input. `map`: whether there is one. `tf`: whether
+/// nodes contradict each other there. ERROR where the
 /// state is not to be relied on, WARN where somebody should look.
 class Diagnostics {
  public:
-  /// `monitor` and `worker` must outlive the object.
+  /// `monitor`, `worker` and `frames` must outlive the object.
   Diagnostics(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh, const Manipulator& manipulator,
-              const RobotMonitor& monitor, const MapWorker& worker);
+              const RobotMonitor& monitor, const MapWorker& worker, const FrameWatch& frames);
 
   /// Time between two calls of `publish` [s]; parameter ~diagnostic_period.
   double period() { return updater_.getPeriod(); }
@@ -43,10 +45,12 @@ class Diagnostics {
   void tell_tracking(Wrapper& status) const;
   void tell_joint_states(Wrapper& status) const;
   void tell_map(Wrapper& status) const;
+  void tell_frames(Wrapper& status) const;
 
   const Manipulator& manipulator_;
   const RobotMonitor& monitor_;
   const MapWorker& worker_;
+  const FrameWatch& frames_;
   std::atomic<std::uint64_t> outputs_{0};
   Snapshot before_, now_;
   diagnostic_updater::Updater updater_;

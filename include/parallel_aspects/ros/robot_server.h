@@ -5,6 +5,7 @@
 #include "parallel_aspects/ros/decimation.h"
 #include "parallel_aspects/ros/diagnostics.h"
 #include "parallel_aspects/ros/display.h"
+#include "parallel_aspects/ros/frame_watch.h"
 #include "parallel_aspects/ros/load_options.h"
 #include "parallel_aspects/ros/log_queue.h"
 #include "parallel_aspects/ros/map_worker.h"
@@ -17,6 +18,7 @@
 #include <ros/callback_queue.h>
 #include <ros/node_handle.h>
 #include <ros/spinner.h>
+#include <tf2_msgs/TFMessage.h>
 #include <tf2_ros/buffer.h>
 #include <tf2_ros/transform_broadcaster.h>
 #include <tf2_ros/transform_listener.h>
@@ -42,6 +44,7 @@ class RobotServer {
   RobotServer& operator=(const RobotServer&) = delete;
 
  private:
+  using Transforms = ros::MessageEvent<const tf2_msgs::TFMessage>;
   using ComputeMapServer = actionlib::SimpleActionServer<ComputeMapAction>;
 
   void advertise();
@@ -51,6 +54,9 @@ class RobotServer {
 
   void on_joint_states(const ros::MessageEvent<const sensor_msgs::JointState>& event);
   void publish_robot(const TrackedState& tracked, const ros::Time& stamp);
+  void on_tf(const Transforms& event);
+  void on_tf_static(const Transforms& event);
+  void watch(const Transforms& event, FrameWatch::Topic topic);
   void on_map_progress(const MapProgress& progress, const std::shared_ptr<const AspectMap>& map);
   void on_compute_map(const ComputeMapGoalConstPtr& goal);
   void finish(const MapProgress& progress, ComputeMapResult result);
@@ -74,13 +80,14 @@ class RobotServer {
   ros::Publisher state_, transitions_, joint_states_, candidates_, map_progress_;
   MapWorker worker_;
   Queries queries_;
+  FrameWatch frame_watch_;
   Diagnostics diagnostics_;
   LogQueue log_;                    // what the threads of joint_states have to say
   Decimation thinned_, completed_;  // of joint_states_: state, and what is drawn from it
   std::unique_ptr<ComputeMapServer> compute_map_;
   std::unique_ptr<Reconfiguration> reconfiguration_;
   std::vector<ros::ServiceServer> services_;
-  ros::Subscriber subscriber_;
+  ros::Subscriber subscriber_, tf_subscriber_, tf_static_subscriber_;
   ros::Timer age_timer_, display_timer_;
   ros::WallTimer diagnostics_timer_, log_timer_, work_timer_;
   std::atomic<bool> stopping_{false};
