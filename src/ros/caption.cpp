@@ -38,7 +38,7 @@ std::vector<std::string> lines_of(const std::string& words, std::size_t longest)
 Caption caption_of(const Scene& scene, const std::string& words) {
   const Eigen::AlignedBox3d& robot = scene.robot;
   Caption caption;
-  caption.text_height = 0.045 * scene.tiles.height();
+  caption.text_height = 0.04 * scene.tiles.height();
   const double text = caption.text_height;
   const double room = scene.planar ? robot.sizes().x() : scene.tiles.width();
   const auto longest = static_cast<std::size_t>(std::max(12.0, room / (Caption::letter_width * text)));

@@ -15,7 +15,7 @@ namespace parallel_aspects {
 /// robot, and above the gallery of any other.
 struct Caption {
   static constexpr std::size_t most_lines = 4;
-  static constexpr double letter_width = 0.5;  ///< on average, over the height of the text
+  static constexpr double letter_width = 0.45;  ///< on average, over the height of the text
   static constexpr double line_pitch = 1.2;    ///< from one line to the next, over the height of the text
 
   std::string words;         ///< with line breaks
