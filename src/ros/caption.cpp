@@ -29,7 +29,8 @@ std::vector<std::string> lines_of(const std::string& words, std::size_t longest)
   if (lines.size() <= Caption::most_lines) return lines;
   lines.resize(Caption::most_lines);
   std::string& last = lines.back();
-  last = last.substr(0, std::min(last.size(), longest - 4)) + " ...";
+  if (last.size() + 4 > longest) last.erase(std::min(last.find_last_of(' ', longest - 4), longest - 4));
+  last += " ...";
   return lines;
 }
 
@@ -40,14 +41,17 @@ Caption caption_of(const Scene& scene, const std::string& words) {
   Caption caption;
   caption.text_height = 0.04 * scene.tiles.height();
   const double text = caption.text_height;
-  const double room = scene.planar ? robot.sizes().x() : scene.tiles.width();
-  const auto longest = static_cast<std::size_t>(std::max(12.0, room / (Caption::letter_width * text)));
+  // Of a planar robot, below it; of any other, above it and the gallery, in the plane of the gallery.
+  const double left = scene.planar ? robot.min().x() : robot.min().x() - scene.gallery.translation().x();
+  const double right = scene.planar ? robot.max().x() : scene.tiles.width();
+  const auto longest =
+      static_cast<std::size_t>(std::max(12.0, (right - left) / (Caption::letter_width * text)));
   const std::vector<std::string> lines = lines_of(words, longest);
   for (const std::string& line : lines) caption.words += (caption.words.empty() ? "" : "\n") + line;
   const double half = 0.5 * Caption::line_pitch * text * static_cast<double>(lines.size());
-  caption.at = scene.planar
-                   ? Eigen::Vector3d(robot.center().x(), robot.min().y() - 0.8 * text - half, 0.0)
-                   : scene.gallery * Eigen::Vector3d(0.5 * scene.tiles.width(), 2.0 * text + half, 0.0);
+  const double middle = 0.5 * (left + right);
+  caption.at = scene.planar ? Eigen::Vector3d(middle, robot.min().y() - 0.8 * text - half, 0.0)
+                            : scene.gallery * Eigen::Vector3d(middle, 2.0 * text + half, 0.0);
   return caption;
 }
 

@@ -63,7 +63,7 @@ TEST_P(CaptionTest, CoversNeitherTheRobotNorTheGallery) {
   const Eigen::Vector3d at = scene_.gallery.inverse() * caption.at;
   const auto box = extent(caption, at.head<2>());
   EXPECT_GE(box.min().y(), 1.6 * scene_.tiles.text_height());  // the title of the gallery
-  EXPECT_GE(box.min().x(), -1e-9);
+  EXPECT_GE(box.min().x(), scene_.robot.min().x() - scene_.gallery.translation().x());
   EXPECT_LE(box.max().x(), scene_.tiles.width() + 1e-9);
 }
 
