@@ -3,6 +3,7 @@
 
 #include "parallel_aspects/kinematics/jacobians.h"
 #include "parallel_aspects/model/coefficients.h"
+#include "parallel_aspects/ros/hazard_messages.h"
 
 #include <algorithm>
 #include <cmath>
@@ -307,6 +308,8 @@ AspectState state_message(const Manipulator& manipulator, const TrackedState& st
   message.working_mode = signs_message(state.mode);
   message.determinant_sign = static_cast<std::int8_t>(state.determinant_sign);
   message.aspect = static_cast<std::uint32_t>(state.aspect);
+  message.level = AspectState::UNKNOWN;
+  message.last_hazard = hazard_message(std::nullopt, {});
   message.determinant = direct_determinant(manipulator, state.pose, state.q);
   message.inverse_diagonal = to_vector(inverse_diagonal(manipulator, state.pose, state.q));
   return message;
@@ -316,6 +319,8 @@ AspectState unknown_state(const Manipulator& manipulator, const Status& status, 
   AspectState message;
   message.header = header_in_base(manipulator, stamp);
   message.status = status;
+  message.level = AspectState::UNKNOWN;
+  message.last_hazard = hazard_message(std::nullopt, {});
   message.pose.position.x = message.pose.position.y = message.pose.position.z = not_a_number;
   message.pose.orientation.x = message.pose.orientation.y = not_a_number;
   message.pose.orientation.z = message.pose.orientation.w = not_a_number;
@@ -324,7 +329,7 @@ AspectState unknown_state(const Manipulator& manipulator, const Status& status, 
        {&message.parallel_distance, &message.serial_distance, &message.limit_distance})
     bounds->lower = bounds->upper = bounds->speed = not_a_number;
   message.residual = not_a_number;
-  message.reason = "nothing is known of the distances";
+  message.reason = reason_of(std::nullopt);
   return message;
 }
 

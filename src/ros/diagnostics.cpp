@@ -66,6 +66,8 @@ void Diagnostics::tell_tracking(Wrapper& status) const {
     status.mergeSummary(Level::WARN, "near a boundary");
   if (well && findings.threshold.level == ThresholdLevel::stop)
     status.mergeSummary(Level::ERROR, "too near a boundary");
+  if (well && findings.threshold.level == ThresholdLevel::unknown)
+    status.mergeSummary(Level::ERROR, "a distance that has a threshold is not known");
   for (std::size_t i = 0; i < hazard_count; ++i)
     status.add(std::string("proved distance to the nearest ") + name(static_cast<Hazard>(i)) + " [m]",
                well ? std::to_string(findings.distances[i].lower) : "unknown");

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/ros/robot_monitor.h"
 
+#include "parallel_aspects/ros/hazard_messages.h"
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <utility>
 
@@ -46,31 +47,6 @@ DistanceBounds moved(DistanceBounds bounds, double by, double size) {
   bounds.lower = std::max(0.0, bounds.lower - change);
   bounds.upper += change;
   return bounds;
-}
-
-std::string reason_of(const ThresholdState& state) {
-  if (state.level == ThresholdLevel::clear) return {};
-  if (state.level == ThresholdLevel::unknown)
-    return std::string("the distance to the nearest ") + name(state.hazard) + " is not known";
-  char text[160];
-  std::snprintf(text, sizeof text, "%s: the nearest %s may be %.4g m away; the threshold is %.4g m%s",
-                name(state.level), name(state.hazard), state.distance, state.threshold,
-                state.held ? ", held until left by the hysteresis" : "");
-  return text;
-}
-
-std::uint8_t level_of(ThresholdLevel level) {
-  switch (level) {
-    case ThresholdLevel::clear:
-      return AspectState::CLEAR;
-    case ThresholdLevel::warn:
-      return AspectState::WARN;
-    case ThresholdLevel::stop:
-      return AspectState::STOP;
-    case ThresholdLevel::unknown:
-      break;
-  }
-  return AspectState::UNKNOWN;
 }
 
 const char* const how_to_start = "call set_assembly_mode, or set start/pose or start/determinant_sign.";
@@ -133,7 +109,7 @@ MonitorUpdate RobotMonitor::refuse(std::uint8_t code, const std::string& sentenc
   MonitorUpdate update;
   update.warning = "A message of joint_states cannot be used: " + sentence;
   status_ = make_status(code, update.warning);
-  update.state = unknown_state(*mechanism_->manipulator(), status_, stamp);
+  update.state = lost_state(status_, stamp);
   return update;
 }
 
@@ -161,7 +137,7 @@ MonitorUpdate RobotMonitor::accept(const JointSample& sample, const ros::Time& s
   said_stale_ = stale(now);
   if (said_stale_) {
     update.tracked.reset();
-    update.state = unknown_state(*mechanism_->manipulator(), stale_status(), stamp);
+    update.state = lost_state(stale_status(), stamp);
     return update;
   }
   update.state->status = status_;
@@ -181,14 +157,22 @@ void RobotMonitor::fill_tracked(const ros::Time& stamp, MonitorUpdate& update) {
   keep_transitions();
   update.transitions = std::exchange(transitions_, {});
   if (tracked.status != TrackStatus::tracking) {
-    update.state = unknown_state(manipulator, status_, stamp);
+    update.state = lost_state(status_, stamp);
     if (tracked.status == TrackStatus::inconsistent) update.state->residual = tracked.residual;
-    thresholds_.forget();
     return;
   }
   update.state = state_message(manipulator, tracked, stamp);
   judge(tracked, *update.state);
   update.tracked = tracked;
+}
+
+AspectState RobotMonitor::lost_state(const Status& status, const ros::Time& stamp) {
+  findings_.threshold = thresholds_.lose();
+  memory_.lose();
+  AspectState state = unknown_state(*mechanism_->manipulator(), status, stamp);
+  state.last_hazard = hazard_message(memory_.told(), epoch_);
+  state.reason = reason_of(memory_.told());
+  return state;
 }
 
 // Distances to boundaries of another working mode say nothing here, but for that to serial singularities,
@@ -197,6 +181,7 @@ void RobotMonitor::judge(const TrackedState& tracked, AspectState& state) {
   const Manipulator& manipulator = *mechanism_->manipulator();
   findings_.distances.fill(unknown_distance());
   DistanceThresholds::Distances lower;
+  HazardMemory::Speeds speeds;
   if (measured_) {
     const double by = anchor_distance(manipulator, measured_->pose, tracked.pose);
     const bool same = measured_->mode == tracked.mode;
@@ -205,14 +190,19 @@ void RobotMonitor::judge(const TrackedState& tracked, AspectState& state) {
       findings_.distances[i] = moved(measured_->bounds[i], by, manipulator.size());
     }
   }
-  for (std::size_t i = 0; i < hazard_count; ++i) lower[i] = findings_.distances[i].lower;
+  for (std::size_t i = 0; i < hazard_count; ++i) {
+    lower[i] = findings_.distances[i].lower;
+    speeds[i] = findings_.distances[i].speed;
+  }
   findings_.threshold = thresholds_.update(lower);
+  memory_.see(thresholds_, speeds, tracked.time);
   findings_.residual = residual_.compared > 0 ? residual_.excess : not_a_number;
   state.parallel_distance = findings_.distances[0];
   state.serial_distance = findings_.distances[1];
   state.limit_distance = findings_.distances[2];
-  state.level = level_of(findings_.threshold.level);
+  state.level = level_message(findings_.threshold.level);
   state.reason = reason_of(findings_.threshold);
+  state.last_hazard = hazard_message(memory_.told(), epoch_);
   state.residual = findings_.residual;
 }
 
@@ -357,7 +347,7 @@ std::optional<AspectState> RobotMonitor::expire(const ros::Time& now) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (!stale(now) || said_stale_) return std::nullopt;
   said_stale_ = true;
-  return unknown_state(*mechanism_->manipulator(), stale_status(), last_stamp_);
+  return lost_state(stale_status(), last_stamp_);
 }
 
 CurrentConfiguration RobotMonitor::current(const ros::Time& now) const {
@@ -428,6 +418,7 @@ void RobotMonitor::forget() {
   clock_went_back_ = !ros::Time::isSimTime();
   publishers_.forget_claims();
   tracker_.stop();
+  memory_.forget();
   measured_.reset();
   not_started_ = {};
   last_stamp_ = last_usable_ = ros::Time();

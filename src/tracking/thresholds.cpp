@@ -22,20 +22,7 @@ ThresholdLevel next_level(const ThresholdOptions& options, double distance, Thre
   return ThresholdLevel::clear;
 }
 
-// Clear, unknown, warn, stop: the worse the higher.
-int severity(ThresholdLevel level) {
-  switch (level) {
-    case ThresholdLevel::clear:
-      return 0;
-    case ThresholdLevel::unknown:
-      return 1;
-    case ThresholdLevel::warn:
-      return 2;
-    case ThresholdLevel::stop:
-      break;
-  }
-  return 3;
-}
+bool nearer(double a, double b) { return std::isnan(b) ? !std::isnan(a) : a < b; }
 
 }  // namespace
 
@@ -84,10 +71,11 @@ std::vector<std::string> problems_of(const ThresholdOptions& options) {
 
 void DistanceThresholds::set_options(const Options& options) noexcept {
   options_ = options;
-  forget();
+  known_.fill(ThresholdLevel::clear);
+  lose();
 }
 
-const ThresholdState& DistanceThresholds::forget() noexcept {
+const ThresholdState& DistanceThresholds::lose() noexcept {
   levels_.fill(ThresholdLevel::unknown);
   return state_ = {};
 }
@@ -95,9 +83,11 @@ const ThresholdState& DistanceThresholds::forget() noexcept {
 const ThresholdState& DistanceThresholds::update(const Distances& distances) noexcept {
   std::size_t worst = 0;
   for (std::size_t i = 0; i < hazard_count; ++i) {
-    levels_[i] = next_level(options_[i], distances[i], levels_[i]);
-    const int here = severity(levels_[i]), there = severity(levels_[worst]);
-    if (here > there || (here == there && distances[i] < distances[worst])) worst = i;
+    levels_[i] = next_level(options_[i], distances[i], known_[i]);
+    if (levels_[i] != ThresholdLevel::unknown) known_[i] = levels_[i];
+    if (levels_[i] > levels_[worst] ||
+        (levels_[i] == levels_[worst] && nearer(distances[i], distances[worst])))
+      worst = i;
   }
   const ThresholdLevel level = levels_[worst];
   const double threshold = level == ThresholdLevel::stop   ? options_[worst].stop

@@ -44,6 +44,9 @@ class Process {
     return status_;
   }
 
+  /// SIGSTOP, SIGCONT, SIGKILL and the like.
+  void signal(int number) const { kill(id_, number); }
+
   bool has_ended() {
     int status = 0;
     if (!status_ && waitpid(id_, &status, WNOHANG) == id_)

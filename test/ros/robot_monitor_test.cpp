@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/ros/robot_monitor.h"
 
+#include "parallel_aspects/ros/decimation.h"
+
 #include <gtest/gtest.h>
 
 #include "ros/five_bar_setup.h"
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -45,6 +48,9 @@ void expect_says_nothing(const AspectState& state) {
   EXPECT_TRUE(state.working_mode.empty());
   EXPECT_EQ(state.determinant_sign, 0);
   EXPECT_EQ(state.aspect, 0U);
+  EXPECT_GE(state.level, AspectState::STOP);
+  EXPECT_EQ(state.level, AspectState::UNKNOWN);
+  EXPECT_TRUE(std::isnan(state.parallel_distance.lower));
 }
 
 TEST_F(RobotMonitorTest, KnowsNothingBeforeTheFirstSample) { EXPECT_EQ(code(0.0), Status::NO_JOINT_STATES); }
@@ -259,6 +265,88 @@ TEST_F(RobotMonitorTest, DistancesAreBoundedAndJudged) {
   EXPECT_NE(warned.reason.find("parallel singularity"), std::string::npos) << warned.reason;
   const AspectState stopped = *monitor.update(drives(4.5, 8.2, {1, -1}, 1.1), at(1.1)).state;
   EXPECT_EQ(stopped.level, AspectState::STOP) << "it may be that much closer now";
+}
+
+TEST_F(RobotMonitorTest, AMessageThatNobodyHasFilledIsNoLevel) {
+  EXPECT_LT(AspectState().level, AspectState::CLEAR);
+  EXPECT_EQ(unknown_state(*mechanism_->manipulator(), {}, {}).level, AspectState::UNKNOWN);
+}
+
+// Straight towards the nearest pose with det A = 0 of the present mode, and back: a share of the way and a
+// time that go on in small steps.
+class NearDeterminantZero : public RobotMonitorTest {
+ protected:
+  // Until the status is another one.
+  AspectState go_to(double share) {
+    for (const std::uint8_t code = state_.status.code;
+         std::abs(share - share_) > 1e-9 && state_.status.code == code;) {
+      share_ += std::clamp(share - share_, -0.001, 0.001);
+      time_ += 0.01;
+      if (state_.level != 0) last_ = state_;
+      state_ =
+          *monitor_
+               .update(drives(at_share().position.x(), at_share().position.y(), {1, -1}, time_), at(time_))
+               .state;
+      monitor_.work();
+    }
+    return state_;
+  }
+  Pose at_share() const {
+    Pose pose = start_;
+    pose.position += share_ * (nearest_.witness.position - start_.position);
+    return pose;
+  }
+  NodeOptions options() const {
+    NodeOptions options = start_at_pose(4.5, 8.0);
+    options.thresholds.parallel_warn = 0.1 * nearest_.upper;
+    return options;
+  }
+
+  const Pose start_ = test::pose_at(4.5, 8.0);
+  const BoundaryDistance nearest_ = BoundaryDistanceMeter(mechanism_->manipulator())
+                                        .measure(start_, *WorkingMode::from_signs({1, -1}))
+                                        .parallel;
+  RobotMonitor monitor_{mechanism_, options()};
+  double share_ = -0.001, time_ = 1.0;
+  AspectState state_, last_;  // present, and before
+};
+
+TEST_F(NearDeterminantZero, TellsTheLastProvedHazardWhileLostAndUntilItIsClearOfThat) {
+  const AspectState lost = go_to(1.5);
+  EXPECT_EQ(last_.level, AspectState::WARN);
+  EXPECT_EQ(last_.last_hazard.kind, LastHazard::NONE);
+  EXPECT_TRUE(std::isnan(last_.last_hazard.lower));
+  EXPECT_EQ(lost.status.code, Status::AMBIGUOUS) << lost.status.sentence;
+  expect_says_nothing(lost);
+  EXPECT_EQ(lost.last_hazard.kind, LastHazard::PARALLEL_SINGULARITY);
+  EXPECT_EQ(lost.last_hazard.stamp, last_.header.stamp);
+  EXPECT_EQ(lost.last_hazard.lower, last_.parallel_distance.lower);
+  EXPECT_LT(lost.last_hazard.speed, 0.0);
+  EXPECT_NE(lost.reason.find("approached"), std::string::npos) << lost.reason;
+
+  EXPECT_EQ(go_to(0.95).last_hazard.stamp, lost.last_hazard.stamp);
+  ASSERT_EQ(monitor_.start_near(at_share(), at(time_)).code, Status::OK);
+  state_.status.code = Status::OK;
+  const AspectState near = go_to(0.94);
+  EXPECT_EQ(near.level, AspectState::WARN) << near.reason;
+  EXPECT_EQ(near.last_hazard.stamp, lost.last_hazard.stamp);
+  const AspectState held = go_to(0.895);
+  EXPECT_EQ(held.level, AspectState::WARN) << "within the hysteresis: " << held.reason;
+  EXPECT_EQ(held.last_hazard.kind, LastHazard::PARALLEL_SINGULARITY);
+  const AspectState clear = go_to(0.8);
+  EXPECT_EQ(clear.level, AspectState::CLEAR) << clear.reason;
+  EXPECT_EQ(clear.last_hazard.kind, LastHazard::NONE);
+}
+
+// A level that comes between two samples that are published is published too.
+TEST(Decimation, TellsLevelsThatChange) {
+  Decimation tested(10);
+  AspectState state;
+  state.level = AspectState::CLEAR;
+  EXPECT_TRUE(tested.differs(state));
+  EXPECT_FALSE(tested.differs(state));
+  state.level = AspectState::STOP;
+  EXPECT_TRUE(tested.differs(state));
 }
 
 TEST_F(RobotMonitorTest, PassiveJointsStartItAndContradictABrokenEncoder) {

@@ -5,6 +5,7 @@
 #include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/model/coefficients.h"
 #include "parallel_aspects/tracking/approach_speed.h"
+#include "parallel_aspects/tracking/hazard_memory.h"
 #include "parallel_aspects/tracking/thresholds.h"
 #include "parallel_aspects/tracking/tracker.h"
 
@@ -82,6 +83,8 @@ namespace {
 static_assert(noexcept(std::declval<Tracker&>().update(0.0, std::declval<const JointVector&>())));
 static_assert(noexcept(std::declval<DistanceThresholds&>().update({})));
 static_assert(noexcept(std::declval<ApproachSpeed&>().add(0.0, 0.0)));
+static_assert(noexcept(std::declval<HazardMemory&>().see(std::declval<const DistanceThresholds&>(), {},
+                                                         0.0)));
 
 struct Seen {
   long updates = 0, crossings = 0, losses = 0, gaps = 0, candidates = 0, assembly_modes = 0, allocations = 0;
@@ -94,6 +97,7 @@ Seen walk(const std::shared_ptr<const Manipulator>& robot, const JointVector& st
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   Tracker tracker(robot);
   DistanceThresholds thresholds;
+  HazardMemory hazards;
   ApproachSpeed speed;
   for (int run = 0; run < runs; ++run) {
     JointVector q = start, direction = start;
@@ -113,6 +117,8 @@ Seen walk(const std::shared_ptr<const Manipulator>& robot, const JointVector& st
       const long before = allocations;
       tracker.update(time += 0.001, q);
       thresholds.update({0.1, 0.2, 0.3});
+      hazards.see(thresholds, {}, time);
+      if (i % 7 == 0) hazards.lose();
       speed.add(time, tracker.state().pose.position.norm());
       tracker.report_residual(speed.speed(), i % 40 == 0);
       seen.allocations += allocations - before;

@@ -2,6 +2,7 @@
 #include "parallel_aspects/tracking/thresholds.h"
 
 #include "parallel_aspects/tracking/approach_speed.h"
+#include "parallel_aspects/tracking/hazard_memory.h"
 
 #include <gtest/gtest.h>
 
@@ -47,12 +48,81 @@ TEST(DistanceThresholds, AreLeftAboveTheHysteresisOnly) {
   EXPECT_EQ(tested.update({0.149, far, far}).level, ThresholdLevel::clear);
 }
 
-TEST(DistanceThresholds, DoNotTakeTheUnknownForClear) {
+TEST(DistanceThresholds, OrderLevelsByDanger) {
+  EXPECT_LT(ThresholdLevel{}, ThresholdLevel::clear) << "what nobody has set is no level";
+  EXPECT_LT(ThresholdLevel::clear, ThresholdLevel::warn);
+  EXPECT_LT(ThresholdLevel::warn, ThresholdLevel::stop);
+  EXPECT_LT(ThresholdLevel::stop, ThresholdLevel::unknown);
+}
+
+TEST(DistanceThresholds, TakeTheUnknownForTheWorst) {
   DistanceThresholds tested = thresholds();
   EXPECT_EQ(tested.update({unknown, far, far}).level, ThresholdLevel::unknown);
-  EXPECT_EQ(tested.update({unknown, 0.01, far}).level, ThresholdLevel::warn);
-  EXPECT_EQ(tested.update({0.2, far, unknown}).level, ThresholdLevel::clear);
-  EXPECT_EQ(tested.forget().level, ThresholdLevel::unknown);
+  EXPECT_TRUE(std::isnan(tested.state().distance));
+  EXPECT_EQ(tested.update({unknown, 0.01, far}).level, ThresholdLevel::unknown);
+  EXPECT_EQ(tested.state().hazard, Hazard::parallel_singularity);
+  EXPECT_EQ(tested.update({0.03, unknown, far}).level, ThresholdLevel::unknown);
+  EXPECT_EQ(tested.update({0.2, far, unknown}).level, ThresholdLevel::clear) << "it has no threshold";
+  EXPECT_EQ(tested.lose().level, ThresholdLevel::unknown);
+}
+
+TEST(DistanceThresholds, HoldTheirHysteresisWhileNothingIsKnown) {
+  DistanceThresholds tested = thresholds();
+  EXPECT_EQ(tested.update({0.039, far, far}).level, ThresholdLevel::stop);
+  tested.lose();
+  EXPECT_EQ(tested.update({unknown, far, far}).level, ThresholdLevel::unknown);
+  EXPECT_EQ(tested.update({0.059, far, far}).level, ThresholdLevel::stop);
+}
+
+TEST(DistanceThresholds, TheNearestIsOneThatIsKnown) {
+  DistanceThresholds tested;
+  EXPECT_EQ(tested.update({unknown, 0.3, 0.2}).level, ThresholdLevel::clear);
+  EXPECT_EQ(tested.state().hazard, Hazard::limit);
+}
+
+constexpr HazardMemory::Speeds approaching{-0.1, 0.2, unknown};
+
+TEST(HazardMemory, TellsWhatWasProvedUntilTheRobotIsBackBeyondTheHysteresis) {
+  DistanceThresholds levels = thresholds();
+  HazardMemory memory;
+  const auto see = [&](double parallel, double time) {
+    levels.update({parallel, far, far});
+    memory.see(levels, approaching, time);
+    return memory.told().has_value();
+  };
+  EXPECT_FALSE(see(0.2, 1.0));
+  EXPECT_FALSE(see(0.03, 2.0)) << "it is in the present distances";
+  levels.lose();
+  memory.lose();
+  ASSERT_TRUE(memory.told());
+  EXPECT_EQ(memory.told()->hazard, Hazard::parallel_singularity);
+  EXPECT_EQ(memory.told()->distance, 0.03);
+  EXPECT_EQ(memory.told()->speed, -0.1);
+  EXPECT_EQ(memory.told()->time, 2.0);
+  EXPECT_TRUE(see(unknown, 3.0));
+  EXPECT_EQ(memory.told()->time, 2.0);
+  EXPECT_TRUE(see(0.149, 4.0)) << "within the hysteresis";
+  EXPECT_EQ(memory.told()->time, 2.0);
+  EXPECT_FALSE(see(0.151, 5.0));
+}
+
+TEST(HazardMemory, HasNothingToTellBeforeADistanceWasProved) {
+  DistanceThresholds levels = thresholds();
+  HazardMemory memory;
+  memory.lose();
+  EXPECT_FALSE(memory.told());
+  levels.update({unknown, far, far});
+  memory.see(levels, approaching, 1.0);
+  EXPECT_FALSE(memory.told());
+  levels.update({far, far, far});
+  memory.see(levels, approaching, 2.0);
+  memory.lose();
+  EXPECT_FALSE(memory.told()) << "there is no hazard";
+  levels.update({0.3, far, far});
+  memory.see(levels, approaching, 3.0);
+  memory.forget();
+  memory.lose();
+  EXPECT_FALSE(memory.told());
 }
 
 TEST(DistanceThresholds, RefuseWhatMakesNoSense) {

@@ -21,12 +21,13 @@ class Decimation {
     return through;
   }
 
-  /// Whether status, working mode, sign of det A or aspect differ from those of the call before.
+  /// Whether status, level, working mode, sign of det A or aspect differ from those of the call before.
   bool differs(const AspectState& state) {
-    if (state.status.code == code_ && state.aspect == aspect_ && state.determinant_sign == sign_ &&
-        state.working_mode == working_mode_)
+    if (state.status.code == code_ && state.level == level_ && state.aspect == aspect_ &&
+        state.determinant_sign == sign_ && state.working_mode == working_mode_)
       return false;
     code_ = state.status.code;
+    level_ = state.level;
     aspect_ = state.aspect;
     sign_ = state.determinant_sign;
     working_mode_ = state.working_mode;
@@ -36,7 +37,7 @@ class Decimation {
  private:
   const unsigned every_;
   unsigned count_ = 0;
-  std::uint8_t code_ = 0;
+  std::uint8_t code_ = 0, level_ = 0;
   std::uint32_t aspect_ = 0;
   std::int8_t sign_ = 0;
   std::vector<std::int8_t> working_mode_;

@@ -8,6 +8,7 @@
 #include "parallel_aspects/ros/node_options.h"
 #include "parallel_aspects/ros/publisher_watch.h"
 #include "parallel_aspects/tracking/approach_speed.h"
+#include "parallel_aspects/tracking/hazard_memory.h"
 #include "parallel_aspects/tracking/thresholds.h"
 #include "parallel_aspects/tracking/tracker.h"
 #include "parallel_aspects/urdf/mechanism.h"
@@ -107,6 +108,7 @@ class RobotMonitor {
   bool stale(const ros::Time& now) const;
   void fill_tracked(const ros::Time& stamp, MonitorUpdate& update);
   void keep_transitions();
+  AspectState lost_state(const Status& status, const ros::Time& stamp);
   void judge(const TrackedState& tracked, AspectState& state);
   void measure(const TrackedState& tracked, const Eigen::VectorXd& readings);
   void look_for_assembly_mode(const Eigen::VectorXd& readings);
@@ -145,6 +147,7 @@ class RobotMonitor {
   std::optional<Measured> measured_;
   std::array<ApproachSpeed, hazard_count> speeds_;
   DistanceThresholds thresholds_;
+  HazardMemory memory_;
   MonitorFindings findings_;
   Eigen::VectorXd readings_;  // of all joints, from the last usable sample
   PassiveResidual residual_;

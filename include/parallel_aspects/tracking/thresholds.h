@@ -4,6 +4,8 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -16,11 +18,13 @@ inline constexpr std::size_t hazard_count = 3;
 /// "parallel singularity", "serial singularity" or "limit".
 const char* name(Hazard hazard) noexcept;
 
-enum class ThresholdLevel {
-  unknown,  ///< no distance is known, or it is not a number
-  clear,
-  warn,
-  stop,
+/// By danger: of two levels the greater is the worse, so that `level >= stop` holds wherever a robot must
+/// stop. The numbers are those of AspectState; 0 is no level.
+enum class ThresholdLevel : std::uint8_t {
+  clear = 1,
+  warn = 2,
+  stop = 3,
+  unknown = 4,  ///< a distance that has a threshold is not known
 };
 
 /// "unknown", "clear", "warn" or "stop".
@@ -43,20 +47,21 @@ struct ThresholdState {
   ThresholdLevel level = ThresholdLevel::unknown;
   Hazard hazard =
       Hazard::parallel_singularity;  ///< that the level is due to: the nearest of those that have it
-  double distance = 0.0;             ///< to that hazard; valid for clear, warn and stop [m]
-  double threshold = 0.0;            ///< below which the level was taken; valid for warn and stop [m]
-  bool held = false;                 ///< the distance is above the threshold again, but not by the hysteresis
+  double distance =
+      std::numeric_limits<double>::quiet_NaN();  ///< to that hazard; not a number while unknown [m]
+  double threshold = 0.0;  ///< below which the level was taken; valid for warn and stop [m]
+  bool held = false;       ///< the distance is above the threshold again, but not by the hysteresis
 };
 
 /// Compares lower bounds of the distances to the nearest hazards with thresholds, each hazard with its own.
-/// The level of the whole is the worst; an unknown distance is worse than clear, and never hides a warning or
-/// a stop. Never allocates, never throws.
+/// The level of the whole is the worst, so that an unknown distance is never taken for a known one. Never
+/// allocates, never throws.
 class DistanceThresholds {
  public:
   using Options = std::array<ThresholdOptions, hazard_count>;
   using Distances = std::array<double, hazard_count>;  ///< by `Hazard`; not a number while unknown [m]
 
-  explicit DistanceThresholds(const Options& options = {}) noexcept : options_(options) {}
+  explicit DistanceThresholds(const Options& options = {}) noexcept { set_options(options); }
 
   /// Levels are taken anew from the next distances.
   void set_options(const Options& options) noexcept;
@@ -64,15 +69,16 @@ class DistanceThresholds {
   /// The next distances. A hazard with no threshold of its own is always clear.
   const ThresholdState& update(const Distances& distances) noexcept;
 
-  /// Nothing is known of the robot.
-  const ThresholdState& forget() noexcept;
+  /// Nothing is known of the robot. Once distances are known again, the hysteresis goes on where it was.
+  const ThresholdState& lose() noexcept;
 
   const ThresholdState& state() const noexcept { return state_; }
   ThresholdLevel level(Hazard hazard) const noexcept { return levels_[static_cast<std::size_t>(hazard)]; }
 
  private:
   Options options_;
-  std::array<ThresholdLevel, hazard_count> levels_{};
+  std::array<ThresholdLevel, hazard_count> levels_;
+  std::array<ThresholdLevel, hazard_count> known_;  // the last that were known, for the hysteresis
   ThresholdState state_;
 };
 
