@@ -308,6 +308,7 @@ AspectState state_message(const Manipulator& manipulator, const TrackedState& st
   message.working_mode = signs_message(state.mode);
   message.determinant_sign = static_cast<std::int8_t>(state.determinant_sign);
   message.aspect = static_cast<std::uint32_t>(state.aspect);
+  message.stand_off = not_a_number;
   message.level = AspectState::UNKNOWN;
   message.last_hazard = hazard_message(std::nullopt, {});
   message.determinant = direct_determinant(manipulator, state.pose, state.q);
@@ -328,7 +329,7 @@ AspectState unknown_state(const Manipulator& manipulator, const Status& status, 
   for (DistanceBounds* bounds :
        {&message.parallel_distance, &message.serial_distance, &message.limit_distance})
     bounds->lower = bounds->upper = bounds->speed = not_a_number;
-  message.residual = not_a_number;
+  message.residual = message.stand_off = not_a_number;
   message.reason = reason_of(std::nullopt);
   return message;
 }

@@ -71,6 +71,8 @@ void Diagnostics::tell_tracking(Wrapper& status) const {
   for (std::size_t i = 0; i < hazard_count; ++i)
     status.add(std::string("proved distance to the nearest ") + name(static_cast<Hazard>(i)) + " [m]",
                well ? std::to_string(findings.distances[i].lower) : "unknown");
+  status.add("stand-off from the nearest parallel singularity, estimated [m]",
+             well && std::isfinite(findings.stand_off) ? std::to_string(findings.stand_off) : "unknown");
   status.add("residual of passive joints [tolerances]",
              well && std::isfinite(findings.residual) ? std::to_string(findings.residual) : "unknown");
   status.add("status code", static_cast<int>(current.status.code));

@@ -56,6 +56,28 @@ std::string reason_of(const std::optional<ProvedHazard>& last) {
   return text;
 }
 
+std::string sentence_of(const StandOffEstimate& estimate) {
+  if (estimate.poses == 0) return {};
+  char text[240];
+  std::snprintf(text, sizeof text,
+                "By tracking/encoder_noise, the assembly mode can be told as near as %.3g m to parallel "
+                "singularities; the largest of %d that were looked at, an estimate.",
+                estimate.largest, estimate.poses);
+  return text;
+}
+
+std::string warning_of(const StandOffEstimate& estimate, double parallel_stop) {
+  if (!(parallel_stop > 0.0 && parallel_stop < estimate.largest)) return {};
+  char text[320];
+  std::snprintf(
+      text, sizeof text,
+      "thresholds/parallel_stop is %.3g m, but nearer than about %.3g m noise of the encoders can hide the "
+      "assembly mode: the level may become UNKNOWN before it is STOP. Raise the threshold, or lower "
+      "tracking/encoder_noise where the encoders are better.",
+      parallel_stop, estimate.largest);
+  return text;
+}
+
 LastHazard hazard_message(const std::optional<ProvedHazard>& last, const ros::Time& epoch) {
   LastHazard message;
   message.kind = kind_of(last);

@@ -61,6 +61,7 @@ RobotMonitor::RobotMonitor(std::shared_ptr<const Mechanism> mechanism, const Nod
       timeout_(options.joint_states_timeout),
       passive_(mechanism, options.passive),
       meter_(mechanism->manipulator()),
+      stand_off_(mechanism->manipulator(), options.tracking.samples),
       tracker_(mechanism->manipulator(), options.tracking),
       status_(make_status(Status::NO_JOINT_STATES, "No usable joint_states have arrived yet.")),
       publishers_(ros::Duration(timeout_)),
@@ -196,8 +197,10 @@ void RobotMonitor::judge(const TrackedState& tracked, AspectState& state) {
   }
   findings_.threshold = thresholds_.update(lower);
   memory_.see(thresholds_, speeds, tracked.time);
+  findings_.stand_off = measured_ && measured_->mode == tracked.mode ? measured_->stand_off : not_a_number;
   findings_.residual = residual_.compared > 0 ? residual_.excess : not_a_number;
   state.parallel_distance = findings_.distances[0];
+  state.stand_off = findings_.stand_off;
   state.serial_distance = findings_.distances[1];
   state.limit_distance = findings_.distances[2];
   state.level = level_message(findings_.threshold.level);
@@ -208,29 +211,35 @@ void RobotMonitor::judge(const TrackedState& tracked, AspectState& state) {
 
 std::optional<AssemblyCandidates> RobotMonitor::work() {
   TrackedState tracked;
+  JointVector bend;
   Eigen::VectorXd readings;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (last_stamp_.isZero()) return std::nullopt;
     tracked = tracker_.state();
+    bend = tracker_.bend();
     readings = readings_;
   }
   if (tracked.followed())
-    measure(tracked, readings);
+    measure(tracked, bend, readings);
   else
     look_for_assembly_mode(readings);
   return new_candidates();
 }
 
 // Without the lock while it measures.
-void RobotMonitor::measure(const TrackedState& tracked, const Eigen::VectorXd& readings) {
+void RobotMonitor::measure(const TrackedState& tracked, const JointVector& bend,
+                           const Eigen::VectorXd& readings) {
   const BoundaryDistances found = meter_.measure(tracked.pose, tracked.mode);
   const PassiveResidual residual = passive_.residual(tracked.pose, tracked.q, readings);
   const double limit =
       tracked.status == TrackStatus::inconsistent ? 1.0 - passive_.options().hysteresis : 1.0;
   Measured measured{tracked.pose,
                     tracked.mode,
-                    {bounds_of(found.parallel), bounds_of(found.serial), bounds_of(found.drive_limit)}};
+                    {bounds_of(found.parallel), bounds_of(found.serial), bounds_of(found.drive_limit)},
+                    not_a_number};
+  if (std::isfinite(found.parallel.upper))
+    measured.stand_off = stand_off_.on_the_way(tracked.pose, found.parallel.witness, tracked.mode, bend);
   const std::lock_guard<std::mutex> lock(mutex_);
   for (std::size_t i = 0; i < hazard_count; ++i) {
     DistanceBounds& bounds = measured.bounds[i];

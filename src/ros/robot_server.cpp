@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/ros/robot_server.h"
 
+#include "parallel_aspects/ros/hazard_messages.h"
 #include "parallel_aspects/ros/tables.h"
 
 #include <ros/console.h>
@@ -99,6 +100,8 @@ void RobotServer::subscribe() {
   diagnostics_timer_ =
       service_nh_.createWallTimer(ros::WallDuration(diagnostics_.period()),
                                   [this](const ros::WallTimerEvent&) { diagnostics_.publish(); });
+  stand_off_timer_ = service_nh_.createWallTimer(
+      ros::WallDuration(0.0), [this](const ros::WallTimerEvent&) { tell_stand_off(); }, true);
   log_timer_ = service_nh_.createWallTimer(ros::WallDuration(0.1),
                                            [this](const ros::WallTimerEvent&) { log_.write(); });
 }
@@ -170,6 +173,15 @@ void RobotServer::check_age() {
 
 void RobotServer::work() {
   if (const auto candidates = monitor_.work()) candidates_.publish(*candidates);
+}
+
+// Takes some tenths of a second, so it is not for the constructor.
+void RobotServer::tell_stand_off() {
+  const StandOffEstimate estimate =
+      estimate_stand_off(setup_.mechanism->manipulator(), setup_.options.tracking.samples, 50);
+  const std::string warning = warning_of(estimate, setup_.options.thresholds.parallel_stop);
+  if (estimate.poses > 0) ROS_INFO_STREAM(sentence_of(estimate));
+  if (!warning.empty()) ROS_WARN_STREAM(warning);
 }
 
 void RobotServer::show() { display_.show(monitor_.current(ros::Time::now()), worker_.progress().sentence); }

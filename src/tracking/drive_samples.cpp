@@ -75,7 +75,7 @@ JointVector PathBend::next(const SampleOptions& options, const JointVector& step
   JointVector change = step;
   if (last_step_.size() == step.size()) change -= last_step_;
   last_step_ = step;
-  return change.cwiseAbs() * (options.path_bend / 8.0);
+  return allowance_ = change.cwiseAbs() * (options.path_bend / 8.0);
 }
 
 }  // namespace parallel_aspects

@@ -2,6 +2,7 @@
 #include "parallel_aspects/ros/robot_monitor.h"
 
 #include "parallel_aspects/ros/decimation.h"
+#include "parallel_aspects/ros/hazard_messages.h"
 
 #include <gtest/gtest.h>
 
@@ -250,6 +251,9 @@ TEST_F(RobotMonitorTest, DistancesAreBoundedAndJudged) {
   EXPECT_EQ(here.level, AspectState::CLEAR);
   ASSERT_GT(here.parallel_distance.lower, 0.0);
   EXPECT_GE(here.parallel_distance.upper, here.parallel_distance.lower);
+  EXPECT_TRUE(std::isnan(first.state->stand_off)) << "not measured yet";
+  EXPECT_GT(here.stand_off, 0.0);
+  EXPECT_LT(here.stand_off, here.parallel_distance.lower);
   EXPECT_EQ(here.limit_distance.lower, std::numeric_limits<double>::infinity());
   const AspectState near = *unlimited.update(drives(4.5, 8.2, {1, -1}, 1.1), at(1.1)).state;
   EXPECT_NEAR(near.parallel_distance.lower, here.parallel_distance.lower - 0.2, 1e-6);
@@ -336,6 +340,19 @@ TEST_F(NearDeterminantZero, TellsTheLastProvedHazardWhileLostAndUntilItIsClearOf
   const AspectState clear = go_to(0.8);
   EXPECT_EQ(clear.level, AspectState::CLEAR) << clear.reason;
   EXPECT_EQ(clear.last_hazard.kind, LastHazard::NONE);
+}
+
+TEST(StandOffWarning, IsGivenWhereAThresholdLiesInside) {
+  StandOffEstimate estimate;
+  EXPECT_EQ(sentence_of(estimate), "") << "no parallel singularity was found";
+  EXPECT_EQ(warning_of(estimate, 0.1), "");
+  estimate.largest = 0.14;
+  estimate.poses = 50;
+  EXPECT_NE(sentence_of(estimate).find("0.14 m"), std::string::npos);
+  EXPECT_NE(sentence_of(estimate).find("estimate"), std::string::npos);
+  EXPECT_EQ(warning_of(estimate, 0.2), "");
+  EXPECT_EQ(warning_of(estimate, 0.0), "") << "there is no threshold";
+  EXPECT_NE(warning_of(estimate, 0.1).find("parallel_stop"), std::string::npos);
 }
 
 // A level that comes between two samples that are published is published too.

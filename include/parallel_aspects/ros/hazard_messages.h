@@ -3,6 +3,7 @@
 #define PARALLEL_ASPECTS_ROS_HAZARD_MESSAGES_H
 
 #include "parallel_aspects/tracking/hazard_memory.h"
+#include "parallel_aspects/tracking/stand_off.h"
 #include "parallel_aspects/tracking/thresholds.h"
 
 #include <parallel_aspects/LastHazard.h>
@@ -23,6 +24,13 @@ std::string reason_of(const ThresholdState& state);
 
 /// Why nothing is known of the distances, and what was last.
 std::string reason_of(const std::optional<ProvedHazard>& last);
+
+/// What noise of the encoders means for this robot; empty where no parallel singularity was found.
+std::string sentence_of(const StandOffEstimate& estimate);
+
+/// What is wrong with a threshold to stop at before parallel singularities; empty when all is well, or there
+/// is none (0) [m].
+std::string warning_of(const StandOffEstimate& estimate, double parallel_stop);
 
 /// `epoch`: what the times of hazards count from.
 LastHazard hazard_message(const std::optional<ProvedHazard>& last, const ros::Time& epoch);

@@ -9,6 +9,7 @@
 #include "parallel_aspects/ros/publisher_watch.h"
 #include "parallel_aspects/tracking/approach_speed.h"
 #include "parallel_aspects/tracking/hazard_memory.h"
+#include "parallel_aspects/tracking/stand_off.h"
 #include "parallel_aspects/tracking/thresholds.h"
 #include "parallel_aspects/tracking/tracker.h"
 #include "parallel_aspects/urdf/mechanism.h"
@@ -58,7 +59,7 @@ struct MonitorCounts {
 struct MonitorFindings {
   ThresholdState threshold;
   std::array<DistanceBounds, hazard_count> distances;  ///< by `Hazard`
-  double residual = 0.0;                               ///< as in AspectState
+  double stand_off = 0.0, residual = 0.0;              ///< as in AspectState
 };
 
 /// Guards a tracker against everything that joint_states may bring, and against threads. Knows no topics.
@@ -110,7 +111,7 @@ class RobotMonitor {
   void keep_transitions();
   AspectState lost_state(const Status& status, const ros::Time& stamp);
   void judge(const TrackedState& tracked, AspectState& state);
-  void measure(const TrackedState& tracked, const Eigen::VectorXd& readings);
+  void measure(const TrackedState& tracked, const JointVector& bend, const Eigen::VectorXd& readings);
   void look_for_assembly_mode(const Eigen::VectorXd& readings);
   std::optional<AssemblyCandidates> new_candidates();
   void forget();
@@ -122,6 +123,7 @@ class RobotMonitor {
   const double timeout_;  // [s]
   const PassiveJoints passive_;
   BoundaryDistanceMeter meter_;  // of `work` alone
+  const StandOff stand_off_;
 
   mutable std::mutex mutex_;
   Tracker tracker_;
@@ -143,6 +145,7 @@ class RobotMonitor {
     Pose pose;
     WorkingMode mode;
     std::array<DistanceBounds, hazard_count> bounds;  // by `Hazard`
+    double stand_off;                                 // as in AspectState
   };
   std::optional<Measured> measured_;
   std::array<ApproachSpeed, hazard_count> speeds_;

@@ -63,6 +63,7 @@ class RobotServer {
   void check_age();
   void show();
   void work();
+  void tell_stand_off();
   void send_platform(const Eigen::Isometry3d& platform, const ros::Time& stamp);
   std::optional<geometry_msgs::Pose> to_base(const geometry_msgs::PoseStamped& pose,
                                              std::string& sentence) const;
@@ -89,7 +90,7 @@ class RobotServer {
   std::vector<ros::ServiceServer> services_;
   ros::Subscriber subscriber_, tf_subscriber_, tf_static_subscriber_;
   ros::Timer age_timer_, display_timer_;
-  ros::WallTimer diagnostics_timer_, log_timer_, work_timer_;
+  ros::WallTimer diagnostics_timer_, log_timer_, work_timer_, stand_off_timer_;
   std::atomic<bool> stopping_{false};
   ros::AsyncSpinner tracking_spinner_, service_spinner_, work_spinner_;
 };

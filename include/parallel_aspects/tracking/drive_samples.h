@@ -56,11 +56,18 @@ class PathBend {
   /// would look like accelerations.
   JointVector next(const SampleOptions& options, const JointVector& step) noexcept;
 
+  /// What `next` last gave; empty at rest.
+  const JointVector& allowance() const noexcept { return allowance_; }
+
   /// The next step starts from rest.
-  void forget() noexcept { last_step_.resize(0); }
+  void forget() noexcept {
+    last_step_.resize(0);
+    allowance_.resize(0);
+  }
 
  private:
   JointVector last_step_;  // empty at rest
+  JointVector allowance_;
 };
 
 }  // namespace parallel_aspects

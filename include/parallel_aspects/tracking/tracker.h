@@ -110,6 +110,10 @@ class Tracker {
 
   const TrackedState& state() const noexcept { return state_; }
 
+  /// By how much the drives were last taken to leave the straight way between samples [rad or m]; empty where
+  /// no step was made.
+  const JointVector& bend() const noexcept { return bend_.allowance(); }
+
   /// What the last `update` or `start` crossed.
   const Transitions& transitions() const noexcept { return transitions_; }
 

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_TRACKING_STAND_OFF_H
+#define PARALLEL_ASPECTS_TRACKING_STAND_OFF_H
+
+#include "parallel_aspects/kinematics/working_mode.h"
+#include "parallel_aspects/model/manipulator.h"
+#include "parallel_aspects/model/pose.h"
+#include "parallel_aspects/tracking/drive_samples.h"
+#include "parallel_aspects/tracking/pose_certifier.h"
+
+#include <memory>
+
+namespace parallel_aspects {
+
+/// How near det A = 0 noise of the encoders lets the assembly mode be told. Where two assembly modes meet,
+/// the drives tell them apart by the square of the distance only, so that the stand-off grows with the square
+/// root of the noise. Never allocates, never throws.
+class StandOff {
+ public:
+  StandOff(std::shared_ptr<const Manipulator> manipulator, const SampleOptions& options) noexcept;
+
+  /// Whether a robot that stands still at `pose` in `mode` is followed, whatever the encoders say within
+  /// their noise: proved for the noise that is worst to first order. `bend`: what the drives were last taken
+  /// to leave the straight way between samples by [rad or m]; empty where that is not known.
+  bool can_tell(const Pose& pose, const WorkingMode& mode, const JointVector& bend = {}) const noexcept;
+
+  /// An estimate of how far from `singular`, a pose with det A = 0, the robot must stay for that, on the
+  /// straight way from `pose` [m, root mean square over the anchors]. The whole way where the mode cannot be
+  /// told at `pose`.
+  double on_the_way(const Pose& pose, const Pose& singular, const WorkingMode& mode,
+                    const JointVector& bend = {}) const noexcept;
+
+ private:
+  std::shared_ptr<const Manipulator> manipulator_;
+  PoseCertifier certifier_;
+  JointVector noise_;         // [rad or m]
+  JointVector resting_bend_;  // what noise alone makes of `path_bend` [rad or m]
+};
+
+/// The largest stand-off that was found.
+struct StandOffEstimate {
+  double largest = 0.0;  ///< [m]
+  Pose at;               ///< the pose with det A = 0 that asks for it
+  int poses = 0;         ///< with det A = 0 that were looked at
+};
+
+/// The largest stand-off of as many poses with det A = 0, next to seeded random configurations: an estimate
+/// from below, as others may ask for more. Allocates.
+StandOffEstimate estimate_stand_off(const std::shared_ptr<const Manipulator>& manipulator,
+                                    const SampleOptions& options, int poses);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_TRACKING_STAND_OFF_H

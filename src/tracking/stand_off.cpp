@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/tracking/stand_off.h"
+
+#include "parallel_aspects/aspects/pose_sampler.h"
+#include "parallel_aspects/aspects/pose_segment.h"
+#include "parallel_aspects/distance/boundary_distances.h"
+#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/model/anchor_distance.h"
+#include "parallel_aspects/model/coefficients.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace parallel_aspects {
+namespace {
+
+constexpr int halvings = 30;  // of the way to a singular pose
+constexpr int digits = 7;     // binary ones, of a stand-off
+constexpr int draws_a_pose = 100;
+constexpr int looks = 64;  // along a way
+
+// A pose solves its own drives to rounding, except where Newton's method runs off to another solution.
+constexpr double same_pose = 1e-6;  // over the robot's size
+
+JointVector noise_of(const Manipulator& manipulator, double noise) noexcept {
+  JointVector result(static_cast<Eigen::Index>(manipulator.leg_count()));
+  for (std::size_t j = 0; j < manipulator.leg_count(); ++j)
+    result[static_cast<Eigen::Index>(j)] =
+        noise * (manipulator.leg(j).driven_by_angle() ? 1.0 : manipulator.size());
+  return result;
+}
+
+// The signs with which errors of the drives move the platform farthest, to first order: next to det A = 0 all
+// rows of the inverse are about multiples of one.
+JointVector worst_signs(const CertifiedPoint& point) noexcept {
+  const Eigen::Index size = point.q.size();
+  JointVector largest = JointVector::Zero(size);
+  for (Eigen::Index i = 0; i < size; ++i) {
+    JointVector row(size);
+    for (Eigen::Index j = 0; j < size; ++j)
+      row[j] = point.inverse[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] *
+               point.inverse_diagonal[static_cast<std::size_t>(j)].upper();
+    if (row.squaredNorm() > largest.squaredNorm()) largest = row;
+  }
+  for (double& entry : coefficients_of(largest)) entry = entry < 0.0 ? -1.0 : 1.0;
+  return largest;
+}
+
+std::optional<Box> region_for(const Manipulator& manipulator) {
+  const double size = manipulator.size();
+  for (const Leg& leg : manipulator.legs())
+    if (!std::isfinite(leg.longest_reach())) return Box{3, {-size, -size, -size}, {size, size, size}};
+  return std::nullopt;
+}
+
+// Whether the legs reach all along, but for the ends; as far as some poses tell.
+bool is_reached(const Manipulator& manipulator, const Pose& from, const Pose& to, const WorkingMode& mode) {
+  for (int i = 1; i < looks; ++i)
+    if (inverse(manipulator, pose_between(from, to, i / double{looks}), mode).status ==
+        InverseStatus::out_of_reach)
+      return false;
+  return true;
+}
+
+}  // namespace
+
+StandOff::StandOff(std::shared_ptr<const Manipulator> manipulator, const SampleOptions& options) noexcept
+    : manipulator_(std::move(manipulator)),
+      certifier_(*manipulator_),
+      noise_(noise_of(*manipulator_, options.encoder_noise)),
+      resting_bend_(0.5 * options.path_bend * noise_) {}
+
+bool StandOff::can_tell(const Pose& pose, const WorkingMode& mode, const JointVector& bend) const noexcept {
+  const InverseSolution solution = inverse(*manipulator_, pose, mode);
+  if (solution.status == InverseStatus::out_of_reach) return false;
+  const RoundingUpward upward;
+  const JointVector still = JointVector::Zero(noise_.size());
+  CertifiedPoint point;
+  point.pose = pose;
+  point.q = solution.q;
+  if (!certifier_.evaluate(point) ||
+      !(certifier_.distance(pose, point.pose) <= same_pose * manipulator_->size()))
+    return false;
+  const CertifiedBall noisy = certifier_.ball(point, still, noise_, 0.0, 0.0);
+  if (!noisy.certified) return false;
+  JointVector step = 2.0 * noise_ + resting_bend_;
+  if (bend.size() == step.size()) step = step.cwiseMax(2.0 * noise_ + bend);
+  const JointVector error = noise_.cwiseProduct(worst_signs(point));
+  for (const double side : {-1.0, 1.0}) {
+    CertifiedPoint seen;
+    seen.q = point.q + side * error;
+    seen.pose = certifier_.predicted(point, seen.q);
+    if (!certifier_.evaluate(seen) || !(certifier_.distance(point.pose, seen.pose) <= noisy.radius) ||
+        !certifier_.ball(seen, still, step, 0.0, 0.0).certified)
+      return false;
+  }
+  return true;
+}
+
+// Outwards from the singular pose, as the way to it may lead past other obstacles.
+double StandOff::on_the_way(const Pose& pose, const Pose& singular, const WorkingMode& mode,
+                            const JointVector& bend) const noexcept {
+  const auto told_at = [&](double share) {
+    return can_tell(pose_between(singular, pose, share), mode, bend);
+  };
+  double told = std::ldexp(1.0, -halvings), lost = 0.0;  // shares of the way
+  while (told < 1.0 && !told_at(told)) {
+    lost = told;
+    told *= 2.0;
+  }
+  for (int i = 0; i < digits && told < 1.0; ++i) {
+    const double between = 0.5 * (told + lost);
+    (told_at(between) ? told : lost) = between;
+  }
+  return anchor_distance(*manipulator_, pose_between(singular, pose, told), singular);
+}
+
+StandOffEstimate estimate_stand_off(const std::shared_ptr<const Manipulator>& manipulator,
+                                    const SampleOptions& options, int poses) {
+  PoseSampler sampler(manipulator, 1, region_for(*manipulator), EIGEN_PI);
+  BoundaryDistanceMeter meter(manipulator);
+  const StandOff stand_off(manipulator, options);
+  const std::vector<WorkingMode> modes = working_modes(*manipulator);
+  StandOffEstimate estimate;
+  for (int i = 0; i < draws_a_pose * poses && estimate.poses < poses; ++i) {
+    const std::optional<Pose> pose = sampler.draw();
+    const WorkingMode& mode = modes[static_cast<std::size_t>(i) % modes.size()];
+    if (!pose || inverse(*manipulator, *pose, mode).status != InverseStatus::solved) continue;
+    const BoundaryDistance nearest = meter.measure(*pose, mode).parallel;
+    if (!std::isfinite(nearest.upper) || !is_reached(*manipulator, *pose, nearest.witness, mode)) continue;
+    ++estimate.poses;
+    const double here = stand_off.on_the_way(*pose, nearest.witness, mode);
+    if (!(here < nearest.upper)) continue;  // too near to tell how far off it must stand
+    if (here > estimate.largest) estimate.largest = here, estimate.at = nearest.witness;
+  }
+  return estimate;
+}
+
+}  // namespace parallel_aspects
