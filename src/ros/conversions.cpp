@@ -28,7 +28,7 @@ std_msgs::Header header_in_base(const Manipulator& manipulator, const ros::Time&
 
 template <typename Vector>
 std::vector<double> to_vector(const Vector& values) {
-  return {values.begin(), values.end()};
+  return {values.data(), values.data() + values.size()};
 }
 
 void locate(const AspectMap& map, const Pose& pose, const WorkingMode& mode, SolvedConfiguration& message) {
