@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Prints a row of the table of docs/tracking.md for each robot and kind of hazard: `stopping_campaign RUNS
+// SEED [ROBOT...]`.
+#include "ros/stopping_campaign.h"
+
+#include "support/shipped.h"
+#include "support/tracking_campaign.h"
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+using parallel_aspects::Hazard;
+namespace test = parallel_aspects::test;
+
+int main(int argc, char** argv) {
+  if (argc < 3) {
+    std::fprintf(stderr, "Usage: stopping_campaign RUNS SEED [ROBOT...]\n");
+    return 2;
+  }
+  std::vector<std::string> robots(argv + 3, argv + argc);
+  if (robots.empty()) robots.assign(test::campaign_robots.begin(), test::campaign_robots.end());
+  test::StoppingPlan plan;
+  plan.runs = std::atoi(argv[1]);
+  long failures = 0;
+  for (const std::string& robot : robots)
+    for (const Hazard hazard : {Hazard::parallel_singularity, Hazard::serial_singularity, Hazard::limit}) {
+      test::StoppingCampaign campaign(test::shipped(robot), plan, std::strtoull(argv[2], nullptr, 10));
+      const test::StoppingCounts counts = campaign.run(hazard);
+      if (counts.runs == 0) continue;
+      std::printf("| %s | %s | %ld | %ld | %ld | %.2f | %.1e | %ld | %.2f |\n", robot.c_str(), name(hazard),
+                  counts.runs, counts.lost, counts.too_near, counts.inside, counts.pose_error, counts.passed,
+                  counts.left);
+      std::fflush(stdout);
+      failures += counts.too_near + counts.passed;
+      if (!counts.first_failure.empty()) std::fprintf(stderr, "%s\n", counts.first_failure.c_str());
+    }
+  return failures == 0 ? 0 : 1;
+}
