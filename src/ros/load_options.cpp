@@ -96,14 +96,16 @@ DisplayOptions display_options_from(ParameterReader reader) {
   return display;
 }
 
-TrackerOptions tracker_options_from(ParameterReader reader) {
+TrackerOptions tracker_options_from(ParameterReader reader, double joint_states_timeout) {
   TrackerOptions tracking;
+  tracking.samples.longest_interval = joint_states_timeout;
   reader.read("hysteresis", tracking.hysteresis);
   reader.read("check_velocity", tracking.samples.check_velocity);
   reader.read("velocity_tolerance", tracking.samples.velocity_tolerance);
   reader.read("encoder_noise", tracking.samples.encoder_noise);
   reader.read("path_bend", tracking.samples.path_bend);
   reader.read("longest_interval", tracking.samples.longest_interval);
+  reader.read("interval_ratio", tracking.samples.interval_ratio);
   reader.report_unknown_keys();
   return tracking;
 }
@@ -178,16 +180,16 @@ std::string yaml_text(const XmlRpcValue& value) {
 NodeOptions options_from(const XmlRpcValue& parameters, const std::string& prefix, Problems& problems) {
   ParameterReader reader(parameters, prefix, problems);
   NodeOptions options;
+  reader.read("joint_states_timeout", options.joint_states_timeout);
   options.map = map_options_from(reader.group("map"), prefix, options.map_file, problems);
   options.start = start_options_from(reader.group("start"));
   options.display = display_options_from(reader.group("display"));
-  options.tracking = tracker_options_from(reader.group("tracking"));
+  options.tracking = tracker_options_from(reader.group("tracking"), options.joint_states_timeout);
   options.passive = passive_options_from(reader.group("passive"));
   options.thresholds = thresholds_from(reader.group("thresholds"));
   options.distance_rate = rate_from(reader.group("distance"), options.distance_rate);
   options.state_decimation = decimation_from(reader.group("state"));
   options.completed_decimation = decimation_from(reader.group("completed"));
-  reader.read("joint_states_timeout", options.joint_states_timeout);
   reader.read("tf_timeout", options.tf_timeout);
   reader.read("frame_prefix", options.frame_prefix);
   for (const char* read_elsewhere : {"mechanism", "constraints", "diagnostic_period"})

@@ -86,7 +86,10 @@ void check_thresholds(const ThresholdParameters& given, const std::string& group
 void check_tracking(const TrackerOptions& tracking, const PassiveOptions& passive, Checks& checks) {
   checks.require(within(tracking.hysteresis, 0.0, 0.5), "tracking/hysteresis", "must be 0 to 0.5.");
   checks.require(tracking.samples.longest_interval > 0.0, "tracking/longest_interval",
-                 "must be a positive number [s]; leave it out for no limit.");
+                 "must be a positive number [s], or .inf where nothing moves the robot unseen; leave it out for "
+                 "joint_states_timeout.");
+  checks.require(tracking.samples.interval_ratio >= 1.0, "tracking/interval_ratio",
+                 "must be 1 or more, or .inf for no limit.");
   checks.require(within(tracking.samples.velocity_tolerance, 0.0, 100.0), "tracking/velocity_tolerance",
                  "must be 0 to 100.");
   checks.require(within(tracking.samples.encoder_noise, 0.0, 1.0), "tracking/encoder_noise",

@@ -147,7 +147,7 @@ MonitorUpdate RobotMonitor::accept(const JointSample& sample, const ros::Time& s
 }
 
 void RobotMonitor::keep_transitions() {
-  for (const Transition& transition : tracker_.transitions())
+  for (const Transition& transition : tracker_.take_transitions())
     transitions_.push_back(
         transition_message(*mechanism_->manipulator(), transition, epoch_ + ros::Duration(transition.time)));
 }

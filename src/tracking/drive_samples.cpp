@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/tracking/drive_samples.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace parallel_aspects {
@@ -22,6 +23,18 @@ double turned_inside(const JointLimits& limits, double wanted, double angle) {
   return angle;
 }
 
+bool silent(const Manipulator& manipulator, const SampleOptions& options, const SampleIntervals& intervals,
+            double seconds) {
+  if (std::isinf(options.longest_interval)) return false;
+  if (!(seconds >= 0.0 && seconds <= options.longest_interval)) return true;
+  const auto& legs = manipulator.legs();
+  const bool limited =
+      options.check_velocity && std::all_of(legs.begin(), legs.end(), [](const Leg& leg) {
+        return std::isfinite(leg.limits.velocity);
+      });
+  return !limited && intervals.exceeded_by(seconds, options.interval_ratio);
+}
+
 }  // namespace
 
 std::vector<std::string> problems_of(const SampleOptions& options) {
@@ -37,6 +50,9 @@ std::vector<std::string> problems_of(const SampleOptions& options) {
   if (!(options.longest_interval > 0.0))
     problems.push_back("The longest interval between samples is " + std::to_string(options.longest_interval) +
                        " s; it must be positive, and infinite for none.");
+  if (!(options.interval_ratio >= 1.0))
+    problems.push_back("The ratio of intervals between samples is " + std::to_string(options.interval_ratio) +
+                       "; it must be 1 or more.");
   return problems;
 }
 
@@ -53,10 +69,28 @@ JointVector unwrapped(const Manipulator& manipulator, const JointVector& last,
   return result;
 }
 
-bool is_gap(const Manipulator& manipulator, const SampleOptions& options, const JointVector& last,
-            const JointVector& q, double seconds) noexcept {
-  if (seconds > options.longest_interval) return true;
-  if (!options.check_velocity) return false;
+// More than half of the intervals are below the median, or equal to it: no need to sort.
+bool SampleIntervals::exceeded_by(double seconds, double ratio) const noexcept {
+  if (count_ < fewest) return false;
+  const auto known = seconds_.begin() + static_cast<std::ptrdiff_t>(count_);
+  const auto shorter = std::count_if(seconds_.begin(), known,
+                                     [&](double interval) { return ratio * interval < seconds; });
+  return 2 * static_cast<std::size_t>(shorter) > count_;
+}
+
+void SampleIntervals::add(double seconds) noexcept {
+  if (!(seconds > 0.0)) return;
+  next_ = count_ == 0 ? 0 : next_;
+  seconds_[next_] = seconds;
+  next_ = (next_ + 1) % most;
+  count_ = std::min(count_ + 1, most);
+}
+
+SampleGap gap_between(const Manipulator& manipulator, const SampleOptions& options,
+                      const SampleIntervals& intervals, const JointVector& last, const JointVector& q,
+                      double seconds) noexcept {
+  if (silent(manipulator, options, intervals, seconds)) return SampleGap::silence;
+  if (!options.check_velocity) return SampleGap::none;
   for (std::size_t j = 0; j < manipulator.leg_count(); ++j) {
     const Leg& leg = manipulator.leg(j);
     if (!std::isfinite(leg.limits.velocity)) continue;
@@ -64,11 +98,11 @@ bool is_gap(const Manipulator& manipulator, const SampleOptions& options, const 
     const double noise = options.encoder_noise * (leg.driven_by_angle() ? 1.0 : manipulator.size());
     const double possible =
         leg.limits.velocity * (1.0 + options.velocity_tolerance) * std::fmax(0.0, seconds);
-    if (!(std::abs(q[i] - last[i]) <= possible + noise)) return true;
+    if (!(std::abs(q[i] - last[i]) <= possible + noise)) return SampleGap::step;
     const bool turns_freely = leg.driven_by_angle() && !leg.limits.limited();
-    if (options.unwrap && turns_freely && possible >= EIGEN_PI) return true;
+    if (options.unwrap && turns_freely && possible >= EIGEN_PI) return SampleGap::silence;
   }
-  return false;
+  return SampleGap::none;
 }
 
 JointVector PathBend::next(const SampleOptions& options, const JointVector& step) noexcept {

@@ -27,6 +27,8 @@ bool proved_mode(const CertifiedPoint& point, WorkingMode& mode) {
   return true;
 }
 
+Doubt doubt_of(SampleGap gap) { return gap == SampleGap::step ? Doubt::gap : Doubt::silence; }
+
 }  // namespace
 
 std::vector<std::string> problems_of(const TrackerOptions& options) {
@@ -52,7 +54,7 @@ void Tracker::set_map(std::shared_ptr<const AspectMap> map) noexcept {
 }
 
 bool Tracker::start(double time, const JointVector& q, const Pose& pose, double tolerance) {
-  stop();
+  clear();
   if (q.size() != static_cast<Eigen::Index>(manipulator_->leg_count()) || !q.allFinite()) return false;
   if (!pose.position.allFinite() || !pose.orientation.coeffs().allFinite()) return false;
   Candidate found;
@@ -68,7 +70,7 @@ bool Tracker::start(double time, const JointVector& q, const Pose& pose, double 
 }
 
 bool Tracker::start(double time, const JointVector& q, int determinant_sign) {
-  stop();
+  clear();
   const DirectResult result = direct(*manipulator_, q);
   const AssemblyMode* chosen = nullptr;
   for (const AssemblyMode& mode : result.solutions) {
@@ -129,6 +131,12 @@ bool Tracker::begin_at(double time, const CertifiedPoint& point, int determinant
 }
 
 void Tracker::stop() noexcept {
+  clear();
+  intervals_.forget();
+  last_aspect_ = last_determinant_sign_ = 0;
+}
+
+void Tracker::clear() noexcept {
   state_.status = TrackStatus::unstarted;
   state_.doubt = Doubt::none;
   state_.aspect = 0;
@@ -144,13 +152,17 @@ const TrackedState& Tracker::update(double time, const JointVector& q) noexcept 
       !std::isfinite(time))
     return state_;
   const JointVector drives = options_.samples.unwrap ? unwrapped(*manipulator_, state_.q, q) : q;
-  const bool gap =
-      state_.q.size() > 0 && is_gap(*manipulator_, options_.samples, state_.q, drives, time - state_.time);
-  const JointVector step = state_.q.size() > 0 ? JointVector(drives - state_.q) : JointVector::Zero(q.size());
+  const bool first = state_.q.size() == 0;
+  const double seconds = time - state_.time;
+  const SampleGap gap =
+      first ? SampleGap::none
+            : gap_between(*manipulator_, options_.samples, intervals_, state_.q, drives, seconds);
+  if (!first) intervals_.add(seconds);
+  const JointVector step = first ? JointVector::Zero(q.size()) : JointVector(drives - state_.q);
   const JointVector bend = bend_.next(options_.samples, step);
   const bool followed = state_.followed();
-  if (followed && gap)
-    lose(time, Doubt::gap);
+  if (followed && gap != SampleGap::none)
+    lose(time, doubt_of(gap));
   else if (followed)
     follow(time, drives, bend);
   else
@@ -181,10 +193,10 @@ void Tracker::follow(double time, const JointVector& q, const JointVector& bend)
     watch_assembly(time);
 }
 
-void Tracker::follow_candidates(const JointVector& q, const JointVector& bend, bool gap) noexcept {
-  if (gap && state_.status == TrackStatus::ambiguous) {
+void Tracker::follow_candidates(const JointVector& q, const JointVector& bend, SampleGap gap) noexcept {
+  if (gap != SampleGap::none && state_.status == TrackStatus::ambiguous) {
     candidates_.clear();
-    doubt(Doubt::gap);
+    doubt(doubt_of(gap));
   }
   candidates_.follow(certifier_, q, bend, options_.most_steps);
 }
@@ -324,6 +336,8 @@ Transition Tracker::from_here(TransitionKind kind, double time) const noexcept {
   transition.aspect_before = transition.aspect_after = state_.aspect;
   return transition;
 }
+
+Transitions Tracker::take_transitions() noexcept { return std::exchange(transitions_, {}); }
 
 void Tracker::add(const Transition& transition) noexcept {
   if (transition.aspect_after != 0) last_aspect_ = transition.aspect_after;

@@ -24,7 +24,9 @@ const char* reason(Doubt doubt) noexcept {
     case Doubt::near_parallel_singularity:
       return "the drives came too near to det A = 0 to tell the assembly mode";
     case Doubt::gap:
-      return "the last step of the drives was longer than their velocity limits allow, or took too long";
+      return "the last step of the drives was longer than their velocity limits allow";
+    case Doubt::silence:
+      return "no sample came for so long that the robot may have moved unseen (tracking/longest_interval)";
     case Doubt::step_budget:
       return "the last step of the drives was too long to be certified with the subdivisions allowed";
     case Doubt::several_assembly_modes:

@@ -77,6 +77,8 @@ class MasterRestart : public testing::Test {
     ros::param::set(node + "/start/pose", std::vector<double>{4.5, 8.0});
     ros::param::set(node + "/map/resolution", 0.2);
     ros::param::set(node + "/joint_states_timeout", 2.0);  // a busy computer holds messages up
+    ros::param::set(node + "/tracking/longest_interval", std::numeric_limits<double>::infinity());
+    ros::param::set(node + "/tracking/check_velocity", false);  // no drive is as fast
     ros::param::set(node + "/mechanism", test::five_bar_mechanism_parameter());
     process_ = std::make_unique<test::Process>(PARALLEL_ASPECTS_NODE, "/");
     advertise();

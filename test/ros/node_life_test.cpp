@@ -54,6 +54,7 @@ class NodeLife : public testing::Test {
     set("mechanism", five_bar_mechanism_parameter());
     set("tracking/path_bend", 0.0);    // the motions are straight between samples
     set("joint_states_timeout", 2.0);  // a busy computer holds messages up
+    set("tracking/longest_interval", std::numeric_limits<double>::infinity());
     set("start/pose", std::vector<double>{4.5, 8.0});
     set("map/resolution", 0.2);
     joint_states_ = ros::NodeHandle().advertise<sensor_msgs::JointState>(space_ + "/joint_states", 1000);

@@ -30,6 +30,21 @@ TEST(OptionsFrom, EmptyParametersGiveTheDefaults) {
   EXPECT_EQ(options.joint_states_timeout, NodeOptions{}.joint_states_timeout);
   EXPECT_FALSE(options.map.resolution);
   EXPECT_FALSE(options.start.pose);
+  EXPECT_EQ(options.tracking.samples.longest_interval, options.joint_states_timeout);
+}
+
+TEST(OptionsFrom, TheLongestIntervalIsTheTimeoutUnlessItIsStated) {
+  XmlRpcValue parameters;
+  parameters["joint_states_timeout"] = 2.0;
+  Problems problems;
+  EXPECT_EQ(options_from(parameters, "/node/", problems).tracking.samples.longest_interval, 2.0);
+  parameters["tracking"]["longest_interval"] = infinity;
+  parameters["tracking"]["interval_ratio"] = 10;
+  const NodeOptions options = options_from(parameters, "/node/", problems);
+  EXPECT_EQ(options.tracking.samples.longest_interval, infinity);
+  EXPECT_EQ(options.tracking.samples.interval_ratio, 10.0);
+  EXPECT_TRUE(problems.empty());
+  EXPECT_TRUE(problems_of(options, *test::five_bar(), "/node/").empty());
 }
 
 TEST(OptionsFrom, ReadsEveryParameter) {
@@ -100,6 +115,8 @@ TEST(ProblemsOf, NamesEveryValueOutOfRangeAtOnce) {
   options.start.determinant_sign = 0;
   options.start.tolerance = -1.0;
   options.joint_states_timeout = infinity;
+  options.tracking.samples.longest_interval = 0.0;
+  options.tracking.samples.interval_ratio = 0.5;
   options.tf_timeout = -0.1;
   options.display.gallery_scale = not_a_number;
   options.display.radius = -0.2;
@@ -109,10 +126,11 @@ TEST(ProblemsOf, NamesEveryValueOutOfRangeAtOnce) {
   for (const char* words :
        {"/node/map/resolution", "/node/map/extra_levels", "/node/map/region", "/node/start has both",
         "/node/start/pose must be a list of finite numbers [x, y]", "/node/start/determinant_sign",
-        "/node/start/tolerance", "/node/joint_states_timeout", "/node/tf_timeout",
+        "/node/start/tolerance", "/node/tracking/longest_interval",
+        "/node/tracking/interval_ratio", "/node/joint_states_timeout", "/node/tf_timeout",
         "/node/display/gallery_scale", "/node/display/radius", "/node/display/rate", "/node/frame_prefix"})
     EXPECT_TRUE(mention(problems, words)) << words;
-  EXPECT_EQ(problems.size(), 13U);
+  EXPECT_EQ(problems.size(), 15U);
 }
 
 TEST(ProblemsOf, RefusesARegionOfTheWrongDimension) {

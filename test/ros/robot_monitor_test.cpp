@@ -148,8 +148,43 @@ TEST_F(RobotMonitorTest, BecomesStaleOnceAndRecovers) {
   expect_says_nothing(*stale);
   EXPECT_FALSE(monitor_.expire(at(1.7)));
   EXPECT_EQ(code(1.7), Status::STALE);
-  EXPECT_EQ(update(drives(4.5, 8.01, {1, -1}, 1.8), 1.8).state->status.code, Status::OK);
-  EXPECT_TRUE(monitor_.expire(at(2.5)));
+  const AspectState after = *update(drives(4.5, 8.01, {1, -1}, 1.8), 1.8).state;
+  EXPECT_EQ(after.status.code, Status::AMBIGUOUS) << "it may have been moved meanwhile";
+  EXPECT_NE(after.status.sentence.find("longest_interval"), std::string::npos) << after.status.sentence;
+  EXPECT_EQ(monitor_.start_near(test::pose_at(4.5, 8.0), at(1.8)).code, Status::OK);
+  EXPECT_EQ(update(drives(4.5, 8.01, {1, -1}, 1.9), 1.9).state->status.code, Status::OK);
+  EXPECT_TRUE(monitor_.expire(at(2.6)));
+}
+
+// Stamps say when the robot was where, arrivals only what the network did.
+TEST_F(RobotMonitorTest, ASilenceCountsByStamps) {
+  for (int i = 0; i < 20; ++i) update(drives(4.5, 8.0, {1, -1}, 1.0 + 0.1 * i), 1.0 + 0.1 * i);
+  for (int i = 20; i < 40; ++i) update(drives(4.5, 8.0, {1, -1}, 1.0 + 0.1 * i), 5.0);
+  EXPECT_EQ(update(drives(4.5, 8.0, {1, -1}, 5.0), 5.0).state->status.code, Status::OK);
+  EXPECT_EQ(update(drives(4.5, 8.0, {1, -1}, 5.6), 5.6).state->status.code, Status::AMBIGUOUS);
+}
+
+TEST_F(RobotMonitorTest, ContinuityAcrossSilencesCanBeStated) {
+  NodeOptions options = start_at_pose(4.5, 8.0);
+  options.tracking.samples.longest_interval = std::numeric_limits<double>::infinity();
+  RobotMonitor trusting(mechanism_, options);
+  trusting.update(drives(4.5, 8.0, {1, -1}, 1.0), at(1.0));
+  trusting.expire(at(1.9));
+  EXPECT_EQ(trusting.update(drives(4.5, 8.1, {1, -1}, 2.0), at(2.0)).state->status.code, Status::OK);
+}
+
+// However often work is done until the next sample.
+TEST_F(RobotMonitorTest, ALossIsToldOnce) {
+  update(drives(4.5, 8.0, {1, -1}, 1.0), 1.0);
+  std::vector<AspectTransition> told = update(drives(4.5, 8.0, {1, -1}, 2.0), 2.0).transitions;
+  for (int i = 1; i <= 5; ++i) {
+    for (int k = 0; k < 4; ++k) monitor_.work();
+    const auto more = update(drives(4.5, 8.0, {1, -1}, 2.0 + 0.1 * i), 2.0 + 0.1 * i).transitions;
+    told.insert(told.end(), more.begin(), more.end());
+  }
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_EQ(told.front().kind, AspectTransition::LOST);
+  EXPECT_EQ(told.front().header.stamp, at(2.0));
 }
 
 TEST_F(RobotMonitorTest, ForgetsEverythingWhenTimeIsReset) {
@@ -181,7 +216,7 @@ TEST_F(RobotMonitorTest, ASampleThatIsOldWhenItComesIsFollowedButStale) {
   EXPECT_FALSE(late.tracked);
   EXPECT_EQ(code(2.0), Status::STALE);
   EXPECT_FALSE(monitor_.expire(at(2.1))) << "that was said";
-  EXPECT_EQ(update(drives(4.5, 8.2, {1, -1}, 2.0), 2.0).state->status.code, Status::OK);
+  EXPECT_EQ(update(drives(4.5, 8.2, {1, -1}, 1.6), 2.05).state->status.code, Status::OK);
 }
 
 TEST_F(RobotMonitorTest, RefusesStampsThatNoClockGives) {

@@ -87,7 +87,7 @@ static_assert(noexcept(std::declval<HazardMemory&>().see(std::declval<const Dist
                                                          0.0)));
 
 struct Seen {
-  long updates = 0, crossings = 0, losses = 0, gaps = 0, candidates = 0, assembly_modes = 0, allocations = 0;
+  long updates = 0, crossings = 0, losses = 0, gaps = 0, candidates = 0, assembly_modes = 0, silences = 0, allocations = 0;
 };
 
 // Random walks through crossings, losses and gaps; after a loss the candidates are followed for a while.
@@ -112,6 +112,7 @@ Seen walk(const std::shared_ptr<const Manipulator>& robot, const JointVector& st
         for (double& entry : coefficients_of(direction)) entry = size * uniform(random);
       q += direction;
       if (i % 97 == 96) q += 100.0 * direction;
+      if (i % 113 == 112) time += 0.1;
       if (i == 120) q[0] = std::numeric_limits<double>::quiet_NaN();
       const bool followed = tracker.state().followed();
       const long before = allocations;
@@ -132,6 +133,7 @@ Seen walk(const std::shared_ptr<const Manipulator>& robot, const JointVector& st
       if (!followed || tracker.state().followed()) continue;
       ++seen.losses;
       seen.gaps += tracker.state().doubt == Doubt::gap;
+      seen.silences += tracker.state().doubt == Doubt::silence;
       tracker.find_candidates();
     }
   }
@@ -172,6 +174,7 @@ TEST(HotPath, AllocatesNothingWithSixCandidates) {
   const Seen seen = walk(test::three_rpr(), q, 0.02, 20);
   EXPECT_EQ(seen.allocations, 0);
   EXPECT_GT(seen.losses, 5);
+  EXPECT_GT(seen.silences, 5);
   EXPECT_GT(seen.candidates, 100);
 }
 

@@ -41,7 +41,7 @@ class LocalMotion : public testing::TestWithParam<const char*> {
     double farthest = 0.0;
     for (std::size_t i = 1; i < drives.size(); ++i) {
       EXPECT_TRUE(robot_.within_limits(drives[i]));
-      tracker.update(static_cast<double>(i), drives[i]);
+      tracker.update(0.1 * static_cast<double>(i), drives[i]);
       ASSERT_EQ(tracker.state().status, TrackStatus::tracking) << "corner " << i;
       ASSERT_TRUE(tracker.transitions().empty()) << "corner " << i;
       for (const Leg& leg : robot_.legs())

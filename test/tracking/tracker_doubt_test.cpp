@@ -41,10 +41,11 @@ std::shared_ptr<const Manipulator> with_velocity(const Manipulator& robot, doubl
   return test::manipulator(robot.name(), robot.task_space(), std::move(legs));
 }
 
-// For steps that are long, and taken to be straight.
+// For steps that are long in time and way, and taken to be straight.
 TrackerOptions straight() {
   TrackerOptions options;
   options.samples.path_bend = 0.0;
+  options.samples.longest_interval = std::numeric_limits<double>::infinity();
   return options;
 }
 
@@ -82,17 +83,75 @@ TEST(TrackerInDoubt, RefusesOptionsThatMakeNoSense) {
   options.samples.velocity_tolerance = -0.1;
   options.samples.encoder_noise = std::numeric_limits<double>::quiet_NaN();
   options.samples.longest_interval = 0.0;
-  EXPECT_EQ(problems_of(options).size(), 5U);
+  options.samples.interval_ratio = 0.5;
+  EXPECT_EQ(problems_of(options).size(), 6U);
 }
 
-TEST(TrackerInDoubt, AnIntervalThatIsTooLongIsAGap) {
-  TrackerOptions options;
-  options.samples.longest_interval = 0.5;
-  Tracker tracker(bipod, options);
+TEST(TrackerInDoubt, AnIntervalThatIsTooLongIsASilence) {
+  Tracker tracker(bipod);
   const JointVector q = drives(*bipod, at(2.0, 4.0), {1, 1});
   ASSERT_TRUE(tracker.start(0.0, q, at(2.0, 4.0), 1e-6));
   EXPECT_EQ(tracker.update(0.5, q).status, TrackStatus::tracking);
-  EXPECT_EQ(tracker.update(1.1, q).doubt, Doubt::gap);
+  EXPECT_EQ(tracker.update(1.1, q).doubt, Doubt::silence);
+  ASSERT_TRUE(tracker.start(2.0, q, at(2.0, 4.0), 1e-6));
+  EXPECT_EQ(tracker.update(1.9, q).doubt, Doubt::silence) << "nobody knows how long that was";
+  TrackerOptions options;
+  options.samples.longest_interval = std::numeric_limits<double>::infinity();
+  Tracker trusting(bipod, options);
+  ASSERT_TRUE(trusting.start(0.0, q, at(2.0, 4.0), 1e-6));
+  EXPECT_EQ(trusting.update(1000.0, q).status, TrackStatus::tracking) << "continuity was stated";
+}
+
+// Moved by hand through det A = 0 while nothing was published, and back to drives near those before: now in the
+// other assembly mode.
+TEST(TrackerInDoubt, ARobotThatWasMovedInSilenceIsNotFollowed) {
+  const auto robot = test::five_bar();
+  const JointVector q = drives(*robot, at(4.5, 8.0), {-1, -1});
+  for (const double silence : {0.06, 0.3}) {
+    Tracker tracker(robot);
+    ASSERT_TRUE(tracker.start(0.0, q, 1));
+    for (int i = 1; i <= 20; ++i)
+      ASSERT_EQ(tracker.update(0.01 * i, q).status, TrackStatus::tracking);
+    EXPECT_EQ(tracker.update(0.2 + silence, q + joints({0.01, 0.0})).doubt, Doubt::silence);
+    EXPECT_EQ(tracker.transitions().begin()->kind, TransitionKind::lost);
+    EXPECT_FALSE(tracker.find_candidates());
+    EXPECT_EQ(tracker.candidates().size(), 2U) << "both assembly modes are possible";
+  }
+}
+
+TEST(TrackerInDoubt, ASilenceIsToldFromTheUsualRate) {
+  const auto free = test::five_bar(), limited = with_velocity(*free, 1.0);
+  const JointVector q = drives(*free, at(4.5, 8.0), {-1, -1});
+  SampleOptions options;
+  SampleIntervals intervals;
+  const auto gap = [&](const Manipulator& robot, double seconds) {
+    return gap_between(robot, options, intervals, q, q, seconds);
+  };
+  intervals.add(0.01);
+  intervals.add(0.01);
+  EXPECT_EQ(gap(*free, 0.4), SampleGap::none) << "no rate is known yet";
+  intervals.add(0.001);
+  EXPECT_EQ(gap(*free, 0.049), SampleGap::none);
+  EXPECT_EQ(gap(*free, 0.051), SampleGap::silence);
+  EXPECT_EQ(gap(*limited, 0.4), SampleGap::none) << "the limit says how far it can have moved";
+  options.check_velocity = false;
+  EXPECT_EQ(gap(*limited, 0.051), SampleGap::silence);
+  options.interval_ratio = 100.0;
+  EXPECT_EQ(gap(*limited, 0.4), SampleGap::none);
+  options.interval_ratio = 5.0;
+  for (int i = 0; i < 8; ++i) intervals.add(0.1);
+  EXPECT_EQ(gap(*free, 0.4), SampleGap::none) << "this is the rate now";
+}
+
+TEST(TrackerInDoubt, TransitionsAreTakenOnce) {
+  Tracker tracker(bipod);
+  const JointVector q = drives(*bipod, at(2.0, 4.0), {1, 1});
+  ASSERT_TRUE(tracker.start(0.0, q, at(2.0, 4.0), 1e-6));
+  tracker.update(1.0, q);
+  EXPECT_EQ(tracker.take_transitions().count, 1U);
+  EXPECT_TRUE(tracker.take_transitions().empty());
+  tracker.find_candidates();
+  EXPECT_TRUE(tracker.take_transitions().empty());
 }
 
 // At (4.5, 8) the second crank stands at 3.138 in this mode, just below half a turn.
@@ -113,15 +172,19 @@ TEST(TrackerInDoubt, EncodersMayWrap) {
 }
 
 // A drive of 1 rad/s may have gone round the other way within three seconds.
-TEST(TrackerInDoubt, ATimeForHalfATurnIsAGap) {
+TEST(TrackerInDoubt, ATimeForHalfATurnIsASilence) {
   const auto robot = with_velocity(*test::five_bar(), 1.0);
   const JointVector q = drives(*robot, at(4.5, 8.0), {-1, -1});
-  const SampleOptions options;
-  EXPECT_FALSE(is_gap(*robot, options, q, q + joints({1.2, -1.2}), 1.0));
-  EXPECT_TRUE(is_gap(*robot, options, q, q + joints({1.3, 0.0}), 1.0));
-  EXPECT_FALSE(is_gap(*robot, options, q, q, 2.5));
-  EXPECT_TRUE(is_gap(*robot, options, q, q, 3.0));
-  EXPECT_TRUE(is_gap(*robot, options, q, q + joints({0.001, 0.0}), -1.0)) << "time goes backwards";
+  SampleOptions options;
+  options.longest_interval = std::numeric_limits<double>::infinity();
+  const auto gap = [&](const JointVector& step, double seconds) {
+    return gap_between(*robot, options, {}, q, q + step, seconds);
+  };
+  EXPECT_EQ(gap(joints({1.2, -1.2}), 1.0), SampleGap::none);
+  EXPECT_EQ(gap(joints({1.3, 0.0}), 1.0), SampleGap::step);
+  EXPECT_EQ(gap(joints({0.0, 0.0}), 2.5), SampleGap::none);
+  EXPECT_EQ(gap(joints({0.0, 0.0}), 3.0), SampleGap::silence);
+  EXPECT_EQ(gap(joints({0.001, 0.0}), -1.0), SampleGap::step) << "time goes backwards";
 }
 
 TEST(TrackerInDoubt, LimitsSayWhichTurnIsMeant) {

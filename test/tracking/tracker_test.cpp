@@ -81,7 +81,7 @@ TEST(Tracker, NeverLeavesTheAssemblyModeInSilence) {
       if (!tracker.start(0.0, q, run % 2 == 0 ? 1 : -1)) continue;
       for (int i = 1; i < 100 && tracker.state().status == TrackStatus::tracking; ++i) {
         q += joints(change(random), change(random));
-        tracker.update(i, q);
+        tracker.update(0.01 * i, q);
         if (tracker.state().status != TrackStatus::tracking) {
           ++lost;
           break;
@@ -119,6 +119,7 @@ TEST(Tracker, ReportsTheLegAndTimeOfAWorkingModeChange) {
   // At the time told, B_22 is zero.
   TrackerOptions straight;
   straight.samples.path_bend = 0.0;
+  straight.samples.longest_interval = std::numeric_limits<double>::infinity();
   Tracker again(robot, straight);
   const JointVector start = drives(at(4.5, 8.0), -1, -1);
   ASSERT_TRUE(again.start(0.0, start, 1));
@@ -137,7 +138,7 @@ TEST(Tracker, TouchingASerialSingularityIsNoChange) {
   double turn = 0.0;
   for (int i = 1; i <= 40000; ++i) {
     q[0] = start[0] + 1e-4 * i;
-    tracker.update(i, q);
+    tracker.update(1e-4 * i, q);
     if (tracker.state().status != TrackStatus::tracking || !tracker.transitions().empty()) break;
     const double entry = std::abs(inverse_diagonal(*robot, tracker.state().pose, q)[1]);
     if (entry < closest) {
@@ -148,7 +149,7 @@ TEST(Tracker, TouchingASerialSingularityIsNoChange) {
   ASSERT_GT(turn, 0.0);
   ASSERT_TRUE(tracker.start(0.0, start, 1));
   for (int i = 0; i <= 1000; ++i) {
-    tracker.update(i + 1.0, start + joints(turn * std::sin(EIGEN_PI * i / 1000.0), 0.0));
+    tracker.update(1e-3 * (i + 1), start + joints(turn * std::sin(EIGEN_PI * i / 1000.0), 0.0));
     EXPECT_TRUE(tracker.transitions().empty());
   }
   EXPECT_EQ(to_string(tracker.state().mode), "(-,-)");

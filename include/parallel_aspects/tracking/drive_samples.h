@@ -4,7 +4,8 @@
 
 #include "parallel_aspects/model/manipulator.h"
 
-#include <limits>
+#include <array>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,8 @@ struct SampleOptions {
   /// turns can bring them there.
   bool unwrap = true;
 
-  /// Whether a step longer than the velocity limits of the drives allow in its time is a gap, and so is a
-  /// time in which a drive that is unwrapped may have turned by half a turn.
+  /// Whether a step longer than the velocity limits of the drives allow in its time is a gap, and a time in
+  /// which a drive that is unwrapped may have turned by half a turn is a silence.
   bool check_velocity = true;
 
   /// By how much a step may be longer, for jitter of the stamps, as a share [0 or more].
@@ -33,8 +34,14 @@ struct SampleOptions {
   /// motion through det A = 0 touches the image of the singularity, which its chords miss by just that much.
   double path_bend = 2.0;
 
-  /// Samples farther apart than this are a gap, whatever the drives do [s].
-  double longest_interval = std::numeric_limits<double>::infinity();
+  /// A longer interval between the stamps of two samples is a silence, whatever the drives did [s]: a robot
+  /// that is moved meanwhile can go through det A = 0 and come back to drives near those before. Infinite
+  /// where it is known that nothing moves the robot unseen: then no interval is too long.
+  double longest_interval = 0.5;
+
+  /// And where a drive has no velocity limit, or `check_velocity` is false, so is an interval that is this
+  /// many times the median of the last ones [1 or more].
+  double interval_ratio = 5.0;
 };
 
 /// Every problem, a sentence each; empty when the options can be used.
@@ -44,9 +51,36 @@ std::vector<std::string> problems_of(const SampleOptions& options);
 /// limits say. One entry a leg [rad or m]. Never allocates.
 JointVector unwrapped(const Manipulator& manipulator, const JointVector& last, const JointVector& q) noexcept;
 
-/// Whether nothing is known of the way of the drives between two samples that are `seconds` apart.
-bool is_gap(const Manipulator& manipulator, const SampleOptions& options, const JointVector& last,
-            const JointVector& q, double seconds) noexcept;
+/// The last intervals between samples, by which a silence is told from the usual rate. Never allocates.
+class SampleIntervals {
+ public:
+  /// Whether `seconds` is more than `ratio` times the median of the last intervals. False while too few of
+  /// them are known.
+  bool exceeded_by(double seconds, double ratio) const noexcept;
+
+  /// What is not positive is left out [s].
+  void add(double seconds) noexcept;
+
+  void forget() noexcept { count_ = 0; }
+
+ private:
+  static constexpr std::size_t most = 15;   // so many are remembered
+  static constexpr std::size_t fewest = 3;  // with fewer the rate is not known
+  std::array<double, most> seconds_{};
+  std::size_t count_ = 0, next_ = 0;
+};
+
+/// Why nothing is known of the way of the drives between two samples.
+enum class SampleGap {
+  none,     ///< it is known
+  step,     ///< it is longer than the velocity limits allow
+  silence,  ///< too much time went by
+};
+
+/// For two samples that are `seconds` apart, after samples at these intervals.
+SampleGap gap_between(const Manipulator& manipulator, const SampleOptions& options,
+                      const SampleIntervals& intervals, const JointVector& last, const JointVector& q,
+                      double seconds) noexcept;
 
 /// How far the drives may have left the straight way between samples, from one step to the next. Never
 /// allocates.

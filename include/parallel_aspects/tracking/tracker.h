@@ -30,7 +30,8 @@ enum class TrackStatus {
 enum class Doubt {
   none,
   near_parallel_singularity,  ///< the last step came too near to det A = 0 to be certified
-  gap,                        ///< the last step was longer than the velocity limits allow, or took too long
+  gap,                        ///< the last step was longer than the velocity limits allow
+  silence,                    ///< too long a time went by between the last two samples
   step_budget,                ///< the last step needed more subdivisions than allowed
   several_assembly_modes,     ///< the drives can be assembled in several ways
   serial_singularity,         ///< a leg is stretched or folded where tracking would start
@@ -102,7 +103,7 @@ class Tracker {
   /// exactly one and it is not near singular. Allocates.
   bool start(double time, const JointVector& q, int determinant_sign);
 
-  /// Forgets the pose and the candidates.
+  /// Forgets everything but the map: what comes next may be another run.
   void stop() noexcept;
 
   /// The next sample: one entry a leg. What is not finite changes nothing. No allocation, no exception.
@@ -114,8 +115,11 @@ class Tracker {
   /// no step was made.
   const JointVector& bend() const noexcept { return bend_.allowance(); }
 
-  /// What the last `update` or `start` crossed.
+  /// What the last `update` or `start` crossed, and what was found out since.
   const Transitions& transitions() const noexcept { return transitions_; }
+
+  /// The same, for whoever tells them: none comes twice.
+  Transitions take_transitions() noexcept;
 
   /// Whether `find_candidates` would add to what is known: a sample has come, the pose is not followed, and
   /// there is no complete list of assembly modes.
@@ -151,11 +155,12 @@ class Tracker {
   AssemblyComparison compare_with_reference(int most_steps = 4096) const noexcept;
 
  private:
+  void clear() noexcept;
   bool begin_at(double time, const CertifiedPoint& point, int determinant_sign) noexcept;
   bool settle() noexcept;
   bool settle_kept() noexcept;
   void follow(double time, const JointVector& q, const JointVector& bend) noexcept;
-  void follow_candidates(const JointVector& q, const JointVector& bend, bool gap) noexcept;
+  void follow_candidates(const JointVector& q, const JointVector& bend, SampleGap gap) noexcept;
   void watch_legs(const CertifiedPoint& from, const CertifiedPoint& to, double start, double end) noexcept;
   double zero_time(const CertifiedPoint& from, const CertifiedPoint& to, std::size_t leg, double start,
                    double end) const noexcept;
@@ -178,6 +183,7 @@ class Tracker {
   TaskVector entry_sines_;  // there
   Candidates candidates_;   // while ambiguous
   PathBend bend_;
+  SampleIntervals intervals_;
   AssemblyWatch assembly_;
   bool mode_changed_ = false;                  // since the reference was set
   std::array<double, max_legs> zero_times_{};  // when each B_jj last went through zero
