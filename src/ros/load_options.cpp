@@ -190,6 +190,7 @@ NodeOptions options_from(const XmlRpcValue& parameters, const std::string& prefi
   options.distance_rate = rate_from(reader.group("distance"), options.distance_rate);
   options.state_decimation = decimation_from(reader.group("state"));
   options.completed_decimation = decimation_from(reader.group("completed"));
+  reader.read("joint_states_window", options.joint_states_window);
   reader.read("tf_timeout", options.tf_timeout);
   reader.read("frame_prefix", options.frame_prefix);
   for (const char* read_elsewhere : {"mechanism", "constraints", "diagnostic_period"})

@@ -85,9 +85,10 @@ void check_thresholds(const ThresholdParameters& given, const std::string& group
 
 void check_tracking(const TrackerOptions& tracking, const PassiveOptions& passive, Checks& checks) {
   checks.require(within(tracking.hysteresis, 0.0, 0.5), "tracking/hysteresis", "must be 0 to 0.5.");
-  checks.require(tracking.samples.longest_interval > 0.0, "tracking/longest_interval",
-                 "must be a positive number [s], or .inf where nothing moves the robot unseen; leave it out for "
-                 "joint_states_timeout.");
+  checks.require(
+      tracking.samples.longest_interval > 0.0, "tracking/longest_interval",
+      "must be a positive number [s], or .inf where nothing moves the robot unseen; leave it out for "
+      "joint_states_timeout.");
   checks.require(tracking.samples.interval_ratio >= 1.0, "tracking/interval_ratio",
                  "must be 1 or more, or .inf for no limit.");
   checks.require(within(tracking.samples.velocity_tolerance, 0.0, 100.0), "tracking/velocity_tolerance",
@@ -132,6 +133,8 @@ Problems problems_of(const NodeOptions& options, const Manipulator& manipulator,
   checks.require(within(options.distance_rate, 0.1, 1000.0), "distance/rate", "must be 0.1 to 1000 [Hz].");
   checks.require(within(options.joint_states_timeout, 0.001, 3600.0), "joint_states_timeout",
                  "must be a positive number, 0.001 to 3600 [s].");
+  checks.require(within(options.joint_states_window, 0.0, 10.0), "joint_states_window",
+                 "must be 0 to 10 [s].");
   checks.require(within(options.tf_timeout, 0.0, 60.0), "tf_timeout", "must be 0 to 60 [s].");
   checks.require(within(options.state_decimation, 1, 10000), "state/decimation", "must be 1 to 10000.");
   checks.require(within(options.completed_decimation, 1, 10000), "completed/decimation",

@@ -40,12 +40,30 @@ void PublisherWatch::count(const std::string& publisher, std::uint32_t sequence)
   next_to_replace_ = (next_to_replace_ + 1) % most_publishers;
 }
 
-std::string PublisherWatch::claim(const std::string& publisher, const ros::Time& now) {
-  if (Publisher* known = find(publisher)) known->claimed = now;
-  for (const Publisher& other : publishers_)
-    if (other.name != publisher && !other.claimed.isZero() && now - other.claimed <= alive_)
-      return other.name;
-  return {};
+bool PublisherWatch::recent(const Turn& turn, const ros::Time& now) const {
+  return !turn.at.isZero() && now - turn.at <= alive_;
+}
+
+// Two publish the same drive where one is heard, then the other, then the first again. One after the other,
+// as when a bag is played a second time, is no contest.
+Claim PublisherWatch::claim(const std::string& publisher, const DriveSet& drives, const ros::Time& now,
+                            std::string& other) {
+  Publisher* const own = find(publisher);
+  Claim claim = Claim::sole;
+  other.clear();
+  ++claims_;
+  for (std::size_t drive = 0; drive < drives.size(); ++drive) {
+    if (!drives[drive]) continue;
+    const Turn before = own ? own->turns[drive] : Turn();
+    if (own) own->turns[drive] = {now, claims_};
+    for (const Publisher& rival : publishers_) {
+      if (rival.name == publisher || !recent(rival.turns[drive], now) || claim == Claim::contested) continue;
+      const bool by_turns = recent(before, now) && rival.turns[drive].number > before.number;
+      claim = by_turns ? Claim::contested : Claim::waiting;
+      other = rival.name;
+    }
+  }
+  return claim;
 }
 
 bool PublisherWatch::counted() const noexcept {
@@ -54,7 +72,7 @@ bool PublisherWatch::counted() const noexcept {
 }
 
 void PublisherWatch::forget_claims() noexcept {
-  for (Publisher& publisher : publishers_) publisher.claimed = ros::Time();
+  for (Publisher& publisher : publishers_) publisher.turns.fill({});
 }
 
 }  // namespace parallel_aspects

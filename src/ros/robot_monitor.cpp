@@ -17,12 +17,6 @@ Pose start_pose(const Manipulator& manipulator, const std::vector<double>& coord
   return pose_from_coordinates(manipulator.task_space(), values).value_or(Pose{});
 }
 
-// From one time to another [s]. A ros::Duration would throw for stamps that are absurd enough.
-double seconds_between(const ros::Time& from, const ros::Time& to) {
-  return static_cast<double>(to.sec) - static_cast<double>(from.sec) +
-         1e-9 * (static_cast<double>(to.nsec) - static_cast<double>(from.nsec));
-}
-
 constexpr double speed_window = 0.2;  // over which approach is looked at [s]
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
@@ -62,6 +56,7 @@ RobotMonitor::RobotMonitor(std::shared_ptr<const Mechanism> mechanism, const Nod
       passive_(mechanism, options.passive),
       meter_(mechanism->manipulator()),
       stand_off_(mechanism->manipulator(), options.tracking.samples),
+      merger_(mechanism->manipulator(), options.tracking.samples, options.joint_states_window),
       tracker_(mechanism->manipulator(), options.tracking),
       status_(make_status(Status::NO_JOINT_STATES, "No usable joint_states have arrived yet.")),
       publishers_(ros::Duration(timeout_)),
@@ -82,21 +77,31 @@ MonitorUpdate RobotMonitor::update(const sensor_msgs::JointState& message, const
     ++counts_.foreign;
     return {};
   }
-  const std::string other = publishers_.claim(publisher, now);
-  if (!other.empty())
+  std::string other;
+  const Claim claim = publishers_.claim(publisher, sample.drives, now, other);
+  if (claim == Claim::contested)
     return refuse(Status::SEVERAL_PUBLISHERS,
                   "both " + publisher + " and " + other + " publish the drives; stop one of them.", stamp);
+  if (claim == Claim::waiting) return {};
   if (sample.status == SampleStatus::invalid)
     return refuse(Status::INVALID_JOINT_STATES, sample.sentence, stamp);
-  const std::string fault = fault_of_stamp(stamp, now);
+  if (sample.status == SampleStatus::usable && stamp == last_stamp_ && last_q_ && sample.q == *last_q_)
+    return {};  // the same again
+  const std::string fault = fault_of_stamp(sample.status, stamp, now);
   if (!fault.empty()) return refuse(Status::INVALID_JOINT_STATES, fault, stamp);
-  return accept(sample, stamp, now);
+  const auto merged = merger_.add(stamp, sample.drives, sample.q);
+  if (sample.status == SampleStatus::usable) return accept(sample, {stamp, sample.q, {}}, now);
+  if (merged && merged->stamp > last_stamp_) return accept(JointSample(), *merged, now);
+  return wait_for_drives(sample, now);
 }
 
-std::string RobotMonitor::fault_of_stamp(const ros::Time& stamp, const ros::Time& now) const {
+// Messages that hold some of the drives come on several ways, and may overtake one another.
+std::string RobotMonitor::fault_of_stamp(SampleStatus status, const ros::Time& stamp,
+                                         const ros::Time& now) const {
   if (stamp.isZero()) return "its stamp is zero; set header.stamp.";
-  if (stamp == last_stamp_) return "its stamp is that of the message before.";
-  if (stamp < last_stamp_)
+  if (status != SampleStatus::partial && stamp == last_stamp_)
+    return "its stamp is that of the message before, but the drives are elsewhere.";
+  if (status != SampleStatus::partial && stamp < last_stamp_)
     return "its stamp is " + std::to_string(seconds_between(stamp, last_stamp_)) +
            " s before that of the message before.";
   if (seconds_between(now, stamp) > timeout_)
@@ -114,18 +119,35 @@ MonitorUpdate RobotMonitor::refuse(std::uint8_t code, const std::string& sentenc
   return update;
 }
 
-MonitorUpdate RobotMonitor::accept(const JointSample& sample, const ros::Time& stamp, const ros::Time& now) {
+// The others may be on their way; where they are not, the state becomes stale.
+MonitorUpdate RobotMonitor::wait_for_drives(const JointSample& sample, const ros::Time& now) {
+  MonitorUpdate update;
+  if (!last_stamp_.isZero()) return update;
+  if (waiting_since_.isZero()) waiting_since_ = now;
+  status_ = make_status(Status::NO_JOINT_STATES,
+                        "A message of joint_states holds some of the drives, and those of the others do not "
+                        "fit it: " +
+                            sample.sentence);
+  if (seconds_between(waiting_since_, now) > timeout_) update.warning = status_.sentence;
+  update.state = unknown_state(*mechanism_->manipulator(), status_, {});
+  return update;
+}
+
+MonitorUpdate RobotMonitor::accept(const JointSample& sample, const MergedDrives& drives,
+                                   const ros::Time& now) {
   ++counts_.usable;
   const bool first = last_stamp_.isZero();
+  const ros::Time& stamp = drives.stamp;
   if (first) epoch_ = stamp;
-  const JointVector& q = sample.q;
+  const JointVector& q = drives.q;
   last_usable_ = now;
   last_stamp_ = stamp;
   last_q_ = q;
+  last_uncertainty_ = drives.uncertainty;
   readings_ = sample.readings;
   const double time = seconds_between(epoch_, stamp);
   const Status start = first ? start_as_configured(time, q) : Status();
-  if (!first || start.code != Status::OK) tracker_.update(time, q);
+  if (!first || start.code != Status::OK) tracker_.update(time, q, drives.uncertainty);
   const bool unstarted = tracker_.state().status == TrackStatus::unstarted;
   if (first && unstarted && start.code != Status::OK)
     status_ = not_started_ = start;
@@ -184,7 +206,7 @@ void RobotMonitor::judge(const TrackedState& tracked, AspectState& state) {
   DistanceThresholds::Distances lower;
   HazardMemory::Speeds speeds;
   if (measured_) {
-    const double by = anchor_distance(manipulator, measured_->pose, tracked.pose);
+    const double by = anchor_distance(manipulator, measured_->pose, tracked.pose) + tracked.spread;
     const bool same = measured_->mode == tracked.mode;
     for (std::size_t i = 0; i < hazard_count; ++i) {
       if (!same && i != static_cast<std::size_t>(Hazard::serial_singularity)) continue;
@@ -303,13 +325,14 @@ Status RobotMonitor::start_as_configured(double time, const JointVector& q) {
                        "The clock went backwards, so how the robot moved meanwhile is not known; call "
                        "set_assembly_mode.");
   if (start_.pose) {
-    if (tracker_.start(time, q, start_pose(manipulator, *start_.pose), start_tolerance_)) return {};
+    if (tracker_.start(time, q, start_pose(manipulator, *start_.pose), start_tolerance_, last_uncertainty_))
+      return {};
     return make_status(Status::NOT_STARTED, "The first joint sample does not assemble within " +
                                                 std::to_string(start_tolerance_) + " m of start/pose; " +
                                                 how_to_start);
   }
   if (start_.determinant_sign) {
-    if (tracker_.start(time, q, *start_.determinant_sign)) return {};
+    if (tracker_.start(time, q, *start_.determinant_sign, last_uncertainty_)) return {};
     return make_status(
         Status::NOT_STARTED,
         std::string("The first joint sample does not have exactly one assembly mode with the sign "
@@ -399,7 +422,8 @@ Status RobotMonitor::start_near(const Pose& pose, const ros::Time& now) {
   if (!last_q_ || stale(now))
     return make_status(Status::NO_JOINT_STATES,
                        "No present drive values are known; publish joint_states first.");
-  if (tracker_.start(seconds_between(epoch_, last_stamp_), *last_q_, pose, start_tolerance_)) {
+  if (tracker_.start(seconds_between(epoch_, last_stamp_), *last_q_, pose, start_tolerance_,
+                     last_uncertainty_)) {
     keep_transitions();
     return status_ = {};
   }
@@ -413,7 +437,7 @@ Status RobotMonitor::start_with_sign(int determinant_sign, const ros::Time& now)
   if (!last_q_ || stale(now))
     return make_status(Status::NO_JOINT_STATES,
                        "No present drive values are known; publish joint_states first.");
-  if (tracker_.start(seconds_between(epoch_, last_stamp_), *last_q_, determinant_sign)) {
+  if (tracker_.start(seconds_between(epoch_, last_stamp_), *last_q_, determinant_sign, last_uncertainty_)) {
     keep_transitions();
     return status_ = {};
   }
@@ -428,9 +452,10 @@ void RobotMonitor::forget() {
   publishers_.forget_claims();
   tracker_.stop();
   memory_.forget();
+  merger_.forget();
   measured_.reset();
   not_started_ = {};
-  last_stamp_ = last_usable_ = ros::Time();
+  last_stamp_ = last_usable_ = waiting_since_ = ros::Time();
   last_q_.reset();
   status_ =
       make_status(Status::NO_JOINT_STATES, "Time went backwards; no usable joint_states have arrived since.");

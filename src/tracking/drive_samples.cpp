@@ -27,12 +27,7 @@ bool silent(const Manipulator& manipulator, const SampleOptions& options, const 
             double seconds) {
   if (std::isinf(options.longest_interval)) return false;
   if (!(seconds >= 0.0 && seconds <= options.longest_interval)) return true;
-  const auto& legs = manipulator.legs();
-  const bool limited =
-      options.check_velocity && std::all_of(legs.begin(), legs.end(), [](const Leg& leg) {
-        return std::isfinite(leg.limits.velocity);
-      });
-  return !limited && intervals.exceeded_by(seconds, options.interval_ratio);
+  return !velocities_limited(manipulator, options) && intervals.exceeded_by(seconds, options.interval_ratio);
 }
 
 }  // namespace
@@ -69,12 +64,19 @@ JointVector unwrapped(const Manipulator& manipulator, const JointVector& last,
   return result;
 }
 
+bool velocities_limited(const Manipulator& manipulator, const SampleOptions& options) noexcept {
+  const auto& legs = manipulator.legs();
+  return options.check_velocity && std::all_of(legs.begin(), legs.end(), [](const Leg& leg) {
+           return std::isfinite(leg.limits.velocity);
+         });
+}
+
 // More than half of the intervals are below the median, or equal to it: no need to sort.
 bool SampleIntervals::exceeded_by(double seconds, double ratio) const noexcept {
   if (count_ < fewest) return false;
   const auto known = seconds_.begin() + static_cast<std::ptrdiff_t>(count_);
-  const auto shorter = std::count_if(seconds_.begin(), known,
-                                     [&](double interval) { return ratio * interval < seconds; });
+  const auto shorter =
+      std::count_if(seconds_.begin(), known, [&](double interval) { return ratio * interval < seconds; });
   return 2 * static_cast<std::size_t>(shorter) > count_;
 }
 
@@ -88,7 +90,7 @@ void SampleIntervals::add(double seconds) noexcept {
 
 SampleGap gap_between(const Manipulator& manipulator, const SampleOptions& options,
                       const SampleIntervals& intervals, const JointVector& last, const JointVector& q,
-                      double seconds) noexcept {
+                      double seconds, const JointVector& uncertainty) noexcept {
   if (silent(manipulator, options, intervals, seconds)) return SampleGap::silence;
   if (!options.check_velocity) return SampleGap::none;
   for (std::size_t j = 0; j < manipulator.leg_count(); ++j) {
@@ -98,7 +100,8 @@ SampleGap gap_between(const Manipulator& manipulator, const SampleOptions& optio
     const double noise = options.encoder_noise * (leg.driven_by_angle() ? 1.0 : manipulator.size());
     const double possible =
         leg.limits.velocity * (1.0 + options.velocity_tolerance) * std::fmax(0.0, seconds);
-    if (!(std::abs(q[i] - last[i]) <= possible + noise)) return SampleGap::step;
+    const double unknown = uncertainty.size() == q.size() ? uncertainty[i] : 0.0;
+    if (!(std::abs(q[i] - last[i]) <= possible + noise + unknown)) return SampleGap::step;
     const bool turns_freely = leg.driven_by_angle() && !leg.limits.limited();
     if (options.unwrap && turns_freely && possible >= EIGEN_PI) return SampleGap::silence;
   }

@@ -241,6 +241,15 @@ CertifiedBall PoseCertifier::ball(const CertifiedPoint& point, const TaskVector&
   return {turns_little && bent < gain && moved + 0.5 * bent * radius <= kept, radius};
 }
 
+double PoseCertifier::anchor_spread(const CertifiedPoint& point, const TaskVector& slack) const noexcept {
+  const TaskVector still = TaskVector::Zero(static_cast<Eigen::Index>(size_));
+  const CertifiedBall around = ball(point, still, slack, 0.0, 0.0);
+  if (!around.certified) return std::numeric_limits<double>::infinity();
+  double squared = 0.0;
+  for (std::size_t j = 0; j < size_; ++j) squared += lever_[j] * lever_[j];
+  return around.radius * std::sqrt(squared / static_cast<double>(size_));
+}
+
 double PoseCertifier::distance(const Pose& a, const Pose& b) const noexcept {
   double squared = 0.0;
   for (int k = 0; k < 3; ++k) {

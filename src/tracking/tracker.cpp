@@ -53,7 +53,8 @@ void Tracker::set_map(std::shared_ptr<const AspectMap> map) noexcept {
   transitions_ = {};
 }
 
-bool Tracker::start(double time, const JointVector& q, const Pose& pose, double tolerance) {
+bool Tracker::start(double time, const JointVector& q, const Pose& pose, double tolerance,
+                    const JointVector& uncertainty) {
   clear();
   if (q.size() != static_cast<Eigen::Index>(manipulator_->leg_count()) || !q.allFinite()) return false;
   if (!pose.position.allFinite() || !pose.orientation.coeffs().allFinite()) return false;
@@ -61,7 +62,9 @@ bool Tracker::start(double time, const JointVector& q, const Pose& pose, double 
   const JointVector drives = options_.samples.unwrap ? unwrapped(*manipulator_, {}, q) : q;
   if (!certify_solution(certifier_, pose, drives, found.point)) return false;
   if (!(anchor_distance(*manipulator_, found.point.pose, pose) <= tolerance)) return false;
+  uncertainty_ = uncertainty.size() == q.size() ? uncertainty : JointVector::Zero(q.size());
   const RoundingUpward upward;
+  if (std::isinf(certifier_.anchor_spread(found.point, uncertainty_))) return false;
   found.determinant_sign = certifier_.determinant_sign(found.point);
   candidates_.set(found);
   state_.time = time;
@@ -69,7 +72,7 @@ bool Tracker::start(double time, const JointVector& q, const Pose& pose, double 
   return settle();
 }
 
-bool Tracker::start(double time, const JointVector& q, int determinant_sign) {
+bool Tracker::start(double time, const JointVector& q, int determinant_sign, const JointVector& uncertainty) {
   clear();
   const DirectResult result = direct(*manipulator_, q);
   const AssemblyMode* chosen = nullptr;
@@ -80,13 +83,14 @@ bool Tracker::start(double time, const JointVector& q, int determinant_sign) {
     chosen = &mode;
   }
   return result.status == DirectStatus::solved && chosen != nullptr &&
-         start(time, q, chosen->pose, manipulator_->size() * 1e-6);
+         start(time, q, chosen->pose, manipulator_->size() * 1e-6, uncertainty);
 }
 
 bool Tracker::find_candidates() {
   if (!wants_candidates()) return state_.followed();
   const bool first = state_.status == TrackStatus::unstarted;
   candidates_.find(*manipulator_, certifier_, state_.q);
+  if (!uncertainty_.isZero(0.0)) candidates_.doubt();
   if (candidates_.complete() && candidates_.size() == 0)
     doubt(Doubt::no_direct_solution);
   else if (first || state_.doubt == Doubt::no_direct_solution)
@@ -121,7 +125,9 @@ bool Tracker::begin_at(double time, const CertifiedPoint& point, int determinant
   WorkingMode mode;
   if (!proved_mode(point, mode)) return false;
   point_ = point;
-  state_ = {TrackStatus::tracking, time, point.q, point.pose, mode, determinant_sign, 0, Doubt::none, 0.0};
+  state_ = {TrackStatus::tracking, time, point.q,     point.pose, mode,
+            determinant_sign,      0,    Doubt::none, 0.0,        0.0};
+  state_.spread = spread();
   entry_sines_ = certifier_.entry_sines(point);
   zero_times_.fill(time);
   candidates_.clear();
@@ -146,20 +152,23 @@ void Tracker::clear() noexcept {
   transitions_ = {};
 }
 
-const TrackedState& Tracker::update(double time, const JointVector& q) noexcept {
+const TrackedState& Tracker::update(double time, const JointVector& q,
+                                    const JointVector& uncertainty) noexcept {
   transitions_ = {};
   if (q.size() != static_cast<Eigen::Index>(manipulator_->leg_count()) || !q.allFinite() ||
       !std::isfinite(time))
     return state_;
   const JointVector drives = options_.samples.unwrap ? unwrapped(*manipulator_, state_.q, q) : q;
   const bool first = state_.q.size() == 0;
+  const JointVector last_uncertainty = first ? JointVector::Zero(q.size()) : uncertainty_;
+  uncertainty_ = uncertainty.size() == q.size() ? uncertainty : JointVector::Zero(q.size());
   const double seconds = time - state_.time;
-  const SampleGap gap =
-      first ? SampleGap::none
-            : gap_between(*manipulator_, options_.samples, intervals_, state_.q, drives, seconds);
+  const SampleGap gap = first ? SampleGap::none
+                              : gap_between(*manipulator_, options_.samples, intervals_, state_.q, drives,
+                                            seconds, last_uncertainty + uncertainty_);
   if (!first) intervals_.add(seconds);
   const JointVector step = first ? JointVector::Zero(q.size()) : JointVector(drives - state_.q);
-  const JointVector bend = bend_.next(options_.samples, step);
+  const JointVector bend = bend_.next(options_.samples, step) + last_uncertainty.cwiseMax(uncertainty_);
   const bool followed = state_.followed();
   if (followed && gap != SampleGap::none)
     lose(time, doubt_of(gap));
@@ -169,6 +178,7 @@ const TrackedState& Tracker::update(double time, const JointVector& q) noexcept 
     follow_candidates(drives, bend, gap);
   state_.time = time;
   state_.q = drives;
+  state_.spread = spread();
   if (state_.followed() && state_.aspect == 0) identify_aspect();
   if (!followed) settle();
   return state_;
@@ -281,6 +291,12 @@ void Tracker::watch_assembly(double time) noexcept {
   transition.inside_aspect = !mode_changed_;
   mode_changed_ = false;
   add(transition);
+}
+
+double Tracker::spread() const noexcept {
+  if (!state_.followed() || uncertainty_.isZero(0.0)) return 0.0;
+  const RoundingUpward upward;
+  return certifier_.anchor_spread(point_, uncertainty_);
 }
 
 void Tracker::set_reference() noexcept {

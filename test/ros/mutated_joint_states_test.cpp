@@ -78,7 +78,7 @@ double residual(const Manipulator& robot, const AspectState& state, const sensor
   if (!pose) return INFINITY;
   for (const Leg& leg : robot.legs()) {
     const auto found = std::find(message.name.begin(), message.name.end(), leg.driven_joint);
-    if (found == message.name.end()) return INFINITY;
+    if (found == message.name.end()) continue;  // merged with a message before
     const double q = message.position[static_cast<std::size_t>(found - message.name.begin())];
     const double rod = (pose->transform(leg.anchor) - leg.proximal_point(q)).norm();
     worst = std::max(worst, std::abs(rod - std::sqrt(leg.squared_distance(q))));

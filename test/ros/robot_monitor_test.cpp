@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/ros/robot_monitor.h"
 
+#include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/ros/decimation.h"
 #include "parallel_aspects/ros/hazard_messages.h"
 
@@ -110,7 +111,7 @@ TEST_F(RobotMonitorTest, ABadMessageMakesTheStateUnknownUntilTheNextGoodOne) {
 
 TEST_F(RobotMonitorTest, RefusesStampsThatDoNotIncrease) {
   update(drives(4.5, 8.0, {1, -1}, 1.0), 1.0);
-  EXPECT_EQ(update(drives(4.5, 8.0, {1, -1}, 1.0), 1.1).state->status.code, Status::INVALID_JOINT_STATES);
+  EXPECT_EQ(update(drives(4.5, 8.01, {1, -1}, 1.0), 1.1).state->status.code, Status::INVALID_JOINT_STATES);
   EXPECT_EQ(update(drives(4.5, 8.0, {1, -1}, 0.9), 1.2).state->status.code, Status::INVALID_JOINT_STATES);
   sensor_msgs::JointState zero = drives(4.5, 8.0, {1, -1}, 0.0);
   zero.header.stamp = ros::Time();
@@ -221,7 +222,7 @@ TEST_F(RobotMonitorTest, ASampleThatIsOldWhenItComesIsFollowedButStale) {
 
 TEST_F(RobotMonitorTest, RefusesStampsThatNoClockGives) {
   update(drives(4.5, 8.0, {1, -1}, 1.0), 1.0);
-  auto message = drives(4.5, 8.0, {1, -1}, 1.1);
+  auto message = drives(4.5, 8.01, {1, -1}, 1.1);
   for (const ros::Time& stamp :
        {ros::Time(), at(1.0), at(0.5), at(1000.0), ros::Time(4294967295U, 999999999U)}) {
     message.header.stamp = stamp;
@@ -245,17 +246,80 @@ TEST_F(RobotMonitorTest, AnEncoderThatWrapsHasNotTurned) {
 }
 
 TEST_F(RobotMonitorTest, TwoNodesThatPublishTheDrivesAreRefused) {
-  const auto from = [&](const char* publisher, double seconds) {
-    return monitor_.update(drives(4.5, 8.0, {1, -1}, seconds), at(seconds), publisher).state->status;
+  const auto send = [&](const char* publisher, double seconds) {
+    return monitor_.update(drives(4.5, 8.0, {1, -1}, seconds), at(seconds), publisher).state;
   };
+  const auto from = [&](const char* publisher, double seconds) { return send(publisher, seconds)->status; };
   EXPECT_EQ(from("/one", 1.0).code, Status::OK);
-  const Status refused = from("/two", 1.1);
+  EXPECT_FALSE(send("/two", 1.05)) << "the first may have ended";
+  const Status refused = from("/one", 1.1);
   EXPECT_EQ(refused.code, Status::SEVERAL_PUBLISHERS);
   EXPECT_NE(refused.sentence.find("/one"), std::string::npos);
   EXPECT_NE(refused.sentence.find("/two"), std::string::npos);
+  EXPECT_EQ(from("/two", 1.15).code, Status::SEVERAL_PUBLISHERS);
   EXPECT_EQ(from("/one", 1.2).code, Status::SEVERAL_PUBLISHERS);
   EXPECT_EQ(code(1.2), Status::SEVERAL_PUBLISHERS);
-  EXPECT_EQ(from("/one", 1.7).code, Status::OK) << "the other one has been silent since";
+  EXPECT_NE(from("/one", 1.7).code, Status::SEVERAL_PUBLISHERS) << "the other one has been silent since";
+}
+
+// The second player has another name, its first messages come before the clock that it sets back.
+TEST_F(RobotMonitorTest, ABagThatIsPlayedTwiceHasOnePublisher) {
+  for (int i = 0; i <= 30; ++i)
+    monitor_.update(drives(4.5, 8.0, {1, -1}, 1.0 + 0.1 * i), at(1.0 + 0.1 * i), "/play_1");
+  for (int i = 0; i < 3; ++i) {
+    const auto early = monitor_.update(drives(4.5, 8.0, {1, -1}, 1.0 + 0.1 * i), at(4.0), "/play_2");
+    EXPECT_FALSE(early.state) << early.state->status.sentence;
+  }
+  const auto again = monitor_.update(drives(4.5, 8.0, {1, -1}, 1.3), at(1.3), "/play_2");
+  EXPECT_EQ(again.state->status.code, Status::OK) << again.state->status.sentence;
+}
+
+TEST_F(RobotMonitorTest, TheSameMessageAgainIsIgnored) {
+  const auto message = drives(4.5, 8.0, {1, -1}, 1.0);
+  EXPECT_EQ(update(message, 1.0).state->status.code, Status::OK);
+  const MonitorUpdate again = update(message, 1.1);
+  EXPECT_FALSE(again.state);
+  EXPECT_TRUE(again.warning.empty());
+  EXPECT_EQ(code(1.1), Status::OK);
+  EXPECT_EQ(monitor_.counts().invalid, 0U);
+  EXPECT_TRUE(monitor_.expire(at(1.6))) << "it is as old as it was";
+}
+
+TEST_F(RobotMonitorTest, WhatWasBeforeTimeBeganAnewIsNotTold) {
+  monitor_.set_map(compute_aspect_map(mechanism_->manipulator()).map);
+  const auto first = update(drives(4.5, 8.0, {1, -1}, 5.0), 5.0).transitions;
+  ASSERT_EQ(first.size(), 1U);
+  const auto again = update(drives(4.5, 8.0, {1, -1}, 1.0), 1.0).transitions;
+  ASSERT_EQ(again.size(), 1U);
+  EXPECT_EQ(again.front().aspect_before, 0U);
+  EXPECT_EQ(again.front().aspect_after, first.front().aspect_after);
+}
+
+// One publisher for each joint, each half a period after the other.
+TEST_F(RobotMonitorTest, DrivesOfSeveralPublishersAreMerged) {
+  const auto send = [&](int drive, double y, double seconds) {
+    auto message = drives(4.5, y, {1, -1}, seconds);
+    message.name = {message.name[static_cast<std::size_t>(drive)]};
+    message.position = {message.position[static_cast<std::size_t>(drive)]};
+    return monitor_.update(message, at(seconds), drive == 0 ? "/one" : "/two");
+  };
+  const auto alone = send(0, 8.0, 1.0);
+  EXPECT_EQ(alone.state->status.code, Status::NO_JOINT_STATES);
+  EXPECT_NE(alone.state->status.sentence.find("crank_2_joint"), std::string::npos);
+  for (int i = 1; i < 100; ++i) {
+    const MonitorUpdate merged = send(i % 2, 8.0 + 5e-4 * i, 1.0 + 0.005 * i);
+    ASSERT_TRUE(merged.state);
+    ASSERT_EQ(merged.state->status.code, Status::OK) << i << ": " << merged.state->status.sentence;
+    EXPECT_EQ(merged.state->header.stamp, at(1.0 + 0.005 * i));
+    EXPECT_LE(std::abs(merged.state->pose.position.y - 8.0 - 5e-4 * i), merged.tracked->spread);
+    monitor_.work();
+  }
+  const AspectState merged = *send(0, 8.05, 1.5).state;
+  EXPECT_FALSE(send(0, 8.05, 1.7).state) << "the other value is too old";
+  const AspectState complete = *update(drives(4.5, 8.05, {1, -1}, 1.71), 1.71).state;
+  EXPECT_EQ(complete.status.code, Status::OK) << complete.status.sentence;
+  EXPECT_LT(merged.parallel_distance.lower, complete.parallel_distance.lower) << "by the possible motion";
+  EXPECT_TRUE(monitor_.expire(at(2.3))) << "drives that are missing make it stale";
 }
 
 TEST_F(RobotMonitorTest, CountsWhatWasLost) {

@@ -102,16 +102,15 @@ TEST(TrackerInDoubt, AnIntervalThatIsTooLongIsASilence) {
   EXPECT_EQ(trusting.update(1000.0, q).status, TrackStatus::tracking) << "continuity was stated";
 }
 
-// Moved by hand through det A = 0 while nothing was published, and back to drives near those before: now in the
-// other assembly mode.
+// Moved by hand through det A = 0 while nothing was published, and back to drives near those before: now in
+// the other assembly mode.
 TEST(TrackerInDoubt, ARobotThatWasMovedInSilenceIsNotFollowed) {
   const auto robot = test::five_bar();
   const JointVector q = drives(*robot, at(4.5, 8.0), {-1, -1});
   for (const double silence : {0.06, 0.3}) {
     Tracker tracker(robot);
     ASSERT_TRUE(tracker.start(0.0, q, 1));
-    for (int i = 1; i <= 20; ++i)
-      ASSERT_EQ(tracker.update(0.01 * i, q).status, TrackStatus::tracking);
+    for (int i = 1; i <= 20; ++i) ASSERT_EQ(tracker.update(0.01 * i, q).status, TrackStatus::tracking);
     EXPECT_EQ(tracker.update(0.2 + silence, q + joints({0.01, 0.0})).doubt, Doubt::silence);
     EXPECT_EQ(tracker.transitions().begin()->kind, TransitionKind::lost);
     EXPECT_FALSE(tracker.find_candidates());
@@ -169,6 +168,37 @@ TEST(TrackerInDoubt, EncodersMayWrap) {
     ASSERT_LT((tracker.state().q - q).norm(), 1e-12);
   }
   EXPECT_GT(q[1], EIGEN_PI);
+}
+
+// Whatever the drives are within their uncertainty, the platform is as near as the spread says, and in the
+// assembly mode that is followed.
+TEST(TrackerInDoubt, UncertainDrivesAreFollowedAsAWhole) {
+  const auto robot = test::five_bar();
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> share(-1.0, 1.0);
+  const JointVector uncertainty = joints({0.02, 0.01});
+  Tracker tracker(robot);
+  JointVector q = drives(*robot, at(4.5, 8.0), {-1, 1});
+  ASSERT_TRUE(tracker.start(0.0, q, at(4.5, 8.0), 1e-6));
+  int followed = 0;
+  for (; followed < 3000; ++followed) {
+    q += joints({0.001, -0.001});
+    const TrackedState& state = tracker.update(0.001 * (followed + 1), q, uncertainty);
+    if (!state.followed()) break;
+    ASSERT_GT(state.spread, 0.0);
+    for (int i = 0; i < 10; ++i) {
+      const JointVector truth = q + joints({share(random), share(random)}).cwiseProduct(uncertainty);
+      const DirectResult all = direct(*robot, truth);
+      ASSERT_EQ(all.solutions.size(), 2U) << "this far from det A = 0 at least";
+      const AssemblyMode& same = all.solutions[state.determinant_sign > 0 ? 0 : 1];
+      EXPECT_LE((same.pose.position - state.pose.position).norm(), state.spread);
+    }
+  }
+  EXPECT_GT(followed, 100);
+  EXPECT_EQ(tracker.state().doubt, Doubt::near_parallel_singularity);
+  tracker.update(0.001 * (followed + 2), q, uncertainty);
+  tracker.find_candidates();
+  EXPECT_FALSE(tracker.candidates().complete()) << "at other drives there may be others";
 }
 
 // A drive of 1 rad/s may have gone round the other way within three seconds.

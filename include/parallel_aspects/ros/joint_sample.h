@@ -3,6 +3,7 @@
 #define PARALLEL_ASPECTS_ROS_JOINT_SAMPLE_H
 
 #include "parallel_aspects/model/vectors.h"
+#include "parallel_aspects/ros/publisher_watch.h"
 #include "parallel_aspects/urdf/mechanism.h"
 
 #include <memory>
@@ -14,13 +15,15 @@ namespace parallel_aspects {
 
 enum class SampleStatus {
   usable,   ///< `q` is filled; `sentence` may name a joint that was ignored
-  foreign,  ///< holds none of the actuated joints, so it is another robot's
+  partial,  ///< holds some of the drives, the others are not a number; `sentence` says which are missing
+  foreign,  ///< holds none of the actuated joints, so it is another robot's, or of passive joints alone
   invalid,  ///< cannot be used; `sentence` says why
 };
 
 struct JointSample {
   SampleStatus status = SampleStatus::invalid;
   std::string sentence;
+  DriveSet drives;           ///< which ones the message names
   JointVector q;             ///< in the order of the legs [rad or m]
   Eigen::VectorXd readings;  ///< of every joint, as `joint_readings`; only where usable
 };
@@ -37,6 +40,8 @@ class JointSampleReader {
   JointSample read(const sensor_msgs::JointState& message) const;
 
  private:
+  JointSample read(const sensor_msgs::JointState& message, const DriveSet& drives) const;
+
   std::shared_ptr<const Mechanism> mechanism_;
 };
 

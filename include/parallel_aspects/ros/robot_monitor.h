@@ -4,6 +4,7 @@
 
 #include "parallel_aspects/distance/boundary_distances.h"
 #include "parallel_aspects/ros/conversions.h"
+#include "parallel_aspects/ros/drive_merger.h"
 #include "parallel_aspects/ros/joint_sample.h"
 #include "parallel_aspects/ros/node_options.h"
 #include "parallel_aspects/ros/publisher_watch.h"
@@ -100,8 +101,9 @@ class RobotMonitor {
 
  private:
   MonitorUpdate refuse(std::uint8_t code, const std::string& sentence, const ros::Time& stamp);
-  MonitorUpdate accept(const JointSample& sample, const ros::Time& stamp, const ros::Time& now);
-  std::string fault_of_stamp(const ros::Time& stamp, const ros::Time& now) const;
+  MonitorUpdate wait_for_drives(const JointSample& sample, const ros::Time& now);
+  MonitorUpdate accept(const JointSample& sample, const MergedDrives& drives, const ros::Time& now);
+  std::string fault_of_stamp(SampleStatus status, const ros::Time& stamp, const ros::Time& now) const;
   Status start_as_configured(double time, const JointVector& q);
   Status status_of_tracker() const;
   Status stale_status() const;
@@ -126,6 +128,7 @@ class RobotMonitor {
   const StandOff stand_off_;
 
   mutable std::mutex mutex_;
+  DriveMerger merger_;
   Tracker tracker_;
   Status status_;
   Status not_started_;       // why, where the first sample could not start
@@ -133,7 +136,9 @@ class RobotMonitor {
   ros::Time last_stamp_;     // of the last usable sample; zero for none
   ros::Time last_received_;  // when any message came
   ros::Time last_usable_;    // when the last usable one came
+  ros::Time waiting_since_;  // for the other drives, before the first one; zero for not
   std::optional<JointVector> last_q_;
+  JointVector last_uncertainty_;
   std::vector<AspectTransition> transitions_;  // still to be published
   bool said_stale_ = false;
   bool clock_went_back_ = false;  // though it was not a simulation that began anew

@@ -39,6 +39,9 @@ class Candidates {
   void remove(std::size_t index) noexcept;
   void clear() noexcept;
 
+  /// From now on the robot need not be in any of them.
+  void doubt() noexcept { complete_ = false; }
+
   /// Whether the robot must be in one of them, as far as the list of direct solutions was complete and none
   /// was dropped since without a reason.
   bool complete() const noexcept { return complete_; }

@@ -51,6 +51,9 @@ std::vector<std::string> problems_of(const SampleOptions& options);
 /// limits say. One entry a leg [rad or m]. Never allocates.
 JointVector unwrapped(const Manipulator& manipulator, const JointVector& last, const JointVector& q) noexcept;
 
+/// Whether velocity limits tell how far any drive can have moved in a time.
+bool velocities_limited(const Manipulator& manipulator, const SampleOptions& options) noexcept;
+
 /// The last intervals between samples, by which a silence is told from the usual rate. Never allocates.
 class SampleIntervals {
  public:
@@ -77,10 +80,11 @@ enum class SampleGap {
   silence,  ///< too much time went by
 };
 
-/// For two samples that are `seconds` apart, after samples at these intervals.
+/// For two samples that are `seconds` apart, after samples at these intervals. `uncertainty`: how far each
+/// drive may be from the two values, both taken together [rad or m]; empty for 0.
 SampleGap gap_between(const Manipulator& manipulator, const SampleOptions& options,
                       const SampleIntervals& intervals, const JointVector& last, const JointVector& q,
-                      double seconds) noexcept;
+                      double seconds, const JointVector& uncertainty = {}) noexcept;
 
 /// How far the drives may have left the straight way between samples, from one step to the next. Never
 /// allocates.

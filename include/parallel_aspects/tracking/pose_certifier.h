@@ -67,6 +67,10 @@ class PoseCertifier {
   /// At least |C B direction|: how far the platform goes on the path, to first order [m].
   double path_speed(const CertifiedPoint& point, const TaskVector& direction) const noexcept;
 
+  /// At least how far the platform is from the pose where each drive is off by `slack` at most [m, RMS over
+  /// the anchors]; infinite where that is not proved.
+  double anchor_spread(const CertifiedPoint& point, const TaskVector& slack) const noexcept;
+
   /// The pose that one step of Newton's method leads to for the drives `q`.
   Pose predicted(const CertifiedPoint& point, const JointVector& q) const noexcept;
 

@@ -56,6 +56,9 @@ struct TrackedState {
   int aspect = 0;  ///< id in the map; 0 without a map, or too close to a singularity since the last change
   Doubt doubt = Doubt::none;  ///< set while ambiguous
   double residual = 0.0;      ///< last `report_residual`
+  /// How far the platform may be from `pose` where the drives are uncertain: proved [m, RMS over the
+  /// anchors].
+  double spread = 0.0;
 
   /// Whether pose, mode and sign are those of the robot.
   bool followed() const noexcept {
@@ -96,18 +99,21 @@ class Tracker {
   /// Starts from a pose known to belong to `q`: the direct solution that Newton's method finds from there.
   /// False, and unstarted, where that is farther than `tolerance` from the pose [m, RMS over the anchors],
   /// where q or pose are not finite, or where no solution is proved there. False, and ambiguous, where a leg
-  /// is stretched or folded; tracking then starts once it is not.
-  bool start(double time, const JointVector& q, const Pose& pose, double tolerance);
+  /// is stretched or folded; tracking then starts once it is not. `uncertainty` as in `update`.
+  bool start(double time, const JointVector& q, const Pose& pose, double tolerance,
+             const JointVector& uncertainty = {});
 
   /// Starts in the assembly mode with this sign of det A (+1 or -1). False, and unstarted, unless there is
   /// exactly one and it is not near singular. Allocates.
-  bool start(double time, const JointVector& q, int determinant_sign);
+  bool start(double time, const JointVector& q, int determinant_sign, const JointVector& uncertainty = {});
 
   /// Forgets everything but the map: what comes next may be another run.
   void stop() noexcept;
 
-  /// The next sample: one entry a leg. What is not finite changes nothing. No allocation, no exception.
-  const TrackedState& update(double time, const JointVector& q) noexcept;
+  /// The next sample: one entry a leg. What is not finite changes nothing. Each drive may be as far from its
+  /// value as `uncertainty` says [rad or m]; empty for 0. All that is proved holds for every such value, but
+  /// for the working mode, which is that of `q`. No allocation, no exception.
+  const TrackedState& update(double time, const JointVector& q, const JointVector& uncertainty = {}) noexcept;
 
   const TrackedState& state() const noexcept { return state_; }
 
@@ -167,6 +173,7 @@ class Tracker {
   int next_crossing() const noexcept;
   void cross(std::size_t leg, double time) noexcept;
   void watch_assembly(double time) noexcept;
+  double spread() const noexcept;
   void lose(double time, Doubt doubt) noexcept;
   void doubt(Doubt doubt) noexcept;
   void identify_aspect() noexcept;
@@ -183,6 +190,7 @@ class Tracker {
   TaskVector entry_sines_;  // there
   Candidates candidates_;   // while ambiguous
   PathBend bend_;
+  JointVector uncertainty_;  // of the last sample
   SampleIntervals intervals_;
   AssemblyWatch assembly_;
   bool mode_changed_ = false;                  // since the reference was set
