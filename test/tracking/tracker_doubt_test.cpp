@@ -176,7 +176,7 @@ TEST(TrackerInDoubt, UncertainDrivesAreFollowedAsAWhole) {
   const auto robot = test::five_bar();
   std::mt19937 random(3);
   std::uniform_real_distribution<double> share(-1.0, 1.0);
-  const JointVector uncertainty = joints({0.02, 0.01});
+  const JointVector uncertainty = joints({0.002, 0.001});
   Tracker tracker(robot);
   JointVector q = drives(*robot, at(4.5, 8.0), {-1, 1});
   ASSERT_TRUE(tracker.start(0.0, q, at(4.5, 8.0), 1e-6));

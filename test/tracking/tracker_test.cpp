@@ -149,7 +149,7 @@ TEST(Tracker, TouchingASerialSingularityIsNoChange) {
   ASSERT_GT(turn, 0.0);
   ASSERT_TRUE(tracker.start(0.0, start, 1));
   for (int i = 0; i <= 1000; ++i) {
-    tracker.update(1e-3 * (i + 1), start + joints(turn * std::sin(EIGEN_PI * i / 1000.0), 0.0));
+    tracker.update(1e-4 * (i + 1), start + joints(turn * std::sin(EIGEN_PI * i / 1000.0), 0.0));
     EXPECT_TRUE(tracker.transitions().empty());
   }
   EXPECT_EQ(to_string(tracker.state().mode), "(-,-)");

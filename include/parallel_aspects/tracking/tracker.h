@@ -110,10 +110,12 @@ class Tracker {
   /// Forgets everything but the map: what comes next may be another run.
   void stop() noexcept;
 
-  /// The next sample: one entry a leg. What is not finite changes nothing. Each drive may be as far from its
-  /// value as `uncertainty` says [rad or m]; empty for 0. All that is proved holds for every such value, but
-  /// for the working mode, which is that of `q`. No allocation, no exception.
-  const TrackedState& update(double time, const JointVector& q, const JointVector& uncertainty = {}) noexcept;
+  /// The next sample: one entry a leg. What is not finite changes nothing. No allocation, no exception.
+  const TrackedState& update(double time, const JointVector& q) noexcept { return update(time, q, {}); }
+
+  /// Each drive may be as far from its value as `uncertainty` says [rad or m]; empty for 0. All that is
+  /// proved holds for every such value, but for the working mode, which is that of `q`.
+  const TrackedState& update(double time, const JointVector& q, const JointVector& uncertainty) noexcept;
 
   const TrackedState& state() const noexcept { return state_; }
 
