@@ -126,9 +126,9 @@ TEST(ProblemsOf, NamesEveryValueOutOfRangeAtOnce) {
   for (const char* words :
        {"/node/map/resolution", "/node/map/extra_levels", "/node/map/region", "/node/start has both",
         "/node/start/pose must be a list of finite numbers [x, y]", "/node/start/determinant_sign",
-        "/node/start/tolerance", "/node/tracking/longest_interval",
-        "/node/tracking/interval_ratio", "/node/joint_states_timeout", "/node/tf_timeout",
-        "/node/display/gallery_scale", "/node/display/radius", "/node/display/rate", "/node/frame_prefix"})
+        "/node/start/tolerance", "/node/tracking/longest_interval", "/node/tracking/interval_ratio",
+        "/node/joint_states_timeout", "/node/tf_timeout", "/node/display/gallery_scale",
+        "/node/display/radius", "/node/display/rate", "/node/frame_prefix"})
     EXPECT_TRUE(mention(problems, words)) << words;
   EXPECT_EQ(problems.size(), 15U);
 }
