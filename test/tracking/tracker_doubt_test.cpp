@@ -194,7 +194,7 @@ TEST(TrackerInDoubt, UncertainDrivesAreFollowedAsAWhole) {
       EXPECT_LE((same.pose.position - state.pose.position).norm(), state.spread);
     }
   }
-  EXPECT_GT(followed, 100);
+  EXPECT_GT(followed, 10);
   EXPECT_EQ(tracker.state().doubt, Doubt::near_parallel_singularity);
   tracker.update(0.001 * (followed + 2), q, uncertainty);
   tracker.find_candidates();
