@@ -83,10 +83,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static parallel_aspects::PublisherWatch publishers(ros::Duration(0.5));
   FuzzedDataProvider bytes(data, size);
   const sensor_msgs::JointState message = message_from(bytes, mechanism->joint_names());
-  check(*mechanism, reader.read(message));
+  const JointSample sample = reader.read(message);
+  check(*mechanism, sample);
   const std::string& publisher = message.header.frame_id;
   publishers.count(publisher, message.header.seq);
-  const std::string other = publishers.claim(publisher, ros::Time(1000.0));
+  std::string other;
+  publishers.claim(publisher, sample.drives, ros::Time(1000.0), other);
   require(other.empty() || other != publisher);
   return 0;
 }
