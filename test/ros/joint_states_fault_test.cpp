@@ -223,6 +223,11 @@ TEST_F(JointStatesFault, TwoPublishers) {
              Status::SEVERAL_PUBLISHERS;
     }));
   }
+  // Until the other one has been silent for the timeout, nothing is said of some messages.
+  EXPECT_TRUE(eventually([] {
+    move();
+    return says(Status::OK);
+  }));
   first_ = states_->all().size();  // the other one was somewhere else at those stamps
 }
 
