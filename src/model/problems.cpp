@@ -12,9 +12,17 @@ std::string one_per_line(const Problems& problems) {
   return text;
 }
 
+Problems at_least_one(Problems problems) {
+  if (problems.empty())
+    problems.emplace_back(
+        "The description is refused, and no reason was found; please report this as an error.");
+  return problems;
+}
+
 }  // namespace
 
 InvalidDescription::InvalidDescription(Problems problems)
-    : std::runtime_error(one_per_line(problems)), problems_(std::move(problems)) {}
+    : std::runtime_error(one_per_line(at_least_one(problems))),
+      problems_(at_least_one(std::move(problems))) {}
 
 }  // namespace parallel_aspects

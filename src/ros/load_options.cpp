@@ -145,28 +145,39 @@ int decimation_from(ParameterReader reader) {
   return decimation;
 }
 
+// The URDF; nothing, with a sentence, where there is no text.
+std::string urdf_from(const std::string& parameter, Problems& problems) {
+  XmlRpcValue value;
+  const char* const help = "; load the robot's URDF into it as text.";
+  if (!ros::param::get(parameter, value))
+    problems.push_back("Parameter " + parameter + " is not there" + help);
+  else if (value.getType() != XmlRpcValue::TypeString)
+    problems.push_back("Parameter " + parameter + " is not text" + help);
+  else
+    return static_cast<std::string&>(value);
+  return {};
+}
+
 // What is under `prefix` for the loader: `mechanism`, and `constraints` where there are some.
-std::shared_ptr<const Mechanism> mechanism_from(const ros::NodeHandle& nh, const XmlRpcValue& parameters,
-                                                const std::string& prefix, Problems& problems) {
+SharedMechanism mechanism_from(const ros::NodeHandle& nh, const XmlRpcValue& parameters,
+                               const std::string& prefix) {
   const std::string description_name = prefix + "mechanism";
-  const XmlRpcValue description = parameters.hasMember("mechanism") ? parameters["mechanism"] : XmlRpcValue();
-  std::string urdf, urdf_name = nh.resolveName("robot_description");
+  std::string urdf_name = nh.resolveName("robot_description");
   nh.searchParam("robot_description", urdf_name);
-  if (!ros::param::get(urdf_name, urdf))
-    problems.push_back("Parameter " + urdf_name + " is not there; load the robot's URDF into it as text.");
-  if (!description.valid())
+  Problems problems;
+  const std::string urdf = urdf_from(urdf_name, problems);
+  if (!parameters.hasMember("mechanism"))
     problems.push_back("Parameter " + description_name +
                        " is not there; load config/robots/ROBOT.yaml into the node's namespace.");
-  if (urdf.empty() || !description.valid()) return nullptr;
+  if (!problems.empty()) throw InvalidDescription(std::move(problems));
   XmlRpcValue document;
-  document["mechanism"] = description;
-  if (parameters.hasMember("constraints")) document["constraints"] = parameters["constraints"];
-  try {
-    return load_mechanism(urdf, urdf_name, yaml_text(document), description_name);
-  } catch (const InvalidDescription& invalid) {
-    problems.insert(problems.end(), invalid.problems().begin(), invalid.problems().end());
-    return nullptr;
-  }
+  for (const char* part : {"mechanism", "constraints"})
+    if (parameters.hasMember(part)) document[part] = parameters[part];
+  return load_mechanism(urdf, urdf_name, yaml_text(document), description_name);
+}
+
+void append(const Problems& found, Problems& problems) {
+  problems.insert(problems.end(), found.begin(), found.end());
 }
 
 }  // namespace
@@ -204,17 +215,17 @@ NodeSetup load_setup(const ros::NodeHandle& nh, const ros::NodeHandle& private_n
   XmlRpcValue parameters;
   ros::param::get(private_nh.getNamespace(), parameters);
   Problems problems;
-  NodeSetup setup;
-  setup.options = options_from(parameters, prefix, problems);
-  setup.mechanism = mechanism_from(nh, parameters, prefix, problems);
-  if (setup.mechanism) {
+  NodeOptions options = options_from(parameters, prefix, problems);
+  try {
+    NodeSetup setup{mechanism_from(nh, parameters, prefix), std::move(options)};
     const Manipulator& manipulator = *setup.mechanism->manipulator();
-    const Problems found = problems_of(setup.options, manipulator, prefix);
-    problems.insert(problems.end(), found.begin(), found.end());
+    append(problems_of(setup.options, manipulator, prefix), problems);
     if (setup.options.frame_prefix.empty()) setup.options.frame_prefix = manipulator.name();
+    if (problems.empty()) return setup;
+  } catch (const InvalidDescription& invalid) {
+    append(invalid.problems(), problems);
   }
-  if (!problems.empty()) throw InvalidDescription(std::move(problems));
-  return setup;
+  throw InvalidDescription(std::move(problems));
 }
 
 }  // namespace parallel_aspects

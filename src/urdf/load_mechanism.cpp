@@ -347,9 +347,8 @@ ResolvedConfig resolved_names(const Tree& tree, const MechanismConfig& config, c
 
 }  // namespace
 
-std::shared_ptr<const Mechanism> load_mechanism(const std::string& urdf_text, const std::string& urdf_name,
-                                                const std::string& config_text,
-                                                const std::string& config_name) {
+SharedMechanism load_mechanism(const std::string& urdf_text, const std::string& urdf_name,
+                               const std::string& config_text, const std::string& config_name) {
   Problems problems;
   std::vector<std::string> notes;
   const SourceNames files{urdf_name, config_name};
@@ -366,7 +365,7 @@ std::shared_ptr<const Mechanism> load_mechanism(const std::string& urdf_text, co
   add_constraints(config, files, *contents, of_constraints);
   if (!of_constraints.empty()) throw InvalidDescription(of_constraints);
   contents->notes.insert(contents->notes.begin(), notes.begin(), notes.end());
-  return std::make_shared<const Mechanism>(std::move(contents));
+  return SharedMechanism(std::make_shared<const Mechanism>(std::move(contents)));
 }
 
 }  // namespace parallel_aspects

@@ -2,6 +2,7 @@
 #include "parallel_aspects/urdf/mechanism.h"
 
 #include "parallel_aspects/model/linear_algebra.h"
+#include "parallel_aspects/model/problems.h"
 #include "parallel_aspects/urdf/mechanism_contents.h"
 
 #include <utility>
@@ -20,6 +21,11 @@ constexpr double idle_tolerance = 1e-6;
 constexpr double limit_tolerance = 1e-9;
 
 }  // namespace
+
+SharedMechanism::SharedMechanism(std::shared_ptr<const Mechanism> mechanism)
+    : mechanism_(std::move(mechanism)) {
+  if (!mechanism_) throw InvalidDescription({});
+}
 
 Mechanism::Mechanism(std::unique_ptr<const Contents> contents) : contents_(std::move(contents)) {}
 Mechanism::~Mechanism() = default;

@@ -56,6 +56,20 @@ TEST(BadDescription, NothingIsThere) {
                  {"robot_description is not there", "/nothing/aspect_node/mechanism is not there"});
 }
 
+TEST(BadDescription, TheUrdfIsEmpty) {
+  for (const char* blank : {"", "   "}) {
+    ros::param::set("/empty/robot_description", blank);
+    ros::param::set("/empty/aspect_node/mechanism", test::five_bar_mechanism_parameter());
+    expect_refused("/empty", {"/empty/robot_description is empty or missing"});
+  }
+}
+
+TEST(BadDescription, TheUrdfIsANumber) {
+  ros::param::set("/number/robot_description", 7);
+  ros::param::set("/number/aspect_node/mechanism", test::five_bar_mechanism_parameter());
+  expect_refused("/number", {"/number/robot_description is not text"});
+}
+
 TEST(BadDescription, TheUrdfIsNotXml) {
   ros::param::set("/not_xml/robot_description", "five_bar.urdf");
   ros::param::set("/not_xml/aspect_node/mechanism", test::five_bar_mechanism_parameter());

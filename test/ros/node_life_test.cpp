@@ -142,6 +142,13 @@ TEST_F(NodeLife, RefusesToReloadGarbageAndGoesOn) {
   ros::param::del(space_ + "/robot_description");
   EXPECT_EQ(call<Reload>("reload").status.code, Status::FAILED);
   EXPECT_EQ(move_to(test::pose_at(4.5, 8.02)).status.code, Status::OK);
+  for (const char* key : {"map", "joint_states_timeout", "no_such_thing"}) ros::param::del(node_ + "/" + key);
+  ros::param::set(space_ + "/robot_description", "");  // the only problem
+  const auto of_empty = call<Reload>("reload");
+  EXPECT_EQ(of_empty.status.code, Status::FAILED);
+  ASSERT_EQ(of_empty.problems.size(), 1U);
+  EXPECT_NE(of_empty.problems.front().find("robot_description is empty"), std::string::npos);
+  EXPECT_EQ(move_to(test::pose_at(4.5, 8.03)).status.code, Status::OK);
 }
 
 TEST_F(NodeLife, SurvivesWhatBecomesOfItsMapFile) {

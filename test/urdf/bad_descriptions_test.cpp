@@ -84,5 +84,16 @@ TEST(BadDescriptions, MayBeEmpty) {
   EXPECT_EQ(problems, expected);
 }
 
+TEST(InvalidDescription, NeverComesWithoutAReason) {
+  EXPECT_EQ(InvalidDescription({}).problems().size(), 1U);
+  EXPECT_FALSE(std::string(InvalidDescription({}).what()).empty());
+  EXPECT_EQ(InvalidDescription({"one", "two"}).problems(), (Problems{"one", "two"}));
+}
+
+TEST(SharedMechanism, IsNeverNull) {
+  EXPECT_THROW(SharedMechanism{nullptr}, InvalidDescription);
+  EXPECT_TRUE(SharedMechanism(test::shipped("five_bar"))->manipulator());
+}
+
 }  // namespace
 }  // namespace parallel_aspects

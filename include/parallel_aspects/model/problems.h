@@ -14,7 +14,7 @@ using Problems = std::vector<std::string>;
 /// Thrown while loading or constructing, and nowhere else. Carries every problem found, not just the first.
 class InvalidDescription : public std::runtime_error {
  public:
-  /// `problems` must not be empty; `what()` holds all of them, a line each.
+  /// At least one is kept, a general one where there is none; `what()` holds all of them, a line each.
   explicit InvalidDescription(Problems problems);
 
   const Problems& problems() const noexcept { return problems_; }

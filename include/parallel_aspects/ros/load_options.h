@@ -8,14 +8,13 @@
 #include <ros/node_handle.h>
 
 #include <XmlRpcValue.h>
-#include <memory>
 #include <string>
 
 namespace parallel_aspects {
 
 /// Everything that the node needs before it starts.
 struct NodeSetup {
-  std::shared_ptr<const Mechanism> mechanism;
+  SharedMechanism mechanism;
   NodeOptions options;
 };
 

@@ -78,11 +78,28 @@ class Mechanism {
   std::unique_ptr<const Contents> contents_;
 };
 
+/// Shares a mechanism that is there: never null, so that what loads a robot gives one or throws.
+class SharedMechanism {
+ public:
+  /// Throws `InvalidDescription` where it is null.
+  explicit SharedMechanism(std::shared_ptr<const Mechanism> mechanism);
+
+  // Copied only: what was moved from would be null.
+  SharedMechanism(const SharedMechanism&) = default;
+  SharedMechanism& operator=(const SharedMechanism&) = default;
+
+  const Mechanism& operator*() const noexcept { return *mechanism_; }
+  const Mechanism* operator->() const noexcept { return mechanism_.get(); }
+  operator const std::shared_ptr<const Mechanism>&() const noexcept { return mechanism_; }
+
+ private:
+  std::shared_ptr<const Mechanism> mechanism_;
+};
+
 /// Reads a tree URDF and the YAML that closes it. `urdf_name` and `config_name` are file or parameter names,
 /// for messages. Throws `InvalidDescription` with every problem found.
-std::shared_ptr<const Mechanism> load_mechanism(const std::string& urdf_text, const std::string& urdf_name,
-                                                const std::string& config_text,
-                                                const std::string& config_name);
+SharedMechanism load_mechanism(const std::string& urdf_text, const std::string& urdf_name,
+                               const std::string& config_text, const std::string& config_name);
 
 }  // namespace parallel_aspects
 
