@@ -94,7 +94,7 @@ void Diagnostics::tell_joint_states(Wrapper& status) const {
   if (current.status.code == Status::STALE || current.status.code == Status::SEVERAL_PUBLISHERS)
     status.summary(Level::ERROR, current.status.sentence);
   else if (current.stamp.isZero())
-    status.summary(Level::WARN, "no usable message yet");
+    status.summary(Level::WARN, current.status.sentence);
   else if (now.invalid > before.invalid)
     status.summary(Level::WARN, "messages are refused");
   else if (now.lost > before.lost)

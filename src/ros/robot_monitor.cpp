@@ -50,6 +50,7 @@ const char* const how_to_start = "call set_assembly_mode, or set start/pose or s
 RobotMonitor::RobotMonitor(std::shared_ptr<const Mechanism> mechanism, const NodeOptions& options)
     : mechanism_(mechanism),
       reader_(mechanism),
+      names_(*mechanism->manipulator()),
       start_(options.start),
       start_tolerance_(options.start.tolerance.value_or(mechanism->manipulator()->size() / 20.0)),
       timeout_(options.joint_states_timeout),
@@ -73,10 +74,8 @@ MonitorUpdate RobotMonitor::update(const sensor_msgs::JointState& message, const
   publishers_.count(publisher, message.header.seq);
   const JointSample sample = reader_.read(message);
   const ros::Time& stamp = message.header.stamp;
-  if (sample.status == SampleStatus::foreign) {
-    ++counts_.foreign;
-    return {};
-  }
+  const bool new_names = last_stamp_.isZero() && names_.hear(message);
+  if (sample.status == SampleStatus::foreign) return pass_over(new_names);
   std::string other;
   const Claim claim = publishers_.claim(publisher, sample.drives, now, other);
   if (claim == Claim::contested)
@@ -84,7 +83,7 @@ MonitorUpdate RobotMonitor::update(const sensor_msgs::JointState& message, const
                   "both " + publisher + " and " + other + " publish the drives; stop one of them.", stamp);
   if (claim == Claim::waiting) return {};
   if (sample.status == SampleStatus::invalid)
-    return refuse(Status::INVALID_JOINT_STATES, sample.sentence, stamp);
+    return refuse(Status::INVALID_JOINT_STATES, with_guess(sample.sentence), stamp);
   if (sample.status == SampleStatus::usable && stamp == last_stamp_ && last_q_ && sample.q == *last_q_)
     return {};  // the same again
   const std::string fault = fault_of_stamp(sample.status, stamp, now);
@@ -108,6 +107,22 @@ std::string RobotMonitor::fault_of_stamp(SampleStatus status, const ros::Time& s
     return "its stamp is " + std::to_string(seconds_between(now, stamp)) +
            " s ahead of this computer's clock; synchronise the clocks.";
   return {};
+}
+
+// Another robot's message; while nothing else comes, perhaps this one's with the wrong names.
+MonitorUpdate RobotMonitor::pass_over(bool new_names) {
+  ++counts_.foreign;
+  MonitorUpdate update;
+  if (!new_names || status_.code != Status::NO_JOINT_STATES) return update;
+  status_ = make_status(Status::NO_JOINT_STATES, names_.sentence());
+  update.state = lost_state(status_, {});
+  if (!std::exchange(said_names_, true)) update.warning = status_.sentence;
+  return update;
+}
+
+std::string RobotMonitor::with_guess(const std::string& sentence) const {
+  const std::string guess = last_stamp_.isZero() ? names_.guess() : "";
+  return guess.empty() ? sentence : sentence + " Or " + guess;
 }
 
 MonitorUpdate RobotMonitor::refuse(std::uint8_t code, const std::string& sentence, const ros::Time& stamp) {

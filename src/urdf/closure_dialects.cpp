@@ -2,8 +2,8 @@
 #include "parallel_aspects/urdf/closure_dialects.h"
 
 #include "parallel_aspects/urdf/mechanism_config.h"
+#include "parallel_aspects/urdf/nearest_name.h"
 #include "parallel_aspects/urdf/xml_values.h"
-#include "parallel_aspects/urdf/yaml_values.h"
 
 #include <algorithm>
 #include <array>

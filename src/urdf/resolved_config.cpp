@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/urdf/resolved_config.h"
 
-#include "parallel_aspects/urdf/yaml_values.h"
+#include "parallel_aspects/urdf/nearest_name.h"
 
 #include <algorithm>
 

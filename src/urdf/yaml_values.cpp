@@ -1,32 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/urdf/yaml_values.h"
 
+#include "parallel_aspects/urdf/nearest_name.h"
+
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace parallel_aspects {
-namespace {
-
-std::size_t edit_distance(const std::string& one, const std::string& other) {
-  std::vector<std::size_t> row(other.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 1; i <= one.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= other.size(); ++j) {
-      const std::size_t replaced = diagonal + (one[i - 1] == other[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
-    }
-  }
-  return row.back();
-}
-
-}  // namespace
-
 void YamlValues::check_keys(const YAML::Node& map, const std::vector<std::string>& known,
                             const std::string& where) const {
   std::vector<std::string> seen;
@@ -88,13 +70,6 @@ bool YamlValues::numbers(const YAML::Node& node, const std::string& where,
     good = number(node[k], where + "[" + std::to_string(k) + "]", read[k]) && good;
   if (good) values = read;
   return good;
-}
-
-std::string nearest_name(const std::string& word, const std::vector<std::string>& known) {
-  const auto nearest = std::min_element(known.begin(), known.end(), [&](const auto& a, const auto& b) {
-    return edit_distance(word, a) < edit_distance(word, b);
-  });
-  return nearest == known.end() ? std::string() : *nearest;
 }
 
 }  // namespace parallel_aspects

@@ -140,6 +140,57 @@ TEST_F(RobotMonitorTest, MessagesOfOtherRobotsChangeNothing) {
   EXPECT_EQ(code(1.1), Status::OK);
 }
 
+TEST_F(RobotMonitorTest, TellsWhichJointsAreExpectedAndWhichArrive) {
+  const auto named = [](const std::vector<std::string>& names) {
+    sensor_msgs::JointState message;
+    message.header.stamp = at(1.0);
+    message.name = names;
+    message.position.assign(names.size(), 0.0);
+    return message;
+  };
+  const MonitorUpdate first = update(named({"crank1_joint", "crank2_joint"}), 1.0);
+  ASSERT_TRUE(first.state);
+  EXPECT_EQ(first.state->status.code, Status::NO_JOINT_STATES);
+  for (const char* words :
+       {"'crank_1_joint', 'crank_2_joint' are expected", "'crank1_joint', 'crank2_joint' arrive",
+        "did you mean 'crank_1_joint', 'crank_2_joint' by 'crank1_joint', 'crank2_joint'?"})
+    EXPECT_NE(first.state->status.sentence.find(words), std::string::npos) << first.state->status.sentence;
+  EXPECT_EQ(first.warning, first.state->status.sentence);
+  EXPECT_EQ(monitor_.current(at(1.0)).status.sentence, first.warning);
+  EXPECT_FALSE(update(named({"crank1_joint", "crank2_joint"}), 1.1).state) << "that was said";
+  const MonitorUpdate other = update(named({"panda_finger"}), 1.2);
+  ASSERT_TRUE(other.state);
+  EXPECT_NE(other.state->status.sentence.find("'panda_finger' arrive"), std::string::npos);
+  EXPECT_TRUE(other.warning.empty()) << "once in the log";
+  EXPECT_EQ(update(drives(4.5, 8.0, {1, -1}, 1.3), 1.3).state->status.code, Status::OK);
+  EXPECT_FALSE(update(named({"another"}), 1.4).state);
+}
+
+TEST_F(RobotMonitorTest, GuessesTheJointThatIsMissing) {
+  auto message = drives(4.5, 8.0, {1, -1}, 1.0);
+  message.name[1] = "crank2_joint";
+  const MonitorUpdate refused = update(message, 1.0);
+  EXPECT_EQ(refused.state->status.code, Status::INVALID_JOINT_STATES);
+  EXPECT_NE(refused.warning.find("did you mean 'crank_2_joint' by 'crank2_joint'?"), std::string::npos)
+      << refused.warning;
+}
+
+TEST_F(RobotMonitorTest, KeepsLittleOfEnormousNames) {
+  sensor_msgs::JointState message;
+  for (int i = 0; i < 100000; ++i) message.name.push_back(std::string(300, 'x') + std::to_string(i));
+  message.name.emplace_back(10000000, 'y');
+  message.position.assign(message.name.size(), 0.0);
+  const MonitorUpdate first = update(message, 1.0);
+  ASSERT_TRUE(first.state);
+  EXPECT_LT(first.state->status.sentence.size(), 3000U);
+  for (int i = 0; i < 100; ++i) {
+    message.name = {"joint_" + std::to_string(i)};
+    message.position = {0.0};
+    update(message, 1.1 + 0.001 * i);
+  }
+  EXPECT_NE(monitor_.current(at(2.0)).status.sentence.find("and others arrive"), std::string::npos);
+}
+
 TEST_F(RobotMonitorTest, BecomesStaleOnceAndRecovers) {
   update(drives(4.5, 8.0, {1, -1}, 1.0), 1.0);
   EXPECT_FALSE(monitor_.expire(at(1.4)));

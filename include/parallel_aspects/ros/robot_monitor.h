@@ -5,6 +5,7 @@
 #include "parallel_aspects/distance/boundary_distances.h"
 #include "parallel_aspects/ros/conversions.h"
 #include "parallel_aspects/ros/drive_merger.h"
+#include "parallel_aspects/ros/joint_name_watch.h"
 #include "parallel_aspects/ros/joint_sample.h"
 #include "parallel_aspects/ros/node_options.h"
 #include "parallel_aspects/ros/publisher_watch.h"
@@ -35,8 +36,9 @@ namespace parallel_aspects {
 
 /// What one message of joint_states led to.
 struct MonitorUpdate {
-  std::optional<AspectState> state;  ///< to publish; nothing for another robot's message
-  std::string warning;               ///< to log, throttled; empty when all is well
+  std::optional<AspectState>
+      state;            ///< to publish; nothing for another robot's message once this one is known
+  std::string warning;  ///< to log, throttled; empty when all is well
   std::vector<AspectTransition> transitions;
   std::optional<TrackedState> tracked;  ///< what the state was made of, while tracking
 };
@@ -100,6 +102,8 @@ class RobotMonitor {
   Status start_with_sign(int determinant_sign, const ros::Time& now);
 
  private:
+  MonitorUpdate pass_over(bool new_names);
+  std::string with_guess(const std::string& sentence) const;
   MonitorUpdate refuse(std::uint8_t code, const std::string& sentence, const ros::Time& stamp);
   MonitorUpdate wait_for_drives(const JointSample& sample, const ros::Time& now);
   MonitorUpdate accept(const JointSample& sample, const MergedDrives& drives, const ros::Time& now);
@@ -120,6 +124,7 @@ class RobotMonitor {
 
   const std::shared_ptr<const Mechanism> mechanism_;
   const JointSampleReader reader_;
+  JointNameWatch names_;  // of what arrives before the first usable sample
   const StartOptions start_;
   const double start_tolerance_;
   const double timeout_;  // [s]
@@ -141,6 +146,7 @@ class RobotMonitor {
   JointVector last_uncertainty_;
   std::vector<AspectTransition> transitions_;  // still to be published
   bool said_stale_ = false;
+  bool said_names_ = false;
   bool clock_went_back_ = false;  // though it was not a simulation that began anew
   MonitorCounts counts_;
   PublisherWatch publishers_;

@@ -40,9 +40,6 @@ class YamlValues {
   Problems& problems_;
 };
 
-/// The entry of `known` that looks most like `word`; empty when there is none.
-std::string nearest_name(const std::string& word, const std::vector<std::string>& known);
-
 }  // namespace parallel_aspects
 
 #endif  // PARALLEL_ASPECTS_URDF_YAML_VALUES_H
