@@ -30,6 +30,7 @@ add_message_files(FILES
   LastHazard.msg
   MapProgress.msg
   MetricDistance.msg
+  RoadmapComponents.msg
   SingularityReport.msg
   SolvedConfiguration.msg
   Status.msg

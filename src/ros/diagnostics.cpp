@@ -114,7 +114,7 @@ void Diagnostics::tell_joint_states(Wrapper& status) const {
 
 void Diagnostics::tell_map(Wrapper& status) const {
   const MapProgress progress = worker_.progress();
-  const bool ready = worker_.map() != nullptr || manipulator_.task_space() == TaskSpace::SE3;
+  const bool ready = worker_.map() != nullptr || !has_map(manipulator_.task_space());
   switch (progress.state) {
     case MapProgress::COMPLETE:
       status.summary(Level::OK, progress.sentence);

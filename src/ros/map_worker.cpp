@@ -22,13 +22,14 @@ MapProgress empty_report() {
   return report;
 }
 
-MapProgress computing(double share, double resolution) {
+MapProgress computing(const char* what, double share, double resolution) {
   MapProgress report = empty_report();
   report.header.stamp = ros::Time::now();
   report.state = MapProgress::COMPUTING;
   report.progress = share;
   report.resolution = resolution;
-  report.sentence = "The map is being computed, " + std::to_string(std::lround(100.0 * share)) + " %.";
+  report.sentence = std::string("The ") + what + " is being computed, " +
+                    std::to_string(std::lround(100.0 * share)) + " %.";
   return report;
 }
 
@@ -62,7 +63,6 @@ MapProgress ended(MapStatus status, const std::string& sentence) {
 MapProgress ended(const RoadmapResult& result) {
   MapProgress report = ended(result.status, result.sentence);
   if (result.status != MapStatus::complete) return report;
-  report.proved_count = static_cast<std::uint32_t>(result.roadmap->proved_count());
   report.seconds = result.roadmap->seconds();
   report.sentence = complete_sentence(*result.roadmap);
   return report;
@@ -73,7 +73,6 @@ MapProgress ended(const MapResult& result) {
   if (result.status != MapStatus::complete) return report;
   report.resolution = result.map->resolution();
   report.aspects = static_cast<std::uint32_t>(result.map->aspects().size());
-  report.proved_count = static_cast<std::uint32_t>(result.map->proved_count());
   report.count_at_most = count_at_most(*result.map);
   report.unresolved = static_cast<std::uint32_t>(result.map->unresolved().size());
   report.seconds = result.map->seconds();
@@ -82,6 +81,11 @@ MapProgress ended(const MapResult& result) {
 }
 
 }  // namespace
+
+std::uint32_t KnownAspects::proved_count() const noexcept {
+  const std::size_t count = map ? map->proved_count() : roadmap ? roadmap->proved_count() : 0;
+  return static_cast<std::uint32_t>(count);
+}
 
 MapWorker::MapWorker(std::shared_ptr<const Manipulator> manipulator, std::string file, Listener listener)
     : manipulator_(std::move(manipulator)),
@@ -140,10 +144,12 @@ MapProgress MapWorker::progress() const {
   return progress_;
 }
 
-std::shared_ptr<const AspectMap> MapWorker::map() const {
+KnownAspects MapWorker::known() const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return map_;
+  return known_;
 }
+
+std::shared_ptr<const AspectMap> MapWorker::map() const { return known().map; }
 
 std::string MapWorker::file_sentence() const {
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -167,23 +173,24 @@ void MapWorker::run() {
 }
 
 void MapWorker::carry_out(const Request& request) {
-  const bool has_map = manipulator_->task_space() != TaskSpace::SE3;
+  const bool of_map = has_map(manipulator_->task_space());
+  const char* const what = of_map ? "map" : "roadmap";
   const MapOptions& options = request.options;
-  const double resolution = has_map ? options.resolution.value_or(default_resolution(*manipulator_)) : 0.0;
-  report(computing(0.0, resolution), nullptr);
-  if (has_map && request.use == FileUse::load && load(options)) return;
+  const double resolution = of_map ? options.resolution.value_or(default_resolution(*manipulator_)) : 0.0;
+  report(computing(what, 0.0, resolution));
+  if (of_map && request.use == FileUse::load && load(options)) return;
   double reported = 0.0;
   MapControl control;
   control.cancelled = &cancelled_;
   control.progress = [&](double share) {
     if (share < reported + 0.01) return;
     reported = share;
-    report(computing(share, resolution), nullptr);
+    report(computing(what, share, resolution));
   };
-  if (!has_map) return make_roadmap(options, control);
+  if (!of_map) return make_roadmap(options, control);
   MapResult result = compute_aspect_map(manipulator_, options, control);
   if (cancelled_) result = {MapStatus::cancelled, "The computation was cancelled.", nullptr};
-  report(ended(result), result.status == MapStatus::complete ? result.map : nullptr);
+  report(ended(result), {result.map, nullptr});
   if (result.status == MapStatus::complete && request.use != FileUse::none) save(*result.map);
 }
 
@@ -192,7 +199,8 @@ void MapWorker::make_roadmap(const MapOptions& options, const MapControl& contro
   RoadmapOptions roadmap;
   roadmap.region = options.region;
   roadmap.threads = options.threads;
-  report(ended(compute_pose_roadmap(manipulator_, roadmap, control)), nullptr);
+  const RoadmapResult result = compute_pose_roadmap(manipulator_, roadmap, control);
+  report(ended(result), {nullptr, result.roadmap});
 }
 
 bool MapWorker::load(const MapOptions& options) {
@@ -202,7 +210,7 @@ bool MapWorker::load(const MapOptions& options) {
     return false;
   }
   say_of_file("loaded from " + file_, true);
-  report(ended(result), result.map);
+  report(ended(result), {result.map, nullptr});
   return true;
 }
 
@@ -220,13 +228,14 @@ void MapWorker::say_of_file(const std::string& sentence, bool well) {
   file_sentence_ = sentence;
 }
 
-// The map is in use everywhere before anyone is told that it is complete.
-void MapWorker::report(MapProgress progress, const std::shared_ptr<const AspectMap>& map) {
-  if (map) {
+// What was found is in use everywhere before anyone is told that it is complete.
+void MapWorker::report(MapProgress progress, const KnownAspects& found) {
+  {
     const std::lock_guard<std::mutex> lock(mutex_);
-    map_ = map;
+    if (found.map || found.roadmap) known_ = found;
+    progress.proved_count = known_.proved_count();
   }
-  listener_(progress, map);
+  listener_(progress, found.map);
   const std::lock_guard<std::mutex> lock(mutex_);
   progress_ = std::move(progress);
   changed_.notify_all();

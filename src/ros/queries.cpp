@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/ros/queries.h"
 
+#include "parallel_aspects/aspects/roadmap_location.h"
 #include "parallel_aspects/kinematics/direct.h"
 #include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/kinematics/jacobians.h"
@@ -30,6 +31,45 @@ std::string failure_text(const Manipulator& manipulator, const InverseSolution& 
              ? leg.name + " cannot reach the pose"
              : "joint " + leg.driven_joint + " would be outside its limits in working mode " +
                    to_string(solution.mode);
+}
+
+// Where no map exists, a roadmap tells what it can.
+void tell_component(const Manipulator& manipulator, const SolvedPose& solved, const PoseRoadmap* roadmap,
+                    SolvedConfiguration& message) {
+  message.aspect_status = SolvedConfiguration::NO_MAP;
+  const auto mode = working_mode(manipulator, solved.pose, solved.q);
+  if (roadmap == nullptr || !mode) return;
+  const RoadmapLocation location = locate(*roadmap, solved.pose, *mode);
+  if (location.component) message.roadmap_component = *location.component + 1;
+}
+
+RoadmapComponents components_message(const RoadmapSide& side) {
+  RoadmapComponents message;
+  message.working_mode = signs_message(side.mode);
+  message.determinant_sign = static_cast<std::int8_t>(side.determinant_sign);
+  message.component_sizes.assign(side.component_sizes.begin(), side.component_sizes.end());
+  return message;
+}
+
+// Whether one of the configurations has this working mode and sign.
+bool any_on(const std::vector<SolvedConfiguration>& solutions, const RoadmapComponents& side) {
+  return std::any_of(solutions.begin(), solutions.end(), [&](const SolvedConfiguration& solution) {
+    return solution.working_mode == side.working_mode && solution.determinant_sign == side.determinant_sign;
+  });
+}
+
+void list_aspects(const Manipulator& manipulator, const AspectMap& map, const ListAspects::Request& request,
+                  const std::vector<SolvedConfiguration>& solutions, ListAspects::Response& response) {
+  const auto holds_one = [&](const Aspect& aspect) {
+    return std::any_of(solutions.begin(), solutions.end(), [&](const SolvedConfiguration& solution) {
+      return solution.aspect == static_cast<std::uint32_t>(aspect.id);
+    });
+  };
+  for (const Aspect& aspect : map.aspects())
+    if (!request.at_configuration || holds_one(aspect))
+      response.aspects.push_back(summary_message(manipulator, aspect));
+  response.count_at_most = count_at_most(map);
+  response.measure_undecided = map.measure_undecided();
 }
 
 }  // namespace
@@ -131,36 +171,44 @@ ConfigurationAnswer Queries::resolve_joints(const Configuration& configuration) 
 }
 
 std::vector<SolvedConfiguration> Queries::solutions(const ConfigurationAnswer& answer,
-                                                    const AspectMap* map) const {
+                                                    const KnownAspects& known) const {
   std::vector<SolvedConfiguration> messages;
-  for (const SolvedPose& solved : answer.configurations)
-    messages.push_back(solved_message(*manipulator_, solved, map, answer.stamp));
+  for (const SolvedPose& solved : answer.configurations) {
+    messages.push_back(solved_message(*manipulator_, solved, known.map.get(), answer.stamp));
+    if (!has_map(manipulator_->task_space()))
+      tell_component(*manipulator_, solved, known.roadmap.get(), messages.back());
+  }
   return messages;
 }
 
-Status Queries::map_status(const AspectMap* map) const {
-  if (map != nullptr) return {};
+// With OK and NO_MAP there is something to answer.
+Status Queries::map_status(const KnownAspects& known) const {
+  if (known.map) return {};
   const std::string sentence = worker_.progress().sentence;
+  if (!has_map(manipulator_->task_space()))
+    return make_status(Status::NO_MAP, "No map exists in " + std::string(name(manipulator_->task_space())) +
+                                           ", so aspects have no ids. " + sentence);
   return make_status(Status::MAP_NOT_READY, sentence.empty() ? "The map is about to be computed." : sentence);
 }
 
 GetWorkingMode::Response Queries::answer(const GetWorkingMode::Request& request) const {
-  const auto map = worker_.map();
+  const KnownAspects known = worker_.known();
   const ConfigurationAnswer found = resolve(request.configuration);
   GetWorkingMode::Response response;
   response.status = found.status;
-  response.solutions = solutions(found, map.get());
+  response.solutions = solutions(found, known);
   return response;
 }
 
 GetCurrentAspect::Response Queries::answer(const GetCurrentAspect::Request& request) const {
-  const auto map = worker_.map();
+  const KnownAspects known = worker_.known();
   GetCurrentAspect::Response response;
-  response.status = map_status(map.get());
-  if (!map) return response;
+  response.proved_count = known.proved_count();
+  response.status = map_status(known);
+  if (response.status.code == Status::MAP_NOT_READY) return response;
   const ConfigurationAnswer found = resolve(request.configuration);
-  response.status = found.status;
-  response.solutions = solutions(found, map.get());
+  if (known.map || found.status.code != Status::OK) response.status = found.status;
+  response.solutions = solutions(found, known);
   return response;
 }
 
@@ -176,24 +224,23 @@ GetSingularityDistance::Response Queries::answer(const GetSingularityDistance::R
 }
 
 ListAspects::Response Queries::answer(const ListAspects::Request& request) const {
-  const auto map = worker_.map();
+  const KnownAspects known = worker_.known();
   ListAspects::Response response;
   response.count_at_most = -1;
-  response.status = map_status(map.get());
-  if (!map) return response;
+  response.proved_count = known.proved_count();
+  response.status = map_status(known);
+  if (response.status.code == Status::MAP_NOT_READY) return response;
   ConfigurationAnswer found;
   if (request.at_configuration) found = resolve(request.configuration);
-  response.status = found.status;
+  if (known.map || found.status.code != Status::OK) response.status = found.status;
   if (found.status.code != Status::OK) return response;
-  std::vector<std::uint32_t> wanted;
-  for (const SolvedConfiguration& solution : solutions(found, map.get())) wanted.push_back(solution.aspect);
-  for (const Aspect& aspect : map->aspects())
-    if (!request.at_configuration ||
-        std::count(wanted.begin(), wanted.end(), static_cast<std::uint32_t>(aspect.id)) > 0)
-      response.aspects.push_back(summary_message(*manipulator_, aspect));
-  response.proved_count = static_cast<std::uint32_t>(map->proved_count());
-  response.count_at_most = count_at_most(*map);
-  response.measure_undecided = map->measure_undecided();
+  const auto at = solutions(found, known);
+  if (known.map) list_aspects(*manipulator_, *known.map, request, at, response);
+  if (!known.roadmap) return response;
+  for (const RoadmapSide& side : known.roadmap->sides()) {
+    const RoadmapComponents message = components_message(side);
+    if (!request.at_configuration || any_on(at, message)) response.roadmap.push_back(message);
+  }
   return response;
 }
 
@@ -232,10 +279,9 @@ SetAssemblyMode::Response Queries::answer(const SetAssemblyMode::Request& reques
   SetAssemblyMode::Response response;
   response.status = start(request.configuration);
   if (response.status.code != Status::OK) return response;
-  const auto map = worker_.map();
   const ConfigurationAnswer now = resolve_now();
   response.status = now.status;
-  response.solutions = solutions(now, map.get());
+  response.solutions = solutions(now, worker_.known());
   return response;
 }
 

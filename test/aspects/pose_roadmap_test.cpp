@@ -3,6 +3,7 @@
 
 #include "parallel_aspects/aspects/disjoint_sets.h"
 #include "parallel_aspects/aspects/pose_sampler.h"
+#include "parallel_aspects/aspects/roadmap_location.h"
 
 #include <gtest/gtest.h>
 
@@ -116,6 +117,43 @@ TEST(PoseRoadmap, StewartHasTwoSidesEachMostlyConnected) {
               0.8 * static_cast<double>(side.poses.size()));
   EXPECT_NE(roadmap->side(WorkingMode(6), 1), nullptr);
   EXPECT_EQ(roadmap->side(WorkingMode::from_index(6, 1), 1), nullptr);
+}
+
+// The samples of another roadmap lie in components of this one; all samples of a component of theirs in one.
+TEST(RoadmapLocation, NamesTheComponentThatAProvedSegmentLeadsTo) {
+  const auto robot = shipped("stewart");
+  const auto roadmap = roadmap_of(robot, options_of(300));
+  RoadmapOptions options = options_of(100);
+  options.seed = 2;
+  const auto others = roadmap_of(robot, options);
+  std::size_t located = 0;
+  for (const RoadmapSide& side : others->sides())
+    for (const std::uint32_t index : side.poses) {
+      const Pose& pose = others->poses()[index];
+      const RoadmapLocation location = locate(*roadmap, pose, side.mode);
+      EXPECT_EQ(location.determinant_sign, side.determinant_sign);
+      if (!location.component) continue;
+      ++located;
+      EXPECT_LT(*location.component, roadmap->side(side.mode, side.determinant_sign)->component_sizes.size());
+    }
+  EXPECT_GT(located, 80U) << "of 100";
+  const RoadmapSide& side = roadmap->sides().front();
+  const Pose& sample = roadmap->poses()[side.poses.back()];
+  EXPECT_EQ(locate(*roadmap, sample, side.mode).component, side.component.back());
+}
+
+TEST(RoadmapLocation, IsUnknownWhereNothingIsProved) {
+  const auto roadmap = roadmap_of(shipped("stewart"), options_of(100));
+  Pose far;
+  far.position << 100.0, 0.0, 0.0;
+  const RoadmapLocation location = locate(*roadmap, far, WorkingMode(6));
+  EXPECT_EQ(location.determinant_sign, 0);
+  EXPECT_FALSE(location.component);
+  const Pose& sample = roadmap->poses().front();
+  EXPECT_FALSE(locate(*roadmap, sample, WorkingMode(6), {0, 100}).component) << "no budget";
+  Pose no_number = sample;
+  no_number.position.x() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(locate(*roadmap, no_number, WorkingMode(6)).component);
 }
 
 TEST(PoseRoadmap, HexaHasBothSignsInEveryMode) {

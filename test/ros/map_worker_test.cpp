@@ -55,7 +55,9 @@ TEST_F(MapWorkerTest, CancelsAndKeepsThePreviousMap) {
   const MapWorker::Job job = worker_.compute(resolution(1e-4));
   EXPECT_EQ(worker_.wait(job, std::chrono::milliseconds(1)).state, MapProgress::COMPUTING);
   worker_.cancel(job);
-  EXPECT_EQ(worker_.wait(job, deadline).state, MapProgress::CANCELLED);
+  const MapProgress end = worker_.wait(job, deadline);
+  EXPECT_EQ(end.state, MapProgress::CANCELLED);
+  EXPECT_EQ(end.proved_count, 10U) << "of the map that stays in use";
   EXPECT_EQ(worker_.map(), before);
 }
 
@@ -103,6 +105,8 @@ TEST(MapWorkerOfSixFreedoms, TellsOfARoadmap) {
   EXPECT_EQ(end.progress, 1.0);
   EXPECT_NE(end.sentence.find("roadmap"), std::string::npos);
   EXPECT_FALSE(worker.map());
+  ASSERT_TRUE(worker.known().roadmap);
+  EXPECT_EQ(worker.known().proved_count(), end.proved_count);
 }
 
 // Struts without limits reach everywhere.

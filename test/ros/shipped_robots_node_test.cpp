@@ -6,7 +6,10 @@
 
 #include <parallel_aspects/AspectState.h>
 #include <parallel_aspects/AspectTransition.h>
+#include <parallel_aspects/GetCurrentAspect.h>
 #include <parallel_aspects/GetSingularityDistance.h>
+#include <parallel_aspects/ListAspects.h>
+#include <parallel_aspects/MapProgress.h>
 
 #include <gtest/gtest.h>
 #include <ros/ros.h>
@@ -29,6 +32,7 @@ constexpr double seconds_seen = 3.0;  // of the motion, by the stamps of its sta
 
 using test::eventually;
 using test::Process;
+using test::Recorder;
 
 /// What one node says while it runs.
 class Listener {
@@ -102,6 +106,33 @@ double farthest(const std::vector<AspectState>& states) {
   return most;
 }
 
+// With six freedoms the services tell what is proved without a map.
+void expect_answers_of_a_roadmap(const std::string& node) {
+  ListAspects list;
+  ASSERT_TRUE(eventually(
+      [&] { return ros::service::call(node + "/list_aspects", list) && !list.response.roadmap.empty(); }));
+  EXPECT_EQ(list.response.status.code, Status::NO_MAP);
+  EXPECT_TRUE(list.response.aspects.empty());
+  EXPECT_EQ(list.response.proved_count, list.response.roadmap.size()) << "one for each side";
+  const Recorder<MapProgress> progress(node + "/map_progress");
+  ASSERT_TRUE(eventually([&] { return progress.last() && progress.last()->state == MapProgress::COMPLETE; }));
+  EXPECT_EQ(progress.last()->proved_count, list.response.proved_count);
+
+  GetCurrentAspect current;
+  ASSERT_TRUE(ros::service::call(node + "/get_current_aspect", current));
+  EXPECT_EQ(current.response.status.code, Status::NO_MAP) << current.response.status.sentence;
+  EXPECT_EQ(current.response.proved_count, list.response.proved_count);
+  ASSERT_EQ(current.response.solutions.size(), 1U);
+  const SolvedConfiguration& solution = current.response.solutions.front();
+  EXPECT_EQ(solution.aspect_status, SolvedConfiguration::NO_MAP);
+  EXPECT_GT(solution.roadmap_component, 0U);
+  EXPECT_NE(solution.determinant_sign, 0);
+  list.request.at_configuration = true;
+  ASSERT_TRUE(ros::service::call(node + "/list_aspects", list));
+  ASSERT_EQ(list.response.roadmap.size(), 1U);
+  EXPECT_EQ(list.response.roadmap.front().determinant_sign, solution.determinant_sign);
+}
+
 TEST_P(ShippedRobot, IsFollowedAndDrawnAndEndsCleanly) {
   const std::string name_space = std::string("/") + GetParam(), node = name_space + "/aspect_node";
   const auto mechanism = test::shipped(GetParam());
@@ -137,6 +168,7 @@ TEST_P(ShippedRobot, IsFollowedAndDrawnAndEndsCleanly) {
   ASSERT_TRUE(ros::service::call(node + "/get_singularity_distance", distance));
   ASSERT_EQ(distance.response.reports.size(), 1U) << distance.response.status.sentence;
   EXPECT_GT(distance.response.reports[0].smallest_singular_value, 0.0);
+  if (std::string(GetParam()) == "stewart") expect_answers_of_a_roadmap(node);
 
   EXPECT_EQ(motion.end(), 0);
   EXPECT_EQ(server.end(), 0);

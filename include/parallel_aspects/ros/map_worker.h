@@ -3,6 +3,7 @@
 #define PARALLEL_ASPECTS_ROS_MAP_WORKER_H
 
 #include "parallel_aspects/aspects/aspect_map.h"
+#include "parallel_aspects/aspects/pose_roadmap.h"
 #include "parallel_aspects/model/manipulator.h"
 
 #include <parallel_aspects/MapProgress.h>
@@ -25,6 +26,18 @@ enum class FileUse {
   none,  ///< for options that are not those of the node
   save,  ///< writes the new map to it
   load,  ///< takes the map from it if it is the one wanted; computes and writes it otherwise
+};
+
+/// Whether maps are computed in this task space; with six freedoms there are roadmaps instead.
+constexpr bool has_map(TaskSpace space) noexcept { return space != TaskSpace::SE3; }
+
+/// What is in use: a map, or with six freedoms a roadmap; neither until the first is complete.
+struct KnownAspects {
+  std::shared_ptr<const AspectMap> map;
+  std::shared_ptr<const PoseRoadmap> roadmap;
+
+  /// Lower bound of the number of aspects, proved; 0 while nothing is known.
+  std::uint32_t proved_count() const noexcept;
 };
 
 /// Computes maps on a thread of its own, one at a time, and keeps the last complete one. With six freedoms it
@@ -53,7 +66,8 @@ class MapWorker {
   MapProgress wait(Job job, std::chrono::milliseconds patience) const;
 
   MapProgress progress() const;                  ///< newest report of all
-  std::shared_ptr<const AspectMap> map() const;  ///< null until the first is complete
+  KnownAspects known() const;                    ///< what is in use
+  std::shared_ptr<const AspectMap> map() const;  ///< that of `known`
   std::string file_sentence() const;             ///< what became of the map file
 
  private:
@@ -68,7 +82,7 @@ class MapWorker {
   bool load(const MapOptions& options);
   void save(const AspectMap& map);
   void say_of_file(const std::string& sentence, bool well);
-  void report(MapProgress progress, const std::shared_ptr<const AspectMap>& map);
+  void report(MapProgress progress, const KnownAspects& found = {});
 
   const std::shared_ptr<const Manipulator> manipulator_;
   const std::string file_;
@@ -82,7 +96,7 @@ class MapWorker {
   std::atomic<bool> cancelled_{false};
   bool stopping_ = false;
   MapProgress progress_;
-  std::shared_ptr<const AspectMap> map_;
+  KnownAspects known_;
   std::string file_sentence_;
   std::thread thread_;
 };

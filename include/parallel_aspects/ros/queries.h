@@ -62,8 +62,9 @@ class Queries {
   ConfigurationAnswer resolve_pose(const Configuration& configuration) const;
   ConfigurationAnswer resolve_joints(const Configuration& configuration) const;
   Status start(const Configuration& configuration) const;
-  std::vector<SolvedConfiguration> solutions(const ConfigurationAnswer& answer, const AspectMap* map) const;
-  Status map_status(const AspectMap* map) const;
+  std::vector<SolvedConfiguration> solutions(const ConfigurationAnswer& answer,
+                                             const KnownAspects& known) const;
+  Status map_status(const KnownAspects& known) const;
   BoundaryDistances distances(const SolvedPose& solved) const;
 
   std::shared_ptr<const Manipulator> manipulator_;
