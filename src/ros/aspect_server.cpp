@@ -15,9 +15,13 @@ const ros::WallDuration between_looks(2.0);  // at the master
 }  // namespace
 
 AspectServer::AspectServer(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh)
+    : AspectServer(nh, private_nh, load_setup(nh, private_nh)) {}
+
+AspectServer::AspectServer(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh, NodeSetup setup)
     : nh_(nh),
       private_nh_(private_nh),
-      robot_(std::make_unique<RobotServer>(nh, private_nh, load_setup(nh, private_nh))),
+      read_only_(setup.options.read_only),
+      robot_(std::make_unique<RobotServer>(nh, private_nh, std::move(setup))),
       spinner_(1, &queue_) {
   ros::NodeHandle on_own_queue(private_nh);
   on_own_queue.setCallbackQueue(&queue_);
@@ -41,6 +45,10 @@ AspectServer::~AspectServer() {
 
 Reload::Response AspectServer::reload() {
   Reload::Response response;
+  if (read_only_) {
+    response.status = refused_as_read_only();
+    return response;
+  }
   try {
     NodeSetup setup = load_setup(nh_, private_nh_);
     robot_.reset();  // names of topics and services are free again

@@ -135,6 +135,11 @@ Status make_status(std::uint8_t code, std::string sentence) {
   return status;
 }
 
+Status refused_as_read_only() {
+  return make_status(Status::READ_ONLY,
+                     "The node was started with ~read_only, so that nothing changes it while it runs.");
+}
+
 Eigen::Isometry3d platform_in_base(const Manipulator& manipulator, const Pose& pose) {
   return manipulator.task_frame() * Eigen::Translation3d(pose.position) * pose.orientation;
 }

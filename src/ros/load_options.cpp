@@ -203,6 +203,7 @@ NodeOptions options_from(const XmlRpcValue& parameters, const std::string& prefi
   options.completed_decimation = decimation_from(reader.group("completed"));
   reader.read("joint_states_window", options.joint_states_window);
   reader.read("tf_timeout", options.tf_timeout);
+  reader.read("read_only", options.read_only);
   reader.read("frame_prefix", options.frame_prefix);
   for (const char* read_elsewhere : {"mechanism", "constraints", "diagnostic_period"})
     reader.raw(read_elsewhere);

@@ -115,11 +115,12 @@ ConfigurationAnswer configurations_at_joints(const Manipulator& manipulator, con
 }
 
 Queries::Queries(std::shared_ptr<const Manipulator> manipulator, RobotMonitor& monitor,
-                 const MapWorker& worker, PoseTransformer to_base)
+                 const MapWorker& worker, PoseTransformer to_base, bool read_only)
     : manipulator_(std::move(manipulator)),
       monitor_(monitor),
       worker_(worker),
       to_base_(std::move(to_base)),
+      read_only_(read_only),
       meter_(manipulator_) {}
 
 ConfigurationAnswer Queries::resolve(const Configuration& configuration) const {
@@ -277,7 +278,7 @@ Status Queries::start(const Configuration& configuration) const {
 
 SetAssemblyMode::Response Queries::answer(const SetAssemblyMode::Request& request) const {
   SetAssemblyMode::Response response;
-  response.status = start(request.configuration);
+  response.status = read_only_ ? refused_as_read_only() : start(request.configuration);
   if (response.status.code != Status::OK) return response;
   const ConfigurationAnswer now = resolve_now();
   response.status = now.status;

@@ -28,7 +28,8 @@ void fill(const ThresholdParameters& parameters, ThresholdsConfig& config) {
 
 Reconfiguration::Reconfiguration(const ros::NodeHandle& private_nh, const NodeOptions& options,
                                  OnThresholds on_thresholds, OnDisplay on_display)
-    : thresholds_(options.thresholds),
+    : read_only_(options.read_only),
+      thresholds_(options.thresholds),
       display_(options.display),
       on_thresholds_(std::move(on_thresholds)),
       on_display_(std::move(on_display)),
@@ -40,7 +41,8 @@ Reconfiguration::Reconfiguration(const ros::NodeHandle& private_nh, const NodeOp
 
 void Reconfiguration::change(ThresholdsConfig& config) {
   const ThresholdParameters wanted = parameters_of(config);
-  const Problems problems = problems_of(wanted, "thresholds/");
+  const Problems problems =
+      read_only_ ? Problems{"the node is read_only."} : problems_of(wanted, "thresholds/");
   for (const std::string& problem : problems) ROS_WARN_STREAM("Not changed: " << problem);
   if (!problems.empty()) return fill(thresholds_, config);
   thresholds_ = wanted;
@@ -49,8 +51,10 @@ void Reconfiguration::change(ThresholdsConfig& config) {
 
 // Ranges are kept by the server, but it lets through what is not a number.
 void Reconfiguration::change(DisplayConfig& config) {
-  if (!std::isfinite(config.gallery_scale) || !std::isfinite(config.rate)) {
-    ROS_WARN("Not changed: display/gallery_scale and display/rate must be numbers.");
+  const bool numbers = std::isfinite(config.gallery_scale) && std::isfinite(config.rate);
+  if (!numbers || read_only_) {
+    ROS_WARN_COND(!numbers, "Not changed: display/gallery_scale and display/rate must be numbers.");
+    config.gallery = display_.gallery;
     config.gallery_scale = display_.gallery_scale;
     config.rate = display_.rate;
   }

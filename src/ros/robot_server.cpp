@@ -36,8 +36,10 @@ RobotServer::RobotServer(const ros::NodeHandle& nh, const ros::NodeHandle& priva
       map_progress_(service_nh_.advertise<MapProgress>("map_progress", 10, true)),
       worker_(setup_.mechanism->manipulator(), setup_.options.map_file,
               [this](const MapProgress& progress, const auto& map) { on_map_progress(progress, map); }),
-      queries_(setup_.mechanism->manipulator(), monitor_, worker_,
-               [this](const auto& pose, std::string& sentence) { return to_base(pose, sentence); }),
+      queries_(
+          setup_.mechanism->manipulator(), monitor_, worker_,
+          [this](const auto& pose, std::string& sentence) { return to_base(pose, sentence); },
+          setup_.options.read_only),
       frame_watch_(setup_.options.frame_prefix + "/"),
       diagnostics_(on_queue(nh, service_queue_), service_nh_, *setup_.mechanism->manipulator(), monitor_,
                    worker_, frame_watch_),
@@ -210,8 +212,9 @@ void RobotServer::on_compute_map(const ComputeMapGoalConstPtr& goal) {
   if (goal->resolution != 0.0) options.resolution = goal->resolution;
   if (goal->extra_levels != 0) options.extra_levels = goal->extra_levels;
   const Problems problems = problems_of(options, *setup_.mechanism->manipulator(), "goal/");
-  if (!problems.empty()) {
-    result.status = make_status(Status::INVALID_REQUEST, problems.front());
+  if (!problems.empty()) result.status = make_status(Status::INVALID_REQUEST, problems.front());
+  if (setup_.options.read_only) result.status = refused_as_read_only();
+  if (result.status.code != Status::OK) {
     compute_map_->setAborted(result, result.status.sentence);
     return;
   }

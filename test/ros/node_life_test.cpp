@@ -357,6 +357,37 @@ TEST_F(GoSignal, IsOffWhereTheNodeIsHaltedOrKilled) {
   EXPECT_FALSE(consumer_->has_ended());
 }
 
+TEST_F(NodeLife, ReadOnlyRefusesWhateverChangesIt) {
+  set("read_only", true);
+  start();
+  EXPECT_EQ(move_to(start_).status.code, Status::OK);
+  set("read_only", false);  // too late
+  set("start/pose", std::vector<double>{4.5, -8.0});
+  EXPECT_EQ(call<Reload>("reload").status.code, Status::READ_ONLY);
+  SetAssemblyMode::Request sign;
+  sign.configuration.determinant_sign = 1;
+  EXPECT_EQ(call<SetAssemblyMode>("set_assembly_mode", sign).status.code, Status::READ_ONLY);
+  actionlib::SimpleActionClient<ComputeMapAction> client(node_ + "/compute_map", true);
+  ASSERT_TRUE(client.waitForServer(ros::Duration(test::deadline)));
+  client.sendGoalAndWait(ComputeMapGoal(), ros::Duration(test::deadline));
+  EXPECT_EQ(client.getState(), actionlib::SimpleClientGoalState::ABORTED);
+  EXPECT_EQ(client.getResult()->status.code, Status::READ_ONLY);
+  for (const auto& [group, key] :
+       {std::make_pair("thresholds", "parallel_warn"), std::make_pair("display", "rate")}) {
+    dynamic_reconfigure::Reconfigure service;
+    service.request.config.doubles.resize(1);
+    service.request.config.doubles[0].name = key;
+    service.request.config.doubles[0].value = 7.0;
+    const std::string name = node_ + "/" + group + "/set_parameters";
+    ASSERT_TRUE(ros::service::waitForService(name, ros::Duration(test::deadline)));
+    ASSERT_TRUE(ros::service::call(name, service));
+    for (const auto& parameter : service.response.config.doubles)
+      EXPECT_NE(parameter.value, 7.0) << parameter.name;
+  }
+  EXPECT_EQ(move_to(test::pose_at(4.5, 8.01)).status.code, Status::OK) << "and answers as ever";
+  EXPECT_EQ(call<GetWorkingMode>("get_working_mode").status.code, Status::OK);
+}
+
 TEST_F(NodeLife, TellsRatesAndLossesInDiagnostics) {
   using Level = diagnostic_msgs::DiagnosticStatus;
   start();

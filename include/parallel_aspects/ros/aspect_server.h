@@ -29,11 +29,14 @@ class AspectServer {
   AspectServer& operator=(const AspectServer&) = delete;
 
  private:
+  AspectServer(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh, NodeSetup setup);
+
   Reload::Response reload();
 
   // Of `reload`, which takes the robot's queues down, and of calls of the master, which may block.
   ros::CallbackQueue queue_;
   ros::NodeHandle nh_, private_nh_;
+  const bool read_only_;  // as the node was started, whatever the parameter is now
   std::unique_ptr<RobotServer> robot_;
   ros::ServiceServer reload_;
   MasterWatch master_;

@@ -35,6 +35,9 @@ struct SolvedPose {
   JointVector q;  ///< [rad or m]
 };
 
+/// What a node with ~read_only answers to whatever would change it.
+Status refused_as_read_only();
+
 Status make_status(std::uint8_t code, std::string sentence = {});
 
 /// The platform frame in the base frame [m].

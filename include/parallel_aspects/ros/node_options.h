@@ -58,6 +58,7 @@ struct NodeOptions {
   double tf_timeout = 0.2;       ///< how long a query waits for tf [s], 0 to 60
   int state_decimation = 1;      ///< ~state is published with every n-th sample, 1 to 10,000
   int completed_decimation = 1;  ///< likewise ~joint_states and tf
+  bool read_only = false;        ///< refuses whatever changes the node while it runs
   std::string frame_prefix;      ///< of the frames that the node adds; by default the robot's name
 };
 

@@ -46,9 +46,9 @@ using PoseTransformer = std::function<std::optional<geometry_msgs::Pose>(const g
 /// Answers the services. May be called from any number of threads.
 class Queries {
  public:
-  /// `monitor` and `worker` must outlive the object.
+  /// `monitor` and `worker` must outlive the object. `read_only`: whether set_assembly_mode is refused.
   Queries(std::shared_ptr<const Manipulator> manipulator, RobotMonitor& monitor, const MapWorker& worker,
-          PoseTransformer to_base);
+          PoseTransformer to_base, bool read_only);
 
   GetWorkingMode::Response answer(const GetWorkingMode::Request& request) const;
   GetCurrentAspect::Response answer(const GetCurrentAspect::Request& request) const;
@@ -71,6 +71,7 @@ class Queries {
   RobotMonitor& monitor_;
   const MapWorker& worker_;
   PoseTransformer to_base_;
+  const bool read_only_;
   mutable std::mutex meter_mutex_;
   mutable BoundaryDistanceMeter meter_;  // owns the memory it works in
 };

@@ -15,7 +15,8 @@
 namespace parallel_aspects {
 
 /// Thresholds and display by dynamic_reconfigure, under ~thresholds and ~display; nothing else changes while
-/// the node runs. What `problems_of` does not accept is refused with a warning, and what was there stays.
+/// the node runs. What `problems_of` does not accept is refused with a warning, and what was there stays; so
+/// is everything where the options say read_only.
 class Reconfiguration {
  public:
   using OnThresholds = std::function<void(const ThresholdParameters&)>;
@@ -29,6 +30,7 @@ class Reconfiguration {
   void change(ThresholdsConfig& config);
   void change(DisplayConfig& config);
 
+  const bool read_only_;
   ThresholdParameters thresholds_;
   DisplayOptions display_;
   const OnThresholds on_thresholds_;
