@@ -19,7 +19,8 @@ ConfigurationAnswer refusal(std::uint8_t code, std::string sentence) {
 
 // The modes that a request names: one, or all; nothing where it is malformed.
 std::vector<WorkingMode> modes_meant(const Manipulator& manipulator, const std::vector<std::int8_t>& signs) {
-  if (signs.empty()) return working_modes(manipulator);
+  if (std::all_of(signs.begin(), signs.end(), [](std::int8_t sign) { return sign == 0; }))
+    return working_modes(manipulator);
   const auto mode = WorkingMode::from_signs({signs.begin(), signs.end()});
   if (!mode || mode->leg_count() != manipulator.leg_count()) return {};
   return {*mode};
@@ -78,7 +79,7 @@ ConfigurationAnswer configurations_at_pose(const Manipulator& manipulator, const
                                            const std::vector<std::int8_t>& working_mode) {
   const auto modes = modes_meant(manipulator, working_mode);
   if (modes.empty())
-    return refusal(Status::INVALID_REQUEST, "working_mode must be empty or have " +
+    return refusal(Status::INVALID_REQUEST, "working_mode must be empty, or 0, or have " +
                                                 std::to_string(manipulator.leg_count()) +
                                                 " entries, each 1 or -1.");
   ConfigurationAnswer answer;
