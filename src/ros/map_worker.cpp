@@ -24,7 +24,6 @@ MapProgress empty_report() {
 
 MapProgress computing(const char* what, double share, double resolution) {
   MapProgress report = empty_report();
-  report.header.stamp = ros::Time::now();
   report.state = MapProgress::COMPUTING;
   report.progress = share;
   report.resolution = resolution;
@@ -51,7 +50,6 @@ std::string complete_sentence(const PoseRoadmap& roadmap) {
 
 MapProgress ended(MapStatus status, const std::string& sentence) {
   MapProgress report = empty_report();
-  report.header.stamp = ros::Time::now();
   report.sentence = sentence;
   report.state = status == MapStatus::complete    ? MapProgress::COMPLETE
                  : status == MapStatus::cancelled ? MapProgress::CANCELLED
@@ -120,6 +118,7 @@ void MapWorker::cancel(Job job) {
   if (!next_) return;
   next_.reset();
   running_job_ = job;
+  progress_ = dated(empty_report());
   progress_.state = MapProgress::CANCELLED;
   progress_.sentence = "The computation was cancelled before it began.";
   changed_.notify_all();
@@ -132,7 +131,7 @@ MapProgress MapWorker::wait(Job job, std::chrono::milliseconds patience) const {
   };
   changed_.wait_for(lock, patience, over);
   if (job == running_job_) return progress_;
-  MapProgress report = empty_report();
+  MapProgress report = dated(empty_report());
   report.state = job == newest_job_ ? MapProgress::COMPUTING : MapProgress::CANCELLED;
   report.sentence =
       job == newest_job_ ? "The computation is about to begin." : "A newer request took its place.";
@@ -165,7 +164,7 @@ void MapWorker::run() {
       if (stopping_) return;
       request = *std::exchange(next_, std::nullopt);
       running_job_ = newest_job_;
-      progress_ = empty_report();  // COMPUTING; what was said of the job before is over
+      progress_ = dated(empty_report());  // COMPUTING; what was said of the job before is over
       cancelled_ = false;
     }
     carry_out(request);
@@ -228,12 +227,19 @@ void MapWorker::say_of_file(const std::string& sentence, bool well) {
   file_sentence_ = sentence;
 }
 
+MapProgress MapWorker::dated(MapProgress progress) const {
+  progress.header.stamp = ros::Time::now();
+  progress.header.frame_id = manipulator_->base_frame();
+  progress.proved_count = known_.proved_count();
+  return progress;
+}
+
 // What was found is in use everywhere before anyone is told that it is complete.
 void MapWorker::report(MapProgress progress, const KnownAspects& found) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (found.map || found.roadmap) known_ = found;
-    progress.proved_count = known_.proved_count();
+    progress = dated(std::move(progress));
   }
   listener_(progress, found.map);
   const std::lock_guard<std::mutex> lock(mutex_);

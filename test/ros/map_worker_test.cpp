@@ -47,6 +47,10 @@ TEST_F(MapWorkerTest, KeepsTheMapThatItComputes) {
   EXPECT_EQ(reports_.front().count_at_most, -1);
   EXPECT_EQ(reports_.back().state, MapProgress::COMPLETE);
   for (std::size_t i = 1; i < reports_.size(); ++i) EXPECT_GE(reports_[i].progress, reports_[i - 1].progress);
+  for (const MapProgress& report : reports_) {
+    EXPECT_EQ(report.header.frame_id, test::five_bar()->base_frame());
+    EXPECT_FALSE(report.header.stamp.isZero());
+  }
 }
 
 TEST_F(MapWorkerTest, CancelsAndKeepsThePreviousMap) {
@@ -64,7 +68,9 @@ TEST_F(MapWorkerTest, CancelsAndKeepsThePreviousMap) {
 TEST_F(MapWorkerTest, ANewJobTakesThePlaceOfARunningOne) {
   const MapWorker::Job first = worker_.compute(resolution(1e-4));
   const MapWorker::Job second = worker_.compute(resolution(0.2));
-  EXPECT_EQ(worker_.wait(first, deadline).state, MapProgress::CANCELLED);
+  const MapProgress displaced = worker_.wait(first, deadline);
+  EXPECT_EQ(displaced.state, MapProgress::CANCELLED);
+  EXPECT_EQ(displaced.header.frame_id, test::five_bar()->base_frame());
   EXPECT_EQ(worker_.wait(second, deadline).state, MapProgress::COMPLETE);
 }
 

@@ -82,6 +82,7 @@ class MapWorker {
   bool load(const MapOptions& options);
   void save(const AspectMap& map);
   void say_of_file(const std::string& sentence, bool well);
+  MapProgress dated(MapProgress progress) const;  // with header and proved_count; under the lock
   void report(MapProgress progress, const KnownAspects& found = {});
 
   const std::shared_ptr<const Manipulator> manipulator_;
