@@ -9,6 +9,8 @@ namespace {
 
 using Twists = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 
+constexpr double rounding = 1e-12;  // of sums of distances, as a share
+
 constexpr std::array<std::pair<std::string_view, ClosureType>, 6> type_names{
     {{"point", ClosureType::point},
      {"revolute", ClosureType::revolute},
@@ -64,11 +66,19 @@ Eigen::Isometry3d placed(const Poses& poses, const LinkFrame& frame) {
   return poses[frame.link] * frame.in_link;
 }
 
+// The largest distance between two origins. Those far from the first come first, so that most pairs are known
+// to be nearer.
 double spread(const Poses& poses) {
+  std::vector<std::pair<double, Eigen::Vector3d>> origins;
+  for (const auto& pose : poses)
+    origins.emplace_back((pose.translation() - poses.front().translation()).norm(), pose.translation());
+  std::sort(origins.begin(), origins.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
   double widest = 0.0;
-  for (const auto& one : poses)
-    for (const auto& other : poses)
-      widest = std::max(widest, (one.translation() - other.translation()).norm());
+  for (std::size_t i = 0; i < origins.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k) {
+      if ((origins[i].first + origins[k].first) * (1.0 + rounding) < widest) break;
+      widest = std::max(widest, (origins[i].second - origins[k].second).norm());
+    }
   return widest > 0.0 ? widest : 1.0;
 }
 

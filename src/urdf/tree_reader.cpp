@@ -8,6 +8,7 @@
 #include <cmath>
 #include <console_bridge/console.h>
 #include <exception>
+#include <unordered_map>
 
 namespace parallel_aspects {
 namespace {
@@ -89,8 +90,10 @@ class TreeBuilder {
   }
 
   void number_joints() {
+    std::unordered_map<std::string, std::size_t> indices;
+    for (std::size_t k = 0; k < tree_.joints.size(); ++k) indices.emplace(tree_.joints[k].name, k);
     for (const std::string& name : inspection_.joints) {
-      const std::size_t index = *tree_.joint_named(name);
+      const std::size_t index = indices.at(name);
       if (tree_.joints[index].motion == JointMotion::fixed) continue;
       tree_.joints[index].variable = tree_.movable.size();
       tree_.movable.push_back(index);

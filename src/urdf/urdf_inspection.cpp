@@ -15,6 +15,8 @@
 #include <map>
 #include <optional>
 #include <sstream>
+#include <unordered_map>
+#include <unordered_set>
 
 namespace parallel_aspects {
 namespace {
@@ -64,6 +66,10 @@ std::vector<std::string> sentences(const std::multimap<Remark, std::string>& rem
   }
   return result;
 }
+
+constexpr int most_guesses = 20;  // of names that may be meant
+
+using NameSet = std::unordered_set<std::string>;
 
 class Inspector {
  public:
@@ -126,8 +132,7 @@ class Inspector {
       const std::string name = attribute(link, "name");
       if (name.empty())
         problem("has a link without a name in line " + std::to_string(link->GetLineNum()) + "; name it.");
-      if (std::find(links_.begin(), links_.end(), name) != links_.end())
-        problem("has two links named '" + name + "'; rename one.");
+      if (!link_names_.insert(name).second) problem("has two links named '" + name + "'; rename one.");
       links_.push_back(name);
       for (const char* part : {"visual", "collision"})
         for (const auto* body = link->FirstChildElement(part); body != nullptr;
@@ -181,8 +186,7 @@ class Inspector {
       const std::string owner = "joint '" + name + "'";
       if (name.empty())
         problem("has a joint without a name in line " + std::to_string(joint->GetLineNum()) + "; name it.");
-      if (std::find(result_.joints.begin(), result_.joints.end(), name) != result_.joints.end())
-        problem("has two joints named '" + name + "'; rename one.");
+      if (!joint_names_.insert(name).second) problem("has two joints named '" + name + "'; rename one.");
       result_.joints.push_back(name);
       check_origin(joint, owner);
       inspect_connection(joint, owner);
@@ -197,15 +201,18 @@ class Inspector {
     const std::array<const char*, 2> tags{"parent", "child"};
     for (std::size_t k = 0; k < 2; ++k) {
       ends[k] = attribute(joint->FirstChildElement(tags[k]), "link");
-      if (std::find(links_.begin(), links_.end(), ends[k]) != links_.end()) continue;
+      if (link_names_.count(ends[k]) > 0) continue;
       problem("gives " + owner + " the " + tags[k] + " link '" + ends[k] + "', which does not exist; " +
-              (links_.empty() ? "add it." : "add it, or write '" + nearest_name(ends[k], links_) + "'."));
+              (may_guess() ? "add it, or write '" + nearest_name(ends[k], links_) + "'." : "add it."));
     }
     if (!parent_joint_.emplace(ends[1], attribute(joint, "name")).second)
       problem("makes link '" + ends[1] + "' the child of " + owner + " and of joint '" +
               parent_joint_[ends[1]] + "'; a URDF is a tree, so cut one and close the loop in the YAML.");
     parent_[ends[1]] = ends[0];
   }
+
+  // Comparing a name with all others takes long where both are many.
+  bool may_guess() { return !links_.empty() && guesses_++ < most_guesses; }
 
   void inspect_type(XMLElement* joint, const std::string& name, const std::string& owner) {
     const std::string type = attribute(joint, "type");
@@ -275,18 +282,25 @@ class Inspector {
         problem("has links in a circle and no root; cut one joint and close the loop in the YAML.");
       return;
     }
+    const NameSet hanging = links_below(roots.front());
     for (const std::string& link : links_)
-      if (!reaches(link, roots.front()))
+      if (hanging.count(link) == 0)
         problem("has link '" + link +
                 "' in a circle of joints; cut one joint and close the loop in the YAML.");
   }
 
-  bool reaches(std::string link, const std::string& root) const {
-    for (std::size_t step = 0; step <= links_.size(); ++step) {
-      if (link == root) return true;
-      link = parent_.at(link);
+  NameSet links_below(const std::string& root) const {
+    std::unordered_map<std::string, std::vector<std::string>> children;
+    for (const auto& [child, parent] : parent_) children[parent].push_back(child);
+    NameSet below{root};
+    std::vector<std::string> open{root};
+    while (!open.empty()) {
+      const std::string link = std::move(open.back());
+      open.pop_back();
+      for (const std::string& child : children[link])
+        if (below.insert(child).second) open.push_back(child);
     }
-    return false;
+    return below;
   }
 
   const std::string& file_;
@@ -296,8 +310,10 @@ class Inspector {
   UrdfInspection result_;
   std::multimap<Remark, std::string> remarks_;  // and the joints that they are about
   std::vector<std::string> links_;
-  std::map<std::string, std::string> parent_;        // link above each link
-  std::map<std::string, std::string> parent_joint_;  // joint above each link
+  NameSet link_names_, joint_names_;
+  int guesses_ = 0;
+  std::unordered_map<std::string, std::string> parent_;        // link above each link
+  std::unordered_map<std::string, std::string> parent_joint_;  // joint above each link
 };
 
 }  // namespace
