@@ -2,8 +2,6 @@
 #include "parallel_aspects/ros/queries.h"
 
 #include "parallel_aspects/aspects/roadmap_location.h"
-#include "parallel_aspects/kinematics/direct.h"
-#include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/kinematics/jacobians.h"
 
 #include <algorithm>
@@ -15,23 +13,6 @@ namespace {
 
 ConfigurationAnswer refusal(std::uint8_t code, std::string sentence) {
   return {make_status(code, std::move(sentence)), {}, {}};
-}
-
-// The modes that a request names: one, or all; nothing where it is malformed.
-std::vector<WorkingMode> modes_meant(const Manipulator& manipulator, const std::vector<std::int8_t>& signs) {
-  if (std::all_of(signs.begin(), signs.end(), [](std::int8_t sign) { return sign == 0; }))
-    return working_modes(manipulator);
-  const auto mode = WorkingMode::from_signs({signs.begin(), signs.end()});
-  if (!mode || mode->leg_count() != manipulator.leg_count()) return {};
-  return {*mode};
-}
-
-std::string failure_text(const Manipulator& manipulator, const InverseSolution& solution) {
-  const Leg& leg = manipulator.leg(solution.leg);
-  return solution.status == InverseStatus::out_of_reach
-             ? leg.name + " cannot reach the pose"
-             : "joint " + leg.driven_joint + " would be outside its limits in working mode " +
-                   to_string(solution.mode);
 }
 
 // Where no map exists, a roadmap tells what it can.
@@ -74,46 +55,6 @@ void list_aspects(const Manipulator& manipulator, const AspectMap& map, const Li
 }
 
 }  // namespace
-
-ConfigurationAnswer configurations_at_pose(const Manipulator& manipulator, const Pose& pose,
-                                           const std::vector<std::int8_t>& working_mode) {
-  const auto modes = modes_meant(manipulator, working_mode);
-  if (modes.empty())
-    return refusal(Status::INVALID_REQUEST, "working_mode must be empty, or 0, or have " +
-                                                std::to_string(manipulator.leg_count()) +
-                                                " entries, each 1 or -1.");
-  ConfigurationAnswer answer;
-  std::string failure;
-  for (const WorkingMode& mode : modes) {
-    const InverseSolution solution = inverse(manipulator, pose, mode);
-    if (solution.status == InverseStatus::solved)
-      answer.configurations.push_back({pose, solution.q});
-    else
-      failure = failure_text(manipulator, solution);
-  }
-  if (answer.configurations.empty())
-    answer.status = make_status(Status::NO_SOLUTION, "No configuration: " + failure + ".");
-  return answer;
-}
-
-ConfigurationAnswer configurations_at_joints(const Manipulator& manipulator, const JointVector& q,
-                                             int determinant_sign) {
-  if (std::abs(determinant_sign) > 1)
-    return refusal(Status::INVALID_REQUEST, "determinant_sign must be 1, -1 or 0 for both.");
-  const DirectResult result = direct(manipulator, q);
-  if (result.status == DirectStatus::continuum)
-    return refusal(Status::AMBIGUOUS,
-                   "With these drives locked the platform can still move; its pose is not determined.");
-  if (result.status == DirectStatus::unsolved)
-    return refusal(Status::FAILED, "The direct kinematics could not be solved completely for these drives.");
-  ConfigurationAnswer answer;
-  for (const AssemblyMode& solution : result.solutions)
-    if (determinant_sign == 0 || solution.determinant * determinant_sign > 0.0)
-      answer.configurations.push_back({solution.pose, q});
-  if (answer.configurations.empty())
-    answer.status = make_status(Status::NO_SOLUTION, "The robot does not assemble so at these drives.");
-  return answer;
-}
 
 Queries::Queries(std::shared_ptr<const Manipulator> manipulator, RobotMonitor& monitor,
                  const MapWorker& worker, PoseTransformer to_base, bool read_only)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/ros/robot_monitor.h"
 
+#include "parallel_aspects/ros/configurations.h"
 #include "parallel_aspects/ros/hazard_messages.h"
 
 #include <algorithm>
@@ -164,6 +165,7 @@ MonitorUpdate RobotMonitor::accept(const JointSample& sample, const MergedDrives
   const Status start = first ? start_as_configured(time, q) : Status();
   if (!first || start.code != Status::OK) tracker_.update(time, q, drives.uncertainty);
   const bool unstarted = tracker_.state().status == TrackStatus::unstarted;
+  if (tracker_.state().followed()) not_started_ = {};
   if (first && unstarted && start.code != Status::OK)
     status_ = not_started_ = start;
   else
@@ -171,6 +173,7 @@ MonitorUpdate RobotMonitor::accept(const JointSample& sample, const MergedDrives
 
   MonitorUpdate update;
   if (!sample.sentence.empty()) update.warning = "In joint_states, " + sample.sentence;
+  if (first && failed_start()) update.warning = start.sentence;
   fill_tracked(stamp, update);
   said_stale_ = stale(now);
   if (said_stale_) {
@@ -340,10 +343,11 @@ Status RobotMonitor::start_as_configured(double time, const JointVector& q) {
                        "The clock went backwards, so how the robot moved meanwhile is not known; call "
                        "set_assembly_mode.");
   if (start_.pose) {
-    if (tracker_.start(time, q, start_pose(manipulator, *start_.pose), start_tolerance_, last_uncertainty_))
-      return {};
+    const Pose pose = start_pose(manipulator, *start_.pose);
+    if (tracker_.start(time, q, pose, start_tolerance_, last_uncertainty_)) return {};
     return make_status(Status::NOT_STARTED, "The first joint sample does not assemble within " +
-                                                std::to_string(start_tolerance_) + " m of start/pose; " +
+                                                std::to_string(start_tolerance_) + " m of start/pose. " +
+                                                why_not_at(manipulator, pose, q) + " Correct it, or " +
                                                 how_to_start);
   }
   if (start_.determinant_sign) {
@@ -357,13 +361,19 @@ Status RobotMonitor::start_as_configured(double time, const JointVector& q) {
   return make_status(Status::NOT_STARTED, std::string("The assembly mode is not known; ") + how_to_start);
 }
 
+// Whether it was said where the robot is at first, did not fit, and nothing was known since.
+bool RobotMonitor::failed_start() const {
+  return (start_.pose || start_.determinant_sign) && not_started_.code != Status::OK;
+}
+
 Status RobotMonitor::status_of_tracker() const {
   switch (tracker_.state().status) {
     case TrackStatus::tracking:
       return {};
     case TrackStatus::ambiguous:
       return make_status(Status::AMBIGUOUS, std::string("The assembly mode is not known: ") +
-                                                reason(tracker_.state().doubt) + "; call set_assembly_mode.");
+                                                reason(tracker_.state().doubt) + "; call set_assembly_mode." +
+                                                (failed_start() ? " " + not_started_.sentence : ""));
     case TrackStatus::inconsistent:
       return make_status(Status::INCONSISTENT, contradiction());
     case TrackStatus::unstarted:

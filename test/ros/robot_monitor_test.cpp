@@ -77,11 +77,27 @@ TEST_F(RobotMonitorTest, DoesNotStartFarFromTheConfiguredPose) {
   const MonitorUpdate first = update(drives(4.5, -8.0, {1, 1}, 1.0), 1.0);
   ASSERT_TRUE(first.state);
   EXPECT_EQ(first.state->status.code, Status::NOT_STARTED);
+  for (const char* words : {"start/pose", "The nearest assembly mode of these drives is", "m away"})
+    EXPECT_NE(first.state->status.sentence.find(words), std::string::npos) << first.state->status.sentence;
+  EXPECT_EQ(first.warning, first.state->status.sentence) << "also in the log";
   expect_says_nothing(*first.state);
   // Nor later, when the drives pass by: the robot may be in its other assembly mode.
   EXPECT_EQ(update(drives(4.5, 8.0, {1, -1}, 1.1), 1.1).state->status.code, Status::NOT_STARTED);
   EXPECT_EQ(monitor_.start_near(test::pose_at(4.5, 8.0), at(1.1)).code, Status::OK);
   EXPECT_EQ(update(drives(4.5, 8.01, {1, -1}, 1.2), 1.2).state->status.code, Status::OK);
+}
+
+TEST_F(RobotMonitorTest, KeepsSayingThatTheConfiguredPoseCannotBeReached) {
+  RobotMonitor monitor(mechanism_, start_at_pose(40.0, 8.0));
+  const auto first = monitor.update(drives(4.5, 8.0, {1, -1}, 1.0), at(1.0));
+  EXPECT_EQ(first.state->status.code, Status::NOT_STARTED);
+  EXPECT_NE(first.warning.find("It cannot be reached in any working mode"), std::string::npos)
+      << first.warning;
+  monitor.work();
+  const auto later = monitor.update(drives(4.5, 8.0, {1, -1}, 1.1), at(1.1));
+  EXPECT_EQ(later.state->status.code, Status::AMBIGUOUS);
+  EXPECT_NE(later.state->status.sentence.find("It cannot be reached"), std::string::npos);
+  EXPECT_EQ(monitor.start_near(test::pose_at(4.5, 8.0), at(1.1)).code, Status::OK);
 }
 
 TEST_F(RobotMonitorTest, StartsWithASignOfTheDeterminant) {

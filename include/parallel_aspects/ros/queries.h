@@ -3,6 +3,7 @@
 #define PARALLEL_ASPECTS_ROS_QUERIES_H
 
 #include "parallel_aspects/distance/boundary_distances.h"
+#include "parallel_aspects/ros/configurations.h"
 #include "parallel_aspects/ros/conversions.h"
 #include "parallel_aspects/ros/map_worker.h"
 #include "parallel_aspects/ros/robot_monitor.h"
@@ -23,21 +24,6 @@
 #include <vector>
 
 namespace parallel_aspects {
-
-/// The configurations that a request means.
-struct ConfigurationAnswer {
-  Status status;  ///< OK with at least one configuration, or why there is none
-  ros::Time stamp;
-  std::vector<SolvedPose> configurations;
-};
-
-/// Every configuration with this pose, in the given working mode or, where it is empty, in all.
-ConfigurationAnswer configurations_at_pose(const Manipulator& manipulator, const Pose& pose,
-                                           const std::vector<std::int8_t>& working_mode);
-
-/// Every assembly mode at these drives with this sign of det A, or, where it is 0, with any.
-ConfigurationAnswer configurations_at_joints(const Manipulator& manipulator, const JointVector& q,
-                                             int determinant_sign);
 
 /// Brings a pose into the base frame; nothing, and a sentence, where tf cannot.
 using PoseTransformer = std::function<std::optional<geometry_msgs::Pose>(const geometry_msgs::PoseStamped&,

@@ -109,6 +109,7 @@ class RobotMonitor {
   MonitorUpdate accept(const JointSample& sample, const MergedDrives& drives, const ros::Time& now);
   std::string fault_of_stamp(SampleStatus status, const ros::Time& stamp, const ros::Time& now) const;
   Status start_as_configured(double time, const JointVector& q);
+  bool failed_start() const;
   Status status_of_tracker() const;
   Status stale_status() const;
   std::string contradiction() const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/ros/queries.h"
+#include "parallel_aspects/ros/configurations.h"
 
 #include <gtest/gtest.h>
 
