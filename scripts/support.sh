@@ -14,7 +14,7 @@ if [ -f "${workspace}/build/build.ninja" ]; then
   command_build="${workspace}/build"
   command="${workspace}/devel/lib/parallel_aspects/aspects"
 else
-  command_build="${root}/build_core"
+  command_build="${root}/build/core"  # rosrun does not look into build/
   command="${command_build}/src/tools/aspects"
 fi
 

@@ -40,23 +40,27 @@ const std::vector<std::string>& Mechanism::notes() const noexcept { return conte
 int Mechanism::mobility() const noexcept { return contents_->mobility; }
 int Mechanism::idle_freedoms() const noexcept { return contents_->idle_freedoms; }
 
-// Idle motions are the kernel of the closures with the drives locked.
+// Idle motions are the kernel of the closures with the drives locked; of the joints inside the loops alone,
+// since there may be thousands outside.
 std::vector<PassiveJoint> Mechanism::determined_joints() const {
   const Completion& completion = contents_->completion;
   const ClosureSystem& system = completion.system();
-  const Eigen::VectorXd values =
-      completion.joint_values(completion.reference_pose(), completion.reference_drives());
-  Eigen::MatrixXd locked = system.jacobian(values);
+  Eigen::MatrixXd locked =
+      system.jacobian(completion.joint_values(completion.reference_pose(), completion.reference_drives()));
   for (const std::size_t drive : completion.drive_variables())
     locked.col(static_cast<Eigen::Index>(drive)).setZero();
-  const auto svd = singular_value_decomposition(locked);
+  std::vector<std::size_t> inside;
+  for (std::size_t k = 0; k < system.in_loop().size(); ++k)
+    if (system.in_loop()[k]) inside.push_back(k);
+  Eigen::MatrixXd columns(locked.rows(), static_cast<Eigen::Index>(inside.size()));
+  for (std::size_t k = 0; k < inside.size(); ++k)
+    columns.col(static_cast<Eigen::Index>(k)) = locked.col(static_cast<Eigen::Index>(inside[k]));
+  const auto svd = singular_value_decomposition(columns);
   const Eigen::MatrixXd idle = svd.null_space(svd.rank_above(idle_tolerance * svd.values[0]));
   std::vector<PassiveJoint> joints;
-  for (Eigen::Index k = 0; k < locked.cols(); ++k) {
-    const auto index = static_cast<std::size_t>(k);
-    if (!system.in_loop()[index] || idle.row(k).norm() > idle_tolerance) continue;
-    joints.push_back({index, system.tree().joint_of(index).motion == JointMotion::turning});
-  }
+  for (std::size_t k = 0; k < inside.size(); ++k)
+    if (!(idle.row(static_cast<Eigen::Index>(k)).norm() > idle_tolerance))
+      joints.push_back({inside[k], system.tree().joint_of(inside[k]).motion == JointMotion::turning});
   return joints;
 }
 
