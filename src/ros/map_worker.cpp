@@ -179,7 +179,11 @@ void MapWorker::run() {
       progress_ = dated(empty_report());  // COMPUTING; what was said of the job before is over
       cancelled_ = false;
     }
-    carry_out(request);
+    try {
+      carry_out(request);
+    } catch (const std::exception& failure) {  // as when there is not enough memory
+      report(ended(MapStatus::refused, std::string("The computation ended early: ") + failure.what() + "."));
+    }
     return_memory();
   }
 }

@@ -13,6 +13,9 @@
 namespace parallel_aspects {
 namespace {
 
+// A cancellation that is stamped farther ahead of the clock is none [s].
+constexpr double farthest_ahead = 60.0;
+
 ros::NodeHandle on_queue(ros::NodeHandle nh, ros::CallbackQueue& queue) {
   nh.setCallbackQueue(&queue);
   return nh;
@@ -67,8 +70,10 @@ RobotServer::RobotServer(const ros::NodeHandle& nh, const ros::NodeHandle& priva
 }
 
 RobotServer::~RobotServer() {
+  log_timer_.stop();
   stopping_ = true;
   subscriber_.shutdown();
+  cancel_subscriber_.shutdown();
   compute_map_->shutdown();
   tracking_spinner_.stop();
   service_spinner_.stop();
@@ -81,10 +86,33 @@ void RobotServer::advertise() {
   serve<GetSingularityDistance>("get_singularity_distance");
   serve<ListAspects>("list_aspects");
   serve<SetAssemblyMode>("set_assembly_mode");
+  start_action();
+  const boost::function<void(const actionlib_msgs::GoalIDConstPtr&)> callback =
+      [this](const actionlib_msgs::GoalIDConstPtr& goal) { on_cancel(*goal); };
+  cancel_subscriber_ = service_nh_.subscribe("compute_map/cancel", 50, callback);
+}
+
+void RobotServer::start_action() {
   compute_map_ = std::make_unique<ComputeMapServer>(
       service_nh_, "compute_map", [this](const ComputeMapGoalConstPtr& goal) { on_compute_map(goal); },
       false);
   compute_map_->start();
+}
+
+// Actionlib would take a cancellation that is stamped ahead of the clock for one of every goal up to then,
+// and throw when it looks whether the end of time is over.
+void RobotServer::on_cancel(const actionlib_msgs::GoalID& goal) {
+  if (seconds_between(ros::Time::now(), goal.stamp) > farthest_ahead) action_is_spoilt_ = true;
+}
+
+void RobotServer::renew_action() {
+  if (!action_is_spoilt_.exchange(false)) return;
+  ROS_WARN("A cancellation that is stamped ahead of the clock came, so compute_map starts anew.");
+  stopping_ = true;
+  compute_map_->shutdown();
+  compute_map_.reset();
+  stopping_ = false;
+  start_action();
 }
 
 void RobotServer::subscribe() {
@@ -104,8 +132,10 @@ void RobotServer::subscribe() {
                                   [this](const ros::WallTimerEvent&) { diagnostics_.publish(); });
   stand_off_timer_ = service_nh_.createWallTimer(
       ros::WallDuration(0.0), [this](const ros::WallTimerEvent&) { tell_stand_off(); }, true);
-  log_timer_ = service_nh_.createWallTimer(ros::WallDuration(0.1),
-                                           [this](const ros::WallTimerEvent&) { log_.write(); });
+  log_timer_ = service_nh_.createWallTimer(ros::WallDuration(0.1), [this](const ros::WallTimerEvent&) {
+    log_.write();
+    renew_action();
+  });
 }
 
 // A service that was reached returns true: what became of the request is in the response.

@@ -388,6 +388,26 @@ TEST_F(NodeLife, ReadOnlyRefusesWhateverChangesIt) {
   EXPECT_EQ(call<GetWorkingMode>("get_working_mode").status.code, Status::OK);
 }
 
+// Of a goal that is not there, at the end of time: actionlib throws when it wants to forget it.
+TEST_F(NodeLife, SurvivesACancellationFromTheFuture) {
+  start();
+  EXPECT_EQ(aspects_known(), 10U);
+  ros::Publisher cancel =
+      ros::NodeHandle().advertise<actionlib_msgs::GoalID>(node_ + "/compute_map/cancel", 10);
+  ASSERT_TRUE(eventually([&] { return cancel.getNumSubscribers() > 0; }));
+  actionlib_msgs::GoalID nobody;
+  nobody.id = "nobody";
+  nobody.stamp = ros::Time(4294967295U, 2U);
+  cancel.publish(nobody);
+  ComputeMapGoal goal;
+  goal.resolution = 0.5;
+  EXPECT_TRUE(eventually([&] {
+    actionlib::SimpleActionClient<ComputeMapAction> client(node_ + "/compute_map", true);
+    return client.waitForServer(ros::Duration(1.0)) &&
+           client.sendGoalAndWait(goal, ros::Duration(5.0)) == actionlib::SimpleClientGoalState::SUCCEEDED;
+  }));
+}
+
 TEST_F(NodeLife, TellsRatesAndLossesInDiagnostics) {
   using Level = diagnostic_msgs::DiagnosticStatus;
   start();

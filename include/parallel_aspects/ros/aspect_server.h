@@ -2,13 +2,13 @@
 #ifndef PARALLEL_ASPECTS_ROS_ASPECT_SERVER_H
 #define PARALLEL_ASPECTS_ROS_ASPECT_SERVER_H
 
+#include "parallel_aspects/ros/guarded_queue.h"
 #include "parallel_aspects/ros/load_options.h"
 #include "parallel_aspects/ros/master_watch.h"
 #include "parallel_aspects/ros/robot_server.h"
 
 #include <parallel_aspects/Reload.h>
 
-#include <ros/callback_queue.h>
 #include <ros/node_handle.h>
 #include <ros/service_server.h>
 #include <ros/spinner.h>
@@ -34,7 +34,7 @@ class AspectServer {
   Reload::Response reload();
 
   // Of `reload`, which takes the robot's queues down, and of calls of the master, which may block.
-  ros::CallbackQueue queue_;
+  GuardedQueue queue_;
   ros::NodeHandle nh_, private_nh_;
   const bool read_only_;  // as the node was started, whatever the parameter is now
   std::unique_ptr<RobotServer> robot_;

@@ -6,6 +6,7 @@
 #include "parallel_aspects/ros/diagnostics.h"
 #include "parallel_aspects/ros/display.h"
 #include "parallel_aspects/ros/frame_watch.h"
+#include "parallel_aspects/ros/guarded_queue.h"
 #include "parallel_aspects/ros/load_options.h"
 #include "parallel_aspects/ros/log_queue.h"
 #include "parallel_aspects/ros/map_worker.h"
@@ -15,7 +16,6 @@
 
 #include <parallel_aspects/ComputeMapAction.h>
 
-#include <ros/callback_queue.h>
 #include <ros/node_handle.h>
 #include <ros/spinner.h>
 #include <tf2_msgs/TFMessage.h>
@@ -58,6 +58,9 @@ class RobotServer {
   void on_tf_static(const Transforms& event);
   void watch(const Transforms& event, FrameWatch::Topic topic);
   void on_map_progress(const MapProgress& progress, const std::shared_ptr<const AspectMap>& map);
+  void start_action();
+  void renew_action();
+  void on_cancel(const actionlib_msgs::GoalID& goal);
   void on_compute_map(const ComputeMapGoalConstPtr& goal);
   void finish(const MapProgress& progress, ComputeMapResult result);
   void check_age();
@@ -69,7 +72,7 @@ class RobotServer {
                                              std::string& sentence) const;
 
   const NodeSetup setup_;
-  ros::CallbackQueue tracking_queue_, service_queue_, work_queue_;
+  GuardedQueue tracking_queue_, service_queue_, work_queue_;
   ros::NodeHandle tracking_nh_, service_nh_, work_nh_;  // private namespace
   ros::NodeHandle joint_states_nh_;                     // of the input topic
   tf2_ros::Buffer tf_;
@@ -88,10 +91,10 @@ class RobotServer {
   std::unique_ptr<ComputeMapServer> compute_map_;
   std::unique_ptr<Reconfiguration> reconfiguration_;
   std::vector<ros::ServiceServer> services_;
-  ros::Subscriber subscriber_, tf_subscriber_, tf_static_subscriber_;
+  ros::Subscriber subscriber_, tf_subscriber_, tf_static_subscriber_, cancel_subscriber_;
   ros::Timer age_timer_, display_timer_;
   ros::WallTimer diagnostics_timer_, log_timer_, work_timer_, stand_off_timer_;
-  std::atomic<bool> stopping_{false};
+  std::atomic<bool> stopping_{false}, action_is_spoilt_{false};
   ros::AsyncSpinner tracking_spinner_, service_spinner_, work_spinner_;
 };
 
