@@ -143,7 +143,7 @@ MonitorUpdate RobotMonitor::wait_for_drives(const JointSample& sample, const ros
   status_ = make_status(Status::NO_JOINT_STATES,
                         "A message of joint_states holds some of the drives, and those of the others do not "
                         "fit it: " +
-                            sample.sentence);
+                            with_guess(sample.sentence));
   if (seconds_between(waiting_since_, now) > timeout_) update.warning = status_.sentence;
   update.state = unknown_state(*mechanism_->manipulator(), status_, {});
   return update;
