@@ -135,11 +135,6 @@ Status make_status(std::uint8_t code, std::string sentence) {
   return status;
 }
 
-double seconds_between(const ros::Time& from, const ros::Time& to) noexcept {
-  return static_cast<double>(to.sec) - static_cast<double>(from.sec) +
-         1e-9 * (static_cast<double>(to.nsec) - static_cast<double>(from.nsec));
-}
-
 Status refused_as_read_only() {
   return make_status(Status::READ_ONLY,
                      "The node was started with ~read_only, so that nothing changes it while it runs.");

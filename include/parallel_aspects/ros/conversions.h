@@ -35,9 +35,6 @@ struct SolvedPose {
   JointVector q;  ///< [rad or m]
 };
 
-/// From one time to another [s]. A ros::Duration would throw for stamps that are absurd enough.
-double seconds_between(const ros::Time& from, const ros::Time& to) noexcept;
-
 /// What a node with ~read_only answers to whatever would change it.
 Status refused_as_read_only();
 
