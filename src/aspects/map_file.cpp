@@ -7,6 +7,7 @@
 #include "parallel_aspects/aspects/map_record.h"
 #include "parallel_aspects/aspects/proof_revision.h"
 #include "parallel_aspects/aspects/whole_file.h"
+#include "parallel_aspects/model/version.h"
 
 #include <algorithm>
 #include <array>
@@ -24,7 +25,6 @@ constexpr std::array<std::uint8_t, 8> magic{'A', 'S', 'P', 'E', 'C', 'T', 'S', 0
 constexpr std::uint32_t format_version = 3;
 constexpr std::size_t checksum_size = 4;
 constexpr std::size_t largest_file = std::size_t{1} << 32;
-const char* const package_version = PARALLEL_ASPECTS_VERSION;
 
 std::uint32_t checksum(const Bytes& bytes, std::size_t size) {
   return static_cast<std::uint32_t>(crc32_z(0, bytes.data(), size));

@@ -2,6 +2,7 @@
 #include "parallel_aspects/tools/command.h"
 
 #include "parallel_aspects/model/problems.h"
+#include "parallel_aspects/model/version.h"
 #include "parallel_aspects/tools/command_line.h"
 #include "parallel_aspects/tools/subcommands.h"
 #include "parallel_aspects/tools/text_table.h"
@@ -61,7 +62,7 @@ class Command {
     }
     if (asks_for_help(arguments.front())) return print(help(), surroundings);
     if (arguments.front() == "--version")
-      return print("aspects " PARALLEL_ASPECTS_VERSION "\n", surroundings);
+      return print("aspects " + std::string(package_version) + "\n", surroundings);
     const Subcommand& subcommand = find(arguments.front());
     if (!parse_arguments(subcommand, {arguments.begin() + 1, arguments.end()}))
       return print(help_of(subcommand), surroundings);

@@ -7,8 +7,8 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-// Eigen's decompositions behind plain functions: each is compiled once. In a source of their own they take up to
-// forty seconds.
+// Eigen's decompositions behind plain functions: each is compiled once. In a source of their own they take up
+// to forty seconds.
 namespace parallel_aspects {
 
 /// M = U diag(values) V^T of a matrix of m rows and n columns.
@@ -30,8 +30,8 @@ SingularValueDecomposition singular_value_decomposition(const Eigen::MatrixXd& m
 /// Decreasing; as above.
 Eigen::VectorXd singular_values(const Eigen::MatrixXd& matrix);
 
-/// The x of smallest norm among those for which |M x - right| is least. Columns that are dependent to `tolerance`,
-/// relative to the largest pivot, count as dependent.
+/// The x of smallest norm among those for which |M x - right| is least. Columns that are dependent to
+/// `tolerance`, relative to the largest pivot, count as dependent.
 Eigen::VectorXd least_squares_solution(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right,
                                        double tolerance);
 
