@@ -76,10 +76,17 @@ quietly() {
   fi
 }
 
-# A catkin workspace of its own, with this package as a link in it.
+# A catkin workspace of its own, with links to what this package is made of. Not one link to all of it: rosrun would
+# find the workspace in the package, and each program twice.
 prepare_workspace() {
-  mkdir -p "${workspace}/src"
-  ln -sfn "${root}" "${workspace}/src/parallel_aspects"
+  local package="${workspace}/src/parallel_aspects" entry
+  [ ! -L "${package}" ] || rm "${package}"
+  mkdir -p "${package}"
+  find "${package}" -mindepth 1 -maxdepth 1 -xtype l -delete
+  for entry in "${root}"/*; do
+    case "${entry##*/}" in build* | devel | install) continue ;; esac
+    [ -L "${package}/${entry##*/}" ] || ln -s "${entry}" "${package}"
+  done
 }
 
 # build_workspace CMAKE_OPTION...

@@ -87,7 +87,8 @@ static_assert(noexcept(std::declval<HazardMemory&>().see(std::declval<const Dist
                                                          0.0)));
 
 struct Seen {
-  long updates = 0, crossings = 0, losses = 0, gaps = 0, candidates = 0, assembly_modes = 0, silences = 0, allocations = 0;
+  long updates = 0, crossings = 0, losses = 0, gaps = 0, candidates = 0, assembly_modes = 0, silences = 0,
+       allocations = 0;
 };
 
 // Random walks through crossings, losses and gaps; after a loss the candidates are followed for a while.
