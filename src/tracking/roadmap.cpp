@@ -15,10 +15,6 @@ namespace {
 
 constexpr std::size_t neighbours_wanted = 12;
 
-// Of one straight motion: half of what the tracker takes for one sample, so that it follows the motion
-// however many samples there are on it.
-const int most_steps = TrackerOptions().most_steps / 2;
-
 double distance(const Manipulator& manipulator, const Pose& a, const Pose& b) {
   double longest = 0.0;
   for (const Leg& leg : manipulator.legs())
@@ -38,8 +34,10 @@ JointVector drive_change(const Manipulator& manipulator, const JointVector& from
   return change;
 }
 
+int steps_of_one_sample() noexcept { return TrackerOptions().most_steps / 2; }
+
 bool straight_motion_exists(const Manipulator& manipulator, const Place& from, const JointVector& change,
-                            const Pose& to) {
+                            const Pose& to, int most_steps) {
   const PoseCertifier certifier(manipulator);
   CertifiedPoint start;
   if (!certify_solution(certifier, from.pose, from.q, start)) return false;
@@ -107,7 +105,7 @@ bool Roadmap::passable(std::size_t a, std::size_t b) {
   const Edge edge = std::minmax(a, b);
   if (proved_.count(edge) > 0) return true;
   const JointVector change = drive_change(manipulator_, places_[a].q, places_[b].q);
-  const bool passes = straight_motion_exists(manipulator_, places_[a], change, places_[b].pose);
+  const bool passes = straight_motion_exists(manipulator_, places_[a], change, places_[b].pose, most_steps_);
   (passes ? proved_ : blocked_).insert(edge);
   return passes;
 }

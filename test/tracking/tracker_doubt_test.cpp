@@ -391,7 +391,7 @@ class NonsingularAssemblyModeChange : public testing::Test {
   // Drives along a way from one direct solution to another of the same sign, found at random.
   std::vector<JointVector> find_way() {
     const DirectResult result = direct(*robot_, q_);
-    Roadmap roads(*robot_);
+    Roadmap roads(*robot_, 2000);  // followed in many samples
     for (const AssemblyMode& mode : result.solutions)
       if (mode.determinant > 0.0) ends_.push_back(roads.add({mode.pose, q_}));
     std::mt19937 random(5);

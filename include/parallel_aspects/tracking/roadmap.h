@@ -22,16 +22,21 @@ struct Place {
 /// The shortest change of the drives from one place to another: angles without limits turn the short way.
 JointVector drive_change(const Manipulator& manipulator, const JointVector& from, const JointVector& to);
 
+/// Half of the steps that a tracker takes for one sample, as its options are by default: it follows a motion
+/// that is proved in as many, however few samples there are on it.
+int steps_of_one_sample() noexcept;
+
 /// Whether the platform, when the drives move straight from `from` by `change`, gets to the pose of `to` with
-/// det A away from zero all along; certified by continuation, in half the steps that a tracker has for one
-/// sample.
+/// det A away from zero all along; certified by continuation, in at most `most_steps`.
 bool straight_motion_exists(const Manipulator& manipulator, const Place& from, const JointVector& change,
-                            const Pose& to);
+                            const Pose& to, int most_steps = steps_of_one_sample());
 
 /// Places of one aspect, and ways between them that avoid singularities with room to spare.
 class Roadmap {
  public:
-  explicit Roadmap(const Manipulator& manipulator) : manipulator_(manipulator) {}
+  /// `most_steps`: for the proof of one straight motion. A motion of many samples may take more.
+  explicit Roadmap(const Manipulator& manipulator, int most_steps = steps_of_one_sample())
+      : manipulator_(manipulator), most_steps_(most_steps) {}
 
   std::size_t add(const Place& place);
   const Place& place(std::size_t index) const { return places_[index]; }
@@ -49,6 +54,7 @@ class Roadmap {
   bool passable(std::size_t a, std::size_t b);
 
   const Manipulator& manipulator_;
+  int most_steps_;
   std::vector<Place> places_;
   std::vector<double> narrowness_;  // 1 over the smallest singular value, for each place
   std::vector<std::vector<std::size_t>> neighbours_;
