@@ -122,7 +122,9 @@ TEST(StraightMotion, ThatExistsIsFollowedInOneSample) {
       const JointVector change = drive_change(*robot, from.q, inverse(*robot, pose, other).q);
       if (!straight_motion_exists(*robot, from, change, pose)) continue;
       ++passable;
-      Tracker tracker(robot, straight());
+      TrackerOptions options = straight();
+      options.samples.check_velocity = false;  // the whole motion in one sample is faster than the robot
+      Tracker tracker(robot, options);
       ASSERT_TRUE(tracker.start(0.0, from.q, pose, 1e-6));
       EXPECT_TRUE(tracker.update(interval, from.q + change).followed()) << to_string(mode) << ", leg " << leg;
     }

@@ -93,7 +93,7 @@ TEST(Limits, ComeFromTheUrdf) {
   EXPECT_EQ(driven.upper, 2.0);
   EXPECT_EQ(driven.velocity, 1.5);
   EXPECT_TRUE(std::isinf(mechanism->joint_limits()[1].velocity)) << "0 is none";
-  EXPECT_TRUE(std::isinf(mechanism->manipulator()->leg(1).limits.velocity));
+  EXPECT_EQ(mechanism->manipulator()->leg(1).limits.velocity, 2.0) << "of the shipped robot";
   EXPECT_FALSE(mechanism->manipulator()->leg(1).limits.limited());
   EXPECT_EQ(mechanism->joint_limits()[1].lower, 0.5);
   EXPECT_EQ(mechanism->joint_limits()[1].upper, 3.0);
