@@ -70,9 +70,9 @@ void require(bool condition) {
 void check(const Mechanism& mechanism, const JointSample& sample) {
   if (sample.status != SampleStatus::usable) return require(!sample.sentence.empty());
   require(static_cast<std::size_t>(sample.q.size()) == mechanism.manipulator()->leg_count());
-  for (const double value : coefficients_of(sample.q)) require(std::isfinite(value));
+  for (const double value : parallel_aspects::coefficients_of(sample.q)) require(std::isfinite(value));
   require(static_cast<std::size_t>(sample.readings.size()) == mechanism.joint_names().size());
-  for (const double value : coefficients_of(sample.readings)) require(!std::isinf(value));
+  for (const double value : parallel_aspects::coefficients_of(sample.readings)) require(!std::isinf(value));
 }
 
 }  // namespace

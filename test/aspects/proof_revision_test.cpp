@@ -53,7 +53,8 @@ std::map<std::string, std::string> checksums() {
        {"include/parallel_aspects/aspects", "include/parallel_aspects/model", "src/aspects", "src/model"})
     for (const fs::directory_entry& entry : fs::directory_iterator(root / folder))
       if (is_source(entry.path()))
-        result[fs::relative(entry.path(), root).generic_string()] = checksum(code(contents(entry.path())));
+        result[entry.path().lexically_relative(root).generic_string()] =
+            checksum(code(contents(entry.path())));
   return result;
 }
 
