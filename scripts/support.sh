@@ -82,6 +82,8 @@ prepare_workspace() {
   local package="${workspace}/src/parallel_aspects" entry
   [ ! -L "${package}" ] || rm "${package}"
   mkdir -p "${package}"
+  # Tests run in the environment of the first configuration, where a folder counts that exists by then.
+  mkdir -p "${workspace}/devel/lib/python3/dist-packages"
   find "${package}" -mindepth 1 -maxdepth 1 -xtype l -delete
   for entry in "${root}"/*; do
     case "${entry##*/}" in build* | devel | install) continue ;; esac
