@@ -58,10 +58,20 @@ std::string JointNameWatch::guess() const {
   return meant.empty() ? "" : "did you mean " + listed(meant) + " by " + listed(written) + "?";
 }
 
-std::string JointNameWatch::sentence() const {
+void JointNameWatch::forget() noexcept {
+  arriving_.clear();
+  more_arrive_ = false;
+}
+
+bool JointNameWatch::lacks_a_drive() const {
+  const auto arrives = [&](const std::string& name) { return contains(arriving_, name); };
+  return !arriving_.empty() && !more_arrive_ && !std::all_of(expected_.begin(), expected_.end(), arrives);
+}
+
+std::string JointNameWatch::comparison() const {
   const std::string found = guess();
-  return "No usable joint_states have arrived yet: joints " + listed(expected_) + " are expected, and " +
-         listed(arriving_) + (more_arrive_ ? " and others" : "") + " arrive" +
+  return "joints " + listed(expected_) + " are expected, and " + listed(arriving_) +
+         (more_arrive_ ? " and others" : "") + " arrive" +
          (found.empty() ? "; remap joint_states, or correct mechanism/actuated_joints." : "; " + found);
 }
 

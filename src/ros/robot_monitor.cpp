@@ -75,7 +75,7 @@ MonitorUpdate RobotMonitor::update(const sensor_msgs::JointState& message, const
   publishers_.count(publisher, message.header.seq);
   const JointSample sample = reader_.read(message);
   const ros::Time& stamp = message.header.stamp;
-  const bool new_names = last_stamp_.isZero() && names_.hear(message);
+  const bool new_names = sample.status != SampleStatus::usable && names_.hear(message);
   if (sample.status == SampleStatus::foreign) return pass_over(new_names);
   std::string other;
   const Claim claim = publishers_.claim(publisher, sample.drives, now, other);
@@ -115,14 +115,15 @@ MonitorUpdate RobotMonitor::pass_over(bool new_names) {
   ++counts_.foreign;
   MonitorUpdate update;
   if (!new_names || status_.code != Status::NO_JOINT_STATES) return update;
-  status_ = make_status(Status::NO_JOINT_STATES, names_.sentence());
+  status_ =
+      make_status(Status::NO_JOINT_STATES, "No usable joint_states have arrived yet: " + names_.comparison());
   update.state = lost_state(status_, {});
   if (!std::exchange(said_names_, true)) update.warning = status_.sentence;
   return update;
 }
 
 std::string RobotMonitor::with_guess(const std::string& sentence) const {
-  const std::string guess = last_stamp_.isZero() ? names_.guess() : "";
+  const std::string guess = names_.guess();
   return guess.empty() ? sentence : sentence + " Or " + guess;
 }
 
@@ -152,6 +153,7 @@ MonitorUpdate RobotMonitor::wait_for_drives(const JointSample& sample, const ros
 MonitorUpdate RobotMonitor::accept(const JointSample& sample, const MergedDrives& drives,
                                    const ros::Time& now) {
   ++counts_.usable;
+  names_.forget();
   const bool first = last_stamp_.isZero();
   const ros::Time& stamp = drives.stamp;
   if (first) epoch_ = stamp;
@@ -178,7 +180,7 @@ MonitorUpdate RobotMonitor::accept(const JointSample& sample, const MergedDrives
   said_stale_ = stale(now);
   if (said_stale_) {
     update.tracked.reset();
-    update.state = lost_state(stale_status(), stamp);
+    update.state = lost_state(stale_status(now), stamp);
     return update;
   }
   update.state->status = status_;
@@ -347,8 +349,8 @@ Status RobotMonitor::start_as_configured(double time, const JointVector& q) {
     if (tracker_.start(time, q, pose, start_tolerance_, last_uncertainty_)) return {};
     return make_status(Status::NOT_STARTED, "The first joint sample does not assemble within " +
                                                 std::to_string(start_tolerance_) + " m of start/pose. " +
-                                                why_not_at(manipulator, pose, q) + " Correct it, or " +
-                                                how_to_start);
+                                                why_not_at(manipulator, pose, q) + merged_drives() +
+                                                " Correct start/pose or the drives, or " + how_to_start);
   }
   if (start_.determinant_sign) {
     if (tracker_.start(time, q, *start_.determinant_sign, last_uncertainty_)) return {};
@@ -373,6 +375,7 @@ Status RobotMonitor::status_of_tracker() const {
     case TrackStatus::ambiguous:
       return make_status(Status::AMBIGUOUS, std::string("The assembly mode is not known: ") +
                                                 reason(tracker_.state().doubt) + "; call set_assembly_mode." +
+                                                merged_drives() +
                                                 (failed_start() ? " " + not_started_.sentence : ""));
     case TrackStatus::inconsistent:
       return make_status(Status::INCONSISTENT, contradiction());
@@ -380,6 +383,15 @@ Status RobotMonitor::status_of_tracker() const {
       break;
   }
   return make_status(Status::NOT_STARTED, std::string("The assembly mode is not known; ") + how_to_start);
+}
+
+std::string RobotMonitor::merged_drives() const {
+  if (last_uncertainty_.size() == 0 || !(last_uncertainty_.maxCoeff() > 0.0)) return {};
+  return " The drives come in several messages, so that one may have moved by " +
+         std::to_string(last_uncertainty_.maxCoeff()) +
+         " rad or m since its value was measured, and that leaves more than one possibility; publish all of "
+         "them "
+         "in one message, or more often.";
 }
 
 std::string RobotMonitor::contradiction() const {
@@ -395,16 +407,22 @@ bool RobotMonitor::stale(const ros::Time& now) const {
          (seconds_between(last_usable_, now) > timeout_ || seconds_between(last_stamp_, now) > timeout_);
 }
 
-Status RobotMonitor::stale_status() const {
-  return make_status(Status::STALE,
-                     "The last usable joint_states are older than " + std::to_string(timeout_) + " s.");
+Status RobotMonitor::stale_status(const ros::Time& now) const {
+  const std::string age = std::to_string(timeout_) + " s";
+  if (seconds_between(last_usable_, now) <= timeout_)
+    return make_status(Status::STALE,
+                       "joint_states arrive, but their stamps are more than " + age +
+                           " behind this computer's clock; synchronise the clocks, or play bags "
+                           "with --clock and use_sim_time.");
+  const std::string since = names_.lacks_a_drive() ? ": since then " + names_.comparison() : ".";
+  return make_status(Status::STALE, "The last usable joint_states are older than " + age + since);
 }
 
 std::optional<AspectState> RobotMonitor::expire(const ros::Time& now) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (!stale(now) || said_stale_) return std::nullopt;
   said_stale_ = true;
-  return lost_state(stale_status(), last_stamp_);
+  return lost_state(stale_status(now), last_stamp_);
 }
 
 CurrentConfiguration RobotMonitor::current(const ros::Time& now) const {
@@ -412,7 +430,7 @@ CurrentConfiguration RobotMonitor::current(const ros::Time& now) const {
   CurrentConfiguration current;
   const bool refused =
       status_.code == Status::INVALID_JOINT_STATES || status_.code == Status::SEVERAL_PUBLISHERS;
-  current.status = stale(now) && !refused ? stale_status() : status_;
+  current.status = stale(now) && !refused ? stale_status(now) : status_;
   current.stamp = last_stamp_;
   current.tracked = tracker_.state();
   current.solved = {current.tracked.pose, current.tracked.q};
@@ -454,7 +472,8 @@ Status RobotMonitor::start_near(const Pose& pose, const ros::Time& now) {
   }
   status_ = status_of_tracker();
   return make_status(Status::NO_SOLUTION, "The present drives do not assemble within " +
-                                              std::to_string(start_tolerance_) + " m of that pose.");
+                                              std::to_string(start_tolerance_) + " m of that pose." +
+                                              merged_drives());
 }
 
 Status RobotMonitor::start_with_sign(int determinant_sign, const ros::Time& now) {

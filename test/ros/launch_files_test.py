@@ -33,9 +33,13 @@ class LaunchFiles(unittest.TestCase):
         )
 
     def test_no_node_ends_the_monitor(self):
-        for file in ("aspects.launch", "demo.launch"):
+        for file, expected in (("aspects.launch", set()), ("demo.launch", {"aspect_node"})):
             required = {kind for kind, node in nodes(load(file, "rviz:=true")).items() if node.required}
-            self.assertEqual(required, {"aspect_node"})
+            self.assertEqual(required, expected)
+
+    def test_read_only_is_an_argument(self):
+        for given, expected in (([], False), (["read_only:=true"], True)):
+            self.assertEqual(load("aspects.launch", *given).params["/aspect_node/read_only"].value, expected)
 
     def test_what_two_robots_differ_in_are_arguments(self):
         thresholds = {"parallel_warn": 0.2, "parallel_stop": 0.1, "serial_warn": 0.04, "serial_stop": 0.03,

@@ -225,6 +225,26 @@ TEST_F(RobotMonitorTest, BecomesStaleOnceAndRecovers) {
 }
 
 // Stamps say when the robot was where, arrivals only what the network did.
+// A driver that was restarted with another name: what arrives since is said, and what may be meant.
+TEST_F(RobotMonitorTest, StaleSaysWhichJointsArriveSince) {
+  update(drives(4.5, 8.0, {1, -1}, 1.0), 1.0);
+  auto message = drives(4.5, 8.0, {1, -1}, 1.3);
+  message.name[1] = "crank2_joint";
+  update(message, 1.3);
+  const auto stale = monitor_.expire(at(1.6));
+  ASSERT_TRUE(stale);
+  EXPECT_NE(stale->status.sentence.find("did you mean 'crank_2_joint' by 'crank2_joint'?"), std::string::npos)
+      << stale->status.sentence;
+}
+
+TEST_F(RobotMonitorTest, StaleSaysThatStampsAreBehindTheClock) {
+  const MonitorUpdate late = update(drives(4.5, 8.0, {1, -1}, 1.0), 9.0);
+  ASSERT_TRUE(late.state);
+  EXPECT_EQ(late.state->status.code, Status::STALE);
+  EXPECT_NE(late.state->status.sentence.find("behind this computer's clock"), std::string::npos)
+      << late.state->status.sentence;
+}
+
 TEST_F(RobotMonitorTest, ASilenceCountsByStamps) {
   for (int i = 0; i < 20; ++i) update(drives(4.5, 8.0, {1, -1}, 1.0 + 0.1 * i), 1.0 + 0.1 * i);
   for (int i = 20; i < 40; ++i) update(drives(4.5, 8.0, {1, -1}, 1.0 + 0.1 * i), 5.0);
@@ -390,6 +410,21 @@ TEST_F(RobotMonitorTest, DrivesOfSeveralPublishersAreMerged) {
   complete.work();
   const AspectState known = *complete.update(drives(4.5, 8.05, {1, -1}, 1.51), at(1.51)).state;
   EXPECT_LT(merged.parallel_distance.lower, known.parallel_distance.lower) << "by the possible motion";
+}
+
+// Values that are long apart leave more than one possibility, which is said with what to do.
+TEST_F(RobotMonitorTest, DrivesThatComeTooFarApartAreSaidToBe) {
+  std::string sentence;
+  for (int i = 0; i < 20 && sentence.find("several messages") == std::string::npos; ++i) {
+    auto message = drives(4.5, 8.0, {1, -1}, 1.0 + 0.06 * i);
+    const auto drive = static_cast<std::size_t>(i % 2);
+    message.name = {message.name[drive]};
+    message.position = {message.position[drive]};
+    const MonitorUpdate merged = monitor_.update(message, message.header.stamp, drive == 0 ? "/one" : "/two");
+    if (merged.state) sentence = merged.state->status.sentence;
+  }
+  EXPECT_NE(sentence.find("publish all of them in one message, or more often"), std::string::npos)
+      << sentence;
 }
 
 TEST_F(RobotMonitorTest, CountsWhatWasLost) {

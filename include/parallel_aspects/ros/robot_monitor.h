@@ -111,7 +111,10 @@ class RobotMonitor {
   Status start_as_configured(double time, const JointVector& q);
   bool failed_start() const;
   Status status_of_tracker() const;
-  Status stale_status() const;
+  Status stale_status(const ros::Time& now) const;
+
+  /// What is to be said where the last sample was merged of several messages; else nothing.
+  std::string merged_drives() const;
   std::string contradiction() const;
   bool stale(const ros::Time& now) const;
   void fill_tracked(const ros::Time& stamp, MonitorUpdate& update);
@@ -125,7 +128,7 @@ class RobotMonitor {
 
   const std::shared_ptr<const Mechanism> mechanism_;
   const JointSampleReader reader_;
-  JointNameWatch names_;  // of what arrives before the first usable sample
+  JointNameWatch names_;  // of what arrives since the last usable sample
   const StartOptions start_;
   const double start_tolerance_;
   const double timeout_;  // [s]
