@@ -8,9 +8,7 @@ install(TARGETS parallel_aspects_core
 install(TARGETS aspects RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(DIRECTORY include/parallel_aspects
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-        FILES_MATCHING PATTERN "*.h" PATTERN "*.inc"
-        PATTERN "parallel_aspects/ros" EXCLUDE
-        PATTERN "parallel_aspects/tools" EXCLUDE)
+        FILES_MATCHING PATTERN "*.h")
 install(DIRECTORY urdf config DESTINATION ${share_folder})
 
 # In a catkin workspace, catkin writes the package configuration.

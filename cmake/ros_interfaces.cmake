@@ -73,5 +73,4 @@ catkin_package(
     tf2_ros
     visualization_msgs
   DEPENDS EIGEN3
-  CFG_EXTRAS parallel_aspects-extras.cmake
 )

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/model/coefficients.h"
-#include "parallel_aspects/ros/joint_sample.h"
-#include "parallel_aspects/ros/publisher_watch.h"
+#include "model/coefficients.h"
+#include "ros/joint_states/joint_sample.h"
+#include "ros/joint_states/publisher_watch.h"
 
 #include <cmath>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/distance/anchor_metric.h"
+#include "distance/anchor_metric.h"
 
-#include "parallel_aspects/model/linear_algebra.h"
+#include "model/linear_algebra.h"
 
 #include <Eigen/Cholesky>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/distance/boundary_distances.h"
 
-#include "parallel_aspects/aspects/finite_lengths.h"
-#include "parallel_aspects/distance/leg_search.h"
-#include "parallel_aspects/distance/parallel_search.h"
+#include "aspects/constraints/finite_lengths.h"
+#include "distance/leg_search.h"
+#include "distance/parallel_search.h"
 #include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/model/problems.h"
 

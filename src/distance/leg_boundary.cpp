@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/distance/leg_boundary.h"
+#include "distance/leg_boundary.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/distance/neighbourhood.h"
+#include "distance/neighbourhood.h"
 
 #include <cmath>
 

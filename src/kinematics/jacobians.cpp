@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/kinematics/jacobians.h"
 
-#include "parallel_aspects/model/linear_algebra.h"
+#include "model/linear_algebra.h"
 
 #include <Eigen/Geometry>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/model/linear_algebra.h"
+#include "model/linear_algebra.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>

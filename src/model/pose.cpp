@@ -96,6 +96,19 @@ Pose displaced(TaskSpace space, const Pose& pose, const TaskVector& twist) {
   return moved;
 }
 
+Eigen::Vector4d nearer_quaternion(const Pose& from, const Pose& to) noexcept {
+  const Eigen::Vector4d &first = from.orientation.coeffs(), &last = to.orientation.coeffs();
+  return first.dot(last) < 0.0 ? Eigen::Vector4d(-last) : last;
+}
+
+Pose pose_between(const Pose& from, const Pose& to, double t) noexcept {
+  const Eigen::Vector4d quaternion = (1.0 - t) * from.orientation.coeffs() + t * nearer_quaternion(from, to);
+  Pose pose;
+  pose.position = (1.0 - t) * from.position + t * to.position;
+  pose.orientation = Eigen::Quaterniond(Eigen::Vector4d(quaternion.normalized()));
+  return pose;
+}
+
 std::string to_string(TaskSpace space, const Pose& pose) {
   const PoseCoordinates coordinates = pose_coordinates(space, pose);
   const auto& names = coordinate_names(space);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/singularity/indices.h"
 
+#include "model/linear_algebra.h"
 #include "parallel_aspects/kinematics/jacobians.h"
-#include "parallel_aspects/model/linear_algebra.h"
 
 namespace parallel_aspects {
 SingularityIndices singularity_indices(const Manipulator& manipulator, const Pose& pose,

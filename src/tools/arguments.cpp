@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/tools/arguments.h"
+#include "tools/arguments.h"
 
 #include "parallel_aspects/aspects/turning_slice.h"
-#include "parallel_aspects/tools/computation.h"
-#include "parallel_aspects/tools/numbers.h"
-#include "parallel_aspects/tools/subcommands.h"
+#include "tools/computation.h"
+#include "tools/report/numbers.h"
+#include "tools/subcommands.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/tools/command.h"
+#include "tools/command.h"
 
 #include "parallel_aspects/model/problems.h"
 #include "parallel_aspects/model/version.h"
-#include "parallel_aspects/tools/command_line.h"
-#include "parallel_aspects/tools/subcommands.h"
-#include "parallel_aspects/tools/text_table.h"
+#include "tools/command_line.h"
+#include "tools/report/text_table.h"
+#include "tools/subcommands.h"
 
 #include <algorithm>
 #include <exception>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/tools/command_line.h"
+#include "tools/command_line.h"
 
-#include "parallel_aspects/tools/text_table.h"
+#include "tools/report/text_table.h"
 
 #include <cstddef>
 

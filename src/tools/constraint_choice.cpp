@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/tools/arguments.h"
+#include "tools/arguments.h"
 
 #include <algorithm>
 #include <sstream>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/tools/progress_bar.h"
+#include "tools/progress_bar.h"
 
 #include <algorithm>
 #include <cmath>

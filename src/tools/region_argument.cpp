@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/tools/arguments.h"
-#include "parallel_aspects/tools/numbers.h"
+#include "tools/arguments.h"
+#include "tools/report/numbers.h"
 
 #include <algorithm>
 #include <sstream>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/tools/shipped_robots.h"
+#include "tools/shipped_robots.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/tracking/assembly_watch.h"
+#include "tracking/assembly_watch.h"
 
 #include "parallel_aspects/model/anchor_distance.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/tracking/candidates.h"
+#include "tracking/candidates.h"
 
 #include "parallel_aspects/kinematics/direct.h"
 

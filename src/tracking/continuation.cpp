@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/tracking/continuation.h"
+#include "tracking/continuation.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/tracking/leg_enclosure.h"
+#include "tracking/leg_enclosure.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/tracking/pose_certifier.h"
+#include "tracking/pose_certifier.h"
 
 #include <Eigen/LU>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/tracking/stand_off.h"
 
-#include "parallel_aspects/aspects/pose_sampler.h"
-#include "parallel_aspects/aspects/pose_segment.h"
+#include "aspects/roadmap/pose_sampler.h"
+#include "model/coefficients.h"
 #include "parallel_aspects/distance/boundary_distances.h"
 #include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/model/anchor_distance.h"
-#include "parallel_aspects/model/coefficients.h"
+#include "tracking/pose_certifier.h"
 
 #include <algorithm>
 #include <cmath>
@@ -65,9 +65,9 @@ bool is_reached(const Manipulator& manipulator, const Pose& from, const Pose& to
 
 }  // namespace
 
-StandOff::StandOff(std::shared_ptr<const Manipulator> manipulator, const SampleOptions& options) noexcept
+StandOff::StandOff(std::shared_ptr<const Manipulator> manipulator, const SampleOptions& options)
     : manipulator_(std::move(manipulator)),
-      certifier_(*manipulator_),
+      certifier_(std::make_shared<const PoseCertifier>(*manipulator_)),
       noise_(noise_of(*manipulator_, options.encoder_noise)),
       resting_bend_(0.5 * options.path_bend * noise_) {}
 
@@ -79,10 +79,10 @@ bool StandOff::can_tell(const Pose& pose, const WorkingMode& mode, const JointVe
   CertifiedPoint point;
   point.pose = pose;
   point.q = solution.q;
-  if (!certifier_.evaluate(point) ||
-      !(certifier_.distance(pose, point.pose) <= same_pose * manipulator_->size()))
+  if (!certifier_->evaluate(point) ||
+      !(certifier_->distance(pose, point.pose) <= same_pose * manipulator_->size()))
     return false;
-  const CertifiedBall noisy = certifier_.ball(point, still, noise_, 0.0, 0.0);
+  const CertifiedBall noisy = certifier_->ball(point, still, noise_, 0.0, 0.0);
   if (!noisy.certified) return false;
   JointVector step = 2.0 * noise_ + resting_bend_;
   if (bend.size() == step.size()) step = step.cwiseMax(2.0 * noise_ + bend);
@@ -90,9 +90,9 @@ bool StandOff::can_tell(const Pose& pose, const WorkingMode& mode, const JointVe
   for (const double side : {-1.0, 1.0}) {
     CertifiedPoint seen;
     seen.q = point.q + side * error;
-    seen.pose = certifier_.predicted(point, seen.q);
-    if (!certifier_.evaluate(seen) || !(certifier_.distance(point.pose, seen.pose) <= noisy.radius) ||
-        !certifier_.ball(seen, still, step, 0.0, 0.0).certified)
+    seen.pose = certifier_->predicted(point, seen.q);
+    if (!certifier_->evaluate(seen) || !(certifier_->distance(point.pose, seen.pose) <= noisy.radius) ||
+        !certifier_->ball(seen, still, step, 0.0, 0.0).certified)
       return false;
   }
   return true;

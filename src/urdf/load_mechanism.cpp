@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "model/coefficients.h"
 #include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/kinematics/working_mode.h"
-#include "parallel_aspects/model/coefficients.h"
-#include "parallel_aspects/urdf/assembly.h"
-#include "parallel_aspects/urdf/chain.h"
-#include "parallel_aspects/urdf/leg_recognition.h"
-#include "parallel_aspects/urdf/mechanism_config.h"
-#include "parallel_aspects/urdf/mechanism_contents.h"
-#include "parallel_aspects/urdf/passive_limits.h"
-#include "parallel_aspects/urdf/platform_motion.h"
-#include "parallel_aspects/urdf/resolved_config.h"
-#include "parallel_aspects/urdf/tree_reader.h"
+#include "urdf/closing/assembly.h"
+#include "urdf/closing/chain.h"
+#include "urdf/closing/resolved_config.h"
+#include "urdf/config/mechanism_config.h"
+#include "urdf/mechanism_contents.h"
+#include "urdf/reading/tree_reader.h"
+#include "urdf/recognition/leg_recognition.h"
+#include "urdf/recognition/passive_limits.h"
+#include "urdf/recognition/platform_motion.h"
 
 #include <tinyxml2.h>
 #include <yaml-cpp/yaml.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/urdf/mechanism.h"
 
-#include "parallel_aspects/model/linear_algebra.h"
+#include "model/linear_algebra.h"
 #include "parallel_aspects/model/problems.h"
-#include "parallel_aspects/urdf/mechanism_contents.h"
+#include "urdf/mechanism_contents.h"
 
 #include <utility>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/aspects/affine.h"
+#include "interval/affine.h"
 
-#include "parallel_aspects/aspects/dual.h"
+#include "interval/dual.h"
 
 #include <gtest/gtest.h>
 

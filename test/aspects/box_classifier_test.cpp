@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/aspects/box_classifier.h"
+#include "aspects/boxes/box_classifier.h"
 
-#include "parallel_aspects/aspects/half_turns.h"
-#include "parallel_aspects/aspects/interval.h"
+#include "interval/half_turns.h"
+#include "interval/interval.h"
 #include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/kinematics/jacobians.h"
 

@@ -2,11 +2,11 @@
 //
 // Components of trees with states set at random, against a flood over all leaves that may hold poses of the
 // set.
-#include "parallel_aspects/aspects/components.h"
+#include "aspects/components/components.h"
 
-#include "parallel_aspects/aspects/contact_search.h"
-#include "parallel_aspects/aspects/disjoint_sets.h"
-#include "parallel_aspects/aspects/neighbour_leaves.h"
+#include "aspects/components/contact_search.h"
+#include "aspects/components/disjoint_sets.h"
+#include "aspects/tree/neighbour_leaves.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "aspects/map/map_contents.h"
+#include "aspects/roadmap/pose_sampler.h"
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "parallel_aspects/aspects/map_contents.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"
-#include "parallel_aspects/aspects/pose_sampler.h"
 #include "parallel_aspects/aspects/same_aspect.h"
 #include "parallel_aspects/kinematics/inverse.h"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "aspects/boxes/box_classifier.h"
+#include "aspects/file/constraint_key.h"
+#include "interval/interval.h"
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/boundary_curves.h"
-#include "parallel_aspects/aspects/box_classifier.h"
 #include "parallel_aspects/aspects/constraint_boundaries.h"
-#include "parallel_aspects/aspects/constraint_key.h"
-#include "parallel_aspects/aspects/interval.h"
 #include "parallel_aspects/aspects/segment_certifier.h"
 #include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/model/problems.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/aspects/interval.h"
+#include "interval/interval.h"
 
 #include <gtest/gtest.h>
 #include <mpfi.h>

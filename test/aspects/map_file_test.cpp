@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/aspects/map_file.h"
 
-#include "parallel_aspects/model/coefficients.h"
+#include "model/coefficients.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/aspects/map_slice.h"
 
+#include "aspects/boxes/box_classifier.h"
+#include "aspects/map/map_contents.h"
+#include "aspects/tree/slice_space.h"
+#include "interval/interval.h"
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "parallel_aspects/aspects/box_classifier.h"
-#include "parallel_aspects/aspects/interval.h"
-#include "parallel_aspects/aspects/map_contents.h"
-#include "parallel_aspects/aspects/slice_space.h"
 #include "parallel_aspects/aspects/turning_slice.h"
 
 #include <gtest/gtest.h>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/aspects/map_symmetry.h"
+#include "aspects/symmetry/map_symmetry.h"
 
+#include "aspects/map/map_contents.h"
+#include "aspects/map/map_plan.h"
+#include "interval/interval.h"
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "parallel_aspects/aspects/interval.h"
-#include "parallel_aspects/aspects/map_contents.h"
-#include "parallel_aspects/aspects/map_plan.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/aspects/nonsingular.h"
+#include "interval/nonsingular.h"
 
 #include <gtest/gtest.h>
 

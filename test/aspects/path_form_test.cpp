@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/aspects/path_form.h"
+#include "interval/path_form.h"
 
-#include "parallel_aspects/aspects/pose_segment.h"
+#include "aspects/roadmap/pose_segment.h"
 
 #include <gtest/gtest.h>
 

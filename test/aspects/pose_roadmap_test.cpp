@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/aspects/pose_roadmap.h"
 
-#include "parallel_aspects/aspects/disjoint_sets.h"
-#include "parallel_aspects/aspects/pose_sampler.h"
+#include "aspects/components/disjoint_sets.h"
+#include "aspects/roadmap/pose_sampler.h"
 #include "parallel_aspects/aspects/roadmap_location.h"
 
 #include <gtest/gtest.h>

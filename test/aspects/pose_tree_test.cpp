@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/aspects/pose_tree.h"
+#include "aspects/tree/pose_tree.h"
 
-#include "parallel_aspects/aspects/face_traversal.h"
-#include "parallel_aspects/aspects/neighbour_leaves.h"
+#include "aspects/tree/face_traversal.h"
+#include "aspects/tree/neighbour_leaves.h"
 
 #include <gtest/gtest.h>
 

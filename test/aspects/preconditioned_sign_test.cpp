@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/aspects/preconditioned_sign.h"
+#include "aspects/boxes/preconditioned_sign.h"
 
-#include "parallel_aspects/aspects/interval.h"
+#include "interval/interval.h"
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/aspects/proof_revision.h"
+#include "aspects/map/proof_revision.h"
 
 #include <gtest/gtest.h>
 
@@ -27,9 +27,9 @@ std::string contents(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
-/// What the compiler reads of a source: no comments, no spaces, no includes.
+/// What the compiler reads of a source: no comments, no spaces, no includes, no guard of a header.
 std::string code(const std::string& source) {
-  static const std::regex ignored("//[^\n]*|#include[^\n]*");
+  static const std::regex ignored("//[^\n]*|#include[^\n]*|#(ifndef|define|endif) ?PARALLEL_ASPECTS[^\n]*");
   std::string result = std::regex_replace(source, ignored, "");
   result.erase(
       std::remove_if(result.begin(), result.end(), [](unsigned char c) { return std::isspace(c) != 0; }),
@@ -46,15 +46,14 @@ std::string checksum(const std::string& text) {
 
 bool is_source(const fs::path& file) { return file.extension() == ".h" || file.extension() == ".cpp"; }
 
-/// The checksum of each source that maps are proved by, by its path: the maps, and the legs they stand on.
+/// The checksum of each source that maps are proved by, by its name, so that moves change nothing: the maps,
+/// and the intervals and legs that they stand on.
 std::map<std::string, std::string> checksums() {
   std::map<std::string, std::string> result;
-  for (const char* folder :
-       {"include/parallel_aspects/aspects", "include/parallel_aspects/model", "src/aspects", "src/model"})
-    for (const fs::directory_entry& entry : fs::directory_iterator(root / folder))
-      if (is_source(entry.path()))
-        result[entry.path().lexically_relative(root).generic_string()] =
-            checksum(code(contents(entry.path())));
+  for (const char* folder : {"include/parallel_aspects/aspects", "include/parallel_aspects/model",
+                             "src/aspects", "src/interval", "src/legs", "src/model"})
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / folder))
+      if (is_source(entry.path())) result[entry.path().filename()] = checksum(code(contents(entry.path())));
   return result;
 }
 
@@ -77,10 +76,11 @@ TEST(ProofRevision, IsRaisedWhenTheProofsChange) {
   if (now == contents(kept)) return;
   const fs::path written = fs::temp_directory_path() / kept.filename();
   std::ofstream(written, std::ios::trunc) << now;
-  ADD_FAILURE() << "Sources of the proofs changed since revision " << proof_revision
-                << ". If any proof did, raise proof_revision in aspects/proof_revision.h and run this test "
-                   "again. Then copy "
-                << written << " to " << kept << '.';
+  ADD_FAILURE()
+      << "Sources of the proofs changed since revision " << proof_revision
+      << ". If any proof did, raise proof_revision in aspects/map/proof_revision.h and run this test "
+         "again. Then copy "
+      << written << " to " << kept << '.';
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/aspects/robot_symmetry.h"
+#include "aspects/symmetry/robot_symmetry.h"
 
-#include "parallel_aspects/aspects/map_symmetry.h"
+#include "aspects/symmetry/map_symmetry.h"
 #include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/kinematics/jacobians.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/aspects/box_classifier.h"
-#include "parallel_aspects/aspects/interval.h"
-#include "parallel_aspects/aspects/nonsingular.h"
-#include "parallel_aspects/distance/leg_boundary.h"
-#include "parallel_aspects/tracking/leg_enclosure.h"
+#include "aspects/boxes/box_classifier.h"
+#include "distance/leg_boundary.h"
+#include "interval/interval.h"
+#include "interval/nonsingular.h"
+#include "tracking/leg_enclosure.h"
 
 #include <gtest/gtest.h>
 #include <tbb/parallel_for.h>

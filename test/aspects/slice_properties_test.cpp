@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/aspects/map_contents.h"
+#include "aspects/map/map_contents.h"
 #include "parallel_aspects/aspects/map_file.h"
 #include "parallel_aspects/aspects/map_slice.h"
 

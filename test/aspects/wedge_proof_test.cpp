@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/aspects/wedge_proof.h"
+#include "aspects/boxes/wedge_proof.h"
 
+#include "aspects/boxes/box_classifier.h"
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "parallel_aspects/aspects/box_classifier.h"
 
 #include <gtest/gtest.h>
 

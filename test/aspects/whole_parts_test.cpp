@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/aspects/base_map.h"
-#include "parallel_aspects/aspects/climb.h"
-#include "parallel_aspects/aspects/disjoint_sets.h"
-#include "parallel_aspects/aspects/interval.h"
-#include "parallel_aspects/aspects/part_proof.h"
-#include "parallel_aspects/aspects/segment_proof.h"
+#include "aspects/boxes/part_proof.h"
+#include "aspects/boxes/segment_proof.h"
+#include "aspects/components/climb.h"
+#include "aspects/components/disjoint_sets.h"
+#include "aspects/map/base_map.h"
+#include "interval/interval.h"
 #include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/kinematics/jacobians.h"
 

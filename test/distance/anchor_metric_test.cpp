@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // In the coordinates of a neighbourhood the metric of the anchors is Euclidean.
-#include "parallel_aspects/distance/anchor_metric.h"
+#include "distance/anchor_metric.h"
 
+#include "distance/neighbourhood.h"
 #include "parallel_aspects/distance/boundary_distances.h"
-#include "parallel_aspects/distance/neighbourhood.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Quadratic forms enclose: checked at random points, in numbers of more digits.
-#include "parallel_aspects/distance/quadratic_form.h"
+#include "distance/quadratic_form.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "kinematics/direct/pose_refinement.h"
 #include "parallel_aspects/kinematics/direct.h"
 #include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/kinematics/refinement.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/kinematics/platform_paths.h"
+#include "kinematics/homotopy/platform_paths.h"
 
-#include "parallel_aspects/kinematics/complex_lanes.h"
-#include "parallel_aspects/kinematics/platform_start.h"
+#include "kinematics/homotopy/complex_lanes.h"
+#include "kinematics/homotopy/platform_start.h"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>

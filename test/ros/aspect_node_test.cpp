@@ -2,7 +2,9 @@
 //
 // The running node, through its topics, services, action and tf. Tests run in the order in which they are
 // written; each waits for what it needs, up to a deadline.
-#include "parallel_aspects/tracking/tour.h"
+#include "parallel_aspects/motion/tour.h"
+#include "ros/five_bar_setup.h"
+#include "ros/node_client.h"
 
 #include <parallel_aspects/AspectState.h>
 #include <parallel_aspects/AspectTransition.h>
@@ -20,8 +22,6 @@
 #include <tf2_ros/static_transform_broadcaster.h>
 #include <tf2_ros/transform_listener.h>
 
-#include "ros/five_bar_setup.h"
-#include "ros/node_client.h"
 #include <actionlib/client/simple_action_client.h>
 #include <algorithm>
 #include <atomic>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/ros/configurations.h"
-
-#include <gtest/gtest.h>
+#include "ros/messages/configurations.h"
 
 #include "ros/five_bar_setup.h"
+
+#include <gtest/gtest.h>
 
 namespace parallel_aspects {
 namespace {

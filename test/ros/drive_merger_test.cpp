@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/ros/drive_merger.h"
+#include "ros/joint_states/drive_merger.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/ros/frame_watch.h"
+#include "ros/monitor/frame_watch.h"
 
 #include <gtest/gtest.h>
 

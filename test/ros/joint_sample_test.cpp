@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/ros/joint_sample.h"
+#include "ros/joint_states/joint_sample.h"
+
+#include "ros/five_bar_setup.h"
 
 #include <gtest/gtest.h>
 
-#include "ros/five_bar_setup.h"
 #include <cmath>
 #include <limits>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/ros/map_picture.h"
+#include "ros/pictures/map_picture.h"
 
-#include "parallel_aspects/ros/palette.h"
+#include "ros/five_bar_setup.h"
+#include "ros/pictures/palette.h"
 
 #include <gtest/gtest.h>
 #include <ros/serialization.h>
 
-#include "ros/five_bar_setup.h"
 #include "support/robots.h"
 #include <cmath>
 #include <map>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/ros/map_worker.h"
+#include "ros/monitor/map_worker.h"
 
 #include <gtest/gtest.h>
 #include <ros/time.h>

@@ -2,11 +2,11 @@
 //
 // joint_states with seeded random faults in every field, bit by bit in the numbers: whatever comes, the
 // monitor answers, and where it says OK the pose belongs to the drives of that message.
-#include "parallel_aspects/ros/robot_monitor.h"
+#include "ros/five_bar_setup.h"
+#include "ros/monitor/robot_monitor.h"
 
 #include <gtest/gtest.h>
 
-#include "ros/five_bar_setup.h"
 #include <algorithm>
 #include <cmath>
 #include <cstring>

@@ -3,7 +3,10 @@
 // A running node under messages, requests, goals and parameters made at random. It may refuse them, with a
 // sentence; it must not end, not hang, and not answer wrongly. Parameters: ~seconds for each robot, ~seed.
 // The inputs before a failure are printed; the same seed makes the same ones.
-#include "parallel_aspects/ros/conversions.h"
+#include "ros/messages/conversions.h"
+#include "ros/node_client.h"
+#include "ros/process.h"
+#include "ros/random_messages.h"
 
 #include <parallel_aspects/AspectState.h>
 #include <parallel_aspects/ComputeMapAction.h>
@@ -18,9 +21,6 @@
 #include <ros/ros.h>
 #include <tf2_msgs/TFMessage.h>
 
-#include "ros/node_client.h"
-#include "ros/process.h"
-#include "ros/random_messages.h"
 #include "support/shipped.h"
 #include <atomic>
 #include <cmath>

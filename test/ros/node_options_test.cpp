@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/ros/node_options.h"
+#include "ros/parameters/node_options.h"
 
-#include "parallel_aspects/ros/load_options.h"
+#include "ros/parameters/load_options.h"
 
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>

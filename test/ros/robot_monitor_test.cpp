@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/ros/robot_monitor.h"
+#include "ros/monitor/robot_monitor.h"
 
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "parallel_aspects/ros/decimation.h"
-#include "parallel_aspects/ros/hazard_messages.h"
+#include "ros/five_bar_setup.h"
+#include "ros/messages/hazard_messages.h"
+#include "ros/monitor/decimation.h"
 
 #include <gtest/gtest.h>
 
-#include "ros/five_bar_setup.h"
 #include <algorithm>
 #include <cmath>
 #include <limits>

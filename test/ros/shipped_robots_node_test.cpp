@@ -2,7 +2,8 @@
 //
 // Every shipped robot in the running node, moved by the demo's motion: it is followed without a wrong word,
 // seen to move, drawn, and the node ends cleanly even while it computes a map.
-#include "parallel_aspects/ros/conversions.h"
+#include "ros/messages/conversions.h"
+#include "ros/process.h"
 
 #include <parallel_aspects/AspectState.h>
 #include <parallel_aspects/AspectTransition.h>
@@ -14,7 +15,6 @@
 #include <gtest/gtest.h>
 #include <ros/ros.h>
 
-#include "ros/process.h"
 #include "support/shipped.h"
 #include <algorithm>
 #include <map>

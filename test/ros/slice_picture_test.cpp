@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/ros/slice_picture.h"
+#include "ros/pictures/slice_picture.h"
 
 #include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/ros/caption.h"
+#include "ros/pictures/caption.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,8 @@
 // A known random motion at 1 kHz; every state is compared with it. Parameters: ~robot, ~seconds, ~seed.
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/kinematics/jacobians.h"
-#include "parallel_aspects/ros/conversions.h"
+#include "ros/messages/conversions.h"
+#include "ros/node_client.h"
 
 #include <parallel_aspects/AspectState.h>
 #include <parallel_aspects/AspectTransition.h>
@@ -14,7 +15,6 @@
 #include <ros/network.h>
 #include <ros/ros.h>
 
-#include "ros/node_client.h"
 #include "support/known_motion.h"
 #include "support/shipped.h"
 #include <XmlRpc.h>

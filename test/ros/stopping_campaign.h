@@ -2,10 +2,10 @@
 #ifndef PARALLEL_ASPECTS_TEST_ROS_STOPPING_CAMPAIGN_H
 #define PARALLEL_ASPECTS_TEST_ROS_STOPPING_CAMPAIGN_H
 
-#include "parallel_aspects/aspects/pose_segment.h"
 #include "parallel_aspects/distance/boundary_distances.h"
 #include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/ros/robot_monitor.h"
+#include "parallel_aspects/model/pose.h"
+#include "ros/monitor/robot_monitor.h"
 
 #include "support/pose_pairs.h"
 #include <algorithm>

@@ -2,7 +2,7 @@
 #ifndef PARALLEL_ASPECTS_TEST_SUPPORT_COMMAND_RUN_H
 #define PARALLEL_ASPECTS_TEST_SUPPORT_COMMAND_RUN_H
 
-#include "parallel_aspects/tools/command.h"
+#include "tools/command.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

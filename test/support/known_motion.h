@@ -2,10 +2,10 @@
 #ifndef PARALLEL_ASPECTS_TEST_SUPPORT_KNOWN_MOTION_H
 #define PARALLEL_ASPECTS_TEST_SUPPORT_KNOWN_MOTION_H
 
-#include "parallel_aspects/aspects/pose_segment.h"
+#include "motion/roadmap.h"
 #include "parallel_aspects/aspects/segment_certifier.h"
 #include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/tracking/roadmap.h"
+#include "parallel_aspects/model/pose.h"
 
 #include <algorithm>
 #include <cmath>

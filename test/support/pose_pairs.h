@@ -2,10 +2,10 @@
 #ifndef PARALLEL_ASPECTS_TEST_SUPPORT_POSE_PAIRS_H
 #define PARALLEL_ASPECTS_TEST_SUPPORT_POSE_PAIRS_H
 
-#include "parallel_aspects/aspects/pose_sampler.h"
-#include "parallel_aspects/aspects/pose_segment.h"
+#include "aspects/roadmap/pose_sampler.h"
 #include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/kinematics/jacobians.h"
+#include "parallel_aspects/model/pose.h"
 
 #include <cmath>
 #include <map>

@@ -2,9 +2,9 @@
 #ifndef PARALLEL_ASPECTS_TEST_SUPPORT_SLICES_H
 #define PARALLEL_ASPECTS_TEST_SUPPORT_SLICES_H
 
+#include "aspects/tree/pose_space.h"
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/map_slice.h"
-#include "parallel_aspects/aspects/pose_space.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #ifndef PARALLEL_ASPECTS_TEST_SUPPORT_SYMMETRIC_ROBOTS_H
 #define PARALLEL_ASPECTS_TEST_SUPPORT_SYMMETRIC_ROBOTS_H
 
-#include "parallel_aspects/aspects/rigid_symmetry.h"
+#include "aspects/symmetry/rigid_symmetry.h"
 #include "parallel_aspects/model/manipulator.h"
 
 #include <Eigen/LU>

@@ -2,10 +2,10 @@
 #ifndef PARALLEL_ASPECTS_TEST_SUPPORT_TRACKING_CAMPAIGN_H
 #define PARALLEL_ASPECTS_TEST_SUPPORT_TRACKING_CAMPAIGN_H
 
+#include "kinematics/direct/pose_refinement.h"
 #include "parallel_aspects/kinematics/direct.h"
 #include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/kinematics/jacobians.h"
-#include "parallel_aspects/kinematics/refinement.h"
 #include "parallel_aspects/tracking/tracker.h"
 #include "parallel_aspects/urdf/mechanism.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/tools/command_line.h"
+#include "tools/command_line.h"
 
 #include <gtest/gtest.h>
 

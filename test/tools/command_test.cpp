@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/tools/command.h"
+#include "tools/command.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

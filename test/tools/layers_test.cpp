@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The layers hold: includes point down only, and nothing below ros/ knows of ROS.
+// The rooms of the house hold: includes point down only, and nothing below ros/ knows of ROS.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <memory>
 #include <regex>
 #include <string>
@@ -18,11 +19,53 @@ namespace {
 namespace fs = std::filesystem;
 using Strings = std::vector<std::string>;
 
-// From the bottom to the top; each may include itself and those before it.
-const Strings layers{"model",    "kinematics", "singularity", "aspects", "distance",
-                     "tracking", "urdf",       "tools",       "ros"};
+// From the bottom to the top; each may include itself and those before it. A room is a folder of src/, and
+// has the public headers of its sources. A public header without a source is in the lowest room of its layer.
+const Strings rooms{"model",
+                    "kinematics",
+                    "kinematics/homotopy",
+                    "kinematics/direct",
+                    "singularity",
+                    "interval",
+                    "legs",
+                    "aspects/tree",
+                    "aspects/constraints",
+                    "aspects/boxes",
+                    "aspects/symmetry",
+                    "aspects/components",
+                    "aspects/map",
+                    "aspects/roadmap",
+                    "aspects/file",
+                    "aspects/pictures",
+                    "distance",
+                    "tracking",
+                    "motion",
+                    "urdf/description",
+                    "urdf/config",
+                    "urdf/reading",
+                    "urdf/closing",
+                    "urdf/dialects",
+                    "urdf/recognition",
+                    "urdf",
+                    "tools/report",
+                    "tools",
+                    "tools/subcommands",
+                    "ros/parameters",
+                    "ros/messages",
+                    "ros/joint_states",
+                    "ros/monitor",
+                    "ros/pictures",
+                    "ros/node",
+                    "ros/programs"};
 
-// What a layer below ros/ may include besides the standard library and lower layers.
+constexpr std::size_t most_files_in_a_folder = 30;
+constexpr std::size_t most_public_headers = 60;
+
+bool starts_with(const std::string& text, const std::string& start) { return text.rfind(start, 0) == 0; }
+
+std::string layer_of(const std::string& room) { return room.substr(0, room.find('/')); }
+
+// What a layer below ros/ may include besides the standard library and lower rooms.
 const Strings& libraries(const std::string& layer) {
   static const Strings eigen{"Eigen/"};
   static const Strings aspects{"Eigen/", "tbb/", "zlib.h", "fcntl.h", "sys/stat.h", "unistd.h"};
@@ -32,25 +75,47 @@ const Strings& libraries(const std::string& layer) {
   return layer == "aspects" ? aspects : layer == "urdf" ? urdf : layer == "tools" ? tools : eigen;
 }
 
-bool starts_with(const std::string& text, const std::string& start) { return text.rfind(start, 0) == 0; }
+std::ptrdiff_t height(const std::string& room) {
+  return std::find(rooms.begin(), rooms.end(), room) - rooms.begin();
+}
 
-std::ptrdiff_t height(const std::string& layer) {
-  return std::find(layers.begin(), layers.end(), layer) - layers.begin();
+bool is_layer(const std::string& name) {
+  return std::any_of(rooms.begin(), rooms.end(),
+                     [&](const std::string& room) { return layer_of(room) == name; });
+}
+
+// Where the source of a public header is, which is named as "LAYER/NAME.h".
+std::string room_of_public(const fs::path& root, const fs::path& header) {
+  const std::string layer = header.parent_path();
+  const std::string source = header.stem().string() + ".cpp";
+  std::string lowest;
+  for (const std::string& room : rooms) {
+    if (layer_of(room) != layer) continue;
+    if (fs::exists(root / "src" / room / source)) return room;
+    if (lowest.empty()) lowest = room;
+  }
+  return lowest;
+}
+
+// Empty for what is none of the package's own headers.
+std::string room_of_include(const fs::path& root, const std::string& header) {
+  static const std::string own = "parallel_aspects/";
+  const bool is_public = starts_with(header, own);
+  const fs::path path = is_public ? header.substr(own.size()) : header;
+  if (is_public) return path.has_parent_path() ? room_of_public(root, path) : "";
+  return fs::exists(root / "src" / path) ? path.parent_path().string() : "";
 }
 
 bool is_standard(const std::string& header) { return header.find_first_of("./") == std::string::npos; }
 
-bool is_allowed(const std::string& layer, const std::string& header) {
-  static const std::string own = "parallel_aspects/";
-  if (starts_with(header, own)) {
-    const std::string rest = header.substr(own.size());
-    const auto slash = rest.find('/');
-    return slash != std::string::npos && height(rest.substr(0, slash)) <= height(layer);
-  }
+bool is_allowed(const fs::path& root, const std::string& room, const std::string& header) {
+  const std::string other = room_of_include(root, header);
+  if (!other.empty()) return height(other) <= height(room);
+  const std::string layer = layer_of(room);
   const Strings& allowed = libraries(layer);
-  return is_standard(header) || std::any_of(allowed.begin(), allowed.end(), [&](const std::string& start) {
-           return starts_with(header, start);
-         });
+  return layer == "ros" || is_standard(header) ||
+         std::any_of(allowed.begin(), allowed.end(),
+                     [&](const std::string& start) { return starts_with(header, start); });
 }
 
 // A file of data beside the source, which is checked like it.
@@ -74,34 +139,68 @@ bool is_source(const fs::path& file) {
   return std::find(endings.begin(), endings.end(), file.extension().string()) != endings.end();
 }
 
-void check_folder(const std::string& layer, const fs::path& folder, Strings& violations) {
-  if (!fs::is_directory(folder)) return;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
-    if (!is_source(entry.path())) continue;
-    for (const std::string& header : includes_of(entry.path()))
-      if (!is_allowed(layer, header) && !is_neighbor(entry.path(), header))
-        violations.push_back(entry.path().string() + " includes " + header);
-  }
+void check_file(const fs::path& root, const fs::path& file, const std::string& room, Strings& violations) {
+  for (const std::string& header : includes_of(file))
+    if (!is_allowed(root, room, header) && !is_neighbor(file, header))
+      violations.push_back(file.string() + " in " + room + " includes " + header);
 }
 
 Strings violations_in(const fs::path& root) {
   Strings violations;
-  for (const std::string& layer : layers) {
-    if (layer == "ros") continue;
-    check_folder(layer, root / "include" / "parallel_aspects" / layer, violations);
-    check_folder(layer, root / "src" / layer, violations);
-  }
+  for (const std::string& room : rooms)
+    for (const fs::directory_entry& entry : fs::directory_iterator(root / "src" / room))
+      if (is_source(entry.path())) check_file(root, entry.path(), room, violations);
+  const fs::path headers = root / "include" / "parallel_aspects";
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(headers))
+    if (is_source(entry.path()))
+      check_file(root, entry.path(), room_of_public(root, entry.path().lexically_relative(headers)),
+                 violations);
   return violations;
 }
 
-// Sources directly in src/ or in an unknown layer would escape the check.
+// Sources in folders that are no rooms would escape the check.
 Strings strays_in(const fs::path& root) {
   Strings strays;
-  for (const fs::path& folder : {root / "include" / "parallel_aspects", root / "src"})
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-      if (!entry.is_directory() || height(entry.path().filename().string()) == height(""))
-        strays.push_back(entry.path());
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / "src"))
+    if (entry.is_regular_file() && is_source(entry.path()) &&
+        height(entry.path().parent_path().lexically_relative(root / "src")) == height(""))
+      strays.push_back(entry.path());
+  const fs::path headers = root / "include" / "parallel_aspects";
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(headers))
+    if (entry.is_regular_file() && !is_layer(entry.path().parent_path().lexically_relative(headers)) &&
+        entry.path().parent_path() != headers)
+      strays.push_back(entry.path());
   return strays;
+}
+
+// Public headers are what clients compile: they include none that is private, and there are few of them.
+Strings private_includes_in(const fs::path& root) {
+  Strings found;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / "include"))
+    if (is_source(entry.path()))
+      for (const std::string& header : includes_of(entry.path()))
+        if (fs::exists(root / "src" / header)) found.push_back(entry.path().string() + " includes " + header);
+  return found;
+}
+
+std::map<std::string, std::size_t> files_by_folder(const fs::path& folder) {
+  std::map<std::string, std::size_t> counts;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file()) ++counts[entry.path().parent_path()];
+  return counts;
+}
+
+// Names that are there twice make an #include, or an error message, name either.
+Strings repeated_names_in(const fs::path& root) {
+  std::map<std::string, std::size_t> counts;
+  for (const fs::path& folder : {root / "src", root / "include"})
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
+      if (entry.path().extension() == ".h" || entry.path().extension() == ".cpp")
+        ++counts[entry.path().filename()];
+  Strings repeated;
+  for (const auto& [name, count] : counts)
+    if (count > 1) repeated.push_back(name);
+  return repeated;
 }
 
 std::string listed(const Strings& items) {
@@ -137,9 +236,9 @@ class PlantedTree : public testing::Test {
     std::string pattern = (fs::temp_directory_path() / "layers_XXXXXX").string();
     ASSERT_NE(mkdtemp(pattern.data()), nullptr);
     root_ = pattern;
-    for (const std::string& layer : layers) {
-      fs::create_directories(root_ / "src" / layer);
-      fs::create_directories(root_ / "include" / "parallel_aspects" / layer);
+    for (const std::string& room : rooms) {
+      fs::create_directories(root_ / "src" / room);
+      fs::create_directories(root_ / "include" / "parallel_aspects" / layer_of(room));
     }
   }
   void TearDown() override { fs::remove_all(root_); }
@@ -152,16 +251,22 @@ class PlantedTree : public testing::Test {
 };
 
 TEST_F(PlantedTree, DownwardIncludesPass) {
-  plant("src/tools/a.cpp",
+  plant("include/parallel_aspects/model/leg.h", "");
+  plant("src/tools/a.h",
         "#include \"parallel_aspects/model/leg.h\"\n#include <vector>\n#include <nlohmann/json.hpp>");
-  plant("src/ros/a.cpp", "#include <ros/ros.h>");
+  plant("src/tools/subcommands/a.cpp", "#include \"tools/a.h\"");
+  plant("src/ros/node/a.cpp", "#include <ros/ros.h>");
   EXPECT_EQ(violations_in(root_), Strings());
 }
 
 TEST_F(PlantedTree, UpwardIncludesAreFound) {
-  plant("include/parallel_aspects/model/a.h", "#include \"parallel_aspects/kinematics/inverse.h\"");
-  plant("src/aspects/a.cpp", "  #  include <parallel_aspects/urdf/mechanism.h>");
-  EXPECT_EQ(violations_in(root_).size(), 2U);
+  plant("src/kinematics/direct/direct.cpp", "");
+  plant("include/parallel_aspects/kinematics/direct.h", "");
+  plant("src/kinematics/a.cpp", "#include \"parallel_aspects/kinematics/direct.h\"");
+  plant("src/aspects/map/tree.h", "");
+  plant("src/aspects/boxes/a.cpp", "  #  include <aspects/map/tree.h>");
+  plant("include/parallel_aspects/model/a.h", "#include \"parallel_aspects/kinematics/direct.h\"");
+  EXPECT_EQ(violations_in(root_).size(), 3U);
 }
 
 TEST_F(PlantedTree, RosBelowRosIsFound) {
@@ -175,19 +280,56 @@ TEST_F(PlantedTree, RosBelowRosIsFound) {
 TEST_F(PlantedTree, StraySourcesAreFound) {
   EXPECT_EQ(strays_in(root_), Strings());
   plant("src/a.cpp", "");
+  plant("src/aspects/a.cpp", "");
   fs::create_directories(root_ / "include" / "parallel_aspects" / "util");
-  EXPECT_EQ(strays_in(root_).size(), 2U);
+  plant("include/parallel_aspects/util/a.h", "");
+  EXPECT_EQ(strays_in(root_).size(), 3U);
 }
 
+TEST_F(PlantedTree, PrivateIncludesAndRepeatedNamesAreFound) {
+  plant("src/model/a.h", "");
+  plant("include/parallel_aspects/model/b.h", "#include \"model/a.h\"");
+  plant("src/legs/a.h", "");
+  EXPECT_EQ(private_includes_in(root_).size(), 1U);
+  EXPECT_EQ(repeated_names_in(root_), Strings{"a.h"});
+}
+
+const fs::path here = PARALLEL_ASPECTS_SOURCE_DIR;
+
 TEST(Layers, IncludesPointDown) {
-  const Strings violations = violations_in(PARALLEL_ASPECTS_SOURCE_DIR);
+  const Strings violations = violations_in(here);
   EXPECT_TRUE(violations.empty()) << listed(violations);
 }
 
-TEST(Layers, EverySourceIsInALayer) {
-  const Strings strays = strays_in(PARALLEL_ASPECTS_SOURCE_DIR);
+TEST(Layers, EverySourceIsInARoom) {
+  const Strings strays = strays_in(here);
   EXPECT_TRUE(strays.empty()) << listed(strays);
 }
+
+TEST(Layers, PublicHeadersAreFewAndIncludeNoPrivateOnes) {
+  const Strings found = private_includes_in(here);
+  EXPECT_TRUE(found.empty()) << listed(found);
+  std::size_t count = 0;
+  for (const auto& [folder, files] : files_by_folder(here / "include")) count += files;
+  EXPECT_LE(count, most_public_headers);
+}
+
+TEST(Layers, TheUmbrellaHeaderIncludesEveryPublicOne) {
+  const fs::path umbrella = here / "include/parallel_aspects/parallel_aspects.h";
+  std::size_t count = 0;
+  for (const auto& [folder, files] : files_by_folder(here / "include")) count += files;
+  const Strings included = includes_of(umbrella);
+  EXPECT_EQ(included.size() + 1, count);
+  for (const std::string& header : included) EXPECT_TRUE(fs::exists(here / "include" / header)) << header;
+}
+
+TEST(Layers, NoFolderHoldsTooManyFiles) {
+  for (const char* folder : {"src", "include"})
+    for (const auto& [name, count] : files_by_folder(here / folder))
+      EXPECT_LE(count, most_files_in_a_folder) << name;
+}
+
+TEST(Layers, NoTwoFilesHaveOneName) { EXPECT_EQ(repeated_names_in(here), Strings()); }
 
 TEST(Layers, RosLibrariesAreRecognised) {
   for (const char* name :

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/tools/numbers.h"
+#include "tools/report/numbers.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/tracking/pose_certifier.h"
+#include "tracking/pose_certifier.h"
 
+#include "model/coefficients.h"
 #include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/kinematics/jacobians.h"
-#include "parallel_aspects/model/coefficients.h"
-#include "parallel_aspects/tracking/continuation.h"
+#include "tracking/continuation.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // What the tracker says where the drives alone do not tell the assembly mode.
+#include "model/coefficients.h"
+#include "motion/roadmap.h"
 #include "parallel_aspects/kinematics/direct.h"
 #include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/kinematics/jacobians.h"
-#include "parallel_aspects/model/coefficients.h"
-#include "parallel_aspects/tracking/roadmap.h"
 #include "parallel_aspects/tracking/tracker.h"
 
 #include <gtest/gtest.h>
@@ -246,7 +246,7 @@ TEST(TrackerInDoubt, FollowsEveryAssemblyModeUntilOneIsLeft) {
   const DirectResult truth = direct(*robot, q);
   ASSERT_EQ(truth.solutions.size(), 6U);
   for (std::size_t i = 0; i < 6; ++i)
-    EXPECT_LT((tracker.candidates()[i].point.pose.position - truth.solutions[i].pose.position).norm(), 1e-7);
+    EXPECT_LT((tracker.candidates()[i].pose.position - truth.solutions[i].pose.position).norm(), 1e-7);
   const Eigen::Vector3d known = truth.solutions[2].pose.position;
   const auto near = [&](const Pose& pose, const JointVector&) {
     return (pose.position - known).norm() < 0.1;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "model/coefficients.h"
 #include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/kinematics/jacobians.h"
-#include "parallel_aspects/model/coefficients.h"
 
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>

@@ -3,12 +3,12 @@
 #define PARALLEL_ASPECTS_ASPECTS_ASPECT_MAP_H
 
 #include "parallel_aspects/aspects/box.h"
+#include "parallel_aspects/aspects/map_control.h"
 #include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/kinematics/working_mode.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"
 
-#include <atomic>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -47,17 +47,6 @@ struct MapOptions {
   /// slices.
   bool use_symmetry = true;
 };
-
-/// Hooks into a long computation. Both may be left empty.
-struct MapControl {
-  std::function<void(double)> progress;  ///< called with the share done, 0 to 1, from the calling thread
-  const std::atomic<bool>* cancelled = nullptr;  ///< polled; the computation ends soon after it turns true
-};
-
-/// Whether the computation is to end.
-inline bool is_cancelled(const MapControl& control) noexcept {
-  return control.cancelled != nullptr && control.cancelled->load(std::memory_order_relaxed);
-}
 
 /// A proved connected singularity-free set of one working mode and one sign of det A: part of exactly one
 /// generalized aspect A_ij (Definition 6 of the paper), and all of it that the resolution shows.
@@ -174,8 +163,6 @@ class AspectMap {
  private:
   std::unique_ptr<const Contents> contents_;
 };
-
-enum class MapStatus { complete, cancelled, refused };
 
 struct MapResult {
   MapStatus status = MapStatus::refused;

@@ -2,9 +2,8 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_POSE_ROADMAP_H
 #define PARALLEL_ASPECTS_ASPECTS_POSE_ROADMAP_H
 
-#include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/box.h"
-#include "parallel_aspects/aspects/roadmap_growth.h"
+#include "parallel_aspects/aspects/map_control.h"
 #include "parallel_aspects/aspects/segment_certifier.h"
 #include "parallel_aspects/kinematics/working_mode.h"
 #include "parallel_aspects/model/manipulator.h"
@@ -34,6 +33,21 @@ struct RoadmapOptions {
   std::vector<WorkingMode> modes;  ///< by default all that the legs allow
 
   unsigned threads = 0;  ///< 0 for one a core
+};
+
+/// The part of a roadmap that has one working mode and one sign of det A: both proved for each of its poses.
+struct RoadmapSide {
+  WorkingMode mode;
+  int determinant_sign = 0;
+
+  /// Indices of its poses in the roadmap, rising. What follows counts by the place in this list.
+  std::vector<std::uint32_t> poses;
+
+  /// Segments that are proved free join each pose to these; a forest.
+  std::vector<std::vector<std::uint32_t>> links;
+
+  std::vector<std::uint32_t> component;      ///< of each pose
+  std::vector<std::size_t> component_sizes;  ///< poses in each component, falling
 };
 
 /// A certified roadmap of every working mode and sign of det A: sampled reachable poses, joined by segments

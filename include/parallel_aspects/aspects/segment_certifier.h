@@ -2,10 +2,6 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_SEGMENT_CERTIFIER_H
 #define PARALLEL_ASPECTS_ASPECTS_SEGMENT_CERTIFIER_H
 
-#include "parallel_aspects/aspects/constraint_tests.h"
-#include "parallel_aspects/aspects/nonsingular.h"
-#include "parallel_aspects/aspects/pose_segment.h"
-#include "parallel_aspects/aspects/spatial_leg.h"
 #include "parallel_aspects/kinematics/working_mode.h"
 #include "parallel_aspects/model/constraints.h"
 #include "parallel_aspects/model/manipulator.h"
@@ -14,7 +10,6 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
-#include <vector>
 
 namespace parallel_aspects {
 
@@ -75,18 +70,14 @@ class SegmentCertifier {
                            int most_parts = 400) const noexcept;
 
  private:
+  struct Parts;
   class Evaluation;
 
   SegmentProof march(const Pose& from, const Pose& to, const WorkingMode& mode, int sign,
                      int most_parts) const noexcept;
 
   std::shared_ptr<const Manipulator> manipulator_;
-  bool usable_;  // no length beyond what the arithmetic can take
-  std::vector<SpatialLeg> legs_;
-  std::vector<Spatial<Interval>> anchors_;
-  bool is_planar_;
-  ConstraintTests<2> planar_constraints_;
-  ConstraintTests<3> spatial_constraints_;  // of one of them the robot has no use
+  std::shared_ptr<const Parts> parts_;
 };
 
 }  // namespace parallel_aspects

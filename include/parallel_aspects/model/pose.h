@@ -39,6 +39,14 @@ std::optional<Pose> pose_from_coordinates(TaskSpace space, const PoseCoordinates
 /// `freedoms(space)` numbers.
 Pose displaced(TaskSpace space, const Pose& pose, const TaskVector& twist);
 
+/// The pose at t (0 to 1) on the segment from one pose to another: the position runs straight, the quaternion
+/// runs straight the short way and is normalised. So it is rational in t, and stays in each task space that
+/// holds both ends.
+Pose pose_between(const Pose& from, const Pose& to, double t) noexcept;
+
+/// The quaternion (x, y, z, w) of `to`, on the side of that of `from`.
+Eigen::Vector4d nearer_quaternion(const Pose& from, const Pose& to) noexcept;
+
 /// "x 4.5, y 8" and so on, for messages to people.
 std::string to_string(TaskSpace space, const Pose& pose);
 

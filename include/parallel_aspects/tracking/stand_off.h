@@ -6,18 +6,19 @@
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"
 #include "parallel_aspects/tracking/drive_samples.h"
-#include "parallel_aspects/tracking/pose_certifier.h"
 
 #include <memory>
 
 namespace parallel_aspects {
 
+class PoseCertifier;
+
 /// How near det A = 0 noise of the encoders lets the assembly mode be told. Where two assembly modes meet,
 /// the drives tell them apart by the square of the distance only, so that the stand-off grows with the square
-/// root of the noise. Never allocates, never throws.
+/// root of the noise. Once it is made it never allocates, never throws.
 class StandOff {
  public:
-  StandOff(std::shared_ptr<const Manipulator> manipulator, const SampleOptions& options) noexcept;
+  StandOff(std::shared_ptr<const Manipulator> manipulator, const SampleOptions& options);
 
   /// Whether a robot that stands still at `pose` in `mode` is followed, whatever the encoders say within
   /// their noise: proved for the noise that is worst to first order. `bend`: what the drives were last taken
@@ -32,7 +33,7 @@ class StandOff {
 
  private:
   std::shared_ptr<const Manipulator> manipulator_;
-  PoseCertifier certifier_;
+  std::shared_ptr<const PoseCertifier> certifier_;
   JointVector noise_;         // [rad or m]
   JointVector resting_bend_;  // what noise alone makes of `path_bend` [rad or m]
 };

@@ -6,12 +6,9 @@
 #include "parallel_aspects/kinematics/working_mode.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"
-#include "parallel_aspects/tracking/assembly_watch.h"
-#include "parallel_aspects/tracking/candidates.h"
 #include "parallel_aspects/tracking/drive_samples.h"
 #include "parallel_aspects/tracking/transitions.h"
 
-#include <array>
 #include <cstddef>
 #include <memory>
 #include <string>
@@ -81,6 +78,44 @@ struct TrackerOptions {
 /// Every problem, a sentence each; empty when the options can be used.
 std::vector<std::string> problems_of(const TrackerOptions& options);
 
+/// Whether a robot is in the assembly mode of a reference configuration: whether drives that go straight back
+/// to the reference bring the platform back to its pose.
+enum class AssemblyComparison {
+  same,
+  other,   ///< they bring it to another direct solution, with det A away from zero all along
+  unknown  ///< that motion cannot be certified
+};
+
+/// "same", "other" or "unknown".
+const char* name(AssemblyComparison comparison) noexcept;
+
+class Candidates;
+class TrackerCore;
+
+/// An assembly mode that the robot may be in, for as long as the tracker is not changed.
+struct PossibleAssemblyMode {
+  const Pose& pose;
+  const JointVector& q;  ///< [rad or m]
+  int determinant_sign;  ///< +1 or -1; 0 where that is not proved
+  bool followed;         ///< whether its solution is proved; it is dropped with the next sample otherwise
+};
+
+/// The assembly modes that the robot may be in, for as long as the tracker is not changed.
+class PossibleAssemblyModes {
+ public:
+  explicit PossibleAssemblyModes(const Candidates& list) noexcept : list_(list) {}
+
+  std::size_t size() const noexcept;
+  PossibleAssemblyMode operator[](std::size_t index) const noexcept;
+
+  /// Whether the robot must be in one of them, as far as the list of direct solutions was complete and none
+  /// was dropped since without a reason.
+  bool complete() const noexcept;
+
+ private:
+  const Candidates& list_;
+};
+
 /// Follows the pose of the platform from the actuated joints alone, by certified continuation of the direct
 /// kinematics: between two samples the drives are taken to move straight, and the solution on that way is
 /// proved to exist, to be the only one near by and to stay off det A = 0. A step that this cannot be proved
@@ -92,6 +127,11 @@ std::vector<std::string> problems_of(const TrackerOptions& options);
 class Tracker {
  public:
   explicit Tracker(std::shared_ptr<const Manipulator> manipulator, const TrackerOptions& options = {});
+  Tracker(const Tracker& other);
+  Tracker(Tracker&& other) noexcept;
+  Tracker& operator=(const Tracker& other);
+  Tracker& operator=(Tracker&& other) noexcept;
+  ~Tracker();
 
   /// From now on aspects are looked up in `map`, which must be of the same manipulator; null for none.
   void set_map(std::shared_ptr<const AspectMap> map) noexcept;
@@ -117,14 +157,14 @@ class Tracker {
   /// proved holds for every such value, but for the working mode, which is that of `q`.
   const TrackedState& update(double time, const JointVector& q, const JointVector& uncertainty) noexcept;
 
-  const TrackedState& state() const noexcept { return state_; }
+  const TrackedState& state() const noexcept;
 
   /// By how much the drives were last taken to leave the straight way between samples [rad or m]; empty where
   /// no step was made.
-  const JointVector& bend() const noexcept { return bend_.allowance(); }
+  const JointVector& bend() const noexcept;
 
   /// What the last `update` or `start` crossed, and what was found out since.
-  const Transitions& transitions() const noexcept { return transitions_; }
+  const Transitions& transitions() const noexcept;
 
   /// The same, for whoever tells them: none comes twice.
   Transitions take_transitions() noexcept;
@@ -140,14 +180,14 @@ class Tracker {
 
   /// While ambiguous: the assembly modes that remain possible. The robot is in one of them if
   /// `candidates().complete()`.
-  const Candidates& candidates() const noexcept { return candidates_; }
+  PossibleAssemblyModes candidates() const noexcept;
 
   /// Drops every candidate of which `keep(pose, q)` is false: by passive joints, their limits, or whatever
   /// else is known of the robot. Tracking starts in the only one left of a complete list. True where it has.
   template <class Keep>
   bool keep_candidates(const Keep& keep) {
-    for (std::size_t i = candidates_.size(); i-- > 0;)
-      if (!keep(candidates_[i].point.pose, candidates_[i].point.q)) candidates_.remove(i);
+    for (std::size_t i = candidates().size(); i-- > 0;)
+      if (!keep(candidates()[i].pose, candidates()[i].q)) remove_candidate(i);
     return settle_kept();
   }
 
@@ -163,42 +203,10 @@ class Tracker {
   AssemblyComparison compare_with_reference(int most_steps = 4096) const noexcept;
 
  private:
-  void clear() noexcept;
-  bool begin_at(double time, const CertifiedPoint& point, int determinant_sign) noexcept;
-  bool settle() noexcept;
+  void remove_candidate(std::size_t index) noexcept;
   bool settle_kept() noexcept;
-  void follow(double time, const JointVector& q, const JointVector& bend) noexcept;
-  void follow_candidates(const JointVector& q, const JointVector& bend, SampleGap gap) noexcept;
-  void watch_legs(const CertifiedPoint& from, const CertifiedPoint& to, double start, double end) noexcept;
-  double zero_time(const CertifiedPoint& from, const CertifiedPoint& to, std::size_t leg, double start,
-                   double end) const noexcept;
-  int next_crossing() const noexcept;
-  void cross(std::size_t leg, double time) noexcept;
-  void watch_assembly(double time) noexcept;
-  double spread() const noexcept;
-  void lose(double time, Doubt doubt) noexcept;
-  void doubt(Doubt doubt) noexcept;
-  void identify_aspect() noexcept;
-  void add(const Transition& transition) noexcept;
-  Transition from_here(TransitionKind kind, double time) const noexcept;
 
-  std::shared_ptr<const Manipulator> manipulator_;
-  TrackerOptions options_;
-  PoseCertifier certifier_;
-  std::shared_ptr<const AspectMap> map_;
-  TrackedState state_;
-  Transitions transitions_;
-  CertifiedPoint point_;    // of the last sample, while followed
-  TaskVector entry_sines_;  // there
-  Candidates candidates_;   // while ambiguous
-  PathBend bend_;
-  JointVector uncertainty_;  // of the last sample
-  SampleIntervals intervals_;
-  AssemblyWatch assembly_;
-  bool mode_changed_ = false;                  // since the reference was set
-  std::array<double, max_legs> zero_times_{};  // when each B_jj last went through zero
-  int last_determinant_sign_ = 0;              // also over times when it was unknown
-  int last_aspect_ = 0;                        // also over times when it was unknown
+  std::unique_ptr<TrackerCore> core_;
 };
 
 }  // namespace parallel_aspects

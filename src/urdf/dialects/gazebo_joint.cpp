@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/urdf/closure_dialects.h"
-#include "parallel_aspects/urdf/xml_values.h"
+#include "urdf/closing/closure_dialects.h"
+#include "urdf/description/xml_values.h"
 
 namespace parallel_aspects::dialects {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/urdf/closure_dialects.h"
+#include "urdf/closing/closure_dialects.h"
 
 namespace parallel_aspects::dialects {
 namespace {

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASPECTS_BOXES_BOX_CLASSIFIER_H
+#define PARALLEL_ASPECTS_ASPECTS_BOXES_BOX_CLASSIFIER_H
+
+#include "aspects/tree/growth.h"
+#include "aspects/tree/leaf_state.h"
+#include "aspects/tree/pose_space.h"
+#include "parallel_aspects/aspects/box.h"
+#include "parallel_aspects/aspects/map_slice.h"
+#include "parallel_aspects/kinematics/working_mode.h"
+#include "parallel_aspects/model/constraints.h"
+#include "parallel_aspects/model/manipulator.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// A set of working modes: bit i stands for the i-th of the list that the classifier was made with.
+using ModeSet = std::uint64_t;
+
+/// How much is asked of a classification.
+enum class Detail {
+  states,    ///< inside, outside or undecided
+  centers,   ///< the signs at the center, too
+  parts,     ///< and what is whole, as far as it is seen at once
+  all_parts  ///< and what more work shows to be whole
+};
+
+/// A box as one working mode and sign see it.
+struct Examined {
+  LeafState state;
+  Growth growth;
+  std::optional<Growth> shell;  ///< see ChartEvaluation::shell
+  bool is_interval = false;     ///< see ChartEvaluation::is_interval
+};
+
+/// A function of the pose, and its slope.
+struct Condition {
+  double value = 0.0;
+  MapPoint slope{};
+};
+
+/// Functions that are positive in S(mode, sign), and zero or less on its boundary: B_jj^2 of each leg, det A
+/// times the sign, and what limits and other constraints demand.
+struct Conditions {
+  static constexpr std::size_t most = 48;
+
+  std::array<Condition, most> items;
+  std::size_t count = 0;
+
+  /// What there is no room for is left out.
+  void add(const Condition& condition) noexcept {
+    if (count < most) items[count++] = condition;
+  }
+};
+
+/// A set of legs: bit j stands for leg j.
+using LegSet = std::uint8_t;
+
+/// What is proved of a box in one working mode, fact by fact.
+struct BoxFacts {
+  LegSet legs = 0;         ///< all that there are
+  LegSet clear = 0;        ///< those with B_jj^2 positive on the whole box
+  LegSet unreachable = 0;  ///< those with B_jj^2 positive nowhere; where there is one nothing below is told
+  bool within_limits = false;  ///< at every pose that all legs reach; of drives and by all other constraints
+  int determinant_sign = 0;  ///< of det A at every pose that all legs reach, B_jj = 0 too; 0 where not proved
+
+  /// Where all legs are clear and the sign is not proved: partial derivatives of a function that is det A
+  /// times a positive one.
+  std::array<Interval, max_map_dimension> determinant_slope{};
+
+  static LegSet bit(std::size_t leg) noexcept { return static_cast<LegSet>(1U << leg); }
+  bool all_clear_but(LegSet except) const noexcept { return (clear | except) == legs; }
+};
+
+/// Proves boxes inside or outside, in the coordinates of the manipulator's `PoseSpace`. Immutable; may be
+/// used from any number of threads.
+class BoxClassifier {
+ public:
+  virtual ~BoxClassifier() = default;
+
+  /// Writes states[i] for each mode i in `modes`, for a box of the given root: with `Detail::parts` also what
+  /// is whole and the signs at the center. A live `RoundingUpward` is required in this thread.
+  virtual void classify(RootIndex root, const Box& box, ModeSet modes, Detail detail,
+                        LeafState* states) const noexcept = 0;
+
+  /// The state of a box in one mode alone. A live `RoundingUpward` is required.
+  LeafState state(RootIndex root, const Box& box, std::size_t mode) const noexcept;
+
+  /// The state of a box in one mode, and how S(s, sign) grows in it.
+  virtual Examined examine(RootIndex root, const Box& box, std::size_t mode, int sign) const noexcept = 0;
+
+  /// A live `RoundingUpward` is required.
+  virtual BoxFacts facts(RootIndex root, const Box& box, std::size_t mode) const noexcept = 0;
+
+  /// See WedgeProof: a pose that all of S(mode, sign) in the box hangs together with, where there is a proof.
+  virtual std::optional<MapPoint> find_wedge(RootIndex root, const Box& box, std::size_t mode,
+                                             int sign) const noexcept = 0;
+
+  /// In double precision, proving nothing; none where a leg does not reach the position.
+  virtual Conditions conditions(const MapPosition& position, std::size_t mode, int sign) const noexcept = 0;
+
+  /// Writes kinds[i] for each mode i in `modes`: the constraints, limits of drives among them, that are
+  /// neither proved to hold in all of the box nor to fail in all of it. A live `RoundingUpward` is required.
+  virtual void find_unsure_constraints(RootIndex root, const Box& box, ModeSet modes,
+                                       ConstraintKinds* kinds) const noexcept = 0;
+
+  /// A box of positions [m] that holds every reachable pose; nothing where legs without limits leave none.
+  virtual std::optional<Box> reachable_positions() const = 0;
+};
+
+/// The classifier for the manipulator's task space; null where there is none yet.
+std::unique_ptr<const BoxClassifier> make_box_classifier(const Manipulator& manipulator,
+                                                         const std::vector<WorkingMode>& modes);
+
+/// The classifier for a slice of the manipulator's poses (see `find_slice_problem`), in the coordinates of
+/// `make_slice_space`.
+std::unique_ptr<const BoxClassifier> make_slice_classifier(const Manipulator& manipulator,
+                                                           const std::vector<WorkingMode>& modes,
+                                                           const MapSlice& slice);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ASPECTS_BOXES_BOX_CLASSIFIER_H

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "aspects/boxes/charts.h"
+
+#include "aspects/boxes/reachable_box.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace parallel_aspects {
+namespace {
+
+// A drive that is closer to its platform's line than this does not bound it.
+constexpr double least_slope = 1e-6;
+
+Spatial<Interval> enclosed(const Eigen::Vector3d& vector) { return {vector.x(), vector.y(), vector.z()}; }
+
+}  // namespace
+
+T1Chart::T1Chart(const Manipulator& manipulator) : leg_(manipulator.leg(0)) {
+  const Eigen::Vector3d& anchor = manipulator.leg(0).anchor;
+  offset_ = {Interval(anchor.x()) - leg_.base().x, Interval(anchor.y()) - leg_.base().y};
+  if (std::holds_alternative<PrismaticDrive>(manipulator.leg(0).drive)) slide_ = manipulator.leg(0);
+}
+
+std::optional<Box> T1Chart::reachable_positions() const {
+  const RoundingUpward rounding;
+  ReachableBox box(1);
+  box.restrict(0, -offset_.x, leg_.reach());
+  if (slide_) {
+    // No farther from the line of the drive than its rod is long.
+    const Eigen::Vector3d& direction = std::get<PrismaticDrive>(slide_->drive).direction;
+    const Interval along(direction.x()), across(std::abs(direction.y()));
+    const double side = direction.y() < 0.0 ? -1.0 : 1.0;
+    if (across.lower() > least_slope)
+      box.restrict(0, offset_.y * along * Interval(side) * reciprocal(across) - offset_.x,
+                   (Interval(slide_->rod_length) * reciprocal(across)).upper());
+  }
+  return box.box();
+}
+
+T2Chart::T2Chart(const Manipulator& manipulator) : PlanarLegs(manipulator) {
+  for (std::size_t j = 0; j < leg_count; ++j) {
+    const Eigen::Vector3d& anchor = manipulator.leg(j).anchor;
+    offsets_[j] = {Interval(anchor.x()) - leg(j).base().x, Interval(anchor.y()) - leg(j).base().y};
+  }
+}
+
+std::optional<Box> T2Chart::reachable_positions() const {
+  const RoundingUpward rounding;
+  ReachableBox box(2);
+  for (std::size_t j = 0; j < leg_count; ++j) {
+    box.restrict(0, -offsets_[j].x, leg(j).reach());
+    box.restrict(1, -offsets_[j].y, leg(j).reach());
+  }
+  return box.box();
+}
+
+SE2Chart::SE2Chart(const Manipulator& manipulator) : PlanarLegs(manipulator) {
+  for (std::size_t j = 0; j < leg_count; ++j) {
+    const Eigen::Vector3d& anchor = manipulator.leg(j).anchor;
+    anchors_[j] = {anchor.x(), anchor.y()};
+  }
+}
+
+std::optional<Box> SE2Chart::reachable_positions() const {
+  const RoundingUpward rounding;
+  ReachableBox box(2);
+  for (std::size_t j = 0; j < leg_count; ++j) {
+    const double anchor = square_root(square(anchors_[j].x) + square(anchors_[j].y)).upper();
+    box.restrict(0, leg(j).base().x, leg(j).reach() + anchor);
+    box.restrict(1, leg(j).base().y, leg(j).reach() + anchor);
+  }
+  return box.box();
+}
+
+T3Chart::T3Chart(const Manipulator& manipulator) {
+  for (std::size_t j = 0; j < leg_count; ++j) {
+    const Leg& leg = manipulator.leg(j);
+    legs_.emplace_back(leg);
+    const Spatial<Interval> anchor = enclosed(leg.anchor);
+    for (std::size_t i = 0; i < 3; ++i) offsets_[j][i] = anchor[i] - legs_[j].base()[i];
+  }
+}
+
+std::optional<Box> T3Chart::reachable_positions() const {
+  const RoundingUpward rounding;
+  ReachableBox box(3);
+  for (std::size_t j = 0; j < leg_count; ++j)
+    for (std::size_t i = 0; i < 3; ++i) box.restrict(i, -offsets_[j][i], legs_[j].reach());
+  return box.box();
+}
+
+SO3Chart::SO3Chart(const Manipulator& manipulator) {
+  for (std::size_t j = 0; j < leg_count; ++j) {
+    legs_.emplace_back(manipulator.leg(j));
+    anchors_[j] = enclosed(manipulator.leg(j).anchor);
+  }
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,369 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASPECTS_BOXES_CHARTS_H
+#define PARALLEL_ASPECTS_ASPECTS_BOXES_CHARTS_H
+
+#include "aspects/boxes/quaternion_cube.h"
+#include "aspects/tree/pose_space.h"
+#include "interval/half_turns.h"
+#include "legs/leg_rows.h"
+#include "legs/planar_leg.h"
+#include "legs/spatial_leg.h"
+#include "parallel_aspects/aspects/box.h"
+#include "parallel_aspects/model/manipulator.h"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+// A chart turns the map coordinates of one task space into the rows of A. Each has
+//  - leg_count, which is the number of freedoms, and coordinate_count, of the map;
+//  - Placement<Scalar>: the pose as its legs need it, made by place(root, coordinates) once for all legs;
+//  - displacement(j, placement): d = p - base point of leg j;
+//  - rows(j, displacement, placement);
+//  - limits(j, displacement, |B_jj|, sign of B_jj): of the drive, see LimitFunctions;
+//  - point_dimension: of its points, 2 or 3;
+//  - link_points(j, displacement, |B_jj|, sign of B_jj): see LinkPoints;
+//  - anchor(j, displacement);
+//  - position(placement): of the operational point;
+//  - heading(placement): the x axis of the platform, where it turns in the plane;
+//  - reachable_positions(): see BoxClassifier.
+// Scalar is Interval, Affine<coordinate_count> or Dual<coordinate_count, Affine<coordinate_count>>. All of it
+// needs a live `RoundingUpward`.
+
+namespace parallel_aspects {
+
+/// T1: x. The leg is in the x-y plane.
+class T1Chart {
+ public:
+  static constexpr std::size_t leg_count = 1, coordinate_count = 1, point_dimension = 2;
+  template <class Scalar>
+  using Placement = Scalar;
+  template <class Scalar>
+  using Displacement = Planar<Scalar>;
+
+  explicit T1Chart(const Manipulator& manipulator);
+
+  template <class Scalar>
+  Placement<Scalar> place(RootIndex, const std::array<Scalar, coordinate_count>& x) const {
+    return x[0];
+  }
+
+  template <class Scalar>
+  Displacement<Scalar> displacement(std::size_t, const Placement<Scalar>& position) const {
+    return {position + Scalar(offset_.x), Scalar(offset_.y)};
+  }
+
+  template <class Scalar>
+  LegRows<Scalar, leg_count> rows(std::size_t, const Displacement<Scalar>& d,
+                                  const Placement<Scalar>&) const {
+    const PlanarLegForm<Scalar> form = leg_.form(d);
+    return {form.squared_entry, {form.fixed.x}, {form.turned.x}};
+  }
+
+  template <class Scalar>
+  LimitFunctions<Scalar> limits(std::size_t, const Displacement<Scalar>& d, const Scalar& entry,
+                                int sign) const {
+    return leg_.limits(d, entry, sign);
+  }
+
+  template <class Scalar>
+  std::optional<LinkPoints<Scalar, point_dimension>> link_points(std::size_t, const Displacement<Scalar>& d,
+                                                                 const Scalar& entry, int sign) const {
+    return leg_.link_points(d, entry, sign);
+  }
+
+  template <class Scalar>
+  Point<Scalar, point_dimension> anchor(std::size_t, const Displacement<Scalar>& d) const {
+    return {d.x + Scalar(leg_.base().x), d.y + Scalar(leg_.base().y)};
+  }
+
+  template <class Scalar>
+  Point<Scalar, point_dimension> position(const Placement<Scalar>& position) const {
+    return {position, Scalar(0.0)};
+  }
+
+  template <class Scalar>
+  Point<Scalar, 2> heading(const Placement<Scalar>&) const {
+    return {Scalar(1.0), Scalar(0.0)};
+  }
+
+  std::optional<Box> reachable_positions() const;
+
+ private:
+  PlanarLeg leg_;
+  Planar<Interval> offset_;   // d = position + offset
+  std::optional<Leg> slide_;  // a leg on a prismatic drive, which bounds x even without limits
+};
+
+/// What the charts of planar robots with several legs have in common.
+class PlanarLegs {
+ public:
+  static constexpr std::size_t point_dimension = 2;
+  template <class Scalar>
+  using Displacement = Planar<Scalar>;
+
+  template <class Scalar>
+  LimitFunctions<Scalar> limits(std::size_t j, const Displacement<Scalar>& d, const Scalar& entry,
+                                int sign) const {
+    return legs_[j].limits(d, entry, sign);
+  }
+
+  template <class Scalar>
+  std::optional<LinkPoints<Scalar, point_dimension>> link_points(std::size_t j, const Displacement<Scalar>& d,
+                                                                 const Scalar& entry, int sign) const {
+    return legs_[j].link_points(d, entry, sign);
+  }
+
+  template <class Scalar>
+  Point<Scalar, point_dimension> anchor(std::size_t j, const Displacement<Scalar>& d) const {
+    return {d.x + Scalar(legs_[j].base().x), d.y + Scalar(legs_[j].base().y)};
+  }
+
+ protected:
+  explicit PlanarLegs(const Manipulator& manipulator) {
+    for (const Leg& leg : manipulator.legs()) legs_.emplace_back(leg);
+  }
+
+  const PlanarLeg& leg(std::size_t j) const { return legs_[j]; }
+
+ private:
+  std::vector<PlanarLeg> legs_;
+};
+
+/// T2: x, y.
+class T2Chart : public PlanarLegs {
+ public:
+  static constexpr std::size_t leg_count = 2, coordinate_count = 2;
+  template <class Scalar>
+  using Placement = Planar<Scalar>;
+
+  explicit T2Chart(const Manipulator& manipulator);
+
+  template <class Scalar>
+  Placement<Scalar> place(RootIndex, const std::array<Scalar, coordinate_count>& x) const {
+    return {x[0], x[1]};
+  }
+
+  template <class Scalar>
+  Displacement<Scalar> displacement(std::size_t j, const Placement<Scalar>& position) const {
+    return {position.x + Scalar(offsets_[j].x), position.y + Scalar(offsets_[j].y)};
+  }
+
+  template <class Scalar>
+  LegRows<Scalar, leg_count> rows(std::size_t j, const Displacement<Scalar>& d,
+                                  const Placement<Scalar>&) const {
+    const PlanarLegForm<Scalar> form = leg(j).form(d);
+    return {form.squared_entry, {form.fixed.x, form.fixed.y}, {form.turned.x, form.turned.y}};
+  }
+
+  template <class Scalar>
+  Point<Scalar, point_dimension> position(const Placement<Scalar>& position) const {
+    return {position.x, position.y};
+  }
+
+  template <class Scalar>
+  Point<Scalar, 2> heading(const Placement<Scalar>&) const {
+    return {Scalar(1.0), Scalar(0.0)};
+  }
+
+  std::optional<Box> reachable_positions() const;
+
+ private:
+  std::array<Planar<Interval>, leg_count> offsets_;  // d = position + offset
+};
+
+/// SE2: x, y and phi / pi.
+class SE2Chart : public PlanarLegs {
+ public:
+  static constexpr std::size_t leg_count = 3, coordinate_count = 3;
+  template <class Scalar>
+  struct Placement {
+    Planar<Scalar> position;
+    Turn<Scalar> turn;
+
+    Planar<Scalar> turned(const Planar<Interval>& b) const {
+      return {b.x * turn.cosine - b.y * turn.sine, b.x * turn.sine + b.y * turn.cosine};
+    }
+  };
+
+  explicit SE2Chart(const Manipulator& manipulator);
+
+  template <class Scalar>
+  Placement<Scalar> place(RootIndex, const std::array<Scalar, coordinate_count>& x) const {
+    return {{x[0], x[1]}, turn_of_half_turns(x[2])};
+  }
+
+  template <class Scalar>
+  Displacement<Scalar> displacement(std::size_t j, const Placement<Scalar>& at) const {
+    const Planar<Scalar> b = at.turned(anchors_[j]);
+    const Planar<Interval>& base = leg(j).base();
+    return {at.position.x + b.x - Scalar(base.x), at.position.y + b.y - Scalar(base.y)};
+  }
+
+  template <class Scalar>
+  LegRows<Scalar, leg_count> rows(std::size_t j, const Displacement<Scalar>& d,
+                                  const Placement<Scalar>& at) const {
+    const PlanarLegForm<Scalar> form = leg(j).form(d);
+    const Planar<Scalar> b = at.turned(anchors_[j]);
+    return {form.squared_entry,
+            {cross(b, form.fixed), form.fixed.x, form.fixed.y},
+            {cross(b, form.turned), form.turned.x, form.turned.y}};
+  }
+
+  template <class Scalar>
+  Point<Scalar, point_dimension> position(const Placement<Scalar>& at) const {
+    return {at.position.x, at.position.y};
+  }
+
+  template <class Scalar>
+  Point<Scalar, 2> heading(const Placement<Scalar>& at) const {
+    return {at.turn.cosine, at.turn.sine};
+  }
+
+  std::optional<Box> reachable_positions() const;
+
+ private:
+  std::array<Planar<Interval>, leg_count> anchors_;
+};
+
+/// T3: x, y, z.
+class T3Chart {
+ public:
+  static constexpr std::size_t leg_count = 3, coordinate_count = 3, point_dimension = 3;
+  template <class Scalar>
+  using Placement = Spatial<Scalar>;
+  template <class Scalar>
+  using Displacement = Spatial<Scalar>;
+
+  explicit T3Chart(const Manipulator& manipulator);
+
+  template <class Scalar>
+  Placement<Scalar> place(RootIndex, const std::array<Scalar, coordinate_count>& x) const {
+    return x;
+  }
+
+  template <class Scalar>
+  Displacement<Scalar> displacement(std::size_t j, const Placement<Scalar>& position) const {
+    const Spatial<Interval>& offset = offsets_[j];
+    return {position[0] + Scalar(offset[0]), position[1] + Scalar(offset[1]),
+            position[2] + Scalar(offset[2])};
+  }
+
+  template <class Scalar>
+  LegRows<Scalar, leg_count> rows(std::size_t j, const Displacement<Scalar>& d,
+                                  const Placement<Scalar>&) const {
+    const SpatialLegForm<Scalar> form = legs_[j].form(d);
+    return {form.squared_entry, form.fixed, form.turned};
+  }
+
+  template <class Scalar>
+  LimitFunctions<Scalar> limits(std::size_t j, const Displacement<Scalar>& d, const Scalar& entry,
+                                int sign) const {
+    return legs_[j].limits(d, entry, sign);
+  }
+
+  template <class Scalar>
+  std::optional<LinkPoints<Scalar, point_dimension>> link_points(std::size_t j, const Displacement<Scalar>& d,
+                                                                 const Scalar& entry, int sign) const {
+    return legs_[j].link_points(d, entry, sign);
+  }
+
+  template <class Scalar>
+  Point<Scalar, point_dimension> anchor(std::size_t j, const Displacement<Scalar>& d) const {
+    const Spatial<Interval>& base = legs_[j].base();
+    return {d[0] + Scalar(base[0]), d[1] + Scalar(base[1]), d[2] + Scalar(base[2])};
+  }
+
+  template <class Scalar>
+  Point<Scalar, point_dimension> position(const Placement<Scalar>& position) const {
+    return position;
+  }
+
+  template <class Scalar>
+  Point<Scalar, 2> heading(const Placement<Scalar>&) const {
+    return {Scalar(1.0), Scalar(0.0)};
+  }
+
+  std::optional<Box> reachable_positions() const;
+
+ private:
+  std::vector<SpatialLeg> legs_;
+  std::array<Spatial<Interval>, leg_count> offsets_;  // d = position + offset
+};
+
+/// SO3: three components of the quaternion over its largest.
+class SO3Chart {
+ public:
+  static constexpr std::size_t leg_count = 3, coordinate_count = 3, point_dimension = 3;
+  template <class Scalar>
+  using Placement = RotationRows<Scalar>;
+  template <class Scalar>
+  struct Displacement {
+    Spatial<Scalar> from_base, anchor;
+  };
+
+  explicit SO3Chart(const Manipulator& manipulator);
+
+  template <class Scalar>
+  Placement<Scalar> place(RootIndex root, const std::array<Scalar, coordinate_count>& x) const {
+    return rotation_of_cube(root, x);
+  }
+
+  template <class Scalar>
+  Displacement<Scalar> displacement(std::size_t j, const Placement<Scalar>& rotation) const {
+    const Spatial<Interval>&anchor = anchors_[j], &base = legs_[j].base();
+    Displacement<Scalar> d;
+    for (std::size_t i = 0; i < 3; ++i) {
+      d.anchor[i] = dot(anchor, rotation[i]);
+      d.from_base[i] = d.anchor[i] - Scalar(base[i]);
+    }
+    return d;
+  }
+
+  template <class Scalar>
+  LegRows<Scalar, leg_count> rows(std::size_t j, const Displacement<Scalar>& d,
+                                  const Placement<Scalar>&) const {
+    const SpatialLegForm<Scalar> form = legs_[j].form(d.from_base);
+    return {form.squared_entry, cross(d.anchor, form.fixed), cross(d.anchor, form.turned)};
+  }
+
+  template <class Scalar>
+  LimitFunctions<Scalar> limits(std::size_t j, const Displacement<Scalar>& d, const Scalar& entry,
+                                int sign) const {
+    return legs_[j].limits(d.from_base, entry, sign);
+  }
+
+  template <class Scalar>
+  std::optional<LinkPoints<Scalar, point_dimension>> link_points(std::size_t j, const Displacement<Scalar>& d,
+                                                                 const Scalar& entry, int sign) const {
+    return legs_[j].link_points(d.from_base, entry, sign);
+  }
+
+  template <class Scalar>
+  Point<Scalar, point_dimension> anchor(std::size_t j, const Displacement<Scalar>& d) const {
+    const Spatial<Interval>& base = legs_[j].base();
+    return {d.from_base[0] + Scalar(base[0]), d.from_base[1] + Scalar(base[1]),
+            d.from_base[2] + Scalar(base[2])};
+  }
+
+  template <class Scalar>
+  Point<Scalar, point_dimension> position(const Placement<Scalar>&) const {
+    return {Scalar(0.0), Scalar(0.0), Scalar(0.0)};
+  }
+
+  template <class Scalar>
+  Point<Scalar, 2> heading(const Placement<Scalar>&) const {
+    return {Scalar(1.0), Scalar(0.0)};
+  }
+
+  /// Rotations need no bounds.
+  std::optional<Box> reachable_positions() const { return Box{}; }
+
+ private:
+  std::vector<SpatialLeg> legs_;
+  std::array<Spatial<Interval>, leg_count> anchors_;
+};
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ASPECTS_BOXES_CHARTS_H

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "aspects/boxes/part_proof.h"
+
+namespace parallel_aspects {
+namespace {
+
+constexpr int bisections = 30;
+
+/// The set is a shell that begins between two corners, or beyond the highest.
+class ShellSearch {
+ public:
+  ShellSearch(const BoxClassifier& classifier, std::size_t mode, int sign, RootIndex root, const Box& box,
+              const Growth& shell) noexcept
+      : classifier_(classifier),
+        mode_(mode),
+        sign_(sign),
+        root_(root),
+        dimension_(box.dimension),
+        lowest_(shell.lowest(box)),
+        highest_(shell.highest(box)) {}
+
+  Part run() const noexcept {
+    if (examine(highest_).state.is_outside()) return {Part::Kind::empty, {}};
+    double beyond = 0.0, reachable = 1.0;
+    for (int i = 0; i < bisections; ++i) {
+      const double middle = 0.5 * (beyond + reachable);
+      (is_reachable(at(middle)) ? reachable : beyond) = middle;
+    }
+    Part part;
+    for (double step = 0x1p-28; step < 1.0; step *= 2.0) {
+      const MapPoint pose = at(reachable + step * (1.0 - reachable));
+      if (examine(pose).state.is_inside(sign_))
+        part = {Part::Kind::connected, pose};
+      else if (part.kind == Part::Kind::connected)
+        break;
+    }
+    return part;
+  }
+
+ private:
+  MapPoint at(double share) const noexcept {
+    MapPoint point{};
+    for (std::size_t i = 0; i < dimension_; ++i)
+      point[i] = share == 1.0 ? highest_[i] : lowest_[i] + share * (highest_[i] - lowest_[i]);
+    return point;
+  }
+
+  Examined examine(const MapPoint& point) const noexcept {
+    return classifier_.examine(root_, Box{dimension_, point, point}, mode_, sign_);
+  }
+
+  bool is_reachable(const MapPoint& point) const noexcept {
+    return !classifier_.state(root_, Box{dimension_, point, point}, mode_).is_outside();
+  }
+
+  const BoxClassifier& classifier_;
+  std::size_t mode_;
+  int sign_;
+  RootIndex root_;
+  std::size_t dimension_;
+  MapPoint lowest_, highest_;
+};
+
+constexpr int most_halvings = 8;
+
+/// Looks for a pose of the set on an edge where it is an interval, by halving.
+Part find_interval(const BoxClassifier& classifier, std::size_t mode, int sign, RootIndex root,
+                   const Box& edge, int halvings) noexcept {
+  const LeafState state = classifier.state(root, edge, mode);
+  if (!state.may_be(sign)) return {Part::Kind::empty, {}};
+  const MapPoint middle = edge.middle();
+  if (classifier.state(root, Box{edge.dimension, middle, middle}, mode).is_inside(sign))
+    return {Part::Kind::connected, middle};
+  if (halvings == 0) return {};
+  Part::Kind kind = Part::Kind::empty;
+  for (const bool upper : {false, true}) {
+    Box half = edge;
+    (upper ? half.lower : half.upper) = middle;
+    const Part part = find_interval(classifier, mode, sign, root, half, halvings - 1);
+    if (part.kind == Part::Kind::connected) return part;
+    if (part.kind == Part::Kind::unknown) kind = Part::Kind::unknown;
+  }
+  return {kind, {}};
+}
+
+}  // namespace
+
+Part find_part(const BoxClassifier& classifier, std::size_t mode, int sign, RootIndex root,
+               Box box) noexcept {
+  for (;;) {
+    const Examined examined = classifier.examine(root, box, mode, sign);
+    if (examined.state.is_inside(sign)) return {Part::Kind::connected, box.middle()};
+    if (!examined.state.may_be(sign)) return {Part::Kind::empty, {}};
+    if (examined.shell) return ShellSearch(classifier, mode, sign, root, box, *examined.shell).run();
+    if (examined.is_interval) return find_interval(classifier, mode, sign, root, box, most_halvings);
+    if (!examined.growth.flatten(box)) return {};
+  }
+}
+
+Part find_part_or_wedge(const BoxClassifier& classifier, std::size_t mode, int sign, RootIndex root,
+                        const Box& box) noexcept {
+  const Part part = find_part(classifier, mode, sign, root, box);
+  if (part.kind != Part::Kind::unknown) return part;
+  const auto pose = classifier.find_wedge(root, box, mode, sign);
+  return pose ? Part{Part::Kind::joined, *pose} : part;
+}
+
+}  // namespace parallel_aspects

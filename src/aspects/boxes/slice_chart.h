@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASPECTS_BOXES_SLICE_CHART_H
+#define PARALLEL_ASPECTS_ASPECTS_BOXES_SLICE_CHART_H
+
+#include "aspects/boxes/quaternion_cube.h"
+#include "aspects/boxes/reachable_box.h"
+#include "interval/half_turns.h"
+#include "legs/leg_rows.h"
+#include "legs/spatial_leg.h"
+#include "parallel_aspects/aspects/box.h"
+#include "parallel_aspects/aspects/map_slice.h"
+#include "parallel_aspects/model/manipulator.h"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+// Charts of slices (see charts.h). Every leg is taken in space, whatever the task space.
+
+namespace parallel_aspects {
+
+/// An anchor seen from the leg's base point and from the operational point.
+template <class Scalar>
+struct SliceDisplacement {
+  Spatial<Scalar> from_base, anchor;
+};
+
+/// The row of A of a task space with N freedoms for u up to a positive factor, or for a part of it; b is the
+/// anchor seen from the operational point. T1 has no slices.
+template <class Scalar, std::size_t N>
+Row<Scalar, N> row_of(TaskSpace space, const Spatial<Scalar>& b, const Spatial<Scalar>& u) {
+  if constexpr (N == 2) {
+    return {u[0], u[1]};
+  } else if constexpr (N == 3) {
+    if (space == TaskSpace::T3) return u;
+    if (space == TaskSpace::SE2) return {b[0] * u[1] - b[1] * u[0], u[0], u[1]};
+    return cross(b, u);
+  } else {
+    const Spatial<Scalar> moment = cross(b, u);
+    return {moment[0], moment[1], moment[2], u[0], u[1], u[2]};
+  }
+}
+
+/// What the charts of slices have in common: legs, and rows of A from displacements. Points of planar robots,
+/// which have two coordinates, leave out the third.
+template <std::size_t Legs, std::size_t Coordinates, std::size_t Dimension = 3>
+class SliceLegs {
+ public:
+  static constexpr std::size_t leg_count = Legs, coordinate_count = Coordinates, point_dimension = Dimension;
+  template <class Scalar>
+  using Displacement = SliceDisplacement<Scalar>;
+
+  template <class Scalar, class Placement>
+  LegRows<Scalar, leg_count> rows(std::size_t j, const Displacement<Scalar>& d, const Placement&) const {
+    const SpatialLegForm<Scalar> form = legs_[j].form(d.from_base);
+    return {form.squared_entry, row_of<Scalar, leg_count>(space_, d.anchor, form.fixed),
+            row_of<Scalar, leg_count>(space_, d.anchor, form.turned)};
+  }
+
+  template <class Scalar>
+  LimitFunctions<Scalar> limits(std::size_t j, const Displacement<Scalar>& d, const Scalar& entry,
+                                int sign) const {
+    return legs_[j].limits(d.from_base, entry, sign);
+  }
+
+  template <class Scalar>
+  std::optional<LinkPoints<Scalar, Dimension>> link_points(std::size_t j, const Displacement<Scalar>& d,
+                                                           const Scalar& entry, int sign) const {
+    const auto points = legs_[j].link_points(d.from_base, entry, sign);
+    if (!points) return std::nullopt;
+    return LinkPoints<Scalar, Dimension>{reduced<Dimension>(points->base), reduced<Dimension>(points->joint),
+                                         reduced<Dimension>(points->anchor)};
+  }
+
+  template <class Scalar>
+  Point<Scalar, Dimension> anchor(std::size_t j, const Displacement<Scalar>& d) const {
+    const Spatial<Interval>& base = legs_[j].base();
+    Point<Scalar, Dimension> result;
+    for (std::size_t i = 0; i < Dimension; ++i) result[i] = d.from_base[i] + Scalar(base[i]);
+    return result;
+  }
+
+ protected:
+  explicit SliceLegs(const Manipulator& manipulator) : space_(manipulator.task_space()) {
+    for (const Leg& leg : manipulator.legs()) legs_.emplace_back(leg);
+  }
+
+  const SpatialLeg& leg(std::size_t j) const { return legs_[j]; }
+
+ private:
+  TaskSpace space_;
+  std::vector<SpatialLeg> legs_;
+};
+
+/// The orientation that a slice holds.
+inline RotationRows<Interval> held_rotation(const MapSlice& slice) {
+  const Eigen::Quaterniond& q = slice.held.orientation;
+  const std::array<Interval, 4> components{q.x(), q.y(), q.z(), q.w()};
+  return rotation_of(components, 0.25);
+}
+
+/// Free positions in the order of x, y and z, then the angle in half turns where there is one. An anchor that
+/// turns about the unit vector a is  b = a (a.v) + cos (v - a (a.v)) + sin (a x v)  with v where it is held.
+template <std::size_t Legs, std::size_t Coordinates, std::size_t Dimension = 3>
+class SliceChart : public SliceLegs<Legs, Coordinates, Dimension> {
+ public:
+  template <class Scalar>
+  struct Placement {
+    Spatial<Scalar> position;
+    Turn<Scalar> turn;
+  };
+
+  SliceChart(const Manipulator& manipulator, const MapSlice& slice)
+      : SliceLegs<Legs, Coordinates, Dimension>(manipulator),
+        slice_(slice),
+        turns_(slice.turning == MapSlice::Turning::about_axis) {
+    const RotationRows<Interval> rotation = held_rotation(slice);
+    for (std::size_t j = 0; j < Legs; ++j) set_anchor(manipulator.leg(j).anchor, rotation, anchors_[j]);
+    set_anchor(Eigen::Vector3d::UnitX(), rotation, x_axis_);
+  }
+
+  template <class Scalar>
+  Placement<Scalar> place(RootIndex, const std::array<Scalar, Coordinates>& x) const {
+    Placement<Scalar> at;
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+      at.position[i] =
+          slice_.moves[i] ? x[next++] : Scalar(slice_.held.position[static_cast<Eigen::Index>(i)]);
+    if (turns_) at.turn = turn_of_half_turns(x[Coordinates - 1]);
+    return at;
+  }
+
+  template <class Scalar>
+  SliceDisplacement<Scalar> displacement(std::size_t j, const Placement<Scalar>& at) const {
+    const Spatial<Interval>& base = this->leg(j).base();
+    SliceDisplacement<Scalar> d;
+    for (std::size_t i = 0; i < 3; ++i) {
+      d.anchor[i] = turned(anchors_[j], at, i);
+      d.from_base[i] = at.position[i] + (d.anchor[i] - Scalar(base[i]));
+    }
+    return d;
+  }
+
+  template <class Scalar>
+  Point<Scalar, Dimension> position(const Placement<Scalar>& at) const {
+    return reduced<Dimension>(at.position);
+  }
+
+  template <class Scalar>
+  Point<Scalar, 2> heading(const Placement<Scalar>& at) const {
+    return {turned(x_axis_, at, 0), turned(x_axis_, at, 1)};
+  }
+
+  std::optional<Box> reachable_positions() const {
+    const RoundingUpward rounding;
+    ReachableBox box(slice_.free_positions());
+    for (std::size_t j = 0; j < Legs; ++j) {
+      const Anchor& anchor = anchors_[j];
+      const double radius =
+          square_root(square(anchor.across[0]) + square(anchor.across[1]) + square(anchor.across[2])).upper();
+      for (std::size_t i = 0, next = 0; i < 3; ++i)
+        if (slice_.moves[i])
+          box.restrict(next++, this->leg(j).base()[i] - anchor.still[i], this->leg(j).reach() + radius);
+    }
+    return box.box();
+  }
+
+ private:
+  struct Anchor {
+    Spatial<Interval> still, across, sideways;  // of it, what does not turn, goes with the cosine, the sine
+  };
+
+  template <class Scalar>
+  Scalar turned(const Anchor& anchor, const Placement<Scalar>& at, std::size_t i) const {
+    const Scalar still(anchor.still[i]);
+    return turns_ ? still + (anchor.across[i] * at.turn.cosine + anchor.sideways[i] * at.turn.sine) : still;
+  }
+
+  void set_anchor(const Eigen::Vector3d& point, const RotationRows<Interval>& rotation,
+                  Anchor& anchor) const {
+    const Spatial<Interval> local{point.x(), point.y(), point.z()};
+    for (std::size_t i = 0; i < 3; ++i) anchor.still[i] = dot(local, rotation[i]);
+    if (!turns_) return;
+    const Spatial<Interval> v = anchor.still, a{slice_.axis.x(), slice_.axis.y(), slice_.axis.z()};
+    const Interval over = reciprocal(square(a[0]) + square(a[1]) + square(a[2]));
+    const Interval along = over * dot(a, v), over_length = square_root(over);
+    const Spatial<Interval> side = cross(a, v);
+    for (std::size_t i = 0; i < 3; ++i) {
+      anchor.still[i] = along * a[i];
+      anchor.across[i] = v[i] - anchor.still[i];
+      anchor.sideways[i] = over_length * side[i];
+    }
+  }
+
+  MapSlice slice_;
+  bool turns_;
+  std::array<Anchor, Legs> anchors_;
+  Anchor x_axis_;  // of the platform
+};
+
+/// Every orientation at one position: the cubes of SO3.
+class OrientationChart : public SliceLegs<6, 3> {
+ public:
+  template <class Scalar>
+  using Placement = RotationRows<Scalar>;
+
+  OrientationChart(const Manipulator& manipulator, const MapSlice& slice) : SliceLegs<6, 3>(manipulator) {
+    for (std::size_t i = 0; i < 3; ++i) held_[i] = slice.held.position[static_cast<Eigen::Index>(i)];
+    for (std::size_t j = 0; j < leg_count; ++j) {
+      const Eigen::Vector3d &point = manipulator.leg(j).anchor, &position = slice.held.position;
+      anchors_[j] = {point.x(), point.y(), point.z()};
+      for (std::size_t i = 0; i < 3; ++i)
+        offsets_[j][i] = Interval(position[static_cast<Eigen::Index>(i)]) - leg(j).base()[i];
+    }
+  }
+
+  template <class Scalar>
+  Placement<Scalar> place(RootIndex root, const std::array<Scalar, coordinate_count>& x) const {
+    return rotation_of_cube(root, x);
+  }
+
+  template <class Scalar>
+  SliceDisplacement<Scalar> displacement(std::size_t j, const Placement<Scalar>& rotation) const {
+    SliceDisplacement<Scalar> d;
+    for (std::size_t i = 0; i < 3; ++i) {
+      d.anchor[i] = dot(anchors_[j], rotation[i]);
+      d.from_base[i] = d.anchor[i] + Scalar(offsets_[j][i]);
+    }
+    return d;
+  }
+
+  template <class Scalar>
+  Point<Scalar, 3> position(const Placement<Scalar>&) const {
+    return {Scalar(held_[0]), Scalar(held_[1]), Scalar(held_[2])};
+  }
+
+  /// No platform is told to turn in the plane.
+  template <class Scalar>
+  Point<Scalar, 2> heading(const Placement<Scalar>&) const {
+    return {Scalar(1.0), Scalar(0.0)};
+  }
+
+  /// Rotations need no bounds.
+  std::optional<Box> reachable_positions() const { return Box{}; }
+
+ private:
+  Spatial<Interval> held_;  // position
+  std::array<Spatial<Interval>, leg_count> anchors_;
+  std::array<Spatial<Interval>, leg_count> offsets_;  // position - base point
+};
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ASPECTS_BOXES_SLICE_CHART_H

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "aspects/boxes/box_classifier.h"
+#include "aspects/boxes/chart_classifier.h"
+#include "aspects/boxes/slice_chart.h"
+#include "parallel_aspects/model/constraints.h"
+
+namespace parallel_aspects {
+namespace {
+
+using Modes = std::vector<WorkingMode>;
+using Classifier = std::unique_ptr<const BoxClassifier>;
+
+template <class Chart>
+Classifier make(const Manipulator& manipulator, const Modes& modes, const MapSlice& slice) {
+  return std::make_unique<const ChartClassifier<Chart>>(manipulator, modes, slice);
+}
+
+Classifier make_for_three_legs(const Manipulator& manipulator, const Modes& modes, const MapSlice& slice) {
+  const bool is_line = slice.dimension() == 1;
+  if (is_planar(manipulator.task_space()))
+    return is_line ? make<SliceChart<3, 1, 2>>(manipulator, modes, slice)
+                   : make<SliceChart<3, 2, 2>>(manipulator, modes, slice);
+  return is_line ? make<SliceChart<3, 1>>(manipulator, modes, slice)
+                 : make<SliceChart<3, 2>>(manipulator, modes, slice);
+}
+
+Classifier make_for_six_legs(const Manipulator& manipulator, const Modes& modes, const MapSlice& slice) {
+  if (slice.turning == MapSlice::Turning::freely) return make<OrientationChart>(manipulator, modes, slice);
+  switch (slice.dimension()) {
+    case 1:
+      return make<SliceChart<6, 1>>(manipulator, modes, slice);
+    case 2:
+      return make<SliceChart<6, 2>>(manipulator, modes, slice);
+    default:
+      return make<SliceChart<6, 3>>(manipulator, modes, slice);
+  }
+}
+
+}  // namespace
+
+Classifier make_slice_classifier(const Manipulator& manipulator, const Modes& modes, const MapSlice& slice) {
+  switch (manipulator.leg_count()) {
+    case 2:
+      return make<SliceChart<2, 1, 2>>(manipulator, modes, slice);
+    case 3:
+      return make_for_three_legs(manipulator, modes, slice);
+    case 6:
+      return make_for_six_legs(manipulator, modes, slice);
+    default:
+      return nullptr;
+  }
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "aspects/components/components.h"
+
+#include "aspects/components/disjoint_sets.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace parallel_aspects {
+namespace {
+
+void extend(Box& bounds, const Box& box) {
+  if (bounds.dimension == 0) bounds = box;
+  for (std::size_t i = 0; i < box.dimension; ++i) {
+    bounds.lower[i] = std::min(bounds.lower[i], box.lower[i]);
+    bounds.upper[i] = std::max(bounds.upper[i], box.upper[i]);
+  }
+}
+
+/// Collects the components of one graph.
+class Summary {
+ public:
+  Summary(const PoseTree& tree, std::size_t mode, LeafGraph& graph, const MapControl& control)
+      : tree_(tree), mode_(mode), graph_(graph), control_(control) {}
+
+  ModeComponents collect() {
+    collect_undecided();
+    for (const int sign : {1, -1}) {
+      if (is_cancelled(control_)) break;
+      collect_components(sign);
+      collect_parts(sign);
+      collect_meetings(sign);
+      collect_bound(sign);
+    }
+    collect_clusters();
+    return std::move(result_);
+  }
+
+ private:
+  void collect_undecided() {
+    for (NodeIndex node = 0; node < tree_.node_count(); ++node)
+      if (tree_.state(node, mode_).is_undecided())
+        result_.measure_undecided += tree_.space().measure(tree_.box(node));
+  }
+
+  void collect_components(int sign) {
+    SignGraph& graph = graph_.of(sign);
+    index_.assign(graph.component_bound(), SignGraph::none);
+    for (NodeIndex node = 0; node < tree_.node_count(); ++node) {
+      if (!tree_.state(node, mode_).is_inside(sign)) continue;
+      const std::uint32_t root = graph.component(node);
+      const Box box = tree_.box(node);
+      if (index_[root] == SignGraph::none) start_component(root, sign);
+      Component& component = result_.components[index_[root]];
+      component.leaves.push_back(node);
+      const double measure = tree_.space().measure(box);
+      component.measure_inside += measure;
+      component.measure_estimated += measure;
+      extend(component.bounds[tree_.place(node).root], box);
+    }
+    undecided_.resize(result_.components.size(), 0.0);
+  }
+
+  void start_component(std::uint32_t root, int sign) {
+    index_[root] = static_cast<std::uint32_t>(result_.components.size());
+    Component component;
+    component.determinant_sign = sign;
+    component.bounds.resize(tree_.root_count());
+    result_.components.push_back(component);
+  }
+
+  void collect_parts(int sign) {
+    for (NodeIndex node = 0; node < tree_.node_count(); ++node) {
+      const LeafState state = tree_.state(node, mode_);
+      if (state.is_undecided() && state.is_whole(sign)) add_undecided(node, node, sign);
+    }
+  }
+
+  /// An undecided leaf, or what of it may have the sign, counts for the component of `leaf`.
+  void add_undecided(NodeIndex node, NodeIndex leaf, int sign) {
+    const std::uint32_t component = index_[graph_.of(sign).component(leaf)];
+    if (component == SignGraph::none) return;
+    const double measure = tree_.space().measure(tree_.box(node));
+    undecided_[component] += measure;
+    if (tree_.state(node, mode_).center_sign() == sign)
+      result_.components[component].measure_estimated += measure;
+  }
+
+  void collect_meetings(int sign) {
+    SignGraph& graph = graph_.of(sign);
+    const SignGraph::Meeting meeting = graph.meeting();
+    add_unresolved(meeting.contacts, graph);
+    for (std::size_t v = 0; v < meeting.nearest.size(); ++v)
+      if (meeting.nearest[v] != no_node) add_undecided(graph.open_leaves()[v].node, meeting.nearest[v], sign);
+  }
+
+  /// What hides in no open leaf is in a component: an aspect in each at most.
+  void collect_bound(int sign) {
+    SignGraph& graph = graph_.of(sign);
+    std::vector<bool> seen(graph.component_bound(), false);
+    for (NodeIndex node = 0; node < tree_.node_count(); ++node)
+      if (tree_.state(node, mode_).may_be(sign) && graph.is_in_component(node))
+        seen[graph.component(node)] = true;
+    result_.bound += static_cast<std::size_t>(std::count(seen.begin(), seen.end(), true));
+    for (const SignGraph::OpenLeaf& open : graph.open_leaves()) result_.open_leaves += open.node != no_node;
+  }
+
+  /// Components that have no inside leaf are not listed, but those they meet could hang together through
+  /// them.
+  void add_unresolved(const std::vector<SignGraph::Contact>& contacts, SignGraph& graph) {
+    DisjointSets unlisted(index_.size());
+    const auto is_listed = [this](std::uint32_t component) { return index_[component] != SignGraph::none; };
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+    for (const SignGraph::Contact& contact : contacts) {
+      std::uint32_t a = graph.component(contact.leaf), b = graph.component(contact.other_leaf);
+      if (!is_listed(a)) std::swap(a, b);
+      if (!is_listed(a))
+        unlisted.unite(a, b);
+      else if (is_listed(b))
+        add_unresolved(index_[a], index_[b]);
+      else
+        pairs.emplace_back(b, a);
+    }
+    for (auto& [b, a] : pairs) b = unlisted.find(b);
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    for (std::size_t first = 0; first < pairs.size(); ++first)
+      for (std::size_t i = first + 1; i < pairs.size() && pairs[i].first == pairs[first].first; ++i)
+        add_unresolved(index_[pairs[first].second], index_[pairs[i].second]);
+  }
+
+  void add_unresolved(std::size_t a, std::size_t b) {
+    result_.unresolved.emplace_back(std::min(a, b), std::max(a, b));
+  }
+
+  void collect_clusters() {
+    auto& pairs = result_.unresolved;
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    DisjointSets clusters(result_.components.size());
+    for (const auto& [a, b] : result_.unresolved)
+      clusters.unite(static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b));
+    std::vector<double> measure(result_.components.size(), 0.0);
+    for (std::uint32_t i = 0; i < result_.components.size(); ++i) {
+      Component& component = result_.components[i];
+      component.cluster = clusters.find(i);
+      if (component.cluster == i) ++result_.cluster_count;
+      measure[component.cluster] += component.measure_inside + undecided_[i];
+    }
+    for (Component& component : result_.components) component.measure_cluster = measure[component.cluster];
+  }
+
+  const PoseTree& tree_;
+  std::size_t mode_;
+  LeafGraph& graph_;
+  const MapControl& control_;
+  ModeComponents result_;
+  std::vector<std::uint32_t> index_;  // of a component, by its number in the graph of the sign
+  std::vector<double> undecided_;     // measure of the undecided leaves nearest to a component
+};
+
+}  // namespace
+
+ModeComponents find_components(const PoseTree& tree, std::size_t mode, LeafGraph& graph,
+                               const MapControl& control) {
+  return Summary(tree, mode, graph, control).collect();
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASPECTS_COMPONENTS_CONTACT_CHOICE_H
+#define PARALLEL_ASPECTS_ASPECTS_COMPONENTS_CONTACT_CHOICE_H
+
+#include "aspects/components/sign_graph.h"
+#include "aspects/tree/pose_tree.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// The leaves of the lowest level among some.
+std::vector<NodeIndex> coarsest_of(const PoseTree& tree, const std::vector<NodeIndex>& leaves);
+
+/// Chooses leaves to work on where components of one mode and sign could meet, round by round.
+///
+/// Where two components meet in few leaves, these are all worked on. Where the leaves are many, the two may
+/// touch along a curve or a surface, and then no depth tells them apart; or one leaf of the many may join
+/// them. So a few of the leaves are tried first, some levels deep. More follow where those were settled;
+/// where they were not, the components are given up.
+class ContactChoice {
+ public:
+  /// Contacts at points keep a number of leaves that does not grow with depth, those along curves double it
+  /// with each level: it is `most_leaves_of_a_point` that makes the difference.
+  ContactChoice(const PoseTree& tree, std::uint32_t base_level, std::size_t most_leaves_of_a_point)
+      : tree_(tree), base_level_(base_level), most_leaves_of_a_point_(most_leaves_of_a_point) {}
+
+  std::vector<NodeIndex> choose(SignGraph& graph, const std::vector<SignGraph::Contact>& contacts);
+
+ private:
+  std::vector<NodeIndex> choose_of_pair(const SignGraph& graph, const std::vector<NodeIndex>& leaves);
+  std::vector<NodeIndex> spread(const std::vector<NodeIndex>& leaves) const;
+
+  const PoseTree& tree_;
+  std::uint32_t base_level_;
+  std::size_t most_leaves_of_a_point_;
+  std::size_t tries_ = 16;
+  bool asks_for_more_ = false;
+};
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ASPECTS_COMPONENTS_CONTACT_CHOICE_H

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASPECTS_COMPONENTS_CONTACT_SEARCH_H
+#define PARALLEL_ASPECTS_ASPECTS_COMPONENTS_CONTACT_SEARCH_H
+
+#include "aspects/components/sign_graph.h"
+#include "aspects/tree/pose_tree.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// Where the components of one mode and sign could hang together, seen from all but the largest of them and
+/// those given up. Only components with an inside leaf count; whole parts of no such component are, like open
+/// leaves, on the way from one to another. Such a way passes from leaves that only the first is beside to one
+/// that another is beside, so the search ends there, and costs little where the components are small.
+class ContactSearch {
+ public:
+  ContactSearch(const PoseTree& tree, SignGraph& graph, const MapControl& control);
+
+  /// Ends early, unfinished, when cancelled.
+  std::vector<SignGraph::Contact> run();
+
+ private:
+  bool is_source(NodeIndex leaf);
+  bool is_listed(NodeIndex leaf) { return graph_.is_listed(graph_.component(leaf)); }
+  template <class Visitor>
+  void visit_ways_on(NodeIndex node, const Visitor& visit) const;
+  void go_on(NodeIndex node, NodeIndex from);
+  void add(NodeIndex node, NodeIndex other_node, NodeIndex leaf, NodeIndex other_leaf);
+
+  const PoseTree& tree_;
+  SignGraph& graph_;
+  const MapControl& control_;
+  std::uint32_t largest_;
+  std::unordered_map<NodeIndex, std::vector<NodeIndex>> across_faces_;  // of whole parts
+  std::vector<NodeIndex> reached_from_;                                 // a leaf of a component, by node
+  std::vector<NodeIndex> queue_, onward_;
+  std::vector<SignGraph::Contact> contacts_;
+};
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ASPECTS_COMPONENTS_CONTACT_SEARCH_H

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "aspects/components/leaf_graph.h"
+
+#include "aspects/tree/face_traversal.h"
+
+namespace parallel_aspects {
+
+LeafGraph::LeafGraph(const PoseTree& tree, std::size_t mode, bool looks_everywhere, const MapControl& control)
+    : mode_(mode),
+      looks_everywhere_(looks_everywhere),
+      positive_(mode, 1, control),
+      negative_(mode, -1, control) {
+  for (NodeIndex node = 0; node < tree.node_count() && !is_cancelled(control); ++node) {
+    positive_.add_leaf(tree, node);
+    negative_.add_leaf(tree, node);
+  }
+  const auto connect = [this, &tree](NodeIndex a, NodeIndex b) {
+    positive_.connect(tree, a, b);
+    negative_.connect(tree, a, b);
+  };
+  if (!is_cancelled(control)) visit_faces(tree, mode, connect, control);
+}
+
+void LeafGraph::replace(PoseTree& tree, NodeIndex node) {
+  positive_.replace(tree, node);
+  negative_.replace(tree, node);
+}
+
+}  // namespace parallel_aspects

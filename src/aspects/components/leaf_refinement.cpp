@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "aspects/components/leaf_refinement.h"
+
+#include "aspects/components/contact_choice.h"
+#include "aspects/components/contact_search.h"
+#include "interval/interval.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+
+namespace parallel_aspects {
+namespace {
+
+// What one working mode may divide: a share of what the base map has left undecided.
+constexpr std::size_t least_budget = 10000;
+constexpr std::size_t undecided_leaves_for_one = 8;
+
+// With more than two freedoms leaves that do not matter otherwise are looked into where they are few.
+constexpr std::size_t most_leaves_to_look_into = 50000;
+
+constexpr std::size_t most_freedoms_to_count = 2;
+
+// With more freedoms most contacts end within a few levels, and the work for all parts does not pay there.
+constexpr std::uint32_t levels_before_all_parts = 3;
+
+// Aspects smaller than a leaf could hide in open leaves beside another component. Where open leaves are few
+// they are divided: up to two freedoms until nothing can hide, with more of them down to this level.
+constexpr std::size_t most_open_leaves = 1000;
+constexpr std::uint32_t level_of_open_leaves = 10;
+
+std::size_t undecided_leaves(const PoseTree& tree, std::size_t mode) noexcept {
+  std::size_t count = 0;
+  for (NodeIndex node = 0; node < tree.node_count(); ++node) count += tree.state(node, mode).is_undecided();
+  return count;
+}
+
+void classify(PoseTree& tree, const BoxClassifier& classifier, std::size_t mode, NodeIndex node,
+              Detail detail) {
+  classifier.classify(tree.place(node).root, tree.box(node), ModeSet{1} << mode, detail, tree.states(node));
+}
+
+std::size_t most_leaves_of_a_point(const LeafGraph& graph) { return graph.looks_everywhere() ? 1000 : 400; }
+
+/// What one working mode wants divided.
+class ModeRefinement {
+ public:
+  ModeRefinement(PoseTree& tree, const BoxClassifier& classifier, LeafGraph& graph, std::uint32_t base_level,
+                 std::uint32_t deepest_level, const MapControl& control)
+      : tree_(tree),
+        classifier_(classifier),
+        graph_(graph),
+        control_(control),
+        deepest_level_(deepest_level),
+        base_level_(base_level),
+        positive_contacts_(tree, base_level, most_leaves_of_a_point(graph)),
+        negative_contacts_(tree, base_level, most_leaves_of_a_point(graph)),
+        budget_(least_budget + undecided_leaves(tree, graph.mode()) / undecided_leaves_for_one) {}
+
+  /// Looks into leaves again, and finds those to divide next; false when done.
+  bool find_requests() {
+    const RoundingUpward rounding;
+    requests_.clear();
+    has_examined_ = false;
+    if (done_) return false;
+    for (const int sign : {1, -1}) {
+      if (is_cancelled(control_)) return false;
+      graph_.of(sign).settle_faces(tree_, classifier_);
+      if (!graph_.looks_everywhere()) graph_.of(sign).climb_from_given_up(tree_, classifier_);
+      request_bare(sign);
+      request_contested(sign);
+      if (graph_.looks_everywhere()) request_open(sign);
+    }
+    make_unique(requests_);
+    if (requests_.size() > budget_) requests_.clear();
+    budget_ -= requests_.size();
+    if (requests_.empty() && !has_examined_) reconsider();
+    return !done_;
+  }
+
+  /// After the requested leaves were divided.
+  void take_in_children() {
+    const RoundingUpward rounding;
+    for (const NodeIndex node : requests_) {
+      if (is_cancelled(control_)) return;
+      const NodeIndex first = tree_.first_child(node);
+      for (NodeIndex child = first; child < first + tree_.children_per_node(); ++child)
+        classify(tree_, classifier_, mode(), child, detail(child));
+    }
+    for (const NodeIndex node : requests_)
+      if (!is_cancelled(control_)) graph_.replace(tree_, node);
+  }
+
+  std::size_t mode() const noexcept { return graph_.mode(); }
+  const std::vector<NodeIndex>& requests() const noexcept { return requests_; }
+
+ private:
+  /// When nothing is left to do.
+  void reconsider() {
+    done_ = graph_.looks_everywhere() || chances_ == 0;
+    if (done_) return;
+    --chances_;
+    for (const int sign : {1, -1}) graph_.of(sign).reconsider();
+  }
+
+  static void make_unique(std::vector<NodeIndex>& nodes) {
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  }
+
+  Detail detail(NodeIndex node) const {
+    if (!graph_.looks_everywhere()) return Detail::centers;
+    const bool thorough = tree_.dimension() <= most_freedoms_to_count ||
+                          tree_.place(node).level >= base_level_ + levels_before_all_parts;
+    return thorough ? Detail::all_parts : Detail::parts;
+  }
+
+  /// Keeps what the graph has proved of the leaf.
+  void examine(NodeIndex node) {
+    const LeafState before = tree_.state(node, mode());
+    classify(tree_, classifier_, mode(), node, Detail::all_parts);
+    LeafState& state = tree_.state(node, mode());
+    for (const int sign : {1, -1}) {
+      if (!before.may_be(sign) && state.may_be(sign)) state = state.without(sign);
+      if (before.is_whole(sign) && state.is_undecided() && state.may_be(sign)) state = state.with_whole(sign);
+    }
+    graph_.take_in_proof(tree_, node);
+    has_examined_ = true;
+  }
+
+  void request(NodeIndex node) {
+    if (tree_.place(node).level < deepest_level_) requests_.push_back(node);
+  }
+
+  void request_bare(int sign) {
+    for (const NodeIndex node : graph_.of(sign).climb_from_new(tree_, classifier_, graph_.looks_everywhere()))
+      if (graph_.looks_everywhere()) request(node);
+  }
+
+  void request_contested(int sign) {
+    SignGraph& graph = graph_.of(sign);
+    ContactChoice& choice = sign > 0 ? positive_contacts_ : negative_contacts_;
+    if (graph_.looks_everywhere()) {
+      const SignGraph::Meeting meeting = graph.meeting();
+      for (const NodeIndex node : choice.choose(graph, meeting.contacts)) request(node);
+      if (meeting.hidden.size() <= most_open_leaves) request_coarsest(meeting.hidden);
+      return;
+    }
+    for (const NodeIndex node : choice.choose(graph, ContactSearch(tree_, graph, control_).run())) {
+      if (is_cancelled(control_)) return;
+      const bool is_new = graph.is_unexamined(node);
+      if (is_new) examine(node);
+      if (!is_new || !graph.is_settled(node)) request(node);
+    }
+  }
+
+  void request_open(int sign) {
+    std::vector<NodeIndex> leaves;
+    const std::uint32_t level =
+        tree_.dimension() <= most_freedoms_to_count ? deepest_level_ : level_of_open_leaves;
+    for (const SignGraph::OpenLeaf& open : graph_.of(sign).open_leaves())
+      if (open.node != no_node && tree_.place(open.node).level < level) leaves.push_back(open.node);
+    if (leaves.size() <= most_open_leaves) request_coarsest(leaves);
+  }
+
+  void request_coarsest(const std::vector<NodeIndex>& leaves) {
+    for (const NodeIndex node : coarsest_of(tree_, leaves)) request(node);
+  }
+
+  PoseTree& tree_;
+  const BoxClassifier& classifier_;
+  LeafGraph& graph_;
+  const MapControl& control_;
+  std::uint32_t deepest_level_, base_level_;
+  ContactChoice positive_contacts_, negative_contacts_;
+  std::size_t budget_;  // of leaves to divide
+  int chances_ = 3;     // of components that were given up
+  bool done_ = false, has_examined_ = false;
+  std::vector<NodeIndex> requests_;
+};
+
+}  // namespace
+
+bool looks_everywhere(const PoseTree& tree, std::size_t mode) noexcept {
+  return tree.dimension() <= most_freedoms_to_count ||
+         undecided_leaves(tree, mode) <= most_leaves_to_look_into;
+}
+
+void look_into_leaves(PoseTree& tree, const BoxClassifier& classifier, std::size_t mode,
+                      const MapControl& control) {
+  if (detail_of_base_map(tree.dimension()) != Detail::centers) return;
+  const RoundingUpward rounding;
+  for (NodeIndex node = 0; node < tree.node_count() && !is_cancelled(control); ++node)
+    if (tree.state(node, mode).is_undecided()) classify(tree, classifier, mode, node, Detail::parts);
+}
+
+bool refine_contested(PoseTree& tree, const BoxClassifier& classifier,
+                      const std::vector<std::unique_ptr<LeafGraph>>& graphs, std::uint32_t base_level,
+                      std::uint32_t deepest_level, const MapControl& control) {
+  std::vector<ModeRefinement> modes;
+  for (const auto& graph : graphs)
+    modes.emplace_back(tree, classifier, *graph, base_level, deepest_level, control);
+  for (bool busy = true; busy;) {
+    if (is_cancelled(control)) return false;
+    std::atomic<bool> found = false;
+    tbb::parallel_for(std::size_t{0}, modes.size(), [&](std::size_t i) {
+      if (modes[i].find_requests()) found = true;
+    });
+    if (is_cancelled(control)) return false;
+    busy = found;
+    for (const ModeRefinement& mode : modes) {
+      for (const NodeIndex node : mode.requests())
+        tree.divide(node, [&mode](std::size_t each) { return each == mode.mode(); });
+    }
+    tbb::parallel_for(std::size_t{0}, modes.size(), [&](std::size_t i) { modes[i].take_in_children(); });
+  }
+  return true;
+}
+
+}  // namespace parallel_aspects

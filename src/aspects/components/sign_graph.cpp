@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "aspects/components/sign_graph.h"
+
+#include "aspects/boxes/part_proof.h"
+#include "aspects/components/climb.h"
+
+#include <algorithm>
+#include <map>
+
+namespace parallel_aspects {
+namespace {
+
+constexpr int most_steps = 100;
+
+// Of a component that was given up.
+constexpr std::size_t most_leaves_of_a_small_one = 1000;
+constexpr std::size_t most_climbs = 32;
+
+}  // namespace
+
+void SignGraph::add_leaf(const PoseTree& tree, NodeIndex node) {
+  if (slot_.size() < tree.node_count()) slot_.resize(tree.node_count(), none);
+  const LeafState state = tree.state(node, mode_);
+  if (!state.may_be(sign_)) return;
+  if (!state.is_whole(sign_)) {
+    slot_[node] = static_cast<std::uint32_t>(open_.size()) | open_flag;
+    open_.push_back({node, false, {}});
+    return;
+  }
+  slot_[node] = components_.add();
+  traits_.push_back({state.is_inside(sign_)});
+  new_leaves_.push_back(node);
+  members_.push_back(node);
+}
+
+void SignGraph::take_in_proof(const PoseTree& tree, NodeIndex node) {
+  if (!is_open(node)) return;
+  open_leaf(node).is_examined = true;
+  if (tree.state(node, mode_).may_be(sign_) && !tree.state(node, mode_).is_whole(sign_)) return;
+  const std::vector<NodeIndex> neighbours = open_leaf(node).neighbours;
+  for (const NodeIndex neighbour : neighbours) forget_neighbour(neighbour, node);
+  open_leaf(node) = {};
+  slot_[node] = none;
+  add_leaf(tree, node);
+  for (const NodeIndex neighbour : neighbours) connect(tree, node, neighbour);
+}
+
+void SignGraph::unite(NodeIndex a, NodeIndex b) {
+  const std::uint32_t one = component(a), other = component(b);
+  if (one == other) return;
+  const Traits &larger = traits_[traits_[one].leaves < traits_[other].leaves ? other : one],
+               &smaller = traits_[&larger == &traits_[one] ? other : one];
+  const Traits traits{larger.has_inside_leaf || smaller.has_inside_leaf, larger.climbed || smaller.climbed,
+                      larger.is_given_up, larger.leaves + smaller.leaves};
+  components_.unite(one, other);
+  traits_[component(a)] = traits;
+}
+
+void SignGraph::connect(const PoseTree& tree, NodeIndex a, NodeIndex b) {
+  if (a == b || slot_[a] == none || slot_[b] == none) return;
+  if (is_in_component(a) && is_in_component(b)) {
+    const bool inside = tree.state(a, mode_).is_inside(sign_) || tree.state(b, mode_).is_inside(sign_);
+    if (inside)
+      unite(a, b);
+    else
+      faces_.emplace_back(a, b);
+    return;
+  }
+  if (is_open(a)) open_leaf(a).neighbours.push_back(b);
+  if (is_open(b)) open_leaf(b).neighbours.push_back(a);
+}
+
+void SignGraph::settle_faces(const PoseTree& tree, const BoxClassifier& classifier) {
+  std::vector<std::pair<NodeIndex, NodeIndex>> faces;
+  faces.swap(faces_);
+  for (std::size_t i = 0; i < faces.size() && !is_cancelled(control_); ++i)
+    settle(tree, classifier, faces[i].first, faces[i].second);
+}
+
+void SignGraph::settle(const PoseTree& tree, const BoxClassifier& classifier, NodeIndex a, NodeIndex b) {
+  if (slot_[a] == none || slot_[b] == none || component(a) == component(b)) return;
+  bool known = true;
+  for (const SharedFace& face : shared_faces(tree, a, b)) {
+    const Part part = find_part(classifier, mode_, sign_, face.root, face.box);
+    if (part.kind == Part::Kind::connected) return unite(a, b);
+    known = known && part.kind == Part::Kind::empty;
+  }
+  if (!known) unsure_faces_.emplace_back(a, b);
+}
+
+void SignGraph::forget_neighbour(NodeIndex node, NodeIndex old_neighbour) {
+  if (!is_open(node)) return;
+  auto& list = open_leaf(node).neighbours;
+  list.erase(std::remove(list.begin(), list.end(), old_neighbour), list.end());
+}
+
+void SignGraph::replace(PoseTree& tree, NodeIndex node) {
+  slot_.resize(tree.node_count(), none);
+  const std::uint32_t old_slot = slot_[node];
+  std::vector<NodeIndex> children;
+  for (NodeIndex rank = 0; rank < tree.children_per_node(); ++rank) {
+    children.push_back(tree.first_child(node) + rank);
+    LeafState& state = tree.state(children.back(), mode_);
+    if (old_slot == none && state.may_be(sign_)) state = state.without(sign_);
+  }
+  if (old_slot == none) return;
+  const std::vector<NodeIndex> neighbours = neighbour_leaves(tree, mode_, node);
+  for (const NodeIndex neighbour : neighbours) forget_neighbour(neighbour, node);
+  if (is_in_component(node)) {
+    replace_whole(tree, node, children);
+  } else {
+    open_leaf(node) = {};
+    for (const NodeIndex child : children) add_leaf(tree, child);
+    for (std::size_t i = 0; i < children.size(); ++i)
+      for (std::size_t j = i + 1; j < children.size(); ++j)
+        if (share_face(tree, children[i], children[j])) connect(tree, children[i], children[j]);
+  }
+  for (const NodeIndex child : children)
+    for (const NodeIndex neighbour : neighbours)
+      if (slot_[child] != none && slot_[neighbour] != none && share_face(tree, child, neighbour))
+        connect(tree, child, neighbour);
+  slot_[node] = none;
+}
+
+/// All that the children hold of the set is in the component that the leaf was in.
+void SignGraph::replace_whole(PoseTree& tree, NodeIndex node, const std::vector<NodeIndex>& children) {
+  const std::uint32_t whole = component(node);
+  for (const NodeIndex child : children) {
+    LeafState& state = tree.state(child, mode_);
+    if (!state.may_be(sign_)) continue;
+    slot_[child] = whole;
+    members_.push_back(child);
+    ++traits_[whole].leaves;
+    if (state.is_inside(sign_))
+      traits_[whole].has_inside_leaf = true;
+    else
+      state = state.with_whole(sign_);
+    if (!traits_[whole].has_inside_leaf) new_leaves_.push_back(child);
+  }
+}
+
+std::vector<NodeIndex> SignGraph::climb_from_new(PoseTree& tree, const BoxClassifier& classifier,
+                                                 bool bare_too) {
+  std::vector<NodeIndex> bare, leaves;
+  leaves.swap(new_leaves_);
+  if (!has_climbed_ && !leaves.empty()) traits_[largest_component()].climbed = has_climbed_ = true;
+  for (const NodeIndex leaf : leaves) {
+    if (is_cancelled(control_)) break;
+    if (slot_[leaf] == none || !tree.state(leaf, mode_).is_leaf()) continue;
+    Traits& traits = traits_[component(leaf)];
+    if (!traits.climbed && (traits.has_inside_leaf || bare_too)) {
+      const Part part = witness(tree, classifier, leaf);
+      if (part.kind == Part::Kind::empty) {
+        drop(tree, leaf);
+        continue;
+      }
+      if (part.kind != Part::Kind::unknown) climb(tree, classifier, leaf, part.pose);
+    }
+    if (!traits_[component(leaf)].has_inside_leaf) bare.push_back(leaf);
+  }
+  return bare;
+}
+
+void SignGraph::give_up(std::uint32_t component) {
+  if (traits_[component].is_given_up) return;
+  traits_[component].is_given_up = true;
+  if (traits_[component].leaves <= most_leaves_of_a_small_one) given_up_.push_back(component);
+}
+
+void SignGraph::reconsider() noexcept {
+  for (Traits& traits : traits_)
+    if (traits.leaves <= most_leaves_of_a_small_one) traits.is_given_up = false;
+}
+
+void SignGraph::climb_from_given_up(const PoseTree& tree, const BoxClassifier& classifier) {
+  std::map<std::uint32_t, std::vector<NodeIndex>> leaves;
+  for (const std::uint32_t component : given_up_) leaves[components_.find(component)];
+  given_up_.clear();
+  if (leaves.empty()) return;
+  for (const NodeIndex leaf : members_) {
+    if (slot_[leaf] == none || !tree.state(leaf, mode_).is_inside(sign_)) continue;
+    const auto found = leaves.find(component(leaf));
+    if (found != leaves.end()) found->second.push_back(leaf);
+  }
+  for (const auto& [component, members] : leaves) {
+    const std::size_t step = members.size() / most_climbs + 1;
+    for (std::size_t i = 0; i < members.size() && !is_cancelled(control_); i += step)
+      if (components_.find(component) == component)
+        climb(tree, classifier, members[i], tree.box(members[i]).middle());
+  }
+}
+
+Part SignGraph::witness(const PoseTree& tree, const BoxClassifier& classifier, NodeIndex leaf) const {
+  const Box box = tree.box(leaf);
+  if (tree.state(leaf, mode_).is_inside(sign_)) return {Part::Kind::connected, box.middle()};
+  const Part part = find_part_or_wedge(classifier, mode_, sign_, tree.place(leaf).root, box);
+  return part.kind != Part::Kind::joined || tree.region().contains(part.pose) ? part : Part{};
+}
+
+std::uint32_t SignGraph::largest_component() {
+  std::uint32_t largest = none;
+  for (std::uint32_t i = 0; i < traits_.size(); ++i)
+    if (components_.find(i) == i && (largest == none || traits_[i].leaves > traits_[largest].leaves))
+      largest = i;
+  return largest;
+}
+
+void SignGraph::climb(const PoseTree& tree, const BoxClassifier& classifier, NodeIndex leaf,
+                      const MapPoint& pose) {
+  traits_[component(leaf)].climbed = true;
+  Climb climb(classifier, tree.space(), mode_, sign_, {tree.place(leaf).root, pose});
+  for (int i = 0; i <= most_steps; ++i) {
+    const auto here = tree.leaf_at(climb.position(), mode_);
+    if (here && slot_[*here] != none && is_in_component(*here) && component(*here) != component(leaf))
+      return unite(leaf, *here);
+    if (!climb.step()) return;
+  }
+}
+
+void SignGraph::drop(PoseTree& tree, NodeIndex node) {
+  LeafState& state = tree.state(node, mode_);
+  state = state.without(sign_);
+  slot_[node] = none;
+}
+
+void SignGraph::compare(const Contact& contact, std::vector<Contact>& contacts) {
+  if (component(contact.leaf) != component(contact.other_leaf)) contacts.push_back(contact);
+}
+
+void SignGraph::start_from_components(Meeting& meeting, std::vector<std::uint32_t>& queue) {
+  for (std::uint32_t v = 0; v < open_.size() && !is_cancelled(control_); ++v) {
+    if (open_[v].node == no_node) continue;
+    for (const NodeIndex neighbour : open_[v].neighbours) {
+      if (slot_[neighbour] == none || !is_in_component(neighbour)) continue;
+      if (meeting.nearest[v] == no_node) {
+        meeting.nearest[v] = neighbour;
+        queue.push_back(v);
+      } else {
+        compare({open_[v].node, open_[v].node, meeting.nearest[v], neighbour}, meeting.contacts);
+      }
+    }
+  }
+}
+
+void SignGraph::spread(Meeting& meeting, std::vector<std::uint32_t>& queue) {
+  for (std::size_t head = 0; head < queue.size() && !is_cancelled(control_); ++head) {
+    const std::uint32_t v = queue[head];
+    for (const NodeIndex neighbour : open_[v].neighbours) {
+      if (!is_open(neighbour)) continue;
+      const std::uint32_t w = slot_[neighbour] & ~open_flag;
+      if (meeting.nearest[w] == no_node) {
+        meeting.nearest[w] = meeting.nearest[v];
+        queue.push_back(w);
+      } else if (v < w) {
+        compare({open_[v].node, neighbour, meeting.nearest[v], meeting.nearest[w]}, meeting.contacts);
+      }
+    }
+  }
+}
+
+SignGraph::Meeting SignGraph::meeting() {
+  Meeting meeting;
+  meeting.nearest.assign(open_.size(), no_node);
+  std::vector<std::uint32_t> queue;
+  start_from_components(meeting, queue);
+  spread(meeting, queue);
+  for (std::uint32_t v = 0; v < open_.size(); ++v)
+    if (meeting.nearest[v] == no_node && open_[v].node != no_node) meeting.hidden.push_back(open_[v].node);
+  add_contacts_of_faces(meeting.contacts);
+  return meeting;
+}
+
+void SignGraph::add_contacts_of_faces(std::vector<Contact>& contacts) {
+  visit_unsure_faces([&](NodeIndex a, NodeIndex b) { compare({a, b, a, b}, contacts); });
+}
+
+}  // namespace parallel_aspects

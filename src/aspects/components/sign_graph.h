@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASPECTS_COMPONENTS_SIGN_GRAPH_H
+#define PARALLEL_ASPECTS_ASPECTS_COMPONENTS_SIGN_GRAPH_H
+
+#include "aspects/boxes/box_classifier.h"
+#include "aspects/boxes/part_proof.h"
+#include "aspects/components/disjoint_sets.h"
+#include "aspects/tree/neighbour_leaves.h"
+#include "aspects/tree/pose_tree.h"
+#include "parallel_aspects/aspects/map_control.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// How the leaves of one working mode s that may hold poses of S(s, sigma) hang together, for one sigma.
+///
+/// Leaves that are inside, and whole parts of undecided leaves, are joined to *components*, each proved
+/// connected: an inside leaf with everything of S(s, sigma) in leaves that share a face with it, two whole
+/// parts where their common face is proved to hold poses of both. All other leaves are *open*: what of
+/// S(s, sigma) is in them, and how it hangs together, is not known.
+class SignGraph {
+ public:
+  static constexpr std::uint32_t none = 0xffffffffU;
+
+  /// Long work ends early, and unfinished, when `control` says that it is cancelled; it must outlive this.
+  SignGraph(std::size_t mode, int sign, const MapControl& control)
+      : mode_(mode), sign_(sign), control_(control) {}
+
+  int sign() const noexcept { return sign_; }
+
+  /// Takes in a leaf, if it may hold poses of the set; then tell it from all its neighbours by `connect`.
+  void add_leaf(const PoseTree& tree, NodeIndex node);
+  void connect(const PoseTree& tree, NodeIndex a, NodeIndex b);
+
+  /// Joins what is proved to hang together across faces of whole parts, and forgets faces that are proved to
+  /// hold nothing of the set. Needs a live `RoundingUpward`.
+  void settle_faces(const PoseTree& tree, const BoxClassifier& classifier);
+
+  /// After a leaf was divided and its children were classified.
+  void replace(PoseTree& tree, NodeIndex node);
+
+  /// Joins components that are new since the last call to others by a `Climb`; those without an inside leaf
+  /// only where `bare_too`. Returns leaves of those that have no inside leaf after that. Needs a live
+  /// `RoundingUpward`.
+  std::vector<NodeIndex> climb_from_new(PoseTree& tree, const BoxClassifier& classifier, bool bare_too);
+
+  /// Climbs again from small components that were given up since the last call, from several of their leaves.
+  /// Needs a live `RoundingUpward`.
+  void climb_from_given_up(const PoseTree& tree, const BoxClassifier& classifier);
+
+  /// Forgets a whole part that is proved empty.
+  void drop(PoseTree& tree, NodeIndex node);
+
+  /// Two leaves through which two components could hang together, and the leaf of each component that is
+  /// nearest to them.
+  struct Contact {
+    NodeIndex node, other_node;
+    NodeIndex leaf, other_leaf;
+  };
+
+  struct Meeting {
+    std::vector<NodeIndex> nearest;  ///< a leaf of the component nearest to each open leaf, or `no_node`
+    std::vector<Contact> contacts;
+    std::vector<NodeIndex> hidden;  ///< open leaves that no component is near to: aspects may hide there
+  };
+  Meeting meeting();
+
+  /// The contacts of this component, by its number, are not worth more work.
+  void give_up(std::uint32_t component);
+  /// Takes up again what was given up of small components: their contacts may have become fewer.
+  void reconsider() noexcept;
+  bool is_given_up(std::uint32_t component) const noexcept { return traits_[component].is_given_up; }
+
+  /// Whether the component holds an inside leaf, so that it is not empty.
+  bool is_listed(std::uint32_t component) const noexcept { return traits_[component].has_inside_leaf; }
+
+  std::uint32_t smaller_of(std::uint32_t a, std::uint32_t b) const noexcept {
+    return traits_[a].leaves < traits_[b].leaves ? a : b;
+  }
+
+  /// All leaves of components, and some that were divided.
+  const std::vector<NodeIndex>& members() const noexcept { return members_; }
+
+  /// The number of the component with the most leaves; `none` where there is none.
+  std::uint32_t largest_component();
+
+  /// Calls `visit` with the leaves beside one through which what it holds of the set may go on, but for whole
+  /// parts beside whole parts: those are told by `visit_unsure_faces`.
+  template <class Visitor>
+  void visit_ways_on(const PoseTree& tree, NodeIndex node, const Visitor& visit) const {
+    if (is_in_component(node)) return visit_open_leaves_beside(tree, node, visit);
+    for (const NodeIndex leaf : open_[slot_[node] & ~open_flag].neighbours)
+      if (!holds_nothing(leaf)) visit(leaf);
+  }
+
+  /// Calls `visit` with pairs of whole parts whose common face is not known to be empty.
+  template <class Visitor>
+  void visit_unsure_faces(const Visitor& visit) const {
+    for (const auto* faces : {&faces_, &unsure_faces_})
+      for (const auto& [a, b] : *faces)
+        if (!holds_nothing(a) && !holds_nothing(b)) visit(a, b);
+  }
+
+  bool holds_nothing(NodeIndex node) const noexcept { return slot_[node] == none; }
+
+  /// An undecided leaf of which it is not known what it holds.
+  struct OpenLeaf {
+    NodeIndex node = no_node;  ///< no_node once it was divided
+    bool is_examined = false;  ///< was looked into again
+    std::vector<NodeIndex> neighbours;
+  };
+  const std::vector<OpenLeaf>& open_leaves() const noexcept { return open_; }
+
+  /// Whether a leaf that may hold poses of the set is open, and was not looked into again.
+  bool is_unexamined(NodeIndex node) const noexcept {
+    return is_open(node) && !open_[slot_[node] & ~open_flag].is_examined;
+  }
+
+  /// Whether a leaf is known to hold nothing of the set, or only poses of the component that it is in.
+  bool is_settled(NodeIndex node) const noexcept { return holds_nothing(node) || is_in_component(node); }
+
+  /// After more was proved of an open leaf.
+  void take_in_proof(const PoseTree& tree, NodeIndex node);
+
+  bool is_in_component(NodeIndex node) const noexcept { return (slot_[node] & open_flag) == 0; }
+
+  /// The component of a leaf that is in one: the same number for all leaves of it.
+  std::uint32_t component(NodeIndex node) noexcept { return components_.find(slot_[node]); }
+
+  /// More than the number of any component.
+  std::size_t component_bound() const noexcept { return components_.size(); }
+
+ private:
+  static constexpr std::uint32_t open_flag = 0x80000000U;
+
+  template <class Visitor>
+  void visit_open_leaves_beside(const PoseTree& tree, NodeIndex node, const Visitor& visit) const {
+    for (const NodeIndex leaf : neighbour_leaves(tree, mode_, node))
+      if (is_open(leaf)) visit(leaf);
+  }
+
+  bool is_open(NodeIndex node) const noexcept { return slot_[node] != none && !is_in_component(node); }
+  OpenLeaf& open_leaf(NodeIndex node) noexcept { return open_[slot_[node] & ~open_flag]; }
+
+  struct Traits {
+    bool has_inside_leaf = false, climbed = false, is_given_up = false;
+    std::size_t leaves = 1;  // at least; some may have been divided since
+  };
+
+  void unite(NodeIndex a, NodeIndex b);
+  Part witness(const PoseTree& tree, const BoxClassifier& classifier, NodeIndex leaf) const;
+  void climb(const PoseTree& tree, const BoxClassifier& classifier, NodeIndex leaf, const MapPoint& pose);
+  void settle(const PoseTree& tree, const BoxClassifier& classifier, NodeIndex a, NodeIndex b);
+  void replace_whole(PoseTree& tree, NodeIndex node, const std::vector<NodeIndex>& children);
+  void forget_neighbour(NodeIndex node, NodeIndex old_neighbour);
+  void start_from_components(Meeting& meeting, std::vector<std::uint32_t>& queue);
+  void spread(Meeting& meeting, std::vector<std::uint32_t>& queue);
+  void compare(const Contact& contact, std::vector<Contact>& contacts);
+  void add_contacts_of_faces(std::vector<Contact>& contacts);
+
+  std::size_t mode_;
+  int sign_;
+  const MapControl& control_;
+  std::vector<std::uint32_t> slot_;  // of a node: element of `components_`, or open leaf with `open_flag`
+  DisjointSets components_;
+  std::vector<Traits> traits_;  // by component
+  std::vector<OpenLeaf> open_;
+  bool has_climbed_ = false;
+  std::vector<std::uint32_t> given_up_;                 // components, since the last climb from them
+  std::vector<NodeIndex> new_leaves_;                   // in components, since the last climb
+  std::vector<NodeIndex> members_;                      // of components, and leaves that were divided since
+  std::vector<std::pair<NodeIndex, NodeIndex>> faces_;  // between whole parts, not looked at yet
+  std::vector<std::pair<NodeIndex, NodeIndex>> unsure_faces_;  // and those without a proof
+};
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ASPECTS_COMPONENTS_SIGN_GRAPH_H

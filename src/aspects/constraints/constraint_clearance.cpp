@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "aspects/constraints/constraint_clearance.h"
+
+#include "aspects/constraints/closest_points.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace parallel_aspects {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double joint_tolerance = 1e-9;  // of the size of the robot: points that are closer are one joint
+constexpr int parts_in_box = 32;
+
+struct Body {
+  Vector3d from, to;
+  double radius = 0.0;
+  LinkName link;
+};
+
+double direction_of(const Vector3d& vector) { return std::atan2(vector.y(), vector.x()); }
+
+double side_of(const Body& line, const Vector3d& point) {
+  return (line.to - line.from).cross(point - line.from).z();
+}
+
+double distance(const Vector3d& point, const Body& body) {
+  return closest_points(point, point, body.from, body.to).difference.norm();
+}
+
+// Where segments of the plane cross, how far an end would have to go back.
+double depth(const Body& a, const Body& b) {
+  const bool cross =
+      side_of(a, b.from) * side_of(a, b.to) < 0.0 && side_of(b, a.from) * side_of(b, a.to) < 0.0;
+  return cross ? std::min({distance(a.from, b), distance(a.to, b), distance(b.from, a), distance(b.to, a)})
+               : 0.0;
+}
+
+class Configuration {
+ public:
+  Configuration(const Manipulator& robot, const Pose& pose, const JointVector& q)
+      : robot_(robot), constraints_(robot.constraints()), pose_(pose), q_(q) {}
+
+  double in_workspace() const {
+    double least = infinity;
+    if (!constraints_.workspace) return least;
+    const auto count = static_cast<Eigen::Index>(directions(robot_.task_space()));
+    for (Eigen::Index i = 0; i < count; ++i)
+      least = std::min({least, pose_.position[i] - constraints_.workspace->lower[i],
+                        constraints_.workspace->upper[i] - pose_.position[i]});
+    return least;
+  }
+
+  double of_passive_joints() const {
+    double least = infinity;
+    for (const PassiveLimit& limit : constraints_.passive_limits) {
+      const JointLimits& range = limit.limits;
+      const double value = limit.sense * (angle(limit) - limit.offset);
+      const double off = std::remainder(value - 0.5 * (range.lower + range.upper), 2.0 * EIGEN_PI);
+      least = std::min(least, 0.5 * (range.upper - range.lower) - std::abs(off));
+    }
+    return least;
+  }
+
+  double of_links() const {
+    double least = infinity;
+    if (!constraints_.self_collision) return least;
+    const std::vector<Body> bodies = links();
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+      for (std::size_t j = i + 1; j < bodies.size(); ++j)
+        if (can_touch(bodies[i], bodies[j])) least = std::min(least, between(bodies[i], bodies[j]));
+    return least;
+  }
+
+  double of_obstacles() const {
+    double least = infinity;
+    if (constraints_.obstacles.empty()) return least;
+    std::vector<Body> bodies = links();
+    add_platform(bodies);
+    for (const Obstacle& obstacle : constraints_.obstacles)
+      for (const Body& body : bodies)
+        least = std::min(
+            least, std::visit([&body](const auto& shape) { return from(body, shape); }, obstacle.shape));
+    return least;
+  }
+
+ private:
+  Vector3d anchor(std::size_t j) const { return pose_.transform(robot_.leg(j).anchor); }
+  Vector3d joint(std::size_t j) const {
+    return robot_.leg(j).proximal_point(q_[static_cast<Eigen::Index>(j)]);
+  }
+
+  std::vector<Body> links() const {
+    std::vector<Body> bodies;
+    for (std::size_t j = 0; j < robot_.leg_count(); ++j) {
+      bodies.push_back({joint(j), anchor(j), 0.5 * constraints_.thickness.rod, {LinkKind::rod, j}});
+      if (std::holds_alternative<RevoluteDrive>(robot_.leg(j).drive))
+        bodies.push_back(
+            {robot_.leg(j).base_point(), joint(j), 0.5 * constraints_.thickness.crank, {LinkKind::crank, j}});
+    }
+    return bodies;
+  }
+
+  void add_platform(std::vector<Body>& bodies) const {
+    if (!constraints_.thickness.platform) return;
+    const std::size_t count = robot_.leg_count();
+    for (std::size_t j = 0; j < (count > 2 ? count : count - 1); ++j)
+      bodies.push_back({anchor(j), anchor((j + 1) % count), 0.5 * *constraints_.thickness.platform, {}});
+  }
+
+  bool can_touch(const Body& a, const Body& b) const {
+    if (a.link.leg == b.link.leg) return false;
+    for (const auto& [one, other] : constraints_.self_collision->ignored)
+      if ((one == a.link && other == b.link) || (one == b.link && other == a.link)) return false;
+    if (a.link.kind != b.link.kind) return true;
+    const Leg &leg = robot_.leg(a.link.leg), &other = robot_.leg(b.link.leg);
+    const Vector3d apart = a.link.kind == LinkKind::rod ? Vector3d(leg.anchor - other.anchor)
+                                                        : Vector3d(leg.base_point() - other.base_point());
+    return apart.norm() > joint_tolerance * robot_.size();
+  }
+
+  double between(const Body& a, const Body& b) const {
+    const double apart = closest_points(a.from, a.to, b.from, b.to).difference.norm();
+    return (is_planar(robot_.task_space()) ? apart - depth(a, b) : apart) - a.radius - b.radius;
+  }
+
+  double angle(const PassiveLimit& limit) const {
+    const double rod = direction_of(anchor(limit.leg) - joint(limit.leg));
+    switch (limit.angle) {
+      case PassiveAngle::base_to_rod:
+        return rod;
+      case PassiveAngle::crank_to_rod:
+        return rod - direction_of(joint(limit.leg) - robot_.leg(limit.leg).base_point());
+      case PassiveAngle::rod_to_platform:
+        break;
+    }
+    return direction_of(pose_.orientation * Vector3d::UnitX()) - rod;
+  }
+
+  static double from(const Body& body, const BallObstacle& ball) {
+    return distance(ball.center, body) - ball.radius - body.radius;
+  }
+
+  static double from(const Body& body, const BoxObstacle& box) {
+    const Eigen::Quaterniond to_box = box.orientation.conjugate();
+    const Vector3d begin = to_box * (body.from - box.center), end = to_box * (body.to - box.center);
+    const double apart = closest_point_to_box(begin, end, box.half_size).difference.norm();
+    if (apart > 0.0) return apart - body.radius;
+    double deepest = 0.0;
+    for (int i = 0; i <= parts_in_box; ++i) {
+      const Vector3d point = begin + (end - begin) * i / parts_in_box;
+      Vector3d below = box.half_size - point.cwiseAbs();
+      if (box.half_size.z() == 0.0) below.z() = infinity;  // a rectangle
+      deepest = std::max(deepest, below.minCoeff());
+    }
+    return -deepest - body.radius;
+  }
+
+  const Manipulator& robot_;
+  const Constraints& constraints_;
+  const Pose& pose_;
+  const JointVector& q_;
+};
+
+}  // namespace
+
+double constraint_clearance(const Manipulator& manipulator, ConstraintKind kind, const Pose& pose,
+                            const JointVector& q) {
+  const Configuration configuration(manipulator, pose, q);
+  switch (kind) {
+    case ConstraintKind::passive_limits:
+      return configuration.of_passive_joints();
+    case ConstraintKind::self_collision:
+      return configuration.of_links();
+    case ConstraintKind::obstacles:
+      return configuration.of_obstacles();
+    case ConstraintKind::workspace:
+      return configuration.in_workspace();
+    case ConstraintKind::driven_limits:
+      break;
+  }
+  return infinity;
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASPECTS_CONSTRAINTS_CONSTRAINT_CLEARANCE_H
+#define PARALLEL_ASPECTS_ASPECTS_CONSTRAINTS_CONSTRAINT_CLEARANCE_H
+
+#include "parallel_aspects/model/constraints.h"
+#include "parallel_aspects/model/manipulator.h"
+#include "parallel_aspects/model/pose.h"
+
+namespace parallel_aspects {
+
+/// How far a configuration is from breaking a constraint of this kind, negative where it does: m for
+/// distances, rad for joints; infinite without such constraints, and for limits of drives, which the drive
+/// values tell. For drawing, in double precision; proves nothing. In a box it is less than the depth.
+double constraint_clearance(const Manipulator& manipulator, ConstraintKind kind, const Pose& pose,
+                            const JointVector& q);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ASPECTS_CONSTRAINTS_CONSTRAINT_CLEARANCE_H

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "aspects/constraints/constraint_tests.h"
+
+#include <algorithm>
+
+namespace parallel_aspects {
+namespace {
+
+// Of the size of the robot: points that are closer are one joint.
+constexpr double joint_tolerance = 1e-9;
+
+// Entries of a rotation matrix are a few units in the last place off, in every rounding direction.
+constexpr double entry_error = 0x1p-48;
+
+template <std::size_t D>
+Point<Interval, D> enclosed(const Eigen::Vector3d& vector, double error = 0.0) {
+  Point<Interval, D> result;
+  for (std::size_t i = 0; i < D; ++i) {
+    const double entry = vector[static_cast<Eigen::Index>(i)];
+    result[i] = {entry - error, entry + error};
+  }
+  return result;
+}
+
+bool has_crank(const Leg& leg) { return std::holds_alternative<RevoluteDrive>(leg.drive); }
+
+double width(const LinkThickness& thickness, LinkKind kind) {
+  return kind == LinkKind::crank ? thickness.crank : thickness.rod;
+}
+
+bool are_joined(const Leg& leg, LinkKind link, const Leg& other, LinkKind other_link, double tolerance) {
+  if (link != other_link) return false;
+  const Eigen::Vector3d between =
+      link == LinkKind::rod ? leg.anchor - other.anchor : leg.base_point() - other.base_point();
+  return between.norm() <= tolerance;
+}
+
+bool is_ignored(const SelfCollision& collision, const LinkName& one, const LinkName& other) {
+  return std::any_of(collision.ignored.begin(), collision.ignored.end(), [&](const auto& pair) {
+    return (pair[0] == one && pair[1] == other) || (pair[0] == other && pair[1] == one);
+  });
+}
+
+}  // namespace
+
+template <std::size_t D>
+ConstraintTests<D>::ConstraintTests(const Manipulator& manipulator)
+    : passive_limits_(manipulator.leg_count()),
+      pairs_(manipulator.leg_count(), std::vector<std::vector<LinkPair>>(manipulator.leg_count())) {
+  assert_rounding_upward();
+  const Constraints& constraints = manipulator.constraints();
+  ConstraintKinds kinds = manipulator.constraint_kinds();
+  kinds[index_of(ConstraintKind::driven_limits)] = false;
+  none_ = kinds.none();
+  const Interval half(0.5);
+  half_crank_ = half * Interval(constraints.thickness.crank);
+  half_rod_ = half * Interval(constraints.thickness.rod);
+  for (const Leg& leg : manipulator.legs()) has_crank_.push_back(has_crank(leg));
+  for (const PassiveLimit& limit : constraints.passive_limits)
+    passive_limits_[limit.leg].push_back({limit.angle, AngleLimits(limit.limits, limit.offset, limit.sense)});
+  if (constraints.self_collision) add_pairs(manipulator);
+  for (const Obstacle& obstacle : constraints.obstacles)
+    std::visit([this](const auto& shape) { add(shape); }, obstacle.shape);
+  if (constraints.thickness.platform) add_platform(manipulator);
+  if (!constraints.workspace) return;
+  workspace_directions_ = std::min(D, directions(manipulator.task_space()));
+  for (std::size_t i = 0; i < workspace_directions_; ++i) {
+    workspace_lower_[i] = constraints.workspace->lower[static_cast<Eigen::Index>(i)];
+    workspace_upper_[i] = constraints.workspace->upper[static_cast<Eigen::Index>(i)];
+  }
+}
+
+template <std::size_t D>
+void ConstraintTests<D>::add(const BallObstacle& ball) {
+  obstacles_.push_back(Ball{enclosed<D>(ball.center), Interval(ball.radius)});
+}
+
+template <std::size_t D>
+void ConstraintTests<D>::add(const BoxObstacle& box) {
+  const Eigen::Matrix3d rotation = box.orientation.toRotationMatrix();
+  Box result{enclosed<D>(box.center), {}, {}};
+  for (std::size_t i = 0; i < D; ++i) {
+    const auto axis = static_cast<Eigen::Index>(i);
+    result.axes[i] = enclosed<D>(rotation.col(axis), entry_error);
+    result.extent.half_size[i] = box.half_size[axis];
+  }
+  obstacles_.push_back(result);
+}
+
+template <std::size_t D>
+void ConstraintTests<D>::add_pairs(const Manipulator& manipulator) {
+  const Constraints& constraints = manipulator.constraints();
+  const double tolerance = joint_tolerance * manipulator.size();
+  for (std::size_t i = 0; i < manipulator.leg_count(); ++i)
+    for (std::size_t j = i + 1; j < manipulator.leg_count(); ++j)
+      for (const LinkKind one : {LinkKind::crank, LinkKind::rod})
+        for (const LinkKind other : {LinkKind::crank, LinkKind::rod}) {
+          const Leg &leg = manipulator.leg(i), &next = manipulator.leg(j);
+          if ((one == LinkKind::crank && !has_crank_[i]) || (other == LinkKind::crank && !has_crank_[j]))
+            continue;
+          if (are_joined(leg, one, next, other, tolerance)) continue;
+          if (is_ignored(*constraints.self_collision, {one, i}, {other, j})) continue;
+          pairs_[i][j].push_back({one, other,
+                                  Interval(0.5) * (Interval(width(constraints.thickness, one)) +
+                                                   Interval(width(constraints.thickness, other)))});
+        }
+}
+
+/// Its sides from anchor to anchor, in the order of the legs.
+template <std::size_t D>
+void ConstraintTests<D>::add_platform(const Manipulator& manipulator) {
+  half_platform_ = Interval(0.5) * Interval(*manipulator.constraints().thickness.platform);
+  const std::size_t count = manipulator.leg_count();
+  for (std::size_t j = 0; j < (count > 2 ? count : count - 1); ++j) {
+    const std::size_t next = (j + 1) % count;
+    if ((manipulator.leg(j).anchor - manipulator.leg(next).anchor).norm() >
+        joint_tolerance * manipulator.size())
+      platform_sides_.push_back({j, next});
+  }
+}
+
+template class ConstraintTests<2>;
+template class ConstraintTests<3>;
+
+}  // namespace parallel_aspects

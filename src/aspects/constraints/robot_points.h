@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASPECTS_CONSTRAINTS_ROBOT_POINTS_H
+#define PARALLEL_ASPECTS_ASPECTS_CONSTRAINTS_ROBOT_POINTS_H
+
+#include "aspects/constraints/constraint_tests.h"
+#include "interval/scalar_range.h"
+#include "legs/limit_verdict.h"
+#include "legs/link_points.h"
+#include "parallel_aspects/model/constraints.h"
+#include "parallel_aspects/model/vectors.h"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+
+namespace parallel_aspects {
+
+/// Where a robot is in one working mode, over some kind of enclosures.
+template <class Scalar, std::size_t D>
+struct RobotPoints {
+  std::size_t leg_count = 0;
+  std::array<LinkPoints<Scalar, D>, max_legs> legs;
+  Point<Scalar, D> position;  ///< of the operational point
+  Point<Scalar, 2> heading;   ///< x axis of the platform, where it turns in the plane
+};
+
+/// What is proved of all constraints but the limits of drives.
+template <class Scalar, std::size_t D>
+Verdict verdict(const ConstraintTests<D>& tests, const RobotPoints<Scalar, D>& robot) {
+  Verdict result = tests.workspace(robot.position);
+  std::array<Point<Scalar, D>, max_legs> anchors;
+  for (std::size_t j = 0; j < robot.leg_count && result != Verdict::fails; ++j) {
+    anchors[j] = robot.legs[j].anchor;
+    result = both(result, tests.passive_limits(j, robot.legs[j], robot.heading));
+    if (tests.has_obstacles()) result = both(result, tests.obstacles(j, robot.legs[j]));
+    for (std::size_t k = 0; k < j && result != Verdict::fails; ++k)
+      if (tests.can_collide(k, j)) result = both(result, tests.collision(k, robot.legs[k], j, robot.legs[j]));
+  }
+  if (tests.has_platform() && result != Verdict::fails) result = both(result, tests.platform(anchors));
+  return result;
+}
+
+/// A constraint that is proved to fail, but the limits of drives; nothing where none is.
+template <class Scalar, std::size_t D>
+std::optional<ConstraintKind> find_failing(const ConstraintTests<D>& tests,
+                                           const RobotPoints<Scalar, D>& robot) {
+  const auto fails = [](Verdict verdict) { return verdict == Verdict::fails; };
+  if (fails(tests.workspace(robot.position))) return ConstraintKind::workspace;
+  std::array<Point<Scalar, D>, max_legs> anchors;
+  for (std::size_t j = 0; j < robot.leg_count; ++j) {
+    anchors[j] = robot.legs[j].anchor;
+    if (fails(tests.passive_limits(j, robot.legs[j], robot.heading))) return ConstraintKind::passive_limits;
+    if (tests.has_obstacles() && fails(tests.obstacles(j, robot.legs[j]))) return ConstraintKind::obstacles;
+    for (std::size_t k = 0; k < j; ++k)
+      if (tests.can_collide(k, j) && fails(tests.collision(k, robot.legs[k], j, robot.legs[j])))
+        return ConstraintKind::self_collision;
+  }
+  if (tests.has_platform() && fails(tests.platform(anchors))) return ConstraintKind::obstacles;
+  return std::nullopt;
+}
+
+/// Every enclosure at the middle.
+template <class Scalar, std::size_t D>
+Point<Interval, D> at_center(const Point<Scalar, D>& point) {
+  Point<Interval, D> result;
+  for (std::size_t i = 0; i < D; ++i) result[i] = center_of(point[i]);
+  return result;
+}
+
+template <class Scalar, std::size_t D>
+RobotPoints<Interval, D> at_center(const RobotPoints<Scalar, D>& robot) {
+  RobotPoints<Interval, D> result;
+  result.leg_count = robot.leg_count;
+  for (std::size_t j = 0; j < robot.leg_count; ++j)
+    result.legs[j] = {at_center(robot.legs[j].base), at_center(robot.legs[j].joint),
+                      at_center(robot.legs[j].anchor)};
+  result.position = at_center(robot.position);
+  result.heading = at_center(robot.heading);
+  return result;
+}
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ASPECTS_CONSTRAINTS_ROBOT_POINTS_H

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "aspects/file/constraint_key.h"
+
+#include <array>
+#include <cctype>
+#include <cstdio>
+#include <initializer_list>
+
+namespace parallel_aspects {
+namespace {
+
+std::string numbers(std::initializer_list<double> values) {
+  std::string text;
+  for (const double value : values) {
+    std::array<char, 40> digits{};
+    std::snprintf(digits.data(), digits.size(), " %.17g", value);
+    text += digits.data();
+  }
+  return text;
+}
+
+std::string numbers(const Eigen::Vector3d& v) { return numbers({v.x(), v.y(), v.z()}); }
+
+// A name stays in its line.
+std::string printable(std::string text) {
+  for (char& character : text)
+    if (std::iscntrl(static_cast<unsigned char>(character)) != 0) character = '?';
+  return text;
+}
+
+std::string line(const PassiveLimit& limit) {
+  return "passive joint '" + printable(limit.joint) + "' of leg " + std::to_string(limit.leg + 1) +
+         ", angle " + std::to_string(static_cast<int>(limit.angle)) +
+         numbers({limit.offset, limit.sense, limit.limits.lower, limit.limits.upper}) + "\n";
+}
+
+std::string line(const BallObstacle& ball) { return " ball" + numbers(ball.center) + numbers({ball.radius}); }
+
+std::string line(const BoxObstacle& box) {
+  const Eigen::Vector4d& q = box.orientation.coeffs();
+  return " box" + numbers(box.center) + numbers({q[0], q[1], q[2], q[3]}) + numbers(box.half_size);
+}
+
+std::string lines(const SelfCollision& collision) {
+  std::string text = "links of two legs do not touch\n";
+  for (const auto& [one, other] : collision.ignored)
+    text += "but " + to_string(one) + " may touch " + to_string(other) + "\n";
+  return text;
+}
+
+}  // namespace
+
+std::string constraint_key(const Constraints& constraints) {
+  std::string key;
+  for (const PassiveLimit& limit : constraints.passive_limits) key += line(limit);
+  const bool links = constraints.self_collision || !constraints.obstacles.empty();
+  if (links)
+    key += "thickness of crank, rod and platform" +
+           numbers({constraints.thickness.crank, constraints.thickness.rod,
+                    constraints.thickness.platform.value_or(-1.0)}) +
+           "\n";
+  if (constraints.self_collision) key += lines(*constraints.self_collision);
+  for (const Obstacle& obstacle : constraints.obstacles)
+    key += "obstacle" + std::visit([](const auto& shape) { return line(shape); }, obstacle.shape) + "\n";
+  if (constraints.workspace)
+    key += "workspace" + numbers(constraints.workspace->lower) + numbers(constraints.workspace->upper) + "\n";
+  return key;
+}
+
+}  // namespace parallel_aspects

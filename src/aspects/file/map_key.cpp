@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "aspects/file/map_key.h"
+
+#include "aspects/file/constraint_key.h"
+#include "model/coefficients.h"
+
+#include <array>
+#include <cctype>
+#include <cstddef>
+#include <cstdio>
+#include <initializer_list>
+#include <sstream>
+
+namespace parallel_aspects {
+namespace {
+
+std::string number(double value) {
+  std::array<char, 40> text{};
+  std::snprintf(text.data(), text.size(), "%.17g", value);
+  return text.data();
+}
+
+// A name stays in its line.
+std::string printable(std::string text) {
+  for (char& character : text)
+    if (std::iscntrl(static_cast<unsigned char>(character)) != 0) character = '?';
+  return text;
+}
+
+/// The lines of one leg.
+class LegLines {
+ public:
+  LegLines(const Leg& leg, std::size_t index) : start_("leg " + std::to_string(index + 1) + ", ") {
+    text_ = start_ + std::string(kind_name(leg.drive)) + "\n";
+    std::visit([this](const auto& drive) { add(drive); }, leg.drive);
+    point("anchor", leg.anchor);
+    values("rod length", {leg.rod_length});
+    values("limits", {leg.limits.lower, leg.limits.upper});
+  }
+
+  const std::string& text() const noexcept { return text_; }
+
+ private:
+  void values(const char* what, std::initializer_list<double> items) {
+    text_ += start_ + what;
+    for (const double each : items) text_ += " " + number(each);
+    text_ += "\n";
+  }
+  void point(const char* what, const Eigen::Vector3d& at) { values(what, {at.x(), at.y(), at.z()}); }
+
+  void add(const RevoluteDrive& drive) {
+    point("center", drive.center);
+    point("axis", drive.axis);
+    point("zero direction", drive.zero_direction);
+    values("crank length", {drive.radius});
+  }
+  void add(const PrismaticDrive& drive) {
+    point("origin", drive.origin);
+    point("direction", drive.direction);
+  }
+  void add(const StrutDrive& drive) {
+    point("base", drive.base);
+    values("length at zero and sense", {drive.length_at_zero, drive.sense});
+  }
+  void add(const ElbowDrive& drive) {
+    point("base", drive.base);
+    values("inner and outer length", {drive.inner_length, drive.outer_length});
+    values("angle at zero and sense", {drive.angle_at_zero, drive.sense});
+  }
+
+  std::string start_;
+  std::string text_;
+};
+
+}  // namespace
+
+std::string map_key(const Manipulator& manipulator, const Box& region, double resolution, std::uint32_t depth,
+                    std::uint32_t deepest_level) {
+  std::string key = "robot '" + printable(manipulator.name()) + "'\n";
+  key += "task space " + std::string(name(manipulator.task_space())) + "\n";
+  for (std::size_t j = 0; j < manipulator.leg_count(); ++j) key += LegLines(manipulator.leg(j), j).text();
+  key += constraint_key(manipulator.constraints());
+  for (std::size_t i = 0; i < region.dimension; ++i)
+    key += "region along coordinate " + std::to_string(i + 1) + " from " + number(region.lower[i]) + " to " +
+           number(region.upper[i]) + "\n";
+  key += "resolution " + number(resolution) + " after " + std::to_string(depth) + " halvings\n";
+  key += "contested leaves halved " + std::to_string(deepest_level - depth) + " times more\n";
+  return key;
+}
+
+std::string coverage_key(const std::optional<MapSlice>& slice, const std::vector<WorkingMode>& modes) {
+  std::string key = "slice:";
+  if (slice) {
+    const Eigen::Vector4d orientation = slice->held.orientation.coeffs();
+    for (const double each : coefficients_of(slice->held.position)) key += " " + number(each);
+    for (const double each : coefficients_of(orientation)) key += " " + number(each);
+    for (const double each : coefficients_of(slice->axis)) key += " " + number(each);
+    for (const bool each : slice->moves) key += each ? " free" : " held";
+    key +=
+        " turning " + std::to_string(static_cast<int>(slice->turning)) + " " + printable(slice->angle_name);
+  } else {
+    key += " all poses";
+  }
+  key += "\nworking modes";
+  for (const WorkingMode& mode : modes) key += " " + to_string(mode);
+  return key + "\n";
+}
+
+std::string first_difference(const std::string& one, const std::string& other) {
+  std::istringstream lines(one), other_lines(other);
+  for (std::string line, other_line; std::getline(lines, line);)
+    if (!std::getline(other_lines, other_line) || line != other_line) return line;
+  return "";
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASPECTS_FILE_MAP_KEY_H
+#define PARALLEL_ASPECTS_ASPECTS_FILE_MAP_KEY_H
+
+#include "parallel_aspects/aspects/box.h"
+#include "parallel_aspects/aspects/map_slice.h"
+#include "parallel_aspects/kinematics/working_mode.h"
+#include "parallel_aspects/model/manipulator.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// What a map was computed for, as text: the task space and every number of the legs, then the region and the
+/// levels of the tree, which is all that the options come to. A line each, numbers with all their digits; two
+/// maps are of the same robot and options exactly if their keys are equal.
+std::string map_key(const Manipulator& manipulator, const Box& region, double resolution, std::uint32_t depth,
+                    std::uint32_t deepest_level);
+
+/// What of the robot's configurations a map covers, in the same manner: its slice and its working modes.
+std::string coverage_key(const std::optional<MapSlice>& slice, const std::vector<WorkingMode>& modes);
+
+/// The first line of `one` that differs from that of `other`; empty where there is none left in `one`.
+std::string first_difference(const std::string& one, const std::string& other);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ASPECTS_FILE_MAP_KEY_H

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASPECTS_MAP_BASE_MAP_H
+#define PARALLEL_ASPECTS_ASPECTS_MAP_BASE_MAP_H
+
+#include "aspects/boxes/box_classifier.h"
+#include "aspects/symmetry/map_symmetry.h"
+#include "aspects/tree/pose_tree.h"
+#include "parallel_aspects/aspects/aspect_map.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace parallel_aspects {
+
+enum class BaseMapStatus { complete, cancelled, too_large };
+
+/// A base map that needs more nodes is given up: some gigabytes of memory.
+inline constexpr std::size_t most_nodes = 30'000'000;
+
+/// Classifies the pending nodes of `tree` and divides what stays undecided, level by level, down to `depth`,
+/// on all threads of the calling arena; the result does not depend on their number. At `depth` that much
+/// detail is asked for. Unless complete, the tree is unfinished. Of boxes and working modes that `symmetries`
+/// take to each other one is classified.
+BaseMapStatus grow_base_map(PoseTree& tree, const BoxClassifier& classifier, std::uint32_t depth,
+                            Detail detail, const MapControl& control,
+                            const std::vector<MapSymmetry>& symmetries = {});
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ASPECTS_MAP_BASE_MAP_H

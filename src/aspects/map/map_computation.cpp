@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "aspects/components/components.h"
+#include "aspects/components/leaf_refinement.h"
+#include "aspects/components/mirrored_modes.h"
+#include "aspects/map/base_map.h"
+#include "aspects/map/deepest_point.h"
+#include "aspects/map/map_contents.h"
+#include "aspects/map/map_plan.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <chrono>
+#include <tuple>
+
+namespace parallel_aspects {
+namespace {
+
+constexpr double share_of_base_map = 0.9;
+
+MapResult refused(const std::string& sentence) { return {MapStatus::refused, sentence, nullptr}; }
+
+Aspect make_aspect(const WorkingMode& mode, const Component& component) {
+  Aspect aspect;
+  aspect.mode = mode;
+  aspect.determinant_sign = component.determinant_sign;
+  aspect.measure = component.measure_estimated;
+  aspect.measure_lower = component.measure_inside;
+  aspect.measure_upper = component.measure_cluster;
+  aspect.inside_leaves = component.leaves.size();
+  return aspect;
+}
+
+/// Ids of aspects, by mode and by index of the component.
+using ComponentIds = std::vector<std::vector<int>>;
+
+/// The components of one mode become aspects with the next ids, which are returned.
+std::vector<int> add_mode(AspectMap::Contents& map, std::size_t mode, const ModeComponents& found) {
+  const auto first_id = static_cast<int>(map.aspects.size()) + 1;
+  std::vector<std::size_t> order(found.components.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::stable_sort(order.begin(), order.end(), [&found](std::size_t a, std::size_t b) {
+    const Component &one = found.components[a], &other = found.components[b];
+    return std::make_pair(one.determinant_sign, one.measure_estimated) >
+           std::make_pair(other.determinant_sign, other.measure_estimated);
+  });
+  std::vector<int> id(order.size());
+  for (std::size_t rank = 0; rank < order.size(); ++rank) {
+    const Component& component = found.components[order[rank]];
+    id[order[rank]] = first_id + static_cast<int>(rank);
+    map.aspects.push_back(make_aspect(map.modes[mode], component));
+    map.aspects.back().id = id[order[rank]];
+    map.aspects.back().bounds = map.tree.space().shown(component.bounds.front());
+    map.aspect_bounds.push_back(component.bounds);
+    for (const NodeIndex leaf : component.leaves)
+      map.leaf_aspects[leaf * map.modes.size() + mode] = id[order[rank]];
+  }
+  for (std::size_t a = 0; a < id.size(); ++a)
+    for (std::size_t b = 0; b < id.size(); ++b)
+      if (a != b && found.components[a].cluster == found.components[b].cluster)
+        map.aspects[static_cast<std::size_t>(id[a] - 1)].unresolved_with.push_back(id[b]);
+  for (const auto& [a, b] : found.unresolved)
+    map.unresolved.emplace_back(std::min(id[a], id[b]), std::max(id[a], id[b]));
+  map.proved_count += found.cluster_count;
+  map.open_leaves += found.open_leaves;
+  map.bound += found.bound;
+  map.measure_undecided += found.measure_undecided;
+  if (!found.components.empty()) map.existing_modes.push_back(map.modes[mode]);
+  return id;
+}
+
+/// By id - 1: of the modes that have no representative.
+std::vector<ClearPoint> find_deepest_points(const AspectMap::Contents& map,
+                                            const std::vector<ModeSource>& sources, const ComponentIds& ids,
+                                            const MapControl& control) {
+  std::vector<std::pair<std::size_t, int>> tasks;  // mode and id
+  for (std::size_t mode = 0; mode < sources.size(); ++mode)
+    if (sources[mode].symmetry == nullptr)
+      for (const int id : ids[mode]) tasks.emplace_back(mode, id);
+  std::vector<ClearPoint> deepest(map.aspects.size());
+  tbb::parallel_for(std::size_t{0}, tasks.size(), [&](std::size_t i) {
+    const auto [mode, id] = tasks[i];
+    const auto index = static_cast<std::size_t>(id - 1);
+    deepest[index] = deepest_point(map, map.aspects[index], mode, control);
+  });
+  return deepest;
+}
+
+void find_deepest_poses(AspectMap::Contents& map, const std::vector<ModeSource>& sources,
+                        const ComponentIds& ids, const MapControl& control) {
+  const std::vector<ClearPoint> deepest = find_deepest_points(map, sources, ids, control);
+  for (std::size_t mode = 0; mode < sources.size(); ++mode) {
+    const auto [representative, symmetry] = sources[mode];
+    for (std::size_t i = 0; i < ids[mode].size(); ++i) {
+      const ClearPoint& point = deepest[static_cast<std::size_t>(ids[representative][i] - 1)];
+      const MapPosition at = symmetry == nullptr ? point.position : symmetry->poses.image(point.position);
+      Aspect& aspect = map.aspects[static_cast<std::size_t>(ids[mode][i] - 1)];
+      aspect.deepest = map.tree.space().pose(at);
+      aspect.deepest_clearance = map.tree.space().proved_radius(at.point, point.clearance);
+    }
+  }
+}
+
+/// Components of every mode, with contested leaves refined. Nothing when cancelled.
+std::vector<ModeComponents> find_all_components(AspectMap::Contents& map, const MapPlan& plan,
+                                                const std::vector<ModeSource>& sources,
+                                                const MapControl& control) {
+  std::vector<std::size_t> representatives;
+  for (std::size_t mode = 0; mode < sources.size(); ++mode)
+    if (sources[mode].symmetry == nullptr) representatives.push_back(mode);
+  std::vector<std::unique_ptr<LeafGraph>> graphs(representatives.size());
+  tbb::parallel_for(std::size_t{0}, graphs.size(), [&](std::size_t i) {
+    const std::size_t mode = representatives[i];
+    const bool everywhere = looks_everywhere(map.tree, mode);
+    if (everywhere) look_into_leaves(map.tree, *map.classifier, mode, control);
+    graphs[i] = std::make_unique<LeafGraph>(map.tree, mode, everywhere, control);
+  });
+  if (!refine_contested(map.tree, *map.classifier, graphs, plan.depth, plan.deepest_level, control))
+    return {};
+  std::vector<ModeComponents> found(sources.size());
+  tbb::parallel_for(std::size_t{0}, graphs.size(), [&](std::size_t i) {
+    found[representatives[i]] = find_components(map.tree, representatives[i], *graphs[i], control);
+  });
+  graphs.clear();
+  mirror_modes(map.tree, plan.symmetries, sources, found);
+  return found;
+}
+
+SymmetryUse symmetry_use(const std::vector<MapSymmetry>& symmetries, const std::vector<ModeSource>& sources) {
+  SymmetryUse use;
+  for (const MapSymmetry& symmetry : symmetries) use.motions.push_back(symmetry.text);
+  for (const ModeSource& source : sources) use.computed_modes += source.symmetry == nullptr;
+  return use;
+}
+
+/// The aspects, from the base map. False when cancelled.
+bool add_aspects(AspectMap::Contents& map, const MapPlan& plan, const MapControl& control) {
+  const std::size_t count = plan.modes.size();
+  const std::vector<ModeSource> sources = find_mode_sources(plan.symmetries, count);
+  map.symmetry_use = symmetry_use(plan.symmetries, sources);
+  const std::vector<ModeComponents> found = find_all_components(map, plan, sources, control);
+  if (found.empty() || is_cancelled(control)) return false;
+  map.leaf_aspects.assign(map.tree.node_count() * count, 0);
+  ComponentIds ids;
+  for (std::size_t mode = 0; mode < count; ++mode) ids.push_back(add_mode(map, mode, found[mode]));
+  find_deepest_poses(map, sources, ids, control);
+  return !is_cancelled(control);
+}
+
+}  // namespace
+
+MapResult compute_aspect_map(std::shared_ptr<const Manipulator> manipulator, const MapOptions& options,
+                             const MapControl& control) {
+  const auto start = std::chrono::steady_clock::now();
+  MapPlan plan;
+  const std::string problem = make_map_plan(*manipulator, options, plan);
+  if (!problem.empty()) return refused(problem);
+
+  auto map = std::make_unique<AspectMap::Contents>(manipulator, std::move(plan.classifier),
+                                                   PoseTree(plan.space, plan.modes.size()), plan.modes);
+  map->slice = plan.slice;
+  map->resolution = plan.resolution;
+  map->depth = plan.depth;
+  map->deepest_level = plan.deepest_level;
+  MapControl scaled = control;
+  if (control.progress)
+    scaled.progress = [&control](double share) { control.progress(share_of_base_map * share); };
+
+  tbb::task_arena arena(options.threads == 0 ? tbb::task_arena::automatic
+                                             : static_cast<int>(options.threads));
+  const BaseMapStatus status = arena.execute([&] {
+    const BaseMapStatus base =
+        grow_base_map(map->tree, *map->classifier, plan.depth, detail_of_base_map(map->tree.dimension()),
+                      scaled, plan.symmetries);
+    if (base != BaseMapStatus::complete) return base;
+    return add_aspects(*map, plan, control) ? BaseMapStatus::complete : BaseMapStatus::cancelled;
+  });
+  if (status == BaseMapStatus::cancelled)
+    return {MapStatus::cancelled, "The computation was cancelled.", nullptr};
+  if (status == BaseMapStatus::too_large)
+    return refused("The map takes more than " + std::to_string(most_nodes / 1'000'000) +
+                   " million boxes at this resolution; give a coarser one or a smaller region.");
+  map->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (control.progress) control.progress(1.0);
+  return {MapStatus::complete, "", std::make_shared<const AspectMap>(std::move(map))};
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASPECTS_MAP_MAP_CONTENTS_H
+#define PARALLEL_ASPECTS_ASPECTS_MAP_MAP_CONTENTS_H
+
+#include "aspects/boxes/box_classifier.h"
+#include "aspects/tree/pose_tree.h"
+#include "parallel_aspects/aspects/aspect_map.h"
+#include "parallel_aspects/aspects/map_slice.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// Everything that an `AspectMap` shows; written by the computation, then never changed.
+struct AspectMap::Contents {
+  Contents(std::shared_ptr<const Manipulator> robot, std::unique_ptr<const BoxClassifier> box_classifier,
+           PoseTree pose_tree, std::vector<WorkingMode> all_modes)
+      : manipulator(std::move(robot)),
+        classifier(std::move(box_classifier)),
+        tree(std::move(pose_tree)),
+        modes(std::move(all_modes)) {}
+
+  std::shared_ptr<const Manipulator> manipulator;
+  std::unique_ptr<const BoxClassifier> classifier;
+  PoseTree tree;
+  std::vector<WorkingMode> modes;  ///< of the tree, in its order
+  std::optional<MapSlice> slice;
+  std::vector<WorkingMode> existing_modes;  ///< those with an inside leaf
+  std::vector<int> leaf_aspects;            ///< id by node * modes + mode; 0 where the leaf is not inside
+  std::vector<Aspect> aspects;
+  std::vector<std::vector<Box>>
+      aspect_bounds;  ///< of the inside leaves, by id - 1 and root, in map coordinates
+  std::vector<std::pair<int, int>> unresolved;
+  std::size_t proved_count = 0;
+  std::size_t open_leaves = 0;  ///< see `ModeComponents`, over all modes
+  std::size_t bound = 0;        ///< likewise; of the number of aspects, unless there are open leaves
+  double resolution = 0.0;
+  std::uint32_t depth = 0;          ///< level of the finest leaves of the base map
+  std::uint32_t deepest_level = 0;  ///< that contested leaves may have
+  double measure_undecided = 0.0;
+  double seconds = 0.0;
+  std::optional<SymmetryUse> symmetry_use;  ///< not kept in files
+
+  int leaf_aspect(NodeIndex node, std::size_t mode) const noexcept {
+    return leaf_aspects[node * modes.size() + mode];
+  }
+};
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ASPECTS_MAP_MAP_CONTENTS_H

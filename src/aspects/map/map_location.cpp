@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "aspects/map/map_location.h"
+
+#include "aspects/boxes/segment_proof.h"
+#include "aspects/tree/near_leaves.h"
+#include "interval/interval.h"
+
+#include <algorithm>
+
+namespace parallel_aspects {
+namespace {
+
+// In an undecided leaf: the aspect that a proved segment joins the point to.
+Location locate_by_proof(const AspectMap::Contents& map, std::size_t mode,
+                         const MapPosition& position) noexcept {
+  const RoundingUpward rounding;
+  const std::size_t dimension = map.tree.dimension();
+  const int sign = proved_sign(*map.classifier, dimension, mode, position);
+  if (sign == 0) return {LocationStatus::undecided, 0};
+  const NearLeaves near = near_inside_leaves(map.tree, mode, sign, position);
+  for (std::size_t i = 0; i < near.count; ++i) {
+    const NodeIndex leaf = near.items[i].leaf;
+    const MapPoint target = map.tree.box(leaf).nearest(position.point);
+    if (segment_is_free(*map.classifier, dimension, mode, sign, position, target))
+      return {LocationStatus::inside, map.leaf_aspect(leaf, mode)};
+  }
+  return {LocationStatus::undecided, 0};
+}
+
+}  // namespace
+
+std::optional<std::size_t> mode_index(const AspectMap::Contents& map, const WorkingMode& mode) noexcept {
+  const auto found = std::find(map.modes.begin(), map.modes.end(), mode);
+  if (found == map.modes.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - map.modes.begin());
+}
+
+Location locate(const AspectMap::Contents& map, std::size_t mode, const MapPosition& position) noexcept {
+  const auto leaf = map.tree.leaf_at(position, mode);
+  if (!leaf) return {LocationStatus::not_mapped, 0};
+  const LeafState state = map.tree.state(*leaf, mode);
+  if (state.is_inside()) return {LocationStatus::inside, map.leaf_aspect(*leaf, mode)};
+  if (!state.is_undecided()) return {LocationStatus::outside, 0};
+  return locate_by_proof(map, mode, position);
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "aspects/map/map_plan.h"
+
+#include "aspects/tree/pose_tree.h"
+#include "aspects/tree/slice_space.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace parallel_aspects {
+namespace {
+
+constexpr int most_extra_levels = 20;
+
+Box at_level(Box box, std::uint32_t level) {
+  for (std::size_t i = 0; i < box.dimension; ++i)
+    box.upper[i] = box.lower[i] + std::ldexp(box.width(i), -static_cast<int>(level));
+  return box;
+}
+
+Box unbounded(std::size_t dimension) {
+  Box box{dimension, {}, {}};
+  box.lower.fill(-HUGE_VAL);
+  box.upper.fill(HUGE_VAL);
+  return box;
+}
+
+/// Longest edge of an angle beside positions where no resolution is given [rad].
+double default_angle(std::size_t dimension) { return dimension < 3 ? 0.025 : 0.1; }
+
+double longest_edge(const MapPlan& plan, std::uint32_t level) {
+  return plan.space->longest_edge(at_level(plan.space->region(), level));
+}
+
+/// Which of x, y and z the coordinates of the map are, in order.
+std::vector<Eigen::Index> mapped_positions(const Manipulator& manipulator, const MapPlan& plan) {
+  std::vector<Eigen::Index> result;
+  for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(directions(manipulator.task_space())); ++i)
+    if (!plan.slice || plan.slice->moves[static_cast<std::size_t>(i)]) result.push_back(i);
+  return result;
+}
+
+/// The positions within reach or in the region that is asked for, and in the workspace.
+std::optional<Box> allowed_positions(const Manipulator& manipulator, const MapOptions& options,
+                                     const MapPlan& plan) {
+  std::optional<Box> positions = options.region ? options.region : plan.classifier->reachable_positions();
+  const auto& workspace = manipulator.constraints().workspace;
+  const std::vector<Eigen::Index> mapped = mapped_positions(manipulator, plan);
+  if (!workspace || mapped.empty()) return positions;
+  if (!positions) positions = unbounded(mapped.size());
+  for (std::size_t i = 0; i < mapped.size(); ++i) {
+    positions->lower[i] = std::max(positions->lower[i], workspace->lower[mapped[i]]);
+    positions->upper[i] = std::min(positions->upper[i], workspace->upper[mapped[i]]);
+  }
+  return positions;
+}
+
+/// Why the workspace holds no pose of the slice; empty otherwise.
+std::string find_workspace_problem(const Manipulator& manipulator, const MapPlan& plan) {
+  const auto& workspace = manipulator.constraints().workspace;
+  if (!workspace || !plan.slice) return "";
+  for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(directions(manipulator.task_space())); ++i) {
+    const double held = plan.slice->held.position[i];
+    if (!plan.slice->moves[static_cast<std::size_t>(i)] &&
+        !(workspace->lower[i] < held && held < workspace->upper[i]))
+      return "The slice holds a position outside of the workspace that the constraints of '" +
+             manipulator.name() + "' name; hold it inside, or leave the constraint out.";
+  }
+  return "";
+}
+
+/// The positions that the map covers; the sentence says why there are none, and is empty otherwise.
+std::string find_positions(const Manipulator& manipulator, const MapOptions& options, const MapPlan& plan,
+                           Box& positions) {
+  const std::size_t free = mapped_positions(manipulator, plan).size();
+  if (options.region && options.region->dimension != free && (plan.slice || free > 0))
+    return "The region of the map has " + std::to_string(options.region->dimension) +
+           " coordinates; give one for each position that is free, which are " + std::to_string(free) + ".";
+  if (const std::string problem = find_workspace_problem(manipulator, plan); !problem.empty()) return problem;
+  const std::optional<Box> region = allowed_positions(manipulator, options, plan);
+  if (!region)
+    return "The legs of '" + manipulator.name() +
+           "' have no limits that bound the workspace; limit the drives in the URDF, or give a region or "
+           "a workspace.";
+  const std::optional<Box> exact = exact_region(*region);
+  if (!exact && manipulator.constraints().workspace && (!options.region || exact_region(*options.region)))
+    return "The workspace that the constraints of '" + manipulator.name() + "' name holds no " +
+           (options.region ? "position of the region" : "reachable position") +
+           ", or is too thin for a map; mend constraints.workspace, or leave it out.";
+  if (!exact)
+    return "The region of the map is empty, not finite, or too far from the origin for its size; give "
+           "another "
+           "region, or mend the lengths of the legs if they cannot reach a common pose.";
+  positions = *exact;
+  return "";
+}
+
+/// The working modes that are mapped, in the order of `working_modes`.
+std::string find_modes(const Manipulator& manipulator, const MapOptions& options, MapPlan& plan) {
+  const std::vector<WorkingMode> all = working_modes(manipulator);
+  const auto holds = [](const std::vector<WorkingMode>& modes, const WorkingMode& mode) {
+    return std::find(modes.begin(), modes.end(), mode) != modes.end();
+  };
+  for (const WorkingMode& mode : options.modes)
+    if (!holds(all, mode))
+      return "'" + manipulator.name() + "' has no working mode " + to_string(mode) + "; its first is " +
+             to_string(all.front()) + ".";
+  for (const WorkingMode& mode : all)
+    if (options.modes.empty() || holds(options.modes, mode)) plan.modes.push_back(mode);
+  return "";
+}
+
+/// Whether leaves of this level are as fine as is asked for. Where nothing is asked, angles beside positions
+/// have a length of their own, since the unit of length of the robot says nothing of them.
+bool is_fine_enough(const MapPlan& plan, const MapOptions& options, double resolution, std::uint32_t level) {
+  const PoseSpace& space = *plan.space;
+  const Box leaf = at_level(space.region(), level);
+  const std::size_t last = leaf.dimension - 1;
+  if (options.resolution || last == 0 || !space.is_periodic(last))
+    return space.longest_edge(leaf) <= resolution;
+  for (std::size_t i = 0; i < last; ++i)
+    if (leaf.width(i) > resolution) return false;
+  return EIGEN_PI * leaf.width(last) <= default_angle(leaf.dimension);
+}
+
+std::string make_classifier(const Manipulator& manipulator, const MapOptions& options, MapPlan& plan) {
+  if (!options.slice) {
+    plan.classifier = make_box_classifier(manipulator, plan.modes);
+    return plan.classifier ? ""
+                           : "All poses of " + std::string(name(manipulator.task_space())) +
+                                 " are more than can be mapped; give a slice of them.";
+  }
+  std::string problem = find_slice_problem(manipulator, *options.slice);
+  if (problem.empty()) plan.classifier = make_slice_classifier(manipulator, plan.modes, *options.slice);
+  plan.slice = options.slice;
+  return problem;
+}
+
+std::shared_ptr<const PoseSpace> make_space(const Manipulator& manipulator, const MapPlan& plan,
+                                            const Box& positions) {
+  const double length = manipulator.characteristic_length();
+  if (plan.slice) return make_slice_space(*plan.slice, positions, length);
+  return make_pose_space(manipulator.task_space(), positions, length);
+}
+
+double default_resolution_of_slice(const Manipulator& manipulator, const MapSlice& slice) {
+  if (slice.free_positions() == 0) return slice.dimension() == 1 ? 0.01 : 0.1;
+  return manipulator.size() / (slice.dimension() < 3 ? 200.0 : 50.0);
+}
+
+}  // namespace
+
+std::string make_map_plan(const Manipulator& manipulator, const MapOptions& options, MapPlan& plan) {
+  std::string problem = find_modes(manipulator, options, plan);
+  if (problem.empty()) problem = make_classifier(manipulator, options, plan);
+  if (!problem.empty()) return problem;
+  const double resolution = options.resolution.value_or(default_resolution(manipulator, options.slice));
+  if (!std::isfinite(resolution) || resolution <= 0.0)
+    return "The resolution is " + std::to_string(resolution) + " m; give a finite and positive one.";
+  if (options.extra_levels < 0 || options.extra_levels > most_extra_levels)
+    return "The number of extra levels is " + std::to_string(options.extra_levels) + "; give 0 to 20.";
+
+  Box positions;
+  problem = find_positions(manipulator, options, plan, positions);
+  if (!problem.empty()) return problem;
+  plan.space = make_space(manipulator, plan, positions);
+  if (options.use_symmetry && !plan.slice)
+    plan.symmetries = find_map_symmetries(manipulator, plan.space->region(), plan.modes);
+  const auto is_fine = [&] { return is_fine_enough(plan, options, resolution, plan.depth); };
+  while (!is_fine() && plan.depth < PoseTree::deepest_level) ++plan.depth;
+  if (!is_fine()) return "The resolution is too fine for the size of the region; give a coarser one.";
+  plan.resolution = longest_edge(plan, plan.depth);
+  plan.deepest_level =
+      std::min(PoseTree::deepest_level, plan.depth + static_cast<std::uint32_t>(options.extra_levels));
+  return "";
+}
+
+double default_resolution(const Manipulator& manipulator, const std::optional<MapSlice>& slice) noexcept {
+  if (slice) return default_resolution_of_slice(manipulator, *slice);
+  switch (manipulator.task_space()) {
+    case TaskSpace::T1:
+    case TaskSpace::T2:
+      return manipulator.size() / 200.0;
+    case TaskSpace::SE2:
+    case TaskSpace::T3:
+      return manipulator.size() / 50.0;
+    case TaskSpace::SO3:
+    case TaskSpace::SE3:
+      break;
+  }
+  return 0.1;
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASPECTS_MAP_MAP_PLAN_H
+#define PARALLEL_ASPECTS_ASPECTS_MAP_MAP_PLAN_H
+
+#include "aspects/boxes/box_classifier.h"
+#include "aspects/symmetry/map_symmetry.h"
+#include "aspects/tree/pose_space.h"
+#include "parallel_aspects/aspects/aspect_map.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// All that a map follows from: the options with every default filled in, and how boxes are proved.
+struct MapPlan {
+  std::vector<WorkingMode> modes;
+  std::optional<MapSlice> slice;
+  std::unique_ptr<const BoxClassifier> classifier;
+  std::shared_ptr<const PoseSpace> space;
+  std::vector<MapSymmetry> symmetries;  ///< that are used
+  double resolution = 0.0;              ///< longest edge of a base leaf [m or rad]
+  std::uint32_t depth = 0;              ///< level of the finest leaves of the base map
+  std::uint32_t deepest_level = 0;      ///< of contested leaves
+};
+
+/// Fills `plan`; the sentence says why that cannot be, and is empty otherwise.
+std::string make_map_plan(const Manipulator& manipulator, const MapOptions& options, MapPlan& plan);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ASPECTS_MAP_MAP_PLAN_H

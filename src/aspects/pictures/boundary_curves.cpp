@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/aspects/boundary_curves.h"
+
+#include "aspects/constraints/constraint_clearance.h"
+#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/kinematics/jacobians.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace parallel_aspects {
+namespace {
+
+using Eigen::Vector2d;
+
+// det A, then each B_jj^2, then the distance of each limited drive from its limits, then how far each other
+// constraint is from being broken. Zero sets bound the mode.
+constexpr int most_functions = 1 + 3 + 6 + 4;
+using Values = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, most_functions, 1>;
+
+struct Function {
+  BoundaryKind kind;
+  std::size_t leg;
+};
+
+struct DrawnConstraint {
+  ConstraintKind constraint;
+  BoundaryKind kind;
+};
+constexpr DrawnConstraint drawn_constraints[] = {
+    {ConstraintKind::passive_limits, BoundaryKind::passive_limit},
+    {ConstraintKind::self_collision, BoundaryKind::self_collision},
+    {ConstraintKind::obstacles, BoundaryKind::obstacle},
+    {ConstraintKind::workspace, BoundaryKind::workspace}};
+
+struct Vertex {
+  Vector2d point;
+  Values values;
+};
+using Polygon = std::vector<Vertex>;
+
+Vertex between(const Vertex& a, const Vertex& b, Eigen::Index function) {
+  const double t = a.values[function] / (a.values[function] - b.values[function]);
+  return {a.point + t * (b.point - a.point), a.values + t * (b.values - a.values)};
+}
+
+// What is left of a convex polygon where sign * function >= 0 (Sutherland and Hodgman).
+Polygon clipped(const Polygon& polygon, Eigen::Index function, double sign) {
+  Polygon kept;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vertex &here = polygon[i], &next = polygon[(i + 1) % polygon.size()];
+    const double a = sign * here.values[function], b = sign * next.values[function];
+    if (a >= 0.0) kept.push_back(here);
+    if ((a > 0.0 && b < 0.0) || (a < 0.0 && b > 0.0)) kept.push_back(between(here, next, function));
+  }
+  return kept;
+}
+
+Vector2d middle_of(const Polygon& polygon) {
+  Vector2d sum = Vector2d::Zero();
+  for (const Vertex& vertex : polygon) sum += vertex.point;
+  return sum / static_cast<double>(polygon.size());
+}
+
+class Tracer {
+ public:
+  Tracer(const AspectMap& map, const WorkingMode& mode, const PoseSlice& slice, Cells merging)
+      : map_(map),
+        robot_(*map.manipulator()),
+        mode_(mode),
+        slice_(slice),
+        merging_(merging),
+        functions_{{BoundaryKind::parallel, 0}} {
+    for (std::size_t j = 0; j < robot_.leg_count(); ++j) functions_.push_back({BoundaryKind::serial, j});
+    for (std::size_t j = 0; j < robot_.leg_count(); ++j)
+      for (const double limit : {robot_.leg(j).limits.lower, robot_.leg(j).limits.upper})
+        if (std::isfinite(limit)) functions_.push_back({BoundaryKind::limit, j});
+    for (const DrawnConstraint& drawn : drawn_constraints) {
+      if (!robot_.constraint_kinds()[index_of(drawn.constraint)]) continue;
+      functions_.push_back({drawn.kind, 0});
+      constraints_.push_back(drawn.constraint);
+    }
+  }
+
+  BoundaryPicture trace_grid(const Eigen::AlignedBox2d& bounds, int cells) {
+    const Vector2d step = bounds.sizes() / cells;
+    const auto row_at = [&](int row) {
+      std::vector<Vertex> vertices;
+      for (int column = 0; column <= cells; ++column)
+        vertices.push_back(vertex(bounds.min() + step.cwiseProduct(Vector2d(column, row))));
+      return vertices;
+    };
+    std::vector<Vertex> below = row_at(0);
+    for (int row = 1; row <= cells; ++row) {
+      const std::vector<Vertex> above = row_at(row);
+      trace_row(below, above);
+      below = above;
+    }
+    return std::move(picture_);
+  }
+
+ private:
+  // Neighbouring cells that lie wholly in one aspect are filled as one.
+  void trace_row(const std::vector<Vertex>& below, const std::vector<Vertex>& above) {
+    int filled = 0;
+    std::size_t begin = 0;
+    const auto fill_until = [&](std::size_t end) {
+      if (filled != 0)
+        picture_.slivers.push_back(
+            {filled, {below[begin].point, below[end].point, above[end].point, above[begin].point}});
+      filled = 0;
+    };
+    for (std::size_t i = 0; i + 1 < below.size(); ++i) {
+      const bool whole = crosses_nothing({below[i], below[i + 1], above[i + 1], above[i]});
+      const int aspect = whole ? located(0.5 * (below[i].point + above[i + 1].point)) : 0;
+      if (aspect != filled || merging_ == Cells::single) {
+        fill_until(i);
+        begin = i;
+        filled = aspect;
+      }
+      if (!whole) trace_in(below[i], below[i + 1], above[i + 1], above[i]);
+    }
+    fill_until(below.size() - 1);
+  }
+
+  bool crosses_nothing(const Polygon& cell) const {
+    const double sign = cell.front().values[0];
+    return std::all_of(cell.begin(), cell.end(), [&](const Vertex& vertex) {
+      return slice_.holds(vertex.point) && sign * vertex.values[0] > 0.0 &&
+             vertex.values.tail(vertex.values.size() - 1).minCoeff() > 0.0;
+    });
+  }
+
+  // Two triangles a cell: linear interpolation in a triangle has no ambiguous case.
+  void trace_in(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& d) {
+    for (const Vertex& corner : {a, b, c, d})
+      if (!slice_.holds(corner.point)) return;
+    for (const Polygon& triangle : {Polygon{a, b, c}, Polygon{a, c, d}})
+      for (const double sign : {1.0, -1.0}) add_part(triangle, sign, (b.point - a.point).norm());
+  }
+
+  Vertex vertex(const Vector2d& point) const { return {point, values(point)}; }
+
+  Values values(const Vector2d& point) const {
+    const Pose pose = slice_.pose(point);
+    JointVector q(robot_.leg_count());
+    Values result(functions_.size());
+    for (std::size_t j = 0; j < robot_.leg_count(); ++j) {
+      const Leg& leg = robot_.leg(j);
+      const auto row = static_cast<Eigen::Index>(j);
+      q[row] = drive_value(leg, pose.transform(leg.anchor), mode_.sign(j));
+      result[1 + row] = squared_inverse_entry(leg, pose.transform(leg.anchor));
+    }
+    result[0] = direct_determinant(robot_, pose, q);
+    add_limits(q, result);
+    for (std::size_t k = 0; k < constraints_.size(); ++k)
+      result[result.size() - static_cast<Eigen::Index>(constraints_.size() - k)] =
+          std::min(robot_.size(), constraint_clearance(robot_, constraints_[k], pose, q));
+    return result;
+  }
+
+  void add_limits(const JointVector& q, Values& result) const {
+    Eigen::Index row = 1 + static_cast<Eigen::Index>(robot_.leg_count());
+    for (std::size_t j = 0; j < robot_.leg_count(); ++j) {
+      const JointLimits& limits = robot_.leg(j).limits;
+      const double value = q[static_cast<Eigen::Index>(j)];
+      if (std::isfinite(limits.lower)) result[row++] = value - limits.lower;
+      if (std::isfinite(limits.upper)) result[row++] = limits.upper - value;
+    }
+  }
+
+  // The part of a triangle in the mode and sign of det A: a sliver, and those of its sides that bound it.
+  void add_part(const Polygon& triangle, double sign, double width) {
+    Polygon part = clipped(triangle, 0, sign);
+    for (std::size_t k = 1; k < functions_.size(); ++k)
+      part = clipped(part, static_cast<Eigen::Index>(k), 1.0);
+    if (part.size() < 3) return;
+    const int aspect = located(middle_of(part));
+    if (aspect != 0) {
+      picture_.slivers.push_back({aspect, {}});
+      for (const Vertex& vertex : part) picture_.slivers.back().corners.push_back(vertex.point);
+    }
+    for (std::size_t i = 0; i < part.size(); ++i) add_side(part[i], part[(i + 1) % part.size()], width);
+  }
+
+  // A side bounds the mode where one function vanishes all along it.
+  void add_side(const Vertex& from, const Vertex& to, double width) {
+    const Vector2d along = to.point - from.point;
+    if (!(along.norm() > 1e-9 * width)) return;
+    for (std::size_t k = 0; k < functions_.size(); ++k) {
+      const auto row = static_cast<Eigen::Index>(k);
+      const double tolerance = 1e-12 * (from.values.cwiseAbs().sum() + to.values.cwiseAbs().sum());
+      if (std::abs(from.values[row]) > tolerance || std::abs(to.values[row]) > tolerance) continue;
+      const Vector2d middle = 0.5 * (from.point + to.point),
+                     left = Vector2d(-along.y(), along.x()).normalized();
+      picture_.segments.push_back({functions_[k].kind,
+                                   functions_[k].leg,
+                                   from.point,
+                                   to.point,
+                                   {beside(middle, left, width), beside(middle, -left, width)}});
+      return;
+    }
+  }
+
+  int beside(const Vector2d& point, const Vector2d& direction, double width) const {
+    for (const double steps : {0.1, 1.0, 2.0})
+      if (const int aspect = located(point + steps * width * direction)) return aspect;
+    return 0;
+  }
+
+  int located(const Vector2d& point) const {
+    const Location found = map_.locate(slice_.pose(point), mode_);
+    return found.status == LocationStatus::inside ? found.aspect : 0;
+  }
+
+  const AspectMap& map_;
+  const Manipulator& robot_;
+  const WorkingMode mode_;
+  const PoseSlice slice_;
+  const Cells merging_;
+  std::vector<Function> functions_;
+  std::vector<ConstraintKind> constraints_;  // of the last functions
+  BoundaryPicture picture_;
+};
+
+}  // namespace
+
+BoundaryPicture trace_slice(const AspectMap& map, const WorkingMode& mode, const PoseSlice& slice,
+                            const Eigen::AlignedBox2d& bounds, int cells, Cells merging) {
+  return Tracer(map, mode, slice, merging).trace_grid(bounds, cells);
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "aspects/roadmap/pose_segment.h"
+
+#include <cstddef>
+
+namespace parallel_aspects {
+namespace {
+
+// Of quaternions between two of about unit length at most a right angle apart it is at least a half; less
+// shows that the part is too long.
+constexpr double least_squared_norm = 0.01;
+
+}  // namespace
+
+PoseSegment::PoseSegment(const Pose& from, const Pose& to) noexcept {
+  assert_rounding_upward();
+  const Eigen::Vector4d first = from.orientation.coeffs(), last = nearer_quaternion(from, to);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto k = static_cast<Eigen::Index>(i);
+    position_[i] = Interval(from.position[k]);
+    travel_[i] = Interval(to.position[k]) - position_[i];
+  }
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto k = static_cast<Eigen::Index>(i);
+    quaternion_[i] = Interval(first[k]);
+    turning_[i] = Interval(last[k]) - quaternion_[i];
+  }
+}
+
+bool PoseSegment::place(const PathForm& t, Placement& placement) const noexcept {
+  assert_rounding_upward();
+  for (std::size_t i = 0; i < 3; ++i) placement.position[i] = position_[i] + travel_[i] * t;
+  std::array<PathForm, 4> q;
+  for (std::size_t i = 0; i < 4; ++i) q[i] = quaternion_[i] + turning_[i] * t;
+  const PathForm xx = square(q[0]), yy = square(q[1]), zz = square(q[2]), ww = square(q[3]);
+  const PathForm squared_norm = xx + yy + zz + ww;
+  if (!(squared_norm.range.lower() > least_squared_norm)) return false;
+  const PathForm scale = reciprocal(squared_norm);
+  const Interval two(2.0);
+  const PathForm xy = two * (q[0] * q[1]), xz = two * (q[0] * q[2]), yz = two * (q[1] * q[2]);
+  const PathForm wx = two * (q[3] * q[0]), wy = two * (q[3] * q[1]), wz = two * (q[3] * q[2]);
+  placement.rotation = {{{scale * ((ww + xx) - (yy + zz)), scale * (xy - wz), scale * (xz + wy)},
+                         {scale * (xy + wz), scale * ((ww + yy) - (xx + zz)), scale * (yz - wx)},
+                         {scale * (xz - wy), scale * (yz + wx), scale * ((ww + zz) - (xx + yy))}}};
+  return true;
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/aspects/segment_certifier.h"
+
+#include "aspects/constraints/constraint_tests.h"
+#include "aspects/constraints/finite_lengths.h"
+#include "aspects/constraints/robot_points.h"
+#include "aspects/roadmap/pose_segment.h"
+#include "interval/nonsingular.h"
+#include "legs/limit_verdict.h"
+#include "legs/spatial_leg.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace parallel_aspects {
+namespace {
+
+constexpr double first_step = 0.25;
+constexpr double shortest_step = 0x1p-30;
+constexpr double aimed_ratio = 0.75;  // of a step, against the longest that passes
+constexpr int parts_between_looks = 16;
+constexpr int points_of_a_look = 12;
+
+// See finite_lengths.h.
+constexpr double longest_length = 1e12;  // [m]
+
+template <std::size_t D>
+ConstraintTests<D> made_under_upward_rounding(const Manipulator& manipulator) {
+  const RoundingUpward rounding;
+  return ConstraintTests<D>(manipulator);
+}
+
+// What is proved to be at or before a configuration, on the way from one whose det A has this sign.
+Hindrance hindrance_at(const ConfigurationProof& proof, int sign) {
+  if (proof.proved_hindrance != Hindrance::none) return proof.proved_hindrance;
+  return proof.sign == -sign ? Hindrance::singularity : Hindrance::none;
+}
+
+// The row of A, up to the positive factor of `u`, for the anchor at `b` from the operational point.
+void write_row(TaskSpace space, const Spatial<PathForm>& b, const Spatial<PathForm>& u,
+               std::array<PathForm, max_legs>& row) {
+  switch (space) {
+    case TaskSpace::T1:
+      row[0] = u[0];
+      return;
+    case TaskSpace::T2:
+      row[0] = u[0];
+      row[1] = u[1];
+      return;
+    case TaskSpace::SE2:
+      row[0] = b[0] * u[1] - b[1] * u[0];
+      row[1] = u[0];
+      row[2] = u[1];
+      return;
+    case TaskSpace::T3:
+      std::copy(u.begin(), u.end(), row.begin());
+      return;
+    case TaskSpace::SO3:
+    case TaskSpace::SE3:
+      break;
+  }
+  const Spatial<PathForm> moment = cross(b, u);
+  std::copy(moment.begin(), moment.end(), row.begin());
+  if (space == TaskSpace::SE3) std::copy(u.begin(), u.end(), row.begin() + 3);
+}
+
+}  // namespace
+
+/// What proofs need of the robot.
+struct SegmentCertifier::Parts {
+  explicit Parts(const Manipulator& manipulator)
+      : usable(is_usable(manipulator, longest_length)),
+        is_planar(parallel_aspects::is_planar(manipulator.task_space())),
+        planar_constraints(made_under_upward_rounding<2>(manipulator)),
+        spatial_constraints(made_under_upward_rounding<3>(manipulator)) {
+    const RoundingUpward rounding;
+    for (const Leg& leg : manipulator.legs()) {
+      legs.emplace_back(leg);
+      anchors.push_back({leg.anchor.x(), leg.anchor.y(), leg.anchor.z()});
+    }
+  }
+
+  bool usable;  // no length beyond what the arithmetic can take
+  std::vector<SpatialLeg> legs;
+  std::vector<Spatial<Interval>> anchors;
+  bool is_planar;
+  ConstraintTests<2> planar_constraints;
+  ConstraintTests<3> spatial_constraints;  // of one of them the robot has no use
+};
+
+/// A segment in one working mode, and what is found of the part of it that was looked at last.
+class SegmentCertifier::Evaluation {
+ public:
+  Evaluation(const SegmentCertifier& certifier, const PoseSegment& segment, const WorkingMode& mode)
+      : parts_(*certifier.parts_),
+        space_(certifier.manipulator_->task_space()),
+        segment_(segment),
+        mode_(mode) {}
+
+  /// What is proved of a single point.
+  ConfigurationProof at(double t) {
+    if (legs_are_free(t, t)) return {proved_sign_at_middle(), Hindrance::none, {}, {}};
+    return found_;
+  }
+
+  /// Part by part from a start with this sign of det A, as long as the parts may be.
+  SegmentProof march(int sign, int most_parts) {
+    SegmentProof proof;
+    double step = first_step;
+    while (proof.verdict == SegmentVerdict::undecided && proof.parts < most_parts && step >= shortest_step) {
+      // Towards a singularity parts become ever shorter; whether one lies ahead shows at single points.
+      if (++proof.parts % parts_between_looks == 0 && look_ahead(sign, proof)) break;
+      const double end = 1.0 - proof.free_until <= step ? 1.0 : proof.free_until + step;
+      if (is_free(proof.free_until, end)) {
+        proof.free_until = end;
+        if (end >= 1.0) proof.verdict = SegmentVerdict::free;
+        step *= std::clamp(aimed_ratio / ratio_, 0.5, 4.0);
+      } else {
+        const double ratio = ratio_;
+        block_if_hindered(0.5 * (proof.free_until + end), sign, proof);
+        step *= std::clamp(aimed_ratio / ratio, 0.125, 0.5);
+      }
+    }
+    return proof;
+  }
+
+ private:
+  bool look_ahead(int sign, SegmentProof& proof) {
+    double ahead = 1.0 - proof.free_until;
+    for (int i = 0; i < points_of_a_look; ++i) {
+      ahead *= 0.5;
+      if (block_if_hindered(proof.free_until + ahead, sign, proof)) return true;
+    }
+    return false;
+  }
+
+  bool block_if_hindered(double t, int sign, SegmentProof& proof) {
+    const Hindrance found = hindrance_at(at(t), sign);
+    if (found == Hindrance::none) return false;
+    proof.verdict = SegmentVerdict::blocked;
+    proof.hindrance = found;
+    proof.witness = t;
+    return true;
+  }
+
+  /// Whether the legs are proved free and det A proved not to be zero on a whole part.
+  bool is_free(double begin, double end) {
+    ratio_ = std::numeric_limits<double>::infinity();
+    return legs_are_free(begin, end) && proved_nonsingular(parts_.legs.size(), rows_, ratio_);
+  }
+
+  bool legs_are_free(double begin, double end) {
+    found_ = {};
+    const double middle = std::clamp(0.5 * (begin + end), begin, end);
+    PoseSegment::Placement placement;
+    if (!segment_.place(PathForm::parameter(begin, middle, end), placement)) return false;
+    for (std::size_t j = 0; j < parts_.legs.size(); ++j)
+      if (!leg_is_free(j, placement)) return false;
+    return parts_.is_planar ? is_allowed(parts_.planar_constraints, placement)
+                            : is_allowed(parts_.spatial_constraints, placement);
+  }
+
+  /// By the constraints besides limits of drives. The legs must be free.
+  template <std::size_t D>
+  bool is_allowed(const ConstraintTests<D>& tests, const PoseSegment::Placement& placement) {
+    if (tests.none()) return true;
+    RobotPoints<PathForm, D> robot;
+    robot.leg_count = parts_.legs.size();
+    for (std::size_t j = 0; j < robot.leg_count; ++j) {
+      const auto points = parts_.legs[j].link_points(displacements_[j], entries_[j], mode_.sign(j));
+      if (!points) return false;
+      robot.legs[j] = {reduced<D>(points->base), reduced<D>(points->joint), reduced<D>(points->anchor)};
+    }
+    robot.position = reduced<D>(placement.position);
+    robot.heading = {placement.rotation[0][0], placement.rotation[1][0]};
+    if (verdict(tests, robot) == Verdict::holds) return true;
+    found_.failing = find_failing(tests, at_center(robot));
+    if (found_.failing) found_.proved_hindrance = Hindrance::constraint;
+    return false;
+  }
+
+  int proved_sign_at_middle() const {
+    SquareArray<Interval> middle;
+    for (std::size_t i = 0; i < max_legs; ++i)
+      for (std::size_t k = 0; k < max_legs; ++k) middle[i][k] = rows_[i][k].center;
+    return proved_determinant_sign(parts_.legs.size(), middle);
+  }
+
+  bool leg_is_free(std::size_t j, const PoseSegment::Placement& placement) {
+    const SpatialLeg& leg = parts_.legs[j];
+    Spatial<PathForm> b, d;
+    for (std::size_t i = 0; i < 3; ++i) {
+      b[i] = dot(parts_.anchors[j], placement.rotation[i]);
+      d[i] = placement.position[i] + b[i] - PathForm(leg.base()[i]);
+    }
+    const SpatialLegForm<PathForm> form = leg.form(d);
+    if (form.squared_entry.center.upper() <= 0.0) found_ = {0, Hindrance::out_of_reach, {}, j};
+    if (!form.squared_entry.range.positive()) return false;
+    const PathForm entry = square_root(form.squared_entry);
+    displacements_[j] = d;
+    entries_[j] = entry;
+    if (!is_within_limits(j, d, entry)) return false;
+    Spatial<PathForm> u;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const PathForm turned = entry * form.turned[i];
+      u[i] = mode_.sign(j) > 0 ? form.fixed[i] + turned : form.fixed[i] - turned;
+    }
+    write_row(space_, b, u, rows_[j]);
+    return true;
+  }
+
+  bool is_within_limits(std::size_t j, const Spatial<PathForm>& d, const PathForm& entry) {
+    const SpatialLeg& leg = parts_.legs[j];
+    const Spatial<Interval> range{d[0].range, d[1].range, d[2].range};
+    if (verdict(leg.limits(range, entry.range, mode_.sign(j))) == Verdict::holds) return true;
+    const Spatial<Interval> center{d[0].center, d[1].center, d[2].center};
+    if (verdict(leg.limits(center, entry.center, mode_.sign(j))) == Verdict::fails)
+      found_ = {0, Hindrance::joint_limit, ConstraintKind::driven_limits, j};
+    return false;
+  }
+
+  const Parts& parts_;
+  const TaskSpace space_;
+  const PoseSegment& segment_;
+  const WorkingMode& mode_;
+  SquareArray<PathForm> rows_;
+  std::array<Spatial<PathForm>, max_legs> displacements_;  // of the anchors from the base points
+  std::array<PathForm, max_legs> entries_;                 // |B_jj|
+  ConfigurationProof found_;                               // of the middle of the part; its sign is not told
+  double ratio_ = 0.0;  // upper bound of the spectral radius that must be below 1; infinite where unknown
+};
+
+SegmentCertifier::SegmentCertifier(std::shared_ptr<const Manipulator> manipulator)
+    : manipulator_(std::move(manipulator)), parts_(std::make_shared<const Parts>(*manipulator_)) {}
+
+ConfigurationProof SegmentCertifier::prove(const Pose& pose, const WorkingMode& mode) const noexcept {
+  if (!parts_->usable || !is_usable(pose, longest_length) || mode.leg_count() != parts_->legs.size())
+    return {};
+  for (std::size_t j = 0; j < parts_->legs.size(); ++j)
+    if (!manipulator_->leg(j).has_branch(mode.sign(j))) return {0, Hindrance::out_of_reach, {}, j};
+  const RoundingUpward rounding;
+  const PoseSegment segment(pose, pose);
+  return Evaluation(*this, segment, mode).at(0.0);
+}
+
+SegmentProof SegmentCertifier::prove(const Pose& from, const Pose& to, const WorkingMode& mode,
+                                     int most_parts) const noexcept {
+  const ConfigurationProof start = prove(from, mode), end = prove(to, mode);
+  const Hindrance found = start.proved_hindrance != Hindrance::none ? start.proved_hindrance
+                          : start.sign != 0                         ? hindrance_at(end, start.sign)
+                                                                    : Hindrance::none;
+  if (found != Hindrance::none) return {SegmentVerdict::blocked, found, 0.0, 1.0, 0};
+  if (start.sign == 0 || end.sign == 0) return {};
+  return march(from, to, mode, start.sign, most_parts);
+}
+
+SegmentProof SegmentCertifier::prove_start(const Pose& from, const Pose& to, const WorkingMode& mode,
+                                           int most_parts) const noexcept {
+  const ConfigurationProof start = prove(from, mode);
+  if (start.sign == 0 || !is_usable(to, longest_length)) return {};
+  return march(from, to, mode, start.sign, most_parts);
+}
+
+SegmentProof SegmentCertifier::march(const Pose& from, const Pose& to, const WorkingMode& mode, int sign,
+                                     int most_parts) const noexcept {
+  const RoundingUpward rounding;
+  const PoseSegment segment(from, to);
+  return Evaluation(*this, segment, mode).march(sign, most_parts);
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "aspects/symmetry/constraint_symmetry.h"
+
+#include <algorithm>
+#include <variant>
+
+namespace parallel_aspects {
+namespace {
+
+template <class Items, class Matches>
+bool each_has_image(const Items& items, const Matches& matches) {
+  return std::all_of(items.begin(), items.end(), [&](const auto& item) {
+    return std::any_of(items.begin(), items.end(), [&](const auto& image) { return matches(item, image); });
+  });
+}
+
+/// What the constraints become.
+class ConstraintImages {
+ public:
+  ConstraintImages(const RigidSymmetry& symmetry, const std::vector<std::size_t>& leg_image)
+      : symmetry_(symmetry), leg_image_(leg_image) {}
+
+  bool operator()(const PassiveLimit& limit, const PassiveLimit& image) const {
+    if (leg_image_[limit.leg] != image.leg || limit.angle != image.angle) return false;
+    if (limit.angle != PassiveAngle::crank_to_rod && !keeps_x_axis()) return false;
+    const int turned = symmetry_.handedness() < 0.0 ? -1 : 1;
+    const int sense = limit.sense == image.sense ? 1 : -1;
+    return image.offset == turned * limit.offset && are_images(limit.limits, image.limits, turned * sense);
+  }
+
+  bool operator()(const Obstacle& obstacle, const Obstacle& image) const {
+    if (const auto* ball = std::get_if<BallObstacle>(&obstacle.shape)) {
+      const auto* other = std::get_if<BallObstacle>(&image.shape);
+      return other != nullptr && ball->radius == other->radius &&
+             takes_point(symmetry_, ball->center, other->center);
+    }
+    const auto* other = std::get_if<BoxObstacle>(&image.shape);
+    return other != nullptr && takes_box(std::get<BoxObstacle>(obstacle.shape), *other);
+  }
+
+  bool operator()(const std::array<LinkName, 2>& pair, const std::array<LinkName, 2>& image) const {
+    const LinkName first = taken(pair[0]), second = taken(pair[1]);
+    return (first == image[0] && second == image[1]) || (first == image[1] && second == image[0]);
+  }
+
+  bool takes_workspace(const WorkspaceBox& box, std::size_t directions) const {
+    for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(directions); ++i) {
+      Eigen::Index from = 0;
+      symmetry_.base.row(i).cwiseAbs().maxCoeff(&from);
+      const bool reversed = symmetry_.base(i, from) < 0.0;
+      const double lower = reversed ? -box.upper[from] : box.lower[from];
+      const double upper = reversed ? -box.lower[from] : box.upper[from];
+      if (!is_exact_sum(lower, symmetry_.shift[i], box.lower[i])) return false;
+      if (!is_exact_sum(upper, symmetry_.shift[i], box.upper[i])) return false;
+    }
+    return true;
+  }
+
+  // Points of one joint are told from others by distances, which must not be rounded differently.
+  bool keeps_distances() const { return symmetry_.base.diagonal().all() && symmetry_.shift.isZero(0.0); }
+
+ private:
+  /// Angles in the plane are counted from there.
+  bool keeps_x_axis() const { return symmetry_.base(0, 0) > 0.0 && symmetry_.platform(0, 0) > 0.0; }
+
+  LinkName taken(const LinkName& link) const { return {link.kind, leg_image_[link.leg]}; }
+
+  // In axes that are images of each other, the vector of a rotation changes like one, but for reflections.
+  bool takes_box(const BoxObstacle& box, const BoxObstacle& image) const {
+    const Eigen::Vector3d vector = symmetry_.handedness() * (symmetry_.base * box.orientation.vec());
+    const bool same = box.orientation.w() == image.orientation.w() && vector == image.orientation.vec();
+    const bool negative = box.orientation.w() == -image.orientation.w() && vector == -image.orientation.vec();
+    return (same || negative) && takes_point(symmetry_, box.center, image.center) &&
+           symmetry_.base.cwiseAbs() * box.half_size == image.half_size;
+  }
+
+  const RigidSymmetry& symmetry_;
+  const std::vector<std::size_t>& leg_image_;
+};
+
+}  // namespace
+
+bool takes_point(const RigidSymmetry& symmetry, const Eigen::Vector3d& point,
+                 const Eigen::Vector3d& image) noexcept {
+  const Eigen::Vector3d turned = symmetry.base * point;
+  for (Eigen::Index i = 0; i < turned.size(); ++i)
+    if (!is_exact_sum(turned[i], symmetry.shift[i], image[i])) return false;
+  return true;
+}
+
+int takes_direction(const RigidSymmetry& symmetry, const Eigen::Vector3d& direction,
+                    const Eigen::Vector3d& image) noexcept {
+  const Eigen::Vector3d turned = symmetry.base * direction;
+  if (turned == image) return 1;
+  return turned == -image ? -1 : 0;
+}
+
+bool are_images(const JointLimits& limits, const JointLimits& image, int sign) noexcept {
+  if (sign > 0) return limits.lower == image.lower && limits.upper == image.upper;
+  return limits.lower == -image.upper && limits.upper == -image.lower;
+}
+
+bool takes_constraints(const RigidSymmetry& symmetry, const std::vector<std::size_t>& leg_image,
+                       const Constraints& constraints, TaskSpace space) {
+  const ConstraintImages images(symmetry, leg_image);
+  if (constraints.workspace && !images.takes_workspace(*constraints.workspace, directions(space)))
+    return false;
+  if ((constraints.self_collision || constraints.thickness.platform) && !images.keeps_distances())
+    return false;
+  if (constraints.self_collision && !each_has_image(constraints.self_collision->ignored, images))
+    return false;
+  return each_has_image(constraints.passive_limits, images) && each_has_image(constraints.obstacles, images);
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASPECTS_SYMMETRY_MAP_SYMMETRY_H
+#define PARALLEL_ASPECTS_ASPECTS_SYMMETRY_MAP_SYMMETRY_H
+
+#include "aspects/symmetry/pose_symmetry.h"
+#include "aspects/tree/leaf_state.h"
+#include "parallel_aspects/aspects/box.h"
+#include "parallel_aspects/kinematics/working_mode.h"
+#include "parallel_aspects/model/manipulator.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// A `RobotSymmetry` as a map with certain working modes sees it: S(s, sigma) of mode m goes onto
+/// S(s, determinant_sign sigma) of mode `mode_image[m]`.
+struct MapSymmetry {
+  PoseSymmetry poses;
+  std::vector<std::size_t> mode_image;  ///< by index of the mode in the map
+  int determinant_sign = 1;
+  std::string text;  ///< for people: what becomes of a point of the base, as "(x, -y)"
+
+  /// What is proved of the image of a box in the image of a mode, and just so the other way.
+  LeafState image(LeafState state) const noexcept {
+    return determinant_sign > 0 ? state : state.with_signs_exchanged();
+  }
+};
+
+/// The symmetries of a manipulator that take the region of a map and its working modes onto themselves: with
+/// the identity, which is left out, they are a group. Empty in SE3, and where there is none.
+std::vector<MapSymmetry> find_map_symmetries(const Manipulator& manipulator, const Box& region,
+                                             const std::vector<WorkingMode>& modes);
+
+/// Where the states of a working mode are taken from.
+struct ModeSource {
+  std::size_t representative = 0;         ///< the mode itself, or one that is computed in its place
+  const MapSymmetry* symmetry = nullptr;  ///< that takes the representative to it; null for itself
+};
+
+/// Of each mode; representatives come before the modes that they stand for. The symmetries must outlive this.
+std::vector<ModeSource> find_mode_sources(const std::vector<MapSymmetry>& symmetries, std::size_t modes);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ASPECTS_SYMMETRY_MAP_SYMMETRY_H

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "aspects/symmetry/rigid_symmetry.h"
+
+#include "parallel_aspects/model/constraints.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+
+namespace parallel_aspects {
+namespace {
+
+constexpr Eigen::Index dimensions = 3;
+
+/// All 48 matrices that permute the axes and change their directions.
+std::vector<Eigen::Matrix3d> signed_permutations() {
+  std::vector<Eigen::Matrix3d> result;
+  std::array<Eigen::Index, dimensions> target{0, 1, 2};
+  do {
+    for (unsigned negative = 0; negative < 8U; ++negative) {
+      Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
+      for (Eigen::Index i = 0; i < dimensions; ++i)
+        matrix(target[static_cast<std::size_t>(i)], i) = (negative >> i & 1U) != 0 ? -1.0 : 1.0;
+      result.push_back(matrix);
+    }
+  } while (std::next_permutation(target.begin(), target.end()));
+  return result;
+}
+
+bool keeps_axis(const Eigen::Matrix3d& matrix, Eigen::Index axis) { return matrix(axis, axis) != 0.0; }
+
+/// Planar robots stay in their plane and what is above it stays above; platforms of T1 stay on their line.
+bool fits(TaskSpace space, const Eigen::Matrix3d& base) {
+  if (is_planar(space) && base(2, 2) != 1.0) return false;
+  return space != TaskSpace::T1 || keeps_axis(base, 0);
+}
+
+/// The shift that brings the image of an interval onto another; nothing where none does so exactly.
+std::optional<double> find_shift(double sign, double lower, double upper, double image_lower,
+                                 double image_upper) {
+  const double first = sign > 0.0 ? lower : -upper, last = sign > 0.0 ? upper : -lower;
+  const double shift = image_lower - first;
+  const bool exact = is_exact_sum(first, shift, image_lower) && is_exact_sum(last, shift, image_upper);
+  return exact ? std::optional<double>(shift) : std::nullopt;
+}
+
+bool set_shift(const Box& region, std::size_t positions, RigidSymmetry& symmetry) {
+  for (Eigen::Index k = 0; k < static_cast<Eigen::Index>(positions); ++k) {
+    Eigen::Index i = 0;
+    symmetry.base.col(k).cwiseAbs().maxCoeff(&i);
+    const auto from = static_cast<std::size_t>(k), to = static_cast<std::size_t>(i);
+    const auto shift = find_shift(symmetry.base(i, k), region.lower[from], region.upper[from],
+                                  region.lower[to], region.upper[to]);
+    if (!shift) return false;
+    symmetry.shift[i] = *shift;
+  }
+  return true;
+}
+
+/// About the same axes the platform may make a half turn besides.
+std::vector<RigidSymmetry> symmetries_of_rotations(const Eigen::Matrix3d& base) {
+  std::vector<RigidSymmetry> result{{base, base}};
+  for (Eigen::Index axis = 0; axis < dimensions; ++axis) {
+    Eigen::Vector3d half_turn = Eigen::Vector3d::Constant(-1.0);
+    half_turn[axis] = 1.0;
+    result.push_back({base, base * half_turn.asDiagonal()});
+  }
+  return result;
+}
+
+std::string number(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.6g", value);
+  return text.data();
+}
+
+}  // namespace
+
+bool is_exact_sum(double one, double other, double sum) noexcept {
+  const double rounded = one + other, other_part = rounded - one;
+  const double error = (one - (rounded - other_part)) + (other - other_part);
+  return rounded == sum && error == 0.0;
+}
+
+std::vector<RigidSymmetry> find_rigid_symmetries(TaskSpace space, const Box& region) {
+  std::vector<RigidSymmetry> result;
+  if (space == TaskSpace::SE3) return result;
+  for (const Eigen::Matrix3d& base : signed_permutations()) {
+    if (!fits(space, base)) continue;
+    if (space == TaskSpace::SO3) {
+      const auto more = symmetries_of_rotations(base);
+      result.insert(result.end(), more.begin(), more.end());
+      continue;
+    }
+    RigidSymmetry symmetry{base, base};
+    if (set_shift(region, directions(space), symmetry)) result.push_back(symmetry);
+  }
+  return result;
+}
+
+std::string to_string(const RigidSymmetry& symmetry, TaskSpace space) {
+  const std::size_t count = space == TaskSpace::T1 ? 2 : is_planar(space) ? 2 : 3;
+  std::string text;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    Eigen::Index from = 0;
+    symmetry.base.row(row).cwiseAbs().maxCoeff(&from);
+    text += (i == 0 ? "(" : ", ");
+    if (symmetry.shift[row] != 0.0) text += number(symmetry.shift[row]);
+    if (symmetry.base(row, from) < 0.0)
+      text += "-";
+    else if (symmetry.shift[row] != 0.0)
+      text += "+";
+    text += "xyz"[from];
+  }
+  return text + ")";
+}
+
+}  // namespace parallel_aspects

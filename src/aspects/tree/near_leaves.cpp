@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "aspects/tree/near_leaves.h"
+
+#include <limits>
+
+namespace parallel_aspects {
+namespace {
+
+class Search {
+ public:
+  Search(const PoseTree& tree, std::size_t mode, int sign, const MapPoint& point)
+      : tree_(tree), mode_(mode), sign_(sign), point_(point), weights_(tree.space().weights()) {}
+
+  NearLeaves run(RootIndex root) {
+    descend(root);
+    return found_;
+  }
+
+ private:
+  double farthest() const {
+    return found_.count < NearLeaves::most ? std::numeric_limits<double>::infinity()
+                                           : found_.items[found_.count - 1].squared_distance;
+  }
+
+  void descend(NodeIndex node) {
+    const LeafState state = tree_.state(node, mode_);
+    if (!state.is_divided() && !state.is_inside(sign_)) return;
+    const Box box = tree_.box(node);
+    const double distance = box.squared_distance(point_, weights_);
+    if (distance >= farthest()) return;
+    if (!state.is_divided()) return insert(node, distance);
+    const NodeIndex nearest = box.rank_of(point_);
+    for (NodeIndex rank = 0; rank < tree_.children_per_node(); ++rank)
+      descend(tree_.first_child(node) + (rank ^ nearest));
+  }
+
+  void insert(NodeIndex leaf, double distance) {
+    if (found_.count < NearLeaves::most) ++found_.count;
+    std::size_t at = found_.count - 1;
+    for (; at > 0 && found_.items[at - 1].squared_distance > distance; --at)
+      found_.items[at] = found_.items[at - 1];
+    found_.items[at] = {leaf, distance};
+  }
+
+  const PoseTree& tree_;
+  std::size_t mode_;
+  int sign_;
+  const MapPoint& point_;
+  MapPoint weights_;
+  NearLeaves found_;
+};
+
+}  // namespace
+
+NearLeaves near_inside_leaves(const PoseTree& tree, std::size_t mode, int sign,
+                              const MapPosition& position) noexcept {
+  return Search(tree, mode, sign, position.point).run(position.root);
+}
+
+}  // namespace parallel_aspects

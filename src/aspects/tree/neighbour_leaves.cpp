@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "aspects/tree/neighbour_leaves.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+
+namespace parallel_aspects {
+namespace {
+
+constexpr std::uint32_t units = std::uint32_t{1} << PoseTree::deepest_level;  // across a root box
+
+/// A closed range along one coordinate, in units of the deepest level.
+struct Span {
+  std::uint32_t begin, end;
+
+  Span flipped() const noexcept { return {units - end, units - begin}; }
+};
+
+/// A closed box of a root, flat where it is a face.
+struct Patch {
+  RootIndex root;
+  std::array<Span, max_map_dimension> spans{};
+};
+
+Patch patch(const NodePlace& place) noexcept {
+  const std::uint32_t shift = PoseTree::deepest_level - place.level;
+  Patch result{place.root, {}};
+  for (std::size_t i = 0; i < max_map_dimension; ++i)
+    result.spans[i] = {place.cell[i] << shift, (place.cell[i] + 1) << shift};
+  return result;
+}
+
+bool lies_on(const Patch& patch, const RootFace& face) noexcept {
+  const Span& along = patch.spans[face.axis];
+  return patch.root == face.root && (face.upper ? along.end == units : along.begin == 0);
+}
+
+Span end_of(bool upper) noexcept { return upper ? Span{units, units} : Span{0, 0}; }
+
+/// A face that lies on one side of a gluing, seen from the other.
+Patch image(const Gluing& gluing, const Patch& here, bool from_first, std::size_t dimension) noexcept {
+  const RootFace& to = from_first ? gluing.second : gluing.first;
+  Patch there{to.root, {}};
+  for (std::size_t i = 0; i < dimension; ++i) {
+    const std::size_t from = from_first ? i : gluing.axis_of[i];
+    const Span& span = here.spans[from];
+    there.spans[from_first ? gluing.axis_of[i] : i] = gluing.flipped[i] ? span.flipped() : span;
+  }
+  there.spans[to.axis] = end_of(to.upper);
+  return there;
+}
+
+/// The node itself, and its faces as seen from across glued faces.
+template <class Visitor>
+void for_each_image(const PoseTree& tree, NodeIndex node, const Visitor& visit) {
+  const Patch own = patch(tree.place(node));
+  visit(own);
+  for (const Gluing& gluing : tree.space().gluings()) {
+    if (lies_on(own, gluing.first)) visit(image(gluing, own, true, tree.dimension()));
+    if (lies_on(own, gluing.second)) visit(image(gluing, own, false, tree.dimension()));
+  }
+}
+
+/// What two patches have in common; nothing where that is less than part of a face.
+std::optional<Patch> common(const Patch& a, const Patch& b, std::size_t dimension) noexcept {
+  if (a.root != b.root) return std::nullopt;
+  Patch result{a.root, {}};
+  std::size_t flat = 0;
+  for (std::size_t i = 0; i < dimension; ++i) {
+    result.spans[i] = {std::max(a.spans[i].begin, b.spans[i].begin),
+                       std::min(a.spans[i].end, b.spans[i].end)};
+    if (result.spans[i].begin > result.spans[i].end) return std::nullopt;
+    flat += result.spans[i].begin == result.spans[i].end;
+  }
+  return flat <= 1 ? std::optional<Patch>(result) : std::nullopt;
+}
+
+class NeighbourSearch {
+ public:
+  NeighbourSearch(const PoseTree& tree, std::size_t mode, NodeIndex node)
+      : tree_(tree), mode_(mode), node_(node) {}
+
+  std::vector<NodeIndex> run() {
+    for_each_image(tree_, node_, [this](const Patch& image) { descend(image, image.root); });
+    return std::move(found_);
+  }
+
+ private:
+  void descend(const Patch& image, NodeIndex other) {
+    const LeafState state = tree_.state(other, mode_);
+    if (other == node_ || state.is_outside()) return;
+    if (!common(image, patch(tree_.place(other)), tree_.dimension())) return;
+    if (!state.is_divided()) return found_.push_back(other);
+    const NodeIndex first = tree_.first_child(other);
+    for (NodeIndex child = first; child < first + tree_.children_per_node(); ++child) descend(image, child);
+  }
+
+  const PoseTree& tree_;
+  std::size_t mode_;
+  NodeIndex node_;
+  std::vector<NodeIndex> found_;
+};
+
+Box box_of(const PoseTree& tree, const Patch& patch) {
+  const Box& region = tree.region();
+  Box box{region.dimension, {}, {}};
+  for (std::size_t i = 0; i < region.dimension; ++i) {
+    const double unit = std::ldexp(region.width(i), -static_cast<int>(PoseTree::deepest_level));
+    box.lower[i] = region.lower[i] + unit * patch.spans[i].begin;
+    box.upper[i] = region.lower[i] + unit * patch.spans[i].end;
+  }
+  return box;
+}
+
+}  // namespace
+
+std::vector<NodeIndex> neighbour_leaves(const PoseTree& tree, std::size_t mode, NodeIndex node) {
+  return NeighbourSearch(tree, mode, node).run();
+}
+
+std::vector<SharedFace> shared_faces(const PoseTree& tree, NodeIndex a, NodeIndex b) {
+  std::vector<SharedFace> result;
+  const Patch other = patch(tree.place(b));
+  for_each_image(tree, a, [&](const Patch& image) {
+    if (const auto face = common(image, other, tree.dimension()))
+      result.push_back({face->root, box_of(tree, *face)});
+  });
+  return result;
+}
+
+bool share_face(const PoseTree& tree, NodeIndex a, NodeIndex b) {
+  bool shared = false;
+  const Patch other = patch(tree.place(b));
+  for_each_image(tree, a, [&](const Patch& image) {
+    shared = shared || common(image, other, tree.dimension()).has_value();
+  });
+  return shared;
+}
+
+}  // namespace parallel_aspects

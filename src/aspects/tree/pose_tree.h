@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASPECTS_TREE_POSE_TREE_H
+#define PARALLEL_ASPECTS_ASPECTS_TREE_POSE_TREE_H
+
+#include "aspects/tree/leaf_state.h"
+#include "aspects/tree/pose_space.h"
+#include "parallel_aspects/aspects/box.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// Index of a node in a `PoseTree`; the roots come first.
+using NodeIndex = std::uint32_t;
+inline constexpr NodeIndex no_node = 0xffffffffU;
+
+/// Where a node lies: in which root box, with edges 2^-level of it, lower corner at `cell` times these edges.
+struct NodePlace {
+  std::array<std::uint32_t, max_map_dimension> cell{};
+  std::uint32_t level = 0;
+  RootIndex root = 0;
+};
+
+/// What a `PoseTree` holds beside its space, without what follows from the rest.
+struct TreeRecord {
+  std::vector<NodeIndex> parents;    ///< nodes with children, in the order in which they got them
+  std::vector<std::uint8_t> states;  ///< codes by node and mode, except of those that are inherited
+};
+
+/// A 2^d-tree of pose boxes, or as many of them as the space has roots. Each node has one `LeafState` for
+/// each of its working modes; a mode's leaves are the nodes where it is decided or undecided, and modes may
+/// end at different depths of the one tree.
+class PoseTree {
+ public:
+  /// Deepest level that boxes stay exact at.
+  static constexpr std::uint32_t deepest_level = 28;
+
+  /// The tree of pending roots. The region of `space` must be its own `exact_region`.
+  PoseTree(std::shared_ptr<const PoseSpace> space, std::size_t modes);
+
+  const PoseSpace& space() const noexcept { return *space_; }
+  const Box& region() const noexcept { return region_; }
+  std::size_t dimension() const noexcept { return region_.dimension; }
+  std::size_t root_count() const noexcept { return space_->root_count(); }
+  std::size_t mode_count() const noexcept { return modes_; }
+  std::size_t node_count() const noexcept { return places_.size(); }
+  NodeIndex children_per_node() const noexcept { return NodeIndex{1} << dimension(); }
+
+  LeafState state(NodeIndex node, std::size_t mode) const noexcept { return states_[node * modes_ + mode]; }
+  LeafState& state(NodeIndex node, std::size_t mode) noexcept { return states_[node * modes_ + mode]; }
+  LeafState* states(NodeIndex node) noexcept { return states_.data() + node * modes_; }
+
+  const NodePlace& place(NodeIndex node) const noexcept { return places_[node]; }
+
+  /// Box of a node [m or rad]. All corners are exact, so neighbours share them bit for bit.
+  Box box(NodeIndex node) const noexcept;
+
+  /// First of the `children_per_node()` children, which are contiguous; `no_node` for none. Bit i of a
+  /// child's rank says which half it takes along coordinate i.
+  NodeIndex first_child(NodeIndex node) const noexcept { return first_child_[node]; }
+
+  /// Gives `node` children, unless it has them: the modes that are undecided there become divided in it and
+  /// pending in them where `divide` holds that mode; other modes are inherited.
+  template <class Predicate>
+  NodeIndex divide(NodeIndex node, const Predicate& divides_mode);
+
+  /// Gives `node` children, unless it has them, in which every mode is inherited. Returns the first.
+  NodeIndex add_children(NodeIndex node) {
+    return first_child_[node] == no_node ? append_children(node) : first_child_[node];
+  }
+
+  TreeRecord record() const;
+
+  /// The tree with that record, node by node the same; nothing where no tree without pending states has it.
+  static std::optional<PoseTree> from_record(std::shared_ptr<const PoseSpace> space, std::size_t modes,
+                                             const TreeRecord& record);
+
+  /// The leaf of `mode` that contains a position; nothing where that is outside the region.
+  std::optional<NodeIndex> leaf_at(const MapPosition& position, std::size_t mode) const noexcept;
+
+ private:
+  NodeIndex append_children(NodeIndex node);
+  bool append_all_children(const std::vector<NodeIndex>& parents);
+  bool set_states(const TreeRecord& record);
+
+  /// Whether the state is inherited, where that of the parent is known.
+  bool inherits(const std::vector<NodeIndex>& parents, NodeIndex node, std::size_t mode) const noexcept {
+    return node >= root_count() && !state(parents[(node - root_count()) >> dimension()], mode).is_divided();
+  }
+
+  std::shared_ptr<const PoseSpace> space_;
+  Box region_;
+  std::array<MapPoint, deepest_level + 1> edges_{};  // of a node, by level
+  std::size_t modes_;
+  std::vector<NodePlace> places_;
+  std::vector<NodeIndex> first_child_;
+  std::vector<LeafState> states_;
+};
+
+/// `box` widened so that every corner of every node down to `PoseTree::deepest_level` is an exact double: its
+/// corners become multiples of a power of two, some 2^-22 of the farthest of them. Nothing where it lies too
+/// far from the origin for its width (more than some thousand widths), is empty or is not finite.
+std::optional<Box> exact_region(const Box& box) noexcept;
+
+template <class Predicate>
+NodeIndex PoseTree::divide(NodeIndex node, const Predicate& divides_mode) {
+  const NodeIndex first = add_children(node);
+  for (std::size_t mode = 0; mode < modes_; ++mode) {
+    if (!state(node, mode).is_undecided() || !divides_mode(mode)) continue;
+    state(node, mode) = LeafState::divided();
+    for (NodeIndex child = first; child < first + children_per_node(); ++child)
+      state(child, mode) = LeafState::pending();
+  }
+  return first;
+}
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ASPECTS_TREE_POSE_TREE_H

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "aspects/tree/slice_space.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace parallel_aspects {
+namespace {
+
+constexpr double pi = EIGEN_PI;
+constexpr double rounding =
+    1e-9;  // of poses that are meant to lie in the slice [rad, or of 1 m + the position]
+
+bool is_close(double a, double b) { return std::abs(a - b) <= rounding * (1.0 + std::abs(b)); }
+
+bool holds_positions(const MapSlice& slice, const Pose& pose) {
+  for (Eigen::Index i = 0; i < 3; ++i)
+    if (!slice.moves[static_cast<std::size_t>(i)] && !is_close(pose.position[i], slice.held.position[i]))
+      return false;
+  return true;
+}
+
+MapPosition nowhere() {
+  MapPosition result;
+  result.point.fill(std::numeric_limits<double>::quiet_NaN());
+  return result;
+}
+
+bool turns(const MapSlice& slice) { return slice.turning == MapSlice::Turning::about_axis; }
+
+Box with_angle(const MapSlice& slice, Box box) {
+  if (!turns(slice)) return box;
+  box.lower[box.dimension] = -1.0;
+  box.upper[box.dimension] = 1.0;
+  ++box.dimension;
+  return box;
+}
+
+std::vector<Gluing> ends_of_angle(const MapSlice& slice) {
+  if (!turns(slice)) return {};
+  const auto axis = static_cast<std::uint8_t>(slice.free_positions());
+  Gluing gluing{{0, axis, true}, {0, axis, false}, {}, {}};
+  for (std::uint8_t i = 0; i < max_map_dimension; ++i) gluing.axis_of[i] = i;
+  return {gluing};
+}
+
+/// Positions, and perhaps an angle about one axis.
+class Slice final : public PoseSpace {
+ public:
+  Slice(const MapSlice& slice, const Box& positions, double characteristic_length)
+      : PoseSpace(with_angle(slice, positions), 1, ends_of_angle(slice)),
+        slice_(slice),
+        axis_(slice.axis.normalized()),
+        length_(characteristic_length) {}
+
+  MapPosition position(const Pose& pose) const noexcept override {
+    const Eigen::Quaterniond turn = pose.orientation * slice_.held.orientation.conjugate();
+    const double along = turns(slice_) ? turn.vec().dot(axis_) : 0.0;
+    if (!holds_positions(slice_, pose) || !((turn.vec() - along * axis_).norm() <= rounding))
+      return nowhere();
+    MapPosition result;
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+      if (slice_.moves[i]) result.point[next++] = pose.position[static_cast<Eigen::Index>(i)];
+    if (turns(slice_)) result.point[next] = std::remainder(2.0 * std::atan2(along, turn.w()), 2.0 * pi) / pi;
+    return result;
+  }
+
+  Pose pose(const MapPosition& position) const noexcept override {
+    Pose result = slice_.held;
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+      if (slice_.moves[i]) result.position[static_cast<Eigen::Index>(i)] = position.point[next++];
+    if (turns(slice_))
+      result.orientation = Eigen::AngleAxisd(pi * position.point[next], axis_) * slice_.held.orientation;
+    return result;
+  }
+
+  Box shown(const Box& box) const noexcept override {
+    Box result = box;
+    if (turns(slice_)) {
+      result.lower[angle()] *= pi;
+      result.upper[angle()] *= pi;
+    }
+    return result;
+  }
+
+  double measure(const Box& box) const noexcept override {
+    return turns(slice_) ? pi * box.measure() : box.measure();
+  }
+
+  double longest_edge(const Box& box) const noexcept override {
+    double longest = 0.0;
+    for (std::size_t i = 0; i < dimension(); ++i)
+      longest = std::max(longest, is_periodic(i) ? pi * box.width(i) : box.width(i));
+    return longest;
+  }
+
+  bool is_periodic(std::size_t i) const noexcept override { return turns(slice_) && i == angle(); }
+
+  MapPoint weights() const noexcept override {
+    MapPoint result{1.0, 1.0, 1.0};
+    if (turns(slice_)) result[angle()] = slice_.free_positions() == 0 ? pi : pi * length_;
+    return result;
+  }
+
+ private:
+  std::size_t angle() const noexcept { return dimension() - 1; }
+
+  MapSlice slice_;
+  Eigen::Vector3d axis_;
+  double length_;
+};
+
+/// Every orientation at one position: SO3, moved there.
+class HeldPosition final : public PoseSpace {
+ public:
+  HeldPosition(const MapSlice& slice, const std::shared_ptr<const PoseSpace>& rotations)
+      : PoseSpace(rotations->region(), rotations->root_count(), rotations->gluings()),
+        slice_(slice),
+        rotations_(rotations) {}
+
+  MapPosition position(const Pose& pose) const noexcept override {
+    return holds_positions(slice_, pose) ? rotations_->position(pose) : nowhere();
+  }
+
+  Pose pose(const MapPosition& position) const noexcept override {
+    Pose result = rotations_->pose(position);
+    result.position = slice_.held.position;
+    return result;
+  }
+
+  Box shown(const Box& box) const noexcept override { return rotations_->shown(box); }
+  double measure(const Box& box) const noexcept override { return rotations_->measure(box); }
+  double longest_edge(const Box& box) const noexcept override { return rotations_->longest_edge(box); }
+  double proved_radius(const MapPoint& center, double radius) const noexcept override {
+    return rotations_->proved_radius(center, radius);
+  }
+
+ private:
+  MapSlice slice_;
+  std::shared_ptr<const PoseSpace> rotations_;
+};
+
+}  // namespace
+
+std::shared_ptr<const PoseSpace> make_slice_space(const MapSlice& slice, const Box& positions,
+                                                  double characteristic_length) {
+  if (slice.turning == MapSlice::Turning::freely)
+    return std::make_shared<const HeldPosition>(slice, make_pose_space(TaskSpace::SO3, Box{}, 1.0));
+  return std::make_shared<const Slice>(slice, positions, characteristic_length);
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_INTERVAL_NONSINGULAR_H
+#define PARALLEL_ASPECTS_INTERVAL_NONSINGULAR_H
+
+#include "interval/interval.h"
+#include "interval/path_form.h"
+#include "parallel_aspects/model/vectors.h"
+
+#include <array>
+#include <cstddef>
+
+namespace parallel_aspects {
+
+/// Up to `max_legs` rows and columns; those beyond the size are not used.
+template <class Scalar>
+using SquareArray = std::array<std::array<Scalar, max_legs>, max_legs>;
+
+/// The sign of the determinant of every real matrix in an interval matrix of `size` rows, by Gaussian
+/// elimination; 0 where that is not proved. Entries must be finite. Needs a live `RoundingUpward`.
+int proved_determinant_sign(std::size_t size, SquareArray<Interval> matrix) noexcept;
+
+/// Whether each A(s), s in [-1, 1], is proved nonsingular: with C an approximate inverse of A(0), all entries
+/// of A(s) C - I are at most those of some matrix E >= 0, and E v < v for a positive vector v, so that E has
+/// a spectral radius below 1. `ratio` becomes an upper bound of that radius, for step control; infinite where
+/// there is none. Needs a live `RoundingUpward`.
+bool proved_nonsingular(std::size_t size, const SquareArray<PathForm>& matrix, double& ratio) noexcept;
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_INTERVAL_NONSINGULAR_H

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kinematics/direct/continuum.h"
+
+#include "kinematics/direct/pose_refinement.h"
+#include "model/coefficients.h"
+#include "model/linear_algebra.h"
+#include "parallel_aspects/kinematics/jacobians.h"
+
+#include <array>
+#include <cmath>
+#include <random>
+
+namespace parallel_aspects {
+namespace {
+
+// A below this is singular, dimensionless.
+constexpr double singular = 1e-6;
+
+// A pose that assembles, relative to the scale.
+constexpr double assembled = 1e-12;
+
+// Singular values below this, relative to the largest, belong to motions that A nearly does not feel.
+constexpr double null_motion = 1e-3;
+
+// Gauss-Newton that stays where it started along the null motions of A.
+Pose pulled_back(const Manipulator& manipulator, Pose pose, const JointVector& q, int steps) {
+  for (int i = 0; i < steps; ++i) {
+    const auto svd = singular_value_decomposition(direct_matrix(manipulator, pose, q));
+    const Eigen::Index rank = svd.rank_above(null_motion * svd.values[0]);
+    const Eigen::VectorXd parts = svd.u.leftCols(rank).transpose() * (-0.5 * residuals(manipulator, pose, q));
+    const TaskVector step = svd.v.leftCols(rank) * parts.cwiseQuotient(svd.values.head(rank));
+    pose = displaced(manipulator.task_space(), pose, step);
+  }
+  return pose;
+}
+
+double distance(const Manipulator& manipulator, const Pose& a, const Pose& b) {
+  const double turn = a.orientation.angularDistance(b.orientation) * manipulator.characteristic_length();
+  return std::hypot((a.position - b.position).norm(), has_rotation(manipulator.task_space()) ? turn : 0.0);
+}
+
+bool is_singular_solution(const Manipulator& manipulator, const Pose& pose, const JointVector& q) {
+  return relative_residual(manipulator, pose, q, assembly_scale(manipulator, q)) < assembled &&
+         smallest_singular_value_bound(manipulator, pose, q) < singular;
+}
+
+// Whether a step of `length` [m] along `twist` (homogenised, unit) can be pulled back to another singular
+// solution.
+bool leads_on(const Manipulator& manipulator, const Pose& pose, const JointVector& q, TaskVector twist,
+              double length) {
+  twist.head(static_cast<Eigen::Index>(rotational_freedoms(manipulator.task_space()))) /=
+      manipulator.characteristic_length();
+  const Pose away = displaced(manipulator.task_space(), pose, length * twist);
+  const Pose landed = pulled_back(manipulator, away, q, 12);
+  const double moved = distance(manipulator, pose, landed), expected = std::abs(length);
+  return moved > 0.5 * expected && moved < 2.0 * expected && is_singular_solution(manipulator, landed, q);
+}
+
+Pose random_pose(const Manipulator& manipulator, std::mt19937& engine) {
+  std::normal_distribution<double> normal;
+  TaskVector twist(static_cast<Eigen::Index>(manipulator.leg_count()));
+  for (double& each : coefficients_of(twist)) each = normal(engine);
+  const auto rotations = static_cast<Eigen::Index>(rotational_freedoms(manipulator.task_space()));
+  twist.tail(twist.size() - rotations) *= manipulator.size();
+  return displaced(manipulator.task_space(), Pose{}, twist);
+}
+
+}  // namespace
+
+bool on_continuum(const Manipulator& manipulator, const Pose& pose, const JointVector& q) {
+  const auto svd = singular_value_decomposition(homogenised_matrix(manipulator, pose, q));
+  const double size = manipulator.size();
+  for (Eigen::Index k = svd.values.size() - 1; k >= 0 && svd.values[k] < singular; --k) {
+    const TaskVector twist = svd.v.col(k);
+    const auto leads = [&](double share) { return leads_on(manipulator, pose, q, twist, share * size); };
+    if ((leads(0.005) && leads(0.01) && leads(0.02)) || (leads(-0.005) && leads(-0.01) && leads(-0.02)))
+      return true;
+  }
+  return false;
+}
+
+bool continuum_found(const Manipulator& manipulator, const JointVector& q) {
+  constexpr int starts = 30, steps = 40;
+  std::mt19937 engine(1);
+  for (int i = 0; i < starts; ++i) {
+    const Pose pose = pulled_back(manipulator, random_pose(manipulator, engine), q, steps);
+    if (is_singular_solution(manipulator, pose, q) && on_continuum(manipulator, pose, q)) return true;
+  }
+  return false;
+}
+
+}  // namespace parallel_aspects

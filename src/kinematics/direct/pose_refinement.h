@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_KINEMATICS_DIRECT_POSE_REFINEMENT_H
+#define PARALLEL_ASPECTS_KINEMATICS_DIRECT_POSE_REFINEMENT_H
+
+#include "parallel_aspects/model/manipulator.h"
+#include "parallel_aspects/model/pose.h"
+
+namespace parallel_aspects {
+
+/// What Newton's method makes of an approximate direct solution.
+struct Refinement {
+  Pose pose;
+  double residual = 0.0;        ///< largest |f_j| over the squared `assembly_scale`, dimensionless
+  double singular_value = 0.0;  ///< see `smallest_singular_value_bound`, at `pose`
+};
+
+/// Newton's method on f(X, q) = 0 from `pose`, for as long as the residual falls. Where it does not converge
+/// the residual says so.
+Refinement refined(const Manipulator& manipulator, const Pose& pose, const JointVector& q);
+
+/// The length that residuals are judged against [m]: the largest of the robot's size, its rods and anchors,
+/// and how far the drives have moved the proximal points.
+double assembly_scale(const Manipulator& manipulator, const JointVector& q);
+
+/// Largest |f_j| over the squared `scale` [m], dimensionless.
+double relative_residual(const Manipulator& manipulator, const Pose& pose, const JointVector& q,
+                         double scale);
+
+/// A lower bound of the smallest singular value of the homogenised A, no less than 1/n of it. Dimensionless;
+/// 0 at a parallel singularity.
+double smallest_singular_value_bound(const Manipulator& manipulator, const Pose& pose, const JointVector& q);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_KINEMATICS_DIRECT_POSE_REFINEMENT_H

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "legs/limit_verdict.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace parallel_aspects {
+
+Verdict both(Verdict a, Verdict b) noexcept {
+  if (a == Verdict::fails || b == Verdict::fails) return Verdict::fails;
+  return a == Verdict::holds && b == Verdict::holds ? Verdict::holds : Verdict::unsure;
+}
+
+Verdict either(Verdict a, Verdict b) noexcept {
+  if (a == Verdict::holds || b == Verdict::holds) return Verdict::holds;
+  return a == Verdict::fails && b == Verdict::fails ? Verdict::fails : Verdict::unsure;
+}
+
+Verdict is_positive(const Interval& value) noexcept {
+  if (value.positive()) return Verdict::holds;
+  return value.negative() ? Verdict::fails : Verdict::unsure;
+}
+
+Verdict verdict(const LimitFunctions<Interval>& limits) noexcept {
+  if (limits.count == 0) return Verdict::holds;
+  Verdict result = is_positive(limits.values[0]);
+  for (std::size_t i = 1; i < limits.count; ++i) {
+    const Verdict next = is_positive(limits.values[i]);
+    result = limits.any ? either(result, next) : both(result, next);
+  }
+  return result;
+}
+
+AngleLimits::AngleLimits(const JointLimits& limits, double offset, double sense)
+    : limited_(std::isfinite(limits.lower) && std::isfinite(limits.upper) &&
+               limits.upper - limits.lower < 2.0 * EIGEN_PI) {
+  if (!limited_) return;
+  const double one_end = offset + sense * limits.lower, other_end = offset + sense * limits.upper;
+  lower_ = direction(std::min(one_end, other_end));
+  upper_ = direction(std::max(one_end, other_end));
+  less_than_half_turn_ = limits.upper - limits.lower < EIGEN_PI;
+}
+
+// The angle is a rounded sum of a limit and perhaps a rounded arc tangent; its error and that of cosine and
+// sine are a few units in the last place each, in every rounding direction. Together they stay below this.
+AngleLimits::Direction AngleLimits::direction(double angle) {
+  const double error = 0x1p-48 * (1.0 + std::abs(angle));
+  const double cosine = std::cos(angle), sine = std::sin(angle);
+  return {{cosine - error, cosine + error}, {sine - error, sine + error}};
+}
+
+LengthLimits::LengthLimits(const JointLimits& limits, double zero, double sense) : limits_(limits) {
+  const double first = sense > 0.0 ? limits.lower : limits.upper;
+  const double last = sense > 0.0 ? limits.upper : limits.lower;
+  const Interval at_zero(zero), factor(sense);
+  if (std::isfinite(first)) {
+    const Interval shortest = at_zero + factor * Interval(first);
+    if (!shortest.negative()) squared_lower_ = square(not_negative_part(shortest));
+  }
+  if (std::isfinite(last)) {
+    const Interval longest = at_zero + factor * Interval(last);
+    squared_upper_ = longest.negative() ? Interval(-1.0) : square(not_negative_part(longest));
+  }
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_LEGS_LIMIT_VERDICT_H
+#define PARALLEL_ASPECTS_LEGS_LIMIT_VERDICT_H
+
+#include "interval/interval.h"
+#include "parallel_aspects/model/leg.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
+namespace parallel_aspects {
+
+/// What is proved of a condition on a whole box: it holds everywhere, it fails everywhere, or neither.
+enum class Verdict { holds, fails, unsure };
+
+Verdict both(Verdict a, Verdict b) noexcept;
+Verdict either(Verdict a, Verdict b) noexcept;
+Verdict is_positive(const Interval& value) noexcept;
+
+/// Limits of a drive as functions of the pose: within limits where all of `values`, or with `any` at least
+/// one, are positive. The limits themselves may be counted to either side.
+template <class Scalar>
+struct LimitFunctions {
+  std::array<Scalar, 2> values;
+  std::size_t count = 0;
+  bool any = false;
+
+  void add(const Scalar& value) { values[count++] = value; }
+};
+
+Verdict verdict(const LimitFunctions<Interval>& limits) noexcept;
+
+/// Limits of a drive angle, tested on its cosine and sine without any arc function.
+class AngleLimits {
+ public:
+  /// Without limits.
+  AngleLimits() = default;
+
+  /// The angle `offset` + `sense` q is tested, q in `limits` [rad]; `sense` +1 or -1. A range of a full turn
+  /// or more is no limit.
+  AngleLimits(const JointLimits& limits, double offset, double sense);
+
+  bool limited() const noexcept { return limited_; }
+
+  /// For an angle whose cosine and sine, up to one positive factor, are the arguments.
+  template <class Scalar>
+  LimitFunctions<Scalar> functions(const Scalar& cosine, const Scalar& sine) const {
+    LimitFunctions<Scalar> result;
+    if (!limited_) return result;
+    result.any = !less_than_half_turn_;
+    result.add(lower_.cosine * sine - lower_.sine * cosine);
+    result.add(upper_.sine * cosine - upper_.cosine * sine);
+    return result;
+  }
+
+ private:
+  struct Direction {
+    Interval cosine, sine;
+  };
+  static Direction direction(double angle);
+
+  bool limited_ = false;
+  bool less_than_half_turn_ = false;
+  Direction lower_, upper_;
+};
+
+/// Limits of a length [m].
+class LengthLimits {
+ public:
+  LengthLimits() = default;
+  explicit LengthLimits(const JointLimits& limits) noexcept : limits_(limits) {}
+
+  /// Of the length `zero` + `sense` q of a strut, q in `limits`; `sense` +1 or -1.
+  LengthLimits(const JointLimits& limits, double zero, double sense);
+
+  bool limited() const noexcept { return limits_.limited(); }
+
+  template <class Scalar>
+  LimitFunctions<Scalar> functions(const Scalar& length) const {
+    LimitFunctions<Scalar> result;
+    if (std::isfinite(limits_.lower)) result.add(length - Scalar(limits_.lower));
+    if (std::isfinite(limits_.upper)) result.add(Scalar(limits_.upper) - length);
+    return result;
+  }
+
+  /// For a length of at least zero, told by its square: no root is needed. Only for limits of a strut.
+  template <class Scalar>
+  LimitFunctions<Scalar> functions_of_square(const Scalar& squared_length) const {
+    LimitFunctions<Scalar> result;
+    if (squared_lower_) result.add(squared_length - Scalar(*squared_lower_));
+    if (squared_upper_) result.add(Scalar(*squared_upper_) - squared_length);
+    return result;
+  }
+
+ private:
+  JointLimits limits_;
+  std::optional<Interval> squared_lower_, squared_upper_;
+};
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_LEGS_LIMIT_VERDICT_H

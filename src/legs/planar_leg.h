@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_LEGS_PLANAR_LEG_H
+#define PARALLEL_ASPECTS_LEGS_PLANAR_LEG_H
+
+#include "interval/dual.h"
+#include "interval/interval.h"
+#include "interval/scalar_range.h"
+#include "legs/limit_verdict.h"
+#include "legs/link_points.h"
+#include "parallel_aspects/model/leg.h"
+
+#include <optional>
+
+namespace parallel_aspects {
+
+/// A vector of the x-y plane over numbers, intervals or duals.
+template <class Scalar>
+struct Planar {
+  Scalar x, y;
+};
+
+template <class Scalar>
+Scalar cross(const Planar<Scalar>& a, const Planar<Scalar>& b) {
+  return a.x * b.y - a.y * b.x;
+}
+
+/// A leg seen from the displacement d = p - base point of its anchor. For both signs s of B_jj,
+/// |B_jj| = sqrt(squared_entry), and u = p - c has the direction of `fixed + s sqrt(squared_entry) turned`.
+template <class Scalar>
+struct PlanarLegForm {
+  Scalar squared_entry;
+  Planar<Scalar> fixed, turned;
+};
+
+/// A distance leg whose drive and anchor move in parallels of the x-y plane, with its constants enclosed in
+/// intervals. Must be made under a live `RoundingUpward`.
+class PlanarLeg {
+ public:
+  explicit PlanarLeg(const Leg& leg);
+
+  /// The base point in the plane [m].
+  const Planar<Interval>& base() const noexcept { return base_; }
+
+  /// No anchor within reach is farther from the base point than this, seen in the plane [m]; may be infinite.
+  double reach() const noexcept { return reach_; }
+
+  template <class Scalar>
+  PlanarLegForm<Scalar> form(const Planar<Scalar>& d) const;
+
+  /// Limits of the drive value of branch `sign`, where |B_jj| is `entry`.
+  template <class Scalar>
+  LimitFunctions<Scalar> limits(const Planar<Scalar>& d, const Scalar& entry, int sign) const;
+
+  /// Where the links of branch `sign` end, where |B_jj| is `entry`. Nothing where the box is too large to
+  /// tell.
+  template <class Scalar>
+  std::optional<LinkPoints<Scalar, 2>> link_points(const Planar<Scalar>& d, const Scalar& entry,
+                                                   int sign) const;
+
+ private:
+  enum class Kind { revolute, prismatic, strut, elbow };
+
+  void set(const RevoluteDrive& drive, const Leg& leg);
+  void set(const PrismaticDrive& drive, const Leg& leg);
+  void set(const StrutDrive& drive, const Leg& leg);
+  void set(const ElbowDrive& drive, const Leg& leg);
+  void set_base(const Eigen::Vector3d& base, const Leg& leg);
+  void set_two_links(const Interval& squared_first, const Interval& squared_second);
+
+  Kind kind_ = Kind::revolute;
+  double reach_ = 0.0;
+  Planar<Interval> base_;
+  Interval squared_height_;                      // of the anchor over the base point, out of the plane
+  Interval squared_longest_, squared_shortest_;  // two links stretched, folded
+  Interval squared_rod_, half_difference_;       // rod in the plane; (rod^2 - crank^2) / 2
+  Interval half_sum_;                            // (inner^2 + outer^2) / 2 of an elbow
+  Planar<Interval> direction_;                   // of a prismatic drive
+  double sense_ = 1.0;                           // of turning about z, or of a strut or elbow
+  AngleLimits angle_limits_;
+  LengthLimits length_limits_;
+};
+
+template <class Scalar>
+PlanarLegForm<Scalar> PlanarLeg::form(const Planar<Scalar>& d) const {
+  const Interval half(0.5), quarter(0.25);
+  if (kind_ == Kind::prismatic) {
+    const Scalar across = direction_.x * d.y - direction_.y * d.x;
+    return {squared_rod_ - square(across),
+            {-(direction_.y * across), direction_.x * across},
+            {direction_.x, direction_.y}};
+  }
+  const Scalar squared_distance = square(d.x) + square(d.y);
+  if (kind_ == Kind::strut) return {squared_distance + Scalar(squared_height_), d, {0.0, 0.0}};
+  if (kind_ == Kind::elbow) {
+    const Scalar spatial = squared_distance + Scalar(squared_height_);
+    return {quarter * ((squared_longest_ - spatial) * (spatial - squared_shortest_)), d, {0.0, 0.0}};
+  }
+  const Scalar along = half * squared_distance + Scalar(half_difference_);
+  const Planar<Scalar> turned = sense_ > 0.0 ? Planar<Scalar>{-d.y, d.x} : Planar<Scalar>{d.y, -d.x};
+  return {quarter * ((squared_longest_ - squared_distance) * (squared_distance - squared_shortest_)),
+          {along * d.x, along * d.y},
+          turned};
+}
+
+template <class Scalar>
+LimitFunctions<Scalar> PlanarLeg::limits(const Planar<Scalar>& d, const Scalar& entry, int sign) const {
+  if (!angle_limits_.limited() && !length_limits_.limited()) return {};
+  const Scalar signed_entry = sign > 0 ? entry : -entry;
+  const Scalar squared_distance = square(d.x) + square(d.y);
+  switch (kind_) {
+    case Kind::prismatic:
+      return length_limits_.functions<Scalar>(direction_.x * d.x + direction_.y * d.y - signed_entry);
+    case Kind::strut:
+      return length_limits_.functions_of_square<Scalar>(squared_distance + Scalar(squared_height_));
+    case Kind::elbow:
+      return angle_limits_.functions<Scalar>(
+          Interval(0.5) * (squared_distance + Scalar(squared_height_)) - Scalar(half_sum_),
+          Interval(-sense_) * signed_entry);
+    case Kind::revolute:
+      break;
+  }
+  // The crank points along a d - B_jj (axis x d), mirrored where the axis points down so that angles grow
+  // with q.
+  const Planar<Scalar> mirrored{d.x, Interval(sense_) * d.y};
+  const Scalar along = Interval(0.5) * squared_distance - Scalar(half_difference_);
+  return angle_limits_.functions<Scalar>(along * mirrored.x + signed_entry * mirrored.y,
+                                         along * mirrored.y - signed_entry * mirrored.x);
+}
+
+template <class Scalar>
+std::optional<LinkPoints<Scalar, 2>> PlanarLeg::link_points(const Planar<Scalar>& d, const Scalar& entry,
+                                                            int sign) const {
+  const Scalar x(base_.x), y(base_.y);
+  LinkPoints<Scalar, 2> points{{x, y}, {x, y}, {x + d.x, y + d.y}};
+  const Scalar signed_entry = sign > 0 ? entry : -entry;
+  if (kind_ == Kind::prismatic) {
+    const Scalar slide = direction_.x * d.x + direction_.y * d.y - signed_entry;
+    points.joint = {x + direction_.x * slide, y + direction_.y * slide};
+  }
+  if (kind_ != Kind::revolute) return points;
+  const Scalar squared_distance = square(d.x) + square(d.y);
+  const double least = std::max(range_of(squared_distance).lower(), squared_shortest_.lower());
+  if (!(least > 0.0)) return std::nullopt;
+  const Scalar scale = reciprocal(squared_distance, least);
+  const Scalar along = Interval(0.5) * squared_distance - Scalar(half_difference_);
+  const Scalar across = Interval(sense_) * signed_entry;
+  points.joint = {x + scale * (along * d.x + across * d.y), y + scale * (along * d.y - across * d.x)};
+  return points;
+}
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_LEGS_PLANAR_LEG_H

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "legs/spatial_leg.h"
+
+namespace parallel_aspects {
+namespace {
+
+Spatial<Interval> enclosed(const Eigen::Vector3d& vector) { return {vector.x(), vector.y(), vector.z()}; }
+
+}  // namespace
+
+SpatialLeg::SpatialLeg(const Leg& leg) : reach_(leg.longest_reach()), base_(enclosed(leg.base_point())) {
+  assert_rounding_upward();
+  std::visit([this, &leg](const auto& drive) { set(drive, leg); }, leg.drive);
+}
+
+void SpatialLeg::set(const RevoluteDrive& drive, const Leg& leg) {
+  kind_ = Kind::revolute;
+  axis_ = enclosed(drive.axis);
+  zero_direction_ = enclosed(drive.zero_direction);
+  side_direction_ = cross(axis_, zero_direction_);
+  const Interval crank(drive.radius), rod(leg.rod_length);
+  squared_longest_ = square(crank + rod);
+  squared_shortest_ = square(crank - rod);
+  squared_crank_ = square(crank);
+  half_difference_ = Interval(0.5) * (square(rod) - squared_crank_);
+  angle_limits_ = AngleLimits(leg.limits, 0.0, 1.0);
+}
+
+void SpatialLeg::set(const PrismaticDrive& drive, const Leg& leg) {
+  kind_ = Kind::prismatic;
+  axis_ = enclosed(drive.direction);
+  squared_rod_ = square(Interval(leg.rod_length));
+  length_limits_ = LengthLimits(leg.limits);
+}
+
+void SpatialLeg::set(const StrutDrive& drive, const Leg& leg) {
+  kind_ = Kind::strut;
+  length_limits_ = LengthLimits(leg.limits, drive.length_at_zero, drive.sense);
+}
+
+void SpatialLeg::set(const ElbowDrive& drive, const Leg& leg) {
+  kind_ = Kind::elbow;
+  const Interval inner(drive.inner_length), outer(drive.outer_length);
+  squared_longest_ = square(inner + outer);
+  squared_shortest_ = square(inner - outer);
+  half_sum_ = Interval(0.5) * (square(inner) + square(outer));
+  sense_ = drive.sense;
+  angle_limits_ = AngleLimits(leg.limits, drive.angle_at_zero, drive.sense);
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_LEGS_SPATIAL_LEG_H
+#define PARALLEL_ASPECTS_LEGS_SPATIAL_LEG_H
+
+#include "interval/dual.h"
+#include "interval/interval.h"
+#include "interval/scalar_range.h"
+#include "legs/limit_verdict.h"
+#include "legs/link_points.h"
+#include "parallel_aspects/model/leg.h"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+
+namespace parallel_aspects {
+
+/// A vector of space over intervals or duals.
+template <class Scalar>
+using Spatial = std::array<Scalar, 3>;
+
+template <class Scalar>
+Spatial<Scalar> cross(const Spatial<Scalar>& a, const Spatial<Scalar>& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+template <class Scalar>
+Scalar dot(const Spatial<Interval>& a, const Spatial<Scalar>& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/// A leg seen from the displacement d = p - base point of its anchor. For both signs s of B_jj,
+/// |B_jj| = sqrt(squared_entry), and u = p - c has the direction of `fixed + s sqrt(squared_entry) turned`.
+template <class Scalar>
+struct SpatialLegForm {
+  Scalar squared_entry;
+  Spatial<Scalar> fixed, turned;
+};
+
+/// A distance leg in space, with its constants enclosed in intervals. Must be made under a live
+/// `RoundingUpward`.
+class SpatialLeg {
+ public:
+  explicit SpatialLeg(const Leg& leg);
+
+  /// The base point [m].
+  const Spatial<Interval>& base() const noexcept { return base_; }
+
+  /// No anchor within reach is farther from the base point than this [m]; may be infinite.
+  double reach() const noexcept { return reach_; }
+
+  template <class Scalar>
+  SpatialLegForm<Scalar> form(const Spatial<Scalar>& d) const;
+
+  /// Limits of the drive value of branch `sign`, where |B_jj| is `entry`.
+  template <class Scalar>
+  LimitFunctions<Scalar> limits(const Spatial<Scalar>& d, const Scalar& entry, int sign) const;
+
+  /// Where the links of branch `sign` end, where |B_jj| is `entry`. Nothing where the box is too large to
+  /// tell.
+  template <class Scalar>
+  std::optional<LinkPoints<Scalar, 3>> link_points(const Spatial<Scalar>& d, const Scalar& entry,
+                                                   int sign) const;
+
+ private:
+  enum class Kind { revolute, prismatic, strut, elbow };
+
+  void set(const RevoluteDrive& drive, const Leg& leg);
+  void set(const PrismaticDrive& drive, const Leg& leg);
+  void set(const StrutDrive& drive, const Leg& leg);
+  void set(const ElbowDrive& drive, const Leg& leg);
+
+  Kind kind_ = Kind::revolute;
+  double reach_ = 0.0;
+  Spatial<Interval> base_;
+  Spatial<Interval> axis_, zero_direction_, side_direction_;  // axis is the direction of a prismatic drive
+  Interval squared_longest_, squared_shortest_;               // two links stretched, folded
+  Interval squared_crank_, half_difference_;                  // (rod^2 - crank^2) / 2
+  Interval squared_rod_;
+  Interval half_sum_;   // (inner^2 + outer^2) / 2 of an elbow
+  double sense_ = 1.0;  // of a strut or elbow
+  AngleLimits angle_limits_;
+  LengthLimits length_limits_;
+};
+
+template <class Scalar>
+SpatialLegForm<Scalar> SpatialLeg::form(const Spatial<Scalar>& d) const {
+  const Interval half(0.5), quarter(0.25);
+  const Scalar w = square(d[0]) + square(d[1]) + square(d[2]);
+  if (kind_ == Kind::strut) return {w, d, {}};
+  if (kind_ == Kind::elbow) return {quarter * ((squared_longest_ - w) * (w - squared_shortest_)), d, {}};
+  const Scalar along = dot(axis_, d);
+  if (kind_ == Kind::prismatic) {
+    const Spatial<Scalar> across{d[0] - axis_[0] * along, d[1] - axis_[1] * along, d[2] - axis_[2] * along};
+    return {squared_rod_ - (square(across[0]) + square(across[1]) + square(across[2])),
+            across,
+            {axis_[0], axis_[1], axis_[2]}};
+  }
+  // With D = |d|^2 - along^2 and a = (|d|^2 + crank^2 - rod^2) / 2:  D u = (D - a) d + a along axis + B (axis
+  // x d).
+  const Scalar a = half * w - half_difference_;
+  const Scalar k = (w - square(along)) - a;
+  const Scalar lift = a * along;
+  const Scalar spread = squared_crank_ * square(along);
+  return {quarter * ((squared_longest_ - w) * (w - squared_shortest_)) - spread,
+          {k * d[0] + axis_[0] * lift, k * d[1] + axis_[1] * lift, k * d[2] + axis_[2] * lift},
+          {axis_[1] * d[2] - axis_[2] * d[1], axis_[2] * d[0] - axis_[0] * d[2],
+           axis_[0] * d[1] - axis_[1] * d[0]}};
+}
+
+template <class Scalar>
+LimitFunctions<Scalar> SpatialLeg::limits(const Spatial<Scalar>& d, const Scalar& entry, int sign) const {
+  if (!angle_limits_.limited() && !length_limits_.limited()) return {};
+  const Scalar signed_entry = sign > 0 ? entry : -entry;
+  const Scalar w = square(d[0]) + square(d[1]) + square(d[2]);
+  switch (kind_) {
+    case Kind::prismatic:
+      return length_limits_.functions<Scalar>(dot(axis_, d) - signed_entry);
+    case Kind::strut:
+      return length_limits_.functions_of_square<Scalar>(w);
+    case Kind::elbow:
+      return angle_limits_.functions<Scalar>(Interval(0.5) * w - Scalar(half_sum_),
+                                             Interval(-sense_) * signed_entry);
+    case Kind::revolute:
+      break;
+  }
+  const Scalar d1 = dot(zero_direction_, d), d2 = dot(side_direction_, d);
+  const Scalar a = Interval(0.5) * w - Scalar(half_difference_);
+  return angle_limits_.functions<Scalar>(a * d1 + signed_entry * d2, a * d2 - signed_entry * d1);
+}
+
+template <class Scalar>
+std::optional<LinkPoints<Scalar, 3>> SpatialLeg::link_points(const Spatial<Scalar>& d, const Scalar& entry,
+                                                             int sign) const {
+  LinkPoints<Scalar, 3> points;
+  for (std::size_t i = 0; i < 3; ++i) {
+    points.base[i] = points.joint[i] = Scalar(base_[i]);
+    points.anchor[i] = points.base[i] + d[i];
+  }
+  const Scalar signed_entry = sign > 0 ? entry : -entry;
+  if (kind_ == Kind::prismatic) {
+    const Scalar slide = dot(axis_, d) - signed_entry;
+    for (std::size_t i = 0; i < 3; ++i) points.joint[i] = points.base[i] + axis_[i] * slide;
+  }
+  if (kind_ != Kind::revolute) return points;
+  const Scalar d1 = dot(zero_direction_, d), d2 = dot(side_direction_, d);
+  const Scalar in_plane = square(d1) + square(d2);
+  const double least = range_of(in_plane).lower();
+  if (!(least > 0.0)) return std::nullopt;
+  const Scalar scale = reciprocal(in_plane, least);
+  const Scalar a = Interval(0.5) * (square(d[0]) + square(d[1]) + square(d[2])) - Scalar(half_difference_);
+  const Scalar first = scale * (a * d1 + signed_entry * d2), second = scale * (a * d2 - signed_entry * d1);
+  for (std::size_t i = 0; i < 3; ++i)
+    points.joint[i] = points.base[i] + zero_direction_[i] * first + side_direction_[i] * second;
+  return points;
+}
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_LEGS_SPATIAL_LEG_H

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "motion/roadmap.h"
+
+#include "parallel_aspects/singularity/indices.h"
+#include "parallel_aspects/tracking/tracker.h"
+#include "tracking/continuation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <queue>
+
+namespace parallel_aspects {
+namespace {
+
+constexpr std::size_t neighbours_wanted = 12;
+
+double distance(const Manipulator& manipulator, const Pose& a, const Pose& b) {
+  double longest = 0.0;
+  for (const Leg& leg : manipulator.legs())
+    longest = std::max(longest, (a.transform(leg.anchor) - b.transform(leg.anchor)).norm());
+  return longest;
+}
+
+}  // namespace
+
+JointVector drive_change(const Manipulator& manipulator, const JointVector& from, const JointVector& to) {
+  JointVector change = to - from;
+  for (std::size_t j = 0; j < manipulator.leg_count(); ++j) {
+    double& entry = change[static_cast<Eigen::Index>(j)];
+    const Leg& leg = manipulator.leg(j);
+    if (leg.driven_by_angle() && !leg.limits.limited()) entry = std::remainder(entry, 2.0 * EIGEN_PI);
+  }
+  return change;
+}
+
+int steps_of_one_sample() noexcept { return TrackerOptions().most_steps / 2; }
+
+bool straight_motion_exists(const Manipulator& manipulator, const Place& from, const JointVector& change,
+                            const Pose& to, int most_steps) {
+  const PoseCertifier certifier(manipulator);
+  CertifiedPoint start;
+  if (!certify_solution(certifier, from.pose, from.q, start)) return false;
+  Continuation path(certifier, start, from.q + change);
+  return path.run(most_steps) == ContinuationStatus::finished &&
+         distance(manipulator, path.at().pose, to) < 1e-6 * manipulator.size();
+}
+
+std::size_t Roadmap::add(const Place& place) {
+  places_.push_back(place);
+  const double value = singularity_indices(manipulator_, place.pose, place.q).smallest_singular_value;
+  narrowness_.push_back(1.0 / std::max(value, 1e-6));
+  neighbours_.clear();
+  return places_.size() - 1;
+}
+
+void Roadmap::connect() {
+  neighbours_.assign(places_.size(), {});
+  std::vector<std::pair<double, std::size_t>> others;
+  for (std::size_t a = 0; a < places_.size(); ++a) {
+    others.clear();
+    for (std::size_t b = 0; b < places_.size(); ++b)
+      if (b != a) others.emplace_back(drive_change(manipulator_, places_[a].q, places_[b].q).norm(), b);
+    const std::size_t count = std::min(neighbours_wanted, others.size());
+    std::partial_sort(others.begin(), others.begin() + static_cast<std::ptrdiff_t>(count), others.end());
+    for (std::size_t i = 0; i < count; ++i) {
+      neighbours_[a].push_back(others[i].second);
+      neighbours_[others[i].second].push_back(a);
+    }
+  }
+}
+
+double Roadmap::cost(std::size_t a, std::size_t b) const {
+  const double length = drive_change(manipulator_, places_[a].q, places_[b].q).norm();
+  return length * (narrowness_[a] + narrowness_[b]);
+}
+
+std::vector<std::size_t> Roadmap::cheapest(std::size_t from, std::size_t to) const {
+  std::vector<double> best(places_.size(), std::numeric_limits<double>::infinity());
+  std::vector<std::size_t> before(places_.size(), from);
+  using Entry = std::pair<double, std::size_t>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+  best[from] = 0.0;
+  open.emplace(0.0, from);
+  while (!open.empty() && open.top().second != to) {
+    const auto [reached, a] = open.top();
+    open.pop();
+    if (reached > best[a]) continue;
+    for (const std::size_t b : neighbours_[a]) {
+      const double next = reached + cost(a, b);
+      if (next >= best[b] || blocked_.count(std::minmax(a, b)) > 0) continue;
+      best[b] = next;
+      before[b] = a;
+      open.emplace(next, b);
+    }
+  }
+  if (open.empty()) return {};
+  std::vector<std::size_t> way{to};
+  while (way.back() != from) way.push_back(before[way.back()]);
+  std::reverse(way.begin(), way.end());
+  return way;
+}
+
+bool Roadmap::passable(std::size_t a, std::size_t b) {
+  const Edge edge = std::minmax(a, b);
+  if (proved_.count(edge) > 0) return true;
+  const JointVector change = drive_change(manipulator_, places_[a].q, places_[b].q);
+  const bool passes = straight_motion_exists(manipulator_, places_[a], change, places_[b].pose, most_steps_);
+  (passes ? proved_ : blocked_).insert(edge);
+  return passes;
+}
+
+// Motions are proved only where the way goes; one that fails is avoided by the next try.
+std::vector<std::size_t> Roadmap::way(std::size_t from, std::size_t to) {
+  if (neighbours_.empty()) connect();
+  while (true) {
+    std::vector<std::size_t> way = cheapest(from, to);
+    bool open = true;
+    for (std::size_t i = 0; i + 1 < way.size(); ++i) open = passable(way[i], way[i + 1]) && open;
+    if (open) return way;
+  }
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_MOTION_ROADMAP_H
+#define PARALLEL_ASPECTS_MOTION_ROADMAP_H
+
+#include "parallel_aspects/model/manipulator.h"
+#include "parallel_aspects/model/pose.h"
+#include "parallel_aspects/model/vectors.h"
+
+#include <cstddef>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// A configuration: pose and the drive values that assemble with it.
+struct Place {
+  Pose pose;
+  JointVector q;  ///< [rad or m]
+};
+
+/// The shortest change of the drives from one place to another: angles without limits turn the short way.
+JointVector drive_change(const Manipulator& manipulator, const JointVector& from, const JointVector& to);
+
+/// Half of the steps that a tracker takes for one sample, as its options are by default: it follows a motion
+/// that is proved in as many, however few samples there are on it.
+int steps_of_one_sample() noexcept;
+
+/// Whether the platform, when the drives move straight from `from` by `change`, gets to the pose of `to` with
+/// det A away from zero all along; certified by continuation, in at most `most_steps`.
+bool straight_motion_exists(const Manipulator& manipulator, const Place& from, const JointVector& change,
+                            const Pose& to, int most_steps = steps_of_one_sample());
+
+/// Places of one aspect, and ways between them that avoid singularities with room to spare.
+class Roadmap {
+ public:
+  /// `most_steps`: for the proof of one straight motion. A motion of many samples may take more.
+  explicit Roadmap(const Manipulator& manipulator, int most_steps = steps_of_one_sample())
+      : manipulator_(manipulator), most_steps_(most_steps) {}
+
+  std::size_t add(const Place& place);
+  const Place& place(std::size_t index) const { return places_[index]; }
+
+  /// Places from one to another, both included, such that `straight_motion_exists` between each and the next;
+  /// empty where no way is found.
+  std::vector<std::size_t> way(std::size_t from, std::size_t to);
+
+ private:
+  using Edge = std::pair<std::size_t, std::size_t>;
+
+  void connect();
+  double cost(std::size_t a, std::size_t b) const;
+  std::vector<std::size_t> cheapest(std::size_t from, std::size_t to) const;
+  bool passable(std::size_t a, std::size_t b);
+
+  const Manipulator& manipulator_;
+  int most_steps_;
+  std::vector<Place> places_;
+  std::vector<double> narrowness_;  // 1 over the smallest singular value, for each place
+  std::vector<std::vector<std::size_t>> neighbours_;
+  std::set<Edge> proved_, blocked_;
+};
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_MOTION_ROADMAP_H

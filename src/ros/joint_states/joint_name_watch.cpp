@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros/joint_states/joint_name_watch.h"
+
+#include "urdf/description/nearest_name.h"
+
+#include <algorithm>
+
+namespace parallel_aspects {
+namespace {
+
+constexpr std::size_t most_names = 20;
+constexpr std::size_t longest_name = 80;  // kept of each [characters]
+
+using Names = std::vector<std::string>;
+
+std::string listed(const Names& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "'" : ", '") + name + "'";
+  return text;
+}
+
+bool contains(const Names& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+}  // namespace
+
+JointNameWatch::JointNameWatch(const Manipulator& manipulator) {
+  for (const Leg& leg : manipulator.legs()) expected_.push_back(leg.driven_joint);
+}
+
+bool JointNameWatch::hear(const sensor_msgs::JointState& message) {
+  bool heard = false;
+  for (std::size_t i = 0; i < message.name.size() && !more_arrive_; ++i) {
+    const std::string name = message.name[i].substr(0, longest_name);
+    if (contains(arriving_, name)) continue;
+    heard = true;
+    if (arriving_.size() < most_names)
+      arriving_.push_back(name);
+    else
+      more_arrive_ = true;
+  }
+  return heard;
+}
+
+std::string JointNameWatch::guess() const {
+  Names missing, others, meant, written;
+  for (const std::string& name : expected_)
+    if (!contains(arriving_, name)) missing.push_back(name);
+  for (const std::string& name : arriving_)
+    if (!contains(expected_, name)) others.push_back(name);
+  for (const std::string& name : missing) {
+    const std::string similar = similar_name(name, others);
+    if (similar.empty()) continue;
+    meant.push_back(name);
+    written.push_back(similar);
+  }
+  return meant.empty() ? "" : "did you mean " + listed(meant) + " by " + listed(written) + "?";
+}
+
+void JointNameWatch::forget() noexcept {
+  arriving_.clear();
+  more_arrive_ = false;
+}
+
+bool JointNameWatch::lacks_a_drive() const {
+  const auto arrives = [&](const std::string& name) { return contains(arriving_, name); };
+  return !arriving_.empty() && !more_arrive_ && !std::all_of(expected_.begin(), expected_.end(), arrives);
+}
+
+std::string JointNameWatch::comparison() const {
+  const std::string found = guess();
+  return "joints " + listed(expected_) + " are expected, and " + listed(arriving_) +
+         (more_arrive_ ? " and others" : "") + " arrive" +
+         (found.empty() ? "; remap joint_states, or correct mechanism/actuated_joints." : "; " + found);
+}
+
+}  // namespace parallel_aspects

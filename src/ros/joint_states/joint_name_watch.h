@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ROS_JOINT_STATES_JOINT_NAME_WATCH_H
+#define PARALLEL_ASPECTS_ROS_JOINT_STATES_JOINT_NAME_WATCH_H
+
+#include "parallel_aspects/model/manipulator.h"
+
+#include <sensor_msgs/JointState.h>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// Compares the joints that arrive with those that are driven, while no sample can be used: wrong names are
+/// the commonest reason why none can. What it keeps is bounded, whatever arrives.
+class JointNameWatch {
+ public:
+  explicit JointNameWatch(const Manipulator& manipulator);
+
+  /// Whether the message names a joint that was not heard of before.
+  bool hear(const sensor_msgs::JointState& message);
+
+  /// Begins anew, as after a sample that could be used.
+  void forget() noexcept;
+
+  /// Whether joints have arrived, but not all that are driven.
+  bool lacks_a_drive() const;
+
+  /// Which joints are expected, which have arrived, and which of these may be meant; begins "joints".
+  std::string comparison() const;
+
+  /// "did you mean 'crank_1_joint' by 'crank1_joint'?" with every driven joint that has not arrived; empty
+  /// where nothing that has looks like one.
+  std::string guess() const;
+
+ private:
+  std::vector<std::string> expected_, arriving_;
+  bool more_arrive_ = false;  // than there is room for
+};
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ROS_JOINT_STATES_JOINT_NAME_WATCH_H

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros/joint_states/joint_sample.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace parallel_aspects {
+namespace {
+
+// Beyond this, angles are no longer exact to a ten-millionth of a degree; no drive gets there [rad or m].
+constexpr double largest_position = 1e6;
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+JointSample invalid(std::string sentence) { return {SampleStatus::invalid, std::move(sentence), {}, {}, {}}; }
+
+DriveSet drives_named(const Manipulator& manipulator, const std::vector<std::string>& names) {
+  DriveSet drives;
+  for (std::size_t j = 0; j < manipulator.leg_count(); ++j)
+    drives[j] = std::find(names.begin(), names.end(), manipulator.leg(j).driven_joint) != names.end();
+  return drives;
+}
+
+// What is wrong with the position of a drive, or empty.
+std::string fault_of(const std::string& joint, const std::vector<std::string>& names, double position) {
+  if (std::count(names.begin(), names.end(), joint) > 1)
+    return "joint " + joint + " is there twice; publish each joint once.";
+  if (!std::isfinite(position)) return "position of joint " + joint + " is not a finite number.";
+  if (std::abs(position) > largest_position)
+    return "position of joint " + joint + " is beyond a million rad or m; check its unit.";
+  return {};
+}
+
+// The robot's drives in the message.
+JointSample collect(const Manipulator& manipulator, const std::vector<std::string>& names,
+                    const std::vector<double>& positions) {
+  JointSample sample{SampleStatus::usable, {}, {}, JointVector(manipulator.leg_count()), {}};
+  std::string missing;
+  for (std::size_t j = 0; j < manipulator.leg_count(); ++j) {
+    const std::string& joint = manipulator.leg(j).driven_joint;
+    double& value = sample.q[static_cast<Eigen::Index>(j)];
+    const auto found = std::find(names.begin(), names.end(), joint);
+    if (found == names.end()) {
+      missing += (missing.empty() ? "" : ", ") + joint;
+      value = not_a_number;
+      continue;
+    }
+    value = positions[static_cast<std::size_t>(found - names.begin())];
+    const std::string fault = fault_of(joint, names, value);
+    if (!fault.empty()) return invalid(fault);
+  }
+  if (missing.empty()) return sample;
+  sample.status = SampleStatus::partial;
+  sample.sentence = "actuated joint " + missing + " is missing.";
+  return sample;
+}
+
+bool fits(std::size_t size, std::size_t names) { return size == 0 || size == names; }
+
+}  // namespace
+
+JointSampleReader::JointSampleReader(std::shared_ptr<const Mechanism> mechanism)
+    : mechanism_(std::move(mechanism)) {}
+
+JointSample JointSampleReader::read(const sensor_msgs::JointState& message) const {
+  const DriveSet drives = drives_named(*mechanism_->manipulator(), message.name);
+  JointSample sample = read(message, drives);
+  sample.drives = drives;
+  return sample;
+}
+
+JointSample JointSampleReader::read(const sensor_msgs::JointState& message, const DriveSet& drives) const {
+  const std::size_t names = message.name.size();
+  if (names == 0) return invalid("it names no joint.");
+  if (message.position.size() != names || !fits(message.velocity.size(), names) ||
+      !fits(message.effort.size(), names))
+    return invalid("it has " + std::to_string(names) + " names, but " +
+                   std::to_string(message.position.size()) + " positions, " +
+                   std::to_string(message.velocity.size()) + " velocities and " +
+                   std::to_string(message.effort.size()) + " efforts.");
+  if (drives.none()) return {SampleStatus::foreign, "it holds none of the actuated joints.", {}, {}, {}};
+  JointSample sample = collect(*mechanism_->manipulator(), message.name, message.position);
+  if (sample.status != SampleStatus::usable) return sample;
+  const auto& known = mechanism_->joint_names();
+  const auto unknown = std::find_if(message.name.begin(), message.name.end(), [&](const std::string& name) {
+    return std::find(known.begin(), known.end(), name) == known.end();
+  });
+  if (unknown != message.name.end())
+    sample.sentence = "joint " + *unknown + " is not in the URDF and is ignored.";
+  sample.readings = joint_readings(*mechanism_, message);
+  return sample;
+}
+
+Eigen::VectorXd joint_readings(const Mechanism& mechanism, const sensor_msgs::JointState& message) {
+  const auto& names = mechanism.joint_names();
+  Eigen::VectorXd readings = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(names.size()), not_a_number);
+  const std::size_t count = std::min(message.name.size(), message.position.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto found = std::find(names.begin(), names.end(), message.name[i]);
+    if (found != names.end() && std::abs(message.position[i]) <= largest_position)
+      readings[found - names.begin()] = message.position[i];
+  }
+  return readings;
+}
+
+JointSample actuated_values(const Manipulator& manipulator, const std::vector<std::string>& names,
+                            const std::vector<double>& positions) {
+  if (names.size() != positions.size())
+    return invalid("there are " + std::to_string(names.size()) + " names, but " +
+                   std::to_string(positions.size()) + " positions.");
+  return collect(manipulator, names, positions);
+}
+
+}  // namespace parallel_aspects

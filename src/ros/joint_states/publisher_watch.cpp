@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros/joint_states/publisher_watch.h"
+
+#include <algorithm>
+
+namespace parallel_aspects {
+namespace {
+
+constexpr std::size_t most_publishers = 16;  // remembered at a time
+
+// A jump in `seq` beyond this is a new way of counting, not a loss.
+constexpr std::uint32_t longest_loss = 1000000;
+
+}  // namespace
+
+PublisherWatch::Publisher* PublisherWatch::find(const std::string& name) {
+  const auto found = std::find_if(publishers_.begin(), publishers_.end(),
+                                  [&](const Publisher& publisher) { return publisher.name == name; });
+  return found == publishers_.end() ? nullptr : &*found;
+}
+
+void PublisherWatch::count(const std::string& publisher, std::uint32_t sequence) {
+  if (Publisher* known = find(publisher)) {
+    const std::uint32_t step = sequence - known->sequence;  // of unsigned numbers, which wrap as `seq` does
+    if (step > 0 && step <= longest_loss) {
+      known->counts = true;
+      lost_ += step - 1;
+    } else {
+      known->counts = known->counts && step != 0;
+    }
+    known->sequence = sequence;
+    return;
+  }
+  const Publisher heard{publisher, sequence, false, {}};
+  if (publishers_.size() < most_publishers) {
+    publishers_.push_back(heard);
+    return;
+  }
+  publishers_[next_to_replace_] = heard;
+  next_to_replace_ = (next_to_replace_ + 1) % most_publishers;
+}
+
+bool PublisherWatch::recent(const Turn& turn, const ros::Time& now) const {
+  return !turn.at.isZero() && now - turn.at <= alive_;
+}
+
+// Two publish the same drive where one is heard, then the other, then the first again. One after the other,
+// as when a bag is played a second time, is no contest.
+Claim PublisherWatch::claim(const std::string& publisher, const DriveSet& drives, const ros::Time& now,
+                            std::string& other) {
+  Publisher* const own = find(publisher);
+  Claim claim = Claim::sole;
+  other.clear();
+  ++claims_;
+  for (std::size_t drive = 0; drive < drives.size(); ++drive) {
+    if (!drives[drive]) continue;
+    const Turn before = own ? own->turns[drive] : Turn();
+    if (own) own->turns[drive] = {now, claims_};
+    for (const Publisher& rival : publishers_) {
+      if (rival.name == publisher || !recent(rival.turns[drive], now) || claim == Claim::contested) continue;
+      const bool by_turns = recent(before, now) && rival.turns[drive].number > before.number;
+      claim = by_turns ? Claim::contested : Claim::waiting;
+      other = rival.name;
+    }
+  }
+  return claim;
+}
+
+bool PublisherWatch::counted() const noexcept {
+  return std::any_of(publishers_.begin(), publishers_.end(),
+                     [](const Publisher& publisher) { return publisher.counts; });
+}
+
+void PublisherWatch::forget_claims() noexcept {
+  for (Publisher& publisher : publishers_) publisher.turns.fill({});
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ROS_JOINT_STATES_PUBLISHER_WATCH_H
+#define PARALLEL_ASPECTS_ROS_JOINT_STATES_PUBLISHER_WATCH_H
+
+#include "parallel_aspects/model/vectors.h"
+
+#include <ros/duration.h>
+#include <ros/time.h>
+
+#include <array>
+#include <bitset>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// Which of the drives of a robot, in the order of its legs.
+using DriveSet = std::bitset<max_legs>;
+
+/// What a message of one publisher is worth.
+enum class Claim {
+  sole,      ///< nobody else published these drives a short while ago
+  waiting,   ///< another one did, who may have ended: it is not known yet whether both publish
+  contested  ///< both publish, by turns
+};
+
+/// Who publishes joint_states, and how many messages were lost on the way, by gaps in the `seq` that each
+/// publisher counts up.
+class PublisherWatch {
+ public:
+  /// `alive`: for how long a publisher that was heard counts as one that publishes.
+  explicit PublisherWatch(const ros::Duration& alive) : alive_(alive) {}
+
+  /// A message of any robot came.
+  void count(const std::string& publisher, std::uint32_t sequence);
+
+  /// It holds these drives of this robot. `other` becomes the name of another publisher that did so a short
+  /// while ago, or empty.
+  Claim claim(const std::string& publisher, const DriveSet& drives, const ros::Time& now, std::string& other);
+
+  /// Messages that did not arrive since the start.
+  std::uint64_t lost() const noexcept { return lost_; }
+
+  /// Whether any publisher counts its messages, so that losses show.
+  bool counted() const noexcept;
+
+  /// Forgets who published the drives.
+  void forget_claims() noexcept;
+
+ private:
+  /// When a publisher last published a drive.
+  struct Turn {
+    ros::Time at;              // zero for never
+    std::uint64_t number = 0;  // counts all claims up
+  };
+  struct Publisher {
+    std::string name;
+    std::uint32_t sequence = 0;
+    bool counts = false;
+    std::array<Turn, max_legs> turns;  // by drive
+  };
+  Publisher* find(const std::string& name);
+  bool recent(const Turn& turn, const ros::Time& now) const;
+
+  const ros::Duration alive_;
+  std::vector<Publisher> publishers_;
+  std::size_t next_to_replace_ = 0;
+  std::uint64_t lost_ = 0, claims_ = 0;
+};
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ROS_JOINT_STATES_PUBLISHER_WATCH_H

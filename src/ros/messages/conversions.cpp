@@ -1,0 +1,363 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros/messages/conversions.h"
+
+#include "model/coefficients.h"
+#include "parallel_aspects/kinematics/jacobians.h"
+#include "ros/messages/hazard_messages.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace parallel_aspects {
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+int sign_of(double value) { return value > 0.0 ? 1 : value < 0.0 ? -1 : 0; }
+
+Eigen::Vector3d vector(const geometry_msgs::Point& point) { return {point.x, point.y, point.z}; }
+
+std_msgs::Header header_in_base(const Manipulator& manipulator, const ros::Time& stamp) {
+  std_msgs::Header header;
+  header.frame_id = manipulator.base_frame();
+  header.stamp = stamp;
+  return header;
+}
+
+template <typename Vector>
+std::vector<double> to_vector(const Vector& values) {
+  return {values.data(), values.data() + values.size()};
+}
+
+void locate(const AspectMap& map, const Pose& pose, const WorkingMode& mode, SolvedConfiguration& message) {
+  const Location location = map.locate(pose, mode);
+  switch (location.status) {
+    case LocationStatus::inside:
+      message.aspect_status = SolvedConfiguration::INSIDE;
+      message.aspect = static_cast<std::uint32_t>(location.aspect);
+      return;
+    case LocationStatus::undecided:
+      message.aspect_status = SolvedConfiguration::UNDECIDED;
+      return;
+    case LocationStatus::outside:
+      message.aspect_status = SolvedConfiguration::OUTSIDE;
+      return;
+    case LocationStatus::not_mapped:
+      message.aspect_status = SolvedConfiguration::NOT_MAPPED;
+  }
+}
+
+std::uint8_t status_of(DistanceStatus status) {
+  switch (status) {
+    case DistanceStatus::tight:
+      return MetricDistance::TIGHT;
+    case DistanceStatus::loose:
+      return MetricDistance::LOOSE;
+    case DistanceStatus::no_witness:
+      return MetricDistance::NO_WITNESS;
+    case DistanceStatus::absent:
+      return MetricDistance::ABSENT;
+    case DistanceStatus::touching:
+      return MetricDistance::TOUCHING;
+    case DistanceStatus::unavailable:
+      break;
+  }
+  return MetricDistance::UNAVAILABLE;
+}
+
+// Between the rod and its crank, or the normal of its rail: 0 where B_jj = 0. A strut is never near.
+std::vector<double> leg_angles(const Manipulator& manipulator, const SolvedPose& solved) {
+  const TaskVector entries = inverse_diagonal(manipulator, solved.pose, solved.q);
+  std::vector<double> angles;
+  for (std::size_t j = 0; j < manipulator.leg_count(); ++j) {
+    const Leg& leg = manipulator.leg(j);
+    const double q = solved.q[static_cast<Eigen::Index>(j)];
+    double largest = std::sqrt(leg.squared_distance(q));
+    if (const auto* elbow = std::get_if<ElbowDrive>(&leg.drive))
+      largest = elbow->inner_length * elbow->outer_length;
+    else if (!std::holds_alternative<StrutDrive>(leg.drive))
+      largest *= leg.proximal_point_derivative(q).norm();
+    angles.push_back(std::asin(std::min(1.0, std::abs(entries[static_cast<Eigen::Index>(j)]) / largest)));
+  }
+  return angles;
+}
+
+std::uint8_t kind_of(TransitionKind kind) {
+  switch (kind) {
+    case TransitionKind::working_mode:
+      return AspectTransition::WORKING_MODE;
+    case TransitionKind::aspect:
+      return AspectTransition::ASPECT;
+    case TransitionKind::assembly_mode:
+      return AspectTransition::ASSEMBLY_MODE;
+    case TransitionKind::lost:
+      break;
+  }
+  return AspectTransition::LOST;
+}
+
+std::string aspect_text(std::uint32_t id) { return id == 0 ? "unknown" : std::to_string(id); }
+
+std::string cause_of(const AspectTransition& t, const Transition& transition) {
+  const std::string number = std::to_string(transition.leg + 1);
+  switch (t.kind) {
+    case AspectTransition::WORKING_MODE:
+      return "B_" + number + number + " of " + t.leg + " (" + t.joint + ") crossed zero";
+    case AspectTransition::LOST:
+      return t.determinant_crossed ? "det A came too close to zero to tell the assembly mode"
+                                   : "the step to the next sample cannot be certified";
+    case AspectTransition::ASSEMBLY_MODE:
+      return "the drives are back, and the platform is in another assembly mode";
+    default:
+      return t.determinant_crossed ? "det A has changed its sign" : "the aspect became known";
+  }
+}
+
+std::string sentence_of(const AspectTransition& t, const Transition& transition) {
+  const std::string before = branch_text(transition.mode_before, transition.determinant_sign_before);
+  const std::string after = branch_text(transition.mode_after, transition.determinant_sign_after);
+  const std::string aspects = "aspect " + aspect_text(t.aspect_before) + " -> " + aspect_text(t.aspect_after);
+  const bool same = before == after || transition.determinant_sign_before == 0;
+  const std::string branches = t.kind == AspectTransition::LOST ? before
+                               : same                           ? after
+                                                                : before + " -> " + after;
+  return aspects + ": " + cause_of(t, transition) + "; " + branches;
+}
+
+}  // namespace
+
+Status make_status(std::uint8_t code, std::string sentence) {
+  Status status;
+  status.code = code;
+  status.sentence = std::move(sentence);
+  return status;
+}
+
+Status refused_as_read_only() {
+  return make_status(Status::READ_ONLY,
+                     "The node was started with ~read_only, so that nothing changes it while it runs.");
+}
+
+Eigen::Isometry3d platform_in_base(const Manipulator& manipulator, const Pose& pose) {
+  return manipulator.task_frame() * Eigen::Translation3d(pose.position) * pose.orientation;
+}
+
+geometry_msgs::Pose pose_message(const Eigen::Isometry3d& isometry) {
+  const Eigen::Vector3d position = isometry.translation();
+  const Eigen::Quaterniond orientation(isometry.linear());
+  geometry_msgs::Pose message;
+  message.position.x = position.x();
+  message.position.y = position.y();
+  message.position.z = position.z();
+  message.orientation.x = orientation.x();
+  message.orientation.y = orientation.y();
+  message.orientation.z = orientation.z();
+  message.orientation.w = orientation.w();
+  return message;
+}
+
+geometry_msgs::Transform transform_message(const Eigen::Isometry3d& isometry) {
+  const geometry_msgs::Pose pose = pose_message(isometry);
+  geometry_msgs::Transform message;
+  message.translation.x = pose.position.x;
+  message.translation.y = pose.position.y;
+  message.translation.z = pose.position.z;
+  message.rotation = pose.orientation;
+  return message;
+}
+
+std::optional<Pose> pose_from_base(const Manipulator& manipulator, const geometry_msgs::Pose& message) {
+  const TaskSpace space = manipulator.task_space();
+  Pose pose;
+  pose.position = manipulator.task_frame().inverse() * vector(message.position);
+  if (has_rotation(space)) {
+    const geometry_msgs::Quaternion& q = message.orientation;
+    const Eigen::Quaterniond orientation(q.w, q.x, q.y, q.z);
+    if (!(orientation.norm() > 0.5 && orientation.norm() < 2.0)) return std::nullopt;
+    pose.orientation =
+        Eigen::Quaterniond(manipulator.task_frame().linear().transpose()) * orientation.normalized();
+  }
+  return pose_from_coordinates(space, pose_coordinates(space, pose));
+}
+
+double distance_off_task_space(const Manipulator& manipulator, const geometry_msgs::Pose& message) {
+  const auto projected = pose_from_base(manipulator, message);
+  if (!projected) return not_a_number;
+  return (manipulator.task_frame().inverse() * vector(message.position) - projected->position).norm();
+}
+
+std::vector<std::int8_t> signs_message(const WorkingMode& mode) {
+  const std::vector<int> signs = mode.signs();
+  return {signs.begin(), signs.end()};
+}
+
+std::string branch_text(const WorkingMode& mode, int determinant_sign) {
+  return to_string(mode) + ", det A " + (determinant_sign > 0 ? "> 0" : determinant_sign < 0 ? "< 0" : "= 0");
+}
+
+const char* inverse_entry_unit(const Leg& leg) { return leg.driven_by_angle() ? "m^2/rad" : "m"; }
+
+const char* determinant_unit(TaskSpace space) {
+  switch (space) {
+    case TaskSpace::T1:
+      return "m";
+    case TaskSpace::T2:
+      return "m^2";
+    case TaskSpace::SE2:
+      return "m^4";
+    case TaskSpace::T3:
+      return "m^3";
+    case TaskSpace::SO3:
+      return "m^6";
+    case TaskSpace::SE3:
+      return "m^9";
+  }
+  return "";
+}
+
+SolvedConfiguration solved_message(const Manipulator& manipulator, const SolvedPose& solved,
+                                   const AspectMap* map, const ros::Time& stamp) {
+  SolvedConfiguration message;
+  message.header = header_in_base(manipulator, stamp);
+  message.pose = pose_message(platform_in_base(manipulator, solved.pose));
+  for (const Leg& leg : manipulator.legs()) message.joint_names.push_back(leg.driven_joint);
+  message.joint_positions = to_vector(solved.q);
+  const TaskVector diagonal = inverse_diagonal(manipulator, solved.pose, solved.q);
+  for (const double entry : coefficients_of(diagonal))
+    message.working_mode.push_back(static_cast<std::int8_t>(sign_of(entry)));
+  message.determinant_sign =
+      static_cast<std::int8_t>(sign_of(direct_determinant(manipulator, solved.pose, solved.q)));
+  if (map == nullptr) return message;
+  const auto mode = working_mode(manipulator, solved.pose, solved.q);
+  if (!mode)
+    message.aspect_status = SolvedConfiguration::UNDECIDED;
+  else if (!manipulator.within_limits(solved.q))
+    message.aspect_status = SolvedConfiguration::OUTSIDE;
+  else
+    locate(*map, solved.pose, *mode, message);
+  return message;
+}
+
+std::int64_t count_at_most(const AspectMap& map) noexcept {
+  const auto most = map.count_at_most();
+  return most ? static_cast<std::int64_t>(*most) : -1;
+}
+
+AspectSummary summary_message(const Manipulator& manipulator, const Aspect& aspect) {
+  AspectSummary message;
+  message.id = static_cast<std::uint32_t>(aspect.id);
+  message.working_mode = signs_message(aspect.mode);
+  message.determinant_sign = static_cast<std::int8_t>(aspect.determinant_sign);
+  message.measure = aspect.measure;
+  message.measure_lower = aspect.measure_lower;
+  message.measure_upper = aspect.measure_upper;
+  message.unit = std::string(measure_unit(manipulator.task_space()));
+  message.inside_leaves = aspect.inside_leaves;
+  const auto& names = coordinate_names(manipulator.task_space());
+  for (std::size_t i = 0; i < aspect.bounds.dimension; ++i) {
+    message.coordinate_names.push_back(i < names.size() ? names[i] : "");
+    message.lower.push_back(aspect.bounds.lower[i]);
+    message.upper.push_back(aspect.bounds.upper[i]);
+  }
+  message.deepest_pose = pose_message(platform_in_base(manipulator, aspect.deepest));
+  message.deepest_clearance = aspect.deepest_clearance;
+  message.unresolved_with.assign(aspect.unresolved_with.begin(), aspect.unresolved_with.end());
+  return message;
+}
+
+MetricDistance distance_message(const Manipulator& manipulator, const BoundaryDistance& distance,
+                                bool of_leg) {
+  MetricDistance message;
+  message.status = status_of(distance.status);
+  const bool available = distance.status != DistanceStatus::unavailable;
+  message.lower = available ? distance.lower : not_a_number;
+  message.upper = available ? distance.upper : not_a_number;
+  message.upper_proved = distance.upper_proved;
+  if (!available || !std::isfinite(distance.upper)) return message;
+  message.witness = pose_message(platform_in_base(manipulator, distance.witness));
+  message.joint_positions = to_vector(distance.witness_q);
+  message.joint_displacements = to_vector(distance.drive_displacement);
+  message.direction = to_vector(distance.direction);
+  if (!of_leg) return message;
+  message.leg = manipulator.leg(distance.leg).name;
+  message.joint = manipulator.leg(distance.leg).driven_joint;
+  return message;
+}
+
+SingularityReport report_message(const Manipulator& manipulator, const SolvedPose& solved,
+                                 const BoundaryDistances& distances, const AspectMap* map,
+                                 const ros::Time& stamp) {
+  const SingularityIndices indices = singularity_indices(manipulator, solved.pose, solved.q);
+  SingularityReport message;
+  message.configuration = solved_message(manipulator, solved, map, stamp);
+  message.parallel_distance = distance_message(manipulator, distances.parallel, false);
+  message.serial_distance = distance_message(manipulator, distances.serial, true);
+  message.limit_distance = distance_message(manipulator, distances.drive_limit, true);
+  if (!message.limit_distance.leg.empty()) message.limit_distance.limit = name(distances.drive_limit.end);
+  message.determinant = indices.determinant;
+  message.determinant_unit = determinant_unit(manipulator.task_space());
+  message.inverse_diagonal = to_vector(indices.inverse_diagonal);
+  for (const Leg& leg : manipulator.legs()) message.inverse_diagonal_units.push_back(inverse_entry_unit(leg));
+  message.smallest_singular_value = indices.smallest_singular_value;
+  message.inverse_condition_number = indices.inverse_condition_number;
+  message.leg_angles = leg_angles(manipulator, solved);
+  return message;
+}
+
+AspectState state_message(const Manipulator& manipulator, const TrackedState& state, const ros::Time& stamp) {
+  AspectState message;
+  message.header = header_in_base(manipulator, stamp);
+  message.pose = pose_message(platform_in_base(manipulator, state.pose));
+  message.working_mode = signs_message(state.mode);
+  message.determinant_sign = static_cast<std::int8_t>(state.determinant_sign);
+  message.aspect = static_cast<std::uint32_t>(state.aspect);
+  message.stand_off = not_a_number;
+  message.level = AspectState::UNKNOWN;
+  message.last_hazard = hazard_message(std::nullopt, {});
+  message.determinant = direct_determinant(manipulator, state.pose, state.q);
+  message.inverse_diagonal = to_vector(inverse_diagonal(manipulator, state.pose, state.q));
+  return message;
+}
+
+AspectState unknown_state(const Manipulator& manipulator, const Status& status, const ros::Time& stamp) {
+  AspectState message;
+  message.header = header_in_base(manipulator, stamp);
+  message.status = status;
+  message.level = AspectState::UNKNOWN;
+  message.last_hazard = hazard_message(std::nullopt, {});
+  message.pose.position.x = message.pose.position.y = message.pose.position.z = not_a_number;
+  message.pose.orientation.x = message.pose.orientation.y = not_a_number;
+  message.pose.orientation.z = message.pose.orientation.w = not_a_number;
+  message.determinant = not_a_number;
+  for (DistanceBounds* bounds :
+       {&message.parallel_distance, &message.serial_distance, &message.limit_distance})
+    bounds->lower = bounds->upper = bounds->speed = not_a_number;
+  message.residual = message.stand_off = not_a_number;
+  message.reason = reason_of(std::nullopt);
+  return message;
+}
+
+AspectTransition transition_message(const Manipulator& manipulator, const Transition& transition,
+                                    const ros::Time& stamp) {
+  AspectTransition message;
+  message.header = header_in_base(manipulator, stamp);
+  const bool changes_mode = transition.kind == TransitionKind::working_mode;
+  message.kind = kind_of(transition.kind);
+  if (changes_mode) {
+    message.leg = manipulator.leg(transition.leg).name;
+    message.joint = manipulator.leg(transition.leg).driven_joint;
+  }
+  message.determinant_crossed = transition.determinant;
+  message.working_mode_before = signs_message(transition.mode_before);
+  message.working_mode_after = signs_message(transition.mode_after);
+  message.determinant_sign_before = static_cast<std::int8_t>(transition.determinant_sign_before);
+  message.determinant_sign_after = static_cast<std::int8_t>(transition.determinant_sign_after);
+  message.aspect_before = static_cast<std::uint32_t>(transition.aspect_before);
+  message.aspect_after = static_cast<std::uint32_t>(transition.aspect_after);
+  message.sentence = sentence_of(message, transition);
+  return message;
+}
+
+}  // namespace parallel_aspects

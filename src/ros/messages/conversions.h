@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ROS_MESSAGES_CONVERSIONS_H
+#define PARALLEL_ASPECTS_ROS_MESSAGES_CONVERSIONS_H
+
+#include "parallel_aspects/aspects/aspect_map.h"
+#include "parallel_aspects/distance/boundary_distances.h"
+#include "parallel_aspects/kinematics/working_mode.h"
+#include "parallel_aspects/model/manipulator.h"
+#include "parallel_aspects/singularity/indices.h"
+#include "parallel_aspects/tracking/tracker.h"
+
+#include <parallel_aspects/AspectState.h>
+#include <parallel_aspects/AspectSummary.h>
+#include <parallel_aspects/AspectTransition.h>
+#include <parallel_aspects/MetricDistance.h>
+#include <parallel_aspects/SingularityReport.h>
+#include <parallel_aspects/SolvedConfiguration.h>
+#include <parallel_aspects/Status.h>
+
+#include <Eigen/Geometry>
+#include <ros/time.h>
+
+#include <cstdint>
+#include <geometry_msgs/Pose.h>
+#include <geometry_msgs/Transform.h>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// A pose and drive values that assemble.
+struct SolvedPose {
+  Pose pose;      ///< in the task frame [m, unit quaternion]
+  JointVector q;  ///< [rad or m]
+};
+
+/// What a node with ~read_only answers to whatever would change it.
+Status refused_as_read_only();
+
+Status make_status(std::uint8_t code, std::string sentence = {});
+
+/// The platform frame in the base frame [m].
+Eigen::Isometry3d platform_in_base(const Manipulator& manipulator, const Pose& pose);
+
+geometry_msgs::Pose pose_message(const Eigen::Isometry3d& isometry);
+geometry_msgs::Transform transform_message(const Eigen::Isometry3d& isometry);
+
+/// The pose of the platform that a message in the base frame means, projected onto the motions that the task
+/// space has. Nothing where a number is not finite, or the platform can turn and the quaternion is zero.
+std::optional<Pose> pose_from_base(const Manipulator& manipulator, const geometry_msgs::Pose& pose);
+
+/// Distance between the operational point of the message and that of its projection [m].
+double distance_off_task_space(const Manipulator& manipulator, const geometry_msgs::Pose& pose);
+
+std::vector<std::int8_t> signs_message(const WorkingMode& mode);
+
+/// "(+,-), det A > 0"
+std::string branch_text(const WorkingMode& mode, int determinant_sign);
+
+/// "m^2/rad" for a driven angle, "m" for a driven length.
+const char* inverse_entry_unit(const Leg& leg);
+
+/// "m^2", "m^4", "m^3", "m^6" or "m^9".
+const char* determinant_unit(TaskSpace space);
+
+/// The aspect is looked up in `map`, which may be null.
+SolvedConfiguration solved_message(const Manipulator& manipulator, const SolvedPose& solved,
+                                   const AspectMap* map, const ros::Time& stamp);
+
+/// Upper bound of the number of aspects with a pose in the region, proved; -1 where none is.
+std::int64_t count_at_most(const AspectMap& map) noexcept;
+
+AspectSummary summary_message(const Manipulator& manipulator, const Aspect& aspect);
+
+/// `of_leg`: whether the boundary is one leg's, as serial singularities and limits are.
+MetricDistance distance_message(const Manipulator& manipulator, const BoundaryDistance& distance,
+                                bool of_leg);
+
+SingularityReport report_message(const Manipulator& manipulator, const SolvedPose& solved,
+                                 const BoundaryDistances& distances, const AspectMap* map,
+                                 const ros::Time& stamp);
+
+/// State of a robot that is being tracked.
+AspectState state_message(const Manipulator& manipulator, const TrackedState& state, const ros::Time& stamp);
+
+/// State that says only why nothing is known.
+AspectState unknown_state(const Manipulator& manipulator, const Status& status, const ros::Time& stamp);
+
+AspectTransition transition_message(const Manipulator& manipulator, const Transition& transition,
+                                    const ros::Time& stamp);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ROS_MESSAGES_CONVERSIONS_H

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros/messages/hazard_messages.h"
+
+#include <parallel_aspects/AspectState.h>
+
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+namespace parallel_aspects {
+namespace {
+
+static_assert(static_cast<std::uint8_t>(ThresholdLevel::clear) == AspectState::CLEAR);
+static_assert(static_cast<std::uint8_t>(ThresholdLevel::warn) == AspectState::WARN);
+static_assert(static_cast<std::uint8_t>(ThresholdLevel::stop) == AspectState::STOP);
+static_assert(static_cast<std::uint8_t>(ThresholdLevel::unknown) == AspectState::UNKNOWN);
+
+std::uint8_t kind_of(const std::optional<ProvedHazard>& last) {
+  if (!last) return LastHazard::NONE;
+  switch (last->hazard) {
+    case Hazard::parallel_singularity:
+      return LastHazard::PARALLEL_SINGULARITY;
+    case Hazard::serial_singularity:
+      return LastHazard::SERIAL_SINGULARITY;
+    case Hazard::limit:
+      break;
+  }
+  return LastHazard::LIMIT;
+}
+
+const char* motion_of(double speed) {
+  if (std::isnan(speed)) return "";
+  return speed < 0.0 ? ", and was approached" : ", and was not approached";
+}
+
+}  // namespace
+
+std::uint8_t level_message(ThresholdLevel level) noexcept { return static_cast<std::uint8_t>(level); }
+
+std::string reason_of(const ThresholdState& state) {
+  if (state.level == ThresholdLevel::clear) return {};
+  if (state.level == ThresholdLevel::unknown)
+    return std::string("the distance to the nearest ") + name(state.hazard) + " is not known";
+  char text[160];
+  std::snprintf(text, sizeof text, "%s: the nearest %s may be %.4g m away; the threshold is %.4g m%s",
+                name(state.level), name(state.hazard), state.distance, state.threshold,
+                state.held ? ", held until left by the hysteresis" : "");
+  return text;
+}
+
+std::string reason_of(const std::optional<ProvedHazard>& last) {
+  if (!last) return "nothing is known of the distances";
+  char text[160];
+  std::snprintf(text, sizeof text, "no distance is known; the nearest %s was last proved to be %.4g m away%s",
+                name(last->hazard), last->distance, motion_of(last->speed));
+  return text;
+}
+
+std::string sentence_of(const StandOffEstimate& estimate) {
+  if (estimate.poses == 0) return {};
+  char text[240];
+  std::snprintf(text, sizeof text,
+                "By tracking/encoder_noise, the assembly mode can be told as near as %.3g m to parallel "
+                "singularities; the largest of %d that were looked at, an estimate.",
+                estimate.largest, estimate.poses);
+  return text;
+}
+
+std::string warning_of(const StandOffEstimate& estimate, double parallel_stop) {
+  if (!(parallel_stop > 0.0 && parallel_stop < estimate.largest)) return {};
+  char text[320];
+  std::snprintf(
+      text, sizeof text,
+      "thresholds/parallel_stop is %.3g m, but nearer than about %.3g m noise of the encoders can hide the "
+      "assembly mode: the level may become UNKNOWN before it is STOP. Raise the threshold, or lower "
+      "tracking/encoder_noise where the encoders are better.",
+      parallel_stop, estimate.largest);
+  return text;
+}
+
+LastHazard hazard_message(const std::optional<ProvedHazard>& last, const ros::Time& epoch) {
+  LastHazard message;
+  message.kind = kind_of(last);
+  message.stamp = last ? epoch + ros::Duration(last->time) : ros::Time();
+  message.lower = last ? last->distance : std::numeric_limits<double>::quiet_NaN();
+  message.speed = last ? last->speed : std::numeric_limits<double>::quiet_NaN();
+  return message;
+}
+
+}  // namespace parallel_aspects

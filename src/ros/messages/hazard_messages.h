@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ROS_MESSAGES_HAZARD_MESSAGES_H
+#define PARALLEL_ASPECTS_ROS_MESSAGES_HAZARD_MESSAGES_H
+
+#include "parallel_aspects/tracking/hazard_memory.h"
+#include "parallel_aspects/tracking/stand_off.h"
+#include "parallel_aspects/tracking/thresholds.h"
+
+#include <parallel_aspects/LastHazard.h>
+
+#include <ros/time.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace parallel_aspects {
+
+/// One of the constants of AspectState.
+std::uint8_t level_message(ThresholdLevel level) noexcept;
+
+/// Which distance a level is due to, and which threshold; empty while clear.
+std::string reason_of(const ThresholdState& state);
+
+/// Why nothing is known of the distances, and what was last.
+std::string reason_of(const std::optional<ProvedHazard>& last);
+
+/// What noise of the encoders means for this robot; empty where no parallel singularity was found.
+std::string sentence_of(const StandOffEstimate& estimate);
+
+/// What is wrong with a threshold to stop at before parallel singularities; empty when all is well, or there
+/// is none (0) [m].
+std::string warning_of(const StandOffEstimate& estimate, double parallel_stop);
+
+/// `epoch`: what the times of hazards count from.
+LastHazard hazard_message(const std::optional<ProvedHazard>& last, const ros::Time& epoch);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ROS_MESSAGES_HAZARD_MESSAGES_H

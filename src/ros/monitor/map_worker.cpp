@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros/monitor/map_worker.h"
+
+#include "parallel_aspects/aspects/map_file.h"
+#include "parallel_aspects/aspects/pose_roadmap.h"
+#include "ros/messages/conversions.h"
+
+#include <ros/console.h>
+#include <ros/time.h>
+
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
+namespace parallel_aspects {
+namespace {
+
+// Nothing is known yet.
+MapProgress empty_report() {
+  MapProgress report;
+  report.count_at_most = -1;
+  return report;
+}
+
+MapProgress computing(const char* what, double share, double resolution) {
+  MapProgress report = empty_report();
+  report.state = MapProgress::COMPUTING;
+  report.progress = share;
+  report.resolution = resolution;
+  report.sentence = std::string("The ") + what + " is being computed, " +
+                    std::to_string(std::lround(100.0 * share)) + " %.";
+  return report;
+}
+
+std::string complete_sentence(const AspectMap& map) {
+  char seconds[32];
+  std::snprintf(seconds, sizeof seconds, "%.3g s", map.seconds());
+  const std::int64_t most = count_at_most(map);
+  return "The map is complete: " + std::to_string(map.aspects().size()) + " aspects found, at least " +
+         std::to_string(map.proved_count()) + (most < 0 ? "" : " and at most " + std::to_string(most)) +
+         " proved, " + std::to_string(map.unresolved().size()) + " pairs unresolved, in " + seconds + ".";
+}
+
+std::string complete_sentence(const PoseRoadmap& roadmap) {
+  return "With six freedoms there is a certified roadmap in place of a map: " +
+         std::to_string(roadmap.poses().size()) + " sampled poses, at least " +
+         std::to_string(roadmap.proved_count()) + " aspects proved, and the samples lie in at most " +
+         std::to_string(roadmap.component_count()) + ".";
+}
+
+MapProgress ended(MapStatus status, const std::string& sentence) {
+  MapProgress report = empty_report();
+  report.sentence = sentence;
+  report.state = status == MapStatus::complete    ? MapProgress::COMPLETE
+                 : status == MapStatus::cancelled ? MapProgress::CANCELLED
+                                                  : MapProgress::REFUSED;
+  if (status == MapStatus::complete) report.progress = 1.0;
+  return report;
+}
+
+MapProgress ended(const RoadmapResult& result) {
+  MapProgress report = ended(result.status, result.sentence);
+  if (result.status != MapStatus::complete) return report;
+  report.seconds = result.roadmap->seconds();
+  report.sentence = complete_sentence(*result.roadmap);
+  return report;
+}
+
+MapProgress ended(const MapResult& result) {
+  MapProgress report = ended(result.status, result.sentence);
+  if (result.status != MapStatus::complete) return report;
+  report.resolution = result.map->resolution();
+  report.aspects = static_cast<std::uint32_t>(result.map->aspects().size());
+  report.count_at_most = count_at_most(*result.map);
+  report.unresolved = static_cast<std::uint32_t>(result.map->unresolved().size());
+  report.seconds = result.map->seconds();
+  report.sentence = complete_sentence(*result.map);
+  return report;
+}
+
+// What the computation took, besides what is kept, goes back to the system now: else it would stay with the
+// process, as much as the finest map ever tried took.
+void return_memory() {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+}
+
+}  // namespace
+
+std::uint32_t KnownAspects::proved_count() const noexcept {
+  const std::size_t count = map ? map->proved_count() : roadmap ? roadmap->proved_count() : 0;
+  return static_cast<std::uint32_t>(count);
+}
+
+MapWorker::MapWorker(std::shared_ptr<const Manipulator> manipulator, std::string file, Listener listener)
+    : manipulator_(std::move(manipulator)),
+      file_(std::move(file)),
+      listener_(std::move(listener)),
+      progress_(empty_report()),
+      file_sentence_(file_.empty() ? "none; see map/file" : "not read yet"),
+      thread_([this] { run(); }) {}
+
+MapWorker::~MapWorker() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    stopping_ = true;
+    cancelled_ = true;
+  }
+  changed_.notify_all();
+  thread_.join();
+}
+
+MapWorker::Job MapWorker::compute(const MapOptions& options, FileUse use) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  next_ = Request{options, file_.empty() ? FileUse::none : use};
+  cancelled_ = true;
+  changed_.notify_all();
+  return ++newest_job_;
+}
+
+void MapWorker::cancel(Job job) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (job != newest_job_) return;
+  cancelled_ = true;
+  if (!next_) return;
+  next_.reset();
+  running_job_ = job;
+  progress_ = dated(empty_report());
+  progress_.state = MapProgress::CANCELLED;
+  progress_.sentence = "The computation was cancelled before it began.";
+  changed_.notify_all();
+}
+
+MapProgress MapWorker::wait(Job job, std::chrono::milliseconds patience) const {
+  std::unique_lock<std::mutex> lock(mutex_);
+  const auto over = [&] {
+    return job != newest_job_ || (running_job_ == job && progress_.state != MapProgress::COMPUTING);
+  };
+  changed_.wait_for(lock, patience, over);
+  if (job == running_job_) return progress_;
+  MapProgress report = dated(empty_report());
+  report.state = job == newest_job_ ? MapProgress::COMPUTING : MapProgress::CANCELLED;
+  report.sentence =
+      job == newest_job_ ? "The computation is about to begin." : "A newer request took its place.";
+  return report;
+}
+
+MapProgress MapWorker::progress() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return progress_;
+}
+
+KnownAspects MapWorker::known() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return known_;
+}
+
+std::shared_ptr<const AspectMap> MapWorker::map() const { return known().map; }
+
+std::string MapWorker::file_sentence() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return file_sentence_;
+}
+
+void MapWorker::run() {
+  while (true) {
+    Request request;
+    {
+      std::unique_lock<std::mutex> lock(mutex_);
+      changed_.wait(lock, [&] { return stopping_ || next_.has_value(); });
+      if (stopping_) return;
+      request = *std::exchange(next_, std::nullopt);
+      running_job_ = newest_job_;
+      progress_ = dated(empty_report());  // COMPUTING; what was said of the job before is over
+      cancelled_ = false;
+    }
+    try {
+      carry_out(request);
+    } catch (const std::exception& failure) {  // as when there is not enough memory
+      report(ended(MapStatus::refused, std::string("The computation ended early: ") + failure.what() + "."));
+    }
+    return_memory();
+  }
+}
+
+void MapWorker::carry_out(const Request& request) {
+  const bool of_map = has_map(manipulator_->task_space());
+  const char* const what = of_map ? "map" : "roadmap";
+  const MapOptions& options = request.options;
+  const double resolution = of_map ? options.resolution.value_or(default_resolution(*manipulator_)) : 0.0;
+  report(computing(what, 0.0, resolution));
+  if (of_map && request.use == FileUse::load && load(options)) return;
+  double reported = 0.0;
+  MapControl control;
+  control.cancelled = &cancelled_;
+  control.progress = [&](double share) {
+    if (share < reported + 0.01) return;
+    reported = share;
+    report(computing(what, share, resolution));
+  };
+  if (!of_map) return make_roadmap(options, control);
+  MapResult result = compute_aspect_map(manipulator_, options, control);
+  if (cancelled_) result = {MapStatus::cancelled, "The computation was cancelled.", nullptr};
+  report(ended(result), {result.map, nullptr});
+  if (result.status == MapStatus::complete && request.use != FileUse::none) save(*result.map);
+}
+
+void MapWorker::make_roadmap(const MapOptions& options, const MapControl& control) {
+  if (!file_.empty()) say_of_file("not used: with six freedoms there is no map", false);
+  RoadmapOptions roadmap;
+  roadmap.region = options.region;
+  roadmap.threads = options.threads;
+  const RoadmapResult result = compute_pose_roadmap(manipulator_, roadmap, control);
+  report(ended(result), {nullptr, result.roadmap});
+}
+
+bool MapWorker::load(const MapOptions& options) {
+  const MapResult result = load_map(manipulator_, options, file_);
+  if (result.status != MapStatus::complete) {
+    say_of_file("the map is computed, as the file was not used: " + result.sentence, false);
+    return false;
+  }
+  say_of_file("loaded from " + file_, true);
+  report(ended(result), {result.map, nullptr});
+  return true;
+}
+
+void MapWorker::save(const AspectMap& map) {
+  const SaveResult result = save_map(map, file_);
+  say_of_file(result.saved ? "saved to " + file_ : "the map was not saved: " + result.sentence, result.saved);
+}
+
+void MapWorker::say_of_file(const std::string& sentence, bool well) {
+  if (well)
+    ROS_INFO_STREAM("Map file: " << sentence);
+  else
+    ROS_WARN_STREAM("Map file: " << sentence);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  file_sentence_ = sentence;
+}
+
+MapProgress MapWorker::dated(MapProgress progress) const {
+  progress.header.stamp = ros::Time::now();
+  progress.header.frame_id = manipulator_->base_frame();
+  progress.proved_count = known_.proved_count();
+  return progress;
+}
+
+// What was found is in use everywhere before anyone is told that it is complete.
+void MapWorker::report(MapProgress progress, const KnownAspects& found) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (found.map || found.roadmap) known_ = found;
+    progress = dated(std::move(progress));
+  }
+  listener_(progress, found.map);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  progress_ = std::move(progress);
+  changed_.notify_all();
+}
+
+}  // namespace parallel_aspects

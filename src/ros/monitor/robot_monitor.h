@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ROS_MONITOR_ROBOT_MONITOR_H
+#define PARALLEL_ASPECTS_ROS_MONITOR_ROBOT_MONITOR_H
+
+#include "parallel_aspects/distance/boundary_distances.h"
+#include "parallel_aspects/tracking/approach_speed.h"
+#include "parallel_aspects/tracking/hazard_memory.h"
+#include "parallel_aspects/tracking/stand_off.h"
+#include "parallel_aspects/tracking/thresholds.h"
+#include "parallel_aspects/tracking/tracker.h"
+#include "parallel_aspects/urdf/mechanism.h"
+#include "parallel_aspects/urdf/passive_joints.h"
+#include "ros/joint_states/drive_merger.h"
+#include "ros/joint_states/joint_name_watch.h"
+#include "ros/joint_states/joint_sample.h"
+#include "ros/joint_states/publisher_watch.h"
+#include "ros/messages/conversions.h"
+#include "ros/parameters/node_options.h"
+
+#include <parallel_aspects/AspectState.h>
+#include <parallel_aspects/AspectTransition.h>
+#include <parallel_aspects/AssemblyCandidates.h>
+
+#include <ros/time.h>
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <sensor_msgs/JointState.h>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// What one message of joint_states led to.
+struct MonitorUpdate {
+  std::optional<AspectState>
+      state;            ///< to publish; nothing for another robot's message once this one is known
+  std::string warning;  ///< to log, throttled; empty when all is well
+  std::vector<AspectTransition> transitions;
+  std::optional<TrackedState> tracked;  ///< what the state was made of, while tracking
+};
+
+/// What is known of the robot now.
+struct CurrentConfiguration {
+  Status status;      ///< OK, or why nothing is known
+  ros::Time stamp;    ///< of the joint sample
+  SolvedPose solved;  ///< valid if OK
+  TrackedState tracked;
+};
+
+/// Messages since the start.
+struct MonitorCounts {
+  std::uint64_t usable = 0, invalid = 0, foreign = 0;
+  std::uint64_t lost = 0;  ///< on the way to the node, by gaps in header.seq
+  bool counted = false;    ///< whether the publisher sets header.seq, so that losses show
+};
+
+/// What the last state said of distances and passive joints.
+struct MonitorFindings {
+  ThresholdState threshold;
+  std::array<DistanceBounds, hazard_count> distances;  ///< by `Hazard`
+  double stand_off = 0.0, residual = 0.0;              ///< as in AspectState
+};
+
+/// Guards a tracker against everything that joint_states may bring, and against threads. Knows no topics.
+///
+/// `update` is for the thread of joint_states; what takes longer, as measuring distances, looking for the
+/// assembly mode and comparing passive joints, is left to `work`, for another thread.
+class RobotMonitor {
+ public:
+  /// `options` must have passed `problems_of`.
+  RobotMonitor(std::shared_ptr<const Mechanism> mechanism, const NodeOptions& options);
+
+  /// The next message, received at `now` from the node `publisher`.
+  MonitorUpdate update(const sensor_msgs::JointState& message, const ros::Time& now,
+                       const std::string& publisher = {});
+
+  /// Every joint of the URDF in a tracked configuration; nothing where the passive joints do not close it.
+  std::optional<sensor_msgs::JointState> complete(const TrackedState& tracked, const ros::Time& stamp) const;
+
+  /// The state to publish when the last usable sample has become stale; nothing while it has not, or that was
+  /// said.
+  std::optional<AspectState> expire(const ros::Time& now);
+
+  /// Measures distances at the last sample, or looks for the assembly mode; to be called again and again from
+  /// one thread. The assembly modes that remain, where their number has changed.
+  std::optional<AssemblyCandidates> work();
+
+  CurrentConfiguration current(const ros::Time& now) const;
+  MonitorFindings findings() const;
+  MonitorCounts counts() const;
+
+  void set_map(std::shared_ptr<const AspectMap> map);
+  void set_thresholds(const DistanceThresholds::Options& thresholds);
+
+  /// Starts at the direct solution of the last sample that is closest to `pose`, or that has this sign of det
+  /// A.
+  Status start_near(const Pose& pose, const ros::Time& now);
+  Status start_with_sign(int determinant_sign, const ros::Time& now);
+
+ private:
+  MonitorUpdate pass_over(bool new_names);
+  std::string with_guess(const std::string& sentence) const;
+  MonitorUpdate refuse(std::uint8_t code, const std::string& sentence, const ros::Time& stamp);
+  MonitorUpdate wait_for_drives(const JointSample& sample, const ros::Time& now);
+  MonitorUpdate accept(const JointSample& sample, const MergedDrives& drives, const ros::Time& now);
+  std::string fault_of_stamp(SampleStatus status, const ros::Time& stamp, const ros::Time& now) const;
+  Status start_as_configured(double time, const JointVector& q);
+  bool failed_start() const;
+  Status status_of_tracker() const;
+  Status stale_status(const ros::Time& now) const;
+
+  /// What is to be said where the last sample was merged of several messages; else nothing.
+  std::string merged_drives() const;
+  std::string contradiction() const;
+  bool stale(const ros::Time& now) const;
+  void fill_tracked(const ros::Time& stamp, MonitorUpdate& update);
+  void keep_transitions();
+  AspectState lost_state(const Status& status, const ros::Time& stamp);
+  void judge(const TrackedState& tracked, AspectState& state);
+  void measure(const TrackedState& tracked, const JointVector& bend, const Eigen::VectorXd& readings);
+  void look_for_assembly_mode(const Eigen::VectorXd& readings);
+  std::optional<AssemblyCandidates> new_candidates();
+  void forget();
+
+  const std::shared_ptr<const Mechanism> mechanism_;
+  const JointSampleReader reader_;
+  JointNameWatch names_;  // of what arrives since the last usable sample
+  const StartOptions start_;
+  const double start_tolerance_;
+  const double timeout_;  // [s]
+  const PassiveJoints passive_;
+  BoundaryDistanceMeter meter_;  // of `work` alone
+  const StandOff stand_off_;
+
+  mutable std::mutex mutex_;
+  DriveMerger merger_;
+  Tracker tracker_;
+  Status status_;
+  Status not_started_;       // why, where the first sample could not start
+  ros::Time epoch_;          // of the tracker's clock
+  ros::Time last_stamp_;     // of the last usable sample; zero for none
+  ros::Time last_received_;  // when any message came
+  ros::Time last_usable_;    // when the last usable one came
+  ros::Time waiting_since_;  // for the other drives, before the first one; zero for not
+  std::optional<JointVector> last_q_;
+  JointVector last_uncertainty_;
+  std::vector<AspectTransition> transitions_;  // still to be published
+  bool said_stale_ = false;
+  bool said_names_ = false;
+  bool clock_went_back_ = false;  // though it was not a simulation that began anew
+  MonitorCounts counts_;
+  PublisherWatch publishers_;
+
+  /// Distances as they were measured, and where.
+  struct Measured {
+    Pose pose;
+    WorkingMode mode;
+    std::array<DistanceBounds, hazard_count> bounds;  // by `Hazard`
+    double stand_off;                                 // as in AspectState
+  };
+  std::optional<Measured> measured_;
+  std::array<ApproachSpeed, hazard_count> speeds_;
+  DistanceThresholds thresholds_;
+  HazardMemory memory_;
+  MonitorFindings findings_;
+  Eigen::VectorXd readings_;  // of all joints, from the last usable sample
+  PassiveResidual residual_;
+  std::size_t told_candidates_ = 0;
+};
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ROS_MONITOR_ROBOT_MONITOR_H

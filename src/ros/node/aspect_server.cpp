@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros/node/aspect_server.h"
+
+#include "parallel_aspects/model/problems.h"
+
+#include <ros/console.h>
+
+#include <utility>
+
+namespace parallel_aspects {
+namespace {
+
+const ros::WallDuration between_looks(2.0);  // at the master
+
+}  // namespace
+
+AspectServer::AspectServer(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh)
+    : AspectServer(nh, private_nh, load_setup(nh, private_nh)) {}
+
+AspectServer::AspectServer(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh, NodeSetup setup)
+    : nh_(nh),
+      private_nh_(private_nh),
+      read_only_(setup.options.read_only),
+      robot_(std::make_unique<RobotServer>(nh, private_nh, std::move(setup))),
+      spinner_(1, &queue_) {
+  ros::NodeHandle on_own_queue(private_nh);
+  on_own_queue.setCallbackQueue(&queue_);
+  const boost::function<bool(Reload::Request&, Reload::Response&)> callback =
+      [this](Reload::Request&, Reload::Response& response) {
+        response = reload();
+        return true;
+      };
+  reload_ = on_own_queue.advertiseService("reload", callback);
+  master_.look();
+  master_timer_ =
+      on_own_queue.createWallTimer(between_looks, [this](const ros::WallTimerEvent&) { master_.look(); });
+  spinner_.start();
+}
+
+AspectServer::~AspectServer() {
+  reload_.shutdown();
+  master_timer_.stop();
+  spinner_.stop();
+}
+
+Reload::Response AspectServer::reload() {
+  Reload::Response response;
+  if (read_only_) {
+    response.status = refused_as_read_only();
+    return response;
+  }
+  try {
+    NodeSetup setup = load_setup(nh_, private_nh_);
+    robot_.reset();  // names of topics and services are free again
+    robot_ = std::make_unique<RobotServer>(nh_, private_nh_, std::move(setup));
+    ROS_INFO("robot_description and the parameters were loaded anew.");
+  } catch (const InvalidDescription& invalid) {
+    response.problems.assign(invalid.problems().begin(), invalid.problems().end());
+    response.status.code = Status::FAILED;
+    response.status.sentence = "What was there before stays in use, as there are problems: " +
+                               std::to_string(response.problems.size()) + ".";
+    for (const std::string& problem : invalid.problems()) ROS_ERROR_STREAM("Not loaded anew: " << problem);
+  }
+  return response;
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros/node/queries.h"
+
+#include "parallel_aspects/aspects/roadmap_location.h"
+#include "parallel_aspects/kinematics/jacobians.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace parallel_aspects {
+namespace {
+
+ConfigurationAnswer refusal(std::uint8_t code, std::string sentence) {
+  return {make_status(code, std::move(sentence)), {}, {}};
+}
+
+// Where no map exists, a roadmap tells what it can.
+void tell_component(const Manipulator& manipulator, const SolvedPose& solved, const PoseRoadmap* roadmap,
+                    SolvedConfiguration& message) {
+  message.aspect_status = SolvedConfiguration::NO_MAP;
+  const auto mode = working_mode(manipulator, solved.pose, solved.q);
+  if (roadmap == nullptr || !mode) return;
+  const RoadmapLocation location = locate(*roadmap, solved.pose, *mode);
+  if (location.component) message.roadmap_component = *location.component + 1;
+}
+
+RoadmapComponents components_message(const RoadmapSide& side) {
+  RoadmapComponents message;
+  message.working_mode = signs_message(side.mode);
+  message.determinant_sign = static_cast<std::int8_t>(side.determinant_sign);
+  message.component_sizes.assign(side.component_sizes.begin(), side.component_sizes.end());
+  return message;
+}
+
+// Whether one of the configurations has this working mode and sign.
+bool any_on(const std::vector<SolvedConfiguration>& solutions, const RoadmapComponents& side) {
+  return std::any_of(solutions.begin(), solutions.end(), [&](const SolvedConfiguration& solution) {
+    return solution.working_mode == side.working_mode && solution.determinant_sign == side.determinant_sign;
+  });
+}
+
+void list_aspects(const Manipulator& manipulator, const AspectMap& map, const ListAspects::Request& request,
+                  const std::vector<SolvedConfiguration>& solutions, ListAspects::Response& response) {
+  const auto holds_one = [&](const Aspect& aspect) {
+    return std::any_of(solutions.begin(), solutions.end(), [&](const SolvedConfiguration& solution) {
+      return solution.aspect == static_cast<std::uint32_t>(aspect.id);
+    });
+  };
+  for (const Aspect& aspect : map.aspects())
+    if (!request.at_configuration || holds_one(aspect))
+      response.aspects.push_back(summary_message(manipulator, aspect));
+  response.count_at_most = count_at_most(map);
+  response.measure_undecided = map.measure_undecided();
+}
+
+}  // namespace
+
+Queries::Queries(std::shared_ptr<const Manipulator> manipulator, RobotMonitor& monitor,
+                 const MapWorker& worker, PoseTransformer to_base, bool read_only)
+    : manipulator_(std::move(manipulator)),
+      monitor_(monitor),
+      worker_(worker),
+      to_base_(std::move(to_base)),
+      read_only_(read_only),
+      meter_(manipulator_) {}
+
+ConfigurationAnswer Queries::resolve(const Configuration& configuration) const {
+  switch (configuration.kind) {
+    case Configuration::NOW:
+      return resolve_now();
+    case Configuration::POSE:
+      return resolve_pose(configuration);
+    case Configuration::JOINTS:
+      return resolve_joints(configuration);
+    default:
+      return refusal(Status::INVALID_REQUEST, "kind must be 0 (now), 1 (pose) or 2 (joints).");
+  }
+}
+
+ConfigurationAnswer Queries::resolve_now() const {
+  const CurrentConfiguration current = monitor_.current(ros::Time::now());
+  ConfigurationAnswer answer{current.status, current.stamp, {}};
+  if (current.status.code == Status::OK) answer.configurations = {current.solved};
+  return answer;
+}
+
+ConfigurationAnswer Queries::resolve_pose(const Configuration& configuration) const {
+  std::string sentence;
+  const auto in_base = to_base_(configuration.pose, sentence);
+  if (!in_base) return refusal(Status::NO_TRANSFORM, std::move(sentence));
+  const auto pose = pose_from_base(*manipulator_, *in_base);
+  if (!pose)
+    return refusal(Status::INVALID_REQUEST,
+                   "The pose must be finite, and its quaternion of unit length where the platform turns.");
+  ConfigurationAnswer answer = configurations_at_pose(*manipulator_, *pose, configuration.working_mode);
+  answer.stamp = ros::Time::now();
+  const double off = distance_off_task_space(*manipulator_, *in_base);
+  if (answer.status.code == Status::OK && off > 1e-6 * manipulator_->size())
+    answer.status.sentence = "The pose is " + std::to_string(off) +
+                             " m off the motions of the platform; the answer is about its projection.";
+  return answer;
+}
+
+ConfigurationAnswer Queries::resolve_joints(const Configuration& configuration) const {
+  const JointSample sample =
+      actuated_values(*manipulator_, configuration.joint_names, configuration.joint_positions);
+  if (sample.status != SampleStatus::usable)
+    return refusal(Status::INVALID_REQUEST, "The joints cannot be used: " + sample.sentence);
+  ConfigurationAnswer answer =
+      configurations_at_joints(*manipulator_, sample.q, configuration.determinant_sign);
+  answer.stamp = ros::Time::now();
+  return answer;
+}
+
+std::vector<SolvedConfiguration> Queries::solutions(const ConfigurationAnswer& answer,
+                                                    const KnownAspects& known) const {
+  std::vector<SolvedConfiguration> messages;
+  for (const SolvedPose& solved : answer.configurations) {
+    messages.push_back(solved_message(*manipulator_, solved, known.map.get(), answer.stamp));
+    if (!has_map(manipulator_->task_space()))
+      tell_component(*manipulator_, solved, known.roadmap.get(), messages.back());
+  }
+  return messages;
+}
+
+// With OK and NO_MAP there is something to answer.
+Status Queries::map_status(const KnownAspects& known) const {
+  if (known.map) return {};
+  const std::string sentence = worker_.progress().sentence;
+  if (!has_map(manipulator_->task_space()))
+    return make_status(Status::NO_MAP, "No map exists in " + std::string(name(manipulator_->task_space())) +
+                                           ", so aspects have no ids. " + sentence);
+  return make_status(Status::MAP_NOT_READY, sentence.empty() ? "The map is about to be computed." : sentence);
+}
+
+GetWorkingMode::Response Queries::answer(const GetWorkingMode::Request& request) const {
+  const KnownAspects known = worker_.known();
+  const ConfigurationAnswer found = resolve(request.configuration);
+  GetWorkingMode::Response response;
+  response.status = found.status;
+  response.solutions = solutions(found, known);
+  return response;
+}
+
+GetCurrentAspect::Response Queries::answer(const GetCurrentAspect::Request& request) const {
+  const KnownAspects known = worker_.known();
+  GetCurrentAspect::Response response;
+  response.proved_count = known.proved_count();
+  response.status = map_status(known);
+  if (response.status.code == Status::MAP_NOT_READY) return response;
+  const ConfigurationAnswer found = resolve(request.configuration);
+  if (known.map || found.status.code != Status::OK) response.status = found.status;
+  response.solutions = solutions(found, known);
+  return response;
+}
+
+GetSingularityDistance::Response Queries::answer(const GetSingularityDistance::Request& request) const {
+  const auto map = worker_.map();
+  const ConfigurationAnswer found = resolve(request.configuration);
+  GetSingularityDistance::Response response;
+  response.status = found.status;
+  for (const SolvedPose& solved : found.configurations)
+    response.reports.push_back(
+        report_message(*manipulator_, solved, distances(solved), map.get(), found.stamp));
+  return response;
+}
+
+ListAspects::Response Queries::answer(const ListAspects::Request& request) const {
+  const KnownAspects known = worker_.known();
+  ListAspects::Response response;
+  response.count_at_most = -1;
+  response.proved_count = known.proved_count();
+  response.status = map_status(known);
+  if (response.status.code == Status::MAP_NOT_READY) return response;
+  ConfigurationAnswer found;
+  if (request.at_configuration) found = resolve(request.configuration);
+  if (known.map || found.status.code != Status::OK) response.status = found.status;
+  if (found.status.code != Status::OK) return response;
+  const auto at = solutions(found, known);
+  if (known.map) list_aspects(*manipulator_, *known.map, request, at, response);
+  if (!known.roadmap) return response;
+  for (const RoadmapSide& side : known.roadmap->sides()) {
+    const RoadmapComponents message = components_message(side);
+    if (!request.at_configuration || any_on(at, message)) response.roadmap.push_back(message);
+  }
+  return response;
+}
+
+// Where B_jj = 0 the working mode has no distances.
+BoundaryDistances Queries::distances(const SolvedPose& solved) const {
+  const auto mode = working_mode(*manipulator_, solved.pose, solved.q);
+  const std::lock_guard<std::mutex> lock(meter_mutex_);
+  return mode ? meter_.measure(solved.pose, *mode) : BoundaryDistances{};
+}
+
+Status Queries::start(const Configuration& configuration) const {
+  const ros::Time now = ros::Time::now();
+  if (configuration.kind == Configuration::NOW) {
+    if (std::abs(configuration.determinant_sign) == 1)
+      return monitor_.start_with_sign(configuration.determinant_sign, now);
+    return make_status(Status::INVALID_REQUEST,
+                       "determinant_sign must be 1 or -1, or kind 1 (pose) or 2 (joints).");
+  }
+  if (configuration.kind == Configuration::POSE) {
+    std::string sentence;
+    const auto in_base = to_base_(configuration.pose, sentence);
+    if (!in_base) return make_status(Status::NO_TRANSFORM, std::move(sentence));
+    const auto pose = pose_from_base(*manipulator_, *in_base);
+    return pose ? monitor_.start_near(*pose, now)
+                : make_status(Status::INVALID_REQUEST, "The pose must be finite.");
+  }
+  const ConfigurationAnswer found = resolve(configuration);
+  if (found.status.code != Status::OK) return found.status;
+  if (found.configurations.size() != 1)
+    return make_status(Status::INVALID_REQUEST,
+                       "More than one assembly mode is meant; set determinant_sign to 1 or -1.");
+  return monitor_.start_near(found.configurations.front().pose, now);
+}
+
+SetAssemblyMode::Response Queries::answer(const SetAssemblyMode::Request& request) const {
+  SetAssemblyMode::Response response;
+  response.status = read_only_ ? refused_as_read_only() : start(request.configuration);
+  if (response.status.code != Status::OK) return response;
+  const ConfigurationAnswer now = resolve_now();
+  response.status = now.status;
+  response.solutions = solutions(now, worker_.known());
+  return response;
+}
+
+}  // namespace parallel_aspects

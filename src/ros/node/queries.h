@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ROS_NODE_QUERIES_H
+#define PARALLEL_ASPECTS_ROS_NODE_QUERIES_H
+
+#include "parallel_aspects/distance/boundary_distances.h"
+#include "ros/messages/configurations.h"
+#include "ros/messages/conversions.h"
+#include "ros/monitor/map_worker.h"
+#include "ros/monitor/robot_monitor.h"
+
+#include <parallel_aspects/Configuration.h>
+#include <parallel_aspects/GetCurrentAspect.h>
+#include <parallel_aspects/GetSingularityDistance.h>
+#include <parallel_aspects/GetWorkingMode.h>
+#include <parallel_aspects/ListAspects.h>
+#include <parallel_aspects/SetAssemblyMode.h>
+
+#include <functional>
+#include <geometry_msgs/PoseStamped.h>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// Brings a pose into the base frame; nothing, and a sentence, where tf cannot.
+using PoseTransformer = std::function<std::optional<geometry_msgs::Pose>(const geometry_msgs::PoseStamped&,
+                                                                         std::string& sentence)>;
+
+/// Answers the services. May be called from any number of threads.
+class Queries {
+ public:
+  /// `monitor` and `worker` must outlive the object. `read_only`: whether set_assembly_mode is refused.
+  Queries(std::shared_ptr<const Manipulator> manipulator, RobotMonitor& monitor, const MapWorker& worker,
+          PoseTransformer to_base, bool read_only);
+
+  GetWorkingMode::Response answer(const GetWorkingMode::Request& request) const;
+  GetCurrentAspect::Response answer(const GetCurrentAspect::Request& request) const;
+  GetSingularityDistance::Response answer(const GetSingularityDistance::Request& request) const;
+  ListAspects::Response answer(const ListAspects::Request& request) const;
+  SetAssemblyMode::Response answer(const SetAssemblyMode::Request& request) const;
+
+ private:
+  ConfigurationAnswer resolve(const Configuration& configuration) const;
+  ConfigurationAnswer resolve_now() const;
+  ConfigurationAnswer resolve_pose(const Configuration& configuration) const;
+  ConfigurationAnswer resolve_joints(const Configuration& configuration) const;
+  Status start(const Configuration& configuration) const;
+  std::vector<SolvedConfiguration> solutions(const ConfigurationAnswer& answer,
+                                             const KnownAspects& known) const;
+  Status map_status(const KnownAspects& known) const;
+  BoundaryDistances distances(const SolvedPose& solved) const;
+
+  std::shared_ptr<const Manipulator> manipulator_;
+  RobotMonitor& monitor_;
+  const MapWorker& worker_;
+  PoseTransformer to_base_;
+  const bool read_only_;
+  mutable std::mutex meter_mutex_;
+  mutable BoundaryDistanceMeter meter_;  // owns the memory it works in
+};
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ROS_NODE_QUERIES_H

@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros/node/robot_server.h"
+
+#include "ros/messages/hazard_messages.h"
+#include "ros/messages/tables.h"
+
+#include <ros/console.h>
+#include <tf2_geometry_msgs/tf2_geometry_msgs.h>
+
+#include <chrono>
+#include <utility>
+
+namespace parallel_aspects {
+namespace {
+
+// A cancellation that is stamped farther ahead of the clock is none [s].
+constexpr double farthest_ahead = 60.0;
+
+ros::NodeHandle on_queue(ros::NodeHandle nh, ros::CallbackQueue& queue) {
+  nh.setCallbackQueue(&queue);
+  return nh;
+}
+
+}  // namespace
+
+RobotServer::RobotServer(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh, NodeSetup setup)
+    : setup_(std::move(setup)),
+      tracking_nh_(on_queue(private_nh, tracking_queue_)),
+      service_nh_(on_queue(private_nh, service_queue_)),
+      work_nh_(on_queue(private_nh, work_queue_)),
+      joint_states_nh_(on_queue(nh, tracking_queue_)),
+      tf_listener_(tf_),
+      monitor_(setup_.mechanism, setup_.options),
+      display_(setup_, service_nh_),
+      state_(tracking_nh_.advertise<AspectState>("state", 100, true)),
+      transitions_(tracking_nh_.advertise<AspectTransition>("transitions", 100)),
+      joint_states_(tracking_nh_.advertise<sensor_msgs::JointState>("joint_states", 100)),
+      candidates_(work_nh_.advertise<AssemblyCandidates>("candidates", 10, true)),
+      map_progress_(service_nh_.advertise<MapProgress>("map_progress", 10, true)),
+      worker_(setup_.mechanism->manipulator(), setup_.options.map_file,
+              [this](const MapProgress& progress, const auto& map) { on_map_progress(progress, map); }),
+      queries_(
+          setup_.mechanism->manipulator(), monitor_, worker_,
+          [this](const auto& pose, std::string& sentence) { return to_base(pose, sentence); },
+          setup_.options.read_only),
+      frame_watch_(setup_.options.frame_prefix + "/"),
+      diagnostics_(on_queue(nh, service_queue_), service_nh_, *setup_.mechanism->manipulator(), monitor_,
+                   worker_, frame_watch_),
+      thinned_(setup_.options.state_decimation),
+      completed_(setup_.options.completed_decimation),
+      tracking_spinner_(1, &tracking_queue_),
+      service_spinner_(2, &service_queue_),
+      work_spinner_(1, &work_queue_) {
+  for (const std::string& note : setup_.mechanism->notes()) ROS_INFO_STREAM(note);
+  advertise();
+  subscribe();
+  reconfiguration_ = std::make_unique<Reconfiguration>(
+      service_nh_, setup_.options,
+      [this](const ThresholdParameters& wanted) { monitor_.set_thresholds(thresholds_of(wanted)); },
+      [this](const DisplayOptions& wanted) {
+        display_.set_options(wanted);
+        display_timer_.setPeriod(ros::Duration(1.0 / wanted.rate));
+      });
+  state_.publish(
+      unknown_state(*setup_.mechanism->manipulator(), monitor_.current(ros::Time::now()).status, {}));
+  tracking_spinner_.start();
+  service_spinner_.start();
+  work_spinner_.start();
+  worker_.compute(setup_.options.map, FileUse::load);
+}
+
+RobotServer::~RobotServer() {
+  log_timer_.stop();
+  stopping_ = true;
+  subscriber_.shutdown();
+  cancel_subscriber_.shutdown();
+  compute_map_->shutdown();
+  tracking_spinner_.stop();
+  service_spinner_.stop();
+  work_spinner_.stop();
+}
+
+void RobotServer::advertise() {
+  serve<GetWorkingMode>("get_working_mode");
+  serve<GetCurrentAspect>("get_current_aspect");
+  serve<GetSingularityDistance>("get_singularity_distance");
+  serve<ListAspects>("list_aspects");
+  serve<SetAssemblyMode>("set_assembly_mode");
+  start_action();
+  const boost::function<void(const actionlib_msgs::GoalIDConstPtr&)> callback =
+      [this](const actionlib_msgs::GoalIDConstPtr& goal) { on_cancel(*goal); };
+  cancel_subscriber_ = service_nh_.subscribe("compute_map/cancel", 50, callback);
+}
+
+void RobotServer::start_action() {
+  compute_map_ = std::make_unique<ComputeMapServer>(
+      service_nh_, "compute_map", [this](const ComputeMapGoalConstPtr& goal) { on_compute_map(goal); },
+      false);
+  compute_map_->start();
+}
+
+// Actionlib would take a cancellation that is stamped ahead of the clock for one of every goal up to then,
+// and throw when it looks whether the end of time is over.
+void RobotServer::on_cancel(const actionlib_msgs::GoalID& goal) {
+  if (seconds_between(ros::Time::now(), goal.stamp) > farthest_ahead) action_is_spoilt_ = true;
+}
+
+void RobotServer::renew_action() {
+  if (!action_is_spoilt_.exchange(false)) return;
+  ROS_WARN("A cancellation that is stamped ahead of the clock came, so compute_map starts anew.");
+  stopping_ = true;
+  compute_map_->shutdown();
+  compute_map_.reset();
+  stopping_ = false;
+  start_action();
+}
+
+void RobotServer::subscribe() {
+  subscriber_ = joint_states_nh_.subscribe("joint_states", 1000, &RobotServer::on_joint_states, this,
+                                           ros::TransportHints().tcpNoDelay());
+  tf_subscriber_ = service_nh_.subscribe("/tf", 1000, &RobotServer::on_tf, this);
+  tf_static_subscriber_ = service_nh_.subscribe("/tf_static", 1000, &RobotServer::on_tf_static, this);
+  age_timer_ = tracking_nh_.createTimer(ros::Duration(setup_.options.joint_states_timeout / 4.0),
+                                        [this](const ros::TimerEvent&) { check_age(); });
+  work_timer_ = work_nh_.createWallTimer(ros::WallDuration(1.0 / setup_.options.distance_rate),
+                                         [this](const ros::WallTimerEvent&) { work(); });
+  display_timer_ = service_nh_.createTimer(ros::Duration(1.0 / setup_.options.display.rate),
+                                           [this](const ros::TimerEvent&) { show(); });
+  // By the wall clock: a simulation that stands still, or begins anew, must not silence them.
+  diagnostics_timer_ =
+      service_nh_.createWallTimer(ros::WallDuration(diagnostics_.period()),
+                                  [this](const ros::WallTimerEvent&) { diagnostics_.publish(); });
+  stand_off_timer_ = service_nh_.createWallTimer(
+      ros::WallDuration(0.0), [this](const ros::WallTimerEvent&) { tell_stand_off(); }, true);
+  log_timer_ = service_nh_.createWallTimer(ros::WallDuration(0.1), [this](const ros::WallTimerEvent&) {
+    log_.write();
+    renew_action();
+  });
+}
+
+// A service that was reached returns true: what became of the request is in the response.
+template <typename Service>
+void RobotServer::serve(const std::string& name) {
+  using Request = typename Service::Request;
+  using Response = typename Service::Response;
+  const boost::function<bool(Request&, Response&)> callback = [this](Request& request, Response& response) {
+    response = queries_.answer(request);
+    return true;
+  };
+  services_.push_back(service_nh_.advertiseService(name, callback));
+}
+
+// The state goes out before anything else is worked out.
+void RobotServer::on_joint_states(const ros::MessageEvent<const sensor_msgs::JointState>& event) {
+  const MonitorUpdate update =
+      monitor_.update(*event.getConstMessage(), ros::Time::now(), event.getPublisherName());
+  if (!update.warning.empty()) log_.warn(update.warning);
+  if (!update.state) return;
+  const bool other_joints = update.state->status.code == Status::NO_JOINT_STATES;  // said when names are new
+  const bool changed = thinned_.differs(*update.state) || other_joints || !update.transitions.empty();
+  if (thinned_.next() || changed) {
+    state_.publish(*update.state);
+    diagnostics_.count_output();
+  }
+  for (const AspectTransition& transition : update.transitions) {
+    transitions_.publish(transition);
+    log_.say(transition.sentence);
+  }
+  if (update.tracked && (completed_.next() || changed))
+    publish_robot(*update.tracked, update.state->header.stamp);
+}
+
+void RobotServer::on_tf(const Transforms& event) { watch(event, FrameWatch::Topic::tf); }
+
+void RobotServer::on_tf_static(const Transforms& event) { watch(event, FrameWatch::Topic::tf_static); }
+
+void RobotServer::watch(const Transforms& event, FrameWatch::Topic topic) {
+  for (const geometry_msgs::TransformStamped& transform : event.getConstMessage()->transforms) {
+    const std::string sentence =
+        frame_watch_.hear(transform.child_frame_id, event.getPublisherName(), topic, ros::WallTime::now());
+    if (!sentence.empty()) ROS_WARN_STREAM(sentence);
+  }
+}
+
+void RobotServer::publish_robot(const TrackedState& tracked, const ros::Time& stamp) {
+  if (const auto completed = monitor_.complete(tracked, stamp)) joint_states_.publish(*completed);
+  send_platform(platform_in_base(*setup_.mechanism->manipulator(), tracked.pose), stamp);
+}
+
+void RobotServer::send_platform(const Eigen::Isometry3d& platform, const ros::Time& stamp) {
+  geometry_msgs::TransformStamped message;
+  message.header.frame_id = setup_.mechanism->manipulator()->base_frame();
+  message.header.stamp = stamp;
+  message.child_frame_id = setup_.options.frame_prefix + "/platform";
+  message.transform = transform_message(platform);
+  tf_broadcaster_.sendTransform(message);
+}
+
+void RobotServer::check_age() {
+  const auto state = monitor_.expire(ros::Time::now());
+  if (!state) return;
+  log_.warn(state->status.sentence);
+  state_.publish(*state);
+  diagnostics_.count_output();
+}
+
+void RobotServer::work() {
+  if (const auto candidates = monitor_.work()) candidates_.publish(*candidates);
+}
+
+// Takes some tenths of a second, so it is not for the constructor.
+void RobotServer::tell_stand_off() {
+  const StandOffEstimate estimate =
+      estimate_stand_off(setup_.mechanism->manipulator(), setup_.options.tracking.samples, 50);
+  const std::string warning = warning_of(estimate, setup_.options.thresholds.parallel_stop);
+  if (estimate.poses > 0) ROS_INFO_STREAM(sentence_of(estimate));
+  if (!warning.empty()) ROS_WARN_STREAM(warning);
+}
+
+void RobotServer::show() { display_.show(monitor_.current(ros::Time::now()), worker_.progress().sentence); }
+
+void RobotServer::on_map_progress(const MapProgress& progress, const std::shared_ptr<const AspectMap>& map) {
+  if (map) {
+    monitor_.set_map(map);
+    display_.set_map(map);
+    ROS_INFO_STREAM(progress.sentence << "\n" << aspect_table(*map));
+  } else if (progress.state == MapProgress::COMPLETE) {
+    ROS_INFO_STREAM(progress.sentence);
+  } else if (progress.state == MapProgress::REFUSED) {
+    ROS_WARN_STREAM("The map was not computed: " << progress.sentence);
+  } else {
+    ROS_INFO_STREAM_THROTTLE(1.0, progress.sentence);
+  }
+  map_progress_.publish(progress);
+}
+
+// The map file is of the node's own options; a map of others does not go there.
+void RobotServer::on_compute_map(const ComputeMapGoalConstPtr& goal) {
+  ComputeMapResult result;
+  result.count_at_most = -1;
+  MapOptions options = setup_.options.map;
+  if (goal->resolution != 0.0) options.resolution = goal->resolution;
+  if (goal->extra_levels != 0) options.extra_levels = goal->extra_levels;
+  const Problems problems = problems_of(options, *setup_.mechanism->manipulator(), "goal/");
+  if (!problems.empty()) result.status = make_status(Status::INVALID_REQUEST, problems.front());
+  if (setup_.options.read_only) result.status = refused_as_read_only();
+  if (result.status.code != Status::OK) {
+    compute_map_->setAborted(result, result.status.sentence);
+    return;
+  }
+  const bool as_configured = goal->resolution == 0.0 && goal->extra_levels == 0;
+  const MapWorker::Job job = worker_.compute(options, as_configured ? FileUse::save : FileUse::none);
+  ComputeMapFeedback feedback;
+  int polls_since_cancel = 0;
+  do {
+    const bool cancel = stopping_ || compute_map_->isPreemptRequested();
+    if (cancel) worker_.cancel(job);
+    feedback.progress = worker_.wait(job, std::chrono::milliseconds(20));
+    compute_map_->publishFeedback(feedback);
+    polls_since_cancel += cancel ? 1 : 0;
+  } while (feedback.progress.state == MapProgress::COMPUTING && polls_since_cancel < 3 && !stopping_);
+  if (polls_since_cancel > 0 && feedback.progress.state == MapProgress::COMPUTING) {
+    // The thread ends its piece of work; what it finds is not used.
+    feedback.progress.state = MapProgress::CANCELLED;
+    feedback.progress.sentence = "The computation was cancelled.";
+  }
+  finish(feedback.progress, result);
+}
+
+void RobotServer::finish(const MapProgress& progress, ComputeMapResult result) {
+  if (progress.state == MapProgress::COMPLETE) {
+    if (const auto map = worker_.map())
+      for (const Aspect& aspect : map->aspects())
+        result.aspects.push_back(summary_message(*setup_.mechanism->manipulator(), aspect));
+    result.proved_count = progress.proved_count;
+    result.count_at_most = progress.count_at_most;
+    result.seconds = progress.seconds;
+    compute_map_->setSucceeded(result, progress.sentence);
+    return;
+  }
+  const bool cancelled = progress.state == MapProgress::CANCELLED;
+  result.status = make_status(cancelled ? Status::CANCELLED : Status::FAILED, progress.sentence);
+  if (cancelled && compute_map_->isPreemptRequested())
+    compute_map_->setPreempted(result, progress.sentence);
+  else
+    compute_map_->setAborted(result, progress.sentence);
+}
+
+std::optional<geometry_msgs::Pose> RobotServer::to_base(const geometry_msgs::PoseStamped& pose,
+                                                        std::string& sentence) const {
+  const std::string& base = setup_.mechanism->manipulator()->base_frame();
+  if (pose.header.frame_id.empty() || pose.header.frame_id == base) return pose.pose;
+  geometry_msgs::PoseStamped given = pose;
+  const geometry_msgs::Quaternion& q = given.pose.orientation;
+  if (q.x == 0.0 && q.y == 0.0 && q.z == 0.0 && q.w == 0.0) given.pose.orientation.w = 1.0;
+  try {
+    return tf_.transform(given, base, ros::Duration(setup_.options.tf_timeout)).pose;
+  } catch (const tf2::TransformException& failure) {
+    sentence = "tf does not connect " + given.header.frame_id + " with " + base + ": " + failure.what();
+    return std::nullopt;
+  }
+}
+
+}  // namespace parallel_aspects

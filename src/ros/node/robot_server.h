@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ROS_NODE_ROBOT_SERVER_H
+#define PARALLEL_ASPECTS_ROS_NODE_ROBOT_SERVER_H
+
+#include "ros/monitor/decimation.h"
+#include "ros/monitor/frame_watch.h"
+#include "ros/monitor/map_worker.h"
+#include "ros/monitor/robot_monitor.h"
+#include "ros/node/diagnostics.h"
+#include "ros/node/guarded_queue.h"
+#include "ros/node/log_queue.h"
+#include "ros/node/queries.h"
+#include "ros/parameters/load_options.h"
+#include "ros/parameters/reconfiguration.h"
+#include "ros/pictures/display.h"
+
+#include <parallel_aspects/ComputeMapAction.h>
+
+#include <ros/node_handle.h>
+#include <ros/spinner.h>
+#include <tf2_msgs/TFMessage.h>
+#include <tf2_ros/buffer.h>
+#include <tf2_ros/transform_broadcaster.h>
+#include <tf2_ros/transform_listener.h>
+
+#include <actionlib/server/simple_action_server.h>
+#include <atomic>
+#include <memory>
+#include <sensor_msgs/JointState.h>
+
+namespace parallel_aspects {
+
+/// One robot in the node: connects topics, services, an action, tf and timers to the objects that do the
+/// work.
+///
+/// Threads of its own, so that nothing long holds up what is short: joint_states, which neither logs nor
+/// draws; services, display and diagnostics; the action; the map.
+class RobotServer {
+ public:
+  /// Advertises everything. `nh` resolves joint_states and /diagnostics, `private_nh` the rest.
+  RobotServer(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh, NodeSetup setup);
+  ~RobotServer();
+  RobotServer(const RobotServer&) = delete;
+  RobotServer& operator=(const RobotServer&) = delete;
+
+ private:
+  using Transforms = ros::MessageEvent<const tf2_msgs::TFMessage>;
+  using ComputeMapServer = actionlib::SimpleActionServer<ComputeMapAction>;
+
+  void advertise();
+  void subscribe();
+  template <typename Service>
+  void serve(const std::string& name);
+
+  void on_joint_states(const ros::MessageEvent<const sensor_msgs::JointState>& event);
+  void publish_robot(const TrackedState& tracked, const ros::Time& stamp);
+  void on_tf(const Transforms& event);
+  void on_tf_static(const Transforms& event);
+  void watch(const Transforms& event, FrameWatch::Topic topic);
+  void on_map_progress(const MapProgress& progress, const std::shared_ptr<const AspectMap>& map);
+  void start_action();
+  void renew_action();
+  void on_cancel(const actionlib_msgs::GoalID& goal);
+  void on_compute_map(const ComputeMapGoalConstPtr& goal);
+  void finish(const MapProgress& progress, ComputeMapResult result);
+  void check_age();
+  void show();
+  void work();
+  void tell_stand_off();
+  void send_platform(const Eigen::Isometry3d& platform, const ros::Time& stamp);
+  std::optional<geometry_msgs::Pose> to_base(const geometry_msgs::PoseStamped& pose,
+                                             std::string& sentence) const;
+
+  const NodeSetup setup_;
+  GuardedQueue tracking_queue_, service_queue_, work_queue_;
+  ros::NodeHandle tracking_nh_, service_nh_, work_nh_;  // private namespace
+  ros::NodeHandle joint_states_nh_;                     // of the input topic
+  tf2_ros::Buffer tf_;
+  tf2_ros::TransformListener tf_listener_;
+  tf2_ros::TransformBroadcaster tf_broadcaster_;
+
+  RobotMonitor monitor_;
+  Display display_;
+  ros::Publisher state_, transitions_, joint_states_, candidates_, map_progress_;
+  MapWorker worker_;
+  Queries queries_;
+  FrameWatch frame_watch_;
+  Diagnostics diagnostics_;
+  LogQueue log_;                    // what the threads of joint_states have to say
+  Decimation thinned_, completed_;  // of joint_states_: state, and what is drawn from it
+  std::unique_ptr<ComputeMapServer> compute_map_;
+  std::unique_ptr<Reconfiguration> reconfiguration_;
+  std::vector<ros::ServiceServer> services_;
+  ros::Subscriber subscriber_, tf_subscriber_, tf_static_subscriber_, cancel_subscriber_;
+  ros::Timer age_timer_, display_timer_;
+  ros::WallTimer diagnostics_timer_, log_timer_, work_timer_, stand_off_timer_;
+  std::atomic<bool> stopping_{false}, action_is_spoilt_{false};
+  ros::AsyncSpinner tracking_spinner_, service_spinner_, work_spinner_;
+};
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ROS_NODE_ROBOT_SERVER_H

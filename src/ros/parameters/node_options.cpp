@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros/parameters/node_options.h"
+
+#include "parallel_aspects/model/constraints.h"
+
+#include <cmath>
+
+namespace parallel_aspects {
+namespace {
+
+bool positive(double value) { return std::isfinite(value) && value > 0.0; }
+
+bool valid_frame_prefix(const std::string& prefix) {
+  return prefix.empty() || (prefix.front() != '/' && prefix.back() != '/' &&
+                            prefix.find_first_of(" \t\n") == std::string::npos);
+}
+
+// Collects sentences of one form: the parameter, what is wrong, what to do.
+class Checks {
+ public:
+  explicit Checks(std::string prefix) : prefix_(std::move(prefix)) {}
+
+  void require(bool holds, const std::string& key, const std::string& sentence) {
+    if (!holds) problems_.push_back("Parameter " + prefix_ + key + " " + sentence);
+  }
+
+  Problems take() { return std::move(problems_); }
+
+ private:
+  std::string prefix_;
+  Problems problems_;
+};
+
+void check_map(const MapOptions& map, std::size_t positions, Checks& checks, const std::string& group) {
+  checks.require(!map.resolution || positive(*map.resolution), group + "resolution",
+                 "must be a positive number [m or rad]; leave it out for 1/200 of the robot's size.");
+  checks.require(map.threads <= 1024, group + "threads", "must be 0 (one a core) to 1024.");
+  checks.require(map.extra_levels >= 0 && map.extra_levels <= 20, group + "extra_levels", "must be 0 to 20.");
+  if (!map.region) return;
+  checks.require(positions > 0, group + "region",
+                 "is of positions, but every orientation of a robot in SO3 is searched; leave it out.");
+  checks.require(
+      positions == 0 || map.region->dimension == positions, group + "region",
+      "must have " + std::to_string(positions) + " numbers in lower and in upper, one a position [m].");
+  for (std::size_t i = 0; i < map.region->dimension; ++i)
+    checks.require(std::isfinite(map.region->width(i)) && map.region->width(i) > 0.0, group + "region",
+                   "must have finite numbers, each of lower below that of upper; number " +
+                       std::to_string(i + 1) + " is not.");
+}
+
+void check_start(const StartOptions& start, TaskSpace space, Checks& checks) {
+  checks.require(!(start.pose && start.determinant_sign), "start",
+                 "has both pose and determinant_sign; keep the one that is known.");
+  checks.require(!start.tolerance || positive(*start.tolerance), "start/tolerance",
+                 "must be a positive number [m]; leave it out for 1/20 of the robot's size.");
+  checks.require(!start.determinant_sign || std::abs(*start.determinant_sign) == 1, "start/determinant_sign",
+                 "must be 1 or -1.");
+  if (!start.pose) return;
+  const PoseCoordinates coordinates =
+      start.pose->size() <= PoseCoordinates::MaxRowsAtCompileTime
+          ? PoseCoordinates(Eigen::Map<const Eigen::VectorXd>(start.pose->data(), start.pose->size()))
+          : PoseCoordinates();
+  std::string names;
+  for (const std::string& name : coordinate_names(space)) names += (names.empty() ? "" : ", ") + name;
+  checks.require(pose_from_coordinates(space, coordinates).has_value(), "start/pose",
+                 "must be a list of finite numbers [" + names + "].");
+}
+
+bool within(double value, double lowest, double highest) { return value >= lowest && value <= highest; }
+
+void check_thresholds(const ThresholdParameters& given, const std::string& group, Checks& checks) {
+  const auto check = [&](const std::string& key, double warn, double stop) {
+    checks.require(within(warn, 0.0, 1e6), group + key + "_warn",
+                   "must be 0 (none) or a positive number [m].");
+    checks.require(within(stop, 0.0, 1e6), group + key + "_stop",
+                   "must be 0 (none) or a positive number [m].");
+    checks.require(!(warn > 0.0 && stop > warn), group + key + "_stop",
+                   "must not be above " + key + "_warn, as the robot would stop before it is warned.");
+  };
+  check("parallel", given.parallel_warn, given.parallel_stop);
+  check("serial", given.serial_warn, given.serial_stop);
+  check("limit", given.limit_warn, given.limit_stop);
+  checks.require(within(given.hysteresis, 0.0, 10.0), group + "hysteresis", "must be 0 to 10.");
+}
+
+void check_tracking(const TrackerOptions& tracking, const PassiveOptions& passive, Checks& checks) {
+  checks.require(within(tracking.hysteresis, 0.0, 0.5), "tracking/hysteresis", "must be 0 to 0.5.");
+  checks.require(
+      tracking.samples.longest_interval > 0.0, "tracking/longest_interval",
+      "must be a positive number [s], or .inf where nothing moves the robot unseen; leave it out for "
+      "joint_states_timeout.");
+  checks.require(tracking.samples.interval_ratio >= 1.0, "tracking/interval_ratio",
+                 "must be 1 or more, or .inf for no limit.");
+  checks.require(within(tracking.samples.velocity_tolerance, 0.0, 100.0), "tracking/velocity_tolerance",
+                 "must be 0 to 100.");
+  checks.require(within(tracking.samples.encoder_noise, 0.0, 1.0), "tracking/encoder_noise",
+                 "must be 0 to 1 [rad, or share of the robot's size].");
+  checks.require(within(tracking.samples.path_bend, 0.0, 1000.0), "tracking/path_bend", "must be 0 to 1000.");
+  checks.require(positive(passive.angle_tolerance), "passive/angle_tolerance", "must be positive [rad].");
+  checks.require(positive(passive.length_tolerance), "passive/length_tolerance",
+                 "must be positive [share of the robot's size].");
+  checks.require(within(passive.hysteresis, 0.0, 1.0), "passive/hysteresis", "must be 0 to 1.");
+}
+
+}  // namespace
+
+DistanceThresholds::Options thresholds_of(const ThresholdParameters& given) {
+  return {{{given.parallel_warn, given.parallel_stop, given.hysteresis},
+           {given.serial_warn, given.serial_stop, given.hysteresis},
+           {given.limit_warn, given.limit_stop, given.hysteresis}}};
+}
+
+Problems problems_of(const ThresholdParameters& thresholds, const std::string& prefix) {
+  Checks checks(prefix);
+  check_thresholds(thresholds, "", checks);
+  return checks.take();
+}
+
+Problems problems_of(const MapOptions& options, const Manipulator& manipulator, const std::string& prefix) {
+  Checks checks(prefix);
+  check_map(options, directions(manipulator.task_space()), checks, "");
+  return checks.take();
+}
+
+Problems problems_of(const NodeOptions& options, const Manipulator& manipulator, const std::string& prefix) {
+  Checks checks(prefix);
+  check_map(options.map, directions(manipulator.task_space()), checks, "map/");
+  checks.require(options.map_file.empty() || options.map_file.front() == '/', "map/file",
+                 "must be an absolute path, or empty for none.");
+  check_start(options.start, manipulator.task_space(), checks);
+  check_tracking(options.tracking, options.passive, checks);
+  check_thresholds(options.thresholds, "thresholds/", checks);
+  checks.require(within(options.distance_rate, 0.1, 1000.0), "distance/rate", "must be 0.1 to 1000 [Hz].");
+  checks.require(within(options.joint_states_timeout, 0.001, 3600.0), "joint_states_timeout",
+                 "must be a positive number, 0.001 to 3600 [s].");
+  checks.require(within(options.joint_states_window, 0.0, 10.0), "joint_states_window",
+                 "must be 0 to 10 [s].");
+  checks.require(within(options.tf_timeout, 0.0, 60.0), "tf_timeout", "must be 0 to 60 [s].");
+  checks.require(within(options.state_decimation, 1, 10000), "state/decimation", "must be 1 to 10000.");
+  checks.require(within(options.completed_decimation, 1, 10000), "completed/decimation",
+                 "must be 1 to 10000.");
+  checks.require(within(options.display.gallery_scale, 0.01, 10.0), "display/gallery_scale",
+                 "must be 0.01 to 10.");
+  checks.require(positive(options.display.radius), "display/radius", "must be a positive number [m].");
+  checks.require(within(options.display.rate, 0.1, 100.0), "display/rate", "must be 0.1 to 100 [Hz].");
+  checks.require(valid_frame_prefix(options.frame_prefix), "frame_prefix",
+                 "must have no space, and no slash at its ends.");
+  return checks.take();
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ROS_PARAMETERS_NODE_OPTIONS_H
+#define PARALLEL_ASPECTS_ROS_PARAMETERS_NODE_OPTIONS_H
+
+#include "parallel_aspects/aspects/aspect_map.h"
+#include "parallel_aspects/model/manipulator.h"
+#include "parallel_aspects/model/problems.h"
+#include "parallel_aspects/tracking/thresholds.h"
+#include "parallel_aspects/tracking/tracker.h"
+#include "parallel_aspects/urdf/passive_joints.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// Which assembly mode the robot is in when its first joint sample arrives. At most one of the two is given.
+struct StartOptions {
+  std::optional<std::vector<double>> pose;  ///< coordinates as `coordinate_names` [m or rad]
+  std::optional<int> determinant_sign;      ///< sign of det A, 1 or -1
+  /// How far a direct solution may be from the pose that was said [m, RMS over the anchors]; positive.
+  /// Default: 1/20 of the robot's size.
+  std::optional<double> tolerance;
+};
+
+struct DisplayOptions {
+  bool gallery = true;         ///< whether every working mode is drawn beside the robot
+  double gallery_scale = 0.5;  ///< size of the gallery against the robot, 0.01 to 10
+  double radius = 1.0;  ///< of the sphere that a robot of SO3 takes, as its model has no size [m]; positive
+  double rate = 20.0;   ///< how often the drawn position is renewed [Hz], 0.1 to 100
+};
+
+/// Thresholds on the proved distances [m]; 0 for none.
+struct ThresholdParameters {
+  double parallel_warn = 0.0, parallel_stop = 0.0;
+  double serial_warn = 0.0, serial_stop = 0.0;
+  double limit_warn = 0.0, limit_stop = 0.0;
+  double hysteresis = 0.1;  ///< a level is left above its threshold times 1 plus this, 0 to 10
+};
+
+/// What the thresholds of each hazard are.
+DistanceThresholds::Options thresholds_of(const ThresholdParameters& parameters);
+
+/// Every parameter of the node but the description of the robot.
+struct NodeOptions {
+  MapOptions map;
+  std::string map_file;  ///< where the map is kept, an absolute path; empty for nowhere
+  StartOptions start;
+  DisplayOptions display;
+  TrackerOptions tracking;
+  PassiveOptions passive;
+  ThresholdParameters thresholds;
+  double distance_rate = 50.0;        ///< how often distances are measured [Hz], 0.1 to 1000
+  double joint_states_timeout = 0.5;  ///< age at which the last sample is stale [s], 0.001 to 3600
+  double joint_states_window =
+      0.1;                       ///< ages that are merged of messages with some of the drives [s], 0 to 10
+  double tf_timeout = 0.2;       ///< how long a query waits for tf [s], 0 to 60
+  int state_decimation = 1;      ///< ~state is published with every n-th sample, 1 to 10,000
+  int completed_decimation = 1;  ///< likewise ~joint_states and tf
+  bool read_only = false;        ///< refuses whatever changes the node while it runs
+  std::string frame_prefix;      ///< of the frames that the node adds; by default the robot's name
+};
+
+/// Everything wrong with the options of a map; sentences that name parameters below `prefix`.
+Problems problems_of(const MapOptions& options, const Manipulator& manipulator, const std::string& prefix);
+
+/// Everything wrong with thresholds; sentences that name parameters below `prefix`.
+Problems problems_of(const ThresholdParameters& thresholds, const std::string& prefix);
+
+/// Everything wrong with the options for this manipulator; sentences that name parameters below `prefix`,
+/// which ends in a slash. Empty when all is well.
+Problems problems_of(const NodeOptions& options, const Manipulator& manipulator, const std::string& prefix);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ROS_PARAMETERS_NODE_OPTIONS_H

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros/pictures/display.h"
+
+#include "ros/pictures/caption.h"
+#include "ros/pictures/gauge_picture.h"
+#include "ros/pictures/map_picture.h"
+#include "ros/pictures/picture_parts.h"
+#include "ros/pictures/slice_picture.h"
+
+namespace parallel_aspects {
+namespace {
+
+// Slices move with the robot; this leaves time for other things.
+const ros::WallDuration between_galleries(0.5), between_present(0.2);
+
+Drawn drawn(const CurrentConfiguration& current) {
+  if (current.status.code != Status::OK) return std::nullopt;
+  return DrawnConfiguration{current.tracked.mode, current.tracked.aspect, current.solved};
+}
+
+MarkerFrames frames_of(const NodeSetup& setup) {
+  return {setup.mechanism->manipulator()->base_frame(), setup.options.frame_prefix + "/aspects",
+          setup.options.frame_prefix + "/joint_space"};
+}
+
+ros::Publisher latched(ros::NodeHandle& nh, const std::string& topic) {
+  return nh.advertise<visualization_msgs::MarkerArray>(topic, 1, true);
+}
+
+}  // namespace
+
+Display::Display(const NodeSetup& setup, ros::NodeHandle private_nh)
+    : manipulator_(setup.mechanism->manipulator()),
+      frames_(frames_of(setup)),
+      scene_(scene_of(*setup.mechanism, setup.options)),
+      markers_(latched(private_nh, "markers")),
+      present_markers_(latched(private_nh, "present_markers")),
+      position_markers_(latched(private_nh, "position_markers")),
+      options_(setup.options.display) {
+  set_picture(std::make_shared<const GaugePicture>(manipulator_, frames_, scene_));
+}
+
+void Display::set_options(const DisplayOptions& options) {
+  std::shared_ptr<const AspectMap> map;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    options_ = options;
+    map = map_;
+  }
+  if (map) set_map(map);
+}
+
+void Display::set_map(const std::shared_ptr<const AspectMap>& map) {
+  DisplayOptions options;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    options = options_;
+    map_ = map;
+  }
+  if (map->aspects().empty() || freedoms(map->manipulator()->task_space()) < 2) return;  // the gauges stay
+  if (map->manipulator()->task_space() == TaskSpace::T2)
+    set_picture(std::make_shared<const MapPicture>(map, frames_, options));
+  else
+    set_picture(std::make_shared<const SlicePicture>(map, frames_, scene_, options));
+  const std::lock_guard<std::mutex> lock(mutex_);
+  mapped_ = true;
+}
+
+void Display::set_picture(const std::shared_ptr<const Picture>& picture) {
+  static_tf_.sendTransform(picture->frames());
+  const std::lock_guard<std::mutex> lock(mutex_);
+  picture_ = picture;
+  fresh_ = true;
+}
+
+void Display::show(const CurrentConfiguration& current, const std::string& map_sentence) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const Drawn now = drawn(current);
+  const ros::WallTime time = ros::WallTime::now();
+  const bool gallery_rested = time - gallery_time_ > between_galleries;
+  const bool present_rested = time - present_time_ > between_present;
+  if (fresh_ || (gallery_rested && picture_->gallery_differs(drawn_gallery_, now))) publish_gallery(now);
+  if (fresh_ || (present_rested && picture_->present_differs(drawn_present_, now))) publish_present(now);
+  const std::string words = caption(current, map_sentence);
+  if (fresh_ || now || words != caption_) publish_position(now, words);
+  fresh_ = false;
+}
+
+void Display::publish_gallery(const Drawn& now) {
+  markers_.publish(picture_->gallery(now));
+  drawn_gallery_ = now;
+  gallery_time_ = ros::WallTime::now();
+}
+
+void Display::publish_present(const Drawn& now) {
+  present_markers_.publish(picture_->present(now));
+  drawn_present_ = now;
+  present_time_ = ros::WallTime::now();
+}
+
+void Display::publish_position(const Drawn& now, const std::string& words) {
+  visualization_msgs::MarkerArray array = picture_->position(now);
+  const Caption caption = caption_of(scene_, words);
+  MarkerBatch batch;
+  batch.text({frames_.base, manipulator_->task_frame() * Eigen::Translation3d(caption.at)}, "caption",
+             Eigen::Vector2d::Zero(), 0.0, caption.text_height, caption.words, ink());
+  array.markers.push_back(batch.take().markers.back());
+  position_markers_.publish(array);
+  caption_ = words;
+}
+
+std::string Display::caption(const CurrentConfiguration& current, const std::string& map_sentence) const {
+  std::string words = manipulator_->name() + ": ";
+  if (current.status.code == Status::OK) {
+    const TrackedState& state = current.tracked;
+    if (state.aspect != 0) words += "aspect " + std::to_string(state.aspect) + ", ";
+    words += "working mode " + branch_text(state.mode, state.determinant_sign);
+  } else {
+    words += current.status.sentence;
+  }
+  return mapped_ || map_sentence.empty() ? words : words + "\n" + map_sentence;
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros/pictures/gauge_picture.h"
+
+#include "parallel_aspects/singularity/indices.h"
+#include "ros/pictures/palette.h"
+#include "ros/pictures/picture_parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace parallel_aspects {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double most_rows = 12.0, title_rows = 1.6, gauge_rows = 1.25;
+
+// Largest value of |B_jj|; 0 for a strut, which has no serial singularity.
+double largest_entry(const Leg& leg) {
+  if (const auto* revolute = std::get_if<RevoluteDrive>(&leg.drive)) return revolute->radius * leg.rod_length;
+  if (std::holds_alternative<PrismaticDrive>(leg.drive)) return leg.rod_length;
+  if (const auto* elbow = std::get_if<ElbowDrive>(&leg.drive))
+    return elbow->inner_length * elbow->outer_length;
+  return 0.0;
+}
+
+MarkerBatch::Points filled_rectangle(const Vector2d& lower, const Vector2d& upper) {
+  const Vector2d right(upper.x(), lower.y()), left(lower.x(), upper.y());
+  return {lower, right, upper, lower, upper, left};
+}
+
+}  // namespace
+
+GaugePicture::GaugePicture(std::shared_ptr<const Manipulator> manipulator, MarkerFrames frames,
+                           const Scene& scene)
+    : manipulator_(std::move(manipulator)),
+      frames_(std::move(frames)),
+      scene_(scene),
+      plane_{frames_.aspects, Eigen::Isometry3d::Identity()} {
+  double gauges = 2.0;
+  for (const Leg& leg : manipulator_->legs()) gauges += largest_entry(leg) > 0.0 ? 1.0 : 0.0;
+  top_ = -std::max(0.0, 0.5 * (most_rows - title_rows - gauge_rows * gauges)) * row_height();
+}
+
+double GaugePicture::row_height() const noexcept { return scene_.tiles.height() / most_rows; }
+
+std::vector<GaugePicture::Gauge> GaugePicture::gauges(const DrawnConfiguration& now) const {
+  const SingularityIndices indices = singularity_indices(*manipulator_, now.solved.pose, now.solved.q);
+  std::vector<Gauge> gauges{{"smallest singular value of A", indices.smallest_singular_value, true},
+                            {"inverse condition number of A", indices.inverse_condition_number, true}};
+  for (std::size_t j = 0; j < manipulator_->leg_count(); ++j) {
+    const double largest = largest_entry(manipulator_->leg(j));
+    if (largest <= 0.0) continue;
+    const double share = std::abs(indices.inverse_diagonal[static_cast<Eigen::Index>(j)]) / largest;
+    gauges.push_back({"|B" + std::to_string(j + 1) + std::to_string(j + 1) + "| / largest", share, false});
+  }
+  return gauges;
+}
+
+void GaugePicture::draw(const Gauge& gauge, std::size_t row, MarkerBatch& batch) const {
+  const double unit = row_height(), text = 0.4 * unit;
+  const double length = 6.0 * unit, top = top_ - (title_rows + gauge_rows * static_cast<double>(row)) * unit;
+  const Vector2d lower(0.0, top - 0.85 * unit), upper(length, top - 0.5 * unit);
+  char value[16];
+  std::snprintf(value, sizeof value, "  %.2f", gauge.share);
+  batch.text(plane_, "gauges/labels", {0.5 * length, top - 0.15 * unit}, height_of(Layer::text, text), text,
+             gauge.label + value, ink());
+  batch.lines(plane_, "gauges/frames", rectangle(0.5 * (lower + upper), upper - lower),
+              height_of(Layer::frame, text), 0.04 * unit, color(0x808080));
+  const double end = std::clamp(gauge.share, 0.0, 1.0) * length;
+  batch.triangles(plane_, "gauges/bars", filled_rectangle(lower, {end, upper.y()}),
+                  height_of(Layer::fill, text),
+                  color_of(gauge.parallel ? BoundaryKind::parallel : BoundaryKind::serial));
+}
+
+visualization_msgs::MarkerArray GaugePicture::gallery(const Drawn&) const {
+  MarkerBatch batch;
+  const double unit = row_height();
+  batch.text(plane_, "gauges/title", {3.0 * unit, top_ - 0.2 * unit}, 0.0, 0.5 * unit,
+             "indices that are 0 at a singularity", ink());
+  batch.text(plane_, "gauges/legend", {3.0 * unit, top_ - 0.9 * unit}, 0.0, 0.4 * unit,
+             "parallel: red, serial: blue", ink());
+  return batch.take();
+}
+
+visualization_msgs::MarkerArray GaugePicture::present(const Drawn&) const { return MarkerBatch().take(); }
+
+visualization_msgs::MarkerArray GaugePicture::position(const Drawn& now) const {
+  MarkerBatch batch;
+  if (!now) return batch.take();
+  std::size_t row = 0;
+  for (const Gauge& gauge : gauges(*now)) draw(gauge, row++, batch);
+  return batch.take();
+}
+
+bool GaugePicture::gallery_differs(const Drawn&, const Drawn&) const { return false; }
+bool GaugePicture::present_differs(const Drawn&, const Drawn&) const { return false; }
+
+std::vector<geometry_msgs::TransformStamped> GaugePicture::frames() const {
+  return {still_frame(frames_.base, frames_.aspects, manipulator_->task_frame() * scene_.gallery)};
+}
+
+}  // namespace parallel_aspects

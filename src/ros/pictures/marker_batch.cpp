@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros/pictures/marker_batch.h"
+
+#include "ros/messages/conversions.h"
+
+#include <algorithm>
+
+namespace parallel_aspects {
+namespace {
+
+using visualization_msgs::Marker;
+
+geometry_msgs::Point point(const Eigen::Vector2d& at, double height) {
+  geometry_msgs::Point message;
+  message.x = at.x();
+  message.y = at.y();
+  message.z = height;
+  return message;
+}
+
+void set_points(Marker& marker, const MarkerBatch::Points& points, double height) {
+  marker.points.reserve(points.size());
+  for (const Eigen::Vector2d& at : points) marker.points.push_back(point(at, height));
+}
+
+}  // namespace
+
+MarkerBatch::MarkerBatch() {
+  array_.markers.resize(1);
+  array_.markers.front().action = Marker::DELETEALL;
+}
+
+Marker& MarkerBatch::add(const Plane& plane, const std::string& group, int type,
+                         const std_msgs::ColorRGBA& color) {
+  Marker marker;
+  marker.header.frame_id = plane.frame;
+  marker.ns = group;
+  marker.id = static_cast<int>(std::count_if(array_.markers.begin(), array_.markers.end(),
+                                             [&](const Marker& other) { return other.ns == group; }));
+  marker.type = type;
+  marker.pose = pose_message(plane.pose);
+  marker.scale.x = marker.scale.y = marker.scale.z = 1.0;
+  marker.color = color;
+  array_.markers.push_back(std::move(marker));
+  return array_.markers.back();
+}
+
+void MarkerBatch::triangles(const Plane& plane, const std::string& group, const Points& corners,
+                            double height, const std_msgs::ColorRGBA& color) {
+  if (corners.empty()) return;
+  Marker& marker = add(plane, group, Marker::TRIANGLE_LIST, color);
+  set_points(marker, corners, height);
+  if (!plane.lit)
+    marker.colors.assign(marker.points.size(), color);  // rviz lights only markers of one colour
+}
+
+void MarkerBatch::lines(const Plane& plane, const std::string& group, const Points& ends, double height,
+                        double width, const std_msgs::ColorRGBA& color) {
+  if (ends.empty()) return;
+  Marker& marker = add(plane, group, Marker::LINE_LIST, color);
+  marker.scale.x = width;
+  set_points(marker, ends, height);
+}
+
+void MarkerBatch::dots(const Plane& plane, const std::string& group, const Points& centers, double height,
+                       double diameter, const std_msgs::ColorRGBA& color) {
+  if (centers.empty()) return;
+  Marker& marker = add(plane, group, Marker::SPHERE_LIST, color);
+  marker.scale.x = marker.scale.y = marker.scale.z = diameter;
+  set_points(marker, centers, height);
+}
+
+void MarkerBatch::text(const Plane& plane, const std::string& group, const Eigen::Vector2d& center,
+                       double height, double size, const std::string& words,
+                       const std_msgs::ColorRGBA& color) {
+  Marker& marker = add(plane, group, Marker::TEXT_VIEW_FACING, color);
+  marker.scale.z = size;
+  marker.text = words;
+  marker.pose = pose_message(plane.pose * Eigen::Translation3d(center.x(), center.y(), height));
+}
+
+}  // namespace parallel_aspects

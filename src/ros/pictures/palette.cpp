@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros/pictures/palette.h"
+
+#include <array>
+#include <cstddef>
+
+namespace parallel_aspects {
+namespace {
+
+constexpr std::array<unsigned, 10> aspect_colors{0x88CCEE, 0xCC6677, 0xDDCC77, 0x117733, 0x332288,
+                                                 0xAA4499, 0x44AA99, 0xEE7733, 0x882255, 0x999933};
+
+float mixed(float from, float to, double share) { return static_cast<float>(from + share * (to - from)); }
+
+}  // namespace
+
+std_msgs::ColorRGBA color(unsigned rgb) {
+  std_msgs::ColorRGBA result;
+  result.r = static_cast<float>(rgb >> 16 & 0xFFU) / 255.0F;
+  result.g = static_cast<float>(rgb >> 8 & 0xFFU) / 255.0F;
+  result.b = static_cast<float>(rgb & 0xFFU) / 255.0F;
+  result.a = 1.0F;
+  return result;
+}
+
+std_msgs::ColorRGBA aspect_color(int id) {
+  return color(aspect_colors[static_cast<std::size_t>(id - 1) % aspect_colors.size()]);
+}
+
+std_msgs::ColorRGBA lightened(const std_msgs::ColorRGBA& color, double share) {
+  std_msgs::ColorRGBA result = color;
+  result.r = mixed(color.r, 1.0F, share);
+  result.g = mixed(color.g, 1.0F, share);
+  result.b = mixed(color.b, 1.0F, share);
+  return result;
+}
+
+std_msgs::ColorRGBA readable_on(const std_msgs::ColorRGBA& background) {
+  const double luminance = 0.299 * background.r + 0.587 * background.g + 0.114 * background.b;
+  return color(luminance > 0.5 ? 0x000000 : 0xFFFFFF);
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros/pictures/rviz_view.h"
+
+#include "parallel_aspects/aspects/joint_projection.h"
+#include "ros/pictures/gallery_layout.h"
+#include "ros/pictures/scene.h"
+
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace parallel_aspects {
+namespace {
+
+using Eigen::AlignedBox2d;
+using Eigen::Isometry3d;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr double field_of_view = 0.3;  // narrow, so that it looks nearly orthographic [rad]
+constexpr double margin = 1.06;
+
+// What is left of the window for the scene.
+struct Screen {
+  double width, height;  // [pixels]
+};
+
+Screen screen_of(const YAML::Node& config) {
+  const YAML::Node window = config["Window Geometry"];
+  return {window["Width"].as<double>(1280.0) - 40.0, window["Height"].as<double>(800.0) - 95.0};
+}
+
+// The gallery of a robot of two freedoms takes its size from the map, which takes no time to compute.
+AlignedBox2d map_gallery(const NodeSetup& setup) {
+  const auto map = compute_aspect_map(setup.mechanism->manipulator(), setup.options.map).map;
+  AlignedBox2d box;
+  if (!map || map->aspects().empty() || !setup.options.display.gallery) return box;
+  const GalleryLayout layout(*map, JointProjection(map).window(), setup.options.display.gallery_scale);
+  const double text = layout.text_height();
+  const Vector2d half_tile = 0.5 * layout.workspace_tile_size();
+  const Vector2d last = layout.workspace_tile_center(map->working_modes().size() - 1);
+  box.extend(Vector2d(layout.aspects_origin() - half_tile));
+  box.extend(Vector2d(layout.aspects_origin() + last + half_tile + Vector2d(text, 2.0 * text)));
+  box.extend(
+      Vector2d(layout.joint_space_origin() - 0.5 * layout.joint_tile_size() - Vector2d(0.0, 4.5 * text)));
+  box.extend(Vector2d(box.min().x() + 9.0 * text, box.min().y()));  // the lines of the legend are wide
+  return box;
+}
+
+AlignedBox2d tile_gallery(const Scene& scene) {
+  const double text = scene.tiles.text_height();
+  return {Vector2d(0.0, -scene.tiles.height() - 3.5 * text),
+          Vector2d(scene.tiles.width(), 2.5 * text + 0.2 * scene.tiles.height())};
+}
+
+// Corners of all there is to see, in the task frame.
+std::vector<Vector3d> corners_of(const NodeSetup& setup, const Scene& scene) {
+  std::vector<Vector3d> corners;
+  const double caption = 0.12 * scene.tiles.height();
+  for (int i = 0; i < 8; ++i) {
+    Vector3d corner = scene.robot.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i));
+    if (scene.planar && corner.y() == scene.robot.min().y()) corner.y() -= caption;
+    corners.push_back(corner);
+  }
+  const bool plane = setup.mechanism->manipulator()->task_space() == TaskSpace::T2;
+  const AlignedBox2d gallery = plane ? map_gallery(setup) : tile_gallery(scene);
+  const Isometry3d frame = plane ? Isometry3d::Identity() : scene.gallery;
+  if (!gallery.isEmpty() && setup.options.display.gallery)
+    for (const Vector2d& corner : {gallery.min(), gallery.max()})
+      corners.push_back(frame * Vector3d(corner.x(), corner.y(), 0.0));
+  return corners;
+}
+
+// The viewer's axes in the base frame: right, up, and from the scene to the viewer.
+Eigen::Matrix3d viewer_axes(const Manipulator& robot, bool planar) {
+  const Eigen::Matrix3d task = robot.task_frame().linear();
+  if (planar) return task;
+  return task * Eigen::AngleAxisd(0.5 * EIGEN_PI - view_pitch, Vector3d::UnitX()).toRotationMatrix();
+}
+
+YAML::Node from_above(const Vector3d& center, const Vector3d& size, const Screen& screen) {
+  YAML::Node view;
+  view["Class"] = "rviz/TopDownOrtho";
+  view["Name"] = "Current View";
+  view["Angle"] = 0;
+  view["Near Clip Distance"] = 0.01;
+  view["Scale"] = std::min(screen.width / size.x(), screen.height / size.y()) / margin;
+  view["X"] = center.x();
+  view["Y"] = center.y();
+  return view;
+}
+
+YAML::Node from_the_front(const Vector3d& center, const Vector3d& size, const Vector3d& to_viewer,
+                          const Screen& screen) {
+  const double height = std::max(size.y(), size.x() * screen.height / screen.width);
+  YAML::Node view;
+  view["Class"] = "rviz/Orbit";
+  view["Name"] = "Current View";
+  view["Distance"] = margin * 0.5 * height / std::tan(0.5 * field_of_view) + 0.5 * size.z();
+  view["Field of View"] = field_of_view;
+  view["Focal Point"]["X"] = center.x();
+  view["Focal Point"]["Y"] = center.y();
+  view["Focal Point"]["Z"] = center.z();
+  view["Focal Shape Fixed Size"] = true;
+  view["Near Clip Distance"] = 0.01;
+  view["Pitch"] = std::asin(std::clamp(to_viewer.z(), -1.0, 1.0));
+  view["Yaw"] = std::remainder(std::atan2(to_viewer.y(), to_viewer.x()), 2.0 * EIGEN_PI);
+  return view;
+}
+
+}  // namespace
+
+std::string with_view_of(const std::string& config, const NodeSetup& setup) {
+  YAML::Node document = YAML::Load(config);
+  const Manipulator& robot = *setup.mechanism->manipulator();
+  const Scene scene = scene_of(*setup.mechanism, setup.options);
+  const Eigen::Matrix3d axes = viewer_axes(robot, scene.planar);
+  Eigen::AlignedBox3d seen;  // in the viewer's axes
+  for (const Vector3d& corner : corners_of(setup, scene))
+    seen.extend(Vector3d(axes.transpose() * (robot.task_frame() * corner)));
+  const Vector3d center = axes * seen.center();
+  const Screen screen = screen_of(document);
+  const bool upright = axes.isApprox(Eigen::Matrix3d::Identity(), 1e-6);
+  YAML::Node view = upright ? from_above(center, seen.sizes(), screen)
+                            : from_the_front(center, seen.sizes(), axes.col(2), screen);
+  view["Target Frame"] = robot.base_frame();
+  document["Visualization Manager"]["Views"]["Current"] = view;
+  document["Visualization Manager"]["Global Options"]["Fixed Frame"] = robot.base_frame();
+  YAML::Emitter out;
+  out << document;
+  return std::string(out.c_str()) + "\n";
+}
+
+}  // namespace parallel_aspects

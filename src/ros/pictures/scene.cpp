@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros/pictures/scene.h"
+
+#include "parallel_aspects/kinematics/inverse.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace parallel_aspects {
+namespace {
+
+using Eigen::AlignedBox3d;
+using Eigen::Vector3d;
+
+constexpr double links = 0.06;  // how far links stick out from their joints, of the size of the box
+
+// The circle of a crank.
+void extend_by_circle(const RevoluteDrive& drive, AlignedBox3d& box) {
+  const Vector3d half = drive.radius * (Vector3d::Ones() - drive.axis.cwiseAbs2()).cwiseMax(0.0).cwiseSqrt();
+  box.extend(Vector3d(drive.center + half));
+  box.extend(Vector3d(drive.center - half));
+}
+
+AlignedBox3d robot_box(const Manipulator& robot, const Pose& pose) {
+  AlignedBox3d box;
+  for (const Leg& leg : robot.legs()) {
+    box.extend(pose.transform(leg.anchor));
+    if (const auto* revolute = std::get_if<RevoluteDrive>(&leg.drive)) extend_by_circle(*revolute, box);
+    if (!std::holds_alternative<PrismaticDrive>(leg.drive)) box.extend(leg.base_point());
+    for (const double limit : {leg.limits.lower, leg.limits.upper})
+      if (std::isfinite(limit)) box.extend(leg.proximal_point(limit));
+  }
+  for (const InverseSolution& solution : inverse_in_all_modes(robot, pose)) {
+    if (solution.status != InverseStatus::solved) continue;
+    for (std::size_t j = 0; j < robot.leg_count(); ++j)
+      box.extend(robot.leg(j).proximal_point(solution.q[static_cast<Eigen::Index>(j)]));
+  }
+  const Vector3d margin = Vector3d::Constant(links * box.diagonal().norm());
+  return {box.min() - margin, box.max() + margin};
+}
+
+// Encloses every position that all legs with a bounded reach allow.
+AlignedBox3d reach_box(const Manipulator& robot) {
+  AlignedBox3d reach(Vector3d::Constant(-1e9), Vector3d::Constant(1e9));
+  for (const Leg& leg : robot.legs()) {
+    const Vector3d radius = Vector3d::Constant(leg.longest_reach() + leg.anchor.norm());
+    if (!radius.allFinite()) continue;
+    reach = reach.intersection(
+        AlignedBox3d(Vector3d(leg.base_point() - radius), Vector3d(leg.base_point() + radius)));
+  }
+  return reach;
+}
+
+Eigen::Isometry3d gallery_frame(const Scene& scene, double height) {
+  const AlignedBox3d& robot = scene.robot;
+  const Vector3d center = robot.center();
+  const double left = robot.max().x() + 0.12 * height;
+  Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();
+  if (scene.planar) {
+    frame.translation() = Vector3d(left, center.y() + 0.5 * height, robot.min().z());
+    return frame;
+  }
+  frame.linear() = Eigen::AngleAxisd(0.5 * EIGEN_PI - view_pitch, Vector3d::UnitX()).toRotationMatrix();
+  frame.translation() = Vector3d(left, center.y(), center.z()) + 0.5 * height * frame.linear().col(1);
+  return frame;
+}
+
+}  // namespace
+
+TileLayout::TileLayout(std::size_t tiles, double height)
+    : columns_(std::min<std::size_t>(4, tiles)), rows_((tiles + columns_ - 1) / columns_) {
+  const double share = rows_ == 1 ? 0.55 : 0.95 / static_cast<double>(rows_);
+  side_ = share * height / 1.55;
+  pitch_ = Eigen::Vector2d(1.18 * side_, height / static_cast<double>(rows_));
+}
+
+Eigen::Vector2d TileLayout::center(std::size_t tile) const {
+  const auto column = static_cast<double>(tile % columns_), row = static_cast<double>(tile / columns_);
+  // Above a tile is room for a title, below it for a legend.
+  return {pitch_.x() * (column + 0.5), -pitch_.y() * (row + 0.5) + 0.1 * side_};
+}
+
+Pose start_pose(const Mechanism& mechanism, const StartOptions& start) {
+  const Pose assembled = mechanism.assembled().pose;
+  if (!start.pose) return assembled;
+  const Eigen::Map<const Eigen::VectorXd> values(start.pose->data(),
+                                                 static_cast<Eigen::Index>(start.pose->size()));
+  return pose_from_coordinates(mechanism.manipulator()->task_space(), values).value_or(assembled);
+}
+
+Scene scene_of(const Mechanism& mechanism, const NodeOptions& options) {
+  const Manipulator& robot = *mechanism.manipulator();
+  Scene scene;
+  scene.planar = is_planar(robot.task_space());
+  scene.robot = robot_box(robot, start_pose(mechanism, options.start));
+  if (robot.task_space() == TaskSpace::SO3)
+    scene.robot = {Vector3d::Constant(-options.display.radius), Vector3d::Constant(options.display.radius)};
+  if (scene.planar) {
+    const AlignedBox3d reach = reach_box(robot);
+    if (reach.sizes().head<2>().maxCoeff() < 1e8) scene.robot.extend(reach);
+    scene.robot.min().z() = scene.robot.max().z() = -0.05 * robot.size();  // behind the robot
+  }
+  const Vector3d size = scene.robot.sizes();
+  const double seen_height =
+      scene.planar ? size.y() : size.z() * std::cos(view_pitch) + size.y() * std::sin(view_pitch);
+  const double height = std::max(seen_height, 0.6 * size.x());
+  const bool drawn = freedoms(robot.task_space()) == 2 || freedoms(robot.task_space()) == 3;
+  scene.tiles = TileLayout(drawn ? working_modes(robot).size() : 1, height);
+  scene.gallery = gallery_frame(scene, height);
+  return scene;
+}
+
+}  // namespace parallel_aspects

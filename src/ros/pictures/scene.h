@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ROS_PICTURES_SCENE_H
+#define PARALLEL_ASPECTS_ROS_PICTURES_SCENE_H
+
+#include "parallel_aspects/urdf/mechanism.h"
+#include "ros/parameters/node_options.h"
+
+#include <Eigen/Geometry>
+
+#include <cstddef>
+
+namespace parallel_aspects {
+
+/// The tiles of a gallery, one a working mode, in rows of at most four: x to the right, y up, the origin at
+/// the upper left corner [m].
+class TileLayout {
+ public:
+  TileLayout() = default;
+
+  /// Fits `tiles` into this height; at least one.
+  TileLayout(std::size_t tiles, double height);
+
+  Eigen::Vector2d center(std::size_t tile) const;
+  double side() const noexcept { return side_; }
+  double text_height() const noexcept { return 0.085 * side_; }
+  double width() const noexcept { return pitch_.x() * static_cast<double>(columns_); }
+  double height() const noexcept { return pitch_.y() * static_cast<double>(rows_); }
+
+ private:
+  std::size_t columns_ = 1, rows_ = 1;
+  double side_ = 1.0;
+  Eigen::Vector2d pitch_ = Eigen::Vector2d::Ones();
+};
+
+/// Where things stand in rviz, told from the robot alone, before there is a map. The gallery stands to the
+/// right of the robot: in its plane for planar robots, upright and leaning back towards the viewer for
+/// others.
+struct Scene {
+  Eigen::AlignedBox3d
+      robot;  ///< what the robot takes, and what a planar one can reach, in the task frame [m]
+  bool planar = true;
+  TileLayout tiles;
+  Eigen::Isometry3d gallery =
+      Eigen::Isometry3d::Identity();  ///< x right, y up, z to the viewer, in the task frame
+};
+
+/// How far the viewer looks down on a robot that is not planar [rad].
+inline constexpr double view_pitch = 0.3;
+
+Scene scene_of(const Mechanism& mechanism, const NodeOptions& options);
+
+/// The pose that the parameters say, or the one that the mechanism was recognised in.
+Pose start_pose(const Mechanism& mechanism, const StartOptions& start);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ROS_PICTURES_SCENE_H

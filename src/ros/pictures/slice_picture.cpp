@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros/pictures/slice_picture.h"
+
+#include "ros/pictures/palette.h"
+#include "ros/pictures/picture_parts.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace parallel_aspects {
+namespace {
+
+using Eigen::Vector2d;
+using Points = MarkerBatch::Points;
+
+constexpr int tile_cells = 48;                               // of the grid across a tile
+constexpr int robot_cells = 110;                             // across the slice at the robot
+constexpr double gallery_step = 0.02, present_step = 0.005;  // of the range of levels, between two drawings
+constexpr std::size_t most_lines = 3;                        // of legend under a tile
+
+std::pair<double, double> level_bounds(const AspectMap& map) {
+  if (map.manipulator()->task_space() == TaskSpace::SO3) return {-EIGEN_PI, EIGEN_PI};
+  double lower = 0.0, upper = 0.0;
+  for (const Aspect& aspect : map.aspects()) {
+    lower = std::min(lower, aspect.bounds.lower[2]);
+    upper = std::max(upper, aspect.bounds.upper[2]);
+  }
+  return {lower, upper};
+}
+
+double largest_aspect_level(const AspectMap& map) {
+  const auto& aspects = map.aspects();
+  const auto largest = std::max_element(aspects.begin(), aspects.end(), [](const auto& a, const auto& b) {
+    return a.deepest_clearance < b.deepest_clearance;
+  });
+  if (largest == aspects.end()) return 0.0;
+  return PoseSlice::through(map.manipulator()->task_space(), largest->deepest).level();
+}
+
+Points square(const Vector2d& center, double side) {
+  const Vector2d across(0.5 * side, 0.5 * side), down(0.5 * side, -0.5 * side);
+  return {center - across, center + down, center + across, center - across, center + across, center - down};
+}
+
+void fill(const BoundaryPicture& traced, const Placing& place, const MarkerBatch::Plane& plane,
+          const std::string& group, double height, int highlighted, float opacity, MarkerBatch& batch) {
+  std::set<int> ids;
+  for (const BoundarySliver& sliver : traced.slivers) ids.insert(sliver.aspect);
+  for (const int id : ids) {
+    const auto full = aspect_color(id);
+    const bool pale = highlighted != 0 && id != highlighted;
+    auto shade = pale ? lightened(full, 0.65) : full;
+    shade.a = opacity;
+    batch.triangles(plane, group + "/aspects", placed(sliver_triangles(traced.slivers, id), place), height,
+                    shade);
+  }
+}
+
+}  // namespace
+
+SlicePicture::SlicePicture(std::shared_ptr<const AspectMap> map, MarkerFrames frames, const Scene& scene,
+                           const DisplayOptions& options)
+    : map_(std::move(map)),
+      space_(map_->manipulator()->task_space()),
+      frames_(std::move(frames)),
+      scene_(scene),
+      options_(options),
+      bounds_(slice_bounds(*map_)),
+      first_level_(largest_aspect_level(*map_)),
+      gallery_plane_{frames_.aspects, Eigen::Isometry3d::Identity()} {
+  const auto [lower, upper] = level_bounds(*map_);
+  level_range_ = upper - lower;
+}
+
+PoseSlice SlicePicture::slice(const Drawn& now) const {
+  return now ? PoseSlice::through(space_, now->solved.pose) : PoseSlice(space_, first_level_);
+}
+
+Vector2d SlicePicture::in_tile(const Vector2d& point, std::size_t tile) const {
+  const double scale = scene_.tiles.side() / bounds_.sizes().maxCoeff();
+  return scene_.tiles.center(tile) + scale * (point - bounds_.center());
+}
+
+std::optional<std::size_t> SlicePicture::tile_of(const WorkingMode& mode) const {
+  const auto& modes = map_->working_modes();
+  const auto found = std::find(modes.begin(), modes.end(), mode);
+  if (found == modes.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - modes.begin());
+}
+
+visualization_msgs::MarkerArray SlicePicture::gallery(const Drawn& now) const {
+  MarkerBatch batch;
+  if (!options_.gallery) return batch.take();
+  std::vector<BoundarySegment> all;
+  for (std::size_t tile = 0; tile < map_->working_modes().size(); ++tile) {
+    const BoundaryPicture traced =
+        trace_slice(*map_, map_->working_modes()[tile], slice(now), bounds_, tile_cells);
+    draw_tile(tile, traced, batch);
+    draw_titles(tile, now, batch);
+    all.insert(all.end(), traced.segments.begin(), traced.segments.end());
+  }
+  const double text = scene_.tiles.text_height();
+  const double height = height_of(Layer::text, text);
+  batch.text(gallery_plane_, "gallery/title", {0.5 * scene_.tiles.width(), 1.0 * text}, height, 1.2 * text,
+             "aspects at " + slice(now).text(), ink());
+  Vector2d at(0.5 * scene_.tiles.width(), -scene_.tiles.height() - 0.5 * text);
+  for (const auto& [kind, words] : boundary_legend(all)) {
+    batch.text(gallery_plane_, "gallery/legend", at, height, 0.9 * text, words, color_of(kind));
+    at.y() -= 1.2 * text;
+  }
+  return batch.take();
+}
+
+void SlicePicture::draw_tile(std::size_t tile, const BoundaryPicture& traced, MarkerBatch& batch) const {
+  const double text = scene_.tiles.text_height();
+  const Placing place = [&](const Vector2d& point) { return in_tile(point, tile); };
+  fill(traced, place, gallery_plane_, "gallery", height_of(Layer::fill, text), 0, 1.0F, batch);
+  draw_curves(traced.segments, place, {text, 0.09 * text}, gallery_plane_, "gallery", batch);
+  batch.lines(gallery_plane_, "gallery/frame",
+              rectangle(scene_.tiles.center(tile), Vector2d::Constant(scene_.tiles.side())),
+              height_of(Layer::frame, text), 0.04 * text, color(0xB0B0B0));
+}
+
+// The first aspects of a working mode, and always the present one.
+std::vector<int> SlicePicture::legend(const WorkingMode& mode, const Drawn& now) const {
+  std::vector<int> ids;
+  for (const Aspect& aspect : map_->aspects())
+    if (aspect.mode == mode) ids.push_back(aspect.id);
+  if (ids.size() <= most_lines) return ids;
+  const bool here = now && now->mode == mode && now->aspect != 0;
+  const bool hidden =
+      here && std::find(ids.begin(), ids.begin() + most_lines, now->aspect) == ids.begin() + most_lines;
+  ids.resize(most_lines);
+  if (hidden) ids.back() = now->aspect;
+  return ids;
+}
+
+void SlicePicture::draw_titles(std::size_t tile, const Drawn& now, MarkerBatch& batch) const {
+  const double text = scene_.tiles.text_height();
+  const double height = height_of(Layer::text, text);
+  const WorkingMode& mode = map_->working_modes()[tile];
+  const Vector2d half_up(0.0, 0.5 * scene_.tiles.side());
+  batch.text(gallery_plane_, "gallery/modes", scene_.tiles.center(tile) + half_up + Vector2d(0.0, 0.8 * text),
+             height, text, "mode " + to_string(mode), ink());
+  Vector2d line = scene_.tiles.center(tile) - half_up - Vector2d(0.0, 0.7 * text);
+  const std::vector<int> shown = legend(mode, now);
+  for (const int id : shown) {
+    const Vector2d swatch = line - Vector2d(0.5 * scene_.tiles.side(), 0.0);
+    batch.triangles(gallery_plane_, "gallery/swatches", square(swatch, 0.6 * text),
+                    height_of(Layer::fill, text), aspect_color(id));
+    batch.text(gallery_plane_, "gallery/sizes", line, height, 0.75 * text,
+               legend_text(map_->aspects()[static_cast<std::size_t>(id - 1)], space_), ink());
+    line.y() -= 0.9 * text;
+  }
+  const auto all =
+      static_cast<std::size_t>(std::count_if(map_->aspects().begin(), map_->aspects().end(),
+                                             [&](const Aspect& aspect) { return aspect.mode == mode; }));
+  if (all > shown.size())
+    batch.text(gallery_plane_, "gallery/sizes", line, height, 0.75 * text,
+               "and " + std::to_string(all - shown.size()) + " more", ink());
+}
+
+visualization_msgs::MarkerArray SlicePicture::present(const Drawn& now) const {
+  MarkerBatch batch;
+  const auto tile = now ? tile_of(now->mode) : std::nullopt;
+  if (!tile) return batch.take();
+  const double text = scene_.tiles.text_height();
+  if (options_.gallery)
+    batch.lines(gallery_plane_, "gallery/present",
+                rectangle(scene_.tiles.center(*tile), Vector2d::Constant(1.03 * scene_.tiles.side())),
+                height_of(Layer::outline, text), 0.14 * text, ink());
+  if (has_translation(space_)) draw_at_robot(*now, batch);
+  return batch.take();
+}
+
+void SlicePicture::draw_at_robot(const DrawnConfiguration& now, MarkerBatch& batch) const {
+  const PoseSlice slice = PoseSlice::through(space_, now.solved.pose);
+  const BoundaryPicture traced = trace_slice(*map_, now.mode, slice, bounds_, robot_cells);
+  // In front of the base, and behind or below the platform and its joints, which it would hide. One of T3 is
+  // also looked through: it comes seldom, so that a platform that moves fast may be below it.
+  const double height = (space_ == TaskSpace::T3 ? slice.level() : 0.0) - 0.02 * map_->manipulator()->size();
+  const MarkerBatch::Plane plane{frames_.base,
+                                 map_->manipulator()->task_frame() * Eigen::Translation3d(0.0, 0.0, height),
+                                 scene_.planar};  // seen at a flat angle, it would be dark
+  const Placing place = [](const Vector2d& point) { return point; };
+  const double unit = 0.06 * bounds_.sizes().maxCoeff();
+  fill(traced, place, plane, "robot", 0.0, now.aspect == 0 ? -1 : now.aspect,
+       space_ == TaskSpace::T3 ? 0.6F : 1.0F, batch);
+  draw_outline(traced.segments, now.aspect, place, {unit, 0.06 * unit}, plane, "robot", batch);
+  draw_curves(traced.segments, place, {unit, 0.06 * unit}, plane, "robot", batch);
+}
+
+visualization_msgs::MarkerArray SlicePicture::position(const Drawn& now) const {
+  MarkerBatch batch;
+  const auto tile = now ? tile_of(now->mode) : std::nullopt;
+  if (!tile || !options_.gallery) return batch.take();
+  draw_dot(gallery_plane_, "position", in_tile(PoseSlice::point(space_, now->solved.pose), *tile),
+           1.3 * scene_.tiles.text_height(), batch);
+  return batch.take();
+}
+
+double SlicePicture::level_change(const Drawn& before, const Drawn& now) const {
+  return level_difference(space_, slice(before).level(), slice(now).level());
+}
+
+bool SlicePicture::gallery_differs(const Drawn& before, const Drawn& now) const {
+  if (!options_.gallery || !now) return false;
+  return level_change(before, now) > gallery_step * level_range_ ||
+         legend(now->mode, before) != legend(now->mode, now);
+}
+
+bool SlicePicture::present_differs(const Drawn& before, const Drawn& now) const {
+  if (!before || !now) return before.has_value() != now.has_value();
+  return before->mode != now->mode || before->aspect != now->aspect ||
+         (has_translation(space_) && level_change(before, now) > present_step * level_range_);
+}
+
+std::vector<geometry_msgs::TransformStamped> SlicePicture::frames() const {
+  return {still_frame(frames_.base, frames_.aspects, map_->manipulator()->task_frame() * scene_.gallery)};
+}
+
+}  // namespace parallel_aspects

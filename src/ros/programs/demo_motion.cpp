@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Plays joint_states of the drives, for any robot that aspect_node serves. It begins with a local motion
+// about the start pose, which needs no map. Once the node's map is complete, it plans a tour through every
+// aspect that can be reached without crossing det A = 0, and goes over to it at the end of a round.
+// Parameters: ~server (name of that node), ~duration of one round of the tour [s], ~local_duration of one
+// round of the local motion [s], ~loop (until shut down; or until one tour is over, or one local round where
+// there is no tour), ~patience: no tour of a map that took longer than this, as it is computed again here
+// [s].
+#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/kinematics/jacobians.h"
+#include "parallel_aspects/motion/local_motion.h"
+#include "parallel_aspects/motion/rehearsal.h"
+#include "parallel_aspects/motion/tour.h"
+#include "parallel_aspects/singularity/indices.h"
+#include "ros/parameters/load_options.h"
+
+#include <parallel_aspects/MapProgress.h>
+
+#include <ros/ros.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <future>
+#include <optional>
+#include <sensor_msgs/JointState.h>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects {
+namespace {
+
+constexpr double interval = 0.01;          // from one joint_states to the next [s]
+constexpr double seconds_to_start = 60.0;  // until the node must listen
+constexpr double longest_delay = 5.0;      // of a sample behind its time; then time is set anew [s]
+
+struct Start {
+  Pose pose;
+  WorkingMode mode;
+};
+
+struct DemoOptions {
+  std::string server;
+  double duration, local_duration, patience;
+  bool loop;
+};
+
+DemoOptions options_from(const ros::NodeHandle& private_nh) {
+  return {private_nh.param<std::string>("server", "aspect_node"), private_nh.param("duration", 60.0),
+          private_nh.param("local_duration", 20.0), private_nh.param("patience", 60.0),
+          private_nh.param("loop", true)};
+}
+
+bool closes(const Mechanism& mechanism, const Pose& pose, const JointVector& q) {
+  Eigen::VectorXd positions(static_cast<Eigen::Index>(mechanism.joint_names().size()));
+  return mechanism.complete(pose, q, positions);
+}
+
+// Where the robot is when the demo begins: the pose that the parameters say, in every working mode that
+// assembles there; first the one that the mechanism was recognised in, then falling distance from
+// singularities.
+std::vector<Start> possible_starts(const Mechanism& mechanism, const StartOptions& options) {
+  const Manipulator& robot = *mechanism.manipulator();
+  const AssembledConfiguration assembled = mechanism.assembled();
+  Pose pose = assembled.pose;
+  if (options.pose) {
+    const Eigen::Map<const Eigen::VectorXd> values(options.pose->data(),
+                                                   static_cast<Eigen::Index>(options.pose->size()));
+    pose = pose_from_coordinates(robot.task_space(), values).value_or(pose);
+  }
+  const auto usual = working_mode(robot, assembled.pose, assembled.q);
+  std::vector<std::pair<double, Start>> starts;
+  for (const InverseSolution& solution : inverse_in_all_modes(robot, pose)) {
+    if (solution.status != InverseStatus::solved) continue;
+    const SingularityIndices indices = singularity_indices(robot, pose, solution.q);
+    if (options.determinant_sign && *options.determinant_sign * indices.determinant <= 0.0) continue;
+    const double rank = indices.smallest_singular_value + (usual && solution.mode == *usual ? 1e3 : 0.0);
+    starts.push_back({rank, {pose, solution.mode}});
+  }
+  std::stable_sort(starts.begin(), starts.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<Start> result;
+  for (const auto& ranked : starts) result.push_back(ranked.second);
+  return result;
+}
+
+// A round about the start, and what the tracker has seen once it was played.
+struct LocalMotion {
+  Start start;
+  SampledMotion motion;
+  Rehearsal rehearsal;
+};
+
+// In the first start that leaves room to move, played as the node's own tracker follows it.
+std::optional<LocalMotion> plan_local(const NodeSetup& setup, double duration) {
+  const Mechanism& mechanism = *setup.mechanism;
+  const Manipulator& robot = *mechanism.manipulator();
+  const auto allowed = [&](const Pose& pose, const JointVector& q) { return closes(mechanism, pose, q); };
+  for (const Start& start : possible_starts(mechanism, setup.options.start)) {
+    const auto corners = plan_local_motion(robot, start.pose, start.mode, allowed);
+    Rehearsal rehearsal(mechanism.manipulator(), setup.options.tracking, interval);
+    if (corners.size() < 2 || !rehearsal.start(start.pose, corners.front())) continue;
+    SampledMotion motion = rehearsal.slow_enough(corners, duration);
+    if (rehearsal.play(motion)) return LocalMotion{start, std::move(motion), std::move(rehearsal)};
+  }
+  return std::nullopt;
+}
+
+std::string text(const std::vector<int>& aspects) {
+  std::string result;
+  for (const int aspect : aspects) result += (result.empty() ? "" : " - ") + std::to_string(aspect);
+  return result;
+}
+
+// Plans the tour on a thread of its own, once the node has its map.
+class TourPlanner {
+ public:
+  TourPlanner(ros::NodeHandle nh, NodeSetup setup, LocalMotion local, const DemoOptions& options)
+      : setup_(std::move(setup)), local_(std::move(local)), options_(options) {
+    subscriber_ = nh.subscribe(options.server + "/map_progress", 10, &TourPlanner::on_progress, this);
+  }
+  ~TourPlanner() { cancelled_ = true; }
+
+  // Whether it is known what comes of the tour.
+  bool ready() const {
+    return refused_ ||
+           (tour_.valid() && tour_.wait_for(std::chrono::seconds(0)) == std::future_status::ready);
+  }
+
+  // No samples where there is none; only once `ready`, and only once.
+  SampledMotion take() { return refused_ ? SampledMotion{} : tour_.get(); }
+
+ private:
+  void on_progress(const MapProgress::ConstPtr& progress) {
+    if (refused_ || tour_.valid() || progress->state == MapProgress::COMPUTING) return;
+    refused_ = progress->state != MapProgress::COMPLETE || progress->seconds > options_.patience;
+    if (!refused_) tour_ = std::async(std::launch::async, [this] { return plan(); });
+  }
+
+  SampledMotion plan() const {
+    MapControl control;
+    control.cancelled = &cancelled_;
+    const auto map = compute_aspect_map(setup_.mechanism->manipulator(), setup_.options.map, control).map;
+    if (!map) return {};
+    const Tour tour = plan_tour(*map, local_.start.pose, local_.start.mode);
+    if (tour.drives.size() < 2) return {};
+    SampledMotion motion = local_.rehearsal.slow_enough(tour.drives, options_.duration);
+    if (motion.samples.empty())
+      ROS_WARN("There is no tour: a tracker with the options of the node does not follow it at any speed.");
+    else
+      ROS_INFO_STREAM("The motion visits aspects " << text(tour.aspects) << ", in "
+                                                   << interval * static_cast<double>(motion.samples.size())
+                                                   << " s.");
+    return motion;
+  }
+
+  const NodeSetup setup_;
+  const LocalMotion local_;
+  const DemoOptions options_;
+  std::atomic<bool> cancelled_{false};
+  bool refused_ = false;
+  std::future<SampledMotion> tour_;
+  ros::Subscriber subscriber_;
+};
+
+// Publishes one motion after the other. Every sample is sent, with stamps at even times: what was rehearsed
+// is what the node gets. On a busy computer some come late, and then the next ones at once.
+class Player {
+ public:
+  Player(const Manipulator& robot, ros::Publisher publisher)
+      : publisher_(std::move(publisher)),
+        offset_(JointVector::Zero(static_cast<Eigen::Index>(robot.leg_count()))) {
+    for (const Leg& leg : robot.legs()) message_.name.push_back(leg.driven_joint);
+  }
+
+  // One round; returns early when ROS shuts down.
+  void play(const SampledMotion& motion) {
+    for (const JointVector& sample : motion.samples) {
+      if (!ros::ok()) return;
+      wait();
+      publish(sample + offset_);
+      ros::spinOnce();
+    }
+    offset_ += motion.gain;
+  }
+
+ private:
+  // Until the time of the next stamp.
+  void wait() {
+    const ros::Time now = ros::Time::now();
+    next_ += ros::Duration(interval);
+    if (std::abs((now - next_).toSec()) > longest_delay) next_ = now;
+    ros::Time::sleepUntil(next_);
+  }
+
+  void publish(const JointVector& q) {
+    message_.header.stamp = next_;
+    message_.position.assign(q.data(), q.data() + q.size());
+    publisher_.publish(message_);
+  }
+
+  ros::Publisher publisher_;
+  sensor_msgs::JointState message_;
+  ros::Time next_;
+  JointVector offset_;  // turns made so far
+};
+
+bool wait_for_server(const std::string& server, const ros::Publisher& publisher) {
+  const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(seconds_to_start);
+  while (ros::ok() && ros::WallTime::now() < deadline) {
+    if (publisher.getNumSubscribers() > 0) return true;
+    ros::WallDuration(0.05).sleep();
+  }
+  ROS_FATAL_STREAM("The node " << server << " did not listen within " << seconds_to_start << " s.");
+  return false;
+}
+
+// The local motion until the tour is planned, then the tour.
+void play_all(SampledMotion motion, TourPlanner& planner, bool loop, Player& player) {
+  bool known = false;
+  while (ros::ok()) {
+    if (!known && planner.ready()) {
+      known = true;
+      SampledMotion tour = planner.take();
+      if (!tour.samples.empty()) motion = std::move(tour);
+    }
+    player.play(motion);
+    if (known && !loop) return;
+  }
+}
+
+int run(ros::NodeHandle nh, const ros::NodeHandle& private_nh) {
+  const DemoOptions options = options_from(private_nh);
+  const NodeSetup setup = load_setup(nh, ros::NodeHandle(options.server));
+  const auto local = plan_local(setup, options.local_duration);
+  if (!local) {
+    ROS_FATAL(
+        "No motion: the robot does not assemble at the start that the parameters say, or not clear of "
+        "singularities; set start/pose to another pose.");
+    return EXIT_FAILURE;
+  }
+  const ros::Publisher publisher = nh.advertise<sensor_msgs::JointState>("joint_states", 1000);
+  if (!wait_for_server(options.server, publisher)) return EXIT_FAILURE;
+  TourPlanner planner(nh, setup, *local, options);
+  Player player(*setup.mechanism->manipulator(), publisher);
+  play_all(local->motion, planner, options.loop, player);
+  return EXIT_SUCCESS;
+}
+
+}  // namespace
+}  // namespace parallel_aspects
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "demo_motion");
+  const ros::NodeHandle nh, private_nh("~");  // the log ends with the last of its handles
+  try {
+    return parallel_aspects::run(nh, private_nh);
+  } catch (const parallel_aspects::InvalidDescription& invalid) {
+    for (const std::string& problem : invalid.problems()) ROS_FATAL_STREAM(problem);
+    return EXIT_FAILURE;
+  }
+}

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_TOOLS_ARGUMENTS_H
+#define PARALLEL_ASPECTS_TOOLS_ARGUMENTS_H
+
+#include "parallel_aspects/aspects/box.h"
+#include "parallel_aspects/aspects/map_slice.h"
+#include "parallel_aspects/aspects/pose_roadmap.h"
+#include "parallel_aspects/kinematics/working_mode.h"
+#include "parallel_aspects/model/pose.h"
+#include "parallel_aspects/model/problems.h"
+#include "tools/command.h"
+#include "tools/subcommands.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects::tools {
+
+/// The pose that `text` gives, in the order of `coordinate_names(space)`; where it gives none, sentences that
+/// name `option` are added to `problems` and the pose is of no meaning.
+Pose parse_pose(const std::string& option, TaskSpace space, const std::string& text, Problems& problems);
+
+/// A working mode such as "(+,-)" or "+-"; nothing, with a sentence, for any other text.
+std::optional<WorkingMode> parse_mode(const std::string& option, const Manipulator& manipulator,
+                                      const std::string& text, Problems& problems);
+
+/// Some working modes, such as "(+,-) (-,-)"; nothing where the text is empty.
+std::vector<WorkingMode> parse_modes(const std::string& option, const Manipulator& manipulator,
+                                     const std::string& text, Problems& problems);
+
+/// The slice that `text` describes, such as "z=1.3 roll=0": what is held, separated by blanks or commas (see
+/// `make_slice`).
+MapSlice parse_slice(const std::string& option, TaskSpace space, const std::string& text, Problems& problems);
+
+/// The box that `text` gives, such as "x=-5:5 y=0:10": a lower and an upper end for each of `names`,
+/// separated by blanks or commas.
+Box parse_region(const std::string& option, const std::vector<std::string>& names, const std::string& text,
+                 Problems& problems);
+
+/// Which constraints bound the aspects, as text from the command line; empty where not given.
+struct ConstraintArguments {
+  std::string only, without;
+};
+
+/// `--constraint LIST` and `--no-constraint LIST`, which fill `arguments`.
+std::vector<Option> constraint_options(ConstraintArguments& arguments);
+
+/// The manipulator with the constraints that are chosen; by default those that its description states.
+/// Throws `InvalidDescription` with every problem.
+std::shared_ptr<const Manipulator> choose_constraints(std::shared_ptr<const Manipulator> manipulator,
+                                                      const ConstraintArguments& arguments);
+
+/// What is sampled for a roadmap, as text from the command line; empty where not given.
+struct RoadmapArguments {
+  std::string samples, seed;
+};
+
+RoadmapOptions parse_roadmap(const RoadmapArguments& arguments, Problems& problems);
+
+/// Computes it, with a progress bar on a terminal. Throws `Interrupted`, or `InvalidDescription` where it is
+/// refused.
+std::shared_ptr<const PoseRoadmap> compute_roadmap(std::shared_ptr<const Manipulator> manipulator,
+                                                   const RoadmapOptions& options,
+                                                   const Surroundings& surroundings);
+
+}  // namespace parallel_aspects::tools
+
+#endif  // PARALLEL_ASPECTS_TOOLS_ARGUMENTS_H

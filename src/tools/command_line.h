@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_TOOLS_COMMAND_LINE_H
+#define PARALLEL_ASPECTS_TOOLS_COMMAND_LINE_H
+
+#include "tools/subcommands.h"
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects::tools {
+
+/// Thrown where a command line is not understood; what() is a sentence for the user.
+struct UsageError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// The arguments after the subcommand's name: `--name VALUE`, `--name=VALUE`, `--flag` and positional values,
+/// in any order. Fills the values and flags of `subcommand`. The argument after `--name` is its value,
+/// whatever it looks like, so that negative numbers and modes such as `--` need no quotes. False where one of
+/// them asks for help; the rest is then not looked at. Throws `UsageError` where an option is not known,
+/// given twice, empty, without its value or required and missing.
+bool parse_arguments(const Subcommand& subcommand, const std::vector<std::string>& arguments);
+
+bool asks_for_help(const std::string& argument);
+
+/// Usage, arguments and options, each on a line of its own.
+std::string help_of(const Subcommand& subcommand);
+
+}  // namespace parallel_aspects::tools
+
+#endif  // PARALLEL_ASPECTS_TOOLS_COMMAND_LINE_H

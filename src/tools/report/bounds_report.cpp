@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/report/bounds_report.h"
+
+#include "parallel_aspects/aspects/constraint_boundaries.h"
+
+#include <string>
+#include <vector>
+
+namespace parallel_aspects::tools {
+namespace {
+
+using nlohmann::json;
+
+json json_modes(const std::vector<WorkingMode>& modes) {
+  json array = json::array();
+  for (const WorkingMode& mode : modes) array.push_back(mode.signs());
+  return array;
+}
+
+std::string modes_text(const std::string& what, const std::vector<WorkingMode>& modes) {
+  if (modes.empty()) return "";
+  std::string text;
+  for (const WorkingMode& mode : modes) text += " " + to_string(mode);
+  return what + text + "\n";
+}
+
+/// Which limits do not count.
+void add_untold_joints(const Manipulator& manipulator, const std::string& what, Report& report) {
+  const std::vector<std::string>& untold = manipulator.constraints().untold_joints;
+  report.json["joints_not_limited"] = untold;
+  for (const std::string& joint : untold)
+    report.text += "note: The limits of joint '" + joint + "' do not bound the " + what +
+                   ", since distances do not tell where it is.\n";
+}
+
+}  // namespace
+
+Report report_constraints(const Manipulator& manipulator) {
+  Report report;
+  report.json["constraints"] = json::array();
+  std::string list;
+  for (const ConstraintKind kind : all_constraint_kinds) {
+    if (!manipulator.constraint_kinds()[index_of(kind)]) continue;
+    report.json["constraints"].push_back(name(kind));
+    list += (list.empty() ? "" : ", ") + std::string(name(kind));
+  }
+  report.text = "constraints: " + (list.empty() ? "none" : list) + "\n";
+  add_untold_joints(manipulator, "aspects", report);
+  return report;
+}
+
+Report report_bounds(const AspectMap& map) {
+  Report report;
+  report.json["constraints"] = json::array();
+  std::string list;
+  for (const ConstraintBoundary& boundary : constraint_boundaries(map)) {
+    const std::string constraint(name(boundary.kind));
+    report.json["constraints"].push_back({{"name", constraint},
+                                          {"undecided_leaves", boundary.leaves},
+                                          {"measure_undecided", json_number(boundary.measure)}});
+    list += (list.empty() ? "" : "; ") + constraint + ", undecided in " +
+            counted(boundary.leaves, "leaf", "leaves") + " of " + shown_briefly(boundary.measure) + " " +
+            map.unit();
+  }
+  report.text = "constraints: " + (list.empty() ? "none" : list) + "\n";
+  add_untold_joints(*map.manipulator(), "map", report);
+  const MissingModes missing = missing_modes(map);
+  report.json["empty_working_modes"] = json_modes(missing.empty);
+  report.json["undecided_working_modes"] = json_modes(missing.unknown);
+  report.text += modes_text("working modes proved empty:", missing.empty) +
+                 modes_text("working modes in which no pose was found:", missing.unknown);
+  return report;
+}
+
+}  // namespace parallel_aspects::tools

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_TOOLS_REPORT_BOUNDS_REPORT_H
+#define PARALLEL_ASPECTS_TOOLS_REPORT_BOUNDS_REPORT_H
+
+#include "parallel_aspects/aspects/aspect_map.h"
+#include "tools/report/report.h"
+
+namespace parallel_aspects::tools {
+
+/// What bounds the aspects of a map besides singularities, and the working modes that it leaves empty: the
+/// last lines of `aspects map`, and fields of its object.
+Report report_bounds(const AspectMap& map);
+
+/// Which constraints bound the aspects of a manipulator: the last lines of `aspects connect` and of roadmaps,
+/// and fields of their objects.
+Report report_constraints(const Manipulator& manipulator);
+
+}  // namespace parallel_aspects::tools
+
+#endif  // PARALLEL_ASPECTS_TOOLS_REPORT_BOUNDS_REPORT_H

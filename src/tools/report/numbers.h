@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_TOOLS_REPORT_NUMBERS_H
+#define PARALLEL_ASPECTS_TOOLS_REPORT_NUMBERS_H
+
+#include "parallel_aspects/model/problems.h"
+
+#include <string>
+#include <vector>
+
+namespace parallel_aspects::tools {
+
+/// Each returns what `text` says; where it says nothing of use, a sentence that names `option` is added to
+/// `problems` and the value is of no meaning.
+
+/// A finite number greater than zero.
+double parse_positive(const std::string& option, const std::string& text, Problems& problems);
+
+/// A whole number from 0 to `largest`.
+unsigned parse_count(const std::string& option, const std::string& text, unsigned largest,
+                     Problems& problems);
+
+/// One finite number for each of `names`, separated by blanks or commas.
+std::vector<double> parse_numbers(const std::string& option, const std::string& text,
+                                  const std::vector<std::string>& names, Problems& problems);
+
+}  // namespace parallel_aspects::tools
+
+#endif  // PARALLEL_ASPECTS_TOOLS_REPORT_NUMBERS_H

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/report/report.h"
+
+#include "model/coefficients.h"
+
+#include <cmath>
+#include <sstream>
+
+namespace parallel_aspects::tools {
+namespace {
+
+std::string with_digits(double value, int digits) {
+  if (std::isnan(value)) return "-";
+  std::ostringstream text;
+  text.precision(digits);
+  text << value;
+  return text.str();
+}
+
+}  // namespace
+
+nlohmann::json json_number(double value) { return std::isfinite(value) ? nlohmann::json(value) : nullptr; }
+
+nlohmann::json json_numbers(const TaskVector& values) {
+  nlohmann::json array = nlohmann::json::array();
+  for (const double value : coefficients_of(values)) array.push_back(json_number(value));
+  return array;
+}
+
+nlohmann::json json_pose(TaskSpace space, const Pose& pose) {
+  const PoseCoordinates coordinates = pose_coordinates(space, pose);
+  const auto& names = coordinate_names(space);
+  nlohmann::json object = nlohmann::json::object();
+  for (std::size_t i = 0; i < names.size(); ++i)
+    object[names[i]] = json_number(coordinates[static_cast<Eigen::Index>(i)]);
+  return object;
+}
+
+nlohmann::json json_box(const std::vector<std::string>& names, const Box& box) {
+  nlohmann::json lower = nlohmann::json::object();
+  nlohmann::json upper = nlohmann::json::object();
+  for (std::size_t i = 0; i < box.dimension; ++i) {
+    lower[names[i]] = json_number(box.lower[i]);
+    upper[names[i]] = json_number(box.upper[i]);
+  }
+  return {{"lower", lower}, {"upper", upper}};
+}
+
+nlohmann::json json_indices(const SingularityIndices& indices) {
+  return {{"det_a", json_number(indices.determinant)},
+          {"b_jj", json_numbers(indices.inverse_diagonal)},
+          {"smallest_singular_value", json_number(indices.smallest_singular_value)},
+          {"inverse_condition_number", json_number(indices.inverse_condition_number)}};
+}
+
+std::string shown(double value) { return with_digits(value, 6); }
+
+std::string shown_briefly(double value) { return with_digits(value, 4); }
+
+std::string shown(const TaskVector& values) {
+  std::string text;
+  for (const double value : coefficients_of(values)) text += (text.empty() ? "" : ", ") + shown(value);
+  return text;
+}
+
+std::string shown_sign(double value) { return value > 0.0 ? "+" : value < 0.0 ? "-" : "0"; }
+
+std::string drive_unit(const Leg& leg) { return leg.driven_by_angle() ? "rad" : "m"; }
+
+std::string determinant_unit(TaskSpace space) {
+  switch (space) {
+    case TaskSpace::T1:
+      return "m";
+    case TaskSpace::T2:
+      return "m^2";
+    case TaskSpace::SE2:
+      return "m^4";
+    case TaskSpace::T3:
+      return "m^3";
+    case TaskSpace::SO3:
+      return "m^6";
+    case TaskSpace::SE3:
+      return "m^9";
+  }
+  return "";
+}
+
+std::string counted(std::size_t number, const std::string& noun, const std::string& plural) {
+  const std::string several = plural.empty() ? noun + "s" : plural;
+  return std::to_string(number) + ' ' + (number == 1 ? noun : several);
+}
+
+std::string to_text(const nlohmann::json& json) {
+  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace parallel_aspects::tools

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_TOOLS_REPORT_REPORT_H
+#define PARALLEL_ASPECTS_TOOLS_REPORT_REPORT_H
+
+#include "parallel_aspects/aspects/box.h"
+#include "parallel_aspects/model/manipulator.h"
+#include "parallel_aspects/model/pose.h"
+#include "parallel_aspects/singularity/indices.h"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <vector>
+
+namespace parallel_aspects::tools {
+
+/// What a command has to say, for programs and for people.
+struct Report {
+  nlohmann::json json;
+  std::string text;
+};
+
+/// A number as JSON: null where it is infinite or not a number, which JSON does not have.
+nlohmann::json json_number(double value);
+
+/// An array of such numbers.
+nlohmann::json json_numbers(const TaskVector& values);
+
+/// {"x": 4.5, "y": 8} and so on, by `coordinate_names(space)`.
+nlohmann::json json_pose(TaskSpace space, const Pose& pose);
+
+/// {"lower": {...}, "upper": {...}}, each an object by these coordinate names.
+nlohmann::json json_box(const std::vector<std::string>& names, const Box& box);
+
+/// {"det_a", "b_jj", "smallest_singular_value", "inverse_condition_number"}, as in `SingularityIndices`.
+nlohmann::json json_indices(const SingularityIndices& indices);
+
+/// Six significant digits; "-" where the value is not a number.
+std::string shown(double value);
+
+/// Four significant digits.
+std::string shown_briefly(double value);
+
+/// Several numbers, separated by ", ".
+std::string shown(const TaskVector& values);
+
+/// "+" or "-".
+std::string shown_sign(double value);
+
+/// "rad" or "m": the unit of a leg's drive value.
+std::string drive_unit(const Leg& leg);
+
+/// Unit of det A: "m^2", "m^4" and so on, as in `direct_determinant`.
+std::string determinant_unit(TaskSpace space);
+
+/// "1 aspect", "2 aspects"; or with `plural` where that has another form.
+std::string counted(std::size_t number, const std::string& noun, const std::string& plural = "");
+
+/// JSON as text: indented, valid UTF-8 whatever is in the names, with a line end.
+std::string to_text(const nlohmann::json& json);
+
+}  // namespace parallel_aspects::tools
+
+#endif  // PARALLEL_ASPECTS_TOOLS_REPORT_REPORT_H

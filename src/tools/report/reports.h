@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_TOOLS_REPORT_REPORTS_H
+#define PARALLEL_ASPECTS_TOOLS_REPORT_REPORTS_H
+
+#include "parallel_aspects/aspects/aspect_map.h"
+#include "parallel_aspects/aspects/neighbours.h"
+#include "parallel_aspects/aspects/pose_roadmap.h"
+#include "parallel_aspects/aspects/same_aspect.h"
+#include "parallel_aspects/distance/boundary_distances.h"
+#include "parallel_aspects/kinematics/direct.h"
+#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/urdf/mechanism.h"
+#include "tools/report/report.h"
+
+#include <string>
+#include <vector>
+
+/// What each subcommand says about a result. Pure functions; the fields are documented in docs/command.md.
+namespace parallel_aspects::tools {
+
+/// `aspects map`: the table of aspects, and what is proved and what is not; and whether the map was `loaded`
+/// from a file.
+Report report_map(const AspectMap& map, bool loaded);
+
+/// `aspects map --neighbours`: adds the pairs of aspects that touch.
+void add_neighbours(const AspectMap& map, const std::vector<Neighbours>& neighbours, Report& report);
+
+/// `aspects map` with six freedoms: samples and components by working mode and sign of det A.
+Report report_roadmap(const PoseRoadmap& roadmap);
+
+/// What is known in one working mode.
+struct ModeAnswer {
+  WorkingMode mode;
+  AspectComparison comparison;
+};
+
+/// `aspects connect`: whether two poses lie in one aspect, by working mode.
+Report report_comparison(const Manipulator& manipulator, const Pose& from, const Pose& to,
+                         const std::vector<ModeAnswer>& answers);
+
+/// What is measured in one working mode.
+struct ModeDistances {
+  WorkingMode mode;
+  BoundaryDistances distances;
+};
+
+/// `aspects distance`: bounds of the distances from a pose to singularities and limits, by working mode.
+Report report_distances(const Manipulator& manipulator, const Pose& pose,
+                        const std::vector<ModeDistances>& answers);
+
+/// `aspects describe`: what was recognised in the description of the robot.
+Report report_mechanism(const Mechanism& mechanism);
+
+/// `aspects ik`: the inverse solutions at `pose`, one a working mode, solved or not.
+Report report_inverse(const Mechanism& mechanism, const Pose& pose,
+                      const std::vector<InverseSolution>& solutions);
+
+/// `aspects fk`: the assembly modes at the drive values `q`.
+Report report_direct(const Mechanism& mechanism, const JointVector& q, const DirectResult& result);
+
+/// `aspects robots`: names of the shipped robots.
+Report report_robots(const std::vector<std::string>& names);
+
+}  // namespace parallel_aspects::tools
+
+#endif  // PARALLEL_ASPECTS_TOOLS_REPORT_REPORTS_H

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_TOOLS_SHIPPED_ROBOTS_H
+#define PARALLEL_ASPECTS_TOOLS_SHIPPED_ROBOTS_H
+
+#include "parallel_aspects/model/problems.h"
+#include "parallel_aspects/urdf/mechanism.h"
+#include "urdf/config/map_config.h"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects::tools {
+
+/// Folder of the shipped robots, with `urdf/NAME.urdf` and `config/robots/NAME.yaml`: what the environment
+/// variable PARALLEL_ASPECTS_SHARE names, else the installed share folder next to the running program, else
+/// the source tree it was built from. Throws `InvalidDescription` where there is none.
+std::filesystem::path share_folder();
+
+/// Names of the robots in a share folder, sorted.
+std::vector<std::string> shipped_robots(const std::filesystem::path& share);
+
+/// Which robot to load: a shipped one by name, or a pair of files.
+struct RobotChoice {
+  std::string name;
+  std::string urdf_file;
+  std::string config_file;
+};
+
+/// Loads it. Throws `InvalidDescription` with every problem: an unknown name (the sentence lists the known
+/// ones), a choice that names too little or too much, files that cannot be read, and whatever
+/// `load_mechanism` finds, after those that are `known` already.
+std::shared_ptr<const Mechanism> load_robot(const RobotChoice& choice, Problems known = {});
+
+/// How the map of a robot is to be computed, as its files say.
+struct MapSection {
+  MapConfig config;
+  std::string file;  ///< that it stands in
+};
+
+/// The section `map` of the YAML of the robot. What is wrong with it is added to `problems`; of a choice or
+/// files of no use `load_robot` tells.
+MapSection load_map_section(const RobotChoice& choice, Problems& problems);
+
+}  // namespace parallel_aspects::tools
+
+#endif  // PARALLEL_ASPECTS_TOOLS_SHIPPED_ROBOTS_H

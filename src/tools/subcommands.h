@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_TOOLS_SUBCOMMANDS_H
+#define PARALLEL_ASPECTS_TOOLS_SUBCOMMANDS_H
+
+#include "tools/command.h"
+#include "tools/report/report.h"
+#include "tools/shipped_robots.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects::tools {
+
+/// Thrown where a computation ended because of Ctrl-C; caught by `run_command`.
+struct Interrupted {};
+
+/// `--name VALUE`, or a positional argument where the name has no dashes.
+struct Option {
+  std::string name;
+  std::string placeholder;  ///< stands for the value in the help
+  std::string help;
+  std::string* value;  ///< where the text goes; untouched where the option is not given
+  bool required = false;
+};
+
+/// `--name` without a value.
+struct Flag {
+  std::string name;
+  std::string help;
+  bool* value;  ///< turns true where the flag is given
+};
+
+/// A subcommand: its options, and what it does once they are filled.
+struct Subcommand {
+  std::string name;
+  std::string help;
+  std::vector<Option> options;
+  std::function<Report(const Surroundings&)> run;  ///< throws `InvalidDescription` or `Interrupted`
+  std::vector<Flag> flags{};
+};
+
+Subcommand map_subcommand();
+Subcommand connect_subcommand();
+Subcommand describe_subcommand();
+Subcommand distance_subcommand();
+Subcommand inverse_subcommand();
+Subcommand direct_subcommand();
+Subcommand robots_subcommand();
+
+/// `ROBOT`, `--urdf FILE` and `--config FILE`, which fill `choice`.
+std::vector<Option> robot_options(RobotChoice& choice);
+
+}  // namespace parallel_aspects::tools
+
+#endif  // PARALLEL_ASPECTS_TOOLS_SUBCOMMANDS_H

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/aspects/same_aspect.h"
+#include "tools/arguments.h"
+#include "tools/report/bounds_report.h"
+#include "tools/report/numbers.h"
+#include "tools/report/reports.h"
+#include "tools/report/text_table.h"
+#include "tools/subcommands.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace parallel_aspects::tools {
+namespace {
+
+using nlohmann::json;
+
+struct ConnectArguments {
+  RobotChoice robot;
+  std::string from, to, mode, resolution;
+  RoadmapArguments roadmap;
+  ConstraintArguments constraints;
+};
+
+/// What is asked, with every number understood.
+struct Question {
+  Pose from, to;
+  std::vector<WorkingMode> modes;
+  RoadmapOptions roadmap;
+  std::optional<double> resolution;
+};
+
+Question parse(const ConnectArguments& arguments, const Manipulator& manipulator) {
+  Problems problems;
+  Question question;
+  question.from = parse_pose("--from", manipulator.task_space(), arguments.from, problems);
+  question.to = parse_pose("--to", manipulator.task_space(), arguments.to, problems);
+  question.roadmap = parse_roadmap(arguments.roadmap, problems);
+  question.modes = working_modes(manipulator);
+  if (!arguments.mode.empty())
+    if (const auto mode = parse_mode("--mode", manipulator, arguments.mode, problems))
+      question.modes = {*mode};
+  if (!arguments.resolution.empty())
+    question.resolution = parse_positive("--resolution", arguments.resolution, problems);
+  if (question.resolution && manipulator.task_space() == TaskSpace::SE3)
+    problems.emplace_back("--resolution is that of a map, which there is none of in SE3; leave it out.");
+  if (!problems.empty()) throw InvalidDescription(std::move(problems));
+  return question;
+}
+
+/// Asks, until one knows: what is proved of the two poses, a roadmap of the mode, a map.
+class Asking {
+ public:
+  Asking(std::shared_ptr<const Manipulator> manipulator, const Question& question,
+         const Surroundings& surroundings)
+      : manipulator_(std::move(manipulator)),
+        certifier_(manipulator_),
+        question_(question),
+        surroundings_(surroundings) {}
+
+  AspectComparison ask(const WorkingMode& mode) {
+    const PoseInMode first{question_.from, mode}, second{question_.to, mode};
+    AspectComparison found = same_aspect(certifier_, first, second);
+    if (found.open_sign != 0) found = same_aspect(*roadmap(mode), first, second);
+    if (found.open_sign != 0 && has_map()) ask_map(mode, found);
+    return found;
+  }
+
+ private:
+  std::shared_ptr<const PoseRoadmap> roadmap(const WorkingMode& mode) const {
+    RoadmapOptions options = question_.roadmap;
+    options.modes = {mode};
+    return compute_roadmap(manipulator_, options, surroundings_);
+  }
+
+  // Maps of one or two freedoms are quick; others are made where they are asked for.
+  bool has_map() const { return question_.resolution || freedoms(manipulator_->task_space()) <= 2; }
+
+  const AspectMap& map() {
+    if (map_) return *map_;
+    MapOptions options;
+    options.resolution = question_.resolution;
+    MapControl control;
+    control.cancelled = surroundings_.interrupted;
+    const MapResult result = compute_aspect_map(manipulator_, options, control);
+    if (result.status == MapStatus::cancelled) throw Interrupted{};
+    if (result.status == MapStatus::refused) throw InvalidDescription({result.sentence});
+    map_ = result.map;
+    return *map_;
+  }
+
+  void ask_map(const WorkingMode& mode, AspectComparison& found) {
+    const Location first = map().locate(question_.from, mode), second = map().locate(question_.to, mode);
+    if (first.status != LocationStatus::inside || second.status != LocationStatus::inside) return;
+    if (first.aspect == second.aspect)
+      found = {SameAspect::yes, "The map proves it: both are in the same connected set of boxes.", {}, 0};
+    else if (is_separate(first.aspect, second.aspect))
+      found = {SameAspect::no, "The map proves the two aspects separate.", {}, 0};
+  }
+
+  bool is_separate(int first, int second) {
+    const std::vector<int>& unresolved = map().aspects()[static_cast<std::size_t>(first - 1)].unresolved_with;
+    return std::find(unresolved.begin(), unresolved.end(), second) == unresolved.end();
+  }
+
+  std::shared_ptr<const Manipulator> manipulator_;
+  SegmentCertifier certifier_;
+  const Question& question_;
+  const Surroundings& surroundings_;
+  std::shared_ptr<const AspectMap> map_;
+};
+
+json json_answer(TaskSpace space, const ModeAnswer& answer) {
+  json object = {{"working_mode", answer.mode.signs()},
+                 {"same_aspect", name(answer.comparison.answer)},
+                 {"reason", answer.comparison.sentence},
+                 {"failing_constraint", nullptr},
+                 {"path", json::array()}};
+  if (answer.comparison.failing) object["failing_constraint"] = name(*answer.comparison.failing);
+  for (const Pose& pose : answer.comparison.path) object["path"].push_back(json_pose(space, pose));
+  return object;
+}
+
+std::string path_text(TaskSpace space, const ModeAnswer& answer) {
+  std::string text = "\npath in " + to_string(answer.mode) + ":\n";
+  for (const Pose& pose : answer.comparison.path) text += "  " + to_string(space, pose) + '\n';
+  return text;
+}
+
+std::string answers_text(const Manipulator& manipulator, const Pose& from, const Pose& to,
+                         const std::vector<ModeAnswer>& answers) {
+  const TaskSpace space = manipulator.task_space();
+  TextTable table({"working mode", "same aspect", "why"});
+  std::string paths;
+  for (const ModeAnswer& answer : answers) {
+    table.add({to_string(answer.mode), name(answer.comparison.answer), answer.comparison.sentence});
+    if (answer.comparison.path.size() > 2) paths += path_text(space, answer);
+  }
+  return manipulator.name() + ", from " + to_string(space, from) + " to " + to_string(space, to) + "\n\n" +
+         table.text() + paths;
+}
+
+}  // namespace
+
+Report report_comparison(const Manipulator& manipulator, const Pose& from, const Pose& to,
+                         const std::vector<ModeAnswer>& answers) {
+  const TaskSpace space = manipulator.task_space();
+  json object = {{"mechanism", manipulator.name()},
+                 {"task_space", std::string(name(space))},
+                 {"from", json_pose(space, from)},
+                 {"to", json_pose(space, to)},
+                 {"answers", json::array()}};
+  for (const ModeAnswer& answer : answers) object["answers"].push_back(json_answer(space, answer));
+  const Report constraints = report_constraints(manipulator);
+  object.update(constraints.json);
+  return {object, answers_text(manipulator, from, to, answers) + '\n' + constraints.text};
+}
+
+Subcommand connect_subcommand() {
+  const auto arguments = std::make_shared<ConnectArguments>();
+  std::vector<Option> options = robot_options(arguments->robot);
+  options.push_back(
+      {"--from", "\"x y\"", "A pose of the platform, quoted; lengths [m]", &arguments->from, true});
+  options.push_back({"--to", "\"x y\"", "Another one", &arguments->to, true});
+  options.push_back(
+      {"--mode", "\"(+,-)\"", "Working mode, as signs of B_jj; by default every one", &arguments->mode});
+  options.push_back({"--samples", "N",
+                     "Poses of the roadmap that is asked where the straight way is not free",
+                     &arguments->roadmap.samples});
+  options.push_back({"--seed", "N", "Seed of the roadmap", &arguments->roadmap.seed});
+  options.push_back({"--resolution", "R",
+                     "Resolution of the map that is asked last [m or rad]; by default one is made in T2 only",
+                     &arguments->resolution});
+  for (const Option& option : constraint_options(arguments->constraints)) options.push_back(option);
+  return {"connect", "Tell whether two poses lie in one aspect, with a certified path", options,
+          [arguments](const Surroundings& surroundings) {
+            const auto mechanism = load_robot(arguments->robot);
+            const auto manipulator = choose_constraints(mechanism->manipulator(), arguments->constraints);
+            const Question question = parse(*arguments, *manipulator);
+            Asking asking(manipulator, question, surroundings);
+            std::vector<ModeAnswer> answers;
+            for (const WorkingMode& mode : question.modes) answers.push_back({mode, asking.ask(mode)});
+            return report_comparison(*manipulator, question.from, question.to, answers);
+          }};
+}
+
+}  // namespace parallel_aspects::tools

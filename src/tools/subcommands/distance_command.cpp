@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/distance/boundary_distances.h"
+#include "tools/arguments.h"
+#include "tools/report/numbers.h"
+#include "tools/report/reports.h"
+#include "tools/report/text_table.h"
+#include "tools/subcommands.h"
+
+#include <cmath>
+#include <utility>
+
+namespace parallel_aspects::tools {
+namespace {
+
+using nlohmann::json;
+
+constexpr unsigned most_boxes = 10'000'000;
+
+struct DistanceArguments {
+  RobotChoice robot;
+  std::string pose, mode, tolerance, boxes;
+};
+
+/// What is asked, with every number understood.
+struct DistanceQuestion {
+  Pose pose;
+  std::vector<WorkingMode> modes;
+  DistanceOptions options;
+};
+
+DistanceQuestion parse(const DistanceArguments& arguments, const Manipulator& manipulator) {
+  Problems problems;
+  DistanceQuestion question;
+  question.pose = parse_pose("--pose", manipulator.task_space(), arguments.pose, problems);
+  question.modes = working_modes(manipulator);
+  if (!arguments.mode.empty())
+    if (const auto mode = parse_mode("--mode", manipulator, arguments.mode, problems))
+      question.modes = {*mode};
+  if (!arguments.tolerance.empty())
+    question.options.tolerance = parse_positive("--tolerance", arguments.tolerance, problems);
+  if (!arguments.boxes.empty())
+    question.options.most_boxes =
+        static_cast<int>(parse_count("--boxes", arguments.boxes, most_boxes, problems));
+  if (!problems.empty()) throw InvalidDescription(std::move(problems));
+  return question;
+}
+
+/// Which boundary a distance is to.
+enum class Boundary { parallel, serial, drive_limit };
+
+bool has_leg(Boundary boundary, const BoundaryDistance& distance) {
+  const bool touching_limit =
+      distance.status == DistanceStatus::touching && boundary == Boundary::drive_limit;
+  return boundary != Boundary::parallel && (std::isfinite(distance.upper) || touching_limit);
+}
+
+json json_distance(const Manipulator& manipulator, Boundary boundary, const BoundaryDistance& distance) {
+  json object = {{"status", name(distance.status)},
+                 {"lower", json_number(distance.lower)},
+                 {"upper", json_number(distance.upper)},
+                 {"upper_proved", distance.upper_proved},
+                 {"boxes", distance.boxes}};
+  if (has_leg(boundary, distance)) object["leg"] = manipulator.leg(distance.leg).name;
+  if (!std::isfinite(distance.upper)) return object;
+  if (boundary == Boundary::drive_limit) object["limit"] = name(distance.end);
+  object["witness"] = json_pose(manipulator.task_space(), distance.witness);
+  object["witness_joints"] = json_numbers(distance.witness_q);
+  object["direction"] = json_numbers(distance.direction);
+  object["joint_displacement"] = json_numbers(distance.drive_displacement);
+  return object;
+}
+
+json json_mode(const Manipulator& manipulator, const ModeDistances& answer) {
+  const BoundaryDistances& distances = answer.distances;
+  json object = {{"working_mode", answer.mode.signs()}, {"status", name(distances.status)}};
+  if (distances.status != ConfigurationStatus::measured &&
+      distances.status != ConfigurationStatus::outside_limits)
+    return object;
+  object["joints"] = json_numbers(distances.q);
+  object["parallel"] = json_distance(manipulator, Boundary::parallel, distances.parallel);
+  object["serial"] = json_distance(manipulator, Boundary::serial, distances.serial);
+  object["drive_limit"] = json_distance(manipulator, Boundary::drive_limit, distances.drive_limit);
+  return object;
+}
+
+std::string boundary_text(const Manipulator& manipulator, Boundary boundary,
+                          const BoundaryDistance& distance) {
+  if (boundary == Boundary::parallel) return "parallel singularity";
+  const std::string text = boundary == Boundary::serial ? "serial singularity" : "drive limit";
+  return has_leg(boundary, distance) ? text + ", " + manipulator.leg(distance.leg).name : text;
+}
+
+void add_row(const Manipulator& manipulator, const ModeDistances& answer, Boundary boundary,
+             const BoundaryDistance& distance, TextTable& table) {
+  const bool found = std::isfinite(distance.upper);
+  table.add({to_string(answer.mode), boundary_text(manipulator, boundary, distance),
+             distance.status == DistanceStatus::absent ? "none" : shown(distance.lower),
+             found ? shown(distance.upper) + (distance.upper_proved ? "" : " (not proved)") : "-",
+             name(distance.status), found ? to_string(manipulator.task_space(), distance.witness) : "-",
+             found ? shown(distance.drive_displacement) : "-"});
+}
+
+std::string distances_text(const Manipulator& manipulator, const Pose& pose,
+                           const std::vector<ModeDistances>& answers) {
+  TextTable table({"working mode", "to the nearest", ">proved at least [m]", ">at most [m]", "status", "at",
+                   "drives move by [rad or m]"});
+  for (const ModeDistances& answer : answers) {
+    const BoundaryDistances& distances = answer.distances;
+    if (distances.status != ConfigurationStatus::measured &&
+        distances.status != ConfigurationStatus::outside_limits) {
+      table.add({to_string(answer.mode), "-", "-", "-", name(distances.status), "-", "-"});
+      continue;
+    }
+    add_row(manipulator, answer, Boundary::parallel, distances.parallel, table);
+    add_row(manipulator, answer, Boundary::serial, distances.serial, table);
+    add_row(manipulator, answer, Boundary::drive_limit, distances.drive_limit, table);
+  }
+  return manipulator.name() + " at " + to_string(manipulator.task_space(), pose) +
+         ", root mean square displacement of the anchors\n\n" + table.text();
+}
+
+}  // namespace
+
+Report report_distances(const Manipulator& manipulator, const Pose& pose,
+                        const std::vector<ModeDistances>& answers) {
+  json object = {{"mechanism", manipulator.name()},
+                 {"task_space", std::string(name(manipulator.task_space()))},
+                 {"pose", json_pose(manipulator.task_space(), pose)},
+                 {"answers", json::array()}};
+  for (const ModeDistances& answer : answers) object["answers"].push_back(json_mode(manipulator, answer));
+  return {object, distances_text(manipulator, pose, answers)};
+}
+
+Subcommand distance_subcommand() {
+  const auto arguments = std::make_shared<DistanceArguments>();
+  std::vector<Option> options = robot_options(arguments->robot);
+  options.push_back(
+      {"--pose", "\"x y\"", "The pose of the platform, quoted; lengths [m]", &arguments->pose, true});
+  options.push_back(
+      {"--mode", "\"(+,-)\"", "Working mode, as signs of B_jj; by default every one", &arguments->mode});
+  options.push_back({"--tolerance", "T", "Relative gap between the bounds that is aimed at, by default 0.01",
+                     &arguments->tolerance});
+  options.push_back({"--boxes", "N", "Boxes that one search may evaluate, by default 400; more are tighter",
+                     &arguments->boxes});
+  return {"distance", "Bound the distance to the nearest singularities and limits", options,
+          [arguments](const Surroundings&) {
+            const auto mechanism = load_robot(arguments->robot);
+            const DistanceQuestion question = parse(*arguments, *mechanism->manipulator());
+            BoundaryDistanceMeter meter(mechanism->manipulator(), question.options);
+            std::vector<ModeDistances> answers;
+            for (const WorkingMode& mode : question.modes)
+              answers.push_back({mode, meter.measure(question.pose, mode)});
+            return report_distances(*mechanism->manipulator(), question.pose, answers);
+          }};
+}
+
+}  // namespace parallel_aspects::tools

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_TRACKING_CANDIDATES_H
+#define PARALLEL_ASPECTS_TRACKING_CANDIDATES_H
+
+#include "parallel_aspects/model/manipulator.h"
+#include "tracking/continuation.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// An assembly mode that the robot may be in.
+struct Candidate {
+  CertifiedPoint point;      ///< pose and drives
+  int determinant_sign = 0;  ///< +1 or -1; 0 where that is not proved
+  bool followed = true;      ///< whether its solution is proved; it is dropped with the next sample otherwise
+};
+
+/// The assembly modes that remain possible, each followed by certified continuation.
+class Candidates {
+ public:
+  /// More are never kept; no manipulator has more direct solutions than 40.
+  static constexpr std::size_t most = 64;
+
+  Candidates() { list_.reserve(most); }
+
+  /// Every direct solution at `q`. Allocates, and takes up to some 10 ms in SE3.
+  void find(const Manipulator& manipulator, const PoseCertifier& certifier, const JointVector& q);
+
+  /// Only this one.
+  void set(const Candidate& only) noexcept;
+
+  /// Moves the drives straight to `q`. A candidate that cannot be followed is dropped, and the list is then
+  /// no longer complete. Never allocates.
+  void follow(const PoseCertifier& certifier, const JointVector& q, const JointVector& bend,
+              int most_steps) noexcept;
+
+  void remove(std::size_t index) noexcept;
+  void clear() noexcept;
+
+  /// From now on the robot need not be in any of them.
+  void doubt() noexcept { complete_ = false; }
+
+  /// Whether the robot must be in one of them, as far as the list of direct solutions was complete and none
+  /// was dropped since without a reason.
+  bool complete() const noexcept { return complete_; }
+
+  std::size_t size() const noexcept { return list_.size(); }
+  const Candidate& operator[](std::size_t index) const noexcept { return list_[index]; }
+
+ private:
+  std::vector<Candidate> list_;  // its room is reserved once
+  bool complete_ = false;
+};
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_TRACKING_CANDIDATES_H

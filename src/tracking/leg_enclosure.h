@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_TRACKING_LEG_ENCLOSURE_H
+#define PARALLEL_ASPECTS_TRACKING_LEG_ENCLOSURE_H
+
+#include "interval/interval.h"
+#include "parallel_aspects/model/leg.h"
+#include "parallel_aspects/model/pose.h"
+
+#include <array>
+
+namespace parallel_aspects {
+
+using IntervalVector = std::array<Interval, 3>;
+using IntervalRotation = std::array<IntervalVector, 3>;  ///< by rows
+
+/// The rotation of a quaternion, as if it were normalised without rounding. Needs a live `RoundingUpward`.
+IntervalRotation enclosed_rotation(const Eigen::Quaterniond& quaternion) noexcept;
+
+/// What a leg is at a pose and a drive value, each an enclosure of the real value.
+struct LegEnclosure {
+  IntervalVector b;           ///< anchor from the operational point [m]
+  IntervalVector u;           ///< from the proximal point to the anchor [m]
+  Interval half_residual;     ///< f_j / 2 [m^2]
+  Interval inverse_diagonal;  ///< B_jj
+};
+
+/// A leg prepared for many evaluations: c(q) = fixed + cos q first + sin q second for a revolute drive, and
+/// fixed + q first for a prismatic one. Sine and cosine of the C library are trusted to within 2^-52, twice
+/// what its manual states.
+class LegForm {
+ public:
+  LegForm() = default;
+
+  /// Needs a live `RoundingUpward`, as `enclose` does.
+  explicit LegForm(const Leg& leg) noexcept;
+
+  const Eigen::Vector3d& anchor() const noexcept { return anchor_; }
+
+  /// c(q), rounded [m].
+  Eigen::Vector3d proximal_point(double q) const noexcept;
+
+  /// rho(q)^2, rounded [m^2].
+  double squared_distance(double q) const noexcept;
+
+  /// `turn` is left out where the platform does not turn (null).
+  LegEnclosure enclose(const Pose& pose, const IntervalRotation* turn, double q) const noexcept;
+
+  /// The largest |B_jj| of a leg whose |u| is `rod`.
+  double largest_inverse_entry(double rod) const noexcept {
+    return kind_ == Kind::elbow ? product_.upper() : kind_ == Kind::strut ? rod : rod * point_speed_;
+  }
+
+  /// At least |c'| [m/rad or 1].
+  double point_speed() const noexcept { return point_speed_; }
+
+  /// At least |d^2 F / dq^2| for F = f / 2, at any pose where |u| is at most `rod` [m^2 or 1].
+  double drive_curvature(double rod) const noexcept { return curvature_ + point_curvature_ * rod; }
+
+ private:
+  enum class Kind { revolute, prismatic, strut, elbow };
+
+  void prepare(const Leg& leg, const RevoluteDrive& drive) noexcept;
+  void prepare(const Leg& leg, const PrismaticDrive& drive) noexcept;
+  void prepare(const Leg& leg, const StrutDrive& drive) noexcept;
+  void prepare(const Leg& leg, const ElbowDrive& drive) noexcept;
+
+  Kind kind_ = Kind::strut;
+  Eigen::Vector3d anchor_, fixed_, first_, second_;
+  IntervalVector exact_first_, exact_second_;
+  double offset_ = 0.0, sense_ = 1.0;  // of the length of a strut, or of the angle of an elbow
+  Interval squared_rod_;               // of an elbow, inner^2 + outer^2
+  Interval product_;                   // of an elbow, inner outer
+  double point_speed_ = 0.0, curvature_ = 0.0, point_curvature_ = 0.0;
+};
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_TRACKING_LEG_ENCLOSURE_H

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "urdf/closing/assembly.h"
+
+#include "model/linear_algebra.h"
+
+#include <algorithm>
+#include <limits>
+#include <random>
+
+namespace parallel_aspects {
+namespace {
+
+constexpr int random_starts = 24;
+constexpr int wanted_assemblies = 6;
+constexpr int iterations = 120;
+constexpr int polishing_steps = 12;
+constexpr unsigned seed = 20240117;
+
+// A joint that moves less [rad or sizes of the robot] while the mechanism moves by the step stays still.
+constexpr double stillness = 1e-3;
+constexpr double step_length = 0.1;
+
+double largest(const Eigen::VectorXd& vector) {
+  return vector.size() > 0 ? vector.lpNorm<Eigen::Infinity>() : 0.0;
+}
+
+void clamp_to_limits(const Tree& tree, Eigen::VectorXd& values) {
+  for (std::size_t k = 0; k < tree.movable.size(); ++k) {
+    double& value = values[static_cast<Eigen::Index>(k)];
+    value = std::clamp(value, tree.joint_of(k).limits.lower, tree.joint_of(k).limits.upper);
+  }
+}
+
+// The joints that a solver may move, of all the joint values.
+class FreeJoints {
+ public:
+  FreeJoints(const ClosureSystem& system, const std::vector<bool>& held) : system_(system) {
+    for (std::size_t k = 0; k < held.size(); ++k)
+      if (!held[k] && system.in_loop()[k]) indices_.push_back(static_cast<Eigen::Index>(k));
+  }
+
+  bool none() const { return indices_.empty(); }
+
+  /// Columns of the closure Jacobian.
+  Eigen::MatrixXd jacobian(const Eigen::VectorXd& values) const {
+    const Eigen::MatrixXd all = system_.jacobian(values);
+    Eigen::MatrixXd columns(all.rows(), static_cast<Eigen::Index>(indices_.size()));
+    for (std::size_t k = 0; k < indices_.size(); ++k)
+      columns.col(static_cast<Eigen::Index>(k)) = all.col(indices_[k]);
+    return columns;
+  }
+
+  /// `values` less `step`, of the free joints.
+  Eigen::VectorXd moved(Eigen::VectorXd values, const Eigen::VectorXd& step) const {
+    for (std::size_t k = 0; k < indices_.size(); ++k)
+      values[indices_[k]] -= step[static_cast<Eigen::Index>(k)];
+    return values;
+  }
+
+ private:
+  const ClosureSystem& system_;
+  std::vector<Eigen::Index> indices_;
+};
+
+// Minimum-norm Gauss-Newton steps: quadratic convergence, also where the closures are redundant. A joint that
+// runs into a limit stays there.
+Eigen::VectorXd polished(const ClosureSystem& system, Eigen::VectorXd values, std::vector<bool> held) {
+  double error = largest(system.residual(values));
+  for (int step = 0; step < polishing_steps && error > 0.0; ++step) {
+    const FreeJoints free(system, held);
+    if (free.none()) break;
+    const Eigen::VectorXd step_back =
+        least_squares_solution(free.jacobian(values), system.residual(values), rank_tolerance);
+    const Eigen::VectorXd wanted = free.moved(values, step_back);
+    Eigen::VectorXd next = wanted;
+    clamp_to_limits(system.tree(), next);
+    bool stopped = false;
+    for (Eigen::Index k = 0; k < next.size(); ++k) {
+      if (next[k] == wanted[k] || held[static_cast<std::size_t>(k)]) continue;
+      held[static_cast<std::size_t>(k)] = stopped = true;
+    }
+    const double next_error = largest(system.residual(next));
+    if (!stopped && !(next_error < error)) break;
+    values = next;
+    error = next_error;
+  }
+  return values;
+}
+
+Eigen::VectorXd random_start(const ClosureSystem& system, std::mt19937& random) {
+  const Tree& tree = system.tree();
+  Eigen::VectorXd values = Eigen::VectorXd::Zero(tree.variables());
+  for (std::size_t k = 0; k < tree.movable.size(); ++k) {
+    if (!system.in_loop()[k]) continue;
+    const TreeJoint& joint = tree.joint_of(k);
+    const double range = joint.motion == JointMotion::turning ? EIGEN_PI : system.size();
+    std::uniform_real_distribution<double> value(std::max(joint.limits.lower, -range),
+                                                 std::min(joint.limits.upper, range));
+    if (value.a() < value.b()) values[static_cast<Eigen::Index>(k)] = value(random);
+  }
+  clamp_to_limits(tree, values);
+  return values;
+}
+
+struct Candidate {
+  Assembly assembly;
+  double conditioning = 0.0;  // 0 at a singularity
+  std::size_t at_limits = 0;  // passive joints that stand on a limit, where legs may be stretched by chance
+
+  double worth() const { return at_limits == 0 ? conditioning : 0.01 * conditioning; }
+
+  bool drives_move() const { return conditioning > rank_tolerance; }
+};
+
+// Columns of the joints inside the loops, with lengths counted in sizes of the robot.
+Eigen::MatrixXd loop_scaling(const ClosureSystem& system) {
+  const auto& in_loop = system.in_loop();
+  Eigen::MatrixXd scaling =
+      Eigen::MatrixXd::Zero(system.tree().variables(), std::count(in_loop.begin(), in_loop.end(), true));
+  Eigen::Index column = 0;
+  for (std::size_t k = 0; k < in_loop.size(); ++k) {
+    if (!in_loop[k]) continue;
+    const bool sliding = system.tree().joint_of(k).motion == JointMotion::sliding;
+    scaling(static_cast<Eigen::Index>(k), column++) = sliding ? system.size() : 1.0;
+  }
+  return scaling;
+}
+
+// How independent the rows are: 0 when there are more of them than columns.
+double smallest_singular_value(const Eigen::MatrixXd& rows) {
+  if (rows.rows() == 0 || rows.rows() > rows.cols()) return 0.0;
+  return singular_values(rows).minCoeff();
+}
+
+std::size_t passive_joints_at_limits(const ClosureSystem& system, const Eigen::VectorXd& values,
+                                     const std::vector<std::size_t>& drives) {
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < system.in_loop().size(); ++k) {
+    const JointLimits& limits = system.tree().joint_of(k).limits;
+    const double value = values[static_cast<Eigen::Index>(k)];
+    const bool driven = std::find(drives.begin(), drives.end(), k) != drives.end();
+    if (system.in_loop()[k] && !driven && limits.lower < limits.upper)
+      count += std::min(value - limits.lower, limits.upper - value) < closing_tolerance;
+  }
+  return count;
+}
+
+Candidate judged(const ClosureSystem& system, const Eigen::VectorXd& values,
+                 const std::vector<std::size_t>& drives) {
+  const Eigen::MatrixXd scaling = loop_scaling(system);
+  const Eigen::MatrixXd jacobian = system.jacobian(values) * scaling;
+  const auto svd = singular_value_decomposition(jacobian);
+  const Eigen::Index rank = svd.rank_above(rank_tolerance * svd.values[0]);
+  Candidate candidate;
+  candidate.assembly = {values, scaling * svd.null_space(rank),
+                        largest(system.residual(values)) / system.size()};
+  const double held = rank > 0 ? svd.values[rank - 1] / svd.values[0] : 0.0;
+  Eigen::MatrixXd driven(static_cast<Eigen::Index>(drives.size()), candidate.assembly.motions.cols());
+  for (std::size_t k = 0; k < drives.size(); ++k) {
+    const bool sliding = system.tree().joint_of(drives[k]).motion == JointMotion::sliding;
+    driven.row(static_cast<Eigen::Index>(k)) =
+        candidate.assembly.motions.row(static_cast<Eigen::Index>(drives[k])) /
+        (sliding ? system.size() : 1.0);
+  }
+  candidate.conditioning = std::min(held, smallest_singular_value(driven));
+  candidate.at_limits = passive_joints_at_limits(system, values, drives);
+  return candidate;
+}
+
+// Drives that move independently come first: a mechanism may have other branches, as a parallelogram that is
+// crossed. Then least mobility; then the earliest, which is nearest to
+// zero, unless a later one is much better conditioned.
+bool is_better(const Candidate& one, const Candidate& other) {
+  if (one.drives_move() != other.drives_move()) return one.drives_move();
+  const Eigen::Index mobility = one.assembly.motions.cols(), other_mobility = other.assembly.motions.cols();
+  if (mobility != other_mobility) return mobility < other_mobility;
+  return one.worth() > 5.0 * other.worth();
+}
+
+// Of all motions together; a step that closes its loops again and is far enough to tell.
+bool moves_in_a_step(const ClosureSystem& system, const Assembly& assembly, std::size_t joint,
+                     const std::vector<Eigen::VectorXd>& steps) {
+  const auto row = static_cast<Eigen::Index>(joint);
+  const bool sliding = system.tree().joint_of(joint).motion == JointMotion::sliding;
+  const double unit = sliding ? system.size() : 1.0;
+  return std::any_of(steps.begin(), steps.end(), [&](const Eigen::VectorXd& values) {
+    return std::abs(values[row] - assembly.values[row]) > stillness * unit;
+  });
+}
+
+std::vector<Eigen::VectorXd> steps_along_motions(const ClosureSystem& system, const Assembly& assembly) {
+  const std::vector<bool> none_held(system.in_loop().size(), false);
+  std::vector<Eigen::VectorXd> steps;
+  for (Eigen::Index k = 0; k < assembly.motions.cols(); ++k) {
+    const Eigen::VectorXd values =
+        close_loops(system, assembly.values + step_length * assembly.motions.col(k), none_held);
+    if (largest(system.residual(values)) < closing_tolerance * system.size()) steps.push_back(values);
+  }
+  return steps;
+}
+
+const Candidate& best(const std::vector<Candidate>& candidates) {
+  const Candidate* chosen = &candidates.front();
+  for (const Candidate& candidate : candidates)
+    if (is_better(candidate, *chosen)) chosen = &candidate;
+  return *chosen;
+}
+
+}  // namespace
+
+Eigen::VectorXd close_loops(const ClosureSystem& system, Eigen::VectorXd values,
+                            const std::vector<bool>& held) {
+  const FreeJoints free(system, held);
+  if (free.none()) return values;
+  double damping = 1e-2;
+  clamp_to_limits(system.tree(), values);
+  Eigen::VectorXd residual = system.residual(values);
+  for (int step = 0; step < iterations && largest(residual) > 1e-9 * system.size(); ++step) {
+    const Eigen::MatrixXd jacobian = free.jacobian(values);
+    Eigen::MatrixXd normal = jacobian.transpose() * jacobian;
+    normal.diagonal().array() += damping * std::max(normal.diagonal().maxCoeff(), 1e-12);
+    Eigen::VectorXd next =
+        free.moved(values, positive_definite_solution(normal, jacobian.transpose() * residual));
+    clamp_to_limits(system.tree(), next);
+    const Eigen::VectorXd next_residual = system.residual(next);
+    const bool better = next_residual.squaredNorm() < residual.squaredNorm();
+    damping = better ? std::max(0.2 * damping, 1e-12) : 5.0 * damping;
+    if (damping > 1e8) break;
+    if (!better) continue;
+    values = next;
+    residual = next_residual;
+  }
+  return polished(system, values, held);
+}
+
+AssemblyResult assemble(const ClosureSystem& system, const std::vector<std::size_t>& drives) {
+  AssemblyResult result;
+  std::mt19937 random(seed);
+  const std::vector<bool> none_held(static_cast<std::size_t>(system.tree().variables()), false);
+  std::vector<Candidate> candidates;
+  int moving = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (int trial = 0; trial <= random_starts && moving < wanted_assemblies; ++trial) {
+    const Eigen::VectorXd start =
+        trial == 0 ? Eigen::VectorXd::Zero(system.tree().variables()) : random_start(system, random);
+    const Eigen::VectorXd values = close_loops(system, start, none_held);
+    const double error = largest(system.residual(values));
+    if (error < least) result.closest = values;
+    least = std::min(least, error);
+    if (!(error < closing_tolerance * system.size())) continue;
+    candidates.push_back(judged(system, values, drives));
+    if (candidates.back().drives_move()) ++moving;
+  }
+  if (!candidates.empty()) result.assembly = best(candidates).assembly;
+  return result;
+}
+
+std::vector<bool> still_joints(const ClosureSystem& system, const Assembly& assembly) {
+  std::vector<bool> still = system.in_loop();
+  const std::vector<Eigen::VectorXd> steps = steps_along_motions(system, assembly);
+  if (steps.empty()) return std::vector<bool>(still.size(), false);
+  for (std::size_t joint = 0; joint < still.size(); ++joint)
+    still[joint] = still[joint] && !moves_in_a_step(system, assembly, joint, steps);
+  return still;
+}
+
+}  // namespace parallel_aspects

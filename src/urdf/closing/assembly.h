@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_URDF_CLOSING_ASSEMBLY_H
+#define PARALLEL_ASPECTS_URDF_CLOSING_ASSEMBLY_H
+
+#include "urdf/description/closure.h"
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// Singular values of the closure Jacobian below this part of the largest one count as zero. Wide enough for
+/// angles rounded to four digits, as in rpy="1.57075 0 0".
+inline constexpr double rank_tolerance = 5e-4;
+
+/// A mechanism closes when its residual is below this part of its size; the same rounding asks for it.
+inline constexpr double closing_tolerance = 5e-4;
+
+/// A configuration that closes every loop, away from singularities where one was found.
+struct Assembly {
+  Eigen::VectorXd values;  ///< of all joints; those outside the loops are zero [rad or m]
+  /// Basis of the joint velocities that keep the loops closed, a column each; orthonormal once lengths are
+  /// divided by the size of the robot [rad or m].
+  Eigen::MatrixXd motions;
+  double residual = 0.0;  ///< largest entry over the size of the robot, dimensionless
+};
+
+struct AssemblyResult {
+  std::optional<Assembly> assembly;
+  Eigen::VectorXd closest;  ///< where the loops come closest to closing, if they do not
+};
+
+/// Levenberg-Marquardt from the zero configuration and from seeded random ones, inside the joint limits. Of
+/// the assembled configurations it takes one where the joint values `drives` move independently, the mobility
+/// is least and the conditioning good: the others are singular, or in a branch that is not meant, as a
+/// crossed parallelogram.
+AssemblyResult assemble(const ClosureSystem& system, const std::vector<std::size_t>& drives);
+
+/// The configuration nearest to `start` that closes the loops, with the joints marked in `held` kept where
+/// they are. What it returns need not close them.
+Eigen::VectorXd close_loops(const ClosureSystem& system, Eigen::VectorXd start,
+                            const std::vector<bool>& held);
+
+/// The joints inside the loops that these hold still, for each joint value: as those that only take up
+/// misalignment in a planar robot. Found from where the mechanism is after a step of each of its motions.
+std::vector<bool> still_joints(const ClosureSystem& system, const Assembly& assembly);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_URDF_CLOSING_ASSEMBLY_H

@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "urdf/closing/chain.h"
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+#include <utility>
+
+namespace parallel_aspects {
+namespace {
+
+constexpr std::size_t most_chains = 16;    // of one leg; a Delta leg has two
+constexpr std::size_t most_steps = 20000;  // on the way along them
+
+// Sets of numbers that are joined pair by pair.
+class Partition {
+ public:
+  explicit Partition(std::size_t count) : parent_(count) {
+    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+  }
+  std::size_t find(std::size_t item) const {
+    while (parent_[item] != item) item = parent_[item];
+    return item;
+  }
+  void join(std::size_t one, std::size_t other) { parent_[find(one)] = find(other); }
+
+ private:
+  std::vector<std::size_t> parent_;
+};
+
+// A movable joint or closure between two rigid bodies.
+struct Edge {
+  std::size_t from = 0, to = 0;  // bodies; for a joint from parent to child
+  Chain pivots;                  // one, or two for a universal closure
+};
+
+class LegFinder {
+ public:
+  LegFinder(const AssembledMechanism& mechanism, const Drives& drives, const SourceNames& files,
+            Problems& problems)
+      : system_(mechanism.system),
+        still_(mechanism.still),
+        drives_(drives),
+        files_(files),
+        problems_(problems),
+        bodies_(system_.tree().links.size()),
+        parts_(system_.tree().links.size()) {
+    const Poses poses = link_poses(system_.tree(), system_.base(), mechanism.values);
+    join_rigid_links();
+    base_ = bodies_.find(system_.base());
+    platform_ = bodies_.find(drives.platform_link);
+    operational_point_ = poses[drives.platform_link].translation();
+    collect_joints(poses);
+    collect_closures(poses);
+    for (const Edge& edge : edges_)
+      if (!ends_of_legs(edge.from) && !ends_of_legs(edge.to)) parts_.join(edge.from, edge.to);
+  }
+
+  std::vector<LegChains> find() {
+    if (base_ == platform_) {
+      problem("lets operational_point '" + system_.tree().links[drives_.platform_link] +
+              "' be fixed to the base link; name a link of the moving platform.");
+      return {};
+    }
+    std::vector<LegChains> legs;
+    for (const std::vector<std::size_t>& part : parts()) add_leg(part, legs);
+    if (!legs.empty()) legs.front().guide = guide_;
+    check_drives_used(legs);
+    if (problems_.empty()) check_lengths(legs);
+    std::sort(legs.begin(), legs.end(), [](const auto& a, const auto& b) { return a.drive < b.drive; });
+    return legs;
+  }
+
+ private:
+  void problem(const std::string& text) { problems_.push_back(files_.config + " " + text); }
+  bool ends_of_legs(std::size_t body) const { return body == base_ || body == platform_; }
+
+  bool is_rigid(const TreeJoint& joint) const { return !joint.variable || still_[*joint.variable]; }
+
+  void join_rigid_links() {
+    for (const TreeJoint& joint : system_.tree().joints)
+      if (is_rigid(joint)) bodies_.join(joint.parent, joint.child);
+    for (const Closure& closure : system_.closures())
+      if (closure.type == ClosureType::fixed) bodies_.join(closure.frames[0].link, closure.frames[1].link);
+  }
+
+  void collect_joints(const Poses& poses) {
+    for (const TreeJoint& joint : system_.tree().joints) {
+      if (is_rigid(joint)) continue;
+      const Eigen::Isometry3d& pose = poses[joint.child];
+      const PivotKind kind = joint.motion == JointMotion::sliding ? PivotKind::sliding : PivotKind::turning;
+      edges_.push_back(
+          {bodies_.find(joint.parent),
+           bodies_.find(joint.child),
+           {{kind, joint.name, pose.translation(), pose.linear() * joint.axis, joint.variable, 1.0}}});
+    }
+  }
+
+  void collect_closures(const Poses& poses) {
+    for (const Closure& closure : system_.closures()) {
+      if (closure.type == ClosureType::fixed) continue;
+      const auto placed = [&](const LinkFrame& frame) { return poses[frame.link] * frame.in_link; };
+      const Eigen::Isometry3d one = placed(closure.frames[0]), other = placed(closure.frames[1]);
+      const PivotKind kind = closure.type == ClosureType::point ? PivotKind::ball : PivotKind::turning;
+      Chain pivots{{kind, closure.name, one.translation(), one.linear().col(2), std::nullopt, 1.0}};
+      if (closure.type == ClosureType::universal)
+        pivots.push_back({kind, closure.name, one.translation(), other.linear().col(0), std::nullopt, 1.0});
+      edges_.push_back(
+          {bodies_.find(closure.frames[0].link), bodies_.find(closure.frames[1].link), std::move(pivots)});
+    }
+  }
+
+  // Edges by connected part of the mechanism without base and platform; an edge from base to platform is a
+  // part itself.
+  std::vector<std::vector<std::size_t>> parts() const {
+    std::vector<std::vector<std::size_t>> result;
+    std::vector<std::size_t> keys;
+    for (std::size_t k = 0; k < edges_.size(); ++k) {
+      const std::size_t inner = ends_of_legs(edges_[k].from) ? edges_[k].to : edges_[k].from;
+      const std::size_t key = ends_of_legs(inner) ? bodies_count() + k : parts_.find(inner);
+      const auto known = std::find(keys.begin(), keys.end(), key);
+      if (known == keys.end()) {
+        keys.push_back(key);
+        result.push_back({k});
+      } else {
+        result[static_cast<std::size_t>(known - keys.begin())].push_back(k);
+      }
+    }
+    return result;
+  }
+
+  std::size_t bodies_count() const { return system_.tree().links.size(); }
+
+  bool touches(const std::vector<std::size_t>& part, std::size_t body) const {
+    return std::any_of(part.begin(), part.end(),
+                       [&](std::size_t k) { return edges_[k].from == body || edges_[k].to == body; });
+  }
+
+  std::string joints_of(const std::vector<std::size_t>& part) const {
+    std::string text;
+    for (const std::size_t k : part)
+      if (edges_[k].pivots.front().variable)
+        text += (text.empty() ? "'" : ", '") + edges_[k].pivots.front().name + "'";
+    return text;
+  }
+
+  std::vector<std::size_t> drives_of(const std::vector<std::size_t>& part) const {
+    std::vector<std::size_t> found;
+    for (std::size_t j = 0; j < drives_.variables.size(); ++j)
+      for (const std::size_t k : part)
+        if (edges_[k].pivots.front().variable == drives_.variables[j]) found.push_back(j);
+    return found;
+  }
+
+  // The slide that leaves a platform one freedom.
+  bool is_guide(const std::vector<std::size_t>& part) const {
+    if (drives_.variables.size() != 1 || part.size() != 1) return false;
+    const Pivot& pivot = edges_[part.front()].pivots.front();
+    return pivot.kind == PivotKind::sliding && pivot.variable != drives_.variables.front();
+  }
+
+  void add_leg(const std::vector<std::size_t>& part, std::vector<LegChains>& legs) {
+    if (!touches(part, base_) || !touches(part, platform_)) return;  // outside the loops
+    if (is_guide(part)) {
+      Chain guide;
+      append(edges_[part.front()], edges_[part.front()].from == base_, guide);
+      guide_ = guide.front();
+      return;
+    }
+    const std::vector<std::size_t> found = drives_of(part);
+    if (found.empty()) {
+      problem("drives none of the joints " + joints_of(part) +
+              ", which make one leg; add one of them to actuated_joints, or take the leg out of the URDF.");
+      return;
+    }
+    if (found.size() > 1) {
+      problem("drives " + std::to_string(found.size()) + " of the joints " + joints_of(part) +
+              ", which share links between the base and the link of operational_point '" +
+              system_.tree().links[drives_.platform_link] +
+              "'; a fully parallel robot has one drive a leg, and its operational point on the body that all "
+              "legs share.");
+      return;
+    }
+    LegChains leg{found.front(), {}, std::nullopt};
+    Chain chain;
+    std::set<std::size_t> visited{base_};
+    steps_ = 0;
+    walk(part, base_, visited, chain, leg.chains);
+    if (leg.chains.size() < most_chains && steps_ < most_steps) {
+      legs.push_back(leg);
+      return;
+    }
+    problem("makes one leg of the joints " + joints_of(part) +
+            ", which form too many loops to be followed; simplify the leg in " + files_.urdf + ".");
+  }
+
+  static void append(const Edge& edge, bool forward, Chain& chain) {
+    const auto start = chain.insert(chain.end(), edge.pivots.begin(), edge.pivots.end());
+    if (!forward) std::reverse(start, chain.end());
+    for (auto pivot = start; pivot != chain.end(); ++pivot) pivot->sense = forward ? 1.0 : -1.0;
+  }
+
+  void walk(const std::vector<std::size_t>& part, std::size_t body, std::set<std::size_t>& visited,
+            Chain& chain, std::vector<Chain>& chains) {
+    if (body == platform_) chains.push_back(chain);
+    if (body == platform_ || chains.size() >= most_chains || ++steps_ >= most_steps) return;
+    for (const std::size_t k : part) {
+      const Edge& edge = edges_[k];
+      if (edge.from != body && edge.to != body) continue;
+      const bool forward = edge.from == body;
+      const std::size_t next = forward ? edge.to : edge.from;
+      if (!visited.insert(next).second) continue;
+      append(edge, forward, chain);
+      walk(part, next, visited, chain, chains);
+      chain.resize(chain.size() - edge.pivots.size());
+      visited.erase(next);
+    }
+  }
+
+  void check_drives_used(const std::vector<LegChains>& legs) {
+    if (!problems_.empty()) return;
+    for (std::size_t j = 0; j < drives_.variables.size(); ++j)
+      if (std::none_of(legs.begin(), legs.end(), [j](const LegChains& leg) { return leg.drive == j; }))
+        problem("drives joint '" + system_.tree().joint_of(drives_.variables[j]).name +
+                "', which is in no chain between the base and the platform; take it out of actuated_joints, "
+                "or add the "
+                "closure of its leg.");
+  }
+
+  // In a planar mechanism neighbouring pivots of a leg must not share an axis. (In space they may meet in a
+  // point.)
+  void check_lengths(const std::vector<LegChains>& legs) {
+    if (!planar()) return;
+    for (const LegChains& leg : legs) {
+      const Chain& chain = leg.chains.front();
+      for (std::size_t k = 1; k < chain.size(); ++k) check_length(chain[k - 1], chain[k]);
+      // Two drives move a point, and the last link of a leg ends there.
+      if (legs.size() == 2 && chain.size() <= 2) check_last_length(chain.back());
+    }
+  }
+
+  bool planar() const {
+    std::optional<Eigen::Vector3d> normal;
+    for (const Edge& edge : edges_)
+      for (const Pivot& pivot : edge.pivots) {
+        if (pivot.kind != PivotKind::turning) continue;
+        if (!normal) normal = pivot.axis;
+        if (pivot.axis.cross(*normal).norm() > rank_tolerance) return false;
+      }
+    return true;
+  }
+
+  bool on_axis(const Pivot& pivot, const Eigen::Vector3d& point) const {
+    return (point - pivot.point).cross(pivot.axis).norm() < rank_tolerance * system_.size();
+  }
+
+  void check_last_length(const Pivot& pivot) {
+    if (pivot.kind != PivotKind::turning || !on_axis(pivot, operational_point_)) return;
+    problem("has operational_point '" + system_.tree().links[drives_.platform_link] +
+            "' on the axis of joint '" + pivot.name +
+            "', so that the last link of the leg has length zero; move it, or lengthen the link in " +
+            files_.urdf + ".");
+  }
+
+  void check_length(const Pivot& one, const Pivot& other) {
+    if (one.kind != PivotKind::turning || other.kind == PivotKind::sliding || !on_axis(one, other.point))
+      return;
+    problems_.push_back(
+        files_.urdf + " puts '" + one.name + "' and '" + other.name +
+        "' on one axis, so that the link between them has length zero; give it a positive length.");
+  }
+
+  const ClosureSystem& system_;
+  const std::vector<bool>& still_;
+  const Drives& drives_;
+  const SourceNames& files_;
+  Problems& problems_;
+  Partition bodies_;  // links that are fixed to one another
+  Partition parts_;   // bodies that hang together without base and platform
+  std::vector<Edge> edges_;
+  std::optional<Pivot> guide_;
+  std::size_t base_ = 0, platform_ = 0;
+  std::size_t steps_ = 0;              // of the walk through the present leg
+  Eigen::Vector3d operational_point_;  // assembled, in the base frame [m]
+};
+
+}  // namespace
+
+std::string names_of(const Chain& chain) {
+  std::string text;
+  for (const Pivot& pivot : chain) text += (text.empty() ? "'" : ", '") + pivot.name + "'";
+  return text;
+}
+
+std::vector<LegChains> find_legs(const AssembledMechanism& mechanism, const Drives& drives,
+                                 const SourceNames& files, Problems& problems) {
+  return LegFinder(mechanism, drives, files, problems).find();
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_URDF_CLOSING_CHAIN_H
+#define PARALLEL_ASPECTS_URDF_CLOSING_CHAIN_H
+
+#include "parallel_aspects/model/problems.h"
+#include "urdf/closing/assembly.h"
+#include "urdf/description/closure.h"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects {
+
+enum class PivotKind { turning, sliding, ball };
+
+/// A joint or a closure, met on the way from the base to the platform of an assembled mechanism.
+struct Pivot {
+  PivotKind kind = PivotKind::turning;
+  std::string name;                                 ///< of the joint or the closure
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< on the axis, or the centre; in the base frame [m]
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< unit vector in the base frame; unused by a ball
+  std::optional<std::size_t> variable;              ///< joint value, none for a closure
+  double sense = 1.0;  ///< the platform side moves along or about `sense * axis` as the joint value grows
+};
+
+/// From the base to the platform.
+using Chain = std::vector<Pivot>;
+
+/// The part of a mechanism between base and platform that one drive moves; several chains where rods run in
+/// parallel.
+struct LegChains {
+  std::size_t drive = 0;  ///< index into the list of driven joints
+  std::vector<Chain> chains;
+  std::optional<Pivot> guide;  ///< slide from the base to the platform that leaves it one freedom
+};
+
+/// What the mechanism is for the search of its legs.
+struct Drives {
+  std::size_t platform_link = 0;
+  std::vector<std::size_t> variables;  ///< driven joint values, in the order of the legs
+};
+
+/// An assembled mechanism, as the search of its legs needs it.
+struct AssembledMechanism {
+  const ClosureSystem& system;
+  Eigen::VectorXd values;   ///< of all joints [rad or m]
+  std::vector<bool> still;  ///< joints that cannot move and are taken as fixed, for each joint value
+};
+
+/// Names of files or parameters, for messages.
+struct SourceNames {
+  std::string urdf;
+  std::string config;
+};
+
+/// "'a', 'b'" for messages.
+std::string names_of(const Chain& chain);
+
+/// Legs in the order of the drives. What is wrong (a leg with no or two drives, legs that share a link, a
+/// link of a planar leg without length, a platform fixed to the base) is added to `problems`, each a sentence
+/// that names the file.
+std::vector<LegChains> find_legs(const AssembledMechanism& mechanism, const Drives& drives,
+                                 const SourceNames& files, Problems& problems);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_URDF_CLOSING_CHAIN_H

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "urdf/closing/resolved_config.h"
+
+#include "urdf/description/nearest_name.h"
+
+#include <algorithm>
+
+namespace parallel_aspects {
+namespace {
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "'" : ", '") + name + "'";
+  return text;
+}
+
+class Resolver {
+ public:
+  Resolver(const LoopSource& source, Problems& problems, std::vector<std::string>& notes)
+      : source_(source), tree_(source.tree), files_(source.files), problems_(problems), notes_(notes) {}
+
+  ResolvedConfig resolve(const MechanismConfig& config) {
+    if (!config.base_link.empty()) result_.base = link("mechanism.base_link", config.base_link);
+    if (!config.operational_point.empty())
+      result_.drives.platform_link = link("mechanism.operational_point", config.operational_point);
+    for (std::size_t k = 0; k < config.closures.size(); ++k) add_closure(k, config.closures[k]);
+    std::vector<std::string> drives = config.actuated_joints;
+    const bool loops_are_read = config.lists_closures || describe_loops();
+    if (!config.lists_actuated_joints && loops_are_read) describe_drives(drives);
+    for (const std::string& joint : drives) add_drive(joint);
+    return result_;
+  }
+
+ private:
+  void problem(const std::string& text) { problems_.push_back(files_.config + " " + text); }
+
+  std::size_t link(const std::string& key, const std::string& name) {
+    if (const auto found = tree_.link_named(name)) return *found;
+    problem("names link '" + name + "' in " + key + ", but " + files_.urdf +
+            " has no such link; did you mean '" + nearest_name(name, tree_.links) + "'?");
+    return 0;
+  }
+
+  void add_closure(std::size_t index, const ConfiguredClosure& configured) {
+    const std::string key = "mechanism.closures[" + std::to_string(index) + "].frames";
+    Closure closure;
+    closure.name = configured.frames[0] + " - " + configured.frames[1];
+    closure.type = configured.type;
+    for (std::size_t k = 0; k < 2; ++k) closure.frames[k].link = link(key, configured.frames[k]);
+    if (configured.frames[0] == configured.frames[1])
+      problem("closes link '" + configured.frames[0] + "' with itself in " + key +
+              "; name two different links.");
+    result_.closures.push_back(closure);
+  }
+
+  // Whether what is said of loops and drives could be read.
+  bool describe_loops() {
+    const std::size_t before = problems_.size();
+    const FoundLoops found = find_described_loops(source_, problems_);
+    if (problems_.size() > before) return false;
+    if (found.loops.closures.empty()) {
+      problem("has no mechanism.closures, and " + files_.urdf +
+              " is an open tree without them; list the frames that each loop holds together.");
+      return true;
+    }
+    result_.closures = found.loops.closures;
+    notes_.push_back("The closures are those that " + std::string(found.dialect) + " describes, " +
+                     std::to_string(result_.closures.size()) + " in all.");
+    described_drives_ = found.loops.driven_joints;
+    return true;
+  }
+
+  void describe_drives(std::vector<std::string>& drives) {
+    const bool from_loops = !described_drives_.empty();
+    drives = from_loops ? described_drives_ : transmission_joints(source_);
+    if (drives.empty()) {
+      problem("does not say mechanism.actuated_joints, and " + files_.urdf +
+              " has no transmissions; list the driven joints, one a leg.");
+      return;
+    }
+    const std::string origin = from_loops ? "name_mot selects" : "have a <transmission> in " + files_.urdf;
+    drives_named_in_ = from_loops ? files_.config + " names joint '" : files_.urdf + " drives joint '";
+    drives_named_by_ = from_loops ? "' in name_mot, but " : "' in a <transmission>, but ";
+    std::vector<std::string> once;
+    for (const std::string& joint : drives)
+      if (std::find(once.begin(), once.end(), joint) == once.end()) once.push_back(joint);
+    drives = once;
+    notes_.push_back("The driven joints are those that " + origin + ": " + listed(drives) + ".");
+    if (drives.size() > 3 && drives.size() != 6)
+      problem("does not say mechanism.actuated_joints, and " + std::to_string(drives.size()) + " joints " +
+              origin + ", " + listed(drives) +
+              "; a fully parallel robot has one, two, three or six drives, so list them.");
+  }
+
+  void add_drive(const std::string& name) {
+    const auto found = tree_.joint_named(name);
+    if (!found || !tree_.joints[*found].variable || tree_.joints[*found].mimics) {
+      problems_.push_back(drives_named_in_ + name + drives_named_by_ + files_.urdf +
+                          reason_not_to_drive(name, found));
+      return;
+    }
+    result_.drives.variables.push_back(*tree_.joints[*found].variable);
+  }
+
+  std::string reason_not_to_drive(const std::string& name, std::optional<std::size_t> found) const {
+    if (found && tree_.joints[*found].mimics)
+      return " lets that joint mimic another; drive the other one, or take out the <mimic>.";
+    if (found) return " fixes that joint; drive a movable one.";
+    std::vector<std::string> movable;
+    for (const std::size_t joint : tree_.movable) movable.push_back(tree_.joints[joint].name);
+    return " has no such joint; did you mean '" + nearest_name(name, movable) + "'?";
+  }
+
+  const LoopSource& source_;
+  const Tree& tree_;
+  const SourceNames& files_;
+  Problems& problems_;
+  std::vector<std::string>& notes_;
+  std::vector<std::string> described_drives_;                       // by the dialect of the closures
+  std::string drives_named_in_ = files_.config + " names joint '";  // for messages, around the name
+  std::string drives_named_by_ = "' in mechanism.actuated_joints, but ";
+  ResolvedConfig result_;
+};
+
+}  // namespace
+
+ResolvedConfig resolve_config(const MechanismConfig& config, const LoopSource& source, Problems& problems,
+                              std::vector<std::string>& notes) {
+  return Resolver(source, problems, notes).resolve(config);
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "urdf/config/constraints_config.h"
+
+#include "urdf/description/yaml_values.h"
+
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace parallel_aspects {
+namespace {
+
+const char* const link_help = "write names such as crank_1 or rod_2";
+
+/// "crank_2" as a link; the number of a leg has one digit, since no robot has more than six.
+std::optional<LinkName> link_named(const std::string& word) {
+  for (const LinkKind kind : {LinkKind::crank, LinkKind::rod})
+    for (std::size_t leg = 0; leg < 9; ++leg)
+      if (to_string(LinkName{kind, leg}) == word) return LinkName{kind, leg};
+  return std::nullopt;
+}
+
+class Reader {
+ public:
+  Reader(const std::string& file, Problems& problems) : yaml_(file, problems) {}
+
+  ConstraintsConfig read(const YAML::Node& node) {
+    ConstraintsConfig config;
+    if (!node.IsDefined() || node.IsNull()) return config;
+    if (!node.IsMap()) {
+      yaml_.problem(
+          "has a 'constraints' that is not a map of keys; write thickness, self_collision, obstacles or "
+          "workspace under it.");
+      return config;
+    }
+    yaml_.check_keys(
+        node, {"driven_limits", "passive_limits", "thickness", "self_collision", "obstacles", "workspace"},
+        "constraints");
+    yaml_.truth(node["driven_limits"], "constraints.driven_limits", config.driven_limits);
+    yaml_.truth(node["passive_limits"], "constraints.passive_limits", config.passive_limits);
+    read_thickness(node["thickness"], config.thickness);
+    read_self_collision(node["self_collision"], config);
+    read_obstacles(node["obstacles"], config);
+    read_workspace(node["workspace"], config);
+    return config;
+  }
+
+ private:
+  void read_thickness(const YAML::Node& node, LinkThickness& thickness) {
+    if (!yaml_.map(node, "constraints.thickness", "write {crank: 0.1, rod: 0.05}")) return;
+    yaml_.check_keys(node, {"crank", "rod", "platform"}, "constraints.thickness");
+    width(node["crank"], "constraints.thickness.crank", thickness.crank);
+    width(node["rod"], "constraints.thickness.rod", thickness.rod);
+    double platform = 0.0;
+    if (width(node["platform"], "constraints.thickness.platform", platform)) thickness.platform = platform;
+  }
+
+  bool width(const YAML::Node& node, const std::string& where, double& value) {
+    double read = 0.0;
+    if (!yaml_.number(node, where, read)) return false;
+    if (read >= 0.0) {
+      value = read;
+      return true;
+    }
+    yaml_.problem("has a negative " + where + "; give zero or a positive width in m.");
+    return false;
+  }
+
+  void read_self_collision(const YAML::Node& node, ConstraintsConfig& config) {
+    if (!node.IsDefined()) return;
+    if (node.IsScalar()) {
+      bool on = false;
+      yaml_.truth(node, "constraints.self_collision", on);
+      if (on) config.self_collision.emplace();
+      return;
+    }
+    if (!yaml_.map(node, "constraints.self_collision", "write true, or {ignore: [[crank_1, rod_2]]}")) return;
+    yaml_.check_keys(node, {"ignore"}, "constraints.self_collision");
+    config.self_collision.emplace();
+    const YAML::Node pairs = node["ignore"];
+    if (!pairs.IsDefined()) return;
+    if (!pairs.IsSequence())
+      return yaml_.problem(
+          "has a constraints.self_collision.ignore that is not a list of pairs; write [[crank_1, rod_2]].");
+    for (std::size_t k = 0; k < pairs.size(); ++k)
+      read_pair(pairs[k], "constraints.self_collision.ignore[" + std::to_string(k) + "]",
+                config.self_collision->ignored);
+  }
+
+  void read_pair(const YAML::Node& node, const std::string& where,
+                 std::vector<std::array<LinkName, 2>>& pairs) {
+    std::array<LinkName, 2> pair;
+    bool good = node.IsSequence() && node.size() == 2;
+    for (std::size_t k = 0; k < 2 && good; ++k) {
+      const auto link = node[k].IsScalar() ? link_named(node[k].Scalar()) : std::nullopt;
+      good = link.has_value();
+      if (good) pair[k] = *link;
+    }
+    if (good) return pairs.push_back(pair);
+    yaml_.problem("has a " + where + " that is not a pair of links; " + link_help + ".");
+  }
+
+  void read_obstacles(const YAML::Node& node, ConstraintsConfig& config) {
+    if (!node.IsDefined()) return;
+    if (!node.IsSequence())
+      return yaml_.problem(
+          "has a constraints.obstacles that is not a list; write one entry {center: [...], radius: r} or "
+          "{center: [...], size: [...]} for each.");
+    for (std::size_t k = 0; k < node.size(); ++k)
+      read_obstacle(node[k], "constraints.obstacles[" + std::to_string(k) + "]", config);
+  }
+
+  void read_obstacle(const YAML::Node& node, const std::string& where, ConstraintsConfig& config) {
+    if (!yaml_.map(node, where, "write {center: [...], radius: r} or {center: [...], size: [...]}")) return;
+    yaml_.check_keys(node, {"name", "center", "radius", "size", "rotation"}, where);
+    ConfiguredObstacle obstacle;
+    obstacle.key = obstacle.name = where;
+    yaml_.text(node["name"], where + ".name", obstacle.name);
+    yaml_.numbers(node["center"], where + ".center", obstacle.center);
+    yaml_.numbers(node["size"], where + ".size", obstacle.size);
+    yaml_.numbers(node["rotation"], where + ".rotation", obstacle.rotation);
+    double radius = 0.0;
+    if (yaml_.number(node["radius"], where + ".radius", radius)) obstacle.radius = radius;
+    if (node["radius"].IsDefined() == node["size"].IsDefined())
+      return yaml_.problem("has a " + where +
+                           " with both or neither of radius and size; give a ball one radius, or a box its "
+                           "size.");
+    if (!node["center"].IsDefined())
+      return yaml_.problem("does not say " + where + ".center; give the point in m.");
+    config.obstacles.push_back(obstacle);
+  }
+
+  void read_workspace(const YAML::Node& node, ConstraintsConfig& config) {
+    if (!node.IsDefined() || !yaml_.map(node, "constraints.workspace", "write lower and upper under it"))
+      return;
+    yaml_.check_keys(node, {"lower", "upper"}, "constraints.workspace");
+    config.workspace.emplace();
+    for (const auto& [key, values] : {std::make_pair("lower", &(*config.workspace)[0]),
+                                      std::make_pair("upper", &(*config.workspace)[1])}) {
+      const std::string where = std::string("constraints.workspace.") + key;
+      if (!node[key].IsDefined()) yaml_.problem("does not say " + where + "; give the corner in m.");
+      yaml_.numbers(node[key], where, *values);
+    }
+  }
+
+  YamlValues yaml_;
+};
+
+/// Points become vectors, with what the plane lacks zero.
+class Resolver {
+ public:
+  Resolver(TaskSpace space, const std::string& file, Problems& problems)
+      : planar_(is_planar(space)), directions_(directions(space)), file_(file), problems_(problems) {}
+
+  Obstacle obstacle(const ConfiguredObstacle& written) {
+    const Eigen::Vector3d center = point(written.center, dimension(), written.key + ".center");
+    if (written.radius) return {written.name, BallObstacle{center, *written.radius}};
+    Eigen::Vector3d half = 0.5 * point(written.size, dimension(), written.key + ".size");
+    return {written.name, BoxObstacle{center, orientation(written), half}};
+  }
+
+  WorkspaceBox workspace(const std::array<std::vector<double>, 2>& corners) {
+    return {point(corners[0], directions_, "constraints.workspace.lower"),
+            point(corners[1], directions_, "constraints.workspace.upper")};
+  }
+
+ private:
+  std::size_t dimension() const { return planar_ ? 2 : 3; }
+
+  Eigen::Vector3d point(const std::vector<double>& numbers, std::size_t count, const std::string& where) {
+    Eigen::Vector3d result = Eigen::Vector3d::Zero();
+    if (numbers.size() == count)
+      std::copy(numbers.begin(), numbers.end(), result.data());
+    else
+      problems_.push_back(file_ + " has " + std::to_string(numbers.size()) + " numbers in " + where +
+                          "; give " + std::to_string(count) + ", one a direction.");
+    return result;
+  }
+
+  Eigen::Quaterniond orientation(const ConfiguredObstacle& written) {
+    if (written.rotation.empty()) return Eigen::Quaterniond::Identity();
+    const Eigen::Vector3d angles = point(written.rotation, planar_ ? 1 : 3, written.key + ".rotation");
+    const auto about = [](double angle, const Eigen::Vector3d& axis) {
+      return Eigen::AngleAxisd(angle, axis);
+    };
+    if (planar_) return Eigen::Quaterniond(about(angles[0], Eigen::Vector3d::UnitZ()));
+    return about(angles[2], Eigen::Vector3d::UnitZ()) * about(angles[1], Eigen::Vector3d::UnitY()) *
+           Eigen::Quaterniond(about(angles[0], Eigen::Vector3d::UnitX()));
+  }
+
+  bool planar_;
+  std::size_t directions_;
+  const std::string& file_;
+  Problems& problems_;
+};
+
+}  // namespace
+
+ConstraintsConfig read_constraints_config(const YAML::Node& node, const std::string& file,
+                                          Problems& problems) {
+  return Reader(file, problems).read(node);
+}
+
+Constraints resolve_constraints(const ConstraintsConfig& config, TaskSpace space, std::size_t legs,
+                                const std::string& file, Problems& problems) {
+  const std::size_t before = problems.size();
+  Resolver resolver(space, file, problems);
+  Constraints constraints;
+  constraints.thickness = config.thickness;
+  constraints.self_collision = config.self_collision;
+  for (const ConfiguredObstacle& obstacle : config.obstacles)
+    constraints.obstacles.push_back(resolver.obstacle(obstacle));
+  if (config.workspace) constraints.workspace = resolver.workspace(*config.workspace);
+  if (config.self_collision)
+    for (const auto& pair : config.self_collision->ignored)
+      for (const LinkName& link : pair)
+        if (link.leg >= legs)
+          problems.push_back(file + " leaves link '" + to_string(link) +
+                             "' out of constraints.self_collision, but the robot has " +
+                             std::to_string(legs) + " legs; " + link_help + ".");
+  return problems.size() == before ? constraints : Constraints{};
+}
+
+}  // namespace parallel_aspects

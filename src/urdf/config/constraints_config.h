@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_URDF_CONFIG_CONSTRAINTS_CONFIG_H
+#define PARALLEL_ASPECTS_URDF_CONFIG_CONSTRAINTS_CONFIG_H
+
+#include "parallel_aspects/model/constraints.h"
+#include "parallel_aspects/model/problems.h"
+#include "parallel_aspects/model/task_space.h"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace YAML {
+class Node;
+}
+
+namespace parallel_aspects {
+
+/// An obstacle as it is written: a ball with a radius, or a box with a size. How many numbers a point needs
+/// shows when the task space is known.
+struct ConfiguredObstacle {
+  std::string key;  ///< where it stands in the file
+  std::string name;
+  std::vector<double> center;    ///< [m]
+  std::optional<double> radius;  ///< [m]
+  std::vector<double> size;      ///< [m]; empty for a ball
+  std::vector<double> rotation;  ///< [rad]: about z in the plane, roll, pitch and yaw in space; may be empty
+};
+
+/// The `constraints:` part of a robot's YAML file.
+struct ConstraintsConfig {
+  bool driven_limits = true;
+  bool passive_limits = true;
+  LinkThickness thickness;
+  std::optional<SelfCollision> self_collision;
+  std::vector<ConfiguredObstacle> obstacles;
+  std::optional<std::array<std::vector<double>, 2>> workspace;  ///< lower, upper [m]
+};
+
+/// Reads it; `node` may be undefined. What is wrong is added to `problems`, each a sentence that names `file`
+/// and the key.
+ConstraintsConfig read_constraints_config(const YAML::Node& node, const std::string& file,
+                                          Problems& problems);
+
+/// The constraints of a robot with this task space and so many legs, without its joint limits. Points with
+/// too few or too many numbers, and links of legs that are not there, are added to `problems`.
+Constraints resolve_constraints(const ConstraintsConfig& config, TaskSpace space, std::size_t legs,
+                                const std::string& file, Problems& problems);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_URDF_CONFIG_CONSTRAINTS_CONFIG_H

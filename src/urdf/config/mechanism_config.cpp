@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "urdf/config/mechanism_config.h"
+
+#include "urdf/description/yaml_values.h"
+
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+
+namespace parallel_aspects {
+namespace {
+
+const std::vector<std::string>& mechanism_keys() {
+  static const std::vector<std::string> keys{
+      "name", "base_link", "operational_point", "actuated_joints", "task_space", "closures"};
+  return keys;
+}
+
+// What a robot's file may say; all but the first two is for the node.
+const std::vector<std::string>& top_keys() {
+  static const std::vector<std::string> keys{"mechanism",
+                                             "constraints",
+                                             "map",
+                                             "start",
+                                             "tracking",
+                                             "passive",
+                                             "distance",
+                                             "thresholds",
+                                             "state",
+                                             "completed",
+                                             "joint_states_timeout",
+                                             "tf_timeout",
+                                             "frame_prefix",
+                                             "display",
+                                             "diagnostic_period"};
+  return keys;
+}
+
+class Reader {
+ public:
+  Reader(const std::string& file, Problems& problems)
+      : file_(file), problems_(problems), yaml_(file, problems) {}
+
+  MechanismConfig read(const YAML::Node& root) {
+    MechanismConfig config;
+    // What is there but unusable is one problem, not two.
+    config.lists_actuated_joints = config.lists_closures = true;
+    check_top(root);
+    const YAML::Node mechanism = root.IsMap() ? root["mechanism"] : YAML::Node();
+    if (!root.IsMap() || !mechanism.IsDefined()) {
+      problem(
+          "has no key 'mechanism'; add it, with base_link, operational_point, actuated_joints and closures.");
+      return config;
+    }
+    if (!mechanism.IsMap()) {
+      problem(
+          "has a 'mechanism' that is not a map of keys; write operational_point, actuated_joints and "
+          "closures "
+          "under it.");
+      return config;
+    }
+    yaml_.check_keys(mechanism, mechanism_keys(), "mechanism");
+    text(mechanism["name"], "mechanism.name", config.name);
+    text(mechanism["base_link"], "mechanism.base_link", config.base_link);
+    read_operational_point(mechanism, config);
+    read_actuated_joints(mechanism["actuated_joints"], config);
+    read_task_space(mechanism["task_space"], config);
+    read_closures(mechanism["closures"], config);
+    config.constraints = read_constraints_config(root["constraints"], file_, problems_);
+    return config;
+  }
+
+ private:
+  void problem(const std::string& sentence) const { yaml_.problem(sentence); }
+
+  bool text(const YAML::Node& node, const std::string& where, std::string& value) const {
+    return yaml_.text(node, where, value);
+  }
+
+  // What a file of the gepetto toolbox has besides is not known here.
+  void check_top(const YAML::Node& root) const {
+    if (root.IsMap() && root["mechanism"].IsDefined() && !root["closed_loop"].IsDefined())
+      yaml_.check_keys(root, top_keys(), "the top of the file");
+  }
+
+  void read_operational_point(const YAML::Node& mechanism, MechanismConfig& config) {
+    const YAML::Node node = mechanism["operational_point"];
+    if (!node.IsDefined())
+      problem(
+          "does not say mechanism.operational_point; name the link whose origin is the operational point of "
+          "the "
+          "platform.");
+    text(node, "mechanism.operational_point", config.operational_point);
+  }
+
+  void read_actuated_joints(const YAML::Node& node, MechanismConfig& config) {
+    config.lists_actuated_joints = node.IsDefined();
+    if (!node.IsDefined()) return;
+    if (!node.IsSequence() || node.size() == 0) {
+      problem(
+          "has a mechanism.actuated_joints that is not a list of names; list the driven joints, one a leg.");
+      return;
+    }
+    if (node.size() > 3 && node.size() != 6)
+      problem(
+          "lists " + std::to_string(node.size()) +
+          " joints in mechanism.actuated_joints; a fully parallel robot in T1 has one drive, in T2 two, in "
+          "SE2, T3 or SO3 three, in SE3 six.");
+    for (std::size_t k = 0; k < node.size(); ++k) {
+      std::string joint;
+      if (!text(node[k], "mechanism.actuated_joints[" + std::to_string(k) + "]", joint)) continue;
+      if (std::find(config.actuated_joints.begin(), config.actuated_joints.end(), joint) !=
+          config.actuated_joints.end())
+        problem("lists joint '" + joint +
+                "' twice in mechanism.actuated_joints; name each driven joint once.");
+      config.actuated_joints.push_back(joint);
+    }
+  }
+
+  void read_task_space(const YAML::Node& node, MechanismConfig& config) {
+    std::string word;
+    if (!text(node, "mechanism.task_space", word)) return;
+    config.task_space = task_space_named(word);
+    if (!config.task_space)
+      problem("has the unknown mechanism.task_space '" + word +
+              "'; write T1, T2, SE2, T3, SO3 or SE3, or leave it out.");
+  }
+
+  void read_closures(const YAML::Node& node, MechanismConfig& config) {
+    config.lists_closures = node.IsDefined() && !(node.IsSequence() && node.size() == 0);
+    if (!node.IsDefined()) return;
+    if (!node.IsSequence()) {
+      problem(
+          "has a mechanism.closures that is not a list; write one entry {frames: [link, link], type: point} "
+          "for each "
+          "loop.");
+      return;
+    }
+    for (std::size_t k = 0; k < node.size(); ++k)
+      read_closure(node[k], "mechanism.closures[" + std::to_string(k) + "]", config);
+  }
+
+  void read_closure(const YAML::Node& node, const std::string& where, MechanismConfig& config) {
+    if (!node.IsMap()) {
+      problem("has a " + where + " that is not a map; write {frames: [link, link], type: point}.");
+      return;
+    }
+    yaml_.check_keys(node, {"frames", "type"}, where);
+    ConfiguredClosure closure;
+    const YAML::Node frames = node["frames"];
+    if (!frames.IsDefined() || !frames.IsSequence() || frames.size() != 2) {
+      problem("has a " + where +
+              ".frames that is not a list of two links; name the two links whose origins meet.");
+      return;
+    }
+    bool good = true;
+    for (std::size_t k = 0; k < 2; ++k)
+      good = text(frames[k], where + ".frames[" + std::to_string(k) + "]", closure.frames[k]) && good;
+    good = read_type(node["type"], where + ".type", closure.type) && good;
+    if (good) config.closures.push_back(closure);
+  }
+
+  bool read_type(const YAML::Node& node, const std::string& where, ClosureType& type) {
+    if (!node.IsDefined()) return true;
+    std::string word;
+    if (!text(node, where, word)) return false;
+    const auto known = closure_type_named(word);
+    if (known) {
+      type = *known;
+    } else {
+      problem("has the unknown " + where + " '" + word +
+              "'; write point, revolute, universal, spherical, fixed or auto.");
+    }
+    return known.has_value();
+  }
+
+  const std::string& file_;
+  Problems& problems_;
+  YamlValues yaml_;
+};
+
+}  // namespace
+
+MechanismConfig read_mechanism_config(const std::string& text, const std::string& file, Problems& problems) {
+  try {
+    const std::vector<YAML::Node> documents = YAML::LoadAll(text);
+    if (documents.size() > 1)
+      problems.push_back(file + " holds " + std::to_string(documents.size()) +
+                         " documents, separated by '---'; keep one.");
+    return Reader(file, problems).read(documents.empty() ? YAML::Node() : documents.front());
+  } catch (const YAML::Exception& error) {
+    problems.push_back(file + " is not valid YAML at line " + std::to_string(error.mark.line + 1) + ": " +
+                       error.msg + "; mend it there.");
+    return {};
+  }
+}
+
+}  // namespace parallel_aspects

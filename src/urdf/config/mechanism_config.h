@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_URDF_CONFIG_MECHANISM_CONFIG_H
+#define PARALLEL_ASPECTS_URDF_CONFIG_MECHANISM_CONFIG_H
+
+#include "parallel_aspects/model/problems.h"
+#include "parallel_aspects/model/task_space.h"
+#include "urdf/config/constraints_config.h"
+#include "urdf/description/closure.h"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// A closure by the names of its frames.
+struct ConfiguredClosure {
+  std::array<std::string, 2> frames;  ///< names of links
+  ClosureType type = ClosureType::automatic;
+};
+
+/// The `mechanism:` and `constraints:` parts of a robot's YAML file; names are not yet looked up.
+struct MechanismConfig {
+  std::string name;               ///< empty: that of the URDF
+  std::string base_link;          ///< empty: the root link
+  std::string operational_point;  ///< name of a link
+  std::vector<std::string> actuated_joints;
+  bool lists_actuated_joints = false;  ///< otherwise the URDF may say them
+  std::optional<TaskSpace> task_space;
+  std::vector<ConfiguredClosure> closures;
+  bool lists_closures = false;  ///< otherwise the URDF or the rest of the file may say them
+  ConstraintsConfig constraints;
+};
+
+/// Reads it from the text of the whole file; other top-level keys are for the node. What is wrong is added to
+/// `problems`, each a sentence that names `file` and the key.
+MechanismConfig read_mechanism_config(const std::string& text, const std::string& file, Problems& problems);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_URDF_CONFIG_MECHANISM_CONFIG_H

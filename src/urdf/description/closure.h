@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_URDF_DESCRIPTION_CLOSURE_H
+#define PARALLEL_ASPECTS_URDF_DESCRIPTION_CLOSURE_H
+
+#include "urdf/description/tree.h"
+
+#include <Eigen/Geometry>
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// What two frames must share.
+enum class ClosureType {
+  point,      ///< the origins: a ball joint, or any joint of a planar mechanism
+  revolute,   ///< the origins and the direction of the z axes, either way round
+  universal,  ///< the origins; z of the first frame stays orthogonal to x of the second
+  fixed,      ///< everything
+  automatic,  ///< the first of the above under which the mobility is the number of drives
+};
+
+/// "point", "revolute", "universal", "fixed" or "auto".
+std::string_view name(ClosureType type) noexcept;
+
+/// The type of that name, "spherical" being another word for "point"; nothing for any other text.
+std::optional<ClosureType> closure_type_named(std::string_view text) noexcept;
+
+/// A frame fixed in a link.
+struct LinkFrame {
+  std::size_t link = 0;
+  Eigen::Isometry3d in_link = Eigen::Isometry3d::Identity();  ///< [m]
+};
+
+/// Two frames that the mechanism holds together, though the tree does not.
+struct Closure {
+  std::string name;
+  std::array<LinkFrame, 2> frames;
+  ClosureType type = ClosureType::automatic;
+};
+
+/// The equations of all closures, in the frame of the base.
+class ClosureSystem {
+ public:
+  /// No closure may be automatic.
+  ClosureSystem(std::shared_ptr<const Tree> tree, std::size_t base, std::vector<Closure> closures);
+
+  const Tree& tree() const noexcept { return *tree_; }
+  std::size_t base() const noexcept { return base_; }
+  const std::vector<Closure>& closures() const noexcept { return closures_; }
+
+  /// Length that makes angles and lengths comparable: the widest spread of the link origins at zero [m].
+  double size() const noexcept { return size_; }
+
+  /// What each closure lacks [m]; angles are multiplied by `size()`.
+  Eigen::VectorXd residual(const Eigen::VectorXd& values) const;
+
+  /// Derivative of the residual by the joint values [m/rad or 1].
+  Eigen::MatrixXd jacobian(const Eigen::VectorXd& values) const;
+
+  /// Largest distance between the two origins of a closure, and which closure that is.
+  std::pair<double, std::size_t> widest_gap(const Eigen::VectorXd& values) const;
+
+  /// Whether the joint can move a closure, for each joint value; the others are outside the loops.
+  const std::vector<bool>& in_loop() const noexcept { return in_loop_; }
+
+ private:
+  std::shared_ptr<const Tree> tree_;
+  std::size_t base_;
+  std::vector<Closure> closures_;
+  double size_ = 1.0;
+  std::vector<bool> in_loop_;
+};
+
+/// Velocity (w, v) of a point fixed in a link, by the joint values: 6 rows; the base rests.
+Eigen::Matrix<double, 6, Eigen::Dynamic> velocity_matrix(const Tree& tree, std::size_t base,
+                                                         const Poses& poses, std::size_t link,
+                                                         const Eigen::Vector3d& point);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_URDF_DESCRIPTION_CLOSURE_H

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "urdf/description/tree.h"
+
+#include <algorithm>
+
+namespace parallel_aspects {
+namespace {
+
+Eigen::Isometry3d motion_of(const TreeJoint& joint, double value) {
+  Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
+  if (joint.motion == JointMotion::turning) motion.linear() = Eigen::AngleAxisd(value, joint.axis).matrix();
+  if (joint.motion == JointMotion::sliding) motion.translation() = value * joint.axis;
+  return motion;
+}
+
+}  // namespace
+
+std::optional<std::size_t> Tree::link_named(const std::string& wanted) const {
+  const auto found = std::find(links.begin(), links.end(), wanted);
+  if (found == links.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - links.begin());
+}
+
+std::optional<std::size_t> Tree::joint_named(const std::string& wanted) const {
+  const auto found = std::find_if(joints.begin(), joints.end(),
+                                  [&](const TreeJoint& joint) { return joint.name == wanted; });
+  if (found == joints.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - joints.begin());
+}
+
+Poses link_poses(const Tree& tree, std::size_t base, const Eigen::VectorXd& values) {
+  Poses poses(tree.links.size(), Eigen::Isometry3d::Identity());
+  for (const TreeJoint& joint : tree.joints) {
+    const double value = joint.variable ? values[static_cast<Eigen::Index>(*joint.variable)] : 0.0;
+    poses[joint.child] = poses[joint.parent] * joint.origin * motion_of(joint, value);
+  }
+  const Eigen::Isometry3d to_base = poses[base].inverse();
+  for (Eigen::Isometry3d& pose : poses) pose = to_base * pose;
+  return poses;
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_URDF_DESCRIPTION_TREE_H
+#define PARALLEL_ASPECTS_URDF_DESCRIPTION_TREE_H
+
+#include "parallel_aspects/model/leg.h"
+
+#include <Eigen/Geometry>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects {
+
+enum class JointMotion { fixed, turning, sliding };
+
+/// A joint of the tree. Its frame is that of the child link at value zero.
+struct TreeJoint {
+  std::string name;
+  JointMotion motion = JointMotion::fixed;
+  std::size_t parent = 0;                                    ///< index of a link
+  std::size_t child = 0;                                     ///< index of a link
+  Eigen::Isometry3d origin = Eigen::Isometry3d::Identity();  ///< joint frame in the parent link's [m]
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitX();           ///< unit vector in the joint frame
+  JointLimits limits;                                        ///< rad or m
+  std::optional<std::size_t> variable;  ///< index into the joint values; none for a fixed joint
+  bool mimics = false;                  ///< whether the URDF lets it follow another joint
+};
+
+/// Links and joints of a URDF, as it says them: open where the mechanism is closed.
+struct Tree {
+  std::string name;
+  std::vector<std::string> links;    ///< the root first
+  std::vector<TreeJoint> joints;     ///< those nearer to the root first
+  std::vector<std::size_t> movable;  ///< indices of the movable joints, in the order of the file
+  std::vector<std::optional<std::size_t>> joint_above;  ///< of each link; none for the root
+
+  std::optional<std::size_t> link_named(const std::string& name) const;
+  std::optional<std::size_t> joint_named(const std::string& name) const;
+
+  /// Number of joint values.
+  Eigen::Index variables() const noexcept { return static_cast<Eigen::Index>(movable.size()); }
+
+  const TreeJoint& joint_of(std::size_t variable) const { return joints[movable[variable]]; }
+};
+
+using Poses = std::vector<Eigen::Isometry3d>;
+
+/// Frame of every link in the frame of link `base` [m], for these joint values.
+Poses link_poses(const Tree& tree, std::size_t base, const Eigen::VectorXd& values);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_URDF_DESCRIPTION_TREE_H

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "urdf/description/yaml_values.h"
+
+#include "urdf/description/nearest_name.h"
+
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace parallel_aspects {
+void YamlValues::check_keys(const YAML::Node& map, const std::vector<std::string>& known,
+                            const std::string& where) const {
+  std::vector<std::string> seen;
+  for (const auto& entry : map) {
+    const std::string key = entry.first.IsScalar() ? entry.first.Scalar() : "";
+    if (std::find(known.begin(), known.end(), key) == known.end())
+      problem("has an unknown key '" + key + "' under " + where + "; did you mean '" +
+              nearest_name(key, known) + "'?");
+    if (std::find(seen.begin(), seen.end(), key) != seen.end())
+      problem("has the key '" + key + "' twice under " + where + "; keep one of them.");
+    seen.push_back(key);
+  }
+}
+
+bool YamlValues::map(const YAML::Node& node, const std::string& where, const std::string& help) const {
+  if (!node.IsDefined()) return false;
+  if (!node.IsMap()) problem("has a " + where + " that is not a map of keys; " + help + ".");
+  return node.IsMap();
+}
+
+bool YamlValues::text(const YAML::Node& node, const std::string& where, std::string& value) const {
+  if (!node.IsDefined()) return false;
+  if (!node.IsScalar() || node.Scalar().empty()) {
+    problem("has a " + where + " that is not a text; give one name.");
+    return false;
+  }
+  value = node.Scalar();
+  return true;
+}
+
+bool YamlValues::truth(const YAML::Node& node, const std::string& where, bool& value) const {
+  if (!node.IsDefined()) return false;
+  if (node.IsScalar() && YAML::convert<bool>::decode(node, value)) return true;
+  problem("has a " + where + " that is neither true nor false; write one of them.");
+  return false;
+}
+
+bool YamlValues::number(const YAML::Node& node, const std::string& where, double& value) const {
+  if (!node.IsDefined()) return false;
+  double read = 0.0;
+  if (node.IsScalar() && YAML::convert<double>::decode(node, read) && std::isfinite(read)) {
+    value = read;
+    return true;
+  }
+  problem("has a " + where + " that is not a finite number; give one.");
+  return false;
+}
+
+bool YamlValues::numbers(const YAML::Node& node, const std::string& where,
+                         std::vector<double>& values) const {
+  if (!node.IsDefined()) return false;
+  if (!node.IsSequence()) {
+    problem("has a " + where + " that is not a list of numbers; write [1.0, 2.0].");
+    return false;
+  }
+  bool good = true;
+  std::vector<double> read(node.size());
+  for (std::size_t k = 0; k < node.size(); ++k)
+    good = number(node[k], where + "[" + std::to_string(k) + "]", read[k]) && good;
+  if (good) values = read;
+  return good;
+}
+
+}  // namespace parallel_aspects

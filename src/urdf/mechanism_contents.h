@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_URDF_MECHANISM_CONTENTS_H
+#define PARALLEL_ASPECTS_URDF_MECHANISM_CONTENTS_H
+
+#include "parallel_aspects/urdf/mechanism.h"
+#include "urdf/recognition/completion.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects {
+
+struct Mechanism::Contents {
+  std::shared_ptr<const Manipulator> manipulator;
+  std::string platform_link;
+  std::vector<std::string> joint_names;
+  std::vector<JointLimits> joint_limits;
+  std::vector<std::string> notes;
+  int mobility = 0;
+  int idle_freedoms = 0;
+  double accepted_residual = 0.0;  ///< what rounding in the description costs, over the size of the robot
+  Completion completion;
+};
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_URDF_MECHANISM_CONTENTS_H

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_URDF_READING_URDF_INSPECTION_H
+#define PARALLEL_ASPECTS_URDF_READING_URDF_INSPECTION_H
+
+#include "parallel_aspects/model/problems.h"
+
+#include <set>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// What urdfdom does not tell: it forgets the order of the joints, takes missing limits for zero, and passes
+/// over or prints to the console much that is wrong.
+struct UrdfInspection {
+  std::string text;                      ///< the URDF, with empty limits where urdfdom insists on some
+  std::vector<std::string> joints;       ///< names, in the order of the file
+  std::set<std::string> without_limits;  ///< revolute and prismatic joints that state none
+  std::set<std::string> mimics;          ///< joints that follow another one
+};
+
+/// Looks through the text of a URDF. What is wrong is added to `problems`, what is taken with reservations to
+/// `notes`; each a sentence that names `file` and the joint or link.
+UrdfInspection inspect_urdf(const std::string& text, const std::string& file, Problems& problems,
+                            std::vector<std::string>& notes);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_URDF_READING_URDF_INSPECTION_H

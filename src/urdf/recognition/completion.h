@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_URDF_RECOGNITION_COMPLETION_H
+#define PARALLEL_ASPECTS_URDF_RECOGNITION_COMPLETION_H
+
+#include "parallel_aspects/model/pose.h"
+#include "parallel_aspects/model/vectors.h"
+#include "urdf/description/closure.h"
+#include "urdf/recognition/leg_recognition.h"
+#include "urdf/recognition/platform_motion.h"
+
+#include <Eigen/Geometry>
+
+#include <vector>
+
+namespace parallel_aspects {
+
+/// Finds the passive joints that belong to a pose and drive values, leg by leg and in closed form: with the
+/// two ends of a rod known, the pivots at each end are a subproblem of Paden and Kahan. Idle joints stay
+/// where the assembled configuration has them.
+class Completion {
+ public:
+  /// `reference` are all joint values of the assembled configuration that `motion` and `legs` belong to.
+  Completion(ClosureSystem system, Eigen::VectorXd reference, const PlatformMotion& motion,
+             std::vector<RecognisedLeg> legs, std::vector<std::size_t> drive_variables);
+
+  /// Pose of the assembled configuration.
+  const Pose& reference_pose() const noexcept { return reference_pose_; }
+
+  /// Drive values of the assembled configuration [rad or m].
+  JointVector reference_drives() const;
+
+  /// All joint values [rad or m]; `pose` in the task frame. They close the loops where the legs assemble;
+  /// check `residual`.
+  Eigen::VectorXd joint_values(const Pose& pose, const JointVector& q) const;
+
+  /// Largest entry of the closure residual over the size of the robot.
+  double residual(const Eigen::VectorXd& values) const;
+
+  const ClosureSystem& system() const noexcept { return system_; }
+
+  /// Index of the joint value of each drive.
+  const std::vector<std::size_t>& drive_variables() const noexcept { return drive_variables_; }
+
+ private:
+  Eigen::Isometry3d solve(const SplitChain& chain, double drive_step,
+                          const Eigen::Isometry3d& platform_motion, Eigen::VectorXd& values) const;
+  void set(const Pivot& pivot, double step, Eigen::VectorXd& values) const;
+
+  ClosureSystem system_;
+  Eigen::VectorXd reference_;
+  Eigen::Isometry3d task_frame_;
+  Pose reference_pose_;
+  bool point_platform_;
+  std::vector<RecognisedLeg> legs_;
+  std::vector<std::size_t> drive_variables_;
+};
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_URDF_RECOGNITION_COMPLETION_H

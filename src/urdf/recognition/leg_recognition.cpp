@@ -1,0 +1,355 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "urdf/recognition/leg_recognition.h"
+
+#include "model/linear_algebra.h"
+#include "urdf/recognition/leg_rounding.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+
+namespace parallel_aspects {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+// Wide enough for angles rounded to four digits, as in rpy="1.57075 0 0".
+constexpr double direction_tolerance = 5e-4;
+
+// Of the assembled configuration, over the size of the robot.
+constexpr double rounding = 1e-14;
+
+bool planar(TaskSpace space) {
+  return space == TaskSpace::T1 || space == TaskSpace::T2 || space == TaskSpace::SE2;
+}
+
+double distance_to_axis(const Vector3d& point, const Pivot& pivot) {
+  return (point - pivot.point).cross(pivot.axis).norm();
+}
+
+class ChainRecogniser {
+ public:
+  ChainRecogniser(const LegSetting& setting, std::size_t drive_variable)
+      : setting_(setting), motion_(*setting.motion), drive_variable_(drive_variable) {}
+
+  /// Why the last chain could not be split.
+  const std::string& reason() const { return reason_; }
+
+  std::optional<SplitChain> split(const Chain& chain) {
+    const auto drive = std::find_if(chain.begin(), chain.end(),
+                                    [&](const Pivot& pivot) { return pivot.variable == drive_variable_; });
+    if (drive == chain.end()) return fail("moves the platform past its drive");
+    const Chain before = flattened({chain.begin(), drive});
+    Chain after = flattened({drive + 1, chain.end()});
+    // A platform that is a point holds every leg as a ball joint does.
+    if (motion_.point_platform)
+      after.push_back(
+          {PivotKind::ball, "operational point", motion_.platform.translation(), {}, std::nullopt, 1.0});
+    SplitChain found;
+    found.drive = *drive;
+    found.drive_first = before.empty();
+    if (!divide(before, after, found)) return std::nullopt;
+    if (motion_.point_platform) found.distal.pop_back();
+    return found;
+  }
+
+ private:
+  std::nullopt_t fail(const std::string& text) {
+    reason_ = text;
+    return std::nullopt;
+  }
+
+  // In the plane a ball joint turns about the normal.
+  Chain flattened(Chain chain) const {
+    if (!planar(motion_.space)) return chain;
+    for (Pivot& pivot : chain) {
+      if (pivot.kind != PivotKind::ball) continue;
+      pivot.kind = PivotKind::turning;
+      pivot.axis = motion_.task_frame.linear().col(2);
+    }
+    return chain;
+  }
+
+  void fail_to_end() {
+    fail(
+        "does not end in the operational point; move that to where the legs meet, since B would not be "
+        "diagonal");
+  }
+
+  // Into the pivots about c and those about p.
+  bool divide(const Chain& before, const Chain& after, SplitChain& found) {
+    if (!before.empty()) {
+      if (group(before, after, found)) return true;
+      if (motion_.point_platform && group(before, {after.begin(), after.end() - 1}, found)) fail_to_end();
+      return false;
+    }
+    fail("keeps no point of the platform at a fixed distance from a point of its driven link");
+    if (cut(after, found)) return true;
+    if (motion_.point_platform && cut({after.begin(), after.end() - 1}, found))
+      fail_to_end();
+    else if (is_three_revolute_arm(found.drive, after))
+      fail(
+          "is an arm of three revolute joints whose passive axes do not meet: such a leg is in general "
+          "cuspidal, it can "
+          "change its posture without a serial singularity, and working modes separate the inverse solutions "
+          "only if no "
+          "leg is cuspidal (Chablat and Wenger, theorem 1)");
+    return false;
+  }
+
+  bool cut(const Chain& after, SplitChain& found) {
+    for (std::size_t count = 1; count < after.size(); ++count) {
+      const auto middle = after.begin() + static_cast<std::ptrdiff_t>(count);
+      if (group({after.begin(), middle}, {middle, after.end()}, found)) return true;
+    }
+    return false;
+  }
+
+  // Three revolute joints that place a point of the platform.
+  bool is_three_revolute_arm(const Pivot& drive, const Chain& after) const {
+    return drive.kind == PivotKind::turning && after.size() > 2 && after[0].kind == PivotKind::turning &&
+           after[1].kind == PivotKind::turning && tip({after.begin() + 2, after.end()});
+  }
+
+  bool group(const Chain& proximal, const Chain& distal, SplitChain& found) {
+    const auto c = tip(proximal), p = tip(distal);
+    if (!c || !p) {
+      if (!found.drive_first)
+        fail("has passive joints on one side of its drive whose axes do not meet in a point");
+      return false;
+    }
+    if (same(*p, *c)) {
+      fail("has a rod of length zero");
+      return false;
+    }
+    found.proximal = proximal;
+    found.distal = distal;
+    found.c = *c;
+    found.p = *p;
+    const bool spherical = motion_.space == TaskSpace::SO3;
+    found.proximal_center = spherical ? motion_.task_frame.translation() : *c;
+    found.distal_center = spherical ? motion_.task_frame.translation() : *p;
+    return true;
+  }
+
+  bool same(const Vector3d& one, const Vector3d& other) const {
+    return (one - other).norm() < direction_tolerance * setting_.size;
+  }
+
+  // The point that all pivots of a group turn about, as far as the task space can tell.
+  std::optional<Vector3d> tip(const Chain& group) const {
+    if (group.empty()) return std::nullopt;
+    for (const Pivot& pivot : group)
+      if (pivot.kind == PivotKind::sliding) return std::nullopt;
+    if (planar(motion_.space)) return common(group, [this](const Pivot& pivot) { return in_plane(pivot); });
+    if (motion_.space == TaskSpace::SO3)
+      return common(group, [this](const Pivot& pivot) { return on_sphere(pivot); });
+    return meeting_point(group);
+  }
+
+  template <class Point>
+  std::optional<Vector3d> common(const Chain& group, Point point) const {
+    const std::optional<Vector3d> first = point(group.front());
+    for (const Pivot& pivot : group) {
+      const std::optional<Vector3d> other = point(pivot);
+      if (!first || !other || !same(*first, *other)) return std::nullopt;
+    }
+    return first;
+  }
+
+  std::optional<Vector3d> in_plane(const Pivot& pivot) const {
+    const Vector3d normal = motion_.task_frame.linear().col(2);
+    if (pivot.kind == PivotKind::turning && pivot.axis.cross(normal).norm() > direction_tolerance)
+      return std::nullopt;
+    return pivot.point - normal * normal.dot(pivot.point - motion_.task_frame.translation());
+  }
+
+  // Legs of a spherical robot are drawn on the unit sphere about the centre.
+  std::optional<Vector3d> on_sphere(const Pivot& pivot) const {
+    const Vector3d center = motion_.task_frame.translation();
+    const Vector3d out = pivot.point - center;
+    if (pivot.kind == PivotKind::ball) {
+      if (out.norm() < direction_tolerance * setting_.size) return std::nullopt;
+      return center + out.normalized();
+    }
+    if (distance_to_axis(center, pivot) > direction_tolerance * setting_.size) return std::nullopt;
+    return center + (out.dot(pivot.axis) < -direction_tolerance * setting_.size ? -pivot.axis : pivot.axis);
+  }
+
+  std::optional<Vector3d> meeting_point(const Chain& group) const {
+    Matrix3d normal = Matrix3d::Zero();
+    Vector3d moment = Vector3d::Zero();
+    for (const Pivot& pivot : group) {
+      Matrix3d across = Matrix3d::Identity();
+      if (pivot.kind == PivotKind::turning) across -= pivot.axis * pivot.axis.transpose();
+      normal += across;
+      moment += across * pivot.point;
+    }
+    if (symmetric_eigenvalues(normal)[0] < 1e-3) return std::nullopt;  // parallel axes
+    const Vector3d point = normal.ldlt().solve(moment);
+    for (const Pivot& pivot : group) {
+      const double off =
+          pivot.kind == PivotKind::ball ? (point - pivot.point).norm() : distance_to_axis(point, pivot);
+      if (off > direction_tolerance * setting_.size) return std::nullopt;
+    }
+    return point;
+  }
+
+  const LegSetting& setting_;
+  const PlatformMotion& motion_;
+  std::size_t drive_variable_;
+  std::string reason_;
+};
+
+// Writes the distance equation of a split chain in the task frame.
+class LegBuilder {
+ public:
+  explicit LegBuilder(const LegSetting& setting)
+      : setting_(setting), motion_(*setting.motion), to_task_(setting.motion->task_frame.inverse()) {}
+
+  const std::string& reason() const { return reason_; }
+
+  std::optional<Leg> build(const SplitChain& chain) {
+    Leg leg;
+    leg.name = setting_.name;
+    leg.driven_joint = chain.drive.name;
+    leg.limits = setting_.limits;
+    leg.anchor = flat(motion_.platform.inverse() * chain.p);
+    const Vector3d c = point(chain.c), p = point(chain.p);
+    const auto drive = chain.drive_first ? moving_drive(chain.drive, c) : rod_drive(chain.drive, c, p);
+    if (!drive) return std::nullopt;
+    leg.drive = *drive;
+    if (chain.drive_first) leg.rod_length = (p - c).norm();
+    // Spherical robots are drawn on the unit sphere.
+    return without_rounding_noise(leg, motion_.space == TaskSpace::SO3 ? 1.0 : setting_.size);
+  }
+
+ private:
+  std::nullopt_t fail(const std::string& text) {
+    reason_ = text;
+    return std::nullopt;
+  }
+
+  // Into the plane of a planar robot; what rounding left of a zero becomes zero.
+  Vector3d flat(Vector3d vector) const {
+    if (planar(motion_.space)) vector.z() = 0.0;
+    const double zero = rounding * setting_.size;
+    return vector.unaryExpr([zero](double entry) { return std::abs(entry) < zero ? 0.0 : entry; });
+  }
+  Vector3d point(const Vector3d& in_base) const { return flat(to_task_ * in_base); }
+
+  double tolerance() const { return direction_tolerance * setting_.size; }
+
+  std::optional<Vector3d> axis(const Pivot& drive) {
+    Vector3d direction = drive.sense * (to_task_.linear() * drive.axis);
+    if (!planar(motion_.space)) return direction.normalized();
+    const bool turning = drive.kind == PivotKind::turning;
+    const double off = turning ? direction.head<2>().norm() : std::abs(direction.z());
+    if (off > direction_tolerance)
+      return fail(turning ? "is driven about an axis that is not normal to the plane of motion"
+                          : "is driven along a direction that is not in the plane of motion");
+    direction = turning ? Vector3d(0.0, 0.0, std::copysign(1.0, direction.z())) : flat(direction);
+    return direction.normalized();
+  }
+
+  std::optional<Drive> moving_drive(const Pivot& drive, const Vector3d& c) {
+    const auto direction = axis(drive);
+    if (!direction) return std::nullopt;
+    if (drive.kind == PivotKind::sliding)
+      return PrismaticDrive{c - setting_.drive_value * *direction, *direction};
+    const Vector3d on_axis = point(drive.point);
+    if (motion_.space == TaskSpace::SO3 && on_axis.cross(*direction).norm() > tolerance())
+      return fail("is driven about an axis that misses the centre of the spherical motion");
+    const Vector3d center = on_axis + *direction * direction->dot(c - on_axis);
+    const Vector3d arm = c - center;
+    if (arm.norm() < tolerance()) return fail("has a crank of length zero");
+    const Vector3d zero = Eigen::AngleAxisd(-setting_.drive_value, *direction) * arm.normalized();
+    return RevoluteDrive{center, *direction, (zero - *direction * direction->dot(zero)).normalized(),
+                         arm.norm()};
+  }
+
+  std::optional<Drive> rod_drive(const Pivot& drive, const Vector3d& c, const Vector3d& p) {
+    const auto direction = axis(drive);
+    if (!direction) return std::nullopt;
+    return drive.kind == PivotKind::sliding ? strut(*direction, c, p)
+                                            : elbow(*direction, point(drive.point), c, p);
+  }
+
+  std::optional<Drive> strut(const Vector3d& direction, const Vector3d& c, const Vector3d& p) {
+    const Vector3d rod = p - c;
+    if (rod.cross(direction).norm() > tolerance())
+      return fail("is a strut whose slide does not point from one end joint to the other");
+    const double sense = rod.dot(direction) > 0.0 ? 1.0 : -1.0;
+    return StrutDrive{c, rod.norm() - sense * setting_.drive_value, sense};
+  }
+
+  std::optional<Drive> elbow(const Vector3d& direction, const Vector3d& on_axis, const Vector3d& c,
+                             const Vector3d& p) {
+    if (std::abs(direction.dot(p - c)) > tolerance())
+      return fail("is driven at an elbow whose axis is not orthogonal to the plane of its two links");
+    const Vector3d hinge = on_axis + direction * direction.dot(c - on_axis);
+    const Vector3d inner = hinge - c, outer = p - hinge;
+    if (inner.norm() < tolerance() || outer.norm() < tolerance())
+      return fail("has a link of length zero at its elbow");
+    const double angle = std::atan2(direction.dot(inner.cross(outer)), inner.dot(outer));
+    return ElbowDrive{c, inner.norm(), outer.norm(), angle - setting_.drive_value, 1.0};
+  }
+
+  const LegSetting& setting_;
+  const PlatformMotion& motion_;
+  Eigen::Isometry3d to_task_;
+  std::string reason_;
+};
+
+// Rods in parallel say the same thing about a translating platform when they are equal and parallel.
+bool equivalent(const SplitChain& one, const SplitChain& other, const LegSetting& setting) {
+  const double tolerance = direction_tolerance * setting.size;
+  const bool translating = !has_rotation(setting.motion->space) && !setting.motion->point_platform;
+  if (translating && one.drive_first && other.drive_first)
+    return ((one.p - one.c) - (other.p - other.c)).norm() < tolerance;
+  return (one.p - other.p).norm() < tolerance && (one.c - other.c).norm() < tolerance;
+}
+
+SplitChain mean(const std::vector<SplitChain>& chains) {
+  SplitChain result = chains.front();
+  for (std::size_t k = 1; k < chains.size(); ++k) {
+    result.c += chains[k].c;
+    result.p += chains[k].p;
+  }
+  result.c /= static_cast<double>(chains.size());
+  result.p /= static_cast<double>(chains.size());
+  return result;
+}
+
+}  // namespace
+
+std::optional<RecognisedLeg> recognise_leg(const LegChains& leg, std::size_t drive_variable,
+                                           const LegSetting& setting, const std::string& file,
+                                           Problems& problems) {
+  const auto refuse = [&](const std::string& reason) {
+    problems.push_back(file + " has a leg through " + names_of(leg.chains.front()) + " that " + reason +
+                       "; it is not a distance leg and cannot be treated.");
+    return std::nullopt;
+  };
+  RecognisedLeg result;
+  result.guide = leg.guide;
+  ChainRecogniser recogniser(setting, drive_variable);
+  for (const Chain& chain : leg.chains) {
+    const auto split = recogniser.split(chain);
+    if (!split) return refuse(recogniser.reason());
+    if (!result.chains.empty() && !equivalent(result.chains.front(), *split, setting))
+      return refuse("has parallel rods of different lengths or directions");
+    result.chains.push_back(*split);
+  }
+  LegBuilder builder(setting);
+  const auto built = builder.build(mean(result.chains));
+  if (!built) return refuse(builder.reason());
+  result.leg = *built;
+  return result;
+}
+
+}  // namespace parallel_aspects

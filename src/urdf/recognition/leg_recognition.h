@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_URDF_RECOGNITION_LEG_RECOGNITION_H
+#define PARALLEL_ASPECTS_URDF_RECOGNITION_LEG_RECOGNITION_H
+
+#include "parallel_aspects/model/leg.h"
+#include "parallel_aspects/model/problems.h"
+#include "urdf/closing/chain.h"
+#include "urdf/recognition/platform_motion.h"
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// A chain as two groups of pivots, each about one point, and a drive before or between them. All in the base
+/// frame at the assembled configuration.
+struct SplitChain {
+  Chain proximal;  ///< pivots about c
+  Chain distal;    ///< pivots about p; empty where the rod carries the operational point itself
+  Pivot drive;
+  bool drive_first = true;  ///< the drive moves c; otherwise it is between the groups and changes |p - c|
+  Eigen::Vector3d c = Eigen::Vector3d::Zero();                ///< proximal point [m]
+  Eigen::Vector3d p = Eigen::Vector3d::Zero();                ///< anchor [m]
+  Eigen::Vector3d proximal_center = Eigen::Vector3d::Zero();  ///< on all axes of `proximal` [m]
+  Eigen::Vector3d distal_center = Eigen::Vector3d::Zero();    ///< on all axes of `distal` [m]
+};
+
+/// A leg and the chains that it stands for.
+struct RecognisedLeg {
+  Leg leg;  ///< in the task frame
+  std::vector<SplitChain> chains;
+  std::optional<Pivot> guide;  ///< see `LegChains`
+};
+
+/// What a leg is recognised in.
+struct LegSetting {
+  const PlatformMotion* motion = nullptr;
+  double size = 1.0;         ///< of the robot [m]
+  double drive_value = 0.0;  ///< at the assembled configuration [rad or m]
+  JointLimits limits;        ///< of the drive
+  std::string name;          ///< of the leg
+};
+
+/// The leg as one distance equation. Nothing, and a sentence in `problems` that starts with `file`, when it
+/// is not a distance leg.
+std::optional<RecognisedLeg> recognise_leg(const LegChains& leg, std::size_t drive_variable,
+                                           const LegSetting& setting, const std::string& file,
+                                           Problems& problems);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_URDF_RECOGNITION_LEG_RECOGNITION_H

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "urdf/recognition/leg_rounding.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace parallel_aspects {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr int length_digits = 14, angle_decimals = 13, direction_decimals = 14;
+
+// Powers of ten are exact up to there, and so are the integers that numbers of the model are multiplied to.
+constexpr int most_decimals = 22;
+
+/// To a number of decimals; the nearest double of the decimal number, and of its opposite the opposite.
+class Decimals {
+ public:
+  explicit Decimals(int decimals) : scale_(std::pow(10.0, std::clamp(decimals, 0, most_decimals))) {}
+
+  double operator()(double value) const {
+    const double rounded = std::round(value * scale_) / scale_;
+    return std::isfinite(rounded) ? rounded + 0.0 : value;
+  }
+  Vector3d operator()(const Vector3d& vector) const { return vector.unaryExpr(*this); }
+
+ private:
+  double scale_;
+};
+
+class Rounding {
+ public:
+  explicit Rounding(double size)
+      : length_(length_digits - 1 - std::ilogb(size) * 3 / 10),
+        angle_(angle_decimals),
+        direction_(direction_decimals) {}
+
+  void round(Leg& leg) const {
+    leg.anchor = length_(leg.anchor);
+    leg.rod_length = length_(leg.rod_length);
+    std::visit([this](auto& drive) { round(drive); }, leg.drive);
+  }
+
+ private:
+  void round(RevoluteDrive& drive) const {
+    drive.center = length_(drive.center);
+    drive.axis = direction_(drive.axis).normalized();
+    const Vector3d zero = direction_(drive.zero_direction);
+    drive.zero_direction = (zero - drive.axis * drive.axis.dot(zero)).normalized();
+    drive.radius = length_(drive.radius);
+  }
+  void round(PrismaticDrive& drive) const {
+    drive.origin = length_(drive.origin);
+    drive.direction = direction_(drive.direction).normalized();
+  }
+  void round(StrutDrive& drive) const {
+    drive.base = length_(drive.base);
+    drive.length_at_zero = length_(drive.length_at_zero);
+  }
+  void round(ElbowDrive& drive) const {
+    drive.base = length_(drive.base);
+    drive.inner_length = length_(drive.inner_length);
+    drive.outer_length = length_(drive.outer_length);
+    drive.angle_at_zero = angle_(drive.angle_at_zero);
+  }
+
+  Decimals length_, angle_, direction_;
+};
+
+}  // namespace
+
+Leg without_rounding_noise(Leg leg, double size) {
+  Rounding(size).round(leg);
+  return leg;
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_URDF_RECOGNITION_LEG_ROUNDING_H
+#define PARALLEL_ASPECTS_URDF_RECOGNITION_LEG_ROUNDING_H
+
+#include "parallel_aspects/model/leg.h"
+
+namespace parallel_aspects {
+
+/// `leg` without what computing with frames leaves of rounding: lengths become decimal numbers of at most 14
+/// digits of `size` [m], directions and angles have 14 and 13 decimals. So dimensions are again what the URDF
+/// says, and what is symmetric there is symmetric in the model.
+Leg without_rounding_noise(Leg leg, double size);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_URDF_RECOGNITION_LEG_ROUNDING_H

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "urdf/recognition/platform_motion.h"
+
+#include "model/linear_algebra.h"
+
+namespace parallel_aspects {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+
+// Velocities come from an orthonormal basis, lengths in sizes of the robot; see rank_tolerance.
+constexpr double velocity_tolerance = 1e-3;
+
+Eigen::Index rank(const MatrixXd& matrix) {
+  return matrix.size() > 0 ? (singular_values(matrix).array() > velocity_tolerance).count() : 0;
+}
+
+MatrixXd null_space(const MatrixXd& matrix) {
+  const auto svd = singular_value_decomposition(matrix);
+  return svd.null_space(svd.rank_above(velocity_tolerance));
+}
+
+// Unit vector whose largest entry is positive, so that the frame does not hang on the sign of a singular
+// vector.
+Vector3d oriented(Vector3d direction) {
+  Eigen::Index largest = 0;
+  direction.cwiseAbs().maxCoeff(&largest);
+  direction.normalize();
+  return direction[largest] < 0.0 ? Vector3d(-direction) : direction;
+}
+
+// Axes with z along `normal`, x along what `reference` shows of it in the plane.
+Matrix3d axes_about(const Vector3d& normal, const Matrix3d& reference) {
+  const Vector3d first = reference.col(0) - normal * normal.dot(reference.col(0));
+  const Vector3d second = reference.col(1) - normal * normal.dot(reference.col(1));
+  Matrix3d axes;
+  axes.col(2) = normal;
+  axes.col(0) = (first.norm() > 0.1 ? first : second).normalized();
+  axes.col(1) = normal.cross(axes.col(0));
+  return axes;
+}
+
+class MotionFinder {
+ public:
+  MotionFinder(const ClosureSystem& system, const Assembly& assembly, const Drives& drives,
+               const SourceNames& files, Problems& problems)
+      : system_(system), drives_(drives), files_(files), problems_(problems), motions_(assembly.motions) {
+    poses_ = link_poses(system.tree(), system.base(), assembly.values);
+    link_ = poses_[drives.platform_link];
+    twists_ =
+        velocity_matrix(system.tree(), system.base(), poses_, drives.platform_link, link_.translation()) *
+        assembly.motions;
+    twists_.bottomRows(3) /= system.size();
+    drive_rates_.resize(static_cast<Eigen::Index>(drives.variables.size()), motions_.cols());
+    for (std::size_t j = 0; j < drives.variables.size(); ++j) {
+      const bool sliding = system.tree().joint_of(drives.variables[j]).motion == JointMotion::sliding;
+      drive_rates_.row(static_cast<Eigen::Index>(j)) =
+          motions_.row(static_cast<Eigen::Index>(drives.variables[j])) / (sliding ? system.size() : 1.0);
+    }
+  }
+
+  std::optional<PlatformMotion> find() {
+    result_.mobility = motions_.cols();
+    if (!check_mobility()) return std::nullopt;
+    if (!find_space()) return std::nullopt;
+    return result_;
+  }
+
+ private:
+  bool refuse(const std::string& text) {
+    problems_.push_back(files_.config + " " + text);
+    return false;
+  }
+
+  bool check_mobility() {
+    const Eigen::Index count = drive_rates_.rows();
+    const Eigen::Index independent = rank(drive_rates_);
+    const std::string numbers = "drives " + driven_names() + ", but the closed mechanism of " + files_.urdf +
+                                " has mobility " + std::to_string(result_.mobility);
+    if (independent < count)
+      return refuse(numbers + ", and only " + std::to_string(independent) + " of the " +
+                    std::to_string(count) +
+                    " drives can move independently; list fewer actuated_joints, or mend closures that hold "
+                    "too much (a revolute closure turns about z of its frames; type auto finds out).");
+    const MatrixXd locked = null_space(drive_rates_);
+    result_.idle = locked.cols();
+    const MatrixXd free_twists = twists_ * locked;
+    const Eigen::Index angular = rank(free_twists.topRows(3)), linear = rank(free_twists.bottomRows(3));
+    point_may_spin_ = angular > 0 && linear == 0 && (count == 2 || count == 3);
+    if (linear > 0 || (angular > 0 && !point_may_spin_))
+      return refuse(numbers +
+                    ", and the platform still moves with the drives locked; list more actuated_joints, or "
+                    "mend closures that hold too little.");
+    return true;
+  }
+
+  std::string driven_names() const {
+    std::string text;
+    for (const std::size_t variable : drives_.variables)
+      text += (text.empty() ? "'" : ", '") + system_.tree().joint_of(variable).name + "'";
+    return text;
+  }
+
+  bool find_space() {
+    const Eigen::Index count = drive_rates_.rows();
+    if (count == 1 && rank(linear()) == 1 && rank(angular()) == 0) return line();
+    if (count == 2 && rank(linear()) == 2) return plane_of_points();
+    if (count == 3 && !point_may_spin_ && rank(twists_) == 3) {
+      if (rank(angular()) == 0) return translations(false);
+      if (plane_of_motion() || rotations()) return true;
+    }
+    if (count == 3 && rank(linear()) == 3) return translations(true);
+    if (count == 6 && rank(twists_) == 6) return all_motions();
+    return refuse(
+        "names operational_point '" + system_.tree().links[drives_.platform_link] +
+        "', which moves in none of the task spaces T1 (1 drive), T2 (2 drives), SE2, "
+        "T3, SO3 (3 drives) or SE3 (6 drives), but with " +
+        std::to_string(rank(angular())) + " rotations and " + std::to_string(rank(linear())) +
+        " translations for " + std::to_string(count) +
+        " drives; name a link of the body that all legs share, or where they meet, else the robot is not "
+        "supported.");
+  }
+
+  MatrixXd angular() const { return twists_.topRows(3); }
+  MatrixXd linear() const { return twists_.bottomRows(3); }
+
+  // The leg is in a plane through the line, whose normal its joints tell.
+  bool line() {
+    const Vector3d along = oriented(singular_value_decomposition(linear()).u.col(0));
+    const Vector3d normal = normal_of_joints(along);
+    result_.space = TaskSpace::T1;
+    result_.task_frame.linear() << along, normal.cross(along), normal;
+    result_.task_frame.translation() = link_.translation() - along * along.dot(link_.translation());
+    result_.platform.linear() = result_.task_frame.linear();
+    result_.platform.translation() = link_.translation();
+    return true;
+  }
+
+  Vector3d normal_of_joints(const Vector3d& along) const {
+    for (std::size_t k = 0; k < system_.in_loop().size(); ++k) {
+      const TreeJoint& joint = system_.tree().joint_of(k);
+      const Vector3d axis = poses_[joint.child].linear() * joint.axis;
+      const bool across = std::abs(axis.dot(along)) < velocity_tolerance;
+      if (system_.in_loop()[k] && joint.motion == JointMotion::turning && across)
+        return oriented(axis - along * along.dot(axis));
+    }
+    return along.unitOrthogonal();
+  }
+
+  bool plane_of_points() {
+    const Vector3d normal = oriented(singular_value_decomposition(linear()).u.col(2));
+    result_.space = TaskSpace::T2;
+    result_.point_platform = rank(angular()) > 0;
+    set_plane(normal, axes_about(normal, Matrix3d::Identity()));
+    return true;
+  }
+
+  bool plane_of_motion() {
+    const auto svd = singular_value_decomposition(angular());
+    if (svd.rank_above(velocity_tolerance) != 1) return false;
+    const Vector3d normal = oriented(svd.u.col(0));
+    if ((normal.transpose() * linear()).norm() > velocity_tolerance) return false;
+    result_.space = TaskSpace::SE2;
+    set_plane(normal, axes_about(normal, link_.linear()));
+    return true;
+  }
+
+  void set_plane(const Vector3d& normal, const Matrix3d& platform_axes) {
+    result_.task_frame.linear() = axes_about(normal, Matrix3d::Identity());
+    result_.task_frame.translation() = normal * normal.dot(link_.translation());
+    result_.platform.linear() = platform_axes;
+    result_.platform.translation() = link_.translation();
+  }
+
+  // A centre at r from the operational point rests: v + w x r = 0 for all twists.
+  bool rotations() {
+    if (rank(angular()) != 3) return false;
+    MatrixXd equations(3 * twists_.cols(), 3);
+    Eigen::VectorXd known(3 * twists_.cols());
+    for (Eigen::Index k = 0; k < twists_.cols(); ++k) {
+      const Vector3d w = twists_.col(k).head<3>();
+      equations.middleRows<3>(3 * k) << 0.0, -w.z(), w.y(), w.z(), 0.0, -w.x(), -w.y(), w.x(), 0.0;
+      known.segment<3>(3 * k) = -twists_.col(k).tail<3>();
+    }
+    const Vector3d to_center = least_squares_solution(equations, known, velocity_tolerance);
+    if ((equations * to_center - known).norm() > velocity_tolerance) return false;
+    result_.space = TaskSpace::SO3;
+    result_.task_frame.translation() = link_.translation() + system_.size() * to_center;
+    result_.platform.linear() = link_.linear();
+    result_.platform.translation() = result_.task_frame.translation();
+    return true;
+  }
+
+  bool translations(bool of_a_point) {
+    result_.space = TaskSpace::T3;
+    result_.point_platform = of_a_point;
+    result_.platform.translation() = link_.translation();
+    return true;
+  }
+
+  bool all_motions() {
+    result_.space = TaskSpace::SE3;
+    result_.platform = link_;
+    return true;
+  }
+
+  const ClosureSystem& system_;
+  const Drives& drives_;
+  const SourceNames& files_;
+  Problems& problems_;
+  MatrixXd motions_;
+  MatrixXd twists_;       // of the platform link at the operational point: w [rad], v over the size
+  MatrixXd drive_rates_;  // by motion
+  Poses poses_;
+  Eigen::Isometry3d link_;
+  bool point_may_spin_ = false;
+  PlatformMotion result_;
+};
+
+}  // namespace
+
+std::optional<PlatformMotion> find_platform_motion(const ClosureSystem& system, const Assembly& assembly,
+                                                   const Drives& drives, const SourceNames& files,
+                                                   Problems& problems) {
+  return MotionFinder(system, assembly, drives, files, problems).find();
+}
+
+}  // namespace parallel_aspects
