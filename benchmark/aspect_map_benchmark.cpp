@@ -72,7 +72,7 @@ BENCHMARK(three_rrr_map)
 // The shipped Delta, which is symmetric to the last digit, with longer cranks.
 void delta_map(benchmark::State& state) {
   std::vector<Leg> legs = test::shipped("delta")->manipulator()->legs();
-  for (Leg& leg : legs) std::get<RevoluteDrive>(leg.drive).radius = 0.35;
+  for (Leg& leg : legs) std::get<RevoluteActuation>(leg.actuation).radius = 0.35;
   MapOptions options;
   options.resolution = 0.01;
   options.threads = static_cast<unsigned>(state.range(0));
@@ -97,7 +97,7 @@ void load(benchmark::State& state, const std::shared_ptr<const Manipulator>& rob
   const std::filesystem::path file =
       std::filesystem::temp_directory_path() / (robot->name() + "_benchmark.map");
   const SaveResult saved = save_map(*compute_aspect_map(robot, options).map, file);
-  if (!saved.saved) return state.SkipWithError(saved.sentence.c_str());
+  if (!saved.saved) return state.SkipWithError(saved.message.c_str());
   for (auto _ : state)
     if (!load_map(robot, options, file).map) state.SkipWithError("The map was refused.");
   state.counters["bytes"] = static_cast<double>(std::filesystem::file_size(file));

@@ -83,7 +83,7 @@ void measure(benchmark::State& state, const std::string& name, int most_boxes) {
       seconds.push_back(processor_time() - start);
       parallel.add(distances.parallel);
       serial.add(distances.serial);
-      limit.add(distances.drive_limit);
+      limit.add(distances.actuated_limit);
     }
   }
   state.counters["median_us"] = 1e6 * quantile(seconds, 0.5);

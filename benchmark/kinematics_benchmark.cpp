@@ -89,8 +89,8 @@ void report(benchmark::State& state, const test::RoundTrips& trips, Times& times
 
 constexpr int round_trip_count = 10000;
 
-// Pose -> drives -> all direct solutions, 10,000 times; `missed` are those that do not contain the pose and
-// do not say that they are incomplete.
+// Pose -> actuated joints -> all direct solutions, 10,000 times; `missed` are those that do not contain the
+// pose and do not say that they are incomplete.
 void round_trips_of(benchmark::State& state, RobotMaker make, Pose home, double spread) {
   const auto robot = make();
   const auto modes = working_modes(*robot);
@@ -113,7 +113,7 @@ void round_trips_of(benchmark::State& state, RobotMaker make, Pose home, double 
 // A pose within three tenths of the robot's size of where it was assembled, turned by up to half a turn.
 Pose random_pose(const Mechanism& mechanism, test::RandomRobots& random) {
   const Manipulator& robot = *mechanism.manipulator();
-  const auto turns = static_cast<Eigen::Index>(rotational_freedoms(robot.task_space()));
+  const auto turns = static_cast<Eigen::Index>(rotational_degrees_of_freedom(robot.task_space()));
   TaskVector step(static_cast<Eigen::Index>(robot.leg_count()));
   for (Eigen::Index k = 0; k < step.size(); ++k)
     step[k] = random.uniform(-1.0, 1.0) * (k < turns ? EIGEN_PI : 0.3 * robot.size());
@@ -147,7 +147,7 @@ void round_trips_of_general_platforms(benchmark::State& state) {
   for (auto _ : state) {
     test::RandomRobots random(20260107);
     while (trips.made < round_trip_count) {
-      const auto robot = random.robot(TaskSpace::SE3, test::DriveKind::strut);
+      const auto robot = random.robot(TaskSpace::SE3, test::ActuationKind::strut);
       const Pose pose = random.pose(TaskSpace::SE3);
       const JointVector q = inverse(*robot, pose, working_modes(*robot)[0]).q;
       times.measure([&] { test::count_round_trip(*robot, pose, q, trips); });
@@ -165,7 +165,7 @@ PARALLEL_ASPECTS_ROUND_TRIPS(five_bar, 0.0, 15.0);
 PARALLEL_ASPECTS_ROUND_TRIPS(bipod, 0.0, 9.0);
 PARALLEL_ASPECTS_ROUND_TRIPS(three_rpr, 0.0, 30.0);
 PARALLEL_ASPECTS_ROUND_TRIPS(three_rrr, 0.0, 25.0);
-PARALLEL_ASPECTS_ROUND_TRIPS(three_rrr_driven_elbow, 0.0, 25.0);
+PARALLEL_ASPECTS_ROUND_TRIPS(three_rrr_actuated_elbow, 0.0, 25.0);
 PARALLEL_ASPECTS_ROUND_TRIPS(three_prr, 0.0, 0.8);
 PARALLEL_ASPECTS_ROUND_TRIPS(delta, -0.6, 0.8);
 PARALLEL_ASPECTS_ROUND_TRIPS(linear_delta, 0.0, 0.4);

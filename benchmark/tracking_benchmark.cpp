@@ -23,14 +23,15 @@ double quantile(std::vector<double>& values, double share) {
 
 struct Round {
   Pose start;
-  std::vector<JointVector> samples;  // of the drives, at 1 kHz
+  std::vector<JointVector> samples;  // of the actuated joints, at 1 kHz
 };
 
-// A round of five seconds through all freedoms about the first random pose that leaves room for one.
+// A round of five seconds through all degrees of freedom about the first random pose that leaves room for
+// one.
 Round round_of(const Mechanism& mechanism) {
   const Manipulator& robot = *mechanism.manipulator();
   test::RandomRobots random(1);
-  const auto turns = static_cast<Eigen::Index>(rotational_freedoms(robot.task_space()));
+  const auto turns = static_cast<Eigen::Index>(rotational_degrees_of_freedom(robot.task_space()));
   Round round;
   for (int i = 0; i < 2000; ++i) {
     TaskVector step(static_cast<Eigen::Index>(robot.leg_count()));
@@ -76,7 +77,7 @@ void update_of(benchmark::State& state, const char* name) {
   state.counters["p99.9_ns"] = quantile(nanoseconds, 0.999);
 }
 
-// With a candidate for every assembly mode of the drives.
+// With a candidate for every assembly mode of the actuated joints.
 void update_of_candidates(benchmark::State& state, const char* name) {
   const auto mechanism = test::shipped(name);
   const std::vector<JointVector> samples = round_of(*mechanism).samples;

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-using parallel_aspects::Doubt;
+using parallel_aspects::Ambiguity;
 namespace test = parallel_aspects::test;
 
 int main(int argc, char** argv) {
@@ -24,9 +24,11 @@ int main(int argc, char** argv) {
     const auto mechanism = test::shipped(robot);
     const auto seed = static_cast<unsigned>(std::atol(argv[2]));
     const test::CampaignCounts counts = test::TrackingCampaign(*mechanism, seed).run(std::atol(argv[1]));
-    const auto told = [&](Doubt doubt) { return counts.ambiguous[static_cast<std::size_t>(doubt)]; };
+    const auto told = [&](Ambiguity ambiguity) {
+      return counts.ambiguous[static_cast<std::size_t>(ambiguity)];
+    };
     std::printf("| %s | %ld | %ld | %ld | %ld | %ld | %ld | %ld / %ld |\n", robot.c_str(), counts.steps,
-                counts.wrong, told(Doubt::near_parallel_singularity), told(Doubt::step_budget),
+                counts.wrong, told(Ambiguity::near_parallel_singularity), told(Ambiguity::step_budget),
                 counts.avoidable, counts.unjudged, counts.crossings_found, counts.crossings_made);
     if (counts.wrong > 0) std::fprintf(stderr, "%s\n", counts.first_wrong.c_str());
     std::fflush(stdout);

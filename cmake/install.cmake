@@ -6,9 +6,12 @@ install(TARGETS parallel_aspects_core
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
         LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(TARGETS aspects RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(DIRECTORY include/parallel_aspects
-        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-        FILES_MATCHING PATTERN "*.h")
+if(PARALLEL_ASPECTS_ROS)
+  install(DIRECTORY include/parallel_aspects/ DESTINATION ${CATKIN_PACKAGE_INCLUDE_DESTINATION}
+          FILES_MATCHING PATTERN "*.h")
+else()
+  install(DIRECTORY include/parallel_aspects DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
+endif()
 install(DIRECTORY urdf config DESTINATION ${share_folder})
 
 # In a catkin workspace, catkin writes the package configuration.

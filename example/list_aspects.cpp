@@ -41,7 +41,7 @@ int run(char** argv) {
       parallel_aspects::load_mechanism(contents(argv[1]), argv[1], contents(argv[2]), argv[2]);
   const parallel_aspects::MapResult result = compute_aspect_map(mechanism->manipulator());
   if (result.status != parallel_aspects::MapStatus::complete) {
-    std::cerr << result.sentence << '\n';
+    std::cerr << result.message << '\n';
     return EXIT_FAILURE;
   }
   parallel_aspects::Pose pose;

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-// joint_states as they may come become drive values, all of them numbers, or a sentence.
+// joint_states as they may come become joint values, all of them numbers, or a message.
 namespace {
 
 using parallel_aspects::JointSample;
@@ -68,7 +68,7 @@ void require(bool condition) {
 }
 
 void check(const Mechanism& mechanism, const JointSample& sample) {
-  if (sample.status != SampleStatus::usable) return require(!sample.sentence.empty());
+  if (sample.status != SampleStatus::usable) return require(!sample.message.empty());
   require(static_cast<std::size_t>(sample.q.size()) == mechanism.manipulator()->leg_count());
   for (const double value : parallel_aspects::coefficients_of(sample.q)) require(std::isfinite(value));
   require(static_cast<std::size_t>(sample.readings.size()) == mechanism.joint_names().size());
@@ -88,7 +88,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string& publisher = message.header.frame_id;
   publishers.count(publisher, message.header.seq);
   std::string other;
-  publishers.claim(publisher, sample.drives, ros::Time(1000.0), other);
+  publishers.claim(publisher, sample.joint_values, ros::Time(1000.0), other);
   require(other.empty() || other != publisher);
   return 0;
 }

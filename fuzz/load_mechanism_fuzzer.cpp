@@ -26,7 +26,7 @@ void use(const Mechanism& mechanism) {
 
 }  // namespace
 
-// A mechanism comes back, or sentences do; anything else thrown ends the program.
+// A mechanism comes back, or messages do; anything else thrown ends the program.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string text(reinterpret_cast<const char*>(data), size);
   const std::size_t cut = text.find(separator);

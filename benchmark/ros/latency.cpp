@@ -62,13 +62,14 @@ class Stopwatch {
   std::vector<double> microseconds_;
 };
 
-/// A slow sine of every drive about a pose, or about the configuration that the robot was recognised in.
+/// A slow sine of every actuated joint about a pose, or about the configuration that the robot was recognised
+/// in.
 class Motion {
  public:
   Motion(const std::string& robot, const std::vector<double>& coordinates)
       : mechanism_(test::shipped(robot)), middle_(mechanism_->assembled().q) {
     const Manipulator& manipulator = *mechanism_->manipulator();
-    for (const Leg& leg : manipulator.legs()) message_.name.push_back(leg.driven_joint);
+    for (const Leg& leg : manipulator.legs()) message_.name.push_back(leg.actuated_joint);
     width_ = 1e-3 * std::min(1.0, manipulator.size());
     const PoseCoordinates values =
         Eigen::Map<const Eigen::VectorXd>(coordinates.data(), static_cast<Eigen::Index>(coordinates.size()));
@@ -139,7 +140,8 @@ int measure() {
     }
   }
   ros::WallDuration(0.5).sleep();
-  std::printf("%zu drives at %.0f Hz for %.0f s; %zu states say OK\n", motion.legs(), rate, seconds, known);
+  std::printf("%zu actuated joints at %.0f Hz for %.0f s; %zu states say OK\n", motion.legs(), rate, seconds,
+              known);
   std::printf("%-12s %8s %10s %10s %10s\n", "", "messages", "p50 [us]", "p99 [us]", "p99.9 [us]");
   print("relay", relay);
   print("aspect_node", node);

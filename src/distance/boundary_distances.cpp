@@ -38,11 +38,12 @@ bool has_branches(const Manipulator& manipulator, const WorkingMode& mode) {
 }
 
 bool is_bounded_by_links(const Leg& leg) {
-  return std::holds_alternative<RevoluteDrive>(leg.drive) || std::holds_alternative<ElbowDrive>(leg.drive);
+  return std::holds_alternative<RevoluteActuation>(leg.actuation) ||
+         std::holds_alternative<ElbowActuation>(leg.actuation);
 }
 
 double displacement(const Leg& leg, double from, double to) {
-  const bool wraps = leg.driven_by_angle() && !leg.limits.limited();
+  const bool wraps = leg.actuated_by_angle() && !leg.limits.limited();
   return wraps ? std::remainder(to - from, 2.0 * EIGEN_PI) : to - from;
 }
 
@@ -58,16 +59,16 @@ class BoundaryDistanceMeter::Searches {
 template <TaskSpace space>
 class BoundaryDistanceMeter::SearchesIn final : public Searches {
  public:
-  using Hood = Neighbourhood<space>;
+  using Chart = LocalChart<space>;
 
   SearchesIn(std::shared_ptr<const Manipulator> manipulator, const DistanceOptions& options)
       : manipulator_(std::move(manipulator)),
-        hood_(*manipulator_),
+        chart_(*manipulator_),
         boundaries_(boundaries_of(*manipulator_)),
-        determinant_(hood_, *manipulator_),
-        parallel_(hood_, options),
-        leg_(hood_, options),
-        usable_(is_usable(*manipulator_, longest_length) && hood_.metric().usable) {}
+        determinant_(chart_, *manipulator_),
+        parallel_(chart_, options),
+        leg_(chart_, options),
+        usable_(is_usable(*manipulator_, longest_length) && chart_.metric().usable) {}
 
   BoundaryDistances measure(const Pose& given, const WorkingMode& mode) noexcept override {
     BoundaryDistances result;
@@ -82,26 +83,26 @@ class BoundaryDistanceMeter::SearchesIn final : public Searches {
                                                              : ConfigurationStatus::outside_limits;
     search(pose, mode, result);
     if (result.status == ConfigurationStatus::outside_limits) {
-      result.drive_limit = BoundaryDistance();
-      result.drive_limit.status = DistanceStatus::touching;
-      result.drive_limit.leg = solution.leg;
+      result.actuated_limit = BoundaryDistance();
+      result.actuated_limit.status = DistanceStatus::touching;
+      result.actuated_limit.leg = solution.leg;
     }
     return result;
   }
 
  private:
-  static LegBoundaries<Hood::dimension> boundaries_of(const Manipulator& manipulator) {
+  static LegBoundaries<Chart::dimension> boundaries_of(const Manipulator& manipulator) {
     const RoundingUpward rounding;
-    return leg_boundaries<Hood::dimension>(manipulator);
+    return leg_boundaries<Chart::dimension>(manipulator);
   }
 
   void search(const Pose& pose, const WorkingMode& mode, BoundaryDistances& result) noexcept {
-    std::optional<SearchResult<Hood::size>> parallel, serial, limit;
+    std::optional<SearchResult<Chart::size>> parallel, serial, limit;
     {
       const RoundingUpward rounding;
-      hood_.move_to(pose);
+      chart_.move_to(pose);
       determinant_.set_mode(mode);
-      if (!determinant_.is_reached(std::array<Interval, Hood::size>{})) {
+      if (!determinant_.is_reached(std::array<Interval, Chart::size>{})) {
         result.status = ConfigurationStatus::out_of_reach;
         return;
       }
@@ -110,29 +111,29 @@ class BoundaryDistanceMeter::SearchesIn final : public Searches {
       serial = leg_.run(boundaries_.serial, false, mode, determinant_, range);
       limit = leg_.run(boundaries_.limits, true, mode, determinant_, range);
       for (auto* each : {&*parallel, &*serial, &*limit}) {
-        each->lower = -((hood_.metric().error - 1.0) * each->lower);
-        each->upper *= 1.0 + hood_.metric().error;
+        each->lower = -((chart_.metric().error - 1.0) * each->lower);
+        each->upper *= 1.0 + chart_.metric().error;
       }
     }
     result.parallel = translated(*parallel, mode, result.q);
     result.serial = translated(*serial, mode, result.q);
-    result.drive_limit = translated(*limit, mode, result.q);
+    result.actuated_limit = translated(*limit, mode, result.q);
   }
 
   // Poses that all legs reach are within the reach of each.
   SearchRange search_range() const noexcept {
     SearchRange range{2.0 * manipulator_->size(), false};
-    const AnchorMetric& metric = hood_.metric();
+    const AnchorMetric& metric = chart_.metric();
     if (space == TaskSpace::SO3) return {metric.widest_turn * (1.0 + 1e-12), true};
-    for (std::size_t j = 0; j < Hood::size; ++j) {
+    for (std::size_t j = 0; j < Chart::size; ++j) {
       const Leg& leg = manipulator_->leg(j);
       const double reach = leg.longest_reach();
       if (!std::isfinite(reach)) continue;
       Interval squared;
-      for (const Interval& each : hood_.displacement_at_origin(j)) squared += square(each);
-      const double height = Hood::planar ? std::abs(leg.anchor.z() - leg.base_point().z()) : 0.0;
+      for (const Interval& each : chart_.displacement_at_origin(j)) squared += square(each);
+      const double height = Chart::planar ? std::abs(leg.anchor.z() - leg.base_point().z()) : 0.0;
       const double far =
-          std::sqrt(squared.upper()) + height + reach + (Hood::turns > 0 ? 2.0 * metric.longest_arm : 0.0);
+          std::sqrt(squared.upper()) + height + reach + (Chart::turns > 0 ? 2.0 * metric.longest_arm : 0.0);
       const double radius = std::sqrt(far * far + metric.widest_turn * metric.widest_turn) * (1.0 + 1e-12);
       if (is_bounded_by_links(leg) ? !range.holds_all || radius < range.radius
                                    : !range.holds_all && radius < range.radius)
@@ -141,7 +142,7 @@ class BoundaryDistanceMeter::SearchesIn final : public Searches {
     return range;
   }
 
-  BoundaryDistance translated(const SearchResult<Hood::size>& found, const WorkingMode& mode,
+  BoundaryDistance translated(const SearchResult<Chart::size>& found, const WorkingMode& mode,
                               const JointVector& q) const noexcept {
     BoundaryDistance result;
     result.status = found.status;
@@ -152,22 +153,22 @@ class BoundaryDistanceMeter::SearchesIn final : public Searches {
     result.end = found.end;
     result.boxes = found.boxes;
     if (!found.has_witness()) return result;
-    result.witness = hood_.pose_at(found.witness);
-    result.direction = hood_.direction_to(found.witness);
+    result.witness = chart_.pose_at(found.witness);
+    result.direction = chart_.direction_to(found.witness);
     result.witness_q.resize(q.size());
-    result.drive_displacement.resize(q.size());
+    result.joint_displacement.resize(q.size());
     for (Eigen::Index j = 0; j < q.size(); ++j) {
       const Leg& leg = manipulator_->leg(static_cast<std::size_t>(j));
       result.witness_q[j] =
-          drive_value(leg, result.witness.transform(leg.anchor), mode.sign(static_cast<std::size_t>(j)));
-      result.drive_displacement[j] = displacement(leg, q[j], result.witness_q[j]);
+          joint_value(leg, result.witness.transform(leg.anchor), mode.sign(static_cast<std::size_t>(j)));
+      result.joint_displacement[j] = displacement(leg, q[j], result.witness_q[j]);
     }
     return result;
   }
 
   std::shared_ptr<const Manipulator> manipulator_;
-  Hood hood_;
-  LegBoundaries<Hood::dimension> boundaries_;
+  Chart chart_;
+  LegBoundaries<Chart::dimension> boundaries_;
   ModeDeterminant<space> determinant_;
   ParallelSearch<space> parallel_;
   LegSearch<space> leg_;

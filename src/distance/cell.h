@@ -50,8 +50,8 @@ struct Cell {
   std::array<Cell, 2> halves(std::size_t i) const noexcept {
     std::array<Cell, 2> result{*this, *this};
     // Rounded upward: center - half and center + half stay inside both.
-    const double half = 0.5 * half_width[i], slack = 0x1p-51 * (std::abs(center[i]) + half_width[i]);
-    result[0].half_width[i] = result[1].half_width[i] = half + slack;
+    const double half = 0.5 * half_width[i], rounding = 0x1p-51 * (std::abs(center[i]) + half_width[i]);
+    result[0].half_width[i] = result[1].half_width[i] = half + rounding;
     result[0].center[i] -= half;
     result[1].center[i] += half;
     return result;

@@ -20,8 +20,8 @@ class Collector {
       squared_height_ = square(Interval(leg.anchor.z()) - Interval(leg.base_point().z()));
   }
 
-  void operator()(const RevoluteDrive& drive) {
-    const Interval rod(leg_.rod_length), crank(drive.radius);
+  void operator()(const RevoluteActuation& actuation) {
+    const Interval rod(leg_.rod_length), crank(actuation.radius);
     if constexpr (dimension == 2) {
       const Interval in_plane = root(square(rod) - squared_height_);
       add_serial_sphere(crank + in_plane);
@@ -29,21 +29,21 @@ class Collector {
     } else {
       for (const Surface surface : {Surface::near_torus, Surface::far_torus}) {
         Boundary boundary = at_surface(surface, rod);
-        boundary.axis = point(drive.axis);
+        boundary.axis = point(actuation.axis);
         boundary.crank = crank;
         all_.serial.push_back(boundary);
       }
     }
     if (is_angle_limited()) {
-      add_limit(drive, LimitEnd::lower, leg_.limits.lower);
-      add_limit(drive, LimitEnd::upper, leg_.limits.upper);
+      add_limit(actuation, LimitEnd::lower, leg_.limits.lower);
+      add_limit(actuation, LimitEnd::upper, leg_.limits.upper);
     }
   }
 
-  void operator()(const PrismaticDrive& drive) {
+  void operator()(const PrismaticActuation& actuation) {
     Boundary boundary =
         at_surface(Surface::cylinder, root(square(Interval(leg_.rod_length)) - squared_height_));
-    boundary.axis = point(drive.direction);
+    boundary.axis = point(actuation.direction);
     all_.serial.push_back(boundary);
     for (const auto& [end, value] : finite_limits()) {
       Boundary limit = boundary;
@@ -55,23 +55,25 @@ class Collector {
     }
   }
 
-  void operator()(const StrutDrive& drive) {
+  void operator()(const StrutActuation& actuation) {
     // B_jj is the length: it vanishes where the anchor is at the base point, if it can come there.
     if (squared_height_.lower() <= 0.0) add_serial_sphere(Interval(0.0));
     for (const auto& [end, value] : finite_limits())
       add_limit_sphere(
-          end, square_of_length(Interval(drive.length_at_zero) + Interval(drive.sense) * Interval(value)), 0);
+          end,
+          square_of_length(Interval(actuation.length_at_zero) + Interval(actuation.sense) * Interval(value)),
+          0);
   }
 
-  void operator()(const ElbowDrive& drive) {
-    const Interval inner(drive.inner_length), outer(drive.outer_length);
+  void operator()(const ElbowActuation& actuation) {
+    const Interval inner(actuation.inner_length), outer(actuation.outer_length);
     add_serial_sphere(root(square(inner + outer) - squared_height_));
     add_serial_sphere(root(square(inner - outer) - squared_height_));
     if (!is_angle_limited()) return;
     for (const auto& [end, value] : finite_limits()) {
-      const double angle = drive.angle_at_zero + drive.sense * value;
+      const double angle = actuation.angle_at_zero + actuation.sense * value;
       // On one branch sin(angle) has one sign; at zero the limit is the serial singularity itself.
-      const double entry = -drive.sense * std::sin(angle);
+      const double entry = -actuation.sense * std::sin(angle);
       const int branch = std::abs(entry) < 1e-9 ? 0 : entry > 0.0 ? 1 : -1;
       add_limit_sphere(
           end,
@@ -138,23 +140,23 @@ class Collector {
     all_.limits.push_back(boundary);
   }
 
-  void add_limit(const RevoluteDrive& drive, LimitEnd end, double angle) {
+  void add_limit(const RevoluteActuation& actuation, LimitEnd end, double angle) {
     const Interval cosine = enclosed(std::cos(angle), angle), sine = enclosed(std::sin(angle), angle);
-    const Eigen::Vector3d& e1 = drive.zero_direction;
+    const Eigen::Vector3d& e1 = actuation.zero_direction;
     const Interval radius = root(square(Interval(leg_.rod_length)) - squared_height_);
     Boundary boundary = at_surface(Surface::sphere, radius);
     boundary.end = end;
     boundary.sided = true;
-    const std::array<Interval, dimension> zero = point(e1), side = side_direction(drive);
+    const std::array<Interval, dimension> zero = point(e1), side = side_direction(actuation);
     for (std::size_t i = 0; i < dimension; ++i) {
-      boundary.center[i] = Interval(drive.radius) * (cosine * zero[i] + sine * side[i]);
+      boundary.center[i] = Interval(actuation.radius) * (cosine * zero[i] + sine * side[i]);
       boundary.axis[i] = cosine * side[i] - sine * zero[i];
     }
     all_.limits.push_back(boundary);
   }
 
-  static std::array<Interval, dimension> side_direction(const RevoluteDrive& drive) {
-    const Eigen::Vector3d &a = drive.axis, &e = drive.zero_direction;
+  static std::array<Interval, dimension> side_direction(const RevoluteActuation& actuation) {
+    const Eigen::Vector3d &a = actuation.axis, &e = actuation.zero_direction;
     const std::array<Interval, 3> side{Interval(a.y()) * Interval(e.z()) - Interval(a.z()) * Interval(e.y()),
                                        Interval(a.z()) * Interval(e.x()) - Interval(a.x()) * Interval(e.z()),
                                        Interval(a.x()) * Interval(e.y()) - Interval(a.y()) * Interval(e.x())};
@@ -176,7 +178,7 @@ LegBoundaries<dimension> leg_boundaries(const Manipulator& manipulator) {
   assert_rounding_upward();
   LegBoundaries<dimension> all;
   for (std::size_t j = 0; j < manipulator.leg_count(); ++j)
-    std::visit(Collector<dimension>(manipulator.leg(j), j, all), manipulator.leg(j).drive);
+    std::visit(Collector<dimension>(manipulator.leg(j), j, all), manipulator.leg(j).actuation);
   return all;
 }
 

@@ -20,9 +20,9 @@ namespace parallel_aspects {
 /// | surface | points d | boundary |
 /// |---|---|---|
 /// | sphere | |d - center| = radius | limits; elbow or planar crank stretched or folded; strut of no length |
-/// | cylinder | at `radius` from the line through 0 along `axis` | rod square to a prismatic drive |
-/// | near torus | at `radius` from the nearest point of the circle of `crank` about `axis` | leg stretched |
-/// | far torus | at `radius` from the farthest point of that circle | leg folded |
+/// | cylinder | at `radius` from the line through 0 along `axis` | rod square to an actuated prismatic joint
+/// | | near torus | at `radius` from the nearest point of the circle of `crank` about `axis` | leg stretched
+/// | | far torus | at `radius` from the farthest point of that circle | leg folded |
 template <std::size_t dimension>
 struct LegBoundary {
   enum class Surface { sphere, cylinder, near_torus, far_torus };
@@ -40,7 +40,7 @@ struct LegBoundary {
   /// Positive on one side of the surface and negative on the other; its magnitude is the distance of d from
   /// the whole surface.
   template <class Scalar>
-  Scalar slack(const std::array<Scalar, dimension>& d) const noexcept {
+  Scalar signed_distance(const std::array<Scalar, dimension>& d) const noexcept {
     const Scalar squared = squared_length(d);
     if (surface == Surface::sphere) return root(squared_length(from_center(d))) - Scalar(radius);
     const Scalar across = root(squared - square(along_axis(d)));

@@ -17,7 +17,7 @@
 
 namespace parallel_aspects {
 
-/// The pose nearest to the origin of a neighbourhood where some leg is at a boundary.
+/// The pose nearest to the origin of a local_chart where some leg is at a boundary.
 ///
 /// The boundary is a surface for the anchor, whose distance is a closed form. Where the platform does not
 /// turn, that is the answer. Where it turns and moves, the nearest pose with the rotation r is the
@@ -27,12 +27,12 @@ namespace parallel_aspects {
 template <TaskSpace space>
 class LegSearch {
  public:
-  using Hood = Neighbourhood<space>;
-  static constexpr std::size_t size = Hood::size, dimension = Hood::dimension, moves = Hood::moves;
+  using Chart = LocalChart<space>;
+  static constexpr std::size_t size = Chart::size, dimension = Chart::dimension, moves = Chart::moves;
   using Result = SearchResult<size>;
   using Boundary = LegBoundary<dimension>;
 
-  LegSearch(const Hood& hood, const DistanceOptions& options) : hood_(hood), options_(options) {
+  LegSearch(const Chart& chart, const DistanceOptions& options) : chart_(chart), options_(options) {
     queue_.reserve(2 * static_cast<std::size_t>(options.most_boxes) + 4 * max_legs + 2);
   }
 
@@ -69,7 +69,7 @@ class LegSearch {
  private:
   // Coordinates that are searched; the others are a displacement in every direction, or none.
   static constexpr bool moves_freely = moves == dimension;
-  static constexpr std::size_t searched = moves_freely ? Hood::turns : size;
+  static constexpr std::size_t searched = moves_freely ? Chart::turns : size;
   static constexpr std::size_t first_searched = moves_freely ? moves : 0;
   static constexpr int most_attempts = 24;
   using SearchedCell = Cell<searched>;
@@ -99,14 +99,14 @@ class LegSearch {
   static double least_magnitude(const Interval& a) noexcept { return std::max({0.0, a.lower(), -a.upper()}); }
 
   bool touches(const Boundary& boundary) const noexcept {
-    const auto& d = hood_.displacement_at_origin(boundary.leg);
-    if (least_magnitude(boundary.slack(d)) > 0.0) return false;
+    const auto& d = chart_.displacement_at_origin(boundary.leg);
+    if (least_magnitude(boundary.signed_distance(d)) > 0.0) return false;
     return !boundary.sided || !side(boundary, d).negative();
   }
 
   void measure_directly(const Boundary& boundary) noexcept {
-    const auto& d = hood_.displacement_at_origin(boundary.leg);
-    Interval distance = boundary.slack(d);
+    const auto& d = chart_.displacement_at_origin(boundary.leg);
+    Interval distance = boundary.signed_distance(d);
     bool rim = false;
     if (boundary.sided) {
       const Interval at = side(boundary, d);
@@ -122,8 +122,8 @@ class LegSearch {
   void offer_nearest_point(const Boundary& boundary, bool rim, double distance) noexcept {
     std::array<PointDual<size>, size> point;
     for (std::size_t i = 0; i < size; ++i) point[i] = PointDual<size>::coordinate(0.0, i);
-    const auto d = hood_.displacement(boundary.leg, std::array<PointDual<size>, dimension>{}, point);
-    const PointDual<size> value = rim ? boundary.rim_distance(d) : boundary.slack(d);
+    const auto d = chart_.displacement(boundary.leg, std::array<PointDual<size>, dimension>{}, point);
+    const PointDual<size> value = rim ? boundary.rim_distance(d) : boundary.signed_distance(d);
     Coordinates<size> y;
     for (std::size_t i = 0; i < size; ++i) y[i] = -value.value * value.gradient[i];
     bool proved = true;
@@ -145,8 +145,8 @@ class LegSearch {
   std::array<Scalar, dimension> displacement(std::size_t leg,
                                              const std::array<Scalar, size>& y) const noexcept {
     std::array<Scalar, dimension> arm{};
-    if constexpr (Hood::turns > 0) arm = hood_.arm(leg, hood_.rotation(y.data() + moves));
-    return hood_.displacement(leg, arm, y);
+    if constexpr (Chart::turns > 0) arm = chart_.arm(leg, chart_.rotation(y.data() + moves));
+    return chart_.displacement(leg, arm, y);
   }
 
   std::array<Form, dimension> displacement(std::size_t leg, const SearchedCell& cell) const noexcept {
@@ -154,18 +154,18 @@ class LegSearch {
     if constexpr (!moves_freely) {
       return displacement<Form>(leg, forms);
     } else {
-      return hood_.turned_displacement(leg, hood_.arm(leg, hood_.rotation(forms.data())));
+      return chart_.turned_displacement(leg, chart_.arm(leg, chart_.rotation(forms.data())));
     }
   }
 
   // No pose of the boundary is closer: an anchor moves by |c' - c| + turning |r| at most.
   double first_bound(const Boundary& boundary) const noexcept {
-    const auto& d = hood_.displacement_at_origin(boundary.leg);
-    double distance = least_magnitude(boundary.slack(d));
+    const auto& d = chart_.displacement_at_origin(boundary.leg);
+    double distance = least_magnitude(boundary.signed_distance(d));
     if (boundary.sided && side(boundary, d).negative())
       distance = std::max(distance, least_magnitude(boundary.rim_distance(d)));
-    if constexpr (Hood::turns == 0) return distance;
-    const Interval turning(hood_.turning(boundary.leg));
+    if constexpr (Chart::turns == 0) return distance;
+    const Interval turning(chart_.turning(boundary.leg));
     const Interval squared = (moves_freely ? Interval(1.0) : Interval(0.0)) + square(turning);
     return (Interval(distance) * reciprocal(square_root(squared))).lower();
   }
@@ -175,7 +175,7 @@ class LegSearch {
       if (!is_of_mode((*boundaries_)[i])) continue;
       SearchedCell all;
       all.tag = i;
-      const double turn = Hood::turns > 0 ? hood_.metric().widest_turn : target();
+      const double turn = Chart::turns > 0 ? chart_.metric().widest_turn : target();
       all.half_width.fill(std::min(target(), turn));
       all.bound = first_bound((*boundaries_)[i]);
       queue_.push(all);
@@ -191,11 +191,11 @@ class LegSearch {
   void bound_and_push(SearchedCell cell) noexcept {
     ++result_.boxes;
     const double least = cell.least_length(), radius = target();
-    if (least >= radius || hood_.is_beyond_half_turn(cell.box())) return;
+    if (least >= radius || chart_.is_beyond_half_turn(cell.box())) return;
     const Boundary& boundary = (*boundaries_)[cell.tag];
     const auto d = displacement(boundary.leg, cell);
     double distance = 0.0;
-    if (is_clear(boundary.slack(d), cell, radius, distance)) return;
+    if (is_clear(boundary.signed_distance(d), cell, radius, distance)) return;
     if (boundary.sided && range_in_ball(side(boundary, d).linear(), cell, radius).negative() &&
         is_clear(boundary.rim_distance(d), cell, radius, distance))
       return;
@@ -207,8 +207,9 @@ class LegSearch {
 
   // Whether the surface is farther from the anchor than a displacement can be all over the cell; else
   // `distance` is raised to what is proved.
-  bool is_clear(const Form& slack, const SearchedCell& cell, double radius, double& distance) const noexcept {
-    const Interval range = range_in_ball(slack.linear(), cell, radius);
+  bool is_clear(const Form& signed_distance, const SearchedCell& cell, double radius,
+                double& distance) const noexcept {
+    const Interval range = range_in_ball(signed_distance.linear(), cell, radius);
     distance = std::max(distance, least_magnitude(range));
     if constexpr (!moves_freely) return distance > 0.0;
     if (!(distance > 0.0)) return false;
@@ -223,7 +224,7 @@ class LegSearch {
     const double t = std::max(std::sqrt(std::max(0.0, radius * radius - squared)), 0.05 * radius);
     const Interval half(0.5), factor = half * reciprocal(Interval(t));
     const Form farthest = factor * (Form(square(Interval(radius))) - sum) + Form(half * Interval(t));
-    const Form gap = (range.positive() ? slack : -slack) - farthest;
+    const Form gap = (range.positive() ? signed_distance : -signed_distance) - farthest;
     return range_in_ball(gap.linear(), cell, radius).positive();
   }
 
@@ -232,8 +233,8 @@ class LegSearch {
     const Boundary& boundary = (*boundaries_)[cell.tag];
     Coordinates<size> y{};
     for (std::size_t i = 0; i < searched; ++i) y[first_searched + i] = cell.center[i];
-    const PointDual<size> slack = slack_at(boundary, y);
-    double squared = slack.value * slack.value + dot<searched>(cell.center, cell.center);
+    const PointDual<size> signed_distance = signed_distance_at(boundary, y);
+    double squared = signed_distance.value * signed_distance.value + dot<searched>(cell.center, cell.center);
     if constexpr (!moves_freely) squared = dot<searched>(cell.center, cell.center);
     if (!(squared < 0.98 * result_.upper * result_.upper)) return;
     move_to_surface(boundary, y);
@@ -244,32 +245,33 @@ class LegSearch {
   void move_to_surface(const Boundary& boundary, Coordinates<size>& y) const noexcept {
     if constexpr (moves_freely) {
       std::fill_n(y.begin(), moves, 0.0);
-      const PointDual<size> slack = slack_at(boundary, y);
-      for (std::size_t i = 0; i < moves; ++i) y[i] = -slack.value * slack.gradient[i];
+      const PointDual<size> signed_distance = signed_distance_at(boundary, y);
+      for (std::size_t i = 0; i < moves; ++i) y[i] = -signed_distance.value * signed_distance.gradient[i];
     }
   }
 
-  PointDual<size> slack_at(const Boundary& boundary, const Coordinates<size>& y) const noexcept {
+  PointDual<size> signed_distance_at(const Boundary& boundary, const Coordinates<size>& y) const noexcept {
     std::array<PointDual<size>, size> point;
     for (std::size_t i = 0; i < size; ++i) point[i] = PointDual<size>::coordinate(y[i], i);
-    return boundary.slack(displacement(boundary.leg, point));
+    return boundary.signed_distance(displacement(boundary.leg, point));
   }
 
-  Interval slack_on(const Boundary& boundary, const std::array<Interval, size>& box) const noexcept {
-    return boundary.slack(displacement(boundary.leg, box));
+  Interval signed_distance_on(const Boundary& boundary,
+                              const std::array<Interval, size>& box) const noexcept {
+    return boundary.signed_distance(displacement(boundary.leg, box));
   }
 
   void look_for_witness(const Boundary& boundary, Coordinates<size> y) noexcept {
     ++attempts_;
     const auto function = [&](const Coordinates<size>& at) {
-      return std::optional<PointDual<size>>(slack_at(boundary, at));
+      return std::optional<PointDual<size>>(signed_distance_at(boundary, at));
     };
     const Coordinates<size> start = y;
     const auto at = WitnessSearch<size, decltype(function)>(function).run(y);
     if (!at && !moves_freely) return;
     if (!at) y = start;  // at the tip of a cone steps fail, but a displacement leads there
     move_to_surface(boundary, y);
-    if (hood_.is_about_half_turn(y) || !(length<size>(y) < result_.upper)) return;
+    if (chart_.is_about_half_turn(y) || !(length<size>(y) < result_.upper)) return;
     bool proved = false;
     if (limits_ && !is_reached_about(y, 0.0, proved)) return;
     std::array<PointDual<size>, size> point;
@@ -290,8 +292,8 @@ class LegSearch {
     for (double offset = 1e-13; offset < 1e-5; offset *= 10.0) {
       const Coordinates<size> before = moved<size>(y, -offset * distance, normal),
                               after = moved<size>(y, offset * distance, normal);
-      const Interval one = slack_on(boundary, hull<size>(before, before)),
-                     other = slack_on(boundary, hull<size>(after, after));
+      const Interval one = signed_distance_on(boundary, hull<size>(before, before)),
+                     other = signed_distance_on(boundary, hull<size>(after, after));
       if (!((one.positive() && other.negative()) || (one.negative() && other.positive()))) continue;
       const std::array<Interval, size> between = hull<size>(before, after);
       if (limits_ && !determinant_->is_reached(between)) continue;
@@ -309,8 +311,8 @@ class LegSearch {
       turned[first_searched + i] = Interval(y[first_searched + i]);
       squared += y[first_searched + i] * y[first_searched + i];
     }
-    const Interval slack = slack_on(boundary, turned);
-    const double farthest = std::max(-slack.lower(), slack.upper());
+    const Interval signed_distance = signed_distance_on(boundary, turned);
+    const double farthest = std::max(-signed_distance.lower(), signed_distance.upper());
     const double distance = std::sqrt(farthest * farthest + squared), margin = 1e-9 * (1.0 + distance);
     if (!limits_) return distance;
     std::array<Interval, size> about;
@@ -333,7 +335,7 @@ class LegSearch {
                                                                                    : DistanceStatus::loose;
   }
 
-  const Hood& hood_;
+  const Chart& chart_;
   const DistanceOptions options_;
   CellQueue<searched> queue_;
   const std::vector<Boundary>* boundaries_ = nullptr;

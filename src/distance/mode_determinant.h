@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_DISTANCE_MODE_DETERMINANT_H
 
 #include "distance/cell.h"
-#include "distance/neighbourhood.h"
+#include "distance/local_chart.h"
 #include "distance/quadratic_form.h"
 #include "parallel_aspects/kinematics/working_mode.h"
 
@@ -70,18 +70,18 @@ Scalar determinant_of(const SquareRows<Scalar, N>& m) {
 }
 
 /// det A of one working mode about one pose, up to positive factors that vanish at serial singularities at
-/// most. The neighbourhood must outlive it.
+/// most. The local_chart must outlive it.
 template <TaskSpace space>
 class ModeDeterminant {
  public:
-  using Hood = Neighbourhood<space>;
-  static constexpr std::size_t size = Hood::size;
+  using Chart = LocalChart<space>;
+  static constexpr std::size_t size = Chart::size;
 
-  ModeDeterminant(const Hood& hood, const Manipulator& manipulator) : hood_(hood) {
+  ModeDeterminant(const Chart& chart, const Manipulator& manipulator) : chart_(chart) {
     for (std::size_t j = 0; j < size; ++j) {
-      const Drive& drive = manipulator.leg(j).drive;
-      branches_[j] =
-          std::holds_alternative<RevoluteDrive>(drive) || std::holds_alternative<PrismaticDrive>(drive);
+      const Actuation& actuation = manipulator.leg(j).actuation;
+      branches_[j] = std::holds_alternative<RevoluteActuation>(actuation) ||
+                     std::holds_alternative<PrismaticActuation>(actuation);
     }
   }
 
@@ -92,7 +92,7 @@ class ModeDeterminant {
     std::array<PointDual<size>, size> point;
     for (std::size_t i = 0; i < size; ++i) point[i] = PointDual<size>::coordinate(y[i], i);
     std::array<LegRows<PointDual<size>, size>, size> legs;
-    hood_.find_rows(point, legs);
+    chart_.find_rows(point, legs);
     SquareRows<PointDual<size>, size> rows;
     for (std::size_t j = 0; j < size; ++j) {
       if (!(legs[j].squared_entry.value >= 0.0)) return std::nullopt;
@@ -108,7 +108,7 @@ class ModeDeterminant {
     std::array<PointDual<size>, size> point;
     for (std::size_t i = 0; i < size; ++i) point[i] = PointDual<size>::coordinate(y[i], i);
     std::array<LegRows<PointDual<size>, size>, size> legs;
-    hood_.find_rows(point, legs);
+    chart_.find_rows(point, legs);
     SquareRows<PointDual<size>, size> rows;
     for (std::size_t j = 0; j < size; ++j) {
       squared[j] = legs[j].squared_entry;
@@ -121,7 +121,7 @@ class ModeDeterminant {
   /// else 0.
   int proved_sign(const std::array<Interval, size>& box) const noexcept {
     std::array<LegRows<Interval, size>, size> legs;
-    hood_.find_rows(box, legs);
+    chart_.find_rows(box, legs);
     SquareRows<Interval, size> rows;
     for (std::size_t j = 0; j < size; ++j) {
       if (!legs[j].squared_entry.positive()) return 0;
@@ -134,7 +134,7 @@ class ModeDeterminant {
   /// Whether every leg is proved to reach with B_jj != 0 in a box.
   bool is_reached(const std::array<Interval, size>& box) const noexcept {
     std::array<LegRows<Interval, size>, size> legs;
-    hood_.find_rows(box, legs);
+    chart_.find_rows(box, legs);
     for (const auto& leg : legs)
       if (!leg.squared_entry.positive()) return false;
     return true;
@@ -154,7 +154,7 @@ class ModeDeterminant {
   bool over(const Cell<size>& cell, double radius, OverCell& result) const noexcept {
     using Form = std::conditional_t<(size > 2), QuadraticForm<size>, Affine<size>>;
     std::array<LegRows<Form, size>, size> legs;
-    hood_.find_rows(reflected(cell.template forms<Form>()), legs);
+    chart_.find_rows(reflected(cell.template forms<Form>()), legs);
     SquareRows<Form, size> rows;
     result.any_unclear = false;
     for (std::size_t j = 0; j < size; ++j) {
@@ -178,7 +178,7 @@ class ModeDeterminant {
     std::array<Form, size> coordinates;
     for (std::size_t i = 0; i < size; ++i) coordinates[i] = Form::coordinate(0.0, radius, i);
     std::array<LegRows<Form, size>, size> legs;
-    hood_.find_rows(coordinates, legs);
+    chart_.find_rows(coordinates, legs);
     SquareRows<Form, size> rows;
     for (std::size_t j = 0; j < size; ++j) {
       const Interval range = legs[j].squared_entry.range();
@@ -266,7 +266,7 @@ class ModeDeterminant {
     return result;
   }
 
-  const Hood& hood_;
+  const Chart& chart_;
   bool reflects_ = false;
   SquareRows<double, size> reflection_{};
   std::array<bool, size> branches_{};  // whether the row depends on the sign of B_jj

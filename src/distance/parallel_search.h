@@ -13,17 +13,17 @@
 
 namespace parallel_aspects {
 
-/// The pose nearest to the origin of a neighbourhood where every leg reaches and det A = 0, by branch and
+/// The pose nearest to the origin of a local_chart where every leg reaches and det A = 0, by branch and
 /// bound: cells are halved, the nearest first, until det A is proved to have one sign in them, or no leg to
 /// reach, as far as they are within (1 - tolerance) times the distance of the best witness.
 template <TaskSpace space>
 class ParallelSearch {
  public:
-  static constexpr std::size_t size = Neighbourhood<space>::size;
+  static constexpr std::size_t size = LocalChart<space>::size;
   using Result = SearchResult<size>;
 
-  ParallelSearch(const Neighbourhood<space>& hood, const DistanceOptions& options)
-      : hood_(hood), options_(options) {
+  ParallelSearch(const LocalChart<space>& chart, const DistanceOptions& options)
+      : chart_(chart), options_(options) {
     queue_.reserve(static_cast<std::size_t>(options.most_boxes) + 2);
   }
 
@@ -52,7 +52,7 @@ class ParallelSearch {
  private:
   static constexpr int most_attempts = 12;
 
-  // In six freedoms a box takes about as long as `box_cost` of a search over legs.
+  // In six degrees of freedom a box takes about as long as `box_cost` of a search over legs.
   static constexpr int box_cost = 32, balls = 8;
 
   int most_boxes() const noexcept {
@@ -67,7 +67,7 @@ class ParallelSearch {
   // From symmetric poses the first steps may end at a saddle; turns to either side leave it.
   void look_about() noexcept {
     const double away = std::min(0.1 * range_.radius, 0.5 * result_.upper);
-    for (std::size_t i = Neighbourhood<space>::moves; i < size; ++i)
+    for (std::size_t i = LocalChart<space>::moves; i < size; ++i)
       for (const double sense : {-1.0, 1.0}) {
         Coordinates<size> y{};
         y[i] = sense * away;
@@ -99,7 +99,7 @@ class ParallelSearch {
 
   void examine(const Cell<size>& cell) noexcept {
     ++result_.boxes;
-    if (Neighbourhood<space>::turns > 0 && hood_.is_beyond_half_turn(determinant_->reflected(cell.box())))
+    if (LocalChart<space>::turns > 0 && chart_.is_beyond_half_turn(determinant_->reflected(cell.box())))
       return;
     if (!determinant_->over(cell, target(), over_)) return;
     const Affine<size> value = sign_ > 0 ? over_.determinant : -over_.determinant;
@@ -158,7 +158,7 @@ class ParallelSearch {
 
   // Takes y where det A vanishes there.
   void look_for_witness_at(const Coordinates<size>& y, const PointDual<size>& at) noexcept {
-    if (hood_.is_about_half_turn(y) || !(length<size>(y) < result_.upper)) return;
+    if (chart_.is_about_half_turn(y) || !(length<size>(y) < result_.upper)) return;
     const double distance = length<size>(y), slope = length<size>(at.gradient);
     if (!(std::abs(at.value) <= 1e-6 * slope * distance)) return;
     Coordinates<size> normal = at.gradient;
@@ -246,7 +246,7 @@ class ParallelSearch {
     result_.lower = -((determinant_->reflection_error() - 1.0) * result_.lower);
   }
 
-  const Neighbourhood<space>& hood_;
+  const LocalChart<space>& chart_;
   const DistanceOptions options_;
   CellQueue<size> queue_;
   const ModeDeterminant<space>* determinant_ = nullptr;

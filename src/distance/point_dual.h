@@ -12,7 +12,7 @@
 
 namespace parallel_aspects {
 
-/// Coordinates of a neighbourhood, see there [m].
+/// Coordinates of a local_chart, see there [m].
 template <std::size_t N>
 using Coordinates = std::array<double, N>;
 

@@ -13,7 +13,7 @@
 
 namespace parallel_aspects {
 
-/// What a search knows, in coordinates of a neighbourhood.
+/// What a search knows, in coordinates of a local_chart.
 template <std::size_t N>
 struct SearchResult {
   DistanceStatus status = DistanceStatus::unavailable;

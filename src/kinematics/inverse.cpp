@@ -13,43 +13,45 @@ constexpr double turn = 2.0 * EIGEN_PI;
 double square(double x) { return x * x; }
 
 // With r the crank, R the rod and n the axis: h^2 = ((r+R)^2 - |d|^2)(|d|^2 - (r-R)^2)/4 - r^2 (d.n)^2.
-double squared_entry(const RevoluteDrive& drive, const Leg& leg, const Eigen::Vector3d& d) {
+double squared_entry(const RevoluteActuation& actuation, const Leg& leg, const Eigen::Vector3d& d) {
   const double w = d.squaredNorm();
-  return 0.25 * (square(drive.radius + leg.rod_length) - w) * (w - square(drive.radius - leg.rod_length)) -
-         square(drive.radius * drive.axis.dot(d));
+  return 0.25 * (square(actuation.radius + leg.rod_length) - w) *
+             (w - square(actuation.radius - leg.rod_length)) -
+         square(actuation.radius * actuation.axis.dot(d));
 }
 
-double squared_entry(const PrismaticDrive& drive, const Leg& leg, const Eigen::Vector3d& d) {
-  return square(leg.rod_length) - drive.direction.cross(d).squaredNorm();
+double squared_entry(const PrismaticActuation& actuation, const Leg& leg, const Eigen::Vector3d& d) {
+  return square(leg.rod_length) - actuation.direction.cross(d).squaredNorm();
 }
 
-double squared_entry(const StrutDrive&, const Leg&, const Eigen::Vector3d& d) { return d.squaredNorm(); }
+double squared_entry(const StrutActuation&, const Leg&, const Eigen::Vector3d& d) { return d.squaredNorm(); }
 
-double squared_entry(const ElbowDrive& drive, const Leg&, const Eigen::Vector3d& d) {
+double squared_entry(const ElbowActuation& actuation, const Leg&, const Eigen::Vector3d& d) {
   const double w = d.squaredNorm();
-  return 0.25 * (square(drive.inner_length + drive.outer_length) - w) *
-         (w - square(drive.inner_length - drive.outer_length));
+  return 0.25 * (square(actuation.inner_length + actuation.outer_length) - w) *
+         (w - square(actuation.inner_length - actuation.outer_length));
 }
 
-double value(const RevoluteDrive& drive, const Leg& leg, const Eigen::Vector3d& d, double entry) {
-  const double d1 = drive.zero_direction.dot(d);
-  const double d2 = drive.axis.cross(drive.zero_direction).dot(d);
-  const double a = 0.5 * (d.squaredNorm() + square(drive.radius) - square(leg.rod_length));
+double value(const RevoluteActuation& actuation, const Leg& leg, const Eigen::Vector3d& d, double entry) {
+  const double d1 = actuation.zero_direction.dot(d);
+  const double d2 = actuation.axis.cross(actuation.zero_direction).dot(d);
+  const double a = 0.5 * (d.squaredNorm() + square(actuation.radius) - square(leg.rod_length));
   return std::atan2(a * d2 - entry * d1, a * d1 + entry * d2);
 }
 
-double value(const PrismaticDrive& drive, const Leg&, const Eigen::Vector3d& d, double entry) {
-  return drive.direction.dot(d) - entry;
+double value(const PrismaticActuation& actuation, const Leg&, const Eigen::Vector3d& d, double entry) {
+  return actuation.direction.dot(d) - entry;
 }
 
-double value(const StrutDrive& drive, const Leg&, const Eigen::Vector3d& d, double) {
-  return drive.sense * (d.norm() - drive.length_at_zero);
+double value(const StrutActuation& actuation, const Leg&, const Eigen::Vector3d& d, double) {
+  return actuation.sense * (d.norm() - actuation.length_at_zero);
 }
 
-double value(const ElbowDrive& drive, const Leg&, const Eigen::Vector3d& d, double entry) {
-  const double cosine = 0.5 * (d.squaredNorm() - square(drive.inner_length) - square(drive.outer_length));
-  const double angle = std::atan2(-drive.sense * entry, cosine);
-  return std::remainder(drive.sense * (angle - drive.angle_at_zero), turn);
+double value(const ElbowActuation& actuation, const Leg&, const Eigen::Vector3d& d, double entry) {
+  const double cosine =
+      0.5 * (d.squaredNorm() - square(actuation.inner_length) - square(actuation.outer_length));
+  const double angle = std::atan2(-actuation.sense * entry, cosine);
+  return std::remainder(actuation.sense * (angle - actuation.angle_at_zero), turn);
 }
 
 // The turn of `angle` that is inside the limits, or else the angle itself.
@@ -70,7 +72,7 @@ struct LegSolution {
 LegSolution leg_solution(const Leg& leg, const Pose& pose, int sign) {
   const Eigen::Vector3d point = pose.transform(leg.anchor);
   if (!(squared_inverse_entry(leg, point) >= 0.0)) return {};
-  const double q = drive_value(leg, point, sign);
+  const double q = joint_value(leg, point, sign);
   return {leg.limits.contain(q) ? InverseStatus::solved : InverseStatus::outside_limits, q};
 }
 
@@ -94,18 +96,18 @@ InverseSolution combined(const WorkingMode& mode, const Solve& solve) {
 
 double squared_inverse_entry(const Leg& leg, const Eigen::Vector3d& point) noexcept {
   const Eigen::Vector3d d = point - leg.base_point();
-  return std::visit([&](const auto& drive) { return squared_entry(drive, leg, d); }, leg.drive);
+  return std::visit([&](const auto& actuation) { return squared_entry(actuation, leg, d); }, leg.actuation);
 }
 
-double drive_value(const Leg& leg, const Eigen::Vector3d& point, int sign) noexcept {
+double joint_value(const Leg& leg, const Eigen::Vector3d& point, int sign) noexcept {
   const Eigen::Vector3d d = point - leg.base_point();
   return std::visit(
-      [&](const auto& drive) {
-        const double entry = sign * std::sqrt(std::max(0.0, squared_entry(drive, leg, d)));
-        const double q = value(drive, leg, d, entry);
-        return leg.driven_by_angle() ? turned_into(leg.limits, q) : q;
+      [&](const auto& actuation) {
+        const double entry = sign * std::sqrt(std::max(0.0, squared_entry(actuation, leg, d)));
+        const double q = value(actuation, leg, d, entry);
+        return leg.actuated_by_angle() ? turned_into(leg.limits, q) : q;
       },
-      leg.drive);
+      leg.actuation);
 }
 
 InverseSolution inverse(const Manipulator& manipulator, const Pose& pose, const WorkingMode& mode) noexcept {

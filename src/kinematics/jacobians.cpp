@@ -9,7 +9,7 @@ namespace parallel_aspects {
 namespace {
 
 TaskVector row(TaskSpace space, const Eigen::Vector3d& b, const Eigen::Vector3d& u) {
-  TaskVector result(static_cast<Eigen::Index>(freedoms(space)));
+  TaskVector result(static_cast<Eigen::Index>(degrees_of_freedom(space)));
   const Eigen::Vector3d moment = b.cross(u);
   switch (space) {
     case TaskSpace::T1:
@@ -50,7 +50,7 @@ TaskMatrix direct_matrix(const Manipulator& manipulator, const Pose& pose, const
 
 TaskMatrix homogenised_matrix(const Manipulator& manipulator, const Pose& pose, const JointVector& q) {
   TaskMatrix matrix = direct_matrix(manipulator, pose, q);
-  matrix.leftCols(static_cast<Eigen::Index>(rotational_freedoms(manipulator.task_space()))) /=
+  matrix.leftCols(static_cast<Eigen::Index>(rotational_degrees_of_freedom(manipulator.task_space()))) /=
       manipulator.characteristic_length();
   for (Eigen::Index j = 0; j < matrix.rows(); ++j) {
     const Leg& leg = manipulator.leg(static_cast<std::size_t>(j));

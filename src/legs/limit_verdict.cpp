@@ -8,17 +8,17 @@ namespace parallel_aspects {
 
 Verdict both(Verdict a, Verdict b) noexcept {
   if (a == Verdict::fails || b == Verdict::fails) return Verdict::fails;
-  return a == Verdict::holds && b == Verdict::holds ? Verdict::holds : Verdict::unsure;
+  return a == Verdict::holds && b == Verdict::holds ? Verdict::holds : Verdict::unknown;
 }
 
 Verdict either(Verdict a, Verdict b) noexcept {
   if (a == Verdict::holds || b == Verdict::holds) return Verdict::holds;
-  return a == Verdict::fails && b == Verdict::fails ? Verdict::fails : Verdict::unsure;
+  return a == Verdict::fails && b == Verdict::fails ? Verdict::fails : Verdict::unknown;
 }
 
 Verdict is_positive(const Interval& value) noexcept {
   if (value.positive()) return Verdict::holds;
-  return value.negative() ? Verdict::fails : Verdict::unsure;
+  return value.negative() ? Verdict::fails : Verdict::unknown;
 }
 
 Verdict verdict(const LimitFunctions<Interval>& limits) noexcept {

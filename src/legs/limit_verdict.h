@@ -13,14 +13,14 @@
 namespace parallel_aspects {
 
 /// What is proved of a condition on a whole box: it holds everywhere, it fails everywhere, or neither.
-enum class Verdict { holds, fails, unsure };
+enum class Verdict { holds, fails, unknown };
 
 Verdict both(Verdict a, Verdict b) noexcept;
 Verdict either(Verdict a, Verdict b) noexcept;
 Verdict is_positive(const Interval& value) noexcept;
 
-/// Limits of a drive as functions of the pose: within limits where all of `values`, or with `any` at least
-/// one, are positive. The limits themselves may be counted to either side.
+/// Limits of an actuated joint as functions of the pose: within limits where all of `values`, or with `any`
+/// at least one, are positive. The limits themselves may be counted to either side.
 template <class Scalar>
 struct LimitFunctions {
   std::array<Scalar, 2> values;
@@ -32,7 +32,7 @@ struct LimitFunctions {
 
 Verdict verdict(const LimitFunctions<Interval>& limits) noexcept;
 
-/// Limits of a drive angle, tested on its cosine and sine without any arc function.
+/// Limits of a joint angle, tested on its cosine and sine without any arc function.
 class AngleLimits {
  public:
   /// Without limits.

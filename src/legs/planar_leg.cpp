@@ -8,7 +8,7 @@ namespace parallel_aspects {
 PlanarLeg::PlanarLeg(const Leg& leg) {
   assert_rounding_upward();
   set_base(leg.base_point(), leg);
-  std::visit([this, &leg](const auto& drive) { set(drive, leg); }, leg.drive);
+  std::visit([this, &leg](const auto& actuation) { set(actuation, leg); }, leg.actuation);
 }
 
 void PlanarLeg::set_base(const Eigen::Vector3d& base, const Leg& leg) {
@@ -23,38 +23,38 @@ void PlanarLeg::set_two_links(const Interval& squared_first, const Interval& squ
   squared_shortest_ = squared_first + squared_second - twice_product;
 }
 
-void PlanarLeg::set(const RevoluteDrive& drive, const Leg& leg) {
+void PlanarLeg::set(const RevoluteActuation& actuation, const Leg& leg) {
   kind_ = Kind::revolute;
-  const Interval squared_crank = square(Interval(drive.radius));
+  const Interval squared_crank = square(Interval(actuation.radius));
   // Anchor and crank tip move in parallel planes; what is left of the rod in the plane.
   squared_rod_ = square(Interval(leg.rod_length)) - squared_height_;
   set_two_links(squared_crank, not_negative_part(squared_rod_));
   half_difference_ = Interval(0.5) * (squared_rod_ - squared_crank);
-  sense_ = drive.axis.z() > 0.0 ? 1.0 : -1.0;
-  const double zero_angle = sense_ * std::atan2(drive.zero_direction.y(), drive.zero_direction.x());
+  sense_ = actuation.axis.z() > 0.0 ? 1.0 : -1.0;
+  const double zero_angle = sense_ * std::atan2(actuation.zero_direction.y(), actuation.zero_direction.x());
   angle_limits_ = AngleLimits(leg.limits, zero_angle, 1.0);
 }
 
-void PlanarLeg::set(const PrismaticDrive& drive, const Leg& leg) {
+void PlanarLeg::set(const PrismaticActuation& actuation, const Leg& leg) {
   kind_ = Kind::prismatic;
   squared_rod_ = square(Interval(leg.rod_length)) - squared_height_;
-  direction_ = {drive.direction.x(), drive.direction.y()};
+  direction_ = {actuation.direction.x(), actuation.direction.y()};
   length_limits_ = LengthLimits(leg.limits);
 }
 
-void PlanarLeg::set(const StrutDrive& drive, const Leg& leg) {
+void PlanarLeg::set(const StrutActuation& actuation, const Leg& leg) {
   kind_ = Kind::strut;
-  length_limits_ = LengthLimits(leg.limits, drive.length_at_zero, drive.sense);
+  length_limits_ = LengthLimits(leg.limits, actuation.length_at_zero, actuation.sense);
 }
 
-void PlanarLeg::set(const ElbowDrive& drive, const Leg& leg) {
+void PlanarLeg::set(const ElbowActuation& actuation, const Leg& leg) {
   kind_ = Kind::elbow;
-  const Interval squared_inner = square(Interval(drive.inner_length));
-  const Interval squared_outer = square(Interval(drive.outer_length));
+  const Interval squared_inner = square(Interval(actuation.inner_length));
+  const Interval squared_outer = square(Interval(actuation.outer_length));
   set_two_links(squared_inner, squared_outer);
   half_sum_ = Interval(0.5) * (squared_inner + squared_outer);
-  sense_ = drive.sense;
-  angle_limits_ = AngleLimits(leg.limits, drive.angle_at_zero, drive.sense);
+  sense_ = actuation.sense;
+  angle_limits_ = AngleLimits(leg.limits, actuation.angle_at_zero, actuation.sense);
 }
 
 }  // namespace parallel_aspects

@@ -32,8 +32,8 @@ struct PlanarLegForm {
   Planar<Scalar> fixed, turned;
 };
 
-/// A distance leg whose drive and anchor move in parallels of the x-y plane, with its constants enclosed in
-/// intervals. Must be made under a live `RoundingUpward`.
+/// A distance leg whose actuated joint and anchor move in parallels of the x-y plane, with its constants
+/// enclosed in intervals. Must be made under a live `RoundingUpward`.
 class PlanarLeg {
  public:
   explicit PlanarLeg(const Leg& leg);
@@ -47,7 +47,7 @@ class PlanarLeg {
   template <class Scalar>
   PlanarLegForm<Scalar> form(const Planar<Scalar>& d) const;
 
-  /// Limits of the drive value of branch `sign`, where |B_jj| is `entry`.
+  /// Limits of the joint value of branch `sign`, where |B_jj| is `entry`.
   template <class Scalar>
   LimitFunctions<Scalar> limits(const Planar<Scalar>& d, const Scalar& entry, int sign) const;
 
@@ -60,10 +60,10 @@ class PlanarLeg {
  private:
   enum class Kind { revolute, prismatic, strut, elbow };
 
-  void set(const RevoluteDrive& drive, const Leg& leg);
-  void set(const PrismaticDrive& drive, const Leg& leg);
-  void set(const StrutDrive& drive, const Leg& leg);
-  void set(const ElbowDrive& drive, const Leg& leg);
+  void set(const RevoluteActuation& actuation, const Leg& leg);
+  void set(const PrismaticActuation& actuation, const Leg& leg);
+  void set(const StrutActuation& actuation, const Leg& leg);
+  void set(const ElbowActuation& actuation, const Leg& leg);
   void set_base(const Eigen::Vector3d& base, const Leg& leg);
   void set_two_links(const Interval& squared_first, const Interval& squared_second);
 
@@ -74,7 +74,7 @@ class PlanarLeg {
   Interval squared_longest_, squared_shortest_;  // two links stretched, folded
   Interval squared_rod_, half_difference_;       // rod in the plane; (rod^2 - crank^2) / 2
   Interval half_sum_;                            // (inner^2 + outer^2) / 2 of an elbow
-  Planar<Interval> direction_;                   // of a prismatic drive
+  Planar<Interval> direction_;                   // of an actuated prismatic joint
   double sense_ = 1.0;                           // of turning about z, or of a strut or elbow
   AngleLimits angle_limits_;
   LengthLimits length_limits_;

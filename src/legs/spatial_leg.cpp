@@ -10,15 +10,15 @@ Spatial<Interval> enclosed(const Eigen::Vector3d& vector) { return {vector.x(), 
 
 SpatialLeg::SpatialLeg(const Leg& leg) : reach_(leg.longest_reach()), base_(enclosed(leg.base_point())) {
   assert_rounding_upward();
-  std::visit([this, &leg](const auto& drive) { set(drive, leg); }, leg.drive);
+  std::visit([this, &leg](const auto& actuation) { set(actuation, leg); }, leg.actuation);
 }
 
-void SpatialLeg::set(const RevoluteDrive& drive, const Leg& leg) {
+void SpatialLeg::set(const RevoluteActuation& actuation, const Leg& leg) {
   kind_ = Kind::revolute;
-  axis_ = enclosed(drive.axis);
-  zero_direction_ = enclosed(drive.zero_direction);
+  axis_ = enclosed(actuation.axis);
+  zero_direction_ = enclosed(actuation.zero_direction);
   side_direction_ = cross(axis_, zero_direction_);
-  const Interval crank(drive.radius), rod(leg.rod_length);
+  const Interval crank(actuation.radius), rod(leg.rod_length);
   squared_longest_ = square(crank + rod);
   squared_shortest_ = square(crank - rod);
   squared_crank_ = square(crank);
@@ -26,26 +26,26 @@ void SpatialLeg::set(const RevoluteDrive& drive, const Leg& leg) {
   angle_limits_ = AngleLimits(leg.limits, 0.0, 1.0);
 }
 
-void SpatialLeg::set(const PrismaticDrive& drive, const Leg& leg) {
+void SpatialLeg::set(const PrismaticActuation& actuation, const Leg& leg) {
   kind_ = Kind::prismatic;
-  axis_ = enclosed(drive.direction);
+  axis_ = enclosed(actuation.direction);
   squared_rod_ = square(Interval(leg.rod_length));
   length_limits_ = LengthLimits(leg.limits);
 }
 
-void SpatialLeg::set(const StrutDrive& drive, const Leg& leg) {
+void SpatialLeg::set(const StrutActuation& actuation, const Leg& leg) {
   kind_ = Kind::strut;
-  length_limits_ = LengthLimits(leg.limits, drive.length_at_zero, drive.sense);
+  length_limits_ = LengthLimits(leg.limits, actuation.length_at_zero, actuation.sense);
 }
 
-void SpatialLeg::set(const ElbowDrive& drive, const Leg& leg) {
+void SpatialLeg::set(const ElbowActuation& actuation, const Leg& leg) {
   kind_ = Kind::elbow;
-  const Interval inner(drive.inner_length), outer(drive.outer_length);
+  const Interval inner(actuation.inner_length), outer(actuation.outer_length);
   squared_longest_ = square(inner + outer);
   squared_shortest_ = square(inner - outer);
   half_sum_ = Interval(0.5) * (square(inner) + square(outer));
-  sense_ = drive.sense;
-  angle_limits_ = AngleLimits(leg.limits, drive.angle_at_zero, drive.sense);
+  sense_ = actuation.sense;
+  angle_limits_ = AngleLimits(leg.limits, actuation.angle_at_zero, actuation.sense);
 }
 
 }  // namespace parallel_aspects

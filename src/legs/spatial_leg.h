@@ -52,7 +52,7 @@ class SpatialLeg {
   template <class Scalar>
   SpatialLegForm<Scalar> form(const Spatial<Scalar>& d) const;
 
-  /// Limits of the drive value of branch `sign`, where |B_jj| is `entry`.
+  /// Limits of the joint value of branch `sign`, where |B_jj| is `entry`.
   template <class Scalar>
   LimitFunctions<Scalar> limits(const Spatial<Scalar>& d, const Scalar& entry, int sign) const;
 
@@ -65,17 +65,18 @@ class SpatialLeg {
  private:
   enum class Kind { revolute, prismatic, strut, elbow };
 
-  void set(const RevoluteDrive& drive, const Leg& leg);
-  void set(const PrismaticDrive& drive, const Leg& leg);
-  void set(const StrutDrive& drive, const Leg& leg);
-  void set(const ElbowDrive& drive, const Leg& leg);
+  void set(const RevoluteActuation& actuation, const Leg& leg);
+  void set(const PrismaticActuation& actuation, const Leg& leg);
+  void set(const StrutActuation& actuation, const Leg& leg);
+  void set(const ElbowActuation& actuation, const Leg& leg);
 
   Kind kind_ = Kind::revolute;
   double reach_ = 0.0;
   Spatial<Interval> base_;
-  Spatial<Interval> axis_, zero_direction_, side_direction_;  // axis is the direction of a prismatic drive
-  Interval squared_longest_, squared_shortest_;               // two links stretched, folded
-  Interval squared_crank_, half_difference_;                  // (rod^2 - crank^2) / 2
+  Spatial<Interval> axis_, zero_direction_,
+      side_direction_;                           // axis is the direction of an actuated prismatic joint
+  Interval squared_longest_, squared_shortest_;  // two links stretched, folded
+  Interval squared_crank_, half_difference_;     // (rod^2 - crank^2) / 2
   Interval squared_rod_;
   Interval half_sum_;   // (inner^2 + outer^2) / 2 of an elbow
   double sense_ = 1.0;  // of a strut or elbow

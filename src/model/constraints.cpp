@@ -26,7 +26,7 @@ class Check {
   }
 
  private:
-  void problem(const std::string& sentence) { problems_.push_back(sentence); }
+  void problem(const std::string& message) { problems_.push_back(message); }
 
   void check_thickness() {
     const LinkThickness& thickness = constraints_.thickness;
@@ -38,18 +38,18 @@ class Check {
   void check_links(const std::string& what) {
     if (space_ == TaskSpace::SO3)
       problem("The links of a robot in SO3 are not straight, so that " + what +
-              " cannot be told from distances; leave that out.");
+              " cannot be determined from distances; leave that out.");
     for (const Leg& leg : legs_)
-      if (std::holds_alternative<ElbowDrive>(leg.drive))
-        problem("Leg '" + leg.name + "' is driven at its elbow, so that " + what +
-                " cannot be told from the distance of its ends; leave that out.");
+      if (std::holds_alternative<ElbowActuation>(leg.actuation))
+        problem("Leg '" + leg.name + "' is actuated at its elbow, so that " + what +
+                " cannot be determined from the distance of its ends; leave that out.");
   }
 
   void check_self_collision(const SelfCollision& collision) {
     check_links("self_collision");
     const LinkThickness& thickness = constraints_.thickness;
     const bool cranks = std::any_of(legs_.begin(), legs_.end(), [](const Leg& leg) {
-      return std::holds_alternative<RevoluteDrive>(leg.drive);
+      return std::holds_alternative<RevoluteActuation>(leg.actuation);
     });
     if (!is_planar(space_) && !(thickness.rod > 0.0 && (thickness.crank > 0.0 || !cranks)))
       problem(
@@ -101,8 +101,8 @@ class Check {
 
 std::string_view name(ConstraintKind kind) noexcept {
   switch (kind) {
-    case ConstraintKind::driven_limits:
-      return "driven_limits";
+    case ConstraintKind::actuated_limits:
+      return "actuated_limits";
     case ConstraintKind::passive_limits:
       return "passive_limits";
     case ConstraintKind::self_collision:
@@ -125,7 +125,9 @@ std::string to_string(const LinkName& link) {
   return (link.kind == LinkKind::crank ? "crank_" : "rod_") + std::to_string(link.leg + 1);
 }
 
-std::size_t directions(TaskSpace space) noexcept { return freedoms(space) - rotational_freedoms(space); }
+std::size_t directions(TaskSpace space) noexcept {
+  return degrees_of_freedom(space) - rotational_degrees_of_freedom(space);
+}
 
 bool is_planar(TaskSpace space) noexcept {
   return space == TaskSpace::T1 || space == TaskSpace::T2 || space == TaskSpace::SE2;

@@ -18,13 +18,14 @@ class LegCheck {
  public:
   LegCheck(const Leg& leg, Problems& problems) : leg_(leg), problems_(problems) {
     finite(leg.anchor, "anchor");
-    std::visit([this](const auto& drive) { check(drive); }, leg.drive);
+    std::visit([this](const auto& actuation) { check(actuation); }, leg.actuation);
     if (std::isnan(leg.limits.lower) || std::isnan(leg.limits.upper) || leg.limits.lower > leg.limits.upper)
-      say("has joint limits that are NaN or whose lower end is above the upper one; mend the limits of joint "
+      say("has joint limits that are NaN or whose lower end is above the upper one; correct the limits of "
+          "joint "
           "'" +
-          leg.driven_joint + "'.");
+          leg.actuated_joint + "'.");
     if (!(leg.limits.velocity > 0.0))
-      say("has a velocity limit that is not positive; give one, or none, to joint '" + leg.driven_joint +
+      say("has a velocity limit that is not positive; give one, or none, to joint '" + leg.actuated_joint +
           "'.");
   }
 
@@ -46,38 +47,40 @@ class LegCheck {
   }
 
   void sign(double value) {
-    if (value != 1.0 && value != -1.0) say("has a drive sense that is neither 1 nor -1; give one of them.");
+    if (value != 1.0 && value != -1.0)
+      say("has an actuated joint sense that is neither 1 nor -1; give one of them.");
   }
 
-  void check(const RevoluteDrive& drive) {
-    finite(drive.center, "drive center");
-    unit(drive.axis, "drive axis");
-    unit(drive.zero_direction, "zero direction");
-    if (std::abs(drive.axis.dot(drive.zero_direction)) > direction_tolerance)
-      say("has a zero direction that is not orthogonal to its drive axis; project it.");
-    positive(drive.radius, "crank length");
+  void check(const RevoluteActuation& actuation) {
+    finite(actuation.center, "actuated joint center");
+    unit(actuation.axis, "actuated joint axis");
+    unit(actuation.zero_direction, "zero direction");
+    if (std::abs(actuation.axis.dot(actuation.zero_direction)) > direction_tolerance)
+      say("has a zero direction that is not orthogonal to its actuated joint axis; project it.");
+    positive(actuation.radius, "crank length");
     positive(leg_.rod_length, "rod length");
   }
 
-  void check(const PrismaticDrive& drive) {
-    finite(drive.origin, "drive origin");
-    unit(drive.direction, "drive direction");
+  void check(const PrismaticActuation& actuation) {
+    finite(actuation.origin, "actuated joint origin");
+    unit(actuation.direction, "actuated joint direction");
     positive(leg_.rod_length, "rod length");
   }
 
-  void check(const StrutDrive& drive) {
-    finite(drive.base, "base point");
-    sign(drive.sense);
-    if (!std::isfinite(drive.length_at_zero))
+  void check(const StrutActuation& actuation) {
+    finite(actuation.base, "base point");
+    sign(actuation.sense);
+    if (!std::isfinite(actuation.length_at_zero))
       say("has a strut length that is not finite; give a finite one.");
   }
 
-  void check(const ElbowDrive& drive) {
-    finite(drive.base, "base point");
-    positive(drive.inner_length, "inner length");
-    positive(drive.outer_length, "outer length");
-    sign(drive.sense);
-    if (!std::isfinite(drive.angle_at_zero)) say("has an elbow angle that is not finite; give a finite one.");
+  void check(const ElbowActuation& actuation) {
+    finite(actuation.base, "base point");
+    positive(actuation.inner_length, "inner length");
+    positive(actuation.outer_length, "outer length");
+    sign(actuation.sense);
+    if (!std::isfinite(actuation.angle_at_zero))
+      say("has an elbow angle that is not finite; give a finite one.");
   }
 
   const Leg& leg_;
@@ -89,19 +92,19 @@ void check_names(const std::vector<Leg>& legs, Problems& problems) {
   for (const Leg& leg : legs) {
     if (leg.name.empty() || !names.insert(leg.name).second)
       problems.push_back("Two legs are named '" + leg.name + "', or the name is empty; name each leg once.");
-    if (leg.driven_joint.empty() || !joints.insert(leg.driven_joint).second)
-      problems.push_back("Two legs are driven by '" + leg.driven_joint +
-                         "', or the joint's name is empty; each leg needs one drive of its own.");
+    if (leg.actuated_joint.empty() || !joints.insert(leg.actuated_joint).second)
+      problems.push_back("Two legs are actuated by '" + leg.actuated_joint +
+                         "', or the joint's name is empty; each leg needs one actuated joint of its own.");
   }
 }
 
 void check_leg_count(const ManipulatorDescription& description, Problems& problems) {
-  const std::size_t expected = freedoms(description.task_space);
+  const std::size_t expected = degrees_of_freedom(description.task_space);
   if (description.legs.size() != expected)
     problems.push_back("Manipulator '" + description.name + "' has " +
                        std::to_string(description.legs.size()) + " legs, but its task space " +
                        std::string(name(description.task_space)) + " needs " + std::to_string(expected) +
-                       ", one for each freedom of the platform.");
+                       ", one for each degree of freedom of the platform.");
 }
 
 Problems find_problems(const ManipulatorDescription& description) {
@@ -147,7 +150,7 @@ Manipulator::Manipulator(ManipulatorDescription description) : description_(std:
 ConstraintKinds Manipulator::constraint_kinds() const noexcept {
   const Constraints& constraints = description_.constraints;
   ConstraintKinds kinds;
-  kinds[index_of(ConstraintKind::driven_limits)] =
+  kinds[index_of(ConstraintKind::actuated_limits)] =
       std::any_of(legs().begin(), legs().end(), [](const Leg& leg) { return leg.limits.limited(); });
   kinds[index_of(ConstraintKind::passive_limits)] = !constraints.passive_limits.empty();
   kinds[index_of(ConstraintKind::self_collision)] = constraints.self_collision.has_value();
@@ -160,11 +163,11 @@ std::shared_ptr<const Manipulator> Manipulator::with_constraints(ConstraintKinds
   const auto asked = [&kinds](ConstraintKind kind) { return kinds[index_of(kind)]; };
   ManipulatorDescription description = description_;
   Constraints& constraints = description.constraints;
-  if (!asked(ConstraintKind::driven_limits))
+  if (!asked(ConstraintKind::actuated_limits))
     for (Leg& leg : description.legs) leg.limits = {};
   if (!asked(ConstraintKind::passive_limits)) {
     constraints.passive_limits.clear();
-    constraints.untold_joints.clear();
+    constraints.missing_joints.clear();
   }
   if (!asked(ConstraintKind::self_collision))
     constraints.self_collision.reset();

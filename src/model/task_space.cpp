@@ -10,7 +10,7 @@ namespace {
 struct Traits {
   TaskSpace space;
   std::string_view name;
-  std::size_t freedoms;
+  std::size_t degrees_of_freedom;
   bool translation;
   bool rotation;
   std::string_view measure_unit;
@@ -29,7 +29,7 @@ constexpr const Traits& traits(TaskSpace space) noexcept {
 
 }  // namespace
 
-std::size_t freedoms(TaskSpace space) noexcept { return traits(space).freedoms; }
+std::size_t degrees_of_freedom(TaskSpace space) noexcept { return traits(space).degrees_of_freedom; }
 
 std::string_view name(TaskSpace space) noexcept { return traits(space).name; }
 
@@ -49,7 +49,7 @@ const std::vector<std::string>& coordinate_names(TaskSpace space) {
   return names[static_cast<std::size_t>(space)];
 }
 
-std::size_t rotational_freedoms(TaskSpace space) noexcept {
+std::size_t rotational_degrees_of_freedom(TaskSpace space) noexcept {
   if (!has_rotation(space)) return 0;
   return space == TaskSpace::SE2 ? 1 : 3;
 }

@@ -21,7 +21,7 @@ constexpr double smallest = 2e-3;  // and last
 constexpr double shrink = 0.8;
 constexpr double margin = 0.35;  // of each index at the middle of the figure that must be left everywhere
 
-// Whole turns of each freedom in one round; all are at zero where a round begins.
+// Whole turns of each degree of freedom in one round; all are at zero where a round begins.
 constexpr std::array<int, max_legs> turns{1, 2, 3, 3, 1, 2};
 
 class Planner {
@@ -35,32 +35,32 @@ class Planner {
     if (start.status != InverseStatus::solved || !allowed_(middle_, start.q)) return {};
     indices_ = singularity_indices(robot_, middle_, start.q);
     for (double amplitude = largest; amplitude >= smallest; amplitude *= shrink) {
-      std::vector<JointVector> drives = figure({middle_, start.q}, amplitude);
-      if (!drives.empty()) return drives;
+      std::vector<JointVector> joint_values = figure({middle_, start.q}, amplitude);
+      if (!joint_values.empty()) return joint_values;
     }
     return {};
   }
 
  private:
   std::vector<JointVector> figure(const Place& start, double amplitude) const {
-    std::vector<JointVector> drives{start.q};
+    std::vector<JointVector> joint_values{start.q};
     Place at = start;
     for (int i = 1; i <= corners; ++i) {
       const auto next = place(amplitude, static_cast<double>(i) / corners);
       if (!next) return {};
-      const JointVector change = drive_change(robot_, at.q, next->q);
+      const JointVector change = joint_change(robot_, at.q, next->q);
       if (!straight_motion_exists(robot_, at, change, next->pose)) return {};
-      drives.push_back(drives.back() + change);
+      joint_values.push_back(joint_values.back() + change);
       at = *next;
     }
-    return drives;
+    return joint_values;
   }
 
   std::optional<Place> place(double amplitude, double share) const {
-    const auto freedoms = static_cast<Eigen::Index>(robot_.leg_count());
-    const auto rotations = static_cast<Eigen::Index>(rotational_freedoms(robot_.task_space()));
-    TaskVector twist(freedoms);
-    for (Eigen::Index i = 0; i < freedoms; ++i) {
+    const auto degrees_of_freedom = static_cast<Eigen::Index>(robot_.leg_count());
+    const auto rotations = static_cast<Eigen::Index>(rotational_degrees_of_freedom(robot_.task_space()));
+    TaskVector twist(degrees_of_freedom);
+    for (Eigen::Index i = 0; i < degrees_of_freedom; ++i) {
       const double unit = i < rotations ? 2.0 : robot_.size();
       twist[i] = amplitude * unit * std::sin(2.0 * EIGEN_PI * turns[static_cast<std::size_t>(i)] * share);
     }

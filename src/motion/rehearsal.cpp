@@ -10,7 +10,7 @@ namespace {
 
 constexpr double slowest = 8.0;  // times the duration that was asked for
 
-// How long the drives need for a straight change at least [s].
+// How long the actuated joints need for a straight change at least [s].
 double least_time(const Manipulator& manipulator, const JointVector& change) {
   double seconds = 0.0;
   for (std::size_t j = 0; j < manipulator.leg_count(); ++j)

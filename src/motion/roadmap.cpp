@@ -24,12 +24,12 @@ double distance(const Manipulator& manipulator, const Pose& a, const Pose& b) {
 
 }  // namespace
 
-JointVector drive_change(const Manipulator& manipulator, const JointVector& from, const JointVector& to) {
+JointVector joint_change(const Manipulator& manipulator, const JointVector& from, const JointVector& to) {
   JointVector change = to - from;
   for (std::size_t j = 0; j < manipulator.leg_count(); ++j) {
     double& entry = change[static_cast<Eigen::Index>(j)];
     const Leg& leg = manipulator.leg(j);
-    if (leg.driven_by_angle() && !leg.limits.limited()) entry = std::remainder(entry, 2.0 * EIGEN_PI);
+    if (leg.actuated_by_angle() && !leg.limits.limited()) entry = std::remainder(entry, 2.0 * EIGEN_PI);
   }
   return change;
 }
@@ -60,7 +60,7 @@ void Roadmap::connect() {
   for (std::size_t a = 0; a < places_.size(); ++a) {
     others.clear();
     for (std::size_t b = 0; b < places_.size(); ++b)
-      if (b != a) others.emplace_back(drive_change(manipulator_, places_[a].q, places_[b].q).norm(), b);
+      if (b != a) others.emplace_back(joint_change(manipulator_, places_[a].q, places_[b].q).norm(), b);
     const std::size_t count = std::min(neighbours_wanted, others.size());
     std::partial_sort(others.begin(), others.begin() + static_cast<std::ptrdiff_t>(count), others.end());
     for (std::size_t i = 0; i < count; ++i) {
@@ -71,7 +71,7 @@ void Roadmap::connect() {
 }
 
 double Roadmap::cost(std::size_t a, std::size_t b) const {
-  const double length = drive_change(manipulator_, places_[a].q, places_[b].q).norm();
+  const double length = joint_change(manipulator_, places_[a].q, places_[b].q).norm();
   return length * (narrowness_[a] + narrowness_[b]);
 }
 
@@ -95,29 +95,29 @@ std::vector<std::size_t> Roadmap::cheapest(std::size_t from, std::size_t to) con
     }
   }
   if (open.empty()) return {};
-  std::vector<std::size_t> way{to};
-  while (way.back() != from) way.push_back(before[way.back()]);
-  std::reverse(way.begin(), way.end());
-  return way;
+  std::vector<std::size_t> path{to};
+  while (path.back() != from) path.push_back(before[path.back()]);
+  std::reverse(path.begin(), path.end());
+  return path;
 }
 
 bool Roadmap::passable(std::size_t a, std::size_t b) {
   const Edge edge = std::minmax(a, b);
   if (proved_.count(edge) > 0) return true;
-  const JointVector change = drive_change(manipulator_, places_[a].q, places_[b].q);
+  const JointVector change = joint_change(manipulator_, places_[a].q, places_[b].q);
   const bool passes = straight_motion_exists(manipulator_, places_[a], change, places_[b].pose, most_steps_);
   (passes ? proved_ : blocked_).insert(edge);
   return passes;
 }
 
-// Motions are proved only where the way goes; one that fails is avoided by the next try.
-std::vector<std::size_t> Roadmap::way(std::size_t from, std::size_t to) {
+// Motions are proved only where the path goes; one that fails is avoided by the next try.
+std::vector<std::size_t> Roadmap::path(std::size_t from, std::size_t to) {
   if (neighbours_.empty()) connect();
   while (true) {
-    std::vector<std::size_t> way = cheapest(from, to);
+    std::vector<std::size_t> path = cheapest(from, to);
     bool open = true;
-    for (std::size_t i = 0; i + 1 < way.size(); ++i) open = passable(way[i], way[i + 1]) && open;
-    if (open) return way;
+    for (std::size_t i = 0; i + 1 < path.size(); ++i) open = passable(path[i], path[i + 1]) && open;
+    if (open) return path;
   }
 }
 

@@ -13,25 +13,26 @@
 
 namespace parallel_aspects {
 
-/// A configuration: pose and the drive values that assemble with it.
+/// A configuration: pose and the joint values that assemble with it.
 struct Place {
   Pose pose;
   JointVector q;  ///< [rad or m]
 };
 
-/// The shortest change of the drives from one place to another: angles without limits turn the short way.
-JointVector drive_change(const Manipulator& manipulator, const JointVector& from, const JointVector& to);
+/// The shortest change of the actuated joints from one place to another: angles without limits turn the short
+/// path.
+JointVector joint_change(const Manipulator& manipulator, const JointVector& from, const JointVector& to);
 
 /// Half of the steps that a tracker takes for one sample, as its options are by default: it follows a motion
 /// that is proved in as many, however few samples there are on it.
 int steps_of_one_sample() noexcept;
 
-/// Whether the platform, when the drives move straight from `from` by `change`, gets to the pose of `to` with
-/// det A away from zero all along; certified by continuation, in at most `most_steps`.
+/// Whether the platform, when the actuated joints move straight from `from` by `change`, gets to the pose of
+/// `to` with det A away from zero all along; certified by continuation, in at most `most_steps`.
 bool straight_motion_exists(const Manipulator& manipulator, const Place& from, const JointVector& change,
                             const Pose& to, int most_steps = steps_of_one_sample());
 
-/// Places of one aspect, and ways between them that avoid singularities with room to spare.
+/// Places of one aspect, and paths between them that avoid singularities with room to spare.
 class Roadmap {
  public:
   /// `most_steps`: for the proof of one straight motion. A motion of many samples may take more.
@@ -42,8 +43,8 @@ class Roadmap {
   const Place& place(std::size_t index) const { return places_[index]; }
 
   /// Places from one to another, both included, such that `straight_motion_exists` between each and the next;
-  /// empty where no way is found.
-  std::vector<std::size_t> way(std::size_t from, std::size_t to);
+  /// empty where no path is found.
+  std::vector<std::size_t> path(std::size_t from, std::size_t to);
 
  private:
   using Edge = std::pair<std::size_t, std::size_t>;

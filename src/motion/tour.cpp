@@ -18,12 +18,12 @@ constexpr std::size_t most_places = 600;    // of one roadmap
 constexpr std::size_t most_leaves = 20000;  // looked at in one aspect
 constexpr std::size_t most_gates = 8;       // tried from one aspect to another
 
-/// A pose on either side of a serial singularity of one leg: drives q_before in one aspect, q_after in the
-/// other.
+/// A pose on either side of a serial singularity of one leg: actuated joints q_before in one aspect, q_after
+/// in the other.
 struct Gate {
   int to = 0;
   Place before, after;
-  double width = 0.0;  // how far the drive moves [rad or m]
+  double width = 0.0;  // how far the actuated joint moves [rad or m]
 };
 
 struct Country {
@@ -41,7 +41,7 @@ class Planner {
     const InverseSolution solution = inverse(robot_, start, mode);
     const Location location = map_.locate(start, mode);
     if (solution.status != InverseStatus::solved || location.status != LocationStatus::inside) return {};
-    tour_.drives = {solution.q};
+    tour_.joint_values = {solution.q};
     const std::size_t here = country(location.aspect).roads->add({start, solution.q});
     visit(location.aspect, here);
     return std::move(tour_);
@@ -50,7 +50,7 @@ class Planner {
  private:
   bool has_more_constraints() const {
     ConstraintKinds kinds = robot_.constraint_kinds();
-    kinds[index_of(ConstraintKind::driven_limits)] = false;
+    kinds[index_of(ConstraintKind::actuated_limits)] = false;
     return kinds.any();
   }
 
@@ -76,13 +76,13 @@ class Planner {
 
   bool go(int aspect, std::size_t from, std::size_t to) {
     Roadmap& roads = *country(aspect).roads;
-    const auto way = roads.way(from, to);
-    for (std::size_t i = 0; i + 1 < way.size(); ++i) pass(roads.place(way[i]), roads.place(way[i + 1]));
-    return !way.empty();
+    const auto path = roads.path(from, to);
+    for (std::size_t i = 0; i + 1 < path.size(); ++i) pass(roads.place(path[i]), roads.place(path[i + 1]));
+    return !path.empty();
   }
 
   void pass(const Place& from, const Place& to) {
-    tour_.drives.push_back(tour_.drives.back() + drive_change(robot_, from.q, to.q));
+    tour_.joint_values.push_back(tour_.joint_values.back() + joint_change(robot_, from.q, to.q));
   }
 
   Country& country(int aspect) {
@@ -126,7 +126,7 @@ class Planner {
       if (other.determinant_sign != aspect.determinant_sign) continue;
       const Place after{place.pose, inverse(robot_, place.pose, mode).q};
       gates[found.aspect].push_back(
-          {found.aspect, place, after, drive_change(robot_, place.q, after.q).norm()});
+          {found.aspect, place, after, joint_change(robot_, place.q, after.q).norm()});
     }
   }
 
@@ -137,7 +137,7 @@ class Planner {
                       candidates.end(), [](const Gate& a, const Gate& b) { return a.width < b.width; });
     for (std::size_t i = 0; i < count; ++i) {
       const Gate& gate = candidates[i];
-      const JointVector change = drive_change(robot_, gate.before.q, gate.after.q);
+      const JointVector change = joint_change(robot_, gate.before.q, gate.after.q);
       if (straight_motion_exists(robot_, gate.before, change, gate.after.pose)) return gate;
     }
     return std::nullopt;

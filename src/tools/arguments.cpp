@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/arguments.h"
 
-#include "parallel_aspects/aspects/turning_slice.h"
+#include "parallel_aspects/aspects/rotation_slice.h"
 #include "tools/computation.h"
 #include "tools/report/numbers.h"
 #include "tools/subcommands.h"
@@ -86,7 +86,7 @@ MapSlice parse_slice(const std::string& option, TaskSpace space, const std::stri
     held.push_back({name, value.empty() ? 0.0 : value.front()});
   }
   if (problems.size() > known) return {};
-  return axis.empty() ? make_slice(space, held, problems) : make_turning_slice(space, held, axis, problems);
+  return axis.empty() ? make_slice(space, held, problems) : make_rotation_slice(space, held, axis, problems);
 }
 
 std::optional<WorkingMode> parse_mode(const std::string& option, const Manipulator& manipulator,

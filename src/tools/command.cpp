@@ -108,7 +108,7 @@ int run_command(int argc, const char* const* argv, const Surroundings& surroundi
 std::vector<Option> robot_options(RobotChoice& choice) {
   return {{"ROBOT", "", "Name of a shipped robot; `aspects robots` lists them", &choice.name},
           {"--urdf", "FILE", "URDF of another robot, together with --config", &choice.urdf_file},
-          {"--config", "FILE", "YAML with its loop closures and drives", &choice.config_file}};
+          {"--config", "FILE", "YAML with its loop closures and actuated joints", &choice.config_file}};
 }
 
 }  // namespace parallel_aspects::tools

@@ -10,7 +10,7 @@
 
 namespace parallel_aspects::tools {
 
-/// Thrown where a command line is not understood; what() is a sentence for the user.
+/// Thrown where a command line is not understood; what() is a message for the user.
 struct UsageError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

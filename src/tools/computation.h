@@ -13,7 +13,7 @@
 namespace parallel_aspects::tools {
 
 /// What `compute(const MapControl&)` results in when complete, with a progress bar where messages go to a
-/// terminal. Throws Interrupted at Ctrl-C, and InvalidDescription with the sentence where it refuses.
+/// terminal. Throws Interrupted at Ctrl-C, and InvalidDescription with the message where it refuses.
 template <class Compute>
 auto completed(const Surroundings& surroundings, const Compute& compute) {
   std::optional<ProgressBar> bar;
@@ -25,7 +25,7 @@ auto completed(const Surroundings& surroundings, const Compute& compute) {
   }
   auto result = compute(control);
   if (result.status == MapStatus::cancelled) throw Interrupted{};
-  if (result.status == MapStatus::refused) throw InvalidDescription({result.sentence});
+  if (result.status == MapStatus::refused) throw InvalidDescription({result.message});
   return result;
 }
 

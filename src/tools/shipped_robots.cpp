@@ -95,7 +95,7 @@ fs::path share_folder() {
   if (chosen != nullptr && *chosen != '\0') {
     if (holds_robots(chosen)) return chosen;
     throw InvalidDescription({std::string("Environment variable ") + share_variable + " names '" + chosen +
-                              "', where there is no folder config/robots; mend or unset it."});
+                              "', where there is no folder config/robots; correct or unset it."});
   }
   for (const fs::path& folder : usual_folders())
     if (holds_robots(folder)) return folder.lexically_normal();
@@ -120,8 +120,8 @@ MapSection load_map_section(const RobotChoice& choice, Problems& problems) {
   if (!problems_of(choice).empty()) return section;
   section.file = choice.config_file;
   if (!choice.name.empty()) section.file = (config_folder(share_folder()) / (choice.name + ".yaml")).string();
-  Problems told_by_load_robot;
-  if (const auto text = contents(section.file, told_by_load_robot))
+  Problems reported_by_load_robot;
+  if (const auto text = contents(section.file, reported_by_load_robot))
     section.config = read_map_config(*text, section.file, problems);
   return section;
 }

@@ -28,7 +28,7 @@ struct RobotChoice {
   std::string config_file;
 };
 
-/// Loads it. Throws `InvalidDescription` with every problem: an unknown name (the sentence lists the known
+/// Loads it. Throws `InvalidDescription` with every problem: an unknown name (the message lists the known
 /// ones), a choice that names too little or too much, files that cannot be read, and whatever
 /// `load_mechanism` finds, after those that are `known` already.
 std::shared_ptr<const Mechanism> load_robot(const RobotChoice& choice, Problems known = {});

@@ -33,23 +33,23 @@ void AssemblyWatch::set_reference(const CertifiedPoint& reference) noexcept {
   away_ = false;
 }
 
-// From `q` to the reference; whole turns of drives without limits are left out.
-JointVector AssemblyWatch::way_back(const Manipulator& manipulator, const JointVector& q) const noexcept {
-  JointVector way = reference_.q - q;
-  for (Eigen::Index i = 0; i < way.size(); ++i) {
+// From `q` to the reference; whole turns of actuated joints without limits are left out.
+JointVector AssemblyWatch::path_back(const Manipulator& manipulator, const JointVector& q) const noexcept {
+  JointVector path = reference_.q - q;
+  for (Eigen::Index i = 0; i < path.size(); ++i) {
     const Leg& leg = manipulator.leg(static_cast<std::size_t>(i));
-    if (leg.driven_by_angle() && !leg.limits.limited()) way[i] = std::remainder(way[i], 2.0 * EIGEN_PI);
+    if (leg.actuated_by_angle() && !leg.limits.limited()) path[i] = std::remainder(path[i], 2.0 * EIGEN_PI);
   }
-  return way;
+  return path;
 }
 
 AssemblyComparison AssemblyWatch::watch(const Manipulator& manipulator, const PoseCertifier& certifier,
                                         const CertifiedPoint& now) noexcept {
-  const JointVector way = way_back(manipulator, now.q);
+  const JointVector path = path_back(manipulator, now.q);
   double farthest = 0.0;
-  for (Eigen::Index i = 0; i < way.size(); ++i) {
-    const bool angle = manipulator.leg(static_cast<std::size_t>(i)).driven_by_angle();
-    farthest = std::max(farthest, std::abs(way[i]) / (angle ? near : near * manipulator.size()));
+  for (Eigen::Index i = 0; i < path.size(); ++i) {
+    const bool angle = manipulator.leg(static_cast<std::size_t>(i)).actuated_by_angle();
+    farthest = std::max(farthest, std::abs(path[i]) / (angle ? near : near * manipulator.size()));
   }
   if (farthest > 2.0) away_ = true;
   if (!away_ || farthest > 1.0) return AssemblyComparison::same;
@@ -70,7 +70,7 @@ AssemblyComparison AssemblyWatch::compare(const Manipulator& manipulator, const 
 AssemblyComparison AssemblyWatch::compare(const Manipulator& manipulator, const PoseCertifier& certifier,
                                           const CertifiedPoint& now, int most_steps,
                                           CertifiedPoint& end) const noexcept {
-  Continuation path(certifier, now, now.q + way_back(manipulator, now.q));
+  Continuation path(certifier, now, now.q + path_back(manipulator, now.q));
   if (path.run(most_steps) != ContinuationStatus::finished) return AssemblyComparison::unknown;
   end = path.at();
   return anchor_distance(manipulator, end.pose, reference_.pose) <= same_pose * manipulator.size()

@@ -8,20 +8,21 @@
 
 namespace parallel_aspects {
 
-/// Notices assembly-mode changing motions without a singularity: the drives have gone away from a reference
-/// configuration and come back, and the platform is at another direct solution.
+/// Notices assembly-mode changing motions without a singularity: the actuated joints have gone away from a
+/// reference configuration and come back, and the platform is at another direct solution.
 class AssemblyWatch {
  public:
-  /// The drives are back when each is within this of the reference [rad, or share of the robot's size in m],
-  /// modulo whole turns where it has no limits; and away when one is twice as far.
+  /// The actuated joints are back when each is within this of the reference [rad, or share of the robot's
+  /// size in m], modulo whole turns where it has no limits; and away when one is twice as far.
   static constexpr double near = 0.02;
 
   /// From here on motions are compared with this configuration.
   void set_reference(const CertifiedPoint& reference) noexcept;
   const CertifiedPoint& reference() const noexcept { return reference_; }
 
-  /// The robot is at `now`, reached by certified continuation. `other` once for each change, when the drives
-  /// come back; the reference is then the present solution. `same` otherwise. Never allocates.
+  /// The robot is at `now`, reached by certified continuation. `other` once for each change, when the
+  /// actuated joints come back; the reference is then the present solution. `same` otherwise. Never
+  /// allocates.
   AssemblyComparison watch(const Manipulator& manipulator, const PoseCertifier& certifier,
                            const CertifiedPoint& now) noexcept;
 
@@ -30,7 +31,7 @@ class AssemblyWatch {
                              const CertifiedPoint& now, int most_steps) const noexcept;
 
  private:
-  JointVector way_back(const Manipulator& manipulator, const JointVector& q) const noexcept;
+  JointVector path_back(const Manipulator& manipulator, const JointVector& q) const noexcept;
   AssemblyComparison compare(const Manipulator& manipulator, const PoseCertifier& certifier,
                              const CertifiedPoint& now, int most_steps, CertifiedPoint& end) const noexcept;
 

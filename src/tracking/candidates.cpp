@@ -8,9 +8,9 @@ namespace parallel_aspects {
 void Candidates::find(const Manipulator& manipulator, const PoseCertifier& certifier, const JointVector& q) {
   clear();
   const DirectResult result = direct(manipulator, q);
-  bool told_apart = true;  // near det A = 0 two assembly modes may come as one
+  bool are_distinct = true;  // near det A = 0 two assembly modes may come as one
   for (const AssemblyMode& mode : result.solutions) {
-    told_apart = told_apart && !mode.near_singular;
+    are_distinct = are_distinct && !mode.near_singular;
     if (list_.size() == most) break;
     Candidate candidate;
     candidate.followed = certify_solution(certifier, mode.pose, q, candidate.point);
@@ -23,7 +23,7 @@ void Candidates::find(const Manipulator& manipulator, const PoseCertifier& certi
     }
     list_.push_back(candidate);
   }
-  complete_ = result.status == DirectStatus::solved && told_apart && result.solutions.size() <= most;
+  complete_ = result.status == DirectStatus::solved && are_distinct && result.solutions.size() <= most;
 }
 
 void Candidates::set(const Candidate& only) noexcept {

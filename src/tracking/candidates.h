@@ -12,7 +12,7 @@ namespace parallel_aspects {
 
 /// An assembly mode that the robot may be in.
 struct Candidate {
-  CertifiedPoint point;      ///< pose and drives
+  CertifiedPoint point;      ///< pose and actuated joints
   int determinant_sign = 0;  ///< +1 or -1; 0 where that is not proved
   bool followed = true;      ///< whether its solution is proved; it is dropped with the next sample otherwise
 };
@@ -31,8 +31,8 @@ class Candidates {
   /// Only this one.
   void set(const Candidate& only) noexcept;
 
-  /// Moves the drives straight to `q`. A candidate that cannot be followed is dropped, and the list is then
-  /// no longer complete. Never allocates.
+  /// Moves the actuated joints straight to `q`. A candidate that cannot be followed is dropped, and the list
+  /// is then no longer complete. Never allocates.
   void follow(const PoseCertifier& certifier, const JointVector& q, const JointVector& bend,
               int most_steps) noexcept;
 
@@ -40,7 +40,7 @@ class Candidates {
   void clear() noexcept;
 
   /// From now on the robot need not be in any of them.
-  void doubt() noexcept { complete_ = false; }
+  void mark_incomplete() noexcept { complete_ = false; }
 
   /// Whether the robot must be in one of them, as far as the list of direct solutions was complete and none
   /// was dropped since without a reason.

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double shortest_step = 0x1p-24;
 
-// Of the drives on the path, over their size: what rounding of shares and sums can do, with room.
+// Of the actuated joints on the path, over their size: what rounding of shares and sums can do, with room.
 constexpr double path_rounding = 0x1p-48;
 
 }  // namespace
@@ -20,13 +20,13 @@ Continuation::Continuation(const PoseCertifier& certifier, const CertifiedPoint&
       start_(start.q),
       end_(end),
       direction_(end - start.q),
-      slack_(path_rounding * (start.q.cwiseAbs() + end.cwiseAbs())) {
-  if (bend.size() == slack_.size()) slack_ += bend;
+      allowance_(path_rounding * (start.q.cwiseAbs() + end.cwiseAbs())) {
+  if (bend.size() == allowance_.size()) allowance_ += bend;
 }
 
 // The solution at the new point is the one that the ball of the old point holds.
 bool Continuation::step(double length) noexcept {
-  const CertifiedBall ball = certifier_.ball(at_, direction_, slack_, length, speed_);
+  const CertifiedBall ball = certifier_.ball(at_, direction_, allowance_, length, speed_);
   if (!ball.certified) return false;
   const double share = share_ + length >= 1.0 ? 1.0 : share_ + length;
   CertifiedPoint next;
@@ -44,7 +44,7 @@ bool Continuation::step(double length) noexcept {
 
 ContinuationStatus Continuation::advance() noexcept {
   const RoundingUpward upward;
-  if (status_ != ContinuationStatus::under_way) return status_;
+  if (status_ != ContinuationStatus::unfinished) return status_;
   if (speed_ < 0.0) speed_ = certifier_.path_speed(at_, direction_);
   length_ = std::min(length_, 1.0 - share_);
   while (!step(length_)) {
@@ -57,7 +57,7 @@ ContinuationStatus Continuation::advance() noexcept {
 }
 
 ContinuationStatus Continuation::run(int most_steps) noexcept {
-  for (int i = 0; i < most_steps && advance() == ContinuationStatus::under_way; ++i) {
+  for (int i = 0; i < most_steps && advance() == ContinuationStatus::unfinished; ++i) {
   }
   return status_;
 }

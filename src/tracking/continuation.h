@@ -7,22 +7,22 @@
 namespace parallel_aspects {
 
 enum class ContinuationStatus {
-  under_way,         ///< some of the path is left
+  unfinished,        ///< some of the path is left
   finished,          ///< the pose belongs to the end of the path
   too_near_singular  ///< not even the shortest step can be certified: too near to det A = 0
 };
 
-/// Follows the direct solution at a point while the drives move straight from there to `end`, in steps each
-/// of which is proved: for every drive value on it the solution exists, is the only one near by, and det A
-/// keeps its sign. One step begins with the solution that the one before ended with. So the path never slips
-/// to another assembly mode, and the end is the solution that the robot, moving so, arrives at.
+/// Follows the direct solution at a point while the actuated joints move straight from there to `end`, in
+/// steps each of which is proved: for every joint value on it the solution exists, is the only one near by,
+/// and det A keeps its sign. One step begins with the solution that the one before ended with. So the path
+/// never slips to another assembly mode, and the end is the solution that the robot, moving so, arrives at.
 ///
 /// Nothing allocates or throws. The certifier must outlive this.
 class Continuation {
  public:
   /// `start` must have been evaluated, and its ball without motion be certified. `end` must be finite, one
-  /// entry a leg. What is certified holds for every continuous way that leaves the straight one by `bend` at
-  /// most, in each drive [rad or m, not negative]; empty for the straight one alone.
+  /// entry a leg. What is certified holds for every continuous path that leaves the straight one by `bend` at
+  /// most, in each actuated joint [rad or m, not negative]; empty for the straight one alone.
   Continuation(const PoseCertifier& certifier, const CertifiedPoint& start, const JointVector& end,
                const JointVector& bend = {}) noexcept;
 
@@ -44,11 +44,11 @@ class Continuation {
   const PoseCertifier& certifier_;
   CertifiedPoint at_;
   JointVector start_, end_;
-  TaskVector direction_, slack_;
+  TaskVector direction_, allowance_;
   double speed_ = -1.0;  // at `at_`; negative where it is not known yet
   double share_ = 0.0;
   double length_ = 1.0;  // of the next step to try, as a share of the path
-  ContinuationStatus status_ = ContinuationStatus::under_way;
+  ContinuationStatus status_ = ContinuationStatus::unfinished;
 };
 
 /// A point at a pose that Newton's method finds from `pose` for `q`, around which a direct solution is proved

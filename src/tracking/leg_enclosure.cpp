@@ -63,48 +63,48 @@ LegForm::LegForm(const Leg& leg) noexcept : anchor_(leg.anchor) {
   assert_rounding_upward();
   first_.setZero();
   second_.setZero();
-  std::visit([&](const auto& drive) { prepare(leg, drive); }, leg.drive);
+  std::visit([&](const auto& actuation) { prepare(leg, actuation); }, leg.actuation);
 }
 
-void LegForm::prepare(const Leg& leg, const RevoluteDrive& drive) noexcept {
+void LegForm::prepare(const Leg& leg, const RevoluteActuation& actuation) noexcept {
   kind_ = Kind::revolute;
-  fixed_ = drive.center;
-  first_ = drive.radius * drive.zero_direction;
-  second_ = drive.radius * drive.axis.cross(drive.zero_direction);
-  exact_first_ = scaled(drive.radius, drive.zero_direction);
-  exact_second_ = cross(drive.axis, drive.zero_direction, drive.radius);
+  fixed_ = actuation.center;
+  first_ = actuation.radius * actuation.zero_direction;
+  second_ = actuation.radius * actuation.axis.cross(actuation.zero_direction);
+  exact_first_ = scaled(actuation.radius, actuation.zero_direction);
+  exact_second_ = cross(actuation.axis, actuation.zero_direction, actuation.radius);
   squared_rod_ = square(Interval(leg.rod_length));
   // The second direction is a product of two.
-  point_speed_ = drive.radius * longest_direction * longest_direction;
+  point_speed_ = actuation.radius * longest_direction * longest_direction;
   point_curvature_ = point_speed_;
   curvature_ = point_speed_ * point_speed_;
 }
 
-void LegForm::prepare(const Leg& leg, const PrismaticDrive& drive) noexcept {
+void LegForm::prepare(const Leg& leg, const PrismaticActuation& actuation) noexcept {
   kind_ = Kind::prismatic;
-  fixed_ = drive.origin;
-  first_ = drive.direction;
-  exact_first_ = scaled(1.0, drive.direction);
+  fixed_ = actuation.origin;
+  first_ = actuation.direction;
+  exact_first_ = scaled(1.0, actuation.direction);
   squared_rod_ = square(Interval(leg.rod_length));
   point_speed_ = longest_direction;
   curvature_ = longest_direction * longest_direction;
 }
 
-void LegForm::prepare(const Leg&, const StrutDrive& drive) noexcept {
+void LegForm::prepare(const Leg&, const StrutActuation& actuation) noexcept {
   kind_ = Kind::strut;
-  fixed_ = drive.base;
-  offset_ = drive.length_at_zero;
-  sense_ = drive.sense;
+  fixed_ = actuation.base;
+  offset_ = actuation.length_at_zero;
+  sense_ = actuation.sense;
   curvature_ = 1.0;
 }
 
-void LegForm::prepare(const Leg&, const ElbowDrive& drive) noexcept {
+void LegForm::prepare(const Leg&, const ElbowActuation& actuation) noexcept {
   kind_ = Kind::elbow;
-  fixed_ = drive.base;
-  offset_ = drive.angle_at_zero;
-  sense_ = drive.sense;
-  squared_rod_ = square(Interval(drive.inner_length)) + square(Interval(drive.outer_length));
-  product_ = Interval(drive.inner_length) * drive.outer_length;
+  fixed_ = actuation.base;
+  offset_ = actuation.angle_at_zero;
+  sense_ = actuation.sense;
+  squared_rod_ = square(Interval(actuation.inner_length)) + square(Interval(actuation.outer_length));
+  product_ = Interval(actuation.inner_length) * actuation.outer_length;
   curvature_ = product_.upper();
 }
 

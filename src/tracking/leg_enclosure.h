@@ -16,7 +16,7 @@ using IntervalRotation = std::array<IntervalVector, 3>;  ///< by rows
 /// The rotation of a quaternion, as if it were normalised without rounding. Needs a live `RoundingUpward`.
 IntervalRotation enclosed_rotation(const Eigen::Quaterniond& quaternion) noexcept;
 
-/// What a leg is at a pose and a drive value, each an enclosure of the real value.
+/// What a leg is at a pose and a joint value, each an enclosure of the real value.
 struct LegEnclosure {
   IntervalVector b;           ///< anchor from the operational point [m]
   IntervalVector u;           ///< from the proximal point to the anchor [m]
@@ -24,9 +24,9 @@ struct LegEnclosure {
   Interval inverse_diagonal;  ///< B_jj
 };
 
-/// A leg prepared for many evaluations: c(q) = fixed + cos q first + sin q second for a revolute drive, and
-/// fixed + q first for a prismatic one. Sine and cosine of the C library are trusted to within 2^-52, twice
-/// what its manual states.
+/// A leg prepared for many evaluations: c(q) = fixed + cos q first + sin q second for an actuated revolute
+/// joint, and fixed + q first for a prismatic one. Sine and cosine of the C library are trusted to within
+/// 2^-52, twice what its manual states.
 class LegForm {
  public:
   LegForm() = default;
@@ -54,15 +54,15 @@ class LegForm {
   double point_speed() const noexcept { return point_speed_; }
 
   /// At least |d^2 F / dq^2| for F = f / 2, at any pose where |u| is at most `rod` [m^2 or 1].
-  double drive_curvature(double rod) const noexcept { return curvature_ + point_curvature_ * rod; }
+  double joint_curvature(double rod) const noexcept { return curvature_ + point_curvature_ * rod; }
 
  private:
   enum class Kind { revolute, prismatic, strut, elbow };
 
-  void prepare(const Leg& leg, const RevoluteDrive& drive) noexcept;
-  void prepare(const Leg& leg, const PrismaticDrive& drive) noexcept;
-  void prepare(const Leg& leg, const StrutDrive& drive) noexcept;
-  void prepare(const Leg& leg, const ElbowDrive& drive) noexcept;
+  void prepare(const Leg& leg, const RevoluteActuation& actuation) noexcept;
+  void prepare(const Leg& leg, const PrismaticActuation& actuation) noexcept;
+  void prepare(const Leg& leg, const StrutActuation& actuation) noexcept;
+  void prepare(const Leg& leg, const ElbowActuation& actuation) noexcept;
 
   Kind kind_ = Kind::strut;
   Eigen::Vector3d anchor_, fixed_, first_, second_;

@@ -16,8 +16,8 @@ constexpr int most_newton_steps = 20;
 constexpr double converged = 1e-10;
 constexpr double outdated = 1e-5;
 
-// The smallest radius tried where drives move, over the robot's size: far above what is left around a point
-// where they stay, far below everything else.
+// The smallest radius tried where actuated joints move, over the robot's size: far above what is left around
+// a point where they stay, far below everything else.
 constexpr double least_radius = 1e-9;
 
 // Rotations in a ball stay below half a turn, where exponential coordinates are one to one.
@@ -62,7 +62,7 @@ void fill_row(TaskSpace space, const Vector& b, const Vector& u, const Scalar& o
     row[next++] = moment(2, 0);
   }
   if (has_rotation(space)) row[next++] = moment(0, 1);
-  const std::size_t translations = freedoms(space) - next;
+  const std::size_t translations = degrees_of_freedom(space) - next;
   for (std::size_t i = 0; i < translations; ++i) row[next++] = u[i];
 }
 
@@ -71,7 +71,7 @@ void fill_row(TaskSpace space, const Vector& b, const Vector& u, const Scalar& o
 PoseCertifier::PoseCertifier(const Manipulator& manipulator) noexcept
     : space_(manipulator.task_space()),
       size_(manipulator.leg_count()),
-      rotational_(rotational_freedoms(space_)),
+      rotational_(rotational_degrees_of_freedom(space_)),
       length_(manipulator.characteristic_length()),
       scale_(manipulator.size()) {
   const RoundingUpward upward;
@@ -93,10 +93,10 @@ void PoseCertifier::approximate(const Pose& pose, const JointVector& q, LegBound
   const Eigen::Matrix3d turn =
       rotational_ == 0 ? Eigen::Matrix3d::Identity() : pose.orientation.toRotationMatrix();
   for (std::size_t j = 0; j < size_; ++j) {
-    const double drive = q[static_cast<Eigen::Index>(j)];
+    const double actuation = q[static_cast<Eigen::Index>(j)];
     const Eigen::Vector3d b = turn * legs_[j].anchor();
-    const Eigen::Vector3d u = pose.position + b - legs_[j].proximal_point(drive);
-    residual[j] = 0.5 * (u.squaredNorm() - legs_[j].squared_distance(drive));
+    const Eigen::Vector3d u = pose.position + b - legs_[j].proximal_point(actuation);
+    residual[j] = 0.5 * (u.squaredNorm() - legs_[j].squared_distance(actuation));
     if (matrix != nullptr) fill_row(space_, b, u, 1.0 / length_, (*matrix)[j]);
   }
 }
@@ -211,22 +211,22 @@ CertifiedBall PoseCertifier::ball(const CertifiedPoint& point) const noexcept {
 }
 
 CertifiedBall PoseCertifier::ball(const CertifiedPoint& point, const TaskVector& direction,
-                                  const TaskVector& slack, double share, double speed) const noexcept {
-  return ball(point, direction, slack, share, speed, least_radius * scale_);
+                                  const TaskVector& allowance, double share, double speed) const noexcept {
+  return ball(point, direction, allowance, share, speed, least_radius * scale_);
 }
 
 CertifiedBall PoseCertifier::ball(const CertifiedPoint& point, const TaskVector& direction,
-                                  const TaskVector& slack, double share, double speed,
+                                  const TaskVector& allowance, double share, double speed,
                                   double least) const noexcept {
   LegBounds rod{}, row{}, bend{}, curvature{};
   for (std::size_t j = 0; j < size_; ++j) {
     const auto i = static_cast<Eigen::Index>(j);
-    const double change = share * std::abs(direction[i]) + slack[i];
+    const double change = share * std::abs(direction[i]) + allowance[i];
     const double motion = legs_[j].point_speed() * change;
     rod[j] = point.rod[j] + motion;
     row[j] = lever_[j] * motion;
-    bend[j] = 0.5 * legs_[j].drive_curvature(rod[j]) * change * change +
-              magnitude(point.inverse_diagonal[j]) * slack[i];
+    bend[j] = 0.5 * legs_[j].joint_curvature(rod[j]) * change * change +
+              magnitude(point.inverse_diagonal[j]) * allowance[i];
   }
   const double lost = point.defect + spread(point, row);
   const double gain = -(lost - 1.0);  // rounded down: 1 - g
@@ -241,9 +241,9 @@ CertifiedBall PoseCertifier::ball(const CertifiedPoint& point, const TaskVector&
   return {turns_little && bent < gain && moved + 0.5 * bent * radius <= kept, radius};
 }
 
-double PoseCertifier::anchor_spread(const CertifiedPoint& point, const TaskVector& slack) const noexcept {
+double PoseCertifier::anchor_spread(const CertifiedPoint& point, const TaskVector& allowance) const noexcept {
   const TaskVector still = TaskVector::Zero(static_cast<Eigen::Index>(size_));
-  const CertifiedBall around = ball(point, still, slack, 0.0, 0.0);
+  const CertifiedBall around = ball(point, still, allowance, 0.0, 0.0);
   if (!around.certified) return std::numeric_limits<double>::infinity();
   double squared = 0.0;
   for (std::size_t j = 0; j < size_; ++j) squared += lever_[j] * lever_[j];

@@ -27,18 +27,18 @@ struct CertifiedPoint {
   std::array<Interval, max_legs> inverse_diagonal;  ///< B_jj
 };
 
-/// What is proved about the neighbourhood of a point: while the drives move, the ball around its pose holds
-/// exactly one direct solution, which moves continuously, and det A vanishes nowhere in the ball.
+/// What is proved about the neighbourhood of a point: while the actuated joints move, the ball around its
+/// pose holds exactly one direct solution, which moves continuously, and det A vanishes nowhere in the ball.
 struct CertifiedBall {
   bool certified = false;
   double radius = 0.0;  ///< in the metric of `PoseCertifier::distance` [m]
 };
 
-/// Proves that direct solutions exist, are unique and stay off det A = 0 while drives move.
+/// Proves that direct solutions exist, are unique and stay off det A = 0 while actuated joints move.
 ///
 /// Let F_j(xi, q) = f_j / 2 in exponential coordinates xi = (L w, v) about the pose, L the characteristic
 /// length, and C any matrix. T(xi) = xi - C F(xi, q) maps the ball |xi| <= r into itself and contracts there,
-/// for every q that the drives take, if
+/// for every q that the actuated joints take, if
 ///
 ///     |C F(0, q)| + g r + k r^2 / 2 <= r    and    g + k r < 1,
 ///
@@ -56,22 +56,22 @@ class PoseCertifier {
   /// where it does not converge; the point is then of no use.
   bool evaluate(CertifiedPoint& point) const noexcept;
 
-  /// What is proved where the drives stay at `point.q`: the smallest ball, of rounding alone.
+  /// What is proved where the actuated joints stay at `point.q`: the smallest ball, of rounding alone.
   CertifiedBall ball(const CertifiedPoint& point) const noexcept;
 
   /// What is proved while they move by `share` (0 to 1) of `direction` from there, with `speed` of
-  /// `path_speed`. A drive may be off by `slack`, which is for rounding [rad or m].
-  CertifiedBall ball(const CertifiedPoint& point, const TaskVector& direction, const TaskVector& slack,
+  /// `path_speed`. An actuated joint may be off by `allowance`, which is for rounding [rad or m].
+  CertifiedBall ball(const CertifiedPoint& point, const TaskVector& direction, const TaskVector& allowance,
                      double share, double speed) const noexcept;
 
   /// At least |C B direction|: how far the platform goes on the path, to first order [m].
   double path_speed(const CertifiedPoint& point, const TaskVector& direction) const noexcept;
 
-  /// At least how far the platform is from the pose where each drive is off by `slack` at most [m, RMS over
-  /// the anchors]; infinite where that is not proved.
-  double anchor_spread(const CertifiedPoint& point, const TaskVector& slack) const noexcept;
+  /// At least how far the platform is from the pose where each actuated joint is off by `allowance` at most
+  /// [m, RMS over the anchors]; infinite where that is not proved.
+  double anchor_spread(const CertifiedPoint& point, const TaskVector& allowance) const noexcept;
 
-  /// The pose that one step of Newton's method leads to for the drives `q`.
+  /// The pose that one step of Newton's method leads to for the actuated joints `q`.
   Pose predicted(const CertifiedPoint& point, const JointVector& q) const noexcept;
 
   /// At least the distance sqrt(L^2 angle^2 + |displacement|^2) of two poses that are not half a turn apart
@@ -88,7 +88,7 @@ class PoseCertifier {
  private:
   using Rows = SquareArray<double>;
 
-  CertifiedBall ball(const CertifiedPoint& point, const TaskVector& direction, const TaskVector& slack,
+  CertifiedBall ball(const CertifiedPoint& point, const TaskVector& direction, const TaskVector& allowance,
                      double share, double speed, double least) const noexcept;
   void approximate(const Pose& pose, const JointVector& q, LegBounds& residual, Rows* matrix) const noexcept;
   Pose stepped(const Pose& pose, const Rows& inverse, const LegBounds& residual, double& size) const noexcept;

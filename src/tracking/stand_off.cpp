@@ -15,24 +15,25 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr int halvings = 30;  // of the way to a singular pose
+constexpr int halvings = 30;  // of the path to a singular pose
 constexpr int digits = 7;     // binary ones, of a stand-off
 constexpr int draws_a_pose = 100;
-constexpr int looks = 64;  // along a way
+constexpr int looks = 64;  // along a path
 
-// A pose solves its own drives to rounding, except where Newton's method runs off to another solution.
+// A pose solves its own actuated joints to rounding, except where Newton's method runs off to another
+// solution.
 constexpr double same_pose = 1e-6;  // over the robot's size
 
 JointVector noise_of(const Manipulator& manipulator, double noise) noexcept {
   JointVector result(static_cast<Eigen::Index>(manipulator.leg_count()));
   for (std::size_t j = 0; j < manipulator.leg_count(); ++j)
     result[static_cast<Eigen::Index>(j)] =
-        noise * (manipulator.leg(j).driven_by_angle() ? 1.0 : manipulator.size());
+        noise * (manipulator.leg(j).actuated_by_angle() ? 1.0 : manipulator.size());
   return result;
 }
 
-// The signs with which errors of the drives move the platform farthest, to first order: next to det A = 0 all
-// rows of the inverse are about multiples of one.
+// The signs with which errors of the actuated joints move the platform farthest, to first order: next to det
+// A = 0 all rows of the inverse are about multiples of one.
 JointVector worst_signs(const CertifiedPoint& point) noexcept {
   const Eigen::Index size = point.q.size();
   JointVector largest = JointVector::Zero(size);
@@ -71,7 +72,8 @@ StandOff::StandOff(std::shared_ptr<const Manipulator> manipulator, const SampleO
       noise_(noise_of(*manipulator_, options.encoder_noise)),
       resting_bend_(0.5 * options.path_bend * noise_) {}
 
-bool StandOff::can_tell(const Pose& pose, const WorkingMode& mode, const JointVector& bend) const noexcept {
+bool StandOff::can_distinguish(const Pose& pose, const WorkingMode& mode,
+                               const JointVector& bend) const noexcept {
   const InverseSolution solution = inverse(*manipulator_, pose, mode);
   if (solution.status == InverseStatus::out_of_reach) return false;
   const RoundingUpward upward;
@@ -98,20 +100,20 @@ bool StandOff::can_tell(const Pose& pose, const WorkingMode& mode, const JointVe
   return true;
 }
 
-// Outwards from the singular pose, as the way to it may lead past other obstacles.
-double StandOff::on_the_way(const Pose& pose, const Pose& singular, const WorkingMode& mode,
+// Outwards from the singular pose, as the path to it may lead past other obstacles.
+double StandOff::along_path(const Pose& pose, const Pose& singular, const WorkingMode& mode,
                             const JointVector& bend) const noexcept {
-  const auto told_at = [&](double share) {
-    return can_tell(pose_between(singular, pose, share), mode, bend);
+  const auto distinguished_at = [&](double share) {
+    return can_distinguish(pose_between(singular, pose, share), mode, bend);
   };
-  double told = std::ldexp(1.0, -halvings), lost = 0.0;  // shares of the way
-  while (told < 1.0 && !told_at(told)) {
+  double told = std::ldexp(1.0, -halvings), lost = 0.0;  // shares of the path
+  while (told < 1.0 && !distinguished_at(told)) {
     lost = told;
     told *= 2.0;
   }
   for (int i = 0; i < digits && told < 1.0; ++i) {
     const double between = 0.5 * (told + lost);
-    (told_at(between) ? told : lost) = between;
+    (distinguished_at(between) ? told : lost) = between;
   }
   return anchor_distance(*manipulator_, pose_between(singular, pose, told), singular);
 }
@@ -130,7 +132,7 @@ StandOffEstimate estimate_stand_off(const std::shared_ptr<const Manipulator>& ma
     const BoundaryDistance nearest = meter.measure(*pose, mode).parallel;
     if (!std::isfinite(nearest.upper) || !is_reached(*manipulator, *pose, nearest.witness, mode)) continue;
     ++estimate.poses;
-    const double here = stand_off.on_the_way(*pose, nearest.witness, mode);
+    const double here = stand_off.along_path(*pose, nearest.witness, mode);
     if (!(here < nearest.upper)) continue;  // too near to tell how far off it must stand
     if (here > estimate.largest) estimate.largest = here, estimate.at = nearest.witness;
   }

@@ -27,7 +27,7 @@ bool proved_mode(const CertifiedPoint& point, WorkingMode& mode) {
   return true;
 }
 
-Doubt doubt_of(SampleGap gap) { return gap == SampleGap::step ? Doubt::gap : Doubt::silence; }
+Ambiguity ambiguity_of(SampleGap gap) { return gap == SampleGap::step ? Ambiguity::gap : Ambiguity::silence; }
 
 }  // namespace
 
@@ -48,8 +48,8 @@ bool TrackerCore::start(double time, const JointVector& q, const Pose& pose, dou
   if (q.size() != static_cast<Eigen::Index>(manipulator_->leg_count()) || !q.allFinite()) return false;
   if (!pose.position.allFinite() || !pose.orientation.coeffs().allFinite()) return false;
   Candidate found;
-  const JointVector drives = options_.samples.unwrap ? unwrapped(*manipulator_, {}, q) : q;
-  if (!certify_solution(certifier_, pose, drives, found.point)) return false;
+  const JointVector joint_values = options_.samples.unwrap ? unwrapped(*manipulator_, {}, q) : q;
+  if (!certify_solution(certifier_, pose, joint_values, found.point)) return false;
   if (!(anchor_distance(*manipulator_, found.point.pose, pose) <= tolerance)) return false;
   uncertainty_ = uncertainty.size() == q.size() ? uncertainty : JointVector::Zero(q.size());
   const RoundingUpward upward;
@@ -57,7 +57,7 @@ bool TrackerCore::start(double time, const JointVector& q, const Pose& pose, dou
   found.determinant_sign = certifier_.determinant_sign(found.point);
   candidates_.set(found);
   state_.time = time;
-  state_.q = drives;
+  state_.q = joint_values;
   return settle();
 }
 
@@ -78,13 +78,13 @@ bool TrackerCore::start(double time, const JointVector& q, int determinant_sign,
 
 bool TrackerCore::find_candidates() {
   if (!wants_candidates()) return state_.followed();
-  const bool first = state_.status == TrackStatus::unstarted;
+  const bool first = state_.status == TrackStatus::uninitialised;
   candidates_.find(*manipulator_, certifier_, state_.q);
-  if (!uncertainty_.isZero(0.0)) candidates_.doubt();
+  if (!uncertainty_.isZero(0.0)) candidates_.mark_incomplete();
   if (candidates_.complete() && candidates_.size() == 0)
-    doubt(Doubt::no_direct_solution);
-  else if (first || state_.doubt == Doubt::no_direct_solution)
-    doubt(Doubt::several_assembly_modes);
+    become_ambiguous(Ambiguity::no_direct_solution);
+  else if (first || state_.ambiguity == Ambiguity::no_direct_solution)
+    become_ambiguous(Ambiguity::several_assembly_modes);
   return settle();
 }
 
@@ -99,15 +99,15 @@ bool TrackerCore::settle() noexcept {
   const Candidate only = candidates_[0];
   if (!only.followed || only.determinant_sign == 0) return false;
   if (begin_at(state_.time, only.point, only.determinant_sign)) return true;
-  doubt(Doubt::serial_singularity);
+  become_ambiguous(Ambiguity::serial_singularity);
   return false;
 }
 
 bool TrackerCore::settle_kept() noexcept {
-  if (state_.followed() || state_.status == TrackStatus::unstarted) return state_.followed();
+  if (state_.followed() || state_.status == TrackStatus::uninitialised) return state_.followed();
   if (candidates_.size() > 0) return settle();
   candidates_.clear();
-  doubt(Doubt::no_candidate_fits);
+  become_ambiguous(Ambiguity::no_candidate_fits);
   return false;
 }
 
@@ -115,8 +115,8 @@ bool TrackerCore::begin_at(double time, const CertifiedPoint& point, int determi
   WorkingMode mode;
   if (!proved_mode(point, mode)) return false;
   point_ = point;
-  state_ = {TrackStatus::tracking, time, point.q,     point.pose, mode,
-            determinant_sign,      0,    Doubt::none, 0.0,        0.0};
+  state_ = {TrackStatus::tracking, time, point.q,         point.pose, mode,
+            determinant_sign,      0,    Ambiguity::none, 0.0,        0.0};
   state_.spread = spread();
   entry_sines_ = certifier_.entry_sines(point);
   zero_times_.fill(time);
@@ -133,8 +133,8 @@ void TrackerCore::stop() noexcept {
 }
 
 void TrackerCore::clear() noexcept {
-  state_.status = TrackStatus::unstarted;
-  state_.doubt = Doubt::none;
+  state_.status = TrackStatus::uninitialised;
+  state_.ambiguity = Ambiguity::none;
   state_.aspect = 0;
   state_.q.resize(0);
   bend_.forget();
@@ -148,26 +148,26 @@ const TrackedState& TrackerCore::update(double time, const JointVector& q,
   if (q.size() != static_cast<Eigen::Index>(manipulator_->leg_count()) || !q.allFinite() ||
       !std::isfinite(time))
     return state_;
-  const JointVector drives = options_.samples.unwrap ? unwrapped(*manipulator_, state_.q, q) : q;
+  const JointVector joint_values = options_.samples.unwrap ? unwrapped(*manipulator_, state_.q, q) : q;
   const bool first = state_.q.size() == 0;
   const JointVector last_uncertainty = first ? JointVector::Zero(q.size()) : uncertainty_;
   uncertainty_ = uncertainty.size() == q.size() ? uncertainty : JointVector::Zero(q.size());
   const double seconds = time - state_.time;
   const SampleGap gap = first ? SampleGap::none
-                              : gap_between(*manipulator_, options_.samples, intervals_, state_.q, drives,
-                                            seconds, last_uncertainty + uncertainty_);
+                              : gap_between(*manipulator_, options_.samples, intervals_, state_.q,
+                                            joint_values, seconds, last_uncertainty + uncertainty_);
   if (!first) intervals_.add(seconds);
-  const JointVector step = first ? JointVector::Zero(q.size()) : JointVector(drives - state_.q);
+  const JointVector step = first ? JointVector::Zero(q.size()) : JointVector(joint_values - state_.q);
   const JointVector bend = bend_.next(options_.samples, step) + last_uncertainty.cwiseMax(uncertainty_);
   const bool followed = state_.followed();
   if (followed && gap != SampleGap::none)
-    lose(time, doubt_of(gap));
+    lose(time, ambiguity_of(gap));
   else if (followed)
-    follow(time, drives, bend);
+    follow(time, joint_values, bend);
   else
-    follow_candidates(drives, bend, gap);
+    follow_candidates(joint_values, bend, gap);
   state_.time = time;
-  state_.q = drives;
+  state_.q = joint_values;
   state_.spread = spread();
   if (state_.followed() && state_.aspect == 0) identify_aspect();
   if (!followed) settle();
@@ -178,7 +178,7 @@ void TrackerCore::follow(double time, const JointVector& q, const JointVector& b
   Continuation path(certifier_, point_, q, bend);
   const double start = state_.time;
   const auto time_at = [&](double share) { return share >= 1.0 ? time : start + (time - start) * share; };
-  for (int i = 0; i < options_.most_steps && path.status() == ContinuationStatus::under_way; ++i) {
+  for (int i = 0; i < options_.most_steps && path.status() == ContinuationStatus::unfinished; ++i) {
     const double before = path.share();
     if (path.advance() == ContinuationStatus::too_near_singular) break;
     watch_legs(point_, path.at(), time_at(before), time_at(path.share()));
@@ -186,9 +186,9 @@ void TrackerCore::follow(double time, const JointVector& q, const JointVector& b
   }
   state_.pose = point_.pose;
   if (path.status() == ContinuationStatus::too_near_singular)
-    lose(time_at(path.share()), Doubt::near_parallel_singularity);
-  else if (path.status() == ContinuationStatus::under_way)
-    lose(time_at(path.share()), Doubt::step_budget);
+    lose(time_at(path.share()), Ambiguity::near_parallel_singularity);
+  else if (path.status() == ContinuationStatus::unfinished)
+    lose(time_at(path.share()), Ambiguity::step_budget);
   else
     watch_assembly(time);
 }
@@ -196,7 +196,7 @@ void TrackerCore::follow(double time, const JointVector& q, const JointVector& b
 void TrackerCore::follow_candidates(const JointVector& q, const JointVector& bend, SampleGap gap) noexcept {
   if (gap != SampleGap::none && state_.status == TrackStatus::ambiguous) {
     candidates_.clear();
-    doubt(doubt_of(gap));
+    become_ambiguous(ambiguity_of(gap));
   }
   candidates_.follow(certifier_, q, bend, options_.most_steps);
 }
@@ -305,19 +305,19 @@ void TrackerCore::report_residual(double residual, bool contradicts) noexcept {
   if (state_.followed()) state_.status = contradicts ? TrackStatus::inconsistent : TrackStatus::tracking;
 }
 
-void TrackerCore::lose(double time, Doubt why) noexcept {
+void TrackerCore::lose(double time, Ambiguity why) noexcept {
   Transition transition = from_here(TransitionKind::lost, time);
-  transition.determinant = why == Doubt::near_parallel_singularity;
+  transition.determinant = why == Ambiguity::near_parallel_singularity;
   transition.determinant_sign_after = 0;
   transition.aspect_after = 0;
   candidates_.clear();
-  doubt(why);
+  become_ambiguous(why);
   add(transition);
 }
 
-void TrackerCore::doubt(Doubt why) noexcept {
+void TrackerCore::become_ambiguous(Ambiguity why) noexcept {
   state_.status = TrackStatus::ambiguous;
-  state_.doubt = why;
+  state_.ambiguity = why;
   state_.aspect = 0;
 }
 

@@ -2,7 +2,7 @@
 #ifndef PARALLEL_ASPECTS_TRACKING_TRACKER_CORE_H
 #define PARALLEL_ASPECTS_TRACKING_TRACKER_CORE_H
 
-#include "parallel_aspects/tracking/drive_samples.h"
+#include "parallel_aspects/tracking/joint_samples.h"
 #include "parallel_aspects/tracking/tracker.h"
 #include "tracking/assembly_watch.h"
 #include "tracking/candidates.h"
@@ -50,8 +50,8 @@ class TrackerCore {
   void cross(std::size_t leg, double time) noexcept;
   void watch_assembly(double time) noexcept;
   double spread() const noexcept;
-  void lose(double time, Doubt doubt) noexcept;
-  void doubt(Doubt doubt) noexcept;
+  void lose(double time, Ambiguity ambiguity) noexcept;
+  void become_ambiguous(Ambiguity ambiguity) noexcept;
   void identify_aspect() noexcept;
   void add(const Transition& transition) noexcept;
   Transition from_here(TransitionKind kind, double time) const noexcept;

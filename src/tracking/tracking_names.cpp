@@ -5,8 +5,8 @@ namespace parallel_aspects {
 
 const char* name(TrackStatus status) noexcept {
   switch (status) {
-    case TrackStatus::unstarted:
-      return "unstarted";
+    case TrackStatus::uninitialised:
+      return "uninitialised";
     case TrackStatus::tracking:
       return "tracking";
     case TrackStatus::ambiguous:
@@ -17,26 +17,27 @@ const char* name(TrackStatus status) noexcept {
   return "unknown";
 }
 
-const char* reason(Doubt doubt) noexcept {
-  switch (doubt) {
-    case Doubt::none:
+const char* reason(Ambiguity ambiguity) noexcept {
+  switch (ambiguity) {
+    case Ambiguity::none:
       return "";
-    case Doubt::near_parallel_singularity:
-      return "the drives came too near to det A = 0 to tell the assembly mode";
-    case Doubt::gap:
-      return "the last step of the drives was longer than their velocity limits allow";
-    case Doubt::silence:
+    case Ambiguity::near_parallel_singularity:
+      return "the actuated joints came too near to det A = 0 to tell the assembly mode";
+    case Ambiguity::gap:
+      return "the last step of the actuated joints was longer than their velocity limits allow";
+    case Ambiguity::silence:
       return "no sample came for so long that the robot may have moved unseen (tracking/longest_interval)";
-    case Doubt::step_budget:
-      return "the last step of the drives was too long to be certified with the subdivisions allowed";
-    case Doubt::several_assembly_modes:
-      return "the drives can be assembled in several ways";
-    case Doubt::serial_singularity:
-      return "a leg is stretched or folded, so that the working mode cannot be told yet";
-    case Doubt::no_direct_solution:
-      return "the drives cannot be assembled";
-    case Doubt::no_candidate_fits:
-      return "what is measured or was said of the pose fits no assembly mode of the drives";
+    case Ambiguity::step_budget:
+      return "the last step of the actuated joints was too long to be certified with the subdivisions "
+             "allowed";
+    case Ambiguity::several_assembly_modes:
+      return "the actuated joints can be assembled in several ways";
+    case Ambiguity::serial_singularity:
+      return "a leg is stretched or folded, so that the working mode cannot be determined yet";
+    case Ambiguity::no_direct_solution:
+      return "the actuated joints cannot be assembled";
+    case Ambiguity::no_candidate_fits:
+      return "what is measured or was said of the pose fits no assembly mode of the actuated joints";
   }
   return "unknown";
 }

@@ -60,7 +60,7 @@ class Recogniser {
                          " moves against one another; name frames at the two ends of each loop.");
       return nullptr;
     }
-    const AssemblyResult assembled = assemble(system, resolved_.drives.variables);
+    const AssemblyResult assembled = assemble(system, resolved_.actuated_joints.variables);
     if (!assembled.assembly) {
       report_gap(system, assembled.closest, problems);
       return nullptr;
@@ -75,7 +75,7 @@ class Recogniser {
     const std::vector<bool> none(system.in_loop().size(), false);
     auto contents = recognise({system, assembly.values, none}, assembly, problems);
     Problems of_motion;
-    if (contents || !find_platform_motion(system, assembly, resolved_.drives, files_, of_motion))
+    if (contents || !find_platform_motion(system, assembly, resolved_.actuated_joints, files_, of_motion))
       return contents;
     const std::vector<bool> still = still_passive_joints(system, assembly);
     if (std::none_of(still.begin(), still.end(), [](bool joint) { return joint; })) return nullptr;
@@ -88,9 +88,9 @@ class Recogniser {
   std::unique_ptr<Mechanism::Contents> recognise(const AssembledMechanism& mechanism,
                                                  const Assembly& assembly, Problems& problems) const {
     const ClosureSystem& system = mechanism.system;
-    const auto chains = find_legs(mechanism, resolved_.drives, files_, problems);
+    const auto chains = find_legs(mechanism, resolved_.actuated_joints, files_, problems);
     if (!problems.empty()) return nullptr;
-    const auto motion = find_platform_motion(system, assembly, resolved_.drives, files_, problems);
+    const auto motion = find_platform_motion(system, assembly, resolved_.actuated_joints, files_, problems);
     if (!motion) return nullptr;
     const auto legs = recognise_legs(chains, system, assembly.values, *motion, problems);
     check_task_space(*motion, problems);
@@ -102,7 +102,7 @@ class Recogniser {
 
   std::vector<bool> still_passive_joints(const ClosureSystem& system, const Assembly& assembly) const {
     std::vector<bool> still = still_joints(system, assembly);
-    for (const std::size_t drive : resolved_.drives.variables) still[drive] = false;
+    for (const std::size_t actuation : resolved_.actuated_joints.variables) still[actuation] = false;
     return still;
   }
 
@@ -133,9 +133,9 @@ class Recogniser {
                                             Problems& problems) const {
     std::vector<RecognisedLeg> recognised;
     for (const LegChains& leg : legs) {
-      const std::size_t variable = resolved_.drives.variables[leg.drive];
+      const std::size_t variable = resolved_.actuated_joints.variables[leg.actuation];
       const LegSetting setting{&motion, system.size(), values[static_cast<Eigen::Index>(variable)],
-                               tree_->joint_of(variable).limits, "leg_" + std::to_string(leg.drive + 1)};
+                               tree_->joint_of(variable).limits, "leg_" + std::to_string(leg.actuation + 1)};
       if (auto found = recognise_leg(leg, variable, setting, files_.urdf, problems))
         recognised.push_back(*found);
     }
@@ -161,18 +161,18 @@ class Recogniser {
     for (const RecognisedLeg& leg : legs) description.legs.push_back(leg.leg);
     const FoundPassiveLimits passive = find_passive_limits(system, assembly.values, motion, legs);
     description.constraints.passive_limits = passive.limits;
-    description.constraints.untold_joints = passive.untold;
+    description.constraints.missing_joints = passive.missing;
     try {
       auto contents = std::unique_ptr<Mechanism::Contents>(new Mechanism::Contents{
           std::make_shared<const Manipulator>(description),
-          tree_->links[resolved_.drives.platform_link],
+          tree_->links[resolved_.actuated_joints.platform_link],
           {},
           {},
           {},
           static_cast<int>(motion.mobility),
           static_cast<int>(motion.idle),
           assembly.residual,
-          Completion(system, assembly.values, motion, legs, resolved_.drives.variables)});
+          Completion(system, assembly.values, motion, legs, resolved_.actuated_joints.variables)});
       for (const std::size_t joint : tree_->movable) {
         contents->joint_names.push_back(tree_->joints[joint].name);
         contents->joint_limits.push_back(tree_->joints[joint].limits);
@@ -191,7 +191,7 @@ class Recogniser {
     const std::vector<WorkingMode> modes = working_modes(manipulator);
     std::mt19937 random(trial_seed);
     double worst = completion.residual(
-        completion.joint_values(completion.reference_pose(), completion.reference_drives()));
+        completion.joint_values(completion.reference_pose(), completion.reference_joints()));
     for (int trial = 0; trial < trials; ++trial) {
       const Pose pose = trial_pose(contents, static_cast<double>(trial) / trials, random);
       const InverseSolution solution = inverse(manipulator, pose, modes[random() % modes.size()]);
@@ -222,7 +222,7 @@ class Recogniser {
   }
 
   static void scale_translations(const Manipulator& manipulator, TaskVector& step) {
-    const auto angles = static_cast<Eigen::Index>(rotational_freedoms(manipulator.task_space()));
+    const auto angles = static_cast<Eigen::Index>(rotational_degrees_of_freedom(manipulator.task_space()));
     step.tail(step.size() - angles) *= 0.5 * manipulator.size();
   }
 
@@ -281,7 +281,7 @@ std::unique_ptr<Mechanism::Contents> recognise_open(const Recogniser& recogniser
                                                     const std::vector<Closure>& closures,
                                                     const SourceNames& files, Problems& problems) {
   const std::string start = files.config + " leaves the type of closures open; they are taken as ";
-  const std::string end = ", under which the mobility is the number of drives.";
+  const std::string end = ", under which the mobility is the number of actuated joints.";
   for (const ClosureType type :
        {ClosureType::point, ClosureType::revolute, ClosureType::universal, ClosureType::fixed}) {
     Problems found;
@@ -318,9 +318,9 @@ void add_constraints(const MechanismConfig& config, const SourceNames& files, Me
                                                 description.legs.size(), files.config, problems);
   if (config.constraints.passive_limits) {
     description.constraints.passive_limits = limits.passive_limits;
-    description.constraints.untold_joints = limits.untold_joints;
+    description.constraints.missing_joints = limits.missing_joints;
   }
-  if (!config.constraints.driven_limits)
+  if (!config.constraints.actuated_limits)
     for (Leg& leg : description.legs) leg.limits = {};
   if (problems.size() > before) return;
   try {

@@ -38,17 +38,17 @@ const std::vector<std::string>& Mechanism::joint_names() const noexcept { return
 const std::vector<JointLimits>& Mechanism::joint_limits() const noexcept { return contents_->joint_limits; }
 const std::vector<std::string>& Mechanism::notes() const noexcept { return contents_->notes; }
 int Mechanism::mobility() const noexcept { return contents_->mobility; }
-int Mechanism::idle_freedoms() const noexcept { return contents_->idle_freedoms; }
+int Mechanism::idle_degrees_of_freedom() const noexcept { return contents_->idle_degrees_of_freedom; }
 
-// Idle motions are the kernel of the closures with the drives locked; of the joints inside the loops alone,
-// since there may be thousands outside.
+// Idle motions are the kernel of the closures with the actuated joints locked; of the joints inside the loops
+// alone, since there may be thousands outside.
 std::vector<PassiveJoint> Mechanism::determined_joints() const {
   const Completion& completion = contents_->completion;
   const ClosureSystem& system = completion.system();
   Eigen::MatrixXd locked =
-      system.jacobian(completion.joint_values(completion.reference_pose(), completion.reference_drives()));
-  for (const std::size_t drive : completion.drive_variables())
-    locked.col(static_cast<Eigen::Index>(drive)).setZero();
+      system.jacobian(completion.joint_values(completion.reference_pose(), completion.reference_joints()));
+  for (const std::size_t actuation : completion.actuated_variables())
+    locked.col(static_cast<Eigen::Index>(actuation)).setZero();
   std::vector<std::size_t> inside;
   for (std::size_t k = 0; k < system.in_loop().size(); ++k)
     if (system.in_loop()[k]) inside.push_back(k);
@@ -60,12 +60,12 @@ std::vector<PassiveJoint> Mechanism::determined_joints() const {
   std::vector<PassiveJoint> joints;
   for (std::size_t k = 0; k < inside.size(); ++k)
     if (!(idle.row(static_cast<Eigen::Index>(k)).norm() > idle_tolerance))
-      joints.push_back({inside[k], system.tree().joint_of(inside[k]).motion == JointMotion::turning});
+      joints.push_back({inside[k], system.tree().joint_of(inside[k]).motion == JointMotion::revolute});
   return joints;
 }
 
 AssembledConfiguration Mechanism::assembled() const {
-  return {contents_->completion.reference_pose(), contents_->completion.reference_drives()};
+  return {contents_->completion.reference_pose(), contents_->completion.reference_joints()};
 }
 
 std::optional<std::size_t> Mechanism::joint_outside_limits(

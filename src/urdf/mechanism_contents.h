@@ -18,7 +18,7 @@ struct Mechanism::Contents {
   std::vector<JointLimits> joint_limits;
   std::vector<std::string> notes;
   int mobility = 0;
-  int idle_freedoms = 0;
+  int idle_degrees_of_freedom = 0;
   double accepted_residual = 0.0;  ///< what rounding in the description costs, over the size of the robot
   Completion completion;
 };

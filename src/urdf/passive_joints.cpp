@@ -28,7 +28,7 @@ PassiveJoints::PassiveJoints(std::shared_ptr<const Mechanism> mechanism, const P
   const auto& names = mechanism_->joint_names();
   for (std::size_t i = joints_.size(); i-- > 0;)
     for (const Leg& leg : legs)
-      if (names[joints_[i].index] == leg.driven_joint) {
+      if (names[joints_[i].index] == leg.actuated_joint) {
         joints_.erase(joints_.begin() + static_cast<std::ptrdiff_t>(i));
         break;
       }

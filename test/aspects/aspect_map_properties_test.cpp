@@ -29,14 +29,14 @@ int sign_at(const Manipulator& robot, const Pose& pose, const WorkingMode& mode)
 }
 
 // So close to a singularity or limit rounding may tell one from the other.
-bool too_close_to_tell(const Manipulator& robot, const Pose& pose, const WorkingMode& mode) {
+bool too_close_to_decide(const Manipulator& robot, const Pose& pose, const WorkingMode& mode) {
   const InverseSolution solution = inverse(robot, pose, mode);
   const double size = robot.size();
   for (std::size_t j = 0; j < robot.leg_count(); ++j) {
     const Leg& leg = robot.leg(j);
     const Eigen::Vector3d point = pose.transform(leg.anchor);
     if (std::abs(squared_inverse_entry(leg, point)) < 1e-10 * size * size) return true;
-    const double q = drive_value(leg, point, mode.sign(j));
+    const double q = joint_value(leg, point, mode.sign(j));
     if (std::abs(q - leg.limits.lower) < 1e-9 || std::abs(q - leg.limits.upper) < 1e-9) return true;
   }
   return solution.status == InverseStatus::solved &&
@@ -60,9 +60,9 @@ std::shared_ptr<const Manipulator> limited_five_bar() {
 std::shared_ptr<const Manipulator> oblique_five_bar() {
   ManipulatorDescription description{"oblique_five_bar", TaskSpace::T2, test::five_bar()->legs(), "base", {}};
   description.task_frame.setIdentity();
-  auto& drive = std::get<RevoluteDrive>(description.legs[0].drive);
-  drive.axis = -Eigen::Vector3d::UnitZ();
-  drive.zero_direction = Eigen::Vector3d(0.6, 0.8, 0.0);
+  auto& actuation = std::get<RevoluteActuation>(description.legs[0].actuation);
+  actuation.axis = -Eigen::Vector3d::UnitZ();
+  actuation.zero_direction = Eigen::Vector3d(0.6, 0.8, 0.0);
   description.legs[0].anchor = {0.3, -0.4, 0.5};
   description.legs[0].limits = {0.2, 4.0};
   description.legs[1].anchor = {-0.2, 0.1, -0.7};
@@ -75,8 +75,8 @@ std::shared_ptr<const Manipulator> rails() {
   for (const double side : {-1.0, 1.0}) {
     Leg leg;
     leg.name = side < 0.0 ? "left" : "right";
-    leg.driven_joint = leg.name;
-    leg.drive = PrismaticDrive{{side, 0.0, 0.0}, Eigen::Vector3d(side * 0.6, 0.8, 0.0)};
+    leg.actuated_joint = leg.name;
+    leg.actuation = PrismaticActuation{{side, 0.0, 0.0}, Eigen::Vector3d(side * 0.6, 0.8, 0.0)};
     leg.rod_length = 1.5;
     leg.limits = {-1.0, 2.0};
     description.legs.push_back(leg);
@@ -90,8 +90,8 @@ std::shared_ptr<const Manipulator> elbows() {
   for (const double side : {-1.0, 1.0}) {
     Leg leg;
     leg.name = side < 0.0 ? "left" : "right";
-    leg.driven_joint = leg.name;
-    leg.drive = ElbowDrive{{side, 0.0, 0.0}, 1.2, 0.9, 0.3, side};
+    leg.actuated_joint = leg.name;
+    leg.actuation = ElbowActuation{{side, 0.0, 0.0}, 1.2, 0.9, 0.3, side};
     leg.limits = {-2.5, 0.8};
     description.legs.push_back(leg);
   }
@@ -118,7 +118,7 @@ TEST_P(MapProperties, NoPoseContradictsItsLeaf) {
     pose.position << x(random), y(random), 0.0;
     for (const WorkingMode& mode : modes) {
       const Location location = map->locate(pose, mode);
-      if (location.status == LocationStatus::undecided || too_close_to_tell(*robot, pose, mode)) continue;
+      if (location.status == LocationStatus::undecided || too_close_to_decide(*robot, pose, mode)) continue;
       const int expected =
           location.status == LocationStatus::inside
               ? map->aspects()[static_cast<std::size_t>(location.aspect - 1)].determinant_sign

@@ -20,7 +20,7 @@ std::shared_ptr<const AspectMap> map_of(const std::shared_ptr<const Manipulator>
   options.resolution = resolution;
   options.use_symmetry = use_symmetry;
   const MapResult result = compute_aspect_map(robot, options);
-  EXPECT_EQ(result.status, MapStatus::complete) << result.sentence;
+  EXPECT_EQ(result.status, MapStatus::complete) << result.message;
   return result.map;
 }
 
@@ -43,7 +43,7 @@ TEST(FiveBarMap, HasTheTenAspectsOfThePaper) {
   const auto map = compute_aspect_map(test::five_bar()).map;
   EXPECT_EQ(map->aspects().size(), 10U);
   EXPECT_EQ(map->proved_count(), 10U);
-  EXPECT_EQ(map->open_leaves(), 0U);
+  EXPECT_EQ(map->indeterminate_leaves(), 0U);
   EXPECT_EQ(map->count_at_most().value_or(0), 10U) << "there are no more";
   EXPECT_TRUE(map->unresolved().empty());
   EXPECT_EQ(map->working_modes().size(), 4U);
@@ -127,7 +127,7 @@ TEST(BipodMap, HasTwoAspectsThatMirrorEachOther) {
 TEST(AspectMap, RefusesBadOptionsWithASentence) {
   const auto refuses = [](const MapOptions& options) {
     const MapResult result = compute_aspect_map(test::five_bar(), options);
-    return result.status == MapStatus::refused && !result.sentence.empty() && !result.map;
+    return result.status == MapStatus::refused && !result.message.empty() && !result.map;
   };
   for (const double resolution : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity(), 1e-12}) {
     MapOptions options;
@@ -148,7 +148,7 @@ TEST(AspectMap, RefusesWhatWouldTakeAllMemory) {
   options.resolution = 2e-6;
   const MapResult result = compute_aspect_map(test::five_bar(), options);
   EXPECT_EQ(result.status, MapStatus::refused);
-  EXPECT_NE(result.sentence.find("million boxes"), std::string::npos) << result.sentence;
+  EXPECT_NE(result.message.find("million boxes"), std::string::npos) << result.message;
 }
 
 TEST(AspectMap, CanBeCancelled) {

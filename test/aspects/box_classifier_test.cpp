@@ -137,14 +137,16 @@ TEST_P(BoxClassifierTest, PositionsAndPosesAgree) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Robots, BoxClassifierTest,
-    testing::Values(Case{"five_bar", test::five_bar}, Case{"bipod", test::bipod},
-                    Case{"three_rpr", test::three_rpr}, Case{"three_rrr", test::three_rrr},
-                    Case{"driven_elbow", test::three_rrr_driven_elbow}, Case{"three_prr", test::three_prr},
-                    Case{"delta", test::delta}, Case{"linear_delta", test::linear_delta},
-                    Case{"agile_eye", test::agile_eye}, Case{"spherical", test::spherical_three_rrr}),
-    [](const auto& robot) { return std::string(robot.param.name); });
+INSTANTIATE_TEST_SUITE_P(Robots, BoxClassifierTest,
+                         testing::Values(Case{"five_bar", test::five_bar}, Case{"bipod", test::bipod},
+                                         Case{"three_rpr", test::three_rpr},
+                                         Case{"three_rrr", test::three_rrr},
+                                         Case{"actuated_elbow", test::three_rrr_actuated_elbow},
+                                         Case{"three_prr", test::three_prr}, Case{"delta", test::delta},
+                                         Case{"linear_delta", test::linear_delta},
+                                         Case{"agile_eye", test::agile_eye},
+                                         Case{"spherical", test::spherical_three_rrr}),
+                         [](const auto& robot) { return std::string(robot.param.name); });
 
 // Glued faces are the same poses: a point of the first face and its image on the second.
 TEST(PoseSpace, GluedFacesHoldTheSamePoses) {

@@ -20,8 +20,8 @@
 namespace parallel_aspects {
 namespace {
 
-const LeafState open_leaf = LeafState::undecided(true, false);
-const LeafState whole_leaf = open_leaf.with_whole(1);
+const LeafState indeterminate_leaf = LeafState::undecided(true, false);
+const LeafState whole_leaf = indeterminate_leaf.with_whole(1);
 
 /// A tree of one mode in which all leaves are of one level, and outside.
 PoseTree even_tree(std::size_t dimension, std::uint32_t level) {
@@ -63,25 +63,25 @@ TEST(Components, InsideLeavesBesideAWholePartAreOne) {
 }
 
 TEST(Components, OpenLeavesLeaveTwoUnresolved) {
-  const ModeComponents found =
-      components_of(row_of({LeafState::inside(1), open_leaf, open_leaf, LeafState::inside(1)}));
+  const ModeComponents found = components_of(
+      row_of({LeafState::inside(1), indeterminate_leaf, indeterminate_leaf, LeafState::inside(1)}));
   EXPECT_EQ(found.components.size(), 2U);
   EXPECT_EQ(found.cluster_count, 1U);
   EXPECT_EQ(found.unresolved.size(), 1U);
 }
 
-// What the whole part holds may hang together with both, though it is joined to neither.
+// What the whole part holds may be connected with both, though it is joined to neither.
 TEST(Components, AWholePartBetweenOpenLeavesLeavesTwoUnresolved) {
-  const ModeComponents found = components_of(
-      row_of({LeafState::inside(1), open_leaf, whole_leaf, whole_leaf, open_leaf, LeafState::inside(1)}));
+  const ModeComponents found = components_of(row_of({LeafState::inside(1), indeterminate_leaf, whole_leaf,
+                                                     whole_leaf, indeterminate_leaf, LeafState::inside(1)}));
   EXPECT_EQ(found.components.size(), 2U);
   EXPECT_EQ(found.cluster_count, 1U);
   EXPECT_EQ(found.unresolved.size(), 1U);
 }
 
 TEST(Components, NothingBetweenThemIsSeparate) {
-  const ModeComponents found =
-      components_of(row_of({LeafState::inside(1), open_leaf, LeafState::outside(), LeafState::inside(1)}));
+  const ModeComponents found = components_of(
+      row_of({LeafState::inside(1), indeterminate_leaf, LeafState::outside(), LeafState::inside(1)}));
   EXPECT_EQ(found.cluster_count, 2U);
   EXPECT_TRUE(found.unresolved.empty());
 }
@@ -102,12 +102,12 @@ class RandomStates : public testing::TestWithParam<unsigned> {
   LeafState random_state(double share_outside) {
     if (std::bernoulli_distribution(share_outside)(random_)) return LeafState::outside();
     const unsigned kind = random_() % 3;
-    return kind == 0 ? LeafState::inside(1) : kind == 1 ? whole_leaf : open_leaf;
+    return kind == 0 ? LeafState::inside(1) : kind == 1 ? whole_leaf : indeterminate_leaf;
   }
 
   std::mt19937 random_;
   PoseTree tree_;
-  DisjointSets reach_;  // leaves that hang together if all that may be in them is
+  DisjointSets reach_;  // leaves that are connected if all that may be in them is
 };
 
 TEST_P(RandomStates, ClustersAreWhatAFloodReaches) {

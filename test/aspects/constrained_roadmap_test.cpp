@@ -46,7 +46,7 @@ TEST(ConstrainedRoadmap, StaysInTheWorkspace) {
   RoadmapOptions options;
   options.samples = 200;
   const RoadmapResult result = compute_pose_roadmap(stewart_in_a_box(), options);
-  ASSERT_TRUE(result.roadmap) << result.sentence;
+  ASSERT_TRUE(result.roadmap) << result.message;
   std::size_t poses = 0;
   for (const RoadmapSide& side : result.roadmap->sides()) poses += side.poses.size();
   EXPECT_GT(poses, 190U);
@@ -74,16 +74,16 @@ TEST(ConstrainedRoadmap, QuestionsAreToldWhichConstraintFails) {
   outside.pose.position = {0.0, 0.0, 1.41};
   const AspectComparison answer = same_aspect(certifier, inside, outside);
   EXPECT_EQ(answer.answer, SameAspect::no);
-  EXPECT_EQ(answer.sentence,
+  EXPECT_EQ(answer.message,
             "The second configuration lies in no aspect: the constraint workspace does not hold there.");
   EXPECT_EQ(answer.failing, ConstraintKind::workspace);
   outside.pose.position = {0.0, 0.0, 3.0};
   const AspectComparison far = same_aspect(certifier, outside, inside);
-  EXPECT_EQ(far.failing, ConstraintKind::driven_limits) << far.sentence;
-  EXPECT_NE(far.sentence.find("the drive of leg '"), std::string::npos) << far.sentence;
+  EXPECT_EQ(far.failing, ConstraintKind::actuated_limits) << far.message;
+  EXPECT_NE(far.message.find("the actuated joint of leg '"), std::string::npos) << far.message;
   outside.pose.position = {0.0, 0.0, 1.39};
   const AspectComparison same = same_aspect(certifier, inside, outside);
-  EXPECT_EQ(same.answer, SameAspect::yes) << same.sentence;
+  EXPECT_EQ(same.answer, SameAspect::yes) << same.message;
   EXPECT_FALSE(same.failing);
 }
 
@@ -116,7 +116,7 @@ double clearance(const test::ClearanceAt& at, ConstraintKind kind) {
     case ConstraintKind::obstacles:
       return at.of_obstacles();
     case ConstraintKind::workspace:
-    case ConstraintKind::driven_limits:
+    case ConstraintKind::actuated_limits:
       break;
   }
   return at.of_workspace();
@@ -133,7 +133,7 @@ TEST(ConstrainedRoadmap, TheConstraintThatIsNamedFails) {
       if (!pose) continue;
       for (const WorkingMode& mode : working_modes(*robot)) {
         const ConfigurationProof proof = certifier.prove(*pose, mode);
-        if (proof.proved_hindrance != Hindrance::constraint) continue;
+        if (proof.proved_violation != Violation::constraint) continue;
         ASSERT_TRUE(proof.failing);
         named[index_of(*proof.failing)] = true;
         const InverseSolution solution = inverse(*robot, *pose, mode);
@@ -143,7 +143,7 @@ TEST(ConstrainedRoadmap, TheConstraintThatIsNamedFails) {
       }
     }
   }
-  // Limits of drives are another hindrance.
+  // Limits of actuated joints are another violation.
   if (test::is_sanitized) return;
   EXPECT_EQ(named.count(), all_constraint_kinds.size() - 1);
 }
@@ -159,7 +159,7 @@ TEST(ConstrainedSlice, IsMappedInTheWorkspaceOnly) {
     map->visit_inside_poses(aspect.id, [](const Pose& pose, double) { EXPECT_TRUE(is_in_the_box(pose)); });
   MapOptions beyond = test::options_of(test::slice_of(robot, test::upright({{"z", 1.5}})), 0.05);
   EXPECT_EQ(
-      compute_aspect_map(robot, beyond).sentence,
+      compute_aspect_map(robot, beyond).message,
       "The slice holds a position outside of the workspace that the constraints of 'stewart' name; hold "
       "it inside, or leave the constraint out.");
 }
@@ -218,11 +218,11 @@ TEST(ConstrainedMap, RegionsAreClippedToTheWorkspace) {
   EXPECT_EQ(map->region().upper, (MapPoint{5.0, 6.0, 0.0}));
   options.region = Box{2, {6.0, 0.0, 0.0}, {9.0, 9.0, 0.0}};
   EXPECT_EQ(
-      compute_aspect_map(robot, options).sentence,
+      compute_aspect_map(robot, options).message,
       "The workspace that the constraints of 'five_bar' name holds no position of the region, or is too "
-      "thin for a map; mend constraints.workspace, or leave it out.");
+      "thin for a map; correct constraints.workspace, or leave it out.");
   options.region = Box{3, {0.0, 0.0, 0.0}, {9.0, 9.0, 9.0}};
-  EXPECT_EQ(compute_aspect_map(robot, options).sentence,
+  EXPECT_EQ(compute_aspect_map(robot, options).message,
             "The region of the map has 3 coordinates; give one for each position that is free, which are 2.");
 }
 

@@ -154,7 +154,7 @@ TEST_P(ConstraintsTest, SmallBoxesAreDecided) {
 }
 
 // What is whole has no two poses of the set that no part of the box joins: both must be proved to lie in one
-// set by growth alone, so the corner that the set grows to is in it wherever anything is.
+// set by monotonicity alone, so the corner that the set grows to is in it wherever anything is.
 TEST_P(ConstraintsTest, SetsThatGrowHoldTheirHighestCorner) {
   std::size_t grown = 0;
   for (int i = 0; i < 4000; ++i) {
@@ -166,10 +166,11 @@ TEST_P(ConstraintsTest, SetsThatGrowHoldTheirHighestCorner) {
           const RoundingUpward rounding;
           return classifier->examine(0, box, m, sign);
         }();
-        if (!found.state.is_undecided() || !found.growth.along_all(box) || sign_at(point, modes[m]) != sign)
+        if (!found.state.is_undecided() || !found.monotonicity.along_all(box) ||
+            sign_at(point, modes[m]) != sign)
           continue;
         ++grown;
-        const auto corner = sign_at(found.growth.highest(box), modes[m]);
+        const auto corner = sign_at(found.monotonicity.highest(box), modes[m]);
         ASSERT_TRUE(!corner || *corner == sign)
             << "box " << box.lower[0] << ' ' << box.lower[1] << ' ' << box.lower[2] << " to " << box.upper[0]
             << ' ' << box.upper[1] << ' ' << box.upper[2] << ", mode " << to_string(modes[m]) << ", pose "
@@ -215,7 +216,7 @@ TEST(SelfCollision, LeavesTenAspectsOfTheFiveBar) {
   for (const double resolution : {0.2, 0.1}) {
     options.resolution = resolution;
     const MapResult found = compute_aspect_map(with(test::five_bar(), segments), options);
-    ASSERT_TRUE(found.map) << found.sentence;
+    ASSERT_TRUE(found.map) << found.message;
     EXPECT_EQ(found.map->proved_count(), 10U) << resolution;
     EXPECT_TRUE(found.map->unresolved().empty()) << resolution;
     const MapResult whole = compute_aspect_map(test::five_bar(), options);
@@ -248,8 +249,8 @@ TEST(Constraints, ThatAreSwitchedOffDoNotBoundTheMap) {
     ConstraintKinds one;
     one[index_of(kind)] = true;
     EXPECT_EQ(robot->with_constraints(one)->constraint_kinds(),
-              kind == ConstraintKind::driven_limits ? ConstraintKinds() : one);
-    if (kind == ConstraintKind::driven_limits) continue;
+              kind == ConstraintKind::actuated_limits ? ConstraintKinds() : one);
+    if (kind == ConstraintKind::actuated_limits) continue;
     EXPECT_LT(measure(one), 0.98 * without) << name(kind);
   }
 }
@@ -266,7 +267,7 @@ TEST(Constraints, AreEachReportedWithTheirBoundary) {
   EXPECT_TRUE(constraint_boundaries(*compute_aspect_map(test::five_bar(), options).map).empty());
   const auto of_struts = constraint_boundaries(*compute_aspect_map(test::bipod(), options).map);
   ASSERT_EQ(of_struts.size(), 1U);
-  EXPECT_EQ(of_struts[0].kind, ConstraintKind::driven_limits);
+  EXPECT_EQ(of_struts[0].kind, ConstraintKind::actuated_limits);
   EXPECT_GT(of_struts[0].leaves, 10U);
   EXPECT_GT(of_struts[0].measure, 0.0);
 }
@@ -330,7 +331,7 @@ TEST(Constraints, ThatDoNotFitTheLegsAreRefused) {
   links.self_collision.emplace();
   EXPECT_THROW(with(test::delta(), links), InvalidDescription);
   EXPECT_THROW(with(test::agile_eye(), links), InvalidDescription);
-  EXPECT_THROW(with(test::three_rrr_driven_elbow(), links), InvalidDescription);
+  EXPECT_THROW(with(test::three_rrr_actuated_elbow(), links), InvalidDescription);
   Constraints workspace;
   workspace.workspace = WorkspaceBox{{1.0, 0.0, 0.0}, {0.0, 1.0, 1.0}};
   EXPECT_THROW(with(test::five_bar(), workspace), InvalidDescription);

@@ -148,7 +148,7 @@ class MapFile : public testing::Test {
 
   std::string saved(const AspectMap& map) const {
     const SaveResult result = save_map(map, file_);
-    EXPECT_TRUE(result.saved) << result.sentence;
+    EXPECT_TRUE(result.saved) << result.message;
     return contents(file_);
   }
 
@@ -167,9 +167,9 @@ class MapFile : public testing::Test {
     const MapResult result = load_map(robot, options, file_);
     EXPECT_EQ(result.status, MapStatus::refused);
     EXPECT_EQ(result.map, nullptr);
-    EXPECT_NE(result.sentence.find(file_.string()), std::string::npos) << result.sentence;
-    EXPECT_NE(result.sentence.find(why), std::string::npos) << result.sentence;
-    EXPECT_EQ(result.sentence.back(), '.');
+    EXPECT_NE(result.message.find(file_.string()), std::string::npos) << result.message;
+    EXPECT_NE(result.message.find(why), std::string::npos) << result.message;
+    EXPECT_EQ(result.message.back(), '.');
   }
 
   std::size_t files_in_folder() const {
@@ -208,11 +208,11 @@ TEST_P(RoundTrip, EveryAnswerIsTheSame) {
   if (test::is_sanitized && options.modes.size() > 2) options.modes.resize(2);
   options.extra_levels = 3;
   const MapResult computed = compute_aspect_map(robot, options);
-  ASSERT_EQ(computed.status, MapStatus::complete) << computed.sentence;
+  ASSERT_EQ(computed.status, MapStatus::complete) << computed.message;
   ASSERT_FALSE(computed.map->aspects().empty());
   const std::string bytes = saved(*computed.map);
   const MapResult loaded = load_map(robot, options, file_);
-  ASSERT_EQ(loaded.status, MapStatus::complete) << loaded.sentence;
+  ASSERT_EQ(loaded.status, MapStatus::complete) << loaded.message;
   EXPECT_EQ(loaded.map->manipulator(), robot);
   expect_equal(*computed.map, *loaded.map);
   EXPECT_GT(expect_equal_locations(*computed.map, *loaded.map, test::thinned(1000)), test::thinned(100));
@@ -286,15 +286,17 @@ TEST_F(MapFile, OtherRobotsAreRefusedWithWhatDiffers) {
     change(changed.legs);
     expect_refused(std::make_shared<const Manipulator>(changed), options_, why);
   };
-  const auto drive = [](Leg& leg) -> RevoluteDrive& { return std::get<RevoluteDrive>(leg.drive); };
+  const auto actuation = [](Leg& leg) -> RevoluteActuation& {
+    return std::get<RevoluteActuation>(leg.actuation);
+  };
   const double tiny = 1e-15;
-  expect([&](auto& legs) { drive(legs[0]).radius += 4.0 * tiny; }, "leg 1, crank length 8");
+  expect([&](auto& legs) { actuation(legs[0]).radius += 4.0 * tiny; }, "leg 1, crank length 8");
   expect([&](auto& legs) { legs[1].rod_length += 4.0 * tiny; }, "leg 2, rod length 8");
-  expect([&](auto& legs) { drive(legs[1]).center.y() += tiny; }, "leg 2, center 9");
+  expect([&](auto& legs) { actuation(legs[1]).center.y() += tiny; }, "leg 2, center 9");
   expect([&](auto& legs) { legs[0].anchor.z() += tiny; }, "leg 1, anchor");
   expect([&](auto& legs) { legs[1].limits.upper = 100.0; }, "leg 2, limits -inf 100");
-  expect([&](auto& legs) { drive(legs[0]).axis *= -1.0; }, "leg 1, axis");
-  expect([&](auto& legs) { drive(legs[0]).zero_direction = Eigen::Vector3d::UnitY(); },
+  expect([&](auto& legs) { actuation(legs[0]).axis *= -1.0; }, "leg 1, axis");
+  expect([&](auto& legs) { actuation(legs[0]).zero_direction = Eigen::Vector3d::UnitY(); },
          "leg 1, zero direction");
   expect_refused(test::bipod(), options_, "\"robot 'five_bar'\" and not \"robot 'bipod'\"");
   EXPECT_EQ(load_map(std::make_shared<const Manipulator>(description), options_, file_).status,
@@ -414,7 +416,7 @@ TEST_F(MapFile, AFailingSaveLeavesTheOldFile) {
     result = save_map(*finer, file_);
   }
   EXPECT_FALSE(result.saved);
-  EXPECT_NE(result.sentence.find(file_.string()), std::string::npos) << result.sentence;
+  EXPECT_NE(result.message.find(file_.string()), std::string::npos) << result.message;
   EXPECT_EQ(contents(file_), before);
   EXPECT_EQ(files_in_folder(), 1U);
   EXPECT_NE(saved(*finer), before);
@@ -424,7 +426,7 @@ TEST_F(MapFile, AFailingSaveLeavesTheOldFile) {
 TEST_F(MapFile, FoldersThatCannotBeWrittenToAreReported) {
   const SaveResult missing = save_map(*map_, folder_ / "none" / "map");
   EXPECT_FALSE(missing.saved);
-  EXPECT_NE(missing.sentence.find("No such file or directory"), std::string::npos) << missing.sentence;
+  EXPECT_NE(missing.message.find("No such file or directory"), std::string::npos) << missing.message;
   fs::create_directory(file_);
   EXPECT_FALSE(save_map(*map_, file_).saved);
   EXPECT_TRUE(fs::is_directory(file_));
@@ -443,7 +445,7 @@ TEST_F(MapFile, LinksAreFollowedAndWhatIsNoFileIsNotReplaced) {
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
   const SaveResult refused = save_map(*map_, pipe);
   EXPECT_FALSE(refused.saved);
-  EXPECT_NE(refused.sentence.find("not a regular file"), std::string::npos) << refused.sentence;
+  EXPECT_NE(refused.message.find("not a regular file"), std::string::npos) << refused.message;
   EXPECT_TRUE(fs::is_fifo(pipe));
 }
 

@@ -6,7 +6,7 @@
 #include "aspects/tree/slice_space.h"
 #include "interval/interval.h"
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "parallel_aspects/aspects/turning_slice.h"
+#include "parallel_aspects/aspects/rotation_slice.h"
 
 #include <gtest/gtest.h>
 
@@ -100,7 +100,7 @@ void expect_agreement(const Robot& robot, const Held& held, std::size_t held_axi
 
 TEST(SliceClassifier, AgreesWithThatOfAllPoses) {
   expect_agreement(test::three_rrr(), {{"phi", 0.0}}, 2, 0.0);
-  expect_agreement(test::three_rrr_driven_elbow(), {{"phi", 0.0}}, 2, 0.0);
+  expect_agreement(test::three_rrr_actuated_elbow(), {{"phi", 0.0}}, 2, 0.0);
   expect_agreement(test::three_rpr(), {{"phi", 0.0}}, 2, 0.0);
   expect_agreement(test::delta(), {{"z", -0.5}}, 2, -0.5);
 }
@@ -133,7 +133,7 @@ class Flood {
     }
   }
 
-  /// Cells of each set that hangs together.
+  /// Cells of each set that is connected.
   std::vector<std::vector<Eigen::Vector2d>> pieces() {
     std::vector<std::vector<Eigen::Vector2d>> result;
     for (int k = 0; k < cells * cells; ++k)
@@ -238,7 +238,7 @@ TEST(MapSlice, TurnsAboutEveryAxis) {
   slice.held.position << 0.0, 0.0, 1.3;
   slice.held.orientation = Eigen::AngleAxisd(0.2, Eigen::Vector3d(0.6, 0.8, 0.0));
   slice.axis << 1.0, 2.0, 2.0;
-  slice.turning = MapSlice::Turning::about_axis;
+  slice.rotation = MapSlice::Rotation::about_axis;
   const auto map = map_of(robot, options_of(slice, 0.01));
   ASSERT_TRUE(map);
   const Eigen::Quaterniond third(Eigen::AngleAxisd(0.3, slice.axis.normalized()));
@@ -264,8 +264,8 @@ TEST(MapSlice, TurnsAboutAxesOfTheBaseAndOfThePlatform) {
   const Robot robot = test::shipped("stewart")->manipulator();
   Problems problems;
   const Held held{{"x", 0.0}, {"y", 0.0}, {"z", 1.3}, {"roll", 0.3}, {"pitch", 0.2}, {"yaw", 0.1}};
-  const MapSlice base = make_turning_slice(TaskSpace::SE3, held, "y", problems);
-  const MapSlice own = make_turning_slice(TaskSpace::SE3, held, "own-z", problems);
+  const MapSlice base = make_rotation_slice(TaskSpace::SE3, held, "y", problems);
+  const MapSlice own = make_rotation_slice(TaskSpace::SE3, held, "own-z", problems);
   ASSERT_TRUE(problems.empty());
   EXPECT_EQ(find_slice_problem(*robot, own), "");
   const Eigen::Quaterniond start = orientation_of(0.3, 0.2, 0.1);
@@ -301,21 +301,21 @@ TEST(MapSlice, FreeAnglesAreThoseOfTheOrientation) {
   }
 }
 
-std::string turning_problem(TaskSpace space, const Held& held, const std::string& axis) {
+std::string rotation_problem(TaskSpace space, const Held& held, const std::string& axis) {
   Problems problems;
-  make_turning_slice(space, held, axis, problems);
+  make_rotation_slice(space, held, axis, problems);
   return problems.size() == 1 ? problems.front() : std::to_string(problems.size()) + " problems";
 }
 
 TEST(MapSlice, EveryMistakeAboutAxesIsOneSentence) {
   EXPECT_EQ(
-      turning_problem(TaskSpace::SE3, upright({{"x", 0.0}}), "w"),
+      rotation_problem(TaskSpace::SE3, upright({{"x", 0.0}}), "w"),
       "The slice turns about 'w'; give x, y or z of the base, or own-x, own-y or own-z of the platform.");
-  EXPECT_EQ(turning_problem(TaskSpace::SE3, {{"x", 0.0}, {"y", 0.0}, {"roll", 0.0}}, "x"),
+  EXPECT_EQ(rotation_problem(TaskSpace::SE3, {{"x", 0.0}, {"y", 0.0}, {"roll", 0.0}}, "x"),
             "The slice turns from an orientation that it does not tell; hold 'pitch' once.");
-  EXPECT_EQ(turning_problem(TaskSpace::SE2, {{"x", 0.0}}, "z"),
+  EXPECT_EQ(rotation_problem(TaskSpace::SE2, {{"x", 0.0}}, "z"),
             "A slice of SE2 turns about no other axis; leave 'turn' out.");
-  EXPECT_NE(turning_problem(TaskSpace::SE3, upright(), "x"), "0 problems");
+  EXPECT_NE(rotation_problem(TaskSpace::SE3, upright(), "x"), "0 problems");
 }
 
 std::string problem_of(TaskSpace space, const Held& held) {
@@ -362,10 +362,10 @@ TEST(MapSlice, SlicesThatDoNotFitTheRobotAreRefused) {
   slice.axis.setZero();
   EXPECT_NE(find_slice_problem(*spatial, slice), "");
   slice = slice_of(spatial, upright());
-  slice.turning = MapSlice::Turning::freely;
+  slice.rotation = MapSlice::Rotation::freely;
   EXPECT_NE(find_slice_problem(*spatial, slice), "");
   slice.moves.fill(false);
-  slice.turning = MapSlice::Turning::none;
+  slice.rotation = MapSlice::Rotation::none;
   EXPECT_NE(find_slice_problem(*spatial, slice), "");
 }
 

@@ -42,7 +42,7 @@ struct Case {
   std::size_t computed_modes;
 };
 
-Robot built(unsigned seed, const Eigen::Vector3d& signs, TaskSpace space, test::DriveKind kind,
+Robot built(unsigned seed, const Eigen::Vector3d& signs, TaskSpace space, test::ActuationKind kind,
             bool limited) {
   return test::SymmetricRobots(seed, signs.asDiagonal()).robot(space, kind, limited);
 }
@@ -54,20 +54,20 @@ const Case cases[] = {
     {"agile_eye", [] { return test::shipped("agile_eye")->manipulator(); }, 0.3, 0, 2},
     {"built_t2",
      [] {
-       return built(3, {-1.0, 1.0, 1.0}, TaskSpace::T2, test::DriveKind::revolute, true);
+       return built(3, {-1.0, 1.0, 1.0}, TaskSpace::T2, test::ActuationKind::revolute, true);
      },
      0.05, 12, 3},
     {"built_se2",
      [] {
-       return built(5, {-1.0, 1.0, 1.0}, TaskSpace::SE2, test::DriveKind::revolute, false);
+       return built(5, {-1.0, 1.0, 1.0}, TaskSpace::SE2, test::ActuationKind::revolute, false);
      },
      0.14, 0, 4},
     {"built_t3",
      [] {
-       return built(7, {1.0, -1.0, 1.0}, TaskSpace::T3, test::DriveKind::prismatic, true);
+       return built(7, {1.0, -1.0, 1.0}, TaskSpace::T3, test::ActuationKind::prismatic, true);
      },
      0.1, 0, 6},
-    {"driven_elbow", test::three_rrr_driven_elbow, 2.0, 2, 1},
+    {"actuated_elbow", test::three_rrr_actuated_elbow, 2.0, 2, 1},
 };
 
 class MapWithSymmetry : public testing::TestWithParam<Case> {

@@ -19,8 +19,8 @@ using Real = long double;
 constexpr Real allowed = 1e-17L;
 
 bool holds(const Interval& interval, Real value) {
-  const Real slack = allowed * (1.0L + std::abs(value));
-  return interval.lower() - slack <= value && value <= interval.upper() + slack;
+  const Real allowance = allowed * (1.0L + std::abs(value));
+  return interval.lower() - allowance <= value && value <= interval.upper() + allowance;
 }
 
 Interval widened(const Interval& slope, double s) {

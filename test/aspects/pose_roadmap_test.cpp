@@ -35,7 +35,7 @@ RoadmapOptions options_of(std::size_t samples, unsigned threads = 0) {
 std::shared_ptr<const PoseRoadmap> roadmap_of(const std::shared_ptr<const Manipulator>& robot,
                                               const RoadmapOptions& options) {
   const RoadmapResult result = compute_pose_roadmap(robot, options);
-  EXPECT_EQ(result.status, MapStatus::complete) << result.sentence;
+  EXPECT_EQ(result.status, MapStatus::complete) << result.message;
   return result.roadmap;
 }
 
@@ -179,7 +179,7 @@ TEST(PoseRoadmap, ModesAndRotationsAreThoseAskedFor) {
 TEST(PoseRoadmap, PosesStayInTheTaskSpace) {
   test::RandomRobots random(9);
   for (const TaskSpace space : test::all_task_spaces) {
-    const auto robot = random.robot(space, test::DriveKind::revolute);
+    const auto robot = random.robot(space, test::ActuationKind::revolute);
     PoseSampler sampler(robot, 1, std::nullopt, EIGEN_PI);
     int drawn = 0;
     for (int i = 0; i < 1000; ++i) {
@@ -212,7 +212,7 @@ TEST(PoseRoadmap, BadOptionsAreRefusedWithASentence) {
     const RoadmapResult result = compute_pose_roadmap(robot, options);
     EXPECT_EQ(result.status, MapStatus::refused);
     EXPECT_EQ(result.roadmap, nullptr);
-    EXPECT_FALSE(result.sentence.empty());
+    EXPECT_FALSE(result.message.empty());
   }
 }
 

@@ -25,7 +25,7 @@ const Box cube{3, {-4.0, -4.0, -4.0}, {4.0, 4.0, 4.0}};
 
 Box region_of(const Robot& robot) {
   Box region = cube;
-  region.dimension = freedoms(robot->task_space());
+  region.dimension = degrees_of_freedom(robot->task_space());
   return region;
 }
 
@@ -129,14 +129,14 @@ std::vector<Eigen::Matrix3d> involutions(TaskSpace space) {
 
 struct Constructed {
   TaskSpace space;
-  test::DriveKind kind;
+  test::ActuationKind kind;
   bool limited;
 };
 
 std::vector<Constructed> constructed() {
   std::vector<Constructed> cases;
   for (const TaskSpace space : {TaskSpace::T2, TaskSpace::SE2, TaskSpace::T3, TaskSpace::SO3})
-    for (const test::DriveKind kind : test::all_drive_kinds)
+    for (const test::ActuationKind kind : test::all_actuation_kinds)
       for (const bool limited : {false, true}) cases.push_back({space, kind, limited});
   return cases;
 }
@@ -172,23 +172,23 @@ TEST(RobotSymmetry, IsNotFoundWhereANumberIsOffByOneUlp) {
       [](Leg& leg) { leg.limits.lower = std::nextafter(leg.limits.lower, 9.0); },
       [](Leg& leg) { leg.limits.upper = std::nextafter(leg.limits.upper, -9.0); },
       [](Leg& leg) {
-        auto& drive = std::get<RevoluteDrive>(leg.drive);
-        drive.center.y() = std::nextafter(drive.center.y(), 9.0);
+        auto& actuation = std::get<RevoluteActuation>(leg.actuation);
+        actuation.center.y() = std::nextafter(actuation.center.y(), 9.0);
       },
       [](Leg& leg) {
-        auto& drive = std::get<RevoluteDrive>(leg.drive);
-        drive.radius = std::nextafter(drive.radius, 9.0);
+        auto& actuation = std::get<RevoluteActuation>(leg.actuation);
+        actuation.radius = std::nextafter(actuation.radius, 9.0);
       },
       [](Leg& leg) {
-        auto& drive = std::get<RevoluteDrive>(leg.drive);
-        drive.zero_direction.x() = std::nextafter(drive.zero_direction.x(), 9.0);
+        auto& actuation = std::get<RevoluteActuation>(leg.actuation);
+        actuation.zero_direction.x() = std::nextafter(actuation.zero_direction.x(), 9.0);
       }};
   unsigned seed = 0;
   for (const TaskSpace space : {TaskSpace::T2, TaskSpace::SE2, TaskSpace::T3, TaskSpace::SO3})
     for (const Eigen::Matrix3d& motion : involutions(space))
       for (std::size_t i = 0; i < breaks.size(); ++i) {
         const Robot whole =
-            test::SymmetricRobots(++seed, motion).robot(space, test::DriveKind::revolute, true);
+            test::SymmetricRobots(++seed, motion).robot(space, test::ActuationKind::revolute, true);
         ASSERT_NE(with_motion(find_robot_symmetries(*whole, region_of(whole)), motion), nullptr);
         ManipulatorDescription description = whole->description();
         breaks[i](description.legs[0]);
@@ -301,7 +301,7 @@ TEST(RobotSymmetry, ExchangesWhatConstraintsSayOfLegs) {
 }
 
 TEST(RobotSymmetry, LetsDrivenElbowsChangeTheirPosture) {
-  const Robot robot = test::three_rrr_driven_elbow();
+  const Robot robot = test::three_rrr_actuated_elbow();
   const auto found = find_map_symmetries(*robot, region_of(robot), working_modes(*robot));
   EXPECT_EQ(found.size(), 7U);
   const auto sources = find_mode_sources(found, 8);

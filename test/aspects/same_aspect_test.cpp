@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/aspects/same_aspect.h"
 
+#include "parallel_aspects/aspects/aspect_map.h"
+
 #include <gtest/gtest.h>
 
 #include "support/pose_pairs.h"
@@ -28,8 +30,8 @@ std::shared_ptr<const PoseRoadmap> roadmap_of(const std::shared_ptr<const Manipu
   return compute_pose_roadmap(robot, options).roadmap;
 }
 
-void expect_way(const Manipulator& robot, const AspectComparison& comparison, const PoseInMode& first,
-                const PoseInMode& second) {
+void expect_path(const Manipulator& robot, const AspectComparison& comparison, const PoseInMode& first,
+                 const PoseInMode& second) {
   ASSERT_GE(comparison.path.size(), 2U);
   EXPECT_EQ(comparison.path.front().position, first.pose.position);
   EXPECT_EQ(comparison.path.back().position, second.pose.position);
@@ -57,9 +59,9 @@ TEST(SameAspect, WaysAreFreeAtEveryPoint) {
       const AspectComparison comparison = same_aspect(*roadmap, first, second);
       const bool signs_agree =
           test::sign_in_doubles(*robot, first.pose, mode) == test::sign_in_doubles(*robot, second.pose, mode);
-      EXPECT_FALSE(comparison.sentence.empty());
-      EXPECT_EQ(comparison.answer == SameAspect::no, !signs_agree) << comparison.sentence;
-      if (comparison.answer == SameAspect::yes) expect_way(*robot, comparison, first, second);
+      EXPECT_FALSE(comparison.message.empty());
+      EXPECT_EQ(comparison.answer == SameAspect::no, !signs_agree) << comparison.message;
+      if (comparison.answer == SameAspect::yes) expect_path(*robot, comparison, first, second);
       EXPECT_EQ(comparison.answer == SameAspect::yes, !comparison.path.empty());
       ++(comparison.answer == SameAspect::unknown ? unknown : answered);
     }
@@ -67,7 +69,7 @@ TEST(SameAspect, WaysAreFreeAtEveryPoint) {
   }
 }
 
-// Against the certified map, which is found in quite another way.
+// Against the certified map, which is found in quite another path.
 TEST(SameAspect, AgreesWithTheMapOfTheFiveBar) {
   const auto robot = test::five_bar();
   const auto map = compute_aspect_map(robot).map;
@@ -84,7 +86,7 @@ TEST(SameAspect, AgreesWithTheMapOfTheFiveBar) {
     found += comparison.answer == SameAspect::yes;
     EXPECT_TRUE(comparison.answer != SameAspect::yes || one.aspect == other.aspect) << i;
     EXPECT_TRUE(comparison.answer != SameAspect::no || one.aspect != other.aspect) << i;
-    if (comparison.answer == SameAspect::yes) expect_way(*robot, comparison, first, second);
+    if (comparison.answer == SameAspect::yes) expect_path(*robot, comparison, first, second);
   }
   EXPECT_GT(different, 50);
   EXPECT_GE(found, 0.97 * same) << "of " << same;
@@ -97,8 +99,8 @@ TEST(SameAspect, TheTwoAspectsOfOneSideAreNeverJoined) {
   WorkingMode mode(2);
   mode.set_sign(0, -1);
   const AspectComparison comparison = same_aspect(*roadmap, {at(4.5, 3.55), mode}, {at(4.5, -11.71), mode});
-  EXPECT_EQ(comparison.answer, SameAspect::unknown) << comparison.sentence;
-  EXPECT_NE(comparison.open_sign, 0);
+  EXPECT_EQ(comparison.answer, SameAspect::unknown) << comparison.message;
+  EXPECT_NE(comparison.searched_sign, 0);
   EXPECT_EQ(same_aspect(*roadmap, {at(4.5, 3.55), mode}, {at(4.6, 3.0), mode}).answer, SameAspect::yes);
 }
 

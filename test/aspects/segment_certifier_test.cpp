@@ -40,7 +40,7 @@ std::string text(const Manipulator& robot, const WorkingMode& mode, const Pose& 
 // The PRRP of Caro et al.: a slider along y at x = 0.5, a rod, and a platform that slides along x.
 std::shared_ptr<const Manipulator> prrp() {
   Leg leg = test::named_leg(0);
-  leg.drive = PrismaticDrive{{0.5, 0.0, 0.0}, Eigen::Vector3d::UnitY()};
+  leg.actuation = PrismaticActuation{{0.5, 0.0, 0.0}, Eigen::Vector3d::UnitY()};
   leg.rod_length = 1.0;
   leg.anchor.y() = 0.3;
   return test::manipulator("prrp", TaskSpace::T1, {leg});
@@ -92,7 +92,7 @@ TEST_P(SegmentCertifierTest, NoRandomPointContradictsWhatIsProved) {
   RecordProperty("checked", std::to_string(checked));
 }
 
-// Where doubles see a singularity, a leg out of reach or a limit on the way, the segment is not proved free;
+// Where doubles see a singularity, a leg out of reach or a limit on the path, the segment is not proved free;
 // and nearly all that seem free are proved.
 TEST_P(SegmentCertifierTest, AgreesWithDenseSampling) {
   int free = 0, proved = 0, hindered = 0;
@@ -114,7 +114,7 @@ TEST_P(SegmentCertifierTest, BlockedSegmentsAreBlockedAtTheWitness) {
     const SegmentProof proof = certifier.prove(from, to, mode);
     if (proof.verdict != SegmentVerdict::blocked) return;
     ++blocked;
-    EXPECT_NE(proof.hindrance, Hindrance::none);
+    EXPECT_NE(proof.violation, Violation::none);
     EXPECT_LE(proof.free_until, proof.witness);
     const int sign = sign_in_doubles(*robot, from, mode);
     const int there = sign_in_doubles(*robot, pose_between(from, to, proof.witness), mode);
@@ -123,7 +123,7 @@ TEST_P(SegmentCertifierTest, BlockedSegmentsAreBlockedAtTheWitness) {
   EXPECT_TRUE(blocked > 20 || test::is_sanitized || !GetParam().has_ends) << blocked;
 }
 
-// Bisects the way between det A > 0 and det A < 0 down to rounding, and goes through the singular pose.
+// Bisects the path between det A > 0 and det A < 0 down to rounding, and goes through the singular pose.
 TEST_P(SegmentCertifierTest, SegmentsThroughASingularityAreNeverProved) {
   int crossings = 0;
   visit_segments(test::thinned(4000), [&](const Pose& from, const Pose& to, const WorkingMode& mode) {
@@ -191,7 +191,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"octahedral", test::octahedral_stewart}, Case{"hexa", test::hexa},
                     Case{"six_pus", test::six_pus}, Case{"prrp", prrp}, Case{"five_bar", test::five_bar},
                     Case{"bipod", test::bipod}, Case{"three_rpr", test::three_rpr},
-                    Case{"three_rrr", test::three_rrr}, Case{"driven_elbow", test::three_rrr_driven_elbow},
+                    Case{"three_rrr", test::three_rrr},
+                    Case{"actuated_elbow", test::three_rrr_actuated_elbow},
                     Case{"three_prr", test::three_prr}, Case{"delta", test::delta},
                     Case{"linear_delta", test::linear_delta}, Case{"agile_eye", test::agile_eye, false},
                     Case{"spherical", test::spherical_three_rrr}),
@@ -207,13 +208,13 @@ TEST(SegmentCertifier, ModesThatDoNotExistHoldNothing) {
   EXPECT_NE(certifier.prove(pose, mode).sign, 0);
   mode.set_sign(3, -1);
   EXPECT_EQ(certifier.prove(pose, mode).sign, 0);
-  EXPECT_EQ(certifier.prove(pose, mode).proved_hindrance, Hindrance::out_of_reach);
+  EXPECT_EQ(certifier.prove(pose, mode).proved_violation, Violation::out_of_reach);
 }
 
 // Beyond what the arithmetic can take, nothing is proved.
 TEST(SegmentCertifier, HugeRobotsProveNothing) {
   auto legs = test::stewart()->legs();
-  for (Leg& leg : legs) std::get<StrutDrive>(leg.drive).base *= 1e200;
+  for (Leg& leg : legs) std::get<StrutActuation>(leg.actuation).base *= 1e200;
   const SegmentCertifier certifier(test::manipulator("huge", TaskSpace::SE3, legs));
   Pose pose;
   pose.position.z() = 0.6;
@@ -221,7 +222,7 @@ TEST(SegmentCertifier, HugeRobotsProveNothing) {
   EXPECT_EQ(certifier.prove(pose, pose, WorkingMode(6)).verdict, SegmentVerdict::undecided);
 }
 
-// Opposite orientations: the quaternion of the straight way goes through zero.
+// Opposite orientations: the quaternion of the straight path goes through zero.
 TEST(SegmentCertifier, HalfTurnsAreNeverProvedWrongly) {
   const auto robot = test::stewart();
   const SegmentCertifier certifier(robot);

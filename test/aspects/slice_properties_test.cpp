@@ -123,7 +123,7 @@ TEST_P(Slices, PosesOutsideTheSliceAreNotMapped) {
       away.position[k] += 1e-3;
       EXPECT_EQ(map->locate(away, map->contents().modes.front()).status, LocationStatus::not_mapped);
     }
-    if (slice.turning != MapSlice::Turning::none) continue;
+    if (slice.rotation != MapSlice::Rotation::none) continue;
     Pose turned = pose;
     turned.orientation = Eigen::AngleAxisd(1e-3, Eigen::Vector3d::UnitZ()) * pose.orientation;
     EXPECT_EQ(map->locate(turned, map->contents().modes.front()).status, LocationStatus::not_mapped);
@@ -136,7 +136,7 @@ TEST_P(Slices, AreSavedAndLoaded) {
   ASSERT_TRUE(save_map(*map, file).saved);
   MapOptions options = asked;
   const MapResult loaded = load_map(robot, options, file);
-  ASSERT_TRUE(loaded.map) << loaded.sentence;
+  ASSERT_TRUE(loaded.map) << loaded.message;
   EXPECT_EQ(loaded.map->aspects().size(), map->aspects().size());
   EXPECT_EQ(loaded.map->coordinates(), map->coordinates());
   options.slice->held.position[2] += 1e-9;

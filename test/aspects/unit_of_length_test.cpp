@@ -34,7 +34,7 @@ std::shared_ptr<const AspectMap> map_of(const Robot& robot, double factor, std::
   MapOptions options;
   if (resolution) options.resolution = *resolution * factor;
   const MapResult result = compute_aspect_map(test::scaled(*robot, factor), options);
-  EXPECT_TRUE(result.map) << result.sentence;
+  EXPECT_TRUE(result.map) << result.message;
   return result.map;
 }
 
@@ -67,7 +67,7 @@ std::vector<Case> cases() {
 void expect_the_same_but_for_exponents(const AspectMap& scaled, const AspectMap& map, double factor) {
   EXPECT_EQ(scaled.contents().tree.node_count(), map.contents().tree.node_count());
   EXPECT_EQ(scaled.unresolved(), map.unresolved());
-  EXPECT_EQ(scaled.open_leaves(), map.open_leaves());
+  EXPECT_EQ(scaled.indeterminate_leaves(), map.indeterminate_leaves());
   ASSERT_EQ(scaled.aspects().size(), map.aspects().size());
   const double unit = std::pow(factor, static_cast<double>(directions(map.manipulator()->task_space())));
   for (std::size_t i = 0; i < map.aspects().size(); ++i) {
@@ -100,7 +100,7 @@ TEST(UnitOfLength, DoesNotChangeRoadmaps) {
   const RoadmapResult result = compute_pose_roadmap(robot, options);
   for (const double factor : exact_factors) {
     const RoadmapResult scaled = compute_pose_roadmap(test::scaled(*robot, factor), options);
-    ASSERT_TRUE(scaled.roadmap) << scaled.sentence;
+    ASSERT_TRUE(scaled.roadmap) << scaled.message;
     EXPECT_EQ(scaled.roadmap->component_count(), result.roadmap->component_count());
   }
 }
@@ -114,7 +114,7 @@ double area(const TriangleCorners& corners) {
   return sum;
 }
 
-// The drives of a bipod are lengths.
+// The actuated joints of a bipod are lengths.
 TEST(UnitOfLength, DoesNotChangePicturesOfJointSpace) {
   std::vector<std::pair<double, double>> areas;
   for (const double factor : {1.0, 1000.0, 1e-3}) {

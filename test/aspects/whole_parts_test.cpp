@@ -173,7 +173,7 @@ INSTANTIATE_TEST_SUITE_P(Robots, WholePartsTest,
                          testing::Values(Case{"five_bar", test::five_bar, 6}, Case{"bipod", test::bipod, 6},
                                          Case{"three_rpr", test::three_rpr, 5},
                                          Case{"three_rrr", test::three_rrr, 6},
-                                         Case{"driven_elbow", test::three_rrr_driven_elbow, 6},
+                                         Case{"actuated_elbow", test::three_rrr_actuated_elbow, 6},
                                          Case{"delta", test::delta, 6}),
                          [](const auto& robot) { return std::string(robot.param.name); });
 

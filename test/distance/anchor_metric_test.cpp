@@ -2,7 +2,7 @@
 // In the coordinates of a neighbourhood the metric of the anchors is Euclidean.
 #include "distance/anchor_metric.h"
 
-#include "distance/neighbourhood.h"
+#include "distance/local_chart.h"
 #include "parallel_aspects/distance/boundary_distances.h"
 
 #include <gtest/gtest.h>
@@ -16,11 +16,11 @@ namespace {
 
 template <TaskSpace space>
 void expect_euclidean(const std::shared_ptr<const Manipulator>& robot, const Pose& pose) {
-  using Hood = Neighbourhood<space>;
-  Hood hood(*robot);
+  using Hood = LocalChart<space>;
+  Hood chart(*robot);
   {
     const RoundingUpward rounding;
-    hood.move_to(pose);
+    chart.move_to(pose);
   }
   std::mt19937_64 engine(20261121);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
@@ -29,14 +29,14 @@ void expect_euclidean(const std::shared_ptr<const Manipulator>& robot, const Pos
     Coordinates<Hood::size> y;
     for (double& each : y) each = 0.8 * robot->characteristic_length() * uniform(engine);
     const RoundingUpward rounding;
-    if (hood.is_about_half_turn(y)) continue;
+    if (chart.is_about_half_turn(y)) continue;
     ++compared;
     const double length = std::sqrt(dot<Hood::size>(y, y));
-    EXPECT_NEAR(anchor_distance(*robot, pose, hood.pose_at(y)), length, 1e-12 * (1.0 + length))
+    EXPECT_NEAR(anchor_distance(*robot, pose, chart.pose_at(y)), length, 1e-12 * (1.0 + length))
         << robot->name();
   }
   EXPECT_GT(compared, 50);
-  EXPECT_LT(hood.metric().error, 1e-12);
+  EXPECT_LT(chart.metric().error, 1e-12);
 }
 
 Pose turned_pose(const Eigen::Vector3d& position, double angle, const Eigen::Vector3d& axis) {

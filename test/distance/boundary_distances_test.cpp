@@ -65,8 +65,8 @@ TEST(FiveBarDistances, SerialSingularityOfTheReference) {
     const BoundaryDistances distances = meter.measure(at(4.5, 8.0), mode);
     expect_distance(distances.serial, 3.821220, 1e-6);
     EXPECT_NEAR(distances.serial.lower, 3.821220, 1e-6);
-    EXPECT_EQ(distances.drive_limit.status, DistanceStatus::absent);
-    EXPECT_EQ(distances.drive_limit.lower, std::numeric_limits<double>::infinity());
+    EXPECT_EQ(distances.actuated_limit.status, DistanceStatus::absent);
+    EXPECT_EQ(distances.actuated_limit.lower, std::numeric_limits<double>::infinity());
   }
 }
 
@@ -82,11 +82,11 @@ TEST(BipodDistances, AreThoseOfALineAndOfCircles) {
   const BoundaryDistances distances = meter.measure(at(2.0, 4.0), mode_of({1, 1}));
   expect_distance(distances.parallel, 4.0, 1e-9);
   expect_distance(distances.serial, std::sqrt(20.0), 1e-9);
-  expect_distance(distances.drive_limit, 1.0, 1e-9);
-  EXPECT_EQ(distances.drive_limit.leg, 1U);
-  EXPECT_EQ(distances.drive_limit.end, LimitEnd::lower);
-  EXPECT_NEAR(distances.drive_limit.drive_displacement[1], -1.0, 1e-9);
-  expect_witness(distances.drive_limit, at(2.6, 3.2), 1e-9);
+  expect_distance(distances.actuated_limit, 1.0, 1e-9);
+  EXPECT_EQ(distances.actuated_limit.leg, 1U);
+  EXPECT_EQ(distances.actuated_limit.end, LimitEnd::lower);
+  EXPECT_NEAR(distances.actuated_limit.joint_displacement[1], -1.0, 1e-9);
+  expect_witness(distances.actuated_limit, at(2.6, 3.2), 1e-9);
 }
 
 TEST(BoundaryDistances, WitnessLiesInItsDirection) {
@@ -119,9 +119,9 @@ TEST(BoundaryDistances, OutsideLimitsTheLimitIsTouched) {
   BoundaryDistanceMeter meter(test::bipod());
   const BoundaryDistances distances = meter.measure(at(2.0, 7.0), mode_of({1, 1}));
   EXPECT_EQ(distances.status, ConfigurationStatus::outside_limits);
-  EXPECT_EQ(distances.drive_limit.status, DistanceStatus::touching);
-  EXPECT_EQ(distances.drive_limit.leg, 0U);
-  EXPECT_EQ(distances.drive_limit.lower, 0.0);
+  EXPECT_EQ(distances.actuated_limit.status, DistanceStatus::touching);
+  EXPECT_EQ(distances.actuated_limit.leg, 0U);
+  EXPECT_EQ(distances.actuated_limit.lower, 0.0);
   expect_distance(distances.parallel, 7.0, 1e-9);
 }
 

@@ -33,7 +33,7 @@ class BallSampler {
   Pose draw(double radius) {
     TaskVector twist(static_cast<Eigen::Index>(robot_->leg_count()));
     for (Eigen::Index i = 0; i < twist.size(); ++i) twist[i] = normal_(engine_);
-    const auto turning = static_cast<Eigen::Index>(rotational_freedoms(robot_->task_space()));
+    const auto turning = static_cast<Eigen::Index>(rotational_degrees_of_freedom(robot_->task_space()));
     twist.head(turning) /= robot_->characteristic_length();
     const double aim = radius * (1.0 - std::pow(uniform_(engine_), 3.0));
     Pose pose = center_;
@@ -103,10 +103,10 @@ void expect_no_boundary_below(const Case& each, std::uint64_t seed, int samples)
     ASSERT_NE(inverse(*each.robot, reached, each.mode).status, InverseStatus::out_of_reach)
         << each.text() << " below " << d.serial.lower << " at "
         << to_string(each.robot->task_space(), reached);
-    const Pose free = ball.draw(within(std::min(d.drive_limit.lower, d.serial.lower)));
+    const Pose free = ball.draw(within(std::min(d.actuated_limit.lower, d.serial.lower)));
     if (d.status == ConfigurationStatus::measured) {
       ASSERT_EQ(inverse(*each.robot, free, each.mode).status, InverseStatus::solved)
-          << each.text() << " below " << d.drive_limit.lower << " at "
+          << each.text() << " below " << d.actuated_limit.lower << " at "
           << to_string(each.robot->task_space(), free);
     }
   }
@@ -133,7 +133,7 @@ void expect_parallel_witness(const Case& each) {
 }
 
 void expect_leg_witnesses(const Case& each) {
-  const BoundaryDistance &serial = each.distances.serial, &limit = each.distances.drive_limit;
+  const BoundaryDistance &serial = each.distances.serial, &limit = each.distances.actuated_limit;
   expect_at_its_distance(each, serial);
   if (std::isfinite(serial.upper)) {
     const Leg& leg = each.robot->leg(serial.leg);
@@ -147,7 +147,7 @@ void expect_leg_witnesses(const Case& each) {
   const JointLimits& limits = each.robot->leg(limit.leg).limits;
   const double end = limit.end == LimitEnd::lower ? limits.lower : limits.upper;
   const double gap = limit.witness_q[static_cast<Eigen::Index>(limit.leg)] - end;
-  EXPECT_NEAR(each.robot->leg(limit.leg).driven_by_angle() ? std::remainder(gap, 2.0 * EIGEN_PI) : gap, 0.0,
+  EXPECT_NEAR(each.robot->leg(limit.leg).actuated_by_angle() ? std::remainder(gap, 2.0 * EIGEN_PI) : gap, 0.0,
               1e-6)
       << each.text();
 }
@@ -171,7 +171,7 @@ void expect_right_distances(const Robot& robot, int configurations, int samples)
   }
 }
 
-/// With limits of the drives about where the robots work.
+/// With limits of the actuated joints about where the robots work.
 Robot limited(const Robot& robot, double lower, double upper) {
   ManipulatorDescription description;
   description.name = robot->name() + "_limited";
@@ -191,10 +191,11 @@ TEST_P(EveryRobot, HasNoBoundaryBelowTheLowerBoundAndOneAtTheWitness) {
 INSTANTIATE_TEST_SUITE_P(
     Distances, EveryRobot,
     testing::Values(test::five_bar(), limited(test::five_bar(), -1.0, 2.5), test::bipod(), test::three_rpr(),
-                    test::three_rrr(), limited(test::three_rrr(), -2.0, 2.5), test::three_rrr_driven_elbow(),
-                    limited(test::three_rrr_driven_elbow(), 0.3, 2.0), test::three_prr(),
-                    limited(test::three_prr(), -0.5, 0.6), test::delta(), limited(test::delta(), -0.8, 1.4),
-                    test::linear_delta(), limited(test::linear_delta(), -0.3, 0.5), test::agile_eye(),
+                    test::three_rrr(), limited(test::three_rrr(), -2.0, 2.5),
+                    test::three_rrr_actuated_elbow(), limited(test::three_rrr_actuated_elbow(), 0.3, 2.0),
+                    test::three_prr(), limited(test::three_prr(), -0.5, 0.6), test::delta(),
+                    limited(test::delta(), -0.8, 1.4), test::linear_delta(),
+                    limited(test::linear_delta(), -0.3, 0.5), test::agile_eye(),
                     limited(test::agile_eye(), -2.0, 1.5), test::spherical_three_rrr(), test::stewart(),
                     limited(test::stewart(), 0.3, 1.0), test::dietmaier(), test::hexa(), test::six_pus()),
     [](const testing::TestParamInfo<Robot>& parameter) { return parameter.param->name(); });
@@ -204,7 +205,7 @@ TEST(Distances, HoldForRandomRobots) {
   test::RandomRobots random(20261121);
   int measured = 0;
   for (const TaskSpace space : test::all_task_spaces)
-    for (const test::DriveKind kind : test::all_drive_kinds)
+    for (const test::ActuationKind kind : test::all_actuation_kinds)
       for (int i = 0; i < 40; ++i) {
         const Robot robot = random.robot(space, kind);
         const Pose pose = random.pose(space, 0.5);

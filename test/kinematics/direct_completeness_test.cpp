@@ -12,9 +12,9 @@
 namespace parallel_aspects {
 namespace {
 
-using SpaceAndDrive = std::tuple<TaskSpace, test::DriveKind>;
+using SpaceAndActuation = std::tuple<TaskSpace, test::ActuationKind>;
 
-class Completeness : public testing::TestWithParam<SpaceAndDrive> {};
+class Completeness : public testing::TestWithParam<SpaceAndActuation> {};
 
 std::size_t most_solutions(TaskSpace space) {
   switch (space) {
@@ -65,14 +65,15 @@ TEST_P(Completeness, NewtonFromRandomPosesFindsNothingElse) {
   EXPECT_GT(tested, slow ? 15 : 100);
 }
 
-std::string case_name(const testing::TestParamInfo<SpaceAndDrive>& info) {
-  static const char* const drives[] = {"revolute", "prismatic", "strut", "elbow"};
-  return std::string(name(std::get<0>(info.param))) + "_" + drives[static_cast<int>(std::get<1>(info.param))];
+std::string case_name(const testing::TestParamInfo<SpaceAndActuation>& info) {
+  static const char* const joint_values[] = {"revolute", "prismatic", "strut", "elbow"};
+  return std::string(name(std::get<0>(info.param))) + "_" +
+         joint_values[static_cast<int>(std::get<1>(info.param))];
 }
 
-INSTANTIATE_TEST_SUITE_P(EverySpaceAndDrive, Completeness,
+INSTANTIATE_TEST_SUITE_P(EverySpaceAndActuation, Completeness,
                          testing::Combine(testing::ValuesIn(test::all_task_spaces),
-                                          testing::ValuesIn(test::all_drive_kinds)),
+                                          testing::ValuesIn(test::all_actuation_kinds)),
                          case_name);
 
 }  // namespace

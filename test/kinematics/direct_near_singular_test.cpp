@@ -35,7 +35,7 @@ std::optional<double> determinant(const Manipulator& robot, const Pose& pose, co
   return direct_determinant(robot, pose, solution.q);
 }
 
-// A pose where det A = 0 to rounding, on the way between two poses where it has both signs; nothing where
+// A pose where det A = 0 to rounding, on the path between two poses where it has both signs; nothing where
 // there is none in this mode.
 std::optional<Pose> singular_pose(const Manipulator& robot, Pose a, Pose b, const WorkingMode& mode) {
   const auto at_a = determinant(robot, a, mode), at_b = determinant(robot, b, mode);

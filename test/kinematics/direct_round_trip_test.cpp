@@ -21,7 +21,7 @@ struct Case {
 
 class RoundTrip : public testing::TestWithParam<Case> {};
 
-// Pose -> drives in a random working mode -> all direct solutions contain the pose.
+// Pose -> actuated joints in a random working mode -> all direct solutions contain the pose.
 TEST_P(RoundTrip, FindsThePoseAgain) {
   const auto& [robot, home, spread, most_solutions, all] = GetParam();
   const int count = test::thinned(all);
@@ -45,7 +45,7 @@ INSTANTIATE_TEST_SUITE_P(T2, RoundTrip,
 INSTANTIATE_TEST_SUITE_P(SE2, RoundTrip,
                          testing::Values(Case{test::three_rpr(), {5.0, 5.0, 0.0}, 25.0, 6},
                                          Case{test::three_rrr(), {-3.0, -3.0, 0.0}, 25.0, 6},
-                                         Case{test::three_rrr_driven_elbow(), {-3.0, -3.0, 0.0}, 25.0, 6},
+                                         Case{test::three_rrr_actuated_elbow(), {-3.0, -3.0, 0.0}, 25.0, 6},
                                          Case{test::three_prr(), {0.0, 0.0, 0.0}, 0.8, 6}),
                          robot_name);
 INSTANTIATE_TEST_SUITE_P(T3, RoundTrip,
@@ -56,7 +56,7 @@ INSTANTIATE_TEST_SUITE_P(SO3, RoundTrip,
                          testing::Values(Case{test::agile_eye(), {0.0, 0.0, 0.0}, 1.0, 8},
                                          Case{test::spherical_three_rrr(), {0.0, 0.0, 0.0}, 1.0, 8}),
                          robot_name);
-// Six freedoms take milliseconds each; the benchmark of the kinematics makes 10,000 of them.
+// Six degrees of freedom take milliseconds each; the benchmark of the kinematics makes 10,000 of them.
 INSTANTIATE_TEST_SUITE_P(SE3, RoundTrip,
                          testing::Values(Case{test::dietmaier(), {0.0, 0.0, 0.0}, 1.0, 40, 100},
                                          Case{test::planar_stewart(), {0.0, 0.0, 0.6}, 0.3, 40, 100},

@@ -12,7 +12,7 @@
 namespace parallel_aspects {
 namespace {
 
-JointVector drives(std::initializer_list<double> values) {
+JointVector joint_values(std::initializer_list<double> values) {
   JointVector q(static_cast<Eigen::Index>(values.size()));
   std::copy(values.begin(), values.end(), q.data());
   return q;
@@ -29,7 +29,7 @@ Pose planar(double x, double y, double phi) {
 // columns in another order: an even one.
 TEST(Direct, SixSolutionsOfThe3Rpr) {
   const auto robot = test::three_rpr();
-  const DirectResult result = direct(*robot, drives({14.98, 15.38, 12.0}));
+  const DirectResult result = direct(*robot, joint_values({14.98, 15.38, 12.0}));
   ASSERT_EQ(result.status, DirectStatus::solved);
   ASSERT_EQ(result.solutions.size(), 6U);
   const std::vector<std::pair<Pose, double>> published{
@@ -45,7 +45,7 @@ TEST(Direct, SixSolutionsOfThe3Rpr) {
 }
 
 TEST(Direct, IsSortedByFallingDeterminantAndRefined) {
-  const DirectResult result = direct(*test::three_rpr(), drives({14.98, 15.38, 12.0}));
+  const DirectResult result = direct(*test::three_rpr(), joint_values({14.98, 15.38, 12.0}));
   for (const AssemblyMode& mode : result.solutions) EXPECT_LT(mode.residual, 1e-15);
   for (std::size_t i = 1; i < result.solutions.size(); ++i)
     EXPECT_LE(result.solutions[i].determinant, result.solutions[i - 1].determinant);
@@ -53,7 +53,7 @@ TEST(Direct, IsSortedByFallingDeterminantAndRefined) {
 
 TEST(Direct, DeltaHasTwoSolutionsThatMirrorEachOtherInThePlaneOfTheElbows) {
   const auto robot = test::delta();
-  const DirectResult result = direct(*robot, drives({0.3, 0.3, 0.3}));
+  const DirectResult result = direct(*robot, joint_values({0.3, 0.3, 0.3}));
   ASSERT_EQ(result.status, DirectStatus::solved);
   ASSERT_EQ(result.solutions.size(), 2U);
   EXPECT_NEAR(result.solutions[0].pose.position.z() + result.solutions[1].pose.position.z(),
@@ -62,9 +62,9 @@ TEST(Direct, DeltaHasTwoSolutionsThatMirrorEachOtherInThePlaneOfTheElbows) {
 }
 
 TEST(Direct, OutOfReachIsSolvedWithNoSolution) {
-  EXPECT_EQ(direct(*test::bipod(), drives({2.0, 2.0})).status, DirectStatus::solved);
-  EXPECT_TRUE(direct(*test::bipod(), drives({2.0, 2.0})).solutions.empty());
-  const DirectResult planar_result = direct(*test::three_rpr(), drives({1.0, 1.0, 100.0}));
+  EXPECT_EQ(direct(*test::bipod(), joint_values({2.0, 2.0})).status, DirectStatus::solved);
+  EXPECT_TRUE(direct(*test::bipod(), joint_values({2.0, 2.0})).solutions.empty());
+  const DirectResult planar_result = direct(*test::three_rpr(), joint_values({1.0, 1.0, 100.0}));
   EXPECT_EQ(planar_result.status, DirectStatus::solved);
   EXPECT_TRUE(planar_result.solutions.empty());
 }
@@ -83,14 +83,15 @@ TEST(Direct, AbsurdDrivesEndAtOnce) {
 }
 
 TEST(Direct, StrutOfNegativeLengthAssemblesNowhere) {
-  const DirectResult result = direct(*test::three_rpr(), drives({14.98, -15.38, 12.0}));
+  const DirectResult result = direct(*test::three_rpr(), joint_values({14.98, -15.38, 12.0}));
   EXPECT_EQ(result.status, DirectStatus::solved);
   EXPECT_TRUE(result.solutions.empty());
 }
 
 // Base points 5 apart, legs 2 and 3 or 9 and 4: the circles touch, from outside and from inside.
 TEST(Direct, TouchingCirclesAreOneFlaggedSolution) {
-  for (const auto& q : {drives({2.0, 3.0}), drives({9.0, 4.0}), drives({2.0, 3.0 - 1e-16})}) {
+  for (const auto& q :
+       {joint_values({2.0, 3.0}), joint_values({9.0, 4.0}), joint_values({2.0, 3.0 - 1e-16})}) {
     const DirectResult result = direct(*test::bipod(), q);
     ASSERT_EQ(result.solutions.size(), 1U);
     EXPECT_TRUE(result.solutions[0].near_singular);
@@ -99,16 +100,16 @@ TEST(Direct, TouchingCirclesAreOneFlaggedSolution) {
 
 TEST(Direct, WrongOrInfiniteDrivesAreUnsolved) {
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(direct(*test::three_rpr(), drives({1.0, nan, 1.0})).status, DirectStatus::unsolved);
-  EXPECT_EQ(direct(*test::delta(), drives({1.0, inf, 1.0})).status, DirectStatus::unsolved);
-  EXPECT_EQ(direct(*test::delta(), drives({1.0, 1.0})).status, DirectStatus::unsolved);
+  EXPECT_EQ(direct(*test::three_rpr(), joint_values({1.0, nan, 1.0})).status, DirectStatus::unsolved);
+  EXPECT_EQ(direct(*test::delta(), joint_values({1.0, inf, 1.0})).status, DirectStatus::unsolved);
+  EXPECT_EQ(direct(*test::delta(), joint_values({1.0, 1.0})).status, DirectStatus::unsolved);
 }
 
 // Base and platform congruent, all lengths equal: the platform runs on a circle.
 TEST(Direct, ParallelogramIsAContinuum) {
   const test::Points corners = test::on_circle(1.0, {0.0, 100.0, 250.0});
   const auto robot = test::manipulator("parallelogram", TaskSpace::SE2, test::struts(corners, corners));
-  EXPECT_EQ(direct(*robot, drives({0.7, 0.7, 0.7})).status, DirectStatus::continuum);
+  EXPECT_EQ(direct(*robot, joint_values({0.7, 0.7, 0.7})).status, DirectStatus::continuum);
 }
 
 // All anchors in one point that the legs can meet: the platform spins about it.
@@ -117,27 +118,27 @@ TEST(Direct, PlatformOnOnePointIsAContinuumWhereTheLegsMeet) {
   const auto robot =
       test::manipulator("one point", TaskSpace::SE2,
                         test::struts(test::on_circle(1.0, {0.0, 120.0, 240.0}), test::Points(3, anchor)));
-  EXPECT_EQ(direct(*robot, drives({1.0, 1.0, 1.0})).status, DirectStatus::continuum);
-  EXPECT_EQ(direct(*robot, drives({1.0, 1.0, 1.2})).status, DirectStatus::solved);
+  EXPECT_EQ(direct(*robot, joint_values({1.0, 1.0, 1.0})).status, DirectStatus::continuum);
+  EXPECT_EQ(direct(*robot, joint_values({1.0, 1.0, 1.2})).status, DirectStatus::solved);
 }
 
 TEST(Direct, DeltaWithCoincidingSpheresIsAContinuum) {
   const test::Points corners = test::on_circle(1.0, {0.0, 120.0, 240.0});
   const auto robot = test::manipulator("one sphere", TaskSpace::T3, test::struts(corners, corners));
-  EXPECT_EQ(direct(*robot, drives({0.5, 0.5, 0.5})).status, DirectStatus::continuum);
-  EXPECT_EQ(direct(*robot, drives({0.5, 0.5, 0.6})).status, DirectStatus::solved);
+  EXPECT_EQ(direct(*robot, joint_values({0.5, 0.5, 0.5})).status, DirectStatus::continuum);
+  EXPECT_EQ(direct(*robot, joint_values({0.5, 0.5, 0.6})).status, DirectStatus::solved);
 }
 
 // Bonev, Chablat and Wenger, "Working and assembly modes of the Agile Eye": eight working modes; of the eight
-// direct solutions four are trivial, with the platform axes along the base axes whatever the drives (all B_jj
-// = 0), and four are assembly modes.
+// direct solutions four are trivial, with the platform axes along the base axes whatever the actuated joints
+// (all B_jj = 0), and four are assembly modes.
 TEST(Direct, AgileEyeHasFourAssemblyModesBesidesTheTrivialOnes) {
   const auto robot = test::agile_eye();
   EXPECT_EQ(working_modes(*robot).size(), 8U);
   test::RandomRobots random(7);
   for (int i = 0; i < 1000; ++i) {
     const JointVector q =
-        drives({random.uniform(-3.0, 3.0), random.uniform(-3.0, 3.0), random.uniform(-3.0, 3.0)});
+        joint_values({random.uniform(-3.0, 3.0), random.uniform(-3.0, 3.0), random.uniform(-3.0, 3.0)});
     const DirectResult result = direct(*robot, q);
     ASSERT_EQ(result.status, DirectStatus::solved);
     ASSERT_EQ(result.solutions.size(), 8U) << q.transpose();
@@ -189,7 +190,7 @@ TEST(Direct, PlanarStewartPlatformsHaveMirrorPairs) {
 TEST(Direct, CongruentStewartPlatformIsNotSolvedInSilence) {
   const test::Points corners = test::on_circle(0.5, {0.0, 50.0, 130.0, 170.0, 250.0, 300.0});
   const auto robot = test::manipulator("congruent", TaskSpace::SE3, test::struts(corners, corners));
-  EXPECT_NE(direct(*robot, drives({0.7, 0.7, 0.7, 0.7, 0.7, 0.7})).status, DirectStatus::solved);
+  EXPECT_NE(direct(*robot, joint_values({0.7, 0.7, 0.7, 0.7, 0.7, 0.7})).status, DirectStatus::solved);
 }
 
 }  // namespace

@@ -13,9 +13,9 @@
 namespace parallel_aspects {
 namespace {
 
-using SpaceAndDrive = std::tuple<TaskSpace, test::DriveKind>;
+using SpaceAndActuation = std::tuple<TaskSpace, test::ActuationKind>;
 
-class Inverse : public testing::TestWithParam<SpaceAndDrive> {};
+class Inverse : public testing::TestWithParam<SpaceAndActuation> {};
 
 // Every mode that can reach assembles with the pose, and has the signs of B that name it.
 TEST_P(Inverse, AssemblesWithTheSignsOfItsMode) {
@@ -40,8 +40,8 @@ TEST_P(Inverse, AssemblesWithTheSignsOfItsMode) {
   EXPECT_GT(solved, test::thinned(500));
 }
 
-// Where the squared entry of B is negative no drive value assembles: the best that a scan of the drive
-// reaches.
+// Where the squared entry of B is negative no joint value assembles: the best that a scan of the actuated
+// joint reaches.
 TEST_P(Inverse, OutOfReachMeansThatNoDriveValueAssembles) {
   const auto [space, kind] = GetParam();
   test::RandomRobots random(20260105);
@@ -56,14 +56,15 @@ TEST_P(Inverse, OutOfReachMeansThatNoDriveValueAssembles) {
   }
 }
 
-std::string case_name(const testing::TestParamInfo<SpaceAndDrive>& info) {
-  static const char* const drives[] = {"revolute", "prismatic", "strut", "elbow"};
-  return std::string(name(std::get<0>(info.param))) + "_" + drives[static_cast<int>(std::get<1>(info.param))];
+std::string case_name(const testing::TestParamInfo<SpaceAndActuation>& info) {
+  static const char* const joint_values[] = {"revolute", "prismatic", "strut", "elbow"};
+  return std::string(name(std::get<0>(info.param))) + "_" +
+         joint_values[static_cast<int>(std::get<1>(info.param))];
 }
 
-INSTANTIATE_TEST_SUITE_P(EverySpaceAndDrive, Inverse,
+INSTANTIATE_TEST_SUITE_P(EverySpaceAndActuation, Inverse,
                          testing::Combine(testing::ValuesIn(test::all_task_spaces),
-                                          testing::ValuesIn(test::all_drive_kinds)),
+                                          testing::ValuesIn(test::all_actuation_kinds)),
                          case_name);
 
 TEST(InverseModes, AreAsManyAsTheFieldSays) {

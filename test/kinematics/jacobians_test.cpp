@@ -12,9 +12,9 @@
 namespace parallel_aspects {
 namespace {
 
-using SpaceAndDrive = std::tuple<TaskSpace, test::DriveKind>;
+using SpaceAndActuation = std::tuple<TaskSpace, test::ActuationKind>;
 
-class Jacobians : public testing::TestWithParam<SpaceAndDrive> {};
+class Jacobians : public testing::TestWithParam<SpaceAndActuation> {};
 
 constexpr double step = 1e-5;
 constexpr double tolerance = 1e-8;
@@ -32,9 +32,9 @@ TaskMatrix differences_by_pose(const Manipulator& robot, const Pose& pose, const
   return result;
 }
 
-// df/dq = -2 B, entry by entry: f_j depends on no other drive, so a full matrix of differences must be
-// diagonal.
-TaskMatrix differences_by_drive(const Manipulator& robot, const Pose& pose, const JointVector& q) {
+// df/dq = -2 B, entry by entry: f_j depends on no other actuated joint, so a full matrix of differences must
+// be diagonal.
+TaskMatrix differences_by_joint(const Manipulator& robot, const Pose& pose, const JointVector& q) {
   const auto n = static_cast<Eigen::Index>(robot.leg_count());
   TaskMatrix result(n, n);
   for (Eigen::Index k = 0; k < n; ++k) {
@@ -56,12 +56,12 @@ TEST_P(Jacobians, MatchCentralDifferences) {
     const TaskMatrix b = inverse_diagonal(*robot, pose, q).asDiagonal().toDenseMatrix();
     ASSERT_LT((a - differences_by_pose(*robot, pose, q)).cwiseAbs().maxCoeff(), tolerance)
         << test::describe(*robot, pose, q);
-    ASSERT_LT((b - differences_by_drive(*robot, pose, q)).cwiseAbs().maxCoeff(), tolerance)
+    ASSERT_LT((b - differences_by_joint(*robot, pose, q)).cwiseAbs().maxCoeff(), tolerance)
         << test::describe(*robot, pose, q);
   }
 }
 
-// A t = B q': along a motion that all legs follow, the drives run as the matrices say.
+// A t = B q': along a motion that all legs follow, the actuated joints run as the matrices say.
 TEST_P(Jacobians, RelateVelocities) {
   const auto [space, kind] = GetParam();
   test::RandomRobots random(20260103);
@@ -81,7 +81,7 @@ TEST_P(Jacobians, RelateVelocities) {
     if (b.cwiseAbs().minCoeff() < 0.2) continue;
     ++compared;
     TaskVector rate = ahead.q - behind.q;
-    if (robot->leg(0).driven_by_angle())
+    if (robot->leg(0).actuated_by_angle())
       for (double& each : coefficients_of(rate)) each = std::remainder(each, 2.0 * EIGEN_PI);
     const TaskVector left = direct_matrix(*robot, pose, here.q) * twist;
     const TaskVector right = b.cwiseProduct(rate / (2.0 * step));
@@ -90,14 +90,15 @@ TEST_P(Jacobians, RelateVelocities) {
   EXPECT_GT(compared, 50);
 }
 
-std::string case_name(const testing::TestParamInfo<SpaceAndDrive>& info) {
-  static const char* const drives[] = {"revolute", "prismatic", "strut", "elbow"};
-  return std::string(name(std::get<0>(info.param))) + "_" + drives[static_cast<int>(std::get<1>(info.param))];
+std::string case_name(const testing::TestParamInfo<SpaceAndActuation>& info) {
+  static const char* const joint_values[] = {"revolute", "prismatic", "strut", "elbow"};
+  return std::string(name(std::get<0>(info.param))) + "_" +
+         joint_values[static_cast<int>(std::get<1>(info.param))];
 }
 
-INSTANTIATE_TEST_SUITE_P(EverySpaceAndDrive, Jacobians,
+INSTANTIATE_TEST_SUITE_P(EverySpaceAndActuation, Jacobians,
                          testing::Combine(testing::ValuesIn(test::all_task_spaces),
-                                          testing::ValuesIn(test::all_drive_kinds)),
+                                          testing::ValuesIn(test::all_actuation_kinds)),
                          case_name);
 
 }  // namespace

@@ -53,7 +53,7 @@ class AspectNode : public testing::Test {
   }
   static void TearDownTestSuite() { publisher_.shutdown(); }
 
-  // Publishes drive values, stamped now.
+  // Publishes joint values, stamped now.
   static void publish(const JointVector& q) {
     sensor_msgs::JointState message;
     message.header.stamp = last_stamp_ = ros::Time::now();
@@ -83,7 +83,7 @@ TEST_F(AspectNode, SaysThatItKnowsNothingWithoutJointStates) {
 
 TEST_F(AspectNode, ListsTenAspects) {
   const auto response = call<ListAspects>("list_aspects", {});
-  EXPECT_EQ(response.status.code, Status::OK) << response.status.sentence;
+  EXPECT_EQ(response.status.code, Status::OK) << response.status.message;
   ASSERT_EQ(response.aspects.size(), 10U);
   EXPECT_EQ(response.proved_count, 10U);
   EXPECT_EQ(response.count_at_most, 10);
@@ -124,11 +124,11 @@ TEST_F(AspectNode, AnswersAboutAPoseInEveryWorkingMode) {
   EXPECT_LE(distance.reports[0].leg_angles[0], EIGEN_PI / 2);
 
   // Distances of the paper's five-bar by brute force.
-  Configuration drives;
-  drives.kind = Configuration::JOINTS;
-  drives.joint_names = {"crank_1_joint", "crank_2_joint"};
-  drives.joint_positions = {1.633334, 1.027907};
-  auto near = ask<GetSingularityDistance>("get_singularity_distance", drives);
+  Configuration joint_values;
+  joint_values.kind = Configuration::JOINTS;
+  joint_values.joint_names = {"crank_1_joint", "crank_2_joint"};
+  joint_values.joint_positions = {1.633334, 1.027907};
+  auto near = ask<GetSingularityDistance>("get_singularity_distance", joint_values);
   ASSERT_EQ(near.reports.size(), 2U);
   if (near.reports[0].configuration.pose.position.y < 7.9) near.reports.erase(near.reports.begin());
   ASSERT_NEAR(near.reports[0].configuration.pose.position.y, 8.0, 1e-4);
@@ -158,7 +158,7 @@ TEST_F(AspectNode, TakesPosesInAnyFrameOfTf) {
   ASSERT_TRUE(eventually([&] {
     response = ask<GetWorkingMode>("get_working_mode", at_pose(8.0, 0.0, "table"));
     return response.status.code == Status::OK;
-  })) << response.status.sentence;
+  })) << response.status.message;
   EXPECT_NEAR(response.solutions[0].pose.position.x, 4.5, 1e-9);
   EXPECT_NEAR(response.solutions[0].pose.position.y, 8.0, 1e-9);
 }
@@ -190,7 +190,8 @@ TEST_F(AspectNode, AnswersAboutJointValuesInEveryAssemblyMode) {
   EXPECT_EQ(ask<GetCurrentAspect>("get_current_aspect", configuration).status.code, Status::INVALID_REQUEST);
 }
 
-// The drives run along a tour of the aspects; the node must tell the same tour, with no det A crossed.
+// The actuated joints run along a tour of the aspects; the node must tell the same tour, with no det A
+// crossed.
 TEST_F(AspectNode, TellsEveryTransitionOfATour) {
   const Recorder<AspectState> state("/aspect_node/state");
   const Recorder<AspectTransition> transitions("/aspect_node/transitions");
@@ -201,11 +202,11 @@ TEST_F(AspectNode, TellsEveryTransitionOfATour) {
   const Tour tour = plan_tour(*map, test::pose_at(4.5, 8.0), *WorkingMode::from_signs({1, -1}));
   ASSERT_GE(tour.aspects.size(), 5U);
 
-  publish(tour.drives.front());
-  for (std::size_t i = 1; i < tour.drives.size(); ++i) {
-    const JointVector change = tour.drives[i] - tour.drives[i - 1];
+  publish(tour.joint_values.front());
+  for (std::size_t i = 1; i < tour.joint_values.size(); ++i) {
+    const JointVector change = tour.joint_values[i] - tour.joint_values[i - 1];
     const int steps = 1 + static_cast<int>(change.norm() / 0.02);
-    for (int step = 1; step <= steps; ++step) publish(tour.drives[i - 1] + change * step / steps);
+    for (int step = 1; step <= steps; ++step) publish(tour.joint_values[i - 1] + change * step / steps);
   }
 
   const auto told = [&] {
@@ -217,12 +218,12 @@ TEST_F(AspectNode, TellsEveryTransitionOfATour) {
   EXPECT_TRUE(eventually([&] { return told() == tour.aspects; }))
       << testing::PrintToString(told()) << " instead of " << testing::PrintToString(tour.aspects);
   for (const AspectTransition& transition : transitions.all()) {
-    EXPECT_FALSE(transition.sentence.empty());
+    EXPECT_FALSE(transition.message.empty());
     EXPECT_NE(transition.kind, AspectTransition::LOST);
     EXPECT_FALSE(transition.kind == AspectTransition::WORKING_MODE && transition.determinant_crossed);
   }
   const AspectState end = state.answer(last_stamp_);
-  EXPECT_EQ(end.status.code, Status::OK) << end.status.sentence;
+  EXPECT_EQ(end.status.code, Status::OK) << end.status.message;
   EXPECT_NEAR(end.pose.position.y, 8.0, 1e-6);
   EXPECT_EQ(completed.answer(last_stamp_).name, mechanism_->joint_names());
 }
@@ -267,7 +268,7 @@ TEST_F(AspectNode, TakesTheAssemblyModeThatItIsTold) {
       publish(q);
       response = ask<SetAssemblyMode>("set_assembly_mode", sign);
       return response.status.code == Status::OK;
-    })) << response.status.sentence;
+    })) << response.status.message;
     ASSERT_EQ(response.solutions.size(), 1U);
     EXPECT_EQ(response.solutions[0].determinant_sign, wanted);
   }
@@ -277,7 +278,7 @@ TEST_F(AspectNode, TakesTheAssemblyModeThatItIsTold) {
     publish(q);
     response = ask<SetAssemblyMode>("set_assembly_mode", at_pose(4.5, 8.0, ""));
     return response.status.code == Status::OK;
-  })) << response.status.sentence;
+  })) << response.status.message;
   EXPECT_NEAR(response.solutions[0].pose.position.y, 8.0, 1e-6);
   publish(q);
   EXPECT_EQ(ask<SetAssemblyMode>("set_assembly_mode", at_pose(4.5, -8.0, "")).status.code,
@@ -301,7 +302,7 @@ TEST_F(AspectNode, SurvivesBadJointStatesAndSaysSo) {
     publisher_.publish(message);
     const AspectState answer = state.answer(message.header.stamp);
     EXPECT_EQ(answer.status.code, Status::INVALID_JOINT_STATES) << message;
-    EXPECT_FALSE(answer.status.sentence.empty());
+    EXPECT_FALSE(answer.status.message.empty());
     EXPECT_EQ(answer.aspect, 0U);
     EXPECT_TRUE(answer.working_mode.empty());
   }
@@ -342,7 +343,7 @@ TEST_F(AspectNode, TheNodeletServesTheSame) {
   EXPECT_TRUE(eventually([&] {
     response = call<ListAspects>(found, {});
     return response.status.code == Status::OK;
-  })) << response.status.sentence;
+  })) << response.status.message;
   EXPECT_EQ(response.aspects.size(), 10U);
 }
 

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Starts the node with bad parameters: it must end by itself, with a status that says failure and every
-// problem in a sentence, and must not have advertised anything.
+// problem in a message, and must not have advertised anything.
+#include "ros/five_bar_setup.h"
+
 #include <gtest/gtest.h>
 #include <ros/init.h>
 #include <ros/master.h>
 #include <ros/node_handle.h>
 #include <ros/param.h>
 
-#include "ros/five_bar_setup.h"
 #include "support/shipped.h"
 #include <array>
 #include <cstdio>

@@ -20,7 +20,7 @@ from sensor_msgs.msg import JointState
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 START = (1.633334, 1.027907)
-BEYOND = (0.85, 1.172)  # leg 1 is stretched on the way there, and det A does not vanish
+BEYOND = (0.85, 1.172)  # leg 1 is stretched on the path there, and det A does not vanish
 DEADLINE = 60.0  # [s]
 TOOLS = {"rosservice": rosservice.rosservicemain, "rostopic": rostopic.rostopicmain}
 
@@ -36,7 +36,7 @@ def examples():
 
 
 class Robot:
-    """Publishes the drives, at rest or going to and fro through a serial singularity."""
+    """Publishes the actuated joints, at rest or going to and fro through a serial singularity."""
 
     def __init__(self):
         self.moving = False

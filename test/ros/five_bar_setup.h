@@ -37,12 +37,12 @@ inline Pose pose_at(double x, double y) {
   return pose;
 }
 
-/// joint_states of the drives at a pose, in the working mode with these signs.
-inline sensor_msgs::JointState drives_at(const Manipulator& manipulator, const Pose& pose,
+/// joint_states of the actuated joints at a pose, in the working mode with these signs.
+inline sensor_msgs::JointState joints_at(const Manipulator& manipulator, const Pose& pose,
                                          const std::vector<int>& signs, const ros::Time& stamp) {
   sensor_msgs::JointState message;
   message.header.stamp = stamp;
-  for (const Leg& leg : manipulator.legs()) message.name.push_back(leg.driven_joint);
+  for (const Leg& leg : manipulator.legs()) message.name.push_back(leg.actuated_joint);
   const JointVector q = inverse(manipulator, pose, *WorkingMode::from_signs(signs)).q;
   message.position.assign(q.data(), q.data() + q.size());
   return message;

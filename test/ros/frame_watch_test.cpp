@@ -15,12 +15,12 @@ ros::WallTime after(double seconds) { return noon + ros::WallDuration(seconds); 
 TEST(FrameWatch, SaysOnceThatTwoNodesPublishAFrame) {
   FrameWatch watch("left/");
   EXPECT_EQ(watch.hear("left/platform", "/left", Topic::tf, noon), "");
-  EXPECT_EQ(watch.sentence(noon), "");
+  EXPECT_EQ(watch.message(noon), "");
   EXPECT_EQ(
       watch.hear("left/platform", "/right", Topic::tf, after(0.1)),
       "Both /left and /right publish the tf frame left/platform; give one of them another frame_prefix.");
   EXPECT_EQ(watch.hear("left/platform", "/left", Topic::tf, after(0.2)), "");
-  EXPECT_NE(watch.sentence(after(0.3)), "");
+  EXPECT_NE(watch.message(after(0.3)), "");
 }
 
 TEST(FrameWatch, TellsFramesOfOthersFromItsOwn) {
@@ -45,10 +45,10 @@ TEST(FrameWatch, ADisputeEndsWhereOneOfTheNodesDoes) {
   watch.hear("a", "/one", Topic::tf, noon);
   watch.hear("a", "/two", Topic::tf, noon);
   watch.hear("a", "/two", Topic::tf, after(20.0));
-  EXPECT_EQ(watch.sentence(after(20.0)), "");
+  EXPECT_EQ(watch.message(after(20.0)), "");
   watch.hear("b", "/one", Topic::tf_static, noon);
   watch.hear("b", "/two", Topic::tf_static, noon);
-  EXPECT_NE(watch.sentence(after(20.0)), "");  // nothing more is heard of static transforms
+  EXPECT_NE(watch.message(after(20.0)), "");  // nothing more is heard of static transforms
 }
 
 }  // namespace

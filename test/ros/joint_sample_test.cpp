@@ -25,7 +25,7 @@ JointSample read(const Names& names, const Values& positions, const Values& velo
 TEST(JointSample, TakesTheDrivesInAnyOrder) {
   const JointSample sample = read({"crank_2_joint", "crank_1_joint"}, {2.0, 1.0});
   ASSERT_EQ(sample.status, SampleStatus::usable);
-  EXPECT_TRUE(sample.sentence.empty());
+  EXPECT_TRUE(sample.message.empty());
   EXPECT_EQ(sample.q[0], 1.0);
   EXPECT_EQ(sample.q[1], 2.0);
 }
@@ -33,13 +33,13 @@ TEST(JointSample, TakesTheDrivesInAnyOrder) {
 TEST(JointSample, TakesPassiveJointsOfTheRobotWithoutAWord) {
   const JointSample sample = read({"crank_1_joint", "elbow_1_joint", "crank_2_joint"}, {1.0, 5.0, 2.0});
   ASSERT_EQ(sample.status, SampleStatus::usable);
-  EXPECT_TRUE(sample.sentence.empty());
+  EXPECT_TRUE(sample.message.empty());
 }
 
 TEST(JointSample, IgnoresAnUnknownJointAndSaysSo) {
   const JointSample sample = read({"crank_1_joint", "gripper_joint", "crank_2_joint"}, {1.0, 5.0, 2.0});
   ASSERT_EQ(sample.status, SampleStatus::usable);
-  EXPECT_NE(sample.sentence.find("gripper_joint"), std::string::npos);
+  EXPECT_NE(sample.message.find("gripper_joint"), std::string::npos);
   EXPECT_EQ(sample.q[1], 2.0);
 }
 
@@ -51,8 +51,8 @@ TEST(JointSample, AMessageWithNoneOfTheDrivesIsForeign) {
 TEST(JointSample, AMessageMayHoldSomeOfTheDrives) {
   const JointSample sample = read({"crank_2_joint"}, {1.0});
   ASSERT_EQ(sample.status, SampleStatus::partial);
-  EXPECT_NE(sample.sentence.find("crank_1_joint is missing"), std::string::npos) << sample.sentence;
-  EXPECT_EQ(sample.drives, DriveSet().set(1));
+  EXPECT_NE(sample.message.find("crank_1_joint is missing"), std::string::npos) << sample.message;
+  EXPECT_EQ(sample.joint_values, JointSet().set(1));
   EXPECT_TRUE(std::isnan(sample.q[0]));
   EXPECT_EQ(sample.q[1], 1.0);
 }
@@ -69,7 +69,7 @@ TEST_P(JointSampleFault, IsRefusedWithASentence) {
   const Fault& fault = GetParam();
   const JointSample sample = read(fault.names, fault.positions, fault.velocities);
   EXPECT_EQ(sample.status, SampleStatus::invalid);
-  EXPECT_NE(sample.sentence.find(fault.words), std::string::npos) << sample.sentence;
+  EXPECT_NE(sample.message.find(fault.words), std::string::npos) << sample.message;
 }
 
 const Names both{"crank_1_joint", "crank_2_joint"};

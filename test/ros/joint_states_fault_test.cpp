@@ -5,6 +5,10 @@
 // wrong, and it finds back by itself.
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/kinematics/inverse.h"
+#include "ros/five_bar_setup.h"
+#include "ros/mute_subscriber.h"
+#include "ros/node_client.h"
+#include "ros/process.h"
 
 #include <parallel_aspects/AspectState.h>
 #include <parallel_aspects/GetWorkingMode.h>
@@ -13,10 +17,6 @@
 #include <gtest/gtest.h>
 #include <ros/ros.h>
 
-#include "ros/five_bar_setup.h"
-#include "ros/mute_subscriber.h"
-#include "ros/node_client.h"
-#include "ros/process.h"
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -42,9 +42,9 @@ Pose true_pose(int step) {
   return test::pose_at(4.2 + 0.3 * std::cos(0.01 * step), 8.0 + 0.3 * std::sin(0.01 * step));
 }
 
-sensor_msgs::JointState true_drives(int step) {
+sensor_msgs::JointState true_joints(int step) {
   static const auto mechanism = test::five_bar_mechanism();
-  return test::drives_at(*mechanism->manipulator(), true_pose(step), {1, -1}, ros::Time::now());
+  return test::joints_at(*mechanism->manipulator(), true_pose(step), {1, -1}, ros::Time::now());
 }
 
 class JointStatesFault : public testing::Test {
@@ -69,7 +69,7 @@ class JointStatesFault : public testing::Test {
 
   // Publishes where the robot is, one step on. Stamps grow.
   static sensor_msgs::JointState move() {
-    sensor_msgs::JointState message = true_drives(++step_);
+    sensor_msgs::JointState message = true_joints(++step_);
     message.header.stamp = std::max(ros::Time::now(), last_stamp_ + ros::Duration(1e-6));
     send(message);
     return message;
@@ -92,7 +92,7 @@ class JointStatesFault : public testing::Test {
   static void expect_refused(const sensor_msgs::JointState& message) {
     const AspectState state = answer_to(message);
     EXPECT_EQ(state.status.code, Status::INVALID_JOINT_STATES) << message << state;
-    EXPECT_FALSE(state.status.sentence.empty());
+    EXPECT_FALSE(state.status.message.empty());
     EXPECT_EQ(state.aspect, 0U);
     EXPECT_TRUE(state.working_mode.empty());
     EXPECT_TRUE(std::isnan(state.pose.position.x));
@@ -132,7 +132,7 @@ int JointStatesFault::step_ = 0;
 
 TEST_F(JointStatesFault, ValuesThatAreNoPositions) {
   for (const double value : {std::nan(""), infinity, -infinity, 1e308, -1e308}) {
-    sensor_msgs::JointState message = true_drives(step_);
+    sensor_msgs::JointState message = true_joints(step_);
     message.position[1] = value;
     send(message);
     expect_refused(message);
@@ -140,7 +140,7 @@ TEST_F(JointStatesFault, ValuesThatAreNoPositions) {
 }
 
 TEST_F(JointStatesFault, ListsThatDoNotFit) {
-  std::vector<sensor_msgs::JointState> bad(5, true_drives(step_));
+  std::vector<sensor_msgs::JointState> bad(5, true_joints(step_));
   bad[0].name.clear();
   bad[0].position.clear();
   bad[1].position.pop_back();
@@ -156,7 +156,7 @@ TEST_F(JointStatesFault, ListsThatDoNotFit) {
 }
 
 TEST_F(JointStatesFault, NamesInAnotherOrderAndOfOtherJoints) {
-  sensor_msgs::JointState message = true_drives(++step_);
+  sensor_msgs::JointState message = true_joints(++step_);
   std::swap(message.name[0], message.name[1]);
   std::swap(message.position[0], message.position[1]);
   message.name.push_back("gripper_joint");
@@ -164,7 +164,7 @@ TEST_F(JointStatesFault, NamesInAnotherOrderAndOfOtherJoints) {
   send(message);
   const AspectState state = answer_to(message);
   EXPECT_EQ(state.status.code, Status::OK);
-  EXPECT_NE(state.status.sentence.find("gripper_joint"), std::string::npos);
+  EXPECT_NE(state.status.message.find("gripper_joint"), std::string::npos);
 }
 
 TEST_F(JointStatesFault, StampsThatNoClockGives) {
@@ -174,7 +174,7 @@ TEST_F(JointStatesFault, StampsThatNoClockGives) {
   const ros::Time now = ros::Time::now();
   for (const ros::Time& stamp : {ros::Time(), now - ros::Duration(10.0), last_stamp_,
                                  now + ros::Duration(1000.0), ros::Time(4294967295U, 999999999U)}) {
-    sensor_msgs::JointState message = true_drives(step_);
+    sensor_msgs::JointState message = true_joints(step_);
     message.header.stamp = stamp;
     message.position[0] += 1e-3;  // not the same message again
     const std::size_t before = states_->all().size();
@@ -186,7 +186,7 @@ TEST_F(JointStatesFault, StampsThatNoClockGives) {
     })) << stamp;
     ASSERT_TRUE(refusal);
     EXPECT_EQ(refusal->header.stamp, stamp);
-    EXPECT_NE(refusal->status.sentence.find("stamp"), std::string::npos);
+    EXPECT_NE(refusal->status.message.find("stamp"), std::string::npos);
   }
 }
 
@@ -216,7 +216,7 @@ TEST_F(JointStatesFault, TwoPublishers) {
       return refusal.has_value();
     }));
     ASSERT_TRUE(refusal);
-    EXPECT_NE(refusal->status.sentence.find("/second_publisher"), std::string::npos);
+    EXPECT_NE(refusal->status.message.find("/second_publisher"), std::string::npos);
     EXPECT_TRUE(eventually([] {
       move();
       return ask<GetWorkingMode>("get_working_mode", Configuration()).status.code ==
@@ -244,7 +244,7 @@ TEST_F(JointStatesFault, ASubscriberThatNeverReads) {
 
 TEST_F(JointStatesFault, EncodersThatWrap) {
   for (int i = 0; i < 8; ++i) {
-    sensor_msgs::JointState message = true_drives(++step_);
+    sensor_msgs::JointState message = true_joints(++step_);
     message.position[0] += (i % 2 == 0 ? 2.0 : -2.0) * EIGEN_PI;
     message.position[1] -= i % 3 == 0 ? 2.0 * EIGEN_PI : 0.0;
     send(message);
@@ -252,10 +252,11 @@ TEST_F(JointStatesFault, EncodersThatWrap) {
   }
 }
 
-// Other drives at the next stamp than any motion could have brought: the robot may be in any assembly mode.
+// Other actuated joints at the next stamp than any motion could have brought: the robot may be in any
+// assembly mode.
 TEST_F(JointStatesFault, EverySecondMessageIsOfAnotherPlace) {
   for (int i = 0; i < 20; ++i) {
-    sensor_msgs::JointState message = true_drives(++step_);
+    sensor_msgs::JointState message = true_joints(++step_);
     if (i % 2 == 0)
       for (double& position : message.position) position += 1.0;
     send(message);
@@ -270,10 +271,10 @@ TEST_F(JointStatesFault, EverySecondMessageIsOfAnotherPlace) {
   first_ = states_->all().size();
 }
 
-void publish_drives() {
+void publish_joints() {
   ros::Publisher publisher = ros::NodeHandle().advertise<sensor_msgs::JointState>("joint_states", 10);
   while (ros::ok()) {
-    publisher.publish(true_drives(100));
+    publisher.publish(true_joints(100));
     ros::WallDuration(0.005).sleep();
   }
 }
@@ -287,7 +288,7 @@ int main(int argc, char** argv) {
   ros::init(argc, argv, "joint_states_fault_test");
   const ros::NodeHandle nh;
   if (second) {
-    parallel_aspects::publish_drives();
+    parallel_aspects::publish_joints();
     return 0;
   }
   ros::AsyncSpinner spinner(2);

@@ -35,7 +35,7 @@ class MapWorkerTest : public testing::Test {
 TEST_F(MapWorkerTest, KeepsTheMapThatItComputes) {
   EXPECT_FALSE(worker_.map());
   const MapProgress end = worker_.wait(worker_.compute(resolution(0.2)), deadline);
-  ASSERT_EQ(end.state, MapProgress::COMPLETE) << end.sentence;
+  ASSERT_EQ(end.state, MapProgress::COMPLETE) << end.message;
   ASSERT_TRUE(worker_.map());
   EXPECT_EQ(end.aspects, worker_.map()->aspects().size());
   EXPECT_EQ(end.proved_count, 10U);
@@ -77,7 +77,7 @@ TEST_F(MapWorkerTest, ANewJobTakesThePlaceOfARunningOne) {
 TEST_F(MapWorkerTest, SaysWhyItRefuses) {
   const MapProgress end = worker_.wait(worker_.compute(resolution(-1.0)), deadline);
   EXPECT_EQ(end.state, MapProgress::REFUSED);
-  EXPECT_FALSE(end.sentence.empty());
+  EXPECT_FALSE(end.message.empty());
 }
 
 // A map this fine takes minutes: it is given up, and said to be.
@@ -97,7 +97,7 @@ TEST(MapWorkerThatEnds, GivesUpWhatItComputes) {
   EXPECT_EQ(states.back(), MapProgress::CANCELLED);
 }
 
-// With six freedoms a roadmap is made, in all its modes, and told of; there is no map.
+// With six degrees of freedom a roadmap is made, in all its modes, and told of; there is no map.
 TEST(MapWorkerOfSixFreedoms, TellsOfARoadmap) {
   ros::Time::init();
   auto legs = test::stewart()->legs();
@@ -105,11 +105,11 @@ TEST(MapWorkerOfSixFreedoms, TellsOfARoadmap) {
   MapWorker worker(test::manipulator("stewart", TaskSpace::SE3, legs), "",
                    [](const MapProgress&, const auto& map) { EXPECT_FALSE(map); });
   const MapProgress end = worker.wait(worker.compute({}), deadline);
-  ASSERT_EQ(end.state, MapProgress::COMPLETE) << end.sentence;
+  ASSERT_EQ(end.state, MapProgress::COMPLETE) << end.message;
   EXPECT_EQ(end.proved_count, 2U);
   EXPECT_EQ(end.count_at_most, -1);
   EXPECT_EQ(end.progress, 1.0);
-  EXPECT_NE(end.sentence.find("roadmap"), std::string::npos);
+  EXPECT_NE(end.message.find("roadmap"), std::string::npos);
   EXPECT_FALSE(worker.map());
   ASSERT_TRUE(worker.known().roadmap);
   EXPECT_EQ(worker.known().proved_count(), end.proved_count);
@@ -121,7 +121,7 @@ TEST(MapWorkerOfSixFreedoms, SaysWhyItRefuses) {
   MapWorker worker(test::stewart(), "", [](const MapProgress&, const auto&) {});
   const MapProgress end = worker.wait(worker.compute({}), deadline);
   EXPECT_EQ(end.state, MapProgress::REFUSED);
-  EXPECT_FALSE(end.sentence.empty());
+  EXPECT_FALSE(end.message.empty());
 }
 
 }  // namespace

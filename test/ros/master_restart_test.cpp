@@ -3,6 +3,9 @@
 // The ROS master ends and is started anew, knowing nothing: the node goes on, is found again by nodes that
 // ask the new master, and has lost neither its map nor the robot.
 #include "parallel_aspects/kinematics/inverse.h"
+#include "ros/five_bar_setup.h"
+#include "ros/node_client.h"
+#include "ros/process.h"
 
 #include <parallel_aspects/AspectState.h>
 #include <parallel_aspects/AspectTransition.h>
@@ -12,9 +15,6 @@
 #include <ros/ros.h>
 #include <rosgraph_msgs/Log.h>
 
-#include "ros/five_bar_setup.h"
-#include "ros/node_client.h"
-#include "ros/process.h"
 #include <arpa/inet.h>
 #include <cstdlib>
 #include <memory>
@@ -78,7 +78,7 @@ class MasterRestart : public testing::Test {
     ros::param::set(node + "/map/resolution", 0.2);
     ros::param::set(node + "/joint_states_timeout", 2.0);  // a busy computer holds messages up
     ros::param::set(node + "/tracking/longest_interval", std::numeric_limits<double>::infinity());
-    ros::param::set(node + "/tracking/check_velocity", false);  // no drive is as fast
+    ros::param::set(node + "/tracking/check_velocity", false);  // no actuated joint is as fast
     ros::param::set(node + "/mechanism", test::five_bar_mechanism_parameter());
     process_ = std::make_unique<test::Process>(PARALLEL_ASPECTS_NODE, "/");
     advertise();
@@ -97,7 +97,7 @@ class MasterRestart : public testing::Test {
   std::uint8_t move() {
     const ros::Time stamp = ros::Time::now();
     y_ -= 0.01;
-    joint_states_.publish(test::drives_at(*robot_->manipulator(), test::pose_at(4.5, y_), {1, -1}, stamp));
+    joint_states_.publish(test::joints_at(*robot_->manipulator(), test::pose_at(4.5, y_), {1, -1}, stamp));
     return states_.answer(stamp).status.code;
   }
   std::size_t times_said(const std::string& words) const {
@@ -133,13 +133,13 @@ TEST_F(MasterRestart, TheNodeIsFoundAgainWithItsMapAndItsRobot) {
 
     // The service and the topics are looked up at the new master.
     const auto after = test::call<ListAspects>(node + "/list_aspects", {});
-    EXPECT_EQ(after.status.code, Status::OK) << after.status.sentence;
+    EXPECT_EQ(after.status.code, Status::OK) << after.status.message;
     EXPECT_EQ(after.aspects.size(), aspects.aspects.size());
     const Recorder<AspectTransition> late(node + "/transitions");
     EXPECT_TRUE(eventually([&] { return late.connected(); }));
     joint_states_.shutdown();
     advertise();
-    EXPECT_EQ(move(), Status::OK) << states_.last()->status.sentence;
+    EXPECT_EQ(move(), Status::OK) << states_.last()->status.message;
   }
   EXPECT_EQ(times_said("were registered again"), 2U) << "and nothing twice";
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // joint_states with seeded random faults in every field, bit by bit in the numbers: whatever comes, the
-// monitor answers, and where it says OK the pose belongs to the drives of that message.
+// monitor answers, and where it says OK the pose belongs to the actuated joints of that message.
 #include "ros/five_bar_setup.h"
 #include "ros/monitor/robot_monitor.h"
 
@@ -77,7 +77,7 @@ double residual(const Manipulator& robot, const AspectState& state, const sensor
   const auto pose = pose_from_base(robot, state.pose);
   if (!pose) return INFINITY;
   for (const Leg& leg : robot.legs()) {
-    const auto found = std::find(message.name.begin(), message.name.end(), leg.driven_joint);
+    const auto found = std::find(message.name.begin(), message.name.end(), leg.actuated_joint);
     if (found == message.name.end()) continue;  // merged with a message before
     const double q = message.position[static_cast<std::size_t>(found - message.name.begin())];
     const double rod = (pose->transform(leg.anchor) - leg.proximal_point(q)).norm();
@@ -97,12 +97,12 @@ TEST(MutatedJointStates, AreAnsweredAndNeverMisread) {
     Mutator mutator(seed);
     for (int i = 0; i < 250; ++i) {
       const ros::Time now(1000.0 + 0.01 * i);
-      auto message = test::drives_at(robot, test::pose_at(4.5, 8.0 + 1e-3 * i), {1, -1}, now);
+      auto message = test::joints_at(robot, test::pose_at(4.5, 8.0 + 1e-3 * i), {1, -1}, now);
       mutator.mutate(message);
       const MonitorUpdate update = monitor.update(message, now, "/driver");
       if (i % 50 == 0) monitor.work();
       if (!update.state) continue;
-      EXPECT_TRUE(update.state->status.code == Status::OK || !update.state->status.sentence.empty());
+      EXPECT_TRUE(update.state->status.code == Status::OK || !update.state->status.message.empty());
       if (update.state->status.code != Status::OK) {
         ++refused;
         EXPECT_TRUE(std::isnan(update.state->pose.position.x)) << "seed " << seed << ", message " << i;

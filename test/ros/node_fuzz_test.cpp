@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // A running node under messages, requests, goals and parameters made at random. It may refuse them, with a
-// sentence; it must not end, not hang, and not answer wrongly. Parameters: ~seconds for each robot, ~seed.
+// message; it must not end, not hang, and not answer wrongly. Parameters: ~seconds for each robot, ~seed.
 // The inputs before a failure are printed; the same seed makes the same ones.
 #include "ros/messages/conversions.h"
 #include "ros/node_client.h"
@@ -93,7 +93,7 @@ class NodeFuzz : public testing::TestWithParam<const char*> {
     ros::param::get(space + "/robot_description", description_);
     process_ = std::make_unique<test::Process>(PARALLEL_ASPECTS_NODE, space);
     random_ = std::make_unique<RandomMessages>(static_cast<unsigned>(seed_), words());
-    drives_ = advertise<sensor_msgs::JointState>(space + "/joint_states");
+    joints_to_actuate_ = advertise<sensor_msgs::JointState>(space + "/joint_states");
     transforms_ = advertise<tf2_msgs::TFMessage>("/tf");
     goals_ = advertise<ComputeMapActionGoal>(node_ + "/compute_map/goal");
     cancels_ = advertise<actionlib_msgs::GoalID>(node_ + "/compute_map/cancel");
@@ -103,7 +103,7 @@ class NodeFuzz : public testing::TestWithParam<const char*> {
     markers_ = ros::NodeHandle().subscribe(node_ + "/markers", 10, nothing);  // so that they are drawn
 
     ASSERT_TRUE(ros::service::waitForService(node_ + "/reload", ros::Duration(test::deadline)));
-    ASSERT_TRUE(eventually([&] { return drives_.getNumSubscribers() > 0; }));
+    ASSERT_TRUE(eventually([&] { return joints_to_actuate_.getNumSubscribers() > 0; }));
   }
 
   void TearDown() override {
@@ -117,10 +117,10 @@ class NodeFuzz : public testing::TestWithParam<const char*> {
     return ros::NodeHandle().advertise<Message>(topic, 100);
   }
 
-  // The drives first, in their order.
+  // The actuated joints first, in their order.
   std::vector<std::string> words() const {
     std::vector<std::string> words;
-    for (const Leg& leg : robot_.legs()) words.push_back(leg.driven_joint);
+    for (const Leg& leg : robot_.legs()) words.push_back(leg.actuated_joint);
     for (const std::string& joint : mechanism_->joint_names()) words.push_back(joint);
     for (const char* word : {"", "base_link", "platform", "table", "parallel_warn", "parallel_stop",
                              "hysteresis", "gallery_scale", "rate", "gallery"})
@@ -155,7 +155,7 @@ class NodeFuzz : public testing::TestWithParam<const char*> {
 
   void check(const Status& status) {
     require(status.code <= last_code, "an unknown status");
-    require(status.code == Status::OK || !status.sentence.empty(), "a status without a sentence");
+    require(status.code == Status::OK || !status.message.empty(), "a status without a message");
   }
 
   // The legs close: the answer is a configuration of this robot.
@@ -200,7 +200,7 @@ class NodeFuzz : public testing::TestWithParam<const char*> {
   // On another thread.
   void check_state(const AspectState& state) {
     const bool known = state.status.code == Status::OK;
-    if (!known && state.status.sentence.empty()) state_fault_ = "a state without a sentence";
+    if (!known && state.status.message.empty()) state_fault_ = "a state without a message";
     if (known != std::isfinite(state.pose.position.x)) state_fault_ = "a state with a pose that is not known";
     if (known == state.working_mode.empty()) state_fault_ = "a state with a working mode that is not known";
   }
@@ -237,13 +237,13 @@ class NodeFuzz : public testing::TestWithParam<const char*> {
     publisher.publish(message);
   }
 
-  void publish_true_drives() {
+  void publish_true_joints() {
     sensor_msgs::JointState message;
     message.header.stamp = ros::Time::now();
     const AssembledConfiguration assembled = mechanism_->assembled();
-    for (const Leg& leg : robot_.legs()) message.name.push_back(leg.driven_joint);
+    for (const Leg& leg : robot_.legs()) message.name.push_back(leg.actuated_joint);
     message.position.assign(assembled.q.begin(), assembled.q.end());
-    drives_.publish(message);
+    joints_to_actuate_.publish(message);
   }
 
   XmlRpcValue random_value(int depth = 0) {
@@ -342,7 +342,7 @@ class NodeFuzz : public testing::TestWithParam<const char*> {
   void step() {
     ++steps_;
     dog_.feed();
-    publish_true_drives();
+    publish_true_joints();
     switch (random_->pick(40)) {
       case 0:
         return parameters();
@@ -373,7 +373,7 @@ class NodeFuzz : public testing::TestWithParam<const char*> {
       case 4:
         return question<SetAssemblyMode>("set_assembly_mode");
       default:
-        return publish<sensor_msgs::JointState>(drives_);
+        return publish<sensor_msgs::JointState>(joints_to_actuate_);
     }
   }
 
@@ -385,7 +385,7 @@ class NodeFuzz : public testing::TestWithParam<const char*> {
   const Manipulator& robot_ = *mechanism_->manipulator();
   std::unique_ptr<test::Process> process_;
   std::unique_ptr<RandomMessages> random_;
-  ros::Publisher drives_, transforms_, goals_, cancels_;
+  ros::Publisher joints_to_actuate_, transforms_, goals_, cancels_;
   ros::Subscriber states_, markers_;
   std::deque<std::string> inputs_;
   bool failed_ = false;

@@ -5,6 +5,9 @@
 // computed. Every node has a namespace of its own.
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/kinematics/inverse.h"
+#include "ros/five_bar_setup.h"
+#include "ros/node_client.h"
+#include "ros/process.h"
 
 #include <parallel_aspects/AspectState.h>
 #include <parallel_aspects/ComputeMapAction.h>
@@ -20,9 +23,6 @@
 #include <ros/ros.h>
 #include <rosgraph_msgs/Clock.h>
 
-#include "ros/five_bar_setup.h"
-#include "ros/node_client.h"
-#include "ros/process.h"
 #include <actionlib/client/simple_action_client.h>
 #include <cmath>
 #include <cstdio>
@@ -84,12 +84,12 @@ class NodeLife : public testing::Test {
     EXPECT_TRUE(eventually([&] {
       response = call<ListAspects>("list_aspects");
       return response.status.code == Status::OK;
-    })) << response.status.sentence;
+    })) << response.status.message;
     return response.aspects.size();
   }
-  // The answer to the drives at this pose.
+  // The answer to the actuated joints at this pose.
   AspectState move_to(const Pose& pose, const ros::Time& stamp = ros::Time::now()) {
-    const auto message = test::drives_at(*robot_->manipulator(), pose, {1, -1}, stamp);
+    const auto message = test::joints_at(*robot_->manipulator(), pose, {1, -1}, stamp);
     joint_states_.publish(message);
     return states_->answer(stamp);
   }
@@ -201,7 +201,7 @@ TEST_F(NodeLife, StartsInASingularPose) {
   start();
   const auto& legs = robot_->manipulator()->legs();
   sensor_msgs::JointState message;
-  for (const Leg& leg : legs) message.name.push_back(leg.driven_joint);
+  for (const Leg& leg : legs) message.name.push_back(leg.actuated_joint);
   message.position = {1.5, EIGEN_PI - 1.5};
   // The cranks such that the elbows are 13 apart: both rods in line, 5 + 8.
   const auto gap = [&](double q) {
@@ -218,10 +218,10 @@ TEST_F(NodeLife, StartsInASingularPose) {
   joint_states_.publish(message);
   const AspectState answer = states_->answer(message.header.stamp);
   EXPECT_NE(answer.status.code, Status::OK);
-  EXPECT_FALSE(answer.status.sentence.empty());
+  EXPECT_FALSE(answer.status.message.empty());
   EXPECT_EQ(answer.aspect, 0U);
 
-  // Elsewhere it can be told.
+  // Elsewhere it can be determined.
   move_to(start_);
   SetAssemblyMode::Request request;
   request.configuration = at_pose(4.5, 8.0, "");
@@ -254,7 +254,7 @@ TEST_F(NodeLife, AnswersWhileAMapIsComputed) {
   EXPECT_EQ(move_to(start_).status.code, Status::OK);
   GetCurrentAspect::Response aspect = call<GetCurrentAspect>("get_current_aspect");
   EXPECT_EQ(aspect.status.code, Status::MAP_NOT_READY);
-  EXPECT_NE(aspect.status.sentence.find("map"), std::string::npos);
+  EXPECT_NE(aspect.status.message.find("map"), std::string::npos);
   EXPECT_EQ(call<ListAspects>("list_aspects").status.code, Status::MAP_NOT_READY);
   move_to(start_);
   EXPECT_EQ(call<GetWorkingMode>("get_working_mode").status.code, Status::OK);
@@ -328,11 +328,11 @@ class GoSignal : public NodeLife {
 
   bool becomes(bool go) {
     return eventually([&] {
-      joint_states_.publish(test::drives_at(*robot_->manipulator(), start_, {1, -1}, ros::Time::now()));
+      joint_states_.publish(test::joints_at(*robot_->manipulator(), start_, {1, -1}, ros::Time::now()));
       return signals_.last() && static_cast<bool>(signals_.last()->data) == go;
     });
   }
-  // Over so many signals, while the drives are published on.
+  // Over so many signals, while the actuated joints are published on.
   bool stays_off(std::size_t count) {
     const std::size_t from = signals_.all().size();
     const bool came = eventually([&] { return becomes(false) && signals_.all().size() >= from + count; });

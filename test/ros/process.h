@@ -3,6 +3,7 @@
 #define PARALLEL_ASPECTS_TEST_ROS_PROCESS_H
 
 #include "ros/node_client.h"
+
 #include <csignal>
 #include <optional>
 #include <spawn.h>

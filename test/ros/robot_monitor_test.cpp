@@ -28,8 +28,9 @@ class RobotMonitorTest : public testing::Test {
  protected:
   static ros::Time at(double seconds) { return ros::Time(100.0 + seconds); }
 
-  sensor_msgs::JointState drives(double x, double y, const std::vector<int>& signs, double seconds) const {
-    return test::drives_at(*mechanism_->manipulator(), test::pose_at(x, y), signs, at(seconds));
+  sensor_msgs::JointState joint_values(double x, double y, const std::vector<int>& signs,
+                                       double seconds) const {
+    return test::joints_at(*mechanism_->manipulator(), test::pose_at(x, y), signs, at(seconds));
   }
 
   MonitorUpdate update(const sensor_msgs::JointState& message, double seconds) {
@@ -44,7 +45,7 @@ class RobotMonitorTest : public testing::Test {
 
 void expect_says_nothing(const AspectState& state) {
   EXPECT_NE(state.status.code, Status::OK);
-  EXPECT_FALSE(state.status.sentence.empty());
+  EXPECT_FALSE(state.status.message.empty());
   EXPECT_TRUE(std::isnan(state.pose.position.x));
   EXPECT_TRUE(std::isnan(state.determinant));
   EXPECT_TRUE(state.working_mode.empty());
@@ -58,9 +59,9 @@ void expect_says_nothing(const AspectState& state) {
 TEST_F(RobotMonitorTest, KnowsNothingBeforeTheFirstSample) { EXPECT_EQ(code(0.0), Status::NO_JOINT_STATES); }
 
 TEST_F(RobotMonitorTest, TracksFromTheConfiguredPose) {
-  const MonitorUpdate first = update(drives(4.5, 8.0, {1, -1}, 1.0), 1.0);
+  const MonitorUpdate first = update(joint_values(4.5, 8.0, {1, -1}, 1.0), 1.0);
   ASSERT_TRUE(first.state);
-  EXPECT_EQ(first.state->status.code, Status::OK) << first.state->status.sentence;
+  EXPECT_EQ(first.state->status.code, Status::OK) << first.state->status.message;
   EXPECT_EQ(first.state->header.stamp, at(1.0));
   EXPECT_EQ(first.state->header.frame_id, "base_link");
   EXPECT_NEAR(first.state->pose.position.x, 4.5, 1e-9);
@@ -74,34 +75,34 @@ TEST_F(RobotMonitorTest, TracksFromTheConfiguredPose) {
 }
 
 TEST_F(RobotMonitorTest, DoesNotStartFarFromTheConfiguredPose) {
-  const MonitorUpdate first = update(drives(4.5, -8.0, {1, 1}, 1.0), 1.0);
+  const MonitorUpdate first = update(joint_values(4.5, -8.0, {1, 1}, 1.0), 1.0);
   ASSERT_TRUE(first.state);
   EXPECT_EQ(first.state->status.code, Status::NOT_STARTED);
-  for (const char* words : {"start/pose", "The nearest assembly mode of these drives is", "m away"})
-    EXPECT_NE(first.state->status.sentence.find(words), std::string::npos) << first.state->status.sentence;
-  EXPECT_EQ(first.warning, first.state->status.sentence) << "also in the log";
+  for (const char* words : {"start/pose", "The nearest assembly mode of these actuated joints is", "m away"})
+    EXPECT_NE(first.state->status.message.find(words), std::string::npos) << first.state->status.message;
+  EXPECT_EQ(first.warning, first.state->status.message) << "also in the log";
   expect_says_nothing(*first.state);
-  // Nor later, when the drives pass by: the robot may be in its other assembly mode.
-  EXPECT_EQ(update(drives(4.5, 8.0, {1, -1}, 1.1), 1.1).state->status.code, Status::NOT_STARTED);
+  // Nor later, when the actuated joints pass by: the robot may be in its other assembly mode.
+  EXPECT_EQ(update(joint_values(4.5, 8.0, {1, -1}, 1.1), 1.1).state->status.code, Status::NOT_STARTED);
   EXPECT_EQ(monitor_.start_near(test::pose_at(4.5, 8.0), at(1.1)).code, Status::OK);
-  EXPECT_EQ(update(drives(4.5, 8.01, {1, -1}, 1.2), 1.2).state->status.code, Status::OK);
+  EXPECT_EQ(update(joint_values(4.5, 8.01, {1, -1}, 1.2), 1.2).state->status.code, Status::OK);
 }
 
 TEST_F(RobotMonitorTest, KeepsSayingThatTheConfiguredPoseCannotBeReached) {
   RobotMonitor monitor(mechanism_, start_at_pose(40.0, 8.0));
-  const auto first = monitor.update(drives(4.5, 8.0, {1, -1}, 1.0), at(1.0));
+  const auto first = monitor.update(joint_values(4.5, 8.0, {1, -1}, 1.0), at(1.0));
   EXPECT_EQ(first.state->status.code, Status::NOT_STARTED);
   EXPECT_NE(first.warning.find("It cannot be reached in any working mode"), std::string::npos)
       << first.warning;
   monitor.work();
-  const auto later = monitor.update(drives(4.5, 8.0, {1, -1}, 1.1), at(1.1));
+  const auto later = monitor.update(joint_values(4.5, 8.0, {1, -1}, 1.1), at(1.1));
   EXPECT_EQ(later.state->status.code, Status::AMBIGUOUS);
-  EXPECT_NE(later.state->status.sentence.find("It cannot be reached"), std::string::npos);
+  EXPECT_NE(later.state->status.message.find("It cannot be reached"), std::string::npos);
   EXPECT_EQ(monitor.start_near(test::pose_at(4.5, 8.0), at(1.1)).code, Status::OK);
 }
 
 TEST_F(RobotMonitorTest, StartsWithASignOfTheDeterminant) {
-  update(drives(4.5, -8.0, {1, 1}, 1.0), 1.0);
+  update(joint_values(4.5, -8.0, {1, 1}, 1.0), 1.0);
   EXPECT_EQ(monitor_.start_with_sign(-1, at(1.0)).code, Status::OK);
   EXPECT_EQ(monitor_.current(at(1.0)).tracked.determinant_sign, -1);
 }
@@ -112,8 +113,8 @@ TEST_F(RobotMonitorTest, CannotBeStartedWithoutDrives) {
 }
 
 TEST_F(RobotMonitorTest, ABadMessageMakesTheStateUnknownUntilTheNextGoodOne) {
-  update(drives(4.5, 8.0, {1, -1}, 1.0), 1.0);
-  sensor_msgs::JointState bad = drives(4.5, 8.0, {1, -1}, 1.1);
+  update(joint_values(4.5, 8.0, {1, -1}, 1.0), 1.0);
+  sensor_msgs::JointState bad = joint_values(4.5, 8.0, {1, -1}, 1.1);
   bad.position[0] = std::numeric_limits<double>::quiet_NaN();
   const MonitorUpdate refused = update(bad, 1.1);
   ASSERT_TRUE(refused.state);
@@ -122,33 +123,35 @@ TEST_F(RobotMonitorTest, ABadMessageMakesTheStateUnknownUntilTheNextGoodOne) {
   expect_says_nothing(*refused.state);
   EXPECT_FALSE(refused.tracked);
   EXPECT_EQ(code(1.1), Status::INVALID_JOINT_STATES);
-  EXPECT_EQ(update(drives(4.5, 8.01, {1, -1}, 1.2), 1.2).state->status.code, Status::OK);
+  EXPECT_EQ(update(joint_values(4.5, 8.01, {1, -1}, 1.2), 1.2).state->status.code, Status::OK);
 }
 
 TEST_F(RobotMonitorTest, RefusesStampsThatDoNotIncrease) {
-  update(drives(4.5, 8.0, {1, -1}, 1.0), 1.0);
-  EXPECT_EQ(update(drives(4.5, 8.01, {1, -1}, 1.0), 1.1).state->status.code, Status::INVALID_JOINT_STATES);
-  EXPECT_EQ(update(drives(4.5, 8.0, {1, -1}, 0.9), 1.2).state->status.code, Status::INVALID_JOINT_STATES);
-  sensor_msgs::JointState zero = drives(4.5, 8.0, {1, -1}, 0.0);
+  update(joint_values(4.5, 8.0, {1, -1}, 1.0), 1.0);
+  EXPECT_EQ(update(joint_values(4.5, 8.01, {1, -1}, 1.0), 1.1).state->status.code,
+            Status::INVALID_JOINT_STATES);
+  EXPECT_EQ(update(joint_values(4.5, 8.0, {1, -1}, 0.9), 1.2).state->status.code,
+            Status::INVALID_JOINT_STATES);
+  sensor_msgs::JointState zero = joint_values(4.5, 8.0, {1, -1}, 0.0);
   zero.header.stamp = ros::Time();
   EXPECT_EQ(update(zero, 1.3).state->status.code, Status::INVALID_JOINT_STATES);
-  EXPECT_EQ(update(drives(4.5, 8.0, {1, -1}, 1.4), 1.4).state->status.code, Status::OK);
+  EXPECT_EQ(update(joint_values(4.5, 8.0, {1, -1}, 1.4), 1.4).state->status.code, Status::OK);
   EXPECT_EQ(monitor_.counts().invalid, 3U);
   EXPECT_EQ(monitor_.counts().usable, 2U);
 }
 
 TEST_F(RobotMonitorTest, AnUnknownJointIsSaidWhileTheRobotIsTracked) {
-  sensor_msgs::JointState message = drives(4.5, 8.0, {1, -1}, 1.0);
+  sensor_msgs::JointState message = joint_values(4.5, 8.0, {1, -1}, 1.0);
   message.name.push_back("gripper_joint");
   message.position.push_back(0.0);
   const MonitorUpdate update_ = update(message, 1.0);
   EXPECT_EQ(update_.state->status.code, Status::OK);
-  EXPECT_NE(update_.state->status.sentence.find("gripper_joint"), std::string::npos);
+  EXPECT_NE(update_.state->status.message.find("gripper_joint"), std::string::npos);
   EXPECT_NE(update_.warning.find("gripper_joint"), std::string::npos);
 }
 
 TEST_F(RobotMonitorTest, MessagesOfOtherRobotsChangeNothing) {
-  update(drives(4.5, 8.0, {1, -1}, 1.0), 1.0);
+  update(joint_values(4.5, 8.0, {1, -1}, 1.0), 1.0);
   sensor_msgs::JointState foreign;
   foreign.name = {"gripper_joint"};
   foreign.position = {0.0};
@@ -170,25 +173,25 @@ TEST_F(RobotMonitorTest, TellsWhichJointsAreExpectedAndWhichArrive) {
   for (const char* words :
        {"'crank_1_joint', 'crank_2_joint' are expected", "'crank1_joint', 'crank2_joint' arrive",
         "did you mean 'crank_1_joint', 'crank_2_joint' by 'crank1_joint', 'crank2_joint'?"})
-    EXPECT_NE(first.state->status.sentence.find(words), std::string::npos) << first.state->status.sentence;
-  EXPECT_EQ(first.warning, first.state->status.sentence);
-  EXPECT_EQ(monitor_.current(at(1.0)).status.sentence, first.warning);
+    EXPECT_NE(first.state->status.message.find(words), std::string::npos) << first.state->status.message;
+  EXPECT_EQ(first.warning, first.state->status.message);
+  EXPECT_EQ(monitor_.current(at(1.0)).status.message, first.warning);
   EXPECT_FALSE(update(named({"crank1_joint", "crank2_joint"}), 1.1).state) << "that was said";
   const MonitorUpdate other = update(named({"panda_finger"}), 1.2);
   ASSERT_TRUE(other.state);
-  EXPECT_NE(other.state->status.sentence.find("'panda_finger' arrive"), std::string::npos);
+  EXPECT_NE(other.state->status.message.find("'panda_finger' arrive"), std::string::npos);
   EXPECT_TRUE(other.warning.empty()) << "once in the log";
-  EXPECT_EQ(update(drives(4.5, 8.0, {1, -1}, 1.3), 1.3).state->status.code, Status::OK);
+  EXPECT_EQ(update(joint_values(4.5, 8.0, {1, -1}, 1.3), 1.3).state->status.code, Status::OK);
   EXPECT_FALSE(update(named({"another"}), 1.4).state);
 }
 
 TEST_F(RobotMonitorTest, GuessesTheJointThatIsMissing) {
-  auto message = drives(4.5, 8.0, {1, -1}, 1.0);
+  auto message = joint_values(4.5, 8.0, {1, -1}, 1.0);
   message.name[1] = "crank2_joint";
   const MonitorUpdate refused = update(message, 1.0);
   ASSERT_TRUE(refused.state);
-  const std::string& sentence = refused.state->status.sentence;
-  EXPECT_NE(sentence.find("did you mean 'crank_2_joint' by 'crank2_joint'?"), std::string::npos) << sentence;
+  const std::string& text = refused.state->status.message;
+  EXPECT_NE(text.find("did you mean 'crank_2_joint' by 'crank2_joint'?"), std::string::npos) << text;
 }
 
 TEST_F(RobotMonitorTest, KeepsLittleOfEnormousNames) {
@@ -198,17 +201,17 @@ TEST_F(RobotMonitorTest, KeepsLittleOfEnormousNames) {
   message.position.assign(message.name.size(), 0.0);
   const MonitorUpdate first = update(message, 1.0);
   ASSERT_TRUE(first.state);
-  EXPECT_LT(first.state->status.sentence.size(), 3000U);
+  EXPECT_LT(first.state->status.message.size(), 3000U);
   for (int i = 0; i < 100; ++i) {
     message.name = {"joint_" + std::to_string(i)};
     message.position = {0.0};
     update(message, 1.1 + 0.001 * i);
   }
-  EXPECT_NE(monitor_.current(at(2.0)).status.sentence.find("and others arrive"), std::string::npos);
+  EXPECT_NE(monitor_.current(at(2.0)).status.message.find("and others arrive"), std::string::npos);
 }
 
 TEST_F(RobotMonitorTest, BecomesStaleOnceAndRecovers) {
-  update(drives(4.5, 8.0, {1, -1}, 1.0), 1.0);
+  update(joint_values(4.5, 8.0, {1, -1}, 1.0), 1.0);
   EXPECT_FALSE(monitor_.expire(at(1.4)));
   const auto stale = monitor_.expire(at(1.6));
   ASSERT_TRUE(stale);
@@ -216,58 +219,58 @@ TEST_F(RobotMonitorTest, BecomesStaleOnceAndRecovers) {
   expect_says_nothing(*stale);
   EXPECT_FALSE(monitor_.expire(at(1.7)));
   EXPECT_EQ(code(1.7), Status::STALE);
-  const AspectState after = *update(drives(4.5, 8.01, {1, -1}, 1.8), 1.8).state;
+  const AspectState after = *update(joint_values(4.5, 8.01, {1, -1}, 1.8), 1.8).state;
   EXPECT_EQ(after.status.code, Status::AMBIGUOUS) << "it may have been moved meanwhile";
-  EXPECT_NE(after.status.sentence.find("longest_interval"), std::string::npos) << after.status.sentence;
+  EXPECT_NE(after.status.message.find("longest_interval"), std::string::npos) << after.status.message;
   EXPECT_EQ(monitor_.start_near(test::pose_at(4.5, 8.0), at(1.8)).code, Status::OK);
-  EXPECT_EQ(update(drives(4.5, 8.01, {1, -1}, 1.9), 1.9).state->status.code, Status::OK);
+  EXPECT_EQ(update(joint_values(4.5, 8.01, {1, -1}, 1.9), 1.9).state->status.code, Status::OK);
   EXPECT_TRUE(monitor_.expire(at(2.6)));
 }
 
 // Stamps say when the robot was where, arrivals only what the network did.
 // A driver that was restarted with another name: what arrives since is said, and what may be meant.
 TEST_F(RobotMonitorTest, StaleSaysWhichJointsArriveSince) {
-  update(drives(4.5, 8.0, {1, -1}, 1.0), 1.0);
-  auto message = drives(4.5, 8.0, {1, -1}, 1.3);
+  update(joint_values(4.5, 8.0, {1, -1}, 1.0), 1.0);
+  auto message = joint_values(4.5, 8.0, {1, -1}, 1.3);
   message.name[1] = "crank2_joint";
   update(message, 1.3);
   const auto stale = monitor_.expire(at(1.6));
   ASSERT_TRUE(stale);
-  EXPECT_NE(stale->status.sentence.find("did you mean 'crank_2_joint' by 'crank2_joint'?"), std::string::npos)
-      << stale->status.sentence;
+  EXPECT_NE(stale->status.message.find("did you mean 'crank_2_joint' by 'crank2_joint'?"), std::string::npos)
+      << stale->status.message;
 }
 
 TEST_F(RobotMonitorTest, StaleSaysThatStampsAreBehindTheClock) {
-  const MonitorUpdate late = update(drives(4.5, 8.0, {1, -1}, 1.0), 9.0);
+  const MonitorUpdate late = update(joint_values(4.5, 8.0, {1, -1}, 1.0), 9.0);
   ASSERT_TRUE(late.state);
   EXPECT_EQ(late.state->status.code, Status::STALE);
-  EXPECT_NE(late.state->status.sentence.find("behind this computer's clock"), std::string::npos)
-      << late.state->status.sentence;
+  EXPECT_NE(late.state->status.message.find("behind this computer's clock"), std::string::npos)
+      << late.state->status.message;
 }
 
 TEST_F(RobotMonitorTest, ASilenceCountsByStamps) {
-  for (int i = 0; i < 20; ++i) update(drives(4.5, 8.0, {1, -1}, 1.0 + 0.1 * i), 1.0 + 0.1 * i);
-  for (int i = 20; i < 40; ++i) update(drives(4.5, 8.0, {1, -1}, 1.0 + 0.1 * i), 5.0);
-  EXPECT_EQ(update(drives(4.5, 8.0, {1, -1}, 5.0), 5.0).state->status.code, Status::OK);
-  EXPECT_EQ(update(drives(4.5, 8.0, {1, -1}, 5.6), 5.6).state->status.code, Status::AMBIGUOUS);
+  for (int i = 0; i < 20; ++i) update(joint_values(4.5, 8.0, {1, -1}, 1.0 + 0.1 * i), 1.0 + 0.1 * i);
+  for (int i = 20; i < 40; ++i) update(joint_values(4.5, 8.0, {1, -1}, 1.0 + 0.1 * i), 5.0);
+  EXPECT_EQ(update(joint_values(4.5, 8.0, {1, -1}, 5.0), 5.0).state->status.code, Status::OK);
+  EXPECT_EQ(update(joint_values(4.5, 8.0, {1, -1}, 5.6), 5.6).state->status.code, Status::AMBIGUOUS);
 }
 
 TEST_F(RobotMonitorTest, ContinuityAcrossSilencesCanBeStated) {
   NodeOptions options = start_at_pose(4.5, 8.0);
   options.tracking.samples.longest_interval = std::numeric_limits<double>::infinity();
   RobotMonitor trusting(mechanism_, options);
-  trusting.update(drives(4.5, 8.0, {1, -1}, 1.0), at(1.0));
+  trusting.update(joint_values(4.5, 8.0, {1, -1}, 1.0), at(1.0));
   trusting.expire(at(1.9));
-  EXPECT_EQ(trusting.update(drives(4.5, 8.1, {1, -1}, 2.0), at(2.0)).state->status.code, Status::OK);
+  EXPECT_EQ(trusting.update(joint_values(4.5, 8.1, {1, -1}, 2.0), at(2.0)).state->status.code, Status::OK);
 }
 
 // However often work is done until the next sample.
 TEST_F(RobotMonitorTest, ALossIsToldOnce) {
-  update(drives(4.5, 8.0, {1, -1}, 1.0), 1.0);
-  std::vector<AspectTransition> told = update(drives(4.5, 8.0, {1, -1}, 2.0), 2.0).transitions;
+  update(joint_values(4.5, 8.0, {1, -1}, 1.0), 1.0);
+  std::vector<AspectTransition> told = update(joint_values(4.5, 8.0, {1, -1}, 2.0), 2.0).transitions;
   for (int i = 1; i <= 5; ++i) {
     for (int k = 0; k < 4; ++k) monitor_.work();
-    const auto more = update(drives(4.5, 8.0, {1, -1}, 2.0 + 0.1 * i), 2.0 + 0.1 * i).transitions;
+    const auto more = update(joint_values(4.5, 8.0, {1, -1}, 2.0 + 0.1 * i), 2.0 + 0.1 * i).transitions;
     told.insert(told.end(), more.begin(), more.end());
   }
   ASSERT_EQ(told.size(), 1U);
@@ -276,29 +279,29 @@ TEST_F(RobotMonitorTest, ALossIsToldOnce) {
 }
 
 TEST_F(RobotMonitorTest, ForgetsEverythingWhenTimeIsReset) {
-  update(drives(4.5, 8.0, {1, -1}, 5.0), 5.0);
-  const MonitorUpdate again = update(drives(4.5, 8.0, {1, -1}, 1.0), 1.0);
-  EXPECT_EQ(again.state->status.code, Status::OK) << again.state->status.sentence;
+  update(joint_values(4.5, 8.0, {1, -1}, 5.0), 5.0);
+  const MonitorUpdate again = update(joint_values(4.5, 8.0, {1, -1}, 1.0), 1.0);
+  EXPECT_EQ(again.state->status.code, Status::OK) << again.state->status.message;
   EXPECT_EQ(again.state->header.stamp, at(1.0));
 }
 
 // The second player has another name, its first messages come before the clock that it sets back.
 TEST_F(RobotMonitorTest, ABagThatIsPlayedTwiceHasOnePublisher) {
   for (int i = 0; i <= 30; ++i)
-    monitor_.update(drives(4.5, 8.0, {1, -1}, 1.0 + 0.1 * i), at(1.0 + 0.1 * i), "/play_1");
+    monitor_.update(joint_values(4.5, 8.0, {1, -1}, 1.0 + 0.1 * i), at(1.0 + 0.1 * i), "/play_1");
   for (int i = 0; i < 3; ++i) {
-    const auto early = monitor_.update(drives(4.5, 8.0, {1, -1}, 1.0 + 0.1 * i), at(4.0), "/play_2");
-    EXPECT_FALSE(early.state) << early.state->status.sentence;
+    const auto early = monitor_.update(joint_values(4.5, 8.0, {1, -1}, 1.0 + 0.1 * i), at(4.0), "/play_2");
+    EXPECT_FALSE(early.state) << early.state->status.message;
   }
-  const auto again = monitor_.update(drives(4.5, 8.0, {1, -1}, 1.3), at(1.3), "/play_2");
-  EXPECT_EQ(again.state->status.code, Status::OK) << again.state->status.sentence;
+  const auto again = monitor_.update(joint_values(4.5, 8.0, {1, -1}, 1.3), at(1.3), "/play_2");
+  EXPECT_EQ(again.state->status.code, Status::OK) << again.state->status.message;
 }
 
 TEST_F(RobotMonitorTest, WhatWasBeforeTimeBeganAnewIsNotTold) {
   monitor_.set_map(compute_aspect_map(mechanism_->manipulator()).map);
-  const auto first = update(drives(4.5, 8.0, {1, -1}, 5.0), 5.0).transitions;
+  const auto first = update(joint_values(4.5, 8.0, {1, -1}, 5.0), 5.0).transitions;
   ASSERT_EQ(first.size(), 1U);
-  const auto again = update(drives(4.5, 8.0, {1, -1}, 1.0), 1.0).transitions;
+  const auto again = update(joint_values(4.5, 8.0, {1, -1}, 1.0), 1.0).transitions;
   ASSERT_EQ(again.size(), 1U);
   EXPECT_EQ(again.front().aspect_before, 0U);
   EXPECT_EQ(again.front().aspect_after, first.front().aspect_after);
@@ -306,32 +309,32 @@ TEST_F(RobotMonitorTest, WhatWasBeforeTimeBeganAnewIsNotTold) {
 
 TEST_F(RobotMonitorTest, AClockThatIsSetBackIsNoReasonToStartAsConfigured) {
   ros::Time::setNow(at(5.0));  // as a simulation does
-  update(drives(4.5, 8.0, {1, -1}, 5.0), 5.0);
-  EXPECT_EQ(update(drives(4.5, 8.0, {1, -1}, 1.0), 1.0).state->status.code, Status::OK);
+  update(joint_values(4.5, 8.0, {1, -1}, 5.0), 5.0);
+  EXPECT_EQ(update(joint_values(4.5, 8.0, {1, -1}, 1.0), 1.0).state->status.code, Status::OK);
   ros::Time::init();  // from here on the clock of the computer
   ASSERT_FALSE(ros::Time::isSimTime());
-  update(drives(4.5, 8.0, {1, -1}, 5.0), 5.0);
-  const MonitorUpdate again = update(drives(4.5, 8.0, {1, -1}, 2.0), 2.0);
+  update(joint_values(4.5, 8.0, {1, -1}, 5.0), 5.0);
+  const MonitorUpdate again = update(joint_values(4.5, 8.0, {1, -1}, 2.0), 2.0);
   EXPECT_EQ(again.state->status.code, Status::NOT_STARTED);
-  EXPECT_NE(again.state->status.sentence.find("clock"), std::string::npos);
+  EXPECT_NE(again.state->status.message.find("clock"), std::string::npos);
   EXPECT_EQ(monitor_.start_near(test::pose_at(4.5, 8.0), at(2.0)).code, Status::OK);
   EXPECT_EQ(code(2.0), Status::OK);
 }
 
 TEST_F(RobotMonitorTest, ASampleThatIsOldWhenItComesIsFollowedButStale) {
-  update(drives(4.5, 8.0, {1, -1}, 1.0), 1.0);
-  const MonitorUpdate late = update(drives(4.5, 8.1, {1, -1}, 1.1), 2.0);
+  update(joint_values(4.5, 8.0, {1, -1}, 1.0), 1.0);
+  const MonitorUpdate late = update(joint_values(4.5, 8.1, {1, -1}, 1.1), 2.0);
   EXPECT_EQ(late.state->status.code, Status::STALE);
   expect_says_nothing(*late.state);
   EXPECT_FALSE(late.tracked);
   EXPECT_EQ(code(2.0), Status::STALE);
   EXPECT_FALSE(monitor_.expire(at(2.1))) << "that was said";
-  EXPECT_EQ(update(drives(4.5, 8.2, {1, -1}, 1.58), 2.05).state->status.code, Status::OK);
+  EXPECT_EQ(update(joint_values(4.5, 8.2, {1, -1}, 1.58), 2.05).state->status.code, Status::OK);
 }
 
 TEST_F(RobotMonitorTest, RefusesStampsThatNoClockGives) {
-  update(drives(4.5, 8.0, {1, -1}, 1.0), 1.0);
-  auto message = drives(4.5, 8.01, {1, -1}, 1.1);
+  update(joint_values(4.5, 8.0, {1, -1}, 1.0), 1.0);
+  auto message = joint_values(4.5, 8.01, {1, -1}, 1.1);
   for (const ros::Time& stamp :
        {ros::Time(), at(1.0), at(0.5), at(1000.0), ros::Time(4294967295U, 999999999U)}) {
     message.header.stamp = stamp;
@@ -339,13 +342,13 @@ TEST_F(RobotMonitorTest, RefusesStampsThatNoClockGives) {
     EXPECT_EQ(refused.state->status.code, Status::INVALID_JOINT_STATES) << stamp;
     EXPECT_NE(refused.warning.find("stamp"), std::string::npos) << refused.warning;
   }
-  EXPECT_EQ(update(drives(4.5, 8.0, {1, -1}, 1.2), 1.2).state->status.code, Status::OK);
+  EXPECT_EQ(update(joint_values(4.5, 8.0, {1, -1}, 1.2), 1.2).state->status.code, Status::OK);
 }
 
 TEST_F(RobotMonitorTest, AnEncoderThatWrapsHasNotTurned) {
-  update(drives(4.5, 8.0, {1, -1}, 1.0), 1.0);
+  update(joint_values(4.5, 8.0, {1, -1}, 1.0), 1.0);
   for (int turn = 1; turn <= 3; ++turn) {
-    auto wrapped = drives(4.5, 8.0 + 0.01 * turn, {1, -1}, 1.0 + 0.1 * turn);
+    auto wrapped = joint_values(4.5, 8.0 + 0.01 * turn, {1, -1}, 1.0 + 0.1 * turn);
     for (double& position : wrapped.position) position += (turn % 2 == 0 ? 2.0 : -2.0) * EIGEN_PI;
     const MonitorUpdate update_ = update(wrapped, 1.0 + 0.1 * turn);
     EXPECT_EQ(update_.state->status.code, Status::OK);
@@ -356,15 +359,15 @@ TEST_F(RobotMonitorTest, AnEncoderThatWrapsHasNotTurned) {
 
 TEST_F(RobotMonitorTest, TwoNodesThatPublishTheDrivesAreRefused) {
   const auto send = [&](const char* publisher, double seconds) {
-    return monitor_.update(drives(4.5, 8.0, {1, -1}, seconds), at(seconds), publisher).state;
+    return monitor_.update(joint_values(4.5, 8.0, {1, -1}, seconds), at(seconds), publisher).state;
   };
   const auto from = [&](const char* publisher, double seconds) { return send(publisher, seconds)->status; };
   EXPECT_EQ(from("/one", 1.0).code, Status::OK);
   EXPECT_FALSE(send("/two", 1.05)) << "the first may have ended";
   const Status refused = from("/one", 1.1);
   EXPECT_EQ(refused.code, Status::SEVERAL_PUBLISHERS);
-  EXPECT_NE(refused.sentence.find("/one"), std::string::npos);
-  EXPECT_NE(refused.sentence.find("/two"), std::string::npos);
+  EXPECT_NE(refused.message.find("/one"), std::string::npos);
+  EXPECT_NE(refused.message.find("/two"), std::string::npos);
   EXPECT_EQ(from("/two", 1.15).code, Status::SEVERAL_PUBLISHERS);
   EXPECT_EQ(from("/one", 1.2).code, Status::SEVERAL_PUBLISHERS);
   EXPECT_EQ(code(1.2), Status::SEVERAL_PUBLISHERS);
@@ -372,7 +375,7 @@ TEST_F(RobotMonitorTest, TwoNodesThatPublishTheDrivesAreRefused) {
 }
 
 TEST_F(RobotMonitorTest, TheSameMessageAgainIsIgnored) {
-  const auto message = drives(4.5, 8.0, {1, -1}, 1.0);
+  const auto message = joint_values(4.5, 8.0, {1, -1}, 1.0);
   EXPECT_EQ(update(message, 1.0).state->status.code, Status::OK);
   const MonitorUpdate again = update(message, 1.1);
   EXPECT_FALSE(again.state);
@@ -384,52 +387,52 @@ TEST_F(RobotMonitorTest, TheSameMessageAgainIsIgnored) {
 
 // One publisher for each joint, each half a period after the other.
 TEST_F(RobotMonitorTest, DrivesOfSeveralPublishersAreMerged) {
-  const auto send = [&](int drive, double y, double seconds) {
-    auto message = drives(4.5, y, {1, -1}, seconds);
-    message.name = {message.name[static_cast<std::size_t>(drive)]};
-    message.position = {message.position[static_cast<std::size_t>(drive)]};
-    return monitor_.update(message, at(seconds), drive == 0 ? "/one" : "/two");
+  const auto send = [&](int actuation, double y, double seconds) {
+    auto message = joint_values(4.5, y, {1, -1}, seconds);
+    message.name = {message.name[static_cast<std::size_t>(actuation)]};
+    message.position = {message.position[static_cast<std::size_t>(actuation)]};
+    return monitor_.update(message, at(seconds), actuation == 0 ? "/one" : "/two");
   };
   const auto alone = send(0, 8.0, 1.0);
   EXPECT_EQ(alone.state->status.code, Status::NO_JOINT_STATES);
-  EXPECT_NE(alone.state->status.sentence.find("crank_2_joint"), std::string::npos);
+  EXPECT_NE(alone.state->status.message.find("crank_2_joint"), std::string::npos);
   for (int i = 1; i < 100; ++i) {
     const MonitorUpdate merged = send(i % 2, 8.0 + 5e-4 * i, 1.0 + 0.005 * i);
     ASSERT_TRUE(merged.state);
-    ASSERT_EQ(merged.state->status.code, Status::OK) << i << ": " << merged.state->status.sentence;
+    ASSERT_EQ(merged.state->status.code, Status::OK) << i << ": " << merged.state->status.message;
     EXPECT_EQ(merged.state->header.stamp, at(1.0 + 0.005 * i));
     EXPECT_LE(std::abs(merged.state->pose.position.y - 8.0 - 5e-4 * i), merged.tracked->spread);
     monitor_.work();
   }
   const AspectState merged = *send(0, 8.05, 1.5).state;
   EXPECT_FALSE(send(0, 8.05, 1.7).state) << "the other value is too old";
-  EXPECT_TRUE(monitor_.expire(at(2.3))) << "drives that are missing make it stale";
+  EXPECT_TRUE(monitor_.expire(at(2.3))) << "actuated joints that are missing make it stale";
 
   RobotMonitor complete(mechanism_, start_at_pose(4.5, 8.05));
-  complete.update(drives(4.5, 8.05, {1, -1}, 1.5), at(1.5));
+  complete.update(joint_values(4.5, 8.05, {1, -1}, 1.5), at(1.5));
   complete.work();
-  const AspectState known = *complete.update(drives(4.5, 8.05, {1, -1}, 1.51), at(1.51)).state;
+  const AspectState known = *complete.update(joint_values(4.5, 8.05, {1, -1}, 1.51), at(1.51)).state;
   EXPECT_LT(merged.parallel_distance.lower, known.parallel_distance.lower) << "by the possible motion";
 }
 
 // Values that are long apart leave more than one possibility, which is said with what to do.
 TEST_F(RobotMonitorTest, DrivesThatComeTooFarApartAreSaidToBe) {
-  std::string sentence;
-  for (int i = 0; i < 20 && sentence.find("several messages") == std::string::npos; ++i) {
-    auto message = drives(4.5, 8.0, {1, -1}, 1.0 + 0.06 * i);
-    const auto drive = static_cast<std::size_t>(i % 2);
-    message.name = {message.name[drive]};
-    message.position = {message.position[drive]};
-    const MonitorUpdate merged = monitor_.update(message, message.header.stamp, drive == 0 ? "/one" : "/two");
-    if (merged.state) sentence = merged.state->status.sentence;
+  std::string text;
+  for (int i = 0; i < 20 && text.find("several messages") == std::string::npos; ++i) {
+    auto message = joint_values(4.5, 8.0, {1, -1}, 1.0 + 0.06 * i);
+    const auto actuation = static_cast<std::size_t>(i % 2);
+    message.name = {message.name[actuation]};
+    message.position = {message.position[actuation]};
+    const MonitorUpdate merged =
+        monitor_.update(message, message.header.stamp, actuation == 0 ? "/one" : "/two");
+    if (merged.state) text = merged.state->status.message;
   }
-  EXPECT_NE(sentence.find("publish all of them in one message, or more often"), std::string::npos)
-      << sentence;
+  EXPECT_NE(text.find("publish all of them in one message, or more often"), std::string::npos) << text;
 }
 
 TEST_F(RobotMonitorTest, CountsWhatWasLost) {
   const auto send = [&](std::uint32_t sequence, double seconds) {
-    auto message = drives(4.5, 8.0, {1, -1}, seconds);
+    auto message = joint_values(4.5, 8.0, {1, -1}, seconds);
     message.header.seq = sequence;
     monitor_.update(message, at(seconds), "/driver");
   };
@@ -448,10 +451,10 @@ TEST_F(RobotMonitorTest, CountsWhatWasLost) {
 TEST_F(RobotMonitorTest, DistancesAreBoundedAndJudged) {
   NodeOptions options = start_at_pose(4.5, 8.0);
   RobotMonitor unlimited(mechanism_, options);
-  const auto first = unlimited.update(drives(4.5, 8.0, {1, -1}, 1.0), at(1.0));
+  const auto first = unlimited.update(joint_values(4.5, 8.0, {1, -1}, 1.0), at(1.0));
   EXPECT_TRUE(std::isnan(first.state->parallel_distance.lower)) << "not measured yet";
   unlimited.work();
-  const AspectState here = *unlimited.update(drives(4.5, 8.0, {1, -1}, 1.01), at(1.01)).state;
+  const AspectState here = *unlimited.update(joint_values(4.5, 8.0, {1, -1}, 1.01), at(1.01)).state;
   EXPECT_EQ(here.level, AspectState::CLEAR);
   ASSERT_GT(here.parallel_distance.lower, 0.0);
   EXPECT_GE(here.parallel_distance.upper, here.parallel_distance.lower);
@@ -459,19 +462,19 @@ TEST_F(RobotMonitorTest, DistancesAreBoundedAndJudged) {
   EXPECT_GT(here.stand_off, 0.0);
   EXPECT_LT(here.stand_off, here.parallel_distance.lower);
   EXPECT_EQ(here.limit_distance.lower, std::numeric_limits<double>::infinity());
-  const AspectState near = *unlimited.update(drives(4.5, 8.2, {1, -1}, 1.1), at(1.1)).state;
+  const AspectState near = *unlimited.update(joint_values(4.5, 8.2, {1, -1}, 1.1), at(1.1)).state;
   EXPECT_NEAR(near.parallel_distance.lower, here.parallel_distance.lower - 0.2, 1e-6);
   EXPECT_NEAR(near.parallel_distance.upper, here.parallel_distance.upper + 0.2, 1e-6);
 
   options.thresholds.parallel_warn = here.parallel_distance.lower + 0.01;
   options.thresholds.parallel_stop = here.parallel_distance.lower - 0.1;
   RobotMonitor monitor(mechanism_, options);
-  monitor.update(drives(4.5, 8.0, {1, -1}, 1.0), at(1.0));
+  monitor.update(joint_values(4.5, 8.0, {1, -1}, 1.0), at(1.0));
   monitor.work();
-  const AspectState warned = *monitor.update(drives(4.5, 8.0, {1, -1}, 1.01), at(1.01)).state;
+  const AspectState warned = *monitor.update(joint_values(4.5, 8.0, {1, -1}, 1.01), at(1.01)).state;
   EXPECT_EQ(warned.level, AspectState::WARN);
   EXPECT_NE(warned.reason.find("parallel singularity"), std::string::npos) << warned.reason;
-  const AspectState stopped = *monitor.update(drives(4.5, 8.2, {1, -1}, 1.1), at(1.1)).state;
+  const AspectState stopped = *monitor.update(joint_values(4.5, 8.2, {1, -1}, 1.1), at(1.1)).state;
   EXPECT_EQ(stopped.level, AspectState::STOP) << "it may be that much closer now";
 }
 
@@ -491,10 +494,10 @@ class NearDeterminantZero : public RobotMonitorTest {
       share_ += std::clamp(share - share_, -0.001, 0.001);
       time_ += 0.01;
       if (state_.level != 0) last_ = state_;
-      state_ =
-          *monitor_
-               .update(drives(at_share().position.x(), at_share().position.y(), {1, -1}, time_), at(time_))
-               .state;
+      state_ = *monitor_
+                    .update(joint_values(at_share().position.x(), at_share().position.y(), {1, -1}, time_),
+                            at(time_))
+                    .state;
       monitor_.work();
     }
     return state_;
@@ -524,7 +527,7 @@ TEST_F(NearDeterminantZero, TellsTheLastProvedHazardWhileLostAndUntilItIsClearOf
   EXPECT_EQ(last_.level, AspectState::WARN);
   EXPECT_EQ(last_.last_hazard.kind, LastHazard::NONE);
   EXPECT_TRUE(std::isnan(last_.last_hazard.lower));
-  EXPECT_EQ(lost.status.code, Status::AMBIGUOUS) << lost.status.sentence;
+  EXPECT_EQ(lost.status.code, Status::AMBIGUOUS) << lost.status.message;
   expect_says_nothing(lost);
   EXPECT_EQ(lost.last_hazard.kind, LastHazard::PARALLEL_SINGULARITY);
   EXPECT_EQ(lost.last_hazard.stamp, last_.header.stamp);
@@ -548,12 +551,12 @@ TEST_F(NearDeterminantZero, TellsTheLastProvedHazardWhileLostAndUntilItIsClearOf
 
 TEST(StandOffWarning, IsGivenWhereAThresholdLiesInside) {
   StandOffEstimate estimate;
-  EXPECT_EQ(sentence_of(estimate), "") << "no parallel singularity was found";
+  EXPECT_EQ(message_of(estimate), "") << "no parallel singularity was found";
   EXPECT_EQ(warning_of(estimate, 0.1), "");
   estimate.largest = 0.14;
   estimate.poses = 50;
-  EXPECT_NE(sentence_of(estimate).find("0.14 m"), std::string::npos);
-  EXPECT_NE(sentence_of(estimate).find("estimate"), std::string::npos);
+  EXPECT_NE(message_of(estimate).find("0.14 m"), std::string::npos);
+  EXPECT_NE(message_of(estimate).find("estimate"), std::string::npos);
   EXPECT_EQ(warning_of(estimate, 0.2), "");
   EXPECT_EQ(warning_of(estimate, 0.0), "") << "there is no threshold";
   EXPECT_NE(warning_of(estimate, 0.1).find("parallel_stop"), std::string::npos);
@@ -571,12 +574,12 @@ TEST(Decimation, TellsLevelsThatChange) {
 }
 
 TEST_F(RobotMonitorTest, PassiveJointsStartItAndContradictABrokenEncoder) {
-  update(drives(4.5, 8.0, {1, -1}, 1.0), 1.0);
+  update(joint_values(4.5, 8.0, {1, -1}, 1.0), 1.0);
   const auto all = *monitor_.complete(monitor_.current(at(1.0)).tracked, at(1.0));
   NodeOptions options;
   options.joint_states_timeout = timeout;
   RobotMonitor monitor(mechanism_, options);
-  auto alone = drives(4.5, 8.0, {1, -1}, 1.0);
+  auto alone = joint_values(4.5, 8.0, {1, -1}, 1.0);
   EXPECT_EQ(monitor.update(alone, at(1.0)).state->status.code, Status::NOT_STARTED);
   const auto candidates = monitor.work();
   ASSERT_TRUE(candidates);
@@ -591,7 +594,7 @@ TEST_F(RobotMonitorTest, PassiveJointsStartItAndContradictABrokenEncoder) {
   monitor.work();
   measured.header.stamp = at(1.3);
   const MonitorUpdate known = monitor.update(measured, at(1.3));
-  EXPECT_EQ(known.state->status.code, Status::OK) << known.state->status.sentence;
+  EXPECT_EQ(known.state->status.code, Status::OK) << known.state->status.message;
   EXPECT_NEAR(known.state->pose.position.y, 8.0, 1e-9);
   monitor.work();
 
@@ -603,15 +606,17 @@ TEST_F(RobotMonitorTest, PassiveJointsStartItAndContradictABrokenEncoder) {
   measured.header.stamp = at(1.5);
   const MonitorUpdate broken = monitor.update(measured, at(1.5));
   EXPECT_EQ(broken.state->status.code, Status::INCONSISTENT);
-  EXPECT_NE(broken.state->status.sentence.find("elbow"), std::string::npos) << broken.state->status.sentence;
+  EXPECT_NE(broken.state->status.message.find("elbow"), std::string::npos) << broken.state->status.message;
   EXPECT_GT(broken.state->residual, 1.0);
   expect_says_nothing(*broken.state);
 }
 
-// Leg 1 goes through its stretched configuration while drive 2 rests: B_11 changes sign, det A does not.
+// Leg 1 goes through its stretched configuration while actuated joint 2 rests: B_11 changes sign, det A does
+// not.
 TEST_F(RobotMonitorTest, ReportsAWorkingModeThatChanges) {
   RobotMonitor monitor(mechanism_, start_at_pose(4.51, 11.73));
-  const auto before = drives(4.51, 11.73, {1, -1}, 1.0), after = drives(4.51, 11.73, {-1, -1}, 1.0);
+  const auto before = joint_values(4.51, 11.73, {1, -1}, 1.0),
+             after = joint_values(4.51, 11.73, {-1, -1}, 1.0);
   const double change = std::remainder(after.position[0] - before.position[0], 2.0 * EIGEN_PI);
   std::vector<AspectTransition> transitions;
   AspectState last;
@@ -624,7 +629,7 @@ TEST_F(RobotMonitorTest, ReportsAWorkingModeThatChanges) {
     last = *update.state;
     transitions.insert(transitions.end(), update.transitions.begin(), update.transitions.end());
   }
-  EXPECT_EQ(last.status.code, Status::OK) << last.status.sentence;
+  EXPECT_EQ(last.status.code, Status::OK) << last.status.message;
   EXPECT_NEAR(last.pose.position.y, 11.73, 1e-6);
   ASSERT_EQ(transitions.size(), 1U);
   const AspectTransition& transition = transitions.front();

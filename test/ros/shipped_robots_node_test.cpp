@@ -39,8 +39,8 @@ class Listener {
  public:
   explicit Listener(const std::string& node)
       : states_(on<AspectState>(node + "/state", [this](const auto& state) { add(state); })),
-        transitions_(on<AspectTransition>(node + "/transitions",
-                                          [this](const auto& transition) { told_.push_back(transition); })),
+        transitions_(on<AspectTransition>(
+            node + "/transitions", [this](const auto& transition) { reported_.push_back(transition); })),
         joints_(on<sensor_msgs::JointState>(node + "/joint_states",
                                             [this](const auto& joints) { joint_states_.push_back(joints); })),
         markers_(on<visualization_msgs::MarkerArray>(
@@ -52,7 +52,7 @@ class Listener {
   }
   std::vector<AspectState> known() const { return copy(known_); }
   std::vector<AspectState> unknown() const { return copy(unknown_); }
-  std::vector<AspectTransition> told() const { return copy(told_); }
+  std::vector<AspectTransition> told() const { return copy(reported_); }
   std::vector<sensor_msgs::JointState> joint_states() const { return copy(joint_states_); }
   std::size_t drawn() const {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -83,7 +83,7 @@ class Listener {
 
   mutable std::mutex mutex_;
   std::vector<AspectState> known_, unknown_;  // the latter only since the first known one
-  std::vector<AspectTransition> told_;
+  std::vector<AspectTransition> reported_;
   std::vector<sensor_msgs::JointState> joint_states_;
   std::size_t drawn_ = 0;
   ros::Subscriber states_, transitions_, joints_, markers_;
@@ -106,7 +106,7 @@ double farthest(const std::vector<AspectState>& states) {
   return most;
 }
 
-// With six freedoms the services tell what is proved without a map.
+// With six degrees of freedom the services tell what is proved without a map.
 void expect_answers_of_a_roadmap(const std::string& node) {
   ListAspects list;
   ASSERT_TRUE(eventually(
@@ -120,7 +120,7 @@ void expect_answers_of_a_roadmap(const std::string& node) {
 
   GetCurrentAspect current;
   ASSERT_TRUE(ros::service::call(node + "/get_current_aspect", current));
-  EXPECT_EQ(current.response.status.code, Status::NO_MAP) << current.response.status.sentence;
+  EXPECT_EQ(current.response.status.code, Status::NO_MAP) << current.response.status.message;
   EXPECT_EQ(current.response.proved_count, list.response.proved_count);
   ASSERT_EQ(current.response.solutions.size(), 1U);
   const SolvedConfiguration& solution = current.response.solutions.front();
@@ -145,7 +145,7 @@ TEST_P(ShippedRobot, IsFollowedAndDrawnAndEndsCleanly) {
 
   // One working mode and sign of det A, at most one aspect, nothing lost.
   const auto states = listener.known();
-  EXPECT_TRUE(listener.unknown().empty()) << listener.unknown().front().status.sentence;
+  EXPECT_TRUE(listener.unknown().empty()) << listener.unknown().front().status.message;
   std::set<std::uint32_t> aspects;
   for (const AspectState& state : states) {
     ASSERT_EQ(state.working_mode, states.front().working_mode);
@@ -155,7 +155,7 @@ TEST_P(ShippedRobot, IsFollowedAndDrawnAndEndsCleanly) {
   }
   EXPECT_LE(aspects.size(), 1U);
   for (const AspectTransition& transition : listener.told())
-    EXPECT_EQ(transition.kind, AspectTransition::ASPECT) << transition.sentence;
+    EXPECT_EQ(transition.kind, AspectTransition::ASPECT) << transition.message;
   EXPECT_GT(farthest(states), 0.003 * std::min(1.0, mechanism->manipulator()->size()));
 
   ASSERT_FALSE(listener.joint_states().empty());
@@ -166,7 +166,7 @@ TEST_P(ShippedRobot, IsFollowedAndDrawnAndEndsCleanly) {
 
   GetSingularityDistance distance;
   ASSERT_TRUE(ros::service::call(node + "/get_singularity_distance", distance));
-  ASSERT_EQ(distance.response.reports.size(), 1U) << distance.response.status.sentence;
+  ASSERT_EQ(distance.response.reports.size(), 1U) << distance.response.status.message;
   EXPECT_GT(distance.response.reports[0].smallest_singular_value, 0.0);
   if (std::string(GetParam()) == "stewart") expect_answers_of_a_roadmap(node);
 

@@ -18,7 +18,7 @@ using visualization_msgs::Marker;
 using visualization_msgs::MarkerArray;
 
 const MarkerFrames frames{"base_link", "robot/aspects", "robot/joint_space"};
-const char* const long_sentence =
+const char* const long_message =
     "The assembly mode is not known: the step to the next sample cannot be certified, as it came too near to "
     "det A = 0; "
     "say where the robot is with set_assembly_mode, or bring it back to where it was started.";
@@ -52,7 +52,7 @@ Eigen::AlignedBox2d extent(const Caption& caption, const Eigen::Vector2d& at) {
 }
 
 TEST_P(CaptionTest, CoversNeitherTheRobotNorTheGallery) {
-  const Caption caption = caption_of(scene_, std::string("robot: ") + long_sentence + "\n" + long_sentence);
+  const Caption caption = caption_of(scene_, std::string("robot: ") + long_message + "\n" + long_message);
   EXPECT_EQ(lines_of(caption.words).size(), Caption::most_lines);
   if (scene_.planar) {
     const auto box = extent(caption, caption.at.head<2>());

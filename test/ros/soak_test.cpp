@@ -76,7 +76,7 @@ class Judge {
     if (found == truths_.end()) return;
     ++heard_;
     if (state.status.code != Status::OK) {
-      ++unknown_[state.status.sentence];
+      ++unknown_[state.status.message];
       return;
     }
     const std::string fault = fault_of(state, found->second);
@@ -103,7 +103,7 @@ class Judge {
       const double q = truth.q[static_cast<Eigen::Index>(j)];
       const double rod = (pose->transform(leg.anchor) - leg.proximal_point(q)).norm();
       if (std::abs(rod - std::sqrt(leg.squared_distance(q))) > 1e-7 * robot_.size())
-        return "the drives do not assemble at this pose";
+        return "the actuated joints do not assemble at this pose";
     }
     if (!truth.pose) return {};
     for (const Leg& leg : robot_.legs())
@@ -152,7 +152,7 @@ TEST(Soak, EveryStateIsRightAndMemoryIsFlat) {
   const Manipulator& robot = *mechanism->manipulator();
   const test::Recorder<MapProgress> progress("aspect_node/map_progress");
   ASSERT_TRUE(eventually([&] { return progress.last() && progress.last()->state == MapProgress::COMPLETE; }));
-  const auto map = compute_aspect_map(mechanism->manipulator()).map;  // null with six freedoms
+  const auto map = compute_aspect_map(mechanism->manipulator()).map;  // null with six degrees of freedom
 
   Pose start = mechanism->assembled().pose;
   const auto coordinates = nh.param("aspect_node/start/pose", std::vector<double>());
@@ -183,7 +183,7 @@ TEST(Soak, EveryStateIsRightAndMemoryIsFlat) {
   ASSERT_GT(process, 0);
 
   sensor_msgs::JointState message;
-  for (const Leg& leg : robot.legs()) message.name.push_back(leg.driven_joint);
+  for (const Leg& leg : robot.legs()) message.name.push_back(leg.actuated_joint);
   Pace pace;
   const int samples = static_cast<int>(1000.0 * seconds), warm = samples / 5;
   double memory = 0.0;
@@ -206,12 +206,12 @@ TEST(Soak, EveryStateIsRightAndMemoryIsFlat) {
 
   const double grown = resident_megabytes(process) - memory;
   std::size_t unknown = 0;
-  for (const auto& [sentence, count] : judge.unknown()) {
+  for (const auto& [why, count] : judge.unknown()) {
     unknown += count;
-    std::printf("%zu states: %s\n", count, sentence.c_str());
+    std::printf("%zu states: %s\n", count, why.c_str());
   }
   std::printf(
-      "%s: %zu states in %.0f s, %zu wrong, %zu unknown; %d of %d crossings told; %.1f MB, grown by %.2f "
+      "%s: %zu states in %.0f s, %zu wrong, %zu unknown; %d of %d crossings detected; %.1f MB, grown by %.2f "
       "MB\n",
       robot_name.c_str(), judge.heard(), seconds, judge.wrong(), unknown, crossings.load(), motion.passes(),
       memory, grown);

@@ -19,7 +19,7 @@
 
 namespace parallel_aspects::test {
 
-/// How robots are driven, for each of these speeds and noises; lengths over the robot's size.
+/// How robots are actuated, for each of these speeds and noises; lengths over the robot's size.
 struct StoppingPlan {
   std::vector<double> speeds{0.02, 0.1, 0.4};   // [1/s]
   std::vector<double> noises{0.0, 1e-5, 1e-4};  // of the encoders, evenly between plus and minus [rad or 1]
@@ -45,8 +45,8 @@ struct StoppingCounts {
   std::string first_failure;
 };
 
-/// Drives a robot straight from random configurations towards the nearest hazard of one kind, and brakes at
-/// the first state whose level is STOP or more.
+/// Actuated joints a robot straight from random configurations towards the nearest hazard of one kind, and
+/// brakes at the first state whose level is STOP or more.
 class StoppingCampaign {
  public:
   StoppingCampaign(std::shared_ptr<const Mechanism> mechanism, const StoppingPlan& plan, std::uint64_t seed)
@@ -63,7 +63,8 @@ class StoppingCampaign {
       for (const double noise : plan_.noises)
         for (int i = 0; i < plan_.runs; ++i) {
           const double threshold = threshold_for(speed, noise);
-          if (const auto way = find_way(hazard, threshold)) drive(*way, speed, noise, threshold, counts);
+          if (const auto path = find_path(hazard, threshold))
+            actuation(*path, speed, noise, threshold, counts);
         }
     return counts;
   }
@@ -71,8 +72,8 @@ class StoppingCampaign {
  private:
   static constexpr int most_samples = 1000000;
 
-  /// A straight way from a configuration to a hazard.
-  struct Way {
+  /// A straight path from a configuration to a hazard.
+  struct Path {
     Pose from, to;
     WorkingMode mode;
     double length;  // [m]
@@ -87,16 +88,16 @@ class StoppingCampaign {
   }
 
   double least(const BoundaryDistances& found) const {
-    return std::min({found.parallel.lower, found.serial.lower, found.drive_limit.lower});
+    return std::min({found.parallel.lower, found.serial.lower, found.actuated_limit.lower});
   }
   static const BoundaryDistance& of(const BoundaryDistances& found, Hazard hazard) {
     return hazard == Hazard::parallel_singularity ? found.parallel
            : hazard == Hazard::serial_singularity ? found.serial
-                                                  : found.drive_limit;
+                                                  : found.actuated_limit;
   }
 
   // Some thresholds long, with all hazards beyond theirs where it begins.
-  std::optional<Way> find_way(Hazard hazard, double threshold) {
+  std::optional<Path> find_path(Hazard hazard, double threshold) {
     for (int i = 0; i < 300; ++i) {
       const WorkingMode mode = pairs_.mode();
       const auto pose = pairs_.reached(mode);
@@ -107,32 +108,33 @@ class StoppingCampaign {
       const Pose from = pose_between(*pose, nearest.witness, 1.0 - length / nearest.upper);
       const BoundaryDistances there = meter_.measure(from, mode);
       if (there.status != ConfigurationStatus::measured || !(least(there) > 1.5 * threshold)) continue;
-      return Way{from, nearest.witness, mode, anchor_distance(*robot_, from, nearest.witness)};
+      return Path{from, nearest.witness, mode, anchor_distance(*robot_, from, nearest.witness)};
     }
     return std::nullopt;
   }
 
-  Pose at(const Way& way, double travelled) const {
-    return pose_between(way.from, way.to, travelled / way.length);
+  Pose at(const Path& path, double travelled) const {
+    return pose_between(path.from, path.to, travelled / path.length);
   }
 
-  std::optional<sensor_msgs::JointState> sample(const Way& way, double travelled, double noise, double time) {
-    const InverseSolution solution = inverse(*robot_, at(way, travelled), way.mode);
+  std::optional<sensor_msgs::JointState> sample(const Path& path, double travelled, double noise,
+                                                double time) {
+    const InverseSolution solution = inverse(*robot_, at(path, travelled), path.mode);
     if (solution.status == InverseStatus::out_of_reach) return std::nullopt;
     sensor_msgs::JointState message;
     message.header.stamp = ros::Time(100.0 + time);
     for (std::size_t j = 0; j < robot_->leg_count(); ++j) {
       const Leg& leg = robot_->leg(j);
-      const double unit = leg.driven_by_angle() ? 1.0 : size();
-      message.name.push_back(leg.driven_joint);
+      const double unit = leg.actuated_by_angle() ? 1.0 : size();
+      message.name.push_back(leg.actuated_joint);
       message.position.push_back(solution.q[static_cast<Eigen::Index>(j)] +
                                  noise * unit * std::uniform_real_distribution<double>(-1.0, 1.0)(engine_));
     }
     return message;
   }
 
-  NodeOptions options(const Way& way, double noise, double threshold) const {
-    const PoseCoordinates start = pose_coordinates(robot_->task_space(), way.from);
+  NodeOptions options(const Path& path, double noise, double threshold) const {
+    const PoseCoordinates start = pose_coordinates(robot_->task_space(), path.from);
     NodeOptions options;
     options.start.pose = std::vector<double>(start.data(), start.data() + start.size());
     options.tracking.samples.encoder_noise = noise;
@@ -141,68 +143,68 @@ class StoppingCampaign {
     return options;
   }
 
-  void drive(const Way& way, double speed, double noise, double threshold, StoppingCounts& counts) {
-    RobotMonitor monitor(mechanism_, options(way, noise, threshold));
+  void actuation(const Path& path, double speed, double noise, double threshold, StoppingCounts& counts) {
+    RobotMonitor monitor(mechanism_, options(path, noise, threshold));
     double travelled = 0.0, error = 0.0;
     bool clear = false;
     AspectState state;
-    std::vector<Pose> measured{way.from};
+    std::vector<Pose> measured{path.from};
     for (int i = 0; i < most_samples && (state.level < AspectState::STOP || !clear); ++i) {
-      if (i > 2) travelled = std::min(way.length, travelled + travel(speed));  // the first stand still
-      const auto message = sample(way, travelled, noise, i / plan_.rate);
+      if (i > 2) travelled = std::min(path.length, travelled + travel(speed));  // the first stand still
+      const auto message = sample(path, travelled, noise, i / plan_.rate);
       if (!message || (i > 2 && !clear)) return;  // lost at once
       const MonitorUpdate update = monitor.update(*message, message->header.stamp);
       state = *update.state;
       if (state.level < AspectState::STOP)
-        error = anchor_distance(*robot_, update.tracked->pose, at(way, travelled));
+        error = anchor_distance(*robot_, update.tracked->pose, at(path, travelled));
       clear = clear || state.level == AspectState::CLEAR;
       if (i % plan_.samples_a_measurement != 0) continue;
       monitor.work();
-      measured.push_back(at(way, travelled));
+      measured.push_back(at(path, travelled));
       if (update.tracked) measured.push_back(update.tracked->pose);
     }
-    measured.push_back(at(way, travelled));
-    judge(way, speed, threshold, travelled, error, measured, state, counts);
+    measured.push_back(at(path, travelled));
+    judge(path, speed, threshold, travelled, error, measured, state, counts);
   }
 
-  // Proved at the present pose, or at others that were measured lately, less the way from there: what is
+  // Proved at the present pose, or at others that were measured lately, less the path from there: what is
   // proved may depend on the last digits of a pose, where the budget of the measurement was used up.
-  double proved_distance(const Way& way, const std::vector<Pose>& measured, const Pose& now) {
+  double proved_distance(const Path& path, const std::vector<Pose>& measured, const Pose& now) {
     double best = 0.0;
     for (auto pose = measured.rbegin(); pose != measured.rend() && pose - measured.rbegin() < 6; ++pose)
-      best = std::max(best, least(meter_.measure(*pose, way.mode)) - anchor_distance(*robot_, *pose, now));
+      best = std::max(best, least(meter_.measure(*pose, path.mode)) - anchor_distance(*robot_, *pose, now));
     return best;
   }
 
   // Whether a singularity or a limit lies between, by signs at some poses.
-  bool passes(const Way& way, double from, double to) const {
-    const int sign = sign_in_doubles(*robot_, at(way, from), way.mode);
+  bool passes(const Path& path, double from, double to) const {
+    const int sign = sign_in_doubles(*robot_, at(path, from), path.mode);
     for (int i = 0; i <= 20; ++i)
-      if (sign_in_doubles(*robot_, at(way, from + (to - from) * i / 20.0), way.mode) != sign) return true;
-    return sign == 0 || !(to < way.length);
+      if (sign_in_doubles(*robot_, at(path, from + (to - from) * i / 20.0), path.mode) != sign) return true;
+    return sign == 0 || !(to < path.length);
   }
 
-  void judge(const Way& way, double speed, double threshold, double travelled, double error,
+  void judge(const Path& path, double speed, double threshold, double travelled, double error,
              std::vector<Pose>& measured, const AspectState& state, StoppingCounts& counts) {
     ++counts.runs;
     counts.lost += state.level == AspectState::UNKNOWN;
     counts.pose_error = std::max(counts.pose_error, error / size());
-    const double inside = threshold - proved_distance(way, measured, at(way, travelled)) - error;
+    const double inside = threshold - proved_distance(path, measured, at(path, travelled)) - error;
     counts.inside = std::max(counts.inside, inside / travel(speed));
     const double velocity = speed * size();
     const double rest = travelled + travel(speed) + velocity * velocity / (2.0 * plan_.deceleration * size());
-    measured.push_back(at(way, rest));
-    const double left = proved_distance(way, measured, at(way, rest));
+    measured.push_back(at(path, rest));
+    const double left = proved_distance(path, measured, at(path, rest));
     counts.left = std::min(counts.left, left / threshold);
-    const bool too_near = inside > (1.0 + 1e-6) * travel(speed), passed = passes(way, 0.0, rest);
+    const bool too_near = inside > (1.0 + 1e-6) * travel(speed), passed = passes(path, 0.0, rest);
     counts.too_near += too_near;
     counts.passed += passed;
     if ((too_near || passed) && counts.first_failure.empty())
-      counts.first_failure = to_string(way.mode) + " from " + to_string(robot_->task_space(), way.from) +
-                             " to " + to_string(robot_->task_space(), way.to) + " at " +
+      counts.first_failure = to_string(path.mode) + " from " + to_string(robot_->task_space(), path.from) +
+                             " to " + to_string(robot_->task_space(), path.to) + " at " +
                              std::to_string(speed) + ", threshold " + std::to_string(threshold) +
                              ", inside by " + std::to_string(inside / travel(speed)) + " travels, left " +
-                             std::to_string(left) + ", " + state.status.sentence + state.reason;
+                             std::to_string(left) + ", " + state.status.message + state.reason;
   }
 
   std::shared_ptr<const Mechanism> mechanism_;

@@ -30,7 +30,7 @@ TEST_P(Stopping, IsToldBeforeTheThresholdIsPassedByMoreThanASample) {
 }
 
 // The legs of the Agile Eye are singular in single poses, of which no witness is found: there is nothing to
-// drive to.
+// move to.
 INSTANTIATE_TEST_SUITE_P(ShippedRobots, Stopping,
                          testing::Values("five_bar", "bipod", "three_rpr", "three_rrr", "three_prr", "delta",
                                          "linear_delta", "spherical_3rrr", "stewart", "hexa", "six_pus"),

@@ -16,7 +16,7 @@
 namespace parallel_aspects::test {
 
 /// A second way to the constraints, in plain double precision: how far a configuration is from breaking one
-/// of them, negative where one is broken [m or rad]. Limits of drives are left out.
+/// of them, negative where one is broken [m or rad]. Limits of actuated joints are left out.
 class ClearanceAt {
  public:
   ClearanceAt(const Manipulator& robot, const Pose& pose, const JointVector& q)
@@ -90,7 +90,7 @@ class ClearanceAt {
 
   std::vector<Body> links(std::size_t j) const {
     std::vector<Body> bodies{{joint(j), anchor(j), 0.5 * constraints_.thickness.rod, j, 1}};
-    if (const auto* crank = std::get_if<RevoluteDrive>(&robot_.leg(j).drive))
+    if (const auto* crank = std::get_if<RevoluteActuation>(&robot_.leg(j).actuation))
       bodies.push_back({crank->center, joint(j), 0.5 * constraints_.thickness.crank, j, 0});
     return bodies;
   }
@@ -128,7 +128,7 @@ class ClearanceAt {
     return (point - body.from - share * along).norm();
   }
 
-  // Negative where they cross in the plane: then less the shortest way from an end to the other segment.
+  // Negative where they cross in the plane: then less the shortest path from an end to the other segment.
   double between(const Body& a, const Body& b) const {
     const double ends =
         std::min({to_segment(a.from, b), to_segment(a.to, b), to_segment(b.from, a), to_segment(b.to, a)});

@@ -34,7 +34,7 @@ inline Constraints all_kinds(const Robot& robot, double thickness) {
   result.workspace =
       WorkspaceBox{Eigen::Vector3d::Constant(-0.6 * size), Eigen::Vector3d::Constant(0.55 * size)};
   if (!is_planar(robot->task_space())) return result;
-  const bool crank = std::holds_alternative<RevoluteDrive>(robot->leg(0).drive);
+  const bool crank = std::holds_alternative<RevoluteActuation>(robot->leg(0).actuation);
   result.passive_limits.push_back({"first", 0, crank ? PassiveAngle::crank_to_rod : PassiveAngle::base_to_rod,
                                    0.3, -1.0, JointLimits{-2.9, 2.4}});
   result.passive_limits.push_back(

@@ -18,9 +18,9 @@
 namespace parallel_aspects::test {
 
 /// A seeded random motion of which the pose is known at every sample, without direct kinematics: along
-/// segments of poses that interval arithmetic proves free of singularities, with the drives by inverse
-/// kinematics; and now and then through a serial singularity, the drives moving straight from one posture of
-/// a leg to the other at the same pose, which is known at both ends.
+/// segments of poses that interval arithmetic proves free of singularities, with the actuated joints by
+/// inverse kinematics; and now and then through a serial singularity, the actuated joints moving straight
+/// from one posture of a leg to the other at the same pose, which is known at both ends.
 class KnownMotion {
  public:
   struct Sample {
@@ -40,7 +40,7 @@ class KnownMotion {
     to_ = from_;
   }
 
-  /// The next sample; no drive moves by more than `longest` from one to the next [rad or m].
+  /// The next sample; no actuated joint moves by more than `longest` from one to the next [rad or m].
   Sample next(double longest) {
     if (t_ >= 1.0) plan();
     t_ = std::min(1.0, t_ + step(longest));
@@ -70,7 +70,7 @@ class KnownMotion {
   JointVector near_last(JointVector q) const {
     for (std::size_t j = 0; j < robot_->leg_count(); ++j) {
       const auto i = static_cast<Eigen::Index>(j);
-      if (robot_->leg(j).driven_by_angle() && last_q_.size() > 0)
+      if (robot_->leg(j).actuated_by_angle() && last_q_.size() > 0)
         q[i] = last_q_[i] + std::remainder(q[i] - last_q_[i], 2.0 * EIGEN_PI);
     }
     return q;
@@ -78,7 +78,7 @@ class KnownMotion {
 
   double step(double longest) const { return longest / std::max(longest, largest_change_); }
 
-  // Every third leg of the way leads near a boundary; where a leg of the robot is nearly stretched or folded
+  // Every third leg of the path leads near a boundary; where a leg of the robot is nearly stretched or folded
   // there, it passes to its other posture.
   void plan() {
     from_ = to_;
@@ -98,7 +98,7 @@ class KnownMotion {
       if (!robot_->leg(leg).has_branch(other.sign(leg))) continue;
       const InverseSolution solution = inverse(*robot_, from_.pose, other);
       if (solution.status != InverseStatus::solved) continue;
-      change_ = drive_change(*robot_, from_.q, solution.q);
+      change_ = joint_change(*robot_, from_.q, solution.q);
       largest_change_ = change_.cwiseAbs().maxCoeff();
       if (largest_change_ > 0.5 || !straight_motion_exists(*robot_, from_, change_, from_.pose)) continue;
       to_ = {from_.pose, from_.q + change_};
@@ -109,8 +109,8 @@ class KnownMotion {
   }
 
   Pose displaced_by(double reach) {
-    TaskVector twist(static_cast<Eigen::Index>(freedoms(robot_->task_space())));
-    const auto turns = static_cast<Eigen::Index>(rotational_freedoms(robot_->task_space()));
+    TaskVector twist(static_cast<Eigen::Index>(degrees_of_freedom(robot_->task_space())));
+    const auto turns = static_cast<Eigen::Index>(rotational_degrees_of_freedom(robot_->task_space()));
     for (Eigen::Index i = 0; i < twist.size(); ++i)
       twist[i] = reach * uniform(-1.0, 1.0) * (i < turns ? 1.0 : robot_->size());
     return displaced(robot_->task_space(), from_.pose, twist);
@@ -126,14 +126,14 @@ class KnownMotion {
     if (certifier_.prove(from_.pose, pose, mode_).verdict != SegmentVerdict::free) return false;
     largest_change_ = 0.0;
     JointVector before = from_.q;
-    constexpr int parts = 256;  // drives do not move evenly along the segment
+    constexpr int parts = 256;  // actuated joints do not move evenly along the segment
     for (int i = 1; i <= parts; ++i) {
       const JointVector q = inverse(*robot_, pose_between(from_.pose, pose, i / double{parts}), mode_).q;
       largest_change_ =
-          std::max(largest_change_, parts * drive_change(*robot_, before, q).cwiseAbs().maxCoeff());
+          std::max(largest_change_, parts * joint_change(*robot_, before, q).cwiseAbs().maxCoeff());
       before = q;
     }
-    to_ = {pose, from_.q + drive_change(*robot_, from_.q, inverse(*robot_, pose, mode_).q)};
+    to_ = {pose, from_.q + joint_change(*robot_, from_.q, inverse(*robot_, pose, mode_).q)};
     return true;
   }
 

@@ -26,7 +26,7 @@ inline std::shared_ptr<const Mechanism> load(const std::string& urdf, const std:
   return load_mechanism(urdf, "robot.urdf", config, "robot.yaml");
 }
 
-/// The sentences that refuse a description; none when it is accepted.
+/// The messages that refuse a description; none when it is accepted.
 inline Problems refusal(const std::string& urdf, const std::string& config) {
   try {
     load(urdf, config);

@@ -21,7 +21,7 @@ class HexapodOf200Joints {
     while (joints_ < 200) frame("platform", "marker_" + std::to_string(joints_), "xyz=\"0.01 0 0.02\"");
     description_.urdf = "<robot name=\"hexapod\"><link name=\"rail\"/>" + text_ + "</robot>";
     description_.config = "mechanism: {base_link: base, operational_point: platform, actuated_joints: [" +
-                          drives_ + "], closures: [" + closures_ + "]}";
+                          joints_to_actuate_ + "], closures: [" + closures_ + "]}";
   }
 
   const Description& description() const { return description_; }
@@ -75,10 +75,10 @@ class HexapodOf200Joints {
     const std::string end = ball(rod, "lower_ball_" + leg, "xyz=\"0 0 -0.6\"");
     const double corner = pair + 0.6 * side;
     add_corner(k, end, 0.1 * std::cos(corner), 0.1 * std::sin(corner));
-    drives_ += (k == 0 ? "crank_" : ", crank_") + leg;
+    joints_to_actuate_ += (k == 0 ? "crank_" : ", crank_") + leg;
   }
 
-  // The platform hangs on leg 1; each other leg is welded to a corner of it.
+  // The platform is attached to leg 1; each other leg is welded to a corner of it.
   void add_corner(std::size_t k, const std::string& end, double x, double y) {
     if (k == 0) {
       frame(end, "platform", "xyz=\"" + number(-x) + " " + number(-y) + " 0\"");
@@ -103,7 +103,7 @@ class HexapodOf200Joints {
   }
 
   Description description_;
-  std::string text_, drives_, closures_;
+  std::string text_, joints_to_actuate_, closures_;
   int joints_ = 0;
 };
 

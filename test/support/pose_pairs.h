@@ -60,7 +60,7 @@ class PosePairs {
     return std::nullopt;
   }
 
-  /// A pose on the way from `from` to a random one, reached as well.
+  /// A pose on the path from `from` to a random one, reached as well.
   std::optional<Pose> nearby(const Pose& from, const WorkingMode& mode) {
     const auto far = reached(mode);
     if (!far) return std::nullopt;

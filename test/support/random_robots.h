@@ -17,9 +17,9 @@ namespace parallel_aspects::test {
 inline constexpr std::array<TaskSpace, 6> all_task_spaces{TaskSpace::T1, TaskSpace::T2,  TaskSpace::SE2,
                                                           TaskSpace::T3, TaskSpace::SO3, TaskSpace::SE3};
 
-enum class DriveKind { revolute, prismatic, strut, elbow };
-inline constexpr std::array<DriveKind, 4> all_drive_kinds{DriveKind::revolute, DriveKind::prismatic,
-                                                          DriveKind::strut, DriveKind::elbow};
+enum class ActuationKind { revolute, prismatic, strut, elbow };
+inline constexpr std::array<ActuationKind, 4> all_actuation_kinds{
+    ActuationKind::revolute, ActuationKind::prismatic, ActuationKind::strut, ActuationKind::elbow};
 
 /// Seeded random poses and general geometry. A planar task space (T1, T2, SE2) gets planar robots.
 class RandomRobots {
@@ -51,27 +51,28 @@ class RandomRobots {
     return result;
   }
 
-  Drive drive(DriveKind kind, bool planar) {
+  Actuation actuation(ActuationKind kind, bool planar) {
     const Eigen::Vector3d axis = planar ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d(vector().normalized());
     switch (kind) {
-      case DriveKind::revolute:
-        return RevoluteDrive{vector(planar), axis, axis.unitOrthogonal(), uniform(0.5, 1.5)};
-      case DriveKind::prismatic:
-        return PrismaticDrive{vector(planar), vector(planar).normalized()};
-      case DriveKind::strut:
-        return StrutDrive{vector(planar), uniform(0.0, 0.5), sense()};
-      case DriveKind::elbow:
-        return ElbowDrive{vector(planar), uniform(0.5, 1.5), uniform(0.5, 1.5), uniform(-3.0, 3.0), sense()};
+      case ActuationKind::revolute:
+        return RevoluteActuation{vector(planar), axis, axis.unitOrthogonal(), uniform(0.5, 1.5)};
+      case ActuationKind::prismatic:
+        return PrismaticActuation{vector(planar), vector(planar).normalized()};
+      case ActuationKind::strut:
+        return StrutActuation{vector(planar), uniform(0.0, 0.5), sense()};
+      case ActuationKind::elbow:
+        return ElbowActuation{vector(planar), uniform(0.5, 1.5), uniform(0.5, 1.5), uniform(-3.0, 3.0),
+                              sense()};
     }
-    return StrutDrive{vector(planar)};
+    return StrutActuation{vector(planar)};
   }
 
-  std::shared_ptr<const Manipulator> robot(TaskSpace space, DriveKind kind) {
+  std::shared_ptr<const Manipulator> robot(TaskSpace space, ActuationKind kind) {
     const bool planar = is_planar(space);
     std::vector<Leg> legs;
-    for (std::size_t j = 0; j < freedoms(space); ++j) {
+    for (std::size_t j = 0; j < degrees_of_freedom(space); ++j) {
       legs.push_back(named_leg(j));
-      legs[j].drive = drive(kind, planar);
+      legs[j].actuation = actuation(kind, planar);
       legs[j].anchor = vector(planar);
       legs[j].rod_length = uniform(0.8, 2.0);
     }

@@ -21,7 +21,7 @@ using Points = std::vector<Eigen::Vector3d>;
 inline Leg named_leg(std::size_t index) {
   Leg leg;
   leg.name = "leg_" + std::to_string(index + 1);
-  leg.driven_joint = leg.name + "_joint";
+  leg.actuated_joint = leg.name + "_joint";
   return leg;
 }
 
@@ -37,8 +37,8 @@ inline std::shared_ptr<const Manipulator> manipulator(const std::string& name, T
 inline Leg planar_revolute_leg(std::size_t index, const Eigen::Vector2d& center, double crank, double rod,
                                const Eigen::Vector2d& anchor = Eigen::Vector2d::Zero()) {
   Leg leg = named_leg(index);
-  leg.drive =
-      RevoluteDrive{{center.x(), center.y(), 0.0}, Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitX(), crank};
+  leg.actuation = RevoluteActuation{
+      {center.x(), center.y(), 0.0}, Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitX(), crank};
   leg.rod_length = rod;
   leg.anchor << anchor, 0.0;
   return leg;
@@ -48,7 +48,7 @@ inline std::vector<Leg> struts(const Points& base, const Points& anchors) {
   std::vector<Leg> legs;
   for (std::size_t j = 0; j < base.size(); ++j) {
     legs.push_back(named_leg(j));
-    legs[j].drive = StrutDrive{base[j]};
+    legs[j].actuation = StrutActuation{base[j]};
     legs[j].anchor = anchors[j];
   }
   return legs;
@@ -98,13 +98,13 @@ inline std::shared_ptr<const Manipulator> three_rrr() {
                       planar_revolute_leg(2, {0.0, 10.0}, 10.0, 10.0, {10.0, 10.0})});
 }
 
-/// 3-RRR with the elbows driven, on the same points.
-inline std::shared_ptr<const Manipulator> three_rrr_driven_elbow() {
+/// 3-RRR with the elbows actuated, on the same points.
+inline std::shared_ptr<const Manipulator> three_rrr_actuated_elbow() {
   const Points base{{-10.0, -10.0, 0.0}, {10.0, -10.0, 0.0}, {0.0, 10.0, 0.0}};
   std::vector<Leg> legs = struts(base, {{0.0, 0.0, 0.0}, {10.0, 0.0, 0.0}, {10.0, 10.0, 0.0}});
   for (std::size_t j = 0; j < 3; ++j)
-    legs[j].drive = ElbowDrive{base[j], 10.0, 8.0, 0.3, j == 1 ? -1.0 : 1.0};
-  return manipulator("three_rrr_driven_elbow", TaskSpace::SE2, std::move(legs));
+    legs[j].actuation = ElbowActuation{base[j], 10.0, 8.0, 0.3, j == 1 ? -1.0 : 1.0};
+  return manipulator("three_rrr_actuated_elbow", TaskSpace::SE2, std::move(legs));
 }
 
 /// 3-PRR with rails along the sides of an equilateral triangle.
@@ -112,14 +112,14 @@ inline std::shared_ptr<const Manipulator> three_prr() {
   const Points base = on_circle(1.0, {-90.0, 30.0, 150.0}), directions = on_circle(1.0, {0.0, 120.0, 240.0});
   std::vector<Leg> legs = struts(base, on_circle(0.3, {-90.0, 30.0, 150.0}));
   for (std::size_t j = 0; j < 3; ++j) {
-    legs[j].drive = PrismaticDrive{base[j], directions[j]};
+    legs[j].actuation = PrismaticActuation{base[j], directions[j]};
     legs[j].rod_length = 0.9;
   }
   return manipulator("three_prr", TaskSpace::SE2, std::move(legs));
 }
 
 /// Crank about a horizontal tangent at `center`; q = 0 is radially outward, positive q turns down.
-inline RevoluteDrive radial_crank(const Eigen::Vector3d& center, double degrees, double length) {
+inline RevoluteActuation radial_crank(const Eigen::Vector3d& center, double degrees, double length) {
   return {center, on_circle(1.0, {degrees + 90.0})[0], on_circle(1.0, {degrees})[0], length};
 }
 
@@ -130,7 +130,7 @@ inline std::shared_ptr<const Manipulator> delta() {
   const Points base = on_circle(0.200, degrees);
   std::vector<Leg> legs = struts(base, on_circle(0.045, degrees));
   for (std::size_t j = 0; j < 3; ++j) {
-    legs[j].drive = radial_crank(base[j], degrees[j], 0.235);
+    legs[j].actuation = radial_crank(base[j], degrees[j], 0.235);
     legs[j].rod_length = 0.800;
   }
   return manipulator("delta", TaskSpace::T3, std::move(legs));
@@ -142,7 +142,7 @@ inline std::shared_ptr<const Manipulator> linear_delta() {
   const Points base = on_circle(0.180, degrees);
   std::vector<Leg> legs = struts(base, on_circle(0.030, degrees));
   for (std::size_t j = 0; j < 3; ++j) {
-    legs[j].drive = PrismaticDrive{base[j], Eigen::Vector3d::UnitZ()};
+    legs[j].actuation = PrismaticActuation{base[j], Eigen::Vector3d::UnitZ()};
     legs[j].rod_length = 0.300;
   }
   return manipulator("linear_delta", TaskSpace::T3, std::move(legs));
@@ -154,7 +154,7 @@ inline Leg spherical_leg(std::size_t index, const Eigen::Vector3d& axis,
                          const Eigen::Vector3d& zero_direction, const Eigen::Vector3d& platform_axis,
                          double alpha1, double alpha2) {
   Leg leg = named_leg(index);
-  leg.drive = RevoluteDrive{std::cos(alpha1) * axis, axis, zero_direction, std::sin(alpha1)};
+  leg.actuation = RevoluteActuation{std::cos(alpha1) * axis, axis, zero_direction, std::sin(alpha1)};
   leg.rod_length = 2.0 * std::sin(0.5 * alpha2);
   leg.anchor = platform_axis;
   return leg;
@@ -169,7 +169,7 @@ inline std::shared_ptr<const Manipulator> agile_eye() {
   std::vector<Leg> legs{spherical_leg(0, x, z, -y, right_angle, right_angle),
                         spherical_leg(1, y, x, -z, right_angle, right_angle),
                         spherical_leg(2, z, y, -x, right_angle, right_angle)};
-  for (Leg& leg : legs) std::get<RevoluteDrive>(leg.drive).center.setZero();
+  for (Leg& leg : legs) std::get<RevoluteActuation>(leg.actuation).center.setZero();
   return manipulator("agile_eye", TaskSpace::SO3, std::move(legs));
 }
 
@@ -249,7 +249,7 @@ inline std::shared_ptr<const Manipulator> hexa() {
   const Points base = on_circle(0.26, {-20.0, 20.0, 100.0, 140.0, 220.0, 260.0});
   std::vector<Leg> legs = struts(base, on_circle(0.10, {-40.0, 40.0, 80.0, 160.0, 200.0, 280.0}));
   for (std::size_t j = 0; j < 6; ++j) {
-    legs[j].drive = radial_crank(base[j], sides[j], 0.25);
+    legs[j].actuation = radial_crank(base[j], sides[j], 0.25);
     legs[j].rod_length = 0.60;
   }
   return manipulator("hexa", TaskSpace::SE3, std::move(legs));
@@ -260,7 +260,7 @@ inline std::shared_ptr<const Manipulator> six_pus() {
   const Points base = on_circle(0.50, {-10.0, 10.0, 110.0, 130.0, 230.0, 250.0});
   std::vector<Leg> legs = struts(base, on_circle(0.15, {-40.0, 40.0, 80.0, 160.0, 200.0, 280.0}));
   for (std::size_t j = 0; j < 6; ++j) {
-    legs[j].drive = PrismaticDrive{base[j], Eigen::Vector3d::UnitZ()};
+    legs[j].actuation = PrismaticActuation{base[j], Eigen::Vector3d::UnitZ()};
     legs[j].rod_length = 0.80;
   }
   return manipulator("six_pus", TaskSpace::SE3, std::move(legs));

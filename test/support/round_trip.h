@@ -14,7 +14,7 @@
 
 namespace parallel_aspects::test {
 
-/// What became of poses -> drives -> all direct solutions.
+/// What became of poses -> actuated joints -> all direct solutions.
 struct RoundTrips {
   int made = 0;
   int missed = 0;    ///< solved, but the pose was not among the solutions

@@ -19,17 +19,17 @@ inline JointLimits scaled(JointLimits limits, double factor) {
 inline Leg scaled(Leg leg, double factor) {
   leg.anchor *= factor;
   leg.rod_length *= factor;
-  if (auto* revolute = std::get_if<RevoluteDrive>(&leg.drive)) {
+  if (auto* revolute = std::get_if<RevoluteActuation>(&leg.actuation)) {
     revolute->center *= factor;
     revolute->radius *= factor;
-  } else if (auto* rail = std::get_if<PrismaticDrive>(&leg.drive)) {
+  } else if (auto* rail = std::get_if<PrismaticActuation>(&leg.actuation)) {
     rail->origin *= factor;
     leg.limits = scaled(leg.limits, factor);
-  } else if (auto* strut = std::get_if<StrutDrive>(&leg.drive)) {
+  } else if (auto* strut = std::get_if<StrutActuation>(&leg.actuation)) {
     strut->base *= factor;
     strut->length_at_zero *= factor;
     leg.limits = scaled(leg.limits, factor);
-  } else if (auto* elbow = std::get_if<ElbowDrive>(&leg.drive)) {
+  } else if (auto* elbow = std::get_if<ElbowActuation>(&leg.actuation)) {
     elbow->base *= factor;
     elbow->inner_length *= factor;
     elbow->outer_length *= factor;

@@ -16,7 +16,7 @@ inline std::optional<int> sign_at(const Manipulator& robot, const Pose& pose, co
   const InverseSolution solution = inverse(robot, pose, mode);
   for (const Leg& leg : robot.legs()) {
     const double entry = squared_inverse_entry(leg, pose.transform(leg.anchor));
-    const double scale = leg.driven_by_angle() ? std::pow(robot.size(), 4) : std::pow(robot.size(), 2);
+    const double scale = leg.actuated_by_angle() ? std::pow(robot.size(), 4) : std::pow(robot.size(), 2);
     if (std::abs(entry) < 1e-9 * scale) return std::nullopt;
   }
   if (solution.status == InverseStatus::out_of_reach) return 0;

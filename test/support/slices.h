@@ -36,7 +36,7 @@ inline MapOptions options_of(const MapSlice& slice, double resolution,
 
 inline std::shared_ptr<const AspectMap> map_of(const Robot& robot, const MapOptions& options) {
   const MapResult result = compute_aspect_map(robot, options);
-  EXPECT_TRUE(result.map) << result.sentence;
+  EXPECT_TRUE(result.map) << result.message;
   return result.map;
 }
 

@@ -21,16 +21,16 @@ class SymmetricRobots {
  public:
   SymmetricRobots(unsigned seed, const Eigen::Matrix3d& motion) : random_(seed), motion_(motion) {}
 
-  std::shared_ptr<const Manipulator> robot(TaskSpace space, DriveKind kind, bool limited) {
+  std::shared_ptr<const Manipulator> robot(TaskSpace space, ActuationKind kind, bool limited) {
     const bool planar = space == TaskSpace::T1 || space == TaskSpace::T2 || space == TaskSpace::SE2;
     std::vector<Leg> legs;
-    while (legs.size() < freedoms(space)) {
+    while (legs.size() < degrees_of_freedom(space)) {
       Leg leg = named_leg(legs.size());
-      leg.drive = random_.drive(kind, planar);
+      leg.actuation = random_.actuation(kind, planar);
       leg.anchor = random_.vector(planar);
       leg.rod_length = random_.uniform(1.2, 2.0);
       if (limited) leg.limits = limits(kind);
-      if (legs.size() + 1 == freedoms(space)) {
+      if (legs.size() + 1 == degrees_of_freedom(space)) {
         make_own_image(leg, planar);
         legs.push_back(leg);
       } else {
@@ -42,8 +42,8 @@ class SymmetricRobots {
   }
 
  private:
-  JointLimits limits(DriveKind kind) {
-    if (kind == DriveKind::strut) return {0.1, random_.uniform(1.0, 2.5)};
+  JointLimits limits(ActuationKind kind) {
+    if (kind == ActuationKind::strut) return {0.1, random_.uniform(1.0, 2.5)};
     return {random_.uniform(-2.0, -1.0), random_.uniform(1.0, 2.0)};
   }
 
@@ -60,18 +60,18 @@ class SymmetricRobots {
   void make_own_image(Leg& leg, bool planar) {
     leg.anchor = fixed(leg.anchor);
     leg.limits.upper = leg.limits.limited() && leg.limits.lower < 0.0 ? -leg.limits.lower : leg.limits.upper;
-    if (auto* revolute = std::get_if<RevoluteDrive>(&leg.drive)) {
+    if (auto* revolute = std::get_if<RevoluteActuation>(&leg.actuation)) {
       revolute->center = fixed(revolute->center);
       if (!planar) revolute->axis = own_direction(random_.vector());
       revolute->zero_direction = direction_across(revolute->axis, planar);
       if (motion_ * revolute->zero_direction != revolute->zero_direction) leg.limits = {};
     }
-    if (auto* prismatic = std::get_if<PrismaticDrive>(&leg.drive)) {
+    if (auto* prismatic = std::get_if<PrismaticActuation>(&leg.actuation)) {
       prismatic->origin = fixed(prismatic->origin);
       prismatic->direction = own_direction(prismatic->direction);
     }
-    if (auto* strut = std::get_if<StrutDrive>(&leg.drive)) strut->base = fixed(strut->base);
-    if (auto* elbow = std::get_if<ElbowDrive>(&leg.drive)) {
+    if (auto* strut = std::get_if<StrutActuation>(&leg.actuation)) strut->base = fixed(strut->base);
+    if (auto* elbow = std::get_if<ElbowActuation>(&leg.actuation)) {
       elbow->base = fixed(elbow->base);
       elbow->angle_at_zero = 0.0;
     }
@@ -87,23 +87,23 @@ class SymmetricRobots {
   Leg image(const Leg& leg, const Leg& named) {
     Leg result = leg;
     result.name = named.name;
-    result.driven_joint = named.driven_joint;
+    result.actuated_joint = named.actuated_joint;
     result.anchor = motion_ * leg.anchor;
     const bool around = random_.uniform(0.0, 1.0) < 0.5;
     bool reversed = false;
-    if (auto* revolute = std::get_if<RevoluteDrive>(&result.drive)) {
+    if (auto* revolute = std::get_if<RevoluteActuation>(&result.actuation)) {
       revolute->center = motion_ * revolute->center;
       revolute->axis = motion_ * revolute->axis * (around ? -1.0 : 1.0);
       revolute->zero_direction = motion_ * revolute->zero_direction;
       reversed = around == (motion_.determinant() > 0.0);
     }
-    if (auto* prismatic = std::get_if<PrismaticDrive>(&result.drive)) {
+    if (auto* prismatic = std::get_if<PrismaticActuation>(&result.actuation)) {
       prismatic->origin = motion_ * prismatic->origin;
       prismatic->direction = motion_ * prismatic->direction * (around ? -1.0 : 1.0);
       reversed = around;
     }
-    if (auto* strut = std::get_if<StrutDrive>(&result.drive)) strut->base = motion_ * strut->base;
-    if (auto* elbow = std::get_if<ElbowDrive>(&result.drive)) elbow->base = motion_ * elbow->base;
+    if (auto* strut = std::get_if<StrutActuation>(&result.actuation)) strut->base = motion_ * strut->base;
+    if (auto* elbow = std::get_if<ElbowActuation>(&result.actuation)) elbow->base = motion_ * elbow->base;
     if (reversed) {
       result.limits.lower = -leg.limits.upper;
       result.limits.upper = -leg.limits.lower;

@@ -30,7 +30,7 @@ struct CampaignCounts {
   long tracked = 0;   ///< of them, those after which it named a pose
   long wrong = 0;     ///< of them, those with another pose, sign of det A or working mode than the truth
   long unjudged = 0;  ///< of them, those where the truth was not found
-  std::array<long, 9> ambiguous{};  ///< the others, by `Doubt`
+  std::array<long, 9> ambiguous{};  ///< the others, by `Ambiguity`
   long avoidable = 0;               ///< of those, with a truth that stays off det A = 0 by a thousandth
   long crossings_made = 0, crossings_found = 0;
   std::string first_wrong;
@@ -57,9 +57,9 @@ class FineFollower {
     for (Eigen::Index j = 0; j < result.size(); ++j) {
       const Leg& leg = robot_.leg(static_cast<std::size_t>(j));
       const double rod = (pose_.transform(leg.anchor) - leg.proximal_point(q_[j])).norm();
-      if (const auto* elbow = std::get_if<ElbowDrive>(&leg.drive))
+      if (const auto* elbow = std::get_if<ElbowActuation>(&leg.actuation))
         result[j] /= elbow->inner_length * elbow->outer_length;
-      else if (std::holds_alternative<StrutDrive>(leg.drive))
+      else if (std::holds_alternative<StrutActuation>(leg.actuation))
         result[j] /= rod;
       else
         result[j] /= rod * leg.proximal_point_derivative(q_[j]).norm();
@@ -67,7 +67,7 @@ class FineFollower {
     return result;
   }
 
-  /// Moves the drives straight to `q`. False where det A = 0 is met on the way, or too nearly.
+  /// Moves the actuated joints straight to `q`. False where det A = 0 is met on the path, or too nearly.
   bool go(const JointVector& q, double hysteresis, long& crossings) {
     const JointVector start = q_;
     least_ = std::numeric_limits<double>::infinity();
@@ -157,8 +157,8 @@ class FineFollower {
 };
 
 /// Seeded random motions of a shipped robot: runs of up to 200 samples from a random pose, in steps whose
-/// size is drawn anew for each run from 1e-6 to 1 (rad, or of the robot's size), the drives going on in one
-/// direction for a while.
+/// size is drawn anew for each run from 1e-6 to 1 (rad, or of the robot's size), the actuated joints going on
+/// in one direction for a while.
 class TrackingCampaign {
  public:
   TrackingCampaign(const Mechanism& mechanism, unsigned seed) : mechanism_(mechanism), random_(seed) {}
@@ -175,7 +175,7 @@ class TrackingCampaign {
   const Manipulator& robot() const { return *mechanism_.manipulator(); }
 
   Pose random_pose() {
-    const auto turns = static_cast<Eigen::Index>(rotational_freedoms(robot().task_space()));
+    const auto turns = static_cast<Eigen::Index>(rotational_degrees_of_freedom(robot().task_space()));
     TaskVector step(static_cast<Eigen::Index>(robot().leg_count()));
     for (Eigen::Index k = 0; k < step.size(); ++k)
       step[k] = random_.uniform(-1.0, 1.0) * (k < turns ? 0.7 : 0.3 * robot().size());
@@ -195,13 +195,13 @@ class TrackingCampaign {
   TaskVector random_direction(double size) {
     TaskVector direction(static_cast<Eigen::Index>(robot().leg_count()));
     for (Eigen::Index j = 0; j < direction.size(); ++j) {
-      const bool angle = robot().leg(static_cast<std::size_t>(j)).driven_by_angle();
+      const bool angle = robot().leg(static_cast<std::size_t>(j)).actuated_by_angle();
       direction[j] = size * random_.uniform(-1.0, 1.0) * (angle ? 1.0 : robot().size());
     }
     return direction;
   }
 
-  // Drives with limits turn back at them.
+  // Actuated joints with limits turn back at them.
   void keep_inside(const JointVector& q, TaskVector& direction) const {
     for (Eigen::Index j = 0; j < q.size(); ++j) {
       const JointLimits& limits = robot().leg(static_cast<std::size_t>(j)).limits;
@@ -238,7 +238,7 @@ class TrackingCampaign {
     const bool known = truth.go(q, hysteresis, made);
     const TrackedState& state = tracker.state();
     if (!state.followed()) {
-      ++counts_.ambiguous[static_cast<std::size_t>(state.doubt)];
+      ++counts_.ambiguous[static_cast<std::size_t>(state.ambiguity)];
       if (known && truth.least_singular_value() > 1e-3) ++counts_.avoidable;
       return false;
     }

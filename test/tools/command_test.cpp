@@ -63,14 +63,14 @@ TEST_F(Command, DistancesComeWithBoundsAndWitnesses) {
   EXPECT_FALSE(answer["parallel"].contains("leg"));
   EXPECT_NEAR(answer["serial"]["lower"], 3.821220, 1e-6);
   EXPECT_TRUE(answer["serial"].contains("leg"));
-  EXPECT_EQ(answer["drive_limit"]["status"], "absent");
-  EXPECT_TRUE(answer["drive_limit"]["lower"].is_null());
+  EXPECT_EQ(answer["actuated_limit"]["status"], "absent");
+  EXPECT_TRUE(answer["actuated_limit"]["lower"].is_null());
 }
 
 TEST_F(Command, DistancesAreATable) {
   const Outcome outcome = run({"distance", "bipod", "--pose", "2 4"});
   EXPECT_EQ(outcome.code, exit_code::ok);
-  EXPECT_NE(outcome.output.find("drive limit, "), std::string::npos) << outcome.output;
+  EXPECT_NE(outcome.output.find("actuated joint limit, "), std::string::npos) << outcome.output;
   EXPECT_EQ(run({"distance", "five_bar", "--pose", "4.5 8", "--boxes", "0"}).code, exit_code::bad_input);
   EXPECT_EQ(run({"distance", "five_bar", "--pose", "4.5 8", "--tolerance", "2"}).code, exit_code::bad_input);
   EXPECT_EQ(run({"distance", "five_bar", "--pose", "4.5 80"}).code, exit_code::ok);
@@ -128,7 +128,7 @@ TEST_F(Command, DescribesTheFiveBarOfThePaper) {
   const json robot = run_json({"describe", "five_bar"});
   EXPECT_EQ(robot.at("task_space"), "T2");
   EXPECT_EQ(robot.at("mobility"), 2);
-  EXPECT_EQ(robot.at("idle_freedoms"), 0);
+  EXPECT_EQ(robot.at("idle_degrees_of_freedom"), 0);
   EXPECT_TRUE(robot.at("joint_limits").at("elbow_1_joint").at("upper").is_null());
   EXPECT_EQ(robot.at("working_modes").size(), 4U);
   ASSERT_EQ(robot.at("legs").size(), 2U);

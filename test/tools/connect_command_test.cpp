@@ -28,7 +28,7 @@ class RoadmapCommand : public test::CommandTest {
   }
 };
 
-// With six freedoms `map` gives a roadmap.
+// With six degrees of freedom `map` gives a roadmap.
 TEST_F(RoadmapCommand, MapOfAStewartPlatformIsARoadmap) {
   const json map = run_json({"map", "stewart", "--samples", "200", "--seed", "7", "--threads", "1"});
   EXPECT_EQ(map.at("mechanism"), "stewart");
@@ -53,7 +53,7 @@ TEST_F(RoadmapCommand, MapOfAStewartPlatformIsARoadmap) {
   EXPECT_EQ(map.at("sides")[1].at("det_a_sign"), -1);
   EXPECT_LE(samples, 200U);
   EXPECT_EQ(map.at("components_at_most"), components);
-  EXPECT_EQ(map.at("constraints"), json::parse(R"(["driven_limits"])"));
+  EXPECT_EQ(map.at("constraints"), json::parse(R"(["actuated_limits"])"));
 }
 
 TEST_F(RoadmapCommand, TextSaysWhatIsProvedAndWhatIsNot) {
@@ -92,11 +92,11 @@ TEST_F(RoadmapCommand, ConnectsPosesOfAStewartPlatform) {
       run_json({"connect", "stewart", "--from", "0 0 1.3 0 0 0 1", "--to", "0 0 -1.3 0 0 0 1"});
   EXPECT_EQ(below.at("answers")[0].at("same_aspect"), "no");
   EXPECT_EQ(below.at("answers")[0].at("path"), json::array());
-  EXPECT_EQ(near.at("constraints"), json::parse(R"(["driven_limits"])"));
+  EXPECT_EQ(near.at("constraints"), json::parse(R"(["actuated_limits"])"));
   EXPECT_TRUE(near.at("answers")[0].at("failing_constraint").is_null());
   const json high = run_json({"connect", "stewart", "--from", "0 0 1.3 0 0 0 1", "--to", "0 0 2 0 0 0 1"});
   EXPECT_EQ(high.at("answers")[0].at("same_aspect"), "no");
-  EXPECT_EQ(high.at("answers")[0].at("failing_constraint"), "driven_limits");
+  EXPECT_EQ(high.at("answers")[0].at("failing_constraint"), "actuated_limits");
   const json away = run_json({"connect", "stewart", "--from", "0 0 1.3 0 0 0 1", "--to", "0 0 9 0 0 0 1"});
   EXPECT_EQ(away.at("answers")[0].at("same_aspect"), "no");
 }

@@ -70,29 +70,31 @@ TEST_F(MapCommand, ConstraintsAreChosen) {
   EXPECT_EQ(bounded["constraints"][0]["name"], "self_collision");
   EXPECT_GT(bounded["constraints"][0]["undecided_leaves"], 10);
   EXPECT_EQ(bounded["proved_count"], 10);
-  EXPECT_EQ(run_json({"map", "bipod"})["constraints"][0]["name"], "driven_limits");
+  EXPECT_EQ(run_json({"map", "bipod"})["constraints"][0]["name"], "actuated_limits");
   EXPECT_TRUE(bounded["empty_working_modes"].empty());
 }
 
 TEST_F(MapCommand, BadConstraintsAreRefused) {
   const std::vector<std::pair<std::vector<const char*>, std::string>> cases{
       {{"map", "five_bar", "--constraint", "gravity"},
-       "--constraint names 'gravity'; give some of driven_limits, passive_limits, self_collision, obstacles, "
+       "--constraint names 'gravity'; give some of actuated_limits, passive_limits, self_collision, "
+       "obstacles, "
        "workspace, all or none.\n"},
       {{"map", "five_bar", "--no-constraint", "gravity"},
-       "--no-constraint names 'gravity'; give some of driven_limits, passive_limits, self_collision, "
+       "--no-constraint names 'gravity'; give some of actuated_limits, passive_limits, self_collision, "
        "obstacles, "
        "workspace, all or none.\n"},
       {{"map", "five_bar", "--constraint", "obstacles"},
        "--constraint names obstacles, which 'five_bar' has none of; state it in the robot's YAML or URDF, or "
        "leave it out.\n"},
-      {{"map", "bipod", "--no-constraint", "driven_limits"},
-       "The legs of 'bipod' have no limits that bound the workspace; limit the drives in the URDF, or give a "
+      {{"map", "bipod", "--no-constraint", "actuated_limits"},
+       "The legs of 'bipod' have no limits that bound the workspace; limit the actuated joints in the URDF, "
+       "or give a "
        "region or a workspace.\n"}};
-  for (const auto& [arguments, sentence] : cases) {
+  for (const auto& [arguments, message] : cases) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.code, exit_code::bad_input);
-    EXPECT_EQ(outcome.messages, sentence);
+    EXPECT_EQ(outcome.messages, message);
   }
 }
 
@@ -254,7 +256,7 @@ TEST_F(MapCommand, RegionsAreSearched) {
   EXPECT_EQ(plane.at("region").at("lower").at("y"), 0.0);
 }
 
-// The drives of the bipod bound its workspace; without them a region does.
+// The actuated joints of the bipod bound its workspace; without them a region does.
 TEST_F(MapCommand, RegionsBoundWhatNothingElseDoes) {
   EXPECT_EQ(run({"map", "bipod", "--no-constraint", "all"}).code, exit_code::bad_input);
   const json map = run_json({"map", "bipod", "--no-constraint", "all", "--region", "x=-5:5 y=-5:5"});
@@ -280,10 +282,10 @@ TEST_F(MapCommand, BadRegionsAreRefused) {
        "--region does not say where x may be; give \"x=-1:1\", in m.\n"},
       {{"map", "agile_eye", "--region", "x=0:1"},
        "--region is of positions, but here every orientation is searched and no more; leave it out.\n"}};
-  for (const auto& [arguments, sentence] : cases) {
+  for (const auto& [arguments, message] : cases) {
     const Outcome outcome = run(arguments);
-    EXPECT_EQ(outcome.code, exit_code::bad_input) << sentence;
-    EXPECT_EQ(outcome.messages, sentence);
+    EXPECT_EQ(outcome.code, exit_code::bad_input) << message;
+    EXPECT_EQ(outcome.messages, message);
   }
 }
 

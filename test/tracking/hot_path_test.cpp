@@ -133,8 +133,8 @@ Seen walk(const std::shared_ptr<const Manipulator>& robot, const JointVector& st
       }
       if (!followed || tracker.state().followed()) continue;
       ++seen.losses;
-      seen.gaps += tracker.state().doubt == Doubt::gap;
-      seen.silences += tracker.state().doubt == Doubt::silence;
+      seen.gaps += tracker.state().ambiguity == Ambiguity::gap;
+      seen.silences += tracker.state().ambiguity == Ambiguity::silence;
       tracker.find_candidates();
     }
   }

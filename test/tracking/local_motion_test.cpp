@@ -31,17 +31,17 @@ class LocalMotion : public testing::TestWithParam<const char*> {
         Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size())));
   }
 
-  // The tracker, which knows only the drives, sees one assembly mode in one working mode all along.
-  void follow(const std::vector<JointVector>& drives, const WorkingMode& mode) const {
+  // The tracker, which knows only the actuated joints, sees one assembly mode in one working mode all along.
+  void follow(const std::vector<JointVector>& joint_values, const WorkingMode& mode) const {
     TrackerOptions straight;
     straight.samples.path_bend = 0.0;
     Tracker tracker(mechanism_->manipulator(), straight);
-    ASSERT_TRUE(tracker.start(0.0, drives.front(), start_, 1e-6 * robot_.size()));
+    ASSERT_TRUE(tracker.start(0.0, joint_values.front(), start_, 1e-6 * robot_.size()));
     EXPECT_EQ(tracker.state().mode, mode);
     double farthest = 0.0;
-    for (std::size_t i = 1; i < drives.size(); ++i) {
-      EXPECT_TRUE(robot_.within_limits(drives[i]));
-      tracker.update(0.1 * static_cast<double>(i), drives[i]);
+    for (std::size_t i = 1; i < joint_values.size(); ++i) {
+      EXPECT_TRUE(robot_.within_limits(joint_values[i]));
+      tracker.update(0.1 * static_cast<double>(i), joint_values[i]);
       ASSERT_EQ(tracker.state().status, TrackStatus::tracking) << "corner " << i;
       ASSERT_TRUE(tracker.transitions().empty()) << "corner " << i;
       for (const Leg& leg : robot_.legs())
@@ -71,11 +71,11 @@ class LocalMotion : public testing::TestWithParam<const char*> {
 TEST_P(LocalMotion, IsARoundThatTheTrackerFollowsWithoutATransition) {
   int found = 0;
   for (const WorkingMode& mode : some_modes()) {
-    const auto drives = plan_local_motion(robot_, start_, mode, anything);
-    if (drives.empty()) continue;
+    const auto joint_values = plan_local_motion(robot_, start_, mode, anything);
+    if (joint_values.empty()) continue;
     ++found;
     SCOPED_TRACE(to_string(mode));
-    follow(drives, mode);
+    follow(joint_values, mode);
   }
   EXPECT_GT(found, 0);
 }

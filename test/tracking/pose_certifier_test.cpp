@@ -17,7 +17,7 @@
 namespace parallel_aspects {
 namespace {
 
-// A direct solution of a random robot with random drives, and a change of the drives.
+// A direct solution of a random robot with random actuated joints, and a change of the actuated joints.
 struct Case {
   std::shared_ptr<const Manipulator> robot;
   Pose pose;
@@ -33,7 +33,7 @@ std::string text(const Case& tried) {
   return stream.str();
 }
 
-std::optional<Case> random_case(test::RandomRobots& random, TaskSpace space, test::DriveKind kind) {
+std::optional<Case> random_case(test::RandomRobots& random, TaskSpace space, test::ActuationKind kind) {
   Case made{random.robot(space, kind), random.pose(space), {}, {}};
   const auto modes = working_modes(*made.robot);
   const auto pick = static_cast<std::size_t>(random.uniform(0.0, static_cast<double>(modes.size())));
@@ -52,7 +52,7 @@ int for_random_cases(unsigned seed, int tries, const Check& check) {
   int made = 0;
   for (int i = 0; i < tries; ++i)
     for (const TaskSpace space : test::all_task_spaces)
-      for (const test::DriveKind kind : test::all_drive_kinds)
+      for (const test::ActuationKind kind : test::all_actuation_kinds)
         if (const auto tried = random_case(random, space, kind)) {
           check(*tried, random);
           ++made;
@@ -65,14 +65,14 @@ Pose within(const Manipulator& robot, const Pose& middle, double radius, test::R
   TaskVector twist(static_cast<Eigen::Index>(robot.leg_count()));
   for (double& entry : coefficients_of(twist)) entry = random.uniform(-1.0, 1.0);
   twist *= radius * random.uniform(0.0, 1.0) / twist.norm();
-  twist.head(static_cast<Eigen::Index>(rotational_freedoms(robot.task_space()))) /=
+  twist.head(static_cast<Eigen::Index>(rotational_degrees_of_freedom(robot.task_space()))) /=
       robot.characteristic_length();
   return displaced(robot.task_space(), middle, twist);
 }
 
-// Every claim of a certified ball, tried at random: the drives anywhere on the way, the pose anywhere in the
-// ball. det A keeps its sign; Newton's method, wherever it begins, ends at one and the same solution or
-// leaves the ball.
+// Every claim of a certified ball, tried at random: the actuated joints anywhere on the path, the pose
+// anywhere in the ball. det A keeps its sign; Newton's method, wherever it begins, ends at one and the same
+// solution or leaves the ball.
 TEST(PoseCertifier, WhatItCertifiesHoldsAtRandomPoints) {
   int certified = 0;
   const int made = for_random_cases(11, 150, [&](const Case& tried, test::RandomRobots& random) {
@@ -83,8 +83,9 @@ TEST(PoseCertifier, WhatItCertifiesHoldsAtRandomPoints) {
     int sign = 0;
     {
       const RoundingUpward upward;
-      const TaskVector slack = TaskVector::Zero(tried.q.size());
-      ball = certifier.ball(point, tried.direction, slack, 1.0, certifier.path_speed(point, tried.direction));
+      const TaskVector allowance = TaskVector::Zero(tried.q.size());
+      ball = certifier.ball(point, tried.direction, allowance, 1.0,
+                            certifier.path_speed(point, tried.direction));
       sign = certifier.determinant_sign(point);
     }
     if (!ball.certified || sign == 0) return;
@@ -160,7 +161,7 @@ TEST(PoseCertifier, DistanceBoundsTheLengthOfTheTwist) {
     for (double& entry : coefficients_of(twist)) entry = random.uniform(-1.0, 1.0);
     twist *= radius / twist.norm();
     TaskVector scaled = twist;
-    scaled.head(static_cast<Eigen::Index>(rotational_freedoms(tried.robot->task_space()))) /=
+    scaled.head(static_cast<Eigen::Index>(rotational_degrees_of_freedom(tried.robot->task_space()))) /=
         tried.robot->characteristic_length();
     const Pose moved = displaced(tried.robot->task_space(), tried.pose, scaled);
     const RoundingUpward upward;

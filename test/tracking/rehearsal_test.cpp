@@ -24,7 +24,7 @@ TrackerOptions straight() {
   return options;
 }
 
-JointVector drives(double a, double b) {
+JointVector joint_values(double a, double b) {
   JointVector q(2);
   q << a, b;
   return q;
@@ -55,10 +55,10 @@ const Trip& five_bar_trip() {
 }
 
 TEST(SampledMotion, HasEveryCornerAndStraightWaysOfEvenSpeed) {
-  const std::vector<JointVector> corners{drives(0.0, 0.0), drives(0.033, 0.0), drives(0.033, 0.2),
-                                         drives(0.0, 0.0)};
+  const std::vector<JointVector> corners{joint_values(0.0, 0.0), joint_values(0.033, 0.0),
+                                         joint_values(0.033, 0.2), joint_values(0.0, 0.0)};
   const SampledMotion motion = sampled(*test::five_bar(), corners, 1.0, interval);
-  EXPECT_EQ(motion.gain, drives(0.0, 0.0));
+  EXPECT_EQ(motion.gain, joint_values(0.0, 0.0));
   std::size_t corner = 0;
   double longest = 0.0;
   for (std::size_t i = 0; i < motion.samples.size(); ++i) {
@@ -84,31 +84,31 @@ TEST(Rehearsal, ATourOfManyAspectsIsFollowedSampleBySample) {
   const Trip& trip = five_bar_trip();
   ASSERT_GE(trip.tour.aspects.size(), 5U);
   Rehearsal rehearsal(trip.robot, straight(), interval);
-  ASSERT_TRUE(rehearsal.start(trip.start, trip.tour.drives.front()));
-  const SampledMotion motion = rehearsal.slow_enough(trip.tour.drives, 2.0);
+  ASSERT_TRUE(rehearsal.start(trip.start, trip.tour.joint_values.front()));
+  const SampledMotion motion = rehearsal.slow_enough(trip.tour.joint_values, 2.0);
   ASSERT_FALSE(motion.samples.empty());
-  EXPECT_LT(motion.samples.size(), 400U + trip.tour.drives.size());
+  EXPECT_LT(motion.samples.size(), 400U + trip.tour.joint_values.size());
   for (int round = 0; round < 3; ++round) EXPECT_TRUE(rehearsal.play(motion));
 }
 
 TEST(Rehearsal, GoesOnWhereItWasAfterAMotionThatIsNotFollowed) {
   const Trip& trip = five_bar_trip();
   Rehearsal rehearsal(trip.robot, straight(), interval);
-  ASSERT_TRUE(rehearsal.start(trip.start, trip.tour.drives.front()));
-  EXPECT_FALSE(rehearsal.play({{drives(0.0, 0.0)}, drives(0.0, 0.0)}));
-  EXPECT_TRUE(rehearsal.play(rehearsal.slow_enough(trip.tour.drives, 2.0)));
+  ASSERT_TRUE(rehearsal.start(trip.start, trip.tour.joint_values.front()));
+  EXPECT_FALSE(rehearsal.play({{joint_values(0.0, 0.0)}, joint_values(0.0, 0.0)}));
+  EXPECT_TRUE(rehearsal.play(rehearsal.slow_enough(trip.tour.joint_values, 2.0)));
 }
 
 TEST(Rehearsal, IsSlowedDownForATrackerThatAllowsForBentWays) {
   const Trip& trip = five_bar_trip();
   Rehearsal rehearsal(trip.robot, TrackerOptions(), interval);
-  ASSERT_TRUE(rehearsal.start(trip.start, trip.tour.drives.front()));
-  const SampledMotion motion = rehearsal.slow_enough(trip.tour.drives, 10.0);
+  ASSERT_TRUE(rehearsal.start(trip.start, trip.tour.joint_values.front()));
+  const SampledMotion motion = rehearsal.slow_enough(trip.tour.joint_values, 10.0);
   EXPECT_GT(motion.samples.size(), 2000U);
   EXPECT_TRUE(rehearsal.play(motion));
 }
 
-// A gate of the Delta close to det A = 0, where one drive takes its leg to the other posture.
+// A gate of the Delta close to det A = 0, where one actuated joint takes its leg to the other posture.
 TEST(StraightMotion, ThatExistsIsFollowedInOneSample) {
   const auto robot = test::shipped("delta")->manipulator();
   Pose pose;
@@ -119,7 +119,7 @@ TEST(StraightMotion, ThatExistsIsFollowedInOneSample) {
       WorkingMode other = mode;
       other.set_sign(leg, -mode.sign(leg));
       const Place from{pose, inverse(*robot, pose, mode).q};
-      const JointVector change = drive_change(*robot, from.q, inverse(*robot, pose, other).q);
+      const JointVector change = joint_change(*robot, from.q, inverse(*robot, pose, other).q);
       if (!straight_motion_exists(*robot, from, change, pose)) continue;
       ++passable;
       TrackerOptions options = straight();
@@ -134,7 +134,7 @@ TEST(StraightMotion, ThatExistsIsFollowedInOneSample) {
 
 TEST(Rehearsal, DoesNotBeginWhereNoTrackerStarts) {
   Rehearsal rehearsal(test::five_bar(), straight(), interval);
-  EXPECT_FALSE(rehearsal.start(Pose(), drives(0.0, 0.0)));
+  EXPECT_FALSE(rehearsal.start(Pose(), joint_values(0.0, 0.0)));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Platforms that move smoothly through det A = 0: between samples the drives then do not move straight.
+// Platforms that move smoothly through det A = 0: between samples the actuated joints then do not move
+// straight.
 #include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/kinematics/jacobians.h"
 #include "parallel_aspects/tracking/tracker.h"
@@ -83,9 +84,9 @@ TEST_P(SmoothMotion, IsNeverFollowedThroughAParallelSingularity) {
 }
 
 // What the allowance for bent ways is there for: chords alone miss the fold.
-class StraightWays : public SmoothMotion {};
+class StraightPaths : public SmoothMotion {};
 
-TEST_P(StraightWays, MissTheFold) { EXPECT_GT(run(0.0).wrong, 0); }
+TEST_P(StraightPaths, MissTheFold) { EXPECT_GT(run(0.0).wrong, 0); }
 
 INSTANTIATE_TEST_SUITE_P(Robots, SmoothMotion,
                          testing::Values(Case{"five_bar", test::five_bar}, Case{"three_rpr", test::three_rpr},
@@ -93,7 +94,7 @@ INSTANTIATE_TEST_SUITE_P(Robots, SmoothMotion,
                                          Case{"spherical", test::spherical_three_rrr},
                                          Case{"stewart", test::stewart}),
                          [](const auto& robot) { return std::string(robot.param.name); });
-INSTANTIATE_TEST_SUITE_P(ThreeRpr, StraightWays, testing::Values(Case{"three_rpr", test::three_rpr}),
+INSTANTIATE_TEST_SUITE_P(ThreeRpr, StraightPaths, testing::Values(Case{"three_rpr", test::three_rpr}),
                          [](const auto& robot) { return std::string(robot.param.name); });
 
 }  // namespace

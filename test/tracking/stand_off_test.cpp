@@ -24,7 +24,7 @@
 namespace parallel_aspects {
 namespace {
 
-struct Way {
+struct Path {
   Pose from, singular;
   WorkingMode mode;
   double length = 0.0;  // [m]
@@ -39,33 +39,34 @@ SampleOptions with_noise(double noise) {
 class StandOffOf : public testing::TestWithParam<const char*> {
  protected:
   // From a random configuration to the nearest pose with det A = 0 that was found.
-  std::optional<Way> way() {
+  std::optional<Path> path() {
     for (int i = 0; i < 100; ++i) {
       const WorkingMode mode = pairs_.mode();
       const auto pose = pairs_.reached(mode);
       if (!pose) continue;
       const BoundaryDistance nearest = meter_.measure(*pose, mode).parallel;
       if (std::isfinite(nearest.upper) && nearest.upper > 0.02 * robot_->size())
-        return Way{*pose, nearest.witness, mode, anchor_distance(*robot_, *pose, nearest.witness)};
+        return Path{*pose, nearest.witness, mode, anchor_distance(*robot_, *pose, nearest.witness)};
     }
     return std::nullopt;
   }
 
-  // Whether a robot that stands still so far from the singular pose is followed; drives are anywhere in their
-  // noise, and every other time at its ends.
-  bool follows(const Way& way, double distance, double noise, int samples) {
-    const Pose pose = pose_between(way.from, way.singular, 1.0 - distance / way.length);
+  // Whether a robot that stands still so far from the singular pose is followed; actuated joints are anywhere
+  // in their noise, and every other time at its ends.
+  bool follows(const Path& path, double distance, double noise, int samples) {
+    const Pose pose = pose_between(path.from, path.singular, 1.0 - distance / path.length);
     TrackerOptions options;
     options.samples = with_noise(noise);
     options.samples.check_velocity = false;
     Tracker tracker(robot_, options);
-    const JointVector q = inverse(*robot_, pose, way.mode).q;
+    const JointVector q = inverse(*robot_, pose, path.mode).q;
     if (!tracker.start(0.0, q, pose, 1e-3 * robot_->size())) return false;
     std::uniform_real_distribution<double> uniform(-1.0, 1.0);
     for (int i = 1; i <= samples; ++i) {
       JointVector noisy = q;
       for (Eigen::Index j = 0; j < q.size(); ++j) {
-        const double unit = robot_->leg(static_cast<std::size_t>(j)).driven_by_angle() ? 1.0 : robot_->size();
+        const double unit =
+            robot_->leg(static_cast<std::size_t>(j)).actuated_by_angle() ? 1.0 : robot_->size();
         const double share = uniform(random_);
         noisy[j] += noise * unit * (i % 2 == 0 ? share : std::copysign(1.0, share));
       }
@@ -84,10 +85,10 @@ TEST_P(StandOffOf, IsWhereARobotThatStandsStillIsFollowed) {
   constexpr double noise = 1e-5;
   int tried = 0, lost_inside = 0;
   for (int i = 0; i < test::thinned(20); ++i) {
-    const auto tested = way();
+    const auto tested = path();
     if (!tested) continue;
     const double stand_off =
-        StandOff(robot_, with_noise(noise)).on_the_way(tested->from, tested->singular, tested->mode);
+        StandOff(robot_, with_noise(noise)).along_path(tested->from, tested->singular, tested->mode);
     ASSERT_GE(stand_off, 0.0);
     if (!(1.01 * stand_off < tested->length)) continue;
     ++tried;
@@ -98,15 +99,16 @@ TEST_P(StandOffOf, IsWhereARobotThatStandsStillIsFollowed) {
   EXPECT_GE(2 * lost_inside, tried) << "no farther than it must be";
 }
 
-// Not so where a leg is stretched or folded besides: there drives hardly move the platform, and it is less.
+// Not so where a leg is stretched or folded besides: there actuated joints hardly move the platform, and it
+// is less.
 TEST_P(StandOffOf, GrowsWithTheSquareRootOfTheNoise) {
   int tried = 0, grown = 0;
   for (int i = 0; i < test::thinned(20); ++i) {
-    const auto tested = way();
+    const auto tested = path();
     if (!tested || !(meter_.measure(tested->singular, tested->mode).serial.lower > 0.02 * robot_->size()))
       continue;
     const auto at = [&](double noise) {
-      return StandOff(robot_, with_noise(noise)).on_the_way(tested->from, tested->singular, tested->mode);
+      return StandOff(robot_, with_noise(noise)).along_path(tested->from, tested->singular, tested->mode);
     };
     const double little = at(1e-8), more = at(1e-6);
     if (!(more < 0.2 * tested->length)) continue;

@@ -29,24 +29,24 @@ Pose at(double x, double y) {
   return pose;
 }
 
-JointVector drives(const Pose& pose, int s1, int s2) {
+JointVector joint_values(const Pose& pose, int s1, int s2) {
   return inverse(*robot, pose, *WorkingMode::from_signs({s1, s2})).q;
 }
 
 TEST(Tracker, StartsAtTheDirectSolutionNearThePose) {
   Tracker tracker(robot);
-  const JointVector q = drives(at(4.5, 8.0), -1, -1);
+  const JointVector q = joint_values(at(4.5, 8.0), -1, -1);
   ASSERT_TRUE(tracker.start(0.0, q, at(4.6, 7.9), 0.2));
   EXPECT_NEAR((tracker.state().pose.position - at(4.5, 8.0).position).norm(), 0.0, 1e-12);
   EXPECT_EQ(to_string(tracker.state().mode), "(-,-)");
   EXPECT_EQ(tracker.state().determinant_sign, 1);
   EXPECT_FALSE(tracker.start(0.0, q, at(6.0, 8.0), 0.2));
-  EXPECT_EQ(tracker.state().status, TrackStatus::unstarted);
+  EXPECT_EQ(tracker.state().status, TrackStatus::uninitialised);
 }
 
 TEST(Tracker, StartsByTheSignOfTheDeterminant) {
   Tracker tracker(robot);
-  const JointVector q = drives(at(4.5, 8.0), -1, -1);
+  const JointVector q = joint_values(at(4.5, 8.0), -1, -1);
   ASSERT_TRUE(tracker.start(0.0, q, 1));
   EXPECT_NEAR((tracker.state().pose.position - at(4.5, 8.0).position).norm(), 0.0, 1e-12);
   ASSERT_TRUE(tracker.start(0.0, q, -1));
@@ -55,7 +55,7 @@ TEST(Tracker, StartsByTheSignOfTheDeterminant) {
 
 TEST(Tracker, IgnoresWhatIsNotFinite) {
   Tracker tracker(robot);
-  ASSERT_TRUE(tracker.start(0.0, drives(at(4.5, 8.0), -1, -1), 1));
+  ASSERT_TRUE(tracker.start(0.0, joint_values(at(4.5, 8.0), -1, -1), 1));
   const Eigen::Vector3d before = tracker.state().pose.position;
   tracker.update(1.0, joints(std::numeric_limits<double>::quiet_NaN(), 0.0));
   tracker.update(1.0, joints(0.0, std::numeric_limits<double>::infinity()));
@@ -99,11 +99,11 @@ TEST(Tracker, NeverLeavesTheAssemblyModeInSilence) {
   EXPECT_GT(lost, 10);
 }
 
-// From (4.5, 8) turning drive 1 pulls the platform to the left, away from base point 2: leg 2 goes through
-// its stretched position and comes out in the other posture, with det A of the same sign.
+// From (4.5, 8) actuated revolute joint 1 pulls the platform to the left, away from base point 2: leg 2 goes
+// through its stretched position and comes out in the other posture, with det A of the same sign.
 TEST(Tracker, ReportsTheLegAndTimeOfAWorkingModeChange) {
   Tracker tracker(robot);
-  JointVector q = drives(at(4.5, 8.0), -1, -1);
+  JointVector q = joint_values(at(4.5, 8.0), -1, -1);
   ASSERT_TRUE(tracker.start(0.0, q, 1));
   std::vector<Transition> seen;
   for (int i = 1; i <= 4000 && seen.empty(); ++i) {
@@ -121,7 +121,7 @@ TEST(Tracker, ReportsTheLegAndTimeOfAWorkingModeChange) {
   straight.samples.path_bend = 0.0;
   straight.samples.longest_interval = std::numeric_limits<double>::infinity();
   Tracker again(robot, straight);
-  const JointVector start = drives(at(4.5, 8.0), -1, -1);
+  const JointVector start = joint_values(at(4.5, 8.0), -1, -1);
   ASSERT_TRUE(again.start(0.0, start, 1));
   const JointVector there = start + joints(seen[0].time, 0.0);
   again.update(1.0, there);
@@ -130,7 +130,7 @@ TEST(Tracker, ReportsTheLegAndTimeOfAWorkingModeChange) {
 
 TEST(Tracker, TouchingASerialSingularityIsNoChange) {
   Tracker tracker(robot);
-  const JointVector start = drives(at(4.5, 8.0), -1, -1);
+  const JointVector start = joint_values(at(4.5, 8.0), -1, -1);
   ASSERT_TRUE(tracker.start(0.0, start, 1));
   JointVector q = start;
   double closest = 1e9;
@@ -155,10 +155,10 @@ TEST(Tracker, TouchingASerialSingularityIsNoChange) {
   EXPECT_EQ(to_string(tracker.state().mode), "(-,-)");
 }
 
-// Drives that pull the two cranks' tips apart until the rods are in line: det A = 0.
+// Actuated joints that pull the two cranks' tips apart until the rods are in line: det A = 0.
 TEST(Tracker, SaysThatItIsLostAtAParallelSingularity) {
   Tracker tracker(robot);
-  JointVector q = drives(at(4.5, 8.0), -1, 1);
+  JointVector q = joint_values(at(4.5, 8.0), -1, 1);
   ASSERT_TRUE(tracker.start(0.0, q, at(4.5, 8.0), 1e-6));
   int lost = 0;
   for (int i = 1; i <= 3000; ++i) {
@@ -178,7 +178,7 @@ TEST(Tracker, TellsTheAspectsBeforeAndAfter) {
   const auto map = compute_aspect_map(robot).map;
   ASSERT_TRUE(map);
   Tracker tracker(robot);
-  JointVector q = drives(at(4.5, 8.0), -1, -1);
+  JointVector q = joint_values(at(4.5, 8.0), -1, -1);
   ASSERT_TRUE(tracker.start(0.0, q, 1));
   tracker.set_map(map);
   const int first = tracker.state().aspect;

@@ -16,8 +16,8 @@ using test::moving_joint;
 using test::replaced;
 using test::shipped_text;
 
-const RevoluteDrive& revolute(const Mechanism& mechanism, std::size_t leg) {
-  return std::get<RevoluteDrive>(mechanism.manipulator()->leg(leg).drive);
+const RevoluteActuation& revolute(const Mechanism& mechanism, std::size_t leg) {
+  return std::get<RevoluteActuation>(mechanism.manipulator()->leg(leg).actuation);
 }
 
 TEST(AwkwardMechanism, StandsInATiltedPlane) {
@@ -67,7 +67,7 @@ TEST(AwkwardMechanism, ReachesItsPlatformThroughLegTwo) {
 
 TEST(AwkwardMechanism, IsClosedAtTheElbow) {
   Description five_bar = shipped_text("five_bar");
-  // Rod 2 hangs on the tool, and the loop is cut between crank 2 and rod 2.
+  // Rod 2 is attached to the tool, and the loop is cut between crank 2 and rod 2.
   five_bar.urdf = replaced(five_bar.urdf, "<parent link=\"crank_2\"/>", "<parent link=\"tool\"/>");
   five_bar.urdf =
       replaced(five_bar.urdf, "<origin xyz=\"5 0 0\"/>\n    <axis", "<origin xyz=\"0 0 0\"/>\n    <axis");
@@ -86,10 +86,10 @@ TEST(AwkwardMechanism, IsDrivenAtTheElbows) {
       replaced(five_bar.config, "[crank_1_joint, crank_2_joint]", "[elbow_1_joint, elbow_2_joint]");
   const auto mechanism = test::load(five_bar);
   for (const std::size_t j : {0, 1}) {
-    const auto& drive = std::get<ElbowDrive>(mechanism->manipulator()->leg(j).drive);
-    EXPECT_NEAR(drive.inner_length, j == 0 ? 8.0 : 5.0, 1e-12);
-    EXPECT_NEAR(drive.outer_length, j == 0 ? 5.0 : 8.0, 1e-12);
-    EXPECT_NEAR(std::remainder(drive.angle_at_zero, 2.0 * EIGEN_PI), 0.0, 1e-12);
+    const auto& actuation = std::get<ElbowActuation>(mechanism->manipulator()->leg(j).actuation);
+    EXPECT_NEAR(actuation.inner_length, j == 0 ? 8.0 : 5.0, 1e-12);
+    EXPECT_NEAR(actuation.outer_length, j == 0 ? 5.0 : 8.0, 1e-12);
+    EXPECT_NEAR(std::remainder(actuation.angle_at_zero, 2.0 * EIGEN_PI), 0.0, 1e-12);
   }
   EXPECT_EQ(test::open_loops(*mechanism), 0);
 }
@@ -107,7 +107,7 @@ TEST(AwkwardMechanism, HasItsElementsInAnyOrder) {
   const auto mechanism = test::load(printer.CStr(), five_bar.config);
   const std::vector<std::string> expected{"elbow_2_joint", "crank_2_joint", "elbow_1_joint", "crank_1_joint"};
   EXPECT_EQ(mechanism->joint_names(), expected);
-  EXPECT_EQ(mechanism->manipulator()->leg(0).driven_joint, "crank_1_joint");
+  EXPECT_EQ(mechanism->manipulator()->leg(0).actuated_joint, "crank_1_joint");
   EXPECT_EQ(test::open_loops(*mechanism), 0);
 }
 
@@ -118,7 +118,7 @@ TEST(AwkwardMechanism, HasAToolThatSpinsIdly) {
   const auto mechanism = test::load(five_bar);
   EXPECT_EQ(mechanism->manipulator()->task_space(), TaskSpace::T2);
   EXPECT_EQ(mechanism->mobility(), 3);
-  EXPECT_EQ(mechanism->idle_freedoms(), 1);
+  EXPECT_EQ(mechanism->idle_degrees_of_freedom(), 1);
   EXPECT_EQ(test::open_loops(*mechanism), 0);
 }
 
@@ -179,7 +179,7 @@ TEST(AwkwardMechanism, HasRodsThatSpin) {
   }
   const auto mechanism = test::load(robot);
   EXPECT_EQ(mechanism->mobility(), 12);
-  EXPECT_EQ(mechanism->idle_freedoms(), 6);
+  EXPECT_EQ(mechanism->idle_degrees_of_freedom(), 6);
   EXPECT_EQ(mechanism->manipulator()->task_space(), TaskSpace::SE3);
   EXPECT_EQ(test::open_loops(*mechanism, 0.1), 0);
 }
@@ -216,7 +216,7 @@ TEST(AwkwardMechanism, HasUniversalJointsWhoseOriginsAreApart) {
   }
   const auto mechanism = test::load(robot);
   for (const Leg& leg : mechanism->manipulator()->legs())
-    EXPECT_NEAR(std::get<StrutDrive>(leg.drive).base.norm(), 1.2, 1e-9);
+    EXPECT_NEAR(std::get<StrutActuation>(leg.actuation).base.norm(), 1.2, 1e-9);
   EXPECT_EQ(test::open_loops(*mechanism, 0.1), 0);
 }
 

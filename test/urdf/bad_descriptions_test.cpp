@@ -11,7 +11,7 @@
 namespace parallel_aspects {
 namespace {
 
-// Each file of test/data/bad holds one fault of the five-bar, and the sentences that it must be refused with,
+// Each file of test/data/bad holds one fault of the five-bar, and the messages that it must be refused with,
 // each in a line that starts with "expect: ".
 std::vector<std::string> bad_files() {
   std::vector<std::string> files;

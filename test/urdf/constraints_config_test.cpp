@@ -60,7 +60,7 @@ constraints:
 TEST(ConstraintsConfig, CanSwitchLimitsOff) {
   EXPECT_TRUE(loaded("bipod", "")->manipulator()->leg(0).limits.limited());
   EXPECT_FALSE(
-      loaded("bipod", "constraints: {driven_limits: false}")->manipulator()->leg(0).limits.limited());
+      loaded("bipod", "constraints: {actuated_limits: false}")->manipulator()->leg(0).limits.limited());
   const std::string urdf = limited("five_bar", "elbow_1_joint", -1.0, 2.0);
   EXPECT_EQ(loaded("five_bar", "", urdf)->manipulator()->constraints().passive_limits.size(), 1U);
   EXPECT_TRUE(loaded("five_bar", "constraints: {passive_limits: false}", urdf)
@@ -72,7 +72,7 @@ TEST(ConstraintsConfig, CanSwitchLimitsOff) {
 struct Limited {
   const char* robot;
   const char* joints;
-  std::size_t told, untold;
+  std::size_t told, missing;
   double lower, upper;
 };
 
@@ -85,7 +85,7 @@ TEST_P(PassiveLimits, AgreeWithTheClosedLoops) {
       loaded(limits.robot, "", limited(limits.robot, limits.joints, limits.lower, limits.upper));
   const Manipulator& robot = *mechanism->manipulator();
   ASSERT_EQ(robot.constraints().passive_limits.size(), limits.told);
-  ASSERT_EQ(robot.constraints().untold_joints.size(), limits.untold);
+  ASSERT_EQ(robot.constraints().missing_joints.size(), limits.missing);
   if (limits.told == 0) return;
   std::mt19937_64 random(20261121);
   std::uniform_real_distribution<double> entries(-1.0, 1.0);
@@ -95,7 +95,7 @@ TEST_P(PassiveLimits, AgreeWithTheClosedLoops) {
   for (int i = 0; i < 3000; ++i) {
     TaskVector step(static_cast<Eigen::Index>(robot.leg_count()));
     for (double& entry : coefficients_of(step)) entry = entries(random);
-    const auto angles = static_cast<Eigen::Index>(rotational_freedoms(robot.task_space()));
+    const auto angles = static_cast<Eigen::Index>(rotational_degrees_of_freedom(robot.task_space()));
     step.tail(step.size() - angles) *= 0.7 * robot.size();
     const Pose pose = displaced(robot.task_space(), start.pose, step);
     for (const InverseSolution& solution : inverse_in_all_modes(robot, pose)) {

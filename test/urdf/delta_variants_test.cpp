@@ -23,7 +23,7 @@ std::string frame(const std::string& name, const std::string& parent, const std:
 const std::array<std::string, 3> yaws{"0", "2.0944", "-2.0944"};
 const std::string y_as_z = " rpy=\"-1.5707963267948966 0 0\"";
 
-// Base, and a driven crank of 0.25 m on each leg. At zero the cranks are level and the rods hang down.
+// Base, and an actuated crank of 0.25 m on each leg. At zero the cranks are level and the rods hang down.
 std::string cranks() {
   std::string text = link("base");
   for (std::size_t k = 0; k < 3; ++k) {
@@ -44,7 +44,7 @@ void expect_delta(const Mechanism& mechanism) {
   EXPECT_EQ(mechanism.manipulator()->task_space(), TaskSpace::T3);
   EXPECT_EQ(mechanism.mobility(), 3);
   for (const Leg& leg : mechanism.manipulator()->legs()) {
-    EXPECT_NEAR(std::get<RevoluteDrive>(leg.drive).radius, 0.25, 1e-9);
+    EXPECT_NEAR(std::get<RevoluteActuation>(leg.actuation).radius, 0.25, 1e-9);
     EXPECT_NEAR(leg.rod_length, 0.7, 1e-9);
     EXPECT_NEAR(leg.anchor.norm(), 0.05, 1e-9);
     EXPECT_NEAR(leg.anchor.z(), 0.0, 1e-9);
@@ -104,7 +104,7 @@ TEST(DeltaVariant, LeavesTheTypesOfItsClosuresOpen) {
       mechanism->notes().front(),
       "robot.yaml leaves the type of closures open; they are taken as point ('right_tip_1 - right_end_1', "
       "'right_tip_2 - right_end_2', 'right_tip_3 - right_end_3') and revolute ('middle_2 - point_2', "
-      "'middle_3 - point_3'), under which the mobility is the number of drives.");
+      "'middle_3 - point_3'), under which the mobility is the number of actuated joints.");
 }
 
 // A single rod between two universal joints whose axes are parallel in pairs.
@@ -130,7 +130,8 @@ TEST(DeltaVariant, HasSingleRodsOnUniversalJoints) {
   expect_delta(*mechanism);
 }
 
-// Three struts that meet in the operational point: the link of the point turns, but no drive asks for that.
+// Three struts that meet in the operational point: the link of the point turns, but no actuated joint asks
+// for that.
 TEST(DeltaVariant, IsATripodWhoseStrutsMeetInAPoint) {
   std::string urdf = "<robot name=\"tripod\">" + link("base");
   for (std::size_t k = 0; k < 3; ++k) {
@@ -146,7 +147,7 @@ TEST(DeltaVariant, IsATripodWhoseStrutsMeetInAPoint) {
                                            "[tip_1, tip_3], type: spherical}"));
   EXPECT_EQ(mechanism->manipulator()->task_space(), TaskSpace::T3);
   for (const Leg& leg : mechanism->manipulator()->legs()) {
-    EXPECT_NEAR(std::get<StrutDrive>(leg.drive).base.norm(), 1.0, 1e-9);
+    EXPECT_NEAR(std::get<StrutActuation>(leg.actuation).base.norm(), 1.0, 1e-9);
     EXPECT_NEAR(leg.anchor.norm(), 0.0, 1e-9);
   }
   EXPECT_EQ(test::open_loops(*mechanism, 0.1), 0);

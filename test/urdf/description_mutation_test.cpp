@@ -64,7 +64,7 @@ std::string swapped(const std::string& text, std::mt19937& random) {
 
 class DescriptionMutation : public ::testing::TestWithParam<std::string> {};
 
-// Whatever the texts hold, a mechanism comes back or sentences do, in bounded time.
+// Whatever the texts hold, a mechanism comes back or messages do, in bounded time.
 TEST_P(DescriptionMutation, IsLoadedOrRefused) {
   const std::string urdf = test::source_file("urdf/" + GetParam() + ".urdf");
   const std::string config = test::source_file("config/robots/" + GetParam() + ".yaml");

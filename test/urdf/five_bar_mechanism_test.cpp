@@ -29,23 +29,23 @@ TEST_F(FiveBarMechanism, IsRecognisedAsThePaperDrawsIt) {
   EXPECT_TRUE(manipulator_.task_frame().isApprox(Eigen::Isometry3d::Identity(), 1e-12));
   EXPECT_EQ(mechanism_->platform_link(), "tool");
   EXPECT_EQ(mechanism_->mobility(), 2);
-  EXPECT_EQ(mechanism_->idle_freedoms(), 0);
+  EXPECT_EQ(mechanism_->idle_degrees_of_freedom(), 0);
   const std::array<double, 2> cranks{8.0, 5.0}, rods{5.0, 8.0}, bases{0.0, 9.0};
   for (std::size_t j = 0; j < 2; ++j) {
     const Leg& leg = manipulator_.leg(j);
-    const auto& drive = std::get<RevoluteDrive>(leg.drive);
-    EXPECT_EQ(leg.driven_joint, "crank_" + std::to_string(j + 1) + "_joint");
-    EXPECT_EQ(drive.radius, cranks[j]);
+    const auto& actuation = std::get<RevoluteActuation>(leg.actuation);
+    EXPECT_EQ(leg.actuated_joint, "crank_" + std::to_string(j + 1) + "_joint");
+    EXPECT_EQ(actuation.radius, cranks[j]);
     EXPECT_EQ(leg.rod_length, rods[j]);
-    EXPECT_EQ(drive.center, Eigen::Vector3d(bases[j], 0.0, 0.0));
-    EXPECT_EQ(drive.axis, Eigen::Vector3d::UnitZ());
-    EXPECT_EQ(drive.zero_direction, Eigen::Vector3d::UnitX());
+    EXPECT_EQ(actuation.center, Eigen::Vector3d(bases[j], 0.0, 0.0));
+    EXPECT_EQ(actuation.axis, Eigen::Vector3d::UnitZ());
+    EXPECT_EQ(actuation.zero_direction, Eigen::Vector3d::UnitX());
     EXPECT_EQ(leg.anchor, Eigen::Vector3d::Zero());
     EXPECT_FALSE(leg.limits.limited());
   }
 }
 
-// Drive values at P = (4.5, 8) by elbow signs, from independent computation.
+// Actuation values at P = (4.5, 8) by elbow signs, from independent computation.
 TEST_F(FiveBarMechanism, GivesTheReferenceDriveValues) {
   const std::vector<std::array<double, 2>> expected{{1.633334, 3.138465}, {1.633334, 1.027907}};
   for (const auto& [q1, q2] : expected) {

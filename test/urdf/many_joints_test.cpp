@@ -16,9 +16,9 @@ TEST(HexapodOf200Joints, IsRecognised) {
   const auto mechanism = test::load(hexapod.description());
   EXPECT_EQ(mechanism->manipulator()->task_space(), TaskSpace::SE3);
   EXPECT_EQ(mechanism->mobility(), 12);
-  EXPECT_EQ(mechanism->idle_freedoms(), 6) << "rods spin between two balls";
+  EXPECT_EQ(mechanism->idle_degrees_of_freedom(), 6) << "rods spin between two balls";
   for (const Leg& leg : mechanism->manipulator()->legs()) {
-    EXPECT_NEAR(std::get<RevoluteDrive>(leg.drive).radius, 0.25, 1e-6);
+    EXPECT_NEAR(std::get<RevoluteActuation>(leg.actuation).radius, 0.25, 1e-6);
     EXPECT_NEAR(leg.rod_length, 0.6, 1e-6);
     EXPECT_NEAR(leg.anchor.norm(), 0.1, 1e-6);
   }

@@ -34,9 +34,10 @@ class PassiveJointsOf : public testing::TestWithParam<const char*> {
     for (int i = 0; i < 1000; ++i) {
       TaskVector step(static_cast<Eigen::Index>(robot.leg_count()));
       for (Eigen::Index k = 0; k < step.size(); ++k)
-        step[k] = uniform(random) * (k < static_cast<Eigen::Index>(rotational_freedoms(robot.task_space()))
-                                         ? 0.2
-                                         : 0.05 * robot.size());
+        step[k] = uniform(random) *
+                  (k < static_cast<Eigen::Index>(rotational_degrees_of_freedom(robot.task_space()))
+                       ? 0.2
+                       : 0.05 * robot.size());
       const Pose pose = displaced(robot.task_space(), assembled.pose, step);
       for (const WorkingMode& mode : working_modes(robot)) {
         const InverseSolution solution = inverse(robot, pose, mode);
@@ -53,7 +54,7 @@ class PassiveJointsOf : public testing::TestWithParam<const char*> {
   const PassiveJoints passive_{mechanism_};
 };
 
-// From the drives and the passive joints of one sample.
+// From the actuated joints and the passive joints of one sample.
 TEST_P(PassiveJointsOf, StartTheTracker) {
   const AssembledConfiguration truth = configuration();
   Tracker tracker(mechanism_->manipulator());
@@ -68,7 +69,7 @@ TEST_P(PassiveJointsOf, StartTheTracker) {
               1e-6 * mechanism_->manipulator()->size());
 }
 
-// An encoder with a bias is named, whether it is that of a passive joint or of a drive.
+// An encoder with a bias is named, whether it is that of a passive joint or of an actuated joint.
 TEST_P(PassiveJointsOf, ContradictABiasedEncoder) {
   const AssembledConfiguration truth = configuration();
   Tracker tracker(mechanism_->manipulator());
@@ -95,7 +96,8 @@ INSTANTIATE_TEST_SUITE_P(ShippedRobots, PassiveJointsOf,
                            return std::string(tested.param);
                          });
 
-// A drive whose encoder is off by a tenth of a radian assembles elsewhere, and the passive joints say so.
+// An actuated joint whose encoder is off by a tenth of a radian assembles elsewhere, and the passive joints
+// say so.
 TEST(PassiveJoints, ContradictABiasedDrive) {
   const auto mechanism = test::shipped("five_bar");
   const PassiveJoints passive(mechanism);

@@ -3,7 +3,7 @@
 
 #include "support/descriptions.h"
 
-// Robots that cannot be treated, each with the sentence that says why.
+// Robots that cannot be treated, each with the message that says why.
 namespace parallel_aspects {
 namespace {
 
@@ -13,7 +13,7 @@ using test::moving_joint;
 using test::replaced;
 using test::shipped_text;
 
-// The same with the first crank's rod driven at its elbow, and a point beside the ball.
+// The same with the first crank's rod actuated at its elbow, and a point beside the ball.
 TEST(RefusedMechanism, HasItsOperationalPointBesideTheBallOfADrivenElbow) {
   Description five_bar = test::five_bar_with_still_joints();
   five_bar.urdf =
@@ -37,7 +37,7 @@ TEST(RefusedMechanism, DrivesAJointThatMimicsAnother) {
                "<joint name=\"crank_2_joint\" type=\"continuous\"><mimic joint=\"crank_1_joint\"/>");
   const Problems expected{
       "robot.yaml names joint 'crank_2_joint' in mechanism.actuated_joints, but robot.urdf lets that joint "
-      "mimic another; drive the other one, or take out the <mimic>."};
+      "mimic another; actuate the other one, or take out the <mimic>."};
   EXPECT_EQ(test::refusal(five_bar.urdf, five_bar.config), expected);
 }
 
@@ -59,7 +59,7 @@ std::string three_revolute_arm(const std::string& leg, const std::string& yaw) {
   return "<link name=\"foot" + leg + "\"/><link name=\"a" + leg + "\"/><link name=\"b" + leg +
          "\"/><link name=\"c" + leg + "\"/><link name=\"tip" + leg + "\"/>" +
          fixed_joint("base", "foot" + leg, "rpy=\"0 0 " + yaw + "\"") +
-         moving_joint("drive" + leg, "foot" + leg, "a" + leg, "0 0 1", "xyz=\"2 0.3 -0.4\"") +
+         moving_joint("motor" + leg, "foot" + leg, "a" + leg, "0 0 1", "xyz=\"2 0.3 -0.4\"") +
          moving_joint("shoulder" + leg, "a" + leg, "b" + leg, "0 1 0", "xyz=\"-0.5 0.2 0.1\"") +
          moving_joint("elbow" + leg, "b" + leg, "c" + leg, "1 0 0", "xyz=\"-0.7 0 0.6\"") +
          fixed_joint("c" + leg, "tip" + leg, "xyz=\"-0.8 -0.5 -0.3\"");
@@ -69,13 +69,13 @@ TEST(RefusedMechanism, HasCuspidalLegs) {
   const Problems problems =
       test::refusal("<robot name=\"arms\"><link name=\"base\"/>" + three_revolute_arm("1", "0") +
                         three_revolute_arm("2", "2.1") + three_revolute_arm("3", "-2.1") + "</robot>",
-                    "mechanism: {operational_point: tip1, actuated_joints: [drive1, drive2, drive3], "
+                    "mechanism: {operational_point: tip1, actuated_joints: [motor1, motor2, motor3], "
                     "closures: [{frames: [tip1, tip2], "
                     "type: point}, {frames: [tip1, tip3], type: point}]}");
   ASSERT_EQ(problems.size(), 3u) << (problems.empty() ? "accepted" : problems.front());
   EXPECT_EQ(
       problems[0],
-      "robot.urdf has a leg through 'drive1', 'shoulder1', 'elbow1' that is an arm of three revolute joints "
+      "robot.urdf has a leg through 'motor1', 'shoulder1', 'elbow1' that is an arm of three revolute joints "
       "whose "
       "passive axes do not meet: such a leg is in general cuspidal, it can change its posture without a "
       "serial "
@@ -83,7 +83,7 @@ TEST(RefusedMechanism, HasCuspidalLegs) {
       "Wenger, theorem 1); it is not a distance leg and cannot be treated.");
 }
 
-// B would not be diagonal: both drives move a point of the rod that is not its end.
+// B would not be diagonal: both actuated joints move a point of the rod that is not its end.
 TEST(RefusedMechanism, HasItsOperationalPointInsideARod) {
   Description five_bar = shipped_text("five_bar");
   five_bar.urdf =
@@ -99,7 +99,7 @@ TEST(RefusedMechanism, HasItsOperationalPointInsideARod) {
   EXPECT_EQ(test::refusal(five_bar.urdf, five_bar.config), expected);
 }
 
-// Three legs in one place can neither hold nor drive a platform.
+// Three legs in one place can neither hold nor move a platform.
 TEST(RefusedMechanism, HasItsLegsStackedInOnePlace) {
   Description robot = shipped_text("delta");
   robot.urdf = replaced(robot.urdf, "rpy=\"0 0 2.0943951023931953\"", "rpy=\"0 0 0\"");
@@ -107,10 +107,11 @@ TEST(RefusedMechanism, HasItsLegsStackedInOnePlace) {
   const Problems problems = test::refusal(robot.urdf, robot.config);
   ASSERT_EQ(problems.size(), 1u);
   EXPECT_EQ(problems[0],
-            "robot.yaml drives 'crank_1_joint', 'crank_2_joint', 'crank_3_joint', but the closed mechanism "
+            "robot.yaml actuates 'crank_1_joint', 'crank_2_joint', 'crank_3_joint', but the closed mechanism "
             "of robot.urdf "
-            "has mobility 4, and the platform still moves with the drives locked; list more actuated_joints, "
-            "or mend "
+            "has mobility 4, and the platform still moves with the actuated joints locked; list more "
+            "actuated_joints, "
+            "or correct "
             "closures that hold too little.");
 }
 
@@ -120,7 +121,8 @@ TEST(RefusedMechanism, HasALegWithoutDrive) {
                           "[crank_1_joint, crank_2_joint]");
   robot.config = replaced(robot.config, "task_space: SE2", "task_space: T2");
   const Problems expected{
-      "robot.yaml drives none of the joints 'crank_3_joint', 'elbow_3_joint', which make one leg; add one of "
+      "robot.yaml actuates none of the joints 'crank_3_joint', 'elbow_3_joint', which make one leg; add one "
+      "of "
       "them to "
       "actuated_joints, or take the leg out of the URDF."};
   EXPECT_EQ(test::refusal(robot.urdf, robot.config), expected);

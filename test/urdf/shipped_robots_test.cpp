@@ -34,12 +34,13 @@ TEST_P(ShippedRobot, IsRecognised) {
   EXPECT_EQ(manipulator_.name(), GetParam().robot);
   EXPECT_EQ(manipulator_.task_space(), GetParam().space);
   EXPECT_TRUE(manipulator_.task_frame().isApprox(Eigen::Isometry3d::Identity(), 1e-12));
-  EXPECT_EQ(static_cast<std::size_t>(mechanism_->mobility()), freedoms(GetParam().space));
-  EXPECT_EQ(mechanism_->idle_freedoms(), 0);
+  EXPECT_EQ(static_cast<std::size_t>(mechanism_->mobility()), degrees_of_freedom(GetParam().space));
+  EXPECT_EQ(mechanism_->idle_degrees_of_freedom(), 0);
   EXPECT_EQ(working_modes(manipulator_).size(), GetParam().modes);
   for (std::size_t j = 0; j < manipulator_.leg_count(); ++j) {
-    EXPECT_EQ(kind_name(manipulator_.leg(j).drive), GetParam().kind);
-    EXPECT_EQ(manipulator_.leg(j).driven_joint, config_["mechanism"]["actuated_joints"][j].as<std::string>());
+    EXPECT_EQ(kind_name(manipulator_.leg(j).actuation), GetParam().kind);
+    EXPECT_EQ(manipulator_.leg(j).actuated_joint,
+              config_["mechanism"]["actuated_joints"][j].as<std::string>());
   }
   EXPECT_TRUE(mechanism_->notes().empty()) << mechanism_->notes().front();
 }
@@ -78,7 +79,7 @@ TEST_P(ShippedRobot, CompletesItsPassiveJoints) {
       for (std::size_t k = 0; k < mechanism_->joint_names().size(); ++k)
         joints[mechanism_->joint_names()[k]] = positions[static_cast<Eigen::Index>(k)];
       for (std::size_t j = 0; j < manipulator_.leg_count(); ++j)
-        EXPECT_EQ(joints.at(manipulator_.leg(j).driven_joint), solution.q[static_cast<Eigen::Index>(j)]);
+        EXPECT_EQ(joints.at(manipulator_.leg(j).actuated_joint), solution.q[static_cast<Eigen::Index>(j)]);
       for (const auto& closure : config_["mechanism"]["closures"]) {
         const auto one = test::link_frame(*model, closure["frames"][0].as<std::string>(), joints);
         const auto other = test::link_frame(*model, closure["frames"][1].as<std::string>(), joints);
@@ -98,11 +99,11 @@ TEST_P(ShippedRobot, HasTheMatricesThatItsEquationsHave) {
   const std::vector<WorkingMode> modes = working_modes(manipulator_);
   const double size = manipulator_.size(), tolerance = 1e-12 * size * size;
   const auto n = static_cast<Eigen::Index>(manipulator_.leg_count());
-  const auto turns = static_cast<Eigen::Index>(rotational_freedoms(GetParam().space));
+  const auto turns = static_cast<Eigen::Index>(rotational_degrees_of_freedom(GetParam().space));
   TaskVector twist = TaskVector::Constant(n, 1e-5 * size), change = twist;
   twist.head(turns).setConstant(1e-5);
   for (Eigen::Index j = 0; j < n; ++j)
-    if (manipulator_.leg(static_cast<std::size_t>(j)).driven_by_angle()) change[j] = 1e-5;
+    if (manipulator_.leg(static_cast<std::size_t>(j)).actuated_by_angle()) change[j] = 1e-5;
   std::mt19937 random(8);
   std::uniform_real_distribution<double> number(-1.0, 1.0);
   int compared = 0;
@@ -119,31 +120,32 @@ TEST_P(ShippedRobot, HasTheMatricesThatItsEquationsHave) {
       const TaskVector t = twist[k] * TaskVector::Unit(n, k), dq = change[k] * TaskVector::Unit(n, k);
       const TaskVector by_pose = residuals(manipulator_, displaced(GetParam().space, pose, t), q) -
                                  residuals(manipulator_, displaced(GetParam().space, pose, -t), q);
-      const TaskVector by_drive =
+      const TaskVector by_joint =
           residuals(manipulator_, pose, q + dq) - residuals(manipulator_, pose, q - dq);
       ASSERT_LT((by_pose - 4.0 * (a * t)).cwiseAbs().maxCoeff(), tolerance)
           << to_string(GetParam().space, pose);
-      ASSERT_LT((by_drive + 4.0 * b.cwiseProduct(dq)).cwiseAbs().maxCoeff(), tolerance)
+      ASSERT_LT((by_joint + 4.0 * b.cwiseProduct(dq)).cwiseAbs().maxCoeff(), tolerance)
           << to_string(GetParam().space, pose);
     }
   }
   EXPECT_EQ(compared, 2000);
 }
 
-INSTANTIATE_TEST_SUITE_P(Robots, ShippedRobot,
-                         ::testing::Values(Expected{"five_bar", TaskSpace::T2, "revolute drive", 4},
-                                           Expected{"bipod", TaskSpace::T2, "strut", 1},
-                                           Expected{"three_rpr", TaskSpace::SE2, "strut", 1},
-                                           Expected{"three_rrr", TaskSpace::SE2, "revolute drive", 8},
-                                           Expected{"three_prr", TaskSpace::SE2, "prismatic drive", 8},
-                                           Expected{"delta", TaskSpace::T3, "revolute drive", 8},
-                                           Expected{"linear_delta", TaskSpace::T3, "prismatic drive", 8},
-                                           Expected{"stewart", TaskSpace::SE3, "strut", 1},
-                                           Expected{"hexa", TaskSpace::SE3, "revolute drive", 64},
-                                           Expected{"six_pus", TaskSpace::SE3, "prismatic drive", 64},
-                                           Expected{"agile_eye", TaskSpace::SO3, "revolute drive", 8},
-                                           Expected{"spherical_3rrr", TaskSpace::SO3, "revolute drive", 8}),
-                         [](const ::testing::TestParamInfo<Expected>& tested) { return tested.param.robot; });
+INSTANTIATE_TEST_SUITE_P(
+    Robots, ShippedRobot,
+    ::testing::Values(Expected{"five_bar", TaskSpace::T2, "actuated revolute joint", 4},
+                      Expected{"bipod", TaskSpace::T2, "strut", 1},
+                      Expected{"three_rpr", TaskSpace::SE2, "strut", 1},
+                      Expected{"three_rrr", TaskSpace::SE2, "actuated revolute joint", 8},
+                      Expected{"three_prr", TaskSpace::SE2, "actuated prismatic joint", 8},
+                      Expected{"delta", TaskSpace::T3, "actuated revolute joint", 8},
+                      Expected{"linear_delta", TaskSpace::T3, "actuated prismatic joint", 8},
+                      Expected{"stewart", TaskSpace::SE3, "strut", 1},
+                      Expected{"hexa", TaskSpace::SE3, "actuated revolute joint", 64},
+                      Expected{"six_pus", TaskSpace::SE3, "actuated prismatic joint", 64},
+                      Expected{"agile_eye", TaskSpace::SO3, "actuated revolute joint", 8},
+                      Expected{"spherical_3rrr", TaskSpace::SO3, "actuated revolute joint", 8}),
+    [](const ::testing::TestParamInfo<Expected>& tested) { return tested.param.robot; });
 
 // Three of the six direct solutions at these lengths (Innocenti and Parenti-Castelli).
 TEST(ThreeRpr, HasThePublishedLengths) {
@@ -164,12 +166,13 @@ TEST(ThreeRpr, HasThePublishedLengths) {
 TEST(Delta, HasThePublishedLengths) {
   const auto mechanism = test::shipped("delta");
   for (const Leg& leg : mechanism->manipulator()->legs()) {
-    const auto& drive = std::get<RevoluteDrive>(leg.drive);
-    EXPECT_NEAR(drive.center.norm(), 0.200, 1e-12);
-    EXPECT_EQ(drive.radius, 0.235);
+    const auto& actuation = std::get<RevoluteActuation>(leg.actuation);
+    EXPECT_NEAR(actuation.center.norm(), 0.200, 1e-12);
+    EXPECT_EQ(actuation.radius, 0.235);
     EXPECT_EQ(leg.rod_length, 0.800);
     EXPECT_NEAR(leg.anchor.norm(), 0.045, 1e-12);
-    EXPECT_NEAR(drive.zero_direction.dot(drive.center), 0.200, 1e-12) << "cranks point outwards at zero";
+    EXPECT_NEAR(actuation.zero_direction.dot(actuation.center), 0.200, 1e-12)
+        << "cranks point outwards at zero";
   }
 }
 
@@ -177,9 +180,9 @@ TEST(Delta, HasThePublishedLengths) {
 TEST(LinearDelta, HasThePublishedLengths) {
   const auto mechanism = test::shipped("linear_delta");
   for (const Leg& leg : mechanism->manipulator()->legs()) {
-    const auto& drive = std::get<PrismaticDrive>(leg.drive);
-    EXPECT_NEAR(drive.origin.head<2>().norm(), 0.1255, 1e-12);
-    EXPECT_NEAR((drive.direction - Eigen::Vector3d::UnitZ()).norm(), 0.0, 1e-12);
+    const auto& actuation = std::get<PrismaticActuation>(leg.actuation);
+    EXPECT_NEAR(actuation.origin.head<2>().norm(), 0.1255, 1e-12);
+    EXPECT_NEAR((actuation.direction - Eigen::Vector3d::UnitZ()).norm(), 0.0, 1e-12);
     EXPECT_EQ(leg.rod_length, 0.215);
     EXPECT_NEAR(leg.anchor.norm(), 0.0199, 1e-12);
   }

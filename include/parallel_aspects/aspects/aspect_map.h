@@ -123,13 +123,13 @@ class AspectMap {
   std::size_t proved_count() const noexcept;
 
   /// Upper bound of the number of generalized aspects that have a pose in the region, proved; none where
-  /// `open_leaves` is not zero.
+  /// `indeterminate_leaves` is not zero.
   std::optional<std::size_t> count_at_most() const noexcept;
 
   /// Undecided leaves, counted by mode and sign of det A, of which it is not proved that what they hold lies
-  /// in one aspect at most: aspects that are not listed could hide there. With one and two freedoms they are
-  /// divided until none is left, or down to the deepest level.
-  std::size_t open_leaves() const noexcept;
+  /// in one aspect at most: aspects that are not listed could hide there. With one and two degrees of freedom
+  /// they are divided until none is left, or down to the deepest level.
+  std::size_t indeterminate_leaves() const noexcept;
 
   /// Pairs of `aspects()` that are neither joined nor proved separate.
   const std::vector<std::pair<int, int>>& unresolved() const noexcept;
@@ -143,8 +143,8 @@ class AspectMap {
   /// Which symmetries were used; nothing where the map was loaded from a file.
   const std::optional<SymmetryUse>& symmetry_use() const noexcept;
 
-  /// Which aspect holds this pose in this working mode; in an undecided leaf, by proving a straight way to an
-  /// inside leaf near by. Neither allocates nor throws.
+  /// Which aspect holds this pose in this working mode; in an undecided leaf, by proving a straight path to
+  /// an inside leaf near by. Neither allocates nor throws.
   Location locate(const Pose& pose, const WorkingMode& mode) const noexcept;
 
   /// Calls `visit` with every inside leaf of an aspect.
@@ -166,12 +166,12 @@ class AspectMap {
 
 struct MapResult {
   MapStatus status = MapStatus::refused;
-  std::string sentence;                  ///< why, unless complete
+  std::string message;                   ///< why, unless complete
   std::shared_ptr<const AspectMap> map;  ///< set when complete
 };
 
 /// Computes the map, of a slice in SE3 and of all poses or of a slice elsewhere. SE3 without a slice and bad
-/// options are refused with a sentence.
+/// options are refused with a message.
 MapResult compute_aspect_map(std::shared_ptr<const Manipulator> manipulator, const MapOptions& options = {},
                              const MapControl& control = {});
 

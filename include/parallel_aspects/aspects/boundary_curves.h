@@ -17,7 +17,7 @@ namespace parallel_aspects {
 enum class BoundaryKind {
   parallel,        ///< det A = 0
   serial,          ///< B_jj = 0
-  limit,           ///< a drive at one of its joint limits
+  limit,           ///< an actuated joint at one of its joint limits
   passive_limit,   ///< another joint at one of its limits
   self_collision,  ///< links of two legs touch
   obstacle,        ///< a link or the platform touches an obstacle

@@ -13,7 +13,7 @@ namespace parallel_aspects {
 /// The undecided leaves, over all working modes, in which a constraint neither holds everywhere nor fails
 /// everywhere: what encloses its boundary. One leaf may enclose several.
 struct ConstraintBoundary {
-  ConstraintKind kind = ConstraintKind::driven_limits;
+  ConstraintKind kind = ConstraintKind::actuated_limits;
   std::size_t leaves = 0;
   double measure = 0.0;  ///< of these leaves, in the unit of `measure_unit`
 };

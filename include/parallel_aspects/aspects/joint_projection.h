@@ -13,13 +13,13 @@
 
 namespace parallel_aspects {
 
-/// The rectangle of drive values that is drawn: one turn, -pi to pi, for an angle without limits, the range
+/// The rectangle of joint values that is drawn: one turn, -pi to pi, for an angle without limits, the range
 /// that the aspects take otherwise. Opposite edges of a full turn are the same.
 struct JointWindow {
   Eigen::Vector2d lower, upper;  ///< [rad or m]
-  std::array<bool, 2> turns{};   ///< whether the drive is an angle that wraps
+  std::array<bool, 2> turns{};   ///< whether the actuated joint is an angle that wraps
 
-  /// Drive values brought into the window where they wrap.
+  /// Actuation values brought into the window where they wrap.
   Eigen::Vector2d wrapped(const Eigen::Vector2d& q) const noexcept;
 };
 
@@ -45,7 +45,7 @@ class JointProjection {
                                       const WorkingMode& mode) const;
 
  private:
-  Eigen::Vector2d drives(const Eigen::Vector2d& point, const WorkingMode& mode) const;
+  Eigen::Vector2d joint_values(const Eigen::Vector2d& point, const WorkingMode& mode) const;
   double span(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const;
   Eigen::Vector2d near(const Eigen::Vector2d& reference, Eigen::Vector2d q) const;
   void add_image(const std::vector<Eigen::Vector2d>& polygon, const WorkingMode& mode, int splits_left,

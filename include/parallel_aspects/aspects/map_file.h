@@ -11,14 +11,14 @@ namespace parallel_aspects {
 
 struct SaveResult {
   bool saved = false;
-  std::string sentence;  ///< why not, unless saved
+  std::string message;  ///< why not, unless saved
 };
 
 /// Writes the map to a file. At every moment the file is the old one or the new one, whole.
 SaveResult save_map(const AspectMap& map, const std::string& path);
 
 /// The map of this manipulator with these options, as `compute_aspect_map` gave it, if the file holds that.
-/// Refused with a sentence where it cannot be read, is damaged, is of another version of the package or
+/// Refused with a message where it cannot be read, is damaged, is of another version of the package or
 /// another revision of the proofs, or holds the map of another robot or of other options. What the file
 /// claims is believed then, so it is as good as those who can write to it; but no file, not even a forged
 /// one, does harm beyond wrong answers.

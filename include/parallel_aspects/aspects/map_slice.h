@@ -24,7 +24,7 @@ struct HeldCoordinate {
 /// A line, plane or volume of poses: some of the pose moves, and the rest is held. A map of a slice is one of
 /// the connected components within the slice; two of them may be joined outside of it.
 struct MapSlice {
-  enum class Turning {
+  enum class Rotation {
     none,        ///< the platform keeps its orientation
     about_axis,  ///< by an angle in [-pi, pi] about `axis`
     freely,      ///< every orientation, as in SO3
@@ -32,7 +32,7 @@ struct MapSlice {
 
   Pose held;                                        ///< a pose of the slice, at zero of all that moves
   std::array<bool, 3> moves{};                      ///< whether x, y and z are free
-  Turning turning = Turning::none;                  ///< of the platform
+  Rotation rotation = Rotation::none;               ///< of the platform
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< in the task frame; need not be of unit length
   std::string angle_name = "phi";                   ///< of the angle about it
   std::vector<HeldCoordinate> held_coordinates{};   ///< as it was asked for; for people only
@@ -46,7 +46,7 @@ struct MapSlice {
 /// The slice of a task space that holds these coordinates and leaves the others free. They are named x, y, z
 /// [m], phi (SE2), roll, pitch and yaw (SO3, SE3) [rad], as the task space has them; an orientation is that
 /// of URDF, Rz(yaw) Ry(pitch) Rx(roll). Of roll, pitch and yaw none or one may be free, or all three where x,
-/// y and z are held. Sentences that say what is wrong are added to `problems`; then the slice is of no
+/// y and z are held. Messages that say what is wrong are added to `problems`; then the slice is of no
 /// meaning.
 MapSlice make_slice(TaskSpace space, const std::vector<HeldCoordinate>& held, Problems& problems);
 

@@ -89,12 +89,12 @@ class PoseRoadmap {
 
 struct RoadmapResult {
   MapStatus status = MapStatus::refused;
-  std::string sentence;                        ///< why, unless complete
+  std::string message;                         ///< why, unless complete
   std::shared_ptr<const PoseRoadmap> roadmap;  ///< set when complete
 };
 
 /// Samples poses and joins them. Options out of range, and legs that leave the positions unbounded, are
-/// refused with a sentence.
+/// refused with a message.
 RoadmapResult compute_pose_roadmap(std::shared_ptr<const Manipulator> manipulator,
                                    const RoadmapOptions& options = {}, const MapControl& control = {});
 

@@ -23,14 +23,14 @@ enum class SameAspect { yes, no, unknown };
 
 struct AspectComparison {
   SameAspect answer = SameAspect::unknown;
-  std::string sentence;  ///< why
+  std::string message;  ///< why
 
   /// Where the answer is yes: poses from the first to the second; each `PoseSegment` from one to the next is
   /// proved free of singularities and within limits.
   std::vector<Pose> path;
 
-  /// The sign of det A at both where a way was looked for and none was found; 0 where no search can help.
-  int open_sign = 0;
+  /// The sign of det A at both where a path was looked for and none was found; 0 where no search can help.
+  int searched_sign = 0;
 
   /// Where the answer is no since one of them lies in no aspect: the constraint that is proved to fail there,
   /// if it is one.
@@ -44,7 +44,7 @@ struct AspectComparison {
 AspectComparison same_aspect(const SegmentCertifier& certifier, const PoseInMode& first,
                              const PoseInMode& second);
 
-/// The same, and yes also where a way is found over the roadmap or over poses sampled for this question.
+/// The same, and yes also where a path is found over the roadmap or over poses sampled for this question.
 /// That none was found proves nothing. The same roadmap gives the same answer. Takes up to a second or so
 /// where the answer is unknown.
 AspectComparison same_aspect(const PoseRoadmap& roadmap, const PoseInMode& first, const PoseInMode& second);

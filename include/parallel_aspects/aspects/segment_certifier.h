@@ -14,11 +14,11 @@
 namespace parallel_aspects {
 
 /// What stands in the way at a pose or on a segment.
-enum class Hindrance {
+enum class Violation {
   none,
   singularity,   ///< det A is zero, or has the other sign
   out_of_reach,  ///< a leg cannot reach, or just reaches: B_jj = 0
-  joint_limit,   ///< a drive is outside its limits
+  joint_limit,   ///< an actuated joint is outside its limits
   constraint,    ///< another constraint of the manipulator does not hold
 };
 
@@ -27,9 +27,9 @@ struct ConfigurationProof {
   /// Of det A, where every leg is proved to reach and all constraints to hold; 0 where that is not proved.
   int sign = 0;
 
-  Hindrance proved_hindrance = Hindrance::none;  ///< where it is proved to lie in no aspect
-  std::optional<ConstraintKind> failing;         ///< which constraint, where the hindrance is one
-  std::optional<std::size_t> leg;                ///< which leg cannot reach, or has the drive outside
+  Violation proved_violation = Violation::none;  ///< where it is proved to lie in no aspect
+  std::optional<ConstraintKind> failing;         ///< which constraint, where the violation is one
+  std::optional<std::size_t> leg;  ///< which leg cannot reach, or has the actuated joint outside
 };
 
 enum class SegmentVerdict {
@@ -40,9 +40,9 @@ enum class SegmentVerdict {
 
 struct SegmentProof {
   SegmentVerdict verdict = SegmentVerdict::undecided;
-  Hindrance hindrance = Hindrance::none;  ///< where blocked: what is proved to stand in the way
+  Violation violation = Violation::none;  ///< where blocked: what is proved to stand in the way
   double free_until = 0.0;                ///< proved free from t = 0 to here
-  double witness = 0.0;                   ///< where blocked: proved to be hindered at or before this t
+  double witness = 0.0;                   ///< where blocked: proved to be violated at or before this t
   int parts = 0;                          ///< that were tried
 };
 

@@ -23,7 +23,7 @@ enum class DistanceStatus {
   unavailable,  ///< nothing is known; see `ConfigurationStatus`
 };
 
-/// Which limit of a drive.
+/// Which limit of an actuated joint.
 enum class LimitEnd { lower, upper };
 
 /// Distance from a configuration to the nearest boundary of one kind, in the metric
@@ -45,20 +45,20 @@ struct BoundaryDistance {
   /// arithmetic: as where det A touches zero without a change of sign.
   bool upper_proved = false;
 
-  /// The nearest pose of the boundary that was found, of no meaning where `upper` is infinite; and the drive
-  /// values there [rad or m].
+  /// The nearest pose of the boundary that was found, of no meaning where `upper` is infinite; and the
+  /// actuated joint values there [rad or m].
   Pose witness;
   JointVector witness_q;
 
-  /// The way from the pose to the witness, as it starts: twist (w, v) as in `displaced`, such that the
+  /// The path from the pose to the witness, as it starts: twist (w, v) as in `displaced`, such that the
   /// anchors move by 1 m a unit in the mean (D = 1 m to first order) [rad and m, a metre].
   TaskVector direction;
 
-  /// `witness_q` less the present drive values [rad or m], angles of drives without limits the short way
-  /// round. An upper bound of how far each drive has to go to the boundary, as far as `upper` is one: the
-  /// witness is reached with these displacements. It is no lower bound; a smaller displacement may lead to
-  /// another pose of the boundary.
-  JointVector drive_displacement;
+  /// `witness_q` less the present joint values [rad or m], angles of actuated joints without limits the short
+  /// path round. An upper bound of how far each actuated joint has to go to the boundary, as far as `upper`
+  /// is one: the witness is reached with these displacements. It is no lower bound; a smaller displacement
+  /// may lead to another pose of the boundary.
+  JointVector joint_displacement;
 
   /// The leg at fault, and its limit; serial singularities and limits only.
   std::size_t leg = 0;
@@ -69,7 +69,8 @@ struct BoundaryDistance {
 
 enum class ConfigurationStatus {
   measured,
-  outside_limits,  ///< a drive is at or beyond a limit; singularities are measured, the limit is `touching`
+  outside_limits,  ///< an actuated joint is at or beyond a limit; singularities are measured, the limit is
+                   ///< `touching`
   out_of_reach,    ///< not proved that each leg reaches with B_jj != 0; nothing is measured
   invalid,  ///< numbers not finite or beyond 1e9 m, a quaternion far from unit length, a mode that the legs
             ///< do not have, or anchors in one point or line, about which the metric sees no rotation
@@ -78,23 +79,23 @@ enum class ConfigurationStatus {
 /// All of one configuration.
 struct BoundaryDistances {
   ConfigurationStatus status = ConfigurationStatus::invalid;
-  JointVector q;  ///< drive values at the pose in the working mode [rad or m]
-  BoundaryDistance parallel, serial, drive_limit;
+  JointVector q;  ///< joint values at the pose in the working mode [rad or m]
+  BoundaryDistance parallel, serial, actuated_limit;
 };
 
 /// How much work is spent.
 struct DistanceOptions {
   double tolerance = 0.01;  ///< relative gap between the bounds that is aimed at, in (0, 1)
-  /// Evaluated in one search, at least 1; there are three. In six freedoms the search for det A = 0 evaluates
-  /// a 32nd of it, for its boxes take so much longer, but 8 at least.
+  /// Evaluated in one search, at least 1; there are three. In six degrees of freedom the search for det A = 0
+  /// evaluates a 32nd of it, for its boxes take so much longer, but 8 at least.
   int most_boxes = 400;
 };
 
 /// Measures how far a configuration (pose X, working mode s) is from
 ///  - the nearest parallel singularity: poses where every leg reaches on branch s and det A = 0;
 ///  - the nearest serial singularity: poses where every leg reaches and some B_jj = 0;
-///  - the nearest limit: poses where every leg reaches on branch s and some drive is at its limit.
-/// Each is the distance to a set of poses of the working mode, whether or not the way there leaves the mode;
+///  - the nearest limit: poses where every leg reaches on branch s and some actuated joint is at its limit.
+/// Each is the distance to a set of poses of the working mode, whether or not the path there leaves the mode;
 /// so the ball of poses with D < lower holds no such pose, and its part of the aspect none at all. Ranges of
 /// a full turn or more limit no pose. docs/distance.md says how, and what is proved.
 ///

@@ -9,22 +9,22 @@
 
 namespace parallel_aspects {
 
-/// One direct solution: a pose that the given drive values can hold.
+/// One direct solution: a pose that the given joint values can hold.
 struct AssemblyMode {
   Pose pose;
   double determinant = 0.0;  ///< det A there; unit as in `direct_determinant`
   double residual = 0.0;     ///< largest |f_j| over the squared `assembly_scale`, dimensionless
   bool near_singular =
-      false;  ///< so close to det A = 0 that its count or pose may hang on rounding (see `direct`)
+      false;  ///< so close to det A = 0 that its count or pose may depend on rounding (see `direct`)
   /// Some B_jj is zero to rounding, below 1e-6 of |u_j| |c_j'|: a leg is stretched or folded, and the
   /// solution belongs to no working mode. The trivial solutions of the Agile Eye are such, whatever the
-  /// drives.
+  /// actuated joints.
   bool serially_singular = false;
 };
 
 enum class DirectStatus {
   solved,     ///< every real solution is in the list, which may be empty
-  continuum,  ///< the platform can move with the drives locked; no finite list exists
+  continuum,  ///< the platform can move with the actuated joints locked; no finite list exists
   unsolved,   ///< the input is not finite, or the list may be incomplete
 };
 

@@ -11,21 +11,21 @@
 
 namespace parallel_aspects {
 
-/// B_jj^2 of a leg whose anchor is at `point` (task frame) [m^4, or m^2 for a drive value in m]. Negative
+/// B_jj^2 of a leg whose anchor is at `point` (task frame) [m^4, or m^2 for a joint value in m]. Negative
 /// where the leg cannot reach: B_jj^2 = 0 is the serial singularity, stretched or folded, and the same for
 /// all working modes.
 double squared_inverse_entry(const Leg& leg, const Eigen::Vector3d& point) noexcept;
 
-/// The drive value that puts the leg's anchor at `point` with the given sign of B_jj [rad or m]; an angle
+/// The joint value that puts the leg's anchor at `point` with the given sign of B_jj [rad or m]; an angle
 /// comes in
 /// (-pi, pi], or a whole number of turns away where that is what the joint limits ask for.
 /// Where the leg cannot reach, the value of the closest configuration (B_jj = 0).
-double drive_value(const Leg& leg, const Eigen::Vector3d& point, int sign) noexcept;
+double joint_value(const Leg& leg, const Eigen::Vector3d& point, int sign) noexcept;
 
 enum class InverseStatus {
   solved,
   out_of_reach,    ///< a leg cannot reach; `leg` says which
-  outside_limits,  ///< a drive value is outside its joint limits; `leg` says which
+  outside_limits,  ///< a joint value is outside its joint limits; `leg` says which
 };
 
 struct InverseSolution {

@@ -11,9 +11,9 @@
 namespace parallel_aspects {
 
 /// A of the velocity model A t = B q̇ (the sign convention of the paper's five-bar): one row a leg, one column
-/// a freedom. With u = p - c and b = p - operational point, row j is u (T1, T2, T3; of it what the space
-/// moves), (b x u, u) (SE2, SE3) or p x u (SO3); columns follow the twist t = (w, v). Translational columns
-/// in m, rotational ones in m^2.
+/// a degree of freedom. With u = p - c and b = p - operational point, row j is u (T1, T2, T3; of it what the
+/// space moves), (b x u, u) (SE2, SE3) or p x u (SO3); columns follow the twist t = (w, v). Translational
+/// columns in m, rotational ones in m^2.
 TaskMatrix direct_matrix(const Manipulator& manipulator, const Pose& pose, const JointVector& q);
 
 /// A with its rows over their rod length and its rotational columns over the characteristic length.

@@ -22,15 +22,15 @@ namespace parallel_aspects {
 
 /// What can bound an aspect besides singularities.
 enum class ConstraintKind {
-  driven_limits,   ///< limits of the drives
-  passive_limits,  ///< limits of joints that are not driven
-  self_collision,  ///< links of two legs that touch
-  obstacles,       ///< links or the platform that touch something in the surroundings
-  workspace,       ///< a box that the operational point must stay in
+  actuated_limits,  ///< limits of the actuated joints
+  passive_limits,   ///< limits of joints that are not actuated
+  self_collision,   ///< links of two legs that touch
+  obstacles,        ///< links or the platform that touch something in the surroundings
+  workspace,        ///< a box that the operational point must stay in
 };
 
 inline constexpr std::array<ConstraintKind, 5> all_constraint_kinds{
-    ConstraintKind::driven_limits, ConstraintKind::passive_limits, ConstraintKind::self_collision,
+    ConstraintKind::actuated_limits, ConstraintKind::passive_limits, ConstraintKind::self_collision,
     ConstraintKind::obstacles, ConstraintKind::workspace};
 
 /// Bit k stands for the k-th of `all_constraint_kinds`.
@@ -38,7 +38,7 @@ using ConstraintKinds = std::bitset<all_constraint_kinds.size()>;
 
 inline std::size_t index_of(ConstraintKind kind) noexcept { return static_cast<std::size_t>(kind); }
 
-/// "driven_limits", "passive_limits", "self_collision", "obstacles" or "workspace".
+/// "actuated_limits", "passive_limits", "self_collision", "obstacles" or "workspace".
 std::string_view name(ConstraintKind kind) noexcept;
 
 /// The kind of that name; nothing for any other text.
@@ -115,8 +115,8 @@ struct WorkspaceBox {
   Eigen::Vector3d upper = Eigen::Vector3d::Zero();
 };
 
-/// What bounds the motions of a manipulator besides singularities and the limits of its drives, which its
-/// legs hold. What is not there is not asked.
+/// What bounds the motions of a manipulator besides singularities and the limits of its actuated joints,
+/// which its legs hold. What is not there is not asked.
 struct Constraints {
   LinkThickness thickness;
   std::vector<PassiveLimit> passive_limits;
@@ -125,7 +125,7 @@ struct Constraints {
   std::optional<WorkspaceBox> workspace;
 
   /// Limited joints that none of `passive_limits` stands for, since distances do not tell where they are.
-  std::vector<std::string> untold_joints;
+  std::vector<std::string> missing_joints;
 };
 
 /// In how many directions the platform can move away: 0 to 3.
@@ -134,7 +134,7 @@ std::size_t directions(TaskSpace space) noexcept;
 /// Whether legs and platform stay in the x-y plane (T1, T2, SE2).
 bool is_planar(TaskSpace space) noexcept;
 
-/// What is wrong with the constraints for these legs, a sentence each.
+/// What is wrong with the constraints for these legs, a message each.
 Problems find_problems(const Constraints& constraints, TaskSpace space, const std::vector<Leg>& legs);
 
 }  // namespace parallel_aspects

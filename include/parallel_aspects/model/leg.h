@@ -14,31 +14,32 @@
 namespace parallel_aspects {
 
 /// The proximal point c runs on a circle: c(q) = center + radius (cos q e1 + sin q e2), with e1 =
-/// zero_direction and e2 = axis x e1. Legs RRR, RUS, RSS, Delta, and spherical RRR. Drive value q in rad.
-struct RevoluteDrive {
+/// zero_direction and e2 = axis x e1. Legs RRR, RUS, RSS, Delta, and spherical RRR. Actuation value q in rad.
+struct RevoluteActuation {
   Eigen::Vector3d center;          ///< of the circle, in the task frame [m]
   Eigen::Vector3d axis;            ///< unit vector; q turns about it by the right-hand rule
   Eigen::Vector3d zero_direction;  ///< unit vector orthogonal to axis; from center to c at q = 0
   double radius;                   ///< [m], positive
 };
 
-/// The proximal point runs on a line: c(q) = origin + q direction. Legs PRR, PUS, PSS. Drive value q in m.
-struct PrismaticDrive {
+/// The proximal point runs on a line: c(q) = origin + q direction. Legs PRR, PUS, PSS. Actuation value q in
+/// m.
+struct PrismaticActuation {
   Eigen::Vector3d origin;     ///< c at q = 0, in the task frame [m]
   Eigen::Vector3d direction;  ///< unit vector
 };
 
-/// The rod itself is driven: c fixed, rho(q) = length_at_zero + sense q. Legs RPR, UPS, SPS. Drive value q in
-/// m.
-struct StrutDrive {
+/// The rod itself is actuated: c fixed, rho(q) = length_at_zero + sense q. Legs RPR, UPS, SPS. Actuation
+/// value q in m.
+struct StrutActuation {
   Eigen::Vector3d base;         ///< c, in the task frame [m]
   double length_at_zero = 0.0;  ///< rho at q = 0 [m]
   double sense = 1.0;           ///< +1 or -1
 };
 
-/// The elbow between two links is driven: c fixed, and by the law of cosines
-/// rho(q)^2 = inner^2 + outer^2 + 2 inner outer cos(angle_at_zero + sense q). Drive value q in rad.
-struct ElbowDrive {
+/// The elbow between two links is actuated: c fixed, and by the law of cosines
+/// rho(q)^2 = inner^2 + outer^2 + 2 inner outer cos(angle_at_zero + sense q). Actuation value q in rad.
+struct ElbowActuation {
   Eigen::Vector3d base;        ///< c, in the task frame [m]
   double inner_length;         ///< link on the base [m], positive
   double outer_length;         ///< link on the platform [m], positive
@@ -46,7 +47,7 @@ struct ElbowDrive {
   double sense = 1.0;          ///< +1 or -1
 };
 
-using Drive = std::variant<RevoluteDrive, PrismaticDrive, StrutDrive, ElbowDrive>;
+using Actuation = std::variant<RevoluteActuation, PrismaticActuation, StrutActuation, ElbowActuation>;
 
 /// Range of a joint value, both ends included, and its speed; unlimited by default. rad or m.
 struct JointLimits {
@@ -62,18 +63,19 @@ struct JointLimits {
   bool contain(double value) const noexcept { return lower <= value && value <= upper; }
 };
 
-/// One leg of a fully parallel manipulator, as one scalar equation between its drive and the pose:
+/// One leg of a fully parallel manipulator, as one scalar equation between its actuated joint and the pose:
 ///
 ///     f(X, q) = |p(X) - c(q)|^2 - rho(q)^2 = 0
 ///
 /// p(X) is the anchor, fixed in the platform; c(q) the proximal point; rho(q) the distance between the two.
 struct Leg {
-  std::string name;          ///< for people; unique in a manipulator
-  std::string driven_joint;  ///< name of the actuated joint; unique in a manipulator
-  Drive drive;
+  std::string name;            ///< for people; unique in a manipulator
+  std::string actuated_joint;  ///< name of the actuated joint; unique in a manipulator
+  Actuation actuation;
   Eigen::Vector3d anchor = Eigen::Vector3d::Zero();  ///< in the platform frame [m]
-  double rod_length = 0.0;  ///< rho for revolute and prismatic drives [m], positive; unused by the others
-  JointLimits limits;       ///< of the drive value
+  double rod_length =
+      0.0;             ///< rho for revolute and actuated prismatic joints [m], positive; unused by the others
+  JointLimits limits;  ///< of the joint value
 
   Eigen::Vector3d proximal_point(double q) const noexcept;             ///< c(q) [m]
   Eigen::Vector3d proximal_point_derivative(double q) const noexcept;  ///< dc/dq [m/rad or 1]
@@ -83,23 +85,23 @@ struct Leg {
   /// f(X, q) [m^2]: zero when the leg is assembled.
   double residual(const Pose& pose, double q) const noexcept;
 
-  /// Whether the drive value is an angle [rad] rather than a length [m].
-  bool driven_by_angle() const noexcept;
+  /// Whether the joint value is an angle [rad] rather than a length [m].
+  bool actuated_by_angle() const noexcept;
 
   /// Whether B_jj can take this sign (+1 or -1). Both signs, except for a strut: its length is positive, so
   /// that B_jj always has the sign of its sense.
   bool has_branch(int sign) const noexcept;
 
   /// No anchor within reach of the leg is farther from `base_point()` than this [m]; infinite for a prismatic
-  /// drive or a strut without limits.
+  /// actuated joint or a strut without limits.
   double longest_reach() const noexcept;
 
   /// The fixed point that `longest_reach` counts from, in the task frame [m].
   Eigen::Vector3d base_point() const noexcept;
 };
 
-/// "revolute drive", "prismatic drive", "strut" or "driven elbow".
-std::string_view kind_name(const Drive& drive) noexcept;
+/// "actuated revolute joint", "actuated prismatic joint", "strut" or "actuated elbow".
+std::string_view kind_name(const Actuation& actuation) noexcept;
 
 }  // namespace parallel_aspects
 

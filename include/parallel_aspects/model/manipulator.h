@@ -20,8 +20,8 @@ namespace parallel_aspects {
 struct ManipulatorDescription {
   std::string name;
   TaskSpace task_space = TaskSpace::T2;
-  std::vector<Leg> legs;                                         ///< as many as the task space has freedoms
-  std::string base_frame = "base_link";                          ///< link that `task_frame` is given in
+  std::vector<Leg> legs;                 ///< as many as the task space has degrees of freedom
+  std::string base_frame = "base_link";  ///< link that `task_frame` is given in
   Eigen::Isometry3d task_frame = Eigen::Isometry3d::Identity();  ///< task frame in the base frame [m]
   Constraints constraints{};                                     ///< none by default
 };
@@ -44,7 +44,7 @@ class Manipulator {
   const Eigen::Isometry3d& task_frame() const noexcept { return description_.task_frame; }
   const Constraints& constraints() const noexcept { return description_.constraints; }
 
-  /// The kinds of constraints that there are, limits of drives among them.
+  /// The kinds of constraints that there are, limits of actuated joints among them.
   ConstraintKinds constraint_kinds() const noexcept;
 
   /// The same manipulator with no constraints but those of these kinds that it has. Links of a planar robot
@@ -61,7 +61,7 @@ class Manipulator {
   /// one [m]. Residuals are judged relative to it.
   double size() const noexcept { return size_; }
 
-  /// Whether every drive value is finite and inside its limits; `q` must have `leg_count()` entries.
+  /// Whether every joint value is finite and inside its limits; `q` must have `leg_count()` entries.
   bool within_limits(const JointVector& q) const noexcept;
 
  private:

@@ -8,7 +8,7 @@
 
 namespace parallel_aspects {
 
-/// Whole sentences; each names the file or parameter, the joint or link at fault, and what to do about it.
+/// Whole messages; each names the file or parameter, the joint or link at fault, and what to do about it.
 using Problems = std::vector<std::string>;
 
 /// Thrown while loading or constructing, and nowhere else. Carries every problem found, not just the first.

@@ -20,8 +20,8 @@ enum class TaskSpace {
   SE3,  ///< all rigid motions
 };
 
-/// Number of freedoms: 1, 2, 3, 3, 3, 6. Equals the number of legs of a fully parallel manipulator.
-std::size_t freedoms(TaskSpace space) noexcept;
+/// Number of degrees of freedom: 1, 2, 3, 3, 3, 6. Equals the number of legs of a fully parallel manipulator.
+std::size_t degrees_of_freedom(TaskSpace space) noexcept;
 
 /// "T1", "T2", "SE2", "T3", "SO3" or "SE3".
 std::string_view name(TaskSpace space) noexcept;
@@ -32,8 +32,8 @@ std::optional<TaskSpace> task_space_named(std::string_view text) noexcept;
 /// Names of the pose coordinates, in the order of `pose_coordinates`: x, y, z [m], phi [rad], qx, qy, qz, qw.
 const std::vector<std::string>& coordinate_names(TaskSpace space);
 
-/// How many of the freedoms are rotations; they come first in a twist and in the columns of A.
-std::size_t rotational_freedoms(TaskSpace space) noexcept;
+/// How many of the degrees of freedom are rotations; they come first in a twist and in the columns of A.
+std::size_t rotational_degrees_of_freedom(TaskSpace space) noexcept;
 
 /// Whether the platform can turn (SE2, SO3, SE3).
 bool has_rotation(TaskSpace space) noexcept;

@@ -15,12 +15,12 @@ namespace parallel_aspects {
 /// Whether a motion may pass through this configuration, beyond what the manipulator itself demands.
 using ConfigurationFilter = std::function<bool(const Pose&, const JointVector&)>;
 
-/// A smooth round of the platform about a pose, through all freedoms at once, that needs no map: a Lissajous
-/// figure as large as stays clear of singularities, in one working mode, within joint limits. Every piece is
-/// certified by continuation, so det A keeps its sign.
+/// A smooth round of the platform about a pose, through all degrees of freedom at once, that needs no map: a
+/// Lissajous figure as large as stays clear of singularities, in one working mode, within joint limits. Every
+/// piece is certified by continuation, so det A keeps its sign.
 ///
-/// Corners of the drives, the first again at the end; drives move straight between [rad or m]. Empty where
-/// `mode` does not reach the pose or not even a small figure passes.
+/// Corners of the actuated joints, the first again at the end; actuated joints move straight between [rad or
+/// m]. Empty where `mode` does not reach the pose or not even a small figure passes.
 std::vector<JointVector> plan_local_motion(const Manipulator& manipulator, const Pose& pose,
                                            const WorkingMode& mode, const ConfigurationFilter& allowed);
 

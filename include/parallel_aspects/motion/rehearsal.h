@@ -11,16 +11,17 @@
 
 namespace parallel_aspects {
 
-/// One round of drive values that are sent one after the other at even times. The next round begins with the
+/// One round of joint values that are sent one after the other at even times. The next round begins with the
 /// first again.
 struct SampledMotion {
   std::vector<JointVector> samples;  ///< [rad or m]
-  JointVector gain;                  ///< how much farther the next round is, where drives turn on [rad or m]
+  JointVector gain;  ///< how much farther the next round is, where actuated joints turn on [rad or m]
 };
 
-/// Samples along corners between which the drives move straight. Each corner is a sample, so no chord between
-/// samples leaves the way. At constant speed where velocity limits allow it; a round takes `duration` [s]
-/// at least. `interval` is the time from one sample to the next [s]. There must be two corners or more.
+/// Samples along corners between which the actuated joints move straight. Each corner is a sample, so no
+/// chord between samples leaves the path. At constant speed where velocity limits allow it; a round takes
+/// `duration` [s] at least. `interval` is the time from one sample to the next [s]. There must be two corners
+/// or more.
 SampledMotion sampled(const Manipulator& manipulator, const std::vector<JointVector>& corners,
                       double duration, double interval);
 

@@ -14,14 +14,14 @@ namespace parallel_aspects {
 /// A round trip through aspects that passes from one to the next through serial singularities, and never
 /// meets det A = 0: every piece is certified by continuation.
 struct Tour {
-  std::vector<JointVector>
-      drives;                ///< corners, the first again at the end; drives move straight between [rad or m]
-  std::vector<int> aspects;  ///< ids in the order of the visit, the first again at the end
+  std::vector<JointVector> joint_values;  ///< corners, the first again at the end; actuated joints move
+                                          ///< straight between [rad or m]
+  std::vector<int> aspects;               ///< ids in the order of the visit, the first again at the end
 };
 
 /// Plans a tour from a pose in a working mode through every aspect that it finds a way to. Empty where the
-/// map cannot locate the start, and where there are constraints besides limits of drives: straight motions of
-/// drives are not proved to keep those. Takes up to some seconds.
+/// map cannot locate the start, and where there are constraints besides limits of actuated joints: straight
+/// motions of actuated joints are not proved to keep those. Takes up to some seconds.
 Tour plan_tour(const AspectMap& map, const Pose& start, const WorkingMode& mode);
 
 }  // namespace parallel_aspects

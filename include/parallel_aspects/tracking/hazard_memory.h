@@ -29,13 +29,13 @@ class HazardMemory {
   void lose() noexcept;
 
   /// As if nothing had been seen: what was said so far is of another time.
-  void forget() noexcept { last_ = told_ = std::nullopt; }
+  void forget() noexcept { last_ = reported_ = std::nullopt; }
 
   /// Nothing where all is known, or nothing ever was.
-  const std::optional<ProvedHazard>& told() const noexcept { return told_; }
+  const std::optional<ProvedHazard>& told() const noexcept { return reported_; }
 
  private:
-  std::optional<ProvedHazard> last_, told_;
+  std::optional<ProvedHazard> last_, reported_;
 };
 
 }  // namespace parallel_aspects

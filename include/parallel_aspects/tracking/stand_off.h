@@ -5,7 +5,7 @@
 #include "parallel_aspects/kinematics/working_mode.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"
-#include "parallel_aspects/tracking/drive_samples.h"
+#include "parallel_aspects/tracking/joint_samples.h"
 
 #include <memory>
 
@@ -13,22 +13,23 @@ namespace parallel_aspects {
 
 class PoseCertifier;
 
-/// How near det A = 0 noise of the encoders lets the assembly mode be told. Where two assembly modes meet,
-/// the drives tell them apart by the square of the distance only, so that the stand-off grows with the square
-/// root of the noise. Once it is made it never allocates, never throws.
+/// How near det A = 0 noise of the encoders lets the assembly mode be determined. Where two assembly modes
+/// meet, the actuated joints distinguish them by the square of the distance only, so that the stand-off grows
+/// with the square root of the noise. Once it is made it never allocates, never throws.
 class StandOff {
  public:
   StandOff(std::shared_ptr<const Manipulator> manipulator, const SampleOptions& options);
 
   /// Whether a robot that stands still at `pose` in `mode` is followed, whatever the encoders say within
-  /// their noise: proved for the noise that is worst to first order. `bend`: what the drives were last taken
-  /// to leave the straight way between samples by [rad or m]; empty where that is not known.
-  bool can_tell(const Pose& pose, const WorkingMode& mode, const JointVector& bend = {}) const noexcept;
+  /// their noise: proved for the noise that is worst to first order. `bend`: what the actuated joints were
+  /// last taken to leave the straight path between samples by [rad or m]; empty where that is not known.
+  bool can_distinguish(const Pose& pose, const WorkingMode& mode,
+                       const JointVector& bend = {}) const noexcept;
 
   /// An estimate of how far from `singular`, a pose with det A = 0, the robot must stay for that, on the
-  /// straight way from `pose` [m, root mean square over the anchors]. The whole way where the mode cannot be
+  /// straight path from `pose` [m, root mean square over the anchors]. The whole way where the mode cannot be
   /// told at `pose`.
-  double on_the_way(const Pose& pose, const Pose& singular, const WorkingMode& mode,
+  double along_path(const Pose& pose, const Pose& singular, const WorkingMode& mode,
                     const JointVector& bend = {}) const noexcept;
 
  private:

@@ -38,7 +38,7 @@ struct ThresholdOptions {
   double hysteresis = 0.1;  ///< a level is left above its threshold times 1 plus this [0 or more]
 };
 
-/// Every problem, a sentence each; empty when the options can be used. All must be finite and not negative,
+/// Every problem, a message each; empty when the options can be used. All must be finite and not negative,
 /// and `stop` not above `warn` where both are set.
 std::vector<std::string> problems_of(const ThresholdOptions& options);
 

@@ -6,7 +6,7 @@
 #include "parallel_aspects/kinematics/working_mode.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"
-#include "parallel_aspects/tracking/drive_samples.h"
+#include "parallel_aspects/tracking/joint_samples.h"
 #include "parallel_aspects/tracking/transitions.h"
 
 #include <cstddef>
@@ -17,43 +17,43 @@
 namespace parallel_aspects {
 
 enum class TrackStatus {
-  unstarted,     ///< no pose is known yet
-  tracking,      ///< the pose belongs to the last sample
-  ambiguous,     ///< it is not known which assembly mode the robot is in; `doubt` says why
-  inconsistent,  ///< followed as while tracking, but measured passive joints contradict the pose
+  uninitialised,  ///< no pose is known yet
+  tracking,       ///< the pose belongs to the last sample
+  ambiguous,      ///< it is not known which assembly mode the robot is in; `doubt` says why
+  inconsistent,   ///< followed as while tracking, but measured passive joints contradict the pose
 };
 
 /// Why the assembly mode is not known.
-enum class Doubt {
+enum class Ambiguity {
   none,
   near_parallel_singularity,  ///< the last step came too near to det A = 0 to be certified
   gap,                        ///< the last step was longer than the velocity limits allow
   silence,                    ///< too long a time went by between the last two samples
   step_budget,                ///< the last step needed more subdivisions than allowed
-  several_assembly_modes,     ///< the drives can be assembled in several ways
+  several_assembly_modes,     ///< the actuated joints can be assembled in several ways
   serial_singularity,         ///< a leg is stretched or folded where tracking would start
-  no_direct_solution,         ///< the drives cannot be assembled
+  no_direct_solution,         ///< the actuated joints cannot be assembled
   no_candidate_fits,          ///< what was said of the pose contradicts every candidate
 };
 
-/// "unstarted", "tracking", "ambiguous" or "inconsistent".
+/// "uninitialised", "tracking", "ambiguous" or "inconsistent".
 const char* name(TrackStatus status) noexcept;
 
 /// A clause for people, such as "the step came too near to det A = 0"; empty for none.
-const char* reason(Doubt doubt) noexcept;
+const char* reason(Ambiguity ambiguity) noexcept;
 
 /// What is known of the robot at the time of one joint sample.
 struct TrackedState {
-  TrackStatus status = TrackStatus::unstarted;
+  TrackStatus status = TrackStatus::uninitialised;
   double time = 0.0;         ///< of the sample [s]
   JointVector q;             ///< of the sample; whole turns may have been added
   Pose pose;                 ///< valid while tracking or inconsistent
   WorkingMode mode;          ///< valid while tracking or inconsistent; at B_jj = 0 the last mode
   int determinant_sign = 0;  ///< +1 or -1 while tracking or inconsistent
   int aspect = 0;  ///< id in the map; 0 without a map, or too close to a singularity since the last change
-  Doubt doubt = Doubt::none;  ///< set while ambiguous
-  double residual = 0.0;      ///< last `report_residual`
-  /// How far the platform may be from `pose` where the drives are uncertain: proved [m, RMS over the
+  Ambiguity ambiguity = Ambiguity::none;  ///< set while ambiguous
+  double residual = 0.0;                  ///< last `report_residual`
+  /// How far the platform may be from `pose` where the actuated joints are uncertain: proved [m, RMS over the
   /// anchors].
   double spread = 0.0;
 
@@ -75,11 +75,11 @@ struct TrackerOptions {
   int most_steps = 256;
 };
 
-/// Every problem, a sentence each; empty when the options can be used.
+/// Every problem, a message each; empty when the options can be used.
 std::vector<std::string> problems_of(const TrackerOptions& options);
 
-/// Whether a robot is in the assembly mode of a reference configuration: whether drives that go straight back
-/// to the reference bring the platform back to its pose.
+/// Whether a robot is in the assembly mode of a reference configuration: whether actuated joints that go
+/// straight back to the reference bring the platform back to its pose.
 enum class AssemblyComparison {
   same,
   other,   ///< they bring it to another direct solution, with det A away from zero all along
@@ -117,10 +117,10 @@ class PossibleAssemblyModes {
 };
 
 /// Follows the pose of the platform from the actuated joints alone, by certified continuation of the direct
-/// kinematics: between two samples the drives are taken to move straight, and the solution on that way is
-/// proved to exist, to be the only one near by and to stay off det A = 0. A step that this cannot be proved
-/// of, or that is a gap, ends in `ambiguous`. `find_candidates` then lists the assembly modes that remain
-/// possible; each is followed until what is known of the robot leaves one.
+/// kinematics: between two samples the actuated joints are taken to move straight, and the solution on that
+/// path is proved to exist, to be the only one near by and to stay off det A = 0. A step that this cannot be
+/// proved of, or that is a gap, ends in `ambiguous`. `find_candidates` then lists the assembly modes that
+/// remain possible; each is followed until what is known of the robot leaves one.
 ///
 /// `update` neither allocates nor locks, throws or logs. Not thread-safe; one owner. docs/tracking.md says
 /// what is certified.
@@ -137,14 +137,14 @@ class Tracker {
   void set_map(std::shared_ptr<const AspectMap> map) noexcept;
 
   /// Starts from a pose known to belong to `q`: the direct solution that Newton's method finds from there.
-  /// False, and unstarted, where that is farther than `tolerance` from the pose [m, RMS over the anchors],
-  /// where q or pose are not finite, or where no solution is proved there. False, and ambiguous, where a leg
-  /// is stretched or folded; tracking then starts once it is not. `uncertainty` as in `update`.
+  /// False, and uninitialised, where that is farther than `tolerance` from the pose [m, RMS over the
+  /// anchors], where q or pose are not finite, or where no solution is proved there. False, and ambiguous,
+  /// where a leg is stretched or folded; tracking then starts once it is not. `uncertainty` as in `update`.
   bool start(double time, const JointVector& q, const Pose& pose, double tolerance,
              const JointVector& uncertainty = {});
 
-  /// Starts in the assembly mode with this sign of det A (+1 or -1). False, and unstarted, unless there is
-  /// exactly one and it is not near singular. Allocates.
+  /// Starts in the assembly mode with this sign of det A (+1 or -1). False, and uninitialised, unless there
+  /// is exactly one and it is not near singular. Allocates.
   bool start(double time, const JointVector& q, int determinant_sign, const JointVector& uncertainty = {});
 
   /// Forgets everything but the map: what comes next may be another run.
@@ -153,14 +153,14 @@ class Tracker {
   /// The next sample: one entry a leg. What is not finite changes nothing. No allocation, no exception.
   const TrackedState& update(double time, const JointVector& q) noexcept { return update(time, q, {}); }
 
-  /// Each drive may be as far from its value as `uncertainty` says [rad or m]; empty for 0. All that is
-  /// proved holds for every such value, but for the working mode, which is that of `q`.
+  /// Each actuated joint may be as far from its value as `uncertainty` says [rad or m]; empty for 0. All that
+  /// is proved holds for every such value, but for the working mode, which is that of `q`.
   const TrackedState& update(double time, const JointVector& q, const JointVector& uncertainty) noexcept;
 
   const TrackedState& state() const noexcept;
 
-  /// By how much the drives were last taken to leave the straight way between samples [rad or m]; empty where
-  /// no step was made.
+  /// By how much the actuated joints were last taken to leave the straight path between samples [rad or m];
+  /// empty where no step was made.
   const JointVector& bend() const noexcept;
 
   /// What the last `update` or `start` crossed, and what was found out since.

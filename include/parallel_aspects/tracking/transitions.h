@@ -13,8 +13,8 @@ enum class TransitionKind {
   working_mode,  ///< B_jj of `leg` went through zero
   aspect,        ///< the aspect became known, or a start found the robot in another one than before
   lost,  ///< the assembly mode is not known from here on; `determinant` where det A came too near zero
-  assembly_mode,  ///< the drives are back where they were at the reference, the platform at another direct
-                  ///< solution, and det A never vanished in between
+  assembly_mode,  ///< the actuated joints are back where they were at the reference, the platform at another
+                  ///< direct solution, and det A never vanished in between
 };
 
 /// "working mode", "aspect", "lost" or "assembly mode".

@@ -15,13 +15,13 @@
 
 namespace parallel_aspects {
 
-/// A pose of the platform and the drive values that go with it.
+/// A pose of the platform and the joint values that go with it.
 struct AssembledConfiguration {
   Pose pose;
   JointVector q;  ///< [rad or m]
 };
 
-/// A passive joint whose value the pose and the drives determine.
+/// A passive joint whose value the pose and the actuated joints determine.
 struct PassiveJoint {
   std::size_t index = 0;  ///< into `Mechanism::joint_names()`
   bool turns = true;      ///< an angle [rad]; else a length [m]
@@ -47,14 +47,15 @@ class Mechanism {
   /// Limits of all `joint_names()` [rad or m].
   const std::vector<JointLimits>& joint_limits() const noexcept;
 
-  /// Freedoms of the closed mechanism, from the rank of its closures at `assembled()`.
+  /// Degrees of freedom of the closed mechanism, from the rank of its closures at `assembled()`.
   int mobility() const noexcept;
 
-  /// Those of its freedoms that move neither a drive nor the platform, as a rod that spins.
-  int idle_freedoms() const noexcept;
+  /// Those of its degrees of freedom that move neither an actuated joint nor the platform, as a rod that
+  /// spins.
+  int idle_degrees_of_freedom() const noexcept;
 
-  /// The passive joints that pose and drives determine: those that move no loop or spin idly are left out. In
-  /// the order of `joint_names()`.
+  /// The passive joints that pose and actuated joints determine: those that move no loop or spin idly are
+  /// left out. In the order of `joint_names()`.
   std::vector<PassiveJoint> determined_joints() const;
 
   /// The configuration, inside the joint limits, that the mechanism was recognised in.
@@ -71,7 +72,7 @@ class Mechanism {
       const Eigen::Ref<const Eigen::VectorXd>& positions) const noexcept;
 
   /// What the loader took where the description left a choice, and what it accepted with reservations;
-  /// sentences.
+  /// messages.
   const std::vector<std::string>& notes() const noexcept;
 
  private:

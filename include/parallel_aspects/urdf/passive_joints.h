@@ -21,7 +21,7 @@ struct PassiveOptions {
   double hysteresis = 0.2;         ///< a contradiction ends this share below the tolerance [0 to 1]
 };
 
-/// Every problem, a sentence each; empty when the options can be used.
+/// Every problem, a message each; empty when the options can be used.
 std::vector<std::string> problems_of(const PassiveOptions& options);
 
 /// What measured passive joints say of a pose.
@@ -34,7 +34,7 @@ struct PassiveResidual {
   bool contradicts() const noexcept { return excess > 1.0; }
 };
 
-/// Compares measured passive joints with those that belong to a pose and drive values, in the branch that the
+/// Compares measured passive joints with those that belong to a pose and joint values, in the branch that the
 /// mechanism was assembled in. Its functions allocate; they are not for the hot path. Safe to share between
 /// threads.
 class PassiveJoints {

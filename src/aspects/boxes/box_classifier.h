@@ -2,8 +2,8 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_BOXES_BOX_CLASSIFIER_H
 #define PARALLEL_ASPECTS_ASPECTS_BOXES_BOX_CLASSIFIER_H
 
-#include "aspects/tree/growth.h"
 #include "aspects/tree/leaf_state.h"
+#include "aspects/tree/monotonicity.h"
 #include "aspects/tree/pose_space.h"
 #include "parallel_aspects/aspects/box.h"
 #include "parallel_aspects/aspects/map_slice.h"
@@ -34,9 +34,9 @@ enum class Detail {
 /// A box as one working mode and sign see it.
 struct Examined {
   LeafState state;
-  Growth growth;
-  std::optional<Growth> shell;  ///< see ChartEvaluation::shell
-  bool is_interval = false;     ///< see ChartEvaluation::is_interval
+  Monotonicity monotonicity;
+  std::optional<Monotonicity> shell;  ///< see ChartEvaluation::shell
+  bool is_interval = false;           ///< see ChartEvaluation::is_interval
 };
 
 /// A function of the pose, and its slope.
@@ -67,7 +67,8 @@ struct BoxFacts {
   LegSet legs = 0;         ///< all that there are
   LegSet clear = 0;        ///< those with B_jj^2 positive on the whole box
   LegSet unreachable = 0;  ///< those with B_jj^2 positive nowhere; where there is one nothing below is told
-  bool within_limits = false;  ///< at every pose that all legs reach; of drives and by all other constraints
+  bool within_limits =
+      false;  ///< at every pose that all legs reach; of actuated joints and by all other constraints
   int determinant_sign = 0;  ///< of det A at every pose that all legs reach, B_jj = 0 too; 0 where not proved
 
   /// Where all legs are clear and the sign is not proved: partial derivatives of a function that is det A
@@ -98,17 +99,18 @@ class BoxClassifier {
   /// A live `RoundingUpward` is required.
   virtual BoxFacts facts(RootIndex root, const Box& box, std::size_t mode) const noexcept = 0;
 
-  /// See WedgeProof: a pose that all of S(mode, sign) in the box hangs together with, where there is a proof.
+  /// See WedgeProof: a pose that all of S(mode, sign) in the box is connected with, where there is a proof.
   virtual std::optional<MapPoint> find_wedge(RootIndex root, const Box& box, std::size_t mode,
                                              int sign) const noexcept = 0;
 
   /// In double precision, proving nothing; none where a leg does not reach the position.
   virtual Conditions conditions(const MapPosition& position, std::size_t mode, int sign) const noexcept = 0;
 
-  /// Writes kinds[i] for each mode i in `modes`: the constraints, limits of drives among them, that are
-  /// neither proved to hold in all of the box nor to fail in all of it. A live `RoundingUpward` is required.
-  virtual void find_unsure_constraints(RootIndex root, const Box& box, ModeSet modes,
-                                       ConstraintKinds* kinds) const noexcept = 0;
+  /// Writes kinds[i] for each mode i in `modes`: the constraints, limits of actuated joints among them, that
+  /// are neither proved to hold in all of the box nor to fail in all of it. A live `RoundingUpward` is
+  /// required.
+  virtual void find_unknown_constraints(RootIndex root, const Box& box, ModeSet modes,
+                                        ConstraintKinds* kinds) const noexcept = 0;
 
   /// A box of positions [m] that holds every reachable pose; nothing where legs without limits leave none.
   virtual std::optional<Box> reachable_positions() const = 0;

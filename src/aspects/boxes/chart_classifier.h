@@ -41,13 +41,14 @@ class ChartClassifier final : public BoxClassifier {
     Evaluation evaluation(chart_, tests_, root, box);
     evaluation.evaluate_by_intervals();
     LeafState state = evaluation.state(signs_[mode]);
-    if (!state.is_undecided()) return {state, Growth::unknown(), std::nullopt};
+    if (!state.is_undecided()) return {state, Monotonicity::unknown(), std::nullopt};
     evaluation.evaluate_by_affine_forms();
     state = evaluation.state(signs_[mode]);
-    if (!state.may_be(sign) || state.is_inside()) return {state, Growth::unknown(), std::nullopt};
-    const Growth growth = evaluation.growth(signs_[mode], sign);
-    if (growth.along_all(box)) return {state, growth, std::nullopt};
-    return {state, growth, evaluation.shell(signs_[mode], sign), evaluation.is_interval(signs_[mode], sign)};
+    if (!state.may_be(sign) || state.is_inside()) return {state, Monotonicity::unknown(), std::nullopt};
+    const Monotonicity monotonicity = evaluation.monotonicity(signs_[mode], sign);
+    if (monotonicity.along_all(box)) return {state, monotonicity, std::nullopt};
+    return {state, monotonicity, evaluation.shell(signs_[mode], sign),
+            evaluation.is_interval(signs_[mode], sign)};
   }
 
   std::optional<MapPoint> find_wedge(RootIndex root, const Box& box, std::size_t mode,
@@ -72,12 +73,12 @@ class ChartClassifier final : public BoxClassifier {
     return evaluation.conditions(signs_[mode], sign);
   }
 
-  void find_unsure_constraints(RootIndex root, const Box& box, ModeSet modes,
-                               ConstraintKinds* kinds) const noexcept override {
+  void find_unknown_constraints(RootIndex root, const Box& box, ModeSet modes,
+                                ConstraintKinds* kinds) const noexcept override {
     Evaluation evaluation(chart_, tests_, root, box);
     evaluation.evaluate_by_intervals();
     evaluation.evaluate_by_affine_forms();
-    for_each(modes, [&](std::size_t mode) { kinds[mode] = evaluation.unsure_constraints(signs_[mode]); });
+    for_each(modes, [&](std::size_t mode) { kinds[mode] = evaluation.unknown_constraints(signs_[mode]); });
   }
 
   std::optional<Box> reachable_positions() const override { return chart_.reachable_positions(); }

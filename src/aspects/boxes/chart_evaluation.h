@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_ASPECTS_BOXES_CHART_EVALUATION_H
 
 #include "aspects/boxes/chart_values.h"
-#include "aspects/tree/growth.h"
+#include "aspects/tree/monotonicity.h"
 
 #include <algorithm>
 #include <array>
@@ -25,15 +25,15 @@ class ChartEvaluation : public ChartValues<Chart> {
   using typename Base::Signs;
 
   /// How S(signs, sign) grows in the box. Needs affine forms.
-  Growth growth(const Signs& signs, int sign) {
-    Growth all = reachable_nowhere_ ? Growth::unknown() : Growth::of_everything();
-    visit_open_conditions(signs, sign, [&all](const Growth& each) { all = all.with(each); });
+  Monotonicity monotonicity(const Signs& signs, int sign) {
+    Monotonicity all = reachable_nowhere_ ? Monotonicity::unknown() : Monotonicity::of_everything();
+    visit_open_conditions(signs, sign, [&all](const Monotonicity& each) { all = all.with(each); });
     return all;
   }
 
   /// Whether all of S(signs, sign) in the box is proved to be connected, be it empty. Needs affine forms.
   bool is_whole(const Signs& signs, int sign, Detail detail) {
-    const Growth here = growth(signs, sign);
+    const Monotonicity here = monotonicity(signs, sign);
     return here.along_all(box_) || is_interval(signs, sign) || shell(signs, sign) ||
            (detail == Detail::all_parts && is_whole_on_face(here, signs, sign));
   }
@@ -44,28 +44,28 @@ class ChartEvaluation : public ChartValues<Chart> {
     if (reachable_nowhere_ || widths() != 1) return false;
     bool interval = true;
     visit_open_conditions(signs, sign,
-                          [&](const Growth& each) { interval = interval && each.along_all(box_); });
+                          [&](const Monotonicity& each) { interval = interval && each.along_all(box_); });
     return interval;
   }
 
   /// Where S(signs, sign) is a shell along the serial singularity: with the box oriented as the result tells,
-  /// growing upward along every coordinate, the lowest corner is not reachable, reachable poses grow upward,
-  /// det A has the sign all along the serial singularity and, if at all, loses it upward. Every ray from the
-  /// lowest corner then meets the set in an interval that begins at the serial singularity, if it comes to
-  /// it, and the rays that do are those to the reachable poses of the upper faces, which are connected with
-  /// the highest corner. So the set is connected, and empty only where the highest corner is not reachable.
-  /// Needs affine forms.
-  std::optional<Growth> shell(const Signs& signs, int sign) {
+  /// growing upward along every coordinate, the lowest corner is not reachable, reachable poses are monotone
+  /// upward, det A has the sign all along the serial singularity and, if at all, loses it upward. Every ray
+  /// from the lowest corner then meets the set in an interval that begins at the serial singularity, if it
+  /// comes to it, and the rays that do are those to the reachable poses of the upper faces, which are
+  /// connected with the highest corner. So the set is connected, and empty only where the highest corner is
+  /// not reachable. Needs affine forms.
+  std::optional<Monotonicity> shell(const Signs& signs, int sign) {
     if (reachable_nowhere_ || clear_everywhere() || is_allowed(signs) != Verdict::holds) return std::nullopt;
     evaluate_slopes();
-    Growth reachable = Growth::of_everything();
+    Monotonicity reachable = Monotonicity::of_everything();
     for (std::size_t j = 0; j < leg_count; ++j) {
       if (clear_[j]) continue;
       reachable.require(ranges(slopes_->legs[j].rows.squared_entry.gradient));
       const Interval at_boundary = determinant_without_entry(j, signs).range();
       if (!(sign > 0 ? at_boundary.positive() : at_boundary.negative())) return std::nullopt;
     }
-    const Growth both = reachable.with(growth_of_determinant(signs, -sign));
+    const Monotonicity both = reachable.with(monotonicity_of_determinant(signs, -sign));
     if (!both.along_all(box_) || !is_unreachable(both.lowest(box_))) return std::nullopt;
     return both;
   }
@@ -123,18 +123,18 @@ class ChartEvaluation : public ChartValues<Chart> {
     if (reachable_nowhere_) return;
     evaluate_slopes();
     for (std::size_t j = 0; j < leg_count; ++j) {
-      if (!clear_[j]) take(grows_with(slopes_->legs[j].rows.squared_entry));
+      if (!clear_[j]) take(monotone_with(slopes_->legs[j].rows.squared_entry));
       visit_open_limits(j, signs[j], take);
     }
     visit_open_constraints(signs, take);
     const Interval value = determinant(signs);
-    if (!(sign > 0 ? value.positive() : value.negative())) take(growth_of_determinant(signs, sign));
+    if (!(sign > 0 ? value.positive() : value.negative())) take(monotonicity_of_determinant(signs, sign));
   }
 
-  static Growth grows_with(const Slope& function) {
-    Growth growth = Growth::of_everything();
-    growth.require(ranges(function.gradient));
-    return growth;
+  static Monotonicity monotone_with(const Slope& function) {
+    Monotonicity monotonicity = Monotonicity::of_everything();
+    monotonicity.require(ranges(function.gradient));
+    return monotonicity;
   }
 
   template <class Take>
@@ -142,14 +142,14 @@ class ChartEvaluation : public ChartValues<Chart> {
     const LimitFunctions<Interval> limits =
         chart_.limits(j, intervals_.legs[j].displacement, entries_[j], sign);
     if (verdict(limits) == Verdict::holds) return;
-    if (!clear_[j]) return take(Growth::unknown());
+    if (!clear_[j]) return take(Monotonicity::unknown());
     const LimitFunctions<Slope> slopes =
         chart_.limits(j, slopes_->legs[j].displacement, slopes_->entries[j], sign);
-    Growth all = Growth::of_everything();
+    Monotonicity all = Monotonicity::of_everything();
     for (std::size_t k = 0; k < limits.count; ++k) {
-      if (is_positive(limits.values[k]) != Verdict::unsure) continue;
-      if (!limits.any) take(grows_with(slopes.values[k]));
-      all = all.with(grows_with(slopes.values[k]));
+      if (is_positive(limits.values[k]) != Verdict::unknown) continue;
+      if (!limits.any) take(monotone_with(slopes.values[k]));
+      all = all.with(monotone_with(slopes.values[k]));
     }
     if (limits.any) take(all);
   }
@@ -157,24 +157,25 @@ class ChartEvaluation : public ChartValues<Chart> {
   template <class Take>
   void visit_open_constraints(const Signs& signs, const Take& take) const {
     if (tests_.none()) return;
-    Growth all = Growth::of_everything();
+    Monotonicity all = Monotonicity::of_everything();
     require_constraints(signs, all);
     take(all);
   }
 
-  /// Constraints besides limits of drives.
-  void require_constraints(const Signs& signs, Growth& growth) const {
+  /// Constraints besides limits of actuated joints.
+  void require_constraints(const Signs& signs, Monotonicity& monotonicity) const {
     if (tests_.none()) return;
     const auto slopes = links(*slopes_);
-    if (constraint(ConstraintKind::obstacles, signs) != Verdict::holds) require_no_contact(signs, growth);
+    if (constraint(ConstraintKind::obstacles, signs) != Verdict::holds)
+      require_no_contact(signs, monotonicity);
     if (constraint(ConstraintKind::self_collision, signs) != Verdict::holds)
-      require_no_collision(signs, growth);
-    const auto require = [&growth](const Slope& f) { require_positive(f, growth); };
+      require_no_collision(signs, monotonicity);
+    const auto require = [&monotonicity](const Slope& f) { require_positive(f, monotonicity); };
     if (constraint(ConstraintKind::workspace, signs) != Verdict::holds)
       tests_.for_each_workspace_function(slopes.position(), require);
     for (std::size_t j = 0; j < leg_count; ++j) {
       if (constraints_.passive_limits(j, signs[j], links(*forms_)) == Verdict::holds) continue;
-      const auto* points = clear_points(j, signs, growth);
+      const auto* points = clear_points(j, signs, monotonicity);
       if (points == nullptr) return;
       tests_.for_each_passive_limit(j, *points, slopes.heading(), [&](const LimitFunctions<Slope>& limits) {
         for (std::size_t k = 0; k < limits.count; ++k) require(limits.values[k]);
@@ -182,38 +183,39 @@ class ChartEvaluation : public ChartValues<Chart> {
     }
   }
 
-  /// Where the links of a leg are that reaches all over the box; else null, and growth is unknown.
+  /// Where the links of a leg are that reaches all over the box; else null, and monotonicity is unknown.
   const LinkPoints<Slope, Chart::point_dimension>* clear_points(std::size_t j, const Signs& signs,
-                                                                Growth& growth) const {
+                                                                Monotonicity& monotonicity) const {
     const auto* points = clear_[j] ? links(*slopes_).points(j, signs[j]) : nullptr;
-    if (points == nullptr) growth = Growth::unknown();
+    if (points == nullptr) monotonicity = Monotonicity::unknown();
     return points;
   }
 
-  void require_no_contact(const Signs& signs, Growth& growth) const {
-    if (tests_.has_platform()) tests_.require_no_contact(links(*slopes_).anchors(), growth);
+  void require_no_contact(const Signs& signs, Monotonicity& monotonicity) const {
+    if (tests_.has_platform()) tests_.require_no_contact(links(*slopes_).anchors(), monotonicity);
     for (std::size_t j = 0; j < leg_count; ++j)
-      if (const auto* points = clear_points(j, signs, growth)) tests_.require_no_contact(j, *points, growth);
+      if (const auto* points = clear_points(j, signs, monotonicity))
+        tests_.require_no_contact(j, *points, monotonicity);
   }
 
-  void require_no_collision(const Signs& signs, Growth& growth) const {
+  void require_no_collision(const Signs& signs, Monotonicity& monotonicity) const {
     for (std::size_t j = 0; j < leg_count; ++j)
       for (std::size_t k = j + 1; k < leg_count; ++k) {
         if (!tests_.can_collide(j, k)) continue;
-        const auto *one = clear_points(j, signs, growth), *other = clear_points(k, signs, growth);
-        if (one != nullptr && other != nullptr) tests_.require_no_collision(j, *one, k, *other, growth);
+        const auto *one = clear_points(j, signs, monotonicity), *other = clear_points(k, signs, monotonicity);
+        if (one != nullptr && other != nullptr) tests_.require_no_collision(j, *one, k, *other, monotonicity);
       }
   }
 
   /// How { sign det A > 0 } grows. With g = B_jj^2 of the one leg that is not clear, d = d/dx at constant
   /// |B_jj| and D = d det A / d|B_jj|, the slope of det A times 2 |B_jj| is  2 |B_jj| d(det A) + D dg.  With
   /// several such legs each term is asked to have the sign.
-  Growth growth_of_determinant(const Signs& signs, int sign) {
-    Growth growth = Growth::of_everything();
+  Monotonicity monotonicity_of_determinant(const Signs& signs, int sign) {
+    Monotonicity monotonicity = Monotonicity::of_everything();
     const Interval factor(sign);
     const Slope function = factor * slopes_->determinants->of(signs);
     const auto unclear = static_cast<std::size_t>(std::count(clear_.begin(), clear_.end(), false));
-    if (unclear != 1) growth.require(ranges(function.gradient));
+    if (unclear != 1) monotonicity.require(ranges(function.gradient));
     for (std::size_t j = 0; j < leg_count; ++j) {
       if (clear_[j]) continue;
       const Form lever = factor * slope_along_entry(j, signs), weight = Interval(2.0) * forms_->entries[j];
@@ -222,9 +224,9 @@ class ChartEvaluation : public ChartValues<Chart> {
         term[i] = lever * slopes_->legs[j].rows.squared_entry.gradient[i];
         if (unclear == 1) term[i] += weight * function.gradient[i];
       }
-      growth.require(ranges(term));
+      monotonicity.require(ranges(term));
     }
-    return growth;
+    return monotonicity;
   }
 
   std::size_t widths() const {
@@ -233,16 +235,16 @@ class ChartEvaluation : public ChartValues<Chart> {
     return count;
   }
 
-  /// Where the set grows along some coordinates, it is connected if what it has of the face that it grows to
-  /// is.
-  bool is_whole_on_face(const Growth& growth, const Signs& signs, int sign) const {
+  /// Where the set is monotone along some coordinates, it is connected if what it has of the face that it
+  /// grows to is.
+  bool is_whole_on_face(const Monotonicity& monotonicity, const Signs& signs, int sign) const {
     Box face = box_;
-    if (!growth.flatten(face)) return false;
+    if (!monotonicity.flatten(face)) return false;
     ChartEvaluation evaluation(chart_, tests_, root_, face);
     evaluation.evaluate_by_intervals();
-    if (!evaluation.is_open(signs, sign)) return true;
+    if (!evaluation.is_indeterminate(signs, sign)) return true;
     evaluation.evaluate_by_affine_forms();
-    return !evaluation.is_open(signs, sign) || evaluation.is_whole(signs, sign, Detail::all_parts);
+    return !evaluation.is_indeterminate(signs, sign) || evaluation.is_whole(signs, sign, Detail::all_parts);
   }
 
   /// d det A / d|B_jj|: det A with row j turned.

@@ -114,13 +114,13 @@ class ChartValues {
     return facts;
   }
 
-  /// The constraints, limits of drives among them, that are neither proved to hold in all of the box nor to
-  /// fail in all of it.
-  ConstraintKinds unsure_constraints(const Signs& signs) {
+  /// The constraints, limits of actuated joints among them, that are neither proved to hold in all of the box
+  /// nor to fail in all of it.
+  ConstraintKinds unknown_constraints(const Signs& signs) {
     ConstraintKinds kinds;
     if (reachable_nowhere_) return kinds;
     for (const ConstraintKind kind : all_constraint_kinds)
-      kinds[index_of(kind)] = constraint(kind, signs) == Verdict::unsure;
+      kinds[index_of(kind)] = constraint(kind, signs) == Verdict::unknown;
     return kinds;
   }
 
@@ -230,7 +230,7 @@ class ChartValues {
   }
 
   Verdict constraint(ConstraintKind kind, const Signs& signs) const {
-    if (kind == ConstraintKind::driven_limits) return within_limits(signs);
+    if (kind == ConstraintKind::actuated_limits) return within_limits(signs);
     if (tests_.none()) return Verdict::holds;
     return forms_ ? constraints_.of(kind, signs, links(*forms_))
                   : constraints_.of(kind, signs, links(intervals_));
@@ -246,12 +246,12 @@ class ChartValues {
 
   Interval range(std::size_t i) const { return {box_.lower[i], box_.upper[i]}; }
 
-  bool is_open(const Signs& signs, int sign) {
+  bool is_indeterminate(const Signs& signs, int sign) {
     const LeafState found = state(signs);
     return found.may_be(sign) && !found.is_inside();
   }
 
-  /// By the constraints besides limits of drives.
+  /// By the constraints besides limits of actuated joints.
   bool center_is_allowed(const Signs& signs) {
     if (tests_.none() || constraints_.all(signs, links(*forms_)) == Verdict::holds) return true;
     const Box center{coordinate_count, box_.middle(), box_.middle()};

@@ -9,7 +9,7 @@
 namespace parallel_aspects {
 namespace {
 
-// A drive that is closer to its platform's line than this does not bound it.
+// An actuated joint that is closer to its platform's line than this does not bound it.
 constexpr double least_slope = 1e-6;
 
 Spatial<Interval> enclosed(const Eigen::Vector3d& vector) { return {vector.x(), vector.y(), vector.z()}; }
@@ -19,7 +19,7 @@ Spatial<Interval> enclosed(const Eigen::Vector3d& vector) { return {vector.x(), 
 T1Chart::T1Chart(const Manipulator& manipulator) : leg_(manipulator.leg(0)) {
   const Eigen::Vector3d& anchor = manipulator.leg(0).anchor;
   offset_ = {Interval(anchor.x()) - leg_.base().x, Interval(anchor.y()) - leg_.base().y};
-  if (std::holds_alternative<PrismaticDrive>(manipulator.leg(0).drive)) slide_ = manipulator.leg(0);
+  if (std::holds_alternative<PrismaticActuation>(manipulator.leg(0).actuation)) slide_ = manipulator.leg(0);
 }
 
 std::optional<Box> T1Chart::reachable_positions() const {
@@ -27,8 +27,8 @@ std::optional<Box> T1Chart::reachable_positions() const {
   ReachableBox box(1);
   box.restrict(0, -offset_.x, leg_.reach());
   if (slide_) {
-    // No farther from the line of the drive than its rod is long.
-    const Eigen::Vector3d& direction = std::get<PrismaticDrive>(slide_->drive).direction;
+    // No farther from the line of the actuated joint than its rod is long.
+    const Eigen::Vector3d& direction = std::get<PrismaticActuation>(slide_->actuation).direction;
     const Interval along(direction.x()), across(std::abs(direction.y()));
     const double side = direction.y() < 0.0 ? -1.0 : 1.0;
     if (across.lower() > least_slope)

@@ -16,11 +16,11 @@
 #include <vector>
 
 // A chart turns the map coordinates of one task space into the rows of A. Each has
-//  - leg_count, which is the number of freedoms, and coordinate_count, of the map;
+//  - leg_count, which is the number of degrees of freedom, and coordinate_count, of the map;
 //  - Placement<Scalar>: the pose as its legs need it, made by place(root, coordinates) once for all legs;
 //  - displacement(j, placement): d = p - base point of leg j;
 //  - rows(j, displacement, placement);
-//  - limits(j, displacement, |B_jj|, sign of B_jj): of the drive, see LimitFunctions;
+//  - limits(j, displacement, |B_jj|, sign of B_jj): of the actuated joint, see LimitFunctions;
 //  - point_dimension: of its points, 2 or 3;
 //  - link_points(j, displacement, |B_jj|, sign of B_jj): see LinkPoints;
 //  - anchor(j, displacement);
@@ -92,7 +92,7 @@ class T1Chart {
  private:
   PlanarLeg leg_;
   Planar<Interval> offset_;   // d = position + offset
-  std::optional<Leg> slide_;  // a leg on a prismatic drive, which bounds x even without limits
+  std::optional<Leg> slide_;  // a leg on an actuated prismatic joint, which bounds x even without limits
 };
 
 /// What the charts of planar robots with several legs have in common.

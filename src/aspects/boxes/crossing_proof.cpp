@@ -29,11 +29,11 @@ bool all_parts(const Passes& passes, double begin, double end, int halvings) noe
   return all_parts(passes, begin, middle, halvings + 1) && all_parts(passes, middle, end, halvings + 1);
 }
 
-/// Whether every part of the way passes: `passes(segment, begin, end)`.
+/// Whether every part of the path passes: `passes(segment, begin, end)`.
 template <class Passes>
-bool all_parts(const Passes& passes, const CrossingWay& way) noexcept {
-  for (std::size_t i = 0; i < way.count; ++i) {
-    const CrossingSegment& segment = way.segments[i];
+bool all_parts(const Passes& passes, const CrossingPath& path) noexcept {
+  for (std::size_t i = 0; i < path.count; ++i) {
+    const CrossingSegment& segment = path.segments[i];
     if (!all_parts([&](double begin, double end) { return passes(segment, begin, end); }, 0.0, 1.0, 0))
       return false;
   }
@@ -44,10 +44,10 @@ bool all_parts(const Passes& passes, const CrossingWay& way) noexcept {
 
 // Beyond the first zero of B_jj^2 nothing needs to hold. A part on which the leg reaches nowhere begins
 // beyond one, if all before it have passed.
-bool crosses_serial_singularity(const BoxClassifier& classifier, const CrossingWay& way, std::size_t mode,
+bool crosses_serial_singularity(const BoxClassifier& classifier, const CrossingPath& path, std::size_t mode,
                                 std::size_t other_mode, std::size_t leg, int sign) noexcept {
   const LegSet crossing = BoxFacts::bit(leg);
-  const auto end = classifier.facts(way.last().root, hull(way.last(), 1.0, 1.0), mode);
+  const auto end = classifier.facts(path.last().root, hull(path.last(), 1.0, 1.0), mode);
   if ((end.unreachable & crossing) == 0) return false;
   const auto passes = [&](const CrossingSegment& segment, double from, double to) {
     const Box box = hull(segment, from, to);
@@ -57,13 +57,13 @@ bool crosses_serial_singularity(const BoxClassifier& classifier, const CrossingW
     const BoxFacts other = classifier.facts(segment.root, box, other_mode);
     return other.within_limits && other.determinant_sign == sign;
   };
-  return all_parts(passes, way);
+  return all_parts(passes, path);
 }
 
 // A zero of det A lies on parts alone on which it falls, so there are not two. In other coordinates det A has
 // another positive factor: it still falls through its zero, and keeps the sign that it has where segments
 // meet.
-bool crosses_parallel_singularity(const BoxClassifier& classifier, const CrossingWay& way,
+bool crosses_parallel_singularity(const BoxClassifier& classifier, const CrossingPath& path,
                                   std::size_t mode) noexcept {
   const auto passes = [&](const CrossingSegment& segment, double from, double to) {
     const BoxFacts facts = classifier.facts(segment.root, hull(segment, from, to), mode);
@@ -74,7 +74,7 @@ bool crosses_parallel_singularity(const BoxClassifier& classifier, const Crossin
       slope = slope + facts.determinant_slope[i] * (Interval(segment.to[i]) - Interval(segment.from[i]));
     return slope.negative();
   };
-  return all_parts(passes, way);
+  return all_parts(passes, path);
 }
 
 }  // namespace parallel_aspects

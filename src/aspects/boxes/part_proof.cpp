@@ -10,7 +10,7 @@ constexpr int bisections = 30;
 class ShellSearch {
  public:
   ShellSearch(const BoxClassifier& classifier, std::size_t mode, int sign, RootIndex root, const Box& box,
-              const Growth& shell) noexcept
+              const Monotonicity& shell) noexcept
       : classifier_(classifier),
         mode_(mode),
         sign_(sign),
@@ -93,7 +93,7 @@ Part find_part(const BoxClassifier& classifier, std::size_t mode, int sign, Root
     if (!examined.state.may_be(sign)) return {Part::Kind::empty, {}};
     if (examined.shell) return ShellSearch(classifier, mode, sign, root, box, *examined.shell).run();
     if (examined.is_interval) return find_interval(classifier, mode, sign, root, box, most_halvings);
-    if (!examined.growth.flatten(box)) return {};
+    if (!examined.monotonicity.flatten(box)) return {};
   }
 }
 

@@ -22,9 +22,9 @@ struct Part {
       pose{};  ///< where connected, one of them; where joined, one of that aspect, maybe outside of the box
 };
 
-/// Pushes the set onto faces, edges and corners of the box along which it grows (see Growth), until what is
-/// left of the box is all inside or has nothing of it. The box may be flat along some coordinates. Needs a
-/// live `RoundingUpward`.
+/// Pushes the set onto faces, edges and corners of the box along which it grows (see Monotonicity), until
+/// what is left of the box is all inside or has nothing of it. The box may be flat along some coordinates.
+/// Needs a live `RoundingUpward`.
 Part find_part(const BoxClassifier& classifier, std::size_t mode, int sign, RootIndex root, Box box) noexcept;
 
 /// The same, and where it stays unknown a search for a wedge (see WedgeProof).

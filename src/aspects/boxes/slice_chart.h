@@ -25,8 +25,8 @@ struct SliceDisplacement {
   Spatial<Scalar> from_base, anchor;
 };
 
-/// The row of A of a task space with N freedoms for u up to a positive factor, or for a part of it; b is the
-/// anchor seen from the operational point. T1 has no slices.
+/// The row of A of a task space with N degrees of freedom for u up to a positive factor, or for a part of it;
+/// b is the anchor seen from the operational point. T1 has no slices.
 template <class Scalar, std::size_t N>
 Row<Scalar, N> row_of(TaskSpace space, const Spatial<Scalar>& b, const Spatial<Scalar>& u) {
   if constexpr (N == 2) {
@@ -113,7 +113,7 @@ class SliceChart : public SliceLegs<Legs, Coordinates, Dimension> {
   SliceChart(const Manipulator& manipulator, const MapSlice& slice)
       : SliceLegs<Legs, Coordinates, Dimension>(manipulator),
         slice_(slice),
-        turns_(slice.turning == MapSlice::Turning::about_axis) {
+        turns_(slice.rotation == MapSlice::Rotation::about_axis) {
     const RotationRows<Interval> rotation = held_rotation(slice);
     for (std::size_t j = 0; j < Legs; ++j) set_anchor(manipulator.leg(j).anchor, rotation, anchors_[j]);
     set_anchor(Eigen::Vector3d::UnitX(), rotation, x_axis_);

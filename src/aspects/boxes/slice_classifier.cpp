@@ -25,7 +25,7 @@ Classifier make_for_three_legs(const Manipulator& manipulator, const Modes& mode
 }
 
 Classifier make_for_six_legs(const Manipulator& manipulator, const Modes& modes, const MapSlice& slice) {
-  if (slice.turning == MapSlice::Turning::freely) return make<OrientationChart>(manipulator, modes, slice);
+  if (slice.rotation == MapSlice::Rotation::freely) return make<OrientationChart>(manipulator, modes, slice);
   switch (slice.dimension()) {
     case 1:
       return make<SliceChart<6, 1>>(manipulator, modes, slice);

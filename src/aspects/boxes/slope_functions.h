@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_ASPECTS_BOXES_SLOPE_FUNCTIONS_H
 
 #include "aspects/boxes/box_classifier.h"
-#include "aspects/tree/growth.h"
+#include "aspects/tree/monotonicity.h"
 #include "interval/dual.h"
 #include "interval/scalar_range.h"
 #include "legs/limit_verdict.h"
@@ -22,8 +22,8 @@ std::array<Interval, N> ranges(const std::array<Value, N>& values) {
 
 /// Leaves the directions in which the poses grow where the function is positive.
 template <std::size_t N, class Value>
-void require_positive(const Dual<N, Value>& function, Growth& growth) {
-  if (is_positive(range_of(function)) == Verdict::unsure) growth.require(ranges(function.gradient));
+void require_positive(const Dual<N, Value>& function, Monotonicity& monotonicity) {
+  if (is_positive(range_of(function)) == Verdict::unknown) monotonicity.require(ranges(function.gradient));
 }
 
 template <std::size_t N, class Value>

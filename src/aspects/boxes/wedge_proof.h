@@ -39,7 +39,7 @@ class WedgeProof {
   WedgeProof(const Chart& chart, RootIndex root, Evaluation& here, const Signs& signs, int sign)
       : chart_(chart), root_(root), here_(here), box_(here.box()), signs_(signs), sign_(sign) {}
 
-  /// A pose that all of the set in the box hangs together with, in the coordinates of the root, where there
+  /// A pose that all of the set in the box is connected with, in the coordinates of the root, where there
   /// is a proof; it may lie outside of the box.
   std::optional<MapPoint> find() {
     const auto leg = here_.single_unclear_leg(signs_);
@@ -106,9 +106,9 @@ class WedgeProof {
       most += std::max(below, above);
       least += std::min(below, above);
     }
-    const double steepness = std::abs(middle(slopes_[y_])), slack = 1.25;
-    const double down = slack * std::max(0.0, most) / steepness,
-                 up = slack * std::max(0.0, highest() - least) / steepness;
+    const double steepness = std::abs(middle(slopes_[y_])), reserve = 1.25;
+    const double down = reserve * std::max(0.0, most) / steepness,
+                 up = reserve * std::max(0.0, highest() - least) / steepness;
     const bool rising = slopes_[y_].positive();
     wide.lower[y_] = std::min(wide.lower[y_], box_.center(y_) - (rising ? down : up));
     wide.upper[y_] = std::max(wide.upper[y_], box_.center(y_) + (rising ? up : down));

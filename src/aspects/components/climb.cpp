@@ -73,7 +73,7 @@ bool Climb::step() noexcept {
   return false;
 }
 
-/// Where the way leads to a glued face, on from its other side.
+/// Where the path leads to a glued face, on from its other side.
 bool Climb::cross_glued_face() noexcept {
   const Box& region = space_.region();
   for (std::size_t i = 0; i < region.dimension; ++i) {

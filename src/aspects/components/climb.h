@@ -9,10 +9,10 @@
 
 namespace parallel_aspects {
 
-/// A way from a pose of S(mode, sign) to poses farther from its boundary: out of thin wedges into the open.
-/// Every step is a straight way that is proved to stay in S(mode, sign). Steps are those of an interior-point
-/// method that maximises the product of all `Conditions`, see Boyd and Vandenberghe, Convex Optimization,
-/// 2004, section 9.5. Needs a live `RoundingUpward`.
+/// A path from a pose of S(mode, sign) to poses farther from its boundary: out of thin wedges into the open.
+/// Every step is a straight path that is proved to stay in S(mode, sign). Steps are those of an
+/// interior-point method that maximises the product of all `Conditions`, see Boyd and Vandenberghe, Convex
+/// Optimization, 2004, section 9.5. Needs a live `RoundingUpward`.
 class Climb {
  public:
   /// `start` must be proved to be in S(mode, sign).

@@ -91,10 +91,11 @@ class Summary {
     const SignGraph::Meeting meeting = graph.meeting();
     add_unresolved(meeting.contacts, graph);
     for (std::size_t v = 0; v < meeting.nearest.size(); ++v)
-      if (meeting.nearest[v] != no_node) add_undecided(graph.open_leaves()[v].node, meeting.nearest[v], sign);
+      if (meeting.nearest[v] != no_node)
+        add_undecided(graph.indeterminate_leaves()[v].node, meeting.nearest[v], sign);
   }
 
-  /// What hides in no open leaf is in a component: an aspect in each at most.
+  /// What hides in no indeterminate leaf is in a component: an aspect in each at most.
   void collect_bound(int sign) {
     SignGraph& graph = graph_.of(sign);
     std::vector<bool> seen(graph.component_bound(), false);
@@ -102,10 +103,11 @@ class Summary {
       if (tree_.state(node, mode_).may_be(sign) && graph.is_in_component(node))
         seen[graph.component(node)] = true;
     result_.bound += static_cast<std::size_t>(std::count(seen.begin(), seen.end(), true));
-    for (const SignGraph::OpenLeaf& open : graph.open_leaves()) result_.open_leaves += open.node != no_node;
+    for (const SignGraph::IndeterminateLeaf& open : graph.indeterminate_leaves())
+      result_.indeterminate_leaves += open.node != no_node;
   }
 
-  /// Components that have no inside leaf are not listed, but those they meet could hang together through
+  /// Components that have no inside leaf are not listed, but those they meet could be connected through
   /// them.
   void add_unresolved(const std::vector<SignGraph::Contact>& contacts, SignGraph& graph) {
     DisjointSets unlisted(index_.size());

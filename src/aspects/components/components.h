@@ -32,8 +32,9 @@ struct ModeComponents {
   std::vector<std::pair<std::size_t, std::size_t>>
       unresolved;  ///< pairs of components whose undecided leaves meet
   double measure_undecided = 0.0;
-  std::size_t open_leaves = 0;  ///< undecided leaves, a sign each, of which it is not known what they hold
-  std::size_t bound = 0;        ///< components with those that have no inside leaf, which could be empty
+  std::size_t indeterminate_leaves =
+      0;                  ///< undecided leaves, a sign each, of which it is not known what they hold
+  std::size_t bound = 0;  ///< components with those that have no inside leaf, which could be empty
 };
 
 /// Sums up what the graph of a working mode has shown.

@@ -18,7 +18,7 @@ ContactSearch::ContactSearch(const PoseTree& tree, SignGraph& graph, const MapCo
       control_(control),
       largest_(graph.largest_component()),
       reached_from_(tree.node_count(), no_node) {
-  graph.visit_unsure_faces([this](NodeIndex a, NodeIndex b) {
+  graph.visit_unknown_faces([this](NodeIndex a, NodeIndex b) {
     across_faces_[a].push_back(b);
     across_faces_[b].push_back(a);
   });
@@ -44,8 +44,8 @@ bool ContactSearch::is_source(NodeIndex leaf) {
 }
 
 template <class Visitor>
-void ContactSearch::visit_ways_on(NodeIndex node, const Visitor& visit) const {
-  graph_.visit_ways_on(tree_, node, visit);
+void ContactSearch::visit_paths_on(NodeIndex node, const Visitor& visit) const {
+  graph_.visit_paths_on(tree_, node, visit);
   const auto found = across_faces_.find(node);
   if (found == across_faces_.end()) return;
   for (const NodeIndex leaf : found->second) visit(leaf);
@@ -54,7 +54,7 @@ void ContactSearch::visit_ways_on(NodeIndex node, const Visitor& visit) const {
 void ContactSearch::go_on(NodeIndex node, NodeIndex from) {
   const std::size_t before = contacts_.size();
   onward_.clear();
-  visit_ways_on(node, [&](NodeIndex leaf) {
+  visit_paths_on(node, [&](NodeIndex leaf) {
     if (graph_.is_in_component(leaf) && is_listed(leaf))
       add(node, node, from, leaf);
     else

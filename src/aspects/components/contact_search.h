@@ -13,10 +13,10 @@
 
 namespace parallel_aspects {
 
-/// Where the components of one mode and sign could hang together, seen from all but the largest of them and
+/// Where the components of one mode and sign could be connected, seen from all but the largest of them and
 /// those given up. Only components with an inside leaf count; whole parts of no such component are, like open
-/// leaves, on the way from one to another. Such a way passes from leaves that only the first is beside to one
-/// that another is beside, so the search ends there, and costs little where the components are small.
+/// leaves, on the path from one to another. Such a path passes from leaves that only the first is beside to
+/// one that another is beside, so the search ends there, and costs little where the components are small.
 class ContactSearch {
  public:
   ContactSearch(const PoseTree& tree, SignGraph& graph, const MapControl& control);
@@ -28,7 +28,7 @@ class ContactSearch {
   bool is_source(NodeIndex leaf);
   bool is_listed(NodeIndex leaf) { return graph_.is_listed(graph_.component(leaf)); }
   template <class Visitor>
-  void visit_ways_on(NodeIndex node, const Visitor& visit) const;
+  void visit_paths_on(NodeIndex node, const Visitor& visit) const;
   void go_on(NodeIndex node, NodeIndex from);
   void add(NodeIndex node, NodeIndex other_node, NodeIndex leaf, NodeIndex other_leaf);
 

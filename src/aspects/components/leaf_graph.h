@@ -9,7 +9,7 @@
 
 namespace parallel_aspects {
 
-/// How the leaves of one working mode hang together, for both signs of det A.
+/// How the leaves of one working mode are connected, for both signs of det A.
 class LeafGraph {
  public:
   /// `looks_everywhere`: see there.

@@ -17,18 +17,21 @@ namespace {
 constexpr std::size_t least_budget = 10000;
 constexpr std::size_t undecided_leaves_for_one = 8;
 
-// With more than two freedoms leaves that do not matter otherwise are looked into where they are few.
+// With more than two degrees of freedom leaves that do not matter otherwise are looked into where they are
+// few.
 constexpr std::size_t most_leaves_to_look_into = 50000;
 
-constexpr std::size_t most_freedoms_to_count = 2;
+constexpr std::size_t most_degrees_of_freedom_to_count = 2;
 
-// With more freedoms most contacts end within a few levels, and the work for all parts does not pay there.
+// With more degrees of freedom most contacts end within a few levels, and the work for all parts does not pay
+// there.
 constexpr std::uint32_t levels_before_all_parts = 3;
 
-// Aspects smaller than a leaf could hide in open leaves beside another component. Where open leaves are few
-// they are divided: up to two freedoms until nothing can hide, with more of them down to this level.
-constexpr std::size_t most_open_leaves = 1000;
-constexpr std::uint32_t level_of_open_leaves = 10;
+// Aspects smaller than a leaf could hide in indeterminate leaves beside another component. Where
+// indeterminate leaves are few they are divided: up to two degrees of freedom until nothing can hide, with
+// more of them down to this level.
+constexpr std::size_t most_indeterminate_leaves = 1000;
+constexpr std::uint32_t level_of_indeterminate_leaves = 10;
 
 std::size_t undecided_leaves(const PoseTree& tree, std::size_t mode) noexcept {
   std::size_t count = 0;
@@ -70,7 +73,7 @@ class ModeRefinement {
       if (!graph_.looks_everywhere()) graph_.of(sign).climb_from_given_up(tree_, classifier_);
       request_bare(sign);
       request_contested(sign);
-      if (graph_.looks_everywhere()) request_open(sign);
+      if (graph_.looks_everywhere()) request_indeterminate(sign);
     }
     make_unique(requests_);
     if (requests_.size() > budget_) requests_.clear();
@@ -111,7 +114,7 @@ class ModeRefinement {
 
   Detail detail(NodeIndex node) const {
     if (!graph_.looks_everywhere()) return Detail::centers;
-    const bool thorough = tree_.dimension() <= most_freedoms_to_count ||
+    const bool thorough = tree_.dimension() <= most_degrees_of_freedom_to_count ||
                           tree_.place(node).level >= base_level_ + levels_before_all_parts;
     return thorough ? Detail::all_parts : Detail::parts;
   }
@@ -144,7 +147,7 @@ class ModeRefinement {
     if (graph_.looks_everywhere()) {
       const SignGraph::Meeting meeting = graph.meeting();
       for (const NodeIndex node : choice.choose(graph, meeting.contacts)) request(node);
-      if (meeting.hidden.size() <= most_open_leaves) request_coarsest(meeting.hidden);
+      if (meeting.hidden.size() <= most_indeterminate_leaves) request_coarsest(meeting.hidden);
       return;
     }
     for (const NodeIndex node : choice.choose(graph, ContactSearch(tree_, graph, control_).run())) {
@@ -155,13 +158,14 @@ class ModeRefinement {
     }
   }
 
-  void request_open(int sign) {
+  void request_indeterminate(int sign) {
     std::vector<NodeIndex> leaves;
-    const std::uint32_t level =
-        tree_.dimension() <= most_freedoms_to_count ? deepest_level_ : level_of_open_leaves;
-    for (const SignGraph::OpenLeaf& open : graph_.of(sign).open_leaves())
+    const std::uint32_t level = tree_.dimension() <= most_degrees_of_freedom_to_count
+                                    ? deepest_level_
+                                    : level_of_indeterminate_leaves;
+    for (const SignGraph::IndeterminateLeaf& open : graph_.of(sign).indeterminate_leaves())
       if (open.node != no_node && tree_.place(open.node).level < level) leaves.push_back(open.node);
-    if (leaves.size() <= most_open_leaves) request_coarsest(leaves);
+    if (leaves.size() <= most_indeterminate_leaves) request_coarsest(leaves);
   }
 
   void request_coarsest(const std::vector<NodeIndex>& leaves) {
@@ -183,7 +187,7 @@ class ModeRefinement {
 }  // namespace
 
 bool looks_everywhere(const PoseTree& tree, std::size_t mode) noexcept {
-  return tree.dimension() <= most_freedoms_to_count ||
+  return tree.dimension() <= most_degrees_of_freedom_to_count ||
          undecided_leaves(tree, mode) <= most_leaves_to_look_into;
 }
 

@@ -13,15 +13,16 @@
 
 namespace parallel_aspects {
 
-/// What `prepare_refinement` expects of the base map: leaves of many freedoms are too many to look into all.
+/// What `prepare_refinement` expects of the base map: leaves of many degrees of freedom are too many to look
+/// into all.
 constexpr Detail detail_of_base_map(std::size_t dimension) noexcept {
   return dimension <= 2 ? Detail::parts : Detail::centers;
 }
 
 /// Whether a mode looks into all of its undecided leaves for what is hidden there. It does with up to two
-/// freedoms, and divides what stays open at points until nothing can hide. With more of them boundaries meet
-/// along curves, and no depth would end that: it does where the leaves are few, and else looks only into
-/// those where components could meet.
+/// degrees of freedom, and divides what stays indeterminate at points until nothing can hide. With more of
+/// them boundaries meet along curves, and no depth would end that: it does where the leaves are few, and else
+/// looks only into those where components could meet.
 bool looks_everywhere(const PoseTree& tree, std::size_t mode) noexcept;
 
 /// Finds what is whole in the undecided leaves of a mode that looks everywhere. Ends early when cancelled.

@@ -23,8 +23,8 @@ void SignGraph::add_leaf(const PoseTree& tree, NodeIndex node) {
   const LeafState state = tree.state(node, mode_);
   if (!state.may_be(sign_)) return;
   if (!state.is_whole(sign_)) {
-    slot_[node] = static_cast<std::uint32_t>(open_.size()) | open_flag;
-    open_.push_back({node, false, {}});
+    slot_[node] = static_cast<std::uint32_t>(indeterminate_.size()) | indeterminate_flag;
+    indeterminate_.push_back({node, false, {}});
     return;
   }
   slot_[node] = components_.add();
@@ -34,12 +34,12 @@ void SignGraph::add_leaf(const PoseTree& tree, NodeIndex node) {
 }
 
 void SignGraph::take_in_proof(const PoseTree& tree, NodeIndex node) {
-  if (!is_open(node)) return;
-  open_leaf(node).is_examined = true;
+  if (!is_indeterminate(node)) return;
+  indeterminate_leaf(node).is_examined = true;
   if (tree.state(node, mode_).may_be(sign_) && !tree.state(node, mode_).is_whole(sign_)) return;
-  const std::vector<NodeIndex> neighbours = open_leaf(node).neighbours;
+  const std::vector<NodeIndex> neighbours = indeterminate_leaf(node).neighbours;
   for (const NodeIndex neighbour : neighbours) forget_neighbour(neighbour, node);
-  open_leaf(node) = {};
+  indeterminate_leaf(node) = {};
   slot_[node] = none;
   add_leaf(tree, node);
   for (const NodeIndex neighbour : neighbours) connect(tree, node, neighbour);
@@ -66,8 +66,8 @@ void SignGraph::connect(const PoseTree& tree, NodeIndex a, NodeIndex b) {
       faces_.emplace_back(a, b);
     return;
   }
-  if (is_open(a)) open_leaf(a).neighbours.push_back(b);
-  if (is_open(b)) open_leaf(b).neighbours.push_back(a);
+  if (is_indeterminate(a)) indeterminate_leaf(a).neighbours.push_back(b);
+  if (is_indeterminate(b)) indeterminate_leaf(b).neighbours.push_back(a);
 }
 
 void SignGraph::settle_faces(const PoseTree& tree, const BoxClassifier& classifier) {
@@ -85,12 +85,12 @@ void SignGraph::settle(const PoseTree& tree, const BoxClassifier& classifier, No
     if (part.kind == Part::Kind::connected) return unite(a, b);
     known = known && part.kind == Part::Kind::empty;
   }
-  if (!known) unsure_faces_.emplace_back(a, b);
+  if (!known) unknown_faces_.emplace_back(a, b);
 }
 
 void SignGraph::forget_neighbour(NodeIndex node, NodeIndex old_neighbour) {
-  if (!is_open(node)) return;
-  auto& list = open_leaf(node).neighbours;
+  if (!is_indeterminate(node)) return;
+  auto& list = indeterminate_leaf(node).neighbours;
   list.erase(std::remove(list.begin(), list.end(), old_neighbour), list.end());
 }
 
@@ -109,7 +109,7 @@ void SignGraph::replace(PoseTree& tree, NodeIndex node) {
   if (is_in_component(node)) {
     replace_whole(tree, node, children);
   } else {
-    open_leaf(node) = {};
+    indeterminate_leaf(node) = {};
     for (const NodeIndex child : children) add_leaf(tree, child);
     for (std::size_t i = 0; i < children.size(); ++i)
       for (std::size_t j = i + 1; j < children.size(); ++j)
@@ -228,15 +228,16 @@ void SignGraph::compare(const Contact& contact, std::vector<Contact>& contacts) 
 }
 
 void SignGraph::start_from_components(Meeting& meeting, std::vector<std::uint32_t>& queue) {
-  for (std::uint32_t v = 0; v < open_.size() && !is_cancelled(control_); ++v) {
-    if (open_[v].node == no_node) continue;
-    for (const NodeIndex neighbour : open_[v].neighbours) {
+  for (std::uint32_t v = 0; v < indeterminate_.size() && !is_cancelled(control_); ++v) {
+    if (indeterminate_[v].node == no_node) continue;
+    for (const NodeIndex neighbour : indeterminate_[v].neighbours) {
       if (slot_[neighbour] == none || !is_in_component(neighbour)) continue;
       if (meeting.nearest[v] == no_node) {
         meeting.nearest[v] = neighbour;
         queue.push_back(v);
       } else {
-        compare({open_[v].node, open_[v].node, meeting.nearest[v], neighbour}, meeting.contacts);
+        compare({indeterminate_[v].node, indeterminate_[v].node, meeting.nearest[v], neighbour},
+                meeting.contacts);
       }
     }
   }
@@ -245,14 +246,15 @@ void SignGraph::start_from_components(Meeting& meeting, std::vector<std::uint32_
 void SignGraph::spread(Meeting& meeting, std::vector<std::uint32_t>& queue) {
   for (std::size_t head = 0; head < queue.size() && !is_cancelled(control_); ++head) {
     const std::uint32_t v = queue[head];
-    for (const NodeIndex neighbour : open_[v].neighbours) {
-      if (!is_open(neighbour)) continue;
-      const std::uint32_t w = slot_[neighbour] & ~open_flag;
+    for (const NodeIndex neighbour : indeterminate_[v].neighbours) {
+      if (!is_indeterminate(neighbour)) continue;
+      const std::uint32_t w = slot_[neighbour] & ~indeterminate_flag;
       if (meeting.nearest[w] == no_node) {
         meeting.nearest[w] = meeting.nearest[v];
         queue.push_back(w);
       } else if (v < w) {
-        compare({open_[v].node, neighbour, meeting.nearest[v], meeting.nearest[w]}, meeting.contacts);
+        compare({indeterminate_[v].node, neighbour, meeting.nearest[v], meeting.nearest[w]},
+                meeting.contacts);
       }
     }
   }
@@ -260,18 +262,19 @@ void SignGraph::spread(Meeting& meeting, std::vector<std::uint32_t>& queue) {
 
 SignGraph::Meeting SignGraph::meeting() {
   Meeting meeting;
-  meeting.nearest.assign(open_.size(), no_node);
+  meeting.nearest.assign(indeterminate_.size(), no_node);
   std::vector<std::uint32_t> queue;
   start_from_components(meeting, queue);
   spread(meeting, queue);
-  for (std::uint32_t v = 0; v < open_.size(); ++v)
-    if (meeting.nearest[v] == no_node && open_[v].node != no_node) meeting.hidden.push_back(open_[v].node);
+  for (std::uint32_t v = 0; v < indeterminate_.size(); ++v)
+    if (meeting.nearest[v] == no_node && indeterminate_[v].node != no_node)
+      meeting.hidden.push_back(indeterminate_[v].node);
   add_contacts_of_faces(meeting.contacts);
   return meeting;
 }
 
 void SignGraph::add_contacts_of_faces(std::vector<Contact>& contacts) {
-  visit_unsure_faces([&](NodeIndex a, NodeIndex b) { compare({a, b, a, b}, contacts); });
+  visit_unknown_faces([&](NodeIndex a, NodeIndex b) { compare({a, b, a, b}, contacts); });
 }
 
 }  // namespace parallel_aspects

@@ -16,12 +16,12 @@
 
 namespace parallel_aspects {
 
-/// How the leaves of one working mode s that may hold poses of S(s, sigma) hang together, for one sigma.
+/// How the leaves of one working mode s that may hold poses of S(s, sigma) are connected, for one sigma.
 ///
 /// Leaves that are inside, and whole parts of undecided leaves, are joined to *components*, each proved
 /// connected: an inside leaf with everything of S(s, sigma) in leaves that share a face with it, two whole
-/// parts where their common face is proved to hold poses of both. All other leaves are *open*: what of
-/// S(s, sigma) is in them, and how it hangs together, is not known.
+/// parts where their common face is proved to hold poses of both. All other leaves are *indeterminate*: what
+/// of S(s, sigma) is in them, and how it is connected, is not known.
 class SignGraph {
  public:
   static constexpr std::uint32_t none = 0xffffffffU;
@@ -36,7 +36,7 @@ class SignGraph {
   void add_leaf(const PoseTree& tree, NodeIndex node);
   void connect(const PoseTree& tree, NodeIndex a, NodeIndex b);
 
-  /// Joins what is proved to hang together across faces of whole parts, and forgets faces that are proved to
+  /// Joins what is proved to be connected across faces of whole parts, and forgets faces that are proved to
   /// hold nothing of the set. Needs a live `RoundingUpward`.
   void settle_faces(const PoseTree& tree, const BoxClassifier& classifier);
 
@@ -55,7 +55,7 @@ class SignGraph {
   /// Forgets a whole part that is proved empty.
   void drop(PoseTree& tree, NodeIndex node);
 
-  /// Two leaves through which two components could hang together, and the leaf of each component that is
+  /// Two leaves through which two components could be connected, and the leaf of each component that is
   /// nearest to them.
   struct Contact {
     NodeIndex node, other_node;
@@ -63,9 +63,11 @@ class SignGraph {
   };
 
   struct Meeting {
-    std::vector<NodeIndex> nearest;  ///< a leaf of the component nearest to each open leaf, or `no_node`
+    std::vector<NodeIndex>
+        nearest;  ///< a leaf of the component nearest to each indeterminate leaf, or `no_node`
     std::vector<Contact> contacts;
-    std::vector<NodeIndex> hidden;  ///< open leaves that no component is near to: aspects may hide there
+    std::vector<NodeIndex>
+        hidden;  ///< indeterminate leaves that no component is near to: aspects may hide there
   };
   Meeting meeting();
 
@@ -89,18 +91,18 @@ class SignGraph {
   std::uint32_t largest_component();
 
   /// Calls `visit` with the leaves beside one through which what it holds of the set may go on, but for whole
-  /// parts beside whole parts: those are told by `visit_unsure_faces`.
+  /// parts beside whole parts: those are told by `visit_unknown_faces`.
   template <class Visitor>
-  void visit_ways_on(const PoseTree& tree, NodeIndex node, const Visitor& visit) const {
-    if (is_in_component(node)) return visit_open_leaves_beside(tree, node, visit);
-    for (const NodeIndex leaf : open_[slot_[node] & ~open_flag].neighbours)
+  void visit_paths_on(const PoseTree& tree, NodeIndex node, const Visitor& visit) const {
+    if (is_in_component(node)) return visit_indeterminate_leaves_beside(tree, node, visit);
+    for (const NodeIndex leaf : indeterminate_[slot_[node] & ~indeterminate_flag].neighbours)
       if (!holds_nothing(leaf)) visit(leaf);
   }
 
   /// Calls `visit` with pairs of whole parts whose common face is not known to be empty.
   template <class Visitor>
-  void visit_unsure_faces(const Visitor& visit) const {
-    for (const auto* faces : {&faces_, &unsure_faces_})
+  void visit_unknown_faces(const Visitor& visit) const {
+    for (const auto* faces : {&faces_, &unknown_faces_})
       for (const auto& [a, b] : *faces)
         if (!holds_nothing(a) && !holds_nothing(b)) visit(a, b);
   }
@@ -108,25 +110,25 @@ class SignGraph {
   bool holds_nothing(NodeIndex node) const noexcept { return slot_[node] == none; }
 
   /// An undecided leaf of which it is not known what it holds.
-  struct OpenLeaf {
+  struct IndeterminateLeaf {
     NodeIndex node = no_node;  ///< no_node once it was divided
     bool is_examined = false;  ///< was looked into again
     std::vector<NodeIndex> neighbours;
   };
-  const std::vector<OpenLeaf>& open_leaves() const noexcept { return open_; }
+  const std::vector<IndeterminateLeaf>& indeterminate_leaves() const noexcept { return indeterminate_; }
 
   /// Whether a leaf that may hold poses of the set is open, and was not looked into again.
   bool is_unexamined(NodeIndex node) const noexcept {
-    return is_open(node) && !open_[slot_[node] & ~open_flag].is_examined;
+    return is_indeterminate(node) && !indeterminate_[slot_[node] & ~indeterminate_flag].is_examined;
   }
 
   /// Whether a leaf is known to hold nothing of the set, or only poses of the component that it is in.
   bool is_settled(NodeIndex node) const noexcept { return holds_nothing(node) || is_in_component(node); }
 
-  /// After more was proved of an open leaf.
+  /// After more was proved of an indeterminate leaf.
   void take_in_proof(const PoseTree& tree, NodeIndex node);
 
-  bool is_in_component(NodeIndex node) const noexcept { return (slot_[node] & open_flag) == 0; }
+  bool is_in_component(NodeIndex node) const noexcept { return (slot_[node] & indeterminate_flag) == 0; }
 
   /// The component of a leaf that is in one: the same number for all leaves of it.
   std::uint32_t component(NodeIndex node) noexcept { return components_.find(slot_[node]); }
@@ -135,16 +137,20 @@ class SignGraph {
   std::size_t component_bound() const noexcept { return components_.size(); }
 
  private:
-  static constexpr std::uint32_t open_flag = 0x80000000U;
+  static constexpr std::uint32_t indeterminate_flag = 0x80000000U;
 
   template <class Visitor>
-  void visit_open_leaves_beside(const PoseTree& tree, NodeIndex node, const Visitor& visit) const {
+  void visit_indeterminate_leaves_beside(const PoseTree& tree, NodeIndex node, const Visitor& visit) const {
     for (const NodeIndex leaf : neighbour_leaves(tree, mode_, node))
-      if (is_open(leaf)) visit(leaf);
+      if (is_indeterminate(leaf)) visit(leaf);
   }
 
-  bool is_open(NodeIndex node) const noexcept { return slot_[node] != none && !is_in_component(node); }
-  OpenLeaf& open_leaf(NodeIndex node) noexcept { return open_[slot_[node] & ~open_flag]; }
+  bool is_indeterminate(NodeIndex node) const noexcept {
+    return slot_[node] != none && !is_in_component(node);
+  }
+  IndeterminateLeaf& indeterminate_leaf(NodeIndex node) noexcept {
+    return indeterminate_[slot_[node] & ~indeterminate_flag];
+  }
 
   struct Traits {
     bool has_inside_leaf = false, climbed = false, is_given_up = false;
@@ -165,16 +171,17 @@ class SignGraph {
   std::size_t mode_;
   int sign_;
   const MapControl& control_;
-  std::vector<std::uint32_t> slot_;  // of a node: element of `components_`, or open leaf with `open_flag`
+  std::vector<std::uint32_t>
+      slot_;  // of a node: element of `components_`, or indeterminate leaf with `indeterminate_flag`
   DisjointSets components_;
   std::vector<Traits> traits_;  // by component
-  std::vector<OpenLeaf> open_;
+  std::vector<IndeterminateLeaf> indeterminate_;
   bool has_climbed_ = false;
   std::vector<std::uint32_t> given_up_;                 // components, since the last climb from them
   std::vector<NodeIndex> new_leaves_;                   // in components, since the last climb
   std::vector<NodeIndex> members_;                      // of components, and leaves that were divided since
   std::vector<std::pair<NodeIndex, NodeIndex>> faces_;  // between whole parts, not looked at yet
-  std::vector<std::pair<NodeIndex, NodeIndex>> unsure_faces_;  // and those without a proof
+  std::vector<std::pair<NodeIndex, NodeIndex>> unknown_faces_;  // and those without a proof
 };
 
 }  // namespace parallel_aspects

@@ -99,7 +99,7 @@ class Configuration {
     std::vector<Body> bodies;
     for (std::size_t j = 0; j < robot_.leg_count(); ++j) {
       bodies.push_back({joint(j), anchor(j), 0.5 * constraints_.thickness.rod, {LinkKind::rod, j}});
-      if (std::holds_alternative<RevoluteDrive>(robot_.leg(j).drive))
+      if (std::holds_alternative<RevoluteActuation>(robot_.leg(j).actuation))
         bodies.push_back(
             {robot_.leg(j).base_point(), joint(j), 0.5 * constraints_.thickness.crank, {LinkKind::crank, j}});
     }
@@ -181,7 +181,7 @@ double constraint_clearance(const Manipulator& manipulator, ConstraintKind kind,
       return configuration.of_obstacles();
     case ConstraintKind::workspace:
       return configuration.in_workspace();
-    case ConstraintKind::driven_limits:
+    case ConstraintKind::actuated_limits:
       break;
   }
   return infinity;

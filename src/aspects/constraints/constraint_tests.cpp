@@ -22,7 +22,7 @@ Point<Interval, D> enclosed(const Eigen::Vector3d& vector, double error = 0.0) {
   return result;
 }
 
-bool has_crank(const Leg& leg) { return std::holds_alternative<RevoluteDrive>(leg.drive); }
+bool has_crank(const Leg& leg) { return std::holds_alternative<RevoluteActuation>(leg.actuation); }
 
 double width(const LinkThickness& thickness, LinkKind kind) {
   return kind == LinkKind::crank ? thickness.crank : thickness.rod;
@@ -50,7 +50,7 @@ ConstraintTests<D>::ConstraintTests(const Manipulator& manipulator)
   assert_rounding_upward();
   const Constraints& constraints = manipulator.constraints();
   ConstraintKinds kinds = manipulator.constraint_kinds();
-  kinds[index_of(ConstraintKind::driven_limits)] = false;
+  kinds[index_of(ConstraintKind::actuated_limits)] = false;
   none_ = kinds.none();
   const Interval half(0.5);
   half_crank_ = half * Interval(constraints.thickness.crank);

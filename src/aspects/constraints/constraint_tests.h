@@ -2,7 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_CONSTRAINTS_CONSTRAINT_TESTS_H
 #define PARALLEL_ASPECTS_ASPECTS_CONSTRAINTS_CONSTRAINT_TESTS_H
 
-#include "aspects/constraints/collision_growth.h"
+#include "aspects/constraints/collision_monotonicity.h"
 #include "aspects/constraints/separation.h"
 #include "interval/interval.h"
 #include "legs/limit_verdict.h"
@@ -24,7 +24,8 @@ struct LinkPair {
 };
 
 /// What the constraints of a manipulator say of enclosed points, in D = 2 or 3 dimensions, with its constants
-/// enclosed in intervals. Must be made under a live `RoundingUpward`. Limits of drives are with the legs.
+/// enclosed in intervals. Must be made under a live `RoundingUpward`. Limits of actuated joints are with the
+/// legs.
 template <std::size_t D>
 class ConstraintTests {
  public:
@@ -136,23 +137,25 @@ class ConstraintTests {
   /// with the smaller index first. Both legs must reach all over the box.
   template <class Slope>
   void require_no_collision(std::size_t leg, const LinkPoints<Slope, D>& points, std::size_t other,
-                            const LinkPoints<Slope, D>& other_points, Growth& growth) const {
+                            const LinkPoints<Slope, D>& other_points, Monotonicity& monotonicity) const {
     for (const LinkPair& pair : pairs_[leg][other])
-      require_apart(link(pair.first, points), link(pair.second, other_points), pair.distance, growth);
+      require_apart(link(pair.first, points), link(pair.second, other_points), pair.distance, monotonicity);
   }
 
   /// The same for the links of a leg and all obstacles.
   template <class Slope>
-  void require_no_contact(std::size_t leg, const LinkPoints<Slope, D>& points, Growth& growth) const {
-    require_no_contact(points.rod(), half_rod_, growth);
-    if (has_crank_[leg]) require_no_contact(points.crank(), half_crank_, growth);
+  void require_no_contact(std::size_t leg, const LinkPoints<Slope, D>& points,
+                          Monotonicity& monotonicity) const {
+    require_no_contact(points.rod(), half_rod_, monotonicity);
+    if (has_crank_[leg]) require_no_contact(points.crank(), half_crank_, monotonicity);
   }
 
   /// The same for the platform and all obstacles.
   template <class Slope>
-  void require_no_contact(const std::array<Point<Slope, D>, max_legs>& anchors, Growth& growth) const {
+  void require_no_contact(const std::array<Point<Slope, D>, max_legs>& anchors,
+                          Monotonicity& monotonicity) const {
     for (const auto& [from, to] : platform_sides_)
-      require_no_contact(Segment<Slope, D>{anchors[from], anchors[to]}, half_platform_, growth);
+      require_no_contact(Segment<Slope, D>{anchors[from], anchors[to]}, half_platform_, monotonicity);
   }
 
   template <class Scalar>
@@ -229,12 +232,12 @@ class ConstraintTests {
 
   template <class Slope>
   void require_no_contact(const Segment<Slope, D>& segment, const Interval& half_width,
-                          Growth& growth) const {
+                          Monotonicity& monotonicity) const {
     for (const auto& obstacle : obstacles_) {
       if (const Ball* ball = std::get_if<Ball>(&obstacle))
-        require_apart(segment, point_of<Slope>(*ball), ball->radius + half_width, growth);
+        require_apart(segment, point_of<Slope>(*ball), ball->radius + half_width, monotonicity);
       if (const Box* box = std::get_if<Box>(&obstacle))
-        require_apart_from_box(seen_from(*box, segment), box->extent, half_width, growth);
+        require_apart_from_box(seen_from(*box, segment), box->extent, half_width, monotonicity);
     }
   }
 

@@ -13,8 +13,8 @@
 namespace parallel_aspects {
 
 /// What is proved of the constraints of one box, in every working mode: each leg is tested once for each
-/// branch and each pair of legs once for each pair of branches, when a mode first asks. Limits of drives are
-/// not among them.
+/// branch and each pair of legs once for each pair of branches, when a mode first asks. Limits of actuated
+/// joints are not among them.
 ///
 /// `Links` is where the links are on one kind of enclosures:
 ///  - points(j, sign): pointer to `LinkPoints`, null where they are not known;
@@ -26,7 +26,7 @@ class ConstraintVerdicts {
 
   explicit ConstraintVerdicts(const ConstraintTests<D>& tests) : tests_(tests) {}
 
-  /// From now on enclosures are tighter: what is unsure is tested again.
+  /// From now on enclosures are tighter: what is unknown is tested again.
   void expect_tighter() noexcept { ++stage_; }
 
   template <class Links>
@@ -52,7 +52,7 @@ class ConstraintVerdicts {
                     of_all_legs([&](std::size_t j) { return obstacles(j, signs[j], links); }));
       case ConstraintKind::self_collision:
         return of_all_legs([&](std::size_t j) { return collisions(j, signs, links); });
-      case ConstraintKind::driven_limits:
+      case ConstraintKind::actuated_limits:
         break;
     }
     return Verdict::holds;
@@ -64,13 +64,13 @@ class ConstraintVerdicts {
     if (!tests_.has_passive_limits(j)) return Verdict::holds;
     return settle(passive_limits_[j][branch(sign)], [&] {
       const auto* points = links.points(j, sign);
-      return points != nullptr ? tests_.passive_limits(j, *points, links.heading()) : Verdict::unsure;
+      return points != nullptr ? tests_.passive_limits(j, *points, links.heading()) : Verdict::unknown;
     });
   }
 
  private:
   struct Entry {
-    Verdict verdict = Verdict::unsure;
+    Verdict verdict = Verdict::unknown;
     std::uint8_t stage = 0;  // of the enclosures that were tested last
   };
 
@@ -78,7 +78,7 @@ class ConstraintVerdicts {
 
   template <class Test>
   Verdict settle(Entry& entry, const Test& test) const {
-    if (entry.verdict == Verdict::unsure && entry.stage < stage_) entry = {test(), stage_};
+    if (entry.verdict == Verdict::unknown && entry.stage < stage_) entry = {test(), stage_};
     return entry.verdict;
   }
 
@@ -100,7 +100,7 @@ class ConstraintVerdicts {
     if (!tests_.has_obstacles()) return Verdict::holds;
     return settle(obstacles_[j][branch(sign)], [&] {
       const auto* points = links.points(j, sign);
-      return points != nullptr ? tests_.obstacles(j, *points) : Verdict::unsure;
+      return points != nullptr ? tests_.obstacles(j, *points) : Verdict::unknown;
     });
   }
 
@@ -113,7 +113,7 @@ class ConstraintVerdicts {
       Entry& entry = collisions_[j][k][2 * branch(signs[j]) + branch(signs[k])];
       result = both(result, settle(entry, [&] {
                       const auto *one = links.points(j, signs[j]), *other = links.points(k, signs[k]);
-                      if (one == nullptr || other == nullptr) return Verdict::unsure;
+                      if (one == nullptr || other == nullptr) return Verdict::unknown;
                       return tests_.collision(j, *one, k, *other);
                     }));
     }

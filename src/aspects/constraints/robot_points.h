@@ -24,7 +24,7 @@ struct RobotPoints {
   Point<Scalar, 2> heading;   ///< x axis of the platform, where it turns in the plane
 };
 
-/// What is proved of all constraints but the limits of drives.
+/// What is proved of all constraints but the limits of actuated joints.
 template <class Scalar, std::size_t D>
 Verdict verdict(const ConstraintTests<D>& tests, const RobotPoints<Scalar, D>& robot) {
   Verdict result = tests.workspace(robot.position);
@@ -40,7 +40,7 @@ Verdict verdict(const ConstraintTests<D>& tests, const RobotPoints<Scalar, D>& r
   return result;
 }
 
-/// A constraint that is proved to fail, but the limits of drives; nothing where none is.
+/// A constraint that is proved to fail, but the limits of actuated joints; nothing where none is.
 template <class Scalar, std::size_t D>
 std::optional<ConstraintKind> find_failing(const ConstraintTests<D>& tests,
                                            const RobotPoints<Scalar, D>& robot) {

@@ -96,9 +96,10 @@ Verdict are_apart(const Segment<Scalar, D>& a, const Segment<Scalar, D>& b, cons
   const double apart = closest.difference.norm();
   if (apart > distance.lower() && is_beyond(a, b, closest.difference, distance)) return Verdict::holds;
   if (cross_each_other(a, b)) return Verdict::fails;
-  if (!(apart < distance.upper())) return Verdict::unsure;
+  if (!(apart < distance.upper())) return Verdict::unknown;
   const Interval share(closest.first_share), other_share(closest.second_share);
-  return is_closer(point_at(a, share), point_at(b, other_share), distance) ? Verdict::fails : Verdict::unsure;
+  return is_closer(point_at(a, share), point_at(b, other_share), distance) ? Verdict::fails
+                                                                           : Verdict::unknown;
 }
 
 /// The distance of two segments less `distance`, as a function whose slope at the middle is that of the
@@ -160,12 +161,12 @@ Verdict is_apart_from_box(const Segment<Scalar, D>& a, const CenteredBox<D>& box
     if ((along(direction, a.from) - margin).positive() && (along(direction, a.to) - margin).positive())
       return Verdict::holds;
   }
-  if (!(apart < distance.upper()) && apart > 0.0) return Verdict::unsure;
+  if (!(apart < distance.upper()) && apart > 0.0) return Verdict::unknown;
   const Point<Scalar, D> point = point_at(a, Interval(closest.first_share));
   if (box.holds(point)) return Verdict::fails;
   Point<Scalar, D> nearest;
   for (std::size_t i = 0; i < D; ++i) nearest[i] = Scalar(closest.second_point[static_cast<Eigen::Index>(i)]);
-  return is_closer(point, nearest, distance) ? Verdict::fails : Verdict::unsure;
+  return is_closer(point, nearest, distance) ? Verdict::fails : Verdict::unknown;
 }
 
 /// See `clearance` of two segments.

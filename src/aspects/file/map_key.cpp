@@ -31,8 +31,8 @@ std::string printable(std::string text) {
 class LegLines {
  public:
   LegLines(const Leg& leg, std::size_t index) : start_("leg " + std::to_string(index + 1) + ", ") {
-    text_ = start_ + std::string(kind_name(leg.drive)) + "\n";
-    std::visit([this](const auto& drive) { add(drive); }, leg.drive);
+    text_ = start_ + std::string(kind_name(leg.actuation)) + "\n";
+    std::visit([this](const auto& actuation) { add(actuation); }, leg.actuation);
     point("anchor", leg.anchor);
     values("rod length", {leg.rod_length});
     values("limits", {leg.limits.lower, leg.limits.upper});
@@ -48,24 +48,24 @@ class LegLines {
   }
   void point(const char* what, const Eigen::Vector3d& at) { values(what, {at.x(), at.y(), at.z()}); }
 
-  void add(const RevoluteDrive& drive) {
-    point("center", drive.center);
-    point("axis", drive.axis);
-    point("zero direction", drive.zero_direction);
-    values("crank length", {drive.radius});
+  void add(const RevoluteActuation& actuation) {
+    point("center", actuation.center);
+    point("axis", actuation.axis);
+    point("zero direction", actuation.zero_direction);
+    values("crank length", {actuation.radius});
   }
-  void add(const PrismaticDrive& drive) {
-    point("origin", drive.origin);
-    point("direction", drive.direction);
+  void add(const PrismaticActuation& actuation) {
+    point("origin", actuation.origin);
+    point("direction", actuation.direction);
   }
-  void add(const StrutDrive& drive) {
-    point("base", drive.base);
-    values("length at zero and sense", {drive.length_at_zero, drive.sense});
+  void add(const StrutActuation& actuation) {
+    point("base", actuation.base);
+    values("length at zero and sense", {actuation.length_at_zero, actuation.sense});
   }
-  void add(const ElbowDrive& drive) {
-    point("base", drive.base);
-    values("inner and outer length", {drive.inner_length, drive.outer_length});
-    values("angle at zero and sense", {drive.angle_at_zero, drive.sense});
+  void add(const ElbowActuation& actuation) {
+    point("base", actuation.base);
+    values("inner and outer length", {actuation.inner_length, actuation.outer_length});
+    values("angle at zero and sense", {actuation.angle_at_zero, actuation.sense});
   }
 
   std::string start_;
@@ -97,7 +97,7 @@ std::string coverage_key(const std::optional<MapSlice>& slice, const std::vector
     for (const double each : coefficients_of(slice->axis)) key += " " + number(each);
     for (const bool each : slice->moves) key += each ? " free" : " held";
     key +=
-        " turning " + std::to_string(static_cast<int>(slice->turning)) + " " + printable(slice->angle_name);
+        " rotation " + std::to_string(static_cast<int>(slice->rotation)) + " " + printable(slice->angle_name);
   } else {
     key += " all poses";
   }

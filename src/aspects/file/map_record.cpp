@@ -93,7 +93,7 @@ class RecordReader {
     map.seconds = reader_.take_double();
     map.measure_undecided = reader_.take_double();
     map.proved_count = reader_.take_u32();
-    map.open_leaves = reader_.take_u32();
+    map.indeterminate_leaves = reader_.take_u32();
     map.bound = reader_.take_u32();
     aspect_count_ = reader_.take_count(1);
     return reader_.ok() && map.proved_count <= aspect_count_ && aspect_count_ <= map.bound &&
@@ -203,7 +203,7 @@ void write_record(const AspectMap::Contents& map, ByteWriter& writer) {
   writer.put_double(map.seconds);
   writer.put_double(map.measure_undecided);
   writer.put_u32(static_cast<std::uint32_t>(map.proved_count));
-  writer.put_u32(static_cast<std::uint32_t>(map.open_leaves));
+  writer.put_u32(static_cast<std::uint32_t>(map.indeterminate_leaves));
   writer.put_u32(static_cast<std::uint32_t>(map.bound));
   writer.put_u32(static_cast<std::uint32_t>(map.aspects.size()));
   for (const Aspect& aspect : map.aspects) write_aspect(map, aspect, writer);

@@ -33,9 +33,9 @@ const std::vector<WorkingMode>& AspectMap::working_modes() const noexcept {
 const std::vector<Aspect>& AspectMap::aspects() const noexcept { return contents_->aspects; }
 std::size_t AspectMap::proved_count() const noexcept { return contents_->proved_count; }
 std::optional<std::size_t> AspectMap::count_at_most() const noexcept {
-  return contents_->open_leaves == 0 ? std::optional<std::size_t>(contents_->bound) : std::nullopt;
+  return contents_->indeterminate_leaves == 0 ? std::optional<std::size_t>(contents_->bound) : std::nullopt;
 }
-std::size_t AspectMap::open_leaves() const noexcept { return contents_->open_leaves; }
+std::size_t AspectMap::indeterminate_leaves() const noexcept { return contents_->indeterminate_leaves; }
 const std::vector<std::pair<int, int>>& AspectMap::unresolved() const noexcept {
   return contents_->unresolved;
 }

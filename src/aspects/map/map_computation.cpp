@@ -19,7 +19,7 @@ namespace {
 
 constexpr double share_of_base_map = 0.9;
 
-MapResult refused(const std::string& sentence) { return {MapStatus::refused, sentence, nullptr}; }
+MapResult refused(const std::string& message) { return {MapStatus::refused, message, nullptr}; }
 
 Aspect make_aspect(const WorkingMode& mode, const Component& component) {
   Aspect aspect;
@@ -63,7 +63,7 @@ std::vector<int> add_mode(AspectMap::Contents& map, std::size_t mode, const Mode
   for (const auto& [a, b] : found.unresolved)
     map.unresolved.emplace_back(std::min(id[a], id[b]), std::max(id[a], id[b]));
   map.proved_count += found.cluster_count;
-  map.open_leaves += found.open_leaves;
+  map.indeterminate_leaves += found.indeterminate_leaves;
   map.bound += found.bound;
   map.measure_undecided += found.measure_undecided;
   if (!found.components.empty()) map.existing_modes.push_back(map.modes[mode]);

@@ -36,8 +36,8 @@ struct AspectMap::Contents {
       aspect_bounds;  ///< of the inside leaves, by id - 1 and root, in map coordinates
   std::vector<std::pair<int, int>> unresolved;
   std::size_t proved_count = 0;
-  std::size_t open_leaves = 0;  ///< see `ModeComponents`, over all modes
-  std::size_t bound = 0;        ///< likewise; of the number of aspects, unless there are open leaves
+  std::size_t indeterminate_leaves = 0;  ///< see `ModeComponents`, over all modes
+  std::size_t bound = 0;  ///< likewise; of the number of aspects, unless there are indeterminate leaves
   double resolution = 0.0;
   std::uint32_t depth = 0;          ///< level of the finest leaves of the base map
   std::uint32_t deepest_level = 0;  ///< that contested leaves may have

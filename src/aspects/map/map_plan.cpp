@@ -69,7 +69,7 @@ std::string find_workspace_problem(const Manipulator& manipulator, const MapPlan
   return "";
 }
 
-/// The positions that the map covers; the sentence says why there are none, and is empty otherwise.
+/// The positions that the map covers; the message says why there are none, and is empty otherwise.
 std::string find_positions(const Manipulator& manipulator, const MapOptions& options, const MapPlan& plan,
                            Box& positions) {
   const std::size_t free = mapped_positions(manipulator, plan).size();
@@ -80,17 +80,18 @@ std::string find_positions(const Manipulator& manipulator, const MapOptions& opt
   const std::optional<Box> region = allowed_positions(manipulator, options, plan);
   if (!region)
     return "The legs of '" + manipulator.name() +
-           "' have no limits that bound the workspace; limit the drives in the URDF, or give a region or "
+           "' have no limits that bound the workspace; limit the actuated joints in the URDF, or give a "
+           "region or "
            "a workspace.";
   const std::optional<Box> exact = exact_region(*region);
   if (!exact && manipulator.constraints().workspace && (!options.region || exact_region(*options.region)))
     return "The workspace that the constraints of '" + manipulator.name() + "' name holds no " +
            (options.region ? "position of the region" : "reachable position") +
-           ", or is too thin for a map; mend constraints.workspace, or leave it out.";
+           ", or is too thin for a map; correct constraints.workspace, or leave it out.";
   if (!exact)
     return "The region of the map is empty, not finite, or too far from the origin for its size; give "
            "another "
-           "region, or mend the lengths of the legs if they cannot reach a common pose.";
+           "region, or correct the lengths of the legs if they cannot reach a common pose.";
   positions = *exact;
   return "";
 }

@@ -27,7 +27,7 @@ struct MapPlan {
   std::uint32_t deepest_level = 0;      ///< of contested leaves
 };
 
-/// Fills `plan`; the sentence says why that cannot be, and is empty otherwise.
+/// Fills `plan`; the message says why that cannot be, and is empty otherwise.
 std::string make_map_plan(const Manipulator& manipulator, const MapOptions& options, MapPlan& plan);
 
 }  // namespace parallel_aspects

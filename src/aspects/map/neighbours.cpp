@@ -78,8 +78,10 @@ class ModeNeighbours {
     if (all_proved(Crossing::parallel, 0, 1, mode_, -1)) return;
     const Held positive = find_held(root, box, mode_, 1), negative = find_held(root, box, mode_, -1);
     if (positive.aspect == 0 || negative.aspect == 0) return;
-    add(positive.aspect, negative.aspect, {Crossing::parallel, 0, 1}, way(root, positive.near, negative.near),
-        [&](const CrossingWay& way) { return crosses_parallel_singularity(*map_.classifier, way, mode_); });
+    add(positive.aspect, negative.aspect, {Crossing::parallel, 0, 1},
+        path(root, positive.near, negative.near), [&](const CrossingPath& path) {
+          return crosses_parallel_singularity(*map_.classifier, path, mode_);
+        });
   }
 
   void look_for_serial(RootIndex root, const Box& box, std::size_t leg) {
@@ -97,9 +99,9 @@ class ModeNeighbours {
       if (here.aspect == 0 || proved_sign(*map_.classifier, box.dimension, *other, at) != sign) continue;
       const Location there = locate(map_, *other, at);
       if (there.status != LocationStatus::inside) continue;
-      add(here.aspect, there.aspect, {Crossing::serial, leg, sign}, way(root, here.near, *unreachable),
-          [&](const CrossingWay& way) {
-            return crosses_serial_singularity(*map_.classifier, way, mode_, *other, leg, sign);
+      add(here.aspect, there.aspect, {Crossing::serial, leg, sign}, path(root, here.near, *unreachable),
+          [&](const CrossingPath& path) {
+            return crosses_serial_singularity(*map_.classifier, path, mode_, *other, leg, sign);
           });
     }
   }
@@ -122,43 +124,44 @@ class ModeNeighbours {
   }
 
   template <class Proof>
-  void add(int one, int other, const Side& side, const std::optional<CrossingWay>& way, const Proof& proof) {
-    if (!way) return;
+  void add(int one, int other, const Side& side, const std::optional<CrossingPath>& path,
+           const Proof& proof) {
+    if (!path) return;
     Finding& finding =
         found_[{std::min(one, other), std::max(one, other), std::get<Crossing>(side), std::get<1>(side)}];
     if (finding.proved || finding.attempts == most_attempts) return;
     ++finding.attempts;
     has_news_ = has_news_ || finding.attempts == 1;
-    finding.proved = proof(*way);
+    finding.proved = proof(*path);
     if (finding.proved) {
       --open_pairs_[side];
       has_news_ = true;
     }
-    if (finding.proved || finding.attempts == 1) finding.pose = map_.tree.space().pose(middle(*way));
+    if (finding.proved || finding.attempts == 1) finding.pose = map_.tree.space().pose(middle(*path));
   }
 
-  static MapPosition middle(const CrossingWay& way) {
-    const CrossingSegment& first = way.segments.front();
-    if (way.count == 2) return {first.root, first.to};
+  static MapPosition middle(const CrossingPath& path) {
+    const CrossingSegment& first = path.segments.front();
+    if (path.count == 2) return {first.root, first.to};
     MapPosition result{first.root, {}};
     for (std::size_t i = 0; i < first.dimension; ++i) result.point[i] = 0.5 * (first.from[i] + first.to[i]);
     return result;
   }
 
-  /// The way between two positions near one leaf; nothing where they lie beyond different faces.
-  std::optional<CrossingWay> way(RootIndex root, const NearPosition& from, const NearPosition& to) const {
+  /// The path between two positions near one leaf; nothing where they lie beyond different faces.
+  std::optional<CrossingPath> path(RootIndex root, const NearPosition& from, const NearPosition& to) const {
     const std::size_t dimension = map_.tree.dimension();
     if (from.beyond == to.beyond && from.at.root == to.at.root)
-      return CrossingWay{{CrossingSegment{dimension, from.at.root, from.at.point, to.at.point}}, 1};
+      return CrossingPath{{CrossingSegment{dimension, from.at.root, from.at.point, to.at.point}}, 1};
     if (from.beyond && to.beyond) return std::nullopt;
     const NearPosition& far = from.beyond ? from : to;
     const MapPosition face{root, far.on_face}, other_side = map_.tree.space().across(face, *far.beyond);
     const CrossingSegment here{dimension, root, from.at.point, face.point},
         there{dimension, far.at.root, other_side.point, far.at.point};
-    if (to.beyond) return CrossingWay{{here, there}, 2};
-    return CrossingWay{{CrossingSegment{dimension, far.at.root, far.at.point, other_side.point},
-                        CrossingSegment{dimension, root, face.point, to.at.point}},
-                       2};
+    if (to.beyond) return CrossingPath{{here, there}, 2};
+    return CrossingPath{{CrossingSegment{dimension, far.at.root, far.at.point, other_side.point},
+                         CrossingSegment{dimension, root, face.point, to.at.point}},
+                        2};
   }
 
   /// The middle of the box, its corners, and those of a box twice as large, since a singularity may lie on a

@@ -14,8 +14,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-// det A, then each B_jj^2, then the distance of each limited drive from its limits, then how far each other
-// constraint is from being broken. Zero sets bound the mode.
+// det A, then each B_jj^2, then the distance of each limited actuated joint from its limits, then how far
+// each other constraint is from being broken. Zero sets bound the mode.
 constexpr int most_functions = 1 + 3 + 6 + 4;
 using Values = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, most_functions, 1>;
 
@@ -149,7 +149,7 @@ class Tracer {
     for (std::size_t j = 0; j < robot_.leg_count(); ++j) {
       const Leg& leg = robot_.leg(j);
       const auto row = static_cast<Eigen::Index>(j);
-      q[row] = drive_value(leg, pose.transform(leg.anchor), mode_.sign(j));
+      q[row] = joint_value(leg, pose.transform(leg.anchor), mode_.sign(j));
       result[1 + row] = squared_inverse_entry(leg, pose.transform(leg.anchor));
     }
     result[0] = direct_determinant(robot_, pose, q);

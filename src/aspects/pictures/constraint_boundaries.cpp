@@ -22,15 +22,16 @@ ModeSet undecided_modes(const PoseTree& tree, NodeIndex node) {
   return modes;
 }
 
-/// In how many undecided modes of a leaf each constraint is unsure.
+/// In how many undecided modes of a leaf each constraint is unknown.
 using Counts = std::array<std::uint8_t, all_constraint_kinds.size()>;
 
-Counts count_unsure(const AspectMap::Contents& map, NodeIndex node) {
+Counts count_unknown(const AspectMap::Contents& map, NodeIndex node) {
   Counts counts{};
   const ModeSet modes = undecided_modes(map.tree, node);
   if (modes == 0) return counts;
   std::array<ConstraintKinds, most_modes> kinds;
-  map.classifier->find_unsure_constraints(map.tree.place(node).root, map.tree.box(node), modes, kinds.data());
+  map.classifier->find_unknown_constraints(map.tree.place(node).root, map.tree.box(node), modes,
+                                           kinds.data());
   for (std::size_t mode = 0; mode < map.modes.size(); ++mode)
     for (std::size_t k = 0; k < counts.size(); ++k)
       if ((modes >> mode & 1U) != 0 && kinds[mode][k]) ++counts[k];
@@ -49,7 +50,7 @@ std::vector<ConstraintBoundary> constraint_boundaries(const AspectMap& map) {
                     [&](const auto& range) {
                       const RoundingUpward rounding;
                       for (NodeIndex node = range.begin(); node != range.end(); ++node)
-                        counts[node] = count_unsure(contents, node);
+                        counts[node] = count_unknown(contents, node);
                     });
   std::vector<ConstraintBoundary> result;
   for (const ConstraintKind kind : all_constraint_kinds) {

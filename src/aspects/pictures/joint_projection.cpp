@@ -100,13 +100,13 @@ JointProjection::JointProjection(std::shared_ptr<const AspectMap> map) : map_(st
   find_window();
 }
 
-Vector2d JointProjection::drives(const Vector2d& point, const WorkingMode& mode) const {
+Vector2d JointProjection::joint_values(const Vector2d& point, const WorkingMode& mode) const {
   Pose pose;
   pose.position << point, 0.0;
   Vector2d q;
   for (std::size_t j = 0; j < 2; ++j) {
     const Leg& leg = map_->manipulator()->leg(j);
-    q[static_cast<Eigen::Index>(j)] = drive_value(leg, pose.transform(leg.anchor), mode.sign(j));
+    q[static_cast<Eigen::Index>(j)] = joint_value(leg, pose.transform(leg.anchor), mode.sign(j));
   }
   return q;
 }
@@ -123,7 +123,7 @@ Vector2d JointProjection::near(const Vector2d& reference, Vector2d q) const {
 double JointProjection::span(const Vector2d& from, const Vector2d& to) const {
   Vector2d result = (to - from).cwiseAbs();
   for (const int i : {0, 1})
-    if (!map_->manipulator()->leg(static_cast<std::size_t>(i)).driven_by_angle())
+    if (!map_->manipulator()->leg(static_cast<std::size_t>(i)).actuated_by_angle())
       result[i] *= turn / (window_.upper[i] - window_.lower[i]);
   return result.maxCoeff();
 }
@@ -134,14 +134,14 @@ void JointProjection::find_window() {
   for (const Aspect& aspect : map_->aspects())
     map_->visit_inside_leaves(aspect.id, [&](const Box& box) {
       for (const Vector2d& corner : corners_of(box)) {
-        const Vector2d q = drives(corner, aspect.mode);
+        const Vector2d q = joint_values(corner, aspect.mode);
         window_.lower = window_.lower.cwiseMin(q);
         window_.upper = window_.upper.cwiseMax(q);
       }
     });
   for (const int i : {0, 1}) {
     const Leg& leg = map_->manipulator()->leg(static_cast<std::size_t>(i));
-    if (!leg.driven_by_angle() || leg.limits.limited()) continue;
+    if (!leg.actuated_by_angle() || leg.limits.limited()) continue;
     window_.turns[static_cast<std::size_t>(i)] = true;
     window_.lower[i] = -0.5 * turn;
     window_.upper[i] = 0.5 * turn;
@@ -161,7 +161,7 @@ void JointProjection::add_image(const std::vector<Vector2d>& polygon, const Work
   Polygon image;
   double longest = 0.0;
   for (const Vector2d& corner : polygon) {
-    const Vector2d q = drives(corner, mode);
+    const Vector2d q = joint_values(corner, mode);
     image.push_back(image.empty() ? q : near(image.front(), q));
     longest = std::max(longest, span(image.front(), image.back()));
   }
@@ -178,8 +178,8 @@ std::vector<BoundarySegment> JointProjection::images(const std::vector<BoundaryS
                                                      const WorkingMode& mode) const {
   std::vector<BoundarySegment> images;
   for (BoundarySegment segment : segments) {
-    segment.from = window_.wrapped(drives(segment.from, mode));
-    segment.to = window_.wrapped(drives(segment.to, mode));
+    segment.from = window_.wrapped(joint_values(segment.from, mode));
+    segment.to = window_.wrapped(joint_values(segment.to, mode));
     if (span(segment.from, segment.to) < longest_segment) images.push_back(segment);
   }
   return images;

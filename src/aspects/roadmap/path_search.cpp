@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t tries_to_attach = 24, tries_to_join = 3;
 constexpr std::size_t most_explored = 400;
 constexpr double share_kept = 0.9;  // of a way that ends at a singularity or a limit
-constexpr double shortest_way = 1e-3;
+constexpr double shortest_path = 1e-3;
 constexpr int most_parts = 100;
 
 }  // namespace
@@ -61,7 +61,7 @@ void PathSearch::attach(Vertex vertex, std::size_t tries) {
   for (const Vertex other : nearest(points_[vertex], tries, vertex, false)) link(vertex, other);
 }
 
-/// Grows the sets of both ends in turn towards random poses, as far as the way is proved, and tries to join
+/// Grows the sets of both ends in turn towards random poses, as far as the path is proved, and tries to join
 /// what is new to the rest.
 void PathSearch::explore(Vertex from, Vertex to) {
   const RoadmapOptions& options = roadmap_.options();
@@ -74,13 +74,13 @@ void PathSearch::explore(Vertex from, Vertex to) {
     const Vertex near = nearest(point, 1, from, true).front();
     const SegmentProof proof = certifier.prove_start(poses_[near], *target, mode_, most_parts);
     const double kept = proof.verdict == SegmentVerdict::free ? 1.0 : share_kept * proof.free_until;
-    if (kept < shortest_way) continue;
+    if (kept < shortest_path) continue;
     const Vertex reached = add(pose_between(poses_[near], *target, kept));
     if (link(near, reached)) attach(reached, tries_to_join);
   }
 }
 
-std::vector<PathSearch::Vertex> PathSearch::way(Vertex from, Vertex to) const {
+std::vector<PathSearch::Vertex> PathSearch::path(Vertex from, Vertex to) const {
   constexpr Vertex none = std::numeric_limits<Vertex>::max();
   std::vector<Vertex> before(poses_.size(), none), open{from};
   before[from] = from;
@@ -97,15 +97,16 @@ std::vector<PathSearch::Vertex> PathSearch::way(Vertex from, Vertex to) const {
 }
 
 /// Leaves out poses where the segment past them is proved.
-std::vector<Pose> PathSearch::shortened(const std::vector<Vertex>& way) const {
-  std::vector<Pose> path{poses_[way.front()]};
-  for (std::size_t at = 0; at + 1 < way.size();) {
-    std::size_t next = way.size() - 1;
-    while (next > at + 1 &&
-           roadmap_.certifier().prove(poses_[way[at]], poses_[way[next]], mode_, most_parts).verdict !=
-               SegmentVerdict::free)
+std::vector<Pose> PathSearch::shortened(const std::vector<Vertex>& vertices) const {
+  std::vector<Pose> path{poses_[vertices.front()]};
+  for (std::size_t at = 0; at + 1 < vertices.size();) {
+    std::size_t next = vertices.size() - 1;
+    while (
+        next > at + 1 &&
+        roadmap_.certifier().prove(poses_[vertices[at]], poses_[vertices[next]], mode_, most_parts).verdict !=
+            SegmentVerdict::free)
       --next;
-    path.push_back(poses_[way[next]]);
+    path.push_back(poses_[vertices[next]]);
     at = next;
   }
   return path;
@@ -119,7 +120,7 @@ std::vector<Pose> PathSearch::find(const Pose& from, const Pose& to) {
     explore(first, last);
   }
   if (!joined(first, last)) return {};
-  return shortened(way(first, last));
+  return shortened(path(first, last));
 }
 
 }  // namespace parallel_aspects

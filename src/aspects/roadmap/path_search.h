@@ -13,13 +13,13 @@
 
 namespace parallel_aspects {
 
-/// Looks for a proved way between two poses of one working mode and sign of det A: over the roadmap, to which
-/// poses are added where it does not reach far enough.
+/// Looks for a proved path between two poses of one working mode and sign of det A: over the roadmap, to
+/// which poses are added where it does not reach far enough.
 class PathSearch {
  public:
   PathSearch(const PoseRoadmap& roadmap, const WorkingMode& mode, int sign);
 
-  /// Poses from `from` to `to`, each segment between two proved free; empty where no way was found.
+  /// Poses from `from` to `to`, each segment between two proved free; empty where no path was found.
   std::vector<Pose> find(const Pose& from, const Pose& to);
 
  private:
@@ -31,8 +31,8 @@ class PathSearch {
   bool link(Vertex a, Vertex b);
   void attach(Vertex vertex, std::size_t tries);
   void explore(Vertex from, Vertex to);
-  std::vector<Vertex> way(Vertex from, Vertex to) const;
-  std::vector<Pose> shortened(const std::vector<Vertex>& way) const;
+  std::vector<Vertex> path(Vertex from, Vertex to) const;
+  std::vector<Pose> shortened(const std::vector<Vertex>& path) const;
 
   const PoseRoadmap& roadmap_;
   WorkingMode mode_;

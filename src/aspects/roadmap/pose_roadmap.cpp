@@ -22,7 +22,7 @@ constexpr std::size_t draws_for_each_sample = 20000;
 constexpr std::size_t draws_between_looks = 256;
 constexpr double share_of_sampling = 0.1;
 
-RoadmapResult refused(const std::string& sentence) { return {MapStatus::refused, sentence, nullptr}; }
+RoadmapResult refused(const std::string& message) { return {MapStatus::refused, message, nullptr}; }
 
 bool is_usable(const Box& box, TaskSpace space) {
   if (box.dimension < directions(space)) return false;
@@ -55,8 +55,8 @@ void report(const MapControl& control, double share) {
 bool leg_reaches(const Leg& leg, const Pose& pose) {
   const Eigen::Vector3d point = pose.transform(leg.anchor);
   if (!(squared_inverse_entry(leg, point) > 0.0)) return false;
-  return (leg.has_branch(1) && leg.limits.contain(drive_value(leg, point, 1))) ||
-         (leg.has_branch(-1) && leg.limits.contain(drive_value(leg, point, -1)));
+  return (leg.has_branch(1) && leg.limits.contain(joint_value(leg, point, 1))) ||
+         (leg.has_branch(-1) && leg.limits.contain(joint_value(leg, point, -1)));
 }
 
 bool is_reachable(const Manipulator& manipulator, const Pose& pose) {
@@ -144,7 +144,7 @@ RoadmapResult compute_pose_roadmap(std::shared_ptr<const Manipulator> manipulato
   if (!sampler.is_bounded())
     return refused(
         "The legs of '" + manipulator->name() +
-        "' have no limits that bound the workspace; limit the drives in the URDF or give a region.");
+        "' have no limits that bound the workspace; limit the actuated joints in the URDF or give a region.");
   std::vector<Pose> poses = sample(*manipulator, sampler, options.samples, control);
   SegmentCertifier certifier(manipulator);
   std::vector<AnchorPoint> points;

@@ -17,10 +17,10 @@ Eigen::AlignedBox3d around(const Eigen::Vector3d& center, double reach) {
 }
 
 // Proximal points on a line, and the rod beyond. A direction that does not move a coordinate leaves it.
-Eigen::AlignedBox3d around(const PrismaticDrive& drive, const Leg& leg) {
-  Eigen::AlignedBox3d box = around(drive.origin, leg.rod_length);
+Eigen::AlignedBox3d around(const PrismaticActuation& actuation, const Leg& leg) {
+  Eigen::AlignedBox3d box = around(actuation.origin, leg.rod_length);
   for (Eigen::Index i = 0; i < 3; ++i) {
-    const double direction = drive.direction[i];
+    const double direction = actuation.direction[i];
     if (direction == 0.0) continue;
     const double one_end = direction * leg.limits.lower, other_end = direction * leg.limits.upper;
     box.min()[i] += std::min(one_end, other_end);
@@ -30,7 +30,7 @@ Eigen::AlignedBox3d around(const PrismaticDrive& drive, const Leg& leg) {
 }
 
 Eigen::AlignedBox3d anchor_box(const Leg& leg) {
-  const auto* rail = std::get_if<PrismaticDrive>(&leg.drive);
+  const auto* rail = std::get_if<PrismaticActuation>(&leg.actuation);
   return rail != nullptr ? around(*rail, leg) : around(leg.base_point(), leg.longest_reach());
 }
 

@@ -23,7 +23,7 @@ PoseSegment::PoseSegment(const Pose& from, const Pose& to) noexcept {
   for (std::size_t i = 0; i < 4; ++i) {
     const auto k = static_cast<Eigen::Index>(i);
     quaternion_[i] = Interval(first[k]);
-    turning_[i] = Interval(last[k]) - quaternion_[i];
+    quaternion_change_[i] = Interval(last[k]) - quaternion_[i];
   }
 }
 
@@ -31,7 +31,7 @@ bool PoseSegment::place(const PathForm& t, Placement& placement) const noexcept 
   assert_rounding_upward();
   for (std::size_t i = 0; i < 3; ++i) placement.position[i] = position_[i] + travel_[i] * t;
   std::array<PathForm, 4> q;
-  for (std::size_t i = 0; i < 4; ++i) q[i] = quaternion_[i] + turning_[i] * t;
+  for (std::size_t i = 0; i < 4; ++i) q[i] = quaternion_[i] + quaternion_change_[i] * t;
   const PathForm xx = square(q[0]), yy = square(q[1]), zz = square(q[2]), ww = square(q[3]);
   const PathForm squared_norm = xx + yy + zz + ww;
   if (!(squared_norm.range.lower() > least_squared_norm)) return false;

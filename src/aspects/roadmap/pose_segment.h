@@ -29,7 +29,7 @@ class PoseSegment {
 
  private:
   Spatial<Interval> position_, travel_;
-  std::array<Interval, 4> quaternion_, turning_;  // x, y, z, w
+  std::array<Interval, 4> quaternion_, quaternion_change_;  // x, y, z, w
 };
 
 }  // namespace parallel_aspects

@@ -11,16 +11,16 @@ namespace {
 /// Why no aspect holds a configuration.
 std::string reason(const Manipulator& manipulator, const ConfigurationProof& proof) {
   const std::string leg = proof.leg ? "leg '" + manipulator.leg(*proof.leg).name + "'" : "a leg";
-  switch (proof.proved_hindrance) {
-    case Hindrance::out_of_reach:
+  switch (proof.proved_violation) {
+    case Violation::out_of_reach:
       return leg + " cannot reach it";
-    case Hindrance::joint_limit:
-      return "the drive of " + leg + " would be outside its limits (constraint driven_limits)";
-    case Hindrance::constraint:
+    case Violation::joint_limit:
+      return "the actuated joint of " + leg + " would be outside its limits (constraint actuated_limits)";
+    case Violation::constraint:
       return "the constraint " + std::string(name(proof.failing.value_or(ConstraintKind::workspace))) +
              " does not hold there";
-    case Hindrance::singularity:
-    case Hindrance::none:
+    case Violation::singularity:
+    case Violation::none:
       break;
   }
   return "it is singular";
@@ -30,11 +30,11 @@ std::string reason(const Manipulator& manipulator, const ConfigurationProof& pro
 bool is_answered(const Manipulator& manipulator, const ConfigurationProof& proof, const std::string& which,
                  AspectComparison& comparison) {
   if (proof.sign != 0) return false;
-  const bool proved = proof.proved_hindrance != Hindrance::none;
+  const bool proved = proof.proved_violation != Violation::none;
   comparison.answer = proved ? SameAspect::no : SameAspect::unknown;
-  comparison.sentence =
+  comparison.message =
       proved ? "The " + which + " configuration lies in no aspect: " + reason(manipulator, proof) + "."
-             : "The " + which + " configuration is too close to a singularity or a limit to be told.";
+             : "The " + which + " configuration is too close to a singularity or a limit to be determined.";
   comparison.failing = proof.failing;
   return true;
 }
@@ -67,18 +67,18 @@ AspectComparison same_aspect(const SegmentCertifier& certifier, const PoseInMode
   if (start.sign != end.sign) return no("det A differs in sign, " + signs_text(start.sign, end.sign) + ".");
   if (certifier.prove(first.pose, second.pose, first.mode).verdict == SegmentVerdict::free)
     return yes({first.pose, second.pose});
-  comparison.sentence =
-      "The segment between them is not free, or not proved to be; there may be a way around.";
-  comparison.open_sign = start.sign;
+  comparison.message =
+      "The segment between them is not free, or not proved to be; there may be a path around.";
+  comparison.searched_sign = start.sign;
   return comparison;
 }
 
 AspectComparison same_aspect(const PoseRoadmap& roadmap, const PoseInMode& first, const PoseInMode& second) {
   AspectComparison comparison = same_aspect(roadmap.certifier(), first, second);
-  if (comparison.open_sign == 0) return comparison;
-  auto path = PathSearch(roadmap, first.mode, comparison.open_sign).find(first.pose, second.pose);
+  if (comparison.searched_sign == 0) return comparison;
+  auto path = PathSearch(roadmap, first.mode, comparison.searched_sign).find(first.pose, second.pose);
   if (!path.empty()) return yes(std::move(path));
-  comparison.sentence = "No way was found, which proves nothing; more samples may find one.";
+  comparison.message = "No path was found, which proves nothing; more samples may find one.";
   return comparison;
 }
 

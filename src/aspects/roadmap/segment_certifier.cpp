@@ -32,10 +32,10 @@ ConstraintTests<D> made_under_upward_rounding(const Manipulator& manipulator) {
   return ConstraintTests<D>(manipulator);
 }
 
-// What is proved to be at or before a configuration, on the way from one whose det A has this sign.
-Hindrance hindrance_at(const ConfigurationProof& proof, int sign) {
-  if (proof.proved_hindrance != Hindrance::none) return proof.proved_hindrance;
-  return proof.sign == -sign ? Hindrance::singularity : Hindrance::none;
+// What is proved to be at or before a configuration, on the path from one whose det A has this sign.
+Violation violation_at(const ConfigurationProof& proof, int sign) {
+  if (proof.proved_violation != Violation::none) return proof.proved_violation;
+  return proof.sign == -sign ? Violation::singularity : Violation::none;
 }
 
 // The row of A, up to the positive factor of `u`, for the anchor at `b` from the operational point.
@@ -101,7 +101,7 @@ class SegmentCertifier::Evaluation {
 
   /// What is proved of a single point.
   ConfigurationProof at(double t) {
-    if (legs_are_free(t, t)) return {proved_sign_at_middle(), Hindrance::none, {}, {}};
+    if (legs_are_free(t, t)) return {proved_sign_at_middle(), Violation::none, {}, {}};
     return found_;
   }
 
@@ -119,7 +119,7 @@ class SegmentCertifier::Evaluation {
         step *= std::clamp(aimed_ratio / ratio_, 0.5, 4.0);
       } else {
         const double ratio = ratio_;
-        block_if_hindered(0.5 * (proof.free_until + end), sign, proof);
+        block_if_violated(0.5 * (proof.free_until + end), sign, proof);
         step *= std::clamp(aimed_ratio / ratio, 0.125, 0.5);
       }
     }
@@ -131,16 +131,16 @@ class SegmentCertifier::Evaluation {
     double ahead = 1.0 - proof.free_until;
     for (int i = 0; i < points_of_a_look; ++i) {
       ahead *= 0.5;
-      if (block_if_hindered(proof.free_until + ahead, sign, proof)) return true;
+      if (block_if_violated(proof.free_until + ahead, sign, proof)) return true;
     }
     return false;
   }
 
-  bool block_if_hindered(double t, int sign, SegmentProof& proof) {
-    const Hindrance found = hindrance_at(at(t), sign);
-    if (found == Hindrance::none) return false;
+  bool block_if_violated(double t, int sign, SegmentProof& proof) {
+    const Violation found = violation_at(at(t), sign);
+    if (found == Violation::none) return false;
     proof.verdict = SegmentVerdict::blocked;
-    proof.hindrance = found;
+    proof.violation = found;
     proof.witness = t;
     return true;
   }
@@ -162,7 +162,7 @@ class SegmentCertifier::Evaluation {
                             : is_allowed(parts_.spatial_constraints, placement);
   }
 
-  /// By the constraints besides limits of drives. The legs must be free.
+  /// By the constraints besides limits of actuated joints. The legs must be free.
   template <std::size_t D>
   bool is_allowed(const ConstraintTests<D>& tests, const PoseSegment::Placement& placement) {
     if (tests.none()) return true;
@@ -177,7 +177,7 @@ class SegmentCertifier::Evaluation {
     robot.heading = {placement.rotation[0][0], placement.rotation[1][0]};
     if (verdict(tests, robot) == Verdict::holds) return true;
     found_.failing = find_failing(tests, at_center(robot));
-    if (found_.failing) found_.proved_hindrance = Hindrance::constraint;
+    if (found_.failing) found_.proved_violation = Violation::constraint;
     return false;
   }
 
@@ -196,7 +196,7 @@ class SegmentCertifier::Evaluation {
       d[i] = placement.position[i] + b[i] - PathForm(leg.base()[i]);
     }
     const SpatialLegForm<PathForm> form = leg.form(d);
-    if (form.squared_entry.center.upper() <= 0.0) found_ = {0, Hindrance::out_of_reach, {}, j};
+    if (form.squared_entry.center.upper() <= 0.0) found_ = {0, Violation::out_of_reach, {}, j};
     if (!form.squared_entry.range.positive()) return false;
     const PathForm entry = square_root(form.squared_entry);
     displacements_[j] = d;
@@ -217,7 +217,7 @@ class SegmentCertifier::Evaluation {
     if (verdict(leg.limits(range, entry.range, mode_.sign(j))) == Verdict::holds) return true;
     const Spatial<Interval> center{d[0].center, d[1].center, d[2].center};
     if (verdict(leg.limits(center, entry.center, mode_.sign(j))) == Verdict::fails)
-      found_ = {0, Hindrance::joint_limit, ConstraintKind::driven_limits, j};
+      found_ = {0, Violation::joint_limit, ConstraintKind::actuated_limits, j};
     return false;
   }
 
@@ -239,7 +239,7 @@ ConfigurationProof SegmentCertifier::prove(const Pose& pose, const WorkingMode& 
   if (!parts_->usable || !is_usable(pose, longest_length) || mode.leg_count() != parts_->legs.size())
     return {};
   for (std::size_t j = 0; j < parts_->legs.size(); ++j)
-    if (!manipulator_->leg(j).has_branch(mode.sign(j))) return {0, Hindrance::out_of_reach, {}, j};
+    if (!manipulator_->leg(j).has_branch(mode.sign(j))) return {0, Violation::out_of_reach, {}, j};
   const RoundingUpward rounding;
   const PoseSegment segment(pose, pose);
   return Evaluation(*this, segment, mode).at(0.0);
@@ -248,10 +248,10 @@ ConfigurationProof SegmentCertifier::prove(const Pose& pose, const WorkingMode& 
 SegmentProof SegmentCertifier::prove(const Pose& from, const Pose& to, const WorkingMode& mode,
                                      int most_parts) const noexcept {
   const ConfigurationProof start = prove(from, mode), end = prove(to, mode);
-  const Hindrance found = start.proved_hindrance != Hindrance::none ? start.proved_hindrance
-                          : start.sign != 0                         ? hindrance_at(end, start.sign)
-                                                                    : Hindrance::none;
-  if (found != Hindrance::none) return {SegmentVerdict::blocked, found, 0.0, 1.0, 0};
+  const Violation found = start.proved_violation != Violation::none ? start.proved_violation
+                          : start.sign != 0                         ? violation_at(end, start.sign)
+                                                                    : Violation::none;
+  if (found != Violation::none) return {SegmentVerdict::blocked, found, 0.0, 1.0, 0};
   if (start.sign == 0 || end.sign == 0) return {};
   return march(from, to, mode, start.sign, most_parts);
 }

@@ -25,7 +25,7 @@ int takes_direction(const RigidSymmetry& symmetry, const Eigen::Vector3d& direct
 bool are_images(const JointLimits& limits, const JointLimits& image, int sign) noexcept;
 
 /// Whether a symmetry of the legs, leg j going to `leg_image[j]`, takes the constraints onto themselves,
-/// exactly. The limits of drives are with the legs.
+/// exactly. The limits of actuated joints are with the legs.
 bool takes_constraints(const RigidSymmetry& symmetry, const std::vector<std::size_t>& leg_image,
                        const Constraints& constraints, TaskSpace space);
 

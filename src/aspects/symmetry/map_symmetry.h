@@ -22,7 +22,7 @@ struct MapSymmetry {
   int determinant_sign = 1;
   std::string text;  ///< for people: what becomes of a point of the base, as "(x, -y)"
 
-  /// What is proved of the image of a box in the image of a mode, and just so the other way.
+  /// What is proved of the image of a box in the image of a mode, and just so the other path.
   LeafState image(LeafState state) const noexcept {
     return determinant_sign > 0 ? state : state.with_signs_exchanged();
   }

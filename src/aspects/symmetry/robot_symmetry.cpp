@@ -27,13 +27,13 @@ class LegImages {
       : symmetry_(symmetry), shows_cranks_(shows_cranks) {}
 
   EntrySigns compare(const Leg& leg, const Leg& image) const {
-    if (leg.drive.index() != image.drive.index()) return {};
+    if (leg.actuation.index() != image.actuation.index()) return {};
     if (symmetry_.platform * leg.anchor != image.anchor) return {};
     return std::visit(
-        [&](const auto& drive) {
-          return compare(drive, std::get<std::decay_t<decltype(drive)>>(image.drive), leg, image);
+        [&](const auto& actuation) {
+          return compare(actuation, std::get<std::decay_t<decltype(actuation)>>(image.actuation), leg, image);
         },
-        leg.drive);
+        leg.actuation);
   }
 
  private:
@@ -43,45 +43,47 @@ class LegImages {
 
   // c = center + radius (cos q e1 + sin q axis x e1): where the axis goes to `along` times the axis of the
   // image, q changes by `along` times the handedness, and so do c' and B_jj.
-  EntrySigns compare(const RevoluteDrive& drive, const RevoluteDrive& other, const Leg& leg,
+  EntrySigns compare(const RevoluteActuation& actuation, const RevoluteActuation& other, const Leg& leg,
                      const Leg& image) const {
-    const int along = takes_direction(symmetry_, drive.axis, other.axis);
+    const int along = takes_direction(symmetry_, actuation.axis, other.axis);
     const int sign = symmetry_.handedness() < 0.0 ? -along : along;
-    if (along == 0 || drive.radius != other.radius || leg.rod_length != image.rod_length) return {};
-    if (!takes_point(symmetry_, drive.center, other.center)) return {};
-    const int zero = takes_direction(symmetry_, drive.zero_direction, other.zero_direction);
+    if (along == 0 || actuation.radius != other.radius || leg.rod_length != image.rod_length) return {};
+    if (!takes_point(symmetry_, actuation.center, other.center)) return {};
+    const int zero = takes_direction(symmetry_, actuation.zero_direction, other.zero_direction);
     if (shows_cranks_ && zero == 0) return {};
     if (are_limited(leg, image) && (zero != 1 || !are_images(leg.limits, image.limits, sign))) return {};
     return only(sign);
   }
 
-  EntrySigns compare(const PrismaticDrive& drive, const PrismaticDrive& other, const Leg& leg,
+  EntrySigns compare(const PrismaticActuation& actuation, const PrismaticActuation& other, const Leg& leg,
                      const Leg& image) const {
-    const int along = takes_direction(symmetry_, drive.direction, other.direction);
+    const int along = takes_direction(symmetry_, actuation.direction, other.direction);
     if (along == 0 || leg.rod_length != image.rod_length) return {};
-    if (!takes_point(symmetry_, drive.origin, other.origin)) return {};
+    if (!takes_point(symmetry_, actuation.origin, other.origin)) return {};
     if (are_limited(leg, image) && !are_images(leg.limits, image.limits, along)) return {};
     return only(along);
   }
 
-  EntrySigns compare(const StrutDrive& drive, const StrutDrive& other, const Leg& leg,
+  EntrySigns compare(const StrutActuation& actuation, const StrutActuation& other, const Leg& leg,
                      const Leg& image) const {
-    if (!takes_point(symmetry_, drive.base, other.base)) return {};
-    if (are_limited(leg, image) && (drive.length_at_zero != other.length_at_zero ||
-                                    drive.sense != other.sense || !are_images(leg.limits, image.limits, 1)))
+    if (!takes_point(symmetry_, actuation.base, other.base)) return {};
+    if (are_limited(leg, image) &&
+        (actuation.length_at_zero != other.length_at_zero || actuation.sense != other.sense ||
+         !are_images(leg.limits, image.limits, 1)))
       return {};
-    return only(drive.sense == other.sense ? 1 : -1);
+    return only(actuation.sense == other.sense ? 1 : -1);
   }
 
   // The distance is the same for an angle and its opposite, so both postures can be the image.
-  EntrySigns compare(const ElbowDrive& drive, const ElbowDrive& other, const Leg& leg,
+  EntrySigns compare(const ElbowActuation& actuation, const ElbowActuation& other, const Leg& leg,
                      const Leg& image) const {
-    if (!takes_point(symmetry_, drive.base, other.base)) return {};
-    if (drive.inner_length != other.inner_length || drive.outer_length != other.outer_length) return {};
+    if (!takes_point(symmetry_, actuation.base, other.base)) return {};
+    if (actuation.inner_length != other.inner_length || actuation.outer_length != other.outer_length)
+      return {};
     if (!are_limited(leg, image)) return {true, true};
-    if (drive.sense != other.sense) return {};
-    return {drive.angle_at_zero == other.angle_at_zero && are_images(leg.limits, image.limits, 1),
-            drive.angle_at_zero == -other.angle_at_zero && drive.angle_at_zero == 0.0 &&
+    if (actuation.sense != other.sense) return {};
+    return {actuation.angle_at_zero == other.angle_at_zero && are_images(leg.limits, image.limits, 1),
+            actuation.angle_at_zero == -other.angle_at_zero && actuation.angle_at_zero == 0.0 &&
                 are_images(leg.limits, image.limits, -1)};
   }
 
@@ -146,8 +148,9 @@ class LegMatching {
       for (std::size_t j = i + 1; j < count_; ++j)
         if (leg_image_[i] > leg_image_[j]) sign = -sign;
     if (has_rotation(manipulator_.task_space())) return sign;
-    const auto freedoms = static_cast<Eigen::Index>(count_);
-    return symmetry_.base.topLeftCorner(freedoms, freedoms).determinant() < 0.0 ? -sign : sign;
+    const auto degrees_of_freedom = static_cast<Eigen::Index>(count_);
+    return symmetry_.base.topLeftCorner(degrees_of_freedom, degrees_of_freedom).determinant() < 0.0 ? -sign
+                                                                                                    : sign;
   }
 
   const Manipulator& manipulator_;

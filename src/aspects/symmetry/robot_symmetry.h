@@ -27,7 +27,7 @@ struct RobotSymmetry {
 };
 
 /// Those that are found among `find_rigid_symmetries` of the task space and region, the identity too where it
-/// changes working modes, as with driven elbows. Numbers must match without any tolerance: of the legs with
+/// changes working modes, as with actuated elbows. Numbers must match without any tolerance: of the legs with
 /// their limits, and of all constraints.
 std::vector<RobotSymmetry> find_robot_symmetries(const Manipulator& manipulator, const Box& region);
 

@@ -94,7 +94,7 @@ Eigen::Quaterniond turn(double angle, const Eigen::Vector3d& axis) {
   return Eigen::Quaterniond(Eigen::AngleAxisd(angle, axis));
 }
 
-/// Rz(yaw) Ry(pitch) Rx(roll) with the one free angle at zero is what is held; turning the angle turns about
+/// Rz(yaw) Ry(pitch) Rx(roll) with the one free angle at zero is what is held; rotation the angle turns about
 /// its axis, turned by the angles that come after it.
 void set_orientation(const Held& held, MapSlice& slice) {
   using Eigen::Vector3d;
@@ -103,9 +103,9 @@ void set_orientation(const Held& held, MapSlice& slice) {
   const Eigen::Quaterniond roll = turn(held.value("roll").value_or(0.0), Vector3d::UnitX());
   slice.held.orientation = yaw * pitch * roll;
   const Names free = held.free_of(angles);
-  if (free.size() == 3) slice.turning = MapSlice::Turning::freely;
+  if (free.size() == 3) slice.rotation = MapSlice::Rotation::freely;
   if (free.size() != 1) return;
-  slice.turning = MapSlice::Turning::about_axis;
+  slice.rotation = MapSlice::Rotation::about_axis;
   slice.angle_name = free.front();
   if (free.front() == "pitch") slice.axis = yaw * Vector3d::UnitY();
   if (free.front() == "roll") slice.axis = yaw * pitch * Vector3d::UnitX();
@@ -119,7 +119,7 @@ std::string find_foreign_part(TaskSpace space, const MapSlice& slice) {
   if ((plane && (slice.moves[2] || at.z() != 0.0)) ||
       (space == TaskSpace::SO3 && (slice.free_positions() != 0 || !at.isZero(0.0))))
     return "moves the platform where it can not go; let it move within the task space";
-  const bool turns = slice.turning != MapSlice::Turning::none;
+  const bool turns = slice.rotation != MapSlice::Rotation::none;
   if (!has_rotation(space) && (turns || !orientation.vec().isZero(0.0)))
     return "turns the platform, which keeps its orientation; let it move only";
   const bool leaves_plane = !orientation.vec().head<2>().isZero(0.0) ||
@@ -136,8 +136,8 @@ std::size_t MapSlice::free_positions() const noexcept {
 }
 
 std::size_t MapSlice::dimension() const noexcept {
-  if (turning == Turning::freely) return free_positions() + 3;
-  return free_positions() + (turning == Turning::about_axis ? 1U : 0U);
+  if (rotation == Rotation::freely) return free_positions() + 3;
+  return free_positions() + (rotation == Rotation::about_axis ? 1U : 0U);
 }
 
 MapSlice make_slice(TaskSpace space, const std::vector<HeldCoordinate>& coordinates, Problems& problems) {
@@ -156,7 +156,7 @@ MapSlice make_slice(TaskSpace space, const std::vector<HeldCoordinate>& coordina
   }
   if (space == TaskSpace::SE2) {
     slice.held.orientation = turn(held.value("phi").value_or(0.0), Eigen::Vector3d::UnitZ());
-    if (held.is_free("phi")) slice.turning = MapSlice::Turning::about_axis;
+    if (held.is_free("phi")) slice.rotation = MapSlice::Rotation::about_axis;
   } else {
     set_orientation(held, slice);
   }
@@ -173,7 +173,7 @@ std::string find_slice_problem(const Manipulator& manipulator, const MapSlice& s
   if (!std::isfinite(axis) || !(axis > 1e-3 && axis < 1e3))
     return start + "has an axis of no direction; give a unit vector.";
   const std::size_t dimension = slice.dimension();
-  if (dimension < 1 || dimension > max_map_dimension || dimension >= freedoms(space))
+  if (dimension < 1 || dimension > max_map_dimension || dimension >= degrees_of_freedom(space))
     return start + "has " + std::to_string(dimension) +
            " free coordinates; leave one to three free, and hold at least one.";
   const std::string foreign = find_foreign_part(space, slice);
@@ -184,15 +184,15 @@ std::vector<std::string> coordinate_names(const MapSlice& slice) {
   Names names;
   for (std::size_t i = 0; i < 3; ++i)
     if (slice.moves[i]) names.push_back(positions[i]);
-  if (slice.turning == MapSlice::Turning::about_axis) names.push_back(slice.angle_name);
+  if (slice.rotation == MapSlice::Rotation::about_axis) names.push_back(slice.angle_name);
   return names;
 }
 
 std::string measure_unit(const MapSlice& slice) {
-  if (slice.turning == MapSlice::Turning::freely) return "rad^3";
+  if (slice.rotation == MapSlice::Rotation::freely) return "rad^3";
   const std::array<const char*, 4> lengths{"", "m", "m^2", "m^3"};
   const std::string length = lengths[slice.free_positions()];
-  if (slice.turning == MapSlice::Turning::none) return length;
+  if (slice.rotation == MapSlice::Rotation::none) return length;
   return length.empty() ? "rad" : length + " rad";
 }
 
@@ -203,7 +203,7 @@ std::string to_string(const MapSlice& slice) {
     std::snprintf(value, sizeof value, "%.6g", each.value);
     text += (text.empty() ? "" : ", ") + each.name + " = " + value + (is_angle(each.name) ? " rad" : " m");
   }
-  if (slice.turning != MapSlice::Turning::about_axis || slice.angle_name != "phi") return text;
+  if (slice.rotation != MapSlice::Rotation::about_axis || slice.angle_name != "phi") return text;
   char axis[120];
   std::snprintf(axis, sizeof axis, "phi turns about (%.6g, %.6g, %.6g)", slice.axis.x(), slice.axis.y(),
                 slice.axis.z());

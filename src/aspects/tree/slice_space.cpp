@@ -28,7 +28,7 @@ MapPosition nowhere() {
   return result;
 }
 
-bool turns(const MapSlice& slice) { return slice.turning == MapSlice::Turning::about_axis; }
+bool turns(const MapSlice& slice) { return slice.rotation == MapSlice::Rotation::about_axis; }
 
 Box with_angle(const MapSlice& slice, Box box) {
   if (!turns(slice)) return box;
@@ -148,7 +148,7 @@ class HeldPosition final : public PoseSpace {
 
 std::shared_ptr<const PoseSpace> make_slice_space(const MapSlice& slice, const Box& positions,
                                                   double characteristic_length) {
-  if (slice.turning == MapSlice::Turning::freely)
+  if (slice.rotation == MapSlice::Rotation::freely)
     return std::make_shared<const HeldPosition>(slice, make_pose_space(TaskSpace::SO3, Box{}, 1.0));
   return std::make_shared<const Slice>(slice, positions, characteristic_length);
 }

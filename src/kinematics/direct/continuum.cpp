@@ -48,7 +48,7 @@ bool is_singular_solution(const Manipulator& manipulator, const Pose& pose, cons
 // solution.
 bool leads_on(const Manipulator& manipulator, const Pose& pose, const JointVector& q, TaskVector twist,
               double length) {
-  twist.head(static_cast<Eigen::Index>(rotational_freedoms(manipulator.task_space()))) /=
+  twist.head(static_cast<Eigen::Index>(rotational_degrees_of_freedom(manipulator.task_space()))) /=
       manipulator.characteristic_length();
   const Pose away = displaced(manipulator.task_space(), pose, length * twist);
   const Pose landed = pulled_back(manipulator, away, q, 12);
@@ -60,7 +60,7 @@ Pose random_pose(const Manipulator& manipulator, std::mt19937& engine) {
   std::normal_distribution<double> normal;
   TaskVector twist(static_cast<Eigen::Index>(manipulator.leg_count()));
   for (double& each : coefficients_of(twist)) each = normal(engine);
-  const auto rotations = static_cast<Eigen::Index>(rotational_freedoms(manipulator.task_space()));
+  const auto rotations = static_cast<Eigen::Index>(rotational_degrees_of_freedom(manipulator.task_space()));
   twist.tail(twist.size() - rotations) *= manipulator.size();
   return displaced(manipulator.task_space(), Pose{}, twist);
 }

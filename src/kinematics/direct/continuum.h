@@ -7,8 +7,8 @@
 
 namespace parallel_aspects {
 
-/// Whether the platform moves with the drives locked: from a singular direct solution `pose` finite steps
-/// along the null motion of A lead to further ones. Numerical, not a proof.
+/// Whether the platform moves with the actuated joints locked: from a singular direct solution `pose` finite
+/// steps along the null motion of A lead to further ones. Numerical, not a proof.
 bool on_continuum(const Manipulator& manipulator, const Pose& pose, const JointVector& q);
 
 /// Whether a search from random poses finds a continuum of direct solutions. "No" proves nothing.

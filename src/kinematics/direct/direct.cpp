@@ -23,7 +23,7 @@ constexpr double assembled = 1e-12;
 // With a smaller singular value of A than this, rounding of 1e-16 shows in the pose at 1e-10 or more.
 constexpr double nearly_singular = 1e-6;
 
-// With a smaller sine between rod and crank than this, the sign of B_jj may hang on rounding.
+// With a smaller sine between rod and crank than this, the sign of B_jj may depend on rounding.
 constexpr double nearly_stretched = 1e-6;
 
 // Solutions closer than this, relative to the robot, are one solution found twice; nearly singular ones are
@@ -66,7 +66,7 @@ bool any_leg_stretched(const Manipulator& manipulator, const Pose& pose, const J
     const auto row = static_cast<Eigen::Index>(j);
     const Leg& leg = manipulator.leg(j);
     const double rod = (pose.transform(leg.anchor) - leg.proximal_point(q[row])).norm();
-    const auto* elbow = std::get_if<ElbowDrive>(&leg.drive);
+    const auto* elbow = std::get_if<ElbowActuation>(&leg.actuation);
     const double lever = elbow != nullptr ? elbow->inner_length * elbow->outer_length
                                           : rod * leg.proximal_point_derivative(q[row]).norm();
     if (std::abs(diagonal[row]) < nearly_stretched * lever) return true;
@@ -111,7 +111,7 @@ bool any_on_continuum(const Manipulator& manipulator, const JointVector& q,
 // Only its square is left in the equations.
 bool has_strut_of_negative_length(const Manipulator& manipulator, const JointVector& q) {
   for (std::size_t j = 0; j < manipulator.leg_count(); ++j) {
-    const auto* strut = std::get_if<StrutDrive>(&manipulator.leg(j).drive);
+    const auto* strut = std::get_if<StrutActuation>(&manipulator.leg(j).actuation);
     if (strut && strut->length_at_zero + strut->sense * q[static_cast<Eigen::Index>(j)] < 0.0) return true;
   }
   return false;

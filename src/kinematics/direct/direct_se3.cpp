@@ -102,7 +102,7 @@ bool may_be_real(const Solution& z, double tolerance) {
   return platform_paths::distance(z, conjugate(z)) < tolerance;
 }
 
-// The straight way first, then by random detours through the complex parameters.
+// The straight path first, then by random detours through the complex parameters.
 Parameters bend(int attempt) {
   Parameters result{};
   if (attempt == 0) return result;

@@ -8,7 +8,7 @@
 
 namespace parallel_aspects {
 
-/// A leg with its drive locked: all that the direct problem sees of it, whatever its kind.
+/// A leg with its actuated joint locked: all that the direct problem sees of it, whatever its kind.
 ///
 ///     |position + R anchor - base|^2 = squared_length
 struct LockedLeg {
@@ -17,7 +17,7 @@ struct LockedLeg {
   double squared_length;   ///< rho(q)^2 [m^2]
 };
 
-/// The leg at the drive value `q` [rad or m], which must be finite.
+/// The leg at the joint value `q` [rad or m], which must be finite.
 inline LockedLeg locked(const Leg& leg, double q) noexcept {
   return {leg.anchor, leg.proximal_point(q), leg.squared_distance(q)};
 }

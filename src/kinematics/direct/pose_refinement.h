@@ -19,7 +19,7 @@ struct Refinement {
 Refinement refined(const Manipulator& manipulator, const Pose& pose, const JointVector& q);
 
 /// The length that residuals are judged against [m]: the largest of the robot's size, its rods and anchors,
-/// and how far the drives have moved the proximal points.
+/// and how far the actuated joints have moved the proximal points.
 double assembly_scale(const Manipulator& manipulator, const JointVector& q);
 
 /// Largest |f_j| over the squared `scale` [m], dimensionless.

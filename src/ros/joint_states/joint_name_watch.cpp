@@ -26,7 +26,7 @@ bool contains(const Names& names, const std::string& name) {
 }  // namespace
 
 JointNameWatch::JointNameWatch(const Manipulator& manipulator) {
-  for (const Leg& leg : manipulator.legs()) expected_.push_back(leg.driven_joint);
+  for (const Leg& leg : manipulator.legs()) expected_.push_back(leg.actuated_joint);
 }
 
 bool JointNameWatch::hear(const sensor_msgs::JointState& message) {
@@ -63,7 +63,7 @@ void JointNameWatch::forget() noexcept {
   more_arrive_ = false;
 }
 
-bool JointNameWatch::lacks_a_drive() const {
+bool JointNameWatch::lacks_an_actuated_joint() const {
   const auto arrives = [&](const std::string& name) { return contains(arriving_, name); };
   return !arriving_.empty() && !more_arrive_ && !std::all_of(expected_.begin(), expected_.end(), arrives);
 }

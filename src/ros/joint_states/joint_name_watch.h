@@ -10,7 +10,7 @@
 
 namespace parallel_aspects {
 
-/// Compares the joints that arrive with those that are driven, while no sample can be used: wrong names are
+/// Compares the joints that arrive with those that are actuated, while no sample can be used: wrong names are
 /// the commonest reason why none can. What it keeps is bounded, whatever arrives.
 class JointNameWatch {
  public:
@@ -22,13 +22,13 @@ class JointNameWatch {
   /// Begins anew, as after a sample that could be used.
   void forget() noexcept;
 
-  /// Whether joints have arrived, but not all that are driven.
-  bool lacks_a_drive() const;
+  /// Whether joints have arrived, but not all that are actuated.
+  bool lacks_an_actuated_joint() const;
 
   /// Which joints are expected, which have arrived, and which of these may be meant; begins "joints".
   std::string comparison() const;
 
-  /// "did you mean 'crank_1_joint' by 'crank1_joint'?" with every driven joint that has not arrived; empty
+  /// "did you mean 'crank_1_joint' by 'crank1_joint'?" with every actuated joint that has not arrived; empty
   /// where nothing that has looks like one.
   std::string guess() const;
 

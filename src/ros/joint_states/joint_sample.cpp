@@ -9,21 +9,22 @@
 namespace parallel_aspects {
 namespace {
 
-// Beyond this, angles are no longer exact to a ten-millionth of a degree; no drive gets there [rad or m].
+// Beyond this, angles are no longer exact to a ten-millionth of a degree; no actuated joint gets there [rad
+// or m].
 constexpr double largest_position = 1e6;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-JointSample invalid(std::string sentence) { return {SampleStatus::invalid, std::move(sentence), {}, {}, {}}; }
+JointSample invalid(std::string message) { return {SampleStatus::invalid, std::move(message), {}, {}, {}}; }
 
-DriveSet drives_named(const Manipulator& manipulator, const std::vector<std::string>& names) {
-  DriveSet drives;
+JointSet actuated_joints_named(const Manipulator& manipulator, const std::vector<std::string>& names) {
+  JointSet joint_values;
   for (std::size_t j = 0; j < manipulator.leg_count(); ++j)
-    drives[j] = std::find(names.begin(), names.end(), manipulator.leg(j).driven_joint) != names.end();
-  return drives;
+    joint_values[j] = std::find(names.begin(), names.end(), manipulator.leg(j).actuated_joint) != names.end();
+  return joint_values;
 }
 
-// What is wrong with the position of a drive, or empty.
+// What is wrong with the position of an actuated joint, or empty.
 std::string fault_of(const std::string& joint, const std::vector<std::string>& names, double position) {
   if (std::count(names.begin(), names.end(), joint) > 1)
     return "joint " + joint + " is there twice; publish each joint once.";
@@ -33,13 +34,13 @@ std::string fault_of(const std::string& joint, const std::vector<std::string>& n
   return {};
 }
 
-// The robot's drives in the message.
+// The robot's actuated joints in the message.
 JointSample collect(const Manipulator& manipulator, const std::vector<std::string>& names,
                     const std::vector<double>& positions) {
   JointSample sample{SampleStatus::usable, {}, {}, JointVector(manipulator.leg_count()), {}};
   std::string missing;
   for (std::size_t j = 0; j < manipulator.leg_count(); ++j) {
-    const std::string& joint = manipulator.leg(j).driven_joint;
+    const std::string& joint = manipulator.leg(j).actuated_joint;
     double& value = sample.q[static_cast<Eigen::Index>(j)];
     const auto found = std::find(names.begin(), names.end(), joint);
     if (found == names.end()) {
@@ -53,7 +54,7 @@ JointSample collect(const Manipulator& manipulator, const std::vector<std::strin
   }
   if (missing.empty()) return sample;
   sample.status = SampleStatus::partial;
-  sample.sentence = "actuated joint " + missing + " is missing.";
+  sample.message = "actuated joint " + missing + " is missing.";
   return sample;
 }
 
@@ -65,13 +66,14 @@ JointSampleReader::JointSampleReader(std::shared_ptr<const Mechanism> mechanism)
     : mechanism_(std::move(mechanism)) {}
 
 JointSample JointSampleReader::read(const sensor_msgs::JointState& message) const {
-  const DriveSet drives = drives_named(*mechanism_->manipulator(), message.name);
-  JointSample sample = read(message, drives);
-  sample.drives = drives;
+  const JointSet joint_values = actuated_joints_named(*mechanism_->manipulator(), message.name);
+  JointSample sample = read(message, joint_values);
+  sample.joint_values = joint_values;
   return sample;
 }
 
-JointSample JointSampleReader::read(const sensor_msgs::JointState& message, const DriveSet& drives) const {
+JointSample JointSampleReader::read(const sensor_msgs::JointState& message,
+                                    const JointSet& joint_values) const {
   const std::size_t names = message.name.size();
   if (names == 0) return invalid("it names no joint.");
   if (message.position.size() != names || !fits(message.velocity.size(), names) ||
@@ -80,7 +82,8 @@ JointSample JointSampleReader::read(const sensor_msgs::JointState& message, cons
                    std::to_string(message.position.size()) + " positions, " +
                    std::to_string(message.velocity.size()) + " velocities and " +
                    std::to_string(message.effort.size()) + " efforts.");
-  if (drives.none()) return {SampleStatus::foreign, "it holds none of the actuated joints.", {}, {}, {}};
+  if (joint_values.none())
+    return {SampleStatus::foreign, "it holds none of the actuated joints.", {}, {}, {}};
   JointSample sample = collect(*mechanism_->manipulator(), message.name, message.position);
   if (sample.status != SampleStatus::usable) return sample;
   const auto& known = mechanism_->joint_names();
@@ -88,7 +91,7 @@ JointSample JointSampleReader::read(const sensor_msgs::JointState& message, cons
     return std::find(known.begin(), known.end(), name) == known.end();
   });
   if (unknown != message.name.end())
-    sample.sentence = "joint " + *unknown + " is not in the URDF and is ignored.";
+    sample.message = "joint " + *unknown + " is not in the URDF and is ignored.";
   sample.readings = joint_readings(*mechanism_, message);
   return sample;
 }

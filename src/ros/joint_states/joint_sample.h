@@ -14,16 +14,17 @@
 namespace parallel_aspects {
 
 enum class SampleStatus {
-  usable,   ///< `q` is filled; `sentence` may name a joint that was ignored
-  partial,  ///< holds some of the drives, the others are not a number; `sentence` says which are missing
+  usable,   ///< `q` is filled; `message` may name a joint that was ignored
+  partial,  ///< holds some of the actuated joints, the others are not a number; `message` says which are
+            ///< missing
   foreign,  ///< holds none of the actuated joints, so it is another robot's, or of passive joints alone
-  invalid,  ///< cannot be used; `sentence` says why
+  invalid,  ///< cannot be used; `message` says why
 };
 
 struct JointSample {
   SampleStatus status = SampleStatus::invalid;
-  std::string sentence;
-  DriveSet drives;           ///< which ones the message names
+  std::string message;
+  JointSet joint_values;     ///< which ones the message names
   JointVector q;             ///< in the order of the legs [rad or m]
   Eigen::VectorXd readings;  ///< of every joint, as `joint_readings`; only where usable
 };
@@ -40,7 +41,7 @@ class JointSampleReader {
   JointSample read(const sensor_msgs::JointState& message) const;
 
  private:
-  JointSample read(const sensor_msgs::JointState& message, const DriveSet& drives) const;
+  JointSample read(const sensor_msgs::JointState& message, const JointSet& joint_values) const;
 
   std::shared_ptr<const Mechanism> mechanism_;
 };

@@ -44,21 +44,22 @@ bool PublisherWatch::recent(const Turn& turn, const ros::Time& now) const {
   return !turn.at.isZero() && now - turn.at <= alive_;
 }
 
-// Two publish the same drive where one is heard, then the other, then the first again. One after the other,
-// as when a bag is played a second time, is no contest.
-Claim PublisherWatch::claim(const std::string& publisher, const DriveSet& drives, const ros::Time& now,
+// Two publish the same actuated joint where one is heard, then the other, then the first again. One after the
+// other, as when a bag is played a second time, is no contest.
+Claim PublisherWatch::claim(const std::string& publisher, const JointSet& joint_values, const ros::Time& now,
                             std::string& other) {
   Publisher* const own = find(publisher);
   Claim claim = Claim::sole;
   other.clear();
   ++claims_;
-  for (std::size_t drive = 0; drive < drives.size(); ++drive) {
-    if (!drives[drive]) continue;
-    const Turn before = own ? own->turns[drive] : Turn();
-    if (own) own->turns[drive] = {now, claims_};
+  for (std::size_t actuation = 0; actuation < joint_values.size(); ++actuation) {
+    if (!joint_values[actuation]) continue;
+    const Turn before = own ? own->turns[actuation] : Turn();
+    if (own) own->turns[actuation] = {now, claims_};
     for (const Publisher& rival : publishers_) {
-      if (rival.name == publisher || !recent(rival.turns[drive], now) || claim == Claim::contested) continue;
-      const bool by_turns = recent(before, now) && rival.turns[drive].number > before.number;
+      if (rival.name == publisher || !recent(rival.turns[actuation], now) || claim == Claim::contested)
+        continue;
+      const bool by_turns = recent(before, now) && rival.turns[actuation].number > before.number;
       claim = by_turns ? Claim::contested : Claim::waiting;
       other = rival.name;
     }

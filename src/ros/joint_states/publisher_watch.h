@@ -15,17 +15,17 @@
 
 namespace parallel_aspects {
 
-/// Which of the drives of a robot, in the order of its legs.
-using DriveSet = std::bitset<max_legs>;
+/// Which of the actuated joints of a robot, in the order of its legs.
+using JointSet = std::bitset<max_legs>;
 
 /// What a message of one publisher is worth.
 enum class Claim {
-  sole,      ///< nobody else published these drives a short while ago
+  sole,      ///< nobody else published these actuated joints a short while ago
   waiting,   ///< another one did, who may have ended: it is not known yet whether both publish
   contested  ///< both publish, by turns
 };
 
-/// Who publishes joint_states, and how many messages were lost on the way, by gaps in the `seq` that each
+/// Who publishes joint_states, and how many messages were lost on the path, by gaps in the `seq` that each
 /// publisher counts up.
 class PublisherWatch {
  public:
@@ -35,9 +35,10 @@ class PublisherWatch {
   /// A message of any robot came.
   void count(const std::string& publisher, std::uint32_t sequence);
 
-  /// It holds these drives of this robot. `other` becomes the name of another publisher that did so a short
-  /// while ago, or empty.
-  Claim claim(const std::string& publisher, const DriveSet& drives, const ros::Time& now, std::string& other);
+  /// It holds these actuated joints of this robot. `other` becomes the name of another publisher that did so
+  /// a short while ago, or empty.
+  Claim claim(const std::string& publisher, const JointSet& joint_values, const ros::Time& now,
+              std::string& other);
 
   /// Messages that did not arrive since the start.
   std::uint64_t lost() const noexcept { return lost_; }
@@ -45,11 +46,11 @@ class PublisherWatch {
   /// Whether any publisher counts its messages, so that losses show.
   bool counted() const noexcept;
 
-  /// Forgets who published the drives.
+  /// Forgets who published the actuated joints.
   void forget_claims() noexcept;
 
  private:
-  /// When a publisher last published a drive.
+  /// When a publisher last published an actuated joint.
   struct Turn {
     ros::Time at;              // zero for never
     std::uint64_t number = 0;  // counts all claims up
@@ -58,7 +59,7 @@ class PublisherWatch {
     std::string name;
     std::uint32_t sequence = 0;
     bool counts = false;
-    std::array<Turn, max_legs> turns;  // by drive
+    std::array<Turn, max_legs> turns;  // by actuated joint
   };
   Publisher* find(const std::string& name);
   bool recent(const Turn& turn, const ros::Time& now) const;

@@ -14,8 +14,8 @@
 namespace parallel_aspects {
 namespace {
 
-ConfigurationAnswer refusal(std::uint8_t code, std::string sentence) {
-  return {make_status(code, std::move(sentence)), {}, {}};
+ConfigurationAnswer refusal(std::uint8_t code, std::string message) {
+  return {make_status(code, std::move(message)), {}, {}};
 }
 
 // The modes that a request names: one, or all; nothing where it is malformed.
@@ -31,7 +31,7 @@ std::string failure_text(const Manipulator& manipulator, const InverseSolution& 
   const Leg& leg = manipulator.leg(solution.leg);
   return solution.status == InverseStatus::out_of_reach
              ? leg.name + " cannot reach the pose"
-             : "joint " + leg.driven_joint + " would be outside its limits in working mode " +
+             : "joint " + leg.actuated_joint + " would be outside its limits in working mode " +
                    to_string(solution.mode);
 }
 
@@ -64,29 +64,32 @@ ConfigurationAnswer configurations_at_joints(const Manipulator& manipulator, con
     return refusal(Status::INVALID_REQUEST, "determinant_sign must be 1, -1 or 0 for both.");
   const DirectResult result = direct(manipulator, q);
   if (result.status == DirectStatus::continuum)
-    return refusal(Status::AMBIGUOUS,
-                   "With these drives locked the platform can still move; its pose is not determined.");
+    return refusal(
+        Status::AMBIGUOUS,
+        "With these actuated joints locked the platform can still move; its pose is not determined.");
   if (result.status == DirectStatus::unsolved)
-    return refusal(Status::FAILED, "The direct kinematics could not be solved completely for these drives.");
+    return refusal(Status::FAILED,
+                   "The direct kinematics could not be solved completely for these actuated joints.");
   ConfigurationAnswer answer;
   for (const AssemblyMode& solution : result.solutions)
     if (determinant_sign == 0 || solution.determinant * determinant_sign > 0.0)
       answer.configurations.push_back({solution.pose, q});
   if (answer.configurations.empty())
-    answer.status = make_status(Status::NO_SOLUTION, "The robot does not assemble so at these drives.");
+    answer.status =
+        make_status(Status::NO_SOLUTION, "The robot does not assemble so at these actuated joints.");
   return answer;
 }
 
 std::string why_not_at(const Manipulator& manipulator, const Pose& pose, const JointVector& q) {
   const ConfigurationAnswer there = configurations_at_pose(manipulator, pose, {});
   if (there.configurations.empty())
-    return "It cannot be reached in any working mode. " + there.status.sentence;
+    return "It cannot be reached in any working mode. " + there.status.message;
   double nearest = std::numeric_limits<double>::infinity();
   for (const AssemblyMode& solution : direct(manipulator, q).solutions)
     nearest = std::min(nearest, anchor_distance(manipulator, pose, solution.pose));
   return std::isfinite(nearest)
-             ? "The nearest assembly mode of these drives is " + std::to_string(nearest) + " m away."
-             : "With these drives the robot does not assemble.";
+             ? "The nearest assembly mode of these actuated joints is " + std::to_string(nearest) + " m away."
+             : "With these actuated joints the robot does not assemble.";
 }
 
 }  // namespace parallel_aspects

@@ -23,12 +23,12 @@ struct ConfigurationAnswer {
 ConfigurationAnswer configurations_at_pose(const Manipulator& manipulator, const Pose& pose,
                                            const std::vector<std::int8_t>& working_mode);
 
-/// Every assembly mode at these drives with this sign of det A, or, where it is 0, with any.
+/// Every assembly mode at these actuated joints with this sign of det A, or, where it is 0, with any.
 ConfigurationAnswer configurations_at_joints(const Manipulator& manipulator, const JointVector& q,
                                              int determinant_sign);
 
-/// Why a robot with these drives is not at a pose, for people: nothing reaches it, or how far the nearest
-/// assembly mode is from it.
+/// Why a robot with these actuated joints is not at a pose, for people: nothing reaches it, or how far the
+/// nearest assembly mode is from it.
 std::string why_not_at(const Manipulator& manipulator, const Pose& pose, const JointVector& q);
 
 }  // namespace parallel_aspects

@@ -75,9 +75,9 @@ std::vector<double> leg_angles(const Manipulator& manipulator, const SolvedPose&
     const Leg& leg = manipulator.leg(j);
     const double q = solved.q[static_cast<Eigen::Index>(j)];
     double largest = std::sqrt(leg.squared_distance(q));
-    if (const auto* elbow = std::get_if<ElbowDrive>(&leg.drive))
+    if (const auto* elbow = std::get_if<ElbowActuation>(&leg.actuation))
       largest = elbow->inner_length * elbow->outer_length;
-    else if (!std::holds_alternative<StrutDrive>(leg.drive))
+    else if (!std::holds_alternative<StrutActuation>(leg.actuation))
       largest *= leg.proximal_point_derivative(q).norm();
     angles.push_back(std::asin(std::min(1.0, std::abs(entries[static_cast<Eigen::Index>(j)]) / largest)));
   }
@@ -109,13 +109,13 @@ std::string cause_of(const AspectTransition& t, const Transition& transition) {
       return t.determinant_crossed ? "det A came too close to zero to tell the assembly mode"
                                    : "the step to the next sample cannot be certified";
     case AspectTransition::ASSEMBLY_MODE:
-      return "the drives are back, and the platform is in another assembly mode";
+      return "the actuated joints are back, and the platform is in another assembly mode";
     default:
       return t.determinant_crossed ? "det A has changed its sign" : "the aspect became known";
   }
 }
 
-std::string sentence_of(const AspectTransition& t, const Transition& transition) {
+std::string message_of(const AspectTransition& t, const Transition& transition) {
   const std::string before = branch_text(transition.mode_before, transition.determinant_sign_before);
   const std::string after = branch_text(transition.mode_after, transition.determinant_sign_after);
   const std::string aspects = "aspect " + aspect_text(t.aspect_before) + " -> " + aspect_text(t.aspect_after);
@@ -128,10 +128,10 @@ std::string sentence_of(const AspectTransition& t, const Transition& transition)
 
 }  // namespace
 
-Status make_status(std::uint8_t code, std::string sentence) {
+Status make_status(std::uint8_t code, std::string message) {
   Status status;
   status.code = code;
-  status.sentence = std::move(sentence);
+  status.message = std::move(message);
   return status;
 }
 
@@ -197,7 +197,7 @@ std::string branch_text(const WorkingMode& mode, int determinant_sign) {
   return to_string(mode) + ", det A " + (determinant_sign > 0 ? "> 0" : determinant_sign < 0 ? "< 0" : "= 0");
 }
 
-const char* inverse_entry_unit(const Leg& leg) { return leg.driven_by_angle() ? "m^2/rad" : "m"; }
+const char* inverse_entry_unit(const Leg& leg) { return leg.actuated_by_angle() ? "m^2/rad" : "m"; }
 
 const char* determinant_unit(TaskSpace space) {
   switch (space) {
@@ -222,7 +222,7 @@ SolvedConfiguration solved_message(const Manipulator& manipulator, const SolvedP
   SolvedConfiguration message;
   message.header = header_in_base(manipulator, stamp);
   message.pose = pose_message(platform_in_base(manipulator, solved.pose));
-  for (const Leg& leg : manipulator.legs()) message.joint_names.push_back(leg.driven_joint);
+  for (const Leg& leg : manipulator.legs()) message.joint_names.push_back(leg.actuated_joint);
   message.joint_positions = to_vector(solved.q);
   const TaskVector diagonal = inverse_diagonal(manipulator, solved.pose, solved.q);
   for (const double entry : coefficients_of(diagonal))
@@ -278,11 +278,11 @@ MetricDistance distance_message(const Manipulator& manipulator, const BoundaryDi
   if (!available || !std::isfinite(distance.upper)) return message;
   message.witness = pose_message(platform_in_base(manipulator, distance.witness));
   message.joint_positions = to_vector(distance.witness_q);
-  message.joint_displacements = to_vector(distance.drive_displacement);
+  message.joint_displacements = to_vector(distance.joint_displacement);
   message.direction = to_vector(distance.direction);
   if (!of_leg) return message;
   message.leg = manipulator.leg(distance.leg).name;
-  message.joint = manipulator.leg(distance.leg).driven_joint;
+  message.joint = manipulator.leg(distance.leg).actuated_joint;
   return message;
 }
 
@@ -294,8 +294,8 @@ SingularityReport report_message(const Manipulator& manipulator, const SolvedPos
   message.configuration = solved_message(manipulator, solved, map, stamp);
   message.parallel_distance = distance_message(manipulator, distances.parallel, false);
   message.serial_distance = distance_message(manipulator, distances.serial, true);
-  message.limit_distance = distance_message(manipulator, distances.drive_limit, true);
-  if (!message.limit_distance.leg.empty()) message.limit_distance.limit = name(distances.drive_limit.end);
+  message.limit_distance = distance_message(manipulator, distances.actuated_limit, true);
+  if (!message.limit_distance.leg.empty()) message.limit_distance.limit = name(distances.actuated_limit.end);
   message.determinant = indices.determinant;
   message.determinant_unit = determinant_unit(manipulator.task_space());
   message.inverse_diagonal = to_vector(indices.inverse_diagonal);
@@ -347,7 +347,7 @@ AspectTransition transition_message(const Manipulator& manipulator, const Transi
   message.kind = kind_of(transition.kind);
   if (changes_mode) {
     message.leg = manipulator.leg(transition.leg).name;
-    message.joint = manipulator.leg(transition.leg).driven_joint;
+    message.joint = manipulator.leg(transition.leg).actuated_joint;
   }
   message.determinant_crossed = transition.determinant;
   message.working_mode_before = signs_message(transition.mode_before);
@@ -356,7 +356,7 @@ AspectTransition transition_message(const Manipulator& manipulator, const Transi
   message.determinant_sign_after = static_cast<std::int8_t>(transition.determinant_sign_after);
   message.aspect_before = static_cast<std::uint32_t>(transition.aspect_before);
   message.aspect_after = static_cast<std::uint32_t>(transition.aspect_after);
-  message.sentence = sentence_of(message, transition);
+  message.message = message_of(message, transition);
   return message;
 }
 

@@ -29,7 +29,7 @@
 
 namespace parallel_aspects {
 
-/// A pose and drive values that assemble.
+/// A pose and joint values that assemble.
 struct SolvedPose {
   Pose pose;      ///< in the task frame [m, unit quaternion]
   JointVector q;  ///< [rad or m]
@@ -38,7 +38,7 @@ struct SolvedPose {
 /// What a node with ~read_only answers to whatever would change it.
 Status refused_as_read_only();
 
-Status make_status(std::uint8_t code, std::string sentence = {});
+Status make_status(std::uint8_t code, std::string message = {});
 
 /// The platform frame in the base frame [m].
 Eigen::Isometry3d platform_in_base(const Manipulator& manipulator, const Pose& pose);
@@ -58,7 +58,7 @@ std::vector<std::int8_t> signs_message(const WorkingMode& mode);
 /// "(+,-), det A > 0"
 std::string branch_text(const WorkingMode& mode, int determinant_sign);
 
-/// "m^2/rad" for a driven angle, "m" for a driven length.
+/// "m^2/rad" for an actuated angle, "m" for an actuated length.
 const char* inverse_entry_unit(const Leg& leg);
 
 /// "m^2", "m^4", "m^3", "m^6" or "m^9".

@@ -56,13 +56,14 @@ std::string reason_of(const std::optional<ProvedHazard>& last) {
   return text;
 }
 
-std::string sentence_of(const StandOffEstimate& estimate) {
+std::string message_of(const StandOffEstimate& estimate) {
   if (estimate.poses == 0) return {};
   char text[240];
-  std::snprintf(text, sizeof text,
-                "By tracking/encoder_noise, the assembly mode can be told as near as %.3g m to parallel "
-                "singularities; the largest of %d that were looked at, an estimate.",
-                estimate.largest, estimate.poses);
+  std::snprintf(
+      text, sizeof text,
+      "By tracking/encoder_noise, the assembly mode can be determined as near as %.3g m to parallel "
+      "singularities; the largest of %d that were looked at, an estimate.",
+      estimate.largest, estimate.poses);
   return text;
 }
 

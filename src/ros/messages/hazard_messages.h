@@ -26,7 +26,7 @@ std::string reason_of(const ThresholdState& state);
 std::string reason_of(const std::optional<ProvedHazard>& last);
 
 /// What noise of the encoders means for this robot; empty where no parallel singularity was found.
-std::string sentence_of(const StandOffEstimate& estimate);
+std::string message_of(const StandOffEstimate& estimate);
 
 /// What is wrong with a threshold to stop at before parallel singularities; empty when all is well, or there
 /// is none (0) [m].

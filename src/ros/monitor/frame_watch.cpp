@@ -29,20 +29,20 @@ std::string FrameWatch::hear(const std::string& name, const std::string& publish
   }
   frame.publisher = publisher;
   frame.heard = now;
-  return disputed && !said ? sentence(name, frame) : std::string();
+  return disputed && !said ? message(name, frame) : std::string();
 }
 
-std::string FrameWatch::sentence(const ros::WallTime& now) const {
+std::string FrameWatch::message(const ros::WallTime& now) const {
   const std::lock_guard<std::mutex> lock(mutex_);
   const auto is_disputed = [&](const auto& named) {
     const Frame& frame = named.second;
     return frame.disputed_for_good || (!frame.disputed.isZero() && now - frame.disputed <= alive + alive);
   };
   const auto first = std::find_if(frames_.begin(), frames_.end(), is_disputed);
-  return first == frames_.end() ? std::string() : sentence(first->first, first->second);
+  return first == frames_.end() ? std::string() : message(first->first, first->second);
 }
 
-std::string FrameWatch::sentence(const std::string& name, const Frame& frame) const {
+std::string FrameWatch::message(const std::string& name, const Frame& frame) const {
   const auto& [one, two] = std::minmax(frame.publisher, frame.other);
   const bool is_own = name.compare(0, own_.size(), own_) == 0;
   return "Both " + one + " and " + two + " publish the tf frame " + name + "; " +

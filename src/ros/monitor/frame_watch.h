@@ -12,7 +12,7 @@
 namespace parallel_aspects {
 
 /// Notices that two nodes say where the same tf frame is. Whoever asks tf then gets now this answer, now
-/// that. Nodelets of one manager cannot be told apart: they publish under its name. Thread-safe.
+/// that. Nodelets of one manager cannot be distinguished: they publish under its name. Thread-safe.
 class FrameWatch {
  public:
   /// `own`: begin of the names of the frames that this node adds.
@@ -20,14 +20,14 @@ class FrameWatch {
 
   enum class Topic { tf, tf_static };
 
-  /// A node says where `frame` is. A sentence where another one did so a short while ago, and that was not
+  /// A node says where `frame` is. A message where another one did so a short while ago, and that was not
   /// said yet of this frame; otherwise empty.
   std::string hear(const std::string& frame, const std::string& publisher, Topic topic,
                    const ros::WallTime& now);
 
-  /// A sentence while there are such frames; otherwise empty. Of tf_static nobody hears that a node has
+  /// A message while there are such frames; otherwise empty. Of tf_static nobody hears that a node has
   /// stopped.
-  std::string sentence(const ros::WallTime& now) const;
+  std::string message(const ros::WallTime& now) const;
 
  private:
   struct Frame {
@@ -35,7 +35,7 @@ class FrameWatch {
     ros::WallTime heard, disputed;   // zero for never
     bool disputed_for_good = false;  // static transforms are said once
   };
-  std::string sentence(const std::string& name, const Frame& frame) const;
+  std::string message(const std::string& name, const Frame& frame) const;
 
   const std::string own_;
   mutable std::mutex mutex_;

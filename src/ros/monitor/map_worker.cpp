@@ -31,12 +31,12 @@ MapProgress computing(const char* what, double share, double resolution) {
   report.state = MapProgress::COMPUTING;
   report.progress = share;
   report.resolution = resolution;
-  report.sentence = std::string("The ") + what + " is being computed, " +
-                    std::to_string(std::lround(100.0 * share)) + " %.";
+  report.message = std::string("The ") + what + " is being computed, " +
+                   std::to_string(std::lround(100.0 * share)) + " %.";
   return report;
 }
 
-std::string complete_sentence(const AspectMap& map) {
+std::string complete_message(const AspectMap& map) {
   char seconds[32];
   std::snprintf(seconds, sizeof seconds, "%.3g s", map.seconds());
   const std::int64_t most = count_at_most(map);
@@ -45,16 +45,16 @@ std::string complete_sentence(const AspectMap& map) {
          " proved, " + std::to_string(map.unresolved().size()) + " pairs unresolved, in " + seconds + ".";
 }
 
-std::string complete_sentence(const PoseRoadmap& roadmap) {
-  return "With six freedoms there is a certified roadmap in place of a map: " +
+std::string complete_message(const PoseRoadmap& roadmap) {
+  return "With six degrees of freedom there is a certified roadmap in place of a map: " +
          std::to_string(roadmap.poses().size()) + " sampled poses, at least " +
          std::to_string(roadmap.proved_count()) + " aspects proved, and the samples lie in at most " +
          std::to_string(roadmap.component_count()) + ".";
 }
 
-MapProgress ended(MapStatus status, const std::string& sentence) {
+MapProgress ended(MapStatus status, const std::string& message) {
   MapProgress report = empty_report();
-  report.sentence = sentence;
+  report.message = message;
   report.state = status == MapStatus::complete    ? MapProgress::COMPLETE
                  : status == MapStatus::cancelled ? MapProgress::CANCELLED
                                                   : MapProgress::REFUSED;
@@ -63,22 +63,22 @@ MapProgress ended(MapStatus status, const std::string& sentence) {
 }
 
 MapProgress ended(const RoadmapResult& result) {
-  MapProgress report = ended(result.status, result.sentence);
+  MapProgress report = ended(result.status, result.message);
   if (result.status != MapStatus::complete) return report;
   report.seconds = result.roadmap->seconds();
-  report.sentence = complete_sentence(*result.roadmap);
+  report.message = complete_message(*result.roadmap);
   return report;
 }
 
 MapProgress ended(const MapResult& result) {
-  MapProgress report = ended(result.status, result.sentence);
+  MapProgress report = ended(result.status, result.message);
   if (result.status != MapStatus::complete) return report;
   report.resolution = result.map->resolution();
   report.aspects = static_cast<std::uint32_t>(result.map->aspects().size());
   report.count_at_most = count_at_most(*result.map);
   report.unresolved = static_cast<std::uint32_t>(result.map->unresolved().size());
   report.seconds = result.map->seconds();
-  report.sentence = complete_sentence(*result.map);
+  report.message = complete_message(*result.map);
   return report;
 }
 
@@ -102,7 +102,7 @@ MapWorker::MapWorker(std::shared_ptr<const Manipulator> manipulator, std::string
       file_(std::move(file)),
       listener_(std::move(listener)),
       progress_(empty_report()),
-      file_sentence_(file_.empty() ? "none; see map/file" : "not read yet"),
+      file_message_(file_.empty() ? "none; see map/file" : "not read yet"),
       thread_([this] { run(); }) {}
 
 MapWorker::~MapWorker() {
@@ -132,7 +132,7 @@ void MapWorker::cancel(Job job) {
   running_job_ = job;
   progress_ = dated(empty_report());
   progress_.state = MapProgress::CANCELLED;
-  progress_.sentence = "The computation was cancelled before it began.";
+  progress_.message = "The computation was cancelled before it began.";
   changed_.notify_all();
 }
 
@@ -145,7 +145,7 @@ MapProgress MapWorker::wait(Job job, std::chrono::milliseconds patience) const {
   if (job == running_job_) return progress_;
   MapProgress report = dated(empty_report());
   report.state = job == newest_job_ ? MapProgress::COMPUTING : MapProgress::CANCELLED;
-  report.sentence =
+  report.message =
       job == newest_job_ ? "The computation is about to begin." : "A newer request took its place.";
   return report;
 }
@@ -162,9 +162,9 @@ KnownAspects MapWorker::known() const {
 
 std::shared_ptr<const AspectMap> MapWorker::map() const { return known().map; }
 
-std::string MapWorker::file_sentence() const {
+std::string MapWorker::file_message() const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return file_sentence_;
+  return file_message_;
 }
 
 void MapWorker::run() {
@@ -211,7 +211,7 @@ void MapWorker::carry_out(const Request& request) {
 }
 
 void MapWorker::make_roadmap(const MapOptions& options, const MapControl& control) {
-  if (!file_.empty()) say_of_file("not used: with six freedoms there is no map", false);
+  if (!file_.empty()) say_of_file("not used: with six degrees of freedom there is no map", false);
   RoadmapOptions roadmap;
   roadmap.region = options.region;
   roadmap.threads = options.threads;
@@ -222,7 +222,7 @@ void MapWorker::make_roadmap(const MapOptions& options, const MapControl& contro
 bool MapWorker::load(const MapOptions& options) {
   const MapResult result = load_map(manipulator_, options, file_);
   if (result.status != MapStatus::complete) {
-    say_of_file("the map is computed, as the file was not used: " + result.sentence, false);
+    say_of_file("the map is computed, as the file was not used: " + result.message, false);
     return false;
   }
   say_of_file("loaded from " + file_, true);
@@ -232,16 +232,16 @@ bool MapWorker::load(const MapOptions& options) {
 
 void MapWorker::save(const AspectMap& map) {
   const SaveResult result = save_map(map, file_);
-  say_of_file(result.saved ? "saved to " + file_ : "the map was not saved: " + result.sentence, result.saved);
+  say_of_file(result.saved ? "saved to " + file_ : "the map was not saved: " + result.message, result.saved);
 }
 
-void MapWorker::say_of_file(const std::string& sentence, bool well) {
+void MapWorker::say_of_file(const std::string& message, bool well) {
   if (well)
-    ROS_INFO_STREAM("Map file: " << sentence);
+    ROS_INFO_STREAM("Map file: " << message);
   else
-    ROS_WARN_STREAM("Map file: " << sentence);
+    ROS_WARN_STREAM("Map file: " << message);
   const std::lock_guard<std::mutex> lock(mutex_);
-  file_sentence_ = sentence;
+  file_message_ = message;
 }
 
 MapProgress MapWorker::dated(MapProgress progress) const {

@@ -28,10 +28,10 @@ enum class FileUse {
   load,  ///< takes the map from it if it is the one wanted; computes and writes it otherwise
 };
 
-/// Whether maps are computed in this task space; with six freedoms there are roadmaps instead.
+/// Whether maps are computed in this task space; with six degrees of freedom there are roadmaps instead.
 constexpr bool has_map(TaskSpace space) noexcept { return space != TaskSpace::SE3; }
 
-/// What is in use: a map, or with six freedoms a roadmap; neither until the first is complete.
+/// What is in use: a map, or with six degrees of freedom a roadmap; neither until the first is complete.
 struct KnownAspects {
   std::shared_ptr<const AspectMap> map;
   std::shared_ptr<const PoseRoadmap> roadmap;
@@ -40,12 +40,12 @@ struct KnownAspects {
   std::uint32_t proved_count() const noexcept;
 };
 
-/// Computes maps on a thread of its own, one at a time, and keeps the last complete one. With six freedoms it
-/// makes a roadmap instead, of which the reports tell; there is no map then.
+/// Computes maps on a thread of its own, one at a time, and keeps the last complete one. With six degrees of
+/// freedom it makes a roadmap instead, of which the reports tell; there is no map then.
 class MapWorker {
  public:
   /// Called on the worker thread with every report; `map` is set with the one that says COMPLETE, but not
-  /// with six freedoms.
+  /// with six degrees of freedom.
   using Listener = std::function<void(const MapProgress&, const std::shared_ptr<const AspectMap>& map)>;
   using Job = std::uint64_t;
 
@@ -68,7 +68,7 @@ class MapWorker {
   MapProgress progress() const;                  ///< newest report of all
   KnownAspects known() const;                    ///< what is in use
   std::shared_ptr<const AspectMap> map() const;  ///< that of `known`
-  std::string file_sentence() const;             ///< what became of the map file
+  std::string file_message() const;              ///< what became of the map file
 
  private:
   struct Request {
@@ -81,7 +81,7 @@ class MapWorker {
   void make_roadmap(const MapOptions& options, const MapControl& control);
   bool load(const MapOptions& options);
   void save(const AspectMap& map);
-  void say_of_file(const std::string& sentence, bool well);
+  void say_of_file(const std::string& message, bool well);
   MapProgress dated(MapProgress progress) const;  // with header and proved_count; under the lock
   void report(MapProgress progress, const KnownAspects& found = {});
 
@@ -98,7 +98,7 @@ class MapWorker {
   bool stopping_ = false;
   MapProgress progress_;
   KnownAspects known_;
-  std::string file_sentence_;
+  std::string file_message_;
   std::thread thread_;
 };
 

@@ -78,29 +78,30 @@ MonitorUpdate RobotMonitor::update(const sensor_msgs::JointState& message, const
   const bool new_names = sample.status != SampleStatus::usable && names_.hear(message);
   if (sample.status == SampleStatus::foreign) return pass_over(new_names);
   std::string other;
-  const Claim claim = publishers_.claim(publisher, sample.drives, now, other);
+  const Claim claim = publishers_.claim(publisher, sample.joint_values, now, other);
   if (claim == Claim::contested)
     return refuse(Status::SEVERAL_PUBLISHERS,
-                  "both " + publisher + " and " + other + " publish the drives; stop one of them.", stamp);
+                  "both " + publisher + " and " + other + " publish the actuated joints; stop one of them.",
+                  stamp);
   if (claim == Claim::waiting) return {};
   if (sample.status == SampleStatus::invalid)
-    return refuse(Status::INVALID_JOINT_STATES, with_guess(sample.sentence), stamp);
+    return refuse(Status::INVALID_JOINT_STATES, with_guess(sample.message), stamp);
   if (sample.status == SampleStatus::usable && stamp == last_stamp_ && last_q_ && sample.q == *last_q_)
     return {};  // the same again
   const std::string fault = fault_of_stamp(sample.status, stamp, now);
   if (!fault.empty()) return refuse(Status::INVALID_JOINT_STATES, fault, stamp);
-  const auto merged = merger_.add(stamp, sample.drives, sample.q);
+  const auto merged = merger_.add(stamp, sample.joint_values, sample.q);
   if (sample.status == SampleStatus::usable) return accept(sample, {stamp, sample.q, {}}, now);
   if (merged && merged->stamp > last_stamp_) return accept(JointSample(), *merged, now);
-  return wait_for_drives(sample, now);
+  return wait_for_joints(sample, now);
 }
 
-// Messages that hold some of the drives come on several ways, and may overtake one another.
+// Messages that hold some of the actuated joints come on several paths, and may overtake one another.
 std::string RobotMonitor::fault_of_stamp(SampleStatus status, const ros::Time& stamp,
                                          const ros::Time& now) const {
   if (stamp.isZero()) return "its stamp is zero; set header.stamp.";
   if (status != SampleStatus::partial && stamp == last_stamp_)
-    return "its stamp is that of the message before, but the drives are elsewhere.";
+    return "its stamp is that of the message before, but the actuated joints are elsewhere.";
   if (status != SampleStatus::partial && stamp < last_stamp_)
     return "its stamp is " + std::to_string(seconds_between(stamp, last_stamp_)) +
            " s before that of the message before.";
@@ -118,64 +119,65 @@ MonitorUpdate RobotMonitor::pass_over(bool new_names) {
   status_ =
       make_status(Status::NO_JOINT_STATES, "No usable joint_states have arrived yet: " + names_.comparison());
   update.state = lost_state(status_, {});
-  if (!std::exchange(said_names_, true)) update.warning = status_.sentence;
+  if (!std::exchange(said_names_, true)) update.warning = status_.message;
   return update;
 }
 
-std::string RobotMonitor::with_guess(const std::string& sentence) const {
+std::string RobotMonitor::with_guess(const std::string& message) const {
   const std::string guess = names_.guess();
-  return guess.empty() ? sentence : sentence + " Or " + guess;
+  return guess.empty() ? message : message + " Or " + guess;
 }
 
-MonitorUpdate RobotMonitor::refuse(std::uint8_t code, const std::string& sentence, const ros::Time& stamp) {
+MonitorUpdate RobotMonitor::refuse(std::uint8_t code, const std::string& message, const ros::Time& stamp) {
   ++counts_.invalid;
   MonitorUpdate update;
-  update.warning = "A message of joint_states cannot be used: " + sentence;
+  update.warning = "A message of joint_states cannot be used: " + message;
   status_ = make_status(code, update.warning);
   update.state = lost_state(status_, stamp);
   return update;
 }
 
-// The others may be on their way; where they are not, the state becomes stale.
-MonitorUpdate RobotMonitor::wait_for_drives(const JointSample& sample, const ros::Time& now) {
+// The others may be on their path; where they are not, the state becomes stale.
+MonitorUpdate RobotMonitor::wait_for_joints(const JointSample& sample, const ros::Time& now) {
   MonitorUpdate update;
   if (!last_stamp_.isZero()) return update;
   if (waiting_since_.isZero()) waiting_since_ = now;
-  status_ = make_status(Status::NO_JOINT_STATES,
-                        "A message of joint_states holds some of the drives, and those of the others do not "
-                        "fit it: " +
-                            with_guess(sample.sentence));
-  if (seconds_between(waiting_since_, now) > timeout_) update.warning = status_.sentence;
+  status_ = make_status(
+      Status::NO_JOINT_STATES,
+      "A message of joint_states holds some of the actuated joints, and those of the others do not "
+      "fit it: " +
+          with_guess(sample.message));
+  if (seconds_between(waiting_since_, now) > timeout_) update.warning = status_.message;
   update.state = unknown_state(*mechanism_->manipulator(), status_, {});
   return update;
 }
 
-MonitorUpdate RobotMonitor::accept(const JointSample& sample, const MergedDrives& drives,
+MonitorUpdate RobotMonitor::accept(const JointSample& sample, const MergedJoints& joint_values,
                                    const ros::Time& now) {
   ++counts_.usable;
   names_.forget();
   const bool first = last_stamp_.isZero();
-  const ros::Time& stamp = drives.stamp;
+  const ros::Time& stamp = joint_values.stamp;
   if (first) epoch_ = stamp;
-  const JointVector& q = drives.q;
+  const JointVector& q = joint_values.q;
   last_usable_ = now;
   last_stamp_ = stamp;
   last_q_ = q;
-  last_uncertainty_ = drives.uncertainty;
+  last_uncertainty_ = joint_values.uncertainty;
   readings_ = sample.readings;
   const double time = seconds_between(epoch_, stamp);
   const Status start = first ? start_as_configured(time, q) : Status();
-  if (!first || start.code != Status::OK) tracker_.update(time, q, drives.uncertainty);
-  const bool unstarted = tracker_.state().status == TrackStatus::unstarted;
+  if (!first || start.code != Status::OK) tracker_.update(time, q, joint_values.uncertainty);
+  const bool uninitialised = tracker_.state().status == TrackStatus::uninitialised;
   if (tracker_.state().followed()) not_started_ = {};
-  if (first && unstarted && start.code != Status::OK)
+  if (first && uninitialised && start.code != Status::OK)
     status_ = not_started_ = start;
   else
-    status_ = unstarted && not_started_.code != Status::OK ? not_started_ : status_of_tracker();
+    status_ = uninitialised && not_started_.code != Status::OK ? not_started_ : status_of_tracker();
 
   MonitorUpdate update;
-  if (!sample.sentence.empty()) update.warning = "In joint_states, " + sample.sentence;
-  if (first && failed_start()) update.warning = start.sentence;
+  if (!sample.message.empty()) update.warning = "In joint_states, " + sample.message;
+  if (first && failed_start()) update.warning = start.message;
   fill_tracked(stamp, update);
   said_stale_ = stale(now);
   if (said_stale_) {
@@ -184,7 +186,7 @@ MonitorUpdate RobotMonitor::accept(const JointSample& sample, const MergedDrives
     return update;
   }
   update.state->status = status_;
-  if (status_.code == Status::OK) update.state->status.sentence = update.warning;
+  if (status_.code == Status::OK) update.state->status.message = update.warning;
   return update;
 }
 
@@ -278,10 +280,10 @@ void RobotMonitor::measure(const TrackedState& tracked, const JointVector& bend,
       tracked.status == TrackStatus::inconsistent ? 1.0 - passive_.options().hysteresis : 1.0;
   Measured measured{tracked.pose,
                     tracked.mode,
-                    {bounds_of(found.parallel), bounds_of(found.serial), bounds_of(found.drive_limit)},
+                    {bounds_of(found.parallel), bounds_of(found.serial), bounds_of(found.actuated_limit)},
                     not_a_number};
   if (std::isfinite(found.parallel.upper))
-    measured.stand_off = stand_off_.on_the_way(tracked.pose, found.parallel.witness, tracked.mode, bend);
+    measured.stand_off = stand_off_.along_path(tracked.pose, found.parallel.witness, tracked.mode, bend);
   const std::lock_guard<std::mutex> lock(mutex_);
   for (std::size_t i = 0; i < hazard_count; ++i) {
     DistanceBounds& bounds = measured.bounds[i];
@@ -310,8 +312,8 @@ std::optional<AssemblyCandidates> RobotMonitor::new_candidates() {
   const bool followed = tracker_.state().followed();
   const auto& list = tracker_.candidates();
   const std::size_t count = followed ? 0 : list.size();
-  if (count == told_candidates_) return std::nullopt;
-  told_candidates_ = count;
+  if (count == reported_candidates_) return std::nullopt;
+  reported_candidates_ = count;
   const Manipulator& manipulator = *mechanism_->manipulator();
   AssemblyCandidates message;
   message.header.stamp = last_stamp_;
@@ -320,9 +322,10 @@ std::optional<AssemblyCandidates> RobotMonitor::new_candidates() {
   for (std::size_t i = 0; i < count; ++i)
     message.candidates.push_back(
         solved_message(manipulator, {list[i].pose, list[i].q}, nullptr, last_stamp_));
-  message.sentence = followed ? "The assembly mode is known."
-                              : std::to_string(count) + (list.complete() ? "" : " or more") +
-                                    " assembly modes are possible: " + reason(tracker_.state().doubt) + ".";
+  message.message = followed
+                        ? "The assembly mode is known."
+                        : std::to_string(count) + (list.complete() ? "" : " or more") +
+                              " assembly modes are possible: " + reason(tracker_.state().ambiguity) + ".";
   return message;
 }
 
@@ -347,10 +350,10 @@ Status RobotMonitor::start_as_configured(double time, const JointVector& q) {
   if (start_.pose) {
     const Pose pose = start_pose(manipulator, *start_.pose);
     if (tracker_.start(time, q, pose, start_tolerance_, last_uncertainty_)) return {};
-    return make_status(Status::NOT_STARTED, "The first joint sample does not assemble within " +
-                                                std::to_string(start_tolerance_) + " m of start/pose. " +
-                                                why_not_at(manipulator, pose, q) + merged_drives() +
-                                                " Correct start/pose or the drives, or " + how_to_start);
+    return make_status(Status::NOT_STARTED,
+                       "The first joint sample does not assemble within " + std::to_string(start_tolerance_) +
+                           " m of start/pose. " + why_not_at(manipulator, pose, q) + merged_joints() +
+                           " Correct start/pose or the actuated joints, or " + how_to_start);
   }
   if (start_.determinant_sign) {
     if (tracker_.start(time, q, *start_.determinant_sign, last_uncertainty_)) return {};
@@ -374,20 +377,20 @@ Status RobotMonitor::status_of_tracker() const {
       return {};
     case TrackStatus::ambiguous:
       return make_status(Status::AMBIGUOUS, std::string("The assembly mode is not known: ") +
-                                                reason(tracker_.state().doubt) + "; call set_assembly_mode." +
-                                                merged_drives() +
-                                                (failed_start() ? " " + not_started_.sentence : ""));
+                                                reason(tracker_.state().ambiguity) +
+                                                "; call set_assembly_mode." + merged_joints() +
+                                                (failed_start() ? " " + not_started_.message : ""));
     case TrackStatus::inconsistent:
       return make_status(Status::INCONSISTENT, contradiction());
-    case TrackStatus::unstarted:
+    case TrackStatus::uninitialised:
       break;
   }
   return make_status(Status::NOT_STARTED, std::string("The assembly mode is not known; ") + how_to_start);
 }
 
-std::string RobotMonitor::merged_drives() const {
+std::string RobotMonitor::merged_joints() const {
   if (last_uncertainty_.size() == 0 || !(last_uncertainty_.maxCoeff() > 0.0)) return {};
-  return " The drives come in several messages, so that one may have moved by " +
+  return " The actuated joints come in several messages, so that one may have moved by " +
          std::to_string(last_uncertainty_.maxCoeff()) +
          " rad or m since its value was measured, and that leaves more than one possibility; publish all of "
          "them "
@@ -414,7 +417,7 @@ Status RobotMonitor::stale_status(const ros::Time& now) const {
                        "joint_states arrive, but their stamps are more than " + age +
                            " behind this computer's clock; synchronise the clocks, or play bags "
                            "with --clock and use_sim_time.");
-  const std::string since = names_.lacks_a_drive() ? ": since then " + names_.comparison() : ".";
+  const std::string since = names_.lacks_an_actuated_joint() ? ": since then " + names_.comparison() : ".";
   return make_status(Status::STALE, "The last usable joint_states are older than " + age + since);
 }
 
@@ -464,30 +467,31 @@ Status RobotMonitor::start_near(const Pose& pose, const ros::Time& now) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (!last_q_ || stale(now))
     return make_status(Status::NO_JOINT_STATES,
-                       "No present drive values are known; publish joint_states first.");
+                       "No present joint values are known; publish joint_states first.");
   if (tracker_.start(seconds_between(epoch_, last_stamp_), *last_q_, pose, start_tolerance_,
                      last_uncertainty_)) {
     keep_transitions();
     return status_ = {};
   }
   status_ = status_of_tracker();
-  return make_status(Status::NO_SOLUTION, "The present drives do not assemble within " +
+  return make_status(Status::NO_SOLUTION, "The present actuated joints do not assemble within " +
                                               std::to_string(start_tolerance_) + " m of that pose." +
-                                              merged_drives());
+                                              merged_joints());
 }
 
 Status RobotMonitor::start_with_sign(int determinant_sign, const ros::Time& now) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (!last_q_ || stale(now))
     return make_status(Status::NO_JOINT_STATES,
-                       "No present drive values are known; publish joint_states first.");
+                       "No present joint values are known; publish joint_states first.");
   if (tracker_.start(seconds_between(epoch_, last_stamp_), *last_q_, determinant_sign, last_uncertainty_)) {
     keep_transitions();
     return status_ = {};
   }
   status_ = status_of_tracker();
-  return make_status(Status::NO_SOLUTION,
-                     "The present drives do not have exactly one assembly mode with that sign of det A.");
+  return make_status(
+      Status::NO_SOLUTION,
+      "The present actuated joints do not have exactly one assembly mode with that sign of det A.");
 }
 
 // A simulation that begins anew starts as configured; a clock that was set back says nothing of the robot.

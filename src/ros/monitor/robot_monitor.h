@@ -10,7 +10,7 @@
 #include "parallel_aspects/tracking/tracker.h"
 #include "parallel_aspects/urdf/mechanism.h"
 #include "parallel_aspects/urdf/passive_joints.h"
-#include "ros/joint_states/drive_merger.h"
+#include "ros/joint_states/joint_merger.h"
 #include "ros/joint_states/joint_name_watch.h"
 #include "ros/joint_states/joint_sample.h"
 #include "ros/joint_states/publisher_watch.h"
@@ -54,7 +54,7 @@ struct CurrentConfiguration {
 /// Messages since the start.
 struct MonitorCounts {
   std::uint64_t usable = 0, invalid = 0, foreign = 0;
-  std::uint64_t lost = 0;  ///< on the way to the node, by gaps in header.seq
+  std::uint64_t lost = 0;  ///< on the path to the node, by gaps in header.seq
   bool counted = false;    ///< whether the publisher sets header.seq, so that losses show
 };
 
@@ -103,10 +103,10 @@ class RobotMonitor {
 
  private:
   MonitorUpdate pass_over(bool new_names);
-  std::string with_guess(const std::string& sentence) const;
-  MonitorUpdate refuse(std::uint8_t code, const std::string& sentence, const ros::Time& stamp);
-  MonitorUpdate wait_for_drives(const JointSample& sample, const ros::Time& now);
-  MonitorUpdate accept(const JointSample& sample, const MergedDrives& drives, const ros::Time& now);
+  std::string with_guess(const std::string& message) const;
+  MonitorUpdate refuse(std::uint8_t code, const std::string& message, const ros::Time& stamp);
+  MonitorUpdate wait_for_joints(const JointSample& sample, const ros::Time& now);
+  MonitorUpdate accept(const JointSample& sample, const MergedJoints& joint_values, const ros::Time& now);
   std::string fault_of_stamp(SampleStatus status, const ros::Time& stamp, const ros::Time& now) const;
   Status start_as_configured(double time, const JointVector& q);
   bool failed_start() const;
@@ -114,7 +114,7 @@ class RobotMonitor {
   Status stale_status(const ros::Time& now) const;
 
   /// What is to be said where the last sample was merged of several messages; else nothing.
-  std::string merged_drives() const;
+  std::string merged_joints() const;
   std::string contradiction() const;
   bool stale(const ros::Time& now) const;
   void fill_tracked(const ros::Time& stamp, MonitorUpdate& update);
@@ -137,7 +137,7 @@ class RobotMonitor {
   const StandOff stand_off_;
 
   mutable std::mutex mutex_;
-  DriveMerger merger_;
+  JointMerger merger_;
   Tracker tracker_;
   Status status_;
   Status not_started_;       // why, where the first sample could not start
@@ -145,7 +145,7 @@ class RobotMonitor {
   ros::Time last_stamp_;     // of the last usable sample; zero for none
   ros::Time last_received_;  // when any message came
   ros::Time last_usable_;    // when the last usable one came
-  ros::Time waiting_since_;  // for the other drives, before the first one; zero for not
+  ros::Time waiting_since_;  // for the other actuated joints, before the first one; zero for not
   std::optional<JointVector> last_q_;
   JointVector last_uncertainty_;
   std::vector<AspectTransition> transitions_;  // still to be published
@@ -169,7 +169,7 @@ class RobotMonitor {
   MonitorFindings findings_;
   Eigen::VectorXd readings_;  // of all joints, from the last usable sample
   PassiveResidual residual_;
-  std::size_t told_candidates_ = 0;
+  std::size_t reported_candidates_ = 0;
 };
 
 }  // namespace parallel_aspects

@@ -57,8 +57,8 @@ Reload::Response AspectServer::reload() {
   } catch (const InvalidDescription& invalid) {
     response.problems.assign(invalid.problems().begin(), invalid.problems().end());
     response.status.code = Status::FAILED;
-    response.status.sentence = "What was there before stays in use, as there are problems: " +
-                               std::to_string(response.problems.size()) + ".";
+    response.status.message = "What was there before stays in use, as there are problems: " +
+                              std::to_string(response.problems.size()) + ".";
     for (const std::string& problem : invalid.problems()) ROS_ERROR_STREAM("Not loaded anew: " << problem);
   }
   return response;

@@ -40,10 +40,10 @@ Diagnostics::Diagnostics(const ros::NodeHandle& nh, const ros::NodeHandle& priva
       now_(before_),
       updater_(nh, private_nh) {
   updater_.setHardwareID(manipulator.name());
-  updater_.add("tracking", [this](Wrapper& status) { tell_tracking(status); });
-  updater_.add("joint_states", [this](Wrapper& status) { tell_joint_states(status); });
-  updater_.add("map", [this](Wrapper& status) { tell_map(status); });
-  updater_.add("tf", [this](Wrapper& status) { tell_frames(status); });
+  updater_.add("tracking", [this](Wrapper& status) { report_tracking(status); });
+  updater_.add("joint_states", [this](Wrapper& status) { report_joint_states(status); });
+  updater_.add("map", [this](Wrapper& status) { report_map(status); });
+  updater_.add("tf", [this](Wrapper& status) { report_frames(status); });
 }
 
 Diagnostics::Snapshot Diagnostics::take() const {
@@ -56,12 +56,12 @@ void Diagnostics::publish() {
   updater_.force_update();
 }
 
-void Diagnostics::tell_tracking(Wrapper& status) const {
+void Diagnostics::report_tracking(Wrapper& status) const {
   const ros::Time now = ros::Time::now();
   const CurrentConfiguration current = monitor_.current(now);
   const bool well = current.status.code == Status::OK;
   const MonitorFindings findings = monitor_.findings();
-  status.summary(diagnostic_level(current.status), well ? "tracking" : current.status.sentence);
+  status.summary(diagnostic_level(current.status), well ? "tracking" : current.status.message);
   if (well && findings.threshold.level == ThresholdLevel::warn)
     status.mergeSummary(Level::WARN, "near a boundary");
   if (well && findings.threshold.level == ThresholdLevel::stop)
@@ -83,7 +83,7 @@ void Diagnostics::tell_tracking(Wrapper& status) const {
   status.add("age of the last sample [s]", age_text(current.stamp, now));
 }
 
-void Diagnostics::tell_joint_states(Wrapper& status) const {
+void Diagnostics::report_joint_states(Wrapper& status) const {
   const double seconds = std::max((now_.time - before_.time).toSec(), 1e-9);
   const auto rate = [&](std::uint64_t before, std::uint64_t now) {
     return static_cast<double>(now - before) / seconds;
@@ -92,9 +92,9 @@ void Diagnostics::tell_joint_states(Wrapper& status) const {
   const ros::Time clock = ros::Time::now();
   const CurrentConfiguration current = monitor_.current(clock);
   if (current.status.code == Status::STALE || current.status.code == Status::SEVERAL_PUBLISHERS)
-    status.summary(Level::ERROR, current.status.sentence);
+    status.summary(Level::ERROR, current.status.message);
   else if (current.stamp.isZero())
-    status.summary(Level::WARN, current.status.sentence);
+    status.summary(Level::WARN, current.status.message);
   else if (now.invalid > before.invalid)
     status.summary(Level::WARN, "messages are refused");
   else if (now.lost > before.lost)
@@ -112,29 +112,29 @@ void Diagnostics::tell_joint_states(Wrapper& status) const {
              now.counted ? std::to_string(now.lost) : "unknown: the publisher does not set header.seq");
 }
 
-void Diagnostics::tell_map(Wrapper& status) const {
+void Diagnostics::report_map(Wrapper& status) const {
   const MapProgress progress = worker_.progress();
   const bool ready = worker_.map() != nullptr || !has_map(manipulator_.task_space());
   switch (progress.state) {
     case MapProgress::COMPLETE:
-      status.summary(Level::OK, progress.sentence);
+      status.summary(Level::OK, progress.message);
       break;
     case MapProgress::COMPUTING:
-      status.summary(ready ? Level::OK : Level::WARN, progress.sentence);
+      status.summary(ready ? Level::OK : Level::WARN, progress.message);
       break;
     default:
-      status.summary(Level::WARN, progress.sentence);
+      status.summary(Level::WARN, progress.message);
   }
   status.add("aspects", progress.aspects);
   status.add("aspects proved", progress.proved_count);
   status.add("pairs unresolved", progress.unresolved);
-  status.add("file", worker_.file_sentence());
+  status.add("file", worker_.file_message());
 }
 
-void Diagnostics::tell_frames(Wrapper& status) const {
-  const std::string sentence = frames_.sentence(ros::WallTime::now());
-  status.summary(sentence.empty() ? Level::OK : Level::WARN,
-                 sentence.empty() ? "each frame has one publisher" : sentence);
+void Diagnostics::report_frames(Wrapper& status) const {
+  const std::string message = frames_.message(ros::WallTime::now());
+  status.summary(message.empty() ? Level::OK : Level::WARN,
+                 message.empty() ? "each frame has one publisher" : message);
 }
 
 }  // namespace parallel_aspects

@@ -42,10 +42,10 @@ class Diagnostics {
   using Wrapper = diagnostic_updater::DiagnosticStatusWrapper;
 
   Snapshot take() const;
-  void tell_tracking(Wrapper& status) const;
-  void tell_joint_states(Wrapper& status) const;
-  void tell_map(Wrapper& status) const;
-  void tell_frames(Wrapper& status) const;
+  void report_tracking(Wrapper& status) const;
+  void report_joint_states(Wrapper& status) const;
+  void report_map(Wrapper& status) const;
+  void report_frames(Wrapper& status) const;
 
   const Manipulator& manipulator_;
   const RobotMonitor& monitor_;

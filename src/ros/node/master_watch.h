@@ -20,7 +20,7 @@ class MasterWatch {
     unreachable  ///< no answer
   };
 
-  /// Compares once, and logs a sentence where something has changed since the call before. The first call
+  /// Compares once, and logs a message where something has changed since the call before. The first call
   /// shall be made when everything is advertised: of the services, those are known that a master has listed.
   Master look();
 

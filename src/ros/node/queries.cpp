@@ -11,13 +11,13 @@
 namespace parallel_aspects {
 namespace {
 
-ConfigurationAnswer refusal(std::uint8_t code, std::string sentence) {
-  return {make_status(code, std::move(sentence)), {}, {}};
+ConfigurationAnswer refusal(std::uint8_t code, std::string message) {
+  return {make_status(code, std::move(message)), {}, {}};
 }
 
 // Where no map exists, a roadmap tells what it can.
-void tell_component(const Manipulator& manipulator, const SolvedPose& solved, const PoseRoadmap* roadmap,
-                    SolvedConfiguration& message) {
+void report_component(const Manipulator& manipulator, const SolvedPose& solved, const PoseRoadmap* roadmap,
+                      SolvedConfiguration& message) {
   message.aspect_status = SolvedConfiguration::NO_MAP;
   const auto mode = working_mode(manipulator, solved.pose, solved.q);
   if (roadmap == nullptr || !mode) return;
@@ -86,9 +86,9 @@ ConfigurationAnswer Queries::resolve_now() const {
 }
 
 ConfigurationAnswer Queries::resolve_pose(const Configuration& configuration) const {
-  std::string sentence;
-  const auto in_base = to_base_(configuration.pose, sentence);
-  if (!in_base) return refusal(Status::NO_TRANSFORM, std::move(sentence));
+  std::string message;
+  const auto in_base = to_base_(configuration.pose, message);
+  if (!in_base) return refusal(Status::NO_TRANSFORM, std::move(message));
   const auto pose = pose_from_base(*manipulator_, *in_base);
   if (!pose)
     return refusal(Status::INVALID_REQUEST,
@@ -97,8 +97,8 @@ ConfigurationAnswer Queries::resolve_pose(const Configuration& configuration) co
   answer.stamp = ros::Time::now();
   const double off = distance_off_task_space(*manipulator_, *in_base);
   if (answer.status.code == Status::OK && off > 1e-6 * manipulator_->size())
-    answer.status.sentence = "The pose is " + std::to_string(off) +
-                             " m off the motions of the platform; the answer is about its projection.";
+    answer.status.message = "The pose is " + std::to_string(off) +
+                            " m off the motions of the platform; the answer is about its projection.";
   return answer;
 }
 
@@ -106,7 +106,7 @@ ConfigurationAnswer Queries::resolve_joints(const Configuration& configuration) 
   const JointSample sample =
       actuated_values(*manipulator_, configuration.joint_names, configuration.joint_positions);
   if (sample.status != SampleStatus::usable)
-    return refusal(Status::INVALID_REQUEST, "The joints cannot be used: " + sample.sentence);
+    return refusal(Status::INVALID_REQUEST, "The joints cannot be used: " + sample.message);
   ConfigurationAnswer answer =
       configurations_at_joints(*manipulator_, sample.q, configuration.determinant_sign);
   answer.stamp = ros::Time::now();
@@ -119,7 +119,7 @@ std::vector<SolvedConfiguration> Queries::solutions(const ConfigurationAnswer& a
   for (const SolvedPose& solved : answer.configurations) {
     messages.push_back(solved_message(*manipulator_, solved, known.map.get(), answer.stamp));
     if (!has_map(manipulator_->task_space()))
-      tell_component(*manipulator_, solved, known.roadmap.get(), messages.back());
+      report_component(*manipulator_, solved, known.roadmap.get(), messages.back());
   }
   return messages;
 }
@@ -127,11 +127,11 @@ std::vector<SolvedConfiguration> Queries::solutions(const ConfigurationAnswer& a
 // With OK and NO_MAP there is something to answer.
 Status Queries::map_status(const KnownAspects& known) const {
   if (known.map) return {};
-  const std::string sentence = worker_.progress().sentence;
+  const std::string message = worker_.progress().message;
   if (!has_map(manipulator_->task_space()))
     return make_status(Status::NO_MAP, "No map exists in " + std::string(name(manipulator_->task_space())) +
-                                           ", so aspects have no ids. " + sentence);
-  return make_status(Status::MAP_NOT_READY, sentence.empty() ? "The map is about to be computed." : sentence);
+                                           ", so aspects have no ids. " + message);
+  return make_status(Status::MAP_NOT_READY, message.empty() ? "The map is about to be computed." : message);
 }
 
 GetWorkingMode::Response Queries::answer(const GetWorkingMode::Request& request) const {
@@ -203,9 +203,9 @@ Status Queries::start(const Configuration& configuration) const {
                        "determinant_sign must be 1 or -1, or kind 1 (pose) or 2 (joints).");
   }
   if (configuration.kind == Configuration::POSE) {
-    std::string sentence;
-    const auto in_base = to_base_(configuration.pose, sentence);
-    if (!in_base) return make_status(Status::NO_TRANSFORM, std::move(sentence));
+    std::string message;
+    const auto in_base = to_base_(configuration.pose, message);
+    if (!in_base) return make_status(Status::NO_TRANSFORM, std::move(message));
     const auto pose = pose_from_base(*manipulator_, *in_base);
     return pose ? monitor_.start_near(*pose, now)
                 : make_status(Status::INVALID_REQUEST, "The pose must be finite.");

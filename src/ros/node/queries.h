@@ -25,9 +25,9 @@
 
 namespace parallel_aspects {
 
-/// Brings a pose into the base frame; nothing, and a sentence, where tf cannot.
+/// Brings a pose into the base frame; nothing, and a message, where tf cannot.
 using PoseTransformer = std::function<std::optional<geometry_msgs::Pose>(const geometry_msgs::PoseStamped&,
-                                                                         std::string& sentence)>;
+                                                                         std::string& message)>;
 
 /// Answers the services. May be called from any number of threads.
 class Queries {

@@ -41,7 +41,7 @@ RobotServer::RobotServer(const ros::NodeHandle& nh, const ros::NodeHandle& priva
               [this](const MapProgress& progress, const auto& map) { on_map_progress(progress, map); }),
       queries_(
           setup_.mechanism->manipulator(), monitor_, worker_,
-          [this](const auto& pose, std::string& sentence) { return to_base(pose, sentence); },
+          [this](const auto& pose, std::string& message) { return to_base(pose, message); },
           setup_.options.read_only),
       frame_watch_(setup_.options.frame_prefix + "/"),
       diagnostics_(on_queue(nh, service_queue_), service_nh_, *setup_.mechanism->manipulator(), monitor_,
@@ -131,7 +131,7 @@ void RobotServer::subscribe() {
       service_nh_.createWallTimer(ros::WallDuration(diagnostics_.period()),
                                   [this](const ros::WallTimerEvent&) { diagnostics_.publish(); });
   stand_off_timer_ = service_nh_.createWallTimer(
-      ros::WallDuration(0.0), [this](const ros::WallTimerEvent&) { tell_stand_off(); }, true);
+      ros::WallDuration(0.0), [this](const ros::WallTimerEvent&) { report_stand_off(); }, true);
   log_timer_ = service_nh_.createWallTimer(ros::WallDuration(0.1), [this](const ros::WallTimerEvent&) {
     log_.write();
     renew_action();
@@ -164,7 +164,7 @@ void RobotServer::on_joint_states(const ros::MessageEvent<const sensor_msgs::Joi
   }
   for (const AspectTransition& transition : update.transitions) {
     transitions_.publish(transition);
-    log_.say(transition.sentence);
+    log_.say(transition.message);
   }
   if (update.tracked && (completed_.next() || changed))
     publish_robot(*update.tracked, update.state->header.stamp);
@@ -176,9 +176,9 @@ void RobotServer::on_tf_static(const Transforms& event) { watch(event, FrameWatc
 
 void RobotServer::watch(const Transforms& event, FrameWatch::Topic topic) {
   for (const geometry_msgs::TransformStamped& transform : event.getConstMessage()->transforms) {
-    const std::string sentence =
+    const std::string message =
         frame_watch_.hear(transform.child_frame_id, event.getPublisherName(), topic, ros::WallTime::now());
-    if (!sentence.empty()) ROS_WARN_STREAM(sentence);
+    if (!message.empty()) ROS_WARN_STREAM(message);
   }
 }
 
@@ -199,7 +199,7 @@ void RobotServer::send_platform(const Eigen::Isometry3d& platform, const ros::Ti
 void RobotServer::check_age() {
   const auto state = monitor_.expire(ros::Time::now());
   if (!state) return;
-  log_.warn(state->status.sentence);
+  log_.warn(state->status.message);
   state_.publish(*state);
   diagnostics_.count_output();
 }
@@ -209,27 +209,27 @@ void RobotServer::work() {
 }
 
 // Takes some tenths of a second, so it is not for the constructor.
-void RobotServer::tell_stand_off() {
+void RobotServer::report_stand_off() {
   const StandOffEstimate estimate =
       estimate_stand_off(setup_.mechanism->manipulator(), setup_.options.tracking.samples, 50);
   const std::string warning = warning_of(estimate, setup_.options.thresholds.parallel_stop);
-  if (estimate.poses > 0) ROS_INFO_STREAM(sentence_of(estimate));
+  if (estimate.poses > 0) ROS_INFO_STREAM(message_of(estimate));
   if (!warning.empty()) ROS_WARN_STREAM(warning);
 }
 
-void RobotServer::show() { display_.show(monitor_.current(ros::Time::now()), worker_.progress().sentence); }
+void RobotServer::show() { display_.show(monitor_.current(ros::Time::now()), worker_.progress().message); }
 
 void RobotServer::on_map_progress(const MapProgress& progress, const std::shared_ptr<const AspectMap>& map) {
   if (map) {
     monitor_.set_map(map);
     display_.set_map(map);
-    ROS_INFO_STREAM(progress.sentence << "\n" << aspect_table(*map));
+    ROS_INFO_STREAM(progress.message << "\n" << aspect_table(*map));
   } else if (progress.state == MapProgress::COMPLETE) {
-    ROS_INFO_STREAM(progress.sentence);
+    ROS_INFO_STREAM(progress.message);
   } else if (progress.state == MapProgress::REFUSED) {
-    ROS_WARN_STREAM("The map was not computed: " << progress.sentence);
+    ROS_WARN_STREAM("The map was not computed: " << progress.message);
   } else {
-    ROS_INFO_STREAM_THROTTLE(1.0, progress.sentence);
+    ROS_INFO_STREAM_THROTTLE(1.0, progress.message);
   }
   map_progress_.publish(progress);
 }
@@ -245,7 +245,7 @@ void RobotServer::on_compute_map(const ComputeMapGoalConstPtr& goal) {
   if (!problems.empty()) result.status = make_status(Status::INVALID_REQUEST, problems.front());
   if (setup_.options.read_only) result.status = refused_as_read_only();
   if (result.status.code != Status::OK) {
-    compute_map_->setAborted(result, result.status.sentence);
+    compute_map_->setAborted(result, result.status.message);
     return;
   }
   const bool as_configured = goal->resolution == 0.0 && goal->extra_levels == 0;
@@ -262,7 +262,7 @@ void RobotServer::on_compute_map(const ComputeMapGoalConstPtr& goal) {
   if (polls_since_cancel > 0 && feedback.progress.state == MapProgress::COMPUTING) {
     // The thread ends its piece of work; what it finds is not used.
     feedback.progress.state = MapProgress::CANCELLED;
-    feedback.progress.sentence = "The computation was cancelled.";
+    feedback.progress.message = "The computation was cancelled.";
   }
   finish(feedback.progress, result);
 }
@@ -275,19 +275,19 @@ void RobotServer::finish(const MapProgress& progress, ComputeMapResult result) {
     result.proved_count = progress.proved_count;
     result.count_at_most = progress.count_at_most;
     result.seconds = progress.seconds;
-    compute_map_->setSucceeded(result, progress.sentence);
+    compute_map_->setSucceeded(result, progress.message);
     return;
   }
   const bool cancelled = progress.state == MapProgress::CANCELLED;
-  result.status = make_status(cancelled ? Status::CANCELLED : Status::FAILED, progress.sentence);
+  result.status = make_status(cancelled ? Status::CANCELLED : Status::FAILED, progress.message);
   if (cancelled && compute_map_->isPreemptRequested())
-    compute_map_->setPreempted(result, progress.sentence);
+    compute_map_->setPreempted(result, progress.message);
   else
-    compute_map_->setAborted(result, progress.sentence);
+    compute_map_->setAborted(result, progress.message);
 }
 
 std::optional<geometry_msgs::Pose> RobotServer::to_base(const geometry_msgs::PoseStamped& pose,
-                                                        std::string& sentence) const {
+                                                        std::string& message) const {
   const std::string& base = setup_.mechanism->manipulator()->base_frame();
   if (pose.header.frame_id.empty() || pose.header.frame_id == base) return pose.pose;
   geometry_msgs::PoseStamped given = pose;
@@ -296,7 +296,7 @@ std::optional<geometry_msgs::Pose> RobotServer::to_base(const geometry_msgs::Pos
   try {
     return tf_.transform(given, base, ros::Duration(setup_.options.tf_timeout)).pose;
   } catch (const tf2::TransformException& failure) {
-    sentence = "tf does not connect " + given.header.frame_id + " with " + base + ": " + failure.what();
+    message = "tf does not connect " + given.header.frame_id + " with " + base + ": " + failure.what();
     return std::nullopt;
   }
 }

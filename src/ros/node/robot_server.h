@@ -66,10 +66,10 @@ class RobotServer {
   void check_age();
   void show();
   void work();
-  void tell_stand_off();
+  void report_stand_off();
   void send_platform(const Eigen::Isometry3d& platform, const ros::Time& stamp);
   std::optional<geometry_msgs::Pose> to_base(const geometry_msgs::PoseStamped& pose,
-                                             std::string& sentence) const;
+                                             std::string& message) const;
 
   const NodeSetup setup_;
   GuardedQueue tracking_queue_, service_queue_, work_queue_;

@@ -145,7 +145,7 @@ int decimation_from(ParameterReader reader) {
   return decimation;
 }
 
-// The URDF; nothing, with a sentence, where there is no text.
+// The URDF; nothing, with a message, where there is no text.
 std::string urdf_from(const std::string& parameter, Problems& problems) {
   XmlRpcValue value;
   const char* const help = "; load the robot's URDF into it as text.";

@@ -15,13 +15,13 @@ bool valid_frame_prefix(const std::string& prefix) {
                             prefix.find_first_of(" \t\n") == std::string::npos);
 }
 
-// Collects sentences of one form: the parameter, what is wrong, what to do.
+// Collects messages of one form: the parameter, what is wrong, what to do.
 class Checks {
  public:
   explicit Checks(std::string prefix) : prefix_(std::move(prefix)) {}
 
-  void require(bool holds, const std::string& key, const std::string& sentence) {
-    if (!holds) problems_.push_back("Parameter " + prefix_ + key + " " + sentence);
+  void require(bool holds, const std::string& key, const std::string& message) {
+    if (!holds) problems_.push_back("Parameter " + prefix_ + key + " " + message);
   }
 
   Problems take() { return std::move(problems_); }

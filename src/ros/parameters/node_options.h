@@ -54,7 +54,7 @@ struct NodeOptions {
   double distance_rate = 50.0;        ///< how often distances are measured [Hz], 0.1 to 1000
   double joint_states_timeout = 0.5;  ///< age at which the last sample is stale [s], 0.001 to 3600
   double joint_states_window =
-      0.1;                       ///< ages that are merged of messages with some of the drives [s], 0 to 10
+      0.1;  ///< ages that are merged of messages with some of the actuated joints [s], 0 to 10
   double tf_timeout = 0.2;       ///< how long a query waits for tf [s], 0 to 60
   int state_decimation = 1;      ///< ~state is published with every n-th sample, 1 to 10,000
   int completed_decimation = 1;  ///< likewise ~joint_states and tf
@@ -62,13 +62,13 @@ struct NodeOptions {
   std::string frame_prefix;      ///< of the frames that the node adds; by default the robot's name
 };
 
-/// Everything wrong with the options of a map; sentences that name parameters below `prefix`.
+/// Everything wrong with the options of a map; messages that name parameters below `prefix`.
 Problems problems_of(const MapOptions& options, const Manipulator& manipulator, const std::string& prefix);
 
-/// Everything wrong with thresholds; sentences that name parameters below `prefix`.
+/// Everything wrong with thresholds; messages that name parameters below `prefix`.
 Problems problems_of(const ThresholdParameters& thresholds, const std::string& prefix);
 
-/// Everything wrong with the options for this manipulator; sentences that name parameters below `prefix`,
+/// Everything wrong with the options for this manipulator; messages that name parameters below `prefix`,
 /// which ends in a slash. Empty when all is well.
 Problems problems_of(const NodeOptions& options, const Manipulator& manipulator, const std::string& prefix);
 

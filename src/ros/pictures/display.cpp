@@ -57,7 +57,8 @@ void Display::set_map(const std::shared_ptr<const AspectMap>& map) {
     options = options_;
     map_ = map;
   }
-  if (map->aspects().empty() || freedoms(map->manipulator()->task_space()) < 2) return;  // the gauges stay
+  if (map->aspects().empty() || degrees_of_freedom(map->manipulator()->task_space()) < 2)
+    return;  // the gauges stay
   if (map->manipulator()->task_space() == TaskSpace::T2)
     set_picture(std::make_shared<const MapPicture>(map, frames_, options));
   else
@@ -73,7 +74,7 @@ void Display::set_picture(const std::shared_ptr<const Picture>& picture) {
   fresh_ = true;
 }
 
-void Display::show(const CurrentConfiguration& current, const std::string& map_sentence) {
+void Display::show(const CurrentConfiguration& current, const std::string& map_message) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const Drawn now = drawn(current);
   const ros::WallTime time = ros::WallTime::now();
@@ -81,7 +82,7 @@ void Display::show(const CurrentConfiguration& current, const std::string& map_s
   const bool present_rested = time - present_time_ > between_present;
   if (fresh_ || (gallery_rested && picture_->gallery_differs(drawn_gallery_, now))) publish_gallery(now);
   if (fresh_ || (present_rested && picture_->present_differs(drawn_present_, now))) publish_present(now);
-  const std::string words = caption(current, map_sentence);
+  const std::string words = caption(current, map_message);
   if (fresh_ || now || words != caption_) publish_position(now, words);
   fresh_ = false;
 }
@@ -109,16 +110,16 @@ void Display::publish_position(const Drawn& now, const std::string& words) {
   caption_ = words;
 }
 
-std::string Display::caption(const CurrentConfiguration& current, const std::string& map_sentence) const {
+std::string Display::caption(const CurrentConfiguration& current, const std::string& map_message) const {
   std::string words = manipulator_->name() + ": ";
   if (current.status.code == Status::OK) {
     const TrackedState& state = current.tracked;
     if (state.aspect != 0) words += "aspect " + std::to_string(state.aspect) + ", ";
     words += "working mode " + branch_text(state.mode, state.determinant_sign);
   } else {
-    words += current.status.sentence;
+    words += current.status.message;
   }
-  return mapped_ || map_sentence.empty() ? words : words + "\n" + map_sentence;
+  return mapped_ || map_message.empty() ? words : words + "\n" + map_message;
 }
 
 }  // namespace parallel_aspects

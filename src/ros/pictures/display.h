@@ -28,15 +28,15 @@ class Display {
   /// From now on; a picture that differs is worked out at once.
   void set_options(const DisplayOptions& options);
 
-  /// Draws what has changed since the last call. `map_sentence`: what there is to say about the map.
-  void show(const CurrentConfiguration& current, const std::string& map_sentence);
+  /// Draws what has changed since the last call. `map_message`: what there is to say about the map.
+  void show(const CurrentConfiguration& current, const std::string& map_message);
 
  private:
   void set_picture(const std::shared_ptr<const Picture>& picture);
   void publish_gallery(const Drawn& now);
   void publish_present(const Drawn& now);
   void publish_position(const Drawn& now, const std::string& words);
-  std::string caption(const CurrentConfiguration& current, const std::string& map_sentence) const;
+  std::string caption(const CurrentConfiguration& current, const std::string& map_message) const;
 
   const std::shared_ptr<const Manipulator> manipulator_;
   const MarkerFrames frames_;

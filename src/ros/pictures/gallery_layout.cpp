@@ -22,8 +22,8 @@ AlignedBox2d workspace_of(const AspectMap& map) {
 // What the robot itself needs: its aspects, its base points and the circles of its cranks.
 AlignedBox2d robot_extent(const AspectMap& map, AlignedBox2d extent) {
   for (const Leg& leg : map.manipulator()->legs()) {
-    const auto* drive = std::get_if<RevoluteDrive>(&leg.drive);
-    const Vector2d reach = Vector2d::Constant(drive != nullptr ? drive->radius : 0.0);
+    const auto* actuation = std::get_if<RevoluteActuation>(&leg.actuation);
+    const Vector2d reach = Vector2d::Constant(actuation != nullptr ? actuation->radius : 0.0);
     extent.extend(leg.base_point().head<2>() + reach);
     extent.extend(leg.base_point().head<2>() - reach);
   }

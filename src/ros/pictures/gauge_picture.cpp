@@ -18,9 +18,10 @@ constexpr double most_rows = 12.0, title_rows = 1.6, gauge_rows = 1.25;
 
 // Largest value of |B_jj|; 0 for a strut, which has no serial singularity.
 double largest_entry(const Leg& leg) {
-  if (const auto* revolute = std::get_if<RevoluteDrive>(&leg.drive)) return revolute->radius * leg.rod_length;
-  if (std::holds_alternative<PrismaticDrive>(leg.drive)) return leg.rod_length;
-  if (const auto* elbow = std::get_if<ElbowDrive>(&leg.drive))
+  if (const auto* revolute = std::get_if<RevoluteActuation>(&leg.actuation))
+    return revolute->radius * leg.rod_length;
+  if (std::holds_alternative<PrismaticActuation>(leg.actuation)) return leg.rod_length;
+  if (const auto* elbow = std::get_if<ElbowActuation>(&leg.actuation))
     return elbow->inner_length * elbow->outer_length;
   return 0.0;
 }

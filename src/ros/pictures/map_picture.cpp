@@ -22,7 +22,7 @@ Vector2d label_point(const Aspect& aspect) { return aspect.deepest.position.head
 
 std::string range_text(const JointWindow& window, const Manipulator& manipulator, std::size_t leg) {
   const auto axis = static_cast<Eigen::Index>(leg);
-  const std::string joint = (leg == 0 ? "across " : "up ") + manipulator.leg(leg).driven_joint;
+  const std::string joint = (leg == 0 ? "across " : "up ") + manipulator.leg(leg).actuated_joint;
   if (window.turns[leg]) return joint + ": -pi to pi";
   char range[48];
   std::snprintf(range, sizeof range, ": %.3g to %.3g", window.lower[axis], window.upper[axis]);

@@ -31,7 +31,8 @@ Screen screen_of(const YAML::Node& config) {
   return {window["Width"].as<double>(1280.0) - 40.0, window["Height"].as<double>(800.0) - 95.0};
 }
 
-// The gallery of a robot of two freedoms takes its size from the map, which takes no time to compute.
+// The gallery of a robot of two degrees of freedom takes its size from the map, which takes no time to
+// compute.
 AlignedBox2d map_gallery(const NodeSetup& setup) {
   const auto map = compute_aspect_map(setup.mechanism->manipulator(), setup.options.map).map;
   AlignedBox2d box;

@@ -15,18 +15,20 @@ using Eigen::Vector3d;
 constexpr double links = 0.06;  // how far links stick out from their joints, of the size of the box
 
 // The circle of a crank.
-void extend_by_circle(const RevoluteDrive& drive, AlignedBox3d& box) {
-  const Vector3d half = drive.radius * (Vector3d::Ones() - drive.axis.cwiseAbs2()).cwiseMax(0.0).cwiseSqrt();
-  box.extend(Vector3d(drive.center + half));
-  box.extend(Vector3d(drive.center - half));
+void extend_by_circle(const RevoluteActuation& actuation, AlignedBox3d& box) {
+  const Vector3d half =
+      actuation.radius * (Vector3d::Ones() - actuation.axis.cwiseAbs2()).cwiseMax(0.0).cwiseSqrt();
+  box.extend(Vector3d(actuation.center + half));
+  box.extend(Vector3d(actuation.center - half));
 }
 
 AlignedBox3d robot_box(const Manipulator& robot, const Pose& pose) {
   AlignedBox3d box;
   for (const Leg& leg : robot.legs()) {
     box.extend(pose.transform(leg.anchor));
-    if (const auto* revolute = std::get_if<RevoluteDrive>(&leg.drive)) extend_by_circle(*revolute, box);
-    if (!std::holds_alternative<PrismaticDrive>(leg.drive)) box.extend(leg.base_point());
+    if (const auto* revolute = std::get_if<RevoluteActuation>(&leg.actuation))
+      extend_by_circle(*revolute, box);
+    if (!std::holds_alternative<PrismaticActuation>(leg.actuation)) box.extend(leg.base_point());
     for (const double limit : {leg.limits.lower, leg.limits.upper})
       if (std::isfinite(limit)) box.extend(leg.proximal_point(limit));
   }
@@ -104,7 +106,8 @@ Scene scene_of(const Mechanism& mechanism, const NodeOptions& options) {
   const double seen_height =
       scene.planar ? size.y() : size.z() * std::cos(view_pitch) + size.y() * std::sin(view_pitch);
   const double height = std::max(seen_height, 0.6 * size.x());
-  const bool drawn = freedoms(robot.task_space()) == 2 || freedoms(robot.task_space()) == 3;
+  const bool drawn =
+      degrees_of_freedom(robot.task_space()) == 2 || degrees_of_freedom(robot.task_space()) == 3;
   scene.tiles = TileLayout(drawn ? working_modes(robot).size() : 1, height);
   scene.gallery = gallery_frame(scene, height);
   return scene;

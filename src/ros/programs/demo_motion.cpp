@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Plays joint_states of the drives, for any robot that aspect_node serves. It begins with a local motion
-// about the start pose, which needs no map. Once the node's map is complete, it plans a tour through every
-// aspect that can be reached without crossing det A = 0, and goes over to it at the end of a round.
+// Plays joint_states of the actuated joints, for any robot that aspect_node serves. It begins with a local
+// motion about the start pose, which needs no map. Once the node's map is complete, it plans a tour through
+// every aspect that can be reached without crossing det A = 0, and goes over to it at the end of a round.
 // Parameters: ~server (name of that node), ~duration of one round of the tour [s], ~local_duration of one
 // round of the local motion [s], ~loop (until shut down; or until one tour is over, or one local round where
 // there is no tour), ~patience: no tour of a map that took longer than this, as it is computed again here
@@ -146,8 +146,8 @@ class TourPlanner {
     const auto map = compute_aspect_map(setup_.mechanism->manipulator(), setup_.options.map, control).map;
     if (!map) return {};
     const Tour tour = plan_tour(*map, local_.start.pose, local_.start.mode);
-    if (tour.drives.size() < 2) return {};
-    SampledMotion motion = local_.rehearsal.slow_enough(tour.drives, options_.duration);
+    if (tour.joint_values.size() < 2) return {};
+    SampledMotion motion = local_.rehearsal.slow_enough(tour.joint_values, options_.duration);
     if (motion.samples.empty())
       ROS_WARN("There is no tour: a tracker with the options of the node does not follow it at any speed.");
     else
@@ -173,7 +173,7 @@ class Player {
   Player(const Manipulator& robot, ros::Publisher publisher)
       : publisher_(std::move(publisher)),
         offset_(JointVector::Zero(static_cast<Eigen::Index>(robot.leg_count()))) {
-    for (const Leg& leg : robot.legs()) message_.name.push_back(leg.driven_joint);
+    for (const Leg& leg : robot.legs()) message_.name.push_back(leg.actuated_joint);
   }
 
   // One round; returns early when ROS shuts down.

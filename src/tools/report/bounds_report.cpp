@@ -25,10 +25,10 @@ std::string modes_text(const std::string& what, const std::vector<WorkingMode>& 
 }
 
 /// Which limits do not count.
-void add_untold_joints(const Manipulator& manipulator, const std::string& what, Report& report) {
-  const std::vector<std::string>& untold = manipulator.constraints().untold_joints;
-  report.json["joints_not_limited"] = untold;
-  for (const std::string& joint : untold)
+void add_missing_joints(const Manipulator& manipulator, const std::string& what, Report& report) {
+  const std::vector<std::string>& missing = manipulator.constraints().missing_joints;
+  report.json["joints_not_limited"] = missing;
+  for (const std::string& joint : missing)
     report.text += "note: The limits of joint '" + joint + "' do not bound the " + what +
                    ", since distances do not tell where it is.\n";
 }
@@ -45,7 +45,7 @@ Report report_constraints(const Manipulator& manipulator) {
     list += (list.empty() ? "" : ", ") + std::string(name(kind));
   }
   report.text = "constraints: " + (list.empty() ? "none" : list) + "\n";
-  add_untold_joints(manipulator, "aspects", report);
+  add_missing_joints(manipulator, "aspects", report);
   return report;
 }
 
@@ -63,7 +63,7 @@ Report report_bounds(const AspectMap& map) {
             map.unit();
   }
   report.text = "constraints: " + (list.empty() ? "none" : list) + "\n";
-  add_untold_joints(*map.manipulator(), "map", report);
+  add_missing_joints(*map.manipulator(), "map", report);
   const MissingModes missing = missing_modes(map);
   report.json["empty_working_modes"] = json_modes(missing.empty);
   report.json["undecided_working_modes"] = json_modes(missing.unknown);

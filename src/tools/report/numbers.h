@@ -9,7 +9,7 @@
 
 namespace parallel_aspects::tools {
 
-/// Each returns what `text` says; where it says nothing of use, a sentence that names `option` is added to
+/// Each returns what `text` says; where it says nothing of use, a message that names `option` is added to
 /// `problems` and the value is of no meaning.
 
 /// A finite number greater than zero.

@@ -65,7 +65,7 @@ std::string shown(const TaskVector& values) {
 
 std::string shown_sign(double value) { return value > 0.0 ? "+" : value < 0.0 ? "-" : "0"; }
 
-std::string drive_unit(const Leg& leg) { return leg.driven_by_angle() ? "rad" : "m"; }
+std::string joint_unit(const Leg& leg) { return leg.actuated_by_angle() ? "rad" : "m"; }
 
 std::string determinant_unit(TaskSpace space) {
   switch (space) {

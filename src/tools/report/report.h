@@ -47,8 +47,8 @@ std::string shown(const TaskVector& values);
 /// "+" or "-".
 std::string shown_sign(double value);
 
-/// "rad" or "m": the unit of a leg's drive value.
-std::string drive_unit(const Leg& leg);
+/// "rad" or "m": the unit of a leg's joint value.
+std::string joint_unit(const Leg& leg);
 
 /// Unit of det A: "m^2", "m^4" and so on, as in `direct_determinant`.
 std::string determinant_unit(TaskSpace space);

@@ -25,7 +25,7 @@ Report report_map(const AspectMap& map, bool loaded);
 /// `aspects map --neighbours`: adds the pairs of aspects that touch.
 void add_neighbours(const AspectMap& map, const std::vector<Neighbours>& neighbours, Report& report);
 
-/// `aspects map` with six freedoms: samples and components by working mode and sign of det A.
+/// `aspects map` with six degrees of freedom: samples and components by working mode and sign of det A.
 Report report_roadmap(const PoseRoadmap& roadmap);
 
 /// What is known in one working mode.
@@ -55,7 +55,7 @@ Report report_mechanism(const Mechanism& mechanism);
 Report report_inverse(const Mechanism& mechanism, const Pose& pose,
                       const std::vector<InverseSolution>& solutions);
 
-/// `aspects fk`: the assembly modes at the drive values `q`.
+/// `aspects fk`: the assembly modes at the joint values `q`.
 Report report_direct(const Mechanism& mechanism, const JointVector& q, const DirectResult& result);
 
 /// `aspects robots`: names of the shipped robots.

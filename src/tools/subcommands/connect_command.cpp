@@ -62,8 +62,8 @@ class Asking {
   AspectComparison ask(const WorkingMode& mode) {
     const PoseInMode first{question_.from, mode}, second{question_.to, mode};
     AspectComparison found = same_aspect(certifier_, first, second);
-    if (found.open_sign != 0) found = same_aspect(*roadmap(mode), first, second);
-    if (found.open_sign != 0 && has_map()) ask_map(mode, found);
+    if (found.searched_sign != 0) found = same_aspect(*roadmap(mode), first, second);
+    if (found.searched_sign != 0 && has_map()) ask_map(mode, found);
     return found;
   }
 
@@ -74,8 +74,8 @@ class Asking {
     return compute_roadmap(manipulator_, options, surroundings_);
   }
 
-  // Maps of one or two freedoms are quick; others are made where they are asked for.
-  bool has_map() const { return question_.resolution || freedoms(manipulator_->task_space()) <= 2; }
+  // Maps of one or two degrees of freedom are quick; others are made where they are asked for.
+  bool has_map() const { return question_.resolution || degrees_of_freedom(manipulator_->task_space()) <= 2; }
 
   const AspectMap& map() {
     if (map_) return *map_;
@@ -85,7 +85,7 @@ class Asking {
     control.cancelled = surroundings_.interrupted;
     const MapResult result = compute_aspect_map(manipulator_, options, control);
     if (result.status == MapStatus::cancelled) throw Interrupted{};
-    if (result.status == MapStatus::refused) throw InvalidDescription({result.sentence});
+    if (result.status == MapStatus::refused) throw InvalidDescription({result.message});
     map_ = result.map;
     return *map_;
   }
@@ -114,7 +114,7 @@ class Asking {
 json json_answer(TaskSpace space, const ModeAnswer& answer) {
   json object = {{"working_mode", answer.mode.signs()},
                  {"same_aspect", name(answer.comparison.answer)},
-                 {"reason", answer.comparison.sentence},
+                 {"reason", answer.comparison.message},
                  {"failing_constraint", nullptr},
                  {"path", json::array()}};
   if (answer.comparison.failing) object["failing_constraint"] = name(*answer.comparison.failing);
@@ -134,7 +134,7 @@ std::string answers_text(const Manipulator& manipulator, const Pose& from, const
   TextTable table({"working mode", "same aspect", "why"});
   std::string paths;
   for (const ModeAnswer& answer : answers) {
-    table.add({to_string(answer.mode), name(answer.comparison.answer), answer.comparison.sentence});
+    table.add({to_string(answer.mode), name(answer.comparison.answer), answer.comparison.message});
     if (answer.comparison.path.size() > 2) paths += path_text(space, answer);
   }
   return manipulator.name() + ", from " + to_string(space, from) + " to " + to_string(space, to) + "\n\n" +

@@ -13,44 +13,47 @@ using nlohmann::json;
 
 json json_point(const Eigen::Vector3d& point) { return {point.x(), point.y(), point.z()}; }
 
-struct DriveJson {
+struct ActuatedJointJson {
   const Leg& leg;
 
-  json operator()(const RevoluteDrive& drive) const {
-    return {{"center", json_point(drive.center)},
-            {"axis", json_point(drive.axis)},
-            {"zero_direction", json_point(drive.zero_direction)},
-            {"crank_length", drive.radius},
+  json operator()(const RevoluteActuation& actuation) const {
+    return {{"center", json_point(actuation.center)},
+            {"axis", json_point(actuation.axis)},
+            {"zero_direction", json_point(actuation.zero_direction)},
+            {"crank_length", actuation.radius},
             {"rod_length", leg.rod_length}};
   }
-  json operator()(const PrismaticDrive& drive) const {
-    return {{"origin", json_point(drive.origin)},
-            {"direction", json_point(drive.direction)},
+  json operator()(const PrismaticActuation& actuation) const {
+    return {{"origin", json_point(actuation.origin)},
+            {"direction", json_point(actuation.direction)},
             {"rod_length", leg.rod_length}};
   }
-  json operator()(const StrutDrive& drive) const {
-    return {
-        {"base", json_point(drive.base)}, {"length_at_zero", drive.length_at_zero}, {"sense", drive.sense}};
+  json operator()(const StrutActuation& actuation) const {
+    return {{"base", json_point(actuation.base)},
+            {"length_at_zero", actuation.length_at_zero},
+            {"sense", actuation.sense}};
   }
-  json operator()(const ElbowDrive& drive) const {
-    return {{"base", json_point(drive.base)},
-            {"inner_length", drive.inner_length},
-            {"outer_length", drive.outer_length},
-            {"angle_at_zero", drive.angle_at_zero},
-            {"sense", drive.sense}};
+  json operator()(const ElbowActuation& actuation) const {
+    return {{"base", json_point(actuation.base)},
+            {"inner_length", actuation.inner_length},
+            {"outer_length", actuation.outer_length},
+            {"angle_at_zero", actuation.angle_at_zero},
+            {"sense", actuation.sense}};
   }
 };
 
-struct DriveText {
+struct ActuatedJointText {
   const Leg& leg;
 
-  std::string operator()(const RevoluteDrive& drive) const {
-    return "crank " + shown(drive.radius) + ", rod " + shown(leg.rod_length);
+  std::string operator()(const RevoluteActuation& actuation) const {
+    return "crank " + shown(actuation.radius) + ", rod " + shown(leg.rod_length);
   }
-  std::string operator()(const PrismaticDrive&) const { return "rod " + shown(leg.rod_length); }
-  std::string operator()(const StrutDrive& drive) const { return shown(drive.length_at_zero) + " at q = 0"; }
-  std::string operator()(const ElbowDrive& drive) const {
-    return "inner " + shown(drive.inner_length) + ", outer " + shown(drive.outer_length);
+  std::string operator()(const PrismaticActuation&) const { return "rod " + shown(leg.rod_length); }
+  std::string operator()(const StrutActuation& actuation) const {
+    return shown(actuation.length_at_zero) + " at q = 0";
+  }
+  std::string operator()(const ElbowActuation& actuation) const {
+    return "inner " + shown(actuation.inner_length) + ", outer " + shown(actuation.outer_length);
   }
 };
 
@@ -66,11 +69,11 @@ json json_joint_limits(const Mechanism& mechanism) {
 }
 
 json json_leg(const Leg& leg) {
-  json object = std::visit(DriveJson{leg}, leg.drive);
+  json object = std::visit(ActuatedJointJson{leg}, leg.actuation);
   object["name"] = leg.name;
-  object["kind"] = std::string(kind_name(leg.drive));
-  object["driven_joint"] = leg.driven_joint;
-  object["unit"] = drive_unit(leg);
+  object["kind"] = std::string(kind_name(leg.actuation));
+  object["actuated_joint"] = leg.actuated_joint;
+  object["unit"] = joint_unit(leg);
   object["anchor"] = json_point(leg.anchor);
   object["limits"] = json_limits(leg.limits);
   return object;
@@ -95,7 +98,7 @@ json json_mechanism(const Mechanism& mechanism) {
   return {{"mechanism", manipulator.name()},
           {"task_space", std::string(name(manipulator.task_space()))},
           {"mobility", mechanism.mobility()},
-          {"idle_freedoms", mechanism.idle_freedoms()},
+          {"idle_degrees_of_freedom", mechanism.idle_degrees_of_freedom()},
           {"base_frame", manipulator.base_frame()},
           {"task_frame", json_frame(manipulator.task_frame())},
           {"platform_link", mechanism.platform_link()},
@@ -113,15 +116,15 @@ std::string point_text(const Eigen::Vector3d& point) {
 
 std::string limits_text(const Leg& leg) {
   if (!leg.limits.limited()) return "none";
-  return "[" + shown(leg.limits.lower) + ", " + shown(leg.limits.upper) + "] " + drive_unit(leg);
+  return "[" + shown(leg.limits.lower) + ", " + shown(leg.limits.upper) + "] " + joint_unit(leg);
 }
 
 std::string leg_table(const Manipulator& manipulator) {
-  TextTable table({"leg", "kind", "driven joint", "lengths [m]", "base point [m]", "anchor [m]", "limits"});
+  TextTable table({"leg", "kind", "actuated joint", "lengths [m]", "base point [m]", "anchor [m]", "limits"});
   for (const Leg& leg : manipulator.legs())
-    table.add({leg.name, std::string(kind_name(leg.drive)), leg.driven_joint,
-               std::visit(DriveText{leg}, leg.drive), point_text(leg.base_point()), point_text(leg.anchor),
-               limits_text(leg)});
+    table.add({leg.name, std::string(kind_name(leg.actuation)), leg.actuated_joint,
+               std::visit(ActuatedJointText{leg}, leg.actuation), point_text(leg.base_point()),
+               point_text(leg.anchor), limits_text(leg)});
   return table.text();
 }
 
@@ -133,7 +136,7 @@ std::string modes_text(const Manipulator& manipulator) {
 
 std::string mobility_text(const Mechanism& mechanism) {
   const std::string text = std::to_string(mechanism.mobility());
-  const int idle = mechanism.idle_freedoms();
+  const int idle = mechanism.idle_degrees_of_freedom();
   return idle == 0 ? text : text + " of which " + std::to_string(idle) + " idle";
 }
 

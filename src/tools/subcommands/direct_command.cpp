@@ -15,9 +15,9 @@ namespace {
 
 using nlohmann::json;
 
-std::vector<std::string> driven_joints(const Manipulator& manipulator) {
+std::vector<std::string> actuated_joints(const Manipulator& manipulator) {
   std::vector<std::string> names;
-  for (const Leg& leg : manipulator.legs()) names.push_back(leg.driven_joint);
+  for (const Leg& leg : manipulator.legs()) names.push_back(leg.actuated_joint);
   return names;
 }
 
@@ -41,7 +41,7 @@ json json_assembly_mode(const Manipulator& manipulator, const JointVector& q, co
 json json_direct(const Manipulator& manipulator, const JointVector& q, const DirectResult& result) {
   json object = {{"mechanism", manipulator.name()},
                  {"task_space", std::string(name(manipulator.task_space()))},
-                 {"driven_joints", driven_joints(manipulator)},
+                 {"actuated_joints", actuated_joints(manipulator)},
                  {"joints", json_numbers(q)},
                  {"within_limits", manipulator.within_limits(q)},
                  {"status", name(result.status)},
@@ -55,13 +55,13 @@ std::string joints_text(const Manipulator& manipulator, const JointVector& q) {
   std::string text;
   for (std::size_t j = 0; j < manipulator.leg_count(); ++j) {
     const Leg& leg = manipulator.leg(j);
-    text += (j == 0 ? "" : ", ") + leg.driven_joint + " " + shown(q[static_cast<Eigen::Index>(j)]) + " " +
-            drive_unit(leg);
+    text += (j == 0 ? "" : ", ") + leg.actuated_joint + " " + shown(q[static_cast<Eigen::Index>(j)]) + " " +
+            joint_unit(leg);
   }
   return text;
 }
 
-// Those at a serial singularity are counted too, and told apart.
+// Those at a serial singularity are counted too, and distinguished.
 std::string count_text(const std::vector<AssemblyMode>& solutions) {
   const auto serial = static_cast<std::size_t>(
       std::count_if(solutions.begin(), solutions.end(),
@@ -75,7 +75,7 @@ std::string summary(const DirectResult& result) {
     case DirectStatus::solved:
       return count_text(result.solutions);
     case DirectStatus::continuum:
-      return "the platform can move with the drives locked, so there is no list of assembly modes";
+      return "the platform can move with the actuated joints locked, so there is no list of assembly modes";
     case DirectStatus::unsolved:
       break;
   }
@@ -85,7 +85,7 @@ std::string summary(const DirectResult& result) {
 std::string direct_text(const Manipulator& manipulator, const JointVector& q, const DirectResult& result) {
   std::string text =
       manipulator.name() + " at " + joints_text(manipulator, q) + ": " + summary(result) + "\n";
-  if (!manipulator.within_limits(q)) text += "note: a drive value is outside its joint limits\n";
+  if (!manipulator.within_limits(q)) text += "note: a joint value is outside its joint limits\n";
   if (result.solutions.empty()) return text;
   TextTable table({"pose", "working mode", ">det A [" + determinant_unit(manipulator.task_space()) + "]",
                    ">smallest singular value", "near singular"});
@@ -101,7 +101,7 @@ std::string direct_text(const Manipulator& manipulator, const JointVector& q, co
 
 JointVector parse_joints(const Manipulator& manipulator, const std::string& text) {
   Problems problems;
-  const std::vector<double> numbers = parse_numbers("--joints", text, driven_joints(manipulator), problems);
+  const std::vector<double> numbers = parse_numbers("--joints", text, actuated_joints(manipulator), problems);
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
   return Eigen::Map<const Eigen::VectorXd>(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
 }
@@ -117,7 +117,7 @@ Subcommand direct_subcommand() {
   const auto choice = std::make_shared<RobotChoice>();
   const auto text = std::make_shared<std::string>();
   std::vector<Option> options = robot_options(*choice);
-  options.push_back({"--joints", "\"q1 q2\"", "Drive values, quoted, in the order of the legs [rad or m]",
+  options.push_back({"--joints", "\"q1 q2\"", "Actuation values, quoted, in the order of the legs [rad or m]",
                      text.get(), true});
   return {"fk", "Direct kinematics: the pose of every assembly mode", options,
           [choice, text](const Surroundings&) {

@@ -46,11 +46,11 @@ DistanceQuestion parse(const DistanceArguments& arguments, const Manipulator& ma
 }
 
 /// Which boundary a distance is to.
-enum class Boundary { parallel, serial, drive_limit };
+enum class Boundary { parallel, serial, actuated_limit };
 
 bool has_leg(Boundary boundary, const BoundaryDistance& distance) {
   const bool touching_limit =
-      distance.status == DistanceStatus::touching && boundary == Boundary::drive_limit;
+      distance.status == DistanceStatus::touching && boundary == Boundary::actuated_limit;
   return boundary != Boundary::parallel && (std::isfinite(distance.upper) || touching_limit);
 }
 
@@ -62,11 +62,11 @@ json json_distance(const Manipulator& manipulator, Boundary boundary, const Boun
                  {"boxes", distance.boxes}};
   if (has_leg(boundary, distance)) object["leg"] = manipulator.leg(distance.leg).name;
   if (!std::isfinite(distance.upper)) return object;
-  if (boundary == Boundary::drive_limit) object["limit"] = name(distance.end);
+  if (boundary == Boundary::actuated_limit) object["limit"] = name(distance.end);
   object["witness"] = json_pose(manipulator.task_space(), distance.witness);
   object["witness_joints"] = json_numbers(distance.witness_q);
   object["direction"] = json_numbers(distance.direction);
-  object["joint_displacement"] = json_numbers(distance.drive_displacement);
+  object["joint_displacement"] = json_numbers(distance.joint_displacement);
   return object;
 }
 
@@ -79,14 +79,14 @@ json json_mode(const Manipulator& manipulator, const ModeDistances& answer) {
   object["joints"] = json_numbers(distances.q);
   object["parallel"] = json_distance(manipulator, Boundary::parallel, distances.parallel);
   object["serial"] = json_distance(manipulator, Boundary::serial, distances.serial);
-  object["drive_limit"] = json_distance(manipulator, Boundary::drive_limit, distances.drive_limit);
+  object["actuated_limit"] = json_distance(manipulator, Boundary::actuated_limit, distances.actuated_limit);
   return object;
 }
 
 std::string boundary_text(const Manipulator& manipulator, Boundary boundary,
                           const BoundaryDistance& distance) {
   if (boundary == Boundary::parallel) return "parallel singularity";
-  const std::string text = boundary == Boundary::serial ? "serial singularity" : "drive limit";
+  const std::string text = boundary == Boundary::serial ? "serial singularity" : "actuated joint limit";
   return has_leg(boundary, distance) ? text + ", " + manipulator.leg(distance.leg).name : text;
 }
 
@@ -97,13 +97,13 @@ void add_row(const Manipulator& manipulator, const ModeDistances& answer, Bounda
              distance.status == DistanceStatus::absent ? "none" : shown(distance.lower),
              found ? shown(distance.upper) + (distance.upper_proved ? "" : " (not proved)") : "-",
              name(distance.status), found ? to_string(manipulator.task_space(), distance.witness) : "-",
-             found ? shown(distance.drive_displacement) : "-"});
+             found ? shown(distance.joint_displacement) : "-"});
 }
 
 std::string distances_text(const Manipulator& manipulator, const Pose& pose,
                            const std::vector<ModeDistances>& answers) {
   TextTable table({"working mode", "to the nearest", ">proved at least [m]", ">at most [m]", "status", "at",
-                   "drives move by [rad or m]"});
+                   "actuated joints move by [rad or m]"});
   for (const ModeDistances& answer : answers) {
     const BoundaryDistances& distances = answer.distances;
     if (distances.status != ConfigurationStatus::measured &&
@@ -113,7 +113,7 @@ std::string distances_text(const Manipulator& manipulator, const Pose& pose,
     }
     add_row(manipulator, answer, Boundary::parallel, distances.parallel, table);
     add_row(manipulator, answer, Boundary::serial, distances.serial, table);
-    add_row(manipulator, answer, Boundary::drive_limit, distances.drive_limit, table);
+    add_row(manipulator, answer, Boundary::actuated_limit, distances.actuated_limit, table);
   }
   return manipulator.name() + " at " + to_string(manipulator.task_space(), pose) +
          ", root mean square displacement of the anchors\n\n" + table.text();

@@ -19,7 +19,7 @@ std::string reason(const Manipulator& manipulator, const Pose& pose, const Inver
   if (solution.status == InverseStatus::out_of_reach)
     return who + "cannot reach " + to_string(manipulator.task_space(), pose) + ".";
   const double value = solution.q[static_cast<Eigen::Index>(solution.leg)];
-  return who + "would need joint '" + leg.driven_joint + "' at " + shown(value) + " " + drive_unit(leg) +
+  return who + "would need joint '" + leg.actuated_joint + "' at " + shown(value) + " " + joint_unit(leg) +
          ", outside its limits [" + shown(leg.limits.lower) + ", " + shown(leg.limits.upper) + "].";
 }
 
@@ -61,12 +61,12 @@ json json_inverse(const Mechanism& mechanism, const Pose& pose,
   json object = {{"mechanism", manipulator.name()},
                  {"task_space", std::string(name(manipulator.task_space()))},
                  {"pose", json_pose(manipulator.task_space(), pose)},
-                 {"driven_joints", json::array()},
+                 {"actuated_joints", json::array()},
                  {"units", json::array()},
                  {"solutions", json::array()}};
   for (const Leg& leg : manipulator.legs()) {
-    object["driven_joints"].push_back(leg.driven_joint);
-    object["units"].push_back(drive_unit(leg));
+    object["actuated_joints"].push_back(leg.actuated_joint);
+    object["units"].push_back(joint_unit(leg));
   }
   for (const InverseSolution& solution : solutions)
     object["solutions"].push_back(json_solution(mechanism, pose, solution));
@@ -99,7 +99,7 @@ std::string inverse_text(const Mechanism& mechanism, const Pose& pose,
   const Manipulator& manipulator = *mechanism.manipulator();
   std::string joints;
   for (const Leg& leg : manipulator.legs())
-    joints += (joints.empty() ? "" : ", ") + leg.driven_joint + " [" + drive_unit(leg) + "]";
+    joints += (joints.empty() ? "" : ", ") + leg.actuated_joint + " [" + joint_unit(leg) + "]";
   TextTable table({"working mode", joints, ">det A [" + determinant_unit(manipulator.task_space()) + "]",
                    ">smallest singular value", "status"});
   for (const InverseSolution& solution : solutions) table.add(row(mechanism, pose, solution));
@@ -118,7 +118,7 @@ Subcommand inverse_subcommand() {
   const auto text = std::make_shared<std::string>();
   std::vector<Option> options = robot_options(*choice);
   options.push_back({"--pose", "\"x y\"", "Pose of the platform, quoted; lengths [m]", text.get(), true});
-  return {"ik", "Inverse kinematics: the drive values of every working mode", options,
+  return {"ik", "Inverse kinematics: the joint values of every working mode", options,
           [choice, text](const Surroundings&) {
             const auto mechanism = load_robot(*choice);
             const Manipulator& manipulator = *mechanism->manipulator();

@@ -46,9 +46,9 @@ json json_slice(const AspectMap& map) {
   if (!map.slice()) return nullptr;
   json held = json::object();
   for (const HeldCoordinate& each : map.slice()->held_coordinates) held[each.name] = json_number(each.value);
-  const bool freely = map.slice()->turning == MapSlice::Turning::freely;
+  const bool freely = map.slice()->rotation == MapSlice::Rotation::freely;
   json axis = nullptr;
-  if (map.slice()->turning == MapSlice::Turning::about_axis)
+  if (map.slice()->rotation == MapSlice::Rotation::about_axis)
     axis = {map.slice()->axis.x(), map.slice()->axis.y(), map.slice()->axis.z()};
   return {{"held", held},
           {"axis", axis},
@@ -75,7 +75,7 @@ json json_map(const AspectMap& map) {
                  {"aspects", json::array()},
                  {"proved_count", map.proved_count()},
                  {"count_at_most", map.count_at_most() ? json(*map.count_at_most()) : json()},
-                 {"open_leaves", map.open_leaves()},
+                 {"indeterminate_leaves", map.indeterminate_leaves()},
                  {"inside_components", map.aspects().size()},
                  {"unresolved", map.unresolved()},
                  {"measure_undecided", json_number(map.measure_undecided())}};
@@ -225,7 +225,7 @@ void check_file(const std::string& option, const std::string& file, Problems& pr
     problems.push_back(option + " is '" + file + "', which is not a regular file; give another.");
 }
 
-// With six freedoms there is a roadmap in place of a map.
+// With six degrees of freedom there is a roadmap in place of a map.
 Report roadmap_report(std::shared_ptr<const Manipulator> manipulator, const MapArguments& arguments,
                       const MapSection& section, const Surroundings& surroundings) {
   Problems problems;
@@ -271,7 +271,7 @@ void add_coverage(const MapArguments& arguments, const MapSection& section, cons
   if (problems.empty())
     options.region = find_region(arguments, section, manipulator.task_space(), options.slice, problems);
   const std::size_t dimension =
-      options.slice ? options.slice->dimension() : freedoms(manipulator.task_space());
+      options.slice ? options.slice->dimension() : degrees_of_freedom(manipulator.task_space());
   if (problems.empty() && !arguments.picture_file.empty() && dimension != 2)
     problems.push_back("--picture is of two coordinates, but the map has " + std::to_string(dimension) +
                        "; give a slice that leaves two free.");
@@ -292,14 +292,14 @@ std::shared_ptr<const AspectMap> load(const std::shared_ptr<const Manipulator>& 
                                       const Surroundings& surroundings) {
   if (arguments.load_file.empty()) return nullptr;
   const MapResult result = load_map(manipulator, options, arguments.load_file);
-  if (result.status != MapStatus::complete) surroundings.messages << result.sentence << std::endl;
+  if (result.status != MapStatus::complete) surroundings.messages << result.message << std::endl;
   return result.map;
 }
 
 void save(const AspectMap& map, const MapArguments& arguments) {
   if (arguments.save_file.empty()) return;
   const SaveResult result = save_map(map, arguments.save_file);
-  if (!result.saved) throw InvalidDescription({result.sentence});
+  if (!result.saved) throw InvalidDescription({result.message});
 }
 
 void draw(const AspectMap& map, const MapArguments& arguments) {
@@ -365,13 +365,14 @@ Subcommand map_subcommand() {
   options.push_back({"--picture", "FILE",
                      "Draw the aspects of every working mode as SVG, where two coordinates are free",
                      &arguments->picture_file});
-  options.push_back({"--samples", "N", "With six freedoms: poses of the certified roadmap, by default 1000",
+  options.push_back({"--samples", "N",
+                     "With six degrees of freedom: poses of the certified roadmap, by default 1000",
                      &arguments->roadmap.samples});
-  options.push_back(
-      {"--seed", "N", "With six freedoms: seed of its poses, by default 1", &arguments->roadmap.seed});
+  options.push_back({"--seed", "N", "With six degrees of freedom: seed of its poses, by default 1",
+                     &arguments->roadmap.seed});
   for (const Option& option : constraint_options(arguments->constraints)) options.push_back(option);
   return {"map",
-          "Compute the certified map of aspects, or with six freedoms a certified roadmap",
+          "Compute the certified map of aspects, or with six degrees of freedom a certified roadmap",
           options,
           [arguments](const Surroundings& surroundings) {
             Problems problems;

@@ -93,7 +93,7 @@ Eigen::VectorXd random_start(const ClosureSystem& system, std::mt19937& random) 
   for (std::size_t k = 0; k < tree.movable.size(); ++k) {
     if (!system.in_loop()[k]) continue;
     const TreeJoint& joint = tree.joint_of(k);
-    const double range = joint.motion == JointMotion::turning ? EIGEN_PI : system.size();
+    const double range = joint.motion == JointMotion::revolute ? EIGEN_PI : system.size();
     std::uniform_real_distribution<double> value(std::max(joint.limits.lower, -range),
                                                  std::min(joint.limits.upper, range));
     if (value.a() < value.b()) values[static_cast<Eigen::Index>(k)] = value(random);
@@ -109,7 +109,7 @@ struct Candidate {
 
   double worth() const { return at_limits == 0 ? conditioning : 0.01 * conditioning; }
 
-  bool drives_move() const { return conditioning > rank_tolerance; }
+  bool joints_move() const { return conditioning > rank_tolerance; }
 };
 
 // Columns of the joints inside the loops, with lengths counted in sizes of the robot.
@@ -120,8 +120,8 @@ Eigen::MatrixXd loop_scaling(const ClosureSystem& system) {
   Eigen::Index column = 0;
   for (std::size_t k = 0; k < in_loop.size(); ++k) {
     if (!in_loop[k]) continue;
-    const bool sliding = system.tree().joint_of(k).motion == JointMotion::sliding;
-    scaling(static_cast<Eigen::Index>(k), column++) = sliding ? system.size() : 1.0;
+    const bool prismatic = system.tree().joint_of(k).motion == JointMotion::prismatic;
+    scaling(static_cast<Eigen::Index>(k), column++) = prismatic ? system.size() : 1.0;
   }
   return scaling;
 }
@@ -133,12 +133,12 @@ double smallest_singular_value(const Eigen::MatrixXd& rows) {
 }
 
 std::size_t passive_joints_at_limits(const ClosureSystem& system, const Eigen::VectorXd& values,
-                                     const std::vector<std::size_t>& drives) {
+                                     const std::vector<std::size_t>& actuated_joints) {
   std::size_t count = 0;
   for (std::size_t k = 0; k < system.in_loop().size(); ++k) {
     const JointLimits& limits = system.tree().joint_of(k).limits;
     const double value = values[static_cast<Eigen::Index>(k)];
-    const bool driven = std::find(drives.begin(), drives.end(), k) != drives.end();
+    const bool driven = std::find(actuated_joints.begin(), actuated_joints.end(), k) != actuated_joints.end();
     if (system.in_loop()[k] && !driven && limits.lower < limits.upper)
       count += std::min(value - limits.lower, limits.upper - value) < closing_tolerance;
   }
@@ -146,7 +146,7 @@ std::size_t passive_joints_at_limits(const ClosureSystem& system, const Eigen::V
 }
 
 Candidate judged(const ClosureSystem& system, const Eigen::VectorXd& values,
-                 const std::vector<std::size_t>& drives) {
+                 const std::vector<std::size_t>& actuated_joints) {
   const Eigen::MatrixXd scaling = loop_scaling(system);
   const Eigen::MatrixXd jacobian = system.jacobian(values) * scaling;
   const auto svd = singular_value_decomposition(jacobian);
@@ -155,23 +155,24 @@ Candidate judged(const ClosureSystem& system, const Eigen::VectorXd& values,
   candidate.assembly = {values, scaling * svd.null_space(rank),
                         largest(system.residual(values)) / system.size()};
   const double held = rank > 0 ? svd.values[rank - 1] / svd.values[0] : 0.0;
-  Eigen::MatrixXd driven(static_cast<Eigen::Index>(drives.size()), candidate.assembly.motions.cols());
-  for (std::size_t k = 0; k < drives.size(); ++k) {
-    const bool sliding = system.tree().joint_of(drives[k]).motion == JointMotion::sliding;
+  Eigen::MatrixXd driven(static_cast<Eigen::Index>(actuated_joints.size()),
+                         candidate.assembly.motions.cols());
+  for (std::size_t k = 0; k < actuated_joints.size(); ++k) {
+    const bool prismatic = system.tree().joint_of(actuated_joints[k]).motion == JointMotion::prismatic;
     driven.row(static_cast<Eigen::Index>(k)) =
-        candidate.assembly.motions.row(static_cast<Eigen::Index>(drives[k])) /
-        (sliding ? system.size() : 1.0);
+        candidate.assembly.motions.row(static_cast<Eigen::Index>(actuated_joints[k])) /
+        (prismatic ? system.size() : 1.0);
   }
   candidate.conditioning = std::min(held, smallest_singular_value(driven));
-  candidate.at_limits = passive_joints_at_limits(system, values, drives);
+  candidate.at_limits = passive_joints_at_limits(system, values, actuated_joints);
   return candidate;
 }
 
-// Drives that move independently come first: a mechanism may have other branches, as a parallelogram that is
-// crossed. Then least mobility; then the earliest, which is nearest to
-// zero, unless a later one is much better conditioned.
+// Actuated joints that move independently come first: a mechanism may have other branches, as a parallelogram
+// that is crossed. Then least mobility; then the earliest, which is nearest to zero, unless a later one is
+// much better conditioned.
 bool is_better(const Candidate& one, const Candidate& other) {
-  if (one.drives_move() != other.drives_move()) return one.drives_move();
+  if (one.joints_move() != other.joints_move()) return one.joints_move();
   const Eigen::Index mobility = one.assembly.motions.cols(), other_mobility = other.assembly.motions.cols();
   if (mobility != other_mobility) return mobility < other_mobility;
   return one.worth() > 5.0 * other.worth();
@@ -181,8 +182,8 @@ bool is_better(const Candidate& one, const Candidate& other) {
 bool moves_in_a_step(const ClosureSystem& system, const Assembly& assembly, std::size_t joint,
                      const std::vector<Eigen::VectorXd>& steps) {
   const auto row = static_cast<Eigen::Index>(joint);
-  const bool sliding = system.tree().joint_of(joint).motion == JointMotion::sliding;
-  const double unit = sliding ? system.size() : 1.0;
+  const bool prismatic = system.tree().joint_of(joint).motion == JointMotion::prismatic;
+  const double unit = prismatic ? system.size() : 1.0;
   return std::any_of(steps.begin(), steps.end(), [&](const Eigen::VectorXd& values) {
     return std::abs(values[row] - assembly.values[row]) > stillness * unit;
   });
@@ -233,7 +234,7 @@ Eigen::VectorXd close_loops(const ClosureSystem& system, Eigen::VectorXd values,
   return polished(system, values, held);
 }
 
-AssemblyResult assemble(const ClosureSystem& system, const std::vector<std::size_t>& drives) {
+AssemblyResult assemble(const ClosureSystem& system, const std::vector<std::size_t>& actuated_joints) {
   AssemblyResult result;
   std::mt19937 random(seed);
   const std::vector<bool> none_held(static_cast<std::size_t>(system.tree().variables()), false);
@@ -248,8 +249,8 @@ AssemblyResult assemble(const ClosureSystem& system, const std::vector<std::size
     if (error < least) result.closest = values;
     least = std::min(least, error);
     if (!(error < closing_tolerance * system.size())) continue;
-    candidates.push_back(judged(system, values, drives));
-    if (candidates.back().drives_move()) ++moving;
+    candidates.push_back(judged(system, values, actuated_joints));
+    if (candidates.back().joints_move()) ++moving;
   }
   if (!candidates.empty()) result.assembly = best(candidates).assembly;
   return result;

@@ -36,7 +36,7 @@ struct AssemblyResult {
 /// the assembled configurations it takes one where the joint values `drives` move independently, the mobility
 /// is least and the conditioning good: the others are singular, or in a branch that is not meant, as a
 /// crossed parallelogram.
-AssemblyResult assemble(const ClosureSystem& system, const std::vector<std::size_t>& drives);
+AssemblyResult assemble(const ClosureSystem& system, const std::vector<std::size_t>& actuated_joints);
 
 /// The configuration nearest to `start` that closes the loops, with the joints marked in `held` kept where
 /// they are. What it returns need not close them.

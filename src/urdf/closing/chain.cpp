@@ -10,7 +10,7 @@ namespace parallel_aspects {
 namespace {
 
 constexpr std::size_t most_chains = 16;    // of one leg; a Delta leg has two
-constexpr std::size_t most_steps = 20000;  // on the way along them
+constexpr std::size_t most_steps = 20000;  // on the path along them
 
 // Sets of numbers that are joined pair by pair.
 class Partition {
@@ -36,11 +36,11 @@ struct Edge {
 
 class LegFinder {
  public:
-  LegFinder(const AssembledMechanism& mechanism, const Drives& drives, const SourceNames& files,
-            Problems& problems)
+  LegFinder(const AssembledMechanism& mechanism, const ActuatedJoints& actuated_joints,
+            const SourceNames& files, Problems& problems)
       : system_(mechanism.system),
         still_(mechanism.still),
-        drives_(drives),
+        joints_to_actuate_(actuated_joints),
         files_(files),
         problems_(problems),
         bodies_(system_.tree().links.size()),
@@ -48,8 +48,8 @@ class LegFinder {
     const Poses poses = link_poses(system_.tree(), system_.base(), mechanism.values);
     join_rigid_links();
     base_ = bodies_.find(system_.base());
-    platform_ = bodies_.find(drives.platform_link);
-    operational_point_ = poses[drives.platform_link].translation();
+    platform_ = bodies_.find(actuated_joints.platform_link);
+    operational_point_ = poses[actuated_joints.platform_link].translation();
     collect_joints(poses);
     collect_closures(poses);
     for (const Edge& edge : edges_)
@@ -58,16 +58,17 @@ class LegFinder {
 
   std::vector<LegChains> find() {
     if (base_ == platform_) {
-      problem("lets operational_point '" + system_.tree().links[drives_.platform_link] +
+      problem("lets operational_point '" + system_.tree().links[joints_to_actuate_.platform_link] +
               "' be fixed to the base link; name a link of the moving platform.");
       return {};
     }
     std::vector<LegChains> legs;
     for (const std::vector<std::size_t>& part : parts()) add_leg(part, legs);
     if (!legs.empty()) legs.front().guide = guide_;
-    check_drives_used(legs);
+    check_actuated_joints_used(legs);
     if (problems_.empty()) check_lengths(legs);
-    std::sort(legs.begin(), legs.end(), [](const auto& a, const auto& b) { return a.drive < b.drive; });
+    std::sort(legs.begin(), legs.end(),
+              [](const auto& a, const auto& b) { return a.actuation < b.actuation; });
     return legs;
   }
 
@@ -88,7 +89,8 @@ class LegFinder {
     for (const TreeJoint& joint : system_.tree().joints) {
       if (is_rigid(joint)) continue;
       const Eigen::Isometry3d& pose = poses[joint.child];
-      const PivotKind kind = joint.motion == JointMotion::sliding ? PivotKind::sliding : PivotKind::turning;
+      const PivotKind kind =
+          joint.motion == JointMotion::prismatic ? PivotKind::prismatic : PivotKind::revolute;
       edges_.push_back(
           {bodies_.find(joint.parent),
            bodies_.find(joint.child),
@@ -101,7 +103,7 @@ class LegFinder {
       if (closure.type == ClosureType::fixed) continue;
       const auto placed = [&](const LinkFrame& frame) { return poses[frame.link] * frame.in_link; };
       const Eigen::Isometry3d one = placed(closure.frames[0]), other = placed(closure.frames[1]);
-      const PivotKind kind = closure.type == ClosureType::point ? PivotKind::ball : PivotKind::turning;
+      const PivotKind kind = closure.type == ClosureType::point ? PivotKind::ball : PivotKind::revolute;
       Chain pivots{{kind, closure.name, one.translation(), one.linear().col(2), std::nullopt, 1.0}};
       if (closure.type == ClosureType::universal)
         pivots.push_back({kind, closure.name, one.translation(), other.linear().col(0), std::nullopt, 1.0});
@@ -144,19 +146,19 @@ class LegFinder {
     return text;
   }
 
-  std::vector<std::size_t> drives_of(const std::vector<std::size_t>& part) const {
+  std::vector<std::size_t> actuated_joints_of(const std::vector<std::size_t>& part) const {
     std::vector<std::size_t> found;
-    for (std::size_t j = 0; j < drives_.variables.size(); ++j)
+    for (std::size_t j = 0; j < joints_to_actuate_.variables.size(); ++j)
       for (const std::size_t k : part)
-        if (edges_[k].pivots.front().variable == drives_.variables[j]) found.push_back(j);
+        if (edges_[k].pivots.front().variable == joints_to_actuate_.variables[j]) found.push_back(j);
     return found;
   }
 
-  // The slide that leaves a platform one freedom.
+  // The slide that leaves a platform one degree of freedom.
   bool is_guide(const std::vector<std::size_t>& part) const {
-    if (drives_.variables.size() != 1 || part.size() != 1) return false;
+    if (joints_to_actuate_.variables.size() != 1 || part.size() != 1) return false;
     const Pivot& pivot = edges_[part.front()].pivots.front();
-    return pivot.kind == PivotKind::sliding && pivot.variable != drives_.variables.front();
+    return pivot.kind == PivotKind::prismatic && pivot.variable != joints_to_actuate_.variables.front();
   }
 
   void add_leg(const std::vector<std::size_t>& part, std::vector<LegChains>& legs) {
@@ -167,17 +169,18 @@ class LegFinder {
       guide_ = guide.front();
       return;
     }
-    const std::vector<std::size_t> found = drives_of(part);
+    const std::vector<std::size_t> found = actuated_joints_of(part);
     if (found.empty()) {
-      problem("drives none of the joints " + joints_of(part) +
+      problem("actuates none of the joints " + joints_of(part) +
               ", which make one leg; add one of them to actuated_joints, or take the leg out of the URDF.");
       return;
     }
     if (found.size() > 1) {
-      problem("drives " + std::to_string(found.size()) + " of the joints " + joints_of(part) +
+      problem("actuates " + std::to_string(found.size()) + " of the joints " + joints_of(part) +
               ", which share links between the base and the link of operational_point '" +
-              system_.tree().links[drives_.platform_link] +
-              "'; a fully parallel robot has one drive a leg, and its operational point on the body that all "
+              system_.tree().links[joints_to_actuate_.platform_link] +
+              "'; a fully parallel robot has one actuated joint a leg, and its operational point on the body "
+              "that all "
               "legs share.");
       return;
     }
@@ -217,11 +220,11 @@ class LegFinder {
     }
   }
 
-  void check_drives_used(const std::vector<LegChains>& legs) {
+  void check_actuated_joints_used(const std::vector<LegChains>& legs) {
     if (!problems_.empty()) return;
-    for (std::size_t j = 0; j < drives_.variables.size(); ++j)
-      if (std::none_of(legs.begin(), legs.end(), [j](const LegChains& leg) { return leg.drive == j; }))
-        problem("drives joint '" + system_.tree().joint_of(drives_.variables[j]).name +
+    for (std::size_t j = 0; j < joints_to_actuate_.variables.size(); ++j)
+      if (std::none_of(legs.begin(), legs.end(), [j](const LegChains& leg) { return leg.actuation == j; }))
+        problem("actuates joint '" + system_.tree().joint_of(joints_to_actuate_.variables[j]).name +
                 "', which is in no chain between the base and the platform; take it out of actuated_joints, "
                 "or add the "
                 "closure of its leg.");
@@ -234,7 +237,7 @@ class LegFinder {
     for (const LegChains& leg : legs) {
       const Chain& chain = leg.chains.front();
       for (std::size_t k = 1; k < chain.size(); ++k) check_length(chain[k - 1], chain[k]);
-      // Two drives move a point, and the last link of a leg ends there.
+      // Two actuated joints move a point, and the last link of a leg ends there.
       if (legs.size() == 2 && chain.size() <= 2) check_last_length(chain.back());
     }
   }
@@ -243,7 +246,7 @@ class LegFinder {
     std::optional<Eigen::Vector3d> normal;
     for (const Edge& edge : edges_)
       for (const Pivot& pivot : edge.pivots) {
-        if (pivot.kind != PivotKind::turning) continue;
+        if (pivot.kind != PivotKind::revolute) continue;
         if (!normal) normal = pivot.axis;
         if (pivot.axis.cross(*normal).norm() > rank_tolerance) return false;
       }
@@ -255,15 +258,15 @@ class LegFinder {
   }
 
   void check_last_length(const Pivot& pivot) {
-    if (pivot.kind != PivotKind::turning || !on_axis(pivot, operational_point_)) return;
-    problem("has operational_point '" + system_.tree().links[drives_.platform_link] +
+    if (pivot.kind != PivotKind::revolute || !on_axis(pivot, operational_point_)) return;
+    problem("has operational_point '" + system_.tree().links[joints_to_actuate_.platform_link] +
             "' on the axis of joint '" + pivot.name +
             "', so that the last link of the leg has length zero; move it, or lengthen the link in " +
             files_.urdf + ".");
   }
 
   void check_length(const Pivot& one, const Pivot& other) {
-    if (one.kind != PivotKind::turning || other.kind == PivotKind::sliding || !on_axis(one, other.point))
+    if (one.kind != PivotKind::revolute || other.kind == PivotKind::prismatic || !on_axis(one, other.point))
       return;
     problems_.push_back(
         files_.urdf + " puts '" + one.name + "' and '" + other.name +
@@ -272,11 +275,11 @@ class LegFinder {
 
   const ClosureSystem& system_;
   const std::vector<bool>& still_;
-  const Drives& drives_;
+  const ActuatedJoints& joints_to_actuate_;
   const SourceNames& files_;
   Problems& problems_;
   Partition bodies_;  // links that are fixed to one another
-  Partition parts_;   // bodies that hang together without base and platform
+  Partition parts_;   // bodies that are connected without base and platform
   std::vector<Edge> edges_;
   std::optional<Pivot> guide_;
   std::size_t base_ = 0, platform_ = 0;
@@ -292,9 +295,9 @@ std::string names_of(const Chain& chain) {
   return text;
 }
 
-std::vector<LegChains> find_legs(const AssembledMechanism& mechanism, const Drives& drives,
+std::vector<LegChains> find_legs(const AssembledMechanism& mechanism, const ActuatedJoints& actuated_joints,
                                  const SourceNames& files, Problems& problems) {
-  return LegFinder(mechanism, drives, files, problems).find();
+  return LegFinder(mechanism, actuated_joints, files, problems).find();
 }
 
 }  // namespace parallel_aspects

@@ -15,11 +15,11 @@
 
 namespace parallel_aspects {
 
-enum class PivotKind { turning, sliding, ball };
+enum class PivotKind { revolute, prismatic, ball };
 
-/// A joint or a closure, met on the way from the base to the platform of an assembled mechanism.
+/// A joint or a closure, met on the path from the base to the platform of an assembled mechanism.
 struct Pivot {
-  PivotKind kind = PivotKind::turning;
+  PivotKind kind = PivotKind::revolute;
   std::string name;                                 ///< of the joint or the closure
   Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< on the axis, or the centre; in the base frame [m]
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< unit vector in the base frame; unused by a ball
@@ -30,18 +30,18 @@ struct Pivot {
 /// From the base to the platform.
 using Chain = std::vector<Pivot>;
 
-/// The part of a mechanism between base and platform that one drive moves; several chains where rods run in
-/// parallel.
+/// The part of a mechanism between base and platform that one actuated joint moves; several chains where rods
+/// run in parallel.
 struct LegChains {
-  std::size_t drive = 0;  ///< index into the list of driven joints
+  std::size_t actuation = 0;  ///< index into the list of actuated joints
   std::vector<Chain> chains;
-  std::optional<Pivot> guide;  ///< slide from the base to the platform that leaves it one freedom
+  std::optional<Pivot> guide;  ///< slide from the base to the platform that leaves it one degree of freedom
 };
 
 /// What the mechanism is for the search of its legs.
-struct Drives {
+struct ActuatedJoints {
   std::size_t platform_link = 0;
-  std::vector<std::size_t> variables;  ///< driven joint values, in the order of the legs
+  std::vector<std::size_t> variables;  ///< actuated joint values, in the order of the legs
 };
 
 /// An assembled mechanism, as the search of its legs needs it.
@@ -60,10 +60,10 @@ struct SourceNames {
 /// "'a', 'b'" for messages.
 std::string names_of(const Chain& chain);
 
-/// Legs in the order of the drives. What is wrong (a leg with no or two drives, legs that share a link, a
-/// link of a planar leg without length, a platform fixed to the base) is added to `problems`, each a sentence
-/// that names the file.
-std::vector<LegChains> find_legs(const AssembledMechanism& mechanism, const Drives& drives,
+/// Legs in the order of the actuated joints. What is wrong (a leg with no or two actuated joints, legs that
+/// share a link, a link of a planar leg without length, a platform fixed to the base) is added to `problems`,
+/// each a message that names the file.
+std::vector<LegChains> find_legs(const AssembledMechanism& mechanism, const ActuatedJoints& actuated_joints,
                                  const SourceNames& files, Problems& problems);
 
 }  // namespace parallel_aspects

@@ -24,10 +24,10 @@ struct LoopSource {
   const SourceNames& files;
 };
 
-/// Closures, and driven joints where the dialect has a way to say them.
+/// Closures, and actuated joints where the dialect has a way to say them.
 struct DescribedLoops {
   std::vector<Closure> closures;
-  std::vector<std::string> driven_joints;
+  std::vector<std::string> actuated_joints;
 };
 
 /// One way in which people write closures: how to read it. What is wrong is added to `problems`.
@@ -47,10 +47,10 @@ struct FoundLoops {
 };
 FoundLoops find_described_loops(const LoopSource& source, Problems& problems);
 
-/// The joints that `<transmission>` elements drive, in the order of the file.
+/// The joints that `<transmission>` elements actuated joint, in the order of the file.
 std::vector<std::string> transmission_joints(const LoopSource& source);
 
-/// The link of that name; nothing, and a sentence in `problems` that says where it is named, when there is
+/// The link of that name; nothing, and a message in `problems` that says where it is named, when there is
 /// none.
 std::optional<std::size_t> described_link(const LoopSource& source, const std::string& name,
                                           const std::string& where, Problems& problems);
@@ -74,8 +74,8 @@ DescribedLoops gazebo_joint(const LoopSource& source, Problems& problems);
 DescribedLoops closing_frames(const LoopSource& source, Problems& problems);
 
 /// The file of Gepetto's toolbox_parallel_robots, its keys at the top level of the YAML: `closed_loop` with
-/// pairs of link or joint names, `type` with 3d or 6d, and `name_mot` with the names of the driven joints or
-/// a part of them.
+/// pairs of link or joint names, `type` with 3d or 6d, and `name_mot` with the names of the actuated joints
+/// or a part of them.
 DescribedLoops gepetto_file(const LoopSource& source, Problems& problems);
 
 /// `<constraint type="spherical_joint"><parent/><parent_origin/><parent_axis/><child/>...`: urdfdom pull

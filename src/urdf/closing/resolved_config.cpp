@@ -22,12 +22,12 @@ class Resolver {
   ResolvedConfig resolve(const MechanismConfig& config) {
     if (!config.base_link.empty()) result_.base = link("mechanism.base_link", config.base_link);
     if (!config.operational_point.empty())
-      result_.drives.platform_link = link("mechanism.operational_point", config.operational_point);
+      result_.actuated_joints.platform_link = link("mechanism.operational_point", config.operational_point);
     for (std::size_t k = 0; k < config.closures.size(); ++k) add_closure(k, config.closures[k]);
-    std::vector<std::string> drives = config.actuated_joints;
+    std::vector<std::string> actuated_joints = config.actuated_joints;
     const bool loops_are_read = config.lists_closures || describe_loops();
-    if (!config.lists_actuated_joints && loops_are_read) describe_drives(drives);
-    for (const std::string& joint : drives) add_drive(joint);
+    if (!config.lists_actuated_joints && loops_are_read) describe_actuated_joints(actuated_joints);
+    for (const std::string& joint : actuated_joints) add_actuated_joint(joint);
     return result_;
   }
 
@@ -53,7 +53,7 @@ class Resolver {
     result_.closures.push_back(closure);
   }
 
-  // Whether what is said of loops and drives could be read.
+  // Whether what is said of loops and actuated joints could be read.
   bool describe_loops() {
     const std::size_t before = problems_.size();
     const FoundLoops found = find_described_loops(source_, problems_);
@@ -66,46 +66,47 @@ class Resolver {
     result_.closures = found.loops.closures;
     notes_.push_back("The closures are those that " + std::string(found.dialect) + " describes, " +
                      std::to_string(result_.closures.size()) + " in all.");
-    described_drives_ = found.loops.driven_joints;
+    described_joints_ = found.loops.actuated_joints;
     return true;
   }
 
-  void describe_drives(std::vector<std::string>& drives) {
-    const bool from_loops = !described_drives_.empty();
-    drives = from_loops ? described_drives_ : transmission_joints(source_);
-    if (drives.empty()) {
+  void describe_actuated_joints(std::vector<std::string>& actuated_joints) {
+    const bool from_loops = !described_joints_.empty();
+    actuated_joints = from_loops ? described_joints_ : transmission_joints(source_);
+    if (actuated_joints.empty()) {
       problem("does not say mechanism.actuated_joints, and " + files_.urdf +
-              " has no transmissions; list the driven joints, one a leg.");
+              " has no transmissions; list the actuated joints, one a leg.");
       return;
     }
     const std::string origin = from_loops ? "name_mot selects" : "have a <transmission> in " + files_.urdf;
-    drives_named_in_ = from_loops ? files_.config + " names joint '" : files_.urdf + " drives joint '";
-    drives_named_by_ = from_loops ? "' in name_mot, but " : "' in a <transmission>, but ";
+    actuated_joints_named_in_ =
+        from_loops ? files_.config + " names joint '" : files_.urdf + " actuates joint '";
+    actuated_joints_named_by_ = from_loops ? "' in name_mot, but " : "' in a <transmission>, but ";
     std::vector<std::string> once;
-    for (const std::string& joint : drives)
+    for (const std::string& joint : actuated_joints)
       if (std::find(once.begin(), once.end(), joint) == once.end()) once.push_back(joint);
-    drives = once;
-    notes_.push_back("The driven joints are those that " + origin + ": " + listed(drives) + ".");
-    if (drives.size() > 3 && drives.size() != 6)
-      problem("does not say mechanism.actuated_joints, and " + std::to_string(drives.size()) + " joints " +
-              origin + ", " + listed(drives) +
-              "; a fully parallel robot has one, two, three or six drives, so list them.");
+    actuated_joints = once;
+    notes_.push_back("The actuated joints are those that " + origin + ": " + listed(actuated_joints) + ".");
+    if (actuated_joints.size() > 3 && actuated_joints.size() != 6)
+      problem("does not say mechanism.actuated_joints, and " + std::to_string(actuated_joints.size()) +
+              " joints " + origin + ", " + listed(actuated_joints) +
+              "; a fully parallel robot has one, two, three or six actuated joints, so list them.");
   }
 
-  void add_drive(const std::string& name) {
+  void add_actuated_joint(const std::string& name) {
     const auto found = tree_.joint_named(name);
     if (!found || !tree_.joints[*found].variable || tree_.joints[*found].mimics) {
-      problems_.push_back(drives_named_in_ + name + drives_named_by_ + files_.urdf +
-                          reason_not_to_drive(name, found));
+      problems_.push_back(actuated_joints_named_in_ + name + actuated_joints_named_by_ + files_.urdf +
+                          reason_not_to_actuate(name, found));
       return;
     }
-    result_.drives.variables.push_back(*tree_.joints[*found].variable);
+    result_.actuated_joints.variables.push_back(*tree_.joints[*found].variable);
   }
 
-  std::string reason_not_to_drive(const std::string& name, std::optional<std::size_t> found) const {
+  std::string reason_not_to_actuate(const std::string& name, std::optional<std::size_t> found) const {
     if (found && tree_.joints[*found].mimics)
-      return " lets that joint mimic another; drive the other one, or take out the <mimic>.";
-    if (found) return " fixes that joint; drive a movable one.";
+      return " lets that joint mimic another; actuate the other one, or take out the <mimic>.";
+    if (found) return " fixes that joint; actuate a movable one.";
     std::vector<std::string> movable;
     for (const std::size_t joint : tree_.movable) movable.push_back(tree_.joints[joint].name);
     return " has no such joint; did you mean '" + nearest_name(name, movable) + "'?";
@@ -116,9 +117,9 @@ class Resolver {
   const SourceNames& files_;
   Problems& problems_;
   std::vector<std::string>& notes_;
-  std::vector<std::string> described_drives_;                       // by the dialect of the closures
-  std::string drives_named_in_ = files_.config + " names joint '";  // for messages, around the name
-  std::string drives_named_by_ = "' in mechanism.actuated_joints, but ";
+  std::vector<std::string> described_joints_;                                // by the dialect of the closures
+  std::string actuated_joints_named_in_ = files_.config + " names joint '";  // for messages, around the name
+  std::string actuated_joints_named_by_ = "' in mechanism.actuated_joints, but ";
   ResolvedConfig result_;
 };
 

@@ -16,13 +16,13 @@ namespace parallel_aspects {
 /// What a robot's YAML and URDF say together, by index instead of name.
 struct ResolvedConfig {
   std::size_t base = 0;  ///< link
-  Drives drives;
+  ActuatedJoints actuated_joints;
   std::vector<Closure> closures;
 };
 
 /// Looks up the names of `config` in the tree. Closures that the YAML does not list come from the dialects of
-/// `source`; driven joints that it does not list come from there too, or else from transmissions; `notes` say
-/// so. What is wrong is added to `problems`.
+/// `source`; actuated joints that it does not list come from there too, or else from transmissions; `notes`
+/// say so. What is wrong is added to `problems`.
 ResolvedConfig resolve_config(const MechanismConfig& config, const LoopSource& source, Problems& problems,
                               std::vector<std::string>& notes);
 

@@ -35,9 +35,9 @@ class Reader {
       return config;
     }
     yaml_.check_keys(
-        node, {"driven_limits", "passive_limits", "thickness", "self_collision", "obstacles", "workspace"},
+        node, {"actuated_limits", "passive_limits", "thickness", "self_collision", "obstacles", "workspace"},
         "constraints");
-    yaml_.truth(node["driven_limits"], "constraints.driven_limits", config.driven_limits);
+    yaml_.truth(node["actuated_limits"], "constraints.actuated_limits", config.actuated_limits);
     yaml_.truth(node["passive_limits"], "constraints.passive_limits", config.passive_limits);
     read_thickness(node["thickness"], config.thickness);
     read_self_collision(node["self_collision"], config);

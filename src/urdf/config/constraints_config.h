@@ -31,7 +31,7 @@ struct ConfiguredObstacle {
 
 /// The `constraints:` part of a robot's YAML file.
 struct ConstraintsConfig {
-  bool driven_limits = true;
+  bool actuated_limits = true;
   bool passive_limits = true;
   LinkThickness thickness;
   std::optional<SelfCollision> self_collision;
@@ -39,7 +39,7 @@ struct ConstraintsConfig {
   std::optional<std::array<std::vector<double>, 2>> workspace;  ///< lower, upper [m]
 };
 
-/// Reads it; `node` may be undefined. What is wrong is added to `problems`, each a sentence that names `file`
+/// Reads it; `node` may be undefined. What is wrong is added to `problems`, each a message that names `file`
 /// and the key.
 ConstraintsConfig read_constraints_config(const YAML::Node& node, const std::string& file,
                                           Problems& problems);

@@ -24,11 +24,11 @@ struct MapConfig {
   std::optional<std::array<std::vector<double>, 2>> region;
 };
 
-/// Reads it from the text of the whole file. What is wrong is added to `problems`, each a sentence that names
+/// Reads it from the text of the whole file. What is wrong is added to `problems`, each a message that names
 /// `file` and the key. Text that is no YAML gives nothing: `load_mechanism` tells of that.
 MapConfig read_map_config(const std::string& text, const std::string& file, Problems& problems);
 
-/// The region as a box of positions of this task space; nothing, with a sentence, where it has other numbers
+/// The region as a box of positions of this task space; nothing, with a message, where it has other numbers
 /// than that needs.
 std::optional<Box> resolve_region(const MapConfig& config, TaskSpace space, const std::string& file,
                                   Problems& problems);

@@ -71,7 +71,7 @@ class Reader {
   }
 
  private:
-  void problem(const std::string& sentence) const { yaml_.problem(sentence); }
+  void problem(const std::string& message) const { yaml_.problem(message); }
 
   bool text(const YAML::Node& node, const std::string& where, std::string& value) const {
     return yaml_.text(node, where, value);
@@ -98,21 +98,22 @@ class Reader {
     if (!node.IsDefined()) return;
     if (!node.IsSequence() || node.size() == 0) {
       problem(
-          "has a mechanism.actuated_joints that is not a list of names; list the driven joints, one a leg.");
+          "has a mechanism.actuated_joints that is not a list of names; list the actuated joints, one a "
+          "leg.");
       return;
     }
     if (node.size() > 3 && node.size() != 6)
-      problem(
-          "lists " + std::to_string(node.size()) +
-          " joints in mechanism.actuated_joints; a fully parallel robot in T1 has one drive, in T2 two, in "
-          "SE2, T3 or SO3 three, in SE3 six.");
+      problem("lists " + std::to_string(node.size()) +
+              " joints in mechanism.actuated_joints; a fully parallel robot in T1 has one actuated joint, in "
+              "T2 two, in "
+              "SE2, T3 or SO3 three, in SE3 six.");
     for (std::size_t k = 0; k < node.size(); ++k) {
       std::string joint;
       if (!text(node[k], "mechanism.actuated_joints[" + std::to_string(k) + "]", joint)) continue;
       if (std::find(config.actuated_joints.begin(), config.actuated_joints.end(), joint) !=
           config.actuated_joints.end())
         problem("lists joint '" + joint +
-                "' twice in mechanism.actuated_joints; name each driven joint once.");
+                "' twice in mechanism.actuated_joints; name each actuated joint once.");
       config.actuated_joints.push_back(joint);
     }
   }
@@ -190,7 +191,7 @@ MechanismConfig read_mechanism_config(const std::string& text, const std::string
     return Reader(file, problems).read(documents.empty() ? YAML::Node() : documents.front());
   } catch (const YAML::Exception& error) {
     problems.push_back(file + " is not valid YAML at line " + std::to_string(error.mark.line + 1) + ": " +
-                       error.msg + "; mend it there.");
+                       error.msg + "; correct it there.");
     return {};
   }
 }

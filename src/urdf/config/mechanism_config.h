@@ -34,7 +34,7 @@ struct MechanismConfig {
 };
 
 /// Reads it from the text of the whole file; other top-level keys are for the node. What is wrong is added to
-/// `problems`, each a sentence that names `file` and the key.
+/// `problems`, each a message that names `file` and the key.
 MechanismConfig read_mechanism_config(const std::string& text, const std::string& file, Problems& problems);
 
 }  // namespace parallel_aspects

@@ -172,7 +172,7 @@ Twists velocity_matrix(const Tree& tree, std::size_t base, const Poses& poses, s
       const Eigen::Isometry3d& pose = poses[joint.child];
       const Eigen::Vector3d axis = pose.linear() * joint.axis;
       auto column = result.col(static_cast<Eigen::Index>(*joint.variable));
-      if (joint.motion == JointMotion::sliding) {
+      if (joint.motion == JointMotion::prismatic) {
         column.tail<3>() += sense * axis;
       } else {
         column.head<3>() += sense * axis;

@@ -22,7 +22,7 @@ enum class ClosureType {
   revolute,   ///< the origins and the direction of the z axes, either way round
   universal,  ///< the origins; z of the first frame stays orthogonal to x of the second
   fixed,      ///< everything
-  automatic,  ///< the first of the above under which the mobility is the number of drives
+  automatic,  ///< the first of the above under which the mobility is the number of actuated joints
 };
 
 /// "point", "revolute", "universal", "fixed" or "auto".

@@ -8,8 +8,8 @@ namespace {
 
 Eigen::Isometry3d motion_of(const TreeJoint& joint, double value) {
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
-  if (joint.motion == JointMotion::turning) motion.linear() = Eigen::AngleAxisd(value, joint.axis).matrix();
-  if (joint.motion == JointMotion::sliding) motion.translation() = value * joint.axis;
+  if (joint.motion == JointMotion::revolute) motion.linear() = Eigen::AngleAxisd(value, joint.axis).matrix();
+  if (joint.motion == JointMotion::prismatic) motion.translation() = value * joint.axis;
   return motion;
 }
 

@@ -13,7 +13,7 @@
 
 namespace parallel_aspects {
 
-enum class JointMotion { fixed, turning, sliding };
+enum class JointMotion { fixed, revolute, prismatic };
 
 /// A joint of the tree. Its frame is that of the child link at value zero.
 struct TreeJoint {

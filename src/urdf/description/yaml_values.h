@@ -13,15 +13,15 @@ class Node;
 
 namespace parallel_aspects {
 
-/// Reads single values of a YAML file. `where` names the key for people; what is wrong becomes a sentence
+/// Reads single values of a YAML file. `where` names the key for people; what is wrong becomes a message
 /// that starts with the name of the file. Each is false, with the value untouched, where there is nothing of
 /// use.
 class YamlValues {
  public:
   YamlValues(const std::string& file, Problems& problems) : file_(file), problems_(problems) {}
 
-  /// Adds "FILE `sentence`".
-  void problem(const std::string& sentence) const { problems_.push_back(file_ + " " + sentence); }
+  /// Adds "FILE `message`".
+  void problem(const std::string& message) const { problems_.push_back(file_ + " " + message); }
 
   /// Unknown and repeated keys.
   void check_keys(const YAML::Node& map, const std::vector<std::string>& known,

@@ -8,7 +8,7 @@ std::string scalar(const YAML::Node& node) {
   return node.IsDefined() && node.IsScalar() ? node.Scalar() : "";
 }
 
-// A frame by the name of its link, or of the joint that the link hangs on.
+// A frame by the name of its link, or of the joint that the link is attached to.
 std::optional<LinkFrame> frame_named(const LoopSource& source, const std::string& name, Problems& problems) {
   if (const auto joint = source.tree.joint_named(name)) return LinkFrame{source.tree.joints[*joint].child};
   const auto link = described_link(source, name, source.files.config + " in closed_loop", problems);
@@ -41,7 +41,7 @@ void add_joints_named(const LoopSource& source, const std::string& word, std::ve
 }
 
 // `name_mot` is a list of names, or one text that the names contain.
-std::vector<std::string> driven_joints(const LoopSource& source, Problems& problems) {
+std::vector<std::string> actuated_joints(const LoopSource& source, Problems& problems) {
   const YAML::Node motors = source.config["name_mot"];
   std::vector<std::string> words;
   if (motors.IsDefined() && motors.IsSequence())
@@ -94,7 +94,7 @@ DescribedLoops gepetto_file(const LoopSource& source, Problems& problems) {
       loops.closures.push_back({scalar(pairs[k][0]) + " - " + scalar(pairs[k][1]), {*one, *other}, type});
   }
   check_no_replaced_joints(source, problems);
-  loops.driven_joints = driven_joints(source, problems);
+  loops.actuated_joints = actuated_joints(source, problems);
   return loops;
 }
 

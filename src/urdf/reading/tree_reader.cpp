@@ -36,7 +36,7 @@ Eigen::Isometry3d isometry(const urdf::Pose& pose) {
 
 JointMotion motion(const urdf::Joint& joint) {
   if (joint.type == urdf::Joint::FIXED) return JointMotion::fixed;
-  return joint.type == urdf::Joint::PRISMATIC ? JointMotion::sliding : JointMotion::turning;
+  return joint.type == urdf::Joint::PRISMATIC ? JointMotion::prismatic : JointMotion::revolute;
 }
 
 urdf::ModelInterfaceSharedPtr parsed(const std::string& text, std::string& refusal) {

@@ -12,7 +12,7 @@
 namespace parallel_aspects {
 
 /// Reads the tree of a URDF. What is wrong is added to `problems`, what is taken with reservations to
-/// `notes`; each a sentence that names `file` and the joint or link. Nothing is returned when there are
+/// `notes`; each a message that names `file` and the joint or link. Nothing is returned when there are
 /// problems.
 std::optional<Tree> read_tree(const std::string& text, const std::string& file, Problems& problems,
                               std::vector<std::string>& notes);

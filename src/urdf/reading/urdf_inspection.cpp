@@ -51,8 +51,8 @@ constexpr std::array<RemarkText, 5> remark_texts{
      {Remark::degrees, "gives ", " limits that look like degrees; they are taken as radians.",
       " limits that look like degrees; they are taken as radians."}}};
 
-// One sentence for each remark that was made.
-std::vector<std::string> sentences(const std::multimap<Remark, std::string>& remarks) {
+// One message for each remark that was made.
+std::vector<std::string> messages(const std::multimap<Remark, std::string>& remarks) {
   std::vector<std::string> result;
   for (const RemarkText& text : remark_texts) {
     const auto [first, last] = remarks.equal_range(text.remark);
@@ -84,7 +84,7 @@ class Inspector {
     }
     if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS) {
       problem("is not well-formed XML near line " + std::to_string(document.ErrorLineNum()) + " (" +
-              tinyxml2::XMLDocument::ErrorIDToName(document.ErrorID()) + "); mend it there.");
+              tinyxml2::XMLDocument::ErrorIDToName(document.ErrorID()) + "); correct it there.");
       return {};
     }
     XMLElement* robot = document.FirstChildElement("robot");
@@ -98,7 +98,7 @@ class Inspector {
     inspect_links(robot);
     inspect_joints(robot);
     inspect_topology();
-    for (const std::string& sentence : sentences(remarks_)) notes_.push_back(file_ + " " + sentence);
+    for (const std::string& message : messages(remarks_)) notes_.push_back(file_ + " " + message);
     tinyxml2::XMLPrinter printer;
     document.Print(&printer);
     result_.text = printer.CStr();
@@ -225,7 +225,7 @@ class Inspector {
     if (type != "revolute" && type != "continuous" && type != "prismatic") {
       problem("gives " + owner + " the type '" + type +
               "'; use revolute, continuous, prismatic or fixed, and several joints in place of one with more "
-              "freedoms.");
+              "degrees of freedom.");
       return;
     }
     if (zero) problem("gives " + owner + " a zero axis; give the direction of the joint.");

@@ -20,7 +20,7 @@ struct UrdfInspection {
 };
 
 /// Looks through the text of a URDF. What is wrong is added to `problems`, what is taken with reservations to
-/// `notes`; each a sentence that names `file` and the joint or link.
+/// `notes`; each a message that names `file` and the joint or link.
 UrdfInspection inspect_urdf(const std::string& text, const std::string& file, Problems& problems,
                             std::vector<std::string>& notes);
 

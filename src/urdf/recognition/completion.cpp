@@ -37,7 +37,7 @@ Isometry3d about(const Vector3d& center, const Matrix3d& turned) {
 }
 
 Isometry3d motion_of(const Pivot& pivot, double step) {
-  if (pivot.kind == PivotKind::turning) return about(pivot.point, rotation(directed_axis(pivot), step));
+  if (pivot.kind == PivotKind::revolute) return about(pivot.point, rotation(directed_axis(pivot), step));
   return Isometry3d(Eigen::Translation3d(step * directed_axis(pivot)));
 }
 
@@ -168,9 +168,9 @@ struct ChainEquation {
 };
 
 ChainEquation equation_of(const SplitChain& chain, double step, const Isometry3d& target) {
-  const Isometry3d drive = motion_of(chain.drive, step), rest = Isometry3d::Identity();
-  return {chain.drive_first ? drive : rest,
-          chain.drive_first ? rest : drive,
+  const Isometry3d actuation = motion_of(chain.actuation, step), rest = Isometry3d::Identity();
+  return {chain.actuated_first ? actuation : rest,
+          chain.actuated_first ? rest : actuation,
           target,
           chain.proximal,
           chain.distal,
@@ -200,22 +200,22 @@ bool starts_at_platform(const SplitChain& chain) {
 }  // namespace
 
 Completion::Completion(ClosureSystem system, Eigen::VectorXd reference, const PlatformMotion& motion,
-                       std::vector<RecognisedLeg> legs, std::vector<std::size_t> drive_variables)
+                       std::vector<RecognisedLeg> legs, std::vector<std::size_t> actuated_variables)
     : system_(std::move(system)),
       reference_(std::move(reference)),
       task_frame_(motion.task_frame),
       point_platform_(motion.point_platform),
       legs_(std::move(legs)),
-      drive_variables_(std::move(drive_variables)) {
+      actuated_variables_(std::move(actuated_variables)) {
   const Isometry3d platform = task_frame_.inverse() * motion.platform;
   reference_pose_.position = platform.translation();
   reference_pose_.orientation = Eigen::Quaterniond(platform.linear()).normalized();
 }
 
-JointVector Completion::reference_drives() const {
-  JointVector q(static_cast<Eigen::Index>(drive_variables_.size()));
-  for (std::size_t j = 0; j < drive_variables_.size(); ++j)
-    q[static_cast<Eigen::Index>(j)] = reference_[static_cast<Eigen::Index>(drive_variables_[j])];
+JointVector Completion::reference_joints() const {
+  JointVector q(static_cast<Eigen::Index>(actuated_variables_.size()));
+  for (std::size_t j = 0; j < actuated_variables_.size(); ++j)
+    q[static_cast<Eigen::Index>(j)] = reference_[static_cast<Eigen::Index>(actuated_variables_[j])];
   return q;
 }
 
@@ -224,7 +224,7 @@ Eigen::VectorXd Completion::joint_values(const Pose& pose, const JointVector& q)
   const Isometry3d then = Eigen::Translation3d(reference_pose_.position) * reference_pose_.orientation;
   Isometry3d platform = task_frame_ * now * then.inverse() * task_frame_.inverse();
   Eigen::VectorXd values = reference_;
-  const JointVector steps = q - reference_drives();
+  const JointVector steps = q - reference_joints();
   // A leg whose rod carries the operational point itself turns the link of that point.
   for (std::size_t j = 0; point_platform_ && j < legs_.size(); ++j)
     for (const SplitChain& chain : legs_[j].chains)
@@ -232,7 +232,7 @@ Eigen::VectorXd Completion::joint_values(const Pose& pose, const JointVector& q)
         platform = solve(chain, steps[static_cast<Eigen::Index>(j)], platform, values);
   for (std::size_t j = 0; j < legs_.size(); ++j) {
     const auto index = static_cast<Eigen::Index>(j);
-    values[static_cast<Eigen::Index>(drive_variables_[j])] = q[index];
+    values[static_cast<Eigen::Index>(actuated_variables_[j])] = q[index];
     if (legs_[j].guide)
       values[static_cast<Eigen::Index>(*legs_[j].guide->variable)] +=
           directed_axis(*legs_[j].guide).dot(platform.translation());
@@ -241,17 +241,17 @@ Eigen::VectorXd Completion::joint_values(const Pose& pose, const JointVector& q)
   return values;
 }
 
-Eigen::Isometry3d Completion::solve(const SplitChain& chain, double drive_step,
+Eigen::Isometry3d Completion::solve(const SplitChain& chain, double joint_step,
                                     const Isometry3d& platform_motion, Eigen::VectorXd& values) const {
-  ChainEquation equation = equation_of(chain, drive_step, platform_motion);
+  ChainEquation equation = equation_of(chain, joint_step, platform_motion);
   if (starts_at_platform(chain)) equation = inverted(equation, chain);
   const Vector3d from = equation.between * equation.tip - equation.near_center;
   const Vector3d to = equation.before.inverse() * (equation.target * equation.tip) - equation.near_center;
   const Turns near = turns_towards(equation.near, equation.tip - equation.near_center, from, to);
   const Isometry3d carried =
       equation.before * about(equation.near_center, product(equation.near, near)) * equation.between;
-  const Chain turning = three_that_turn(equation.far);
-  const Turns far = turns_making(turning, carried.linear().transpose() * equation.target.linear());
+  const Chain revolute = three_that_turn(equation.far);
+  const Turns far = turns_making(revolute, carried.linear().transpose() * equation.target.linear());
   for (const Turn& turn : near) set(*turn.pivot, turn.step, values);
   for (const Turn& turn : far) set(*turn.pivot, turn.step, values);
   return carried;

@@ -14,20 +14,20 @@
 
 namespace parallel_aspects {
 
-/// Finds the passive joints that belong to a pose and drive values, leg by leg and in closed form: with the
+/// Finds the passive joints that belong to a pose and joint values, leg by leg and in closed form: with the
 /// two ends of a rod known, the pivots at each end are a subproblem of Paden and Kahan. Idle joints stay
 /// where the assembled configuration has them.
 class Completion {
  public:
   /// `reference` are all joint values of the assembled configuration that `motion` and `legs` belong to.
   Completion(ClosureSystem system, Eigen::VectorXd reference, const PlatformMotion& motion,
-             std::vector<RecognisedLeg> legs, std::vector<std::size_t> drive_variables);
+             std::vector<RecognisedLeg> legs, std::vector<std::size_t> actuated_variables);
 
   /// Pose of the assembled configuration.
   const Pose& reference_pose() const noexcept { return reference_pose_; }
 
-  /// Drive values of the assembled configuration [rad or m].
-  JointVector reference_drives() const;
+  /// Actuation values of the assembled configuration [rad or m].
+  JointVector reference_joints() const;
 
   /// All joint values [rad or m]; `pose` in the task frame. They close the loops where the legs assemble;
   /// check `residual`.
@@ -38,11 +38,11 @@ class Completion {
 
   const ClosureSystem& system() const noexcept { return system_; }
 
-  /// Index of the joint value of each drive.
-  const std::vector<std::size_t>& drive_variables() const noexcept { return drive_variables_; }
+  /// Index of the joint value of each actuated joint.
+  const std::vector<std::size_t>& actuated_variables() const noexcept { return actuated_variables_; }
 
  private:
-  Eigen::Isometry3d solve(const SplitChain& chain, double drive_step,
+  Eigen::Isometry3d solve(const SplitChain& chain, double joint_step,
                           const Eigen::Isometry3d& platform_motion, Eigen::VectorXd& values) const;
   void set(const Pivot& pivot, double step, Eigen::VectorXd& values) const;
 
@@ -52,7 +52,7 @@ class Completion {
   Pose reference_pose_;
   bool point_platform_;
   std::vector<RecognisedLeg> legs_;
-  std::vector<std::size_t> drive_variables_;
+  std::vector<std::size_t> actuated_variables_;
 };
 
 }  // namespace parallel_aspects

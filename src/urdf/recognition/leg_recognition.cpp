@@ -33,25 +33,25 @@ double distance_to_axis(const Vector3d& point, const Pivot& pivot) {
 
 class ChainRecogniser {
  public:
-  ChainRecogniser(const LegSetting& setting, std::size_t drive_variable)
-      : setting_(setting), motion_(*setting.motion), drive_variable_(drive_variable) {}
+  ChainRecogniser(const LegSetting& setting, std::size_t actuated_variable)
+      : setting_(setting), motion_(*setting.motion), actuated_variable_(actuated_variable) {}
 
   /// Why the last chain could not be split.
   const std::string& reason() const { return reason_; }
 
   std::optional<SplitChain> split(const Chain& chain) {
-    const auto drive = std::find_if(chain.begin(), chain.end(),
-                                    [&](const Pivot& pivot) { return pivot.variable == drive_variable_; });
-    if (drive == chain.end()) return fail("moves the platform past its drive");
-    const Chain before = flattened({chain.begin(), drive});
-    Chain after = flattened({drive + 1, chain.end()});
+    const auto actuation = std::find_if(
+        chain.begin(), chain.end(), [&](const Pivot& pivot) { return pivot.variable == actuated_variable_; });
+    if (actuation == chain.end()) return fail("moves the platform past its actuated joint");
+    const Chain before = flattened({chain.begin(), actuation});
+    Chain after = flattened({actuation + 1, chain.end()});
     // A platform that is a point holds every leg as a ball joint does.
     if (motion_.point_platform)
       after.push_back(
           {PivotKind::ball, "operational point", motion_.platform.translation(), {}, std::nullopt, 1.0});
     SplitChain found;
-    found.drive = *drive;
-    found.drive_first = before.empty();
+    found.actuation = *actuation;
+    found.actuated_first = before.empty();
     if (!divide(before, after, found)) return std::nullopt;
     if (motion_.point_platform) found.distal.pop_back();
     return found;
@@ -68,7 +68,7 @@ class ChainRecogniser {
     if (!planar(motion_.space)) return chain;
     for (Pivot& pivot : chain) {
       if (pivot.kind != PivotKind::ball) continue;
-      pivot.kind = PivotKind::turning;
+      pivot.kind = PivotKind::revolute;
       pivot.axis = motion_.task_frame.linear().col(2);
     }
     return chain;
@@ -87,11 +87,11 @@ class ChainRecogniser {
       if (motion_.point_platform && group(before, {after.begin(), after.end() - 1}, found)) fail_to_end();
       return false;
     }
-    fail("keeps no point of the platform at a fixed distance from a point of its driven link");
+    fail("keeps no point of the platform at a fixed distance from a point of its actuated link");
     if (cut(after, found)) return true;
     if (motion_.point_platform && cut({after.begin(), after.end() - 1}, found))
       fail_to_end();
-    else if (is_three_revolute_arm(found.drive, after))
+    else if (is_three_revolute_arm(found.actuation, after))
       fail(
           "is an arm of three revolute joints whose passive axes do not meet: such a leg is in general "
           "cuspidal, it can "
@@ -110,16 +110,17 @@ class ChainRecogniser {
   }
 
   // Three revolute joints that place a point of the platform.
-  bool is_three_revolute_arm(const Pivot& drive, const Chain& after) const {
-    return drive.kind == PivotKind::turning && after.size() > 2 && after[0].kind == PivotKind::turning &&
-           after[1].kind == PivotKind::turning && tip({after.begin() + 2, after.end()});
+  bool is_three_revolute_arm(const Pivot& actuation, const Chain& after) const {
+    return actuation.kind == PivotKind::revolute && after.size() > 2 &&
+           after[0].kind == PivotKind::revolute && after[1].kind == PivotKind::revolute &&
+           tip({after.begin() + 2, after.end()});
   }
 
   bool group(const Chain& proximal, const Chain& distal, SplitChain& found) {
     const auto c = tip(proximal), p = tip(distal);
     if (!c || !p) {
-      if (!found.drive_first)
-        fail("has passive joints on one side of its drive whose axes do not meet in a point");
+      if (!found.actuated_first)
+        fail("has passive joints on one side of its actuated joint whose axes do not meet in a point");
       return false;
     }
     if (same(*p, *c)) {
@@ -144,7 +145,7 @@ class ChainRecogniser {
   std::optional<Vector3d> tip(const Chain& group) const {
     if (group.empty()) return std::nullopt;
     for (const Pivot& pivot : group)
-      if (pivot.kind == PivotKind::sliding) return std::nullopt;
+      if (pivot.kind == PivotKind::prismatic) return std::nullopt;
     if (planar(motion_.space)) return common(group, [this](const Pivot& pivot) { return in_plane(pivot); });
     if (motion_.space == TaskSpace::SO3)
       return common(group, [this](const Pivot& pivot) { return on_sphere(pivot); });
@@ -163,7 +164,7 @@ class ChainRecogniser {
 
   std::optional<Vector3d> in_plane(const Pivot& pivot) const {
     const Vector3d normal = motion_.task_frame.linear().col(2);
-    if (pivot.kind == PivotKind::turning && pivot.axis.cross(normal).norm() > direction_tolerance)
+    if (pivot.kind == PivotKind::revolute && pivot.axis.cross(normal).norm() > direction_tolerance)
       return std::nullopt;
     return pivot.point - normal * normal.dot(pivot.point - motion_.task_frame.translation());
   }
@@ -185,7 +186,7 @@ class ChainRecogniser {
     Vector3d moment = Vector3d::Zero();
     for (const Pivot& pivot : group) {
       Matrix3d across = Matrix3d::Identity();
-      if (pivot.kind == PivotKind::turning) across -= pivot.axis * pivot.axis.transpose();
+      if (pivot.kind == PivotKind::revolute) across -= pivot.axis * pivot.axis.transpose();
       normal += across;
       moment += across * pivot.point;
     }
@@ -201,7 +202,7 @@ class ChainRecogniser {
 
   const LegSetting& setting_;
   const PlatformMotion& motion_;
-  std::size_t drive_variable_;
+  std::size_t actuated_variable_;
   std::string reason_;
 };
 
@@ -216,14 +217,15 @@ class LegBuilder {
   std::optional<Leg> build(const SplitChain& chain) {
     Leg leg;
     leg.name = setting_.name;
-    leg.driven_joint = chain.drive.name;
+    leg.actuated_joint = chain.actuation.name;
     leg.limits = setting_.limits;
     leg.anchor = flat(motion_.platform.inverse() * chain.p);
     const Vector3d c = point(chain.c), p = point(chain.p);
-    const auto drive = chain.drive_first ? moving_drive(chain.drive, c) : rod_drive(chain.drive, c, p);
-    if (!drive) return std::nullopt;
-    leg.drive = *drive;
-    if (chain.drive_first) leg.rod_length = (p - c).norm();
+    const auto actuation =
+        chain.actuated_first ? moving_joint(chain.actuation, c) : rod_joint(chain.actuation, c, p);
+    if (!actuation) return std::nullopt;
+    leg.actuation = *actuation;
+    if (chain.actuated_first) leg.rod_length = (p - c).norm();
     // Spherical robots are drawn on the unit sphere.
     return without_rounding_noise(leg, motion_.space == TaskSpace::SO3 ? 1.0 : setting_.size);
   }
@@ -244,59 +246,59 @@ class LegBuilder {
 
   double tolerance() const { return direction_tolerance * setting_.size; }
 
-  std::optional<Vector3d> axis(const Pivot& drive) {
-    Vector3d direction = drive.sense * (to_task_.linear() * drive.axis);
+  std::optional<Vector3d> axis(const Pivot& actuation) {
+    Vector3d direction = actuation.sense * (to_task_.linear() * actuation.axis);
     if (!planar(motion_.space)) return direction.normalized();
-    const bool turning = drive.kind == PivotKind::turning;
-    const double off = turning ? direction.head<2>().norm() : std::abs(direction.z());
+    const bool revolute = actuation.kind == PivotKind::revolute;
+    const double off = revolute ? direction.head<2>().norm() : std::abs(direction.z());
     if (off > direction_tolerance)
-      return fail(turning ? "is driven about an axis that is not normal to the plane of motion"
-                          : "is driven along a direction that is not in the plane of motion");
-    direction = turning ? Vector3d(0.0, 0.0, std::copysign(1.0, direction.z())) : flat(direction);
+      return fail(revolute ? "is actuated about an axis that is not normal to the plane of motion"
+                           : "is actuated along a direction that is not in the plane of motion");
+    direction = revolute ? Vector3d(0.0, 0.0, std::copysign(1.0, direction.z())) : flat(direction);
     return direction.normalized();
   }
 
-  std::optional<Drive> moving_drive(const Pivot& drive, const Vector3d& c) {
-    const auto direction = axis(drive);
+  std::optional<Actuation> moving_joint(const Pivot& actuation, const Vector3d& c) {
+    const auto direction = axis(actuation);
     if (!direction) return std::nullopt;
-    if (drive.kind == PivotKind::sliding)
-      return PrismaticDrive{c - setting_.drive_value * *direction, *direction};
-    const Vector3d on_axis = point(drive.point);
+    if (actuation.kind == PivotKind::prismatic)
+      return PrismaticActuation{c - setting_.joint_value * *direction, *direction};
+    const Vector3d on_axis = point(actuation.point);
     if (motion_.space == TaskSpace::SO3 && on_axis.cross(*direction).norm() > tolerance())
-      return fail("is driven about an axis that misses the centre of the spherical motion");
+      return fail("is actuated about an axis that misses the centre of the spherical motion");
     const Vector3d center = on_axis + *direction * direction->dot(c - on_axis);
     const Vector3d arm = c - center;
     if (arm.norm() < tolerance()) return fail("has a crank of length zero");
-    const Vector3d zero = Eigen::AngleAxisd(-setting_.drive_value, *direction) * arm.normalized();
-    return RevoluteDrive{center, *direction, (zero - *direction * direction->dot(zero)).normalized(),
-                         arm.norm()};
+    const Vector3d zero = Eigen::AngleAxisd(-setting_.joint_value, *direction) * arm.normalized();
+    return RevoluteActuation{center, *direction, (zero - *direction * direction->dot(zero)).normalized(),
+                             arm.norm()};
   }
 
-  std::optional<Drive> rod_drive(const Pivot& drive, const Vector3d& c, const Vector3d& p) {
-    const auto direction = axis(drive);
+  std::optional<Actuation> rod_joint(const Pivot& actuation, const Vector3d& c, const Vector3d& p) {
+    const auto direction = axis(actuation);
     if (!direction) return std::nullopt;
-    return drive.kind == PivotKind::sliding ? strut(*direction, c, p)
-                                            : elbow(*direction, point(drive.point), c, p);
+    return actuation.kind == PivotKind::prismatic ? strut(*direction, c, p)
+                                                  : elbow(*direction, point(actuation.point), c, p);
   }
 
-  std::optional<Drive> strut(const Vector3d& direction, const Vector3d& c, const Vector3d& p) {
+  std::optional<Actuation> strut(const Vector3d& direction, const Vector3d& c, const Vector3d& p) {
     const Vector3d rod = p - c;
     if (rod.cross(direction).norm() > tolerance())
       return fail("is a strut whose slide does not point from one end joint to the other");
     const double sense = rod.dot(direction) > 0.0 ? 1.0 : -1.0;
-    return StrutDrive{c, rod.norm() - sense * setting_.drive_value, sense};
+    return StrutActuation{c, rod.norm() - sense * setting_.joint_value, sense};
   }
 
-  std::optional<Drive> elbow(const Vector3d& direction, const Vector3d& on_axis, const Vector3d& c,
-                             const Vector3d& p) {
+  std::optional<Actuation> elbow(const Vector3d& direction, const Vector3d& on_axis, const Vector3d& c,
+                                 const Vector3d& p) {
     if (std::abs(direction.dot(p - c)) > tolerance())
-      return fail("is driven at an elbow whose axis is not orthogonal to the plane of its two links");
+      return fail("is actuated at an elbow whose axis is not orthogonal to the plane of its two links");
     const Vector3d hinge = on_axis + direction * direction.dot(c - on_axis);
     const Vector3d inner = hinge - c, outer = p - hinge;
     if (inner.norm() < tolerance() || outer.norm() < tolerance())
       return fail("has a link of length zero at its elbow");
     const double angle = std::atan2(direction.dot(inner.cross(outer)), inner.dot(outer));
-    return ElbowDrive{c, inner.norm(), outer.norm(), angle - setting_.drive_value, 1.0};
+    return ElbowActuation{c, inner.norm(), outer.norm(), angle - setting_.joint_value, 1.0};
   }
 
   const LegSetting& setting_;
@@ -309,7 +311,7 @@ class LegBuilder {
 bool equivalent(const SplitChain& one, const SplitChain& other, const LegSetting& setting) {
   const double tolerance = direction_tolerance * setting.size;
   const bool translating = !has_rotation(setting.motion->space) && !setting.motion->point_platform;
-  if (translating && one.drive_first && other.drive_first)
+  if (translating && one.actuated_first && other.actuated_first)
     return ((one.p - one.c) - (other.p - other.c)).norm() < tolerance;
   return (one.p - other.p).norm() < tolerance && (one.c - other.c).norm() < tolerance;
 }
@@ -327,7 +329,7 @@ SplitChain mean(const std::vector<SplitChain>& chains) {
 
 }  // namespace
 
-std::optional<RecognisedLeg> recognise_leg(const LegChains& leg, std::size_t drive_variable,
+std::optional<RecognisedLeg> recognise_leg(const LegChains& leg, std::size_t actuated_variable,
                                            const LegSetting& setting, const std::string& file,
                                            Problems& problems) {
   const auto refuse = [&](const std::string& reason) {
@@ -337,7 +339,7 @@ std::optional<RecognisedLeg> recognise_leg(const LegChains& leg, std::size_t dri
   };
   RecognisedLeg result;
   result.guide = leg.guide;
-  ChainRecogniser recogniser(setting, drive_variable);
+  ChainRecogniser recogniser(setting, actuated_variable);
   for (const Chain& chain : leg.chains) {
     const auto split = recogniser.split(chain);
     if (!split) return refuse(recogniser.reason());

@@ -15,13 +15,14 @@
 
 namespace parallel_aspects {
 
-/// A chain as two groups of pivots, each about one point, and a drive before or between them. All in the base
-/// frame at the assembled configuration.
+/// A chain as two groups of pivots, each about one point, and an actuated joint before or between them. All
+/// in the base frame at the assembled configuration.
 struct SplitChain {
   Chain proximal;  ///< pivots about c
   Chain distal;    ///< pivots about p; empty where the rod carries the operational point itself
-  Pivot drive;
-  bool drive_first = true;  ///< the drive moves c; otherwise it is between the groups and changes |p - c|
+  Pivot actuation;
+  bool actuated_first =
+      true;  ///< the actuated joint moves c; otherwise it is between the groups and changes |p - c|
   Eigen::Vector3d c = Eigen::Vector3d::Zero();                ///< proximal point [m]
   Eigen::Vector3d p = Eigen::Vector3d::Zero();                ///< anchor [m]
   Eigen::Vector3d proximal_center = Eigen::Vector3d::Zero();  ///< on all axes of `proximal` [m]
@@ -39,14 +40,14 @@ struct RecognisedLeg {
 struct LegSetting {
   const PlatformMotion* motion = nullptr;
   double size = 1.0;         ///< of the robot [m]
-  double drive_value = 0.0;  ///< at the assembled configuration [rad or m]
-  JointLimits limits;        ///< of the drive
+  double joint_value = 0.0;  ///< at the assembled configuration [rad or m]
+  JointLimits limits;        ///< of the actuated joint
   std::string name;          ///< of the leg
 };
 
-/// The leg as one distance equation. Nothing, and a sentence in `problems` that starts with `file`, when it
+/// The leg as one distance equation. Nothing, and a message in `problems` that starts with `file`, when it
 /// is not a distance leg.
-std::optional<RecognisedLeg> recognise_leg(const LegChains& leg, std::size_t drive_variable,
+std::optional<RecognisedLeg> recognise_leg(const LegChains& leg, std::size_t actuated_variable,
                                            const LegSetting& setting, const std::string& file,
                                            Problems& problems);
 

@@ -39,30 +39,30 @@ class Rounding {
   void round(Leg& leg) const {
     leg.anchor = length_(leg.anchor);
     leg.rod_length = length_(leg.rod_length);
-    std::visit([this](auto& drive) { round(drive); }, leg.drive);
+    std::visit([this](auto& actuation) { round(actuation); }, leg.actuation);
   }
 
  private:
-  void round(RevoluteDrive& drive) const {
-    drive.center = length_(drive.center);
-    drive.axis = direction_(drive.axis).normalized();
-    const Vector3d zero = direction_(drive.zero_direction);
-    drive.zero_direction = (zero - drive.axis * drive.axis.dot(zero)).normalized();
-    drive.radius = length_(drive.radius);
+  void round(RevoluteActuation& actuation) const {
+    actuation.center = length_(actuation.center);
+    actuation.axis = direction_(actuation.axis).normalized();
+    const Vector3d zero = direction_(actuation.zero_direction);
+    actuation.zero_direction = (zero - actuation.axis * actuation.axis.dot(zero)).normalized();
+    actuation.radius = length_(actuation.radius);
   }
-  void round(PrismaticDrive& drive) const {
-    drive.origin = length_(drive.origin);
-    drive.direction = direction_(drive.direction).normalized();
+  void round(PrismaticActuation& actuation) const {
+    actuation.origin = length_(actuation.origin);
+    actuation.direction = direction_(actuation.direction).normalized();
   }
-  void round(StrutDrive& drive) const {
-    drive.base = length_(drive.base);
-    drive.length_at_zero = length_(drive.length_at_zero);
+  void round(StrutActuation& actuation) const {
+    actuation.base = length_(actuation.base);
+    actuation.length_at_zero = length_(actuation.length_at_zero);
   }
-  void round(ElbowDrive& drive) const {
-    drive.base = length_(drive.base);
-    drive.inner_length = length_(drive.inner_length);
-    drive.outer_length = length_(drive.outer_length);
-    drive.angle_at_zero = angle_(drive.angle_at_zero);
+  void round(ElbowActuation& actuation) const {
+    actuation.base = length_(actuation.base);
+    actuation.inner_length = length_(actuation.inner_length);
+    actuation.outer_length = length_(actuation.outer_length);
+    actuation.angle_at_zero = angle_(actuation.angle_at_zero);
   }
 
   Decimals length_, angle_, direction_;

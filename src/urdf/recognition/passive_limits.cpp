@@ -19,11 +19,11 @@ class Search {
 
   FoundPassiveLimits run(const std::vector<RecognisedLeg>& legs) {
     for (std::size_t j = 0; j < legs.size(); ++j)
-      if (is_planar(motion_.space) && !std::holds_alternative<ElbowDrive>(legs[j].leg.drive))
+      if (is_planar(motion_.space) && !std::holds_alternative<ElbowActuation>(legs[j].leg.actuation))
         for (const SplitChain& chain : legs[j].chains) add(j, legs[j].leg, chain);
     for (std::size_t variable = 0; variable < system_.in_loop().size(); ++variable)
-      if (is_limited(variable) && !is_driven(variable, legs) && !is_told(joint(variable).name))
-        found_.untold.push_back(joint(variable).name);
+      if (is_limited(variable) && !is_actuated(variable, legs) && !is_reported(joint(variable).name))
+        found_.missing.push_back(joint(variable).name);
     return std::move(found_);
   }
 
@@ -33,17 +33,17 @@ class Search {
   bool is_limited(std::size_t variable) const {
     const JointLimits& limits = joint(variable).limits;
     const bool turns_freely =
-        joint(variable).motion == JointMotion::turning && limits.upper - limits.lower >= 2.0 * EIGEN_PI;
+        joint(variable).motion == JointMotion::revolute && limits.upper - limits.lower >= 2.0 * EIGEN_PI;
     return system_.in_loop()[variable] && limits.limited() && !turns_freely;
   }
 
-  static bool is_driven(std::size_t variable, const std::vector<RecognisedLeg>& legs) {
+  static bool is_actuated(std::size_t variable, const std::vector<RecognisedLeg>& legs) {
     return std::any_of(legs.begin(), legs.end(), [variable](const RecognisedLeg& leg) {
-      return leg.chains.front().drive.variable == variable;
+      return leg.chains.front().actuation.variable == variable;
     });
   }
 
-  bool is_told(const std::string& name) const {
+  bool is_reported(const std::string& name) const {
     return std::any_of(found_.limits.begin(), found_.limits.end(),
                        [&name](const PassiveLimit& limit) { return limit.joint == name; });
   }
@@ -51,9 +51,9 @@ class Search {
   void add(std::size_t index, const Leg& leg, const SplitChain& chain) {
     const Vector3d rod = to_task_.linear() * (chain.p - chain.c);
     if (const Pivot* pivot = only_one(chain.proximal)) {
-      const auto* crank = std::get_if<RevoluteDrive>(&leg.drive);
+      const auto* crank = std::get_if<RevoluteActuation>(&leg.actuation);
       const double from =
-          crank != nullptr ? direction_of(leg.proximal_point(value(chain.drive)) - crank->center) : 0.0;
+          crank != nullptr ? direction_of(leg.proximal_point(value(chain.actuation)) - crank->center) : 0.0;
       add(index, crank != nullptr ? PassiveAngle::crank_to_rod : PassiveAngle::base_to_rod, *pivot,
           direction_of(rod) - from);
     }
@@ -65,9 +65,9 @@ class Search {
     add(index, PassiveAngle::rod_to_platform, *pivot, direction_of(heading) - direction_of(rod));
   }
 
-  // The turning joint of a group that turns nothing else, if it is limited.
+  // The revolute joint of a group that turns nothing else, if it is limited.
   const Pivot* only_one(const Chain& group) const {
-    if (group.size() != 1 || group.front().kind != PivotKind::turning) return nullptr;
+    if (group.size() != 1 || group.front().kind != PivotKind::revolute) return nullptr;
     const Pivot& pivot = group.front();
     return pivot.variable && is_limited(*pivot.variable) ? &pivot : nullptr;
   }
@@ -78,7 +78,7 @@ class Search {
     const double along_normal = pivot.axis.dot(motion_.task_frame.linear().col(2));
     const double sense = pivot.sense * std::copysign(1.0, along_normal);
     const TreeJoint& limited = joint(*pivot.variable);
-    if (is_told(limited.name)) return;
+    if (is_reported(limited.name)) return;
     found_.limits.push_back({limited.name, leg, angle, now - sense * value(pivot), sense, limited.limits});
   }
 

@@ -14,14 +14,14 @@
 
 namespace parallel_aspects {
 
-/// Limits of the joints of the loops that are not driven.
+/// Limits of the joints of the loops that are not actuated.
 struct FoundPassiveLimits {
   std::vector<PassiveLimit> limits;  ///< of those whose angle is between two links of a planar leg
-  std::vector<std::string> untold;   ///< names of the others
+  std::vector<std::string> missing;  ///< names of the others
 };
 
-/// `legs` are recognised in `system` at these joint values [rad or m]. A turning joint with a range of a full
-/// turn has no limits.
+/// `legs` are recognised in `system` at these joint values [rad or m]. A revolute joint with a range of a
+/// full turn has no limits.
 FoundPassiveLimits find_passive_limits(const ClosureSystem& system, const Eigen::VectorXd& values,
                                        const PlatformMotion& motion, const std::vector<RecognisedLeg>& legs);
 

@@ -22,8 +22,8 @@ MatrixXd null_space(const MatrixXd& matrix) {
   return svd.null_space(svd.rank_above(velocity_tolerance));
 }
 
-// Unit vector whose largest entry is positive, so that the frame does not hang on the sign of a singular
-// vector.
+// Unit vector whose largest entry is positive, so that the frame does not be attached to the sign of a
+// singular vector.
 Vector3d oriented(Vector3d direction) {
   Eigen::Index largest = 0;
   direction.cwiseAbs().maxCoeff(&largest);
@@ -44,20 +44,26 @@ Matrix3d axes_about(const Vector3d& normal, const Matrix3d& reference) {
 
 class MotionFinder {
  public:
-  MotionFinder(const ClosureSystem& system, const Assembly& assembly, const Drives& drives,
+  MotionFinder(const ClosureSystem& system, const Assembly& assembly, const ActuatedJoints& actuated_joints,
                const SourceNames& files, Problems& problems)
-      : system_(system), drives_(drives), files_(files), problems_(problems), motions_(assembly.motions) {
+      : system_(system),
+        joints_to_actuate_(actuated_joints),
+        files_(files),
+        problems_(problems),
+        motions_(assembly.motions) {
     poses_ = link_poses(system.tree(), system.base(), assembly.values);
-    link_ = poses_[drives.platform_link];
-    twists_ =
-        velocity_matrix(system.tree(), system.base(), poses_, drives.platform_link, link_.translation()) *
-        assembly.motions;
+    link_ = poses_[actuated_joints.platform_link];
+    twists_ = velocity_matrix(system.tree(), system.base(), poses_, actuated_joints.platform_link,
+                              link_.translation()) *
+              assembly.motions;
     twists_.bottomRows(3) /= system.size();
-    drive_rates_.resize(static_cast<Eigen::Index>(drives.variables.size()), motions_.cols());
-    for (std::size_t j = 0; j < drives.variables.size(); ++j) {
-      const bool sliding = system.tree().joint_of(drives.variables[j]).motion == JointMotion::sliding;
-      drive_rates_.row(static_cast<Eigen::Index>(j)) =
-          motions_.row(static_cast<Eigen::Index>(drives.variables[j])) / (sliding ? system.size() : 1.0);
+    joint_rates_.resize(static_cast<Eigen::Index>(actuated_joints.variables.size()), motions_.cols());
+    for (std::size_t j = 0; j < actuated_joints.variables.size(); ++j) {
+      const bool prismatic =
+          system.tree().joint_of(actuated_joints.variables[j]).motion == JointMotion::prismatic;
+      joint_rates_.row(static_cast<Eigen::Index>(j)) =
+          motions_.row(static_cast<Eigen::Index>(actuated_joints.variables[j])) /
+          (prismatic ? system.size() : 1.0);
     }
   }
 
@@ -75,36 +81,38 @@ class MotionFinder {
   }
 
   bool check_mobility() {
-    const Eigen::Index count = drive_rates_.rows();
-    const Eigen::Index independent = rank(drive_rates_);
-    const std::string numbers = "drives " + driven_names() + ", but the closed mechanism of " + files_.urdf +
-                                " has mobility " + std::to_string(result_.mobility);
+    const Eigen::Index count = joint_rates_.rows();
+    const Eigen::Index independent = rank(joint_rates_);
+    const std::string numbers = "actuates " + actuated_names() + ", but the closed mechanism of " +
+                                files_.urdf + " has mobility " + std::to_string(result_.mobility);
     if (independent < count)
       return refuse(numbers + ", and only " + std::to_string(independent) + " of the " +
                     std::to_string(count) +
-                    " drives can move independently; list fewer actuated_joints, or mend closures that hold "
+                    " actuated joints can move independently; list fewer actuated_joints, or correct "
+                    "closures that hold "
                     "too much (a revolute closure turns about z of its frames; type auto finds out).");
-    const MatrixXd locked = null_space(drive_rates_);
+    const MatrixXd locked = null_space(joint_rates_);
     result_.idle = locked.cols();
     const MatrixXd free_twists = twists_ * locked;
     const Eigen::Index angular = rank(free_twists.topRows(3)), linear = rank(free_twists.bottomRows(3));
     point_may_spin_ = angular > 0 && linear == 0 && (count == 2 || count == 3);
     if (linear > 0 || (angular > 0 && !point_may_spin_))
-      return refuse(numbers +
-                    ", and the platform still moves with the drives locked; list more actuated_joints, or "
-                    "mend closures that hold too little.");
+      return refuse(
+          numbers +
+          ", and the platform still moves with the actuated joints locked; list more actuated_joints, or "
+          "correct closures that hold too little.");
     return true;
   }
 
-  std::string driven_names() const {
+  std::string actuated_names() const {
     std::string text;
-    for (const std::size_t variable : drives_.variables)
+    for (const std::size_t variable : joints_to_actuate_.variables)
       text += (text.empty() ? "'" : ", '") + system_.tree().joint_of(variable).name + "'";
     return text;
   }
 
   bool find_space() {
-    const Eigen::Index count = drive_rates_.rows();
+    const Eigen::Index count = joint_rates_.rows();
     if (count == 1 && rank(linear()) == 1 && rank(angular()) == 0) return line();
     if (count == 2 && rank(linear()) == 2) return plane_of_points();
     if (count == 3 && !point_may_spin_ && rank(twists_) == 3) {
@@ -114,12 +122,13 @@ class MotionFinder {
     if (count == 3 && rank(linear()) == 3) return translations(true);
     if (count == 6 && rank(twists_) == 6) return all_motions();
     return refuse(
-        "names operational_point '" + system_.tree().links[drives_.platform_link] +
-        "', which moves in none of the task spaces T1 (1 drive), T2 (2 drives), SE2, "
-        "T3, SO3 (3 drives) or SE3 (6 drives), but with " +
+        "names operational_point '" + system_.tree().links[joints_to_actuate_.platform_link] +
+        "', which moves in none of the task spaces T1 (1 actuated joint), T2 (2 actuated joints), SE2, "
+        "T3, SO3 (3 actuated joints) or SE3 (6 actuated joints), but with " +
         std::to_string(rank(angular())) + " rotations and " + std::to_string(rank(linear())) +
         " translations for " + std::to_string(count) +
-        " drives; name a link of the body that all legs share, or where they meet, else the robot is not "
+        " actuated joints; name a link of the body that all legs share, or where they meet, else the robot "
+        "is not "
         "supported.");
   }
 
@@ -143,7 +152,7 @@ class MotionFinder {
       const TreeJoint& joint = system_.tree().joint_of(k);
       const Vector3d axis = poses_[joint.child].linear() * joint.axis;
       const bool across = std::abs(axis.dot(along)) < velocity_tolerance;
-      if (system_.in_loop()[k] && joint.motion == JointMotion::turning && across)
+      if (system_.in_loop()[k] && joint.motion == JointMotion::revolute && across)
         return oriented(axis - along * along.dot(axis));
     }
     return along.unitOrthogonal();
@@ -207,12 +216,12 @@ class MotionFinder {
   }
 
   const ClosureSystem& system_;
-  const Drives& drives_;
+  const ActuatedJoints& joints_to_actuate_;
   const SourceNames& files_;
   Problems& problems_;
   MatrixXd motions_;
   MatrixXd twists_;       // of the platform link at the operational point: w [rad], v over the size
-  MatrixXd drive_rates_;  // by motion
+  MatrixXd joint_rates_;  // by motion
   Poses poses_;
   Eigen::Isometry3d link_;
   bool point_may_spin_ = false;
@@ -222,9 +231,9 @@ class MotionFinder {
 }  // namespace
 
 std::optional<PlatformMotion> find_platform_motion(const ClosureSystem& system, const Assembly& assembly,
-                                                   const Drives& drives, const SourceNames& files,
-                                                   Problems& problems) {
-  return MotionFinder(system, assembly, drives, files, problems).find();
+                                                   const ActuatedJoints& actuated_joints,
+                                                   const SourceNames& files, Problems& problems) {
+  return MotionFinder(system, assembly, actuated_joints, files, problems).find();
 }
 
 }  // namespace parallel_aspects

@@ -17,21 +17,21 @@ namespace parallel_aspects {
 /// How the platform moves, found from its velocities at an assembled configuration.
 struct PlatformMotion {
   TaskSpace space = TaskSpace::T2;
-  /// The link of the operational point turns, but its orientation is no freedom (T2, T3): legs must meet in
-  /// the point.
+  /// The link of the operational point turns, but its orientation is no degree of freedom (T2, T3): legs must
+  /// meet in the point.
   bool point_platform = false;
   Eigen::Isometry3d task_frame = Eigen::Isometry3d::Identity();  ///< in the base frame [m]
   Eigen::Isometry3d platform =
       Eigen::Isometry3d::Identity();  ///< platform frame there, in the base frame [m]
-  Eigen::Index mobility = 0;          ///< freedoms of the whole mechanism
-  Eigen::Index idle = 0;  ///< those that move neither a drive nor the platform, as a rod that spins
+  Eigen::Index mobility = 0;          ///< degrees of freedom of the whole mechanism
+  Eigen::Index idle = 0;  ///< those that move neither an actuated joint nor the platform, as a rod that spins
 };
 
-/// The motion of the platform. Nothing, and a sentence in `problems`, when the mobility is not the number of
-/// drives or the motion is none of the task spaces.
+/// The motion of the platform. Nothing, and a message in `problems`, when the mobility is not the number of
+/// actuated joints or the motion is none of the task spaces.
 std::optional<PlatformMotion> find_platform_motion(const ClosureSystem& system, const Assembly& assembly,
-                                                   const Drives& drives, const SourceNames& files,
-                                                   Problems& problems);
+                                                   const ActuatedJoints& actuated_joints,
+                                                   const SourceNames& files, Problems& problems);
 
 }  // namespace parallel_aspects
 

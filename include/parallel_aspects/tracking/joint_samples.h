@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_TRACKING_DRIVE_SAMPLES_H
-#define PARALLEL_ASPECTS_TRACKING_DRIVE_SAMPLES_H
+#ifndef PARALLEL_ASPECTS_TRACKING_JOINT_SAMPLES_H
+#define PARALLEL_ASPECTS_TRACKING_JOINT_SAMPLES_H
 
 #include "parallel_aspects/model/manipulator.h"
 
@@ -11,15 +11,15 @@
 
 namespace parallel_aspects {
 
-/// What samples of the drives are taken to mean.
+/// What samples of the actuated joints are taken to mean.
 struct SampleOptions {
-  /// Angles of drives without limits are taken to have turned less than half a turn since the sample before,
-  /// whatever whole turns their encoder reports; those with limits to be inside them, where a whole number of
-  /// turns can bring them there.
+  /// Angles of actuated joints without limits are taken to have turned less than half a turn since the sample
+  /// before, whatever whole turns their encoder reports; those with limits to be inside them, where a whole
+  /// number of turns can bring them there.
   bool unwrap = true;
 
-  /// Whether a step longer than the velocity limits of the drives allow in its time is a gap, and a time in
-  /// which a drive that is unwrapped may have turned by half a turn is a silence.
+  /// Whether a step longer than the velocity limits of the actuated joints allow in its time is a gap, and a
+  /// time in which an actuated joint that is unwrapped may have turned by half a turn is a silence.
   bool check_velocity = true;
 
   /// By how much a step may be longer, for jitter of the stamps, as a share [0 or more].
@@ -28,30 +28,31 @@ struct SampleOptions {
   /// And for noise of the encoders: this many rad, or of this share of the robot's size in m.
   double encoder_noise = 1e-4;
 
-  /// How far the drives may leave the straight way between two samples: this many times an eighth of the
-  /// difference of the last two steps, the first step being taken from rest. For samples at even times an
-  /// eighth is |a| dt^2 / 8, what the acceleration bends the way. 0: the way is exactly straight. A smooth
-  /// motion through det A = 0 touches the image of the singularity, which its chords miss by just that much.
+  /// How far the actuated joints may leave the straight path between two samples: this many times an eighth
+  /// of the difference of the last two steps, the first step being taken from rest. For samples at even times
+  /// an eighth is |a| dt^2 / 8, what the acceleration bends the path. 0: the path is exactly straight. A
+  /// smooth motion through det A = 0 touches the image of the singularity, which its chords miss by just that
+  /// much.
   double path_bend = 2.0;
 
-  /// A longer interval between the stamps of two samples is a silence, whatever the drives did [s]: a robot
-  /// that is moved meanwhile can go through det A = 0 and come back to drives near those before. Infinite
-  /// where it is known that nothing moves the robot unseen: then no interval is too long.
+  /// A longer interval between the stamps of two samples is a silence, whatever the actuated joints did [s]:
+  /// a robot that is moved meanwhile can go through det A = 0 and come back to actuated joints near those
+  /// before. Infinite where it is known that nothing moves the robot unseen: then no interval is too long.
   double longest_interval = 0.5;
 
-  /// And where a drive has no velocity limit, or `check_velocity` is false, so is an interval that is this
-  /// many times the median of the last ones [1 or more].
+  /// And where an actuated joint has no velocity limit, or `check_velocity` is false, so is an interval that
+  /// is this many times the median of the last ones [1 or more].
   double interval_ratio = 5.0;
 };
 
-/// Every problem, a sentence each; empty when the options can be used.
+/// Every problem, a message each; empty when the options can be used.
 std::vector<std::string> problems_of(const SampleOptions& options);
 
 /// `q` with angles turned to where `last` says that they are; without a last sample (empty), to where the
 /// limits say. One entry a leg [rad or m]. Never allocates.
 JointVector unwrapped(const Manipulator& manipulator, const JointVector& last, const JointVector& q) noexcept;
 
-/// Whether velocity limits tell how far any drive can have moved in a time.
+/// Whether velocity limits tell how far any actuated joint can have moved in a time.
 bool velocities_limited(const Manipulator& manipulator, const SampleOptions& options) noexcept;
 
 /// The last intervals between samples, by which a silence is told from the usual rate. Never allocates.
@@ -73,7 +74,7 @@ class SampleIntervals {
   std::size_t count_ = 0, next_ = 0;
 };
 
-/// Why nothing is known of the way of the drives between two samples.
+/// Why nothing is known of the path of the actuated joints between two samples.
 enum class SampleGap {
   none,     ///< it is known
   step,     ///< it is longer than the velocity limits allow
@@ -81,17 +82,17 @@ enum class SampleGap {
 };
 
 /// For two samples that are `seconds` apart, after samples at these intervals. `uncertainty`: how far each
-/// drive may be from the two values, both taken together [rad or m]; empty for 0.
+/// actuated joint may be from the two values, both taken together [rad or m]; empty for 0.
 SampleGap gap_between(const Manipulator& manipulator, const SampleOptions& options,
                       const SampleIntervals& intervals, const JointVector& last, const JointVector& q,
                       double seconds, const JointVector& uncertainty = {}) noexcept;
 
-/// How far the drives may have left the straight way between samples, from one step to the next. Never
-/// allocates.
+/// How far the actuated joints may have left the straight path between samples, from one step to the next.
+/// Never allocates.
 class PathBend {
  public:
-  /// For a step of the drives, by `SampleOptions::path_bend` [rad or m]. Stamps play no part: their jitter
-  /// would look like accelerations.
+  /// For a step of the actuated joints, by `SampleOptions::path_bend` [rad or m]. Stamps play no part: their
+  /// jitter would look like accelerations.
   JointVector next(const SampleOptions& options, const JointVector& step) noexcept;
 
   /// What `next` last gave; empty at rest.
@@ -110,4 +111,4 @@ class PathBend {
 
 }  // namespace parallel_aspects
 
-#endif  // PARALLEL_ASPECTS_TRACKING_DRIVE_SAMPLES_H
+#endif  // PARALLEL_ASPECTS_TRACKING_JOINT_SAMPLES_H

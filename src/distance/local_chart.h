@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_DISTANCE_NEIGHBOURHOOD_H
-#define PARALLEL_ASPECTS_DISTANCE_NEIGHBOURHOOD_H
+#ifndef PARALLEL_ASPECTS_DISTANCE_LOCAL_CHART_H
+#define PARALLEL_ASPECTS_DISTANCE_LOCAL_CHART_H
 
 #include "distance/anchor_metric.h"
 #include "distance/cell.h"
@@ -22,7 +22,7 @@ namespace parallel_aspects {
 /// less away all have coordinates. Scalar is Interval, Affine or PointDual; all but the last, and
 /// `move_to`, need a live `RoundingUpward`.
 template <TaskSpace space>
-class Neighbourhood {
+class LocalChart {
  public:
   static constexpr bool planar = space == TaskSpace::T1 || space == TaskSpace::T2 || space == TaskSpace::SE2;
   static constexpr std::size_t turns = space == TaskSpace::SE2                              ? 1
@@ -41,7 +41,7 @@ class Neighbourhood {
   template <class Scalar>
   using Rotation = std::array<Vector<Scalar>, dimension>;  // rows
 
-  explicit Neighbourhood(const Manipulator& manipulator);
+  explicit LocalChart(const Manipulator& manipulator);
 
   const AnchorMetric& metric() const noexcept { return metric_; }
   const DistanceLeg& leg(std::size_t j) const noexcept { return legs_[j]; }
@@ -146,7 +146,7 @@ class Neighbourhood {
 
 template <TaskSpace space>
 template <class Scalar>
-typename Neighbourhood<space>::template Rotation<Scalar> Neighbourhood<space>::rotation(
+typename LocalChart<space>::template Rotation<Scalar> LocalChart<space>::rotation(
     const Scalar* turn) const noexcept {
   const Interval two(2.0);
   if constexpr (space == TaskSpace::SE2) {
@@ -169,7 +169,7 @@ typename Neighbourhood<space>::template Rotation<Scalar> Neighbourhood<space>::r
 
 template <TaskSpace space>
 template <class Scalar>
-typename Neighbourhood<space>::template Vector<Scalar> Neighbourhood<space>::arm(
+typename LocalChart<space>::template Vector<Scalar> LocalChart<space>::arm(
     std::size_t j, const Rotation<Scalar>& rotation) const noexcept {
   Vector<Scalar> result;
   for (std::size_t i = 0; i < dimension; ++i) {
@@ -181,8 +181,8 @@ typename Neighbourhood<space>::template Vector<Scalar> Neighbourhood<space>::arm
 
 template <TaskSpace space>
 template <class Scalar>
-void Neighbourhood<space>::find_rows(const std::array<Scalar, size>& y,
-                                     std::array<LegRows<Scalar, size>, size>& rows) const noexcept {
+void LocalChart<space>::find_rows(const std::array<Scalar, size>& y,
+                                  std::array<LegRows<Scalar, size>, size>& rows) const noexcept {
   [[maybe_unused]] Rotation<Scalar> turned;
   if constexpr (turns > 0) turned = rotation(y.data() + moves);
   for (std::size_t j = 0; j < size; ++j) {
@@ -194,8 +194,9 @@ void Neighbourhood<space>::find_rows(const std::array<Scalar, size>& y,
 
 template <TaskSpace space>
 template <class Scalar>
-LegRows<Scalar, Neighbourhood<space>::size> Neighbourhood<space>::rows_of(
-    const DistanceLeg& leg, const Vector<Scalar>& d, const Vector<Scalar>& arm) noexcept {
+LegRows<Scalar, LocalChart<space>::size> LocalChart<space>::rows_of(const DistanceLeg& leg,
+                                                                    const Vector<Scalar>& d,
+                                                                    const Vector<Scalar>& arm) noexcept {
   if constexpr (planar) {
     const PlanarLegForm<Scalar> form = leg.form(Planar<Scalar>{d[0], d[1]});
     if constexpr (space == TaskSpace::T1) return {form.squared_entry, {form.fixed.x}, {form.turned.x}};
@@ -220,13 +221,13 @@ LegRows<Scalar, Neighbourhood<space>::size> Neighbourhood<space>::rows_of(
   }
 }
 
-extern template class Neighbourhood<TaskSpace::T1>;
-extern template class Neighbourhood<TaskSpace::T2>;
-extern template class Neighbourhood<TaskSpace::SE2>;
-extern template class Neighbourhood<TaskSpace::T3>;
-extern template class Neighbourhood<TaskSpace::SO3>;
-extern template class Neighbourhood<TaskSpace::SE3>;
+extern template class LocalChart<TaskSpace::T1>;
+extern template class LocalChart<TaskSpace::T2>;
+extern template class LocalChart<TaskSpace::SE2>;
+extern template class LocalChart<TaskSpace::T3>;
+extern template class LocalChart<TaskSpace::SO3>;
+extern template class LocalChart<TaskSpace::SE3>;
 
 }  // namespace parallel_aspects
 
-#endif  // PARALLEL_ASPECTS_DISTANCE_NEIGHBOURHOOD_H
+#endif  // PARALLEL_ASPECTS_DISTANCE_LOCAL_CHART_H

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tracks a robot from its drives, as a controller would: track_drives URDF YAML
+// Tracks a robot from its actuated joints, as a controller would: track_joints URDF YAML
 #include <parallel_aspects/model/problems.h>
 #include <parallel_aspects/tracking/tracker.h>
 #include <parallel_aspects/urdf/mechanism.h>
@@ -44,7 +44,8 @@ std::string contents(const std::string& file) {
   return text.str();
 }
 
-// A second at 1 kHz: the first drive turns until a working mode changes or the assembly mode is not known.
+// A second at 1 kHz: the first actuated joint turns until a working mode changes or the assembly mode is not
+// known.
 int run(char** argv) {
   const auto mechanism =
       parallel_aspects::load_mechanism(contents(argv[1]), argv[1], contents(argv[2]), argv[2]);
@@ -67,7 +68,7 @@ int run(char** argv) {
 
 int main(int argc, char** argv) {
   if (argc != 3) {
-    std::cerr << "usage: track_drives URDF YAML\n";
+    std::cerr << "usage: track_joints URDF YAML\n";
     return EXIT_FAILURE;
   }
   try {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/tracking/drive_samples.h"
+#include "parallel_aspects/tracking/joint_samples.h"
 
 #include <algorithm>
 #include <cmath>
@@ -57,7 +57,7 @@ JointVector unwrapped(const Manipulator& manipulator, const JointVector& last,
   for (std::size_t j = 0; j < manipulator.leg_count(); ++j) {
     const Leg& leg = manipulator.leg(j);
     const auto i = static_cast<Eigen::Index>(j);
-    if (!leg.driven_by_angle()) continue;
+    if (!leg.actuated_by_angle()) continue;
     const double before = last.size() == q.size() ? last[i] : q[i];
     result[i] = leg.limits.limited() ? turned_inside(leg.limits, before, q[i]) : nearest_turn(before, q[i]);
   }
@@ -97,12 +97,12 @@ SampleGap gap_between(const Manipulator& manipulator, const SampleOptions& optio
     const Leg& leg = manipulator.leg(j);
     if (!std::isfinite(leg.limits.velocity)) continue;
     const auto i = static_cast<Eigen::Index>(j);
-    const double noise = options.encoder_noise * (leg.driven_by_angle() ? 1.0 : manipulator.size());
+    const double noise = options.encoder_noise * (leg.actuated_by_angle() ? 1.0 : manipulator.size());
     const double possible =
         leg.limits.velocity * (1.0 + options.velocity_tolerance) * std::fmax(0.0, seconds);
     const double unknown = uncertainty.size() == q.size() ? uncertainty[i] : 0.0;
     if (!(std::abs(q[i] - last[i]) <= possible + noise + unknown)) return SampleGap::step;
-    const bool turns_freely = leg.driven_by_angle() && !leg.limits.limited();
+    const bool turns_freely = leg.actuated_by_angle() && !leg.limits.limited();
     if (options.unwrap && turns_freely && possible >= EIGEN_PI) return SampleGap::silence;
   }
   return SampleGap::none;

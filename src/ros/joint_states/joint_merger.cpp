@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/joint_states/drive_merger.h"
+#include "ros/joint_states/joint_merger.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,30 +12,30 @@ double seconds_between(const ros::Time& from, const ros::Time& to) noexcept {
          1e-9 * (static_cast<double>(to.nsec) - static_cast<double>(from.nsec));
 }
 
-void DriveMerger::History::push(const Value& value) noexcept {
+void JointMerger::History::push(const Value& value) noexcept {
   std::copy_backward(values.begin(), values.end() - 1, values.end());
   values.front() = value;
   count = std::min(count + 1, values.size());
 }
 
-DriveMerger::DriveMerger(std::shared_ptr<const Manipulator> manipulator, const SampleOptions& options,
+JointMerger::JointMerger(std::shared_ptr<const Manipulator> manipulator, const SampleOptions& options,
                          double window)
     : manipulator_(std::move(manipulator)),
       options_(options),
       window_(window),
       limited_(velocities_limited(*manipulator_, options)) {}
 
-void DriveMerger::forget() noexcept {
-  for (History& drive : drives_) drive.count = 0;
+void JointMerger::forget() noexcept {
+  for (History& actuation : joints_to_actuate_) actuation.count = 0;
   last_ = ros::Time();
 }
 
-std::optional<MergedDrives> DriveMerger::add(const ros::Time& stamp, const DriveSet& drives,
+std::optional<MergedJoints> JointMerger::add(const ros::Time& stamp, const JointSet& joint_values,
                                              const JointVector& q) {
-  remember(stamp, drives, q);
+  remember(stamp, joint_values, q);
   for (std::size_t j = 0; j < manipulator_->leg_count(); ++j)
-    if (drives_[j].count == 0) return std::nullopt;
-  MergedDrives merged;
+    if (joints_to_actuate_[j].count == 0) return std::nullopt;
+  MergedJoints merged;
   merged.q = merged.uncertainty = JointVector::Zero(q.size());
   const bool known = limited_ ? newest(merged) : bracketed(merged);
   if (!known || !(merged.stamp > last_)) return std::nullopt;
@@ -44,24 +44,25 @@ std::optional<MergedDrives> DriveMerger::add(const ros::Time& stamp, const Drive
 }
 
 // Angles go on from the value before, as between two samples.
-void DriveMerger::remember(const ros::Time& stamp, const DriveSet& drives, const JointVector& q) {
+void JointMerger::remember(const ros::Time& stamp, const JointSet& joint_values, const JointVector& q) {
   JointVector before = q;
   for (std::size_t j = 0; j < manipulator_->leg_count(); ++j)
-    if (drives_[j].count > 0) before[static_cast<Eigen::Index>(j)] = drives_[j].values.front().position;
+    if (joints_to_actuate_[j].count > 0)
+      before[static_cast<Eigen::Index>(j)] = joints_to_actuate_[j].values.front().position;
   const JointVector positions = options_.unwrap ? unwrapped(*manipulator_, before, q) : q;
   for (std::size_t j = 0; j < manipulator_->leg_count(); ++j) {
-    History& drive = drives_[j];
-    if (!drives[j] || (drive.count > 0 && !(stamp > drive.values.front().stamp))) continue;
-    drive.push({stamp, positions[static_cast<Eigen::Index>(j)]});
+    History& actuation = joints_to_actuate_[j];
+    if (!joint_values[j] || (actuation.count > 0 && !(stamp > actuation.values.front().stamp))) continue;
+    actuation.push({stamp, positions[static_cast<Eigen::Index>(j)]});
   }
 }
 
-bool DriveMerger::newest(MergedDrives& merged) const {
+bool JointMerger::newest(MergedJoints& merged) const {
   for (std::size_t j = 0; j < manipulator_->leg_count(); ++j)
-    merged.stamp = std::max(merged.stamp, drives_[j].values.front().stamp);
+    merged.stamp = std::max(merged.stamp, joints_to_actuate_[j].values.front().stamp);
   for (std::size_t j = 0; j < manipulator_->leg_count(); ++j) {
     const auto i = static_cast<Eigen::Index>(j);
-    const Value& value = drives_[j].values.front();
+    const Value& value = joints_to_actuate_[j].values.front();
     const double age = seconds_between(value.stamp, merged.stamp);
     if (!(age <= window_)) return false;
     merged.q[i] = value.position;
@@ -70,19 +71,19 @@ bool DriveMerger::newest(MergedDrives& merged) const {
   return true;
 }
 
-bool DriveMerger::bracketed(MergedDrives& merged) const {
-  merged.stamp = drives_[0].values.front().stamp;
+bool JointMerger::bracketed(MergedJoints& merged) const {
+  merged.stamp = joints_to_actuate_[0].values.front().stamp;
   for (std::size_t j = 1; j < manipulator_->leg_count(); ++j)
-    merged.stamp = std::min(merged.stamp, drives_[j].values.front().stamp);
+    merged.stamp = std::min(merged.stamp, joints_to_actuate_[j].values.front().stamp);
   for (std::size_t j = 0; j < manipulator_->leg_count(); ++j) {
     const auto i = static_cast<Eigen::Index>(j);
-    if (!interpolate(drives_[j], merged.stamp, merged.q[i], merged.uncertainty[i])) return false;
+    if (!interpolate(joints_to_actuate_[j], merged.stamp, merged.q[i], merged.uncertainty[i])) return false;
   }
   return true;
 }
 
 // Between the two values about that time; the newest is not earlier.
-bool DriveMerger::interpolate(const History& history, const ros::Time& stamp, double& position,
+bool JointMerger::interpolate(const History& history, const ros::Time& stamp, double& position,
                               double& uncertainty) const {
   const auto end = history.values.begin() + static_cast<std::ptrdiff_t>(history.count);
   const auto before =

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the tracker says where the drives alone do not tell the assembly mode.
+// What the tracker says where the actuated joints alone do not tell the assembly mode.
 #include "model/coefficients.h"
 #include "motion/roadmap.h"
 #include "parallel_aspects/kinematics/direct.h"
@@ -31,7 +31,7 @@ Pose at(double x, double y, double phi = 0.0) {
   return pose;
 }
 
-JointVector drives(const Manipulator& robot, const Pose& pose, const std::vector<int>& signs) {
+JointVector joint_values(const Manipulator& robot, const Pose& pose, const std::vector<int>& signs) {
   return inverse(robot, pose, *WorkingMode::from_signs(signs)).q;
 }
 
@@ -41,7 +41,7 @@ std::shared_ptr<const Manipulator> with_velocity(const Manipulator& robot, doubl
   return test::manipulator(robot.name(), robot.task_space(), std::move(legs));
 }
 
-// For steps that are long in time and way, and taken to be straight.
+// For steps that are long in time and path, and taken to be straight.
 TrackerOptions straight() {
   TrackerOptions options;
   options.samples.path_bend = 0.0;
@@ -51,9 +51,9 @@ TrackerOptions straight() {
 
 const auto bipod = with_velocity(*test::bipod(), 1.0);
 
-TEST(TrackerInDoubt, AStepBeyondTheVelocityLimitsIsAGap) {
+TEST(AmbiguousTracker, AStepBeyondTheVelocityLimitsIsAGap) {
   Tracker tracker(bipod);
-  const JointVector q = drives(*bipod, at(2.0, 4.0), {1, 1});
+  const JointVector q = joint_values(*bipod, at(2.0, 4.0), {1, 1});
   ASSERT_TRUE(tracker.start(0.0, q, at(2.0, 4.0), 1e-6));
   JointVector moved = q + joints({0.0009, -0.0009});
   EXPECT_EQ(tracker.update(0.001, moved).status, TrackStatus::tracking);
@@ -61,7 +61,7 @@ TEST(TrackerInDoubt, AStepBeyondTheVelocityLimitsIsAGap) {
   EXPECT_EQ(tracker.update(0.101, moved).status, TrackStatus::tracking);
   moved[0] += 0.05;
   EXPECT_EQ(tracker.update(0.102, moved).status, TrackStatus::ambiguous);
-  EXPECT_EQ(tracker.state().doubt, Doubt::gap);
+  EXPECT_EQ(tracker.state().ambiguity, Ambiguity::gap);
   ASSERT_EQ(tracker.transitions().count, 1U);
   EXPECT_EQ(tracker.transitions().begin()->kind, TransitionKind::lost);
   EXPECT_FALSE(tracker.transitions().begin()->determinant);
@@ -75,7 +75,7 @@ TEST(TrackerInDoubt, AStepBeyondTheVelocityLimitsIsAGap) {
   EXPECT_GT(tracker.state().pose.position.y(), 0.0);
 }
 
-TEST(TrackerInDoubt, RefusesOptionsThatMakeNoSense) {
+TEST(AmbiguousTracker, RefusesOptionsThatMakeNoSense) {
   EXPECT_TRUE(problems_of(TrackerOptions{}).empty());
   TrackerOptions options;
   options.hysteresis = 1.0;
@@ -87,14 +87,14 @@ TEST(TrackerInDoubt, RefusesOptionsThatMakeNoSense) {
   EXPECT_EQ(problems_of(options).size(), 6U);
 }
 
-TEST(TrackerInDoubt, AnIntervalThatIsTooLongIsASilence) {
+TEST(AmbiguousTracker, AnIntervalThatIsTooLongIsASilence) {
   Tracker tracker(bipod);
-  const JointVector q = drives(*bipod, at(2.0, 4.0), {1, 1});
+  const JointVector q = joint_values(*bipod, at(2.0, 4.0), {1, 1});
   ASSERT_TRUE(tracker.start(0.0, q, at(2.0, 4.0), 1e-6));
   EXPECT_EQ(tracker.update(0.5, q).status, TrackStatus::tracking);
-  EXPECT_EQ(tracker.update(1.1, q).doubt, Doubt::silence);
+  EXPECT_EQ(tracker.update(1.1, q).ambiguity, Ambiguity::silence);
   ASSERT_TRUE(tracker.start(2.0, q, at(2.0, 4.0), 1e-6));
-  EXPECT_EQ(tracker.update(1.9, q).doubt, Doubt::silence) << "nobody knows how long that was";
+  EXPECT_EQ(tracker.update(1.9, q).ambiguity, Ambiguity::silence) << "nobody knows how long that was";
   TrackerOptions options;
   options.samples.longest_interval = std::numeric_limits<double>::infinity();
   Tracker trusting(bipod, options);
@@ -102,25 +102,25 @@ TEST(TrackerInDoubt, AnIntervalThatIsTooLongIsASilence) {
   EXPECT_EQ(trusting.update(1000.0, q).status, TrackStatus::tracking) << "continuity was stated";
 }
 
-// Moved by hand through det A = 0 while nothing was published, and back to drives near those before: now in
-// the other assembly mode.
-TEST(TrackerInDoubt, ARobotThatWasMovedInSilenceIsNotFollowed) {
+// Moved by hand through det A = 0 while nothing was published, and back to actuated joints near those before:
+// now in the other assembly mode.
+TEST(AmbiguousTracker, ARobotThatWasMovedInSilenceIsNotFollowed) {
   const auto robot = test::five_bar();
-  const JointVector q = drives(*robot, at(4.5, 8.0), {-1, -1});
+  const JointVector q = joint_values(*robot, at(4.5, 8.0), {-1, -1});
   for (const double silence : {0.06, 0.3}) {
     Tracker tracker(robot);
     ASSERT_TRUE(tracker.start(0.0, q, 1));
     for (int i = 1; i <= 20; ++i) ASSERT_EQ(tracker.update(0.01 * i, q).status, TrackStatus::tracking);
-    EXPECT_EQ(tracker.update(0.2 + silence, q + joints({0.01, 0.0})).doubt, Doubt::silence);
+    EXPECT_EQ(tracker.update(0.2 + silence, q + joints({0.01, 0.0})).ambiguity, Ambiguity::silence);
     EXPECT_EQ(tracker.transitions().begin()->kind, TransitionKind::lost);
     EXPECT_FALSE(tracker.find_candidates());
     EXPECT_EQ(tracker.candidates().size(), 2U) << "both assembly modes are possible";
   }
 }
 
-TEST(TrackerInDoubt, ASilenceIsToldFromTheUsualRate) {
+TEST(AmbiguousTracker, ASilenceIsToldFromTheUsualRate) {
   const auto free = test::five_bar(), limited = with_velocity(*free, 1.0);
-  const JointVector q = drives(*free, at(4.5, 8.0), {-1, -1});
+  const JointVector q = joint_values(*free, at(4.5, 8.0), {-1, -1});
   SampleOptions options;
   SampleIntervals intervals;
   const auto gap = [&](const Manipulator& robot, double seconds) {
@@ -142,9 +142,9 @@ TEST(TrackerInDoubt, ASilenceIsToldFromTheUsualRate) {
   EXPECT_EQ(gap(*free, 0.4), SampleGap::none) << "this is the rate now";
 }
 
-TEST(TrackerInDoubt, TransitionsAreTakenOnce) {
+TEST(AmbiguousTracker, TransitionsAreTakenOnce) {
   Tracker tracker(bipod);
-  const JointVector q = drives(*bipod, at(2.0, 4.0), {1, 1});
+  const JointVector q = joint_values(*bipod, at(2.0, 4.0), {1, 1});
   ASSERT_TRUE(tracker.start(0.0, q, at(2.0, 4.0), 1e-6));
   tracker.update(1.0, q);
   EXPECT_EQ(tracker.take_transitions().count, 1U);
@@ -154,10 +154,10 @@ TEST(TrackerInDoubt, TransitionsAreTakenOnce) {
 }
 
 // At (4.5, 8) the second crank stands at 3.138 in this mode, just below half a turn.
-TEST(TrackerInDoubt, EncodersMayWrap) {
+TEST(AmbiguousTracker, EncodersMayWrap) {
   const auto robot = test::five_bar();
   Tracker tracker(robot);
-  JointVector q = drives(*robot, at(4.5, 8.0), {-1, -1});
+  JointVector q = joint_values(*robot, at(4.5, 8.0), {-1, -1});
   ASSERT_NEAR(q[1], 3.138465, 1e-6);
   ASSERT_TRUE(tracker.start(0.0, q, at(4.5, 8.0), 1e-6));
   for (int i = 1; i <= 100; ++i) {
@@ -170,15 +170,15 @@ TEST(TrackerInDoubt, EncodersMayWrap) {
   EXPECT_GT(q[1], EIGEN_PI);
 }
 
-// Whatever the drives are within their uncertainty, the platform is as near as the spread says, and in the
-// assembly mode that is followed.
-TEST(TrackerInDoubt, UncertainDrivesAreFollowedAsAWhole) {
+// Whatever the actuated joints are within their uncertainty, the platform is as near as the spread says, and
+// in the assembly mode that is followed.
+TEST(AmbiguousTracker, UncertainDrivesAreFollowedAsAWhole) {
   const auto robot = test::five_bar();
   std::mt19937 random(3);
   std::uniform_real_distribution<double> share(-1.0, 1.0);
   const JointVector uncertainty = joints({0.002, 0.001});
   Tracker tracker(robot);
-  JointVector q = drives(*robot, at(4.5, 8.0), {-1, 1});
+  JointVector q = joint_values(*robot, at(4.5, 8.0), {-1, 1});
   ASSERT_TRUE(tracker.start(0.0, q, at(4.5, 8.0), 1e-6));
   int followed = 0;
   for (; followed < 3000; ++followed) {
@@ -195,16 +195,16 @@ TEST(TrackerInDoubt, UncertainDrivesAreFollowedAsAWhole) {
     }
   }
   EXPECT_GT(followed, 10);
-  EXPECT_EQ(tracker.state().doubt, Doubt::near_parallel_singularity);
+  EXPECT_EQ(tracker.state().ambiguity, Ambiguity::near_parallel_singularity);
   tracker.update(0.001 * (followed + 2), q, uncertainty);
   tracker.find_candidates();
-  EXPECT_FALSE(tracker.candidates().complete()) << "at other drives there may be others";
+  EXPECT_FALSE(tracker.candidates().complete()) << "at other actuated joints there may be others";
 }
 
-// A drive of 1 rad/s may have gone round the other way within three seconds.
-TEST(TrackerInDoubt, ATimeForHalfATurnIsASilence) {
+// An actuated joint of 1 rad/s may have gone round the other way within three seconds.
+TEST(AmbiguousTracker, ATimeForHalfATurnIsASilence) {
   const auto robot = with_velocity(*test::five_bar(), 1.0);
-  const JointVector q = drives(*robot, at(4.5, 8.0), {-1, -1});
+  const JointVector q = joint_values(*robot, at(4.5, 8.0), {-1, -1});
   SampleOptions options;
   options.longest_interval = std::numeric_limits<double>::infinity();
   const auto gap = [&](const JointVector& step, double seconds) {
@@ -217,7 +217,7 @@ TEST(TrackerInDoubt, ATimeForHalfATurnIsASilence) {
   EXPECT_EQ(gap(joints({0.001, 0.0}), -1.0), SampleGap::step) << "time goes backwards";
 }
 
-TEST(TrackerInDoubt, LimitsSayWhichTurnIsMeant) {
+TEST(AmbiguousTracker, LimitsSayWhichTurnIsMeant) {
   std::vector<Leg> legs = test::five_bar()->legs();
   legs[0].limits = JointLimits{0.5, 5.0};
   const auto robot = test::manipulator("limited", TaskSpace::T2, legs);
@@ -229,13 +229,13 @@ TEST(TrackerInDoubt, LimitsSayWhichTurnIsMeant) {
 }
 
 // Six assembly modes at the first sample: each is followed until what is known leaves one.
-TEST(TrackerInDoubt, FollowsEveryAssemblyModeUntilOneIsLeft) {
+TEST(AmbiguousTracker, FollowsEveryAssemblyModeUntilOneIsLeft) {
   const auto robot = test::three_rpr();
   Tracker tracker(robot);
   JointVector q = joints({14.98, 15.38, 12.0});
-  EXPECT_EQ(tracker.update(0.0, q).status, TrackStatus::unstarted);
+  EXPECT_EQ(tracker.update(0.0, q).status, TrackStatus::uninitialised);
   EXPECT_FALSE(tracker.find_candidates());
-  EXPECT_EQ(tracker.state().doubt, Doubt::several_assembly_modes);
+  EXPECT_EQ(tracker.state().ambiguity, Ambiguity::several_assembly_modes);
   ASSERT_EQ(tracker.candidates().size(), 6U);
   for (int i = 1; i <= 50; ++i) {
     q += joints({0.001, -0.0005, 0.0007});
@@ -257,7 +257,7 @@ TEST(TrackerInDoubt, FollowsEveryAssemblyModeUntilOneIsLeft) {
 }
 
 // So near det A = 0 that the direct solver tells both assembly modes as one: the list is not complete.
-TEST(TrackerInDoubt, DoesNotStartWhereTwoAssemblyModesMeet) {
+TEST(AmbiguousTracker, DoesNotStartWhereTwoAssemblyModesMeet) {
   Tracker tracker(test::five_bar());
   JointVector q = joints({1.558, 0.8314682264352418});
   tracker.update(0.0, q);
@@ -274,7 +274,7 @@ TEST(TrackerInDoubt, DoesNotStartWhereTwoAssemblyModesMeet) {
 }
 
 // One sample that cannot be assembled is no reason to list none from then on.
-TEST(TrackerInDoubt, ListsCandidatesAgainAfterDrivesThatCannotBeAssembled) {
+TEST(AmbiguousTracker, ListsCandidatesAgainAfterDrivesThatCannotBeAssembled) {
   Tracker tracker(test::five_bar());
   tracker.update(0.0, joints({EIGEN_PI, 0.0}));
   EXPECT_FALSE(tracker.find_candidates());
@@ -285,28 +285,28 @@ TEST(TrackerInDoubt, ListsCandidatesAgainAfterDrivesThatCannotBeAssembled) {
   EXPECT_EQ(tracker.candidates().size(), 2U);
 }
 
-TEST(TrackerInDoubt, SaysWhereNoCandidateFitsOrNoneExists) {
+TEST(AmbiguousTracker, SaysWhereNoCandidateFitsOrNoneExists) {
   const auto robot = test::three_rpr();
   Tracker tracker(robot);
   tracker.update(0.0, joints({14.98, 15.38, 12.0}));
   tracker.find_candidates();
   EXPECT_FALSE(tracker.keep_candidates([](const Pose&, const JointVector&) { return false; }));
-  EXPECT_EQ(tracker.state().doubt, Doubt::no_candidate_fits);
+  EXPECT_EQ(tracker.state().ambiguity, Ambiguity::no_candidate_fits);
   EXPECT_TRUE(tracker.wants_candidates());
   tracker.stop();
   tracker.update(1.0, joints({10.0, 32.0, 60.0}));
   EXPECT_FALSE(tracker.find_candidates());
-  EXPECT_EQ(tracker.state().doubt, Doubt::no_direct_solution);
+  EXPECT_EQ(tracker.state().ambiguity, Ambiguity::no_direct_solution);
 }
 
-TEST(TrackerInDoubt, StartsWhereALegIsStretchedOnceItIsNot) {
+TEST(AmbiguousTracker, StartsWhereALegIsStretchedOnceItIsNot) {
   const auto robot = test::five_bar();
   Tracker tracker(robot);
   // Leg 1 in line, along x: the tip of the crank at (8, 0), the platform at (13, 0); leg 2 reaches it.
-  const JointVector stretched = joints({0.0, drives(*robot, at(13.0, 0.0), {1, -1})[1]});
+  const JointVector stretched = joints({0.0, joint_values(*robot, at(13.0, 0.0), {1, -1})[1]});
   EXPECT_FALSE(tracker.start(0.0, stretched, at(13.0, 0.0), 1e-3));
   EXPECT_EQ(tracker.state().status, TrackStatus::ambiguous);
-  EXPECT_EQ(tracker.state().doubt, Doubt::serial_singularity);
+  EXPECT_EQ(tracker.state().ambiguity, Ambiguity::serial_singularity);
   int i = 1;
   JointVector q = stretched;
   while (i < 100 && tracker.state().status != TrackStatus::tracking) {
@@ -317,9 +317,9 @@ TEST(TrackerInDoubt, StartsWhereALegIsStretchedOnceItIsNot) {
   EXPECT_EQ(tracker.state().mode.sign(1), -1);
 }
 
-TEST(TrackerInDoubt, AResidualMakesTheStateInconsistentAndIsFollowedOn) {
+TEST(AmbiguousTracker, AResidualMakesTheStateInconsistentAndIsFollowedOn) {
   Tracker tracker(bipod);
-  const JointVector q = drives(*bipod, at(2.0, 4.0), {1, 1});
+  const JointVector q = joint_values(*bipod, at(2.0, 4.0), {1, 1});
   ASSERT_TRUE(tracker.start(0.0, q, at(2.0, 4.0), 1e-6));
   tracker.report_residual(3.0, true);
   EXPECT_EQ(tracker.state().status, TrackStatus::inconsistent);
@@ -328,20 +328,20 @@ TEST(TrackerInDoubt, AResidualMakesTheStateInconsistentAndIsFollowedOn) {
   EXPECT_EQ(tracker.state().status, TrackStatus::tracking);
 }
 
-TEST(TrackerInDoubt, AStepThatNeedsTooManySubdivisionsIsSaidToBeOne) {
+TEST(AmbiguousTracker, AStepThatNeedsTooManySubdivisionsIsSaidToBeOne) {
   TrackerOptions options = straight();
   options.most_steps = 1;
   const auto robot = test::five_bar();
   Tracker tracker(robot, options);
-  const JointVector q = drives(*robot, at(4.5, 8.0), {-1, -1});
+  const JointVector q = joint_values(*robot, at(4.5, 8.0), {-1, -1});
   ASSERT_TRUE(tracker.start(0.0, q, 1));
-  EXPECT_EQ(tracker.update(1.0, q + joints({0.5, 0.5})).doubt, Doubt::step_budget);
+  EXPECT_EQ(tracker.update(1.0, q + joints({0.5, 0.5})).ambiguity, Ambiguity::step_budget);
 }
 
 // The time of a crossing is right even where one step leads far across it.
-TEST(TrackerInDoubt, CrossingsOfLongStepsAreTimed) {
+TEST(AmbiguousTracker, CrossingsOfLongStepsAreTimed) {
   const auto robot = test::five_bar();
-  const JointVector q = drives(*robot, at(4.5, 8.0), {-1, -1});
+  const JointVector q = joint_values(*robot, at(4.5, 8.0), {-1, -1});
   double fine = 0.0;
   Tracker tracker(robot, straight());
   ASSERT_TRUE(tracker.start(0.0, q, 1));
@@ -357,7 +357,7 @@ TEST(TrackerInDoubt, CrossingsOfLongStepsAreTimed) {
 }
 
 // Steps so long that several legs change sides in one.
-TEST(TrackerInDoubt, CrossingsOfOneStepAreAChain) {
+TEST(AmbiguousTracker, CrossingsOfOneStepAreAChain) {
   const auto robot = test::three_prr();
   std::mt19937 random(8);
   std::uniform_real_distribution<double> uniform(-0.4, 0.4);
@@ -388,8 +388,8 @@ TEST(TrackerInDoubt, CrossingsOfOneStepAreAChain) {
 // direct solutions three have det A > 0, all in one aspect.
 class NonsingularAssemblyModeChange : public testing::Test {
  protected:
-  // Drives along a way from one direct solution to another of the same sign, found at random.
-  std::vector<JointVector> find_way() {
+  // Actuated joints along a path from one direct solution to another of the same sign, found at random.
+  std::vector<JointVector> find_path() {
     const DirectResult result = direct(*robot_, q_);
     Roadmap roads(*robot_, 2000);  // followed in many samples
     for (const AssemblyMode& mode : result.solutions)
@@ -397,11 +397,11 @@ class NonsingularAssemblyModeChange : public testing::Test {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> position(-30.0, 30.0), angle(-EIGEN_PI, EIGEN_PI);
     for (int i = 0; i < 4000; ++i) add_place(at(position(random), position(random), angle(random)), roads);
-    std::vector<JointVector> way;
-    for (const std::size_t place : roads.way(ends_[0], ends_[1])) way.push_back(roads.place(place).q);
+    std::vector<JointVector> path;
+    for (const std::size_t place : roads.path(ends_[0], ends_[1])) path.push_back(roads.place(place).q);
     from_ = roads.place(ends_[0]).pose;
     to_ = roads.place(ends_[1]).pose;
-    return way;
+    return path;
   }
 
   void add_place(const Pose& pose, Roadmap& roads) const {
@@ -410,12 +410,12 @@ class NonsingularAssemblyModeChange : public testing::Test {
     if (direct_determinant(*robot_, pose, solution.q) > 0.0) roads.add({pose, solution.q});
   }
 
-  // The changes of assembly mode that are told on the way.
-  int follow(const std::vector<JointVector>& way, Tracker& tracker) {
+  // The changes of assembly mode that are detected on the path.
+  int follow(const std::vector<JointVector>& path, Tracker& tracker) {
     int told = 0;
-    for (std::size_t k = 1; k < way.size(); ++k)
+    for (std::size_t k = 1; k < path.size(); ++k)
       for (int i = 1; i <= samples_; ++i) {
-        tracker.update(time_ += 1e-3, way[k - 1] + (way[k] - way[k - 1]) * i / samples_);
+        tracker.update(time_ += 1e-3, path[k - 1] + (path[k] - path[k - 1]) * i / samples_);
         for (const Transition& each : tracker.transitions()) {
           EXPECT_EQ(each.kind, TransitionKind::assembly_mode);
           EXPECT_TRUE(each.inside_aspect);
@@ -435,34 +435,34 @@ class NonsingularAssemblyModeChange : public testing::Test {
 };
 
 TEST_F(NonsingularAssemblyModeChange, IsToldWhenTheDrivesAreBack) {
-  std::vector<JointVector> way = find_way();
-  ASSERT_GE(way.size(), 3U);
+  std::vector<JointVector> path = find_path();
+  ASSERT_GE(path.size(), 3U);
   Tracker tracker(robot_);
   ASSERT_TRUE(tracker.start(0.0, q_, from_, 1e-6));
   EXPECT_EQ(tracker.compare_with_reference(), AssemblyComparison::same);
-  EXPECT_EQ(follow(way, tracker) % 2, 1);
+  EXPECT_EQ(follow(path, tracker) % 2, 1);
   ASSERT_EQ(tracker.state().status, TrackStatus::tracking);
   EXPECT_LT((tracker.state().pose.position - to_.position).norm(), 1e-6);
   EXPECT_EQ(tracker.compare_with_reference(), AssemblyComparison::same) << "the reference went along";
-  std::reverse(way.begin(), way.end());
-  EXPECT_EQ(follow(way, tracker) % 2, 1);
+  std::reverse(path.begin(), path.end());
+  EXPECT_EQ(follow(path, tracker) % 2, 1);
   EXPECT_LT((tracker.state().pose.position - from_.position).norm(), 1e-6);
 }
 
 TEST_F(NonsingularAssemblyModeChange, IsAnsweredOnDemand) {
-  const std::vector<JointVector> way = find_way();
-  ASSERT_GE(way.size(), 3U);
+  const std::vector<JointVector> path = find_path();
+  ASSERT_GE(path.size(), 3U);
   Tracker tracker(robot_);
   ASSERT_TRUE(tracker.start(0.0, q_, from_, 1e-6));
   bool told = false, answered = false;
-  for (std::size_t k = 1; k < way.size() && !told; ++k)
+  for (std::size_t k = 1; k < path.size() && !told; ++k)
     for (int i = 1; i <= samples_ && !told; ++i) {
-      tracker.update(time_ += 1e-3, way[k - 1] + (way[k] - way[k - 1]) * i / samples_);
+      tracker.update(time_ += 1e-3, path[k - 1] + (path[k] - path[k - 1]) * i / samples_);
       told = !tracker.transitions().empty();
       if (!told) answered = tracker.compare_with_reference() == AssemblyComparison::other;
     }
   EXPECT_TRUE(told);
-  EXPECT_TRUE(answered) << "just before the drives were back";
+  EXPECT_TRUE(answered) << "just before the actuated joints were back";
 }
 
 }  // namespace

@@ -10,7 +10,8 @@
 #include <cmath>
 #include <set>
 
-// The PRRP of Caro et al., |(a, q) - (x, b)| = l, and its kin with one drive and one freedom.
+// The PRRP of Caro et al., |(a, q) - (x, b)| = l, and its kin with one actuated joint and one degree of
+// freedom.
 namespace parallel_aspects {
 namespace {
 
@@ -87,10 +88,10 @@ TEST_F(Prrp, HasSegmentsThatAreProvedFree) {
   EXPECT_EQ(certifier.prove(at(2.0), at(3.5), mode, 100).verdict, SegmentVerdict::free);
   const SegmentProof across = certifier.prove(at(0.5), at(3.5), mode, 100);
   EXPECT_EQ(across.verdict, SegmentVerdict::blocked);
-  EXPECT_EQ(across.hindrance, Hindrance::singularity);
+  EXPECT_EQ(across.violation, Violation::singularity);
 }
 
-// A crank that drives a slider through a rod.
+// A crank that actuates a slider through a rod.
 TEST(SliderCrank, IsRecognised) {
   const std::string urdf =
       "<robot name=\"slider_crank\"><link name=\"base\"/><link name=\"crank\"/><link name=\"rod\"/>"
@@ -104,12 +105,12 @@ TEST(SliderCrank, IsRecognised) {
                                     "mechanism: {operational_point: slider, actuated_joints: [drive], "
                                     "closures: [{frames: [tip, slider], type: point}]}");
   EXPECT_EQ(mechanism->manipulator()->task_space(), TaskSpace::T1);
-  EXPECT_NEAR(std::get<RevoluteDrive>(mechanism->manipulator()->leg(0).drive).radius, 1.0, 1e-9);
+  EXPECT_NEAR(std::get<RevoluteActuation>(mechanism->manipulator()->leg(0).actuation).radius, 1.0, 1e-9);
   EXPECT_NEAR(mechanism->manipulator()->leg(0).rod_length, 3.0, 1e-9);
   EXPECT_EQ(test::open_loops(*mechanism), 0);
 }
 
-// One drive, but the coupler's points run along curves.
+// One actuated joint, but the coupler's points run along curves.
 TEST(FourBar, IsRefused) {
   const std::string urdf =
       "<robot name=\"four_bar\"><link name=\"base\"/><link name=\"crank\"/><link name=\"coupler\"/>"
@@ -120,7 +121,8 @@ TEST(FourBar, IsRefused) {
       test::moving_joint("pivot", "base", "rocker", "0 0 1", "xyz=\"3 0 0\"") +
       test::fixed_joint("rocker", "end", "xyz=\"2 0 0\"") + "</robot>";
   const Problems expected{
-      "robot.yaml drives none of the joints 'pivot', which make one leg; add one of them to actuated_joints, "
+      "robot.yaml actuates none of the joints 'pivot', which make one leg; add one of them to "
+      "actuated_joints, "
       "or take the leg out of the URDF."};
   EXPECT_EQ(test::refusal(urdf,
                           "mechanism: {operational_point: coupler, actuated_joints: [drive], closures: "

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/aspects/turning_slice.h"
+#include "parallel_aspects/aspects/rotation_slice.h"
 
 #include <algorithm>
 #include <array>
@@ -30,8 +30,8 @@ std::string find_problem(TaskSpace space, const std::vector<HeldCoordinate>& hel
 }  // namespace
 
 // With yaw left free it is a slice about the z axis, whose orientation and axis are then set.
-MapSlice make_turning_slice(TaskSpace space, const std::vector<HeldCoordinate>& held, const std::string& axis,
-                            Problems& problems) {
+MapSlice make_rotation_slice(TaskSpace space, const std::vector<HeldCoordinate>& held,
+                             const std::string& axis, Problems& problems) {
   const std::string problem = find_problem(space, held, axis);
   if (!problem.empty()) {
     problems.push_back(problem);

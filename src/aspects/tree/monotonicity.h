@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_ASPECTS_TREE_GROWTH_H
-#define PARALLEL_ASPECTS_ASPECTS_TREE_GROWTH_H
+#ifndef PARALLEL_ASPECTS_ASPECTS_TREE_MONOTONICITY_H
+#define PARALLEL_ASPECTS_ASPECTS_TREE_MONOTONICITY_H
 
 #include "interval/interval.h"
 #include "parallel_aspects/aspects/box.h"
@@ -11,21 +11,21 @@
 
 namespace parallel_aspects {
 
-/// In which directions a set of poses grows through a box. It grows upward along a coordinate if with each
-/// pose of it, all poses of the box are in it that differ by a larger value of this coordinate only; likewise
-/// downward.
+/// In which directions a set of poses are monotone through a box. It grows upward along a coordinate if with
+/// each pose of it, all poses of the box are in it that differ by a larger value of this coordinate only;
+/// likewise downward.
 ///
-/// A set that grows along a coordinate can be pushed onto one face of the box without leaving itself: it is
-/// connected if what it has of that face is, and empty if that is. One that grows along every coordinate is
-/// connected or empty, and holds one corner unless it is empty.
+/// A set that is monotone along a coordinate can be pushed onto one face of the box without leaving itself:
+/// it is connected if what it has of that face is, and empty if that is. One that is monotone along every
+/// coordinate is connected or empty, and holds one corner unless it is empty.
 ///
 /// A set { f > 0 } grows upward where the partial derivative of f is nowhere negative, and sets that grow
 /// alike leave intersections and unions that do.
-class Growth {
+class Monotonicity {
  public:
   /// Of the whole box: along every coordinate, in both directions.
-  static Growth of_everything() noexcept { return Growth(0xffU, 0xffU); }
-  static Growth unknown() noexcept { return Growth(0, 0); }
+  static Monotonicity of_everything() noexcept { return Monotonicity(0xffU, 0xffU); }
+  static Monotonicity unknown() noexcept { return Monotonicity(0, 0); }
 
   bool upward(std::size_t coordinate) const noexcept { return (upward_ >> coordinate & 1U) != 0; }
   bool downward(std::size_t coordinate) const noexcept { return (downward_ >> coordinate & 1U) != 0; }
@@ -39,9 +39,9 @@ class Growth {
   }
 
   /// Leaves the directions in which both sets grow.
-  Growth with(const Growth& other) const noexcept {
-    return Growth(static_cast<std::uint8_t>(upward_ & other.upward_),
-                  static_cast<std::uint8_t>(downward_ & other.downward_));
+  Monotonicity with(const Monotonicity& other) const noexcept {
+    return Monotonicity(static_cast<std::uint8_t>(upward_ & other.upward_),
+                        static_cast<std::uint8_t>(downward_ & other.downward_));
   }
 
   /// Flattens the box onto the face, edge or corner that the set grows to, along every coordinate along which
@@ -80,11 +80,11 @@ class Growth {
   }
 
  private:
-  Growth(std::uint8_t upward, std::uint8_t downward) noexcept : upward_(upward), downward_(downward) {}
+  Monotonicity(std::uint8_t upward, std::uint8_t downward) noexcept : upward_(upward), downward_(downward) {}
 
   std::uint8_t upward_, downward_;  // bit i for coordinate i
 };
 
 }  // namespace parallel_aspects
 
-#endif  // PARALLEL_ASPECTS_ASPECTS_TREE_GROWTH_H
+#endif  // PARALLEL_ASPECTS_ASPECTS_TREE_MONOTONICITY_H

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "distance/neighbourhood.h"
+#include "distance/local_chart.h"
 
 #include <cmath>
 
 namespace parallel_aspects {
 
 template <TaskSpace space>
-Neighbourhood<space>::Neighbourhood(const Manipulator& manipulator) : metric_(manipulator) {
+LocalChart<space>::LocalChart(const Manipulator& manipulator) : metric_(manipulator) {
   const RoundingUpward rounding;
   for (std::size_t j = 0; j < size; ++j) {
     const Leg& leg = manipulator.leg(j);
@@ -19,7 +19,7 @@ Neighbourhood<space>::Neighbourhood(const Manipulator& manipulator) : metric_(ma
 }
 
 template <TaskSpace space>
-typename Neighbourhood<space>::template Vector<Interval> Neighbourhood<space>::interval_vector(
+typename LocalChart<space>::template Vector<Interval> LocalChart<space>::interval_vector(
     const Eigen::Vector3d& vector) noexcept {
   Vector<Interval> result;
   for (std::size_t i = 0; i < dimension; ++i) result[i] = Interval(vector[static_cast<Eigen::Index>(i)]);
@@ -28,7 +28,7 @@ typename Neighbourhood<space>::template Vector<Interval> Neighbourhood<space>::i
 
 // A quaternion stands for its direction, so it need not be of unit length to the last digit.
 template <TaskSpace space>
-void Neighbourhood<space>::find_rotation(const Pose& pose) noexcept {
+void LocalChart<space>::find_rotation(const Pose& pose) noexcept {
   const Interval x(pose.orientation.x()), y(pose.orientation.y()), z(pose.orientation.z()),
       w(pose.orientation.w()), two(2.0);
   const Interval xx = square(x), yy = square(y), zz = square(z), ww = square(w);
@@ -47,7 +47,7 @@ void Neighbourhood<space>::find_rotation(const Pose& pose) noexcept {
 }
 
 template <TaskSpace space>
-void Neighbourhood<space>::move_to(const Pose& pose) noexcept {
+void LocalChart<space>::move_to(const Pose& pose) noexcept {
   assert_rounding_upward();
   pose_ = pose;
   find_rotation(pose);
@@ -82,7 +82,7 @@ void Neighbourhood<space>::move_to(const Pose& pose) noexcept {
 }
 
 template <TaskSpace space>
-Pose Neighbourhood<space>::pose_at(const Coordinates<size>& y) const noexcept {
+Pose LocalChart<space>::pose_at(const Coordinates<size>& y) const noexcept {
   Eigen::Vector3d move = Eigen::Vector3d::Zero(), turn = Eigen::Vector3d::Zero();
   for (std::size_t i = 0; i < moves; ++i) move[static_cast<Eigen::Index>(i)] = y[i];
   Pose pose = pose_;
@@ -100,7 +100,7 @@ Pose Neighbourhood<space>::pose_at(const Coordinates<size>& y) const noexcept {
 }
 
 template <TaskSpace space>
-TaskVector Neighbourhood<space>::direction_to(const Coordinates<size>& y) const noexcept {
+TaskVector LocalChart<space>::direction_to(const Coordinates<size>& y) const noexcept {
   const double length = std::sqrt(dot<size>(y, y));
   Eigen::Vector3d move = Eigen::Vector3d::Zero(), turn = Eigen::Vector3d::Zero();
   if (length > 0.0) {
@@ -118,11 +118,11 @@ TaskVector Neighbourhood<space>::direction_to(const Coordinates<size>& y) const 
   return twist;
 }
 
-template class Neighbourhood<TaskSpace::T1>;
-template class Neighbourhood<TaskSpace::T2>;
-template class Neighbourhood<TaskSpace::SE2>;
-template class Neighbourhood<TaskSpace::T3>;
-template class Neighbourhood<TaskSpace::SO3>;
-template class Neighbourhood<TaskSpace::SE3>;
+template class LocalChart<TaskSpace::T1>;
+template class LocalChart<TaskSpace::T2>;
+template class LocalChart<TaskSpace::SE2>;
+template class LocalChart<TaskSpace::T3>;
+template class LocalChart<TaskSpace::SO3>;
+template class LocalChart<TaskSpace::SE3>;
 
 }  // namespace parallel_aspects

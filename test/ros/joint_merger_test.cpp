@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/joint_states/drive_merger.h"
+#include "ros/joint_states/joint_merger.h"
 
 #include <gtest/gtest.h>
 
@@ -25,20 +25,20 @@ std::shared_ptr<const Manipulator> with_velocity(double velocity) {
   return test::manipulator("limited", TaskSpace::T2, std::move(legs));
 }
 
-class DriveMergerTest : public testing::Test {
+class JointMergerTest : public testing::Test {
  protected:
   static ros::Time at(double seconds) { return ros::Time(100.0 + seconds); }
 
-  std::optional<MergedDrives> send(DriveMerger& merger, std::size_t drive, double seconds, double value) {
-    return merger.add(at(seconds), DriveSet().set(drive), values(value, value));
+  std::optional<MergedJoints> send(JointMerger& merger, std::size_t actuation, double seconds, double value) {
+    return merger.add(at(seconds), JointSet().set(actuation), values(value, value));
   }
 
-  DriveMerger limited_{with_velocity(2.0), SampleOptions(), window};
-  DriveMerger free_{test::five_bar(), SampleOptions(), window};
+  JointMerger limited_{with_velocity(2.0), SampleOptions(), window};
+  JointMerger free_{test::five_bar(), SampleOptions(), window};
 };
 
-TEST_F(DriveMergerTest, TheAgeOfAValueIsPossibleMotion) {
-  EXPECT_FALSE(send(limited_, 0, 1.0, 0.5)) << "nothing is known of the other drive";
+TEST_F(JointMergerTest, TheAgeOfAValueIsPossibleMotion) {
+  EXPECT_FALSE(send(limited_, 0, 1.0, 0.5)) << "nothing is known of the other actuated joint";
   const auto merged = send(limited_, 1, 1.01, -0.5);
   ASSERT_TRUE(merged);
   EXPECT_EQ(merged->stamp, at(1.01));
@@ -49,7 +49,7 @@ TEST_F(DriveMergerTest, TheAgeOfAValueIsPossibleMotion) {
   EXPECT_TRUE(send(limited_, 0, 1.15, 0.5)) << "this one is not";
 }
 
-TEST_F(DriveMergerTest, ValuesThatOvertookOneAnotherAreNoNewConfiguration) {
+TEST_F(JointMergerTest, ValuesThatOvertookOneAnotherAreNoNewConfiguration) {
   send(limited_, 0, 1.0, 0.5);
   ASSERT_TRUE(send(limited_, 1, 1.02, -0.5));
   EXPECT_FALSE(send(limited_, 0, 1.01, 0.6));
@@ -59,7 +59,7 @@ TEST_F(DriveMergerTest, ValuesThatOvertookOneAnotherAreNoNewConfiguration) {
   EXPECT_EQ(merged->q, values(0.6, -0.4));
 }
 
-TEST_F(DriveMergerTest, WithoutLimitsATimeMustLieBetweenValues) {
+TEST_F(JointMergerTest, WithoutLimitsATimeMustLieBetweenValues) {
   EXPECT_FALSE(send(free_, 0, 1.00, 0.50));
   EXPECT_FALSE(send(free_, 1, 1.01, -0.50)) << "no value of this one is as early as that of the first";
   const auto merged = send(free_, 0, 1.02, 0.54);
@@ -67,7 +67,7 @@ TEST_F(DriveMergerTest, WithoutLimitsATimeMustLieBetweenValues) {
   EXPECT_EQ(merged->stamp, at(1.01));
   EXPECT_NEAR(merged->q[0], 0.52, 1e-6);
   EXPECT_EQ(merged->q[1], -0.5);
-  EXPECT_NEAR(merged->uncertainty[0], 2.0 / 8.0 * 0.04, 1e-9) << "the way there may be bent, from rest";
+  EXPECT_NEAR(merged->uncertainty[0], 2.0 / 8.0 * 0.04, 1e-9) << "the path there may be bent, from rest";
   EXPECT_EQ(merged->uncertainty[1], 0.0);
   const auto next = send(free_, 1, 1.03, -0.52);
   ASSERT_TRUE(next);
@@ -76,14 +76,14 @@ TEST_F(DriveMergerTest, WithoutLimitsATimeMustLieBetweenValues) {
   EXPECT_NEAR(next->q[1], -0.51, 1e-6);
 }
 
-TEST_F(DriveMergerTest, ValuesTooFarApartAreNotJoined) {
+TEST_F(JointMergerTest, ValuesTooFarApartAreNotJoined) {
   send(free_, 0, 1.00, 0.5);
   send(free_, 1, 1.05, -0.5);
   EXPECT_FALSE(send(free_, 0, 1.11, 0.5));
   EXPECT_TRUE(send(free_, 1, 1.11, -0.5)) << "known at that time";
 }
 
-TEST_F(DriveMergerTest, EncodersMayWrap) {
+TEST_F(JointMergerTest, EncodersMayWrap) {
   send(free_, 0, 1.00, 3.1);
   send(free_, 1, 1.01, -0.5);
   const auto merged = send(free_, 0, 1.02, 3.2 - 2.0 * EIGEN_PI);
@@ -91,7 +91,7 @@ TEST_F(DriveMergerTest, EncodersMayWrap) {
   EXPECT_NEAR(merged->q[0], 3.15, 1e-6);
 }
 
-TEST_F(DriveMergerTest, ForgetsAnotherRun) {
+TEST_F(JointMergerTest, ForgetsAnotherRun) {
   send(limited_, 0, 5.0, 0.5);
   send(limited_, 1, 5.0, 0.5);
   limited_.forget();

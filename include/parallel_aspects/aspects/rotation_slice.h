@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_ASPECTS_TURNING_SLICE_H
-#define PARALLEL_ASPECTS_ASPECTS_TURNING_SLICE_H
+#ifndef PARALLEL_ASPECTS_ASPECTS_ROTATION_SLICE_H
+#define PARALLEL_ASPECTS_ASPECTS_ROTATION_SLICE_H
 
 #include "parallel_aspects/aspects/map_slice.h"
 
@@ -12,9 +12,9 @@ namespace parallel_aspects {
 /// A slice of SO3 or SE3 in which the platform turns by phi from the orientation that is held, about an axis
 /// through its operational point: x, y or z of the task frame, or own-x, own-y or own-z of the platform.
 /// Roll, pitch and yaw are all held, and up to two positions may be free; else as `make_slice`.
-MapSlice make_turning_slice(TaskSpace space, const std::vector<HeldCoordinate>& held, const std::string& axis,
-                            Problems& problems);
+MapSlice make_rotation_slice(TaskSpace space, const std::vector<HeldCoordinate>& held,
+                             const std::string& axis, Problems& problems);
 
 }  // namespace parallel_aspects
 
-#endif  // PARALLEL_ASPECTS_ASPECTS_TURNING_SLICE_H
+#endif  // PARALLEL_ASPECTS_ASPECTS_ROTATION_SLICE_H

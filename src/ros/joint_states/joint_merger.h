@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ROS_JOINT_STATES_JOINT_MERGER_H
+#define PARALLEL_ASPECTS_ROS_JOINT_STATES_JOINT_MERGER_H
+
+#include "parallel_aspects/model/manipulator.h"
+#include "parallel_aspects/tracking/joint_samples.h"
+#include "ros/joint_states/publisher_watch.h"
+
+#include <ros/time.h>
+
+#include <array>
+#include <memory>
+#include <optional>
+
+namespace parallel_aspects {
+
+/// From one time to another [s]. A ros::Duration would throw for stamps that are absurd enough.
+double seconds_between(const ros::Time& from, const ros::Time& to) noexcept;
+
+/// Values of all actuated joints at one time.
+struct MergedJoints {
+  ros::Time stamp;
+  JointVector q;            ///< in the order of the legs [rad or m]
+  JointVector uncertainty;  ///< how far each actuated joint may be from there [rad or m]
+};
+
+/// Makes configurations of messages that hold some of the actuated joints each. Values of several times are
+/// no configuration: where all actuated joints have velocity limits, those that are older than the newest one
+/// may have moved on by limit times age; otherwise the configuration is that of the latest time before and
+/// after which a value of every actuated joint is known, and actuated joints are taken to move between two
+/// values as between two samples.
+class JointMerger {
+ public:
+  /// `window`: no value that is older, and no two values that are farther apart, are used [s].
+  JointMerger(std::shared_ptr<const Manipulator> manipulator, const SampleOptions& options, double window);
+
+  /// A message with these actuated joints; other entries of `q` are not read. A configuration that is newer
+  /// than the one before, where that makes one. Values that are not newer than those before change nothing.
+  std::optional<MergedJoints> add(const ros::Time& stamp, const JointSet& joint_values, const JointVector& q);
+
+  void forget() noexcept;
+
+ private:
+  struct Value {
+    ros::Time stamp;
+    double position = 0.0;  // with whole turns added [rad or m]
+  };
+  /// The last values of one actuated joint, the newest first.
+  struct History {
+    std::array<Value, 16> values;
+    std::size_t count = 0;
+    void push(const Value& value) noexcept;
+  };
+
+  void remember(const ros::Time& stamp, const JointSet& joint_values, const JointVector& q);
+  bool newest(MergedJoints& merged) const;
+  bool bracketed(MergedJoints& merged) const;
+  bool interpolate(const History& history, const ros::Time& stamp, double& position,
+                   double& uncertainty) const;
+
+  std::shared_ptr<const Manipulator> manipulator_;
+  SampleOptions options_;
+  double window_;
+  bool limited_;
+  std::array<History, max_legs> joints_to_actuate_;
+  ros::Time last_;  // of the last configuration; zero for none
+};
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ROS_JOINT_STATES_JOINT_MERGER_H
