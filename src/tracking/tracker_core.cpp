@@ -37,7 +37,7 @@ TrackerCore::TrackerCore(std::shared_ptr<const Manipulator> manipulator, const T
 void TrackerCore::set_map(std::shared_ptr<const AspectMap> map) noexcept {
   map_ = std::move(map);
   transitions_ = {};
-  state_.aspect = last_aspect_ = 0;
+  state_.aspect = last_aspect_ = reported_aspect_ = 0;
   if (state_.followed()) identify_aspect();
   transitions_ = {};
 }
@@ -129,7 +129,7 @@ bool TrackerCore::begin_at(double time, const CertifiedPoint& point, int determi
 void TrackerCore::stop() noexcept {
   clear();
   intervals_.forget();
-  last_aspect_ = last_determinant_sign_ = 0;
+  last_aspect_ = reported_aspect_ = last_determinant_sign_ = 0;
 }
 
 void TrackerCore::clear() noexcept {
@@ -325,11 +325,13 @@ void TrackerCore::identify_aspect() noexcept {
   if (!map_) return;
   const Location location = map_->locate(state_.pose, state_.mode);
   if (location.status != LocationStatus::inside) return;
+  state_.aspect = location.aspect;
+  if (reported_aspect_ == location.aspect) return;
   Transition transition = from_here(TransitionKind::aspect, state_.time);
-  transition.aspect_before = last_aspect_;
+  // The same as before a time when it was unknown: from unknown to it.
+  transition.aspect_before = last_aspect_ == location.aspect ? 0 : last_aspect_;
   transition.determinant_sign_before = last_determinant_sign_;
   transition.determinant = last_determinant_sign_ * state_.determinant_sign < 0;
-  state_.aspect = transition.aspect_after = location.aspect;
   add(transition);
 }
 
@@ -346,6 +348,7 @@ Transition TrackerCore::from_here(TransitionKind kind, double time) const noexce
 Transitions TrackerCore::take_transitions() noexcept { return std::exchange(transitions_, {}); }
 
 void TrackerCore::add(const Transition& transition) noexcept {
+  reported_aspect_ = transition.aspect_after;
   if (transition.aspect_after != 0) last_aspect_ = transition.aspect_after;
   if (transition.determinant_sign_after != 0) last_determinant_sign_ = transition.determinant_sign_after;
   if (transitions_.count == Transitions::most) {

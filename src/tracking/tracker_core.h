@@ -73,6 +73,7 @@ class TrackerCore {
   std::array<double, max_legs> zero_times_{};  // when each B_jj last went through zero
   int last_determinant_sign_ = 0;              // also over times when it was unknown
   int last_aspect_ = 0;                        // also over times when it was unknown
+  int reported_aspect_ = 0;                    // after the last transition
 };
 
 }  // namespace parallel_aspects

@@ -199,5 +199,25 @@ TEST(Tracker, TellsTheAspectsBeforeAndAfter) {
   EXPECT_EQ(reached.determinant_sign, 1);
 }
 
+// Lost, and told where it is: the aspect comes from unknown, not from itself.
+TEST(Tracker, AnAspectThatBecomesKnownAgainWasUnknownBefore) {
+  Tracker tracker(robot);
+  tracker.set_map(compute_aspect_map(robot).map);
+  const JointVector q = joint_values(at(4.5, 8.0), -1, -1);
+  ASSERT_TRUE(tracker.start(0.0, q, 1));
+  const int aspect = tracker.state().aspect;
+  ASSERT_NE(aspect, 0);
+  ASSERT_EQ(tracker.take_transitions().count, 1U);
+  ASSERT_TRUE(tracker.start(0.1, q, 1));
+  EXPECT_TRUE(tracker.take_transitions().empty()) << "nothing has changed";
+  ASSERT_FALSE(tracker.update(9.0, q).followed());
+  EXPECT_EQ(tracker.take_transitions().begin()->kind, TransitionKind::lost);
+  ASSERT_TRUE(tracker.start(9.0, q, 1));
+  const Transitions told = tracker.take_transitions();
+  ASSERT_EQ(told.count, 1U);
+  EXPECT_EQ(told.begin()->aspect_before, 0);
+  EXPECT_EQ(told.begin()->aspect_after, aspect);
+}
+
 }  // namespace
 }  // namespace parallel_aspects
