@@ -28,15 +28,16 @@ class Reader {
   ConstraintsConfig read(const YAML::Node& node) {
     ConstraintsConfig config;
     if (!node.IsDefined() || node.IsNull()) return config;
+    const std::vector<std::string> known{"actuated_limits", "passive_limits", "thickness",
+                                         "self_collision",  "obstacles",      "workspace"};
     if (!node.IsMap()) {
-      yaml_.problem(
-          "has a 'constraints' that is not a map of keys; write thickness, self_collision, obstacles or "
-          "workspace under it.");
+      std::string keys;
+      for (const std::string& key : known) keys += (keys.empty() ? "" : ", ") + key;
+      yaml_.problem("has a 'constraints' that is not a map of keys; write those that are wanted of " + keys +
+                    " under it, or leave it out.");
       return config;
     }
-    yaml_.check_keys(
-        node, {"actuated_limits", "passive_limits", "thickness", "self_collision", "obstacles", "workspace"},
-        "constraints");
+    yaml_.check_keys(node, known, "constraints");
     yaml_.truth(node["actuated_limits"], "constraints.actuated_limits", config.actuated_limits);
     yaml_.truth(node["passive_limits"], "constraints.passive_limits", config.passive_limits);
     read_thickness(node["thickness"], config.thickness);
