@@ -79,9 +79,9 @@ const double not_a_number = std::numeric_limits<double>::quiet_NaN();
 INSTANTIATE_TEST_SUITE_P(
     All, JointSampleFault,
     testing::Values(
-        Fault{{}, {}, {}, "no joint"}, Fault{both, {1.0}, {}, "2 names, but 1 positions"},
-        Fault{both, {}, {}, "0 positions"}, Fault{both, {1.0, 2.0, 3.0}, {}, "3 positions"},
-        Fault{both, {1.0, 2.0}, {0.0}, "1 velocities"},
+        Fault{{}, {}, {}, "no joint"}, Fault{both, {1.0}, {}, "name has length 2, position 1"},
+        Fault{both, {}, {}, "position 0"}, Fault{both, {1.0, 2.0, 3.0}, {}, "position 3"},
+        Fault{both, {1.0, 2.0}, {0.0}, "velocity 1"},
         Fault{both, {1.0, not_a_number}, {}, "crank_2_joint is not a finite number"},
         Fault{both, {-infinity, 1.0}, {}, "crank_1_joint is not a finite number"},
         Fault{both, {1.0, 1e308}, {}, "crank_2_joint is beyond a million"},
@@ -91,6 +91,14 @@ TEST(ActuatedValues, RefusesListsThatDoNotMatch) {
   const auto mechanism = test::five_bar_mechanism();
   EXPECT_EQ(actuated_values(*mechanism->manipulator(), both, {1.0}).status, SampleStatus::invalid);
   EXPECT_EQ(actuated_values(*mechanism->manipulator(), both, {1.0, 2.0}).status, SampleStatus::usable);
+}
+
+TEST(ActuatedValues, NamesOneJointThatIsMissingOrSeveral) {
+  const auto mechanism = test::five_bar_mechanism();
+  EXPECT_EQ(actuated_values(*mechanism->manipulator(), {}, {}).message,
+            "actuated joints crank_1_joint, crank_2_joint are missing.");
+  EXPECT_EQ(actuated_values(*mechanism->manipulator(), {"crank_1_joint"}, {1.0}).message,
+            "actuated joint crank_2_joint is missing.");
 }
 
 }  // namespace

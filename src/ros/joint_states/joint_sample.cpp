@@ -39,12 +39,13 @@ JointSample collect(const Manipulator& manipulator, const std::vector<std::strin
                     const std::vector<double>& positions) {
   JointSample sample{SampleStatus::usable, {}, {}, JointVector(manipulator.leg_count()), {}};
   std::string missing;
+  int missed = 0;
   for (std::size_t j = 0; j < manipulator.leg_count(); ++j) {
     const std::string& joint = manipulator.leg(j).actuated_joint;
     double& value = sample.q[static_cast<Eigen::Index>(j)];
     const auto found = std::find(names.begin(), names.end(), joint);
     if (found == names.end()) {
-      missing += (missing.empty() ? "" : ", ") + joint;
+      missing += (missed++ == 0 ? "" : ", ") + joint;
       value = not_a_number;
       continue;
     }
@@ -54,7 +55,8 @@ JointSample collect(const Manipulator& manipulator, const std::vector<std::strin
   }
   if (missing.empty()) return sample;
   sample.status = SampleStatus::partial;
-  sample.message = "actuated joint " + missing + " is missing.";
+  sample.message = missed == 1 ? "actuated joint " + missing + " is missing."
+                               : "actuated joints " + missing + " are missing.";
   return sample;
 }
 
@@ -78,10 +80,10 @@ JointSample JointSampleReader::read(const sensor_msgs::JointState& message,
   if (names == 0) return invalid("it names no joint.");
   if (message.position.size() != names || !fits(message.velocity.size(), names) ||
       !fits(message.effort.size(), names))
-    return invalid("it has " + std::to_string(names) + " names, but " +
-                   std::to_string(message.position.size()) + " positions, " +
-                   std::to_string(message.velocity.size()) + " velocities and " +
-                   std::to_string(message.effort.size()) + " efforts.");
+    return invalid("its lists do not fit: name has length " + std::to_string(names) + ", position " +
+                   std::to_string(message.position.size()) + ", velocity " +
+                   std::to_string(message.velocity.size()) + ", effort " +
+                   std::to_string(message.effort.size()) + ".");
   if (joint_values.none())
     return {SampleStatus::foreign, "it holds none of the actuated joints.", {}, {}, {}};
   JointSample sample = collect(*mechanism_->manipulator(), message.name, message.position);
@@ -111,8 +113,8 @@ Eigen::VectorXd joint_readings(const Mechanism& mechanism, const sensor_msgs::Jo
 JointSample actuated_values(const Manipulator& manipulator, const std::vector<std::string>& names,
                             const std::vector<double>& positions) {
   if (names.size() != positions.size())
-    return invalid("there are " + std::to_string(names.size()) + " names, but " +
-                   std::to_string(positions.size()) + " positions.");
+    return invalid("joint_names has length " + std::to_string(names.size()) + ", joint_positions " +
+                   std::to_string(positions.size()) + "; give each name one position.");
   return collect(manipulator, names, positions);
 }
 
