@@ -16,18 +16,27 @@ class LogQueue {
  public:
   void say(std::string line);
 
-  /// Warnings are written at most every five seconds, the newest one then.
+  /// A warning with another cause than those of the last five seconds is written at once; one cause is
+  /// written at most every five seconds, the newest line of it then. Lines that differ in numbers alone have
+  /// one cause.
   void warn(std::string line);
 
   /// Writes what has come in since.
   void write();
 
+  /// The warnings that `write` would write at this time; none comes twice.
+  std::vector<std::string> take_warnings(const ros::SteadyTime& now);
+
  private:
+  struct Warning {
+    std::string cause, line;  // the line is empty once it is written
+    ros::SteadyTime written;  // zero for never
+  };
+
   std::mutex mutex_;
   std::vector<std::string> lines_;
   std::size_t dropped_ = 0;  // lines that there was no room for
-  std::string warning_;
-  ros::WallTime warned_;
+  std::vector<Warning> warnings_;
 };
 
 }  // namespace parallel_aspects
