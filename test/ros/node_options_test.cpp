@@ -133,6 +133,18 @@ TEST(ProblemsOf, NamesEveryValueOutOfRangeAtOnce) {
   EXPECT_EQ(problems.size(), 15U);
 }
 
+TEST(ProblemsOf, ATimeoutThatMakesNoSenseIsTheOnlyCulprit) {
+  for (const double timeout : {0.0, -1.0, not_a_number}) {
+    XmlRpcValue parameters;
+    parameters["joint_states_timeout"] = timeout;
+    Problems problems;
+    const NodeOptions options = options_from(parameters, "/node/", problems);
+    problems = problems_of(options, *test::five_bar(), "/node/");
+    ASSERT_EQ(problems.size(), 1U) << timeout;
+    EXPECT_TRUE(mention(problems, "/node/joint_states_timeout must be")) << problems.front();
+  }
+}
+
 TEST(ProblemsOf, RefusesARegionOfTheWrongDimension) {
   NodeOptions options;
   options.map.region = Box{3, {0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}};

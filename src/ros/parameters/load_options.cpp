@@ -98,7 +98,8 @@ DisplayOptions display_options_from(ParameterReader reader) {
 
 TrackerOptions tracker_options_from(ParameterReader reader, double joint_states_timeout) {
   TrackerOptions tracking;
-  tracking.samples.longest_interval = joint_states_timeout;
+  // A timeout that makes no sense is refused under its own name alone.
+  if (joint_states_timeout > 0.0) tracking.samples.longest_interval = joint_states_timeout;
   reader.read("hysteresis", tracking.hysteresis);
   reader.read("check_velocity", tracking.samples.check_velocity);
   reader.read("velocity_tolerance", tracking.samples.velocity_tolerance);
