@@ -37,6 +37,11 @@ class RobotMonitorTest : public testing::Test {
     return monitor_.update(message, at(seconds));
   }
 
+  // Both clocks go alike.
+  std::optional<AspectState> expire(double seconds) {
+    return monitor_.expire(at(seconds), ros::SteadyTime(100.0 + seconds));
+  }
+
   std::uint8_t code(double seconds) const { return monitor_.current(at(seconds)).status.code; }
 
   std::shared_ptr<const Mechanism> mechanism_ = test::five_bar_mechanism();
@@ -99,6 +104,42 @@ TEST_F(RobotMonitorTest, KeepsSayingThatTheConfiguredPoseCannotBeReached) {
   EXPECT_EQ(later.state->status.code, Status::AMBIGUOUS);
   EXPECT_NE(later.state->status.message.find("It cannot be reached"), std::string::npos);
   EXPECT_EQ(monitor.start_near(test::pose_at(4.5, 8.0), at(1.1)).code, Status::OK);
+}
+
+TEST_F(RobotMonitorTest, SaysWhyItDoesNotStartWhereItIsSaidToBe) {
+  update(joint_values(4.5, 8.0, {1, -1}, 1.0), 1.0);
+  const auto why = [&](double x, double y) {
+    const Status status = monitor_.start_near(test::pose_at(x, y), at(1.0));
+    EXPECT_EQ(status.code, Status::NO_SOLUTION);
+    return status.message;
+  };
+  EXPECT_NE(why(4.5, -8.0).find("The nearest assembly mode of these actuated joints is"), std::string::npos)
+      << why(4.5, -8.0);
+  EXPECT_NE(why(40.0, 8.0).find("It cannot be reached in any working mode"), std::string::npos)
+      << why(40.0, 8.0);
+}
+
+// A node that is read-only refuses set_assembly_mode and reload, so it names neither as what to do.
+TEST_F(RobotMonitorTest, WhatItSaysToDoIsNotRefused) {
+  for (const bool read_only : {false, true}) {
+    NodeOptions options = start_at_pose(4.5, 8.0);
+    options.read_only = read_only;
+    RobotMonitor lost(mechanism_, options);
+    lost.update(joint_values(4.5, 8.0, {1, -1}, 1.0), at(1.0));
+    options.start.pose = std::vector<double>{4.5, -8.0};
+    RobotMonitor elsewhere(mechanism_, options);
+    options.start.pose.reset();
+    RobotMonitor uninitialised(mechanism_, options);
+    for (const std::string& message :
+         {lost.update(joint_values(4.5, 8.0, {1, -1}, 3.0), at(3.0)).state->status.message,
+          elsewhere.update(joint_values(4.5, 8.0, {1, -1}, 1.0), at(1.0)).state->status.message,
+          uninitialised.update(joint_values(4.5, 8.0, {1, -1}, 1.0), at(1.0)).state->status.message}) {
+      EXPECT_EQ(message.find("call set_assembly_mode") == std::string::npos, read_only) << message;
+      EXPECT_EQ(message.find("call reload") == std::string::npos, read_only) << message;
+      EXPECT_EQ(message.find("restart the node") != std::string::npos, read_only) << message;
+      EXPECT_NE(message.find("set start/pose or start/determinant_sign"), std::string::npos) << message;
+    }
+  }
 }
 
 TEST_F(RobotMonitorTest, StartsWithASignOfTheDeterminant) {
@@ -185,6 +226,21 @@ TEST_F(RobotMonitorTest, TellsWhichJointsAreExpectedAndWhichArrive) {
   EXPECT_FALSE(update(named({"another"}), 1.4).state);
 }
 
+// Names of other robots would be work at their rate; what came while all was well is no reason for a silence.
+TEST_F(RobotMonitorTest, JointsOfOthersAreHeardOnlyWhileNothingUsableComes) {
+  sensor_msgs::JointState other;
+  other.name = {"panda_finger"};
+  other.position = {0.0};
+  update(joint_values(4.5, 8.0, {1, -1}, 1.0), 1.0);
+  update(other, 1.1);
+  const auto stale = expire(1.6);
+  ASSERT_TRUE(stale);
+  EXPECT_EQ(stale->status.message.find("panda_finger"), std::string::npos) << stale->status.message;
+  update(other, 1.7);
+  EXPECT_NE(monitor_.current(at(1.8)).status.message.find("'panda_finger' arrives"), std::string::npos)
+      << monitor_.current(at(1.8)).status.message;
+}
+
 TEST_F(RobotMonitorTest, GuessesTheJointThatIsMissing) {
   auto message = joint_values(4.5, 8.0, {1, -1}, 1.0);
   message.name[1] = "crank2_joint";
@@ -212,29 +268,51 @@ TEST_F(RobotMonitorTest, KeepsLittleOfEnormousNames) {
 
 TEST_F(RobotMonitorTest, BecomesStaleOnceAndRecovers) {
   update(joint_values(4.5, 8.0, {1, -1}, 1.0), 1.0);
-  EXPECT_FALSE(monitor_.expire(at(1.4)));
-  const auto stale = monitor_.expire(at(1.6));
+  EXPECT_FALSE(expire(1.4));
+  const auto stale = expire(1.6);
   ASSERT_TRUE(stale);
   EXPECT_EQ(stale->status.code, Status::STALE);
   expect_says_nothing(*stale);
-  EXPECT_FALSE(monitor_.expire(at(1.7)));
+  EXPECT_FALSE(expire(1.7));
   EXPECT_EQ(code(1.7), Status::STALE);
   const AspectState after = *update(joint_values(4.5, 8.01, {1, -1}, 1.8), 1.8).state;
   EXPECT_EQ(after.status.code, Status::AMBIGUOUS) << "it may have been moved meanwhile";
   EXPECT_NE(after.status.message.find("longest_interval"), std::string::npos) << after.status.message;
   EXPECT_EQ(monitor_.start_near(test::pose_at(4.5, 8.0), at(1.8)).code, Status::OK);
   EXPECT_EQ(update(joint_values(4.5, 8.01, {1, -1}, 1.9), 1.9).state->status.code, Status::OK);
-  EXPECT_TRUE(monitor_.expire(at(2.6)));
+  EXPECT_TRUE(expire(2.6));
 }
 
 // Stamps say when the robot was where, arrivals only what the network did.
+// A simulation that is paused: nothing comes, and its clock says that no time goes by.
+TEST_F(RobotMonitorTest, AClockThatHaltsMakesItStaleUntilTheNextSample) {
+  monitor_.set_map(compute_aspect_map(mechanism_->manipulator()).map);
+  const AspectState before = *update(joint_values(4.5, 8.0, {1, -1}, 1.0), 1.0).state;
+  const auto halted = [&](double wall) { return monitor_.expire(at(1.0), ros::SteadyTime(wall)); };
+  EXPECT_FALSE(halted(50.0));
+  EXPECT_FALSE(halted(50.4));
+  EXPECT_EQ(code(1.0), Status::OK);
+  const auto stale = halted(50.6);
+  ASSERT_TRUE(stale);
+  EXPECT_EQ(stale->status.code, Status::STALE);
+  EXPECT_NE(stale->status.message.find("paused"), std::string::npos) << stale->status.message;
+  expect_says_nothing(*stale);
+  EXPECT_EQ(code(1.0), Status::STALE);
+  EXPECT_FALSE(halted(50.8)) << "that was said";
+  const MonitorUpdate after = update(joint_values(4.5, 8.0, {1, -1}, 1.01), 1.01);
+  EXPECT_EQ(after.state->status.code, Status::OK) << "by the stamps it has not been away";
+  EXPECT_EQ(after.state->aspect, before.aspect);
+  EXPECT_TRUE(after.transitions.empty());
+  EXPECT_FALSE(monitor_.expire(at(1.01), ros::SteadyTime(90.0)));
+}
+
 // A driver that was restarted with another name: what arrives since is said, and what may be meant.
 TEST_F(RobotMonitorTest, StaleSaysWhichJointsArriveSince) {
   update(joint_values(4.5, 8.0, {1, -1}, 1.0), 1.0);
   auto message = joint_values(4.5, 8.0, {1, -1}, 1.3);
   message.name[1] = "crank2_joint";
   update(message, 1.3);
-  const auto stale = monitor_.expire(at(1.6));
+  const auto stale = expire(1.6);
   ASSERT_TRUE(stale);
   EXPECT_NE(stale->status.message.find("did you mean 'crank_2_joint' by 'crank2_joint'?"), std::string::npos)
       << stale->status.message;
@@ -260,7 +338,7 @@ TEST_F(RobotMonitorTest, ContinuityAcrossSilencesCanBeStated) {
   options.tracking.samples.longest_interval = std::numeric_limits<double>::infinity();
   RobotMonitor trusting(mechanism_, options);
   trusting.update(joint_values(4.5, 8.0, {1, -1}, 1.0), at(1.0));
-  trusting.expire(at(1.9));
+  trusting.expire(at(1.9), ros::SteadyTime(101.9));
   EXPECT_EQ(trusting.update(joint_values(4.5, 8.1, {1, -1}, 2.0), at(2.0)).state->status.code, Status::OK);
 }
 
@@ -328,7 +406,7 @@ TEST_F(RobotMonitorTest, ASampleThatIsOldWhenItComesIsFollowedButStale) {
   expect_says_nothing(*late.state);
   EXPECT_FALSE(late.tracked);
   EXPECT_EQ(code(2.0), Status::STALE);
-  EXPECT_FALSE(monitor_.expire(at(2.1))) << "that was said";
+  EXPECT_FALSE(expire(2.1)) << "that was said";
   EXPECT_EQ(update(joint_values(4.5, 8.2, {1, -1}, 1.58), 2.05).state->status.code, Status::OK);
 }
 
@@ -374,6 +452,40 @@ TEST_F(RobotMonitorTest, TwoNodesThatPublishTheDrivesAreRefused) {
   EXPECT_NE(from("/one", 1.7).code, Status::SEVERAL_PUBLISHERS) << "the other one has been silent since";
 }
 
+// While both publish, that is what is said; only when they are silent, that nothing comes.
+TEST_F(RobotMonitorTest, TwoNodesThatPublishTheDrivesAreNotStale) {
+  const auto send = [&](const char* publisher, double seconds) {
+    monitor_.update(joint_values(4.5, 8.0, {1, -1}, seconds), at(seconds), publisher);
+  };
+  send("/one", 1.0);
+  for (int i = 1; i <= 20; ++i) {
+    send("/two", 1.0 + 0.1 * i - 0.05);
+    send("/one", 1.0 + 0.1 * i);
+    ASSERT_FALSE(expire(1.0 + 0.1 * i)) << i;
+  }
+  EXPECT_EQ(code(3.0), Status::SEVERAL_PUBLISHERS);
+  const auto stale = expire(3.6);
+  ASSERT_TRUE(stale);
+  EXPECT_EQ(stale->status.code, Status::STALE);
+  EXPECT_EQ(code(3.6), Status::STALE);
+}
+
+// One of them ends: until it has been silent for the timeout nothing is said, least of all that nothing
+// comes.
+TEST_F(RobotMonitorTest, TheLastOfTwoPublishersIsNotStale) {
+  const auto send = [&](const char* publisher, double seconds) {
+    return monitor_.update(joint_values(4.5, 8.0, {1, -1}, seconds), at(seconds), publisher).state;
+  };
+  for (int i = 0; i < 10; ++i) send(i % 2 == 0 ? "/one" : "/two", 1.0 + 0.1 * i);
+  std::optional<AspectState> state;
+  for (int i = 10; !state || state->status.code == Status::SEVERAL_PUBLISHERS; ++i) {
+    ASSERT_LT(i, 20);
+    state = send("/one", 1.05 + 0.1 * i);
+    ASSERT_FALSE(expire(1.05 + 0.1 * i)) << i;
+  }
+  EXPECT_EQ(state->status.code, Status::AMBIGUOUS) << "nobody knows how it moved meanwhile";
+}
+
 TEST_F(RobotMonitorTest, TheSameMessageAgainIsIgnored) {
   const auto message = joint_values(4.5, 8.0, {1, -1}, 1.0);
   EXPECT_EQ(update(message, 1.0).state->status.code, Status::OK);
@@ -382,7 +494,7 @@ TEST_F(RobotMonitorTest, TheSameMessageAgainIsIgnored) {
   EXPECT_TRUE(again.warning.empty());
   EXPECT_EQ(code(1.1), Status::OK);
   EXPECT_EQ(monitor_.counts().invalid, 0U);
-  EXPECT_TRUE(monitor_.expire(at(1.6))) << "it is as old as it was";
+  EXPECT_TRUE(expire(1.6)) << "it is as old as it was";
 }
 
 // One publisher for each joint, each half a period after the other.
@@ -406,7 +518,7 @@ TEST_F(RobotMonitorTest, DrivesOfSeveralPublishersAreMerged) {
   }
   const AspectState merged = *send(0, 8.05, 1.5).state;
   EXPECT_FALSE(send(0, 8.05, 1.7).state) << "the other value is too old";
-  EXPECT_TRUE(monitor_.expire(at(2.3))) << "actuated joints that are missing make it stale";
+  EXPECT_TRUE(expire(2.3)) << "actuated joints that are missing make it stale";
 
   RobotMonitor complete(mechanism_, start_at_pose(4.5, 8.05));
   complete.update(joint_values(4.5, 8.05, {1, -1}, 1.5), at(1.5));

@@ -4,6 +4,7 @@
 #include "urdf/description/nearest_name.h"
 
 #include <algorithm>
+#include <string_view>
 
 namespace parallel_aspects {
 namespace {
@@ -19,7 +20,7 @@ std::string listed(const Names& names) {
   return text;
 }
 
-bool contains(const Names& names, const std::string& name) {
+bool contains(const Names& names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
@@ -32,11 +33,11 @@ JointNameWatch::JointNameWatch(const Manipulator& manipulator) {
 bool JointNameWatch::hear(const sensor_msgs::JointState& message) {
   bool heard = false;
   for (std::size_t i = 0; i < message.name.size() && !more_arrive_; ++i) {
-    const std::string name = message.name[i].substr(0, longest_name);
+    const std::string_view name = std::string_view(message.name[i]).substr(0, longest_name);
     if (contains(arriving_, name)) continue;
     heard = true;
     if (arriving_.size() < most_names)
-      arriving_.push_back(name);
+      arriving_.emplace_back(name);
     else
       more_arrive_ = true;
   }
@@ -58,6 +59,11 @@ std::string JointNameWatch::guess() const {
   return meant.empty() ? "" : "did you mean " + listed(meant) + " by " + listed(written) + "?";
 }
 
+std::string JointNameWatch::with_guess(const std::string& message) const {
+  const std::string meant = guess();
+  return meant.empty() ? message : message + " Or " + meant;
+}
+
 void JointNameWatch::forget() noexcept {
   arriving_.clear();
   more_arrive_ = false;
@@ -70,8 +76,11 @@ bool JointNameWatch::lacks_an_actuated_joint() const {
 
 std::string JointNameWatch::comparison() const {
   const std::string found = guess();
-  return "joints " + listed(expected_) + " are expected, and " + listed(arriving_) +
-         (more_arrive_ ? " and others" : "") + " arrive" +
+  const bool one = arriving_.size() == 1 && !more_arrive_;
+  return (expected_.size() == 1 ? "joint " + listed(expected_) + " is"
+                                : "joints " + listed(expected_) + " are") +
+         " expected, and " + listed(arriving_) + (more_arrive_ ? " and others" : "") +
+         (one ? " arrives" : " arrive") +
          (found.empty() ? "; remap joint_states, or correct mechanism/actuated_joints." : "; " + found);
 }
 

@@ -25,14 +25,17 @@ class JointNameWatch {
   /// Whether joints have arrived, but not all that are actuated.
   bool lacks_an_actuated_joint() const;
 
-  /// Which joints are expected, which have arrived, and which of these may be meant; begins "joints".
+  /// Which joints are expected, which have arrived, and which of these may be meant; begins "joint".
   std::string comparison() const;
 
+  /// The message, and the guess where there is one.
+  std::string with_guess(const std::string& message) const;
+
+ private:
   /// "did you mean 'crank_1_joint' by 'crank1_joint'?" with every actuated joint that has not arrived; empty
   /// where nothing that has looks like one.
   std::string guess() const;
 
- private:
   std::vector<std::string> expected_, arriving_;
   bool more_arrive_ = false;  // than there is room for
 };

@@ -136,8 +136,10 @@ Status make_status(std::uint8_t code, std::string message) {
 }
 
 Status refused_as_read_only() {
-  return make_status(Status::READ_ONLY,
-                     "The node was started with ~read_only, so that nothing changes it while it runs.");
+  return make_status(
+      Status::READ_ONLY,
+      "The node was started with ~read_only, so that nothing changes it while it runs; set what it is to be "
+      "started with and restart it.");
 }
 
 Eigen::Isometry3d platform_in_base(const Manipulator& manipulator, const Pose& pose) {
@@ -237,6 +239,26 @@ SolvedConfiguration solved_message(const Manipulator& manipulator, const SolvedP
     message.aspect_status = SolvedConfiguration::OUTSIDE;
   else
     locate(*map, solved.pose, *mode, message);
+  return message;
+}
+
+AssemblyCandidates candidates_message(const Manipulator& manipulator, const TrackedState& tracked,
+                                      const Candidates& candidates, const ros::Time& stamp) {
+  AssemblyCandidates message;
+  message.header = header_in_base(manipulator, stamp);
+  message.message = "The assembly mode is known.";
+  message.complete = true;
+  if (tracked.followed()) return message;
+  message.complete = candidates.complete();
+  const std::size_t count = candidates.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const CertifiedPoint& point = candidates[i].point;
+    message.candidates.push_back(solved_message(manipulator, {point.pose, point.q}, nullptr, stamp));
+  }
+  const bool one = count == 1 && message.complete;
+  message.message = std::to_string(count) + (message.complete ? "" : " or more") +
+                    (one ? " assembly mode is possible: " : " assembly modes are possible: ") +
+                    reason(tracked.ambiguity) + ".";
   return message;
 }
 

@@ -12,6 +12,7 @@
 #include <parallel_aspects/AspectState.h>
 #include <parallel_aspects/AspectSummary.h>
 #include <parallel_aspects/AspectTransition.h>
+#include <parallel_aspects/AssemblyCandidates.h>
 #include <parallel_aspects/MetricDistance.h>
 #include <parallel_aspects/SingularityReport.h>
 #include <parallel_aspects/SolvedConfiguration.h>
@@ -67,6 +68,10 @@ const char* determinant_unit(TaskSpace space);
 /// The aspect is looked up in `map`, which may be null.
 SolvedConfiguration solved_message(const Manipulator& manipulator, const SolvedPose& solved,
                                    const AspectMap* map, const ros::Time& stamp);
+
+/// The assembly modes that remain possible; complete, and none, where the robot is followed.
+AssemblyCandidates candidates_message(const Manipulator& manipulator, const TrackedState& tracked,
+                                      const Candidates& candidates, const ros::Time& stamp);
 
 /// Upper bound of the number of aspects with a pose in the region, proved; -1 where none is.
 std::int64_t count_at_most(const AspectMap& map) noexcept;

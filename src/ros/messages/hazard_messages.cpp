@@ -3,6 +3,7 @@
 
 #include <parallel_aspects/AspectState.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -14,6 +15,8 @@ static_assert(static_cast<std::uint8_t>(ThresholdLevel::clear) == AspectState::C
 static_assert(static_cast<std::uint8_t>(ThresholdLevel::warn) == AspectState::WARN);
 static_assert(static_cast<std::uint8_t>(ThresholdLevel::stop) == AspectState::STOP);
 static_assert(static_cast<std::uint8_t>(ThresholdLevel::unknown) == AspectState::UNKNOWN);
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 std::uint8_t kind_of(const std::optional<ProvedHazard>& last) {
   if (!last) return LastHazard::NONE;
@@ -79,12 +82,33 @@ std::string warning_of(const StandOffEstimate& estimate, double parallel_stop) {
   return text;
 }
 
+DistanceBounds unknown_distance() {
+  DistanceBounds bounds;
+  bounds.lower = bounds.upper = bounds.speed = not_a_number;
+  return bounds;
+}
+
+DistanceBounds bounds_of(const BoundaryDistance& distance) {
+  DistanceBounds bounds = unknown_distance();
+  if (distance.status == DistanceStatus::unavailable) return bounds;
+  bounds.lower = distance.lower;
+  bounds.upper = distance.upper;
+  return bounds;
+}
+
+DistanceBounds after_motion(DistanceBounds bounds, double by, double size) {
+  const double change = by * (1.0 + 1e-9) + 1e-12 * size;
+  bounds.lower = std::max(0.0, bounds.lower - change);
+  bounds.upper += change;
+  return bounds;
+}
+
 LastHazard hazard_message(const std::optional<ProvedHazard>& last, const ros::Time& epoch) {
   LastHazard message;
   message.kind = kind_of(last);
   message.stamp = last ? epoch + ros::Duration(last->time) : ros::Time();
-  message.lower = last ? last->distance : std::numeric_limits<double>::quiet_NaN();
-  message.speed = last ? last->speed : std::numeric_limits<double>::quiet_NaN();
+  message.lower = last ? last->distance : not_a_number;
+  message.speed = last ? last->speed : not_a_number;
   return message;
 }
 

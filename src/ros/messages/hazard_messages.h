@@ -2,10 +2,12 @@
 #ifndef PARALLEL_ASPECTS_ROS_MESSAGES_HAZARD_MESSAGES_H
 #define PARALLEL_ASPECTS_ROS_MESSAGES_HAZARD_MESSAGES_H
 
+#include "parallel_aspects/distance/boundary_distances.h"
 #include "parallel_aspects/tracking/hazard_memory.h"
 #include "parallel_aspects/tracking/stand_off.h"
 #include "parallel_aspects/tracking/thresholds.h"
 
+#include <parallel_aspects/DistanceBounds.h>
 #include <parallel_aspects/LastHazard.h>
 
 #include <ros/time.h>
@@ -31,6 +33,16 @@ std::string message_of(const StandOffEstimate& estimate);
 /// What is wrong with a threshold to stop at before parallel singularities; empty when all is well, or there
 /// is none (0) [m].
 std::string warning_of(const StandOffEstimate& estimate, double parallel_stop);
+
+/// Distances that are not known: not numbers.
+DistanceBounds unknown_distance();
+
+/// A distance as it was measured; its speed is not known.
+DistanceBounds bounds_of(const BoundaryDistance& distance);
+
+/// The same after the robot has moved by so much [m]: the distance is that to a set of poses, so it changes
+/// by no more than that, and a little for rounding. `size`: of the robot [m].
+DistanceBounds after_motion(DistanceBounds bounds, double by, double size);
 
 /// `epoch`: what the times of hazards count from.
 LastHazard hazard_message(const std::optional<ProvedHazard>& last, const ros::Time& epoch);

@@ -3,10 +3,7 @@
 #define PARALLEL_ASPECTS_ROS_MONITOR_ROBOT_MONITOR_H
 
 #include "parallel_aspects/distance/boundary_distances.h"
-#include "parallel_aspects/tracking/approach_speed.h"
-#include "parallel_aspects/tracking/hazard_memory.h"
 #include "parallel_aspects/tracking/stand_off.h"
-#include "parallel_aspects/tracking/thresholds.h"
 #include "parallel_aspects/tracking/tracker.h"
 #include "parallel_aspects/urdf/mechanism.h"
 #include "parallel_aspects/urdf/passive_joints.h"
@@ -15,6 +12,7 @@
 #include "ros/joint_states/joint_sample.h"
 #include "ros/joint_states/publisher_watch.h"
 #include "ros/messages/conversions.h"
+#include "ros/monitor/hazard_watch.h"
 #include "ros/parameters/node_options.h"
 
 #include <parallel_aspects/AspectState.h>
@@ -23,7 +21,6 @@
 
 #include <ros/time.h>
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <mutex>
@@ -58,13 +55,6 @@ struct MonitorCounts {
   bool counted = false;    ///< whether the publisher sets header.seq, so that losses show
 };
 
-/// What the last state said of distances and passive joints.
-struct MonitorFindings {
-  ThresholdState threshold;
-  std::array<DistanceBounds, hazard_count> distances;  ///< by `Hazard`
-  double stand_off = 0.0, residual = 0.0;              ///< as in AspectState
-};
-
 /// Guards a tracker against everything that joint_states may bring, and against threads. Knows no topics.
 ///
 /// `update` is for the thread of joint_states; what takes longer, as measuring distances, looking for the
@@ -82,8 +72,9 @@ class RobotMonitor {
   std::optional<sensor_msgs::JointState> complete(const TrackedState& tracked, const ros::Time& stamp) const;
 
   /// The state to publish when the last usable sample has become stale; nothing while it has not, or that was
-  /// said.
-  std::optional<AspectState> expire(const ros::Time& now);
+  /// said. To be called again and again: a simulated clock may stand still, so that `wall` tells how long no
+  /// sample came.
+  std::optional<AspectState> expire(const ros::Time& now, const ros::SteadyTime& wall);
 
   /// Measures distances at the last sample, or looks for the assembly mode; to be called again and again from
   /// one thread. The assembly modes that remain, where their number has changed.
@@ -103,24 +94,22 @@ class RobotMonitor {
 
  private:
   MonitorUpdate pass_over(bool new_names);
-  std::string with_guess(const std::string& message) const;
-  MonitorUpdate refuse(std::uint8_t code, const std::string& message, const ros::Time& stamp);
+  bool nothing_lately(const ros::Time& now) const;
+  MonitorUpdate refuse(std::uint8_t code, const std::string& message, const ros::Time& stamp,
+                       const ros::Time& now);
   MonitorUpdate wait_for_joints(const JointSample& sample, const ros::Time& now);
   MonitorUpdate accept(const JointSample& sample, const MergedJoints& joint_values, const ros::Time& now);
-  std::string fault_of_stamp(SampleStatus status, const ros::Time& stamp, const ros::Time& now) const;
   Status start_as_configured(double time, const JointVector& q);
   bool failed_start() const;
   Status status_of_tracker() const;
+  Status status_at(const ros::Time& now) const;
   Status stale_status(const ros::Time& now) const;
-
-  /// What is to be said where the last sample was merged of several messages; else nothing.
-  std::string merged_joints() const;
-  std::string contradiction() const;
   bool stale(const ros::Time& now) const;
+  template <class Start>
+  Status start_by(const ros::Time& now, const Start& start);
   void fill_tracked(const ros::Time& stamp, MonitorUpdate& update);
   void keep_transitions();
   AspectState lost_state(const Status& status, const ros::Time& stamp);
-  void judge(const TrackedState& tracked, AspectState& state);
   void measure(const TrackedState& tracked, const JointVector& bend, const Eigen::VectorXd& readings);
   void look_for_assembly_mode(const Eigen::VectorXd& readings);
   std::optional<AssemblyCandidates> new_candidates();
@@ -132,6 +121,7 @@ class RobotMonitor {
   const StartOptions start_;
   const double start_tolerance_;
   const double timeout_;  // [s]
+  const bool read_only_;  // whether set_assembly_mode is refused
   const PassiveJoints passive_;
   BoundaryDistanceMeter meter_;  // of `work` alone
   const StandOff stand_off_;
@@ -145,28 +135,21 @@ class RobotMonitor {
   ros::Time last_stamp_;     // of the last usable sample; zero for none
   ros::Time last_received_;  // when any message came
   ros::Time last_usable_;    // when the last usable one came
+  ros::Time last_refused_;   // when one was that could not be used, or one of two publishers'
   ros::Time waiting_since_;  // for the other actuated joints, before the first one; zero for not
   std::optional<JointVector> last_q_;
   JointVector last_uncertainty_;
   std::vector<AspectTransition> transitions_;  // still to be published
   bool said_stale_ = false;
+  bool halted_ = false;               // no usable one came for the timeout, by the wall clock
+  ros::SteadyTime checked_at_;        // when `expire` first saw the count of usable ones
+  std::uint64_t checked_usable_ = 0;  // that it was
   bool said_names_ = false;
   bool clock_went_back_ = false;  // though it was not a simulation that began anew
   MonitorCounts counts_;
   PublisherWatch publishers_;
 
-  /// Distances as they were measured, and where.
-  struct Measured {
-    Pose pose;
-    WorkingMode mode;
-    std::array<DistanceBounds, hazard_count> bounds;  // by `Hazard`
-    double stand_off;                                 // as in AspectState
-  };
-  std::optional<Measured> measured_;
-  std::array<ApproachSpeed, hazard_count> speeds_;
-  DistanceThresholds thresholds_;
-  HazardMemory memory_;
-  MonitorFindings findings_;
+  HazardWatch hazards_;
   Eigen::VectorXd readings_;  // of all joints, from the last usable sample
   PassiveResidual residual_;
   std::size_t reported_candidates_ = 0;

@@ -59,7 +59,7 @@ RobotServer::RobotServer(const ros::NodeHandle& nh, const ros::NodeHandle& priva
       [this](const ThresholdParameters& wanted) { monitor_.set_thresholds(thresholds_of(wanted)); },
       [this](const DisplayOptions& wanted) {
         display_.set_options(wanted);
-        display_timer_.setPeriod(ros::Duration(1.0 / wanted.rate));
+        display_timer_.setPeriod(ros::WallDuration(1.0 / wanted.rate));
       });
   state_.publish(
       unknown_state(*setup_.mechanism->manipulator(), monitor_.current(ros::Time::now()).status, {}));
@@ -120,13 +120,13 @@ void RobotServer::subscribe() {
                                            ros::TransportHints().tcpNoDelay());
   tf_subscriber_ = service_nh_.subscribe("/tf", 1000, &RobotServer::on_tf, this);
   tf_static_subscriber_ = service_nh_.subscribe("/tf_static", 1000, &RobotServer::on_tf_static, this);
-  age_timer_ = tracking_nh_.createTimer(ros::Duration(setup_.options.joint_states_timeout / 4.0),
-                                        [this](const ros::TimerEvent&) { check_age(); });
+  // By the wall clock: a simulation that stands still, or begins anew, must not silence these.
+  age_timer_ = tracking_nh_.createSteadyTimer(ros::WallDuration(setup_.options.joint_states_timeout / 4.0),
+                                              [this](const ros::SteadyTimerEvent&) { check_age(); });
   work_timer_ = work_nh_.createWallTimer(ros::WallDuration(1.0 / setup_.options.distance_rate),
                                          [this](const ros::WallTimerEvent&) { work(); });
-  display_timer_ = service_nh_.createTimer(ros::Duration(1.0 / setup_.options.display.rate),
-                                           [this](const ros::TimerEvent&) { show(); });
-  // By the wall clock: a simulation that stands still, or begins anew, must not silence them.
+  display_timer_ = service_nh_.createWallTimer(ros::WallDuration(1.0 / setup_.options.display.rate),
+                                               [this](const ros::WallTimerEvent&) { show(); });
   diagnostics_timer_ =
       service_nh_.createWallTimer(ros::WallDuration(diagnostics_.period()),
                                   [this](const ros::WallTimerEvent&) { diagnostics_.publish(); });
@@ -158,6 +158,8 @@ void RobotServer::on_joint_states(const ros::MessageEvent<const sensor_msgs::Joi
   if (!update.state) return;
   const bool other_joints = update.state->status.code == Status::NO_JOINT_STATES;  // said when names are new
   const bool changed = thinned_.differs(*update.state) || other_joints || !update.transitions.empty();
+  if (changed && update.warning.empty() && !update.state->status.message.empty())
+    log_.warn(update.state->status.message);
   if (thinned_.next() || changed) {
     state_.publish(*update.state);
     diagnostics_.count_output();
@@ -197,7 +199,7 @@ void RobotServer::send_platform(const Eigen::Isometry3d& platform, const ros::Ti
 }
 
 void RobotServer::check_age() {
-  const auto state = monitor_.expire(ros::Time::now());
+  const auto state = monitor_.expire(ros::Time::now(), ros::SteadyTime::now());
   if (!state) return;
   log_.warn(state->status.message);
   state_.publish(*state);

@@ -92,8 +92,8 @@ class RobotServer {
   std::unique_ptr<Reconfiguration> reconfiguration_;
   std::vector<ros::ServiceServer> services_;
   ros::Subscriber subscriber_, tf_subscriber_, tf_static_subscriber_, cancel_subscriber_;
-  ros::Timer age_timer_, display_timer_;
-  ros::WallTimer diagnostics_timer_, log_timer_, work_timer_, stand_off_timer_;
+  ros::SteadyTimer age_timer_;
+  ros::WallTimer display_timer_, diagnostics_timer_, log_timer_, work_timer_, stand_off_timer_;
   std::atomic<bool> stopping_{false}, action_is_spoilt_{false};
   ros::AsyncSpinner tracking_spinner_, service_spinner_, work_spinner_;
 };

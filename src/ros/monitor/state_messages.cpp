@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros/monitor/state_messages.h"
+
+#include "parallel_aspects/kinematics/direct.h"
+#include "ros/joint_states/joint_merger.h"
+#include "ros/messages/configurations.h"
+
+#include <algorithm>
+
+namespace parallel_aspects {
+namespace {
+
+// What is to be said where the last sample was merged of several messages; else nothing.
+std::string merged_joints(const JointVector& uncertainty) {
+  if (uncertainty.size() == 0 || !(uncertainty.maxCoeff() > 0.0)) return {};
+  return " The actuated joints come in several messages, so that one may have moved by " +
+         std::to_string(uncertainty.maxCoeff()) +
+         " rad or m since its value was measured, and that leaves more than one possibility; publish all of "
+         "them in one message, or more often.";
+}
+
+// What to do where the assembly mode is not known.
+std::string how_to_start(bool read_only) {
+  const std::string set = "set start/pose or start/determinant_sign as the robot is ";
+  return read_only ? set + "and restart the node; being read_only, it refuses set_assembly_mode and reload."
+                   : "call set_assembly_mode, or " + set + "and call reload.";
+}
+
+}  // namespace
+
+std::string fault_of_stamp(const ros::Time& stamp, const ros::Time& last, const ros::Time& now,
+                           double timeout) {
+  if (stamp.isZero()) return "its stamp is zero; set header.stamp.";
+  if (stamp == last) return "its stamp is that of the message before, but the actuated joints are elsewhere.";
+  if (stamp < last)
+    return "its stamp is " + std::to_string(seconds_between(stamp, last)) +
+           " s before that of the message before.";
+  if (seconds_between(now, stamp) > timeout)
+    return "its stamp is " + std::to_string(seconds_between(now, stamp)) +
+           " s ahead of this computer's clock; synchronise the clocks.";
+  return {};
+}
+
+Status not_started_status(const std::string& why, bool read_only) {
+  const std::string known = why.empty() ? "The assembly mode is not known" : why;
+  return make_status(Status::NOT_STARTED,
+                     known + (known.back() == '.' ? " To go on, " : "; ") + how_to_start(read_only));
+}
+
+std::string why_not_near(const Manipulator& manipulator, const JointVector& q, const Pose& pose,
+                         double tolerance, const std::string& place, const JointVector& uncertainty) {
+  return "The actuated joints do not assemble within " + std::to_string(tolerance) + " m of " + place + ". " +
+         why_not_at(manipulator, pose, q) + merged_joints(uncertainty);
+}
+
+std::string why_not_with_sign(const Manipulator& manipulator, const JointVector& q, int determinant_sign,
+                              const JointVector& uncertainty) {
+  const auto solutions = direct(manipulator, q).solutions;
+  const auto fit = std::count_if(solutions.begin(), solutions.end(), [&](const AssemblyMode& mode) {
+    return mode.determinant * determinant_sign > 0.0;
+  });
+  const bool singular = std::any_of(solutions.begin(), solutions.end(),
+                                    [](const AssemblyMode& mode) { return mode.near_singular; });
+  return "The actuated joints do not have exactly one assembly mode with the sign " +
+         std::to_string(determinant_sign) + " of det A: there are " + std::to_string(fit) +
+         (singular ? ", and a parallel singularity is near." : ".") + merged_joints(uncertainty);
+}
+
+Status ambiguous_status(Ambiguity ambiguity, const JointVector& uncertainty, const std::string& start,
+                        bool read_only) {
+  const std::string known = std::string("The assembly mode is not known: ") + reason(ambiguity);
+  return make_status(Status::AMBIGUOUS,
+                     start.empty() ? known + "; " + how_to_start(read_only) + merged_joints(uncertainty)
+                                   : known + ". " + start);
+}
+
+Status inconsistent_status(const Mechanism& mechanism, const PassiveResidual& residual) {
+  if (residual.compared == 0)
+    return make_status(Status::INCONSISTENT, "Measured passive joints contradict the pose.");
+  return make_status(Status::INCONSISTENT,
+                     "Joint " + mechanism.joint_names()[residual.joint] + " is measured " +
+                         std::to_string(residual.difference) +
+                         " rad or m off the value that belongs to the pose; check the encoders, and the "
+                         "dimensions in the URDF.");
+}
+
+Status silent_status(double timeout, const JointNameWatch& names) {
+  return make_status(Status::STALE,
+                     "The last usable joint_states are older than " + std::to_string(timeout) + " s" +
+                         (names.lacks_an_actuated_joint() ? ": since then " + names.comparison() : "."));
+}
+
+Status halted_status(double timeout) {
+  return make_status(Status::STALE, "The clock stands still, and no usable joint_states came for " +
+                                        std::to_string(timeout) +
+                                        " s of wall time: the simulation is paused, or has ended. What is "
+                                        "known of the robot is kept for its next sample.");
+}
+
+Status late_status(double timeout) {
+  return make_status(Status::STALE, "joint_states arrive, but their stamps are more than " +
+                                        std::to_string(timeout) +
+                                        " s behind this computer's clock; synchronise the clocks, or play "
+                                        "bags with --clock and use_sim_time.");
+}
+
+}  // namespace parallel_aspects
