@@ -156,7 +156,8 @@ class Recogniser {
     ManipulatorDescription description;
     description.name = config_.name.empty() ? tree_->name : config_.name;
     description.task_space = motion.space;
-    description.base_frame = tree_->links[resolved_.base];
+    description.base_frame =
+        (config_.frame_prefix.empty() ? "" : config_.frame_prefix + "/") + tree_->links[resolved_.base];
     description.task_frame = motion.task_frame;
     for (const RecognisedLeg& leg : legs) description.legs.push_back(leg.leg);
     const FoundPassiveLimits passive = find_passive_limits(system, assembly.values, motion, legs);
@@ -348,11 +349,13 @@ ResolvedConfig resolved_names(const Tree& tree, const MechanismConfig& config, c
 }  // namespace
 
 SharedMechanism load_mechanism(const std::string& urdf_text, const std::string& urdf_name,
-                               const std::string& config_text, const std::string& config_name) {
+                               const std::string& config_text, const std::string& config_name,
+                               const std::string& frame_prefix) {
   Problems problems;
   std::vector<std::string> notes;
   const SourceNames files{urdf_name, config_name};
-  const MechanismConfig config = read_mechanism_config(config_text, config_name, problems);
+  MechanismConfig config = read_mechanism_config(config_text, config_name, problems);
+  config.frame_prefix = frame_prefix;
   auto tree = read_tree(urdf_text, urdf_name, problems, notes);
   if (!tree) throw InvalidDescription(problems);
   const ResolvedConfig resolved =

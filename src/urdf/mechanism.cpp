@@ -34,6 +34,10 @@ const std::shared_ptr<const Manipulator>& Mechanism::manipulator() const noexcep
   return contents_->manipulator;
 }
 const std::string& Mechanism::platform_link() const noexcept { return contents_->platform_link; }
+const std::vector<std::string>& Mechanism::link_names() const noexcept {
+  return contents_->completion.system().tree().links;
+}
+
 const std::vector<std::string>& Mechanism::joint_names() const noexcept { return contents_->joint_names; }
 const std::vector<JointLimits>& Mechanism::joint_limits() const noexcept { return contents_->joint_limits; }
 const std::vector<std::string>& Mechanism::notes() const noexcept { return contents_->notes; }

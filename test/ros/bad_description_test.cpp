@@ -82,7 +82,15 @@ TEST(BadDescription, TheClosureNamesAnUnknownLink) {
   XmlRpc::XmlRpcValue mechanism = test::five_bar_mechanism_parameter();
   mechanism["closures"][0]["frames"][1] = "closing_3";
   ros::param::set("/unknown_link/aspect_node/mechanism", mechanism);
-  expect_refused("/unknown_link", {"/unknown_link/aspect_node/mechanism", "closing_3"});
+  expect_refused("/unknown_link", {"/unknown_link/aspect_node has", "closing_3"});
+}
+
+TEST(BadDescription, TheConstraintsAreANumber) {
+  set_good_urdf("/constraints");
+  ros::param::set("/constraints/aspect_node/mechanism", test::five_bar_mechanism_parameter());
+  ros::param::set("/constraints/aspect_node/constraints", 7);
+  expect_refused("/constraints", {"/constraints/aspect_node has a 'constraints' that is not a map",
+                                  "actuated_limits, passive_limits"});
 }
 
 TEST(BadDescription, EveryProblemIsSaidAtOnce) {

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <vector>
+
 namespace parallel_aspects {
 namespace {
 
@@ -12,43 +15,68 @@ const ros::WallTime noon(43200.0);
 
 ros::WallTime after(double seconds) { return noon + ros::WallDuration(seconds); }
 
-TEST(FrameWatch, SaysOnceThatTwoNodesPublishAFrame) {
-  FrameWatch watch("left/");
-  EXPECT_EQ(watch.hear("left/platform", "/left", Topic::tf, noon), "");
-  EXPECT_EQ(watch.message(noon), "");
-  EXPECT_EQ(
-      watch.hear("left/platform", "/right", Topic::tf, after(0.1)),
-      "Both /left and /right publish the tf frame left/platform; give one of them another frame_prefix.");
-  EXPECT_EQ(watch.hear("left/platform", "/left", Topic::tf, after(0.2)), "");
-  EXPECT_NE(watch.message(after(0.3)), "");
+class FrameWatchTest : public testing::Test {
+ protected:
+  void hear(const std::string& frame, const std::string& publisher, double seconds = 0.0,
+            Topic topic = Topic::tf) {
+    watch_.hear(frame, publisher, topic, after(seconds));
+  }
+  std::size_t news(double seconds) { return watch_.news(after(seconds)).size(); }
+
+  FrameWatch watch_{"left/", {"crank", "rod", "base_link"}};
+};
+
+TEST_F(FrameWatchTest, SaysOnceThatTwoNodesPublishAFrame) {
+  hear("left/platform", "/left");
+  EXPECT_EQ(watch_.message(noon), "");
+  hear("left/platform", "/right", 0.1);
+  hear("left/platform", "/left", 0.2);
+  EXPECT_EQ(news(0.3), 0U) << "there may be more frames";
+  const std::vector<std::string> said = watch_.news(after(1.2));
+  ASSERT_EQ(said.size(), 1U);
+  EXPECT_EQ(said.front().find("Both /left and /right publish the tf frame left/platform; "), 0U)
+      << said.front();
+  hear("left/platform", "/right", 1.3);
+  EXPECT_EQ(news(9.0), 0U);
+  EXPECT_NE(watch_.message(after(1.4)), "");
 }
 
-TEST(FrameWatch, TellsFramesOfOthersFromItsOwn) {
-  FrameWatch watch("left/");
-  watch.hear("crank", "/left/robot_state_publisher", Topic::tf, noon);
-  EXPECT_EQ(watch.hear("crank", "/right/robot_state_publisher", Topic::tf, noon),
-            "Both /left/robot_state_publisher and /right/robot_state_publisher publish the tf frame crank; "
-            "stop one of "
-            "them, or rename the links of one robot.");
+TEST_F(FrameWatchTest, SaysInOneLineWhatTwoNodesShare) {
+  for (const char* frame : {"rod", "crank", "base_link"})
+    for (const char* node : {"/right/robot_state_publisher", "/left/robot_state_publisher"})
+      hear(frame, node);
+  const std::vector<std::string> said = watch_.news(after(1.0));
+  ASSERT_EQ(said.size(), 1U);
+  for (const char* words :
+       {"Both /left/robot_state_publisher and /right/robot_state_publisher publish 3 tf frames",
+        "such as base_link", "frame_prefix"})
+    EXPECT_NE(said.front().find(words), std::string::npos) << said.front();
+  EXPECT_EQ(watch_.message(after(1.0)), said.front());
 }
 
-TEST(FrameWatch, OneNodeMayPublishManyFramesAndOneMayTakeTheOthersPlace) {
-  FrameWatch watch("left/");
-  EXPECT_EQ(watch.hear("a", "/one", Topic::tf, noon), "");
-  EXPECT_EQ(watch.hear("b", "/one", Topic::tf, noon), "");
-  EXPECT_EQ(watch.hear("c", "/two", Topic::tf, noon), "");
-  EXPECT_EQ(watch.hear("a", "/two", Topic::tf, after(10.0)), "");
+TEST_F(FrameWatchTest, LeavesFramesOfOtherRobotsToTheirMonitors) {
+  hear("panda_hand", "/one");
+  hear("panda_hand", "/two");
+  EXPECT_EQ(news(2.0), 0U);
+  EXPECT_EQ(watch_.message(noon), "");
 }
 
-TEST(FrameWatch, ADisputeEndsWhereOneOfTheNodesDoes) {
-  FrameWatch watch("left/");
-  watch.hear("a", "/one", Topic::tf, noon);
-  watch.hear("a", "/two", Topic::tf, noon);
-  watch.hear("a", "/two", Topic::tf, after(20.0));
-  EXPECT_EQ(watch.message(after(20.0)), "");
-  watch.hear("b", "/one", Topic::tf_static, noon);
-  watch.hear("b", "/two", Topic::tf_static, noon);
-  EXPECT_NE(watch.message(after(20.0)), "");  // nothing more is heard of static transforms
+TEST_F(FrameWatchTest, OneNodeMayPublishManyFramesAndOneMayTakeTheOthersPlace) {
+  hear("crank", "/one");
+  hear("rod", "/one");
+  hear("base_link", "/two");
+  hear("crank", "/two", 10.0);
+  EXPECT_EQ(news(20.0), 0U);
+}
+
+TEST_F(FrameWatchTest, ADisputeEndsWhereOneOfTheNodesDoes) {
+  hear("crank", "/one");
+  hear("crank", "/two");
+  hear("crank", "/two", 20.0);
+  EXPECT_EQ(watch_.message(after(20.0)), "");
+  hear("rod", "/one", 0.0, Topic::tf_static);
+  hear("rod", "/two", 0.0, Topic::tf_static);
+  EXPECT_NE(watch_.message(after(20.0)), "");  // nothing more is heard of static transforms
 }
 
 }  // namespace

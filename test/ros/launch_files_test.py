@@ -47,6 +47,7 @@ class LaunchFiles(unittest.TestCase):
         given = [f"{name}:={value}" for name, value in thresholds.items()]
         config = load("aspects.launch", "frame_prefix:=left", "map_file:=/tmp/left.map", *given)
         self.assertEqual(config.params["/aspect_node/frame_prefix"].value, "left")
+        self.assertEqual(config.params["/robot_state_publisher/tf_prefix"].value, "left", "of the links too")
         self.assertEqual(config.params["/aspect_node/map/file"].value, "/tmp/left.map")
         for name, value in thresholds.items():
             self.assertEqual(config.params["/aspect_node/thresholds/" + name].value, value)

@@ -41,6 +41,9 @@ class Mechanism {
   /// Link whose origin is the operational point.
   const std::string& platform_link() const noexcept;
 
+  /// Every link of the tree, the root first.
+  const std::vector<std::string>& link_names() const noexcept;
+
   /// Every movable joint of the tree, actuated and passive, in the order of the URDF.
   const std::vector<std::string>& joint_names() const noexcept;
 
@@ -98,9 +101,11 @@ class SharedMechanism {
 };
 
 /// Reads a tree URDF and the YAML that closes it. `urdf_name` and `config_name` are file or parameter names,
-/// for messages. Throws `InvalidDescription` with every problem found.
+/// for messages. The base frame is the base link, in tf below `frame_prefix` where that is not empty. Throws
+/// `InvalidDescription` with every problem found.
 SharedMechanism load_mechanism(const std::string& urdf_text, const std::string& urdf_name,
-                               const std::string& config_text, const std::string& config_name);
+                               const std::string& config_text, const std::string& config_name,
+                               const std::string& frame_prefix = "");
 
 }  // namespace parallel_aspects
 

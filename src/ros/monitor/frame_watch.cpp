@@ -10,44 +10,56 @@ namespace {
 // connects.
 const ros::WallDuration alive(2.0);
 
-constexpr std::size_t most_frames = 100000;  // remembered
+const ros::WallDuration all_heard(1.0);  // by then each of two nodes has published all its frames
+
+constexpr std::size_t most_frames = 1000, most_disputes = 20;  // remembered
 
 }  // namespace
 
-std::string FrameWatch::hear(const std::string& name, const std::string& publisher, Topic topic,
-                             const ros::WallTime& now) {
+void FrameWatch::hear(const std::string& name, const std::string& publisher, Topic topic,
+                      const ros::WallTime& now) {
+  if (name.compare(0, own_.size(), own_) != 0 && links_.count(name) == 0) return;
   const std::lock_guard<std::mutex> lock(mutex_);
   if (frames_.size() >= most_frames) frames_.clear();
-  Frame& frame = frames_[name];
-  const bool disputed =
-      !frame.publisher.empty() && frame.publisher != publisher && now - frame.heard <= alive;
-  const bool said = !frame.disputed.isZero();
-  if (disputed) {
-    frame.other = frame.publisher;
-    frame.disputed = now;
-    frame.disputed_for_good = topic == Topic::tf_static;
-  }
-  frame.publisher = publisher;
-  frame.heard = now;
-  return disputed && !said ? message(name, frame) : std::string();
+  const Frame before = std::exchange(frames_[name], {publisher, now});
+  if (before.publisher.empty() || before.publisher == publisher || now - before.heard > alive) return;
+  const Nodes nodes = std::minmax(before.publisher, publisher);
+  if (disputes_.size() >= most_disputes && disputes_.count(nodes) == 0) return;
+  Dispute& dispute = disputes_[nodes];
+  if (dispute.frames.empty()) dispute.first = now;
+  if (dispute.frames.size() < most_frames) dispute.frames.insert(name);
+  dispute.last = now;
+  dispute.for_good = dispute.for_good || topic == Topic::tf_static;
+}
+
+std::vector<std::string> FrameWatch::news(const ros::WallTime& now) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  std::vector<std::string> messages;
+  for (auto& [nodes, dispute] : disputes_)
+    if (!dispute.said && now - dispute.first >= all_heard) {
+      messages.push_back(message(nodes, dispute));
+      dispute.said = true;
+    }
+  return messages;
 }
 
 std::string FrameWatch::message(const ros::WallTime& now) const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const auto is_disputed = [&](const auto& named) {
-    const Frame& frame = named.second;
-    return frame.disputed_for_good || (!frame.disputed.isZero() && now - frame.disputed <= alive + alive);
-  };
-  const auto first = std::find_if(frames_.begin(), frames_.end(), is_disputed);
-  return first == frames_.end() ? std::string() : message(first->first, first->second);
+  std::string messages;
+  for (const auto& [nodes, dispute] : disputes_)
+    if (dispute.for_good || now - dispute.last <= alive + alive)
+      messages += (messages.empty() ? "" : " ") + message(nodes, dispute);
+  return messages;
 }
 
-std::string FrameWatch::message(const std::string& name, const Frame& frame) const {
-  const auto& [one, two] = std::minmax(frame.publisher, frame.other);
-  const bool is_own = name.compare(0, own_.size(), own_) == 0;
-  return "Both " + one + " and " + two + " publish the tf frame " + name + "; " +
-         (is_own ? "give one of them another frame_prefix."
-                 : "stop one of them, or rename the links of one robot.");
+std::string FrameWatch::message(const Nodes& nodes, const Dispute& dispute) {
+  const std::string frame = *dispute.frames.begin();
+  const std::size_t count = dispute.frames.size();
+  return "Both " + nodes.first + " and " + nodes.second + " publish " +
+         (count == 1 ? "the tf frame " + frame
+                     : std::to_string(count) + " tf frames of this robot, such as " + frame) +
+         "; stop one of them, or give one of the two robots another frame_prefix: an argument of "
+         "aspects.launch, or ~frame_prefix of its monitor and tf_prefix of its robot_state_publisher.";
 }
 
 }  // namespace parallel_aspects

@@ -43,7 +43,7 @@ RobotServer::RobotServer(const ros::NodeHandle& nh, const ros::NodeHandle& priva
           setup_.mechanism->manipulator(), monitor_, worker_,
           [this](const auto& pose, std::string& message) { return to_base(pose, message); },
           setup_.options.read_only),
-      frame_watch_(setup_.options.frame_prefix + "/"),
+      frame_watch_(setup_.options.frame_prefix + "/", setup_.mechanism->link_names()),
       diagnostics_(on_queue(nh, service_queue_), service_nh_, *setup_.mechanism->manipulator(), monitor_,
                    worker_, frame_watch_),
       thinned_(setup_.options.state_decimation),
@@ -134,6 +134,7 @@ void RobotServer::subscribe() {
       ros::WallDuration(0.0), [this](const ros::WallTimerEvent&) { report_stand_off(); }, true);
   log_timer_ = service_nh_.createWallTimer(ros::WallDuration(0.1), [this](const ros::WallTimerEvent&) {
     log_.write();
+    for (const std::string& message : frame_watch_.news(ros::WallTime::now())) ROS_WARN_STREAM(message);
     renew_action();
   });
 }
@@ -177,11 +178,9 @@ void RobotServer::on_tf(const Transforms& event) { watch(event, FrameWatch::Topi
 void RobotServer::on_tf_static(const Transforms& event) { watch(event, FrameWatch::Topic::tf_static); }
 
 void RobotServer::watch(const Transforms& event, FrameWatch::Topic topic) {
-  for (const geometry_msgs::TransformStamped& transform : event.getConstMessage()->transforms) {
-    const std::string message =
-        frame_watch_.hear(transform.child_frame_id, event.getPublisherName(), topic, ros::WallTime::now());
-    if (!message.empty()) ROS_WARN_STREAM(message);
-  }
+  const ros::WallTime now = ros::WallTime::now();
+  for (const geometry_msgs::TransformStamped& transform : event.getConstMessage()->transforms)
+    frame_watch_.hear(transform.child_frame_id, event.getPublisherName(), topic, now);
 }
 
 void RobotServer::publish_robot(const TrackedState& tracked, const ros::Time& stamp) {

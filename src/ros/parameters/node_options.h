@@ -59,7 +59,8 @@ struct NodeOptions {
   int state_decimation = 1;      ///< ~state is published with every n-th sample, 1 to 10,000
   int completed_decimation = 1;  ///< likewise ~joint_states and tf
   bool read_only = false;        ///< refuses whatever changes the node while it runs
-  std::string frame_prefix;      ///< of the frames that the node adds; by default the robot's name
+  /// Of the frames that the node adds, by default the robot's name; where it is set, of its links as well.
+  std::string frame_prefix;
 };
 
 /// Everything wrong with the options of a map; messages that name parameters below `prefix`.

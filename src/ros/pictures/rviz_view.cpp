@@ -110,6 +110,12 @@ YAML::Node from_the_front(const Vector3d& center, const Vector3d& size, const Ve
   return view;
 }
 
+// Of the links in tf: what the name of the base frame begins with.
+std::string link_prefix(const NodeSetup& setup) {
+  const std::string& prefix = setup.options.frame_prefix;
+  return setup.mechanism->manipulator()->base_frame().rfind(prefix + "/", 0) == 0 ? prefix : "";
+}
+
 }  // namespace
 
 std::string with_view_of(const std::string& config, const NodeSetup& setup) {
@@ -128,6 +134,8 @@ std::string with_view_of(const std::string& config, const NodeSetup& setup) {
   view["Target Frame"] = robot.base_frame();
   document["Visualization Manager"]["Views"]["Current"] = view;
   document["Visualization Manager"]["Global Options"]["Fixed Frame"] = robot.base_frame();
+  for (YAML::Node display : document["Visualization Manager"]["Displays"])
+    if (display["Class"].as<std::string>("") == "rviz/RobotModel") display["TF Prefix"] = link_prefix(setup);
   YAML::Emitter out;
   out << document;
   return std::string(out.c_str()) + "\n";

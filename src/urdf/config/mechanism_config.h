@@ -24,6 +24,7 @@ struct ConfiguredClosure {
 struct MechanismConfig {
   std::string name;               ///< empty: that of the URDF
   std::string base_link;          ///< empty: the root link
+  std::string frame_prefix;       ///< of links in tf; not read from the file, empty for none
   std::string operational_point;  ///< name of a link
   std::vector<std::string> actuated_joints;
   bool lists_actuated_joints = false;  ///< otherwise the URDF may say them
