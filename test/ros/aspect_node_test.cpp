@@ -349,12 +349,3 @@ TEST_F(AspectNode, TheNodeletServesTheSame) {
 
 }  // namespace
 }  // namespace parallel_aspects
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "aspect_node_test");
-  const ros::NodeHandle nh;
-  ros::AsyncSpinner spinner(2);
-  spinner.start();
-  return RUN_ALL_TESTS();
-}

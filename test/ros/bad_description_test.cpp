@@ -121,10 +121,3 @@ TEST(BadDescription, NothingWasAdvertised) {
 
 }  // namespace
 }  // namespace parallel_aspects
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "bad_description_test");
-  const ros::NodeHandle nh;
-  return RUN_ALL_TESTS();
-}

@@ -410,12 +410,3 @@ INSTANTIATE_TEST_SUITE_P(Robots, NodeFuzz, testing::Values("five_bar", "stewart"
 
 }  // namespace
 }  // namespace parallel_aspects
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "node_fuzz_test");
-  const ros::NodeHandle nh;
-  ros::AsyncSpinner spinner(1);
-  spinner.start();
-  return RUN_ALL_TESTS();
-}

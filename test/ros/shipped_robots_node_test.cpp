@@ -182,12 +182,3 @@ INSTANTIATE_TEST_SUITE_P(Node, ShippedRobot,
 
 }  // namespace
 }  // namespace parallel_aspects
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "shipped_robots_node_test");
-  const ros::NodeHandle nh;
-  ros::AsyncSpinner spinner(1);
-  spinner.start();
-  return RUN_ALL_TESTS();
-}

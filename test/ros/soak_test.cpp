@@ -222,12 +222,3 @@ TEST(Soak, EveryStateIsRightAndMemoryIsFlat) {
 
 }  // namespace
 }  // namespace parallel_aspects
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "soak_test");
-  const ros::NodeHandle nh;
-  ros::AsyncSpinner spinner(1);
-  spinner.start();
-  return RUN_ALL_TESTS();
-}
