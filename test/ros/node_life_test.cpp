@@ -245,6 +245,12 @@ TEST_F(NodeLife, SimulatedTimeBeginsAnew) {
   ASSERT_TRUE(eventually([&] { return at(100.0 + 1e-3 * ++tries_, 8.0) == Status::OK; }));
   ASSERT_TRUE(eventually([&] { return at(5.0 + 1e-3 * ++tries_, 8.0) == Status::OK; }));
   EXPECT_EQ(states_->last()->working_mode, (std::vector<std::int8_t>{1, -1}));
+  // It is paused, and goes on.
+  const auto aspect = states_->last()->aspect;
+  ASSERT_TRUE(eventually([&] { return states_->last()->status.code == Status::STALE; }));
+  EXPECT_NE(states_->last()->status.message.find("paused"), std::string::npos);
+  ASSERT_TRUE(eventually([&] { return at(5.1 + 1e-3 * ++tries_, 8.0) == Status::OK; }));
+  EXPECT_EQ(states_->last()->aspect, aspect);
   clock.shutdown();
 }
 

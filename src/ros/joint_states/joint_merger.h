@@ -25,13 +25,13 @@ struct MergedJoints {
 };
 
 /// Makes configurations of messages that hold some of the actuated joints each. Values of several times are
-/// no configuration: where all actuated joints have velocity limits, those that are older than the newest one
-/// may have moved on by limit times age; otherwise the configuration is that of the latest time before and
-/// after which a value of every actuated joint is known, and actuated joints are taken to move between two
-/// values as between two samples.
+/// no configuration: it is that of the latest time before and after which a value of every actuated joint is
+/// known, and lies on the straight path between the two. An actuated joint may be off that way by as much as
+/// between two samples (by `path_bend` times an eighth of the larger of the last two differences of its
+/// steps), and by no more than lies within its velocity limit of both values.
 class JointMerger {
  public:
-  /// `window`: no value that is older, and no two values that are farther apart, are used [s].
+  /// `window`: two values that are farther apart are not joined [s].
   JointMerger(std::shared_ptr<const Manipulator> manipulator, const SampleOptions& options, double window);
 
   /// A message with these actuated joints; other entries of `q` are not read. A configuration that is newer
@@ -50,18 +50,18 @@ class JointMerger {
     std::array<Value, 16> values;
     std::size_t count = 0;
     void push(const Value& value) noexcept;
+    double bend(std::size_t newer) const noexcept;
   };
 
   void remember(const ros::Time& stamp, const JointSet& joint_values, const JointVector& q);
-  bool newest(MergedJoints& merged) const;
   bool bracketed(MergedJoints& merged) const;
-  bool interpolate(const History& history, const ros::Time& stamp, double& position,
+  bool interpolate(const History& history, double fastest, const ros::Time& stamp, double& position,
                    double& uncertainty) const;
+  double fastest(std::size_t actuation) const;
 
   std::shared_ptr<const Manipulator> manipulator_;
   SampleOptions options_;
   double window_;
-  bool limited_;
   std::array<History, max_legs> joints_to_actuate_;
   ros::Time last_;  // of the last configuration; zero for none
 };

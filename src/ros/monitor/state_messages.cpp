@@ -41,6 +41,14 @@ std::string fault_of_stamp(const ros::Time& stamp, const ros::Time& last, const 
   return {};
 }
 
+std::string some_drives(const std::string& missing) {
+  return "A message of joint_states holds some of the actuated joints, and those of the others do not fit "
+         "it: " +
+         missing +
+         " Where this lasts, publish all of them in one message, or each more often than every "
+         "joint_states_window.";
+}
+
 Status not_started_status(const std::string& why, bool read_only) {
   const std::string known = why.empty() ? "The assembly mode is not known" : why;
   return make_status(Status::NOT_STARTED,

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// One publisher for each joint, their messages evenly one after the other: how seldom they may come for the
+// robot to be followed, and whether it is where it is said to be.
+#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/kinematics/jacobians.h"
+#include "parallel_aspects/model/anchor_distance.h"
+
+#include <gtest/gtest.h>
+#include <yaml-cpp/yaml.h>
+
+#include "ros/monitor/robot_monitor.h"
+#include "support/shipped.h"
+#include <cmath>
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects {
+namespace {
+
+enum class Motion { still, moving };
+
+/// A robot about the start that its file states, and a monitor that it is told to.
+class PartialJointStates {
+ public:
+  PartialJointStates(const std::string& robot, Motion motion, double rate)
+      : mechanism_(test::shipped(robot)),
+        home_(start_of(robot, *mechanism_)),
+        motion_(motion),
+        rate_(rate),
+        truth_(manipulator()) {}
+
+  // Whether it is, from the start on.
+  bool followed() {
+    const std::size_t joint_values = manipulator()->leg_count();
+    if (!truth_.start(0.0, joints_at(0.0), home_.pose, 1e-6)) return false;
+    const int count = static_cast<int>(2.0 * rate_) * static_cast<int>(joint_values);
+    for (int i = 0; i < count; ++i)
+      if (!send(static_cast<std::size_t>(i) % joint_values, i / (rate_ * static_cast<double>(joint_values))))
+        return false;
+    return started_;
+  }
+
+ private:
+  static AssembledConfiguration start_of(const std::string& robot, const Mechanism& mechanism) {
+    const YAML::Node start =
+        YAML::Load(test::source_file("config/robots/" + robot + ".yaml"))["start"]["pose"];
+    const auto given = start.as<std::vector<double>>();
+    const Manipulator& manipulator = *mechanism.manipulator();
+    const Eigen::VectorXd coordinates =
+        Eigen::Map<const Eigen::VectorXd>(given.data(), static_cast<Eigen::Index>(given.size()));
+    const Pose pose = *pose_from_coordinates(manipulator.task_space(), coordinates);
+    const AssembledConfiguration assembled = mechanism.assembled();
+    return {pose, inverse(manipulator, pose, *working_mode(manipulator, assembled.pose, assembled.q)).q};
+  }
+
+  const std::shared_ptr<const Manipulator>& manipulator() const { return mechanism_->manipulator(); }
+
+  // It moves up to about 0.4 rad, or 0.1 of its size, in a second.
+  JointVector joints_at(double time) const {
+    JointVector q = home_.q;
+    if (motion_ == Motion::still) return q;
+    for (std::size_t j = 0; j < manipulator()->leg_count(); ++j) {
+      const double size = manipulator()->leg(j).actuated_by_angle() ? 0.05 : 0.01 * manipulator()->size();
+      q[static_cast<Eigen::Index>(j)] +=
+          size * std::sin(EIGEN_PI * (1.0 + 0.3 * static_cast<double>(j)) * time);
+    }
+    return q;
+  }
+
+  bool send(std::size_t actuation, double time) {
+    sensor_msgs::JointState message;
+    message.header.stamp = start_ + ros::Duration(time);
+    message.name = {manipulator()->leg(actuation).actuated_joint};
+    message.position = {joints_at(time)[static_cast<Eigen::Index>(actuation)]};
+    const MonitorUpdate update =
+        monitor_.update(message, message.header.stamp, "/" + manipulator()->leg(actuation).actuated_joint);
+    if (!update.state || update.state->status.code == Status::NO_JOINT_STATES) return !started_;
+    if (!started_) return started_ = monitor_.start_near(home_.pose, message.header.stamp).code == Status::OK;
+    if (update.state->status.code != Status::OK) return false;
+    compare(*update.tracked, (update.state->header.stamp - start_).toSec());
+    return true;
+  }
+
+  void compare(const TrackedState& told, double time) {
+    for (const int step : {1, 2, 3, 4, 5})  // from one sample of the truth to the next, which are seldom
+      truth_.update(last_ + (time - last_) * 0.2 * step, joints_at(last_ + (time - last_) * 0.2 * step));
+    last_ = time;
+    ASSERT_TRUE(truth_.state().followed());
+    EXPECT_LE(anchor_distance(*manipulator(), truth_.state().pose, told.pose),
+              told.spread + 1e-6 * manipulator()->size());
+  }
+
+  static NodeOptions options() {
+    NodeOptions options;
+    options.start.tolerance = 1.0;
+    return options;
+  }
+
+  const std::shared_ptr<const Mechanism> mechanism_;
+  const AssembledConfiguration home_;
+  const Motion motion_;
+  const double rate_;  // of each joint [Hz]
+  const ros::Time start_{100.0};
+  Tracker truth_;
+  RobotMonitor monitor_{mechanism_, options()};
+  bool started_ = false;
+  double last_ = 0.0;
+};
+
+class PartialJointStatesTest : public testing::TestWithParam<std::string> {};
+
+TEST_P(PartialJointStatesTest, AreFollowedAtTwentyHertz) {
+  for (const Motion motion : {Motion::still, Motion::moving})
+    EXPECT_TRUE(PartialJointStates(GetParam(), motion, 20.0).followed())
+        << (motion == Motion::still ? "still" : "moving");
+}
+
+// For the table of docs/tracking.md: --gtest_also_run_disabled_tests.
+TEST_P(PartialJointStatesTest, DISABLED_PrintRates) {
+  for (const Motion motion : {Motion::still, Motion::moving}) {
+    std::cout << GetParam() << (motion == Motion::still ? ", still:" : ", moving:");
+    for (const double rate : {10.0, 15.0, 20.0, 50.0, 100.0, 250.0, 500.0, 1000.0, 2000.0})
+      if (PartialJointStates(GetParam(), motion, rate).followed()) std::cout << ' ' << rate;
+    std::cout << '\n';
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, PartialJointStatesTest, testing::Values("five_bar", "delta", "stewart"),
+                         [](const auto& robot) { return robot.param; });
+
+}  // namespace
+}  // namespace parallel_aspects
