@@ -53,8 +53,9 @@ struct NodeOptions {
   ThresholdParameters thresholds;
   double distance_rate = 50.0;        ///< how often distances are measured [Hz], 0.1 to 1000
   double joint_states_timeout = 0.5;  ///< age at which the last sample is stale [s], 0.001 to 3600
-  double joint_states_window =
-      0.1;  ///< ages that are merged of messages with some of the actuated joints [s], 0 to 10
+  /// Of messages with some of the actuated joints: two values of an actuated joint are no farther apart [s],
+  /// 0 to 10.
+  double joint_states_window = 0.1;
   double tf_timeout = 0.2;       ///< how long a query waits for tf [s], 0 to 60
   int state_decimation = 1;      ///< ~state is published with every n-th sample, 1 to 10,000
   int completed_decimation = 1;  ///< likewise ~joint_states and tf
