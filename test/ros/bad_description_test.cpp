@@ -82,7 +82,7 @@ TEST(BadDescription, TheClosureNamesAnUnknownLink) {
   XmlRpc::XmlRpcValue mechanism = test::five_bar_mechanism_parameter();
   mechanism["closures"][0]["frames"][1] = "closing_3";
   ros::param::set("/unknown_link/aspect_node/mechanism", mechanism);
-  expect_refused("/unknown_link", {"/unknown_link/aspect_node has", "closing_3"});
+  expect_refused("/unknown_link", {"/unknown_link/aspect_node names link", "closing_3"});
 }
 
 TEST(BadDescription, TheConstraintsAreANumber) {

@@ -22,6 +22,16 @@ Pose at(double x, double y) {
   return pose;
 }
 
+// Two robots with the same names of links have one tf graph.
+TEST_F(FiveBarMechanism, ItsBaseFrameTakesAPrefix) {
+  EXPECT_EQ(manipulator_.base_frame(), "base_link");
+  const auto left = load_mechanism(test::source_file("urdf/five_bar.urdf"), "urdf",
+                                   test::source_file("config/robots/five_bar.yaml"), "yaml", "left");
+  EXPECT_EQ(left->manipulator()->base_frame(), "left/base_link");
+  EXPECT_EQ(left->link_names(), mechanism_->link_names());
+  EXPECT_EQ(left->link_names().front(), "base_link");
+}
+
 TEST_F(FiveBarMechanism, IsRecognisedAsThePaperDrawsIt) {
   EXPECT_EQ(manipulator_.name(), "five_bar");
   EXPECT_EQ(manipulator_.task_space(), TaskSpace::T2);

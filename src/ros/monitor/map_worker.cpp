@@ -40,15 +40,16 @@ std::string complete_message(const AspectMap& map) {
   char seconds[32];
   std::snprintf(seconds, sizeof seconds, "%.3g s", map.seconds());
   const std::int64_t most = count_at_most(map);
-  return "The map is complete: " + std::to_string(map.aspects().size()) + " aspects found, at least " +
-         std::to_string(map.proved_count()) + (most < 0 ? "" : " and at most " + std::to_string(most)) +
-         " proved, " + std::to_string(map.unresolved().size()) + " pairs unresolved, in " + seconds + ".";
+  return "The map is complete. Aspects found: " + std::to_string(map.aspects().size()) +
+         ", proved: at least " + std::to_string(map.proved_count()) +
+         (most < 0 ? "" : " and at most " + std::to_string(most)) +
+         "; pairs unresolved: " + std::to_string(map.unresolved().size()) + "; time: " + seconds + ".";
 }
 
 std::string complete_message(const PoseRoadmap& roadmap) {
-  return "With six degrees of freedom there is a certified roadmap in place of a map: " +
-         std::to_string(roadmap.poses().size()) + " sampled poses, at least " +
-         std::to_string(roadmap.proved_count()) + " aspects proved, and the samples lie in at most " +
+  return "With six degrees of freedom there is a certified roadmap in place of a map. Poses sampled: " +
+         std::to_string(roadmap.poses().size()) + ", aspects proved: at least " +
+         std::to_string(roadmap.proved_count()) + ", those that the samples lie in: at most " +
          std::to_string(roadmap.component_count()) + ".";
 }
 
