@@ -326,6 +326,15 @@ TEST_F(RobotMonitorTest, StaleSaysThatStampsAreBehindTheClock) {
       << late.state->status.message;
 }
 
+// A message is some time on its path, so its stamp is too old before its arrival is so long ago.
+TEST_F(RobotMonitorTest, ASilenceIsNoClockThatIsBehind) {
+  update(joint_values(4.5, 8.0, {1, -1}, 1.0), 1.1);
+  const auto stale = expire(1.55);
+  ASSERT_TRUE(stale);
+  EXPECT_NE(stale->status.message.find("The last usable joint_states are older"), std::string::npos)
+      << stale->status.message;
+}
+
 TEST_F(RobotMonitorTest, ASilenceCountsByStamps) {
   for (int i = 0; i < 20; ++i) update(joint_values(4.5, 8.0, {1, -1}, 1.0 + 0.1 * i), 1.0 + 0.1 * i);
   for (int i = 20; i < 40; ++i) update(joint_values(4.5, 8.0, {1, -1}, 1.0 + 0.1 * i), 5.0);

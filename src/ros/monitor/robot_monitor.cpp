@@ -291,8 +291,10 @@ bool RobotMonitor::stale(const ros::Time& now) const {
 }
 
 Status RobotMonitor::stale_status(const ros::Time& now) const {
-  if (seconds_between(last_usable_, now) > timeout_) return silent_status(timeout_, names_);
-  return halted_ ? halted_status(timeout_) : late_status(timeout_);
+  const bool arrive = seconds_between(last_usable_, now) <= timeout_;
+  if (arrive && seconds_between(last_stamp_, last_usable_) > timeout_) return late_status(timeout_);
+  if (arrive && seconds_between(last_stamp_, now) <= timeout_) return halted_status(timeout_);
+  return silent_status(timeout_, names_);
 }
 
 // While messages are refused, that is what is said, not how long ago the last usable one came.
