@@ -6,6 +6,7 @@
 #include "urdf/closing/chain.h"
 #include "urdf/closing/resolved_config.h"
 #include "urdf/config/mechanism_config.h"
+#include "urdf/description/yaml_document.h"
 #include "urdf/mechanism_contents.h"
 #include "urdf/reading/tree_reader.h"
 #include "urdf/recognition/leg_recognition.h"
@@ -29,6 +30,10 @@ namespace {
 
 // Of these all combinations of two types are tried.
 constexpr std::size_t most_mixed_closures = 5;
+
+// Six for each leg of a hexapod, and twenty; the time to assemble a mechanism grows with their third power.
+constexpr std::size_t most_closures = 36;
+constexpr std::ptrdiff_t most_joints_in_loops = 120;
 
 std::string number(double value) {
   std::ostringstream text;
@@ -55,11 +60,7 @@ class Recogniser {
   std::unique_ptr<Mechanism::Contents> recognise(const std::vector<Closure>& closures,
                                                  Problems& problems) const {
     const ClosureSystem system(tree_, resolved_.base, closures);
-    if (std::none_of(system.in_loop().begin(), system.in_loop().end(), [](bool moves) { return moves; })) {
-      problems.push_back(files_.config + " closes only frames that no joint of " + files_.urdf +
-                         " moves against one another; name frames at the two ends of each loop.");
-      return nullptr;
-    }
+    if (!check_joints_in_loops(system, problems)) return nullptr;
     const AssemblyResult assembled = assemble(system, resolved_.actuated_joints.variables);
     if (!assembled.assembly) {
       report_gap(system, assembled.closest, problems);
@@ -69,6 +70,18 @@ class Recogniser {
   }
 
  private:
+  bool check_joints_in_loops(const ClosureSystem& system, Problems& problems) const {
+    const auto count = std::count(system.in_loop().begin(), system.in_loop().end(), true);
+    if (count == 0)
+      problems.push_back(files_.config + " closes only frames that no joint of " + files_.urdf +
+                         " moves against one another; name frames at the two ends of each loop.");
+    if (count > most_joints_in_loops)
+      problems.push_back(files_.urdf + " has " + std::to_string(count) +
+                         " movable joints in its loops, and at most " + std::to_string(most_joints_in_loops) +
+                         " are treated; fix those that hardly move.");
+    return count > 0 && count <= most_joints_in_loops;
+  }
+
   // As it is; and where that makes no manipulator, with joints that cannot move taken as fixed.
   std::unique_ptr<Mechanism::Contents> recognise(const ClosureSystem& system, const Assembly& assembly,
                                                  Problems& problems) const {
@@ -259,6 +272,13 @@ std::vector<std::vector<Closure>> mixtures(const std::vector<Closure>& closures)
   return result;
 }
 
+void check_closures(const std::vector<Closure>& closures, const SourceNames& files, Problems& problems) {
+  if (closures.size() > most_closures)
+    problems.push_back(files.config + " and " + files.urdf + " describe " + std::to_string(closures.size()) +
+                       " closures, and at most " + std::to_string(most_closures) +
+                       " are treated; a robot needs one for each loop.");
+}
+
 // "point ('a - b') and revolute ('c - d', 'e - f')", of the closures whose types were open.
 std::string listed_types(const std::vector<Closure>& open, const std::vector<Closure>& taken) {
   std::string text;
@@ -339,7 +359,7 @@ ResolvedConfig resolved_names(const Tree& tree, const MechanismConfig& config, c
   document.Parse(urdf_text.data(), urdf_text.size());
   YAML::Node yaml;
   try {
-    yaml = YAML::Load(config_text);
+    yaml = yaml_document(config_text);
   } catch (const YAML::Exception&) {
     return {};
   }
@@ -360,6 +380,7 @@ SharedMechanism load_mechanism(const std::string& urdf_text, const std::string& 
   if (!tree) throw InvalidDescription(problems);
   const ResolvedConfig resolved =
       resolved_names(*tree, config, urdf_text, config_text, files, problems, notes);
+  check_closures(resolved.closures, files, problems);
   if (!problems.empty()) throw InvalidDescription(problems);
   const Recogniser recogniser(std::make_shared<const Tree>(std::move(*tree)), config, resolved, files);
   auto contents = recognise(recogniser, resolved.closures, files, problems);

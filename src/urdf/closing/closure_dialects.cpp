@@ -71,8 +71,8 @@ std::optional<std::size_t> described_link(const LoopSource& source, const std::s
   const std::string link = scope == std::string::npos ? name : name.substr(scope + 2);
   const auto found = source.tree.link_named(link);
   if (!found)
-    problems.push_back(where + " names link '" + link + "', but " + source.files.urdf +
-                       " has no such link; did you mean '" + nearest_name(link, source.tree.links) + "'?");
+    problems.push_back(where + " names link '" + link + "', but " + source.files.urdf + " has no such link" +
+                       suggestion(link, source.tree.links, problems));
   return found;
 }
 
@@ -95,9 +95,10 @@ std::optional<ClosureType> described_type(std::string name) noexcept {
   return std::nullopt;
 }
 
-Closure closed_at_zero(const Tree& tree, const std::string& name, std::size_t parent, const LinkFrame& child,
-                       ClosureType type) {
-  const Poses poses = link_poses(tree, 0, Eigen::VectorXd::Zero(tree.variables()));
+Poses poses_at_zero(const Tree& tree) { return link_poses(tree, 0, Eigen::VectorXd::Zero(tree.variables())); }
+
+Closure closed_at_zero(const Poses& poses, const std::string& name, std::size_t parent,
+                       const LinkFrame& child, ClosureType type) {
   const LinkFrame in_parent{parent, poses[parent].inverse() * poses[child.link] * child.in_link};
   return {name, {in_parent, child}, type};
 }

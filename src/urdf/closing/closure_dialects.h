@@ -59,9 +59,12 @@ std::optional<std::size_t> described_link(const LoopSource& source, const std::s
 /// spherical, point, universal, fixed, weld, each also with `_joint`; nothing for any other.
 std::optional<ClosureType> described_type(std::string name) noexcept;
 
-/// Two frames that coincide while all joints are zero, `child` being given; as simulators make a joint.
-Closure closed_at_zero(const Tree& tree, const std::string& name, std::size_t parent, const LinkFrame& child,
-                       ClosureType type);
+/// Where all links are while all joints are zero, in the frame of the root.
+Poses poses_at_zero(const Tree& tree);
+
+/// Two frames that coincide in `poses`, those at zero, `child` being given; as simulators make a joint.
+Closure closed_at_zero(const Poses& poses, const std::string& name, std::size_t parent,
+                       const LinkFrame& child, ClosureType type);
 
 namespace dialects {
 

@@ -36,8 +36,8 @@ class Resolver {
 
   std::size_t link(const std::string& key, const std::string& name) {
     if (const auto found = tree_.link_named(name)) return *found;
-    problem("names link '" + name + "' in " + key + ", but " + files_.urdf +
-            " has no such link; did you mean '" + nearest_name(name, tree_.links) + "'?");
+    problem("names link '" + name + "' in " + key + ", but " + files_.urdf + " has no such link" +
+            suggestion(name, tree_.links, problems_));
     return 0;
   }
 
@@ -109,7 +109,7 @@ class Resolver {
     if (found) return " fixes that joint; actuate a movable one.";
     std::vector<std::string> movable;
     for (const std::size_t joint : tree_.movable) movable.push_back(tree_.joints[joint].name);
-    return " has no such joint; did you mean '" + nearest_name(name, movable) + "'?";
+    return " has no such joint" + suggestion(name, movable, problems_);
   }
 
   const LoopSource& source_;

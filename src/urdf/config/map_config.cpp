@@ -2,6 +2,7 @@
 #include "urdf/config/map_config.h"
 
 #include "parallel_aspects/model/constraints.h"
+#include "urdf/description/yaml_document.h"
 #include "urdf/description/yaml_values.h"
 
 #include <yaml-cpp/yaml.h>
@@ -80,7 +81,7 @@ std::optional<Box> box_between(const std::vector<double>& lower, const std::vect
 
 MapConfig read_map_config(const std::string& text, const std::string& file, Problems& problems) {
   try {
-    const YAML::Node root = YAML::Load(text);
+    const YAML::Node root = yaml_document(text);
     if (!root.IsMap() || !root["map"].IsDefined()) return {};
     return Reader(file, problems).read(root["map"]);
   } catch (const YAML::Exception&) {

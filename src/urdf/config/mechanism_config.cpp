@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/config/mechanism_config.h"
 
+#include "urdf/description/yaml_document.h"
 #include "urdf/description/yaml_values.h"
 
 #include <yaml-cpp/yaml.h>
@@ -184,14 +185,10 @@ class Reader {
 
 MechanismConfig read_mechanism_config(const std::string& text, const std::string& file, Problems& problems) {
   try {
-    const std::vector<YAML::Node> documents = YAML::LoadAll(text);
-    if (documents.size() > 1)
-      problems.push_back(file + " holds " + std::to_string(documents.size()) +
-                         " documents, separated by '---'; keep one.");
-    return Reader(file, problems).read(documents.empty() ? YAML::Node() : documents.front());
+    return Reader(file, problems).read(yaml_document(text));
   } catch (const YAML::Exception& error) {
-    problems.push_back(file + " is not valid YAML at line " + std::to_string(error.mark.line + 1) + ": " +
-                       error.msg + "; correct it there.");
+    problems.push_back(file + " cannot be read as YAML at line " + std::to_string(error.mark.line + 1) +
+                       ": " + error.msg + "; correct it there.");
     return {};
   }
 }

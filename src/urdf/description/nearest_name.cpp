@@ -7,7 +7,11 @@
 namespace parallel_aspects {
 namespace {
 
-std::size_t edit_distance(const std::string& one, const std::string& other) {
+constexpr std::size_t most_letters = 200;  // that are compared
+constexpr std::size_t most_suggestions = 20;
+
+std::size_t edit_distance(std::string one, std::string other) {
+  for (std::string* word : {&one, &other}) word->resize(std::min(word->size(), most_letters));
   std::vector<std::size_t> row(other.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
   for (std::size_t i = 1; i <= one.size(); ++i) {
@@ -29,6 +33,12 @@ std::string nearest_name(const std::string& word, const std::vector<std::string>
     return edit_distance(word, a) < edit_distance(word, b);
   });
   return nearest == known.end() ? std::string() : *nearest;
+}
+
+std::string suggestion(const std::string& word, const std::vector<std::string>& known,
+                       const Problems& problems) {
+  return problems.size() < most_suggestions ? "; did you mean '" + nearest_name(word, known) + "'?"
+                                            : "; correct it.";
 }
 
 std::string similar_name(const std::string& word, const std::vector<std::string>& known) {

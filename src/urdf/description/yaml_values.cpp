@@ -7,19 +7,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_set>
 
 namespace parallel_aspects {
 void YamlValues::check_keys(const YAML::Node& map, const std::vector<std::string>& known,
                             const std::string& where) const {
-  std::vector<std::string> seen;
+  std::unordered_set<std::string> seen;
   for (const auto& entry : map) {
     const std::string key = entry.first.IsScalar() ? entry.first.Scalar() : "";
     if (std::find(known.begin(), known.end(), key) == known.end())
       problem("has an unknown key '" + key + "' under " + where + "; did you mean '" +
               nearest_name(key, known) + "'?");
-    if (std::find(seen.begin(), seen.end(), key) != seen.end())
+    if (!seen.insert(key).second)
       problem("has the key '" + key + "' twice under " + where + "; keep one of them.");
-    seen.push_back(key);
   }
 }
 

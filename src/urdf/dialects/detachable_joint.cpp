@@ -20,28 +20,29 @@ bool holds_another_model(const LoopSource& source, const XMLElement& plugin) {
           !source.tree.link_named(child_text(plugin, "child_link")));
 }
 
-void read_plugin(const LoopSource& source, const XMLElement& plugin, std::vector<Closure>& closures,
-                 Problems& problems) {
+void read_plugin(const LoopSource& source, const Poses& poses, const XMLElement& plugin,
+                 std::vector<Closure>& closures, Problems& problems) {
   const std::string where = source.files.urdf + " has a DetachableJoint plugin that";
   const std::string parent_name = child_text(plugin, "parent_link"),
                     child_name = child_text(plugin, "child_link");
   const auto parent = described_link(source, parent_name, where, problems);
   const auto child = described_link(source, child_name, where, problems);
   if (parent && child)
-    closures.push_back(closed_at_zero(source.tree, parent_name + " - " + child_name, *parent,
-                                      LinkFrame{*child}, ClosureType::automatic));
+    closures.push_back(closed_at_zero(poses, parent_name + " - " + child_name, *parent, LinkFrame{*child},
+                                      ClosureType::automatic));
 }
 
 }  // namespace
 
 DescribedLoops detachable_joint(const LoopSource& source, Problems& problems) {
   DescribedLoops loops;
+  const Poses poses = poses_at_zero(source.tree);
   for (const auto* gazebo = source.robot.FirstChildElement("gazebo"); gazebo != nullptr;
        gazebo = gazebo->NextSiblingElement("gazebo"))
     for (const auto* plugin = gazebo->FirstChildElement("plugin"); plugin != nullptr;
          plugin = plugin->NextSiblingElement("plugin"))
       if (is_detachable_joint(*plugin) && !holds_another_model(source, *plugin))
-        read_plugin(source, *plugin, loops.closures, problems);
+        read_plugin(source, poses, *plugin, loops.closures, problems);
   return loops;
 }
 

@@ -99,7 +99,7 @@ class JointReader {
     const Isometry3d in_child = poses_[child].inverse() * frame;
     LinkFrame turned{child, in_child};
     turned.in_link.rotate(axes_with_z(axis));
-    Closure result = closed_at_zero(source_.tree, attribute(&joint_, "name"), parent, turned, type);
+    Closure result = closed_at_zero(poses_, attribute(&joint_, "name"), parent, turned, type);
     // A universal closure keeps z of the first frame orthogonal to x of the second.
     if (type == ClosureType::universal) {
       turned.in_link.linear() =
@@ -121,7 +121,7 @@ class JointReader {
 
 DescribedLoops gazebo_joint(const LoopSource& source, Problems& problems) {
   DescribedLoops loops;
-  const Poses poses = link_poses(source.tree, 0, Eigen::VectorXd::Zero(source.tree.variables()));
+  const Poses poses = poses_at_zero(source.tree);
   for (const auto* gazebo = source.robot.FirstChildElement("gazebo"); gazebo != nullptr;
        gazebo = gazebo->NextSiblingElement("gazebo"))
     for (const auto* joint = gazebo->FirstChildElement("joint"); joint != nullptr;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/closing/closure_dialects.h"
 
+#include <unordered_set>
+
 namespace parallel_aspects::dialects {
 namespace {
 
@@ -30,14 +32,13 @@ ClosureType type_of(const LoopSource& source, std::size_t index, Problems& probl
 }
 
 // A joint of that name, or else every joint whose name contains it.
-void add_joints_named(const LoopSource& source, const std::string& word, std::vector<std::string>& joints) {
-  if (source.tree.joint_named(word)) {
-    joints.push_back(word);
-    return;
-  }
+std::vector<std::string> joints_named(const LoopSource& source, const std::string& word) {
+  if (source.tree.joint_named(word)) return {word};
+  std::vector<std::string> joints;
   for (const std::size_t joint : source.tree.movable)
-    if (source.tree.joints[joint].name.find(word) != std::string::npos)
+    if (!word.empty() && source.tree.joints[joint].name.find(word) != std::string::npos)
       joints.push_back(source.tree.joints[joint].name);
+  return joints;
 }
 
 // `name_mot` is a list of names, or one text that the names contain.
@@ -49,10 +50,13 @@ std::vector<std::string> actuated_joints(const LoopSource& source, Problems& pro
   else if (motors.IsDefined())
     words.push_back(scalar(motors));
   std::vector<std::string> joints;
+  std::unordered_set<std::string> known, read;
   for (const std::string& word : words) {
-    const std::size_t before = joints.size();
-    if (!word.empty()) add_joints_named(source, word, joints);
-    if (joints.size() == before)
+    if (!read.insert(word).second) continue;
+    const std::vector<std::string> named = joints_named(source, word);
+    for (const std::string& joint : named)
+      if (known.insert(joint).second) joints.push_back(joint);
+    if (named.empty())
       problems.push_back(source.files.config + " has '" + word + "' in name_mot, but " + source.files.urdf +
                          " has no movable joint with that in its name; correct it, or list "
                          "mechanism.actuated_joints.");

@@ -12,9 +12,10 @@ constexpr double no_direction = 1e-9;
 
 class LoopJointReader {
  public:
-  LoopJointReader(const LoopSource& source, const XMLElement& joint, Problems& problems)
+  LoopJointReader(const LoopSource& source, const XMLElement& joint, const Poses& poses, Problems& problems)
       : source_(source),
         joint_(joint),
+        poses_(poses),
         problems_(problems),
         where_(source.files.urdf + " has a <loop_joint> '" + attribute(&joint, "name") + "' that") {}
 
@@ -74,14 +75,14 @@ class LoopJointReader {
       for (LinkFrame* end : {&one, &other}) end->in_link.rotate(axes_with_z(axis));
       return;
     }
-    const Poses poses = link_poses(source_.tree, 0, Eigen::VectorXd::Zero(source_.tree.variables()));
     one.in_link.linear() = axes_with_z(axis);
     other.in_link.linear() =
-        axes_with_z(poses[other.link].linear().transpose() * (poses[one.link].linear() * axis));
+        axes_with_z(poses_[other.link].linear().transpose() * (poses_[one.link].linear() * axis));
   }
 
   const LoopSource& source_;
   const XMLElement& joint_;
+  const Poses& poses_;
   Problems& problems_;
   std::string where_;
 };
@@ -90,9 +91,10 @@ class LoopJointReader {
 
 DescribedLoops loop_joint(const LoopSource& source, Problems& problems) {
   DescribedLoops loops;
+  const Poses poses = poses_at_zero(source.tree);
   for (const auto* joint = source.robot.FirstChildElement("loop_joint"); joint != nullptr;
        joint = joint->NextSiblingElement("loop_joint"))
-    LoopJointReader(source, *joint, problems).read(loops.closures);
+    LoopJointReader(source, *joint, poses, problems).read(loops.closures);
   return loops;
 }
 

@@ -99,7 +99,7 @@ class Inspector {
     inspect_joints(robot);
     inspect_topology();
     for (const std::string& message : messages(remarks_)) notes_.push_back(file_ + " " + message);
-    tinyxml2::XMLPrinter printer;
+    tinyxml2::XMLPrinter printer(nullptr, true);  // without indents, which may be longer than the text
     document.Print(&printer);
     result_.text = printer.CStr();
     return result_;
