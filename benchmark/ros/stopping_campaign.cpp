@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Prints a row of the table of docs/tracking.md for each robot and kind of hazard: `stopping_campaign RUNS
-// SEED [ROBOT...]`.
+// SEED [speed=SPEED] [noise=NOISE] [ROBOT...]`, with one speed [sizes of the robot a second] and one noise
+// [rad or sizes] where they are stated.
 #include "ros/stopping_campaign.h"
 
 #include "support/shipped.h"
@@ -16,13 +17,22 @@ namespace test = parallel_aspects::test;
 
 int main(int argc, char** argv) {
   if (argc < 3) {
-    std::fprintf(stderr, "Usage: stopping_campaign RUNS SEED [ROBOT...]\n");
+    std::fprintf(stderr, "Usage: stopping_campaign RUNS SEED [speed=SPEED] [noise=NOISE] [ROBOT...]\n");
     return 2;
   }
-  std::vector<std::string> robots(argv + 3, argv + argc);
-  if (robots.empty()) robots.assign(test::campaign_robots.begin(), test::campaign_robots.end());
   test::StoppingPlan plan;
   plan.runs = std::atoi(argv[1]);
+  std::vector<std::string> robots;
+  for (int i = 3; i < argc; ++i) {
+    const std::string argument = argv[i];
+    if (argument.rfind("speed=", 0) == 0)
+      plan.speeds = {std::atof(argv[i] + 6)};
+    else if (argument.rfind("noise=", 0) == 0)
+      plan.noises = {std::atof(argv[i] + 6)};
+    else
+      robots.push_back(argument);
+  }
+  if (robots.empty()) robots.assign(test::campaign_robots.begin(), test::campaign_robots.end());
   long failures = 0;
   for (const std::string& robot : robots)
     for (const Hazard hazard : {Hazard::parallel_singularity, Hazard::serial_singularity, Hazard::limit}) {

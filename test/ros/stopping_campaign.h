@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_TEST_ROS_STOPPING_CAMPAIGN_H
 #define PARALLEL_ASPECTS_TEST_ROS_STOPPING_CAMPAIGN_H
 
+#include "model/linear_algebra.h"
 #include "parallel_aspects/distance/boundary_distances.h"
 #include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/model/pose.h"
@@ -15,6 +16,7 @@
 #include <optional>
 #include <random>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace parallel_aspects::test {
@@ -96,19 +98,44 @@ class StoppingCampaign {
                                                   : found.actuated_limit;
   }
 
+  // Legs with right angles on a sphere are singular, to the first order of B_jj and of det A, in single poses
+  // of which no witness is found: where an anchor lies on the axis of its actuated joint. The nearest such
+  // pose.
+  std::optional<Pose> on_an_axis(const Pose& pose) const {
+    std::optional<Pose> nearest;
+    for (const Leg& leg : robot_->legs())
+      for (const double side : {-1.0, 1.0}) {
+        const auto* crank = std::get_if<RevoluteActuation>(&leg.actuation);
+        if (crank == nullptr || robot_->task_space() != TaskSpace::SO3) return std::nullopt;
+        Pose turned = pose;
+        turned.orientation =
+            shortest_rotation(pose.transform(leg.anchor), side * crank->axis) * pose.orientation;
+        if (!nearest || anchor_distance(*robot_, pose, turned) < anchor_distance(*robot_, pose, *nearest))
+          nearest = turned;
+      }
+    return nearest;
+  }
+
+  // A pose to move to: the nearest of this kind that is known.
+  std::optional<Pose> target(const Pose& pose, const BoundaryDistance& nearest) const {
+    if (nearest.upper < 1e9) return nearest.witness;
+    return nearest.lower < 1e9 ? on_an_axis(pose) : std::nullopt;
+  }
+
   // Some thresholds long, with all hazards beyond theirs where it begins.
   std::optional<Path> find_path(Hazard hazard, double threshold) {
     for (int i = 0; i < 300; ++i) {
       const WorkingMode mode = pairs_.mode();
       const auto pose = pairs_.reached(mode);
       if (!pose) continue;
-      const BoundaryDistance nearest = of(meter_.measure(*pose, mode), hazard);
-      if (!(nearest.upper < 1e9) || nearest.upper < 2.0 * threshold) continue;
-      const double length = std::min(nearest.upper, 4.0 * threshold);
-      const Pose from = pose_between(*pose, nearest.witness, 1.0 - length / nearest.upper);
+      const auto to = target(*pose, of(meter_.measure(*pose, mode), hazard));
+      if (!to) continue;
+      const double distance = anchor_distance(*robot_, *pose, *to);
+      if (distance < 2.0 * threshold) continue;
+      const Pose from = pose_between(*pose, *to, 1.0 - std::min(1.0, 4.0 * threshold / distance));
       const BoundaryDistances there = meter_.measure(from, mode);
       if (there.status != ConfigurationStatus::measured || !(least(there) > 1.5 * threshold)) continue;
-      return Path{from, nearest.witness, mode, anchor_distance(*robot_, from, nearest.witness)};
+      return Path{from, *to, mode, anchor_distance(*robot_, from, *to)};
     }
     return std::nullopt;
   }

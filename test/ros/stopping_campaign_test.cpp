@@ -29,11 +29,10 @@ TEST_P(Stopping, IsToldBeforeTheThresholdIsPassedByMoreThanASample) {
   EXPECT_GT(runs, 0);
 }
 
-// The legs of the Agile Eye are singular in single poses, of which no witness is found: there is nothing to
-// move to.
 INSTANTIATE_TEST_SUITE_P(ShippedRobots, Stopping,
                          testing::Values("five_bar", "bipod", "three_rpr", "three_rrr", "three_prr", "delta",
-                                         "linear_delta", "spherical_3rrr", "stewart", "hexa", "six_pus"),
+                                         "linear_delta", "agile_eye", "spherical_3rrr", "stewart", "hexa",
+                                         "six_pus"),
                          [](const testing::TestParamInfo<const char*>& tested) {
                            return std::string(tested.param);
                          });
