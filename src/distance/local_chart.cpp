@@ -83,16 +83,17 @@ void LocalChart<space>::move_to(const Pose& pose) noexcept {
 
 template <TaskSpace space>
 Pose LocalChart<space>::pose_at(const Coordinates<size>& y) const noexcept {
-  Eigen::Vector3d move = Eigen::Vector3d::Zero(), turn = Eigen::Vector3d::Zero();
-  for (std::size_t i = 0; i < moves; ++i) move[static_cast<Eigen::Index>(i)] = y[i];
   Pose pose = pose_;
   if constexpr (turns > 0) {
+    Eigen::Vector3d turn = Eigen::Vector3d::Zero();
     for (std::size_t i = 0; i < turns; ++i) turn[static_cast<Eigen::Index>(3 - turns + i)] = y[moves + i];
     const Eigen::Vector3d v = half_turns_at_pose_ * turn;
     const Eigen::Quaterniond by(std::sqrt(std::max(0.0, 1.0 - v.squaredNorm())), v.x(), v.y(), v.z());
     pose.orientation = (by.normalized() * pose_.orientation).normalized();
   }
   if constexpr (moves > 0) {
+    Eigen::Vector3d move = Eigen::Vector3d::Zero();
+    for (std::size_t i = 0; i < moves; ++i) move[static_cast<Eigen::Index>(i)] = y[i];
     const Eigen::Vector3d center = pose.orientation * metric_.center;
     pose.position = pose_.position + move + (center_at_pose_ - center);
   }

@@ -202,11 +202,12 @@ LegRows<Scalar, LocalChart<space>::size> LocalChart<space>::rows_of(const Distan
     if constexpr (space == TaskSpace::T1) return {form.squared_entry, {form.fixed.x}, {form.turned.x}};
     if constexpr (space == TaskSpace::T2)
       return {form.squared_entry, {form.fixed.x, form.fixed.y}, {form.turned.x, form.turned.y}};
-    const Planar<Scalar> b{arm[0], arm[1]};
-    if constexpr (space == TaskSpace::SE2)
+    if constexpr (space == TaskSpace::SE2) {
+      const Planar<Scalar> b{arm[0], arm[1]};
       return {form.squared_entry,
               {cross(b, form.fixed), form.fixed.x, form.fixed.y},
               {cross(b, form.turned), form.turned.x, form.turned.y}};
+    }
   } else {
     const SpatialLegForm<Scalar> form = leg.form(d);
     if constexpr (space == TaskSpace::T3) return {form.squared_entry, form.fixed, form.turned};
