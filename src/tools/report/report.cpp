@@ -19,7 +19,9 @@ std::string with_digits(double value, int digits) {
 
 }  // namespace
 
-nlohmann::json json_number(double value) { return std::isfinite(value) ? nlohmann::json(value) : nullptr; }
+nlohmann::json json_number(double value) {
+  return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json();
+}
 
 nlohmann::json json_numbers(const TaskVector& values) {
   nlohmann::json array = nlohmann::json::array();
