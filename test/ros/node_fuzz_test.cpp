@@ -3,6 +3,7 @@
 // A running node under messages, requests, goals and parameters made at random. It may refuse them, with a
 // message; it must not end, not hang, and not answer wrongly. Parameters: ~seconds for each robot, ~seed.
 // The inputs before a failure are printed; the same seed makes the same ones.
+#include "model/coefficients.h"
 #include "ros/messages/conversions.h"
 #include "ros/node_client.h"
 #include "ros/process.h"
@@ -242,7 +243,7 @@ class NodeFuzz : public testing::TestWithParam<const char*> {
     message.header.stamp = ros::Time::now();
     const AssembledConfiguration assembled = mechanism_->assembled();
     for (const Leg& leg : robot_.legs()) message.name.push_back(leg.actuated_joint);
-    message.position.assign(assembled.q.begin(), assembled.q.end());
+    for (const double value : coefficients_of(assembled.q)) message.position.push_back(value);
     joints_to_actuate_.publish(message);
   }
 
