@@ -243,7 +243,7 @@ SolvedConfiguration solved_message(const Manipulator& manipulator, const SolvedP
 }
 
 AssemblyCandidates candidates_message(const Manipulator& manipulator, const TrackedState& tracked,
-                                      const Candidates& candidates, const ros::Time& stamp) {
+                                      const PossibleAssemblyModes& candidates, const ros::Time& stamp) {
   AssemblyCandidates message;
   message.header = header_in_base(manipulator, stamp);
   message.message = "The assembly mode is known.";
@@ -251,10 +251,9 @@ AssemblyCandidates candidates_message(const Manipulator& manipulator, const Trac
   if (tracked.followed()) return message;
   message.complete = candidates.complete();
   const std::size_t count = candidates.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    const CertifiedPoint& point = candidates[i].point;
-    message.candidates.push_back(solved_message(manipulator, {point.pose, point.q}, nullptr, stamp));
-  }
+  for (std::size_t i = 0; i < count; ++i)
+    message.candidates.push_back(
+        solved_message(manipulator, {candidates[i].pose, candidates[i].q}, nullptr, stamp));
   const bool one = count == 1 && message.complete;
   message.message = std::to_string(count) + (message.complete ? "" : " or more") +
                     (one ? " assembly mode is possible: " : " assembly modes are possible: ") +

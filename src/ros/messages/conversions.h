@@ -71,7 +71,7 @@ SolvedConfiguration solved_message(const Manipulator& manipulator, const SolvedP
 
 /// The assembly modes that remain possible; complete, and none, where the robot is followed.
 AssemblyCandidates candidates_message(const Manipulator& manipulator, const TrackedState& tracked,
-                                      const Candidates& candidates, const ros::Time& stamp);
+                                      const PossibleAssemblyModes& candidates, const ros::Time& stamp);
 
 /// Upper bound of the number of aspects with a pose in the region, proved; -1 where none is.
 std::int64_t count_at_most(const AspectMap& map) noexcept;
