@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// One publisher for each joint, their messages evenly one after the other: how seldom they may come for the
-// robot to be followed, and whether it is where it is said to be.
+// One publisher for each joint: how seldom their messages may come for the robot to be followed, and whether
+// it is where it is said to be.
 #include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/kinematics/jacobians.h"
 #include "parallel_aspects/model/anchor_distance.h"
@@ -19,26 +19,30 @@
 namespace parallel_aspects {
 namespace {
 
-enum class Motion { still, moving };
+enum class Motion { still, moving, jumping };
+
+// In what share of the period the messages of all joints come, one after the other.
+constexpr double evenly = 1.0, almost_at_once = 0.02;
 
 /// A robot about the start that its file states, and a monitor that it is told to.
 class PartialJointStates {
  public:
-  PartialJointStates(const std::string& robot, Motion motion, double rate)
+  PartialJointStates(const std::string& robot, Motion motion, double rate, double share)
       : mechanism_(test::shipped(robot)),
         home_(start_of(robot, *mechanism_)),
         motion_(motion),
         rate_(rate),
+        share_(share),
         truth_(manipulator()) {}
 
   // Whether it is, from the start on.
   bool followed() {
     const std::size_t joint_values = manipulator()->leg_count();
     if (!truth_.start(0.0, joints_at(0.0), home_.pose, 1e-6)) return false;
-    const int count = static_cast<int>(2.0 * rate_) * static_cast<int>(joint_values);
-    for (int i = 0; i < count; ++i)
-      if (!send(static_cast<std::size_t>(i) % joint_values, i / (rate_ * static_cast<double>(joint_values))))
-        return false;
+    for (int i = 0; i < static_cast<int>(2.0 * rate_); ++i)
+      for (std::size_t j = 0; j < joint_values; ++j)
+        if (!send(j, (i + share_ * static_cast<double>(j) / static_cast<double>(joint_values)) / rate_))
+          return false;
     return started_;
   }
 
@@ -66,6 +70,8 @@ class PartialJointStates {
       q[static_cast<Eigen::Index>(j)] +=
           size * std::sin(EIGEN_PI * (1.0 + 0.3 * static_cast<double>(j)) * time);
     }
+    if (motion_ == Motion::jumping && time > 1.0)
+      q[0] += manipulator()->leg(0).actuated_by_angle() ? 0.5 : 0.2;
     return q;
   }
 
@@ -102,6 +108,7 @@ class PartialJointStates {
   const AssembledConfiguration home_;
   const Motion motion_;
   const double rate_;  // of each joint [Hz]
+  const double share_;
   const ros::Time start_{100.0};
   Tracker truth_;
   RobotMonitor monitor_{mechanism_, options()};
@@ -113,8 +120,15 @@ class PartialJointStatesTest : public testing::TestWithParam<std::string> {};
 
 TEST_P(PartialJointStatesTest, AreFollowedAtTwentyHertz) {
   for (const Motion motion : {Motion::still, Motion::moving})
-    EXPECT_TRUE(PartialJointStates(GetParam(), motion, 20.0).followed())
-        << (motion == Motion::still ? "still" : "moving");
+    for (const double share : {evenly, almost_at_once})
+      EXPECT_TRUE(PartialJointStates(GetParam(), motion, 20.0, share).followed())
+          << (motion == Motion::still ? "still" : "moving") << ", in a share of " << share;
+}
+
+// Faster than the velocity limits, in the room that is left between two values.
+TEST_P(PartialJointStatesTest, AreNotFollowedThroughAJump) {
+  for (const double share : {evenly, almost_at_once})
+    EXPECT_FALSE(PartialJointStates(GetParam(), Motion::jumping, 100.0, share).followed()) << share;
 }
 
 // For the table of docs/tracking.md: --gtest_also_run_disabled_tests.
@@ -122,7 +136,7 @@ TEST_P(PartialJointStatesTest, DISABLED_PrintRates) {
   for (const Motion motion : {Motion::still, Motion::moving}) {
     std::cout << GetParam() << (motion == Motion::still ? ", still:" : ", moving:");
     for (const double rate : {10.0, 15.0, 20.0, 50.0, 100.0, 250.0, 500.0, 1000.0, 2000.0})
-      if (PartialJointStates(GetParam(), motion, rate).followed()) std::cout << ' ' << rate;
+      if (PartialJointStates(GetParam(), motion, rate, evenly).followed()) std::cout << ' ' << rate;
     std::cout << '\n';
   }
 }
