@@ -5,11 +5,11 @@
 #include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/kinematics/jacobians.h"
 #include "parallel_aspects/model/anchor_distance.h"
+#include "ros/monitor/robot_monitor.h"
 
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>
 
-#include "ros/monitor/robot_monitor.h"
 #include "support/shipped.h"
 #include <cmath>
 #include <iostream>
