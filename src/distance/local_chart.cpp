@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "distance/local_chart.h"
 
+#include "interval/rotation_rows.h"
+
 #include <cmath>
 
 namespace parallel_aspects {
@@ -26,31 +28,13 @@ typename LocalChart<space>::template Vector<Interval> LocalChart<space>::interva
   return result;
 }
 
-// A quaternion stands for its direction, so it need not be of unit length to the last digit.
-template <TaskSpace space>
-void LocalChart<space>::find_rotation(const Pose& pose) noexcept {
-  const Interval x(pose.orientation.x()), y(pose.orientation.y()), z(pose.orientation.z()),
-      w(pose.orientation.w()), two(2.0);
-  const Interval xx = square(x), yy = square(y), zz = square(z), ww = square(w);
-  const Interval scale = reciprocal(xx + yy + zz + ww);
-  rotation_[0][0] = scale * ((ww + xx) - (yy + zz));
-  rotation_[0][1] = scale * (two * (x * y - w * z));
-  rotation_[1][0] = scale * (two * (x * y + w * z));
-  rotation_[1][1] = scale * ((ww + yy) - (xx + zz));
-  if constexpr (dimension == 3) {
-    rotation_[0][2] = scale * (two * (x * z + w * y));
-    rotation_[1][2] = scale * (two * (y * z - w * x));
-    rotation_[2][0] = scale * (two * (x * z - w * y));
-    rotation_[2][1] = scale * (two * (y * z + w * x));
-    rotation_[2][2] = scale * ((ww + zz) - (xx + yy));
-  }
-}
-
 template <TaskSpace space>
 void LocalChart<space>::move_to(const Pose& pose) noexcept {
   assert_rounding_upward();
   pose_ = pose;
-  find_rotation(pose);
+  const RotationRows<Interval> rows = enclosed_rotation(pose.orientation);
+  for (std::size_t i = 0; i < dimension; ++i)
+    for (std::size_t k = 0; k < dimension; ++k) rotation_[i][k] = rows[i][k];
   const auto turned = [this](const Vector<Interval>& vector) {
     Vector<Interval> result;
     for (std::size_t i = 0; i < dimension; ++i)

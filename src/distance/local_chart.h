@@ -129,7 +129,6 @@ class LocalChart {
     return sum;
   }
 
-  void find_rotation(const Pose& pose) noexcept;
   static Vector<Interval> interval_vector(const Eigen::Vector3d& vector) noexcept;
 
   AnchorMetric metric_;

@@ -92,13 +92,6 @@ class SliceLegs {
   std::vector<SpatialLeg> legs_;
 };
 
-/// The orientation that a slice holds.
-inline RotationRows<Interval> held_rotation(const MapSlice& slice) {
-  const Eigen::Quaterniond& q = slice.held.orientation;
-  const std::array<Interval, 4> components{q.x(), q.y(), q.z(), q.w()};
-  return rotation_of(components, 0.25);
-}
-
 /// Free positions in the order of x, y and z, then the angle in half turns where there is one. An anchor that
 /// turns about the unit vector a is  b = a (a.v) + cos (v - a (a.v)) + sin (a x v)  with v where it is held.
 template <std::size_t Legs, std::size_t Coordinates, std::size_t Dimension = 3>
@@ -114,7 +107,7 @@ class SliceChart : public SliceLegs<Legs, Coordinates, Dimension> {
       : SliceLegs<Legs, Coordinates, Dimension>(manipulator),
         slice_(slice),
         turns_(slice.rotation == MapSlice::Rotation::about_axis) {
-    const RotationRows<Interval> rotation = held_rotation(slice);
+    const RotationRows<Interval> rotation = enclosed_rotation(slice.held.orientation);
     for (std::size_t j = 0; j < Legs; ++j) set_anchor(manipulator.leg(j).anchor, rotation, anchors_[j]);
     set_anchor(Eigen::Vector3d::UnitX(), rotation, x_axis_);
   }

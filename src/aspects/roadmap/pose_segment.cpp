@@ -32,16 +32,10 @@ bool PoseSegment::place(const PathForm& t, Placement& placement) const noexcept 
   for (std::size_t i = 0; i < 3; ++i) placement.position[i] = position_[i] + travel_[i] * t;
   std::array<PathForm, 4> q;
   for (std::size_t i = 0; i < 4; ++i) q[i] = quaternion_[i] + quaternion_change_[i] * t;
-  const PathForm xx = square(q[0]), yy = square(q[1]), zz = square(q[2]), ww = square(q[3]);
-  const PathForm squared_norm = xx + yy + zz + ww;
+  const QuaternionRotation<PathForm> rotation(q);
+  const PathForm squared_norm = rotation.squared_norm();
   if (!(squared_norm.range.lower() > least_squared_norm)) return false;
-  const PathForm scale = reciprocal(squared_norm);
-  const Interval two(2.0);
-  const PathForm xy = two * (q[0] * q[1]), xz = two * (q[0] * q[2]), yz = two * (q[1] * q[2]);
-  const PathForm wx = two * (q[3] * q[0]), wy = two * (q[3] * q[1]), wz = two * (q[3] * q[2]);
-  placement.rotation = {{{scale * ((ww + xx) - (yy + zz)), scale * (xy - wz), scale * (xz + wy)},
-                         {scale * (xy + wz), scale * ((ww + yy) - (xx + zz)), scale * (yz - wx)},
-                         {scale * (xz - wy), scale * (yz + wx), scale * ((ww + zz) - (xx + yy))}}};
+  placement.rotation = rotation.rows(reciprocal(squared_norm));
   return true;
 }
 

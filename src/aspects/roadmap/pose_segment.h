@@ -3,6 +3,7 @@
 #define PARALLEL_ASPECTS_ASPECTS_ROADMAP_POSE_SEGMENT_H
 
 #include "interval/path_form.h"
+#include "interval/rotation_rows.h"
 #include "legs/spatial_leg.h"
 #include "parallel_aspects/model/pose.h"
 
@@ -17,7 +18,7 @@ class PoseSegment {
   /// Position [m] and rows of the rotation matrix.
   struct Placement {
     Spatial<PathForm> position;
-    std::array<Spatial<PathForm>, 3> rotation;
+    RotationRows<PathForm> rotation;
   };
 
   /// Both poses must be finite, and their quaternions about unit length. Needs a live `RoundingUpward`.
