@@ -39,25 +39,13 @@ Interval dot(const IntervalVector& a, const IntervalVector& b) {
 
 Interval squared_norm(const IntervalVector& a) { return square(a[0]) + square(a[1]) + square(a[2]); }
 
-IntervalVector turned(const IntervalRotation* turn, const Eigen::Vector3d& v) {
+IntervalVector turned(const RotationRows<Interval>* turn, const Eigen::Vector3d& v) {
   if (turn == nullptr) return {v.x(), v.y(), v.z()};
   const IntervalVector w{v.x(), v.y(), v.z()};
   return {dot((*turn)[0], w), dot((*turn)[1], w), dot((*turn)[2], w)};
 }
 
 }  // namespace
-
-IntervalRotation enclosed_rotation(const Eigen::Quaterniond& quaternion) noexcept {
-  assert_rounding_upward();
-  const Interval x = quaternion.x(), y = quaternion.y(), z = quaternion.z(), w = quaternion.w();
-  const Interval xx = square(x), yy = square(y), zz = square(z);
-  const Interval scale = Interval(2.0) * reciprocal(xx + yy + zz + square(w));
-  const Interval xy = x * y, xz = x * z, yz = y * z, xw = x * w, yw = y * w, zw = z * w;
-  const Interval one = 1.0;
-  return {{{one - scale * (yy + zz), scale * (xy - zw), scale * (xz + yw)},
-           {scale * (xy + zw), one - scale * (xx + zz), scale * (yz - xw)},
-           {scale * (xz - yw), scale * (yz + xw), one - scale * (xx + yy)}}};
-}
 
 LegForm::LegForm(const Leg& leg) noexcept : anchor_(leg.anchor) {
   assert_rounding_upward();
@@ -121,7 +109,7 @@ double LegForm::squared_distance(double q) const noexcept {
   return squared_rod_.upper();
 }
 
-LegEnclosure LegForm::enclose(const Pose& pose, const IntervalRotation* turn, double q) const noexcept {
+LegEnclosure LegForm::enclose(const Pose& pose, const RotationRows<Interval>* turn, double q) const noexcept {
   LegEnclosure leg;
   leg.b = turned(turn, anchor_);
   for (int k = 0; k < 3; ++k) {

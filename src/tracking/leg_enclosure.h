@@ -3,6 +3,7 @@
 #define PARALLEL_ASPECTS_TRACKING_LEG_ENCLOSURE_H
 
 #include "interval/interval.h"
+#include "interval/rotation_rows.h"
 #include "parallel_aspects/model/leg.h"
 #include "parallel_aspects/model/pose.h"
 
@@ -11,10 +12,6 @@
 namespace parallel_aspects {
 
 using IntervalVector = std::array<Interval, 3>;
-using IntervalRotation = std::array<IntervalVector, 3>;  ///< by rows
-
-/// The rotation of a quaternion, as if it were normalised without rounding. Needs a live `RoundingUpward`.
-IntervalRotation enclosed_rotation(const Eigen::Quaterniond& quaternion) noexcept;
 
 /// What a leg is at a pose and a joint value, each an enclosure of the real value.
 struct LegEnclosure {
@@ -43,7 +40,7 @@ class LegForm {
   double squared_distance(double q) const noexcept;
 
   /// `turn` is left out where the platform does not turn (null).
-  LegEnclosure enclose(const Pose& pose, const IntervalRotation* turn, double q) const noexcept;
+  LegEnclosure enclose(const Pose& pose, const RotationRows<Interval>* turn, double q) const noexcept;
 
   /// The largest |B_jj| of a leg whose |u| is `rod`.
   double largest_inverse_entry(double rod) const noexcept {

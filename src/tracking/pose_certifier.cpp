@@ -140,7 +140,7 @@ bool PoseCertifier::refine(CertifiedPoint& point) const noexcept {
 SquareArray<Interval> PoseCertifier::enclosed_matrix(
     const CertifiedPoint& point, std::array<LegEnclosure, max_legs>& legs) const noexcept {
   SquareArray<Interval> matrix;
-  IntervalRotation turn;
+  RotationRows<Interval> turn;
   if (rotational_ > 0) turn = enclosed_rotation(point.pose.orientation);
   const Interval over_length = reciprocal(Interval(length_));
   for (std::size_t j = 0; j < size_; ++j) {

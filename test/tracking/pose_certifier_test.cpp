@@ -114,7 +114,7 @@ TEST(PoseCertifier, EnclosuresHoldTheValuesInDoubles) {
     const TaskVector b = inverse_diagonal(*tried.robot, tried.pose, tried.q);
     const double rounding = 1e-13 * tried.robot->size() * tried.robot->size();
     const RoundingUpward upward;
-    const IntervalRotation turn = enclosed_rotation(tried.pose.orientation);
+    const RotationRows<Interval> turn = enclosed_rotation(tried.pose.orientation);
     for (std::size_t j = 0; j < tried.robot->leg_count(); ++j) {
       const auto i = static_cast<Eigen::Index>(j);
       const LegEnclosure leg = LegForm(tried.robot->leg(j)).enclose(tried.pose, &turn, tried.q[i]);
