@@ -24,14 +24,8 @@ namespace parallel_aspects {
 template <TaskSpace space>
 class LocalChart {
  public:
-  static constexpr bool planar = space == TaskSpace::T1 || space == TaskSpace::T2 || space == TaskSpace::SE2;
-  static constexpr std::size_t turns = space == TaskSpace::SE2                              ? 1
-                                       : space == TaskSpace::SO3 || space == TaskSpace::SE3 ? 3
-                                                                                            : 0;
-  static constexpr std::size_t moves = space == TaskSpace::T1                              ? 1
-                                       : space == TaskSpace::T2 || space == TaskSpace::SE2 ? 2
-                                       : space == TaskSpace::SO3                           ? 0
-                                                                                           : 3;
+  static constexpr bool planar = traits(space).planar;
+  static constexpr std::size_t turns = traits(space).rotations, moves = traits(space).translations;
   static constexpr std::size_t size = moves + turns;
   static constexpr std::size_t dimension = planar ? 2 : 3;
 
@@ -114,10 +108,6 @@ class LocalChart {
   const Vector<Interval>& displacement_at_origin(std::size_t j) const noexcept { return displacements_[j]; }
 
  private:
-  template <class Scalar>
-  static LegRows<Scalar, size> rows_of(const DistanceLeg& leg, const Vector<Scalar>& d,
-                                       const Vector<Scalar>& arm) noexcept;
-
   // |v|^2
   Interval squared_half_turn(const std::array<Interval, 3>& turn) const noexcept {
     Interval sum;
@@ -187,37 +177,11 @@ void LocalChart<space>::find_rows(const std::array<Scalar, size>& y,
   for (std::size_t j = 0; j < size; ++j) {
     Vector<Scalar> b;
     if constexpr (turns > 0) b = arm(j, turned);
-    rows[j] = rows_of(legs_[j], displacement(j, b, y), b);
-  }
-}
-
-template <TaskSpace space>
-template <class Scalar>
-LegRows<Scalar, LocalChart<space>::size> LocalChart<space>::rows_of(const DistanceLeg& leg,
-                                                                    const Vector<Scalar>& d,
-                                                                    const Vector<Scalar>& arm) noexcept {
-  if constexpr (planar) {
-    const PlanarLegForm<Scalar> form = leg.form(Planar<Scalar>{d[0], d[1]});
-    if constexpr (space == TaskSpace::T1) return {form.squared_entry, {form.fixed.x}, {form.turned.x}};
-    if constexpr (space == TaskSpace::T2)
-      return {form.squared_entry, {form.fixed.x, form.fixed.y}, {form.turned.x, form.turned.y}};
-    if constexpr (space == TaskSpace::SE2) {
-      const Planar<Scalar> b{arm[0], arm[1]};
-      return {form.squared_entry,
-              {cross(b, form.fixed), form.fixed.x, form.fixed.y},
-              {cross(b, form.turned), form.turned.x, form.turned.y}};
-    }
-  } else {
-    const SpatialLegForm<Scalar> form = leg.form(d);
-    if constexpr (space == TaskSpace::T3) return {form.squared_entry, form.fixed, form.turned};
-    if constexpr (space == TaskSpace::SO3)
-      return {form.squared_entry, cross(arm, form.fixed), cross(arm, form.turned)};
-    if constexpr (space == TaskSpace::SE3) {
-      const Spatial<Scalar> m = cross(arm, form.fixed), n = cross(arm, form.turned);
-      return {form.squared_entry,
-              {m[0], m[1], m[2], form.fixed[0], form.fixed[1], form.fixed[2]},
-              {n[0], n[1], n[2], form.turned[0], form.turned[1], form.turned[2]}};
-    }
+    const Vector<Scalar> d = displacement(j, b, y);
+    if constexpr (planar)
+      rows[j] = leg_rows<space>(legs_[j].form(Planar<Scalar>{d[0], d[1]}), b);
+    else
+      rows[j] = leg_rows<space>(legs_[j].form(d), b);
   }
 }
 

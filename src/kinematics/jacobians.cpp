@@ -2,40 +2,11 @@
 #include "parallel_aspects/kinematics/jacobians.h"
 
 #include "model/linear_algebra.h"
+#include "model/matrix_row.h"
 
 #include <Eigen/Geometry>
 
 namespace parallel_aspects {
-namespace {
-
-TaskVector row(TaskSpace space, const Eigen::Vector3d& b, const Eigen::Vector3d& u) {
-  TaskVector result(static_cast<Eigen::Index>(degrees_of_freedom(space)));
-  const Eigen::Vector3d moment = b.cross(u);
-  switch (space) {
-    case TaskSpace::T1:
-      result << u.x();
-      break;
-    case TaskSpace::T2:
-      result << u.head<2>();
-      break;
-    case TaskSpace::SE2:
-      result << moment.z(), u.head<2>();
-      break;
-    case TaskSpace::T3:
-      result << u;
-      break;
-    case TaskSpace::SO3:
-      result << moment;
-      break;
-    case TaskSpace::SE3:
-      result << moment, u;
-      break;
-  }
-  return result;
-}
-
-}  // namespace
-
 TaskMatrix direct_matrix(const Manipulator& manipulator, const Pose& pose, const JointVector& q) {
   const auto n = static_cast<Eigen::Index>(manipulator.leg_count());
   TaskMatrix matrix(n, n);
@@ -43,7 +14,8 @@ TaskMatrix direct_matrix(const Manipulator& manipulator, const Pose& pose, const
     const Leg& leg = manipulator.leg(static_cast<std::size_t>(j));
     const Eigen::Vector3d b = pose.orientation * leg.anchor;
     const Eigen::Vector3d u = pose.position + b - leg.proximal_point(q[j]);
-    matrix.row(j) = row(manipulator.task_space(), b, u);
+    auto row = matrix.row(j);
+    write_row(manipulator.task_space(), b, u, row);
   }
   return matrix;
 }

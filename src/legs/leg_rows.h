@@ -4,6 +4,7 @@
 
 #include "interval/dual.h"
 #include "interval/interval.h"
+#include "model/matrix_row.h"
 
 #include <array>
 #include <cstddef>
@@ -20,6 +21,23 @@ struct LegRows {
   Scalar squared_entry;
   Row<Scalar, N> fixed, turned;
 };
+
+/// Of a leg of this form (see PlanarLeg, SpatialLeg), whose anchor is at b seen from the operational point.
+template <TaskSpace space, template <class> class Form, class Scalar, class Arm>
+LegRows<Scalar, traits(space).degrees_of_freedom()> leg_rows(const Form<Scalar>& form, const Arm& b) {
+  LegRows<Scalar, traits(space).degrees_of_freedom()> rows;
+  rows.squared_entry = form.squared_entry;
+  write_row<space>(b, form.fixed, rows.fixed);
+  write_row<space>(b, form.turned, rows.turned);
+  return rows;
+}
+
+/// The same where the platform does not turn.
+template <TaskSpace space, template <class> class Form, class Scalar>
+LegRows<Scalar, traits(space).degrees_of_freedom()> leg_rows(const Form<Scalar>& form) {
+  static_assert(traits(space).rotations == 0);
+  return leg_rows<space>(form, form.fixed);
+}
 
 /// Rows of A of one leg for both signs of B_jj.
 template <class Scalar, std::size_t N>

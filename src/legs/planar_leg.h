@@ -17,12 +17,9 @@ namespace parallel_aspects {
 template <class Scalar>
 struct Planar {
   Scalar x, y;
-};
 
-template <class Scalar>
-Scalar cross(const Planar<Scalar>& a, const Planar<Scalar>& b) {
-  return a.x * b.y - a.y * b.x;
-}
+  const Scalar& operator[](std::size_t i) const { return i == 0 ? x : y; }
+};
 
 /// A leg seen from the displacement d = p - base point of its anchor. For both signs s of B_jj,
 /// |B_jj| = sqrt(squared_entry), and u = p - c has the direction of `fixed + s sqrt(squared_entry) turned`.

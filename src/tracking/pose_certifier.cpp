@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tracking/pose_certifier.h"
 
+#include "model/matrix_row.h"
+
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -51,19 +53,12 @@ void invert(std::size_t size, const SquareArray<double>& matrix, SquareArray<dou
   }
 }
 
-// Row j of A from b and u, whose entries are numbers or intervals.
+// A row of A with moments over the characteristic length.
 template <class Scalar, class Vector>
-void fill_row(TaskSpace space, const Vector& b, const Vector& u, const Scalar& over_length,
-              std::array<Scalar, max_legs>& row) {
-  const auto moment = [&](std::size_t i, std::size_t k) { return (b[i] * u[k] - b[k] * u[i]) * over_length; };
-  std::size_t next = 0;
-  if (space == TaskSpace::SO3 || space == TaskSpace::SE3) {
-    row[next++] = moment(1, 2);
-    row[next++] = moment(2, 0);
-  }
-  if (has_rotation(space)) row[next++] = moment(0, 1);
-  const std::size_t translations = degrees_of_freedom(space) - next;
-  for (std::size_t i = 0; i < translations; ++i) row[next++] = u[i];
+void write_homogenised_row(TaskSpace space, const Vector& b, const Vector& u, const Scalar& over_length,
+                           std::array<Scalar, max_legs>& row) {
+  write_row(space, b, u, row);
+  for (std::size_t i = 0; i < rotational_degrees_of_freedom(space); ++i) row[i] = row[i] * over_length;
 }
 
 }  // namespace
@@ -97,7 +92,7 @@ void PoseCertifier::approximate(const Pose& pose, const JointVector& q, LegBound
     const Eigen::Vector3d b = turn * legs_[j].anchor();
     const Eigen::Vector3d u = pose.position + b - legs_[j].proximal_point(actuation);
     residual[j] = 0.5 * (u.squaredNorm() - legs_[j].squared_distance(actuation));
-    if (matrix != nullptr) fill_row(space_, b, u, 1.0 / length_, (*matrix)[j]);
+    if (matrix != nullptr) write_homogenised_row(space_, b, u, 1.0 / length_, (*matrix)[j]);
   }
 }
 
@@ -146,7 +141,7 @@ SquareArray<Interval> PoseCertifier::enclosed_matrix(
   for (std::size_t j = 0; j < size_; ++j) {
     legs[j] = legs_[j].enclose(point.pose, rotational_ > 0 ? &turn : nullptr,
                                point.q[static_cast<Eigen::Index>(j)]);
-    fill_row(space_, legs[j].b, legs[j].u, over_length, matrix[j]);
+    write_homogenised_row(space_, legs[j].b, legs[j].u, over_length, matrix[j]);
   }
   return matrix;
 }

@@ -56,8 +56,7 @@ class T1Chart {
   template <class Scalar>
   LegRows<Scalar, leg_count> rows(std::size_t, const Displacement<Scalar>& d,
                                   const Placement<Scalar>&) const {
-    const PlanarLegForm<Scalar> form = leg_.form(d);
-    return {form.squared_entry, {form.fixed.x}, {form.turned.x}};
+    return leg_rows<TaskSpace::T1>(leg_.form(d));
   }
 
   template <class Scalar>
@@ -152,8 +151,7 @@ class T2Chart : public PlanarLegs {
   template <class Scalar>
   LegRows<Scalar, leg_count> rows(std::size_t j, const Displacement<Scalar>& d,
                                   const Placement<Scalar>&) const {
-    const PlanarLegForm<Scalar> form = leg(j).form(d);
-    return {form.squared_entry, {form.fixed.x, form.fixed.y}, {form.turned.x, form.turned.y}};
+    return leg_rows<TaskSpace::T2>(leg(j).form(d));
   }
 
   template <class Scalar>
@@ -203,11 +201,7 @@ class SE2Chart : public PlanarLegs {
   template <class Scalar>
   LegRows<Scalar, leg_count> rows(std::size_t j, const Displacement<Scalar>& d,
                                   const Placement<Scalar>& at) const {
-    const PlanarLegForm<Scalar> form = leg(j).form(d);
-    const Planar<Scalar> b = at.turned(anchors_[j]);
-    return {form.squared_entry,
-            {cross(b, form.fixed), form.fixed.x, form.fixed.y},
-            {cross(b, form.turned), form.turned.x, form.turned.y}};
+    return leg_rows<TaskSpace::SE2>(leg(j).form(d), at.turned(anchors_[j]));
   }
 
   template <class Scalar>
@@ -252,8 +246,7 @@ class T3Chart {
   template <class Scalar>
   LegRows<Scalar, leg_count> rows(std::size_t j, const Displacement<Scalar>& d,
                                   const Placement<Scalar>&) const {
-    const SpatialLegForm<Scalar> form = legs_[j].form(d);
-    return {form.squared_entry, form.fixed, form.turned};
+    return leg_rows<TaskSpace::T3>(legs_[j].form(d));
   }
 
   template <class Scalar>
@@ -323,8 +316,7 @@ class SO3Chart {
   template <class Scalar>
   LegRows<Scalar, leg_count> rows(std::size_t j, const Displacement<Scalar>& d,
                                   const Placement<Scalar>&) const {
-    const SpatialLegForm<Scalar> form = legs_[j].form(d.from_base);
-    return {form.squared_entry, cross(d.anchor, form.fixed), cross(d.anchor, form.turned)};
+    return leg_rows<TaskSpace::SO3>(legs_[j].form(d.from_base), d.anchor);
   }
 
   template <class Scalar>

@@ -25,22 +25,6 @@ struct SliceDisplacement {
   Spatial<Scalar> from_base, anchor;
 };
 
-/// The row of A of a task space with N degrees of freedom for u up to a positive factor, or for a part of it;
-/// b is the anchor seen from the operational point. T1 has no slices.
-template <class Scalar, std::size_t N>
-Row<Scalar, N> row_of(TaskSpace space, const Spatial<Scalar>& b, const Spatial<Scalar>& u) {
-  if constexpr (N == 2) {
-    return {u[0], u[1]};
-  } else if constexpr (N == 3) {
-    if (space == TaskSpace::T3) return u;
-    if (space == TaskSpace::SE2) return {b[0] * u[1] - b[1] * u[0], u[0], u[1]};
-    return cross(b, u);
-  } else {
-    const Spatial<Scalar> moment = cross(b, u);
-    return {moment[0], moment[1], moment[2], u[0], u[1], u[2]};
-  }
-}
-
 /// What the charts of slices have in common: legs, and rows of A from displacements. Points of planar robots,
 /// which have two coordinates, leave out the third.
 template <std::size_t Legs, std::size_t Coordinates, std::size_t Dimension = 3>
@@ -53,8 +37,13 @@ class SliceLegs {
   template <class Scalar, class Placement>
   LegRows<Scalar, leg_count> rows(std::size_t j, const Displacement<Scalar>& d, const Placement&) const {
     const SpatialLegForm<Scalar> form = legs_[j].form(d.from_base);
-    return {form.squared_entry, row_of<Scalar, leg_count>(space_, d.anchor, form.fixed),
-            row_of<Scalar, leg_count>(space_, d.anchor, form.turned)};
+    return with_task_space(space_, [&](auto constant) -> LegRows<Scalar, leg_count> {
+      constexpr TaskSpace space = decltype(constant)::value;
+      if constexpr (traits(space).degrees_of_freedom() == leg_count)
+        return leg_rows<space>(form, d.anchor);
+      else
+        return {};  // not this robot's
+    });
   }
 
   template <class Scalar>

@@ -8,6 +8,7 @@
 #include "interval/nonsingular.h"
 #include "legs/limit_verdict.h"
 #include "legs/spatial_leg.h"
+#include "model/matrix_row.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,34 +37,6 @@ ConstraintTests<D> made_under_upward_rounding(const Manipulator& manipulator) {
 Violation violation_at(const ConfigurationProof& proof, int sign) {
   if (proof.proved_violation != Violation::none) return proof.proved_violation;
   return proof.sign == -sign ? Violation::singularity : Violation::none;
-}
-
-// The row of A, up to the positive factor of `u`, for the anchor at `b` from the operational point.
-void write_row(TaskSpace space, const Spatial<PathForm>& b, const Spatial<PathForm>& u,
-               std::array<PathForm, max_legs>& row) {
-  switch (space) {
-    case TaskSpace::T1:
-      row[0] = u[0];
-      return;
-    case TaskSpace::T2:
-      row[0] = u[0];
-      row[1] = u[1];
-      return;
-    case TaskSpace::SE2:
-      row[0] = b[0] * u[1] - b[1] * u[0];
-      row[1] = u[0];
-      row[2] = u[1];
-      return;
-    case TaskSpace::T3:
-      std::copy(u.begin(), u.end(), row.begin());
-      return;
-    case TaskSpace::SO3:
-    case TaskSpace::SE3:
-      break;
-  }
-  const Spatial<PathForm> moment = cross(b, u);
-  std::copy(moment.begin(), moment.end(), row.begin());
-  if (space == TaskSpace::SE3) std::copy(u.begin(), u.end(), row.begin() + 3);
 }
 
 }  // namespace
