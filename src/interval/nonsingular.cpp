@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "interval/nonsingular.h"
 
-#include <Eigen/LU>
+#include "interval/near_identity.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace parallel_aspects {
@@ -20,15 +19,10 @@ bool is_finite(const Interval& a) { return std::isfinite(a.lower()) && std::isfi
 
 double mignitude(const Interval& a) { return std::max({0.0, a.lower(), -a.upper()}); }
 
-template <int N>
-using Matrix = Eigen::Matrix<double, N, N>;
-template <int N>
-using Vector = Eigen::Matrix<double, N, 1>;
-
 /// Points with a radius: |a - middle| <= radius in every entry.
 template <int N>
 struct Balls {
-  Matrix<N> middle, radius;
+  Eigen::Matrix<double, N, N> middle, radius;
 
   void set(Eigen::Index i, Eigen::Index k, const Interval& a) {
     middle(i, k) = 0.5 * (a.lower() + a.upper());
@@ -37,56 +31,18 @@ struct Balls {
 };
 
 template <int N>
-class Proof {
- public:
-  explicit Proof(const SquareArray<PathForm>& matrix) {
-    for (Eigen::Index i = 0; i < N; ++i)
-      for (Eigen::Index k = 0; k < N; ++k) {
-        const PathForm& entry = matrix[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)];
-        center_.set(i, k, entry.center);
-        slope_.set(i, k, entry.slope);
-      }
-    inverse_ = center_.middle.inverse();
-  }
-
-  bool run(double& ratio) const {
-    ratio = std::numeric_limits<double>::infinity();
-    if (!inverse_.allFinite()) return false;
-    return has_small_radius(deviation(), ratio);
-  }
-
- private:
-  // Every sum and product rounds upward, so products of matrices are upper bounds, and those of negated ones
-  // bound from below.
-  Matrix<N> deviation() const {
-    const Matrix<N> negated = -inverse_;
-    const Matrix<N> above = center_.middle * inverse_ - Matrix<N>::Identity();
-    const Matrix<N> below = center_.middle * negated + Matrix<N>::Identity();
-    const Matrix<N> rising = slope_.middle * inverse_, falling = slope_.middle * negated;
-    const Matrix<N> radius = center_.radius + slope_.radius;
-    return above.cwiseMax(below) + rising.cwiseMax(falling) + radius * inverse_.cwiseAbs();
-  }
-
-  // Collatz and Wielandt: the spectral radius of E >= 0 is at most the largest (E v)_i / v_i, for any v > 0.
-  static bool has_small_radius(const Matrix<N>& e, double& ratio) {
-    Vector<N> v = Vector<N>::Ones();
-    for (int i = 0; i < most_iterations; ++i) {
-      const Vector<N> image = e * v;
-      if (!image.allFinite()) return false;
-      ratio = std::min(ratio, image.cwiseQuotient(v).maxCoeff());
-      if ((image.array() < v.array()).all()) return true;
-      v = image.cwiseMax(1e-9 * image.maxCoeff());
-    }
-    return false;
-  }
-
-  Balls<N> center_, slope_;
-  Matrix<N> inverse_;
-};
-
-template <int N>
 bool proved(const SquareArray<PathForm>& matrix, double& ratio) {
-  return Proof<N>(matrix).run(ratio);
+  Balls<N> center, slope;
+  for (Eigen::Index i = 0; i < N; ++i)
+    for (Eigen::Index k = 0; k < N; ++k) {
+      const PathForm& entry = matrix[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)];
+      center.set(i, k, entry.center);
+      slope.set(i, k, entry.slope);
+    }
+  NearIdentity<N> product(center.middle);
+  product.add_slope(slope.middle);
+  product.add_error(center.radius + slope.radius);
+  return product.is_nonsingular(most_iterations, ratio);
 }
 
 }  // namespace

@@ -19,10 +19,9 @@ using SquareArray = std::array<std::array<Scalar, max_legs>, max_legs>;
 /// elimination; 0 where that is not proved. Entries must be finite. Needs a live `RoundingUpward`.
 int proved_determinant_sign(std::size_t size, SquareArray<Interval> matrix) noexcept;
 
-/// Whether each A(s), s in [-1, 1], is proved nonsingular: with C an approximate inverse of A(0), all entries
-/// of A(s) C - I are at most those of some matrix E >= 0, and E v < v for a positive vector v, so that E has
-/// a spectral radius below 1. `ratio` becomes an upper bound of that radius, for step control; infinite where
-/// there is none. Needs a live `RoundingUpward`.
+/// Whether each A(s), s in [-1, 1], is proved nonsingular (see `NearIdentity`). `ratio` becomes an upper
+/// bound of the spectral radius there, for step control; infinite where there is none. Needs a live
+/// `RoundingUpward`.
 bool proved_nonsingular(std::size_t size, const SquareArray<PathForm>& matrix, double& ratio) noexcept;
 
 }  // namespace parallel_aspects
