@@ -2,6 +2,7 @@
 #include "aspects/constraints/constraint_clearance.h"
 
 #include "aspects/constraints/closest_points.h"
+#include "aspects/constraints/link_pairs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +15,6 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double joint_tolerance = 1e-9;  // of the size of the robot: points that are closer are one joint
 constexpr int parts_in_box = 32;
 
 struct Body {
@@ -73,7 +73,8 @@ class Configuration {
     const std::vector<Body> bodies = links();
     for (std::size_t i = 0; i < bodies.size(); ++i)
       for (std::size_t j = i + 1; j < bodies.size(); ++j)
-        if (can_touch(bodies[i], bodies[j])) least = std::min(least, between(bodies[i], bodies[j]));
+        if (can_collide(robot_, bodies[i].link, bodies[j].link))
+          least = std::min(least, between(bodies[i], bodies[j]));
     return least;
   }
 
@@ -99,7 +100,7 @@ class Configuration {
     std::vector<Body> bodies;
     for (std::size_t j = 0; j < robot_.leg_count(); ++j) {
       bodies.push_back({joint(j), anchor(j), 0.5 * constraints_.thickness.rod, {LinkKind::rod, j}});
-      if (std::holds_alternative<RevoluteActuation>(robot_.leg(j).actuation))
+      if (has_crank(robot_.leg(j)))
         bodies.push_back(
             {robot_.leg(j).base_point(), joint(j), 0.5 * constraints_.thickness.crank, {LinkKind::crank, j}});
     }
@@ -111,17 +112,6 @@ class Configuration {
     const std::size_t count = robot_.leg_count();
     for (std::size_t j = 0; j < (count > 2 ? count : count - 1); ++j)
       bodies.push_back({anchor(j), anchor((j + 1) % count), 0.5 * *constraints_.thickness.platform, {}});
-  }
-
-  bool can_touch(const Body& a, const Body& b) const {
-    if (a.link.leg == b.link.leg) return false;
-    for (const auto& [one, other] : constraints_.self_collision->ignored)
-      if ((one == a.link && other == b.link) || (one == b.link && other == a.link)) return false;
-    if (a.link.kind != b.link.kind) return true;
-    const Leg &leg = robot_.leg(a.link.leg), &other = robot_.leg(b.link.leg);
-    const Vector3d apart = a.link.kind == LinkKind::rod ? Vector3d(leg.anchor - other.anchor)
-                                                        : Vector3d(leg.base_point() - other.base_point());
-    return apart.norm() > joint_tolerance * robot_.size();
   }
 
   double between(const Body& a, const Body& b) const {

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/constraints/constraint_tests.h"
 
+#include "aspects/constraints/link_pairs.h"
+
 #include <algorithm>
 
 namespace parallel_aspects {
 namespace {
-
-// Of the size of the robot: points that are closer are one joint.
-constexpr double joint_tolerance = 1e-9;
 
 // Entries of a rotation matrix are a few units in the last place off, in every rounding direction.
 constexpr double entry_error = 0x1p-48;
@@ -22,23 +21,8 @@ Point<Interval, D> enclosed(const Eigen::Vector3d& vector, double error = 0.0) {
   return result;
 }
 
-bool has_crank(const Leg& leg) { return std::holds_alternative<RevoluteActuation>(leg.actuation); }
-
 double width(const LinkThickness& thickness, LinkKind kind) {
   return kind == LinkKind::crank ? thickness.crank : thickness.rod;
-}
-
-bool are_joined(const Leg& leg, LinkKind link, const Leg& other, LinkKind other_link, double tolerance) {
-  if (link != other_link) return false;
-  const Eigen::Vector3d between =
-      link == LinkKind::rod ? leg.anchor - other.anchor : leg.base_point() - other.base_point();
-  return between.norm() <= tolerance;
-}
-
-bool is_ignored(const SelfCollision& collision, const LinkName& one, const LinkName& other) {
-  return std::any_of(collision.ignored.begin(), collision.ignored.end(), [&](const auto& pair) {
-    return (pair[0] == one && pair[1] == other) || (pair[0] == other && pair[1] == one);
-  });
 }
 
 }  // namespace
@@ -89,20 +73,17 @@ void ConstraintTests<D>::add(const BoxObstacle& box) {
 
 template <std::size_t D>
 void ConstraintTests<D>::add_pairs(const Manipulator& manipulator) {
-  const Constraints& constraints = manipulator.constraints();
-  const double tolerance = joint_tolerance * manipulator.size();
+  const LinkThickness& thickness = manipulator.constraints().thickness;
   for (std::size_t i = 0; i < manipulator.leg_count(); ++i)
     for (std::size_t j = i + 1; j < manipulator.leg_count(); ++j)
       for (const LinkKind one : {LinkKind::crank, LinkKind::rod})
         for (const LinkKind other : {LinkKind::crank, LinkKind::rod}) {
-          const Leg &leg = manipulator.leg(i), &next = manipulator.leg(j);
           if ((one == LinkKind::crank && !has_crank_[i]) || (other == LinkKind::crank && !has_crank_[j]))
             continue;
-          if (are_joined(leg, one, next, other, tolerance)) continue;
-          if (is_ignored(*constraints.self_collision, {one, i}, {other, j})) continue;
-          pairs_[i][j].push_back({one, other,
-                                  Interval(0.5) * (Interval(width(constraints.thickness, one)) +
-                                                   Interval(width(constraints.thickness, other)))});
+          if (!parallel_aspects::can_collide(manipulator, {one, i}, {other, j})) continue;
+          pairs_[i][j].push_back(
+              {one, other,
+               Interval(0.5) * (Interval(width(thickness, one)) + Interval(width(thickness, other)))});
         }
 }
 
