@@ -2,6 +2,7 @@
 #include "ros/messages/conversions.h"
 
 #include "model/coefficients.h"
+#include "model/task_space_traits.h"
 #include "parallel_aspects/kinematics/jacobians.h"
 #include "ros/messages/hazard_messages.h"
 
@@ -201,24 +202,6 @@ std::string branch_text(const WorkingMode& mode, int determinant_sign) {
 
 const char* inverse_entry_unit(const Leg& leg) { return leg.actuated_by_angle() ? "m^2/rad" : "m"; }
 
-const char* determinant_unit(TaskSpace space) {
-  switch (space) {
-    case TaskSpace::T1:
-      return "m";
-    case TaskSpace::T2:
-      return "m^2";
-    case TaskSpace::SE2:
-      return "m^4";
-    case TaskSpace::T3:
-      return "m^3";
-    case TaskSpace::SO3:
-      return "m^6";
-    case TaskSpace::SE3:
-      return "m^9";
-  }
-  return "";
-}
-
 SolvedConfiguration solved_message(const Manipulator& manipulator, const SolvedPose& solved,
                                    const AspectMap* map, const ros::Time& stamp) {
   SolvedConfiguration message;
@@ -318,7 +301,7 @@ SingularityReport report_message(const Manipulator& manipulator, const SolvedPos
   message.limit_distance = distance_message(manipulator, distances.actuated_limit, true);
   if (!message.limit_distance.leg.empty()) message.limit_distance.limit = name(distances.actuated_limit.end);
   message.determinant = indices.determinant;
-  message.determinant_unit = determinant_unit(manipulator.task_space());
+  message.determinant_unit = std::string(traits(manipulator.task_space()).determinant_unit);
   message.inverse_diagonal = to_vector(indices.inverse_diagonal);
   for (const Leg& leg : manipulator.legs()) message.inverse_diagonal_units.push_back(inverse_entry_unit(leg));
   message.smallest_singular_value = indices.smallest_singular_value;

@@ -62,9 +62,6 @@ std::string branch_text(const WorkingMode& mode, int determinant_sign);
 /// "m^2/rad" for an actuated angle, "m" for an actuated length.
 const char* inverse_entry_unit(const Leg& leg);
 
-/// "m^2", "m^4", "m^3", "m^6" or "m^9".
-const char* determinant_unit(TaskSpace space);
-
 /// The aspect is looked up in `map`, which may be null.
 SolvedConfiguration solved_message(const Manipulator& manipulator, const SolvedPose& solved,
                                    const AspectMap* map, const ros::Time& stamp);

@@ -2,6 +2,7 @@
 #include "tools/report/report.h"
 
 #include "model/coefficients.h"
+#include "model/task_space_traits.h"
 
 #include <cmath>
 #include <sstream>
@@ -69,23 +70,7 @@ std::string shown_sign(double value) { return value > 0.0 ? "+" : value < 0.0 ? 
 
 std::string joint_unit(const Leg& leg) { return leg.actuated_by_angle() ? "rad" : "m"; }
 
-std::string determinant_unit(TaskSpace space) {
-  switch (space) {
-    case TaskSpace::T1:
-      return "m";
-    case TaskSpace::T2:
-      return "m^2";
-    case TaskSpace::SE2:
-      return "m^4";
-    case TaskSpace::T3:
-      return "m^3";
-    case TaskSpace::SO3:
-      return "m^6";
-    case TaskSpace::SE3:
-      return "m^9";
-  }
-  return "";
-}
+std::string determinant_unit(TaskSpace space) { return std::string(traits(space).determinant_unit); }
 
 std::string counted(std::size_t number, const std::string& noun, const std::string& plural) {
   const std::string several = plural.empty() ? noun + "s" : plural;
