@@ -5,6 +5,7 @@
 #include "distance/cell.h"
 #include "distance/local_chart.h"
 #include "distance/quadratic_form.h"
+#include "legs/determinant.h"
 #include "parallel_aspects/kinematics/working_mode.h"
 
 #include <array>
@@ -15,59 +16,7 @@
 namespace parallel_aspects {
 
 template <class Scalar, std::size_t N>
-using SquareRows = std::array<std::array<Scalar, N>, N>;
-
-template <class Scalar>
-Scalar determinant3(const SquareRows<Scalar, 3>& m) {
-  const auto pair = [&m](std::size_t k, std::size_t l) { return m[1][k] * m[2][l] - m[1][l] * m[2][k]; };
-  return m[0][0] * pair(1, 2) - m[0][1] * pair(0, 2) + m[0][2] * pair(0, 1);
-}
-
-/// Determinants of three rows of a matrix of six columns, for every three columns.
-template <class Scalar>
-class Minors3 {
- public:
-  Minors3(const SquareRows<Scalar, 6>& m, std::size_t row) : first_(m[row]) {
-    for (std::size_t k = 0; k < 6; ++k)
-      for (std::size_t l = k + 1; l < 6; ++l)
-        pairs_[k][l] = m[row + 1][k] * m[row + 2][l] - m[row + 1][l] * m[row + 2][k];
-  }
-
-  /// Of columns a < b < c.
-  Scalar of(std::size_t a, std::size_t b, std::size_t c) const {
-    return first_[a] * pairs_[b][c] - first_[b] * pairs_[a][c] + first_[c] * pairs_[a][b];
-  }
-
- private:
-  const std::array<Scalar, 6>& first_;
-  SquareRows<Scalar, 6> pairs_;
-};
-
-/// Laplace: by the first three rows and the last three.
-template <class Scalar>
-Scalar determinant6(const SquareRows<Scalar, 6>& m) {
-  const Minors3<Scalar> upper(m, 0), lower(m, 3);
-  Scalar sum(0.0);
-  for (std::size_t a = 0; a < 4; ++a)
-    for (std::size_t b = a + 1; b < 5; ++b)
-      for (std::size_t c = b + 1; c < 6; ++c) {
-        std::array<std::size_t, 3> rest{};
-        for (std::size_t k = 0, i = 0; k < 6; ++k)
-          if (k != a && k != b && k != c) rest[i++] = k;
-        const Scalar product = upper.of(a, b, c) * lower.of(rest[0], rest[1], rest[2]);
-        // (0+1+2) + (a+b+c) even: positive.
-        sum = (a + b + c) % 2 == 1 ? sum + product : sum - product;
-      }
-  return sum;
-}
-
-template <class Scalar, std::size_t N>
-Scalar determinant_of(const SquareRows<Scalar, N>& m) {
-  if constexpr (N == 1) return m[0][0];
-  if constexpr (N == 2) return m[0][0] * m[1][1] - m[0][1] * m[1][0];
-  if constexpr (N == 3) return determinant3(m);
-  if constexpr (N == 6) return determinant6(m);
-}
+using SquareRows = std::array<Row<Scalar, N>, N>;
 
 /// det A of one working mode about one pose, up to positive factors that vanish at serial singularities at
 /// most. The local_chart must outlive it.

@@ -20,11 +20,6 @@ template <class Scalar>
 using Spatial = std::array<Scalar, 3>;
 
 template <class Scalar>
-Spatial<Scalar> cross(const Spatial<Scalar>& a, const Spatial<Scalar>& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-template <class Scalar>
 Scalar dot(const Spatial<Interval>& a, const Spatial<Scalar>& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
