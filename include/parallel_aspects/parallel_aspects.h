@@ -2,7 +2,16 @@
 #ifndef PARALLEL_ASPECTS_PARALLEL_ASPECTS_H
 #define PARALLEL_ASPECTS_PARALLEL_ASPECTS_H
 
+/// @file
 /// Every public header, for those who would rather wait for the compiler than look for names.
+
+/// Aspects of parallel robots: kinematics, certified maps, distances to singularities, tracking and proved
+/// motions.
+///
+/// Units are m, rad and s. Poses are given in the task frame, joint values in the order of the legs.
+/// Functions say where they allocate or throw; what is called proved is a theorem, computed with outward
+/// rounding.
+namespace parallel_aspects {}
 
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/boundary_curves.h"

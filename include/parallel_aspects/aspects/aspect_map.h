@@ -51,24 +51,29 @@ struct MapOptions {
 /// A proved connected singularity-free set of one working mode and one sign of det A: part of exactly one
 /// generalized aspect A_ij (Definition 6 of the paper), and all of it that the resolution shows.
 struct Aspect {
-  int id = 0;  ///< from 1: by mode index, then positive before negative det A, then falling measure
-  WorkingMode mode;
+  int id = 0;        ///< from 1: by mode index, then positive before negative det A, then falling measure
+  WorkingMode mode;  ///< one sign a leg
   int determinant_sign = 0;  ///< +1 or -1
 
-  /// Best estimate of the volume of its workspace projection WA_ij, in the unit of `measure_unit`; and its
-  /// bounds: below, the volume of its inside leaves; above, with every undecided leaf that could belong to it
-  /// and with every aspect that it is not proved separate from. (In SO3 volumes are taken at the centers of
-  /// leaves.)
+  /// Best estimate of the volume of its workspace projection WA_ij, in the unit of `measure_unit`. (In SO3
+  /// volumes are taken at the centers of leaves.)
   double measure = 0.0;
+
+  /// Its lower bound: the volume of its inside leaves.
   double measure_lower = 0.0;
+
+  /// Its upper bound, with every undecided leaf that could belong to it and with every aspect that it is not
+  /// proved separate from.
   double measure_upper = 0.0;
 
-  std::size_t inside_leaves = 0;
-  Box bounds;  ///< of the inside leaves, in pose coordinates; of dimension 0 in SO3
+  std::size_t inside_leaves = 0;  ///< leaves of the tree that are proved to lie in it
+  Box bounds;                     ///< of the inside leaves, in pose coordinates; of dimension 0 in SO3
 
-  /// Center of the largest ball found in the inside leaves, and its radius: no singularity or limit is
-  /// closer. In m, with rotations of SE2 weighted by the characteristic length; in SO3 in rad.
+  /// Center of the largest ball found in the inside leaves.
   Pose deepest;
+
+  /// Radius of that ball: no singularity or limit is closer. In m, with rotations of SE2 weighted by the
+  /// characteristic length; in SO3 in rad.
   double deepest_clearance = 0.0;
 
   /// Ids that could be the same aspect; empty when proved separate from all others.
@@ -81,6 +86,7 @@ struct SymmetryUse {
   std::size_t computed_modes = 0;    ///< working modes whose components are not images of others
 };
 
+/// What a map knows of a configuration.
 enum class LocationStatus {
   inside,      ///< proved: `aspect` holds the pose
   undecided,   ///< closer to a singularity or a limit than the map can tell
@@ -88,9 +94,10 @@ enum class LocationStatus {
   not_mapped,  ///< outside the region of the map, or not finite
 };
 
+/// Where a configuration lies in a map.
 struct Location {
-  LocationStatus status = LocationStatus::not_mapped;
-  int aspect = 0;  ///< id, where inside
+  LocationStatus status = LocationStatus::not_mapped;  ///< what is known of it
+  int aspect = 0;                                      ///< id, where inside
 };
 
 /// The generalized aspects of a manipulator, certified: a 2^d-tree of pose boxes, each proved inside one sign
@@ -98,13 +105,13 @@ struct Location {
 /// threads.
 class AspectMap {
  public:
-  struct Contents;  ///< what the computation hands over
-  explicit AspectMap(std::unique_ptr<const Contents> contents);
+  struct Contents;                                               ///< what the computation hands over
+  explicit AspectMap(std::unique_ptr<const Contents> contents);  ///< takes what was computed or loaded
   ~AspectMap();
   AspectMap(const AspectMap&) = delete;
   AspectMap& operator=(const AspectMap&) = delete;
 
-  const std::shared_ptr<const Manipulator>& manipulator() const noexcept;
+  const std::shared_ptr<const Manipulator>& manipulator() const noexcept;  ///< whose map it is; never null
 
   /// What was mapped in place of all poses; nothing where all of them were.
   const std::optional<MapSlice>& slice() const noexcept;
@@ -164,10 +171,11 @@ class AspectMap {
   std::unique_ptr<const Contents> contents_;
 };
 
+/// A map, or why there is none.
 struct MapResult {
-  MapStatus status = MapStatus::refused;
-  std::string message;                   ///< why, unless complete
-  std::shared_ptr<const AspectMap> map;  ///< set when complete
+  MapStatus status = MapStatus::refused;  ///< how the computation ended
+  std::string message;                    ///< why, unless complete
+  std::shared_ptr<const AspectMap> map;   ///< set when complete
 };
 
 /// Computes the map, of a slice in SE3 and of all poses or of a slice elsewhere. SE3 without a slice and bad

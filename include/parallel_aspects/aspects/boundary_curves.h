@@ -14,6 +14,7 @@
 
 namespace parallel_aspects {
 
+/// What bounds an aspect.
 enum class BoundaryKind {
   parallel,        ///< det A = 0
   serial,          ///< B_jj = 0
@@ -27,9 +28,10 @@ enum class BoundaryKind {
 /// A short straight piece of the boundary of the aspects of one working mode, for drawing: approximated
 /// in one cell of a grid, not certified.
 struct BoundarySegment {
-  BoundaryKind kind = BoundaryKind::parallel;
-  std::size_t leg = 0;           ///< whose B_jj or limit it is; unused for others
-  Eigen::Vector2d from, to;      ///< in the slice [m or rad]
+  BoundaryKind kind = BoundaryKind::parallel;  ///< what ends there
+  std::size_t leg = 0;                         ///< whose B_jj or limit it is; unused for others
+  Eigen::Vector2d from;                        ///< first end, in the slice [m or rad]
+  Eigen::Vector2d to;                          ///< other end, in the slice [m or rad]
   std::array<int, 2> aspects{};  ///< ids on its left and right side; 0 for none, or too close to tell
 };
 
@@ -40,9 +42,10 @@ struct BoundarySliver {
   std::vector<Eigen::Vector2d> corners;  ///< convex, counter-clockwise [m or rad]
 };
 
+/// The aspects of one working mode in a slice, as they are drawn; each list in no order.
 struct BoundaryPicture {
-  std::vector<BoundarySegment> segments;
-  std::vector<BoundarySliver> slivers;
+  std::vector<BoundarySegment> segments;  ///< the boundaries
+  std::vector<BoundarySliver> slivers;    ///< what they bound
 };
 
 /// Whether neighbouring cells that lie wholly in one aspect become one sliver.

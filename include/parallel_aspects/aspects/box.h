@@ -17,25 +17,31 @@ using MapPoint = std::array<double, max_map_dimension>;
 
 /// A closed box of pose coordinates, in the order of `coordinate_names` [m or rad].
 struct Box {
-  std::size_t dimension = 0;
-  MapPoint lower{};
-  MapPoint upper{};
+  std::size_t dimension = 0;  ///< how many coordinates count, 0 to `max_map_dimension`
+  MapPoint lower{};           ///< lower ends [m or rad]
+  MapPoint upper{};           ///< upper ends, not below the lower [m or rad]
 
+  /// Middle of its range of coordinate i [m or rad].
   double center(std::size_t i) const noexcept { return 0.5 * (lower[i] + upper[i]); }
+
+  /// Length of its range of coordinate i [m or rad].
   double width(std::size_t i) const noexcept { return upper[i] - lower[i]; }
 
+  /// Its center.
   MapPoint middle() const noexcept {
     MapPoint result{};
     for (std::size_t i = 0; i < dimension; ++i) result[i] = center(i);
     return result;
   }
 
+  /// Its volume, in the product of the units of its coordinates; 1 in no dimension.
   double measure() const noexcept {
     double product = 1.0;
     for (std::size_t i = 0; i < dimension; ++i) product *= width(i);
     return product;
   }
 
+  /// Whether the point lies in it or on its faces.
   bool contains(const MapPoint& point) const noexcept {
     for (std::size_t i = 0; i < dimension; ++i)
       if (!(lower[i] <= point[i] && point[i] <= upper[i])) return false;

@@ -13,9 +13,9 @@ namespace parallel_aspects {
 /// The undecided leaves, over all working modes, in which a constraint neither holds everywhere nor fails
 /// everywhere: what encloses its boundary. One leaf may enclose several.
 struct ConstraintBoundary {
-  ConstraintKind kind = ConstraintKind::actuated_limits;
-  std::size_t leaves = 0;
-  double measure = 0.0;  ///< of these leaves, in the unit of `measure_unit`
+  ConstraintKind kind = ConstraintKind::actuated_limits;  ///< whose boundary it is
+  std::size_t leaves = 0;                                 ///< how many there are
+  double measure = 0.0;                                   ///< of these leaves, in the unit of `measure_unit`
 };
 
 /// One for each constraint that the map was computed with, in the order of `all_constraint_kinds`.
@@ -27,6 +27,7 @@ struct MissingModes {
   std::vector<WorkingMode> unknown;  ///< undecided leaves are left
 };
 
+/// Those of the modes that the map was computed for.
 MissingModes missing_modes(const AspectMap& map);
 
 }  // namespace parallel_aspects

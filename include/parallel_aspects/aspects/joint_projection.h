@@ -16,8 +16,9 @@ namespace parallel_aspects {
 /// The rectangle of joint values that is drawn: one turn, -pi to pi, for an angle without limits, the range
 /// that the aspects take otherwise. Opposite edges of a full turn are the same.
 struct JointWindow {
-  Eigen::Vector2d lower, upper;  ///< [rad or m]
-  std::array<bool, 2> turns{};   ///< whether the actuated joint is an angle that wraps
+  Eigen::Vector2d lower;        ///< least values [rad or m]
+  Eigen::Vector2d upper;        ///< greatest values [rad or m]
+  std::array<bool, 2> turns{};  ///< whether the actuated joint is an angle that wraps
 
   /// Actuation values brought into the window where they wrap.
   Eigen::Vector2d wrapped(const Eigen::Vector2d& q) const noexcept;
@@ -34,6 +35,7 @@ class JointProjection {
   /// `map` must be two-dimensional.
   explicit JointProjection(std::shared_ptr<const AspectMap> map);
 
+  /// What is drawn.
   const JointWindow& window() const noexcept { return window_; }
 
   /// QA_ij, the joint projection of an aspect: its pieces among `slivers` under q_s, cut at the edges of the

@@ -9,8 +9,9 @@
 
 namespace parallel_aspects {
 
+/// Whether a map was written.
 struct SaveResult {
-  bool saved = false;
+  bool saved = false;   ///< the file is whole and on the disk
   std::string message;  ///< why not, unless saved
 };
 

@@ -17,13 +17,14 @@ namespace parallel_aspects {
 
 /// A pose coordinate with the value that it is held at [m or rad].
 struct HeldCoordinate {
-  std::string name;
-  double value = 0.0;
+  std::string name;    ///< as in `make_slice`
+  double value = 0.0;  ///< [m or rad]
 };
 
 /// A line, plane or volume of poses: some of the pose moves, and the rest is held. A map of a slice is one of
 /// the connected components within the slice; two of them may be joined outside of it.
 struct MapSlice {
+  /// How the platform turns within the slice.
   enum class Rotation {
     none,        ///< the platform keeps its orientation
     about_axis,  ///< by an angle in [-pi, pi] about `axis`
@@ -37,7 +38,7 @@ struct MapSlice {
   std::string angle_name = "phi";                   ///< of the angle about it
   std::vector<HeldCoordinate> held_coordinates{};   ///< as it was asked for; for people only
 
-  std::size_t free_positions() const noexcept;
+  std::size_t free_positions() const noexcept;  ///< how many of x, y and z are free: 0 to 3
 
   /// 1, 2 or 3, unless it is refused.
   std::size_t dimension() const noexcept;

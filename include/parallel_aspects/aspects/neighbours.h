@@ -29,11 +29,12 @@ enum class Crossing {
 ///
 /// Not proved: such configurations were found close to each other, in one leaf, but no segment was.
 struct Neighbours {
-  int first = 0, second = 0;  ///< ids, rising
-  Crossing crossing = Crossing::parallel;
-  std::size_t leg = 0;  ///< whose B_jj is zero, where serial
-  bool proved = false;
-  Pose pose;  ///< in the leaf where they touch, on the segment where proved
+  int first = 0;                           ///< id, the lower one
+  int second = 0;                          ///< id, the higher one
+  Crossing crossing = Crossing::parallel;  ///< what is between them
+  std::size_t leg = 0;                     ///< whose B_jj is zero, where serial
+  bool proved = false;                     ///< whether it is, as said above
+  Pose pose;                               ///< in the leaf where they touch, on the segment where proved
 };
 
 /// Pairs of aspects that touch, by rising ids, across glued faces of the space of poses too. All undecided

@@ -37,8 +37,8 @@ struct RoadmapOptions {
 
 /// The part of a roadmap that has one working mode and one sign of det A: both proved for each of its poses.
 struct RoadmapSide {
-  WorkingMode mode;
-  int determinant_sign = 0;
+  WorkingMode mode;          ///< one sign a leg
+  int determinant_sign = 0;  ///< +1 or -1
 
   /// Indices of its poses in the roadmap, rising. What follows counts by the place in this list.
   std::vector<std::uint32_t> poses;
@@ -56,12 +56,17 @@ struct RoadmapSide {
 /// may be read from any number of threads.
 class PoseRoadmap {
  public:
+  /// What was computed with these options, in so many seconds; `compute_pose_roadmap` makes one.
   PoseRoadmap(SegmentCertifier certifier, std::vector<Pose> poses, std::vector<RoadmapSide> sides,
               const RoadmapOptions& options, double seconds);
 
+  /// What its segments were proved with.
   const SegmentCertifier& certifier() const noexcept { return certifier_; }
+
+  /// What it was computed with.
   const RoadmapOptions& options() const noexcept { return options_; }
 
+  /// All that were sampled, in the task frame.
   const std::vector<Pose>& poses() const noexcept { return poses_; }
 
   /// Those with at least one pose: by mode index, then positive before negative det A.
@@ -87,8 +92,9 @@ class PoseRoadmap {
   double seconds_;
 };
 
+/// A roadmap, or why there is none.
 struct RoadmapResult {
-  MapStatus status = MapStatus::refused;
+  MapStatus status = MapStatus::refused;       ///< how the computation ended
   std::string message;                         ///< why, unless complete
   std::shared_ptr<const PoseRoadmap> roadmap;  ///< set when complete
 };

@@ -26,8 +26,10 @@ class PoseSlice {
   /// The slice that holds a pose.
   static PoseSlice through(TaskSpace space, const Pose& pose) noexcept;
 
+  /// phi or torsion [rad], or z [m].
   double level() const noexcept { return level_; }
 
+  /// The pose at this point of the slice [m or rad].
   Pose pose(const Eigen::Vector2d& point) const noexcept;
 
   /// Where in its own slice a pose lies.

@@ -14,16 +14,17 @@ namespace parallel_aspects {
 
 /// A configuration: a pose, and the branch of each leg.
 struct PoseInMode {
-  Pose pose;
-  WorkingMode mode;
+  Pose pose;         ///< in the task frame
+  WorkingMode mode;  ///< one sign a leg
 };
 
 /// Both yes and no are proved.
 enum class SameAspect { yes, no, unknown };
 
+/// What `same_aspect` found.
 struct AspectComparison {
-  SameAspect answer = SameAspect::unknown;
-  std::string message;  ///< why
+  SameAspect answer = SameAspect::unknown;  ///< whether both are in one aspect
+  std::string message;                      ///< why
 
   /// Where the answer is yes: poses from the first to the second; each `PoseSegment` from one to the next is
   /// proved free of singularities and within limits.

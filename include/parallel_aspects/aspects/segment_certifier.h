@@ -15,7 +15,7 @@ namespace parallel_aspects {
 
 /// What stands in the way at a pose or on a segment.
 enum class Violation {
-  none,
+  none,          ///< nothing that is known
   singularity,   ///< det A is zero, or has the other sign
   out_of_reach,  ///< a leg cannot reach, or just reaches: B_jj = 0
   joint_limit,   ///< an actuated joint is outside its limits
@@ -32,18 +32,20 @@ struct ConfigurationProof {
   std::optional<std::size_t> leg;  ///< which leg cannot reach, or has the actuated joint outside
 };
 
+/// What is proved of a whole segment.
 enum class SegmentVerdict {
   free,       ///< proved: every leg reaches, all constraints hold, B_jj != 0 and det A != 0 all along
   blocked,    ///< proved not to be free
   undecided,  ///< neither, with the parts allowed
 };
 
+/// What is proved of a segment of poses; t runs from 0 to 1 along it.
 struct SegmentProof {
-  SegmentVerdict verdict = SegmentVerdict::undecided;
-  Violation violation = Violation::none;  ///< where blocked: what is proved to stand in the way
-  double free_until = 0.0;                ///< proved free from t = 0 to here
-  double witness = 0.0;                   ///< where blocked: proved to be violated at or before this t
-  int parts = 0;                          ///< that were tried
+  SegmentVerdict verdict = SegmentVerdict::undecided;  ///< of all of it
+  Violation violation = Violation::none;               ///< where blocked: what is proved to stand in the way
+  double free_until = 0.0;                             ///< proved free from t = 0 to here
+  double witness = 0.0;  ///< where blocked: proved to be violated at or before this t
+  int parts = 0;         ///< that were tried
 };
 
 /// Proves segments of poses (see `PoseSegment`) free of singularities within one working mode, in every task
@@ -52,8 +54,10 @@ struct SegmentProof {
 /// of threads. Neither allocates nor throws once it is made.
 class SegmentCertifier {
  public:
+  /// Allocates; `manipulator` is not null.
   explicit SegmentCertifier(std::shared_ptr<const Manipulator> manipulator);
 
+  /// Whose segments it proves.
   const std::shared_ptr<const Manipulator>& manipulator() const noexcept { return manipulator_; }
 
   /// What is proved of the pose in this working mode. Nothing where numbers are not

@@ -32,7 +32,7 @@ enum class LimitEnd { lower, upper };
 ///
 /// which is the distance of the operational points where the platform does not turn (T1, T2, T3).
 struct BoundaryDistance {
-  DistanceStatus status = DistanceStatus::unavailable;
+  DistanceStatus status = DistanceStatus::unavailable;  ///< what the bounds are worth
 
   /// Proved, with outward rounding: no pose of the boundary is closer than this [m].
   double lower = 0.0;
@@ -45,9 +45,10 @@ struct BoundaryDistance {
   /// arithmetic: as where det A touches zero without a change of sign.
   bool upper_proved = false;
 
-  /// The nearest pose of the boundary that was found, of no meaning where `upper` is infinite; and the
-  /// actuated joint values there [rad or m].
+  /// The nearest pose of the boundary that was found, of no meaning where `upper` is infinite.
   Pose witness;
+
+  /// The actuated joint values at the witness [rad or m].
   JointVector witness_q;
 
   /// The path from the pose to the witness, as it starts: twist (w, v) as in `displaced`, such that the
@@ -60,15 +61,15 @@ struct BoundaryDistance {
   /// may lead to another pose of the boundary.
   JointVector joint_displacement;
 
-  /// The leg at fault, and its limit; serial singularities and limits only.
-  std::size_t leg = 0;
-  LimitEnd end = LimitEnd::lower;
+  std::size_t leg = 0;             ///< at fault; serial singularities and limits only
+  LimitEnd end = LimitEnd::lower;  ///< which of its limits; limits only
 
   int boxes = 0;  ///< that were evaluated
 };
 
+/// Whether a configuration could be measured.
 enum class ConfigurationStatus {
-  measured,
+  measured,        ///< all three distances
   outside_limits,  ///< an actuated joint is at or beyond a limit; singularities are measured, the limit is
                    ///< `touching`
   out_of_reach,    ///< not proved that each leg reaches with B_jj != 0; nothing is measured
@@ -78,9 +79,11 @@ enum class ConfigurationStatus {
 
 /// All of one configuration.
 struct BoundaryDistances {
-  ConfigurationStatus status = ConfigurationStatus::invalid;
-  JointVector q;  ///< joint values at the pose in the working mode [rad or m]
-  BoundaryDistance parallel, serial, actuated_limit;
+  ConfigurationStatus status = ConfigurationStatus::invalid;  ///< what was measured
+  JointVector q;                    ///< joint values at the pose in the working mode [rad or m]
+  BoundaryDistance parallel;        ///< to det A = 0
+  BoundaryDistance serial;          ///< to B_jj = 0 of some leg
+  BoundaryDistance actuated_limit;  ///< to a limit of some actuated joint
 };
 
 /// How much work is spent.
@@ -107,8 +110,8 @@ class BoundaryDistanceMeter {
   explicit BoundaryDistanceMeter(std::shared_ptr<const Manipulator> manipulator,
                                  const DistanceOptions& options = {});
   ~BoundaryDistanceMeter();
-  BoundaryDistanceMeter(BoundaryDistanceMeter&&) noexcept;
-  BoundaryDistanceMeter& operator=(BoundaryDistanceMeter&&) noexcept;
+  BoundaryDistanceMeter(BoundaryDistanceMeter&&) noexcept;             ///< takes the memory along
+  BoundaryDistanceMeter& operator=(BoundaryDistanceMeter&&) noexcept;  ///< takes the memory along
 
   /// Neither allocates nor throws.
   BoundaryDistances measure(const Pose& pose, const WorkingMode& mode) noexcept;

@@ -11,7 +11,7 @@ namespace parallel_aspects {
 
 /// One direct solution: a pose that the given joint values can hold.
 struct AssemblyMode {
-  Pose pose;
+  Pose pose;                 ///< in the task frame
   double determinant = 0.0;  ///< det A there; unit as in `direct_determinant`
   double residual = 0.0;     ///< largest |f_j| over the squared `assembly_scale`, dimensionless
   bool near_singular =
@@ -22,15 +22,17 @@ struct AssemblyMode {
   bool serially_singular = false;
 };
 
+/// What became of a direct problem.
 enum class DirectStatus {
   solved,     ///< every real solution is in the list, which may be empty
   continuum,  ///< the platform can move with the actuated joints locked; no finite list exists
   unsolved,   ///< the input is not finite, or the list may be incomplete
 };
 
+/// The direct solutions for given joint values.
 struct DirectResult {
-  DirectStatus status = DirectStatus::unsolved;
-  std::vector<AssemblyMode> solutions;  ///< by falling det A
+  DirectStatus status = DirectStatus::unsolved;  ///< whether the list is complete
+  std::vector<AssemblyMode> solutions;           ///< by falling det A
 };
 
 /// Every real assembly mode for these actuated joint values (one entry a leg), whatever the joint limits.

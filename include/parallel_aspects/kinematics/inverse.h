@@ -22,16 +22,18 @@ double squared_inverse_entry(const Leg& leg, const Eigen::Vector3d& point) noexc
 /// Where the leg cannot reach, the value of the closest configuration (B_jj = 0).
 double joint_value(const Leg& leg, const Eigen::Vector3d& point, int sign) noexcept;
 
+/// What became of an inverse problem.
 enum class InverseStatus {
-  solved,
+  solved,          ///< every leg reaches, within its limits
   out_of_reach,    ///< a leg cannot reach; `leg` says which
   outside_limits,  ///< a joint value is outside its joint limits; `leg` says which
 };
 
+/// The joint values of a pose in one working mode.
 struct InverseSolution {
-  InverseStatus status = InverseStatus::out_of_reach;
-  WorkingMode mode;
-  JointVector q;        ///< filled unless out of reach
+  InverseStatus status = InverseStatus::out_of_reach;  ///< whether `q` can be used
+  WorkingMode mode;                                    ///< that was asked for
+  JointVector q;        ///< one entry a leg [rad or m]; filled unless out of reach
   std::size_t leg = 0;  ///< first leg at fault, unless solved
 };
 

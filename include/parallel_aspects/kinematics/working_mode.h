@@ -15,7 +15,7 @@ namespace parallel_aspects {
 /// Mf_i of the paper: the vector of signs of B_jj, one a leg, none zero.
 class WorkingMode {
  public:
-  WorkingMode() = default;
+  WorkingMode() = default;  ///< of no leg
 
   /// All signs positive. `leg_count` at most `max_legs`.
   explicit WorkingMode(std::size_t leg_count) noexcept : legs_(static_cast<std::uint8_t>(leg_count)) {}
@@ -27,6 +27,7 @@ class WorkingMode {
   /// many.
   static std::optional<WorkingMode> from_signs(const std::vector<int>& signs);
 
+  /// How many signs there are, 0 to `max_legs`.
   std::size_t leg_count() const noexcept { return legs_; }
 
   /// Bit j is set where the sign of leg j is negative; so 0 is (+, ..., +).
@@ -35,14 +36,18 @@ class WorkingMode {
   /// +1 or -1.
   int sign(std::size_t leg) const noexcept { return (negative_ >> leg & 1U) != 0 ? -1 : 1; }
 
+  /// `leg` below `leg_count()`, `sign` 1 or -1.
   void set_sign(std::size_t leg, int sign) noexcept;
 
   /// The signs, each 1 or -1, in the order of the legs.
   std::vector<int> signs() const;
 
+  /// Whether both have the same signs of the same number of legs.
   friend bool operator==(const WorkingMode& a, const WorkingMode& b) noexcept {
     return a.legs_ == b.legs_ && a.negative_ == b.negative_;
   }
+
+  /// Whether they differ.
   friend bool operator!=(const WorkingMode& a, const WorkingMode& b) noexcept { return !(a == b); }
 
  private:

@@ -29,6 +29,7 @@ enum class ConstraintKind {
   workspace,        ///< a box that the operational point must stay in
 };
 
+/// Every kind of constraint, in the order in which they are named.
 inline constexpr std::array<ConstraintKind, 5> all_constraint_kinds{
     ConstraintKind::actuated_limits, ConstraintKind::passive_limits, ConstraintKind::self_collision,
     ConstraintKind::obstacles, ConstraintKind::workspace};
@@ -36,6 +37,7 @@ inline constexpr std::array<ConstraintKind, 5> all_constraint_kinds{
 /// Bit k stands for the k-th of `all_constraint_kinds`.
 using ConstraintKinds = std::bitset<all_constraint_kinds.size()>;
 
+/// Its place in `all_constraint_kinds`.
 inline std::size_t index_of(ConstraintKind kind) noexcept { return static_cast<std::size_t>(kind); }
 
 /// "actuated_limits", "passive_limits", "self_collision", "obstacles" or "workspace".
@@ -54,34 +56,37 @@ enum class PassiveAngle {
 /// The limits of a passive joint. The angle, counter-clockwise in the plane and up to full turns, is
 /// `offset` + `sense` q for the joint value q.
 struct PassiveLimit {
-  std::string joint;
-  std::size_t leg = 0;
-  PassiveAngle angle = PassiveAngle::base_to_rod;
-  double offset = 0.0;  ///< [rad]
-  double sense = 1.0;   ///< +1 or -1
-  JointLimits limits;   ///< [rad]
+  std::string joint;                               ///< name of the passive joint
+  std::size_t leg = 0;                             ///< index of the leg that it is in
+  PassiveAngle angle = PassiveAngle::base_to_rod;  ///< what it measures
+  double offset = 0.0;                             ///< [rad]
+  double sense = 1.0;                              ///< +1 or -1
+  JointLimits limits;                              ///< [rad]
 };
 
 /// Widths of the links, which are segments with round ends [m]: a link touches what is closer to its middle
 /// line than half of that.
 struct LinkThickness {
-  double crank = 0.0;
-  double rod = 0.0;
+  double crank = 0.0;              ///< of every crank [m], 0 or more
+  double rod = 0.0;                ///< of every rod [m], 0 or more
   std::optional<double> platform;  ///< of the segments between the anchors; without, they touch nothing
 };
 
+/// The links of a planar leg: the crank on the base, the rod on the platform.
 enum class LinkKind { crank, rod };
 
 /// "crank_1", "rod_1" and so on: legs are counted from 1.
 struct LinkName {
-  LinkKind kind = LinkKind::crank;
-  std::size_t leg = 0;  ///< index
+  LinkKind kind = LinkKind::crank;  ///< which of the two links
+  std::size_t leg = 0;              ///< index, from 0
 
+  /// Whether both name one link.
   friend bool operator==(const LinkName& a, const LinkName& b) noexcept {
     return a.kind == b.kind && a.leg == b.leg;
   }
 };
 
+/// "crank_1", as people write it.
 std::string to_string(const LinkName& link);
 
 /// Cranks and rods of different legs must not touch each other. Links that are joined to each other are not
@@ -103,26 +108,27 @@ struct BoxObstacle {
   Eigen::Vector3d half_size = Eigen::Vector3d::Zero();              ///< along its own axes [m]
 };
 
+/// Something in the surroundings that links and platform must not touch.
 struct Obstacle {
-  std::string name;
-  std::variant<BallObstacle, BoxObstacle> shape;
+  std::string name;                               ///< for messages
+  std::variant<BallObstacle, BoxObstacle> shape;  ///< in the task frame [m]
 };
 
 /// The operational point must stay in it, in the task frame [m]; as many numbers count as the platform can
 /// move in directions.
 struct WorkspaceBox {
-  Eigen::Vector3d lower = Eigen::Vector3d::Zero();
-  Eigen::Vector3d upper = Eigen::Vector3d::Zero();
+  Eigen::Vector3d lower = Eigen::Vector3d::Zero();  ///< corner with the smallest coordinates
+  Eigen::Vector3d upper = Eigen::Vector3d::Zero();  ///< corner with the largest
 };
 
 /// What bounds the motions of a manipulator besides singularities and the limits of its actuated joints,
 /// which its legs hold. What is not there is not asked.
 struct Constraints {
-  LinkThickness thickness;
-  std::vector<PassiveLimit> passive_limits;
-  std::optional<SelfCollision> self_collision;
-  std::vector<Obstacle> obstacles;
-  std::optional<WorkspaceBox> workspace;
+  LinkThickness thickness;                      ///< for self-collision and obstacles
+  std::vector<PassiveLimit> passive_limits;     ///< none: passive joints are not limited
+  std::optional<SelfCollision> self_collision;  ///< none: links may touch each other
+  std::vector<Obstacle> obstacles;              ///< what links and platform must not touch
+  std::optional<WorkspaceBox> workspace;        ///< none: the operational point may be anywhere
 
   /// Limited joints that none of `passive_limits` stands for, since distances do not tell where they are.
   std::vector<std::string> missing_joints;

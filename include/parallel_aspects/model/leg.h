@@ -47,12 +47,13 @@ struct ElbowActuation {
   double sense = 1.0;          ///< +1 or -1
 };
 
+/// What the actuated joint of a leg moves: c, or rho.
 using Actuation = std::variant<RevoluteActuation, PrismaticActuation, StrutActuation, ElbowActuation>;
 
 /// Range of a joint value, both ends included, and its speed; unlimited by default. rad or m.
 struct JointLimits {
-  double lower = -std::numeric_limits<double>::infinity();
-  double upper = std::numeric_limits<double>::infinity();
+  double lower = -std::numeric_limits<double>::infinity();    ///< least value [rad or m]
+  double upper = std::numeric_limits<double>::infinity();     ///< greatest value [rad or m]
   double velocity = std::numeric_limits<double>::infinity();  ///< fastest change [rad/s or m/s], positive
 
   /// Whether the range, not the speed, has an end.
@@ -60,6 +61,8 @@ struct JointLimits {
     return lower > -std::numeric_limits<double>::infinity() ||
            upper < std::numeric_limits<double>::infinity();
   }
+
+  /// Whether the value is in the range; false for NaN.
   bool contain(double value) const noexcept { return lower <= value && value <= upper; }
 };
 
@@ -69,9 +72,9 @@ struct JointLimits {
 ///
 /// p(X) is the anchor, fixed in the platform; c(q) the proximal point; rho(q) the distance between the two.
 struct Leg {
-  std::string name;            ///< for people; unique in a manipulator
-  std::string actuated_joint;  ///< name of the actuated joint; unique in a manipulator
-  Actuation actuation;
+  std::string name;                                  ///< for people; unique in a manipulator
+  std::string actuated_joint;                        ///< name of the actuated joint; unique in a manipulator
+  Actuation actuation;                               ///< what the actuated joint moves
   Eigen::Vector3d anchor = Eigen::Vector3d::Zero();  ///< in the platform frame [m]
   double rod_length =
       0.0;             ///< rho for revolute and actuated prismatic joints [m], positive; unused by the others

@@ -18,8 +18,8 @@ namespace parallel_aspects {
 
 /// What a manipulator is made of; plain data that `Manipulator` checks.
 struct ManipulatorDescription {
-  std::string name;
-  TaskSpace task_space = TaskSpace::T2;
+  std::string name;                      ///< for people and messages
+  TaskSpace task_space = TaskSpace::T2;  ///< where the platform moves
   std::vector<Leg> legs;                 ///< as many as the task space has degrees of freedom
   std::string base_frame = "base_link";  ///< link that `task_frame` is given in
   Eigen::Isometry3d task_frame = Eigen::Isometry3d::Identity();  ///< task frame in the base frame [m]
@@ -34,15 +34,18 @@ class Manipulator {
   /// or crossed; constraints that do not fit the legs.
   explicit Manipulator(ManipulatorDescription description);
 
+  /// What it was made of; what follows are parts of it.
   const ManipulatorDescription& description() const noexcept { return description_; }
-  const std::string& name() const noexcept { return description_.name; }
-  TaskSpace task_space() const noexcept { return description_.task_space; }
-  const std::vector<Leg>& legs() const noexcept { return description_.legs; }
-  const Leg& leg(std::size_t index) const { return description_.legs[index]; }
-  std::size_t leg_count() const noexcept { return description_.legs.size(); }
-  const std::string& base_frame() const noexcept { return description_.base_frame; }
+  const std::string& name() const noexcept { return description_.name; }        ///< for people and messages
+  TaskSpace task_space() const noexcept { return description_.task_space; }     ///< where the platform moves
+  const std::vector<Leg>& legs() const noexcept { return description_.legs; }   ///< see `JointVector`
+  const Leg& leg(std::size_t index) const { return description_.legs[index]; }  ///< below `leg_count()`
+  std::size_t leg_count() const noexcept { return description_.legs.size(); }   ///< 1 to `max_legs`
+  const std::string& base_frame() const noexcept { return description_.base_frame; }    ///< as tf names it
+  const Constraints& constraints() const noexcept { return description_.constraints; }  ///< none by default
+
+  /// In the base frame.
   const Eigen::Isometry3d& task_frame() const noexcept { return description_.task_frame; }
-  const Constraints& constraints() const noexcept { return description_.constraints; }
 
   /// The kinds of constraints that there are, limits of actuated joints among them.
   ConstraintKinds constraint_kinds() const noexcept;

@@ -17,6 +17,7 @@ class InvalidDescription : public std::runtime_error {
   /// At least one is kept, a general one where there is none; `what()` holds all of them, a line each.
   explicit InvalidDescription(Problems problems);
 
+  /// A message each; at least one.
   const Problems& problems() const noexcept { return problems_; }
 
  private:

@@ -27,6 +27,8 @@ class ApproachSpeed {
   /// The next value, at a later time [s]. A value that is not finite, or time that does not go on, begins
   /// anew.
   void add(double time, double value) noexcept;
+
+  /// Begins anew.
   void forget() noexcept { count_ = 0; }
 
   /// Fewer than two samples know no speed.
@@ -35,7 +37,7 @@ class ApproachSpeed {
   /// Change per second: negative while approaching [unit of the value per second]; 0 while unknown.
   double speed() const noexcept;
 
-  Approach approach() const noexcept;
+  Approach approach() const noexcept;  ///< what `speed` says in a word
 
  private:
   struct Sample {

@@ -10,10 +10,10 @@ namespace parallel_aspects {
 
 /// The hazard that a level was due to, at a sample at which its distance was proved.
 struct ProvedHazard {
-  Hazard hazard = Hazard::parallel_singularity;
-  double distance = 0.0;  ///< at least [m]
-  double speed = 0.0;     ///< of the distance, negative while approaching; not a number while unknown [m/s]
-  double time = 0.0;      ///< of the sample [s]
+  Hazard hazard = Hazard::parallel_singularity;  ///< which one
+  double distance = 0.0;                         ///< at least [m]
+  double speed = 0.0;  ///< of the distance, negative while approaching; not a number while unknown [m/s]
+  double time = 0.0;   ///< of the sample [s]
 };
 
 /// Remembers, for as long as the level is unknown, the last hazard that was proved; and afterwards until the

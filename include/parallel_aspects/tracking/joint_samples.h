@@ -65,6 +65,7 @@ class SampleIntervals {
   /// What is not positive is left out [s].
   void add(double seconds) noexcept;
 
+  /// The rate is not known any more.
   void forget() noexcept { count_ = 0; }
 
  private:

@@ -18,6 +18,7 @@ class PoseCertifier;
 /// with the square root of the noise. Once it is made it never allocates, never throws.
 class StandOff {
  public:
+  /// For samples with the noise and the bend of these options. Allocates.
   StandOff(std::shared_ptr<const Manipulator> manipulator, const SampleOptions& options);
 
   /// Whether a robot that stands still at `pose` in `mode` is followed, whatever the encoders say within

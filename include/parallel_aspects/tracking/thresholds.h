@@ -13,6 +13,8 @@ namespace parallel_aspects {
 
 /// What a distance is measured to.
 enum class Hazard { parallel_singularity, serial_singularity, limit };
+
+/// How many hazards there are.
 inline constexpr std::size_t hazard_count = 3;
 
 /// "parallel singularity", "serial singularity" or "limit".
@@ -21,9 +23,9 @@ const char* name(Hazard hazard) noexcept;
 /// By danger: of two levels the greater is the worse, so that `level >= stop` holds wherever a robot must
 /// stop. The numbers are those of AspectState; 0 is no level.
 enum class ThresholdLevel : std::uint8_t {
-  clear = 1,
-  warn = 2,
-  stop = 3,
+  clear = 1,    ///< above all thresholds
+  warn = 2,     ///< below the first
+  stop = 3,     ///< below the second: the robot must stop
   unknown = 4,  ///< a distance that has a threshold is not known
 };
 
@@ -33,8 +35,8 @@ const char* name(ThresholdLevel level) noexcept;
 /// Thresholds on distances to hazards, all in the unit of the distances that they are compared with [m].
 /// 0 for no such threshold.
 struct ThresholdOptions {
-  double warn = 0.0;
-  double stop = 0.0;
+  double warn = 0.0;        ///< the robot is warned below it [m]
+  double stop = 0.0;        ///< the robot must stop below it [m]
   double hysteresis = 0.1;  ///< a level is left above its threshold times 1 plus this [0 or more]
 };
 
@@ -44,7 +46,7 @@ std::vector<std::string> problems_of(const ThresholdOptions& options);
 
 /// What the thresholds make of the last distances.
 struct ThresholdState {
-  ThresholdLevel level = ThresholdLevel::unknown;
+  ThresholdLevel level = ThresholdLevel::unknown;  ///< the worst of all hazards
   Hazard hazard =
       Hazard::parallel_singularity;  ///< that the level is due to: the nearest of those that have it
   double distance =
@@ -58,9 +60,10 @@ struct ThresholdState {
 /// allocates, never throws.
 class DistanceThresholds {
  public:
-  using Options = std::array<ThresholdOptions, hazard_count>;
+  using Options = std::array<ThresholdOptions, hazard_count>;  ///< by `Hazard`
   using Distances = std::array<double, hazard_count>;  ///< by `Hazard`; not a number while unknown [m]
 
+  /// The level is unknown at first. The options have no `problems_of`.
   explicit DistanceThresholds(const Options& options = {}) noexcept { set_options(options); }
 
   /// Levels are taken anew from the next distances.
@@ -72,7 +75,10 @@ class DistanceThresholds {
   /// Nothing is known of the robot. Once distances are known again, the hysteresis goes on where it was.
   const ThresholdState& lose() noexcept;
 
+  /// After the last `update` or `lose`.
   const ThresholdState& state() const noexcept { return state_; }
+
+  /// Of this hazard alone.
   ThresholdLevel level(Hazard hazard) const noexcept { return levels_[static_cast<std::size_t>(hazard)]; }
 
  private:

@@ -16,6 +16,7 @@
 
 namespace parallel_aspects {
 
+/// Whether the tracker follows the robot.
 enum class TrackStatus {
   uninitialised,  ///< no pose is known yet
   tracking,       ///< the pose belongs to the last sample
@@ -44,10 +45,10 @@ const char* reason(Ambiguity ambiguity) noexcept;
 
 /// What is known of the robot at the time of one joint sample.
 struct TrackedState {
-  TrackStatus status = TrackStatus::uninitialised;
-  double time = 0.0;         ///< of the sample [s]
-  JointVector q;             ///< of the sample; whole turns may have been added
-  Pose pose;                 ///< valid while tracking or inconsistent
+  TrackStatus status = TrackStatus::uninitialised;  ///< which of the others are valid
+  double time = 0.0;                                ///< of the sample [s]
+  JointVector q;                                    ///< of the sample; whole turns may have been added
+  Pose pose;                                        ///< valid while tracking or inconsistent
   WorkingMode mode;          ///< valid while tracking or inconsistent; at B_jj = 0 the last mode
   int determinant_sign = 0;  ///< +1 or -1 while tracking or inconsistent
   int aspect = 0;  ///< id in the map; 0 without a map, or too close to a singularity since the last change
@@ -63,13 +64,14 @@ struct TrackedState {
   }
 };
 
+/// How a robot is followed.
 struct TrackerOptions {
   /// A change of working mode counts once the leg is this far from stretched or folded, as the sine of the
   /// angle at its elbow, |B_jj| / (|u_j| |c_j'|) [0 to 1]: noise about B_jj = 0, and touching it, are no
   /// change.
   double hysteresis = 1e-3;
 
-  SampleOptions samples;
+  SampleOptions samples;  ///< what samples of the actuated joints are taken to mean
 
   /// Certified subdivisions of one step between samples, for each assembly mode that is followed.
   int most_steps = 256;
@@ -81,7 +83,7 @@ std::vector<std::string> problems_of(const TrackerOptions& options);
 /// Whether a robot is in the assembly mode of a reference configuration: whether actuated joints that go
 /// straight back to the reference bring the platform back to its pose.
 enum class AssemblyComparison {
-  same,
+  same,    ///< they do
   other,   ///< they bring it to another direct solution, with det A away from zero all along
   unknown  ///< that motion cannot be certified
 };
@@ -94,8 +96,8 @@ class TrackerCore;
 
 /// An assembly mode that the robot may be in, for as long as the tracker is not changed.
 struct PossibleAssemblyMode {
-  const Pose& pose;
-  const JointVector& q;  ///< [rad or m]
+  const Pose& pose;      ///< in the task frame
+  const JointVector& q;  ///< of the last sample [rad or m]
   int determinant_sign;  ///< +1 or -1; 0 where that is not proved
   bool followed;         ///< whether its solution is proved; it is dropped with the next sample otherwise
 };
@@ -103,9 +105,12 @@ struct PossibleAssemblyMode {
 /// The assembly modes that the robot may be in, for as long as the tracker is not changed.
 class PossibleAssemblyModes {
  public:
+  /// A view of the list, which it does not own.
   explicit PossibleAssemblyModes(const Candidates& list) noexcept : list_(list) {}
 
-  std::size_t size() const noexcept;
+  std::size_t size() const noexcept;  ///< how many there are
+
+  /// The one at `index`, below `size()`.
   PossibleAssemblyMode operator[](std::size_t index) const noexcept;
 
   /// Whether the robot must be in one of them, as far as the list of direct solutions was complete and none
@@ -126,11 +131,12 @@ class PossibleAssemblyModes {
 /// what is certified.
 class Tracker {
  public:
+  /// Allocates. The options have no `problems_of`.
   explicit Tracker(std::shared_ptr<const Manipulator> manipulator, const TrackerOptions& options = {});
-  Tracker(const Tracker& other);
-  Tracker(Tracker&& other) noexcept;
-  Tracker& operator=(const Tracker& other);
-  Tracker& operator=(Tracker&& other) noexcept;
+  Tracker(const Tracker& other);                 ///< an independent tracker in the same state; allocates
+  Tracker(Tracker&& other) noexcept;             ///< leaves `other` to be assigned to or destroyed
+  Tracker& operator=(const Tracker& other);      ///< as the constructor
+  Tracker& operator=(Tracker&& other) noexcept;  ///< as the constructor
   ~Tracker();
 
   /// From now on aspects are looked up in `map`, which must be of the same manipulator; null for none.
@@ -157,7 +163,7 @@ class Tracker {
   /// is proved holds for every such value, but for the working mode, which is that of `q`.
   const TrackedState& update(double time, const JointVector& q, const JointVector& uncertainty) noexcept;
 
-  const TrackedState& state() const noexcept;
+  const TrackedState& state() const noexcept;  ///< at the last sample
 
   /// By how much the actuated joints were last taken to leave the straight path between samples [rad or m];
   /// empty where no step was made.

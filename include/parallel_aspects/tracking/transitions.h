@@ -9,6 +9,7 @@
 
 namespace parallel_aspects {
 
+/// What a transition changes.
 enum class TransitionKind {
   working_mode,  ///< B_jj of `leg` went through zero
   aspect,        ///< the aspect became known, or a start found the robot in another one than before
@@ -22,28 +23,31 @@ const char* name(TransitionKind kind) noexcept;
 
 /// One change of working mode, aspect or assembly mode.
 struct Transition {
-  TransitionKind kind = TransitionKind::working_mode;
+  TransitionKind kind = TransitionKind::working_mode;  ///< what changed
   double time = 0.0;           ///< of the crossing, interpolated between two samples [s]
   std::size_t leg = 0;         ///< whose B_jj crossed zero, for a change of working mode
   bool determinant = false;    ///< whether det A lost its sign, or has another one than before
   bool inside_aspect = false;  ///< for a change of assembly mode: no working mode has changed either since
                                ///< the reference, so that both solutions are in one aspect
-  WorkingMode mode_before, mode_after;
-  int determinant_sign_before = 0, determinant_sign_after = 0;
-  int aspect_before = 0, aspect_after = 0;  ///< 0 while unknown
+  WorkingMode mode_before;     ///< one sign a leg
+  WorkingMode mode_after;      ///< one sign a leg
+  int determinant_sign_before = 0;  ///< +1 or -1; 0 while unknown
+  int determinant_sign_after = 0;   ///< +1 or -1; 0 while unknown
+  int aspect_before = 0;            ///< id in the map; 0 while unknown
+  int aspect_after = 0;             ///< id in the map; 0 while unknown
 };
 
 /// Transitions of one update, in the order in which they were certain; the zero of a leg that is slow to come
 /// past the hysteresis can be earlier than that of the one before.
 struct Transitions {
   static constexpr std::size_t most = 16;  ///< a step that crosses more often ends with `dropped`
-  std::array<Transition, most> items;
-  std::size_t count = 0;
-  bool dropped = false;  ///< more happened than there was room for
+  std::array<Transition, most> items;      ///< the first `count` are valid
+  std::size_t count = 0;                   ///< 0 to `most`
+  bool dropped = false;                    ///< more happened than there was room for
 
-  const Transition* begin() const noexcept { return items.data(); }
-  const Transition* end() const noexcept { return items.data() + count; }
-  bool empty() const noexcept { return count == 0; }
+  const Transition* begin() const noexcept { return items.data(); }        ///< the earliest
+  const Transition* end() const noexcept { return items.data() + count; }  ///< behind the latest
+  bool empty() const noexcept { return count == 0; }                       ///< nothing has changed
 };
 
 }  // namespace parallel_aspects

@@ -17,8 +17,8 @@ namespace parallel_aspects {
 
 /// A pose of the platform and the joint values that go with it.
 struct AssembledConfiguration {
-  Pose pose;
-  JointVector q;  ///< [rad or m]
+  Pose pose;      ///< in the task frame
+  JointVector q;  ///< of the actuated joints, one a leg [rad or m]
 };
 
 /// A passive joint whose value the pose and the actuated joints determine.
@@ -30,13 +30,13 @@ struct PassiveJoint {
 /// A manipulator together with the joints of the URDF that it came from. Immutable.
 class Mechanism {
  public:
-  struct Contents;  ///< what the loader hands over
-  explicit Mechanism(std::unique_ptr<const Contents> contents);
+  struct Contents;                                               ///< what the loader hands over
+  explicit Mechanism(std::unique_ptr<const Contents> contents);  ///< `load_mechanism` makes one
   ~Mechanism();
   Mechanism(const Mechanism&) = delete;
   Mechanism& operator=(const Mechanism&) = delete;
 
-  const std::shared_ptr<const Manipulator>& manipulator() const noexcept;
+  const std::shared_ptr<const Manipulator>& manipulator() const noexcept;  ///< never null
 
   /// Link whose origin is the operational point.
   const std::string& platform_link() const noexcept;
@@ -88,12 +88,14 @@ class SharedMechanism {
   /// Throws `InvalidDescription` where it is null.
   explicit SharedMechanism(std::shared_ptr<const Mechanism> mechanism);
 
-  // Copied only: what was moved from would be null.
+  /// Copied only: what was moved from would be null.
   SharedMechanism(const SharedMechanism&) = default;
-  SharedMechanism& operator=(const SharedMechanism&) = default;
+  SharedMechanism& operator=(const SharedMechanism&) = default;  ///< copied only
 
-  const Mechanism& operator*() const noexcept { return *mechanism_; }
-  const Mechanism* operator->() const noexcept { return mechanism_.get(); }
+  const Mechanism& operator*() const noexcept { return *mechanism_; }        ///< the mechanism
+  const Mechanism* operator->() const noexcept { return mechanism_.get(); }  ///< never null
+
+  /// For what takes a pointer; it is never null.
   operator const std::shared_ptr<const Mechanism>&() const noexcept { return mechanism_; }
 
  private:

@@ -31,6 +31,7 @@ struct PassiveResidual {
   std::size_t joint = 0;     ///< where: index into `Mechanism::joint_names()`
   double difference = 0.0;   ///< there, measured less computed [rad or m]
 
+  /// Whether a joint is farther away than its tolerance.
   bool contradicts() const noexcept { return excess > 1.0; }
 };
 
@@ -39,6 +40,7 @@ struct PassiveResidual {
 /// threads.
 class PassiveJoints {
  public:
+  /// The options have no `problems_of`.
   explicit PassiveJoints(std::shared_ptr<const Mechanism> mechanism, const PassiveOptions& options = {});
 
   /// How many passive joints can be compared where all are measured.
@@ -56,6 +58,7 @@ class PassiveJoints {
   /// of the pose that is followed in the end; nothing compared where there is none.
   PassiveResidual apply(const Eigen::VectorXd& readings, Tracker& tracker) const;
 
+  /// What it was made with.
   const PassiveOptions& options() const noexcept { return options_; }
 
  private:
