@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "legs/spatial_leg.h"
 
+#include "legs/determinant.h"
+
 namespace parallel_aspects {
 namespace {
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/model/constraints.h"
 
+#include "model/task_space_traits.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -125,13 +127,9 @@ std::string to_string(const LinkName& link) {
   return (link.kind == LinkKind::crank ? "crank_" : "rod_") + std::to_string(link.leg + 1);
 }
 
-std::size_t directions(TaskSpace space) noexcept {
-  return degrees_of_freedom(space) - rotational_degrees_of_freedom(space);
-}
+std::size_t directions(TaskSpace space) noexcept { return traits(space).translations; }
 
-bool is_planar(TaskSpace space) noexcept {
-  return space == TaskSpace::T1 || space == TaskSpace::T2 || space == TaskSpace::SE2;
-}
+bool is_planar(TaskSpace space) noexcept { return traits(space).planar; }
 
 Problems find_problems(const Constraints& constraints, TaskSpace space, const std::vector<Leg>& legs) {
   return Check(constraints, space, legs).run();

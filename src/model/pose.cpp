@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/model/pose.h"
 
+#include "model/task_space_traits.h"
+
 #include <cmath>
 #include <sstream>
 
@@ -19,6 +21,9 @@ Eigen::Quaterniond rotation(const Eigen::Vector3d& rotation_vector) {
   return Eigen::Quaterniond(Eigen::AngleAxisd(angle, rotation_vector / angle));
 }
 
+Eigen::Index moves(TaskSpace space) { return static_cast<Eigen::Index>(traits(space).translations); }
+Eigen::Index turns(TaskSpace space) { return static_cast<Eigen::Index>(traits(space).rotations); }
+
 std::optional<Eigen::Quaterniond> unit_quaternion(const Eigen::Vector4d& xyzw) {
   const double norm = xyzw.norm();
   if (!std::isfinite(norm) || norm == 0.0) return std::nullopt;
@@ -29,26 +34,9 @@ std::optional<Eigen::Quaterniond> unit_quaternion(const Eigen::Vector4d& xyzw) {
 
 PoseCoordinates pose_coordinates(TaskSpace space, const Pose& pose) {
   PoseCoordinates coordinates(static_cast<Eigen::Index>(coordinate_names(space).size()));
-  switch (space) {
-    case TaskSpace::T1:
-      coordinates << pose.position.x();
-      break;
-    case TaskSpace::T2:
-      coordinates << pose.position.head<2>();
-      break;
-    case TaskSpace::SE2:
-      coordinates << pose.position.head<2>(), wrapped(yaw(pose.orientation));
-      break;
-    case TaskSpace::T3:
-      coordinates << pose.position;
-      break;
-    case TaskSpace::SO3:
-      coordinates << pose.orientation.coeffs();
-      break;
-    case TaskSpace::SE3:
-      coordinates << pose.position, pose.orientation.coeffs();
-      break;
-  }
+  coordinates.head(moves(space)) = pose.position.head(moves(space));
+  if (turns(space) == 1) coordinates[moves(space)] = wrapped(yaw(pose.orientation));
+  if (turns(space) == 3) coordinates.tail<4>() = pose.orientation.coeffs();
   return coordinates;
 }
 
@@ -56,11 +44,10 @@ std::optional<Pose> pose_from_coordinates(TaskSpace space, const PoseCoordinates
   const auto expected = static_cast<Eigen::Index>(coordinate_names(space).size());
   if (coordinates.size() != expected || !coordinates.allFinite()) return std::nullopt;
   Pose pose;
-  if (space == TaskSpace::T1) pose.position.x() = coordinates[0];
-  if (space == TaskSpace::T2 || space == TaskSpace::SE2) pose.position.head<2>() = coordinates.head<2>();
-  if (space == TaskSpace::T3 || space == TaskSpace::SE3) pose.position = coordinates.head<3>();
-  if (space == TaskSpace::SE2) pose.orientation = Eigen::AngleAxisd(coordinates[2], Eigen::Vector3d::UnitZ());
-  if (space == TaskSpace::SO3 || space == TaskSpace::SE3) {
+  pose.position.head(moves(space)) = coordinates.head(moves(space));
+  if (turns(space) == 1)
+    pose.orientation = Eigen::AngleAxisd(coordinates[moves(space)], Eigen::Vector3d::UnitZ());
+  if (turns(space) == 3) {
     const auto orientation = unit_quaternion(coordinates.tail<4>());
     if (!orientation) return std::nullopt;
     pose.orientation = *orientation;
@@ -70,28 +57,9 @@ std::optional<Pose> pose_from_coordinates(TaskSpace space, const PoseCoordinates
 
 Pose displaced(TaskSpace space, const Pose& pose, const TaskVector& twist) {
   Pose moved = pose;
-  switch (space) {
-    case TaskSpace::T1:
-      moved.position.x() += twist[0];
-      break;
-    case TaskSpace::T2:
-      moved.position.head<2>() += twist.head<2>();
-      break;
-    case TaskSpace::SE2:
-      moved.orientation = rotation(twist[0] * Eigen::Vector3d::UnitZ()) * pose.orientation;
-      moved.position.head<2>() += twist.tail<2>();
-      break;
-    case TaskSpace::T3:
-      moved.position += twist.head<3>();
-      break;
-    case TaskSpace::SO3:
-      moved.orientation = rotation(twist.head<3>()) * pose.orientation;
-      break;
-    case TaskSpace::SE3:
-      moved.orientation = rotation(twist.head<3>()) * pose.orientation;
-      moved.position += twist.tail<3>();
-      break;
-  }
+  if (turns(space) == 1) moved.orientation = rotation(twist[0] * Eigen::Vector3d::UnitZ()) * pose.orientation;
+  if (turns(space) == 3) moved.orientation = rotation(twist.head<3>()) * pose.orientation;
+  moved.position.head(moves(space)) += twist.segment(turns(space), moves(space));
   moved.orientation.normalize();
   return moved;
 }

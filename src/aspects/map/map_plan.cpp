@@ -3,6 +3,7 @@
 
 #include "aspects/tree/pose_tree.h"
 #include "aspects/tree/slice_space.h"
+#include "model/task_space_traits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -178,18 +179,8 @@ std::string make_map_plan(const Manipulator& manipulator, const MapOptions& opti
 
 double default_resolution(const Manipulator& manipulator, const std::optional<MapSlice>& slice) noexcept {
   if (slice) return default_resolution_of_slice(manipulator, *slice);
-  switch (manipulator.task_space()) {
-    case TaskSpace::T1:
-    case TaskSpace::T2:
-      return manipulator.size() / 200.0;
-    case TaskSpace::SE2:
-    case TaskSpace::T3:
-      return manipulator.size() / 50.0;
-    case TaskSpace::SO3:
-    case TaskSpace::SE3:
-      break;
-  }
-  return 0.1;
+  const double parts = traits(manipulator.task_space()).resolution_parts;
+  return parts > 0.0 ? manipulator.size() / parts : 0.1;
 }
 
 }  // namespace parallel_aspects

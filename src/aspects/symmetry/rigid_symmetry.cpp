@@ -103,7 +103,7 @@ std::vector<RigidSymmetry> find_rigid_symmetries(TaskSpace space, const Box& reg
 }
 
 std::string to_string(const RigidSymmetry& symmetry, TaskSpace space) {
-  const std::size_t count = space == TaskSpace::T1 ? 2 : is_planar(space) ? 2 : 3;
+  const std::size_t count = is_planar(space) ? 2 : 3;
   std::string text;
   for (std::size_t i = 0; i < count; ++i) {
     const auto row = static_cast<Eigen::Index>(i);

@@ -203,18 +203,9 @@ MapPosition PoseSpace::image(const Gluing& gluing, const MapPosition& position,
 
 std::shared_ptr<const PoseSpace> make_pose_space(TaskSpace space, const Box& positions,
                                                  double characteristic_length) {
-  switch (space) {
-    case TaskSpace::T1:
-    case TaskSpace::T2:
-    case TaskSpace::T3:
-      return std::make_shared<const Positions>(positions);
-    case TaskSpace::SE2:
-      return std::make_shared<const PlanarMotions>(positions, characteristic_length);
-    case TaskSpace::SO3:
-      return std::make_shared<const Rotations>();
-    case TaskSpace::SE3:
-      break;
-  }
+  if (!has_rotation(space)) return std::make_shared<const Positions>(positions);
+  if (!has_translation(space)) return std::make_shared<const Rotations>();
+  if (space == TaskSpace::SE2) return std::make_shared<const PlanarMotions>(positions, characteristic_length);
   return nullptr;
 }
 

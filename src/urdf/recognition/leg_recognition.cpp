@@ -2,6 +2,7 @@
 #include "urdf/recognition/leg_recognition.h"
 
 #include "model/linear_algebra.h"
+#include "parallel_aspects/model/constraints.h"
 #include "urdf/recognition/leg_rounding.h"
 
 #include <Eigen/Cholesky>
@@ -22,10 +23,6 @@ constexpr double direction_tolerance = 5e-4;
 
 // Of the assembled configuration, over the size of the robot.
 constexpr double rounding = 1e-14;
-
-bool planar(TaskSpace space) {
-  return space == TaskSpace::T1 || space == TaskSpace::T2 || space == TaskSpace::SE2;
-}
 
 double distance_to_axis(const Vector3d& point, const Pivot& pivot) {
   return (point - pivot.point).cross(pivot.axis).norm();
@@ -65,7 +62,7 @@ class ChainRecogniser {
 
   // In the plane a ball joint turns about the normal.
   Chain flattened(Chain chain) const {
-    if (!planar(motion_.space)) return chain;
+    if (!is_planar(motion_.space)) return chain;
     for (Pivot& pivot : chain) {
       if (pivot.kind != PivotKind::ball) continue;
       pivot.kind = PivotKind::revolute;
@@ -146,7 +143,8 @@ class ChainRecogniser {
     if (group.empty()) return std::nullopt;
     for (const Pivot& pivot : group)
       if (pivot.kind == PivotKind::prismatic) return std::nullopt;
-    if (planar(motion_.space)) return common(group, [this](const Pivot& pivot) { return in_plane(pivot); });
+    if (is_planar(motion_.space))
+      return common(group, [this](const Pivot& pivot) { return in_plane(pivot); });
     if (motion_.space == TaskSpace::SO3)
       return common(group, [this](const Pivot& pivot) { return on_sphere(pivot); });
     return meeting_point(group);
@@ -238,7 +236,7 @@ class LegBuilder {
 
   // Into the plane of a planar robot; what rounding left of a zero becomes zero.
   Vector3d flat(Vector3d vector) const {
-    if (planar(motion_.space)) vector.z() = 0.0;
+    if (is_planar(motion_.space)) vector.z() = 0.0;
     const double zero = rounding * setting_.size;
     return vector.unaryExpr([zero](double entry) { return std::abs(entry) < zero ? 0.0 : entry; });
   }
@@ -248,7 +246,7 @@ class LegBuilder {
 
   std::optional<Vector3d> axis(const Pivot& actuation) {
     Vector3d direction = actuation.sense * (to_task_.linear() * actuation.axis);
-    if (!planar(motion_.space)) return direction.normalized();
+    if (!is_planar(motion_.space)) return direction.normalized();
     const bool revolute = actuation.kind == PivotKind::revolute;
     const double off = revolute ? direction.head<2>().norm() : std::abs(direction.z());
     if (off > direction_tolerance)
