@@ -55,7 +55,7 @@ TEST_F(FiveBarMechanism, IsRecognisedAsThePaperDrawsIt) {
   }
 }
 
-// Actuation values at P = (4.5, 8) by elbow signs, from independent computation.
+// Joint values at P = (4.5, 8) by elbow signs, from independent computation.
 TEST_F(FiveBarMechanism, GivesTheReferenceDriveValues) {
   const std::vector<std::array<double, 2>> expected{{1.633334, 3.138465}, {1.633334, 1.027907}};
   for (const auto& [q1, q2] : expected) {

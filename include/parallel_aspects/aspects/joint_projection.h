@@ -20,7 +20,7 @@ struct JointWindow {
   Eigen::Vector2d upper;        ///< greatest values [rad or m]
   std::array<bool, 2> turns{};  ///< whether the actuated joint is an angle that wraps
 
-  /// Actuation values brought into the window where they wrap.
+  /// Joint values brought into the window where they wrap.
   Eigen::Vector2d wrapped(const Eigen::Vector2d& q) const noexcept;
 };
 

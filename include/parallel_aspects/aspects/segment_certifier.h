@@ -29,7 +29,7 @@ struct ConfigurationProof {
 
   Violation proved_violation = Violation::none;  ///< where it is proved to lie in no aspect
   std::optional<ConstraintKind> failing;         ///< which constraint, where the violation is one
-  std::optional<std::size_t> leg;  ///< which leg cannot reach, or has the actuated joint outside
+  std::optional<std::size_t> leg;  ///< which leg cannot reach, or whose actuated joint is outside its limits
 };
 
 /// What is proved of a whole segment.

@@ -14,7 +14,7 @@
 namespace parallel_aspects {
 
 /// The proximal point c runs on a circle: c(q) = center + radius (cos q e1 + sin q e2), with e1 =
-/// zero_direction and e2 = axis x e1. Legs RRR, RUS, RSS, Delta, and spherical RRR. Actuation value q in rad.
+/// zero_direction and e2 = axis x e1. Legs RRR, RUS, RSS, Delta, and spherical RRR. Joint value q in rad.
 struct RevoluteActuation {
   Eigen::Vector3d center;          ///< of the circle, in the task frame [m]
   Eigen::Vector3d axis;            ///< unit vector; q turns about it by the right-hand rule
@@ -22,7 +22,7 @@ struct RevoluteActuation {
   double radius;                   ///< [m], positive
 };
 
-/// The proximal point runs on a line: c(q) = origin + q direction. Legs PRR, PUS, PSS. Actuation value q in
+/// The proximal point runs on a line: c(q) = origin + q direction. Legs PRR, PUS, PSS. Joint value q in
 /// m.
 struct PrismaticActuation {
   Eigen::Vector3d origin;     ///< c at q = 0, in the task frame [m]
@@ -38,7 +38,7 @@ struct StrutActuation {
 };
 
 /// The elbow between two links is actuated: c fixed, and by the law of cosines
-/// rho(q)^2 = inner^2 + outer^2 + 2 inner outer cos(angle_at_zero + sense q). Actuation value q in rad.
+/// rho(q)^2 = inner^2 + outer^2 + 2 inner outer cos(angle_at_zero + sense q). Joint value q in rad.
 struct ElbowActuation {
   Eigen::Vector3d base;        ///< c, in the task frame [m]
   double inner_length;         ///< link on the base [m], positive

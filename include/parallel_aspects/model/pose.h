@@ -36,7 +36,7 @@ std::optional<Pose> pose_from_coordinates(TaskSpace space, const PoseCoordinates
 
 /// The pose reached from `pose` by the small motion `twist` = (w, v): rotation vector [rad] in the task
 /// frame, then displacement of the operational point [m]; only the parts that `space` moves, so
-/// `freedoms(space)` numbers.
+/// `degrees_of_freedom(space)` numbers.
 Pose displaced(TaskSpace space, const Pose& pose, const TaskVector& twist);
 
 /// The pose at t (0 to 1) on the segment from one pose to another: the position runs straight, the quaternion

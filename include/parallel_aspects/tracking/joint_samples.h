@@ -25,7 +25,7 @@ struct SampleOptions {
   /// By how much a step may be longer, for jitter of the stamps, as a share [0 or more].
   double velocity_tolerance = 0.25;
 
-  /// And for noise of the encoders: this many rad, or of this share of the robot's size in m.
+  /// Noise of the encoders: a step may be longer by this [rad, or as a share of the robot's size].
   double encoder_noise = 1e-4;
 
   /// How far the actuated joints may leave the straight path between two samples: this many times an eighth

@@ -46,7 +46,7 @@ JointMerger::JointMerger(std::shared_ptr<const Manipulator> manipulator, const S
     : manipulator_(std::move(manipulator)), options_(options), window_(window) {}
 
 void JointMerger::forget() noexcept {
-  for (History& actuation : joints_to_actuate_) actuation.count = 0;
+  for (History& history : histories_) history.count = 0;
   last_ = ros::Time();
 }
 
@@ -54,7 +54,7 @@ std::optional<MergedJoints> JointMerger::add(const ros::Time& stamp, const Joint
                                              const JointVector& q) {
   remember(stamp, joint_values, q);
   for (std::size_t j = 0; j < manipulator_->leg_count(); ++j)
-    if (joints_to_actuate_[j].count == 0) return std::nullopt;
+    if (histories_[j].count == 0) return std::nullopt;
   MergedJoints merged;
   merged.q = merged.uncertainty = JointVector::Zero(q.size());
   if (!bracketed(merged) || !(merged.stamp > last_)) return std::nullopt;
@@ -66,31 +66,30 @@ std::optional<MergedJoints> JointMerger::add(const ros::Time& stamp, const Joint
 void JointMerger::remember(const ros::Time& stamp, const JointSet& joint_values, const JointVector& q) {
   JointVector before = q;
   for (std::size_t j = 0; j < manipulator_->leg_count(); ++j)
-    if (joints_to_actuate_[j].count > 0)
-      before[static_cast<Eigen::Index>(j)] = joints_to_actuate_[j].values.front().position;
+    if (histories_[j].count > 0) before[static_cast<Eigen::Index>(j)] = histories_[j].values.front().position;
   const JointVector positions = options_.unwrap ? unwrapped(*manipulator_, before, q) : q;
   for (std::size_t j = 0; j < manipulator_->leg_count(); ++j) {
-    History& actuation = joints_to_actuate_[j];
-    if (!joint_values[j] || (actuation.count > 0 && !(stamp > actuation.values.front().stamp))) continue;
-    actuation.push({stamp, positions[static_cast<Eigen::Index>(j)]});
+    History& history = histories_[j];
+    if (!joint_values[j] || (history.count > 0 && !(stamp > history.values.front().stamp))) continue;
+    history.push({stamp, positions[static_cast<Eigen::Index>(j)]});
   }
 }
 
 bool JointMerger::bracketed(MergedJoints& merged) const {
-  merged.stamp = joints_to_actuate_[0].values.front().stamp;
+  merged.stamp = histories_[0].values.front().stamp;
   for (std::size_t j = 1; j < manipulator_->leg_count(); ++j)
-    merged.stamp = std::min(merged.stamp, joints_to_actuate_[j].values.front().stamp);
+    merged.stamp = std::min(merged.stamp, histories_[j].values.front().stamp);
   for (std::size_t j = 0; j < manipulator_->leg_count(); ++j) {
     const auto i = static_cast<Eigen::Index>(j);
-    if (!interpolate(joints_to_actuate_[j], fastest(j), merged.stamp, merged.q[i], merged.uncertainty[i]))
+    if (!interpolate(histories_[j], fastest(j), merged.stamp, merged.q[i], merged.uncertainty[i]))
       return false;
   }
   return true;
 }
 
-double JointMerger::fastest(std::size_t actuation) const {
+double JointMerger::fastest(std::size_t leg) const {
   return options_.check_velocity
-             ? manipulator_->leg(actuation).limits.velocity * (1.0 + options_.velocity_tolerance)
+             ? manipulator_->leg(leg).limits.velocity * (1.0 + options_.velocity_tolerance)
              : std::numeric_limits<double>::infinity();
 }
 

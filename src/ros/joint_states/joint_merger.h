@@ -57,12 +57,12 @@ class JointMerger {
   bool bracketed(MergedJoints& merged) const;
   bool interpolate(const History& history, double fastest, const ros::Time& stamp, double& position,
                    double& uncertainty) const;
-  double fastest(std::size_t actuation) const;
+  double fastest(std::size_t leg) const;
 
   std::shared_ptr<const Manipulator> manipulator_;
   SampleOptions options_;
   double window_;
-  std::array<History, max_legs> joints_to_actuate_;
+  std::array<History, max_legs> histories_;
   ros::Time last_;  // of the last configuration; zero for none
 };
 

@@ -106,7 +106,7 @@ MonitorUpdate RobotMonitor::wait_for_joints(const JointSample& sample, const ros
   MonitorUpdate update;
   if (!last_stamp_.isZero()) return update;
   if (waiting_since_.isZero()) waiting_since_ = now;
-  status_ = make_status(Status::NO_JOINT_STATES, some_drives(names_.with_guess(sample.message)));
+  status_ = make_status(Status::NO_JOINT_STATES, some_joints(names_.with_guess(sample.message)));
   if (seconds_between(waiting_since_, now) > timeout_) update.warning = status_.message;
   update.state = unknown_state(*mechanism_->manipulator(), status_, {});
   return update;

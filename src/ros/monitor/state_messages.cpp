@@ -41,7 +41,7 @@ std::string fault_of_stamp(const ros::Time& stamp, const ros::Time& last, const 
   return {};
 }
 
-std::string some_drives(const std::string& missing) {
+std::string some_joints(const std::string& missing) {
   return "A message of joint_states holds some of the actuated joints, and those of the others do not fit "
          "it: " +
          missing +

@@ -20,7 +20,7 @@ std::string fault_of_stamp(const ros::Time& stamp, const ros::Time& last, const 
                            double timeout);
 
 /// That messages hold some of the actuated joints, and make no configuration yet. `missing`: what is.
-std::string some_drives(const std::string& missing);
+std::string some_joints(const std::string& missing);
 
 /// That it is not known where tracking starts: `why`, if there is more to say, and what to do. `read_only`:
 /// whether the node refuses set_assembly_mode.

@@ -74,7 +74,7 @@ RobotServer::~RobotServer() {
   stopping_ = true;
   subscriber_.shutdown();
   cancel_subscriber_.shutdown();
-  compute_map_->shutdown();
+  if (compute_map_) compute_map_->shutdown();
   tracking_spinner_.stop();
   service_spinner_.stop();
   work_spinner_.stop();
@@ -106,13 +106,18 @@ void RobotServer::on_cancel(const actionlib_msgs::GoalID& goal) {
 }
 
 void RobotServer::renew_action() {
-  if (!action_is_spoilt_.exchange(false)) return;
+  if (!ros::ok() || !action_is_spoilt_.exchange(false)) return;
   ROS_WARN("A cancellation that is stamped ahead of the clock came, so compute_map starts anew.");
   stopping_ = true;
-  compute_map_->shutdown();
+  if (compute_map_) compute_map_->shutdown();
   compute_map_.reset();
   stopping_ = false;
-  start_action();
+  try {
+    start_action();
+  } catch (...) {  // there is none now; the next call tries again
+    action_is_spoilt_ = true;
+    throw;
+  }
 }
 
 void RobotServer::subscribe() {

@@ -26,7 +26,7 @@ class GalleryLayout {
   /// A point of the workspace in the tile of a column, in the frame of the upper row [m].
   Eigen::Vector2d in_workspace_tile(const Eigen::Vector2d& point, std::size_t column) const;
 
-  /// Actuation values in the tile of a column, in the frame of the lower row [m].
+  /// Joint values in the tile of a column, in the frame of the lower row [m].
   Eigen::Vector2d in_joint_tile(const Eigen::Vector2d& q, std::size_t column) const;
 
   Eigen::Vector2d workspace_tile_center(std::size_t column) const {

@@ -117,7 +117,7 @@ Subcommand direct_subcommand() {
   const auto choice = std::make_shared<RobotChoice>();
   const auto text = std::make_shared<std::string>();
   std::vector<Option> options = robot_options(*choice);
-  options.push_back({"--joints", "\"q1 q2\"", "Actuation values, quoted, in the order of the legs [rad or m]",
+  options.push_back({"--joints", "\"q1 q2\"", "Joint values, quoted, in the order of the legs [rad or m]",
                      text.get(), true});
   return {"fk", "Direct kinematics: the pose of every assembly mode", options,
           [choice, text](const Surroundings&) {

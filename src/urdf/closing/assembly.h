@@ -33,7 +33,7 @@ struct AssemblyResult {
 };
 
 /// Levenberg-Marquardt from the zero configuration and from seeded random ones, inside the joint limits. Of
-/// the assembled configurations it takes one where the joint values `drives` move independently, the mobility
+/// the assembled configurations it takes one where the `actuated_joints` move independently, the mobility
 /// is least and the conditioning good: the others are singular, or in a branch that is not meant, as a
 /// crossed parallelogram.
 AssemblyResult assemble(const ClosureSystem& system, const std::vector<std::size_t>& actuated_joints);

@@ -40,7 +40,7 @@ class LegFinder {
             const SourceNames& files, Problems& problems)
       : system_(mechanism.system),
         still_(mechanism.still),
-        joints_to_actuate_(actuated_joints),
+        actuated_joints_(actuated_joints),
         files_(files),
         problems_(problems),
         bodies_(system_.tree().links.size()),
@@ -58,7 +58,7 @@ class LegFinder {
 
   std::vector<LegChains> find() {
     if (base_ == platform_) {
-      problem("lets operational_point '" + system_.tree().links[joints_to_actuate_.platform_link] +
+      problem("lets operational_point '" + system_.tree().links[actuated_joints_.platform_link] +
               "' be fixed to the base link; name a link of the moving platform.");
       return {};
     }
@@ -148,17 +148,17 @@ class LegFinder {
 
   std::vector<std::size_t> actuated_joints_of(const std::vector<std::size_t>& part) const {
     std::vector<std::size_t> found;
-    for (std::size_t j = 0; j < joints_to_actuate_.variables.size(); ++j)
+    for (std::size_t j = 0; j < actuated_joints_.variables.size(); ++j)
       for (const std::size_t k : part)
-        if (edges_[k].pivots.front().variable == joints_to_actuate_.variables[j]) found.push_back(j);
+        if (edges_[k].pivots.front().variable == actuated_joints_.variables[j]) found.push_back(j);
     return found;
   }
 
   // The slide that leaves a platform one degree of freedom.
   bool is_guide(const std::vector<std::size_t>& part) const {
-    if (joints_to_actuate_.variables.size() != 1 || part.size() != 1) return false;
+    if (actuated_joints_.variables.size() != 1 || part.size() != 1) return false;
     const Pivot& pivot = edges_[part.front()].pivots.front();
-    return pivot.kind == PivotKind::prismatic && pivot.variable != joints_to_actuate_.variables.front();
+    return pivot.kind == PivotKind::prismatic && pivot.variable != actuated_joints_.variables.front();
   }
 
   void add_leg(const std::vector<std::size_t>& part, std::vector<LegChains>& legs) {
@@ -178,7 +178,7 @@ class LegFinder {
     if (found.size() > 1) {
       problem("actuates " + std::to_string(found.size()) + " of the joints " + joints_of(part) +
               ", which share links between the base and the link of operational_point '" +
-              system_.tree().links[joints_to_actuate_.platform_link] +
+              system_.tree().links[actuated_joints_.platform_link] +
               "'; a fully parallel robot has one actuated joint a leg, and its operational point on the body "
               "that all "
               "legs share.");
@@ -222,9 +222,9 @@ class LegFinder {
 
   void check_actuated_joints_used(const std::vector<LegChains>& legs) {
     if (!problems_.empty()) return;
-    for (std::size_t j = 0; j < joints_to_actuate_.variables.size(); ++j)
+    for (std::size_t j = 0; j < actuated_joints_.variables.size(); ++j)
       if (std::none_of(legs.begin(), legs.end(), [j](const LegChains& leg) { return leg.actuation == j; }))
-        problem("actuates joint '" + system_.tree().joint_of(joints_to_actuate_.variables[j]).name +
+        problem("actuates joint '" + system_.tree().joint_of(actuated_joints_.variables[j]).name +
                 "', which is in no chain between the base and the platform; take it out of actuated_joints, "
                 "or add the "
                 "closure of its leg.");
@@ -259,7 +259,7 @@ class LegFinder {
 
   void check_last_length(const Pivot& pivot) {
     if (pivot.kind != PivotKind::revolute || !on_axis(pivot, operational_point_)) return;
-    problem("has operational_point '" + system_.tree().links[joints_to_actuate_.platform_link] +
+    problem("has operational_point '" + system_.tree().links[actuated_joints_.platform_link] +
             "' on the axis of joint '" + pivot.name +
             "', so that the last link of the leg has length zero; move it, or lengthen the link in " +
             files_.urdf + ".");
@@ -275,7 +275,7 @@ class LegFinder {
 
   const ClosureSystem& system_;
   const std::vector<bool>& still_;
-  const ActuatedJoints& joints_to_actuate_;
+  const ActuatedJoints& actuated_joints_;
   const SourceNames& files_;
   Problems& problems_;
   Partition bodies_;  // links that are fixed to one another

@@ -47,7 +47,7 @@ struct FoundLoops {
 };
 FoundLoops find_described_loops(const LoopSource& source, Problems& problems);
 
-/// The joints that `<transmission>` elements actuated joint, in the order of the file.
+/// The joints that `<transmission>` elements actuate, in the order of the file.
 std::vector<std::string> transmission_joints(const LoopSource& source);
 
 /// The link of that name; nothing, and a message in `problems` that says where it is named, when there is

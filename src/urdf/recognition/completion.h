@@ -26,7 +26,7 @@ class Completion {
   /// Pose of the assembled configuration.
   const Pose& reference_pose() const noexcept { return reference_pose_; }
 
-  /// Actuation values of the assembled configuration [rad or m].
+  /// Joint values of the assembled configuration [rad or m].
   JointVector reference_joints() const;
 
   /// All joint values [rad or m]; `pose` in the task frame. They close the loops where the legs assemble;

@@ -47,7 +47,7 @@ class MotionFinder {
   MotionFinder(const ClosureSystem& system, const Assembly& assembly, const ActuatedJoints& actuated_joints,
                const SourceNames& files, Problems& problems)
       : system_(system),
-        joints_to_actuate_(actuated_joints),
+        actuated_joints_(actuated_joints),
         files_(files),
         problems_(problems),
         motions_(assembly.motions) {
@@ -106,7 +106,7 @@ class MotionFinder {
 
   std::string actuated_names() const {
     std::string text;
-    for (const std::size_t variable : joints_to_actuate_.variables)
+    for (const std::size_t variable : actuated_joints_.variables)
       text += (text.empty() ? "'" : ", '") + system_.tree().joint_of(variable).name + "'";
     return text;
   }
@@ -122,7 +122,7 @@ class MotionFinder {
     if (count == 3 && rank(linear()) == 3) return translations(true);
     if (count == 6 && rank(twists_) == 6) return all_motions();
     return refuse(
-        "names operational_point '" + system_.tree().links[joints_to_actuate_.platform_link] +
+        "names operational_point '" + system_.tree().links[actuated_joints_.platform_link] +
         "', which moves in none of the task spaces T1 (1 actuated joint), T2 (2 actuated joints), SE2, "
         "T3, SO3 (3 actuated joints) or SE3 (6 actuated joints), but with " +
         std::to_string(rank(angular())) + " rotations and " + std::to_string(rank(linear())) +
@@ -216,7 +216,7 @@ class MotionFinder {
   }
 
   const ClosureSystem& system_;
-  const ActuatedJoints& joints_to_actuate_;
+  const ActuatedJoints& actuated_joints_;
   const SourceNames& files_;
   Problems& problems_;
   MatrixXd motions_;
