@@ -51,7 +51,8 @@ PoseTree row_of(const std::vector<LeafState>& states) {
 
 ModeComponents components_of(const PoseTree& tree) {
   const MapControl control;
-  LeafGraph graph(tree, 0, true, control);
+  const ComponentPolicy policy;
+  LeafGraph graph(tree, 0, true, control, policy);
   return find_components(tree, 0, graph, control);
 }
 
@@ -119,7 +120,8 @@ TEST_P(RandomStates, ClustersAreWhatAFloodReaches) {
 
 TEST_P(RandomStates, ContactsAreFoundFromTheSmallerOnes) {
   const MapControl control;
-  LeafGraph graphs(tree_, 0, false, control);
+  const ComponentPolicy policy;
+  LeafGraph graphs(tree_, 0, false, control, policy);
   SignGraph& graph = graphs.of(1);
   std::set<std::pair<std::uint32_t, std::uint32_t>> parts;  // reach of listed components
   for (NodeIndex node = 0; node < tree_.node_count(); ++node)
@@ -131,7 +133,7 @@ TEST_P(RandomStates, ContactsAreFoundFromTheSmallerOnes) {
             1)
       expected.insert(component);
   std::set<std::uint32_t> found;
-  for (const SignGraph::Contact& contact : ContactSearch(tree_, graph, control).run()) {
+  for (const SignGraph::Contact& contact : ContactSearch(tree_, graph, control, policy).run()) {
     EXPECT_EQ(reach_.find(contact.leaf), reach_.find(contact.other_leaf));
     EXPECT_EQ(reach_.find(contact.leaf), reach_.find(contact.node));
     EXPECT_FALSE(tree_.state(contact.node, 0).is_inside());

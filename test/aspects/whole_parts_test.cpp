@@ -158,7 +158,8 @@ TEST_P(WholePartsTest, ClimbsLeadIntoTheOpen) {
     const RootIndex root = tree->place(each.node).root;
     const auto found = find_part(*classifier, each.mode, each.sign, root, tree->box(each.node));
     if (found.kind != parallel_aspects::Part::Kind::connected) continue;
-    Climb climb(*classifier, tree->space(), each.mode, each.sign, {root, found.pose});
+    const ClimbPolicy policy;
+    Climb climb(*classifier, tree->space(), each.mode, each.sign, {root, found.pose}, policy);
     int steps = 0;
     while (steps < 30 && climb.step()) {
       ++steps;

@@ -20,18 +20,19 @@ LeafState BoxClassifier::state(RootIndex root, const Box& box, std::size_t mode)
 }
 
 std::unique_ptr<const BoxClassifier> make_box_classifier(const Manipulator& manipulator,
-                                                         const std::vector<WorkingMode>& modes) {
+                                                         const std::vector<WorkingMode>& modes,
+                                                         const BoxPolicy& policy) {
   switch (manipulator.task_space()) {
     case TaskSpace::T1:
-      return std::make_unique<const ChartClassifier<T1Chart>>(manipulator, modes);
+      return std::make_unique<const ChartClassifier<T1Chart>>(manipulator, modes, policy);
     case TaskSpace::T2:
-      return std::make_unique<const ChartClassifier<T2Chart>>(manipulator, modes);
+      return std::make_unique<const ChartClassifier<T2Chart>>(manipulator, modes, policy);
     case TaskSpace::SE2:
-      return std::make_unique<const ChartClassifier<SE2Chart>>(manipulator, modes);
+      return std::make_unique<const ChartClassifier<SE2Chart>>(manipulator, modes, policy);
     case TaskSpace::T3:
-      return std::make_unique<const ChartClassifier<T3Chart>>(manipulator, modes);
+      return std::make_unique<const ChartClassifier<T3Chart>>(manipulator, modes, policy);
     case TaskSpace::SO3:
-      return std::make_unique<const ChartClassifier<SO3Chart>>(manipulator, modes);
+      return std::make_unique<const ChartClassifier<SO3Chart>>(manipulator, modes, policy);
     case TaskSpace::SE3:
       break;
   }

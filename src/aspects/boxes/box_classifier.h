@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_BOXES_BOX_CLASSIFIER_H
 #define PARALLEL_ASPECTS_ASPECTS_BOXES_BOX_CLASSIFIER_H
 
+#include "aspects/boxes/box_policy.h"
 #include "aspects/tree/leaf_state.h"
 #include "aspects/tree/monotonicity.h"
 #include "aspects/tree/pose_space.h"
@@ -83,7 +84,10 @@ struct BoxFacts {
 /// used from any number of threads.
 class BoxClassifier {
  public:
+  explicit BoxClassifier(const BoxPolicy& policy) noexcept : policy_(policy) {}
   virtual ~BoxClassifier() = default;
+
+  const BoxPolicy& policy() const noexcept { return policy_; }
 
   /// Writes states[i] for each mode i in `modes`, for a box of the given root: with `Detail::parts` also what
   /// is whole and the signs at the center. A live `RoundingUpward` is required in this thread.
@@ -114,17 +118,22 @@ class BoxClassifier {
 
   /// A box of positions [m] that holds every reachable pose; nothing where legs without limits leave none.
   virtual std::optional<Box> reachable_positions() const = 0;
+
+ private:
+  BoxPolicy policy_;
 };
 
 /// The classifier for the manipulator's task space; null where there is none yet.
 std::unique_ptr<const BoxClassifier> make_box_classifier(const Manipulator& manipulator,
-                                                         const std::vector<WorkingMode>& modes);
+                                                         const std::vector<WorkingMode>& modes,
+                                                         const BoxPolicy& policy = {});
 
 /// The classifier for a slice of the manipulator's poses (see `find_slice_problem`), in the coordinates of
 /// `make_slice_space`.
 std::unique_ptr<const BoxClassifier> make_slice_classifier(const Manipulator& manipulator,
                                                            const std::vector<WorkingMode>& modes,
-                                                           const MapSlice& slice);
+                                                           const MapSlice& slice,
+                                                           const BoxPolicy& policy = {});
 
 }  // namespace parallel_aspects
 

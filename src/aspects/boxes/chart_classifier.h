@@ -20,8 +20,10 @@ class ChartClassifier final : public BoxClassifier {
  public:
   /// `more`: what the chart is made of besides the manipulator.
   template <class... More>
-  ChartClassifier(const Manipulator& manipulator, const std::vector<WorkingMode>& modes, const More&... more)
-      : chart_(made_under_upward_rounding<Chart>(manipulator, more...)),
+  ChartClassifier(const Manipulator& manipulator, const std::vector<WorkingMode>& modes,
+                  const BoxPolicy& policy, const More&... more)
+      : BoxClassifier(policy),
+        chart_(made_under_upward_rounding<Chart>(manipulator, more...)),
         tests_(made_under_upward_rounding<typename Evaluation::Tests>(manipulator)) {
     for (const WorkingMode& mode : modes) signs_.push_back(signs_of(mode));
   }
@@ -47,15 +49,16 @@ class ChartClassifier final : public BoxClassifier {
     if (!state.may_be(sign) || state.is_inside()) return {state, Monotonicity::unknown(), std::nullopt};
     const Monotonicity monotonicity = evaluation.monotonicity(signs_[mode], sign);
     if (monotonicity.along_all(box)) return {state, monotonicity, std::nullopt};
-    return {state, monotonicity, evaluation.shell(signs_[mode], sign),
-            evaluation.is_interval(signs_[mode], sign)};
+    return {state, monotonicity, policy().shells ? evaluation.shell(signs_[mode], sign) : std::nullopt,
+            policy().edges && evaluation.is_interval(signs_[mode], sign)};
   }
 
   std::optional<MapPoint> find_wedge(RootIndex root, const Box& box, std::size_t mode,
                                      int sign) const noexcept override {
+    if (!policy().wedges) return std::nullopt;
     Evaluation evaluation(chart_, tests_, root, box);
     if (!evaluation.evaluate_by_both()) return std::nullopt;
-    return WedgeProof<Chart>(chart_, root, evaluation, signs_[mode], sign).find();
+    return WedgeProof<Chart>(chart_, root, evaluation, signs_[mode], sign, policy()).find();
   }
 
   BoxFacts facts(RootIndex root, const Box& box, std::size_t mode) const noexcept override {
@@ -126,8 +129,9 @@ class ChartClassifier final : public BoxClassifier {
   }
 
   bool is_whole(RootIndex root, Evaluation& evaluation, const Signs& signs, int sign, Detail detail) const {
-    if (evaluation.is_whole(signs, sign, detail)) return true;
-    return detail == Detail::all_parts && WedgeProof<Chart>(chart_, root, evaluation, signs, sign).find();
+    if (evaluation.is_whole(signs, sign, detail, policy())) return true;
+    return detail == Detail::all_parts && policy().wedges &&
+           WedgeProof<Chart>(chart_, root, evaluation, signs, sign, policy()).find();
   }
 
   Chart chart_;

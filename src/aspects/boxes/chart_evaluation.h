@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_BOXES_CHART_EVALUATION_H
 #define PARALLEL_ASPECTS_ASPECTS_BOXES_CHART_EVALUATION_H
 
+#include "aspects/boxes/box_policy.h"
 #include "aspects/boxes/chart_values.h"
 #include "aspects/tree/monotonicity.h"
 
@@ -32,10 +33,11 @@ class ChartEvaluation : public ChartValues<Chart> {
   }
 
   /// Whether all of S(signs, sign) in the box is proved to be connected, be it empty. Needs affine forms.
-  bool is_whole(const Signs& signs, int sign, Detail detail) {
+  bool is_whole(const Signs& signs, int sign, Detail detail, const BoxPolicy& policy) {
     const Monotonicity here = monotonicity(signs, sign);
-    return here.along_all(box_) || is_interval(signs, sign) || shell(signs, sign) ||
-           (detail == Detail::all_parts && is_whole_on_face(here, signs, sign));
+    return here.along_all(box_) || (policy.edges && is_interval(signs, sign)) ||
+           (policy.shells && shell(signs, sign)) ||
+           (policy.faces && detail == Detail::all_parts && is_whole_on_face(here, signs, sign, policy));
   }
 
   /// Whether the box is an edge along which each condition of S(signs, sign) grows one way or the other: each
@@ -237,14 +239,16 @@ class ChartEvaluation : public ChartValues<Chart> {
 
   /// Where the set is monotone along some coordinates, it is connected if what it has of the face that it
   /// grows to is.
-  bool is_whole_on_face(const Monotonicity& monotonicity, const Signs& signs, int sign) const {
+  bool is_whole_on_face(const Monotonicity& monotonicity, const Signs& signs, int sign,
+                        const BoxPolicy& policy) const {
     Box face = box_;
     if (!monotonicity.flatten(face)) return false;
     ChartEvaluation evaluation(chart_, tests_, root_, face);
     evaluation.evaluate_by_intervals();
     if (!evaluation.is_indeterminate(signs, sign)) return true;
     evaluation.evaluate_by_affine_forms();
-    return !evaluation.is_indeterminate(signs, sign) || evaluation.is_whole(signs, sign, Detail::all_parts);
+    return !evaluation.is_indeterminate(signs, sign) ||
+           evaluation.is_whole(signs, sign, Detail::all_parts, policy);
   }
 
   /// d det A / d|B_jj|: det A with row j turned.

@@ -4,8 +4,6 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr int bisections = 30;
-
 /// The set is a shell that begins between two corners, or beyond the highest.
 class ShellSearch {
  public:
@@ -22,7 +20,7 @@ class ShellSearch {
   Part run() const noexcept {
     if (examine(highest_).state.is_outside()) return {Part::Kind::empty, {}};
     double beyond = 0.0, reachable = 1.0;
-    for (int i = 0; i < bisections; ++i) {
+    for (int i = 0; i < classifier_.policy().shell_bisections; ++i) {
       const double middle = 0.5 * (beyond + reachable);
       (is_reachable(at(middle)) ? reachable : beyond) = middle;
     }
@@ -61,8 +59,6 @@ class ShellSearch {
   MapPoint lowest_, highest_;
 };
 
-constexpr int most_halvings = 8;
-
 /// Looks for a pose of the set on an edge where it is an interval, by halving.
 Part find_interval(const BoxClassifier& classifier, std::size_t mode, int sign, RootIndex root,
                    const Box& edge, int halvings) noexcept {
@@ -92,7 +88,8 @@ Part find_part(const BoxClassifier& classifier, std::size_t mode, int sign, Root
     if (examined.state.is_inside(sign)) return {Part::Kind::connected, box.middle()};
     if (!examined.state.may_be(sign)) return {Part::Kind::empty, {}};
     if (examined.shell) return ShellSearch(classifier, mode, sign, root, box, *examined.shell).run();
-    if (examined.is_interval) return find_interval(classifier, mode, sign, root, box, most_halvings);
+    if (examined.is_interval)
+      return find_interval(classifier, mode, sign, root, box, classifier.policy().edge_halvings);
     if (!examined.monotonicity.flatten(box)) return {};
   }
 }

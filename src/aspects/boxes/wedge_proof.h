@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_BOXES_WEDGE_PROOF_H
 #define PARALLEL_ASPECTS_ASPECTS_BOXES_WEDGE_PROOF_H
 
+#include "aspects/boxes/box_policy.h"
 #include "aspects/boxes/chart_evaluation.h"
 #include "interval/interval.h"
 #include "parallel_aspects/aspects/box.h"
@@ -36,8 +37,15 @@ class WedgeProof {
   static constexpr std::size_t size = Chart::coordinate_count;
 
   /// `here` evaluates the box, by affine forms too.
-  WedgeProof(const Chart& chart, RootIndex root, Evaluation& here, const Signs& signs, int sign)
-      : chart_(chart), root_(root), here_(here), box_(here.box()), signs_(signs), sign_(sign) {}
+  WedgeProof(const Chart& chart, RootIndex root, Evaluation& here, const Signs& signs, int sign,
+             const BoxPolicy& policy)
+      : chart_(chart),
+        root_(root),
+        here_(here),
+        box_(here.box()),
+        signs_(signs),
+        sign_(sign),
+        policy_(policy) {}
 
   /// A pose that all of the set in the box is connected with, in the coordinates of the root, where there
   /// is a proof; it may lie outside of the box.
@@ -57,8 +65,6 @@ class WedgeProof {
   }
 
  private:
-  static constexpr int attempts = 3, bisections = 50;
-
   static bool has_sign(const Interval& value) { return value.positive() || value.negative(); }
   static double middle(const Interval& value) { return 0.5 * (value.lower() + value.upper()); }
   static double least_size(const Interval& value) { return std::max(value.lower(), -value.upper()); }
@@ -82,7 +88,7 @@ class WedgeProof {
     const Interval determinant = Interval(sign_) * here_.determinant(signs_);
     const double steepness = std::abs(middle(slope) / middle(slopes_[y_]));
     double length = 1.25 * std::max(0.0, -determinant.lower()) / steepness;
-    for (int i = 0; i < attempts && std::isfinite(length); ++i, length *= 2.0) {
+    for (int i = 0; i < policy_.wedge_attempts && std::isfinite(length); ++i, length *= 2.0) {
       const Box wide = enclosure(x, slope.positive(), length);
       const Box end = tightened(end_of(wide, x, slope.positive()), x);
       if (!end_is_free(end)) continue;
@@ -139,7 +145,7 @@ class WedgeProof {
     const bool rising = slopes_[y_].positive();
     MapPoint pose = box.middle();
     double below = rising ? box.lower[y_] : box.upper[y_], above = rising ? box.upper[y_] : box.lower[y_];
-    for (int i = 0; i < bisections; ++i) {
+    for (int i = 0; i < policy_.wedge_bisections; ++i) {
       pose[y_] = 0.5 * (below + above);
       (middle(squared_entry_at(pose)) > value ? above : below) = pose[y_];
     }
@@ -197,6 +203,7 @@ class WedgeProof {
   const Box& box_;
   const Signs& signs_;
   int sign_;
+  const BoxPolicy& policy_;
   std::size_t leg_ = 0, y_ = 0;
   std::array<Interval, size> slopes_;  // of g in the given box
 };

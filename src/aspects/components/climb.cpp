@@ -11,20 +11,14 @@
 namespace parallel_aspects {
 namespace {
 
-// Of the ellipsoid in which no condition, were it linear, changes its sign.
-constexpr double share_of_ellipsoid = 0.7;
-constexpr double shortest_step = 1e-3;  // in the measure of that ellipsoid
-constexpr int most_trials = 8;
-constexpr int most_halvings = 4;
-constexpr double more_damping = 30.0;
-
 using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_map_dimension, 1>;
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_map_dimension, max_map_dimension>;
 
 /// Newton's direction for the sum of logarithms, in shares of the widths of `region`; empty where there is
 /// none. Damping bends it toward the steepest ascent: conditions are curved, and more so the farther a step
 /// leads along a boundary.
-Vector direction(const Conditions& conditions, const Box& region, double damping) noexcept {
+Vector direction(const Conditions& conditions, const Box& region, double damping,
+                 const ClimbPolicy& policy) noexcept {
   const auto size = static_cast<Eigen::Index>(region.dimension);
   Vector gradient = Vector::Zero(size);
   Matrix hessian = Matrix::Zero(size, size);
@@ -41,8 +35,8 @@ Vector direction(const Conditions& conditions, const Box& region, double damping
   hessian.diagonal().array() += damping;
   const Vector newton = hessian.ldlt().solve(gradient);
   const double length = std::sqrt(newton.dot(hessian * newton));
-  if (!std::isfinite(length) || length < shortest_step) return {};
-  return newton * (share_of_ellipsoid / std::max(length, share_of_ellipsoid));
+  if (!std::isfinite(length) || length < policy.shortest_step) return {};
+  return newton * (policy.share_of_ellipsoid / std::max(length, policy.share_of_ellipsoid));
 }
 
 MapPoint moved(const MapPoint& from, const Vector& direction, const Box& region) noexcept {
@@ -60,14 +54,15 @@ bool Climb::step() noexcept {
   has_crossed_ = false;
   const Box& region = space_.region();
   const Conditions conditions = classifier_.conditions(position_, mode_, sign_);
-  for (int trial = 0; trial < most_trials; ++trial, damping_ *= more_damping) {
-    const Vector toward = direction(conditions, region, damping_);
+  for (int trial = 0; trial < policy_.most_trials; ++trial, damping_ *= policy_.more_damping) {
+    const Vector toward = direction(conditions, region, damping_, policy_);
     if (toward.size() == 0) return false;
     const MapPoint to = moved(position_.point, toward, region);
     if (proved_sign(classifier_, region.dimension, mode_, {position_.root, to}) != sign_) continue;
-    if (!segment_is_free(classifier_, region.dimension, mode_, sign_, position_, to, most_halvings)) continue;
+    if (!segment_is_free(classifier_, region.dimension, mode_, sign_, position_, to, policy_.most_halvings))
+      continue;
     position_.point = to;
-    damping_ = std::max(1.0, damping_ / more_damping);
+    damping_ = std::max(1.0, damping_ / policy_.more_damping);
     return true;
   }
   return false;

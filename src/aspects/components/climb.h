@@ -3,6 +3,7 @@
 #define PARALLEL_ASPECTS_ASPECTS_COMPONENTS_CLIMB_H
 
 #include "aspects/boxes/box_classifier.h"
+#include "aspects/components/component_policy.h"
 #include "aspects/tree/pose_space.h"
 
 #include <cstddef>
@@ -15,10 +16,10 @@ namespace parallel_aspects {
 /// Optimization, 2004, section 9.5. Needs a live `RoundingUpward`.
 class Climb {
  public:
-  /// `start` must be proved to be in S(mode, sign).
+  /// `start` must be proved to be in S(mode, sign); `policy` must outlive this.
   Climb(const BoxClassifier& classifier, const PoseSpace& space, std::size_t mode, int sign,
-        const MapPosition& start) noexcept
-      : classifier_(classifier), space_(space), mode_(mode), sign_(sign), position_(start) {}
+        const MapPosition& start, const ClimbPolicy& policy) noexcept
+      : classifier_(classifier), space_(space), mode_(mode), sign_(sign), position_(start), policy_(policy) {}
 
   /// Takes one step; false where none can be proved, or none leads on.
   bool step() noexcept;
@@ -33,6 +34,7 @@ class Climb {
   std::size_t mode_;
   int sign_;
   MapPosition position_;
+  const ClimbPolicy& policy_;
   double damping_ = 1.0;
   bool has_crossed_ = false;  // with the last step
 };

@@ -10,12 +10,6 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr std::uint32_t levels_of_a_try = 3;
-constexpr std::size_t tries_for_one = 8;  // in the next round
-
-// Before a contact is given up.
-constexpr std::size_t most_leaves_to_examine = 2000;
-
 std::vector<NodeIndex> unexamined_of(const SignGraph& graph, const std::vector<NodeIndex>& leaves) {
   std::vector<NodeIndex> result;
   std::copy_if(leaves.begin(), leaves.end(), std::back_inserter(result),
@@ -55,13 +49,14 @@ std::vector<NodeIndex> ContactChoice::choose(SignGraph& graph,
   }
   for (const std::uint32_t component : given_up)
     if (worked_on.count(component) == 0) graph.give_up(component);
-  if (asks_for_more_) tries_ *= tries_for_one;
+  if (asks_for_more_) tries_ *= policy_.more_tries;
   return chosen;
 }
 
 std::vector<NodeIndex> ContactChoice::choose_of_pair(const SignGraph& graph,
                                                      const std::vector<NodeIndex>& leaves) {
   if (leaves.size() <= most_leaves_of_a_point_) return coarsest_of(tree_, leaves);
+  if (!policy_.tries) return of_many(graph, leaves);
   std::vector<NodeIndex> tried;
   std::uint32_t deepest = base_level_;
   for (const NodeIndex node : leaves) {
@@ -69,11 +64,17 @@ std::vector<NodeIndex> ContactChoice::choose_of_pair(const SignGraph& graph,
     deepest = std::max(deepest, level);
     if (level > base_level_) tried.push_back(node);
   }
-  if (deepest >= base_level_ + levels_of_a_try || tried.size() > most_leaves_of_a_point_)
-    return leaves.size() <= most_leaves_to_examine ? unexamined_of(graph, leaves) : std::vector<NodeIndex>();
+  if (deepest >= base_level_ + policy_.levels_of_a_try || tried.size() > most_leaves_of_a_point_)
+    return of_many(graph, leaves);
   if (!tried.empty()) return coarsest_of(tree_, tried);
   asks_for_more_ = true;
   return spread(leaves);
+}
+
+std::vector<NodeIndex> ContactChoice::of_many(const SignGraph& graph,
+                                              const std::vector<NodeIndex>& leaves) const {
+  return leaves.size() <= policy_.most_leaves_to_examine ? unexamined_of(graph, leaves)
+                                                         : std::vector<NodeIndex>();
 }
 
 std::vector<NodeIndex> ContactChoice::spread(const std::vector<NodeIndex>& leaves) const {

@@ -22,21 +22,28 @@ std::vector<NodeIndex> coarsest_of(const PoseTree& tree, const std::vector<NodeI
 /// where they were not, the components are given up.
 class ContactChoice {
  public:
-  /// Contacts at points keep a number of leaves that does not grow with depth, those along curves double it
-  /// with each level: it is `most_leaves_of_a_point` that makes the difference.
-  ContactChoice(const PoseTree& tree, std::uint32_t base_level, std::size_t most_leaves_of_a_point)
-      : tree_(tree), base_level_(base_level), most_leaves_of_a_point_(most_leaves_of_a_point) {}
+  /// `most_leaves_of_a_point`: see ComponentPolicy, which must outlive this.
+  ContactChoice(const PoseTree& tree, std::uint32_t base_level, std::size_t most_leaves_of_a_point,
+                const ComponentPolicy& policy)
+      : tree_(tree),
+        base_level_(base_level),
+        most_leaves_of_a_point_(most_leaves_of_a_point),
+        policy_(policy),
+        tries_(policy.first_tries) {}
 
   std::vector<NodeIndex> choose(SignGraph& graph, const std::vector<SignGraph::Contact>& contacts);
 
  private:
   std::vector<NodeIndex> choose_of_pair(const SignGraph& graph, const std::vector<NodeIndex>& leaves);
+  /// What is left to do of a contact of many leaves that does not seem to end.
+  std::vector<NodeIndex> of_many(const SignGraph& graph, const std::vector<NodeIndex>& leaves) const;
   std::vector<NodeIndex> spread(const std::vector<NodeIndex>& leaves) const;
 
   const PoseTree& tree_;
   std::uint32_t base_level_;
   std::size_t most_leaves_of_a_point_;
-  std::size_t tries_ = 16;
+  const ComponentPolicy& policy_;
+  std::size_t tries_;
   bool asks_for_more_ = false;
 };
 

@@ -4,18 +4,13 @@
 #include <algorithm>
 
 namespace parallel_aspects {
-namespace {
 
-// What lies nearest is worked on first; more is looked at when that is settled.
-constexpr std::size_t least_most_leaves = 2000;
-constexpr std::size_t leaves_for_one = 8;
-
-}  // namespace
-
-ContactSearch::ContactSearch(const PoseTree& tree, SignGraph& graph, const MapControl& control)
+ContactSearch::ContactSearch(const PoseTree& tree, SignGraph& graph, const MapControl& control,
+                             const ComponentPolicy& policy)
     : tree_(tree),
       graph_(graph),
       control_(control),
+      policy_(policy),
       largest_(graph.largest_component()),
       reached_from_(tree.node_count(), no_node) {
   graph.visit_unknown_faces([this](NodeIndex a, NodeIndex b) {
@@ -25,12 +20,12 @@ ContactSearch::ContactSearch(const PoseTree& tree, SignGraph& graph, const MapCo
 }
 
 std::vector<SignGraph::Contact> ContactSearch::run() {
-  std::size_t most_leaves = least_most_leaves;
+  std::size_t most_leaves = policy_.least_leaves_to_search;
   for (const NodeIndex leaf : graph_.members()) {
     if (is_cancelled(control_)) break;
     if (!is_source(leaf)) continue;
     go_on(leaf, leaf);
-    most_leaves += leaves_for_one;
+    most_leaves += policy_.leaves_to_search_for_one;
   }
   for (std::size_t head = 0; head < std::min(queue_.size(), most_leaves) && !is_cancelled(control_); ++head)
     go_on(queue_[head], reached_from_[queue_[head]]);

@@ -19,7 +19,8 @@ namespace parallel_aspects {
 /// one that another is beside, so the search ends there, and costs little where the components are small.
 class ContactSearch {
  public:
-  ContactSearch(const PoseTree& tree, SignGraph& graph, const MapControl& control);
+  ContactSearch(const PoseTree& tree, SignGraph& graph, const MapControl& control,
+                const ComponentPolicy& policy);
 
   /// Ends early, unfinished, when cancelled.
   std::vector<SignGraph::Contact> run();
@@ -35,6 +36,7 @@ class ContactSearch {
   const PoseTree& tree_;
   SignGraph& graph_;
   const MapControl& control_;
+  const ComponentPolicy& policy_;
   std::uint32_t largest_;
   std::unordered_map<NodeIndex, std::vector<NodeIndex>> across_faces_;  // of whole parts
   std::vector<NodeIndex> reached_from_;                                 // a leaf of a component, by node

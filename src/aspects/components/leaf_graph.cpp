@@ -5,11 +5,12 @@
 
 namespace parallel_aspects {
 
-LeafGraph::LeafGraph(const PoseTree& tree, std::size_t mode, bool looks_everywhere, const MapControl& control)
+LeafGraph::LeafGraph(const PoseTree& tree, std::size_t mode, bool looks_everywhere, const MapControl& control,
+                     const ComponentPolicy& policy)
     : mode_(mode),
       looks_everywhere_(looks_everywhere),
-      positive_(mode, 1, control),
-      negative_(mode, -1, control) {
+      positive_(mode, 1, control, policy),
+      negative_(mode, -1, control, policy) {
   for (NodeIndex node = 0; node < tree.node_count() && !is_cancelled(control); ++node) {
     positive_.add_leaf(tree, node);
     negative_.add_leaf(tree, node);

@@ -12,8 +12,9 @@ namespace parallel_aspects {
 /// How the leaves of one working mode are connected, for both signs of det A.
 class LeafGraph {
  public:
-  /// `looks_everywhere`: see there.
-  LeafGraph(const PoseTree& tree, std::size_t mode, bool looks_everywhere, const MapControl& control);
+  /// `looks_everywhere`: see there. The control and the policy must outlive this.
+  LeafGraph(const PoseTree& tree, std::size_t mode, bool looks_everywhere, const MapControl& control,
+            const ComponentPolicy& policy);
 
   std::size_t mode() const noexcept { return mode_; }
   bool looks_everywhere() const noexcept { return looks_everywhere_; }

@@ -13,26 +13,6 @@
 namespace parallel_aspects {
 namespace {
 
-// What one working mode may divide: a share of what the base map has left undecided.
-constexpr std::size_t least_budget = 10000;
-constexpr std::size_t undecided_leaves_for_one = 8;
-
-// With more than two degrees of freedom leaves that do not matter otherwise are looked into where they are
-// few.
-constexpr std::size_t most_leaves_to_look_into = 50000;
-
-constexpr std::size_t most_degrees_of_freedom_to_count = 2;
-
-// With more degrees of freedom most contacts end within a few levels, and the work for all parts does not pay
-// there.
-constexpr std::uint32_t levels_before_all_parts = 3;
-
-// Aspects smaller than a leaf could hide in indeterminate leaves beside another component. Where
-// indeterminate leaves are few they are divided: up to two degrees of freedom until nothing can hide, with
-// more of them down to this level.
-constexpr std::size_t most_indeterminate_leaves = 1000;
-constexpr std::uint32_t level_of_indeterminate_leaves = 10;
-
 std::size_t undecided_leaves(const PoseTree& tree, std::size_t mode) noexcept {
   std::size_t count = 0;
   for (NodeIndex node = 0; node < tree.node_count(); ++node) count += tree.state(node, mode).is_undecided();
@@ -44,22 +24,26 @@ void classify(PoseTree& tree, const BoxClassifier& classifier, std::size_t mode,
   classifier.classify(tree.place(node).root, tree.box(node), ModeSet{1} << mode, detail, tree.states(node));
 }
 
-std::size_t most_leaves_of_a_point(const LeafGraph& graph) { return graph.looks_everywhere() ? 1000 : 400; }
+std::size_t most_leaves_of_a_point(const LeafGraph& graph, const ComponentPolicy& policy) {
+  return graph.looks_everywhere() ? policy.most_leaves_of_a_point : policy.most_leaves_of_a_point_between;
+}
 
 /// What one working mode wants divided.
 class ModeRefinement {
  public:
   ModeRefinement(PoseTree& tree, const BoxClassifier& classifier, LeafGraph& graph, std::uint32_t base_level,
-                 std::uint32_t deepest_level, const MapControl& control)
+                 std::uint32_t deepest_level, const MapControl& control, const ComponentPolicy& policy)
       : tree_(tree),
         classifier_(classifier),
         graph_(graph),
         control_(control),
+        policy_(policy),
         deepest_level_(deepest_level),
         base_level_(base_level),
-        positive_contacts_(tree, base_level, most_leaves_of_a_point(graph)),
-        negative_contacts_(tree, base_level, most_leaves_of_a_point(graph)),
-        budget_(least_budget + undecided_leaves(tree, graph.mode()) / undecided_leaves_for_one) {}
+        positive_contacts_(tree, base_level, most_leaves_of_a_point(graph, policy), policy),
+        negative_contacts_(tree, base_level, most_leaves_of_a_point(graph, policy), policy),
+        budget_(policy.least_budget + undecided_leaves(tree, graph.mode()) / policy.undecided_leaves_for_one),
+        retries_(policy.retries) {}
 
   /// Looks into leaves again, and finds those to divide next; false when done.
   bool find_requests() {
@@ -73,7 +57,7 @@ class ModeRefinement {
       if (!graph_.looks_everywhere()) graph_.of(sign).climb_from_given_up(tree_, classifier_);
       request_bare(sign);
       request_contested(sign);
-      if (graph_.looks_everywhere()) request_indeterminate(sign);
+      if (graph_.looks_everywhere() && policy_.searches_indeterminate) request_indeterminate(sign);
     }
     make_unique(requests_);
     if (requests_.size() > budget_) requests_.clear();
@@ -101,9 +85,9 @@ class ModeRefinement {
  private:
   /// When nothing is left to do.
   void reconsider() {
-    done_ = graph_.looks_everywhere() || chances_ == 0;
+    done_ = graph_.looks_everywhere() || retries_ == 0;
     if (done_) return;
-    --chances_;
+    --retries_;
     for (const int sign : {1, -1}) graph_.of(sign).reconsider();
   }
 
@@ -114,8 +98,8 @@ class ModeRefinement {
 
   Detail detail(NodeIndex node) const {
     if (!graph_.looks_everywhere()) return Detail::centers;
-    const bool thorough = tree_.dimension() <= most_degrees_of_freedom_to_count ||
-                          tree_.place(node).level >= base_level_ + levels_before_all_parts;
+    const bool thorough = tree_.dimension() <= policy_.most_degrees_of_freedom_to_look_everywhere ||
+                          tree_.place(node).level >= base_level_ + policy_.levels_before_all_parts;
     return thorough ? Detail::all_parts : Detail::parts;
   }
 
@@ -146,13 +130,16 @@ class ModeRefinement {
     ContactChoice& choice = sign > 0 ? positive_contacts_ : negative_contacts_;
     if (graph_.looks_everywhere()) {
       const SignGraph::Meeting meeting = graph.meeting();
-      for (const NodeIndex node : choice.choose(graph, meeting.contacts)) request(node);
-      if (meeting.hidden.size() <= most_indeterminate_leaves) request_coarsest(meeting.hidden);
+      if (policy_.searches_meetings)
+        for (const NodeIndex node : choice.choose(graph, meeting.contacts)) request(node);
+      if (policy_.searches_hidden && meeting.hidden.size() <= policy_.most_indeterminate_leaves)
+        request_coarsest(meeting.hidden);
       return;
     }
-    for (const NodeIndex node : choice.choose(graph, ContactSearch(tree_, graph, control_).run())) {
+    if (!policy_.searches_contacts) return;
+    for (const NodeIndex node : choice.choose(graph, ContactSearch(tree_, graph, control_, policy_).run())) {
       if (is_cancelled(control_)) return;
-      const bool is_new = graph.is_unexamined(node);
+      const bool is_new = policy_.examines && graph.is_unexamined(node);
       if (is_new) examine(node);
       if (!is_new || !graph.is_settled(node)) request(node);
     }
@@ -160,12 +147,12 @@ class ModeRefinement {
 
   void request_indeterminate(int sign) {
     std::vector<NodeIndex> leaves;
-    const std::uint32_t level = tree_.dimension() <= most_degrees_of_freedom_to_count
+    const std::uint32_t level = tree_.dimension() <= policy_.most_degrees_of_freedom_to_look_everywhere
                                     ? deepest_level_
-                                    : level_of_indeterminate_leaves;
+                                    : policy_.level_of_indeterminate_leaves;
     for (const SignGraph::IndeterminateLeaf& open : graph_.of(sign).indeterminate_leaves())
       if (open.node != no_node && tree_.place(open.node).level < level) leaves.push_back(open.node);
-    if (leaves.size() <= most_indeterminate_leaves) request_coarsest(leaves);
+    if (leaves.size() <= policy_.most_indeterminate_leaves) request_coarsest(leaves);
   }
 
   void request_coarsest(const std::vector<NodeIndex>& leaves) {
@@ -176,19 +163,20 @@ class ModeRefinement {
   const BoxClassifier& classifier_;
   LeafGraph& graph_;
   const MapControl& control_;
+  const ComponentPolicy& policy_;
   std::uint32_t deepest_level_, base_level_;
   ContactChoice positive_contacts_, negative_contacts_;
   std::size_t budget_;  // of leaves to divide
-  int chances_ = 3;     // of components that were given up
+  int retries_;         // of components that were given up, that are left
   bool done_ = false, has_examined_ = false;
   std::vector<NodeIndex> requests_;
 };
 
 }  // namespace
 
-bool looks_everywhere(const PoseTree& tree, std::size_t mode) noexcept {
-  return tree.dimension() <= most_degrees_of_freedom_to_count ||
-         undecided_leaves(tree, mode) <= most_leaves_to_look_into;
+bool looks_everywhere(const PoseTree& tree, std::size_t mode, const ComponentPolicy& policy) noexcept {
+  return tree.dimension() <= policy.most_degrees_of_freedom_to_look_everywhere ||
+         undecided_leaves(tree, mode) <= policy.most_leaves_to_look_into;
 }
 
 void look_into_leaves(PoseTree& tree, const BoxClassifier& classifier, std::size_t mode,
@@ -201,10 +189,10 @@ void look_into_leaves(PoseTree& tree, const BoxClassifier& classifier, std::size
 
 bool refine_contested(PoseTree& tree, const BoxClassifier& classifier,
                       const std::vector<std::unique_ptr<LeafGraph>>& graphs, std::uint32_t base_level,
-                      std::uint32_t deepest_level, const MapControl& control) {
+                      std::uint32_t deepest_level, const MapControl& control, const ComponentPolicy& policy) {
   std::vector<ModeRefinement> modes;
   for (const auto& graph : graphs)
-    modes.emplace_back(tree, classifier, *graph, base_level, deepest_level, control);
+    modes.emplace_back(tree, classifier, *graph, base_level, deepest_level, control, policy);
   for (bool busy = true; busy;) {
     if (is_cancelled(control)) return false;
     std::atomic<bool> found = false;

@@ -23,7 +23,7 @@ constexpr Detail detail_of_base_map(std::size_t dimension) noexcept {
 /// degrees of freedom, and divides what stays indeterminate at points until nothing can hide. With more of
 /// them boundaries meet along curves, and no depth would end that: it does where the leaves are few, and else
 /// looks only into those where components could meet.
-bool looks_everywhere(const PoseTree& tree, std::size_t mode) noexcept;
+bool looks_everywhere(const PoseTree& tree, std::size_t mode, const ComponentPolicy& policy) noexcept;
 
 /// Finds what is whole in the undecided leaves of a mode that looks everywhere. Ends early when cancelled.
 void look_into_leaves(PoseTree& tree, const BoxClassifier& classifier, std::size_t mode,
@@ -36,7 +36,7 @@ void look_into_leaves(PoseTree& tree, const BoxClassifier& classifier, std::size
 /// the result does not depend on their number. False when cancelled.
 bool refine_contested(PoseTree& tree, const BoxClassifier& classifier,
                       const std::vector<std::unique_ptr<LeafGraph>>& graphs, std::uint32_t base_level,
-                      std::uint32_t deepest_level, const MapControl& control);
+                      std::uint32_t deepest_level, const MapControl& control, const ComponentPolicy& policy);
 
 }  // namespace parallel_aspects
 

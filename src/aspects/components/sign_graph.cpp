@@ -8,15 +8,6 @@
 #include <map>
 
 namespace parallel_aspects {
-namespace {
-
-constexpr int most_steps = 100;
-
-// Of a component that was given up.
-constexpr std::size_t most_leaves_of_a_small_one = 1000;
-constexpr std::size_t most_climbs = 32;
-
-}  // namespace
 
 void SignGraph::add_leaf(const PoseTree& tree, NodeIndex node) {
   if (slot_.size() < tree.node_count()) slot_.resize(tree.node_count(), none);
@@ -82,7 +73,7 @@ void SignGraph::settle(const PoseTree& tree, const BoxClassifier& classifier, No
   bool known = true;
   for (const SharedFace& face : shared_faces(tree, a, b)) {
     const Part part = find_part(classifier, mode_, sign_, face.root, face.box);
-    if (part.kind == Part::Kind::connected) return unite(a, b);
+    if (part.kind == Part::Kind::connected && policy_.joins_across_faces) return unite(a, b);
     known = known && part.kind == Part::Kind::empty;
   }
   if (!known) unknown_faces_.emplace_back(a, b);
@@ -154,7 +145,7 @@ std::vector<NodeIndex> SignGraph::climb_from_new(PoseTree& tree, const BoxClassi
         drop(tree, leaf);
         continue;
       }
-      if (part.kind != Part::Kind::unknown) climb(tree, classifier, leaf, part.pose);
+      if (policy_.climbs && part.kind != Part::Kind::unknown) climb(tree, classifier, leaf, part.pose);
     }
     if (!traits_[component(leaf)].has_inside_leaf) bare.push_back(leaf);
   }
@@ -164,26 +155,26 @@ std::vector<NodeIndex> SignGraph::climb_from_new(PoseTree& tree, const BoxClassi
 void SignGraph::give_up(std::uint32_t component) {
   if (traits_[component].is_given_up) return;
   traits_[component].is_given_up = true;
-  if (traits_[component].leaves <= most_leaves_of_a_small_one) given_up_.push_back(component);
+  if (traits_[component].leaves <= policy_.most_leaves_of_a_small_one) given_up_.push_back(component);
 }
 
 void SignGraph::reconsider() noexcept {
   for (Traits& traits : traits_)
-    if (traits.leaves <= most_leaves_of_a_small_one) traits.is_given_up = false;
+    if (traits.leaves <= policy_.most_leaves_of_a_small_one) traits.is_given_up = false;
 }
 
 void SignGraph::climb_from_given_up(const PoseTree& tree, const BoxClassifier& classifier) {
   std::map<std::uint32_t, std::vector<NodeIndex>> leaves;
   for (const std::uint32_t component : given_up_) leaves[components_.find(component)];
   given_up_.clear();
-  if (leaves.empty()) return;
+  if (leaves.empty() || !policy_.climbs_again) return;
   for (const NodeIndex leaf : members_) {
     if (slot_[leaf] == none || !tree.state(leaf, mode_).is_inside(sign_)) continue;
     const auto found = leaves.find(component(leaf));
     if (found != leaves.end()) found->second.push_back(leaf);
   }
   for (const auto& [component, members] : leaves) {
-    const std::size_t step = members.size() / most_climbs + 1;
+    const std::size_t step = members.size() / policy_.most_climbs + 1;
     for (std::size_t i = 0; i < members.size() && !is_cancelled(control_); i += step)
       if (components_.find(component) == component)
         climb(tree, classifier, members[i], tree.box(members[i]).middle());
@@ -208,8 +199,8 @@ std::uint32_t SignGraph::largest_component() {
 void SignGraph::climb(const PoseTree& tree, const BoxClassifier& classifier, NodeIndex leaf,
                       const MapPoint& pose) {
   traits_[component(leaf)].climbed = true;
-  Climb climb(classifier, tree.space(), mode_, sign_, {tree.place(leaf).root, pose});
-  for (int i = 0; i <= most_steps; ++i) {
+  Climb climb(classifier, tree.space(), mode_, sign_, {tree.place(leaf).root, pose}, policy_.climb);
+  for (int i = 0; i <= policy_.climb.most_steps; ++i) {
     const auto here = tree.leaf_at(climb.position(), mode_);
     if (here && slot_[*here] != none && is_in_component(*here) && component(*here) != component(leaf))
       return unite(leaf, *here);

@@ -4,6 +4,7 @@
 
 #include "aspects/boxes/box_classifier.h"
 #include "aspects/boxes/part_proof.h"
+#include "aspects/components/component_policy.h"
 #include "aspects/components/disjoint_sets.h"
 #include "aspects/tree/neighbour_leaves.h"
 #include "aspects/tree/pose_tree.h"
@@ -26,9 +27,10 @@ class SignGraph {
  public:
   static constexpr std::uint32_t none = 0xffffffffU;
 
-  /// Long work ends early, and unfinished, when `control` says that it is cancelled; it must outlive this.
-  SignGraph(std::size_t mode, int sign, const MapControl& control)
-      : mode_(mode), sign_(sign), control_(control) {}
+  /// Long work ends early, and unfinished, when `control` says that it is cancelled; it
+  /// and the policy must outlive this.
+  SignGraph(std::size_t mode, int sign, const MapControl& control, const ComponentPolicy& policy)
+      : mode_(mode), sign_(sign), control_(control), policy_(policy) {}
 
   int sign() const noexcept { return sign_; }
 
@@ -171,6 +173,7 @@ class SignGraph {
   std::size_t mode_;
   int sign_;
   const MapControl& control_;
+  const ComponentPolicy& policy_;
   std::vector<std::uint32_t>
       slot_;  // of a node: element of `components_`, or indeterminate leaf with `indeterminate_flag`
   DisjointSets components_;

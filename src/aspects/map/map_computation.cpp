@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "aspects/map/map_computation.h"
+
 #include "aspects/components/components.h"
 #include "aspects/components/leaf_refinement.h"
 #include "aspects/components/mirrored_modes.h"
@@ -13,6 +15,7 @@
 #include <algorithm>
 #include <chrono>
 #include <tuple>
+#include <utility>
 
 namespace parallel_aspects {
 namespace {
@@ -105,18 +108,18 @@ void find_deepest_poses(AspectMap::Contents& map, const std::vector<ModeSource>&
 /// Components of every mode, with contested leaves refined. Nothing when cancelled.
 std::vector<ModeComponents> find_all_components(AspectMap::Contents& map, const MapPlan& plan,
                                                 const std::vector<ModeSource>& sources,
-                                                const MapControl& control) {
+                                                const MapControl& control, const ComponentPolicy& policy) {
   std::vector<std::size_t> representatives;
   for (std::size_t mode = 0; mode < sources.size(); ++mode)
     if (sources[mode].symmetry == nullptr) representatives.push_back(mode);
   std::vector<std::unique_ptr<LeafGraph>> graphs(representatives.size());
   tbb::parallel_for(std::size_t{0}, graphs.size(), [&](std::size_t i) {
     const std::size_t mode = representatives[i];
-    const bool everywhere = looks_everywhere(map.tree, mode);
+    const bool everywhere = looks_everywhere(map.tree, mode, policy);
     if (everywhere) look_into_leaves(map.tree, *map.classifier, mode, control);
-    graphs[i] = std::make_unique<LeafGraph>(map.tree, mode, everywhere, control);
+    graphs[i] = std::make_unique<LeafGraph>(map.tree, mode, everywhere, control, policy);
   });
-  if (!refine_contested(map.tree, *map.classifier, graphs, plan.depth, plan.deepest_level, control))
+  if (!refine_contested(map.tree, *map.classifier, graphs, plan.depth, plan.deepest_level, control, policy))
     return {};
   std::vector<ModeComponents> found(sources.size());
   tbb::parallel_for(std::size_t{0}, graphs.size(), [&](std::size_t i) {
@@ -135,11 +138,12 @@ SymmetryUse symmetry_use(const std::vector<MapSymmetry>& symmetries, const std::
 }
 
 /// The aspects, from the base map. False when cancelled.
-bool add_aspects(AspectMap::Contents& map, const MapPlan& plan, const MapControl& control) {
+bool add_aspects(AspectMap::Contents& map, const MapPlan& plan, const MapControl& control,
+                 const ComponentPolicy& policy) {
   const std::size_t count = plan.modes.size();
   const std::vector<ModeSource> sources = find_mode_sources(plan.symmetries, count);
   map.symmetry_use = symmetry_use(plan.symmetries, sources);
-  const std::vector<ModeComponents> found = find_all_components(map, plan, sources, control);
+  const std::vector<ModeComponents> found = find_all_components(map, plan, sources, control, policy);
   if (found.empty() || is_cancelled(control)) return false;
   map.leaf_aspects.assign(map.tree.node_count() * count, 0);
   ComponentIds ids;
@@ -152,9 +156,14 @@ bool add_aspects(AspectMap::Contents& map, const MapPlan& plan, const MapControl
 
 MapResult compute_aspect_map(std::shared_ptr<const Manipulator> manipulator, const MapOptions& options,
                              const MapControl& control) {
+  return compute_aspect_map(std::move(manipulator), options, control, ComponentPolicy());
+}
+
+MapResult compute_aspect_map(std::shared_ptr<const Manipulator> manipulator, const MapOptions& options,
+                             const MapControl& control, const ComponentPolicy& policy) {
   const auto start = std::chrono::steady_clock::now();
   MapPlan plan;
-  const std::string problem = make_map_plan(*manipulator, options, plan);
+  const std::string problem = make_map_plan(*manipulator, options, plan, policy.boxes);
   if (!problem.empty()) return refused(problem);
 
   auto map = std::make_unique<AspectMap::Contents>(manipulator, std::move(plan.classifier),
@@ -174,7 +183,7 @@ MapResult compute_aspect_map(std::shared_ptr<const Manipulator> manipulator, con
         grow_base_map(map->tree, *map->classifier, plan.depth, detail_of_base_map(map->tree.dimension()),
                       scaled, plan.symmetries);
     if (base != BaseMapStatus::complete) return base;
-    return add_aspects(*map, plan, control) ? BaseMapStatus::complete : BaseMapStatus::cancelled;
+    return add_aspects(*map, plan, control, policy) ? BaseMapStatus::complete : BaseMapStatus::cancelled;
   });
   if (status == BaseMapStatus::cancelled)
     return {MapStatus::cancelled, "The computation was cancelled.", nullptr};

@@ -125,15 +125,17 @@ bool is_fine_enough(const MapPlan& plan, const MapOptions& options, double resol
   return EIGEN_PI * leaf.width(last) <= default_angle(leaf.dimension);
 }
 
-std::string make_classifier(const Manipulator& manipulator, const MapOptions& options, MapPlan& plan) {
+std::string make_classifier(const Manipulator& manipulator, const MapOptions& options, MapPlan& plan,
+                            const BoxPolicy& policy) {
   if (!options.slice) {
-    plan.classifier = make_box_classifier(manipulator, plan.modes);
+    plan.classifier = make_box_classifier(manipulator, plan.modes, policy);
     return plan.classifier ? ""
                            : "All poses of " + std::string(name(manipulator.task_space())) +
                                  " are more than can be mapped; give a slice of them.";
   }
   std::string problem = find_slice_problem(manipulator, *options.slice);
-  if (problem.empty()) plan.classifier = make_slice_classifier(manipulator, plan.modes, *options.slice);
+  if (problem.empty())
+    plan.classifier = make_slice_classifier(manipulator, plan.modes, *options.slice, policy);
   plan.slice = options.slice;
   return problem;
 }
@@ -152,9 +154,10 @@ double default_resolution_of_slice(const Manipulator& manipulator, const MapSlic
 
 }  // namespace
 
-std::string make_map_plan(const Manipulator& manipulator, const MapOptions& options, MapPlan& plan) {
+std::string make_map_plan(const Manipulator& manipulator, const MapOptions& options, MapPlan& plan,
+                          const BoxPolicy& policy) {
   std::string problem = find_modes(manipulator, options, plan);
-  if (problem.empty()) problem = make_classifier(manipulator, options, plan);
+  if (problem.empty()) problem = make_classifier(manipulator, options, plan, policy);
   if (!problem.empty()) return problem;
   const double resolution = options.resolution.value_or(default_resolution(manipulator, options.slice));
   if (!std::isfinite(resolution) || resolution <= 0.0)

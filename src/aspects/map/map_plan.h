@@ -3,6 +3,7 @@
 #define PARALLEL_ASPECTS_ASPECTS_MAP_MAP_PLAN_H
 
 #include "aspects/boxes/box_classifier.h"
+#include "aspects/boxes/box_policy.h"
 #include "aspects/symmetry/map_symmetry.h"
 #include "aspects/tree/pose_space.h"
 #include "parallel_aspects/aspects/aspect_map.h"
@@ -28,7 +29,8 @@ struct MapPlan {
 };
 
 /// Fills `plan`; the message says why that cannot be, and is empty otherwise.
-std::string make_map_plan(const Manipulator& manipulator, const MapOptions& options, MapPlan& plan);
+std::string make_map_plan(const Manipulator& manipulator, const MapOptions& options, MapPlan& plan,
+                          const BoxPolicy& policy = {});
 
 }  // namespace parallel_aspects
 
