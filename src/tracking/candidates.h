@@ -24,6 +24,8 @@ class Candidates {
   static constexpr std::size_t most = 64;
 
   Candidates() { list_.reserve(most); }
+  Candidates(const Candidates& other) : Candidates() { *this = other; }
+  Candidates& operator=(const Candidates& other) = default;
 
   /// Every direct solution at `q`. Allocates, and takes up to some 10 ms in SE3.
   void find(const Manipulator& manipulator, const PoseCertifier& certifier, const JointVector& q);

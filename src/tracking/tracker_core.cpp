@@ -307,6 +307,7 @@ void TrackerCore::report_residual(double residual, bool contradicts) noexcept {
 
 void TrackerCore::lose(double time, Ambiguity why) noexcept {
   Transition transition = from_here(TransitionKind::lost, time);
+  transition.ambiguity = why;
   transition.determinant = why == Ambiguity::near_parallel_singularity;
   transition.determinant_sign_after = 0;
   transition.aspect_after = 0;

@@ -106,6 +106,14 @@ TEST_F(RobotMonitorTest, KeepsSayingThatTheConfiguredPoseCannotBeReached) {
   EXPECT_EQ(monitor.start_near(test::pose_at(4.5, 8.0), at(1.1)).code, Status::OK);
 }
 
+TEST_F(RobotMonitorTest, ARefusedStartChangesNothing) {
+  update(joint_values(4.5, 8.0, {1, -1}, 1.0), 1.0);
+  EXPECT_EQ(monitor_.start_near(test::pose_at(4.5, 3.0), at(1.0)).code, Status::NO_SOLUTION);
+  const MonitorUpdate next = update(joint_values(4.5, 8.01, {1, -1}, 1.1), 1.1);
+  EXPECT_EQ(next.state->status.code, Status::OK) << next.state->status.message;
+  EXPECT_TRUE(next.transitions.empty());
+}
+
 TEST_F(RobotMonitorTest, SaysWhyItDoesNotStartWhereItIsSaidToBe) {
   update(joint_values(4.5, 8.0, {1, -1}, 1.0), 1.0);
   const auto why = [&](double x, double y) {
@@ -362,6 +370,8 @@ TEST_F(RobotMonitorTest, ALossIsToldOnce) {
   }
   ASSERT_EQ(told.size(), 1U);
   EXPECT_EQ(told.front().kind, AspectTransition::LOST);
+  EXPECT_NE(told.front().message.find("no sample came for so long"), std::string::npos)
+      << told.front().message;
   EXPECT_EQ(told.front().header.stamp, at(2.0));
 }
 

@@ -24,24 +24,8 @@ enum class TrackStatus {
   inconsistent,   ///< followed as while tracking, but measured passive joints contradict the pose
 };
 
-/// Why the assembly mode is not known.
-enum class Ambiguity {
-  none,
-  near_parallel_singularity,  ///< the last step came too near to det A = 0 to be certified
-  gap,                        ///< the last step was longer than the velocity limits allow
-  silence,                    ///< too long a time went by between the last two samples
-  step_budget,                ///< the last step needed more subdivisions than allowed
-  several_assembly_modes,     ///< the actuated joints can be assembled in several ways
-  serial_singularity,         ///< a leg is stretched or folded where tracking would start
-  no_direct_solution,         ///< the actuated joints cannot be assembled
-  no_candidate_fits,          ///< what was said of the pose contradicts every candidate
-};
-
 /// "uninitialised", "tracking", "ambiguous" or "inconsistent".
 const char* name(TrackStatus status) noexcept;
-
-/// A clause for people, such as "the step came too near to det A = 0"; empty for none.
-const char* reason(Ambiguity ambiguity) noexcept;
 
 /// What is known of the robot at the time of one joint sample.
 struct TrackedState {

@@ -21,12 +21,29 @@ enum class TransitionKind {
 /// "working mode", "aspect", "lost" or "assembly mode".
 const char* name(TransitionKind kind) noexcept;
 
+/// Why the assembly mode is not known.
+enum class Ambiguity {
+  none,
+  near_parallel_singularity,  ///< the last step came too near to det A = 0 to be certified
+  gap,                        ///< the last step was longer than the velocity limits allow
+  silence,                    ///< too long a time went by between the last two samples
+  step_budget,                ///< the last step needed more subdivisions than allowed
+  several_assembly_modes,     ///< the actuated joints can be assembled in several ways
+  serial_singularity,         ///< a leg is stretched or folded where tracking would start
+  no_direct_solution,         ///< the actuated joints cannot be assembled
+  no_candidate_fits,          ///< what was said of the pose contradicts every candidate
+};
+
+/// A clause for people, such as "the step came too near to det A = 0"; empty for none.
+const char* reason(Ambiguity ambiguity) noexcept;
+
 /// One change of working mode, aspect or assembly mode.
 struct Transition {
   TransitionKind kind = TransitionKind::working_mode;  ///< what changed
-  double time = 0.0;           ///< of the crossing, interpolated between two samples [s]
-  std::size_t leg = 0;         ///< whose B_jj crossed zero, for a change of working mode
-  bool determinant = false;    ///< whether det A lost its sign, or has another one than before
+  double time = 0.0;                      ///< of the crossing, interpolated between two samples [s]
+  std::size_t leg = 0;                    ///< whose B_jj crossed zero, for a change of working mode
+  bool determinant = false;               ///< whether det A lost its sign, or has another one than before
+  Ambiguity ambiguity = Ambiguity::none;  ///< of a loss: why
   bool inside_aspect = false;  ///< for a change of assembly mode: no working mode has changed either since
                                ///< the reference, so that both solutions are in one aspect
   WorkingMode mode_before;     ///< one sign a leg

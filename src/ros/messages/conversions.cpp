@@ -107,8 +107,7 @@ std::string cause_of(const AspectTransition& t, const Transition& transition) {
     case AspectTransition::WORKING_MODE:
       return "B_" + number + number + " of " + t.leg + " (" + t.joint + ") crossed zero";
     case AspectTransition::LOST:
-      return t.determinant_crossed ? "det A came too close to zero to tell the assembly mode"
-                                   : "the step to the next sample cannot be certified";
+      return reason(transition.ambiguity);
     case AspectTransition::ASSEMBLY_MODE:
       return "the actuated joints are back, and the platform is in another assembly mode";
     default:

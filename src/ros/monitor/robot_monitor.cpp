@@ -4,6 +4,7 @@
 #include "ros/messages/hazard_messages.h"
 #include "ros/monitor/state_messages.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -52,7 +53,8 @@ MonitorUpdate RobotMonitor::update(const sensor_msgs::JointState& message, const
   const Claim claim = publishers_.claim(publisher, sample.joint_values, now, other);
   if (claim == Claim::contested)
     return refuse(Status::SEVERAL_PUBLISHERS,
-                  "both " + publisher + " and " + other + " publish the actuated joints; stop one of them.",
+                  "both " + std::min(publisher, other) + " and " + std::max(publisher, other) +
+                      " publish the actuated joints; stop one of them.",
                   stamp, now);
   if (claim == Claim::waiting) {
     if (status_.code == Status::SEVERAL_PUBLISHERS) last_refused_ = now;
@@ -372,12 +374,16 @@ Status RobotMonitor::start_by(const ros::Time& now, const Start& start) {
   if (!last_q_ || stale(now))
     return make_status(Status::NO_JOINT_STATES,
                        "No present joint values are known; publish joint_states first.");
+  const Tracker before = tracker_;
   const std::string why_not = start(seconds_between(epoch_, last_stamp_), *last_q_, last_uncertainty_);
   if (why_not.empty()) {
     keep_transitions();
     return status_ = {};
   }
-  status_ = status_of_tracker();
+  if (before.state().followed())
+    tracker_ = before;  // what is refused changes nothing
+  else
+    status_ = status_of_tracker();
   return make_status(Status::NO_SOLUTION, why_not);
 }
 
