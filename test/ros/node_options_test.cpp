@@ -99,7 +99,7 @@ TEST(OptionsFrom, ReportsEveryWrongTypeAndUnknownKeyAtOnce) {
   options_from(parameters, "/node/", problems);
   for (const char* words :
        {"/node/map/resolution must be a number", "/node/map/resolutoin is not known",
-        "/node/map/threads must be", "/node/start must be a struct",
+        "/node/map/threads must be", "/node/start must hold parameters of its own",
         "/node/display/gallery must be true or false", "/node/display/rate must be a number",
         "/node/frame_prefix must be text", "/node/colour is not known"})
     EXPECT_TRUE(mention(problems, words)) << words;

@@ -314,6 +314,16 @@ TEST_F(RobotMonitorTest, AClockThatHaltsMakesItStaleUntilTheNextSample) {
   EXPECT_FALSE(monitor_.expire(at(1.01), ros::SteadyTime(90.0)));
 }
 
+// A driver that does not use the simulated clock, after the simulation was paused.
+TEST_F(RobotMonitorTest, WhatIsRefusedWhileTheClockStandsStillIsSaid) {
+  monitor_.update(joint_values(4.5, 8.0, {1, -1}, 1.0), at(1.0), "/simulation");
+  EXPECT_FALSE(monitor_.expire(at(1.0), ros::SteadyTime(50.0)));
+  EXPECT_TRUE(monitor_.expire(at(1.0), ros::SteadyTime(50.6)));
+  const MonitorUpdate refused = monitor_.update(joint_values(4.5, 8.0, {1, -1}, 1e6), at(1.0), "/driver");
+  ASSERT_TRUE(refused.state);
+  EXPECT_EQ(refused.state->status.code, Status::INVALID_JOINT_STATES) << refused.state->status.message;
+}
+
 // A driver that was restarted with another name: what arrives since is said, and what may be meant.
 TEST_F(RobotMonitorTest, StaleSaysWhichJointsArriveSince) {
   update(joint_values(4.5, 8.0, {1, -1}, 1.0), 1.0);

@@ -56,7 +56,7 @@ MonitorUpdate RobotMonitor::update(const sensor_msgs::JointState& message, const
                   "both " + std::min(publisher, other) + " and " + std::max(publisher, other) +
                       " publish the actuated joints; stop one of them.",
                   stamp, now);
-  if (claim == Claim::waiting) {
+  if (claim == Claim::waiting && !halted_) {  // while the clock stands still, no other seems to end
     if (status_.code == Status::SEVERAL_PUBLISHERS) last_refused_ = now;
     return {};
   }

@@ -6,17 +6,23 @@
 #include "ros/messages/configurations.h"
 
 #include <algorithm>
+#include <sstream>
 
 namespace parallel_aspects {
 namespace {
 
+// As people write numbers: 0.5, not 0.500000.
+std::string printed(double number) {
+  std::ostringstream text;
+  text << number;
+  return text.str();
+}
+
 // What is to be said where the last sample was merged of several messages; else nothing.
 std::string merged_joints(const JointVector& uncertainty) {
   if (uncertainty.size() == 0 || !(uncertainty.maxCoeff() > 0.0)) return {};
-  return " The actuated joints come in several messages, so that one may have moved by " +
-         std::to_string(uncertainty.maxCoeff()) +
-         " rad or m since its value was measured, and that leaves more than one possibility; publish all of "
-         "them in one message, or more often.";
+  return " The actuated joints come in several messages, which leaves their values uncertain; where this "
+         "happens away from singularities, publish all of them in one message, or more often.";
 }
 
 // What to do where the assembly mode is not known.
@@ -33,17 +39,16 @@ std::string fault_of_stamp(const ros::Time& stamp, const ros::Time& last, const 
   if (stamp.isZero()) return "its stamp is zero; set header.stamp.";
   if (stamp == last) return "its stamp is that of the message before, but the actuated joints are elsewhere.";
   if (stamp < last)
-    return "its stamp is " + std::to_string(seconds_between(stamp, last)) +
-           " s before that of the message before.";
+    return "its stamp is " + printed(seconds_between(stamp, last)) + " s before that of the message before.";
   if (seconds_between(now, stamp) > timeout)
-    return "its stamp is " + std::to_string(seconds_between(now, stamp)) +
+    return "its stamp is " + printed(seconds_between(now, stamp)) +
            " s ahead of this computer's clock; synchronise the clocks.";
   return {};
 }
 
 std::string some_joints(const std::string& missing) {
-  return "A message of joint_states holds some of the actuated joints, and those of the others do not fit "
-         "it: " +
+  return "A message of joint_states holds some of the actuated joints, and the others have not come within "
+         "joint_states_window: " +
          missing +
          " Where this lasts, publish all of them in one message, or each more often than every "
          "joint_states_window.";
@@ -57,7 +62,7 @@ Status not_started_status(const std::string& why, bool read_only) {
 
 std::string why_not_near(const Manipulator& manipulator, const JointVector& q, const Pose& pose,
                          double tolerance, const std::string& place, const JointVector& uncertainty) {
-  return "The actuated joints do not assemble within " + std::to_string(tolerance) + " m of " + place + ". " +
+  return "The actuated joints do not assemble within " + printed(tolerance) + " m of " + place + ". " +
          why_not_at(manipulator, pose, q) + merged_joints(uncertainty);
 }
 
@@ -87,27 +92,28 @@ Status inconsistent_status(const Mechanism& mechanism, const PassiveResidual& re
     return make_status(Status::INCONSISTENT, "Measured passive joints contradict the pose.");
   return make_status(Status::INCONSISTENT,
                      "Joint " + mechanism.joint_names()[residual.joint] + " is measured " +
-                         std::to_string(residual.difference) +
+                         printed(residual.difference) +
                          " rad or m off the value that belongs to the pose; check the encoders, and the "
                          "dimensions in the URDF.");
 }
 
 Status silent_status(double timeout, const JointNameWatch& names) {
-  return make_status(Status::STALE,
-                     "The last usable joint_states are older than " + std::to_string(timeout) + " s" +
-                         (names.lacks_an_actuated_joint() ? ": since then " + names.comparison() : "."));
+  return make_status(
+      Status::STALE,
+      "The last usable joint_states are older than " + printed(timeout) + " s" +
+          (names.lacks_an_actuated_joint() ? ", and by their names, " + names.comparison() : "."));
 }
 
 Status halted_status(double timeout) {
   return make_status(Status::STALE, "The clock stands still, and no usable joint_states came for " +
-                                        std::to_string(timeout) +
+                                        printed(timeout) +
                                         " s of wall time: the simulation is paused, or has ended. What is "
                                         "known of the robot is kept for its next sample.");
 }
 
 Status late_status(double timeout) {
   return make_status(Status::STALE, "joint_states arrive, but their stamps are more than " +
-                                        std::to_string(timeout) +
+                                        printed(timeout) +
                                         " s behind this computer's clock; synchronise the clocks, or play "
                                         "bags with --clock and use_sim_time.");
 }

@@ -24,7 +24,7 @@ ParameterReader::ParameterReader(const XmlRpcValue& values, std::string prefix, 
     : values_(struct_or_nothing(values)), prefix_(std::move(prefix)), problems_(problems) {
   if (values.valid() && !values_.valid())
     problems_.push_back("Parameter " + prefix_.substr(0, prefix_.size() - 1) +
-                        " must be a struct of parameters.");
+                        " must hold parameters of its own, each with its name.");
 }
 
 bool ParameterReader::take(const std::string& key, XmlRpcValue& value) {
@@ -62,7 +62,9 @@ void ParameterReader::read(const std::string& key, double& value) {
   if (const auto read_value = number(raw))
     value = *read_value;
   else
-    report(key, "a number");
+    report(key, raw.getType() == XmlRpcValue::TypeString
+                    ? "a number, without quotes (.inf where it is infinite)"
+                    : "a number");
 }
 
 void ParameterReader::read(const std::string& key, std::string& value) {
