@@ -209,7 +209,13 @@ class NodeFuzz : public testing::TestWithParam<const char*> {
   // Whether there was an answer at all.
   template <typename Service>
   bool ask(const std::string& name, Service& service) {
-    if (ros::service::call(node_ + "/" + name, service)) return true;
+    const std::string full = node_ + "/" + name;
+    if (ros::service::call(full, service)) return true;
+    // The connection may be lost, or the master not know the service for a moment, as while it is loaded
+    // anew.
+    if (ros::service::waitForService(full, ros::Duration(test::deadline / 3.0)) &&
+        ros::service::call(full, service))
+      return true;
     fail(dog_.has_bitten() ? "no answer within a minute" : "no answer");
     return false;
   }
