@@ -24,7 +24,7 @@ enum class Motion { still, moving, jumping };
 // In what share of the period the messages of all joints come, one after the other.
 constexpr double evenly = 1.0, almost_at_once = 0.02;
 
-/// A robot about the start that its file states, and a monitor that it is told to.
+/// A robot near the start that its file states, and a monitor that starts there.
 class PartialJointStates {
  public:
   PartialJointStates(const std::string& robot, Motion motion, double rate, double share)

@@ -88,21 +88,21 @@ TEST(HazardMemory, TellsWhatWasProvedUntilTheRobotIsBackBeyondTheHysteresis) {
   const auto see = [&](double parallel, double time) {
     levels.update({parallel, far, far});
     memory.see(levels, approaching, time);
-    return memory.told().has_value();
+    return memory.reported().has_value();
   };
   EXPECT_FALSE(see(0.2, 1.0));
   EXPECT_FALSE(see(0.03, 2.0)) << "it is in the present distances";
   levels.lose();
   memory.lose();
-  ASSERT_TRUE(memory.told());
-  EXPECT_EQ(memory.told()->hazard, Hazard::parallel_singularity);
-  EXPECT_EQ(memory.told()->distance, 0.03);
-  EXPECT_EQ(memory.told()->speed, -0.1);
-  EXPECT_EQ(memory.told()->time, 2.0);
+  ASSERT_TRUE(memory.reported());
+  EXPECT_EQ(memory.reported()->hazard, Hazard::parallel_singularity);
+  EXPECT_EQ(memory.reported()->distance, 0.03);
+  EXPECT_EQ(memory.reported()->speed, -0.1);
+  EXPECT_EQ(memory.reported()->time, 2.0);
   EXPECT_TRUE(see(unknown, 3.0));
-  EXPECT_EQ(memory.told()->time, 2.0);
+  EXPECT_EQ(memory.reported()->time, 2.0);
   EXPECT_TRUE(see(0.149, 4.0)) << "within the hysteresis";
-  EXPECT_EQ(memory.told()->time, 2.0);
+  EXPECT_EQ(memory.reported()->time, 2.0);
   EXPECT_FALSE(see(0.151, 5.0));
 }
 
@@ -110,19 +110,19 @@ TEST(HazardMemory, HasNothingToTellBeforeADistanceWasProved) {
   DistanceThresholds levels = thresholds();
   HazardMemory memory;
   memory.lose();
-  EXPECT_FALSE(memory.told());
+  EXPECT_FALSE(memory.reported());
   levels.update({unknown, far, far});
   memory.see(levels, approaching, 1.0);
-  EXPECT_FALSE(memory.told());
+  EXPECT_FALSE(memory.reported());
   levels.update({far, far, far});
   memory.see(levels, approaching, 2.0);
   memory.lose();
-  EXPECT_FALSE(memory.told()) << "there is no hazard";
+  EXPECT_FALSE(memory.reported()) << "there is no hazard";
   levels.update({0.3, far, far});
   memory.see(levels, approaching, 3.0);
   memory.forget();
   memory.lose();
-  EXPECT_FALSE(memory.told());
+  EXPECT_FALSE(memory.reported());
 }
 
 TEST(DistanceThresholds, RefuseWhatMakesNoSense) {

@@ -32,7 +32,7 @@ class HazardMemory {
   void forget() noexcept { last_ = reported_ = std::nullopt; }
 
   /// Nothing where all is known, or nothing ever was.
-  const std::optional<ProvedHazard>& told() const noexcept { return reported_; }
+  const std::optional<ProvedHazard>& reported() const noexcept { return reported_; }
 
  private:
   std::optional<ProvedHazard> last_, reported_;

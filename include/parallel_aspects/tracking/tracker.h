@@ -20,7 +20,7 @@ namespace parallel_aspects {
 enum class TrackStatus {
   uninitialised,  ///< no pose is known yet
   tracking,       ///< the pose belongs to the last sample
-  ambiguous,      ///< it is not known which assembly mode the robot is in; `doubt` says why
+  ambiguous,      ///< it is not known which assembly mode the robot is in; `ambiguity` says why
   inconsistent,   ///< followed as while tracking, but measured passive joints contradict the pose
 };
 

@@ -93,7 +93,7 @@ class SignGraph {
   std::uint32_t largest_component();
 
   /// Calls `visit` with the leaves beside one through which what it holds of the set may go on, but for whole
-  /// parts beside whole parts: those are told by `visit_unknown_faces`.
+  /// parts beside whole parts: `visit_unknown_faces` gives those.
   template <class Visitor>
   void visit_paths_on(const PoseTree& tree, NodeIndex node, const Visitor& visit) const {
     if (is_in_component(node)) return visit_indeterminate_leaves_beside(tree, node, visit);

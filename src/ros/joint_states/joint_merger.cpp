@@ -17,8 +17,8 @@ namespace {
 
 // How far an actuated joint may be from the straight path between two values, so long after the one and
 // before the other, where it is no faster than `fastest` [rad or m, and per s]. It is inside a cone from each
-// value: below, with the slope of the straight way as `speed`, the nearer of the two on each side. None where
-// the straight way itself is too fast, which is then the step that shows it.
+// value: below, with the slope of the straight path as `speed`, the nearer of the two on each side. None
+// where the straight path itself is too fast, which is then the step that shows it.
 double room_between(double speed, double fastest, double since, double until) {
   const double above = std::min(since * (fastest - speed), until * (fastest + speed));
   const double below = std::min(since * (fastest + speed), until * (fastest - speed));

@@ -26,7 +26,7 @@ struct MergedJoints {
 
 /// Makes configurations of messages that hold some of the actuated joints each. Values of several times are
 /// no configuration: it is that of the latest time before and after which a value of every actuated joint is
-/// known, and lies on the straight path between the two. An actuated joint may be off that way by as much as
+/// known, and lies on the straight path between the two. An actuated joint may be off that path by as much as
 /// between two samples (by `path_bend` times an eighth of the larger of the last two differences of its
 /// steps), and by no more than lies within its velocity limit of both values.
 class JointMerger {

@@ -64,15 +64,15 @@ void HazardWatch::judge(const TrackedState& tracked, double residual, const ros:
   state.limit_distance = findings_.distances[2];
   state.level = level_message(findings_.threshold.level);
   state.reason = reason_of(findings_.threshold);
-  state.last_hazard = hazard_message(memory_.told(), epoch);
+  state.last_hazard = hazard_message(memory_.reported(), epoch);
   state.residual = residual;
 }
 
 void HazardWatch::lose(const ros::Time& epoch, AspectState& state) {
   findings_.threshold = thresholds_.lose();
   memory_.lose();
-  state.last_hazard = hazard_message(memory_.told(), epoch);
-  state.reason = reason_of(memory_.told());
+  state.last_hazard = hazard_message(memory_.reported(), epoch);
+  state.reason = reason_of(memory_.reported());
 }
 
 void HazardWatch::forget_measured() {
@@ -81,7 +81,7 @@ void HazardWatch::forget_measured() {
 }
 
 void HazardWatch::forget() {
-  measured_.reset();
+  forget_measured();
   memory_.forget();
 }
 
