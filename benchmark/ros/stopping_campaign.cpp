@@ -3,7 +3,7 @@
 // Prints a row of the table of docs/tracking.md for each robot and kind of hazard: `stopping_campaign RUNS
 // SEED [speed=SPEED] [noise=NOISE] [ROBOT...]`, with one speed [sizes of the robot a second] and one noise
 // [rad or sizes] where they are stated.
-#include "ros/stopping_campaign.h"
+#include "ros/monitor/stopping_campaign.h"
 
 #include "support/shipped.h"
 #include "support/tracking_campaign.h"

@@ -173,6 +173,18 @@ Strings strays_in(const fs::path& root) {
   return strays;
 }
 
+// Tests that lie in no folder of test/ named as a room, or as a layer for what concerns all of it.
+Strings stray_tests_in(const fs::path& root) {
+  Strings strays;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / "test")) {
+    const fs::path folder = entry.path().parent_path().lexically_relative(root / "test");
+    const bool is_test = entry.path().stem().string().find("_test") != std::string::npos;
+    if (is_test && entry.is_regular_file() && height(folder) == height("") && !is_layer(folder))
+      strays.push_back(entry.path());
+  }
+  return strays;
+}
+
 // Public headers are what clients compile: they include none that is private, and there are few of them.
 Strings private_includes_in(const fs::path& root) {
   Strings found;
@@ -286,6 +298,18 @@ TEST_F(PlantedTree, StraySourcesAreFound) {
   EXPECT_EQ(strays_in(root_).size(), 3U);
 }
 
+TEST_F(PlantedTree, StrayTestsAreFound) {
+  for (const char* folder : {"test/aspects/tree", "test/legs", "test/support"})
+    fs::create_directories(root_ / folder);
+  plant("test/aspects/tree/a_test.cpp", "");
+  plant("test/aspects/b_test.cpp", "");
+  plant("test/support/c.h", "");
+  EXPECT_EQ(stray_tests_in(root_), Strings());
+  plant("test/support/d_test.cpp", "");
+  plant("test/e_test.cpp", "");
+  EXPECT_EQ(stray_tests_in(root_).size(), 2U);
+}
+
 TEST_F(PlantedTree, PrivateIncludesAndRepeatedNamesAreFound) {
   plant("src/model/a.h", "");
   plant("include/parallel_aspects/model/b.h", "#include \"model/a.h\"");
@@ -303,6 +327,11 @@ TEST(Layers, IncludesPointDown) {
 
 TEST(Layers, EverySourceIsInARoom) {
   const Strings strays = strays_in(here);
+  EXPECT_TRUE(strays.empty()) << listed(strays);
+}
+
+TEST(Layers, EveryTestIsInARoom) {
+  const Strings strays = stray_tests_in(here);
   EXPECT_TRUE(strays.empty()) << listed(strays);
 }
 
@@ -324,7 +353,7 @@ TEST(Layers, TheUmbrellaHeaderIncludesEveryPublicOne) {
 }
 
 TEST(Layers, NoFolderHoldsTooManyFiles) {
-  for (const char* folder : {"src", "include"})
+  for (const char* folder : {"src", "include", "test/support"})
     for (const auto& [name, count] : files_by_folder(here / folder))
       EXPECT_LE(count, most_files_in_a_folder) << name;
 }

@@ -5,7 +5,7 @@ import unittest
 
 import roslaunch.config
 
-LAUNCH = pathlib.Path(__file__).resolve().parents[2] / "launch"
+LAUNCH = pathlib.Path(__file__).resolve().parents[3] / "launch"
 
 
 def load(file, *arguments):

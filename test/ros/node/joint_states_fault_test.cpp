@@ -5,10 +5,10 @@
 // wrong, and it finds back by itself.
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/kinematics/inverse.h"
-#include "ros/five_bar_setup.h"
-#include "ros/mute_subscriber.h"
-#include "ros/node_client.h"
-#include "ros/process.h"
+#include "ros/monitor/five_bar_setup.h"
+#include "ros/node/mute_subscriber.h"
+#include "ros/node/node_client.h"
+#include "ros/node/process.h"
 
 #include <parallel_aspects/AspectState.h>
 #include <parallel_aspects/GetWorkingMode.h>

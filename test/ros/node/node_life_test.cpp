@@ -5,9 +5,9 @@
 // computed. Every node has a namespace of its own.
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/kinematics/inverse.h"
-#include "ros/five_bar_setup.h"
-#include "ros/node_client.h"
-#include "ros/process.h"
+#include "ros/monitor/five_bar_setup.h"
+#include "ros/node/node_client.h"
+#include "ros/node/process.h"
 
 #include <parallel_aspects/AspectState.h>
 #include <parallel_aspects/ComputeMapAction.h>

@@ -18,7 +18,7 @@ import rostest
 from parallel_aspects.msg import AspectState, MapProgress, Status
 from sensor_msgs.msg import JointState
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
+ROOT = pathlib.Path(__file__).resolve().parents[3]
 START = (1.633334, 1.027907)
 BEYOND = (0.85, 1.172)  # leg 1 is stretched on the path there, and det A does not vanish
 DEADLINE = 60.0  # [s]

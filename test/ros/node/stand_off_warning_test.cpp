@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // What a node says at its start of a threshold that lies inside the stand-off.
-#include "ros/five_bar_setup.h"
-#include "ros/node_client.h"
-#include "ros/process.h"
+#include "ros/monitor/five_bar_setup.h"
+#include "ros/node/node_client.h"
+#include "ros/node/process.h"
 
 #include <gtest/gtest.h>
 #include <ros/ros.h>

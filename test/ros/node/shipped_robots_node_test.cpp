@@ -3,7 +3,7 @@
 // Every shipped robot in the running node, moved by the demo's motion: it is followed without a wrong word,
 // seen to move, drawn, and the node ends cleanly even while it computes a map.
 #include "ros/messages/conversions.h"
-#include "ros/process.h"
+#include "ros/node/process.h"
 
 #include <parallel_aspects/AspectState.h>
 #include <parallel_aspects/AspectTransition.h>

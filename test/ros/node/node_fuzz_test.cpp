@@ -5,9 +5,9 @@
 // The inputs before a failure are printed; the same seed makes the same ones.
 #include "model/coefficients.h"
 #include "ros/messages/conversions.h"
-#include "ros/node_client.h"
-#include "ros/process.h"
-#include "ros/random_messages.h"
+#include "ros/node/node_client.h"
+#include "ros/node/process.h"
+#include "ros/node/random_messages.h"
 
 #include <parallel_aspects/AspectState.h>
 #include <parallel_aspects/ComputeMapAction.h>

@@ -2,7 +2,7 @@
 //
 // joint_states with seeded random faults in every field, bit by bit in the numbers: whatever comes, the
 // monitor answers, and where it says OK the pose belongs to the actuated joints of that message.
-#include "ros/five_bar_setup.h"
+#include "ros/monitor/five_bar_setup.h"
 #include "ros/monitor/robot_monitor.h"
 
 #include <gtest/gtest.h>

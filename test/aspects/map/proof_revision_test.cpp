@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 const fs::path root = PARALLEL_ASPECTS_SOURCE_DIR;
-const fs::path kept = root / "test/aspects/proof_fingerprint.txt";
+const fs::path kept = root / "test/aspects/map/proof_fingerprint.txt";
 
 std::string contents(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);

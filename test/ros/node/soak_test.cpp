@@ -4,7 +4,7 @@
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/kinematics/jacobians.h"
 #include "ros/messages/conversions.h"
-#include "ros/node_client.h"
+#include "ros/node/node_client.h"
 
 #include <parallel_aspects/AspectState.h>
 #include <parallel_aspects/AspectTransition.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/messages/configurations.h"
 
-#include "ros/five_bar_setup.h"
+#include "ros/monitor/five_bar_setup.h"
 
 #include <gtest/gtest.h>
 

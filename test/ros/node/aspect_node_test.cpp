@@ -3,8 +3,8 @@
 // The running node, through its topics, services, action and tf. Tests run in the order in which they are
 // written; each waits for what it needs, up to a deadline.
 #include "parallel_aspects/motion/tour.h"
-#include "ros/five_bar_setup.h"
-#include "ros/node_client.h"
+#include "ros/monitor/five_bar_setup.h"
+#include "ros/node/node_client.h"
 
 #include <parallel_aspects/AspectState.h>
 #include <parallel_aspects/AspectTransition.h>

@@ -2,7 +2,7 @@
 //
 // Starts the node with bad parameters: it must end by itself, with a status that says failure and every
 // problem in a message, and must not have advertised anything.
-#include "ros/five_bar_setup.h"
+#include "ros/monitor/five_bar_setup.h"
 
 #include <gtest/gtest.h>
 #include <ros/init.h>

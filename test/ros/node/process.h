@@ -2,7 +2,7 @@
 #ifndef PARALLEL_ASPECTS_TEST_ROS_PROCESS_H
 #define PARALLEL_ASPECTS_TEST_ROS_PROCESS_H
 
-#include "ros/node_client.h"
+#include "ros/node/node_client.h"
 
 #include <csignal>
 #include <optional>

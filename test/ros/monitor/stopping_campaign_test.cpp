@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // A few of the runs that scripts/stopping_campaign makes.
-#include "ros/stopping_campaign.h"
+#include "ros/monitor/stopping_campaign.h"
 
 #include <gtest/gtest.h>
 
