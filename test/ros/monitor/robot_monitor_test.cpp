@@ -2,9 +2,9 @@
 #include "ros/monitor/robot_monitor.h"
 
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "ros/monitor/five_bar_setup.h"
 #include "ros/messages/hazard_messages.h"
 #include "ros/monitor/decimation.h"
+#include "ros/monitor/five_bar_setup.h"
 
 #include <gtest/gtest.h>
 
