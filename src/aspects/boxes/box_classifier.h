@@ -37,7 +37,6 @@ struct Examined {
   LeafState state;
   Monotonicity monotonicity;
   std::optional<Monotonicity> shell;  ///< see ChartEvaluation::shell
-  bool is_interval = false;           ///< see ChartEvaluation::is_interval
 };
 
 /// A function of the pose, and its slope.

@@ -11,7 +11,6 @@ struct BoxPolicy {
   bool wedges = true;
   bool shells = true;
   bool faces = true;  ///< a box is examined on the face that the set grows to
-  bool edges = true;  ///< on an edge, conditions that are monotone hold on an interval
 
   /// Lengths of the wedge's box that are tried, each twice the one before. The first is a quarter longer than
   /// first-order approximation asks for.
@@ -22,9 +21,6 @@ struct BoxPolicy {
 
   /// Halvings of the diagonal on which a shell begins: to a billionth of it.
   int shell_bisections = 30;
-
-  /// Times that an edge is halved to find a pose on it. Each doubles the work where there is none.
-  int edge_halvings = 8;
 };
 
 }  // namespace parallel_aspects

@@ -49,8 +49,7 @@ class ChartClassifier final : public BoxClassifier {
     if (!state.may_be(sign) || state.is_inside()) return {state, Monotonicity::unknown(), std::nullopt};
     const Monotonicity monotonicity = evaluation.monotonicity(signs_[mode], sign);
     if (monotonicity.along_all(box)) return {state, monotonicity, std::nullopt};
-    return {state, monotonicity, policy().shells ? evaluation.shell(signs_[mode], sign) : std::nullopt,
-            policy().edges && evaluation.is_interval(signs_[mode], sign)};
+    return {state, monotonicity, policy().shells ? evaluation.shell(signs_[mode], sign) : std::nullopt};
   }
 
   std::optional<MapPoint> find_wedge(RootIndex root, const Box& box, std::size_t mode,

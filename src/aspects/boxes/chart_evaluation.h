@@ -35,19 +35,8 @@ class ChartEvaluation : public ChartValues<Chart> {
   /// Whether all of S(signs, sign) in the box is proved to be connected, be it empty. Needs affine forms.
   bool is_whole(const Signs& signs, int sign, Detail detail, const BoxPolicy& policy) {
     const Monotonicity here = monotonicity(signs, sign);
-    return here.along_all(box_) || (policy.edges && is_interval(signs, sign)) ||
-           (policy.shells && shell(signs, sign)) ||
+    return here.along_all(box_) || (policy.shells && shell(signs, sign)) ||
            (policy.faces && detail == Detail::all_parts && is_whole_on_face(here, signs, sign, policy));
-  }
-
-  /// Whether the box is an edge along which each condition of S(signs, sign) grows one way or the other: each
-  /// holds on an interval of the edge, and so do all. Needs affine forms.
-  bool is_interval(const Signs& signs, int sign) {
-    if (reachable_nowhere_ || widths() != 1) return false;
-    bool interval = true;
-    visit_open_conditions(signs, sign,
-                          [&](const Monotonicity& each) { interval = interval && each.along_all(box_); });
-    return interval;
   }
 
   /// Where S(signs, sign) is a shell along the serial singularity: with the box oriented as the result tells,
@@ -229,12 +218,6 @@ class ChartEvaluation : public ChartValues<Chart> {
       monotonicity.require(ranges(term));
     }
     return monotonicity;
-  }
-
-  std::size_t widths() const {
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < coordinate_count; ++i) count += box_.width(i) > 0.0;
-    return count;
   }
 
   /// Where the set is monotone along some coordinates, it is connected if what it has of the face that it

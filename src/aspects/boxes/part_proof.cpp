@@ -59,26 +59,6 @@ class ShellSearch {
   MapPoint lowest_, highest_;
 };
 
-/// Looks for a pose of the set on an edge where it is an interval, by halving.
-Part find_interval(const BoxClassifier& classifier, std::size_t mode, int sign, RootIndex root,
-                   const Box& edge, int halvings) noexcept {
-  const LeafState state = classifier.state(root, edge, mode);
-  if (!state.may_be(sign)) return {Part::Kind::empty, {}};
-  const MapPoint middle = edge.middle();
-  if (classifier.state(root, Box{edge.dimension, middle, middle}, mode).is_inside(sign))
-    return {Part::Kind::connected, middle};
-  if (halvings == 0) return {};
-  Part::Kind kind = Part::Kind::empty;
-  for (const bool upper : {false, true}) {
-    Box half = edge;
-    (upper ? half.lower : half.upper) = middle;
-    const Part part = find_interval(classifier, mode, sign, root, half, halvings - 1);
-    if (part.kind == Part::Kind::connected) return part;
-    if (part.kind == Part::Kind::unknown) kind = Part::Kind::unknown;
-  }
-  return {kind, {}};
-}
-
 }  // namespace
 
 Part find_part(const BoxClassifier& classifier, std::size_t mode, int sign, RootIndex root,
@@ -88,8 +68,6 @@ Part find_part(const BoxClassifier& classifier, std::size_t mode, int sign, Root
     if (examined.state.is_inside(sign)) return {Part::Kind::connected, box.middle()};
     if (!examined.state.may_be(sign)) return {Part::Kind::empty, {}};
     if (examined.shell) return ShellSearch(classifier, mode, sign, root, box, *examined.shell).run();
-    if (examined.is_interval)
-      return find_interval(classifier, mode, sign, root, box, classifier.policy().edge_halvings);
     if (!examined.monotonicity.flatten(box)) return {};
   }
 }

@@ -42,19 +42,7 @@ struct ComponentPolicy {
 
   /// Whole parts are joined where their common face is proved to hold poses of both.
   bool joins_across_faces = true;
-  bool climbs = true;        ///< from components that are new
-  bool climbs_again = true;  ///< from components that were given up
-
-  /// Leaves that a component that was given up climbs from.
-  std::size_t most_climbs = 32;
-
-  /// Components of more leaves, when given up, neither climb again nor are taken up again: they touch others
-  /// along surfaces.
-  std::size_t most_leaves_of_a_small_one = 1000;
-
-  /// Times that small components which were given up are taken up again, when nothing else is left to do.
-  /// Meanwhile others were joined, so that contacts may have become few.
-  int retries = 3;
+  bool climbs = true;
 
   // Where a mode looks into all undecided leaves, and where only between components.
 
@@ -73,14 +61,13 @@ struct ComponentPolicy {
   // Searches for leaves to work on.
 
   bool searches_meetings = true;       ///< contacts of all components, in modes that look everywhere
-  bool searches_hidden = true;         ///< leaves that no component is near to, in these modes
   bool searches_indeterminate = true;  ///< any indeterminate leaf, in these modes
   bool searches_contacts = true;       ///< contacts seen from small components, in all other modes
   bool examines = true;  ///< looks into a contested leaf with `Detail::all_parts` before dividing it
   bool tries = true;     ///< divides a few of many contested leaves first, to see whether that helps
 
-  /// Of hidden and of indeterminate leaves, where they are divided. Where they are more they lie along a
-  /// curve, and double with each level.
+  /// Of indeterminate leaves, where they are divided. Where they are more they lie along a curve, and double
+  /// with each level.
   std::size_t most_indeterminate_leaves = 1000;
 
   /// Down to here leaves that are merely indeterminate are divided with more than

@@ -42,8 +42,8 @@ class ModeRefinement {
         base_level_(base_level),
         positive_contacts_(tree, base_level, most_leaves_of_a_point(graph, policy), policy),
         negative_contacts_(tree, base_level, most_leaves_of_a_point(graph, policy), policy),
-        budget_(policy.least_budget + undecided_leaves(tree, graph.mode()) / policy.undecided_leaves_for_one),
-        retries_(policy.retries) {}
+        budget_(policy.least_budget +
+                undecided_leaves(tree, graph.mode()) / policy.undecided_leaves_for_one) {}
 
   /// Looks into leaves again, and finds those to divide next; false when done.
   bool find_requests() {
@@ -54,7 +54,6 @@ class ModeRefinement {
     for (const int sign : {1, -1}) {
       if (is_cancelled(control_)) return false;
       graph_.of(sign).settle_faces(tree_, classifier_);
-      if (!graph_.looks_everywhere()) graph_.of(sign).climb_from_given_up(tree_, classifier_);
       request_bare(sign);
       request_contested(sign);
       if (graph_.looks_everywhere() && policy_.searches_indeterminate) request_indeterminate(sign);
@@ -62,7 +61,7 @@ class ModeRefinement {
     make_unique(requests_);
     if (requests_.size() > budget_) requests_.clear();
     budget_ -= requests_.size();
-    if (requests_.empty() && !has_examined_) reconsider();
+    done_ = requests_.empty() && !has_examined_;
     return !done_;
   }
 
@@ -83,14 +82,6 @@ class ModeRefinement {
   const std::vector<NodeIndex>& requests() const noexcept { return requests_; }
 
  private:
-  /// When nothing is left to do.
-  void reconsider() {
-    done_ = graph_.looks_everywhere() || retries_ == 0;
-    if (done_) return;
-    --retries_;
-    for (const int sign : {1, -1}) graph_.of(sign).reconsider();
-  }
-
   static void make_unique(std::vector<NodeIndex>& nodes) {
     std::sort(nodes.begin(), nodes.end());
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
@@ -129,11 +120,8 @@ class ModeRefinement {
     SignGraph& graph = graph_.of(sign);
     ContactChoice& choice = sign > 0 ? positive_contacts_ : negative_contacts_;
     if (graph_.looks_everywhere()) {
-      const SignGraph::Meeting meeting = graph.meeting();
       if (policy_.searches_meetings)
-        for (const NodeIndex node : choice.choose(graph, meeting.contacts)) request(node);
-      if (policy_.searches_hidden && meeting.hidden.size() <= policy_.most_indeterminate_leaves)
-        request_coarsest(meeting.hidden);
+        for (const NodeIndex node : choice.choose(graph, graph.meeting().contacts)) request(node);
       return;
     }
     if (!policy_.searches_contacts) return;
@@ -152,10 +140,7 @@ class ModeRefinement {
                                     : policy_.level_of_indeterminate_leaves;
     for (const SignGraph::IndeterminateLeaf& open : graph_.of(sign).indeterminate_leaves())
       if (open.node != no_node && tree_.place(open.node).level < level) leaves.push_back(open.node);
-    if (leaves.size() <= policy_.most_indeterminate_leaves) request_coarsest(leaves);
-  }
-
-  void request_coarsest(const std::vector<NodeIndex>& leaves) {
+    if (leaves.size() > policy_.most_indeterminate_leaves) return;
     for (const NodeIndex node : coarsest_of(tree_, leaves)) request(node);
   }
 
@@ -167,7 +152,6 @@ class ModeRefinement {
   std::uint32_t deepest_level_, base_level_;
   ContactChoice positive_contacts_, negative_contacts_;
   std::size_t budget_;  // of leaves to divide
-  int retries_;         // of components that were given up, that are left
   bool done_ = false, has_examined_ = false;
   std::vector<NodeIndex> requests_;
 };

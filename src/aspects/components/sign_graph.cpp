@@ -5,7 +5,6 @@
 #include "aspects/components/climb.h"
 
 #include <algorithm>
-#include <map>
 
 namespace parallel_aspects {
 
@@ -152,35 +151,6 @@ std::vector<NodeIndex> SignGraph::climb_from_new(PoseTree& tree, const BoxClassi
   return bare;
 }
 
-void SignGraph::give_up(std::uint32_t component) {
-  if (traits_[component].is_given_up) return;
-  traits_[component].is_given_up = true;
-  if (traits_[component].leaves <= policy_.most_leaves_of_a_small_one) given_up_.push_back(component);
-}
-
-void SignGraph::reconsider() noexcept {
-  for (Traits& traits : traits_)
-    if (traits.leaves <= policy_.most_leaves_of_a_small_one) traits.is_given_up = false;
-}
-
-void SignGraph::climb_from_given_up(const PoseTree& tree, const BoxClassifier& classifier) {
-  std::map<std::uint32_t, std::vector<NodeIndex>> leaves;
-  for (const std::uint32_t component : given_up_) leaves[components_.find(component)];
-  given_up_.clear();
-  if (leaves.empty() || !policy_.climbs_again) return;
-  for (const NodeIndex leaf : members_) {
-    if (slot_[leaf] == none || !tree.state(leaf, mode_).is_inside(sign_)) continue;
-    const auto found = leaves.find(component(leaf));
-    if (found != leaves.end()) found->second.push_back(leaf);
-  }
-  for (const auto& [component, members] : leaves) {
-    const std::size_t step = members.size() / policy_.most_climbs + 1;
-    for (std::size_t i = 0; i < members.size() && !is_cancelled(control_); i += step)
-      if (components_.find(component) == component)
-        climb(tree, classifier, members[i], tree.box(members[i]).middle());
-  }
-}
-
 Part SignGraph::witness(const PoseTree& tree, const BoxClassifier& classifier, NodeIndex leaf) const {
   const Box box = tree.box(leaf);
   if (tree.state(leaf, mode_).is_inside(sign_)) return {Part::Kind::connected, box.middle()};
@@ -257,9 +227,6 @@ SignGraph::Meeting SignGraph::meeting() {
   std::vector<std::uint32_t> queue;
   start_from_components(meeting, queue);
   spread(meeting, queue);
-  for (std::uint32_t v = 0; v < indeterminate_.size(); ++v)
-    if (meeting.nearest[v] == no_node && indeterminate_[v].node != no_node)
-      meeting.hidden.push_back(indeterminate_[v].node);
   add_contacts_of_faces(meeting.contacts);
   return meeting;
 }

@@ -50,10 +50,6 @@ class SignGraph {
   /// `RoundingUpward`.
   std::vector<NodeIndex> climb_from_new(PoseTree& tree, const BoxClassifier& classifier, bool bare_too);
 
-  /// Climbs again from small components that were given up since the last call, from several of their leaves.
-  /// Needs a live `RoundingUpward`.
-  void climb_from_given_up(const PoseTree& tree, const BoxClassifier& classifier);
-
   /// Forgets a whole part that is proved empty.
   void drop(PoseTree& tree, NodeIndex node);
 
@@ -68,15 +64,11 @@ class SignGraph {
     std::vector<NodeIndex>
         nearest;  ///< a leaf of the component nearest to each indeterminate leaf, or `no_node`
     std::vector<Contact> contacts;
-    std::vector<NodeIndex>
-        hidden;  ///< indeterminate leaves that no component is near to: aspects may hide there
   };
   Meeting meeting();
 
   /// The contacts of this component, by its number, are not worth more work.
-  void give_up(std::uint32_t component);
-  /// Takes up again what was given up of small components: their contacts may have become fewer.
-  void reconsider() noexcept;
+  void give_up(std::uint32_t component) noexcept { traits_[component].is_given_up = true; }
   bool is_given_up(std::uint32_t component) const noexcept { return traits_[component].is_given_up; }
 
   /// Whether the component holds an inside leaf, so that it is not empty.
@@ -180,7 +172,6 @@ class SignGraph {
   std::vector<Traits> traits_;  // by component
   std::vector<IndeterminateLeaf> indeterminate_;
   bool has_climbed_ = false;
-  std::vector<std::uint32_t> given_up_;                 // components, since the last climb from them
   std::vector<NodeIndex> new_leaves_;                   // in components, since the last climb
   std::vector<NodeIndex> members_;                      // of components, and leaves that were divided since
   std::vector<std::pair<NodeIndex, NodeIndex>> faces_;  // between whole parts, not looked at yet
