@@ -36,7 +36,7 @@ enum class Detail {
 struct Examined {
   LeafState state;
   Monotonicity monotonicity;
-  std::optional<Monotonicity> shell;  ///< see ChartEvaluation::shell
+  std::optional<Monotonicity> shell;  ///< see BoxSlopes::shell
 };
 
 /// A function of the pose, and its slope.

@@ -3,9 +3,10 @@
 #define PARALLEL_ASPECTS_ASPECTS_BOXES_CHART_CLASSIFIER_H
 
 #include "aspects/boxes/box_classifier.h"
-#include "aspects/boxes/chart_evaluation.h"
+#include "aspects/boxes/box_slopes.h"
 #include "aspects/boxes/wedge_proof.h"
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -14,8 +15,11 @@ namespace parallel_aspects {
 /// Boxes of one chart (see charts.h). Legs are evaluated once for all working modes.
 template <class Chart>
 class ChartClassifier final : public BoxClassifier {
-  using Evaluation = ChartEvaluation<Chart>;
-  using Signs = typename Evaluation::Signs;
+  using Intervals = BoxIntervals<Chart>;
+  using Forms = BoxForms<Chart>;
+  using Slopes = BoxSlopes<Chart>;
+  using Signs = typename Slopes::Signs;
+  using Tests = ConstraintTests<Chart::point_dimension>;
 
  public:
   /// `more`: what the chart is made of besides the manipulator.
@@ -24,63 +28,76 @@ class ChartClassifier final : public BoxClassifier {
                   const BoxPolicy& policy, const More&... more)
       : BoxClassifier(policy),
         chart_(made_under_upward_rounding<Chart>(manipulator, more...)),
-        tests_(made_under_upward_rounding<typename Evaluation::Tests>(manipulator)) {
+        tests_(made_under_upward_rounding<Tests>(manipulator)) {
     for (const WorkingMode& mode : modes) signs_.push_back(signs_of(mode));
   }
 
   void classify(RootIndex root, const Box& box, ModeSet modes, Detail detail,
                 LeafState* states) const noexcept override {
-    Evaluation evaluation(chart_, tests_, root, box);
-    evaluation.evaluate_by_intervals();
-    ModeSet open = classify(evaluation, modes, states);
+    const Intervals intervals(at(root, box));
+    ModeSet open = classify(intervals, modes, states);
     if (open == 0) return;
-    evaluation.evaluate_by_affine_forms();
-    open = classify(evaluation, open, states);
-    if (detail != Detail::states) add_parts(root, evaluation, open, detail, states);
+    const Forms forms(intervals);
+    open = classify(forms, open, states);
+    if (open == 0 || detail == Detail::states) return;
+    if (detail != Detail::centers) add_whole_parts(Slopes(forms), open, detail, states);
+    for_each(open, [&](std::size_t mode) {
+      const int center = forms.center_sign(signs_[mode]);
+      if (center != 0) states[mode] = states[mode].with_center(center);
+    });
   }
 
   Examined examine(RootIndex root, const Box& box, std::size_t mode, int sign) const noexcept override {
-    Evaluation evaluation(chart_, tests_, root, box);
-    evaluation.evaluate_by_intervals();
-    LeafState state = evaluation.state(signs_[mode]);
+    const Signs& signs = signs_[mode];
+    const Intervals intervals(at(root, box));
+    LeafState state = intervals.state(signs);
     if (!state.is_undecided()) return {state, Monotonicity::unknown(), std::nullopt};
-    evaluation.evaluate_by_affine_forms();
-    state = evaluation.state(signs_[mode]);
+    const Forms forms(intervals);
+    state = forms.state(signs);
     if (!state.may_be(sign) || state.is_inside()) return {state, Monotonicity::unknown(), std::nullopt};
-    const Monotonicity monotonicity = evaluation.monotonicity(signs_[mode], sign);
+    const Slopes slopes(forms);
+    const Monotonicity monotonicity = slopes.monotonicity(signs, sign);
     if (monotonicity.along_all(box)) return {state, monotonicity, std::nullopt};
-    return {state, monotonicity, policy().shells ? evaluation.shell(signs_[mode], sign) : std::nullopt};
+    return {state, monotonicity, policy().shells ? slopes.shell(signs, sign) : std::nullopt};
   }
 
   std::optional<MapPoint> find_wedge(RootIndex root, const Box& box, std::size_t mode,
                                      int sign) const noexcept override {
     if (!policy().wedges) return std::nullopt;
-    Evaluation evaluation(chart_, tests_, root, box);
-    if (!evaluation.evaluate_by_both()) return std::nullopt;
-    return WedgeProof<Chart>(chart_, root, evaluation, signs_[mode], sign, policy()).find();
+    const Intervals intervals(at(root, box));
+    if (intervals.reachable_nowhere()) return std::nullopt;
+    const Forms forms(intervals);
+    if (!forms.single_unclear_leg(signs_[mode])) return std::nullopt;  // slopes cost more than asking
+    return WedgeProof<Chart>(Slopes(forms), signs_[mode], sign, policy()).find();
   }
 
   BoxFacts facts(RootIndex root, const Box& box, std::size_t mode) const noexcept override {
-    Evaluation evaluation(chart_, tests_, root, box);
-    evaluation.evaluate_by_intervals();
-    evaluation.evaluate_by_affine_forms();
-    return evaluation.facts(signs_[mode]);
+    const Signs& signs = signs_[mode];
+    const Intervals intervals(at(root, box));
+    const Forms forms(intervals);
+    BoxFacts facts = leg_facts(forms.entries());
+    if (forms.reachable_nowhere()) return facts;
+    facts.within_limits = forms.is_allowed(signs) == Verdict::holds;
+    facts.determinant_sign = forms.sign_of(forms.determinant(signs), signs);
+    if (facts.determinant_sign != 0 || !forms.entries().all_clear()) return facts;
+    const auto gradient = Slopes(forms).determinant_gradient(signs);
+    std::copy(gradient.begin(), gradient.end(), facts.determinant_slope.begin());
+    return facts;
   }
 
   Conditions conditions(const MapPosition& position, std::size_t mode, int sign) const noexcept override {
     const Box box{Chart::coordinate_count, position.point, position.point};
-    Evaluation evaluation(chart_, tests_, position.root, box);
-    evaluation.evaluate_by_intervals();
-    evaluation.evaluate_by_affine_forms();
-    return evaluation.conditions(signs_[mode], sign);
+    const Intervals intervals(at(position.root, box));
+    const Forms forms(intervals);
+    if (forms.reachable_nowhere()) return {};
+    return Slopes(forms).conditions(signs_[mode], sign);
   }
 
   void find_unknown_constraints(RootIndex root, const Box& box, ModeSet modes,
                                 ConstraintKinds* kinds) const noexcept override {
-    Evaluation evaluation(chart_, tests_, root, box);
-    evaluation.evaluate_by_intervals();
-    evaluation.evaluate_by_affine_forms();
-    for_each(modes, [&](std::size_t mode) { kinds[mode] = evaluation.unknown_constraints(signs_[mode]); });
+    const Intervals intervals(at(root, box));
+    const Forms forms(intervals);
+    for_each(modes, [&](std::size_t mode) { kinds[mode] = forms.unknown_constraints(signs_[mode]); });
   }
 
   std::optional<Box> reachable_positions() const override { return chart_.reachable_positions(); }
@@ -104,37 +121,45 @@ class ChartClassifier final : public BoxClassifier {
       if ((modes >> mode & 1U) != 0) action(mode);
   }
 
-  /// Writes the states of `modes`; returns those that stay undecided.
-  ModeSet classify(Evaluation& evaluation, ModeSet modes, LeafState* states) const {
+  ChartBox<Chart> at(RootIndex root, const Box& box) const { return {chart_, tests_, root, box}; }
+
+  /// Writes the states of `modes` by this stage; returns those that stay undecided.
+  template <class Stage>
+  ModeSet classify(const Stage& stage, ModeSet modes, LeafState* states) const {
     ModeSet open = 0;
     for_each(modes, [&](std::size_t mode) {
-      states[mode] = evaluation.state(signs_[mode]);
+      states[mode] = stage.state(signs_[mode]);
       if (states[mode].is_undecided()) open |= ModeSet{1} << mode;
     });
     return open;
   }
 
-  void add_parts(RootIndex root, Evaluation& evaluation, ModeSet modes, Detail detail,
-                 LeafState* states) const {
+  void add_whole_parts(const Slopes& slopes, ModeSet modes, Detail detail, LeafState* states) const {
     for_each(modes, [&](std::size_t mode) {
-      LeafState& state = states[mode];
       for (const int sign : {1, -1})
-        if (detail != Detail::centers && state.may_be(sign) &&
-            is_whole(root, evaluation, signs_[mode], sign, detail))
-          state = state.with_whole(sign);
-      const int center = evaluation.center_sign(signs_[mode]);
-      if (center != 0) state = state.with_center(center);
+        if (states[mode].may_be(sign) && is_whole(slopes, signs_[mode], sign, detail))
+          states[mode] = states[mode].with_whole(sign);
     });
   }
 
-  bool is_whole(RootIndex root, Evaluation& evaluation, const Signs& signs, int sign, Detail detail) const {
-    if (evaluation.is_whole(signs, sign, detail, policy())) return true;
+  bool is_whole(const Slopes& slopes, const Signs& signs, int sign, Detail detail) const {
+    if (slopes.is_whole(signs, sign, detail, policy())) return true;
     return detail == Detail::all_parts && policy().wedges &&
-           WedgeProof<Chart>(chart_, root, evaluation, signs, sign, policy()).find();
+           WedgeProof<Chart>(slopes, signs, sign, policy()).find();
+  }
+
+  static BoxFacts leg_facts(const BoxEntries<Chart::leg_count>& entries) {
+    BoxFacts facts;
+    for (std::size_t j = 0; j < Chart::leg_count; ++j) {
+      facts.legs |= BoxFacts::bit(j);
+      if (entries.clear(j)) facts.clear |= BoxFacts::bit(j);
+      if (entries.square(j).upper() <= 0.0) facts.unreachable |= BoxFacts::bit(j);
+    }
+    return facts;
   }
 
   Chart chart_;
-  typename Evaluation::Tests tests_;
+  Tests tests_;
   std::vector<Signs> signs_;
 };
 

@@ -13,72 +13,81 @@
 
 namespace parallel_aspects {
 
-/// The legs of a chart (see charts.h) over one kind of enclosures, and what follows from them.
+/// The legs of a chart (see charts.h) over one kind of enclosures, as far as the poses alone tell.
 template <class Chart, class Scalar>
-struct EvaluatedLegs {
-  static constexpr std::size_t leg_count = Chart::leg_count, point_dimension = Chart::point_dimension;
-  using Points = Point<Scalar, point_dimension>;
+struct PlacedLegs {
+  static constexpr std::size_t leg_count = Chart::leg_count;
 
-  struct EvaluatedLeg {
+  struct PlacedLeg {
     typename Chart::template Displacement<Scalar> displacement;
     LegRows<Scalar, leg_count> rows;
   };
-  struct MaybeLinks {
-    bool asked = false;
-    std::optional<LinkPoints<Scalar, point_dimension>> points;
-  };
 
   typename Chart::template Placement<Scalar> placement;
-  std::array<EvaluatedLeg, leg_count> legs;
-  std::array<Scalar, leg_count> entries;  // |B_jj|
-  std::array<BranchRows<Scalar, leg_count>, leg_count> rows;
-  std::optional<Determinants<Scalar, leg_count>> determinants;
-  mutable std::array<std::array<MaybeLinks, 2>, leg_count> links;  // by leg and branch, where asked for
+  std::array<PlacedLeg, leg_count> legs;
 
-  void place(const Chart& chart, RootIndex root, const std::array<Scalar, Chart::coordinate_count>& at) {
-    placement = chart.place(root, at);
+  PlacedLegs(const Chart& chart, RootIndex root, const std::array<Scalar, Chart::coordinate_count>& at)
+      : placement(chart.place(root, at)) {
     for (std::size_t j = 0; j < leg_count; ++j) {
       legs[j].displacement = chart.displacement(j, placement);
       legs[j].rows = chart.rows(j, legs[j].displacement, placement);
     }
   }
 
-  /// Needs the entries.
-  void combine() {
-    for (std::size_t j = 0; j < leg_count; ++j) rows[j] = branch_rows(legs[j].rows, entries[j]);
-    determinants.emplace(rows);
-  }
+  const Scalar& squared_entry(std::size_t j) const { return legs[j].rows.squared_entry; }
 };
 
-/// Where the links and the platform are; see ConstraintVerdicts.
+/// The same legs with their |B_jj|: rows of A, det A and where the links are, in every working mode.
 template <class Chart, class Scalar>
-class EvaluatedLinks {
+class EvaluatedLegs {
  public:
-  using Legs = EvaluatedLegs<Chart, Scalar>;
+  static constexpr std::size_t leg_count = Chart::leg_count, point_dimension = Chart::point_dimension;
+  using Signs = std::array<int, leg_count>;
+  using Entries = std::array<Scalar, leg_count>;
+  using Rows = std::array<BranchRows<Scalar, leg_count>, leg_count>;
+  using Points = Point<Scalar, point_dimension>;
+  using Links = LinkPoints<Scalar, point_dimension>;
 
-  EvaluatedLinks(const Chart& chart, const Legs& legs) : chart_(chart), legs_(legs) {}
+  EvaluatedLegs(const Chart& chart, const PlacedLegs<Chart, Scalar>& placed, const Entries& entries)
+      : chart_(chart), placed_(placed), entries_(entries), determinants_(rows_) {
+    for (std::size_t j = 0; j < leg_count; ++j) rows_[j] = branch_rows(placed.legs[j].rows, entries_[j]);
+  }
+  EvaluatedLegs(const EvaluatedLegs&) = delete;
+  EvaluatedLegs& operator=(const EvaluatedLegs&) = delete;
 
-  /// Null where they are not known.
-  const LinkPoints<Scalar, Chart::point_dimension>* points(std::size_t j, int sign) const {
-    typename Legs::MaybeLinks& links = legs_.links[j][sign > 0 ? 1 : 0];
-    if (!links.asked)
-      links = {true, chart_.link_points(j, legs_.legs[j].displacement, legs_.entries[j], sign)};
+  const Scalar& entry(std::size_t j) const { return entries_[j]; }
+  const Rows& rows() const { return rows_; }
+  Scalar determinant(const Signs& signs) const { return determinants_.of(signs); }
+
+  /// Where the links of a leg are; null where that is not known.
+  const Links* points(std::size_t j, int sign) const {
+    MaybeLinks& links = links_[j][sign > 0 ? 1 : 0];
+    if (!links.asked) links = {true, chart_.link_points(j, placed_.legs[j].displacement, entries_[j], sign)};
     return links.points ? &*links.points : nullptr;
   }
 
-  typename Legs::Points position() const { return chart_.position(legs_.placement); }
-  Point<Scalar, 2> heading() const { return chart_.heading(legs_.placement); }
+  Points position() const { return chart_.position(placed_.placement); }
+  Point<Scalar, 2> heading() const { return chart_.heading(placed_.placement); }
 
-  std::array<typename Legs::Points, max_legs> anchors() const {
-    std::array<typename Legs::Points, max_legs> result;
-    for (std::size_t j = 0; j < Chart::leg_count; ++j)
-      result[j] = chart_.anchor(j, legs_.legs[j].displacement);
+  std::array<Points, max_legs> anchors() const {
+    std::array<Points, max_legs> result;
+    for (std::size_t j = 0; j < leg_count; ++j) result[j] = chart_.anchor(j, placed_.legs[j].displacement);
     return result;
   }
 
  private:
+  struct MaybeLinks {
+    bool asked = false;
+    std::optional<Links> points;
+  };
+
   const Chart& chart_;
-  const Legs& legs_;
+  const PlacedLegs<Chart, Scalar>& placed_;
+  Entries entries_;
+  Rows rows_;
+  // Found where they are asked for first, and kept.
+  mutable Determinants<Scalar, leg_count> determinants_;
+  mutable std::array<std::array<MaybeLinks, 2>, leg_count> links_;  // by leg and branch
 };
 
 }  // namespace parallel_aspects

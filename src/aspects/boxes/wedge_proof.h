@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_ASPECTS_BOXES_WEDGE_PROOF_H
 
 #include "aspects/boxes/box_policy.h"
-#include "aspects/boxes/chart_evaluation.h"
+#include "aspects/boxes/box_slopes.h"
 #include "interval/interval.h"
 #include "parallel_aspects/aspects/box.h"
 
@@ -32,28 +32,22 @@ namespace parallel_aspects {
 template <class Chart>
 class WedgeProof {
  public:
-  using Evaluation = ChartEvaluation<Chart>;
-  using Signs = typename Evaluation::Signs;
+  using Intervals = BoxIntervals<Chart>;
+  using Forms = BoxForms<Chart>;
+  using Slopes = BoxSlopes<Chart>;
+  using Signs = typename Slopes::Signs;
   static constexpr std::size_t size = Chart::coordinate_count;
 
-  /// `here` evaluates the box, by affine forms too.
-  WedgeProof(const Chart& chart, RootIndex root, Evaluation& here, const Signs& signs, int sign,
-             const BoxPolicy& policy)
-      : chart_(chart),
-        root_(root),
-        here_(here),
-        box_(here.box()),
-        signs_(signs),
-        sign_(sign),
-        policy_(policy) {}
+  WedgeProof(const Slopes& here, const Signs& signs, int sign, const BoxPolicy& policy)
+      : here_(here), box_(here.at().box), signs_(signs), sign_(sign), policy_(policy) {}
 
   /// A pose that all of the set in the box is connected with, in the coordinates of the root, where there
   /// is a proof; it may lie outside of the box.
   std::optional<MapPoint> find() {
-    const auto leg = here_.single_unclear_leg(signs_);
+    const auto leg = here_.forms().single_unclear_leg(signs_);
     if (size < 2 || !leg) return std::nullopt;
     leg_ = *leg;
-    slopes_ = here_.entry_slopes(leg_);
+    slopes_ = here_.squared_entry_gradient(leg_);
     y_ = steepest();
     if (!has_sign(slopes_[y_])) return std::nullopt;
     const auto along = level_slopes(here_);
@@ -77,15 +71,15 @@ class WedgeProof {
   }
 
   /// Slopes of sigma F at constant h, times |g_y|.
-  std::array<Interval, size> level_slopes(Evaluation& evaluation) const {
-    std::array<Interval, size> result = evaluation.level_slopes(signs_, leg_, y_);
+  std::array<Interval, size> level_slopes(const Slopes& slopes) const {
+    std::array<Interval, size> result = slopes.level_slopes(signs_, leg_, y_);
     const Interval factor(slopes_[y_].positive() ? sign_ : -sign_);
     for (Interval& each : result) each = factor * each;
     return result;
   }
 
   std::optional<MapPoint> find_along(std::size_t x, const Interval& slope) {
-    const Interval determinant = Interval(sign_) * here_.determinant(signs_);
+    const Interval determinant = Interval(sign_) * here_.forms().determinant(signs_);
     const double steepness = std::abs(middle(slope) / middle(slopes_[y_]));
     double length = 1.25 * std::max(0.0, -determinant.lower()) / steepness;
     for (int i = 0; i < policy_.wedge_attempts && std::isfinite(length); ++i, length *= 2.0) {
@@ -102,7 +96,7 @@ class WedgeProof {
   Box enclosure(std::size_t x, bool upward, double length) const {
     Box wide = box_;
     (upward ? wide.upper : wide.lower)[x] += upward ? length : -length;
-    const double at_center = middle(here_.squared_entry_at_center(leg_));
+    const double at_center = middle(here_.forms().squared_entry_at_center(leg_));
     double most = at_center, least = at_center;
     for (std::size_t i = 0; i < size; ++i) {
       if (i == y_) continue;
@@ -122,7 +116,7 @@ class WedgeProof {
   }
 
   /// The largest h^2 in the given box.
-  double highest() const { return here_.squared_entry(leg_).upper(); }
+  double highest() const { return here_.forms().entries().square(leg_).upper(); }
 
   static Box end_of(Box box, std::size_t coordinate, bool upper) {
     (upper ? box.lower : box.upper)[coordinate] = (upper ? box.upper : box.lower)[coordinate];
@@ -154,17 +148,17 @@ class WedgeProof {
 
   Interval squared_entry_at(const MapPoint& pose) const {
     const Box point{size, pose, pose};
-    Evaluation evaluation(chart_, here_.tests(), root_, point);
-    evaluation.evaluate_by_intervals();
-    return evaluation.squared_entry(leg_);
+    return Intervals(here_.at().with(point)).entries().square(leg_);
   }
 
+  /// The poses of a box of which N may hold some.
+  ChartBox<Chart> within(const Box& box) const { return here_.at().with(box, BoundedEntry{leg_, highest()}); }
+
   bool end_is_free(const Box& end) const {
-    Evaluation evaluation(chart_, here_.tests(), root_, end);
-    evaluation.bound_squared_entry(leg_, highest());
-    if (!evaluation.evaluate_by_both()) return false;
-    return evaluation.holds_but_for(leg_, signs_) &&
-           (Interval(sign_) * evaluation.determinant(signs_)).positive();
+    const Intervals intervals(within(end));
+    if (intervals.reachable_nowhere()) return false;
+    const Forms forms(intervals);
+    return forms.holds_but_for(leg_, signs_) && (Interval(sign_) * forms.determinant(signs_)).positive();
   }
 
   bool encloses(const Box& wide) const {
@@ -174,16 +168,18 @@ class WedgeProof {
   }
 
   Interval squared_entry(const Box& box) const {
-    Evaluation evaluation(chart_, here_.tests(), root_, box);
-    evaluation.evaluate_by_both();
-    return evaluation.squared_entry(leg_);
+    const Intervals intervals(here_.at().with(box));
+    if (intervals.reachable_nowhere()) return intervals.entries().square(leg_);
+    return Forms(intervals).entries().square(leg_);
   }
 
   bool rises(const Box& wide, std::size_t x, bool upward) const {
-    Evaluation evaluation(chart_, here_.tests(), root_, wide);
-    evaluation.bound_squared_entry(leg_, highest());
-    if (!evaluation.evaluate_by_both() || !evaluation.holds_but_for(leg_, signs_)) return false;
-    const Interval steepness = evaluation.entry_slopes(leg_)[y_], slope = level_slopes(evaluation)[x];
+    const Intervals intervals(within(wide));
+    if (intervals.reachable_nowhere()) return false;
+    const Forms forms(intervals);
+    if (!forms.holds_but_for(leg_, signs_)) return false;
+    const Slopes slopes(forms);
+    const Interval steepness = slopes.squared_entry_gradient(leg_)[y_], slope = level_slopes(slopes)[x];
     return (slopes_[y_].positive() ? steepness.positive() : steepness.negative()) &&
            (upward ? slope.lower() >= 0.0 : slope.upper() <= 0.0);
   }
@@ -197,9 +193,7 @@ class WedgeProof {
     return pose;
   }
 
-  const Chart& chart_;
-  RootIndex root_;
-  Evaluation& here_;
+  const Slopes& here_;
   const Box& box_;
   const Signs& signs_;
   int sign_;

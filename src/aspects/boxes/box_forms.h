@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASPECTS_BOXES_BOX_FORMS_H
+#define PARALLEL_ASPECTS_ASPECTS_BOXES_BOX_FORMS_H
+
+#include "aspects/boxes/box_intervals.h"
+#include "aspects/boxes/box_stage.h"
+#include "aspects/boxes/evaluated_legs.h"
+#include "aspects/boxes/preconditioned_sign.h"
+#include "interval/affine.h"
+#include "legs/limit_verdict.h"
+#include "parallel_aspects/aspects/box.h"
+#include "parallel_aspects/model/constraints.h"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+
+namespace parallel_aspects {
+
+/// The second stage (see box_stage.h): a box by affine forms, and by its intervals where these are tighter.
+template <class Chart>
+class BoxForms : public BoxStage<Chart, BoxForms<Chart>> {
+ public:
+  using Stage = BoxStage<Chart, BoxForms<Chart>>;
+  using Stage::coordinate_count;
+  using Stage::is_allowed;
+  using Stage::leg_count;
+  using Stage::reachable_nowhere;
+  using typename Stage::Signs;
+  using Form = Affine<coordinate_count>;
+  using Entries = BoxEntries<leg_count>;
+  using Constraints = typename BoxIntervals<Chart>::Constraints;
+
+  explicit BoxForms(const BoxIntervals<Chart>& intervals)
+      : intervals_(intervals),
+        placed_(at().chart, at().root, coordinates(at())),
+        entries_(intervals.entries().with(squares(placed_))),
+        constraints_(intervals.constraints()) {
+    constraints_.expect_tighter();
+    if (!reachable_nowhere()) legs_.emplace(at().chart, placed_, entry_forms());
+  }
+  explicit BoxForms(BoxIntervals<Chart>&&) = delete;
+
+  static std::array<Form, coordinate_count> coordinates(const ChartBox<Chart>& at) {
+    std::array<Form, coordinate_count> result;
+    for (std::size_t i = 0; i < coordinate_count; ++i) result[i] = Form::coordinate(at.range(i), i);
+    return result;
+  }
+
+  const ChartBox<Chart>& at() const noexcept { return intervals_.at(); }
+  const Entries& entries() const noexcept { return entries_; }
+  const auto& displacement(std::size_t j) const noexcept { return intervals_.displacement(j); }
+  Constraints& constraints() const noexcept { return constraints_; }
+  const PlacedLegs<Chart, Form>& placed() const noexcept { return placed_; }
+  const EvaluatedLegs<Chart, Form>& legs() const noexcept { return *legs_; }
+
+  Interval determinant(const Signs& signs) const {
+    const Interval natural = intervals_.determinant(signs);
+    if (natural.positive() || natural.negative()) return natural;
+    return intersection(natural, legs_->determinant(signs).range());
+  }
+
+  /// Of det A on the whole box, whose range is known to be in `determinant`; 0 where it is not proved.
+  /// Matrices of six rows are worth the inverse of one.
+  int sign_of(const Interval& determinant, const Signs& signs) const {
+    const int sign = intervals_.sign_of(determinant, signs);
+    if constexpr (leg_count == max_legs) {
+      if (sign != 0) return sign;
+      typename PreconditionedSign<leg_count, coordinate_count>::Rows rows;
+      for (std::size_t j = 0; j < leg_count; ++j) rows[j] = &legs_->rows()[j].of(signs[j]);
+      return PreconditionedSign<leg_count, coordinate_count>::of(rows);
+    }
+    return sign;
+  }
+
+  Interval squared_entry_at_center(std::size_t j) const { return placed_.squared_entry(j).at_center(); }
+
+  /// Whether all legs but j are clear, and all constraints hold on the whole box.
+  bool holds_but_for(std::size_t j, const Signs& signs) const {
+    return !reachable_nowhere() && entries_.all_clear_but(j) && is_allowed(signs) == Verdict::holds;
+  }
+
+  /// The only leg that is not clear, where all else but the sign of det A is proved.
+  std::optional<std::size_t> single_unclear_leg(const Signs& signs) const {
+    const std::optional<std::size_t> leg = entries_.first_unclear();
+    return leg && holds_but_for(*leg, signs) ? leg : std::nullopt;
+  }
+
+  Verdict constraint(ConstraintKind kind, const Signs& signs) const {
+    if (kind == ConstraintKind::actuated_limits) return this->within_limits(signs);
+    return at().tests.none() ? Verdict::holds : constraints_.of(kind, signs, *legs_);
+  }
+
+  /// The constraints, limits of actuated joints among them, that are neither proved to hold in all of the box
+  /// nor to fail in all of it.
+  ConstraintKinds unknown_constraints(const Signs& signs) const {
+    ConstraintKinds kinds;
+    if (reachable_nowhere()) return kinds;
+    for (const ConstraintKind kind : all_constraint_kinds)
+      kinds[index_of(kind)] = constraint(kind, signs) == Verdict::unknown;
+    return kinds;
+  }
+
+  /// The sign of det A at the center, where it is proved and the center is reachable and allowed by the
+  /// constraints; else 0.
+  int center_sign(const Signs& signs) const {
+    if (reachable_nowhere() || !center_is_reachable(signs) || !center_is_allowed(signs)) return 0;
+    const Interval value = legs_->determinant(signs).at_center();
+    return value.positive() ? 1 : value.negative() ? -1 : 0;
+  }
+
+ private:
+  static typename Entries::Values squares(const PlacedLegs<Chart, Form>& placed) {
+    typename Entries::Values result;
+    for (std::size_t j = 0; j < leg_count; ++j) result[j] = placed.squared_entry(j).range();
+    return result;
+  }
+
+  // The root has no slope at zero: |B_jj| of a leg that is not clear stays an interval.
+  std::array<Form, leg_count> entry_forms() const {
+    std::array<Form, leg_count> result;
+    for (std::size_t j = 0; j < leg_count; ++j)
+      result[j] = entries_.clear(j) ? square_root(placed_.squared_entry(j), entries_.square(j).lower())
+                                    : Form(entries_.value(j));
+    return result;
+  }
+
+  /// By the constraints besides limits of actuated joints.
+  bool center_is_allowed(const Signs& signs) const {
+    if (at().tests.none() || constraints_.all(signs, *legs_) == Verdict::holds) return true;
+    const Box center{coordinate_count, at().box.middle(), at().box.middle()};
+    const BoxIntervals<Chart> there(at().with(center));
+    return !there.reachable_nowhere() && there.is_allowed(signs) == Verdict::holds;
+  }
+
+  bool center_is_reachable(const Signs& signs) const {
+    for (std::size_t j = 0; j < leg_count; ++j) {
+      const Interval squared_entry = squared_entry_at_center(j);
+      if (!squared_entry.positive()) return false;
+      const Form entry(square_root(squared_entry));
+      const LimitFunctions<Form> limits = at().chart.limits(j, placed_.legs[j].displacement, entry, signs[j]);
+      LimitFunctions<Interval> at_center{{}, limits.count, limits.any};
+      for (std::size_t k = 0; k < limits.count; ++k) at_center.values[k] = limits.values[k].at_center();
+      if (verdict(at_center) != Verdict::holds) return false;
+    }
+    return true;
+  }
+
+  const BoxIntervals<Chart>& intervals_;
+  PlacedLegs<Chart, Form> placed_;
+  Entries entries_;
+  mutable Constraints constraints_;  // tested where they are asked for first
+  std::optional<EvaluatedLegs<Chart, Form>> legs_;
+};
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ASPECTS_BOXES_BOX_FORMS_H
