@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/monitor/state_messages.h"
 
+#include "model/spherical_links.h"
 #include "parallel_aspects/kinematics/direct.h"
 #include "ros/joint_states/joint_merger.h"
 #include "ros/messages/configurations.h"
@@ -16,6 +17,13 @@ std::string printed(double number) {
   std::ostringstream text;
   text << number;
   return text.str();
+}
+
+// On a sphere of radius 1 m an angle says more than a length.
+std::string distance_text(const Manipulator& manipulator, double length) {
+  if (!moves_on_unit_sphere(manipulator)) return printed(length) + " m";
+  const double angle = angle_of_chord(length);
+  return printed(angle * 180.0 / EIGEN_PI) + " deg (" + printed(angle) + " rad)";
 }
 
 // What is to be said where the last sample was merged of several messages; else nothing.
@@ -62,8 +70,8 @@ Status not_started_status(const std::string& why, bool read_only) {
 
 std::string why_not_near(const Manipulator& manipulator, const JointVector& q, const Pose& pose,
                          double tolerance, const std::string& place, const JointVector& uncertainty) {
-  return "The actuated joints do not assemble within " + printed(tolerance) + " m of " + place + ". " +
-         why_not_at(manipulator, pose, q) + merged_joints(uncertainty);
+  return "The actuated joints do not assemble within " + distance_text(manipulator, tolerance) + " of " +
+         place + ". " + why_not_at(manipulator, pose, q) + merged_joints(uncertainty);
 }
 
 std::string why_not_with_sign(const Manipulator& manipulator, const JointVector& q, int determinant_sign,

@@ -25,17 +25,23 @@ std::string modes_text(const std::string& what, const std::vector<WorkingMode>& 
 }
 
 /// Which limits do not count.
-void add_missing_joints(const Manipulator& manipulator, const std::string& what, Report& report) {
+void add_missing_joints(const Manipulator& manipulator, const std::string& what, bool verbose,
+                        Report& report) {
   const std::vector<std::string>& missing = manipulator.constraints().missing_joints;
   report.json["joints_not_limited"] = missing;
-  for (const std::string& joint : missing)
-    report.text += "note: The limits of joint '" + joint + "' do not bound the " + what +
-                   ", since distances do not tell where it is.\n";
+  if (missing.empty()) return;
+  std::string names;
+  for (const std::string& joint : missing) names += (names.empty() ? "'" : ", '") + joint + "'";
+  const bool one = missing.size() == 1;
+  report.text +=
+      notes_text({"The limits of " + std::string(one ? "joint " : "joints ") + names + " do not bound the " +
+                  what + ", since distances do not tell where " + (one ? "it is." : "they are.")},
+                 verbose);
 }
 
 }  // namespace
 
-Report report_constraints(const Manipulator& manipulator) {
+Report report_constraints(const Manipulator& manipulator, bool verbose) {
   Report report;
   report.json["constraints"] = json::array();
   std::string list;
@@ -45,11 +51,11 @@ Report report_constraints(const Manipulator& manipulator) {
     list += (list.empty() ? "" : ", ") + std::string(name(kind));
   }
   report.text = "constraints: " + (list.empty() ? "none" : list) + "\n";
-  add_missing_joints(manipulator, "aspects", report);
+  add_missing_joints(manipulator, "aspects", verbose, report);
   return report;
 }
 
-Report report_bounds(const AspectMap& map) {
+Report report_bounds(const AspectMap& map, bool verbose) {
   Report report;
   report.json["constraints"] = json::array();
   std::string list;
@@ -63,7 +69,7 @@ Report report_bounds(const AspectMap& map) {
             map.unit();
   }
   report.text = "constraints: " + (list.empty() ? "none" : list) + "\n";
-  add_missing_joints(*map.manipulator(), "map", report);
+  add_missing_joints(*map.manipulator(), "map", verbose, report);
   const MissingModes missing = missing_modes(map);
   report.json["empty_working_modes"] = json_modes(missing.empty);
   report.json["undecided_working_modes"] = json_modes(missing.unknown);

@@ -8,12 +8,12 @@
 namespace parallel_aspects::tools {
 
 /// What bounds the aspects of a map besides singularities, and the working modes that it leaves empty: the
-/// last lines of `aspects map`, and fields of its object.
-Report report_bounds(const AspectMap& map);
+/// last lines of `aspects map`, and fields of its object. Where `verbose`, notes have every name.
+Report report_bounds(const AspectMap& map, bool verbose = false);
 
 /// Which constraints bound the aspects of a manipulator: the last lines of `aspects connect` and of roadmaps,
 /// and fields of their objects.
-Report report_constraints(const Manipulator& manipulator);
+Report report_constraints(const Manipulator& manipulator, bool verbose = false);
 
 }  // namespace parallel_aspects::tools
 

@@ -4,12 +4,17 @@
 #include "tools/report/reports.h"
 #include "tools/report/text_table.h"
 
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace parallel_aspects::tools {
 namespace {
 
 using nlohmann::json;
+
+// An aspect with a smaller share of the largest is not listed by itself.
+constexpr double crumb_share = 0.01;
 
 json json_aspect(const AspectMap& map, const Aspect& aspect) {
   return {{"id", aspect.id},
@@ -85,31 +90,91 @@ std::string bounds_text(const Box& box) {
   return text;
 }
 
-std::string aspect_table(const AspectMap& map) {
-  TextTable table({">id", "working mode", "det A", ">measure [" + map.unit() + "]", ">at least", ">at most",
-                   ">leaves", "bounds", "deepest pose", ">clearance"});
-  for (const Aspect& aspect : map.aspects())
-    table.add({std::to_string(aspect.id), to_string(aspect.mode), shown_sign(aspect.determinant_sign),
-               shown(aspect.measure), shown(aspect.measure_lower), shown(aspect.measure_upper),
-               std::to_string(aspect.inside_leaves), bounds_text(aspect.bounds),
-               pose_text(map.manipulator()->task_space(), aspect.deepest),
-               shown_briefly(aspect.deepest_clearance)});
+/// Aspects that are a line each, and those that are one line together.
+struct ListedAspects {
+  std::vector<Aspect> shown, crumbs;
+};
+
+ListedAspects listed_aspects(const AspectMap& map, bool all) {
+  double largest = 0.0;
+  for (const Aspect& aspect : map.aspects()) largest = std::max(largest, aspect.measure);
+  ListedAspects listed;
+  for (const Aspect& aspect : map.aspects()) {
+    const bool crumb = !all && aspect.measure < crumb_share * largest;
+    (crumb ? listed.crumbs : listed.shown).push_back(aspect);
+  }
+  return listed;
+}
+
+// Where orientations are searched alone, boxes have no bounds to show.
+std::string aspect_table(const AspectMap& map, const std::vector<Aspect>& aspects) {
+  const bool bounded = map.region().dimension > 0;
+  std::vector<std::string> titles{">id",       "working mode", "det A",   ">measure [" + map.unit() + "]",
+                                  ">at least", ">at most",     ">leaves", "deepest pose",
+                                  ">clearance"};
+  if (bounded) titles.insert(titles.end() - 2, "bounds");
+  TextTable table(titles);
+  for (const Aspect& aspect : aspects) {
+    std::vector<std::string> cells{std::to_string(aspect.id),
+                                   to_string(aspect.mode),
+                                   shown_sign(aspect.determinant_sign),
+                                   shown(aspect.measure),
+                                   shown(aspect.measure_lower),
+                                   shown(aspect.measure_upper),
+                                   std::to_string(aspect.inside_leaves),
+                                   pose_text(map.manipulator()->task_space(), aspect.deepest),
+                                   shown_briefly(aspect.deepest_clearance)};
+    if (bounded) cells.insert(cells.end() - 2, bounds_text(aspect.bounds));
+    table.add(std::move(cells));
+  }
   return table.text();
 }
 
-std::string unresolved_text(const std::vector<std::pair<int, int>>& pairs) {
-  if (pairs.empty()) return "none; all are proved separate";
-  std::string text;
-  for (const auto& pair : pairs)
-    text += (text.empty() ? "" : ", ") + std::to_string(pair.first) + " with " + std::to_string(pair.second);
-  return text;
+std::string crumbs_text(const AspectMap& map, const std::vector<Aspect>& crumbs) {
+  if (crumbs.empty()) return "";
+  double sum = 0.0;
+  std::size_t separate = 0;
+  for (const Aspect& aspect : crumbs) {
+    sum += aspect.measure;
+    separate += aspect.unresolved_with.empty() ? 1 : 0;
+  }
+  return "and " + std::to_string(crumbs.size()) + " more, each below 1 % of the largest, together " +
+         shown(sum) + ' ' + map.unit() + "; " + std::to_string(separate) +
+         " of them proved separate from all others; --all lists them\n";
 }
 
-/// What is proved of aspects that are not listed.
-std::string completeness_text(const AspectMap& map) {
-  const auto most = map.count_at_most();
-  if (!most) return "";
-  return *most == map.proved_count() ? ", proved to be all" : ", " + std::to_string(*most) + " at most";
+/// Pairs of those that are listed, and how many pairs there are with others.
+std::string unresolved_text(const AspectMap& map, const std::vector<Aspect>& crumbs) {
+  if (map.unresolved().empty()) return "none; all are proved separate";
+  const auto is_crumb = [&](int id) {
+    return std::any_of(crumbs.begin(), crumbs.end(), [&](const Aspect& each) { return each.id == id; });
+  };
+  std::string text;
+  std::size_t with_crumbs = 0;
+  for (const auto& [first, second] : map.unresolved()) {
+    if (is_crumb(first) || is_crumb(second))
+      ++with_crumbs;
+    else
+      text += (text.empty() ? "" : ", ") + std::to_string(first) + " with " + std::to_string(second);
+  }
+  if (with_crumbs == 0) return text;
+  return text + (text.empty() ? "" : ", and ") + counted(with_crumbs, "pair") + " with aspects not listed";
+}
+
+/// How many aspects there are, and no more than is proved of it.
+std::string count_text(const AspectMap& map) {
+  const std::size_t proved = map.proved_count(), components = map.aspects().size();
+  const std::size_t most = map.count_at_most().value_or(components);
+  if (most == proved && map.count_at_most()) return counted(proved, "aspect") + ", proved";
+  const std::string found = " (" + counted(components, "component") + "; ";
+  if (map.unresolved().empty() && !map.count_at_most())
+    return "at least " + counted(proved, "aspect") + found + "all proved distinct)";
+  return std::to_string(proved) + " to " + counted(most, "aspect") + found + std::to_string(proved) +
+         " proved distinct; " + counted(map.unresolved().size(), "pair") + " unresolved)";
+}
+
+std::string region_text(const AspectMap& map) {
+  return map.region().dimension == 0 ? "" : ", region " + bounds_text(map.region());
 }
 
 /// Which symmetries were used, and what for.
@@ -121,31 +186,31 @@ std::string symmetry_text(const AspectMap& map) {
          counted(map.symmetry_use()->computed_modes, "working mode") + " computed\n";
 }
 
-std::string map_text(const AspectMap& map) {
-  const TaskSpace space = map.manipulator()->task_space();
-  std::string text = map.manipulator()->name() + ": " + counted(map.aspects().size(), "aspect") + " in " +
-                     counted(map.working_modes().size(), "working mode") + ", " +
-                     std::to_string(map.proved_count()) + " proved distinct" + completeness_text(map) + "\n";
+std::string map_text(const AspectMap& map, bool all_aspects) {
+  std::string text = map.manipulator()->name() + ": " + count_text(map) + "; " +
+                     counted(map.working_modes().size(), "working mode") + "\n";
   if (map.slice())
     text += "slice " + to_string(*map.slice()) +
             ": aspects of the slice, of which two may be joined outside of it\n";
-  text += "task space " + std::string(name(space)) + ", region " + bounds_text(map.region()) +
+  text += "task space " + std::string(name(map.manipulator()->task_space())) + region_text(map) +
           ", resolution " + shown(map.resolution()) + ", " + shown(map.seconds()) + " s\n" +
           symmetry_text(map) + "\n";
-  text += aspect_table(map);
-  text += "\npairs that could be one aspect: " + unresolved_text(map.unresolved()) + "\n";
-  text += "undecided, over all working modes: " + shown(map.measure_undecided()) + " " + map.unit() + "\n";
+  const ListedAspects listed = listed_aspects(map, all_aspects);
+  text += aspect_table(map, listed.shown) + crumbs_text(map, listed.crumbs);
+  text += "\npairs that could be one aspect: " + unresolved_text(map, listed.crumbs) + "\n";
+  text += "undecided, over all working modes: " + shown(map.measure_undecided()) + " " + map.unit() +
+          (map.count_at_most() ? "" : "; smaller aspects may hide there") + "\n";
   return text;
 }
 
 }  // namespace
 
-Report report_map(const AspectMap& map, bool loaded) {
-  Report report{json_map(map), map_text(map)};
-  const Report bounds = report_bounds(map);
+Report report_map(const AspectMap& map, const MapReportOptions& options) {
+  Report report{json_map(map), map_text(map, options.all_aspects)};
+  const Report bounds = report_bounds(map, options.verbose);
   report.json.update(bounds.json);
   report.text += bounds.text;
-  report.json["loaded"] = loaded;
+  report.json["loaded"] = options.loaded;
   return report;
 }
 

@@ -5,10 +5,15 @@
 #include "model/task_space_traits.h"
 
 #include <cmath>
+#include <regex>
 #include <sstream>
 
 namespace parallel_aspects::tools {
 namespace {
+
+constexpr std::ptrdiff_t most_names = 4;  // that a note lists
+constexpr std::ptrdiff_t shown_names = most_names - 1;
+constexpr double degrees_in_radian = 180.0 / EIGEN_PI;
 
 std::string with_digits(double value, int digits) {
   if (std::isnan(value)) return "-";
@@ -75,6 +80,44 @@ std::string determinant_unit(TaskSpace space) { return std::string(traits(space)
 std::string counted(std::size_t number, const std::string& noun, const std::string& plural) {
   const std::string several = plural.empty() ? noun + "s" : plural;
   return std::to_string(number) + ' ' + (number == 1 ? noun : several);
+}
+
+std::string shown_angle(double radians) {
+  return shown(degrees_in_radian * radians) + " deg (" + shown(radians) + " rad)";
+}
+
+// Notes have names in single quotes; a list of them is separated by commas.
+std::string shortened(const std::string& note) {
+  static const std::regex list("'[^']*'(?:, '[^']*')+"), name("'[^']*'");
+  std::string text;
+  std::sregex_iterator found(note.begin(), note.end(), list), none;
+  std::string::const_iterator done = note.begin();
+  for (; found != none; ++found) {
+    const std::string names = found->str();
+    std::sregex_iterator each(names.begin(), names.end(), name);
+    const std::ptrdiff_t count = std::distance(each, none);
+    text.append(done, note.begin() + found->position());
+    done = note.begin() + found->position() + found->length();
+    if (count <= most_names) {
+      text += names;
+      continue;
+    }
+    std::advance(each, shown_names - 1);
+    text += names.substr(0, static_cast<std::size_t>(each->position() + each->length())) + " and " +
+            std::to_string(count - shown_names) + " more";
+  }
+  return text.append(done, note.end());
+}
+
+std::string notes_text(const std::vector<std::string>& notes, bool verbose) {
+  std::string text;
+  bool whole = true;
+  for (const std::string& note : notes) {
+    const std::string line = verbose ? note : shortened(note);
+    whole = whole && line == note;
+    text += "note: " + line + '\n';
+  }
+  return text + (whole ? "" : "--verbose lists all names of these notes.\n");
 }
 
 std::string to_text(const nlohmann::json& json) {

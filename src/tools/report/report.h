@@ -56,6 +56,16 @@ std::string determinant_unit(TaskSpace space);
 /// "1 aspect", "2 aspects"; or with `plural` where that has another form.
 std::string counted(std::size_t number, const std::string& noun, const std::string& plural = "");
 
+/// "70 deg (1.22173 rad)".
+std::string shown_angle(double radians);
+
+/// A note for people: where it names more than four joints or links in a row, the first three and how many
+/// more there are.
+std::string shortened(const std::string& note);
+
+/// Each note on a line of its own; unless `verbose` shortened, and then where the rest is found.
+std::string notes_text(const std::vector<std::string>& notes, bool verbose);
+
 /// JSON as text: indented, valid UTF-8 whatever is in the names, with a line end.
 std::string to_text(const nlohmann::json& json);
 

@@ -12,21 +12,28 @@
 #include "parallel_aspects/urdf/mechanism.h"
 #include "tools/report/report.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
 /// What each subcommand says about a result. Pure functions; the fields are documented in docs/command.md.
 namespace parallel_aspects::tools {
 
-/// `aspects map`: the table of aspects, and what is proved and what is not; and whether the map was `loaded`
-/// from a file.
-Report report_map(const AspectMap& map, bool loaded);
+/// How much the text says.
+struct MapReportOptions {
+  bool loaded = false;       ///< whether the map is from a file
+  bool all_aspects = false;  ///< lists those below 1 % of the largest too, which are one line otherwise
+  bool verbose = false;      ///< lists every joint that a note is about
+};
+
+/// `aspects map`: the table of aspects, and what is proved and what is not.
+Report report_map(const AspectMap& map, const MapReportOptions& options);
 
 /// `aspects map --neighbours`: adds the pairs of aspects that touch.
 void add_neighbours(const AspectMap& map, const std::vector<Neighbours>& neighbours, Report& report);
 
 /// `aspects map` with six degrees of freedom: samples and components by working mode and sign of det A.
-Report report_roadmap(const PoseRoadmap& roadmap);
+Report report_roadmap(const PoseRoadmap& roadmap, bool verbose = false);
 
 /// What is known in one working mode.
 struct ModeAnswer {
@@ -48,8 +55,12 @@ struct ModeDistances {
 Report report_distances(const Manipulator& manipulator, const Pose& pose,
                         const std::vector<ModeDistances>& answers);
 
-/// `aspects describe`: what was recognised in the description of the robot.
-Report report_mechanism(const Mechanism& mechanism);
+/// `aspects describe`: what was recognised in the description of the robot; where `verbose`, with every name
+/// in its notes.
+Report report_mechanism(const Mechanism& mechanism, bool verbose = false);
+
+/// Where the workspace is: what is within reach of all legs, as found at seeded random poses.
+std::string workspace_text(const std::shared_ptr<const Manipulator>& manipulator);
 
 /// `aspects ik`: the inverse solutions at `pose`, one a working mode, solved or not.
 Report report_inverse(const Mechanism& mechanism, const Pose& pose,

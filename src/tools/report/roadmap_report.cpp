@@ -64,9 +64,9 @@ std::string roadmap_text(const PoseRoadmap& roadmap) {
 
 }  // namespace
 
-Report report_roadmap(const PoseRoadmap& roadmap) {
+Report report_roadmap(const PoseRoadmap& roadmap, bool verbose) {
   Report report{json_roadmap(roadmap), roadmap_text(roadmap)};
-  const Report constraints = report_constraints(*roadmap.certifier().manipulator());
+  const Report constraints = report_constraints(*roadmap.certifier().manipulator(), verbose);
   report.json.update(constraints.json);
   report.text += constraints.text;
   return report;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "model/coefficients.h"
+#include "model/spherical_links.h"
 #include "parallel_aspects/kinematics/working_mode.h"
 #include "tools/report/reports.h"
 #include "tools/report/text_table.h"
@@ -119,13 +121,30 @@ std::string limits_text(const Leg& leg) {
   return "[" + shown(leg.limits.lower) + ", " + shown(leg.limits.upper) + "] " + joint_unit(leg);
 }
 
-std::string leg_table(const Manipulator& manipulator) {
+std::string length_table(const Manipulator& manipulator) {
   TextTable table({"leg", "kind", "actuated joint", "lengths [m]", "base point [m]", "anchor [m]", "limits"});
   for (const Leg& leg : manipulator.legs())
     table.add({leg.name, std::string(kind_name(leg.actuation)), leg.actuated_joint,
                std::visit(ActuatedJointText{leg}, leg.actuation), point_text(leg.base_point()),
                point_text(leg.anchor), limits_text(leg)});
   return table.text();
+}
+
+// Only the directions of the axes count, and the angles between them.
+std::string angle_table(const Manipulator& manipulator) {
+  TextTable table({"leg", "actuated joint", "crank", "rod", "axis of the actuated joint",
+                   "axis at the platform", "limits"});
+  for (const Leg& leg : manipulator.legs()) {
+    const SphericalLinks links = *spherical_links(leg);
+    table.add({leg.name, leg.actuated_joint, shown_angle(links.crank), shown_angle(links.rod),
+               point_text(std::get<RevoluteActuation>(leg.actuation).axis), point_text(leg.anchor),
+               limits_text(leg)});
+  }
+  return table.text();
+}
+
+std::string leg_table(const Manipulator& manipulator) {
+  return moves_on_unit_sphere(manipulator) ? angle_table(manipulator) : length_table(manipulator);
 }
 
 std::string modes_text(const Manipulator& manipulator) {
@@ -151,31 +170,67 @@ std::string joints_text(const Mechanism& mechanism) {
   return text + '\n';
 }
 
-std::string mechanism_text(const Mechanism& mechanism) {
+// Where poses are counted from, so that nobody guesses.
+std::string frame_text(const Manipulator& manipulator) {
+  const std::string start = "poses are given in the task frame, ";
+  const Eigen::Isometry3d& frame = manipulator.task_frame();
+  if (frame.matrix().isIdentity()) return start + "which is the frame of " + manipulator.base_frame() + "\n";
+  const Eigen::Matrix3d axes = frame.linear();
+  return start + "which has in that of " + manipulator.base_frame() + " its origin at " +
+         point_text(frame.translation()) + " m, x along " + point_text(axes.col(0)) + ", y along " +
+         point_text(axes.col(1)) + "\n";
+}
+
+// As `--pose` and `--joints` take it.
+std::string home_text(const Mechanism& mechanism) {
+  const TaskSpace space = mechanism.manipulator()->task_space();
+  const AssembledConfiguration home = mechanism.assembled();
+  std::string numbers;
+  const PoseCoordinates coordinates = pose_coordinates(space, home.pose);
+  for (const double each : coefficients_of(coordinates))
+    numbers += (numbers.empty() ? "" : " ") + shown(each);
+  return "home pose: " + to_string(space, home.pose) + " (--pose \"" + numbers + "\"), at the joint values " +
+         shown(home.q) + "\n";
+}
+
+std::string size_text(const Manipulator& manipulator) {
+  return moves_on_unit_sphere(manipulator) ? "" : ", size " + shown(manipulator.size()) + " m";
+}
+
+std::string mechanism_text(const Mechanism& mechanism, bool verbose) {
   const Manipulator& manipulator = *mechanism.manipulator();
   const TaskSpace space = manipulator.task_space();
   std::string text = manipulator.name() + ": fully parallel, task space " + std::string(name(space)) +
                      ", mobility " + mobility_text(mechanism) + ", " +
                      counted(manipulator.leg_count(), "leg") + "\n";
   text += "base link " + manipulator.base_frame() + ", operational point at the origin of " +
-          mechanism.platform_link() + ", size " + shown(manipulator.size()) + " m\n\n";
+          mechanism.platform_link() + size_text(manipulator) + "\n";
+  text += frame_text(manipulator) + home_text(mechanism) + workspace_text(mechanism.manipulator()) + "\n";
   text += leg_table(manipulator);
   text += "\nworking modes, as signs of B_jj:" + modes_text(manipulator) + "\n";
   text += joints_text(mechanism);
-  for (const std::string& note : mechanism.notes()) text += "note: " + note + '\n';
-  return text;
+  return text + notes_text(mechanism.notes(), verbose);
 }
 
 }  // namespace
 
-Report report_mechanism(const Mechanism& mechanism) {
-  return {json_mechanism(mechanism), mechanism_text(mechanism)};
+Report report_mechanism(const Mechanism& mechanism, bool verbose) {
+  return {json_mechanism(mechanism), mechanism_text(mechanism, verbose)};
 }
 
 Subcommand describe_subcommand() {
-  const auto choice = std::make_shared<RobotChoice>();
-  return {"describe", "Show what is recognised in the description of a robot", robot_options(*choice),
-          [choice](const Surroundings&) { return report_mechanism(*load_robot(*choice)); }};
+  struct Arguments {
+    RobotChoice robot;
+    bool verbose = false;
+  };
+  const auto arguments = std::make_shared<Arguments>();
+  return {"describe",
+          "Show what is recognised in the description of a robot",
+          robot_options(arguments->robot),
+          [arguments](const Surroundings&) {
+            return report_mechanism(*load_robot(arguments->robot), arguments->verbose);
+          },
+          {{"--verbose", "List every joint that a note is about", &arguments->verbose}}};
 }
 
 }  // namespace parallel_aspects::tools

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "model/spherical_links.h"
 #include "parallel_aspects/distance/boundary_distances.h"
 #include "tools/arguments.h"
 #include "tools/report/numbers.h"
@@ -90,20 +91,28 @@ std::string boundary_text(const Manipulator& manipulator, Boundary boundary,
   return has_leg(boundary, distance) ? text + ", " + manipulator.leg(distance.leg).name : text;
 }
 
+/// [m], or the angle at the center where all anchors are on the unit sphere.
+std::string length_text(const Manipulator& manipulator, double length) {
+  return moves_on_unit_sphere(manipulator) ? shown_angle(angle_of_chord(length)) : shown(length);
+}
+
 void add_row(const Manipulator& manipulator, const ModeDistances& answer, Boundary boundary,
              const BoundaryDistance& distance, TextTable& table) {
   const bool found = std::isfinite(distance.upper);
   table.add({to_string(answer.mode), boundary_text(manipulator, boundary, distance),
-             distance.status == DistanceStatus::absent ? "none" : shown(distance.lower),
-             found ? shown(distance.upper) + (distance.upper_proved ? "" : " (not proved)") : "-",
+             distance.status == DistanceStatus::absent ? "none" : length_text(manipulator, distance.lower),
+             found ? length_text(manipulator, distance.upper) + (distance.upper_proved ? "" : " (not proved)")
+                   : "-",
              name(distance.status), found ? to_string(manipulator.task_space(), distance.witness) : "-",
              found ? shown(distance.joint_displacement) : "-"});
 }
 
 std::string distances_text(const Manipulator& manipulator, const Pose& pose,
                            const std::vector<ModeDistances>& answers) {
-  TextTable table({"working mode", "to the nearest", ">proved at least [m]", ">at most [m]", "status", "at",
-                   "actuated joints move by [rad or m]"});
+  const bool on_sphere = moves_on_unit_sphere(manipulator);
+  const std::string unit = on_sphere ? "" : " [m]";
+  TextTable table({"working mode", "to the nearest", ">proved at least" + unit, ">at most" + unit, "status",
+                   "at", "actuated joints move by [rad or m]"});
   for (const ModeDistances& answer : answers) {
     const BoundaryDistances& distances = answer.distances;
     if (distances.status != ConfigurationStatus::measured &&
@@ -116,7 +125,8 @@ std::string distances_text(const Manipulator& manipulator, const Pose& pose,
     add_row(manipulator, answer, Boundary::actuated_limit, distances.actuated_limit, table);
   }
   return manipulator.name() + " at " + to_string(manipulator.task_space(), pose) +
-         ", root mean square displacement of the anchors\n\n" + table.text();
+         ", root mean square displacement of the anchors" +
+         (on_sphere ? ", as the angle of that chord at the center" : "") + "\n\n" + table.text();
 }
 
 }  // namespace

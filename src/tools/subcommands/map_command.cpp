@@ -30,6 +30,8 @@ struct MapArguments {
   std::string picture_file;
   bool neighbours = false;
   bool no_symmetry = false;
+  bool all_aspects = false;
+  bool verbose = false;
   RoadmapArguments roadmap;
   ConstraintArguments constraints;
 };
@@ -123,7 +125,7 @@ Report roadmap_report(std::shared_ptr<const Manipulator> manipulator, const MapA
     problems.emplace_back(
         "--mode is for maps of boxes, which there is none of in SE3 without --slice; leave it out.");
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
-  return report_roadmap(*compute_roadmap(std::move(manipulator), options, surroundings));
+  return report_roadmap(*compute_roadmap(std::move(manipulator), options, surroundings), arguments.verbose);
 }
 
 /// The options that depend on the robot.
@@ -186,7 +188,7 @@ Report load_or_compute(const std::shared_ptr<const Manipulator>& manipulator, co
   if (!loaded) map = compute(manipulator, options, surroundings);
   save(*map, arguments);
   draw(*map, arguments);
-  Report report = report_map(*map, loaded);
+  Report report = report_map(*map, {loaded, arguments.all_aspects, arguments.verbose});
   if (arguments.neighbours) {
     MapControl control;
     control.cancelled = surroundings.interrupted;
@@ -249,7 +251,9 @@ Subcommand map_subcommand() {
           {{"--neighbours", "Tell which aspects touch across a singularity, and where that is proved",
             &arguments->neighbours},
            {"--no-symmetry", "Compute what symmetries of the robot show to be the same, too",
-            &arguments->no_symmetry}}};
+            &arguments->no_symmetry},
+           {"--all", "List aspects below 1 % of the largest too", &arguments->all_aspects},
+           {"--verbose", "List every joint that a note is about", &arguments->verbose}}};
 }
 
 }  // namespace parallel_aspects::tools

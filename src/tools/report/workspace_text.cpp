@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "aspects/roadmap/pose_sampler.h"
+#include "parallel_aspects/kinematics/inverse.h"
+#include "tools/report/reports.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+
+namespace parallel_aspects::tools {
+namespace {
+
+constexpr int samples = 4000;
+constexpr std::uint64_t seed = 1;
+
+struct ReachedPoses {
+  int count = 0;
+  Eigen::AlignedBox3d positions;
+};
+
+bool is_reached(const Manipulator& manipulator, const Pose& pose) {
+  const auto solutions = inverse_in_all_modes(manipulator, pose);
+  return std::any_of(solutions.begin(), solutions.end(), [](const InverseSolution& solution) {
+    return solution.status == InverseStatus::solved;
+  });
+}
+
+ReachedPoses reached_poses(const Manipulator& manipulator, PoseSampler& sampler) {
+  ReachedPoses reached;
+  for (int i = 0; i < samples; ++i) {
+    const std::optional<Pose> pose = sampler.draw();
+    if (!pose || !is_reached(manipulator, *pose)) continue;
+    ++reached.count;
+    reached.positions.extend(pose->position);
+  }
+  return reached;
+}
+
+std::string ranges_text(const Manipulator& manipulator, const Eigen::AlignedBox3d& positions) {
+  constexpr const char* axes[] = {"x", "y", "z"};
+  std::string text;
+  for (std::size_t i = 0; i < directions(manipulator.task_space()); ++i) {
+    const auto k = static_cast<Eigen::Index>(i);
+    text += (text.empty() ? "" : ", ") + std::string(axes[i]) + " from " + shown_briefly(positions.min()[k]) +
+            " to " + shown_briefly(positions.max()[k]);
+  }
+  return text + " m";
+}
+
+}  // namespace
+
+std::string workspace_text(const std::shared_ptr<const Manipulator>& manipulator) {
+  PoseSampler sampler(manipulator, seed, std::nullopt, EIGEN_PI);
+  if (!sampler.is_bounded())
+    return "workspace: not bounded by the legs; limit the actuated joints, or give a workspace or a region\n";
+  const ReachedPoses reached = reached_poses(*manipulator, sampler);
+  const std::string tried =
+      "of " + std::to_string(samples) + " random poses the legs reach " + std::to_string(reached.count);
+  if (reached.count == 0 || directions(manipulator->task_space()) == 0) return "workspace: " + tried + "\n";
+  return "workspace: " + tried + ", with " + ranges_text(*manipulator, reached.positions) + "\n";
+}
+
+}  // namespace parallel_aspects::tools
