@@ -61,7 +61,7 @@ void update_of(benchmark::State& state, const char* name) {
   TrackerOptions options;
   options.samples.check_velocity = false;
   Tracker tracker(mechanism->manipulator(), options);
-  if (!tracker.start(0.0, samples[0], start_pose, 1e-3 * mechanism->manipulator()->size()))
+  if (!tracker.start_near(0.0, samples[0], start_pose, 1e-3 * mechanism->manipulator()->size()))
     return state.SkipWithError("the tracker did not start");
   std::vector<double> nanoseconds;
   std::size_t i = 0;

@@ -6,18 +6,9 @@
 #include <parallel_aspects/urdf/mechanism.h>
 
 #include <cstdlib>
-#include <fstream>
 #include <iostream>
-#include <sstream>
-#include <string>
 
 namespace {
-
-std::string contents(const std::string& file) {
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
-  return text.str();
-}
 
 void list_aspects(const parallel_aspects::AspectMap& map) {
   for (const parallel_aspects::Aspect& aspect : map.aspects())
@@ -30,24 +21,20 @@ void locate_in_every_mode(const parallel_aspects::AspectMap& map, const parallel
   for (const auto& solution : inverse_in_all_modes(*map.manipulator(), pose)) {
     const parallel_aspects::Location location = map.locate(pose, solution.mode);
     std::cout << to_string(solution.mode) << ": " << name(solution.status);
-    if (location.status == parallel_aspects::LocationStatus::inside)
-      std::cout << ", aspect " << location.aspect;
+    if (location) std::cout << ", aspect " << location.aspect;
     std::cout << '\n';
   }
 }
 
 int run(char** argv) {
-  const auto mechanism =
-      parallel_aspects::load_mechanism(contents(argv[1]), argv[1], contents(argv[2]), argv[2]);
+  const auto mechanism = parallel_aspects::load_mechanism_files(argv[1], argv[2]);
   const parallel_aspects::MapResult result = compute_aspect_map(mechanism->manipulator());
-  if (result.status != parallel_aspects::MapStatus::complete) {
+  if (!result) {
     std::cerr << result.message << '\n';
     return EXIT_FAILURE;
   }
-  parallel_aspects::Pose pose;
-  pose.position << std::atof(argv[3]), std::atof(argv[4]), 0.0;
   list_aspects(*result.map);
-  locate_in_every_mode(*result.map, pose);
+  locate_in_every_mode(*result.map, parallel_aspects::Pose::planar(std::atof(argv[3]), std::atof(argv[4])));
   return EXIT_SUCCESS;
 }
 

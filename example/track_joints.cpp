@@ -4,12 +4,8 @@
 #include <parallel_aspects/tracking/tracker.h>
 #include <parallel_aspects/urdf/mechanism.h>
 
-#include <cmath>
 #include <cstdlib>
-#include <fstream>
 #include <iostream>
-#include <sstream>
-#include <string>
 
 namespace {
 
@@ -20,7 +16,7 @@ class AspectGuard {
   explicit AspectGuard(const parallel_aspects::Mechanism& mechanism) : tracker_(mechanism.manipulator()) {}
 
   bool start(double time, const parallel_aspects::JointVector& q, const parallel_aspects::Pose& pose) {
-    return tracker_.start(time, q, pose, 1e-3);
+    return tracker_.start_near(time, q, pose, 1e-3);
   }
 
   // False where the controller must stop: it is not known where the platform is, or it has changed its
@@ -38,17 +34,10 @@ class AspectGuard {
   parallel_aspects::Tracker tracker_;
 };
 
-std::string contents(const std::string& file) {
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
-  return text.str();
-}
-
 // A second at 1 kHz: the first actuated joint turns until a working mode changes or the assembly mode is not
 // known.
 int run(char** argv) {
-  const auto mechanism =
-      parallel_aspects::load_mechanism(contents(argv[1]), argv[1], contents(argv[2]), argv[2]);
+  const auto mechanism = parallel_aspects::load_mechanism_files(argv[1], argv[2]);
   const parallel_aspects::AssembledConfiguration home = mechanism->assembled();
   AspectGuard guard(*mechanism);
   if (!guard.start(0.0, home.q, home.pose)) return EXIT_FAILURE;

@@ -53,6 +53,7 @@ namespace parallel_aspects {}
 #include "parallel_aspects/tracking/tracker.h"
 #include "parallel_aspects/tracking/transitions.h"
 #include "parallel_aspects/urdf/mechanism.h"
+#include "parallel_aspects/urdf/models.h"
 #include "parallel_aspects/urdf/passive_joints.h"
 
 #endif  // PARALLEL_ASPECTS_PARALLEL_ASPECTS_H

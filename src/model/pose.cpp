@@ -32,6 +32,10 @@ std::optional<Eigen::Quaterniond> unit_quaternion(const Eigen::Vector4d& xyzw) {
 
 }  // namespace
 
+Pose Pose::planar(double x, double y, double phi) {
+  return {{x, y, 0.0}, Eigen::Quaterniond(Eigen::AngleAxisd(phi, Eigen::Vector3d::UnitZ()))};
+}
+
 PoseCoordinates pose_coordinates(TaskSpace space, const Pose& pose) {
   PoseCoordinates coordinates(static_cast<Eigen::Index>(coordinate_names(space).size()));
   coordinates.head(moves(space)) = pose.position.head(moves(space));

@@ -48,7 +48,7 @@ Rehearsal::Rehearsal(std::shared_ptr<const Manipulator> manipulator, const Track
 bool Rehearsal::start(const Pose& pose, const JointVector& q) {
   count_ = 0;
   offset_.setZero();
-  return tracker_.start(0.0, q, pose, 1e-6 * manipulator_->size());
+  return tracker_.start_near(0.0, q, pose, 1e-6 * manipulator_->size());
 }
 
 bool Rehearsal::play(const SampledMotion& motion) {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/shipped_robots.h"
 
+#include "urdf/description/text_file.h"
+
 #include <algorithm>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
-#include <optional>
 #include <utility>
 
 namespace parallel_aspects::tools {
@@ -40,18 +39,6 @@ std::string joined(const std::vector<std::string>& names) {
   return text;
 }
 
-std::optional<std::string> contents(const fs::path& file, Problems& problems) {
-  std::error_code error;
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream || fs::is_directory(file, error)) {
-    const std::string problem =
-        "File '" + file.string() + "' cannot be read; give one that exists and is readable.";
-    if (std::find(problems.begin(), problems.end(), problem) == problems.end()) problems.push_back(problem);
-    return std::nullopt;
-  }
-  return std::string(std::istreambuf_iterator<char>(stream), {});
-}
-
 RobotChoice shipped_files(const std::string& name) {
   const fs::path share = share_folder();
   const std::vector<std::string> known = shipped_robots(share);
@@ -81,11 +68,7 @@ void throw_any(Problems problems) {
 std::shared_ptr<const Mechanism> load(const RobotChoice& choice) {
   throw_any(problems_of(choice));
   const RobotChoice files = choice.name.empty() ? choice : shipped_files(choice.name);
-  Problems problems;
-  const std::optional<std::string> urdf = contents(files.urdf_file, problems);
-  const std::optional<std::string> config = contents(files.config_file, problems);
-  throw_any(std::move(problems));
-  return load_mechanism(*urdf, files.urdf_file, *config, files.config_file);
+  return load_mechanism_files(files.urdf_file, files.config_file);
 }
 
 }  // namespace
@@ -121,7 +104,7 @@ MapSection load_map_section(const RobotChoice& choice, Problems& problems) {
   section.file = choice.config_file;
   if (!choice.name.empty()) section.file = (config_folder(share_folder()) / (choice.name + ".yaml")).string();
   Problems reported_by_load_robot;
-  if (const auto text = contents(section.file, reported_by_load_robot))
+  if (const auto text = read_text_file(section.file, reported_by_load_robot))
     section.config = read_map_config(*text, section.file, problems);
   return section;
 }

@@ -38,12 +38,13 @@ Tracker::~Tracker() = default;
 
 void Tracker::set_map(std::shared_ptr<const AspectMap> map) noexcept { core_->set_map(std::move(map)); }
 
-bool Tracker::start(double time, const JointVector& q, const Pose& pose, double tolerance,
-                    const JointVector& uncertainty) {
+bool Tracker::start_near(double time, const JointVector& q, const Pose& pose, double tolerance,
+                         const JointVector& uncertainty) {
   return core_->start(time, q, pose, tolerance, uncertainty);
 }
 
-bool Tracker::start(double time, const JointVector& q, int determinant_sign, const JointVector& uncertainty) {
+bool Tracker::start_with_sign(double time, const JointVector& q, int determinant_sign,
+                              const JointVector& uncertainty) {
   return core_->start(time, q, determinant_sign, uncertainty);
 }
 

@@ -3,6 +3,7 @@
 
 #include "model/linear_algebra.h"
 #include "parallel_aspects/model/problems.h"
+#include "urdf/description/text_file.h"
 #include "urdf/mechanism_contents.h"
 
 #include <utility>
@@ -92,6 +93,15 @@ bool Mechanism::complete(const Pose& pose, const JointVector& q,
     return false;
   positions = values;
   return true;
+}
+
+SharedMechanism load_mechanism_files(const std::string& urdf_file, const std::string& config_file,
+                                     const std::string& frame_prefix) {
+  Problems problems;
+  const std::optional<std::string> urdf = read_text_file(urdf_file, problems);
+  const std::optional<std::string> config = read_text_file(config_file, problems);
+  if (!problems.empty()) throw InvalidDescription(problems);
+  return load_mechanism(*urdf, urdf_file, *config, config_file, frame_prefix);
 }
 
 }  // namespace parallel_aspects

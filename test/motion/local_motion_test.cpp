@@ -36,7 +36,7 @@ class LocalMotion : public testing::TestWithParam<const char*> {
     TrackerOptions straight;
     straight.samples.path_bend = 0.0;
     Tracker tracker(mechanism_->manipulator(), straight);
-    ASSERT_TRUE(tracker.start(0.0, joint_values.front(), start_, 1e-6 * robot_.size()));
+    ASSERT_TRUE(tracker.start_near(0.0, joint_values.front(), start_, 1e-6 * robot_.size()));
     EXPECT_EQ(tracker.state().mode, mode);
     double farthest = 0.0;
     for (std::size_t i = 1; i < joint_values.size(); ++i) {

@@ -125,7 +125,7 @@ TEST(StraightMotion, ThatExistsIsFollowedInOneSample) {
       TrackerOptions options = straight();
       options.samples.check_velocity = false;  // the whole motion in one sample is faster than the robot
       Tracker tracker(robot, options);
-      ASSERT_TRUE(tracker.start(0.0, from.q, pose, 1e-6));
+      ASSERT_TRUE(tracker.start_near(0.0, from.q, pose, 1e-6));
       EXPECT_TRUE(tracker.update(interval, from.q + change).followed()) << to_string(mode) << ", leg " << leg;
     }
   }

@@ -217,7 +217,7 @@ class TrackingCampaign {
     options.samples.check_velocity = false;
     options.samples.unwrap = false;  // steps of the coarsest runs are turns of their own
     Tracker tracker(mechanism_.manipulator(), options);
-    if (!tracker.start(0.0, start->second, start->first, 1e-6 * robot().size())) return;
+    if (!tracker.start_near(0.0, start->second, start->first, 1e-6 * robot().size())) return;
     FineFollower truth(robot(), start->first, start->second);
     const double size = std::pow(10.0, random_.uniform(-6.0, 0.0));
     TaskVector direction = random_direction(size);

@@ -124,6 +124,33 @@ TEST_F(Command, FilesServeAsWellAsAName) {
             run_json({"describe", "five_bar"}));
 }
 
+TEST_F(Command, DescriptionsSayWhereThePosesAre) {
+  const std::string text = run({"describe", "five_bar"}).output;
+  EXPECT_NE(text.find("poses are given in the task frame, which is the frame of base_link\n"),
+            std::string::npos);
+  EXPECT_NE(text.find("workspace: x from -3."), std::string::npos) << text;
+  for (const char* robot : {"five_bar", "three_rpr", "delta", "agile_eye", "stewart"}) {
+    const std::string description = run({"describe", robot}).output;
+    const std::size_t start = description.find("--pose \"");
+    ASSERT_NE(start, std::string::npos) << description;
+    const std::string pose = description.substr(start + 8, description.find('"', start + 8) - start - 8);
+    const Outcome outcome = run({"ik", robot, "--pose", pose.c_str()});
+    EXPECT_NE(outcome.output.find("solved"), std::string::npos)
+        << robot << outcome.output << outcome.messages;
+  }
+}
+
+TEST_F(Command, LinksOnASphereAreAngles) {
+  const std::string eye = run({"describe", "agile_eye"}).output;
+  EXPECT_NE(eye.find("90 deg (1.5708 rad)"), std::string::npos) << eye;
+  EXPECT_EQ(eye.find("[m]"), std::string::npos) << eye;
+  const std::string links = run({"describe", "spherical_3rrr"}).output;
+  EXPECT_NE(links.find("70 deg (1.22173 rad)  80 deg (1.39626 rad)"), std::string::npos) << links;
+  const std::string distances = run({"distance", "agile_eye", "--pose", "0 0 0 1"}).output;
+  EXPECT_NE(distances.find("deg ("), std::string::npos) << distances;
+  EXPECT_EQ(distances.find("[m]"), std::string::npos) << distances;
+}
+
 TEST_F(Command, DescribesTheFiveBarOfThePaper) {
   const json robot = run_json({"describe", "five_bar"});
   EXPECT_EQ(robot.at("task_space"), "T2");

@@ -52,6 +52,35 @@ TEST_F(MapCommand, MapHasTheDocumentedFields) {
   EXPECT_LE(map.at("resolution").get<double>(), 0.5);
 }
 
+TEST_F(MapCommand, CountsClaimNoMoreThanIsProved) {
+  const std::string proved = run({"map", "five_bar", "--resolution", "0.5"}).output;
+  EXPECT_EQ(proved.substr(0, proved.find('\n')), "five_bar: 10 aspects, proved; 4 working modes");
+  EXPECT_EQ(proved.find("may hide"), std::string::npos);
+  const std::string apart = run({"map", "three_prr", "--resolution", "0.2"}).output;
+  EXPECT_EQ(apart.substr(0, apart.find('\n')),
+            "three_prr: at least 16 aspects (16 components; all proved distinct); 8 working modes");
+  EXPECT_NE(apart.find("; smaller aspects may hide there\n"), std::string::npos);
+}
+
+TEST_F(MapCommand, SmallAspectsAreOneLineUnlessAskedFor) {
+  const std::vector<const char*> question{"map", "five_bar", "--region", "x=0:9 y=-9.5:9.5"};
+  const std::string text = run(question).output;
+  EXPECT_NE(text.find("\nand 2 more, each below 1 % of the largest, together 0.1304"), std::string::npos)
+      << text;
+  EXPECT_EQ(text.find("\n 7  "), std::string::npos);
+  std::vector<const char*> all = question;
+  all.push_back("--all");
+  const std::string whole = run(all).output;
+  EXPECT_EQ(whole.find(" more, each below"), std::string::npos);
+  EXPECT_NE(whole.find("\n 7  "), std::string::npos) << whole;
+}
+
+TEST_F(MapCommand, EmptyRegionsAreNotPrinted) {
+  const std::string text = run({"map", "agile_eye", "--resolution", "0.5"}).output;
+  EXPECT_EQ(text.find("region"), std::string::npos) << text;
+  EXPECT_EQ(text.find("bounds"), std::string::npos) << text;
+}
+
 TEST_F(MapCommand, TellsWhichSymmetriesItUsed) {
   const json map = run_json({"map", "five_bar", "--resolution", "0.5"});
   EXPECT_EQ(map["symmetry"]["motions"], json::array({"(x, -y)"}));

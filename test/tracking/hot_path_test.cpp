@@ -103,9 +103,9 @@ Seen walk(const std::shared_ptr<const Manipulator>& robot, const JointVector& st
   for (int run = 0; run < runs; ++run) {
     JointVector q = start, direction = start;
     const DirectResult solutions = direct(*robot, q);
-    if (!tracker.start(0.0, q,
-                       solutions.solutions[static_cast<std::size_t>(run) % solutions.solutions.size()].pose,
-                       1e-3))
+    if (!tracker.start_near(
+            0.0, q, solutions.solutions[static_cast<std::size_t>(run) % solutions.solutions.size()].pose,
+            1e-3))
       continue;
     double time = 0.0;
     for (int i = 0; i < 300; ++i) {

@@ -60,7 +60,7 @@ class StandOffOf : public testing::TestWithParam<const char*> {
     options.samples.check_velocity = false;
     Tracker tracker(robot_, options);
     const JointVector q = inverse(*robot_, pose, path.mode).q;
-    if (!tracker.start(0.0, q, pose, 1e-3 * robot_->size())) return false;
+    if (!tracker.start_near(0.0, q, pose, 1e-3 * robot_->size())) return false;
     std::uniform_real_distribution<double> uniform(-1.0, 1.0);
     for (int i = 1; i <= samples; ++i) {
       JointVector noisy = q;

@@ -54,7 +54,7 @@ const auto bipod = with_velocity(*test::bipod(), 1.0);
 TEST(AmbiguousTracker, AStepBeyondTheVelocityLimitsIsAGap) {
   Tracker tracker(bipod);
   const JointVector q = joint_values(*bipod, at(2.0, 4.0), {1, 1});
-  ASSERT_TRUE(tracker.start(0.0, q, at(2.0, 4.0), 1e-6));
+  ASSERT_TRUE(tracker.start_near(0.0, q, at(2.0, 4.0), 1e-6));
   JointVector moved = q + joints({0.0009, -0.0009});
   EXPECT_EQ(tracker.update(0.001, moved).status, TrackStatus::tracking);
   moved[0] += 0.05;
@@ -90,15 +90,15 @@ TEST(AmbiguousTracker, RefusesOptionsThatMakeNoSense) {
 TEST(AmbiguousTracker, AnIntervalThatIsTooLongIsASilence) {
   Tracker tracker(bipod);
   const JointVector q = joint_values(*bipod, at(2.0, 4.0), {1, 1});
-  ASSERT_TRUE(tracker.start(0.0, q, at(2.0, 4.0), 1e-6));
+  ASSERT_TRUE(tracker.start_near(0.0, q, at(2.0, 4.0), 1e-6));
   EXPECT_EQ(tracker.update(0.5, q).status, TrackStatus::tracking);
   EXPECT_EQ(tracker.update(1.1, q).ambiguity, Ambiguity::silence);
-  ASSERT_TRUE(tracker.start(2.0, q, at(2.0, 4.0), 1e-6));
+  ASSERT_TRUE(tracker.start_near(2.0, q, at(2.0, 4.0), 1e-6));
   EXPECT_EQ(tracker.update(1.9, q).ambiguity, Ambiguity::silence) << "nobody knows how long that was";
   TrackerOptions options;
   options.samples.longest_interval = std::numeric_limits<double>::infinity();
   Tracker trusting(bipod, options);
-  ASSERT_TRUE(trusting.start(0.0, q, at(2.0, 4.0), 1e-6));
+  ASSERT_TRUE(trusting.start_near(0.0, q, at(2.0, 4.0), 1e-6));
   EXPECT_EQ(trusting.update(1000.0, q).status, TrackStatus::tracking) << "continuity was stated";
 }
 
@@ -109,7 +109,7 @@ TEST(AmbiguousTracker, ARobotThatWasMovedInSilenceIsNotFollowed) {
   const JointVector q = joint_values(*robot, at(4.5, 8.0), {-1, -1});
   for (const double silence : {0.06, 0.3}) {
     Tracker tracker(robot);
-    ASSERT_TRUE(tracker.start(0.0, q, 1));
+    ASSERT_TRUE(tracker.start_with_sign(0.0, q, 1));
     for (int i = 1; i <= 20; ++i) ASSERT_EQ(tracker.update(0.01 * i, q).status, TrackStatus::tracking);
     EXPECT_EQ(tracker.update(0.2 + silence, q + joints({0.01, 0.0})).ambiguity, Ambiguity::silence);
     EXPECT_EQ(tracker.transitions().begin()->kind, TransitionKind::lost);
@@ -145,7 +145,7 @@ TEST(AmbiguousTracker, ASilenceIsToldFromTheUsualRate) {
 TEST(AmbiguousTracker, TransitionsAreTakenOnce) {
   Tracker tracker(bipod);
   const JointVector q = joint_values(*bipod, at(2.0, 4.0), {1, 1});
-  ASSERT_TRUE(tracker.start(0.0, q, at(2.0, 4.0), 1e-6));
+  ASSERT_TRUE(tracker.start_near(0.0, q, at(2.0, 4.0), 1e-6));
   tracker.update(1.0, q);
   EXPECT_EQ(tracker.take_transitions().count, 1U);
   EXPECT_TRUE(tracker.take_transitions().empty());
@@ -159,7 +159,7 @@ TEST(AmbiguousTracker, EncodersMayWrap) {
   Tracker tracker(robot);
   JointVector q = joint_values(*robot, at(4.5, 8.0), {-1, -1});
   ASSERT_NEAR(q[1], 3.138465, 1e-6);
-  ASSERT_TRUE(tracker.start(0.0, q, at(4.5, 8.0), 1e-6));
+  ASSERT_TRUE(tracker.start_near(0.0, q, at(4.5, 8.0), 1e-6));
   for (int i = 1; i <= 100; ++i) {
     q += joints({0.0, 0.001});
     JointVector wrapped = q;
@@ -179,7 +179,7 @@ TEST(AmbiguousTracker, UncertainDrivesAreFollowedAsAWhole) {
   const JointVector uncertainty = joints({0.002, 0.001});
   Tracker tracker(robot);
   JointVector q = joint_values(*robot, at(4.5, 8.0), {-1, 1});
-  ASSERT_TRUE(tracker.start(0.0, q, at(4.5, 8.0), 1e-6));
+  ASSERT_TRUE(tracker.start_near(0.0, q, at(4.5, 8.0), 1e-6));
   int followed = 0;
   for (; followed < 3000; ++followed) {
     q += joints({0.001, -0.001});
@@ -304,7 +304,7 @@ TEST(AmbiguousTracker, StartsWhereALegIsStretchedOnceItIsNot) {
   Tracker tracker(robot);
   // Leg 1 in line, along x: the tip of the crank at (8, 0), the platform at (13, 0); leg 2 reaches it.
   const JointVector stretched = joints({0.0, joint_values(*robot, at(13.0, 0.0), {1, -1})[1]});
-  EXPECT_FALSE(tracker.start(0.0, stretched, at(13.0, 0.0), 1e-3));
+  EXPECT_FALSE(tracker.start_near(0.0, stretched, at(13.0, 0.0), 1e-3));
   EXPECT_EQ(tracker.state().status, TrackStatus::ambiguous);
   EXPECT_EQ(tracker.state().ambiguity, Ambiguity::serial_singularity);
   int i = 1;
@@ -320,7 +320,7 @@ TEST(AmbiguousTracker, StartsWhereALegIsStretchedOnceItIsNot) {
 TEST(AmbiguousTracker, AResidualMakesTheStateInconsistentAndIsFollowedOn) {
   Tracker tracker(bipod);
   const JointVector q = joint_values(*bipod, at(2.0, 4.0), {1, 1});
-  ASSERT_TRUE(tracker.start(0.0, q, at(2.0, 4.0), 1e-6));
+  ASSERT_TRUE(tracker.start_near(0.0, q, at(2.0, 4.0), 1e-6));
   tracker.report_residual(3.0, true);
   EXPECT_EQ(tracker.state().status, TrackStatus::inconsistent);
   EXPECT_EQ(tracker.update(0.1, q + joints({0.01, 0.0})).status, TrackStatus::inconsistent);
@@ -334,7 +334,7 @@ TEST(AmbiguousTracker, AStepThatNeedsTooManySubdivisionsIsSaidToBeOne) {
   const auto robot = test::five_bar();
   Tracker tracker(robot, options);
   const JointVector q = joint_values(*robot, at(4.5, 8.0), {-1, -1});
-  ASSERT_TRUE(tracker.start(0.0, q, 1));
+  ASSERT_TRUE(tracker.start_with_sign(0.0, q, 1));
   EXPECT_EQ(tracker.update(1.0, q + joints({0.5, 0.5})).ambiguity, Ambiguity::step_budget);
 }
 
@@ -344,13 +344,13 @@ TEST(AmbiguousTracker, CrossingsOfLongStepsAreTimed) {
   const JointVector q = joint_values(*robot, at(4.5, 8.0), {-1, -1});
   double fine = 0.0;
   Tracker tracker(robot, straight());
-  ASSERT_TRUE(tracker.start(0.0, q, 1));
+  ASSERT_TRUE(tracker.start_with_sign(0.0, q, 1));
   for (int i = 1; i <= 4000 && fine == 0.0; ++i) {
     tracker.update(i * 0.001, q + joints({i * 0.001, 0.0}));
     if (!tracker.transitions().empty()) fine = tracker.transitions().begin()->time;
   }
   ASSERT_GT(fine, 0.0);
-  ASSERT_TRUE(tracker.start(0.0, q, 1));
+  ASSERT_TRUE(tracker.start_with_sign(0.0, q, 1));
   tracker.update(fine + 0.2, q + joints({fine + 0.2, 0.0}));
   ASSERT_EQ(tracker.transitions().count, 1U);
   EXPECT_NEAR(tracker.transitions().begin()->time, fine, 1e-3);
@@ -367,7 +367,7 @@ TEST(AmbiguousTracker, CrossingsOfOneStepAreAChain) {
                                           WorkingMode::from_index(3, static_cast<std::size_t>(run) % 8));
     if (start.status != InverseStatus::solved) continue;
     Tracker tracker(robot, straight());
-    if (!tracker.start(0.0, start.q, run % 2 == 0 ? 1 : -1)) continue;
+    if (!tracker.start_near(0.0, start.q, run % 2 == 0 ? 1 : -1)) continue;
     const WorkingMode first = tracker.state().mode;
     tracker.update(1.0, start.q + joints({uniform(random), uniform(random), uniform(random)}));
     const WorkingMode* mode = &first;
@@ -438,7 +438,7 @@ TEST_F(NonsingularAssemblyModeChange, IsToldWhenTheDrivesAreBack) {
   std::vector<JointVector> path = find_path();
   ASSERT_GE(path.size(), 3U);
   Tracker tracker(robot_);
-  ASSERT_TRUE(tracker.start(0.0, q_, from_, 1e-6));
+  ASSERT_TRUE(tracker.start_near(0.0, q_, from_, 1e-6));
   EXPECT_EQ(tracker.compare_with_reference(), AssemblyComparison::same);
   EXPECT_EQ(follow(path, tracker) % 2, 1);
   ASSERT_EQ(tracker.state().status, TrackStatus::tracking);
@@ -453,7 +453,7 @@ TEST_F(NonsingularAssemblyModeChange, IsAnsweredOnDemand) {
   const std::vector<JointVector> path = find_path();
   ASSERT_GE(path.size(), 3U);
   Tracker tracker(robot_);
-  ASSERT_TRUE(tracker.start(0.0, q_, from_, 1e-6));
+  ASSERT_TRUE(tracker.start_near(0.0, q_, from_, 1e-6));
   bool told = false, answered = false;
   for (std::size_t k = 1; k < path.size() && !told; ++k)
     for (int i = 1; i <= samples_ && !told; ++i) {

@@ -36,26 +36,26 @@ JointVector joint_values(const Pose& pose, int s1, int s2) {
 TEST(Tracker, StartsAtTheDirectSolutionNearThePose) {
   Tracker tracker(robot);
   const JointVector q = joint_values(at(4.5, 8.0), -1, -1);
-  ASSERT_TRUE(tracker.start(0.0, q, at(4.6, 7.9), 0.2));
+  ASSERT_TRUE(tracker.start_near(0.0, q, at(4.6, 7.9), 0.2));
   EXPECT_NEAR((tracker.state().pose.position - at(4.5, 8.0).position).norm(), 0.0, 1e-12);
   EXPECT_EQ(to_string(tracker.state().mode), "(-,-)");
   EXPECT_EQ(tracker.state().determinant_sign, 1);
-  EXPECT_FALSE(tracker.start(0.0, q, at(6.0, 8.0), 0.2));
+  EXPECT_FALSE(tracker.start_near(0.0, q, at(6.0, 8.0), 0.2));
   EXPECT_EQ(tracker.state().status, TrackStatus::uninitialised);
 }
 
 TEST(Tracker, StartsByTheSignOfTheDeterminant) {
   Tracker tracker(robot);
   const JointVector q = joint_values(at(4.5, 8.0), -1, -1);
-  ASSERT_TRUE(tracker.start(0.0, q, 1));
+  ASSERT_TRUE(tracker.start_with_sign(0.0, q, 1));
   EXPECT_NEAR((tracker.state().pose.position - at(4.5, 8.0).position).norm(), 0.0, 1e-12);
-  ASSERT_TRUE(tracker.start(0.0, q, -1));
+  ASSERT_TRUE(tracker.start_with_sign(0.0, q, -1));
   EXPECT_GT((tracker.state().pose.position - at(4.5, 8.0).position).norm(), 1.0);
 }
 
 TEST(Tracker, IgnoresWhatIsNotFinite) {
   Tracker tracker(robot);
-  ASSERT_TRUE(tracker.start(0.0, joint_values(at(4.5, 8.0), -1, -1), 1));
+  ASSERT_TRUE(tracker.start_with_sign(0.0, joint_values(at(4.5, 8.0), -1, -1), 1));
   const Eigen::Vector3d before = tracker.state().pose.position;
   tracker.update(1.0, joints(std::numeric_limits<double>::quiet_NaN(), 0.0));
   tracker.update(1.0, joints(0.0, std::numeric_limits<double>::infinity()));
@@ -78,7 +78,7 @@ TEST(Tracker, NeverLeavesTheAssemblyModeInSilence) {
     for (int run = 0; run < 200; ++run) {
       Tracker tracker(robot);
       JointVector q = joints(angle(random), angle(random));
-      if (!tracker.start(0.0, q, run % 2 == 0 ? 1 : -1)) continue;
+      if (!tracker.start_with_sign(0.0, q, run % 2 == 0 ? 1 : -1)) continue;
       for (int i = 1; i < 100 && tracker.state().status == TrackStatus::tracking; ++i) {
         q += joints(change(random), change(random));
         tracker.update(0.01 * i, q);
@@ -104,7 +104,7 @@ TEST(Tracker, NeverLeavesTheAssemblyModeInSilence) {
 TEST(Tracker, ReportsTheLegAndTimeOfAWorkingModeChange) {
   Tracker tracker(robot);
   JointVector q = joint_values(at(4.5, 8.0), -1, -1);
-  ASSERT_TRUE(tracker.start(0.0, q, 1));
+  ASSERT_TRUE(tracker.start_with_sign(0.0, q, 1));
   std::vector<Transition> seen;
   for (int i = 1; i <= 4000 && seen.empty(); ++i) {
     q[0] += 0.001;
@@ -122,7 +122,7 @@ TEST(Tracker, ReportsTheLegAndTimeOfAWorkingModeChange) {
   straight.samples.longest_interval = std::numeric_limits<double>::infinity();
   Tracker again(robot, straight);
   const JointVector start = joint_values(at(4.5, 8.0), -1, -1);
-  ASSERT_TRUE(again.start(0.0, start, 1));
+  ASSERT_TRUE(again.start_with_sign(0.0, start, 1));
   const JointVector there = start + joints(seen[0].time, 0.0);
   again.update(1.0, there);
   EXPECT_NEAR(inverse_diagonal(*robot, again.state().pose, there)[1], 0.0, 1e-4);
@@ -131,7 +131,7 @@ TEST(Tracker, ReportsTheLegAndTimeOfAWorkingModeChange) {
 TEST(Tracker, TouchingASerialSingularityIsNoChange) {
   Tracker tracker(robot);
   const JointVector start = joint_values(at(4.5, 8.0), -1, -1);
-  ASSERT_TRUE(tracker.start(0.0, start, 1));
+  ASSERT_TRUE(tracker.start_with_sign(0.0, start, 1));
   JointVector q = start;
   double closest = 1e9;
   // Find the turn at which leg 2 is stretched, from a first pass.
@@ -147,7 +147,7 @@ TEST(Tracker, TouchingASerialSingularityIsNoChange) {
     }
   }
   ASSERT_GT(turn, 0.0);
-  ASSERT_TRUE(tracker.start(0.0, start, 1));
+  ASSERT_TRUE(tracker.start_with_sign(0.0, start, 1));
   for (int i = 0; i <= 1000; ++i) {
     tracker.update(1e-4 * (i + 1), start + joints(turn * std::sin(EIGEN_PI * i / 1000.0), 0.0));
     EXPECT_TRUE(tracker.transitions().empty());
@@ -159,7 +159,7 @@ TEST(Tracker, TouchingASerialSingularityIsNoChange) {
 TEST(Tracker, SaysThatItIsLostAtAParallelSingularity) {
   Tracker tracker(robot);
   JointVector q = joint_values(at(4.5, 8.0), -1, 1);
-  ASSERT_TRUE(tracker.start(0.0, q, at(4.5, 8.0), 1e-6));
+  ASSERT_TRUE(tracker.start_near(0.0, q, at(4.5, 8.0), 1e-6));
   int lost = 0;
   for (int i = 1; i <= 3000; ++i) {
     q += joints(0.001, -0.001);
@@ -179,7 +179,7 @@ TEST(Tracker, TellsTheAspectsBeforeAndAfter) {
   ASSERT_TRUE(map);
   Tracker tracker(robot);
   JointVector q = joint_values(at(4.5, 8.0), -1, -1);
-  ASSERT_TRUE(tracker.start(0.0, q, 1));
+  ASSERT_TRUE(tracker.start_with_sign(0.0, q, 1));
   tracker.set_map(map);
   const int first = tracker.state().aspect;
   ASSERT_NE(first, 0);
@@ -204,15 +204,15 @@ TEST(Tracker, AnAspectThatBecomesKnownAgainWasUnknownBefore) {
   Tracker tracker(robot);
   tracker.set_map(compute_aspect_map(robot).map);
   const JointVector q = joint_values(at(4.5, 8.0), -1, -1);
-  ASSERT_TRUE(tracker.start(0.0, q, 1));
+  ASSERT_TRUE(tracker.start_with_sign(0.0, q, 1));
   const int aspect = tracker.state().aspect;
   ASSERT_NE(aspect, 0);
   ASSERT_EQ(tracker.take_transitions().count, 1U);
-  ASSERT_TRUE(tracker.start(0.1, q, 1));
+  ASSERT_TRUE(tracker.start_with_sign(0.1, q, 1));
   EXPECT_TRUE(tracker.take_transitions().empty()) << "nothing has changed";
   ASSERT_FALSE(tracker.update(9.0, q).followed());
   EXPECT_EQ(tracker.take_transitions().begin()->kind, TransitionKind::lost);
-  ASSERT_TRUE(tracker.start(9.0, q, 1));
+  ASSERT_TRUE(tracker.start_with_sign(9.0, q, 1));
   const Transitions told = tracker.take_transitions();
   ASSERT_EQ(told.count, 1U);
   EXPECT_EQ(told.begin()->aspect_before, 0);

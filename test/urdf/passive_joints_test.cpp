@@ -73,7 +73,7 @@ TEST_P(PassiveJointsOf, StartTheTracker) {
 TEST_P(PassiveJointsOf, ContradictABiasedEncoder) {
   const AssembledConfiguration truth = configuration();
   Tracker tracker(mechanism_->manipulator());
-  ASSERT_TRUE(tracker.start(0.0, truth.q, truth.pose, 1e-6 * mechanism_->manipulator()->size()));
+  ASSERT_TRUE(tracker.start_near(0.0, truth.q, truth.pose, 1e-6 * mechanism_->manipulator()->size()));
   Eigen::VectorXd values = readings(truth.pose, truth.q);
   const std::size_t biased = mechanism_->determined_joints().back().index;
   values[static_cast<Eigen::Index>(biased)] += 1.0;
@@ -107,7 +107,7 @@ TEST(PassiveJoints, ContradictABiasedDrive) {
   JointVector biased = truth.q;
   biased[0] += 0.1;
   Tracker tracker(mechanism->manipulator());
-  ASSERT_TRUE(tracker.start(0.0, biased, truth.pose, mechanism->manipulator()->size()));
+  ASSERT_TRUE(tracker.start_near(0.0, biased, truth.pose, mechanism->manipulator()->size()));
   EXPECT_TRUE(passive.apply(values, tracker).contradicts());
   EXPECT_EQ(tracker.state().status, TrackStatus::inconsistent);
 }

@@ -98,6 +98,9 @@ enum class LocationStatus {
 struct Location {
   LocationStatus status = LocationStatus::not_mapped;  ///< what is known of it
   int aspect = 0;                                      ///< id, where inside
+
+  /// Whether `aspect` is proved to hold the configuration.
+  explicit operator bool() const noexcept { return status == LocationStatus::inside; }
 };
 
 /// The generalized aspects of a manipulator, certified: a 2^d-tree of pose boxes, each proved inside one sign
@@ -176,6 +179,8 @@ struct MapResult {
   MapStatus status = MapStatus::refused;  ///< how the computation ended
   std::string message;                    ///< why, unless complete
   std::shared_ptr<const AspectMap> map;   ///< set when complete
+
+  explicit operator bool() const noexcept { return map != nullptr; }  ///< whether there is a map
 };
 
 /// Computes the map, of a slice in SE3 and of all poses or of a slice elsewhere. SE3 without a slice and bad

@@ -13,6 +13,8 @@ namespace parallel_aspects {
 struct SaveResult {
   bool saved = false;   ///< the file is whole and on the disk
   std::string message;  ///< why not, unless saved
+
+  explicit operator bool() const noexcept { return saved; }  ///< whether it was written
 };
 
 /// Writes the map to a file. At every moment the file is the old one or the new one, whole.

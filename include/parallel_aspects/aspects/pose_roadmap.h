@@ -97,6 +97,8 @@ struct RoadmapResult {
   MapStatus status = MapStatus::refused;       ///< how the computation ended
   std::string message;                         ///< why, unless complete
   std::shared_ptr<const PoseRoadmap> roadmap;  ///< set when complete
+
+  explicit operator bool() const noexcept { return roadmap != nullptr; }  ///< whether there is a roadmap
 };
 
 /// Samples poses and joins them. Options out of range, and legs that leave the positions unbounded, are

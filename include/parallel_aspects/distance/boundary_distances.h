@@ -84,6 +84,8 @@ struct BoundaryDistances {
   BoundaryDistance parallel;        ///< to det A = 0
   BoundaryDistance serial;          ///< to B_jj = 0 of some leg
   BoundaryDistance actuated_limit;  ///< to a limit of some actuated joint
+  /// Whether the distances are of a pose that is reached within limits.
+  explicit operator bool() const noexcept { return status == ConfigurationStatus::measured; }
 };
 
 /// How much work is spent.

@@ -33,6 +33,9 @@ enum class DirectStatus {
 struct DirectResult {
   DirectStatus status = DirectStatus::unsolved;  ///< whether the list is complete
   std::vector<AssemblyMode> solutions;           ///< by falling det A
+
+  /// Whether the list, which may be empty, is complete.
+  explicit operator bool() const noexcept { return status == DirectStatus::solved; }
 };
 
 /// Every real assembly mode for these actuated joint values (one entry a leg), whatever the joint limits.

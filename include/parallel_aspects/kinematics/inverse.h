@@ -35,6 +35,9 @@ struct InverseSolution {
   WorkingMode mode;                                    ///< that was asked for
   JointVector q;        ///< one entry a leg [rad or m]; filled unless out of reach
   std::size_t leg = 0;  ///< first leg at fault, unless solved
+
+  /// Whether every leg reaches, within its limits.
+  explicit operator bool() const noexcept { return status == InverseStatus::solved; }
 };
 
 /// The one inverse solution in this working mode, in closed form.

@@ -20,6 +20,9 @@ struct Pose {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();               ///< operational point [m]
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< unit quaternion
 
+  /// The pose in the x-y plane: x, y [m], turned by `phi` about z [rad].
+  static Pose planar(double x, double y, double phi = 0.0);
+
   /// A point fixed in the platform, given in the platform frame [m], seen in the task frame [m].
   Eigen::Vector3d transform(const Eigen::Vector3d& point) const { return position + orientation * point; }
 };

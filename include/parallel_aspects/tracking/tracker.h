@@ -130,12 +130,13 @@ class Tracker {
   /// False, and uninitialised, where that is farther than `tolerance` from the pose [m, RMS over the
   /// anchors], where q or pose are not finite, or where no solution is proved there. False, and ambiguous,
   /// where a leg is stretched or folded; tracking then starts once it is not. `uncertainty` as in `update`.
-  bool start(double time, const JointVector& q, const Pose& pose, double tolerance,
-             const JointVector& uncertainty = {});
+  bool start_near(double time, const JointVector& q, const Pose& pose, double tolerance,
+                  const JointVector& uncertainty = {});
 
   /// Starts in the assembly mode with this sign of det A (+1 or -1). False, and uninitialised, unless there
   /// is exactly one and it is not near singular. Allocates.
-  bool start(double time, const JointVector& q, int determinant_sign, const JointVector& uncertainty = {});
+  bool start_with_sign(double time, const JointVector& q, int determinant_sign,
+                       const JointVector& uncertainty = {});
 
   /// Forgets everything but the map: what comes next may be another run.
   void stop() noexcept;

@@ -109,6 +109,10 @@ SharedMechanism load_mechanism(const std::string& urdf_text, const std::string& 
                                const std::string& config_text, const std::string& config_name,
                                const std::string& frame_prefix = "");
 
+/// The same from two files, whose names are in the messages.
+SharedMechanism load_mechanism_files(const std::string& urdf_file, const std::string& config_file,
+                                     const std::string& frame_prefix = "");
+
 }  // namespace parallel_aspects
 
 #endif  // PARALLEL_ASPECTS_URDF_MECHANISM_H

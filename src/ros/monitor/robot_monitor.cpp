@@ -258,10 +258,10 @@ Status RobotMonitor::start_as_configured(double time, const JointVector& q) {
   std::string why;
   if (start_.pose) {
     const Pose pose = start_pose(manipulator, *start_.pose);
-    if (tracker_.start(time, q, pose, start_tolerance_, last_uncertainty_)) return {};
+    if (tracker_.start_near(time, q, pose, start_tolerance_, last_uncertainty_)) return {};
     why = why_not_near(manipulator, q, pose, start_tolerance_, "start/pose", last_uncertainty_);
   } else if (start_.determinant_sign) {
-    if (tracker_.start(time, q, *start_.determinant_sign, last_uncertainty_)) return {};
+    if (tracker_.start_with_sign(time, q, *start_.determinant_sign, last_uncertainty_)) return {};
     why = why_not_with_sign(manipulator, q, *start_.determinant_sign, last_uncertainty_);
   }
   return not_started_status(why, read_only_);
@@ -352,7 +352,7 @@ void RobotMonitor::set_map(std::shared_ptr<const AspectMap> map) {
 
 Status RobotMonitor::start_near(const Pose& pose, const ros::Time& now) {
   return start_by(now, [&](double time, const JointVector& q, const JointVector& uncertainty) {
-    return tracker_.start(time, q, pose, start_tolerance_, uncertainty)
+    return tracker_.start_near(time, q, pose, start_tolerance_, uncertainty)
                ? std::string()
                : why_not_near(*mechanism_->manipulator(), q, pose, start_tolerance_, "that pose",
                               uncertainty);
@@ -361,7 +361,7 @@ Status RobotMonitor::start_near(const Pose& pose, const ros::Time& now) {
 
 Status RobotMonitor::start_with_sign(int determinant_sign, const ros::Time& now) {
   return start_by(now, [&](double time, const JointVector& q, const JointVector& uncertainty) {
-    return tracker_.start(time, q, determinant_sign, uncertainty)
+    return tracker_.start_with_sign(time, q, determinant_sign, uncertainty)
                ? std::string()
                : why_not_with_sign(*mechanism_->manipulator(), q, determinant_sign, uncertainty);
   });

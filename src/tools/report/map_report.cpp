@@ -166,11 +166,12 @@ std::string count_text(const AspectMap& map) {
   const std::size_t proved = map.proved_count(), components = map.aspects().size();
   const std::size_t most = map.count_at_most().value_or(components);
   if (most == proved && map.count_at_most()) return counted(proved, "aspect") + ", proved";
-  const std::string found = " (" + counted(components, "component") + "; ";
-  if (map.unresolved().empty() && !map.count_at_most())
-    return "at least " + counted(proved, "aspect") + found + "all proved distinct)";
-  return std::to_string(proved) + " to " + counted(most, "aspect") + found + std::to_string(proved) +
-         " proved distinct; " + counted(map.unresolved().size(), "pair") + " unresolved)";
+  const std::string found = map.unresolved().empty()
+                                ? "all proved distinct"
+                                : std::to_string(proved) + " proved distinct; " +
+                                      counted(map.unresolved().size(), "pair") + " unresolved";
+  return (most == proved ? "at least " : std::to_string(proved) + " to ") + counted(most, "aspect") + " (" +
+         counted(components, "component") + "; " + found + ")";
 }
 
 std::string region_text(const AspectMap& map) {

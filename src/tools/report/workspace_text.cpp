@@ -54,10 +54,12 @@ std::string workspace_text(const std::shared_ptr<const Manipulator>& manipulator
   if (!sampler.is_bounded())
     return "workspace: not bounded by the legs; limit the actuated joints, or give a workspace or a region\n";
   const ReachedPoses reached = reached_poses(*manipulator, sampler);
-  const std::string tried =
-      "of " + std::to_string(samples) + " random poses the legs reach " + std::to_string(reached.count);
-  if (reached.count == 0 || directions(manipulator->task_space()) == 0) return "workspace: " + tried + "\n";
-  return "workspace: " + tried + ", with " + ranges_text(*manipulator, reached.positions) + "\n";
+  const std::string share =
+      std::to_string(reached.count) + " of " + std::to_string(samples) + " random poses";
+  if (reached.count == 0 || directions(manipulator->task_space()) == 0)
+    return "workspace: the legs reach " + share + "\n";
+  return "workspace: " + ranges_text(*manipulator, reached.positions) + ", about; the legs reach " + share +
+         " there\n";
 }
 
 }  // namespace parallel_aspects::tools
