@@ -70,7 +70,9 @@ TEST(Results, AreTrueWhereTheyHoldWhatWasAskedFor) {
   EXPECT_FALSE(save_map(*result.map, "/no/such/folder/five_bar.map"));
   options.resolution = -1.0;
   EXPECT_FALSE(compute_aspect_map(robot, options));
-  EXPECT_FALSE(compute_pose_roadmap(robot, RoadmapOptions{0}));
+  RoadmapOptions none;
+  none.samples = 0;
+  EXPECT_FALSE(compute_pose_roadmap(robot, none));
   BoundaryDistanceMeter meter(robot);
   EXPECT_TRUE(meter.measure(near, mode));
   EXPECT_FALSE(meter.measure(far, mode));
