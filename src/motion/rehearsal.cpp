@@ -48,6 +48,7 @@ Rehearsal::Rehearsal(std::shared_ptr<const Manipulator> manipulator, const Track
 bool Rehearsal::start(const Pose& pose, const JointVector& q) {
   count_ = 0;
   offset_.setZero();
+  tracker_.stop();
   return tracker_.start_near(0.0, q, pose, 1e-6 * manipulator_->size());
 }
 

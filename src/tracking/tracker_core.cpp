@@ -44,17 +44,21 @@ void TrackerCore::set_map(std::shared_ptr<const AspectMap> map) noexcept {
 
 bool TrackerCore::start(double time, const JointVector& q, const Pose& pose, double tolerance,
                         const JointVector& uncertainty) {
-  clear();
   if (q.size() != static_cast<Eigen::Index>(manipulator_->leg_count()) || !q.allFinite()) return false;
   if (!pose.position.allFinite() || !pose.orientation.coeffs().allFinite()) return false;
   Candidate found;
   const JointVector joint_values = options_.samples.unwrap ? unwrapped(*manipulator_, {}, q) : q;
   if (!certify_solution(certifier_, pose, joint_values, found.point)) return false;
   if (!(anchor_distance(*manipulator_, found.point.pose, pose) <= tolerance)) return false;
-  uncertainty_ = uncertainty.size() == q.size() ? uncertainty : JointVector::Zero(q.size());
+  const JointVector room = uncertainty.size() == q.size() ? uncertainty : JointVector::Zero(q.size());
   const RoundingUpward upward;
-  if (std::isinf(certifier_.anchor_spread(found.point, uncertainty_))) return false;
+  if (std::isinf(certifier_.anchor_spread(found.point, room))) return false;
   found.determinant_sign = certifier_.determinant_sign(found.point);
+  WorkingMode mode;
+  const bool known = found.determinant_sign != 0 && proved_mode(found.point, mode);
+  if (!known && state_.followed()) return false;
+  clear();  // from here on nothing is refused
+  uncertainty_ = room;
   candidates_.set(found);
   state_.time = time;
   state_.q = joint_values;
@@ -63,7 +67,6 @@ bool TrackerCore::start(double time, const JointVector& q, const Pose& pose, dou
 
 bool TrackerCore::start(double time, const JointVector& q, int determinant_sign,
                         const JointVector& uncertainty) {
-  clear();
   const DirectResult result = direct(*manipulator_, q);
   const AssemblyMode* chosen = nullptr;
   for (const AssemblyMode& mode : result.solutions) {

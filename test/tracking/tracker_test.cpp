@@ -40,8 +40,30 @@ TEST(Tracker, StartsAtTheDirectSolutionNearThePose) {
   EXPECT_NEAR((tracker.state().pose.position - at(4.5, 8.0).position).norm(), 0.0, 1e-12);
   EXPECT_EQ(to_string(tracker.state().mode), "(-,-)");
   EXPECT_EQ(tracker.state().determinant_sign, 1);
-  EXPECT_FALSE(tracker.start_near(0.0, q, at(6.0, 8.0), 0.2));
-  EXPECT_EQ(tracker.state().status, TrackStatus::uninitialised);
+}
+
+TEST(Tracker, AStartThatFailsChangesNothing) {
+  Tracker tracker(robot);
+  const JointVector q = joint_values(at(4.5, 8.0), -1, -1);
+  ASSERT_TRUE(tracker.start_near(0.0, q, at(4.5, 8.0), 0.2));
+  tracker.update(0.1, q, joints(1e-6, 1e-6));
+  const TrackedState before = tracker.state();
+  const JointVector bend = tracker.bend();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const JointVector stretched = joints(0.0, joint_values(at(13.0, 0.0), 1, -1)[1]);
+  EXPECT_FALSE(tracker.start_near(1.0, q, at(6.0, 8.0), 0.2)) << "too far away";
+  EXPECT_FALSE(tracker.start_near(1.0, joints(nan, 0.0), at(4.5, 8.0), 0.2));
+  EXPECT_FALSE(tracker.start_near(1.0, q, at(nan, 8.0), 0.2));
+  EXPECT_FALSE(tracker.start_near(1.0, q, at(4.5, 8.0), 0.2, joints(10.0, 10.0))) << "too uncertain";
+  EXPECT_FALSE(tracker.start_near(1.0, stretched, at(13.0, 0.0), 1e-3)) << "of no working mode";
+  EXPECT_FALSE(tracker.start_with_sign(1.0, joints(EIGEN_PI, 0.0), 1)) << "cannot be assembled so";
+  EXPECT_EQ(tracker.state().status, TrackStatus::tracking);
+  EXPECT_EQ(tracker.state().time, before.time);
+  EXPECT_EQ(tracker.state().q, before.q);
+  EXPECT_EQ(tracker.state().spread, before.spread);
+  EXPECT_EQ(tracker.bend(), bend);
+  EXPECT_TRUE(tracker.update(0.2, q).followed());
+  EXPECT_TRUE(tracker.update(0.3, joint_values(at(4.5, 8.01), -1, -1)).followed());
 }
 
 TEST(Tracker, StartsByTheSignOfTheDeterminant) {

@@ -127,14 +127,15 @@ class Tracker {
   void set_map(std::shared_ptr<const AspectMap> map) noexcept;
 
   /// Starts from a pose known to belong to `q`: the direct solution that Newton's method finds from there.
-  /// False, and uninitialised, where that is farther than `tolerance` from the pose [m, RMS over the
-  /// anchors], where q or pose are not finite, or where no solution is proved there. False, and ambiguous,
-  /// where a leg is stretched or folded; tracking then starts once it is not. `uncertainty` as in `update`.
+  /// False, and nothing has changed, where that is farther than `tolerance` from the pose [m, RMS over the
+  /// anchors], where q or pose are not finite, or where no solution is proved there. False also where a leg
+  /// is stretched or folded: then nothing has changed if the robot was followed; if not, the state is
+  /// ambiguous, and tracking starts once the leg is not. `uncertainty` as in `update`.
   bool start_near(double time, const JointVector& q, const Pose& pose, double tolerance,
                   const JointVector& uncertainty = {});
 
-  /// Starts in the assembly mode with this sign of det A (+1 or -1). False, and uninitialised, unless there
-  /// is exactly one and it is not near singular. Allocates.
+  /// Starts in the assembly mode with this sign of det A (+1 or -1), as above. False, and nothing has
+  /// changed, unless there is exactly one and it is not near singular. Allocates.
   bool start_with_sign(double time, const JointVector& q, int determinant_sign,
                        const JointVector& uncertainty = {});
 
