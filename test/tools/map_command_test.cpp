@@ -349,7 +349,7 @@ TEST_F(MapCommand, BadSectionsAreRefusedAtOnce) {
   EXPECT_EQ(outcome.code, exit_code::bad_input);
   const std::string file = robot.config();
   EXPECT_EQ(outcome.messages,
-            file + " has an unknown key 'regoin' under map; did you mean 'region'?\n" + file +
+            file + " has an unknown key 'regoin' under map; remove it, as 'region' is there.\n" + file +
                 " has a map.resolution that is not positive; give one in m or rad, or leave it out.\n" +
                 file + " has a map.threads that is no whole number from 0 to 1024; give one.\n" + file +
                 " has a map.extra_levels that is no whole number from 0 to 20; give one.\n" + file +

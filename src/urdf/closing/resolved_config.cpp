@@ -27,7 +27,7 @@ class Resolver {
     std::vector<std::string> actuated_joints = config.actuated_joints;
     const bool loops_are_read = config.lists_closures || describe_loops();
     if (!config.lists_actuated_joints && loops_are_read) describe_actuated_joints(actuated_joints);
-    for (const std::string& joint : actuated_joints) add_actuated_joint(joint);
+    for (const std::string& joint : actuated_joints) add_actuated_joint(joint, actuated_joints);
     return result_;
   }
 
@@ -93,23 +93,24 @@ class Resolver {
               "; a fully parallel robot has one, two, three or six actuated joints, so list them.");
   }
 
-  void add_actuated_joint(const std::string& name) {
+  void add_actuated_joint(const std::string& name, const std::vector<std::string>& all) {
     const auto found = tree_.joint_named(name);
     if (!found || !tree_.joints[*found].variable || tree_.joints[*found].mimics) {
       problems_.push_back(actuated_joints_named_in_ + name + actuated_joints_named_by_ + files_.urdf +
-                          reason_not_to_actuate(name, found));
+                          reason_not_to_actuate(name, found, all));
       return;
     }
     result_.actuated_joints.variables.push_back(*tree_.joints[*found].variable);
   }
 
-  std::string reason_not_to_actuate(const std::string& name, std::optional<std::size_t> found) const {
+  std::string reason_not_to_actuate(const std::string& name, std::optional<std::size_t> found,
+                                    const std::vector<std::string>& actuated_joints) const {
     if (found && tree_.joints[*found].mimics)
       return " lets that joint mimic another; actuate the other one, or take out the <mimic>.";
     if (found) return " fixes that joint; actuate a movable one.";
     std::vector<std::string> movable;
     for (const std::size_t joint : tree_.movable) movable.push_back(tree_.joints[joint].name);
-    return " has no such joint" + suggestion(name, movable, problems_);
+    return " has no such joint" + suggestion(name, others(movable, actuated_joints), problems_);
   }
 
   const LoopSource& source_;

@@ -2,6 +2,7 @@
 #include "urdf/description/nearest_name.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 
 namespace parallel_aspects {
@@ -9,6 +10,7 @@ namespace {
 
 constexpr std::size_t most_letters = 200;  // that are compared
 constexpr std::size_t most_suggestions = 20;
+constexpr std::size_t most_listed = 12;
 
 std::size_t edit_distance(std::string one, std::string other) {
   for (std::string* word : {&one, &other}) word->resize(std::min(word->size(), most_letters));
@@ -26,24 +28,38 @@ std::size_t edit_distance(std::string one, std::string other) {
   return row.back();
 }
 
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "'" : ", '") + name + "'";
+  return text;
+}
+
 }  // namespace
 
-std::string nearest_name(const std::string& word, const std::vector<std::string>& known) {
+std::string similar_name(const std::string& word, const std::vector<std::string>& known) {
   const auto nearest = std::min_element(known.begin(), known.end(), [&](const auto& a, const auto& b) {
     return edit_distance(word, a) < edit_distance(word, b);
   });
-  return nearest == known.end() ? std::string() : *nearest;
+  const bool similar =
+      nearest != known.end() && 2 * edit_distance(word, *nearest) <= std::max(word.size(), nearest->size());
+  return similar ? *nearest : std::string();
 }
 
 std::string suggestion(const std::string& word, const std::vector<std::string>& known,
                        const Problems& problems) {
-  return problems.size() < most_suggestions ? "; did you mean '" + nearest_name(word, known) + "'?"
-                                            : "; correct it.";
+  const std::string similar = problems.size() < most_suggestions ? similar_name(word, known) : std::string();
+  if (!similar.empty()) return "; did you mean '" + similar + "'?";
+  return known.empty() || known.size() > most_listed
+             ? "; correct it."
+             : (known.size() == 1 ? "; there is " : "; there are ") + listed(known) + ".";
 }
 
-std::string similar_name(const std::string& word, const std::vector<std::string>& known) {
-  const std::string nearest = nearest_name(word, known);
-  return 2 * edit_distance(word, nearest) <= std::max(word.size(), nearest.size()) ? nearest : std::string();
+std::vector<std::string> others(const std::vector<std::string>& known, const std::vector<std::string>& used) {
+  std::vector<std::string> rest;
+  std::copy_if(known.begin(), known.end(), std::back_inserter(rest), [&](const std::string& name) {
+    return std::find(used.begin(), used.end(), name) == used.end();
+  });
+  return rest;
 }
 
 }  // namespace parallel_aspects

@@ -12,12 +12,17 @@
 namespace parallel_aspects {
 void YamlValues::check_keys(const YAML::Node& map, const std::vector<std::string>& known,
                             const std::string& where) const {
+  std::vector<std::string> keys;
+  for (const auto& entry : map) keys.push_back(entry.first.IsScalar() ? entry.first.Scalar() : "");
+  const std::vector<std::string> unused = others(known, keys);
   std::unordered_set<std::string> seen;
-  for (const auto& entry : map) {
-    const std::string key = entry.first.IsScalar() ? entry.first.Scalar() : "";
-    if (std::find(known.begin(), known.end(), key) == known.end())
-      problem("has an unknown key '" + key + "' under " + where + "; did you mean '" +
-              nearest_name(key, known) + "'?");
+  for (const std::string& key : keys) {
+    if (std::find(known.begin(), known.end(), key) == known.end()) {
+      const std::string used = similar_name(key, unused).empty() ? similar_name(key, known) : "";
+      problem(
+          "has an unknown key '" + key + "' under " + where +
+          (used.empty() ? suggestion(key, unused, problems_) : "; remove it, as '" + used + "' is there."));
+    }
     if (!seen.insert(key).second)
       problem("has the key '" + key + "' twice under " + where + "; keep one of them.");
   }

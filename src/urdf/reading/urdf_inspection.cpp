@@ -202,8 +202,9 @@ class Inspector {
     for (std::size_t k = 0; k < 2; ++k) {
       ends[k] = attribute(joint->FirstChildElement(tags[k]), "link");
       if (link_names_.count(ends[k]) > 0) continue;
+      const std::string meant = may_guess() ? similar_name(ends[k], links_) : "";
       problem("gives " + owner + " the " + tags[k] + " link '" + ends[k] + "', which does not exist; " +
-              (may_guess() ? "add it, or write '" + nearest_name(ends[k], links_) + "'." : "add it."));
+              (meant.empty() ? "add it." : "add it, or write '" + meant + "'."));
     }
     if (!parent_joint_.emplace(ends[1], attribute(joint, "name")).second)
       problem("makes link '" + ends[1] + "' the child of " + owner + " and of joint '" +
