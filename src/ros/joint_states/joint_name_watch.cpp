@@ -26,8 +26,8 @@ bool contains(const Names& names, std::string_view name) {
 
 }  // namespace
 
-JointNameWatch::JointNameWatch(const Manipulator& manipulator) {
-  for (const Leg& leg : manipulator.legs()) expected_.push_back(leg.actuated_joint);
+JointNameWatch::JointNameWatch(const Mechanism& mechanism) : own_(mechanism.joint_names()) {
+  for (const Leg& leg : mechanism.manipulator()->legs()) expected_.push_back(leg.actuated_joint);
 }
 
 bool JointNameWatch::hear(const sensor_msgs::JointState& message) {
@@ -49,12 +49,13 @@ std::string JointNameWatch::guess() const {
   for (const std::string& name : expected_)
     if (!contains(arriving_, name)) missing.push_back(name);
   for (const std::string& name : arriving_)
-    if (!contains(expected_, name)) others.push_back(name);
+    if (!contains(own_, name)) others.push_back(name);
   for (const std::string& name : missing) {
     const std::string similar = similar_name(name, others);
     if (similar.empty()) continue;
     meant.push_back(name);
     written.push_back(similar);
+    others.erase(std::find(others.begin(), others.end(), similar));
   }
   return meant.empty() ? "" : "did you mean " + listed(meant) + " by " + listed(written) + "?";
 }

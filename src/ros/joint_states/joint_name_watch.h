@@ -2,7 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ROS_JOINT_STATES_JOINT_NAME_WATCH_H
 #define PARALLEL_ASPECTS_ROS_JOINT_STATES_JOINT_NAME_WATCH_H
 
-#include "parallel_aspects/model/manipulator.h"
+#include "parallel_aspects/urdf/mechanism.h"
 
 #include <sensor_msgs/JointState.h>
 #include <string>
@@ -14,7 +14,7 @@ namespace parallel_aspects {
 /// the commonest reason why none can. What it keeps is bounded, whatever arrives.
 class JointNameWatch {
  public:
-  explicit JointNameWatch(const Manipulator& manipulator);
+  explicit JointNameWatch(const Mechanism& mechanism);
 
   /// Whether the message names a joint that was not heard of before.
   bool hear(const sensor_msgs::JointState& message);
@@ -33,11 +33,12 @@ class JointNameWatch {
 
  private:
   /// "did you mean 'crank_1_joint' by 'crank1_joint'?" with every actuated joint that has not arrived; empty
-  /// where nothing that has looks like one.
+  /// where nothing that has looks like one and is no joint of the robot.
   std::string guess() const;
 
   std::vector<std::string> expected_, arriving_;
-  bool more_arrive_ = false;  // than there is room for
+  std::vector<std::string> own_;  // all joints of the robot, none of which is meant by another
+  bool more_arrive_ = false;      // than there is room for
 };
 
 }  // namespace parallel_aspects

@@ -236,10 +236,15 @@ AssemblyCandidates candidates_message(const Manipulator& manipulator, const Trac
   for (std::size_t i = 0; i < count; ++i)
     message.candidates.push_back(
         solved_message(manipulator, {candidates[i].pose, candidates[i].q}, nullptr, stamp));
+  const std::string why = reason(tracked.ambiguity);
+  if (count == 0 && !message.complete) {
+    message.message =
+        "Which assembly modes are possible is not known yet" + (why.empty() ? "." : ": " + why + ".");
+    return message;
+  }
   const bool one = count == 1 && message.complete;
   message.message = std::to_string(count) + (message.complete ? "" : " or more") +
-                    (one ? " assembly mode is possible: " : " assembly modes are possible: ") +
-                    reason(tracked.ambiguity) + ".";
+                    (one ? " assembly mode is possible: " : " assembly modes are possible: ") + why + ".";
   return message;
 }
 

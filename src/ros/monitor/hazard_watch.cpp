@@ -19,6 +19,7 @@ HazardWatch::HazardWatch(std::shared_ptr<const Manipulator> manipulator,
                          const DistanceThresholds::Options& thresholds)
     : manipulator_(std::move(manipulator)), thresholds_(thresholds) {
   speeds_.fill(ApproachSpeed(speed_window));
+  findings_.distances.fill(unknown_distance());
 }
 
 void HazardWatch::take(MeasuredHazards measured, double time) {
@@ -83,6 +84,7 @@ void HazardWatch::forget_measured() {
 void HazardWatch::forget() {
   forget_measured();
   memory_.forget();
+  findings_.distances.fill(unknown_distance());
 }
 
 }  // namespace parallel_aspects

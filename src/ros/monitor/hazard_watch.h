@@ -20,7 +20,7 @@ namespace parallel_aspects {
 /// What the last state said of distances and passive joints.
 struct MonitorFindings {
   ThresholdState threshold;
-  std::array<DistanceBounds, hazard_count> distances;  ///< by `Hazard`
+  std::array<DistanceBounds, hazard_count> distances;  ///< by `Hazard`; not a number where unknown
   double stand_off = 0.0, residual = 0.0;              ///< as in AspectState
 };
 

@@ -25,10 +25,9 @@ constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 RobotMonitor::RobotMonitor(std::shared_ptr<const Mechanism> mechanism, const NodeOptions& options)
     : mechanism_(mechanism),
       reader_(mechanism),
-      names_(*mechanism->manipulator()),
+      names_(*mechanism),
       start_(options.start),
       start_tolerance_(options.start.tolerance.value_or(mechanism->manipulator()->size() / 20.0)),
-      timeout_(options.joint_states_timeout),
       read_only_(options.read_only),
       passive_(mechanism, options.passive),
       meter_(mechanism->manipulator()),
@@ -36,18 +35,21 @@ RobotMonitor::RobotMonitor(std::shared_ptr<const Mechanism> mechanism, const Nod
       merger_(mechanism->manipulator(), options.tracking.samples, options.joint_states_window),
       tracker_(mechanism->manipulator(), options.tracking),
       status_(make_status(Status::NO_JOINT_STATES, "No usable joint_states have arrived yet.")),
-      publishers_(ros::Duration(timeout_)),
+      age_(options.joint_states_timeout),
+      publishers_(ros::Duration(options.joint_states_timeout)),
       hazards_(mechanism->manipulator(), thresholds_of(options.thresholds)) {}
 
 MonitorUpdate RobotMonitor::update(const sensor_msgs::JointState& message, const ros::Time& now,
                                    const std::string& publisher) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (seconds_between(now, last_received_) > timeout_) forget();
+  if (seconds_between(now, last_received_) > age_.timeout()) forget();
   last_received_ = now;
   publishers_.count(publisher, message.header.seq);
   const JointSample sample = reader_.read(message);
   const ros::Time& stamp = message.header.stamp;
-  const bool new_names = sample.status != SampleStatus::usable && nothing_lately(now) && names_.hear(message);
+  // So long that names may be what is wrong; before that they would be work at the rate of other robots.
+  const bool nothing_lately = age_.silence(now) > age_.timeout() / 2.0;
+  const bool new_names = sample.status != SampleStatus::usable && nothing_lately && names_.hear(message);
   if (sample.status == SampleStatus::foreign) return pass_over(new_names);
   std::string other;
   const Claim claim = publishers_.claim(publisher, sample.joint_values, now, other);
@@ -56,27 +58,22 @@ MonitorUpdate RobotMonitor::update(const sensor_msgs::JointState& message, const
                   "both " + std::min(publisher, other) + " and " + std::max(publisher, other) +
                       " publish the actuated joints; stop one of them.",
                   stamp, now);
-  if (claim == Claim::waiting && !halted_) {  // while the clock stands still, no other seems to end
+  if (claim == Claim::waiting && !age_.halted()) {  // while the clock stands still, no other seems to end
     if (status_.code == Status::SEVERAL_PUBLISHERS) last_refused_ = now;
     return {};
   }
   if (sample.status == SampleStatus::invalid)
     return refuse(Status::INVALID_JOINT_STATES, names_.with_guess(sample.message), stamp, now);
-  if (sample.status == SampleStatus::usable && stamp == last_stamp_ && last_q_ && sample.q == *last_q_)
+  if (sample.status == SampleStatus::usable && stamp == age_.stamp() && last_q_ && sample.q == *last_q_)
     return {};  // the same again
   // Messages that hold some of the actuated joints come on several paths, and may overtake one another.
-  const ros::Time before = sample.status == SampleStatus::partial ? ros::Time() : last_stamp_;
-  const std::string fault = fault_of_stamp(stamp, before, now, timeout_);
+  const ros::Time before = sample.status == SampleStatus::partial ? ros::Time() : age_.stamp();
+  const std::string fault = fault_of_stamp(stamp, before, now, age_.timeout());
   if (!fault.empty()) return refuse(Status::INVALID_JOINT_STATES, fault, stamp, now);
   const auto merged = merger_.add(stamp, sample.joint_values, sample.q);
   if (sample.status == SampleStatus::usable) return accept(sample, {stamp, sample.q, {}}, now);
-  if (merged && merged->stamp > last_stamp_) return accept(JointSample(), *merged, now);
+  if (merged && merged->stamp > age_.stamp()) return accept(JointSample(), *merged, now);
   return wait_for_joints(sample, now);
-}
-
-// So long that names may be what is wrong; before that they would be work at the rate of other robots.
-bool RobotMonitor::nothing_lately(const ros::Time& now) const {
-  return seconds_between(last_usable_, now) > timeout_ / 2.0;
 }
 
 // Another robot's message; while nothing else comes, perhaps this one's with the wrong names.
@@ -106,10 +103,10 @@ MonitorUpdate RobotMonitor::refuse(std::uint8_t code, const std::string& message
 // The others may be on their path; where they are not, the state becomes stale.
 MonitorUpdate RobotMonitor::wait_for_joints(const JointSample& sample, const ros::Time& now) {
   MonitorUpdate update;
-  if (!last_stamp_.isZero()) return update;
+  if (!age_.stamp().isZero()) return update;
   if (waiting_since_.isZero()) waiting_since_ = now;
   status_ = make_status(Status::NO_JOINT_STATES, some_joints(names_.with_guess(sample.message)));
-  if (seconds_between(waiting_since_, now) > timeout_) update.warning = status_.message;
+  if (seconds_between(waiting_since_, now) > age_.timeout()) update.warning = status_.message;
   update.state = unknown_state(*mechanism_->manipulator(), status_, {});
   return update;
 }
@@ -118,13 +115,11 @@ MonitorUpdate RobotMonitor::accept(const JointSample& sample, const MergedJoints
                                    const ros::Time& now) {
   ++counts_.usable;
   names_.forget();
-  const bool first = last_stamp_.isZero();
+  const bool first = age_.stamp().isZero();
   const ros::Time& stamp = joint_values.stamp;
   if (first) epoch_ = stamp;
   const JointVector& q = joint_values.q;
-  last_usable_ = now;
-  halted_ = false;
-  last_stamp_ = stamp;
+  age_.take(stamp, now);
   last_q_ = q;
   last_uncertainty_ = joint_values.uncertainty;
   readings_ = sample.readings;
@@ -133,19 +128,17 @@ MonitorUpdate RobotMonitor::accept(const JointSample& sample, const MergedJoints
   if (!first || start.code != Status::OK) tracker_.update(time, q, joint_values.uncertainty);
   const bool uninitialised = tracker_.state().status == TrackStatus::uninitialised;
   if (tracker_.state().followed()) not_started_ = {};
-  if (first && uninitialised && start.code != Status::OK)
-    status_ = not_started_ = start;
-  else
-    status_ = uninitialised && not_started_.code != Status::OK ? not_started_ : status_of_tracker();
+  if (first && uninitialised) not_started_ = start;
+  status_ = status_of_tracker();
 
   MonitorUpdate update;
   if (!sample.message.empty()) update.warning = "In joint_states, " + sample.message;
   if (first && failed_start()) update.warning = start.message;
   fill_tracked(stamp, update);
-  said_stale_ = stale(now);
+  said_stale_ = age_.too_old(now);
   if (said_stale_) {
     update.tracked.reset();
-    update.state = lost_state(stale_status(now), stamp);
+    update.state = lost_state(age_.status(now, names_), stamp);
     return update;
   }
   update.state->status = status_;
@@ -186,7 +179,7 @@ std::optional<AssemblyCandidates> RobotMonitor::work() {
   Eigen::VectorXd readings;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (last_stamp_.isZero()) return std::nullopt;
+    if (age_.stamp().isZero()) return std::nullopt;
     tracked = tracker_.state();
     bend = tracker_.bend();
     readings = readings_;
@@ -235,7 +228,7 @@ std::optional<AssemblyCandidates> RobotMonitor::new_candidates() {
   const std::size_t count = followed ? 0 : list.size();
   if (count == reported_candidates_) return std::nullopt;
   reported_candidates_ = count;
-  return candidates_message(*mechanism_->manipulator(), tracker_.state(), list, last_stamp_);
+  return candidates_message(*mechanism_->manipulator(), tracker_.state(), list, age_.stamp());
 }
 
 std::optional<sensor_msgs::JointState> RobotMonitor::complete(const TrackedState& tracked,
@@ -272,56 +265,55 @@ bool RobotMonitor::failed_start() const {
   return (start_.pose || start_.determinant_sign) && not_started_.code != Status::OK;
 }
 
+// Of the merged actuated joints, where that is what keeps the assembly mode unknown: near det A = 0 it would
+// be without it.
+JointVector RobotMonitor::uncertainty_to_report() const {
+  constexpr double near = 0.05;  // share of the robot's size
+  const double distance = hazards_.findings().distances[0].upper;
+  return distance <= near * mechanism_->manipulator()->size() ? JointVector() : last_uncertainty_;
+}
+
 Status RobotMonitor::status_of_tracker() const {
   switch (tracker_.state().status) {
     case TrackStatus::tracking:
       return {};
     case TrackStatus::ambiguous:
-      return ambiguous_status(tracker_.state().ambiguity, last_uncertainty_,
+      return ambiguous_status(tracker_.state().ambiguity, uncertainty_to_report(),
                               failed_start() ? not_started_.message : "", read_only_);
     case TrackStatus::inconsistent:
       return inconsistent_status(*mechanism_, residual_);
     case TrackStatus::uninitialised:
       break;
   }
-  return not_started_status("", read_only_);
-}
-
-bool RobotMonitor::stale(const ros::Time& now) const {
-  return !last_stamp_.isZero() && (halted_ || seconds_between(last_usable_, now) > timeout_ ||
-                                   seconds_between(last_stamp_, now) > timeout_);
-}
-
-Status RobotMonitor::stale_status(const ros::Time& now) const {
-  const bool arrive = seconds_between(last_usable_, now) <= timeout_;
-  if (arrive && seconds_between(last_stamp_, last_usable_) > timeout_) return late_status(timeout_);
-  if (arrive && seconds_between(last_stamp_, now) <= timeout_) return halted_status(timeout_);
-  return silent_status(timeout_, names_);
+  return not_started_.code != Status::OK ? not_started_ : not_started_status("", read_only_);
 }
 
 // While messages are refused, that is what is said, not how long ago the last usable one came.
 Status RobotMonitor::status_at(const ros::Time& now) const {
   const bool refused =
       status_.code == Status::INVALID_JOINT_STATES || status_.code == Status::SEVERAL_PUBLISHERS;
-  if (refused && seconds_between(last_refused_, now) <= timeout_) return status_;
-  return stale(now) ? stale_status(now) : status_;
+  if (refused && seconds_between(last_refused_, now) <= age_.timeout()) return status_;
+  return age_.too_old(now) ? age_.status(now, names_) : status_;
+}
+
+void RobotMonitor::beat(const ros::SteadyTime& wall) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  age_.beat(wall);
 }
 
 std::optional<AspectState> RobotMonitor::expire(const ros::Time& now, const ros::SteadyTime& wall) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (counts_.usable != checked_usable_) checked_at_ = wall;
-  checked_usable_ = counts_.usable;
-  halted_ = (wall - checked_at_).toSec() > timeout_;
+  age_.look(wall);
   const Status status = status_at(now);
   if (status.code != Status::STALE || std::exchange(said_stale_, true)) return std::nullopt;
-  return lost_state(status, last_stamp_);
+  return lost_state(status, age_.stamp());
 }
 
 CurrentConfiguration RobotMonitor::current(const ros::Time& now) const {
   const std::lock_guard<std::mutex> lock(mutex_);
   CurrentConfiguration current;
   current.status = status_at(now);
-  current.stamp = last_stamp_;
+  current.stamp = age_.stamp();
   current.tracked = tracker_.state();
   current.solved = {current.tracked.pose, current.tracked.q};
   return current;
@@ -371,20 +363,14 @@ Status RobotMonitor::start_with_sign(int determinant_sign, const ros::Time& now)
 template <class Start>
 Status RobotMonitor::start_by(const ros::Time& now, const Start& start) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (!last_q_ || stale(now))
+  if (!last_q_ || age_.too_old(now))
     return make_status(Status::NO_JOINT_STATES,
                        "No present joint values are known; publish joint_states first.");
-  const Tracker before = tracker_;
-  const std::string why_not = start(seconds_between(epoch_, last_stamp_), *last_q_, last_uncertainty_);
-  if (why_not.empty()) {
-    keep_transitions();
-    return status_ = {};
-  }
-  if (before.state().followed())
-    tracker_ = before;  // what is refused changes nothing
-  else
-    status_ = status_of_tracker();
-  return make_status(Status::NO_SOLUTION, why_not);
+  const std::string why_not = start(seconds_between(epoch_, age_.stamp()), *last_q_, last_uncertainty_);
+  if (!tracker_.state().followed() || why_not.empty()) status_ = status_of_tracker();
+  if (!why_not.empty()) return make_status(Status::NO_SOLUTION, why_not);
+  keep_transitions();
+  return {};
 }
 
 // A simulation that begins anew starts as configured; a clock that was set back says nothing of the robot.
@@ -395,7 +381,8 @@ void RobotMonitor::forget() {
   hazards_.forget();
   merger_.forget();
   not_started_ = {};
-  last_stamp_ = last_usable_ = last_refused_ = waiting_since_ = ros::Time();
+  age_.forget();
+  last_refused_ = waiting_since_ = ros::Time();
   last_q_.reset();
   status_ =
       make_status(Status::NO_JOINT_STATES, "Time went backwards; no usable joint_states have arrived since.");

@@ -13,6 +13,7 @@
 #include "ros/joint_states/publisher_watch.h"
 #include "ros/messages/conversions.h"
 #include "ros/monitor/hazard_watch.h"
+#include "ros/monitor/sample_age.h"
 #include "ros/parameters/node_options.h"
 
 #include <parallel_aspects/AspectState.h>
@@ -68,6 +69,10 @@ class RobotMonitor {
   MonitorUpdate update(const sensor_msgs::JointState& message, const ros::Time& now,
                        const std::string& publisher = {});
 
+  /// This process runs. To be called before `update`, so that what waited while it stood still is not taken
+  /// for old.
+  void beat(const ros::SteadyTime& wall);
+
   /// Every joint of the URDF in a tracked configuration; nothing where the passive joints do not close it.
   std::optional<sensor_msgs::JointState> complete(const TrackedState& tracked, const ros::Time& stamp) const;
 
@@ -94,17 +99,15 @@ class RobotMonitor {
 
  private:
   MonitorUpdate pass_over(bool new_names);
-  bool nothing_lately(const ros::Time& now) const;
   MonitorUpdate refuse(std::uint8_t code, const std::string& message, const ros::Time& stamp,
                        const ros::Time& now);
   MonitorUpdate wait_for_joints(const JointSample& sample, const ros::Time& now);
   MonitorUpdate accept(const JointSample& sample, const MergedJoints& joint_values, const ros::Time& now);
   Status start_as_configured(double time, const JointVector& q);
   bool failed_start() const;
+  JointVector uncertainty_to_report() const;
   Status status_of_tracker() const;
   Status status_at(const ros::Time& now) const;
-  Status stale_status(const ros::Time& now) const;
-  bool stale(const ros::Time& now) const;
   template <class Start>
   Status start_by(const ros::Time& now, const Start& start);
   void fill_tracked(const ros::Time& stamp, MonitorUpdate& update);
@@ -120,7 +123,6 @@ class RobotMonitor {
   JointNameWatch names_;  // of what arrives since the last usable sample
   const StartOptions start_;
   const double start_tolerance_;
-  const double timeout_;  // [s]
   const bool read_only_;  // whether set_assembly_mode is refused
   const PassiveJoints passive_;
   BoundaryDistanceMeter meter_;  // of `work` alone
@@ -132,18 +134,14 @@ class RobotMonitor {
   Status status_;
   Status not_started_;       // why, where the first sample could not start
   ros::Time epoch_;          // of the tracker's clock
-  ros::Time last_stamp_;     // of the last usable sample; zero for none
+  SampleAge age_;            // of the last usable sample
   ros::Time last_received_;  // when any message came
-  ros::Time last_usable_;    // when the last usable one came
   ros::Time last_refused_;   // when one was that could not be used, or one of two publishers'
   ros::Time waiting_since_;  // for the other actuated joints, before the first one; zero for not
   std::optional<JointVector> last_q_;
   JointVector last_uncertainty_;
   std::vector<AspectTransition> transitions_;  // still to be published
   bool said_stale_ = false;
-  bool halted_ = false;               // no usable one came for the timeout, by the wall clock
-  ros::SteadyTime checked_at_;        // when `expire` first saw the count of usable ones
-  std::uint64_t checked_usable_ = 0;  // that it was
   bool said_names_ = false;
   bool clock_went_back_ = false;  // though it was not a simulation that began anew
   MonitorCounts counts_;

@@ -29,8 +29,13 @@ std::string distance_text(const Manipulator& manipulator, double length) {
 // What is to be said where the last sample was merged of several messages; else nothing.
 std::string merged_joints(const JointVector& uncertainty) {
   if (uncertainty.size() == 0 || !(uncertainty.maxCoeff() > 0.0)) return {};
-  return " The actuated joints come in several messages, which leaves their values uncertain; where this "
-         "happens away from singularities, publish all of them in one message, or more often.";
+  return " The actuated joints come in several messages, which leaves their values uncertain; publish all of "
+         "them in one message, or more often.";
+}
+
+bool is_near_singular(const std::vector<AssemblyMode>& solutions) {
+  return std::any_of(solutions.begin(), solutions.end(),
+                     [](const AssemblyMode& mode) { return mode.near_singular; });
 }
 
 // What to do where the assembly mode is not known.
@@ -71,7 +76,8 @@ Status not_started_status(const std::string& why, bool read_only) {
 std::string why_not_near(const Manipulator& manipulator, const JointVector& q, const Pose& pose,
                          double tolerance, const std::string& place, const JointVector& uncertainty) {
   return "The actuated joints do not assemble within " + distance_text(manipulator, tolerance) + " of " +
-         place + ". " + why_not_at(manipulator, pose, q) + merged_joints(uncertainty);
+         place + ". " + why_not_at(manipulator, pose, q) +
+         (is_near_singular(direct(manipulator, q).solutions) ? "" : merged_joints(uncertainty));
 }
 
 std::string why_not_with_sign(const Manipulator& manipulator, const JointVector& q, int determinant_sign,
@@ -80,11 +86,10 @@ std::string why_not_with_sign(const Manipulator& manipulator, const JointVector&
   const auto fit = std::count_if(solutions.begin(), solutions.end(), [&](const AssemblyMode& mode) {
     return mode.determinant * determinant_sign > 0.0;
   });
-  const bool singular = std::any_of(solutions.begin(), solutions.end(),
-                                    [](const AssemblyMode& mode) { return mode.near_singular; });
+  const bool singular = is_near_singular(solutions);
   return "The actuated joints do not have exactly one assembly mode with the sign " +
          std::to_string(determinant_sign) + " of det A: there are " + std::to_string(fit) +
-         (singular ? ", and a parallel singularity is near." : ".") + merged_joints(uncertainty);
+         (singular ? ", and a parallel singularity is near." : "." + merged_joints(uncertainty));
 }
 
 Status ambiguous_status(Ambiguity ambiguity, const JointVector& uncertainty, const std::string& start,
@@ -117,6 +122,13 @@ Status halted_status(double timeout) {
                                         printed(timeout) +
                                         " s of wall time: the simulation is paused, or has ended. What is "
                                         "known of the robot is kept for its next sample.");
+}
+
+Status paused_status(double pause) {
+  return make_status(Status::STALE, "This node stood still for " + printed(pause) +
+                                        " s, as it was stopped or got no processor time, so that what it "
+                                        "knows of the robot is old. It goes on with the joint_states that "
+                                        "come; where nobody stopped it, relieve the computer.");
 }
 
 Status late_status(double timeout) {

@@ -49,6 +49,9 @@ Status silent_status(double timeout, const JointNameWatch& names);
 /// That nothing did while the clock stood still.
 Status halted_status(double timeout);
 
+/// That the process itself stood still for so long [s].
+Status paused_status(double pause);
+
 /// That what comes is older than that.
 Status late_status(double timeout);
 

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Joint_states of more than one publisher: two that contradict, and one for each joint.
+#include "ros/monitor/robot_monitor_fixture.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <optional>
+#include <string>
+
+namespace parallel_aspects {
+namespace {
+
+using test::RobotMonitorTest;
+using test::timeout;
+
+class SeveralPublishers : public RobotMonitorTest {};
+
+// The second player has another name, its first messages come before the clock that it sets back.
+TEST_F(SeveralPublishers, ABagThatIsPlayedTwiceHasOnePublisher) {
+  for (int i = 0; i <= 30; ++i)
+    monitor_.update(joint_values(4.5, 8.0, {1, -1}, 1.0 + 0.1 * i), at(1.0 + 0.1 * i), "/play_1");
+  for (int i = 0; i < 3; ++i) {
+    const auto early = monitor_.update(joint_values(4.5, 8.0, {1, -1}, 1.0 + 0.1 * i), at(4.0), "/play_2");
+    EXPECT_FALSE(early.state) << early.state->status.message;
+  }
+  const auto again = monitor_.update(joint_values(4.5, 8.0, {1, -1}, 1.3), at(1.3), "/play_2");
+  EXPECT_EQ(again.state->status.code, Status::OK) << again.state->status.message;
+}
+
+TEST_F(SeveralPublishers, TwoNodesThatPublishTheDrivesAreRefused) {
+  const auto send = [&](const char* publisher, double seconds) {
+    return monitor_.update(joint_values(4.5, 8.0, {1, -1}, seconds), at(seconds), publisher).state;
+  };
+  const auto from = [&](const char* publisher, double seconds) { return send(publisher, seconds)->status; };
+  EXPECT_EQ(from("/one", 1.0).code, Status::OK);
+  EXPECT_FALSE(send("/two", 1.05)) << "the first may have ended";
+  const Status refused = from("/one", 1.1);
+  EXPECT_EQ(refused.code, Status::SEVERAL_PUBLISHERS);
+  EXPECT_NE(refused.message.find("/one"), std::string::npos);
+  EXPECT_NE(refused.message.find("/two"), std::string::npos);
+  EXPECT_EQ(from("/two", 1.15).code, Status::SEVERAL_PUBLISHERS);
+  EXPECT_EQ(from("/one", 1.2).code, Status::SEVERAL_PUBLISHERS);
+  EXPECT_EQ(code(1.2), Status::SEVERAL_PUBLISHERS);
+  EXPECT_NE(from("/one", 1.7).code, Status::SEVERAL_PUBLISHERS) << "the other one has been silent since";
+}
+
+// While both publish, that is what is said; only when they are silent, that nothing comes.
+TEST_F(SeveralPublishers, TwoNodesThatPublishTheDrivesAreNotStale) {
+  const auto send = [&](const char* publisher, double seconds) {
+    monitor_.update(joint_values(4.5, 8.0, {1, -1}, seconds), at(seconds), publisher);
+  };
+  send("/one", 1.0);
+  for (int i = 1; i <= 20; ++i) {
+    send("/two", 1.0 + 0.1 * i - 0.05);
+    send("/one", 1.0 + 0.1 * i);
+    ASSERT_FALSE(expire(1.0 + 0.1 * i)) << i;
+  }
+  EXPECT_EQ(code(3.0), Status::SEVERAL_PUBLISHERS);
+  const auto stale = expire(3.6);
+  ASSERT_TRUE(stale);
+  EXPECT_EQ(stale->status.code, Status::STALE);
+  EXPECT_EQ(code(3.6), Status::STALE);
+}
+
+// One of them ends: until it has been silent for the timeout nothing is said, least of all that nothing
+// comes.
+TEST_F(SeveralPublishers, TheLastOfTwoPublishersIsNotStale) {
+  const auto send = [&](const char* publisher, double seconds) {
+    return monitor_.update(joint_values(4.5, 8.0, {1, -1}, seconds), at(seconds), publisher).state;
+  };
+  for (int i = 0; i < 10; ++i) send(i % 2 == 0 ? "/one" : "/two", 1.0 + 0.1 * i);
+  std::optional<AspectState> state;
+  for (int i = 10; !state || state->status.code == Status::SEVERAL_PUBLISHERS; ++i) {
+    ASSERT_LT(i, 20);
+    state = send("/one", 1.05 + 0.1 * i);
+    ASSERT_FALSE(expire(1.05 + 0.1 * i)) << i;
+  }
+  EXPECT_EQ(state->status.code, Status::AMBIGUOUS) << "nobody knows how it moved meanwhile";
+}
+
+// One publisher for each joint, each half a period after the other.
+TEST_F(SeveralPublishers, DrivesOfSeveralPublishersAreMerged) {
+  const auto send = [&](int actuation, double y, double seconds) {
+    auto message = joint_values(4.5, y, {1, -1}, seconds);
+    message.name = {message.name[static_cast<std::size_t>(actuation)]};
+    message.position = {message.position[static_cast<std::size_t>(actuation)]};
+    return monitor_.update(message, at(seconds), actuation == 0 ? "/one" : "/two");
+  };
+  const auto alone = send(0, 8.0, 1.0);
+  EXPECT_EQ(alone.state->status.code, Status::NO_JOINT_STATES);
+  EXPECT_NE(alone.state->status.message.find("crank_2_joint"), std::string::npos);
+  EXPECT_EQ(send(1, 8.0 + 5e-4, 1.005).state->status.code, Status::NO_JOINT_STATES) << "none is as early";
+  for (int i = 2; i < 100; ++i) {
+    const MonitorUpdate merged = send(i % 2, 8.0 + 5e-4 * i, 1.0 + 0.005 * i);
+    ASSERT_TRUE(merged.state);
+    ASSERT_EQ(merged.state->status.code, Status::OK) << i << ": " << merged.state->status.message;
+    EXPECT_EQ(merged.state->header.stamp, at(1.0 + 0.005 * (i - 1))) << "the last time that all are known of";
+    EXPECT_LE(std::abs(merged.state->pose.position.y - 8.0 - 5e-4 * (i - 1)), merged.tracked->spread + 1e-9);
+    monitor_.work();
+  }
+  EXPECT_TRUE(send(0, 8.05, 1.5).state);
+  EXPECT_FALSE(send(0, 8.05, 1.7).state) << "the other value is too old";
+  EXPECT_TRUE(expire(2.3)) << "actuated joints that are missing make it stale";
+}
+
+// Values that are long apart are not joined, which is said with what to do.
+TEST_F(SeveralPublishers, DrivesThatComeTooFarApartAreSaidToBe) {
+  std::string text;
+  for (int i = 0; i < 20 && text.find("in one message") == std::string::npos; ++i) {
+    auto message = joint_values(4.5, 8.0, {1, -1}, 1.0 + 0.06 * i);
+    const auto actuation = static_cast<std::size_t>(i % 2);
+    message.name = {message.name[actuation]};
+    message.position = {message.position[actuation]};
+    const MonitorUpdate merged =
+        monitor_.update(message, message.header.stamp, actuation == 0 ? "/one" : "/two");
+    if (merged.state) text = merged.state->status.message;
+  }
+  EXPECT_NE(text.find("publish all of them in one message, or each more often"), std::string::npos) << text;
+}
+
+}  // namespace
+}  // namespace parallel_aspects
