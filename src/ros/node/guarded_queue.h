@@ -7,8 +7,7 @@
 namespace parallel_aspects {
 
 /// A queue whose callbacks may throw: that ends the callback, with a line in the log, and not the node. What
-/// libraries do on the node's behalf throws for some messages that anybody may send, as actionlib for a
-/// cancellation at the end of time.
+/// libraries do on the node's behalf throws for some messages that anybody may send.
 class GuardedQueue : public ros::CallbackQueue {
  public:
   void addCallback(const ros::CallbackInterfacePtr& callback, std::uint64_t owner = 0) override;

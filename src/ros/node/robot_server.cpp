@@ -8,13 +8,15 @@
 #include <tf2_geometry_msgs/tf2_geometry_msgs.h>
 
 #include <chrono>
+#include <stdexcept>
+#include <thread>
 #include <utility>
 
 namespace parallel_aspects {
 namespace {
 
-// A cancellation that is stamped farther ahead of the clock is none [s].
-constexpr double farthest_ahead = 60.0;
+// Actionlib's client in Python loses an answer that comes before it has noted its goal.
+constexpr std::chrono::milliseconds before_refusal{200};
 
 ros::NodeHandle on_queue(ros::NodeHandle nh, ros::CallbackQueue& queue) {
   nh.setCallbackQueue(&queue);
@@ -29,7 +31,7 @@ RobotServer::RobotServer(const ros::NodeHandle& nh, const ros::NodeHandle& priva
       service_nh_(on_queue(private_nh, service_queue_)),
       work_nh_(on_queue(private_nh, work_queue_)),
       joint_states_nh_(on_queue(nh, tracking_queue_)),
-      tf_listener_(tf_),
+      tf_listener_(tf_, on_queue(nh, tf_queue_), false),
       monitor_(setup_.mechanism, setup_.options),
       display_(setup_, service_nh_),
       state_(tracking_nh_.advertise<AspectState>("state", 100, true)),
@@ -46,11 +48,15 @@ RobotServer::RobotServer(const ros::NodeHandle& nh, const ros::NodeHandle& priva
       frame_watch_(setup_.options.frame_prefix + "/", setup_.mechanism->link_names()),
       diagnostics_(on_queue(nh, service_queue_), service_nh_, *setup_.mechanism->manipulator(), monitor_,
                    worker_, frame_watch_),
+      goals_(service_nh_, "compute_map"),
       thinned_(setup_.options.state_decimation),
       completed_(setup_.options.completed_decimation),
       tracking_spinner_(1, &tracking_queue_),
       service_spinner_(2, &service_queue_),
-      work_spinner_(1, &work_queue_) {
+      work_spinner_(1, &work_queue_),
+      tf_spinner_(1, &tf_queue_) {
+  tf_.setUsingDedicatedThread(true);  // the spinner's
+  tf_spinner_.start();
   for (const std::string& note : setup_.mechanism->notes()) ROS_INFO_STREAM(note);
   advertise();
   subscribe();
@@ -66,6 +72,9 @@ RobotServer::RobotServer(const ros::NodeHandle& nh, const ros::NodeHandle& priva
   tracking_spinner_.start();
   service_spinner_.start();
   work_spinner_.start();
+  // Last, so that no message waits until the others are done, and is taken for old.
+  subscriber_ = joint_states_nh_.subscribe("joint_states", 1000, &RobotServer::on_joint_states, this,
+                                           ros::TransportHints().tcpNoDelay());
   worker_.compute(setup_.options.map, FileUse::load);
 }
 
@@ -73,11 +82,11 @@ RobotServer::~RobotServer() {
   log_timer_.stop();
   stopping_ = true;
   subscriber_.shutdown();
-  cancel_subscriber_.shutdown();
   if (compute_map_) compute_map_->shutdown();
   tracking_spinner_.stop();
   service_spinner_.stop();
   work_spinner_.stop();
+  tf_spinner_.stop();
 }
 
 void RobotServer::advertise() {
@@ -86,43 +95,13 @@ void RobotServer::advertise() {
   serve<GetSingularityDistance>("get_singularity_distance");
   serve<ListAspects>("list_aspects");
   serve<SetAssemblyMode>("set_assembly_mode");
-  start_action();
-  const boost::function<void(const actionlib_msgs::GoalIDConstPtr&)> callback =
-      [this](const actionlib_msgs::GoalIDConstPtr& goal) { on_cancel(*goal); };
-  cancel_subscriber_ = service_nh_.subscribe("compute_map/cancel", 50, callback);
-}
-
-void RobotServer::start_action() {
   compute_map_ = std::make_unique<ComputeMapServer>(
-      service_nh_, "compute_map", [this](const ComputeMapGoalConstPtr& goal) { on_compute_map(goal); },
-      false);
+      goals_.server_handle(), "compute_map",
+      [this](const ComputeMapGoalConstPtr& goal) { on_compute_map(goal); }, false);
   compute_map_->start();
 }
 
-// Actionlib would take a cancellation that is stamped ahead of the clock for one of every goal up to then,
-// and throw when it looks whether the end of time is over.
-void RobotServer::on_cancel(const actionlib_msgs::GoalID& goal) {
-  if (seconds_between(ros::Time::now(), goal.stamp) > farthest_ahead) action_is_spoilt_ = true;
-}
-
-void RobotServer::renew_action() {
-  if (!ros::ok() || !action_is_spoilt_.exchange(false)) return;
-  ROS_WARN("A cancellation that is stamped ahead of the clock came, so compute_map starts anew.");
-  stopping_ = true;
-  if (compute_map_) compute_map_->shutdown();
-  compute_map_.reset();
-  stopping_ = false;
-  try {
-    start_action();
-  } catch (...) {  // there is none now; the next call tries again
-    action_is_spoilt_ = true;
-    throw;
-  }
-}
-
 void RobotServer::subscribe() {
-  subscriber_ = joint_states_nh_.subscribe("joint_states", 1000, &RobotServer::on_joint_states, this,
-                                           ros::TransportHints().tcpNoDelay());
   tf_subscriber_ = service_nh_.subscribe("/tf", 1000, &RobotServer::on_tf, this);
   tf_static_subscriber_ = service_nh_.subscribe("/tf_static", 1000, &RobotServer::on_tf_static, this);
   // By the wall clock: a simulation that stands still, or begins anew, must not silence these.
@@ -140,7 +119,6 @@ void RobotServer::subscribe() {
   log_timer_ = service_nh_.createWallTimer(ros::WallDuration(0.1), [this](const ros::WallTimerEvent&) {
     log_.write();
     for (const std::string& message : frame_watch_.news(ros::WallTime::now())) ROS_WARN_STREAM(message);
-    renew_action();
   });
 }
 
@@ -158,6 +136,7 @@ void RobotServer::serve(const std::string& name) {
 
 // The state goes out before anything else is worked out.
 void RobotServer::on_joint_states(const ros::MessageEvent<const sensor_msgs::JointState>& event) {
+  monitor_.beat(ros::SteadyTime::now());
   const MonitorUpdate update =
       monitor_.update(*event.getConstMessage(), ros::Time::now(), event.getPublisherName());
   if (!update.warning.empty()) log_.warn(update.warning);
@@ -251,6 +230,7 @@ void RobotServer::on_compute_map(const ComputeMapGoalConstPtr& goal) {
   if (!problems.empty()) result.status = make_status(Status::INVALID_REQUEST, problems.front());
   if (setup_.options.read_only) result.status = refused_as_read_only();
   if (result.status.code != Status::OK) {
+    std::this_thread::sleep_for(before_refusal);
     compute_map_->setAborted(result, result.status.message);
     return;
   }
@@ -301,7 +281,7 @@ std::optional<geometry_msgs::Pose> RobotServer::to_base(const geometry_msgs::Pos
   if (q.x == 0.0 && q.y == 0.0 && q.z == 0.0 && q.w == 0.0) given.pose.orientation.w = 1.0;
   try {
     return tf_.transform(given, base, ros::Duration(setup_.options.tf_timeout)).pose;
-  } catch (const tf2::TransformException& failure) {
+  } catch (const std::runtime_error& failure) {  // of tf2, or of a time that no clock has
     message = "tf does not connect " + given.header.frame_id + " with " + base + ": " + failure.what();
     return std::nullopt;
   }

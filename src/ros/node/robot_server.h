@@ -6,6 +6,7 @@
 #include "ros/monitor/frame_watch.h"
 #include "ros/monitor/map_worker.h"
 #include "ros/monitor/robot_monitor.h"
+#include "ros/node/checked_goals.h"
 #include "ros/node/diagnostics.h"
 #include "ros/node/guarded_queue.h"
 #include "ros/node/log_queue.h"
@@ -58,9 +59,6 @@ class RobotServer {
   void on_tf_static(const Transforms& event);
   void watch(const Transforms& event, FrameWatch::Topic topic);
   void on_map_progress(const MapProgress& progress, const std::shared_ptr<const AspectMap>& map);
-  void start_action();
-  void renew_action();
-  void on_cancel(const actionlib_msgs::GoalID& goal);
   void on_compute_map(const ComputeMapGoalConstPtr& goal);
   void finish(const MapProgress& progress, ComputeMapResult result);
   void check_age();
@@ -73,6 +71,7 @@ class RobotServer {
 
   const NodeSetup setup_;
   GuardedQueue tracking_queue_, service_queue_, work_queue_;
+  GuardedQueue tf_queue_;                               // tf2 throws for stamps at the end of time
   ros::NodeHandle tracking_nh_, service_nh_, work_nh_;  // private namespace
   ros::NodeHandle joint_states_nh_;                     // of the input topic
   tf2_ros::Buffer tf_;
@@ -87,15 +86,16 @@ class RobotServer {
   FrameWatch frame_watch_;
   Diagnostics diagnostics_;
   LogQueue log_;                    // what the threads of joint_states have to say
+  CheckedGoals goals_;              // of the action
   Decimation thinned_, completed_;  // of joint_states_: state, and what is drawn from it
   std::unique_ptr<ComputeMapServer> compute_map_;
   std::unique_ptr<Reconfiguration> reconfiguration_;
   std::vector<ros::ServiceServer> services_;
-  ros::Subscriber subscriber_, tf_subscriber_, tf_static_subscriber_, cancel_subscriber_;
+  ros::Subscriber subscriber_, tf_subscriber_, tf_static_subscriber_;
   ros::SteadyTimer age_timer_;
   ros::WallTimer display_timer_, diagnostics_timer_, log_timer_, work_timer_, stand_off_timer_;
-  std::atomic<bool> stopping_{false}, action_is_spoilt_{false};
-  ros::AsyncSpinner tracking_spinner_, service_spinner_, work_spinner_;
+  std::atomic<bool> stopping_{false};
+  ros::AsyncSpinner tracking_spinner_, service_spinner_, work_spinner_, tf_spinner_;
 };
 
 }  // namespace parallel_aspects

@@ -22,8 +22,10 @@
 #include <gtest/gtest.h>
 #include <ros/ros.h>
 #include <rosgraph_msgs/Clock.h>
+#include <tf2_msgs/TFMessage.h>
 
 #include <actionlib/client/simple_action_client.h>
+#include <atomic>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -34,6 +36,7 @@
 #include <memory>
 #include <std_msgs/Bool.h>
 #include <string>
+#include <thread>
 #include <utility>
 
 namespace parallel_aspects {
@@ -394,24 +397,92 @@ TEST_F(NodeLife, ReadOnlyRefusesWhateverChangesIt) {
   EXPECT_EQ(call<GetWorkingMode>("get_working_mode").status.code, Status::OK);
 }
 
-// Of a goal that is not there, at the end of time: actionlib throws when it wants to forget it.
-TEST_F(NodeLife, SurvivesACancellationFromTheFuture) {
+// Actionlib throws where it looks whether such a time is over, also on the thread of the goal that runs.
+TEST_F(NodeLife, SurvivesGoalsAndCancellationsFromTheFuture) {
   start();
   EXPECT_EQ(aspects_known(), 10U);
-  ros::Publisher cancel =
-      ros::NodeHandle().advertise<actionlib_msgs::GoalID>(node_ + "/compute_map/cancel", 10);
-  ASSERT_TRUE(eventually([&] { return cancel.getNumSubscribers() > 0; }));
+  const std::string action = node_ + "/compute_map";
+  ros::Publisher goals = ros::NodeHandle().advertise<ComputeMapActionGoal>(action + "/goal", 10);
+  ros::Publisher cancel = ros::NodeHandle().advertise<actionlib_msgs::GoalID>(action + "/cancel", 10);
+  const Recorder<ComputeMapActionFeedback> feedback(action + "/feedback");
+  ASSERT_TRUE(eventually([&] { return goals.getNumSubscribers() > 0 && cancel.getNumSubscribers() > 0; }));
+  ComputeMapActionGoal running;
+  running.goal_id.id = "running";
+  running.goal_id.stamp = ros::Time::now();
+  running.goal.resolution = 0.05;
+  ASSERT_TRUE(eventually([&] {
+    goals.publish(running);
+    const auto last = feedback.last();
+    return last && last->feedback.progress.state == MapProgress::COMPUTING;
+  }));
   actionlib_msgs::GoalID nobody;
   nobody.id = "nobody";
   nobody.stamp = ros::Time(4294967295U, 2U);
   cancel.publish(nobody);
+  running.goal_id = nobody;
+  goals.publish(running);
   ComputeMapGoal goal;
   goal.resolution = 0.5;
   EXPECT_TRUE(eventually([&] {
-    actionlib::SimpleActionClient<ComputeMapAction> client(node_ + "/compute_map", true);
-    return client.waitForServer(ros::Duration(1.0)) &&
-           client.sendGoalAndWait(goal, ros::Duration(5.0)) == actionlib::SimpleClientGoalState::SUCCEEDED;
+    actionlib::SimpleActionClient<ComputeMapAction> client(action, true);
+    return process_->has_ended() ||
+           (client.waitForServer(ros::Duration(1.0)) &&
+            client.sendGoalAndWait(goal, ros::Duration(5.0)) == actionlib::SimpleClientGoalState::SUCCEEDED);
   }));
+}
+
+// Tf2 throws for them, on the thread that hears /tf.
+TEST_F(NodeLife, SurvivesTransformsFromTheFuture) {
+  start();
+  ros::Publisher tf = ros::NodeHandle().advertise<tf2_msgs::TFMessage>("/tf", 100);
+  GetWorkingMode::Request request;
+  request.configuration.kind = Configuration::POSE;
+  request.configuration.pose.header.frame_id = "beside_the_base";
+  request.configuration.pose.pose.position.x = 4.5;
+  request.configuration.pose.pose.position.y = 8.0;
+  request.configuration.pose.pose.orientation.w = 1.0;
+  tf2_msgs::TFMessage message;
+  message.transforms.resize(1);
+  geometry_msgs::TransformStamped& transform = message.transforms.front();
+  transform.header.frame_id = "base_link";
+  transform.transform.rotation.w = 1.0;
+  EXPECT_TRUE(eventually([&] {
+    transform.child_frame_id = "of_no_time";
+    transform.header.stamp = ros::Time(4294967295U, 1U);
+    tf.publish(message);
+    transform.child_frame_id = "beside_the_base";
+    transform.header.stamp = ros::Time::now();
+    tf.publish(message);
+    return process_->has_ended() ||
+           call<GetWorkingMode>("get_working_mode", request).status.code == Status::OK;
+  }));
+}
+
+// What waited for a node that was stopped is old, which is no fault of the clocks of others.
+TEST_F(NodeLife, ANodeThatStoodStillBlamesNoClock) {
+  set("joint_states_timeout", 0.5);
+  start();
+  std::atomic<bool> over{false};
+  std::thread robot([&] {
+    for (ros::WallRate rate(100.0); !over; rate.sleep())
+      joint_states_.publish(test::joints_at(*robot_->manipulator(), start_, {1, -1}, ros::Time::now()));
+  });
+  const auto tracked = [&] { return states_->last()->status.code == Status::OK; };
+  EXPECT_TRUE(eventually(tracked));
+  process_->signal(SIGSTOP);
+  const ros::Time stopped = ros::Time::now();
+  EXPECT_TRUE(eventually([&] { return (ros::Time::now() - stopped).toSec() > 2.0; }));
+  process_->signal(SIGCONT);
+  EXPECT_TRUE(
+      eventually([&] { return tracked() && states_->last()->header.stamp > stopped + ros::Duration(2.0); }));
+  over = true;
+  robot.join();
+  bool said = false;
+  for (const AspectState& state : states_->all()) {
+    EXPECT_EQ(state.status.message.find("clock"), std::string::npos) << state.status.message;
+    said = said || state.status.message.find("stood still") != std::string::npos;
+  }
+  EXPECT_TRUE(said);
 }
 
 TEST_F(NodeLife, TellsRatesAndLossesInDiagnostics) {

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ROS_NODE_CHECKED_GOALS_H
+#define PARALLEL_ASPECTS_ROS_NODE_CHECKED_GOALS_H
+
+#include <parallel_aspects/ComputeMapAction.h>
+
+#include <ros/node_handle.h>
+#include <ros/publisher.h>
+#include <ros/subscriber.h>
+
+#include <string>
+
+namespace parallel_aspects {
+
+/// Hears the goals and cancellations of an action and passes them on to its server; what is stamped ahead of
+/// the clock is passed on as of now. Actionlib would take such a cancellation for one of every goal to come,
+/// such a goal for newer than all that come after it, and throw, also on a thread of its own, when it looks
+/// whether the end of time is over.
+class CheckedGoals {
+ public:
+  /// `nh`: where the action is, and whose queue it is served from.
+  CheckedGoals(const ros::NodeHandle& nh, const std::string& action);
+
+  /// The handle to give to the action's server, with the same name of the action.
+  ros::NodeHandle server_handle() const;
+
+ private:
+  template <class Message, class StampOf>
+  void pass_on(const std::string& topic, ros::Publisher& publisher, ros::Subscriber& subscriber,
+               const StampOf& stamp_of);
+
+  ros::NodeHandle nh_;
+  const std::string action_;
+  ros::Publisher goals_out_, cancels_out_;
+  ros::Subscriber goals_, cancels_;
+};
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ROS_NODE_CHECKED_GOALS_H
