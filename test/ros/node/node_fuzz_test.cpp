@@ -210,12 +210,12 @@ class NodeFuzz : public testing::TestWithParam<const char*> {
   template <typename Service>
   bool ask(const std::string& name, Service& service) {
     const std::string full = node_ + "/" + name;
+    // The poll thread of roscpp's client takes the end of the server's side (POLLRDHUP) for the end of the
+    // connection, even where the answer has arrived and is still to be read: then it is lost. Any roscpp
+    // server loses single answers so (ros_comm issue 1976), some in 10,000 on a busy computer; two in a row
+    // would be the node's fault.
     if (ros::service::call(full, service)) return true;
-    // The connection may be lost, or the master not know the service for a moment, as while it is loaded
-    // anew.
-    if (ros::service::waitForService(full, ros::Duration(test::deadline / 3.0)) &&
-        ros::service::call(full, service))
-      return true;
+    if (!dog_.has_bitten() && !process_->has_ended() && ros::service::call(full, service)) return true;
     fail(dog_.has_bitten() ? "no answer within a minute" : "no answer");
     return false;
   }
