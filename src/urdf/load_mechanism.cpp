@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "model/coefficients.h"
+#include "model/number_text.h"
 #include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/kinematics/working_mode.h"
 #include "urdf/closing/assembly.h"
@@ -22,7 +23,6 @@
 #include <cmath>
 #include <optional>
 #include <random>
-#include <sstream>
 #include <utility>
 
 namespace parallel_aspects {
@@ -35,13 +35,7 @@ constexpr std::size_t most_mixed_closures = 5;
 constexpr std::size_t most_closures = 36;
 constexpr std::ptrdiff_t most_joints_in_loops = 120;
 
-std::string number(double value) {
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text.precision(3);
-  text << value;
-  return text.str();
-}
+std::string number(double value) { return number_text(value, 3); }
 
 std::vector<Closure> with_type(std::vector<Closure> closures, ClosureType type) {
   for (Closure& closure : closures)

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/file/constraint_key.h"
 
-#include <array>
+#include "model/number_text.h"
+
 #include <cctype>
-#include <cstdio>
 #include <initializer_list>
 
 namespace parallel_aspects {
@@ -11,11 +11,7 @@ namespace {
 
 std::string numbers(std::initializer_list<double> values) {
   std::string text;
-  for (const double value : values) {
-    std::array<char, 40> digits{};
-    std::snprintf(digits.data(), digits.size(), " %.17g", value);
-    text += digits.data();
-  }
+  for (const double value : values) text += " " + number_text(value, exact_digits);
   return text;
 }
 

@@ -3,22 +3,17 @@
 
 #include "aspects/file/constraint_key.h"
 #include "model/coefficients.h"
+#include "model/number_text.h"
 
-#include <array>
 #include <cctype>
 #include <cstddef>
-#include <cstdio>
 #include <initializer_list>
 #include <sstream>
 
 namespace parallel_aspects {
 namespace {
 
-std::string number(double value) {
-  std::array<char, 40> text{};
-  std::snprintf(text.data(), text.size(), "%.17g", value);
-  return text.data();
-}
+std::string number(double value) { return number_text(value, exact_digits); }
 
 // A name stays in its line.
 std::string printable(std::string text) {

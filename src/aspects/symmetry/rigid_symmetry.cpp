@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/symmetry/rigid_symmetry.h"
 
+#include "model/number_text.h"
 #include "parallel_aspects/model/constraints.h"
 
 #include <Eigen/LU>
@@ -8,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 
 namespace parallel_aspects {
@@ -72,14 +72,9 @@ std::vector<RigidSymmetry> symmetries_of_rotations(const Eigen::Matrix3d& base) 
   return result;
 }
 
-std::string number(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.6g", value);
-  return text.data();
-}
-
 }  // namespace
 
+// Knuth's two-sum: where numbers round to nearest, `error` is exactly what the rounded sum is off by.
 bool is_exact_sum(double one, double other, double sum) noexcept {
   const double rounded = one + other, other_part = rounded - one;
   const double error = (one - (rounded - other_part)) + (other - other_part);
@@ -110,7 +105,7 @@ std::string to_string(const RigidSymmetry& symmetry, TaskSpace space) {
     Eigen::Index from = 0;
     symmetry.base.row(row).cwiseAbs().maxCoeff(&from);
     text += (i == 0 ? "(" : ", ");
-    if (symmetry.shift[row] != 0.0) text += number(symmetry.shift[row]);
+    if (symmetry.shift[row] != 0.0) text += number_text(symmetry.shift[row]);
     if (symmetry.base(row, from) < 0.0)
       text += "-";
     else if (symmetry.shift[row] != 0.0)

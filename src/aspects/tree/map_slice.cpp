@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/aspects/map_slice.h"
 
+#include "model/number_text.h"
 #include "parallel_aspects/aspects/box.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 
 namespace parallel_aspects {
@@ -198,16 +199,12 @@ std::string measure_unit(const MapSlice& slice) {
 
 std::string to_string(const MapSlice& slice) {
   std::string text;
-  for (const HeldCoordinate& each : slice.held_coordinates) {
-    char value[40];
-    std::snprintf(value, sizeof value, "%.6g", each.value);
-    text += (text.empty() ? "" : ", ") + each.name + " = " + value + (is_angle(each.name) ? " rad" : " m");
-  }
+  for (const HeldCoordinate& each : slice.held_coordinates)
+    text += (text.empty() ? "" : ", ") + each.name + " = " + number_text(each.value) +
+            (is_angle(each.name) ? " rad" : " m");
   if (slice.rotation != MapSlice::Rotation::about_axis || slice.angle_name != "phi") return text;
-  char axis[120];
-  std::snprintf(axis, sizeof axis, "phi turns about (%.6g, %.6g, %.6g)", slice.axis.x(), slice.axis.y(),
-                slice.axis.z());
-  return text + (text.empty() ? "" : ", ") + axis;
+  return text + (text.empty() ? "" : ", ") + "phi turns about (" + number_text(slice.axis.x()) + ", " +
+         number_text(slice.axis.y()) + ", " + number_text(slice.axis.z()) + ")";
 }
 
 }  // namespace parallel_aspects

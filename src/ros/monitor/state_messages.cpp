@@ -1,29 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/monitor/state_messages.h"
 
+#include "model/number_text.h"
 #include "model/spherical_links.h"
 #include "parallel_aspects/kinematics/direct.h"
 #include "ros/joint_states/joint_merger.h"
 #include "ros/messages/configurations.h"
 
 #include <algorithm>
-#include <sstream>
 
 namespace parallel_aspects {
 namespace {
 
-// As people write numbers: 0.5, not 0.500000.
-std::string printed(double number) {
-  std::ostringstream text;
-  text << number;
-  return text.str();
-}
-
 // On a sphere of radius 1 m an angle says more than a length.
 std::string distance_text(const Manipulator& manipulator, double length) {
-  if (!moves_on_unit_sphere(manipulator)) return printed(length) + " m";
+  if (!moves_on_unit_sphere(manipulator)) return number_text(length) + " m";
   const double angle = angle_of_chord(length);
-  return printed(angle * 180.0 / EIGEN_PI) + " deg (" + printed(angle) + " rad)";
+  return number_text(angle * 180.0 / EIGEN_PI) + " deg (" + number_text(angle) + " rad)";
 }
 
 // What is to be said where the last sample was merged of several messages; else nothing.
@@ -52,9 +45,10 @@ std::string fault_of_stamp(const ros::Time& stamp, const ros::Time& last, const 
   if (stamp.isZero()) return "its stamp is zero; set header.stamp.";
   if (stamp == last) return "its stamp is that of the message before, but the actuated joints are elsewhere.";
   if (stamp < last)
-    return "its stamp is " + printed(seconds_between(stamp, last)) + " s before that of the message before.";
+    return "its stamp is " + number_text(seconds_between(stamp, last)) +
+           " s before that of the message before.";
   if (seconds_between(now, stamp) > timeout)
-    return "its stamp is " + printed(seconds_between(now, stamp)) +
+    return "its stamp is " + number_text(seconds_between(now, stamp)) +
            " s ahead of this computer's clock; synchronise the clocks.";
   return {};
 }
@@ -105,7 +99,7 @@ Status inconsistent_status(const Mechanism& mechanism, const PassiveResidual& re
     return make_status(Status::INCONSISTENT, "Measured passive joints contradict the pose.");
   return make_status(Status::INCONSISTENT,
                      "Joint " + mechanism.joint_names()[residual.joint] + " is measured " +
-                         printed(residual.difference) +
+                         number_text(residual.difference) +
                          " rad or m off the value that belongs to the pose; check the encoders, and the "
                          "dimensions in the URDF.");
 }
@@ -113,13 +107,13 @@ Status inconsistent_status(const Mechanism& mechanism, const PassiveResidual& re
 Status silent_status(double timeout, const JointNameWatch& names) {
   return make_status(
       Status::STALE,
-      "The last usable joint_states are older than " + printed(timeout) + " s" +
+      "The last usable joint_states are older than " + number_text(timeout) + " s" +
           (names.lacks_an_actuated_joint() ? ", and by their names, " + names.comparison() : "."));
 }
 
 Status halted_status(double timeout) {
   return make_status(Status::STALE, "The clock stands still, and no usable joint_states came for " +
-                                        printed(timeout) +
+                                        number_text(timeout) +
                                         " s of wall time: the simulation is paused, or has ended. What is "
                                         "known of the robot is kept for its next sample.");
 }
@@ -133,7 +127,7 @@ Status paused_status(double pause) {
 
 Status late_status(double timeout) {
   return make_status(Status::STALE, "joint_states arrive, but their stamps are more than " +
-                                        printed(timeout) +
+                                        number_text(timeout) +
                                         " s behind this computer's clock; synchronise the clocks, or play "
                                         "bags with --clock and use_sim_time.");
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/report/map_drawing.h"
 
+#include "model/number_text.h"
 #include "tools/report/report.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <tuple>
 #include <vector>
 
@@ -22,11 +22,7 @@ constexpr std::array<const char*, 5> positive_colors{"#4477aa", "#88ccee", "#332
 constexpr std::array<const char*, 5> negative_colors{"#cc6677", "#ddcc77", "#882255", "#aa4499", "#999933"};
 constexpr const char* undecided_color = "#bbbbbb";
 
-std::string number(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.2f", value);
-  return text.data();
-}
+std::string number(double value) { return fixed_number_text(value, 2); }
 
 std::string escaped(const std::string& text) {
   std::string result;
