@@ -13,6 +13,23 @@ namespace {
 
 using XmlRpc::XmlRpcValue;
 
+void emit(YAML::Emitter& out, const XmlRpcValue& value);
+
+void emit_list(YAML::Emitter& out, const XmlRpcValue& list) {
+  out << YAML::BeginSeq;
+  for (int i = 0; i < list.size(); ++i) emit(out, list[i]);
+  out << YAML::EndSeq;
+}
+
+void emit_struct(YAML::Emitter& out, const XmlRpcValue& members) {
+  out << YAML::BeginMap;
+  for (const auto& member : members) {
+    out << YAML::Key << YAML::DoubleQuoted << member.first << YAML::Value;
+    emit(out, member.second);
+  }
+  out << YAML::EndMap;
+}
+
 void emit(YAML::Emitter& out, const XmlRpcValue& value) {
   switch (value.getType()) {
     case XmlRpcValue::TypeBoolean:
@@ -28,18 +45,9 @@ void emit(YAML::Emitter& out, const XmlRpcValue& value) {
       out << YAML::DoubleQuoted << static_cast<const std::string&>(value);
       return;
     case XmlRpcValue::TypeArray:
-      out << YAML::BeginSeq;
-      for (int i = 0; i < value.size(); ++i) emit(out, value[i]);
-      out << YAML::EndSeq;
-      return;
+      return emit_list(out, value);
     case XmlRpcValue::TypeStruct:
-      out << YAML::BeginMap;
-      for (const auto& member : value) {
-        out << YAML::Key << YAML::DoubleQuoted << member.first << YAML::Value;
-        emit(out, member.second);
-      }
-      out << YAML::EndMap;
-      return;
+      return emit_struct(out, value);
     default:
       out << YAML::Null;
   }
@@ -47,9 +55,7 @@ void emit(YAML::Emitter& out, const XmlRpcValue& value) {
 
 std::optional<Box> region_from(ParameterReader reader, Problems& problems, const std::string& name) {
   std::vector<double> lower, upper;
-  reader.read("lower", lower);
-  reader.read("upper", upper);
-  reader.report_unknown_keys();
+  reader.read_all("lower", lower, "upper", upper);
   if (lower.size() != upper.size() || lower.empty() || lower.size() > max_map_dimension) {
     problems.push_back("Parameter " + name +
                        " must have lower and upper, lists of as many numbers as the platform has positions.");
@@ -79,20 +85,15 @@ MapOptions map_options_from(ParameterReader reader, const std::string& prefix, s
 
 StartOptions start_options_from(ParameterReader reader) {
   StartOptions start;
-  reader.read("pose", start.pose);
-  reader.read("determinant_sign", start.determinant_sign);
-  reader.read("tolerance", start.tolerance);
-  reader.report_unknown_keys();
+  reader.read_all("pose", start.pose, "determinant_sign", start.determinant_sign, "tolerance",
+                  start.tolerance);
   return start;
 }
 
 DisplayOptions display_options_from(ParameterReader reader) {
   DisplayOptions display;
-  reader.read("gallery", display.gallery);
-  reader.read("gallery_scale", display.gallery_scale);
-  reader.read("radius", display.radius);
-  reader.read("rate", display.rate);
-  reader.report_unknown_keys();
+  reader.read_all("gallery", display.gallery, "gallery_scale", display.gallery_scale, "radius",
+                  display.radius, "rate", display.rate);
   return display;
 }
 
@@ -100,49 +101,37 @@ TrackerOptions tracker_options_from(ParameterReader reader, double joint_states_
   TrackerOptions tracking;
   // A timeout that makes no sense is refused under its own name alone.
   if (joint_states_timeout > 0.0) tracking.samples.longest_interval = joint_states_timeout;
-  reader.read("hysteresis", tracking.hysteresis);
-  reader.read("check_velocity", tracking.samples.check_velocity);
-  reader.read("velocity_tolerance", tracking.samples.velocity_tolerance);
-  reader.read("encoder_noise", tracking.samples.encoder_noise);
-  reader.read("path_bend", tracking.samples.path_bend);
-  reader.read("longest_interval", tracking.samples.longest_interval);
-  reader.read("interval_ratio", tracking.samples.interval_ratio);
-  reader.report_unknown_keys();
+  reader.read_all("hysteresis", tracking.hysteresis, "check_velocity", tracking.samples.check_velocity,
+                  "velocity_tolerance", tracking.samples.velocity_tolerance, "encoder_noise",
+                  tracking.samples.encoder_noise, "path_bend", tracking.samples.path_bend, "longest_interval",
+                  tracking.samples.longest_interval, "interval_ratio", tracking.samples.interval_ratio);
   return tracking;
 }
 
 PassiveOptions passive_options_from(ParameterReader reader) {
   PassiveOptions passive;
-  reader.read("angle_tolerance", passive.angle_tolerance);
-  reader.read("length_tolerance", passive.length_tolerance);
-  reader.read("hysteresis", passive.hysteresis);
-  reader.report_unknown_keys();
+  reader.read_all("angle_tolerance", passive.angle_tolerance, "length_tolerance", passive.length_tolerance,
+                  "hysteresis", passive.hysteresis);
   return passive;
 }
 
 ThresholdParameters thresholds_from(ParameterReader reader) {
   ThresholdParameters thresholds;
-  reader.read("parallel_warn", thresholds.parallel_warn);
-  reader.read("parallel_stop", thresholds.parallel_stop);
-  reader.read("serial_warn", thresholds.serial_warn);
-  reader.read("serial_stop", thresholds.serial_stop);
-  reader.read("limit_warn", thresholds.limit_warn);
-  reader.read("limit_stop", thresholds.limit_stop);
-  reader.read("hysteresis", thresholds.hysteresis);
-  reader.report_unknown_keys();
+  reader.read_all("parallel_warn", thresholds.parallel_warn, "parallel_stop", thresholds.parallel_stop,
+                  "serial_warn", thresholds.serial_warn, "serial_stop", thresholds.serial_stop, "limit_warn",
+                  thresholds.limit_warn, "limit_stop", thresholds.limit_stop, "hysteresis",
+                  thresholds.hysteresis);
   return thresholds;
 }
 
 double rate_from(ParameterReader reader, double rate) {
-  reader.read("rate", rate);
-  reader.report_unknown_keys();
+  reader.read_all("rate", rate);
   return rate;
 }
 
 int decimation_from(ParameterReader reader) {
   int decimation = 1;
-  reader.read("decimation", decimation);
-  reader.report_unknown_keys();
+  reader.read_all("decimation", decimation);
   return decimation;
 }
 

@@ -8,6 +8,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace parallel_aspects {
@@ -35,6 +36,14 @@ class ParameterReader {
     read(key, read_value);
     if (problems_.size() == before) value = read_value;
   }
+
+  /// Reads each key into the value that follows it, and reports every key that is none of these.
+  template <class T, class... More>
+  void read_all(const std::string& key, T& value, More&&... more) {
+    read(key, value);
+    read_all(std::forward<More>(more)...);
+  }
+  void read_all() { report_unknown_keys(); }
 
   /// The reader of a struct inside; empty where it is absent.
   ParameterReader group(const std::string& key);

@@ -3,25 +3,35 @@
 
 #include <ros/console.h>
 
+#include <array>
 #include <cmath>
 #include <utility>
 
 namespace parallel_aspects {
 namespace {
 
+struct Threshold {
+  double ThresholdParameters::*parameter;
+  double ThresholdsConfig::*config;
+};
+const std::array<Threshold, 7> thresholds{{
+    {&ThresholdParameters::parallel_warn, &ThresholdsConfig::parallel_warn},
+    {&ThresholdParameters::parallel_stop, &ThresholdsConfig::parallel_stop},
+    {&ThresholdParameters::serial_warn, &ThresholdsConfig::serial_warn},
+    {&ThresholdParameters::serial_stop, &ThresholdsConfig::serial_stop},
+    {&ThresholdParameters::limit_warn, &ThresholdsConfig::limit_warn},
+    {&ThresholdParameters::limit_stop, &ThresholdsConfig::limit_stop},
+    {&ThresholdParameters::hysteresis, &ThresholdsConfig::hysteresis},
+}};
+
 ThresholdParameters parameters_of(const ThresholdsConfig& config) {
-  return {config.parallel_warn, config.parallel_stop, config.serial_warn, config.serial_stop,
-          config.limit_warn,    config.limit_stop,    config.hysteresis};
+  ThresholdParameters parameters;
+  for (const Threshold& each : thresholds) parameters.*each.parameter = config.*each.config;
+  return parameters;
 }
 
 void fill(const ThresholdParameters& parameters, ThresholdsConfig& config) {
-  config.parallel_warn = parameters.parallel_warn;
-  config.parallel_stop = parameters.parallel_stop;
-  config.serial_warn = parameters.serial_warn;
-  config.serial_stop = parameters.serial_stop;
-  config.limit_warn = parameters.limit_warn;
-  config.limit_stop = parameters.limit_stop;
-  config.hysteresis = parameters.hysteresis;
+  for (const Threshold& each : thresholds) config.*each.config = parameters.*each.parameter;
 }
 
 }  // namespace
