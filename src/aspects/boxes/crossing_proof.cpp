@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/boxes/crossing_proof.h"
 
+#include "aspects/boxes/segment_proof.h"
 #include "interval/interval.h"
 
 namespace parallel_aspects {
@@ -8,16 +9,8 @@ namespace {
 
 constexpr int most_halvings = 8;
 
-/// A box around the part between the shares `begin` and `end` of the length.
-Box hull(const CrossingSegment& segment, double begin, double end) noexcept {
-  Box box{segment.dimension, {}, {}};
-  for (std::size_t i = 0; i < segment.dimension; ++i) {
-    const Interval from(segment.from[i]), to(segment.to[i]);
-    const Interval part = from + Interval(begin, end) * (to - from);
-    box.lower[i] = part.lower();
-    box.upper[i] = part.upper();
-  }
-  return box;
+Box part_of(const CrossingSegment& segment, double begin, double end) noexcept {
+  return hull(segment.dimension, segment.from, segment.to, begin, end);
 }
 
 /// Whether every part of the segment passes, halved as often as needed.
@@ -47,10 +40,10 @@ bool all_parts(const Passes& passes, const CrossingPath& path) noexcept {
 bool crosses_serial_singularity(const BoxClassifier& classifier, const CrossingPath& path, std::size_t mode,
                                 std::size_t other_mode, std::size_t leg, int sign) noexcept {
   const LegSet crossing = BoxFacts::bit(leg);
-  const auto end = classifier.facts(path.last().root, hull(path.last(), 1.0, 1.0), mode);
+  const auto end = classifier.facts(path.last().root, part_of(path.last(), 1.0, 1.0), mode);
   if ((end.unreachable & crossing) == 0) return false;
   const auto passes = [&](const CrossingSegment& segment, double from, double to) {
-    const Box box = hull(segment, from, to);
+    const Box box = part_of(segment, from, to);
     const BoxFacts one = classifier.facts(segment.root, box, mode);
     if ((one.unreachable & crossing) != 0) return true;
     if (!one.all_clear_but(crossing) || !one.within_limits || one.determinant_sign != sign) return false;
@@ -66,7 +59,7 @@ bool crosses_serial_singularity(const BoxClassifier& classifier, const CrossingP
 bool crosses_parallel_singularity(const BoxClassifier& classifier, const CrossingPath& path,
                                   std::size_t mode) noexcept {
   const auto passes = [&](const CrossingSegment& segment, double from, double to) {
-    const BoxFacts facts = classifier.facts(segment.root, hull(segment, from, to), mode);
+    const BoxFacts facts = classifier.facts(segment.root, part_of(segment, from, to), mode);
     if (!facts.all_clear_but(0) || !facts.within_limits) return false;
     if (facts.determinant_sign != 0) return true;
     Interval slope;

@@ -17,32 +17,37 @@ struct Segment {
   const MapPoint& to;
   int most_halvings;
 
-  // A box around the part between the shares `begin` and `end` of its length.
-  Box hull(double begin, double end) const noexcept {
-    Box box{dimension, {}, {}};
-    for (std::size_t i = 0; i < dimension; ++i) {
-      const Interval part = Interval(from[i]) + Interval(begin, end) * (Interval(to[i]) - Interval(from[i]));
-      box.lower[i] = part.lower();
-      box.upper[i] = part.upper();
-    }
-    return box;
+  LeafState state(double begin, double end) const noexcept {
+    return classifier.state(root, hull(dimension, from, to, begin, end), mode);
   }
 
   bool is_free(double begin, double end, int halvings) const noexcept {
-    const LeafState state = classifier.state(root, hull(begin, end), mode);
-    if (state.is_inside(sign)) return true;
-    if (!state.may_be(sign) || halvings == most_halvings) return false;
+    const LeafState all = state(begin, end);
+    if (all.is_inside(sign)) return true;
+    if (!all.may_be(sign) || halvings == most_halvings) return false;
     const double middle = 0.5 * (begin + end);
     // Most segments that are not free show it at a single point.
-    if (!classifier.state(root, hull(middle, middle), mode).is_inside(sign)) return false;
+    if (!state(middle, middle).is_inside(sign)) return false;
     return is_free(begin, middle, halvings + 1) && is_free(middle, end, halvings + 1);
   }
 };
 
 }  // namespace
 
+Box hull(std::size_t dimension, const MapPoint& from, const MapPoint& to, double begin, double end) noexcept {
+  Box box{dimension, {}, {}};
+  for (std::size_t i = 0; i < dimension; ++i) {
+    const Interval start(from[i]);
+    const Interval part = start + Interval(begin, end) * (Interval(to[i]) - start);
+    box.lower[i] = part.lower();
+    box.upper[i] = part.upper();
+  }
+  return box;
+}
+
 int proved_sign(const BoxClassifier& classifier, std::size_t dimension, std::size_t mode,
                 const MapPosition& position) noexcept {
+  // A box of one point: enclosures are as wide as rounding.
   const LeafState state =
       classifier.state(position.root, Box{dimension, position.point, position.point}, mode);
   if (!state.is_inside()) return 0;

@@ -14,6 +14,10 @@ namespace parallel_aspects {
 int proved_sign(const BoxClassifier& classifier, std::size_t dimension, std::size_t mode,
                 const MapPosition& position) noexcept;
 
+/// A box around the part of a straight segment between the shares `begin` and `end` of its length. Needs a
+/// live `RoundingUpward`.
+Box hull(std::size_t dimension, const MapPoint& from, const MapPoint& to, double begin, double end) noexcept;
+
 /// Whether the straight segment between two points of a root box is proved free of singularities and within
 /// limits, with det A of the given sign all along: it is covered by boxes, halved where they are too long, at
 /// most `most_halvings` times. Needs a live `RoundingUpward`. Neither allocates nor throws.
