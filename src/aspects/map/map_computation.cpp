@@ -38,16 +38,22 @@ Aspect make_aspect(const WorkingMode& mode, const Component& component) {
 /// Ids of aspects, by mode and by index of the component.
 using ComponentIds = std::vector<std::vector<int>>;
 
-/// The components of one mode become aspects with the next ids, which are returned.
-std::vector<int> add_mode(AspectMap::Contents& map, std::size_t mode, const ModeComponents& found) {
-  const auto first_id = static_cast<int>(map.aspects.size()) + 1;
-  std::vector<std::size_t> order(found.components.size());
+/// Positive before negative, and the larger first.
+std::vector<std::size_t> order_of(const std::vector<Component>& components) {
+  std::vector<std::size_t> order(components.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::stable_sort(order.begin(), order.end(), [&found](std::size_t a, std::size_t b) {
-    const Component &one = found.components[a], &other = found.components[b];
+  std::stable_sort(order.begin(), order.end(), [&components](std::size_t a, std::size_t b) {
+    const Component &one = components[a], &other = components[b];
     return std::make_pair(one.determinant_sign, one.measure_estimated) >
            std::make_pair(other.determinant_sign, other.measure_estimated);
   });
+  return order;
+}
+
+/// The components of one mode become aspects with the next ids, which are returned.
+std::vector<int> add_mode(AspectMap::Contents& map, std::size_t mode, const ModeComponents& found) {
+  const auto first_id = static_cast<int>(map.aspects.size()) + 1;
+  const std::vector<std::size_t> order = order_of(found.components);
   std::vector<int> id(order.size());
   for (std::size_t rank = 0; rank < order.size(); ++rank) {
     const Component& component = found.components[order[rank]];

@@ -197,57 +197,63 @@ Report load_or_compute(const std::shared_ptr<const Manipulator>& manipulator, co
   return report;
 }
 
+std::vector<Option> options_of(MapArguments& arguments) {
+  std::vector<Option> options = robot_options(arguments.robot);
+  options.push_back(
+      {"--resolution", "R",
+       "Longest edge of an undecided leaf of the base map [m or rad]; by default what suits the robot",
+       &arguments.resolution});
+  options.push_back({"--region", "\"x=0:5 y=0:9\"",
+                     "Where to look: a lower and an upper end of every position that is free [m]; by default "
+                     "all that the legs reach",
+                     &arguments.region});
+  options.push_back({"--slice", "\"z=1\"",
+                     "Map a line, plane or volume of poses: what is held, with its value [m or rad]; the "
+                     "rest is free",
+                     &arguments.slice});
+  options.push_back({"--mode", "\"(+,-)\"",
+                     "Map these working modes only, as signs of B_jj; by default every one",
+                     &arguments.modes});
+  options.push_back({"--threads", "N",
+                     "Threads to compute with; by default one a core. The result does not depend on it",
+                     &arguments.threads});
+  options.push_back({"--load", "FILE", "Take the map from this file if it is of this robot and these options",
+                     &arguments.load_file});
+  options.push_back({"--save", "FILE", "Write the map to this file, for --load", &arguments.save_file});
+  options.push_back({"--picture", "FILE",
+                     "Draw the aspects of every working mode as SVG, where two coordinates are free",
+                     &arguments.picture_file});
+  options.push_back({"--samples", "N",
+                     "With six degrees of freedom: poses of the certified roadmap, by default 1000",
+                     &arguments.roadmap.samples});
+  options.push_back({"--seed", "N", "With six degrees of freedom: seed of its poses, by default 1",
+                     &arguments.roadmap.seed});
+  for (const Option& option : constraint_options(arguments.constraints)) options.push_back(option);
+  return options;
+}
+
+Report report_of(const MapArguments& arguments, const Surroundings& surroundings) {
+  Problems problems;
+  const MapSection section = load_map_section(arguments.robot, problems);
+  MapOptions map_options = parse_options(arguments, section.config, problems);
+  check_file("--save", arguments.save_file, problems);
+  check_file("--picture", arguments.picture_file, problems);
+  const auto mechanism = load_robot(arguments.robot, std::move(problems));
+  const auto manipulator = choose_constraints(mechanism->manipulator(), arguments.constraints);
+  if (manipulator->task_space() == TaskSpace::SE3 && arguments.slice.empty())
+    return roadmap_report(manipulator, arguments, section, surroundings);
+  add_coverage(arguments, section, *manipulator, map_options);
+  return load_or_compute(manipulator, map_options, arguments, surroundings);
+}
+
 }  // namespace
 
 Subcommand map_subcommand() {
   const auto arguments = std::make_shared<MapArguments>();
-  std::vector<Option> options = robot_options(arguments->robot);
-  options.push_back(
-      {"--resolution", "R",
-       "Longest edge of an undecided leaf of the base map [m or rad]; by default what suits the robot",
-       &arguments->resolution});
-  options.push_back({"--region", "\"x=0:5 y=0:9\"",
-                     "Where to look: a lower and an upper end of every position that is free [m]; by default "
-                     "all that the legs reach",
-                     &arguments->region});
-  options.push_back({"--slice", "\"z=1\"",
-                     "Map a line, plane or volume of poses: what is held, with its value [m or rad]; the "
-                     "rest is free",
-                     &arguments->slice});
-  options.push_back({"--mode", "\"(+,-)\"",
-                     "Map these working modes only, as signs of B_jj; by default every one",
-                     &arguments->modes});
-  options.push_back({"--threads", "N",
-                     "Threads to compute with; by default one a core. The result does not depend on it",
-                     &arguments->threads});
-  options.push_back({"--load", "FILE", "Take the map from this file if it is of this robot and these options",
-                     &arguments->load_file});
-  options.push_back({"--save", "FILE", "Write the map to this file, for --load", &arguments->save_file});
-  options.push_back({"--picture", "FILE",
-                     "Draw the aspects of every working mode as SVG, where two coordinates are free",
-                     &arguments->picture_file});
-  options.push_back({"--samples", "N",
-                     "With six degrees of freedom: poses of the certified roadmap, by default 1000",
-                     &arguments->roadmap.samples});
-  options.push_back({"--seed", "N", "With six degrees of freedom: seed of its poses, by default 1",
-                     &arguments->roadmap.seed});
-  for (const Option& option : constraint_options(arguments->constraints)) options.push_back(option);
   return {"map",
           "Compute the certified map of aspects, or with six degrees of freedom a certified roadmap",
-          options,
-          [arguments](const Surroundings& surroundings) {
-            Problems problems;
-            const MapSection section = load_map_section(arguments->robot, problems);
-            MapOptions map_options = parse_options(*arguments, section.config, problems);
-            check_file("--save", arguments->save_file, problems);
-            check_file("--picture", arguments->picture_file, problems);
-            const auto mechanism = load_robot(arguments->robot, std::move(problems));
-            const auto manipulator = choose_constraints(mechanism->manipulator(), arguments->constraints);
-            if (manipulator->task_space() == TaskSpace::SE3 && arguments->slice.empty())
-              return roadmap_report(manipulator, *arguments, section, surroundings);
-            add_coverage(*arguments, section, *manipulator, map_options);
-            return load_or_compute(manipulator, map_options, *arguments, surroundings);
-          },
+          options_of(*arguments),
+          [arguments](const Surroundings& surroundings) { return report_of(*arguments, surroundings); },
           {{"--neighbours", "Tell which aspects touch across a singularity, and where that is proved",
             &arguments->neighbours},
            {"--no-symmetry", "Compute what symmetries of the robot show to be the same, too",

@@ -161,6 +161,20 @@ class LegFinder {
     return pivot.kind == PivotKind::prismatic && pivot.variable != actuated_joints_.variables.front();
   }
 
+  // Whether the leg has one actuated joint; else says what is wrong.
+  bool has_one(const std::vector<std::size_t>& actuated, const std::vector<std::size_t>& part) {
+    if (actuated.empty())
+      problem("actuates none of the joints " + joints_of(part) +
+              ", which make one leg; add one of them to actuated_joints, or take the leg out of the URDF.");
+    if (actuated.size() > 1)
+      problem("actuates " + std::to_string(actuated.size()) + " of the joints " + joints_of(part) +
+              ", which share links between the base and the link of operational_point '" +
+              system_.tree().links[actuated_joints_.platform_link] +
+              "'; a fully parallel robot has one actuated joint a leg, and its operational point on the body "
+              "that all legs share.");
+    return actuated.size() == 1;
+  }
+
   void add_leg(const std::vector<std::size_t>& part, std::vector<LegChains>& legs) {
     if (!touches(part, base_) || !touches(part, platform_)) return;  // outside the loops
     if (is_guide(part)) {
@@ -169,22 +183,9 @@ class LegFinder {
       guide_ = guide.front();
       return;
     }
-    const std::vector<std::size_t> found = actuated_joints_of(part);
-    if (found.empty()) {
-      problem("actuates none of the joints " + joints_of(part) +
-              ", which make one leg; add one of them to actuated_joints, or take the leg out of the URDF.");
-      return;
-    }
-    if (found.size() > 1) {
-      problem("actuates " + std::to_string(found.size()) + " of the joints " + joints_of(part) +
-              ", which share links between the base and the link of operational_point '" +
-              system_.tree().links[actuated_joints_.platform_link] +
-              "'; a fully parallel robot has one actuated joint a leg, and its operational point on the body "
-              "that all "
-              "legs share.");
-      return;
-    }
-    LegChains leg{found.front(), {}, std::nullopt};
+    const std::vector<std::size_t> actuated = actuated_joints_of(part);
+    if (!has_one(actuated, part)) return;
+    LegChains leg{actuated.front(), {}, std::nullopt};
     Chain chain;
     std::set<std::size_t> visited{base_};
     steps_ = 0;
