@@ -126,10 +126,12 @@ AnchorMetric::AnchorMetric(const Manipulator& manipulator)
   const double least = space == TaskSpace::SE2 ? about(2, 2) : values[0];
   usable = least > least_spread * about.trace() && std::isfinite(about.trace()) && about.trace() > 0.0;
   if (!usable) return;
+  // With v the vector part of the unit quaternion of Q, |Q b - b| = 2 |v x b|: the mean of the squares is
+  // 4 v^T J v, at most 4 trace J as |v| <= 1.
   widest_turn = 2.0 * std::sqrt(about.trace());
   if (space == TaskSpace::SE2)
     half_turns(2, 2) = 1.0 / std::sqrt(about(2, 2));
-  else
+  else  // J = L L^T, and W = L^-T makes W^T J W = I
     half_turns = about.llt().matrixL().solve(Eigen::Matrix3d::Identity()).transpose();
   error = factor_error(j, half_turns, first);
   // The term 2 (c' - c) . mean (Q - I) b of D^2, at most 4 |c' - c| |v| |mean b|.

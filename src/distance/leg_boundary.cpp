@@ -22,6 +22,9 @@ class Collector {
 
   void operator()(const RevoluteActuation& actuation) {
     const Interval rod(leg_.rod_length), crank(actuation.radius);
+    // B_jj = 0 where the rod is square to the motion of the crank's tip. In the plane that is along the
+    // crank, stretched or folded; in space, in the plane of the tip and the axis: a torus about the tip's
+    // circle.
     if constexpr (dimension == 2) {
       const Interval in_plane = root(square(rod) - squared_height_);
       add_serial_sphere(crank + in_plane);
@@ -45,6 +48,7 @@ class Collector {
         at_surface(Surface::cylinder, root(square(Interval(leg_.rod_length)) - squared_height_));
     boundary.axis = point(actuation.direction);
     all_.serial.push_back(boundary);
+    // At a limit the anchor is on the sphere of the rod about c; the sign of u.c' parts it by branches.
     for (const auto& [end, value] : finite_limits()) {
       Boundary limit = boundary;
       limit.surface = Surface::sphere;

@@ -31,6 +31,10 @@ struct PlanarLegForm {
 
 /// A distance leg whose actuated joint and anchor move in parallels of the x-y plane, with its constants
 /// enclosed in intervals. Must be made under a live `RoundingUpward`.
+///
+/// `SpatialLeg` would do, in more time: with it, through `SliceChart`, maps take 1.4 times the processor time
+/// (five_bar), 1.13 (three_rpr), 1.29 (three_prr) and 1.55 (three_rrr). In the plane fewer products enclose
+/// the same numbers, and often more tightly.
 class PlanarLeg {
  public:
   explicit PlanarLeg(const Leg& leg);

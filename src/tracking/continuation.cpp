@@ -24,7 +24,9 @@ Continuation::Continuation(const PoseCertifier& certifier, const CertifiedPoint&
   if (bend.size() == allowance_.size()) allowance_ += bend;
 }
 
-// The solution at the new point is the one that the ball of the old point holds.
+// The old ball holds exactly one solution for all joint values of this step, and that one
+// moves continuously; the new ball holds exactly one for those at its end. Where the new ball lies in the old
+// one the two are the same, so that the new point continues the old one.
 bool Continuation::step(double length) noexcept {
   const CertifiedBall ball = certifier_.ball(at_, direction_, allowance_, length, speed_);
   if (!ball.certified) return false;

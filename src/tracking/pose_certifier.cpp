@@ -116,6 +116,7 @@ Pose PoseCertifier::predicted(const CertifiedPoint& point, const JointVector& q)
   return stepped(point.pose, point.inverse, residual, size);
 }
 
+// With an inverse that is a little old Newton's method still contracts, and each step is far cheaper.
 bool PoseCertifier::refine(CertifiedPoint& point) const noexcept {
   LegBounds residual;
   Rows matrix;
@@ -146,6 +147,7 @@ SquareArray<Interval> PoseCertifier::enclosed_matrix(
   return matrix;
 }
 
+// |C F|, and |C A - I| by its Frobenius norm, which is no smaller than that of the theorem.
 bool PoseCertifier::enclose(CertifiedPoint& point) const noexcept {
   assert_rounding_upward();
   std::array<LegEnclosure, max_legs> legs;
@@ -213,6 +215,9 @@ CertifiedBall PoseCertifier::ball(const CertifiedPoint& point, const TaskVector&
 CertifiedBall PoseCertifier::ball(const CertifiedPoint& point, const TaskVector& direction,
                                   const TaskVector& allowance, double share, double speed,
                                   double least) const noexcept {
+  // The theorem of docs/tracking.md, by its bounds for each leg: `row` of the change of A, `bend` of what F
+  // is off its linear part in q, `curvature` of D^2 F in the ball. Then g is `lost`, eta `moved` and k r
+  // `bent`.
   LegBounds rod{}, row{}, bend{}, curvature{};
   for (std::size_t j = 0; j < size_; ++j) {
     const auto i = static_cast<Eigen::Index>(j);
@@ -227,6 +232,7 @@ CertifiedBall PoseCertifier::ball(const CertifiedPoint& point, const TaskVector&
   const double gain = -(lost - 1.0);  // rounded down: 1 - g
   const double moved = point.residual + share * speed + spread(point, bend);
   if (!(gain > 0.0)) return {};
+  // Twice what eta / (1 - g) would do without k, so that half of it is left for k.
   const double radius = std::max(2.0 * moved / gain, least);
   for (std::size_t j = 0; j < size_; ++j)
     curvature[j] = lever_[j] * lever_[j] + (rod[j] + lever_[j] * radius) * arm_[j];

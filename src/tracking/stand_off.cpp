@@ -89,6 +89,7 @@ bool StandOff::can_distinguish(const Pose& pose, const WorkingMode& mode,
   JointVector step = 2.0 * noise_ + resting_bend_;
   if (bend.size() == step.size()) step = step.cwiseMax(2.0 * noise_ + bend);
   const JointVector error = noise_.cwiseProduct(worst_signs(point));
+  // Samples at rest may be off to opposite sides: one by its worst error, the next by twice that from there.
   for (const double side : {-1.0, 1.0}) {
     CertifiedPoint seen;
     seen.q = point.q + side * error;

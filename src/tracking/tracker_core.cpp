@@ -96,7 +96,8 @@ bool TrackerCore::wants_candidates() const noexcept {
   return state_.q.size() > 0 && !state_.followed() && !known;
 }
 
-// Starts in the only candidate that is left.
+// Starts in the only candidate that is left. That it is the only one says something only where the list of
+// direct solutions was complete.
 bool TrackerCore::settle() noexcept {
   if (state_.followed() || !candidates_.complete() || candidates_.size() != 1) return false;
   const Candidate only = candidates_[0];
@@ -220,6 +221,7 @@ void TrackerCore::watch_legs(const CertifiedPoint& from, const CertifiedPoint& t
   }
 }
 
+// B_jj changes its sign many times where noise meets a serial singularity; a change counts past a hysteresis.
 // The leg that is past the hysteresis on the other side, the first by the time of its zero; -1 for none.
 int TrackerCore::next_crossing() const noexcept {
   int first = -1;

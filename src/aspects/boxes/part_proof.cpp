@@ -17,6 +17,10 @@ class ShellSearch {
         lowest_(shell.lowest(box)),
         highest_(shell.highest(box)) {}
 
+  // A shell is empty only where its highest corner is not reachable (see BoxSlopes::shell). Else one pose
+  // shows where it is: on the diagonal the reachable poses are an interval up to the highest corner, and det
+  // A has the sign where it begins. Poses too near the singularity are not proved, those too far have lost
+  // the sign, so lengths from tiny to all are tried, and the last of the first ones that pass is taken.
   Part run() const noexcept {
     if (examine(highest_).state.is_outside()) return {Part::Kind::empty, {}};
     double beyond = 0.0, reachable = 1.0;
@@ -63,6 +67,8 @@ class ShellSearch {
 
 Part find_part(const BoxClassifier& classifier, std::size_t mode, int sign, RootIndex root,
                Box box) noexcept {
+  // Pushed along coordinates along which it grows, the set stays in itself: the face has some of it if the
+  // box has, and all of the box's is connected with that. Each round flattens a coordinate more, so it ends.
   for (;;) {
     const Examined examined = classifier.examine(root, box, mode, sign);
     if (examined.state.is_inside(sign)) return {Part::Kind::connected, box.middle()};

@@ -14,9 +14,9 @@ namespace {
 using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_map_dimension, 1>;
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_map_dimension, max_map_dimension>;
 
-/// Newton's direction for the sum of logarithms, in shares of the widths of `region`; empty where there is
-/// none. Damping bends it toward the steepest ascent: conditions are curved, and more so the farther a step
-/// leads along a boundary.
+/// Newton's direction for the sum of the logarithms of all conditions f, in shares of the widths of `region`;
+/// empty where there is none. Damping bends it toward the steepest ascent: conditions are curved, and more so
+/// the farther a step leads along a boundary.
 Vector direction(const Conditions& conditions, const Box& region, double damping,
                  const ClimbPolicy& policy) noexcept {
   const auto size = static_cast<Eigen::Index>(region.dimension);
@@ -33,6 +33,8 @@ Vector direction(const Conditions& conditions, const Box& region, double damping
     hessian += relative * relative.transpose();
   }
   hessian.diagonal().array() += damping;
+  // With H the sum of r r^T over the relative slopes r = f' / f, a step d changes no linearised f by a share
+  // of more than |r.d| <= sqrt(d^T H d): where that is below 1 all of them stay positive (Dikin's ellipsoid).
   const Vector newton = hessian.ldlt().solve(gradient);
   const double length = std::sqrt(newton.dot(hessian * newton));
   if (!std::isfinite(length) || length < policy.shortest_step) return {};

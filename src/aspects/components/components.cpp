@@ -135,6 +135,8 @@ class Summary {
     result_.unresolved.emplace_back(std::min(a, b), std::max(a, b));
   }
 
+  /// Two components are proved to be different where no chain of unresolved pairs leads from one to the
+  /// other, for each pair of the chain may be one. So only clusters are counted.
   void collect_clusters() {
     auto& pairs = result_.unresolved;
     std::sort(pairs.begin(), pairs.end());

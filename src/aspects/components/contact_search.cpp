@@ -32,6 +32,7 @@ std::vector<SignGraph::Contact> ContactSearch::run() {
   return std::move(contacts_);
 }
 
+// Every contact has a component that is not the largest at one of its ends, and is found from there.
 bool ContactSearch::is_source(NodeIndex leaf) {
   if (graph_.holds_nothing(leaf)) return false;
   const std::uint32_t component = graph_.component(leaf);
@@ -55,6 +56,7 @@ void ContactSearch::go_on(NodeIndex node, NodeIndex from) {
     else
       onward_.push_back(leaf);
   });
+  // A leaf that is in a contact will be worked on; what lies behind it is looked at when that is settled.
   if (contacts_.size() > before) return;
   for (const NodeIndex leaf : onward_) {
     if (reached_from_[leaf] != no_node) {

@@ -99,6 +99,7 @@ class ModeRefinement {
     const LeafState before = tree_.state(node, mode());
     classify(tree_, classifier_, mode(), node, Detail::all_parts);
     LeafState& state = tree_.state(node, mode());
+    // What was known may have come from the parent or from a search in the leaf, which this does not repeat.
     for (const int sign : {1, -1}) {
       if (!before.may_be(sign) && state.may_be(sign)) state = state.without(sign);
       if (before.is_whole(sign) && state.is_undecided() && state.may_be(sign)) state = state.with_whole(sign);
@@ -184,6 +185,7 @@ bool refine_contested(PoseTree& tree, const BoxClassifier& classifier,
       if (modes[i].find_requests()) found = true;
     });
     if (is_cancelled(control)) return false;
+    // Division may move all nodes, so that it waits until no mode looks.
     busy = found;
     for (const ModeRefinement& mode : modes) {
       for (const NodeIndex node : mode.requests())

@@ -49,6 +49,7 @@ void SignGraph::unite(NodeIndex a, NodeIndex b) {
 void SignGraph::connect(const PoseTree& tree, NodeIndex a, NodeIndex b) {
   if (a == b || slot_[a] == none || slot_[b] == none) return;
   if (is_in_component(a) && is_in_component(b)) {
+    // All of their common face is in the set where one of them is inside, so what the other holds meets it.
     const bool inside = tree.state(a, mode_).is_inside(sign_) || tree.state(b, mode_).is_inside(sign_);
     if (inside)
       unite(a, b);
@@ -69,6 +70,8 @@ void SignGraph::settle_faces(const PoseTree& tree, const BoxClassifier& classifi
 
 void SignGraph::settle(const PoseTree& tree, const BoxClassifier& classifier, NodeIndex a, NodeIndex b) {
   if (slot_[a] == none || slot_[b] == none || component(a) == component(b)) return;
+  // Both hold what the set has of a common face: one pose of it that is proved makes one of the
+  // two. Where all common faces are proved empty, the two are no neighbours.
   bool known = true;
   for (const SharedFace& face : shared_faces(tree, a, b)) {
     const Part part = find_part(classifier, mode_, sign_, face.root, face.box);
@@ -91,6 +94,7 @@ void SignGraph::replace(PoseTree& tree, NodeIndex node) {
   for (NodeIndex rank = 0; rank < tree.children_per_node(); ++rank) {
     children.push_back(tree.first_child(node) + rank);
     LeafState& state = tree.state(children.back(), mode_);
+    // What was ruled out of all of a leaf is ruled out of its children, whatever their own enclosures say.
     if (old_slot == none && state.may_be(sign_)) state = state.without(sign_);
   }
   if (old_slot == none) return;
@@ -133,6 +137,7 @@ std::vector<NodeIndex> SignGraph::climb_from_new(PoseTree& tree, const BoxClassi
                                                  bool bare_too) {
   std::vector<NodeIndex> bare, leaves;
   leaves.swap(new_leaves_);
+  // One component need not climb: the others come to it.
   if (!has_climbed_ && !leaves.empty()) traits_[largest_component()].climbed = has_climbed_ = true;
   for (const NodeIndex leaf : leaves) {
     if (is_cancelled(control_)) break;
@@ -204,6 +209,10 @@ void SignGraph::start_from_components(Meeting& meeting, std::vector<std::uint32_
   }
 }
 
+// Breadth first, so that each indeterminate leaf takes the component that is the fewest leaves away. Along
+// any chain of indeterminate leaves from one component to another the nearest component changes at some pair
+// of neighbours, where the two are compared: all that such chains link is linked by contacts, if by way of a
+// third.
 void SignGraph::spread(Meeting& meeting, std::vector<std::uint32_t>& queue) {
   for (std::size_t head = 0; head < queue.size() && !is_cancelled(control_); ++head) {
     const std::uint32_t v = queue[head];

@@ -53,6 +53,7 @@ PoseSymmetry::PoseSymmetry(TaskSpace space, const Box& region, const RigidSymmet
     of_root.from[i] = static_cast<std::uint8_t>(from);
     of_root.reversed[i] = symmetry.base(row, from) < 0.0;
   }
+  // A reflection of the plane turns angles around.
   if (space == TaskSpace::SE2) of_root.reversed[2] = symmetry.handedness() < 0.0;
   add(of_root);
 }

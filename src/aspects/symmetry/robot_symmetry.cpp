@@ -20,7 +20,8 @@ struct EntrySigns {
 
 EntrySigns only(int sign) { return {sign > 0, sign < 0}; }
 
-/// Compares legs with images of legs.
+/// Compares legs with images of legs. Numbers have to be equal to the last digit: what follows is a theorem
+/// about these numbers (docs/maps.md, Symmetries), and none about robots that are nearly symmetric.
 class LegImages {
  public:
   LegImages(const RigidSymmetry& symmetry, bool shows_cranks)
@@ -57,6 +58,7 @@ class LegImages {
 
   EntrySigns compare(const PrismaticActuation& actuation, const PrismaticActuation& other, const Leg& leg,
                      const Leg& image) const {
+    // c' is the direction, so that q and B_jj change with its sign.
     const int along = takes_direction(symmetry_, actuation.direction, other.direction);
     if (along == 0 || leg.rod_length != image.rod_length) return {};
     if (!takes_point(symmetry_, actuation.origin, other.origin)) return {};
@@ -66,6 +68,7 @@ class LegImages {
 
   EntrySigns compare(const StrutActuation& actuation, const StrutActuation& other, const Leg& leg,
                      const Leg& image) const {
+    // B_jj is sense times length. Without limits it does not matter which joint value gives a length.
     if (!takes_point(symmetry_, actuation.base, other.base)) return {};
     if (are_limited(leg, image) &&
         (actuation.length_at_zero != other.length_at_zero || actuation.sense != other.sense ||

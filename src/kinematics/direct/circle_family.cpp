@@ -30,6 +30,9 @@ Eigen::Vector2d cramer_numerator(const LinearPair& pair) {
           m(0, 0) * pair.right[1] - m(1, 0) * pair.right[0]};
 }
 
+// |v|^2 = r^2 with v by Cramer's rule, times the squared determinant: a polynomial in cosine and sine of the
+// angle. Where the determinant vanishes it may have roots that no v belongs to; they do not survive
+// refinement.
 double eliminant(const CircleFamily& family, double angle) {
   const LinearPair pair = family.equations(angle);
   const double determinant = pair.matrix.determinant();

@@ -72,6 +72,8 @@ bool on_continuum(const Manipulator& manipulator, const Pose& pose, const JointV
   const double size = manipulator.size();
   for (Eigen::Index k = svd.values.size() - 1; k >= 0 && svd.values[k] < singular; --k) {
     const TaskVector twist = svd.v.col(k);
+    // From an isolated solution a step is pulled back to where it began, or to another one by accident. That
+    // it lands about a step away at each of three lengths, and singular again, is taken for a continuum.
     const auto leads = [&](double share) { return leads_on(manipulator, pose, q, twist, share * size); };
     if ((leads(0.005) && leads(0.01) && leads(0.02)) || (leads(-0.005) && leads(-0.01) && leads(-0.02)))
       return true;

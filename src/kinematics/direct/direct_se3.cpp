@@ -128,6 +128,8 @@ class Search {
  public:
   explicit Search(const Parameters& target) : target_(target) {}
 
+  // A general platform has 40 complex solutions, and a parameter homotopy from one such leads to all isolated
+  // ones of any other; what can go wrong is numerical, as a path that jumps to its neighbour.
   // Whether all solutions are known: all 40, or fewer where two attempts agree that the other paths go
   // elsewhere.
   bool attempt(int number) {

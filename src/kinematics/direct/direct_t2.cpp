@@ -48,6 +48,7 @@ DirectResult direct_t2(const Manipulator& manipulator, const JointVector& q) {
     const bool same = std::abs(first.squared_radius - second.squared_radius) <= same_center * size * size;
     return {same && first.squared_radius > 0.0 ? DirectStatus::continuum : DirectStatus::solved, {}};
   }
+  // One circle less the other is linear: the line through both points of intersection.
   const double along = 0.5 * (distance * distance + first.squared_radius - second.squared_radius) / distance;
   const double squared_half_chord = first.squared_radius - along * along;
   DirectResult result{DirectStatus::solved, {}};

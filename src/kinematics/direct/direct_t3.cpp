@@ -74,6 +74,8 @@ DirectResult direct_t3(const Manipulator& manipulator, const JointVector& q) {
   const double squared_normal = normal.squaredNorm();
   if (std::sqrt(squared_normal) <= collinear * size * size) return {status_of_collinear(all, size), {}};
 
+  // Seen from the first center, |p|^2 = R1; the other spheres less the first are linear, p.second = r2 and
+  // p.third = r3. The foot solves both in the plane of the centers, and p is straight above or below it.
   const double r2 = 0.5 * (second.squaredNorm() + all[0].squared_radius - all[1].squared_radius);
   const double r3 = 0.5 * (third.squaredNorm() + all[0].squared_radius - all[2].squared_radius);
   const Eigen::Vector3d foot = (r2 * third.cross(normal) + r3 * normal.cross(second)) / squared_normal;

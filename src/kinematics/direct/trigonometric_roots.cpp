@@ -33,6 +33,9 @@ class RootIsolation {
   void search(double lower, double upper) {
     const double middle = 0.5 * (lower + upper), half = 0.5 * (upper - lower);
     const auto [value, slope, curvature] = f_.derivatives(middle);
+    // Taylor about the middle, with a bound of its third derivative: on this arc f strays from its value
+    // there by at most `largest_drop`, and f' from its own by at most `bend`. So it has no root, is monotone,
+    // or is halved.
     const double bend = half * (std::abs(curvature) + 0.5 * half * third_bound_);
     const double largest_drop =
         half * (std::abs(slope) + half * (0.5 * std::abs(curvature) + half * third_bound_ / 6.0));
@@ -74,6 +77,7 @@ class RootIsolation {
 }  // namespace
 
 TrigonometricPolynomial TrigonometricPolynomial::interpolated(const std::function<double(double)>& function) {
+  // Cosines and sines up to this degree are orthogonal over more than twice as many even samples.
   constexpr std::size_t samples = 2 * degree + 2;
   TrigonometricPolynomial f;
   for (std::size_t i = 0; i < samples; ++i) {

@@ -143,6 +143,7 @@ class Follower {
     return each.nearness_before_end > at_infinity ? Ending::infinite : Ending::lost;
   }
 
+  // The exponent of the nearness over the last part of the path: log-log slope between its ends.
   static bool falls(const Traveller& each, double left, double near) {
     return std::log(each.nearness_before_end / near) > least_fall * std::log(close_to_end / left);
   }
@@ -183,6 +184,8 @@ std::vector<PathEnd> followed(const ParameterPath& path, const std::vector<Solut
   return Follower(path, starts, accuracy).run();
 }
 
+// Solutions are homogeneous: the common factor of length 1 that brings them nearest to each other is that of
+// their inner product.
 double distance(const Solution& a, const Solution& b) {
   Complex product = 0.0;
   for (std::size_t i = 0; i < a.size(); ++i) product += std::conj(a[i]) * b[i];
