@@ -32,6 +32,14 @@ struct LimitFunctions {
 
 Verdict verdict(const LimitFunctions<Interval>& limits) noexcept;
 
+/// Cosine and sine of an angle.
+struct AngleDirection {
+  Interval cosine, sine;
+};
+
+/// They enclose those of every angle within some units in the last place of 1 or of this one [rad].
+AngleDirection direction_at(double angle) noexcept;
+
 /// Limits of a joint angle, tested on its cosine and sine without any arc function.
 class AngleLimits {
  public:
@@ -56,14 +64,9 @@ class AngleLimits {
   }
 
  private:
-  struct Direction {
-    Interval cosine, sine;
-  };
-  static Direction direction(double angle);
-
   bool limited_ = false;
   bool less_than_half_turn_ = false;
-  Direction lower_, upper_;
+  AngleDirection lower_, upper_;
 };
 
 /// Limits of a length [m].

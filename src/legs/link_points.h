@@ -2,6 +2,8 @@
 #ifndef PARALLEL_ASPECTS_LEGS_LINK_POINTS_H
 #define PARALLEL_ASPECTS_LEGS_LINK_POINTS_H
 
+#include "interval/interval.h"
+
 #include <array>
 #include <cstddef>
 
@@ -19,6 +21,14 @@ Point<Scalar, D> reduced(const std::array<Scalar, 3>& point) {
   return result;
 }
 
+/// A point that is known to an interval and does not move.
+template <class Scalar, std::size_t D>
+Point<Scalar, D> constant(const Point<Interval, D>& point) {
+  Point<Scalar, D> result;
+  for (std::size_t i = 0; i < D; ++i) result[i] = Scalar(point[i]);
+  return result;
+}
+
 /// A straight link between two points.
 template <class Scalar, std::size_t D>
 struct Segment {
@@ -26,10 +36,12 @@ struct Segment {
 };
 
 /// The ends of the links of one leg, on one branch: the crank runs from `base` to `joint`, the rod from there
-/// to `anchor`. Without a crank, `joint` is where the rod starts.
+/// to `anchor`. Without a crank, `joint` is where the rod starts. Unused where the elbow is actuated:
+/// `length`.
 template <class Scalar, std::size_t D>
 struct LinkPoints {
   Point<Scalar, D> base, joint, anchor;
+  Scalar length;  ///< of the rod, in space [m]
 
   Segment<Scalar, D> crank() const { return {base, joint}; }
   Segment<Scalar, D> rod() const { return {joint, anchor}; }

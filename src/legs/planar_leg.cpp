@@ -27,7 +27,8 @@ void PlanarLeg::set(const RevoluteActuation& actuation, const Leg& leg) {
   kind_ = Kind::revolute;
   const Interval squared_crank = square(Interval(actuation.radius));
   // Anchor and crank tip move in parallel planes; what is left of the rod in the plane.
-  squared_rod_ = square(Interval(leg.rod_length)) - squared_height_;
+  rod_ = Interval(leg.rod_length);
+  squared_rod_ = square(rod_) - squared_height_;
   set_two_links(squared_crank, not_negative_part(squared_rod_));
   half_difference_ = Interval(0.5) * (squared_rod_ - squared_crank);
   sense_ = actuation.axis.z() > 0.0 ? 1.0 : -1.0;
@@ -37,7 +38,8 @@ void PlanarLeg::set(const RevoluteActuation& actuation, const Leg& leg) {
 
 void PlanarLeg::set(const PrismaticActuation& actuation, const Leg& leg) {
   kind_ = Kind::prismatic;
-  squared_rod_ = square(Interval(leg.rod_length)) - squared_height_;
+  rod_ = Interval(leg.rod_length);
+  squared_rod_ = square(rod_) - squared_height_;
   direction_ = {actuation.direction.x(), actuation.direction.y()};
   length_limits_ = LengthLimits(leg.limits);
 }

@@ -73,6 +73,7 @@ class PlanarLeg {
   Planar<Interval> base_;
   Interval squared_height_;                      // of the anchor over the base point, out of the plane
   Interval squared_longest_, squared_shortest_;  // two links stretched, folded
+  Interval rod_;                                 // in space
   Interval squared_rod_, half_difference_;       // rod in the plane; (rod^2 - crank^2) / 2
   Interval half_sum_;                            // (inner^2 + outer^2) / 2 of an elbow
   Planar<Interval> direction_;                   // of an actuated prismatic joint
@@ -132,7 +133,8 @@ template <class Scalar>
 std::optional<LinkPoints<Scalar, 2>> PlanarLeg::link_points(const Planar<Scalar>& d, const Scalar& entry,
                                                             int sign) const {
   const Scalar x(base_.x), y(base_.y);
-  LinkPoints<Scalar, 2> points{{x, y}, {x, y}, {x + d.x, y + d.y}};
+  LinkPoints<Scalar, 2> points{
+      {x, y}, {x, y}, {x + d.x, y + d.y}, kind_ == Kind::strut ? entry : Scalar(rod_)};
   const Scalar signed_entry = sign > 0 ? entry : -entry;
   if (kind_ == Kind::prismatic) {
     const Scalar slide = direction_.x * d.x + direction_.y * d.y - signed_entry;

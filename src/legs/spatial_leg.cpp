@@ -21,6 +21,7 @@ void SpatialLeg::set(const RevoluteActuation& actuation, const Leg& leg) {
   zero_direction_ = enclosed(actuation.zero_direction);
   side_direction_ = cross(axis_, zero_direction_);
   const Interval crank(actuation.radius), rod(leg.rod_length);
+  rod_ = rod;
   squared_longest_ = square(crank + rod);
   squared_shortest_ = square(crank - rod);
   squared_crank_ = square(crank);
@@ -31,7 +32,8 @@ void SpatialLeg::set(const RevoluteActuation& actuation, const Leg& leg) {
 void SpatialLeg::set(const PrismaticActuation& actuation, const Leg& leg) {
   kind_ = Kind::prismatic;
   axis_ = enclosed(actuation.direction);
-  squared_rod_ = square(Interval(leg.rod_length));
+  rod_ = Interval(leg.rod_length);
+  squared_rod_ = square(rod_);
   length_limits_ = LengthLimits(leg.limits);
 }
 

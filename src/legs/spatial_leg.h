@@ -72,7 +72,7 @@ class SpatialLeg {
       side_direction_;                           // axis is the direction of an actuated prismatic joint
   Interval squared_longest_, squared_shortest_;  // two links stretched, folded
   Interval squared_crank_, half_difference_;     // (rod^2 - crank^2) / 2
-  Interval squared_rod_;
+  Interval rod_, squared_rod_;
   Interval half_sum_;   // (inner^2 + outer^2) / 2 of an elbow
   double sense_ = 1.0;  // of a strut or elbow
   AngleLimits angle_limits_;
@@ -129,6 +129,7 @@ template <class Scalar>
 std::optional<LinkPoints<Scalar, 3>> SpatialLeg::link_points(const Spatial<Scalar>& d, const Scalar& entry,
                                                              int sign) const {
   LinkPoints<Scalar, 3> points;
+  points.length = kind_ == Kind::strut ? entry : Scalar(rod_);
   for (std::size_t i = 0; i < 3; ++i) {
     points.base[i] = points.joint[i] = Scalar(base_[i]);
     points.anchor[i] = points.base[i] + d[i];

@@ -9,6 +9,8 @@
 namespace parallel_aspects {
 namespace {
 
+constexpr double half_turn = EIGEN_PI;
+
 bool is_width(double value) { return std::isfinite(value) && value >= 0.0; }
 
 class Check {
@@ -24,6 +26,8 @@ class Check {
     if (!constraints_.obstacles.empty()) check_links("obstacles");
     if (constraints_.workspace) check_workspace(*constraints_.workspace);
     for (const PassiveLimit& limit : constraints_.passive_limits) check_passive(limit);
+    for (const PassiveCone& limit : constraints_.passive_cones) check_cone(limit.cone);
+    for (const BallJointCone& cone : constraints_.cones) check_cone(cone);
     return std::move(problems_);
   }
 
@@ -93,6 +97,30 @@ class Check {
       problem("The limits of joint '" + limit.joint + "' are not those of a leg in the plane; correct them.");
   }
 
+  void check_cone(const BallJointCone& cone) {
+    if (cone.leg >= legs_.size())
+      return problem("A cone names leg " + std::to_string(cone.leg + 1) + ", but the robot has " +
+                     std::to_string(legs_.size()) + " legs; count them from 1.");
+    const std::string which =
+        "The cone at the " + std::string(name(cone.end)) + " end of leg " + std::to_string(cone.leg + 1);
+    if (space_ == TaskSpace::SO3)
+      return problem(which +
+                     " is one of a robot in SO3, whose links are arcs and have no direction; leave it out.");
+    if (std::holds_alternative<ElbowActuation>(legs_[cone.leg].actuation))
+      problem(which +
+              " cannot be tested, since the leg is actuated at its elbow, and the distance of its ends "
+              "does not tell where its links point; leave it out.");
+    if (!cone.axis.allFinite() || !(std::abs(cone.axis.norm() - 1.0) < 1e-9) ||
+        (is_planar(space_) && cone.axis.z() != 0.0))
+      problem(which + " has an axis that is not a unit vector" +
+              (is_planar(space_) ? " of the plane; give one." : "; normalise it."));
+    if (!(cone.angle > 0.0 && cone.angle < half_turn))
+      problem(
+          which + " has an angle of " + std::to_string(cone.angle) +
+          " rad; give the angle from its axis to its surface, above 0 and below pi, or leave the cone out "
+          "where the joint may lean to every side.");
+  }
+
   const Constraints& constraints_;
   TaskSpace space_;
   const std::vector<Leg>& legs_;
@@ -107,6 +135,8 @@ std::string_view name(ConstraintKind kind) noexcept {
       return "actuated_limits";
     case ConstraintKind::passive_limits:
       return "passive_limits";
+    case ConstraintKind::cones:
+      return "cones";
     case ConstraintKind::self_collision:
       return "self_collision";
     case ConstraintKind::obstacles:
@@ -116,6 +146,8 @@ std::string_view name(ConstraintKind kind) noexcept {
   }
   return "workspace";
 }
+
+std::string_view name(LegEnd end) noexcept { return end == LegEnd::base ? "base" : "platform"; }
 
 std::optional<ConstraintKind> constraint_named(std::string_view text) noexcept {
   for (const ConstraintKind kind : all_constraint_kinds)

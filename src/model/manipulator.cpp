@@ -152,7 +152,9 @@ ConstraintKinds Manipulator::constraint_kinds() const noexcept {
   ConstraintKinds kinds;
   kinds[index_of(ConstraintKind::actuated_limits)] =
       std::any_of(legs().begin(), legs().end(), [](const Leg& leg) { return leg.limits.limited(); });
-  kinds[index_of(ConstraintKind::passive_limits)] = !constraints.passive_limits.empty();
+  kinds[index_of(ConstraintKind::passive_limits)] =
+      !constraints.passive_limits.empty() || !constraints.passive_cones.empty();
+  kinds[index_of(ConstraintKind::cones)] = !constraints.cones.empty();
   kinds[index_of(ConstraintKind::self_collision)] = constraints.self_collision.has_value();
   kinds[index_of(ConstraintKind::obstacles)] = !constraints.obstacles.empty();
   kinds[index_of(ConstraintKind::workspace)] = constraints.workspace.has_value();
@@ -167,8 +169,10 @@ std::shared_ptr<const Manipulator> Manipulator::with_constraints(ConstraintKinds
     for (Leg& leg : description.legs) leg.limits = {};
   if (!asked(ConstraintKind::passive_limits)) {
     constraints.passive_limits.clear();
+    constraints.passive_cones.clear();
     constraints.missing_joints.clear();
   }
+  if (!asked(ConstraintKind::cones)) constraints.cones.clear();
   if (!asked(ConstraintKind::self_collision))
     constraints.self_collision.reset();
   else if (!constraints.self_collision)

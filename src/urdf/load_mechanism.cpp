@@ -169,6 +169,7 @@ class Recogniser {
     for (const RecognisedLeg& leg : legs) description.legs.push_back(leg.leg);
     const FoundPassiveLimits passive = find_passive_limits(system, assembly.values, motion, legs);
     description.constraints.passive_limits = passive.limits;
+    description.constraints.passive_cones = passive.cones;
     description.constraints.missing_joints = passive.missing;
     try {
       auto contents = std::unique_ptr<Mechanism::Contents>(new Mechanism::Contents{
@@ -180,7 +181,8 @@ class Recogniser {
           static_cast<int>(motion.mobility),
           static_cast<int>(motion.idle),
           assembly.residual,
-          Completion(system, assembly.values, motion, legs, resolved_.actuated_joints.variables)});
+          Completion(system, assembly.values, motion, legs, resolved_.actuated_joints.variables),
+          motion.point_platform});
       for (const std::size_t joint : tree_->movable) {
         contents->joint_names.push_back(tree_->joints[joint].name);
         contents->joint_limits.push_back(tree_->joints[joint].limits);
@@ -329,10 +331,11 @@ void add_constraints(const MechanismConfig& config, const SourceNames& files, Me
   const std::size_t before = problems.size();
   ManipulatorDescription description = contents.manipulator->description();
   const Constraints limits = description.constraints;
-  description.constraints = resolve_constraints(config.constraints, description.task_space,
-                                                description.legs.size(), files.config, problems);
+  const ConstrainedRobot robot{description.task_space, description.legs.size(), contents.point_platform};
+  description.constraints = resolve_constraints(config.constraints, robot, files.config, problems);
   if (config.constraints.passive_limits) {
     description.constraints.passive_limits = limits.passive_limits;
+    description.constraints.passive_cones = limits.passive_cones;
     description.constraints.missing_joints = limits.missing_joints;
   }
   if (!config.constraints.actuated_limits)

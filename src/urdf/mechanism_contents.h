@@ -21,6 +21,7 @@ struct Mechanism::Contents {
   int idle_degrees_of_freedom = 0;
   double accepted_residual = 0.0;  ///< what rounding in the description costs, over the size of the robot
   Completion completion;
+  bool point_platform = false;  ///< see `PlatformMotion`
 };
 
 }  // namespace parallel_aspects

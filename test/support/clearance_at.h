@@ -23,7 +23,7 @@ class ClearanceAt {
       : robot_(robot), constraints_(robot.constraints()), pose_(pose), q_(q) {}
 
   double of_all() const {
-    return std::min({of_workspace(), of_passive_joints(), of_self_collision(), of_obstacles()});
+    return std::min({of_workspace(), of_passive_joints(), of_cones(), of_self_collision(), of_obstacles()});
   }
 
   double of_workspace() const {
@@ -44,6 +44,14 @@ class ClearanceAt {
       const double off = std::remainder(passive_value(limit) - middle, 2.0 * EIGEN_PI);
       least = std::min(least, 0.5 * (limit.limits.upper - limit.limits.lower) - std::abs(off));
     }
+    for (const PassiveCone& limit : constraints_.passive_cones) least = std::min(least, in_cone(limit.cone));
+    return least;
+  }
+
+  /// How much farther the rods may lean [rad].
+  double of_cones() const {
+    double least = infinity;
+    for (const BallJointCone& cone : constraints_.cones) least = std::min(least, in_cone(cone));
     return least;
   }
 
@@ -74,6 +82,17 @@ class ClearanceAt {
     return least;
   }
 
+  /// The rod, turned into what holds the ball joint at this end [m].
+  Eigen::Vector3d seen_rod(std::size_t leg, LegEnd end) const {
+    const Eigen::Vector3d rod = anchor(leg) - joint(leg);
+    if (end == LegEnd::platform) return pose_.orientation.conjugate() * rod;
+    const auto* crank = std::get_if<RevoluteActuation>(&robot_.leg(leg).actuation);
+    if (crank == nullptr) return rod;
+    Eigen::Matrix3d axes;
+    axes << crank->zero_direction, crank->axis.cross(crank->zero_direction), crank->axis;
+    return axes.transpose() * (Eigen::AngleAxisd(-q_[static_cast<Eigen::Index>(leg)], crank->axis) * rod);
+  }
+
  private:
   struct Body {
     Eigen::Vector3d from, to;
@@ -86,6 +105,11 @@ class ClearanceAt {
   Eigen::Vector3d anchor(std::size_t j) const { return pose_.transform(robot_.leg(j).anchor); }
   Eigen::Vector3d joint(std::size_t j) const {
     return robot_.leg(j).proximal_point(q_[static_cast<Eigen::Index>(j)]);
+  }
+
+  double in_cone(const BallJointCone& cone) const {
+    const Eigen::Vector3d rod = seen_rod(cone.leg, cone.end);
+    return cone.angle - std::acos(std::clamp(rod.normalized().dot(cone.axis.normalized()), -1.0, 1.0));
   }
 
   std::vector<Body> links(std::size_t j) const {

@@ -153,6 +153,7 @@ TEST_F(Command, LinksOnASphereAreAngles) {
 
 TEST_F(Command, DescribesTheFiveBarOfThePaper) {
   const json robot = run_json({"describe", "five_bar"});
+  EXPECT_EQ(robot.at("cones"), json::array());
   EXPECT_EQ(robot.at("task_space"), "T2");
   EXPECT_EQ(robot.at("mobility"), 2);
   EXPECT_EQ(robot.at("idle_degrees_of_freedom"), 0);

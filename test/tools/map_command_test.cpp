@@ -103,16 +103,34 @@ TEST_F(MapCommand, ConstraintsAreChosen) {
   EXPECT_TRUE(bounded["empty_working_modes"].empty());
 }
 
+TEST_F(MapCommand, ConesAreNamedAndCanBeLeftOut) {
+  const std::string source = PARALLEL_ASPECTS_SOURCE_DIR;
+  const std::string urdf = source + "/urdf/delta.urdf", config = source + "/test/data/delta_with_cones.yaml";
+  const json robot = run_json({"describe", "--urdf", urdf.c_str(), "--config", config.c_str()});
+  ASSERT_EQ(robot["cones"].size(), 9U);
+  EXPECT_EQ(robot["cones"][1], json::parse(R"({"leg": "leg_1", "end": "base", "fixed_in": "crank",
+                                               "axis": [0.0, 0.0, -1.0], "angle": 2.27, "joint": null})"));
+  EXPECT_EQ(robot["cones"][6]["fixed_in"], "platform");
+  const auto line = [&](const char* option, const char* list) {
+    return run_json({"map", "--urdf", urdf.c_str(), "--config", config.c_str(), "--slice", "x=0 y=0.1",
+                     "--resolution", "0.02", option, list});
+  };
+  const json bounded = line("--constraint", "all");
+  ASSERT_EQ(bounded["constraints"].size(), 1U);
+  EXPECT_EQ(bounded["constraints"][0]["name"], "cones");
+  const json free = line("--no-constraint", "cones");
+  EXPECT_TRUE(free["constraints"].empty());
+  EXPECT_LT(bounded["aspects"].size(), free["aspects"].size());
+}
+
 TEST_F(MapCommand, BadConstraintsAreRefused) {
   const std::vector<std::pair<std::vector<const char*>, std::string>> cases{
       {{"map", "five_bar", "--constraint", "gravity"},
-       "--constraint names 'gravity'; give some of actuated_limits, passive_limits, self_collision, "
-       "obstacles, "
-       "workspace, all or none.\n"},
+       "--constraint names 'gravity'; give some of actuated_limits, passive_limits, cones, self_collision, "
+       "obstacles, workspace, all or none.\n"},
       {{"map", "five_bar", "--no-constraint", "gravity"},
-       "--no-constraint names 'gravity'; give some of actuated_limits, passive_limits, self_collision, "
-       "obstacles, "
-       "workspace, all or none.\n"},
+       "--no-constraint names 'gravity'; give some of actuated_limits, passive_limits, cones, "
+       "self_collision, obstacles, workspace, all or none.\n"},
       {{"map", "five_bar", "--constraint", "obstacles"},
        "--constraint names obstacles, which 'five_bar' has none of; state it in the robot's YAML or URDF, or "
        "leave it out.\n"},

@@ -33,6 +33,7 @@ TEST(ConstraintsConfig, IsReadWhole) {
   const auto mechanism = loaded("five_bar", R"(
 constraints:
   thickness: {crank: 0.35, rod: 0.25, platform: 0.1}
+  cones: [{leg: 2, end: base, axis: [3.0, 4.0], angle: 2.5}]
   self_collision: {ignore: [[rod_2, crank_1]]}
   obstacles:
     - {name: post, center: [4.5, 3.0], radius: 0.5}
@@ -43,6 +44,11 @@ constraints:
   EXPECT_EQ(found.thickness.crank, 0.35);
   EXPECT_EQ(found.thickness.rod, 0.25);
   EXPECT_EQ(found.thickness.platform, 0.1);
+  ASSERT_EQ(found.cones.size(), 1U);
+  EXPECT_EQ(found.cones[0].leg, 1U);
+  EXPECT_EQ(found.cones[0].end, LegEnd::base);
+  EXPECT_LT((found.cones[0].axis - Eigen::Vector3d(0.6, 0.8, 0.0)).norm(), 1e-15);
+  EXPECT_EQ(found.cones[0].angle, 2.5);
   ASSERT_TRUE(found.self_collision);
   ASSERT_EQ(found.self_collision->ignored.size(), 1U);
   EXPECT_EQ(to_string(found.self_collision->ignored[0][0]), "rod_2");
@@ -69,6 +75,28 @@ TEST(ConstraintsConfig, CanSwitchLimitsOff) {
                   .passive_limits.empty());
 }
 
+// Axes of any length that a double holds.
+TEST(ConstraintsConfig, NormalisesAxesOfCones) {
+  const auto axis = [](const std::string& numbers) {
+    const auto mechanism =
+        loaded("delta", "constraints: {cones: [{leg: 1, end: platform, axis: " + numbers + ", angle: 0.6}]}");
+    return mechanism->manipulator()->constraints().cones.at(0).axis;
+  };
+  EXPECT_EQ(axis("[0, 0, -1e300]"), -Eigen::Vector3d::UnitZ());
+  EXPECT_EQ(axis("[1e-310, 0, 0]"), Eigen::Vector3d::UnitX());
+  EXPECT_LT((axis("[1e200, 1e200, 0]") - Eigen::Vector3d(1.0, 1.0, 0.0).normalized()).norm(), 1e-15);
+}
+
+TEST(ConstraintsConfig, ReadsTheConesOfADelta) {
+  const auto mechanism = load_mechanism(test::source_file("urdf/delta.urdf"), "delta.urdf",
+                                        test::source_file("test/data/delta_with_cones.yaml"), "delta.yaml");
+  const Manipulator& robot = *mechanism->manipulator();
+  ASSERT_EQ(robot.constraints().cones.size(), 9U);
+  EXPECT_EQ(robot.constraint_kinds().count(), 1U);
+  const AssembledConfiguration home = mechanism->assembled();
+  EXPECT_GT(test::ClearanceAt(robot, home.pose, home.q).of_cones(), 0.1);
+}
+
 struct Limited {
   const char* robot;
   const char* joints;
@@ -84,7 +112,8 @@ TEST_P(PassiveLimits, AgreeWithTheClosedLoops) {
   const auto mechanism =
       loaded(limits.robot, "", limited(limits.robot, limits.joints, limits.lower, limits.upper));
   const Manipulator& robot = *mechanism->manipulator();
-  ASSERT_EQ(robot.constraints().passive_limits.size(), limits.told);
+  ASSERT_EQ(robot.constraints().passive_limits.size() + robot.constraints().passive_cones.size(),
+            limits.told);
   ASSERT_EQ(robot.constraints().missing_joints.size(), limits.missing);
   if (limits.told == 0) return;
   std::mt19937_64 random(20261121);
@@ -127,8 +156,11 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Limited{"five_bar", "elbow_[12]_joint", 2, 0, -1.0, 2.5},
                     Limited{"three_rpr", "pivot_[123]_joint|platform_joint", 4, 0, -1.5, 1.7},
                     Limited{"three_prr", "elbow_[123]_joint|platform_joint", 4, 0, -1.0, 1.2},
-                    Limited{"delta", "rod_1_left_(pitch|roll)_joint", 0, 2, -3.0, 3.0}),
-    [](const auto& each) { return std::string(each.param.robot); });
+                    Limited{"delta", "rod_1_left_(pitch|roll)_joint", 0, 2, -3.0, 3.0},
+                    Limited{"delta", "rod_2_left_(pitch|roll)_joint", 4, 0, -1.5, 0.9},
+                    Limited{"delta", "rod_3_left_roll_joint", 2, 0, -0.3, 0.4},
+                    Limited{"delta", "rod_3_left_pitch_joint", 0, 1, -0.3, 0.4}),
+    [](const auto& each) { return std::string(each.param.robot) + "_" + std::to_string(each.index); });
 
 }  // namespace
 }  // namespace parallel_aspects

@@ -20,6 +20,7 @@ enum class BoundaryKind {
   serial,          ///< B_jj = 0
   limit,           ///< an actuated joint at one of its joint limits
   passive_limit,   ///< another joint at one of its limits
+  cone,            ///< a rod as far from its axis as its ball joint lets it lean
   self_collision,  ///< links of two legs touch
   obstacle,        ///< a link or the platform touches an obstacle
   workspace,       ///< the operational point on the side of its box

@@ -24,15 +24,16 @@ namespace parallel_aspects {
 enum class ConstraintKind {
   actuated_limits,  ///< limits of the actuated joints
   passive_limits,   ///< limits of joints that are not actuated
+  cones,            ///< how far the rods lean in their ball joints
   self_collision,   ///< links of two legs that touch
   obstacles,        ///< links or the platform that touch something in the surroundings
   workspace,        ///< a box that the operational point must stay in
 };
 
 /// Every kind of constraint, in the order in which they are named.
-inline constexpr std::array<ConstraintKind, 5> all_constraint_kinds{
-    ConstraintKind::actuated_limits, ConstraintKind::passive_limits, ConstraintKind::self_collision,
-    ConstraintKind::obstacles, ConstraintKind::workspace};
+inline constexpr std::array<ConstraintKind, 6> all_constraint_kinds{
+    ConstraintKind::actuated_limits, ConstraintKind::passive_limits, ConstraintKind::cones,
+    ConstraintKind::self_collision,  ConstraintKind::obstacles,      ConstraintKind::workspace};
 
 /// Bit k stands for the k-th of `all_constraint_kinds`.
 using ConstraintKinds = std::bitset<all_constraint_kinds.size()>;
@@ -40,7 +41,7 @@ using ConstraintKinds = std::bitset<all_constraint_kinds.size()>;
 /// Its place in `all_constraint_kinds`.
 inline std::size_t index_of(ConstraintKind kind) noexcept { return static_cast<std::size_t>(kind); }
 
-/// "actuated_limits", "passive_limits", "self_collision", "obstacles" or "workspace".
+/// "actuated_limits", "passive_limits", "cones", "self_collision", "obstacles" or "workspace".
 std::string_view name(ConstraintKind kind) noexcept;
 
 /// The kind of that name; nothing for any other text.
@@ -62,6 +63,33 @@ struct PassiveLimit {
   double offset = 0.0;                             ///< [rad]
   double sense = 1.0;                              ///< +1 or -1
   JointLimits limits;                              ///< [rad]
+};
+
+/// The two ends of the rod or strut of a leg.
+enum class LegEnd { base, platform };
+
+/// "base" or "platform".
+std::string_view name(LegEnd end) noexcept;
+
+/// How far a rod or strut leans in the ball joint at one of its ends: for u from its end at the base to that
+/// at the platform, u.axis >= |u| |axis| cos(angle). The axis is fixed in
+///  - the platform, and given in its frame, at the end there;
+///  - the crank, at the other end of the rod of an actuated revolute joint: x points from that joint to the
+///    ball joint, z along the axis that its angle grows about, and y is z cross x;
+///  - the base, and given in the task frame, at that end of all other legs.
+/// In the plane the axis is in it, and its z is 0.
+struct BallJointCone {
+  std::size_t leg = 0;                              ///< index, from 0; not one with an actuated elbow
+  LegEnd end = LegEnd::base;                        ///< where the ball joint is
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< unit vector, to the last digits
+  double angle = 0.5 * EIGEN_PI;                    ///< half the opening, between 0 and pi [rad]
+};
+
+/// One end of the range of a passive joint of a universal joint, as a cone that the rod is in just where the
+/// joint is within that end. What a universal joint lets a rod do is what all its cones have in common.
+struct PassiveCone {
+  std::string joint;   ///< name of the passive joint
+  BallJointCone cone;  ///< whose angle is half a turn or less
 };
 
 /// Widths of the links, which are segments with round ends [m]: a link touches what is closer to its middle
@@ -126,11 +154,14 @@ struct WorkspaceBox {
 struct Constraints {
   LinkThickness thickness;                      ///< for self-collision and obstacles
   std::vector<PassiveLimit> passive_limits;     ///< none: passive joints are not limited
+  std::vector<PassiveCone> passive_cones;       ///< more limits of passive joints
+  std::vector<BallJointCone> cones;             ///< none: rods and struts may lean as they like
   std::optional<SelfCollision> self_collision;  ///< none: links may touch each other
   std::vector<Obstacle> obstacles;              ///< what links and platform must not touch
   std::optional<WorkspaceBox> workspace;        ///< none: the operational point may be anywhere
 
-  /// Limited joints that none of `passive_limits` stands for, since distances do not tell where they are.
+  /// Limited joints that none of `passive_limits` and `passive_cones` stands for, since distances do not tell
+  /// where they are.
   std::vector<std::string> missing_joints;
 };
 

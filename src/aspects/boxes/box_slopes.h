@@ -189,12 +189,15 @@ class BoxSlopes {
     if (forms_.constraint(ConstraintKind::workspace, signs) != Verdict::holds)
       tests().for_each_workspace_function(legs_.position(), require);
     for (std::size_t j = 0; j < leg_count; ++j) {
-      if (forms_.constraints().passive_limits(j, signs[j], forms_.legs()) == Verdict::holds) continue;
+      if (both(forms_.constraints().passive_limits(j, signs[j], forms_.legs()),
+               forms_.constraints().cones(j, signs[j], forms_.legs())) == Verdict::holds)
+        continue;
       const Points* points = clear_points(j, signs, monotonicity);
       if (points == nullptr) return;
-      tests().for_each_passive_limit(j, *points, legs_.heading(), [&](const LimitFunctions<Slope>& passive) {
+      tests().for_each_passive_limit(j, *points, legs_, [&](const LimitFunctions<Slope>& passive) {
         for (std::size_t k = 0; k < passive.count; ++k) require(passive.values[k]);
       });
+      tests().for_each_cone(j, *points, legs_, require);
     }
   }
 
@@ -287,9 +290,9 @@ class BoxSlopes {
     for (std::size_t j = 0; j < leg_count; ++j) {
       const Points* points = legs_.points(j, signs[j]);
       if (points == nullptr) continue;
-      tests().for_each_passive_limit(j, *points, legs_.heading(), [&](const LimitFunctions<Slope>& passive) {
-        add_limits(passive, result);
-      });
+      tests().for_each_passive_limit(
+          j, *points, legs_, [&](const LimitFunctions<Slope>& passive) { add_limits(passive, result); });
+      tests().for_each_cone(j, *points, legs_, add);
       tests().for_each_clearance(j, *points, add);
       for (std::size_t k = j + 1; k < leg_count; ++k)
         if (const Points* other = legs_.points(k, signs[k]))

@@ -25,7 +25,7 @@
 //  - link_points(j, displacement, |B_jj|, sign of B_jj): see LinkPoints;
 //  - anchor(j, displacement);
 //  - position(placement): of the operational point;
-//  - heading(placement): the x axis of the platform, where it turns in the plane;
+//  - turned(direction, placement): a direction that is fixed in the platform, with constant entries;
 //  - reachable_positions(): see BoxClassifier.
 // A whole task space could be mapped as the slice that holds nothing (see slice_chart.h). Charts of their own
 // are faster: see PlanarLeg for the plane; the linear Delta takes 1.1 times as long as a slice.
@@ -85,8 +85,9 @@ class T1Chart {
   }
 
   template <class Scalar>
-  Point<Scalar, 2> heading(const Placement<Scalar>&) const {
-    return {Scalar(1.0), Scalar(0.0)};
+  Point<Scalar, point_dimension> turned(const Point<Interval, point_dimension>& direction,
+                                        const Placement<Scalar>&) const {
+    return constant<Scalar>(direction);
   }
 
   std::optional<Box> reachable_positions() const;
@@ -163,8 +164,9 @@ class T2Chart : public PlanarLegs {
   }
 
   template <class Scalar>
-  Point<Scalar, 2> heading(const Placement<Scalar>&) const {
-    return {Scalar(1.0), Scalar(0.0)};
+  Point<Scalar, point_dimension> turned(const Point<Interval, point_dimension>& direction,
+                                        const Placement<Scalar>&) const {
+    return constant<Scalar>(direction);
   }
 
   std::optional<Box> reachable_positions() const;
@@ -213,8 +215,10 @@ class SE2Chart : public PlanarLegs {
   }
 
   template <class Scalar>
-  Point<Scalar, 2> heading(const Placement<Scalar>& at) const {
-    return {at.turn.cosine, at.turn.sine};
+  Point<Scalar, point_dimension> turned(const Point<Interval, point_dimension>& direction,
+                                        const Placement<Scalar>& at) const {
+    const Planar<Scalar> result = at.turned({direction[0], direction[1]});
+    return {result.x, result.y};
   }
 
   std::optional<Box> reachable_positions() const;
@@ -276,8 +280,9 @@ class T3Chart {
   }
 
   template <class Scalar>
-  Point<Scalar, 2> heading(const Placement<Scalar>&) const {
-    return {Scalar(1.0), Scalar(0.0)};
+  Point<Scalar, point_dimension> turned(const Point<Interval, point_dimension>& direction,
+                                        const Placement<Scalar>&) const {
+    return constant<Scalar>(direction);
   }
 
   std::optional<Box> reachable_positions() const;
@@ -347,8 +352,9 @@ class SO3Chart {
   }
 
   template <class Scalar>
-  Point<Scalar, 2> heading(const Placement<Scalar>&) const {
-    return {Scalar(1.0), Scalar(0.0)};
+  Point<Scalar, point_dimension> turned(const Point<Interval, point_dimension>& direction,
+                                        const Placement<Scalar>& rotation) const {
+    return {dot(direction, rotation[0]), dot(direction, rotation[1]), dot(direction, rotation[2])};
   }
 
   /// Rotations need no bounds.

@@ -67,7 +67,11 @@ class EvaluatedLegs {
   }
 
   Points position() const { return chart_.position(placed_.placement); }
-  Point<Scalar, 2> heading() const { return chart_.heading(placed_.placement); }
+
+  /// A direction that is fixed in the platform.
+  Points turned(const Point<Interval, point_dimension>& direction) const {
+    return chart_.turned(direction, placed_.placement);
+  }
 
   std::array<Points, max_legs> anchors() const {
     std::array<Points, max_legs> result;

@@ -58,7 +58,7 @@ class SliceLegs {
     const auto points = legs_[j].link_points(d.from_base, entry, sign);
     if (!points) return std::nullopt;
     return LinkPoints<Scalar, Dimension>{reduced<Dimension>(points->base), reduced<Dimension>(points->joint),
-                                         reduced<Dimension>(points->anchor)};
+                                         reduced<Dimension>(points->anchor), points->length};
   }
 
   template <class Scalar>
@@ -95,10 +95,12 @@ class SliceChart : public SliceLegs<Legs, Coordinates, Dimension> {
   SliceChart(const Manipulator& manipulator, const MapSlice& slice)
       : SliceLegs<Legs, Coordinates, Dimension>(manipulator),
         slice_(slice),
-        turns_(slice.rotation == MapSlice::Rotation::about_axis) {
-    const RotationRows<Interval> rotation = enclosed_rotation(slice.held.orientation);
-    for (std::size_t j = 0; j < Legs; ++j) set_anchor(manipulator.leg(j).anchor, rotation, anchors_[j]);
-    set_anchor(Eigen::Vector3d::UnitX(), rotation, x_axis_);
+        turns_(slice.rotation == MapSlice::Rotation::about_axis),
+        held_(enclosed_rotation(slice.held.orientation)) {
+    for (std::size_t j = 0; j < Legs; ++j) {
+      const Eigen::Vector3d& point = manipulator.leg(j).anchor;
+      anchors_[j] = turning({point.x(), point.y(), point.z()});
+    }
   }
 
   template <class Scalar>
@@ -129,15 +131,21 @@ class SliceChart : public SliceLegs<Legs, Coordinates, Dimension> {
   }
 
   template <class Scalar>
-  Point<Scalar, 2> heading(const Placement<Scalar>& at) const {
-    return {turned(x_axis_, at, 0), turned(x_axis_, at, 1)};
+  Point<Scalar, Dimension> turned(const Point<Interval, Dimension>& direction,
+                                  const Placement<Scalar>& at) const {
+    Spatial<Interval> in_space{};
+    for (std::size_t i = 0; i < Dimension; ++i) in_space[i] = direction[i];
+    const Turning vector = turning(in_space);
+    Point<Scalar, Dimension> result;
+    for (std::size_t i = 0; i < Dimension; ++i) result[i] = turned(vector, at, i);
+    return result;
   }
 
   std::optional<Box> reachable_positions() const {
     const RoundingUpward rounding;
     ReachableBox box(slice_.free_positions());
     for (std::size_t j = 0; j < Legs; ++j) {
-      const Anchor& anchor = anchors_[j];
+      const Turning& anchor = anchors_[j];
       const double radius =
           square_root(square(anchor.across[0]) + square(anchor.across[1]) + square(anchor.across[2])).upper();
       for (std::size_t i = 0, next = 0; i < 3; ++i)
@@ -148,36 +156,37 @@ class SliceChart : public SliceLegs<Legs, Coordinates, Dimension> {
   }
 
  private:
-  struct Anchor {
-    Spatial<Interval> still, across, sideways;  // of it, what does not turn, goes with the cosine, the sine
+  /// A vector of the platform: what does not turn, what goes with the cosine and with the sine.
+  struct Turning {
+    Spatial<Interval> still, across, sideways;
   };
 
   template <class Scalar>
-  Scalar turned(const Anchor& anchor, const Placement<Scalar>& at, std::size_t i) const {
+  Scalar turned(const Turning& anchor, const Placement<Scalar>& at, std::size_t i) const {
     const Scalar still(anchor.still[i]);
     return turns_ ? still + (anchor.across[i] * at.turn.cosine + anchor.sideways[i] * at.turn.sine) : still;
   }
 
-  void set_anchor(const Eigen::Vector3d& point, const RotationRows<Interval>& rotation,
-                  Anchor& anchor) const {
-    const Spatial<Interval> local{point.x(), point.y(), point.z()};
-    for (std::size_t i = 0; i < 3; ++i) anchor.still[i] = dot(local, rotation[i]);
-    if (!turns_) return;
-    const Spatial<Interval> v = anchor.still, a{slice_.axis.x(), slice_.axis.y(), slice_.axis.z()};
+  Turning turning(const Spatial<Interval>& in_platform) const {
+    Turning vector;
+    for (std::size_t i = 0; i < 3; ++i) vector.still[i] = dot(in_platform, held_[i]);
+    if (!turns_) return vector;
+    const Spatial<Interval> v = vector.still, a{slice_.axis.x(), slice_.axis.y(), slice_.axis.z()};
     const Interval over = reciprocal(square(a[0]) + square(a[1]) + square(a[2]));
     const Interval along = over * dot(a, v), over_length = square_root(over);
     const Spatial<Interval> side = cross(a, v);
     for (std::size_t i = 0; i < 3; ++i) {
-      anchor.still[i] = along * a[i];
-      anchor.across[i] = v[i] - anchor.still[i];
-      anchor.sideways[i] = over_length * side[i];
+      vector.still[i] = along * a[i];
+      vector.across[i] = v[i] - vector.still[i];
+      vector.sideways[i] = over_length * side[i];
     }
+    return vector;
   }
 
   MapSlice slice_;
   bool turns_;
-  std::array<Anchor, Legs> anchors_;
-  Anchor x_axis_;  // of the platform
+  RotationRows<Interval> held_;
+  std::array<Turning, Legs> anchors_;
 };
 
 /// Every orientation at one position: the cubes of SO3.
@@ -216,10 +225,9 @@ class OrientationChart : public SliceLegs<6, 3> {
     return {Scalar(held_[0]), Scalar(held_[1]), Scalar(held_[2])};
   }
 
-  /// No platform is told to turn in the plane.
   template <class Scalar>
-  Point<Scalar, 2> heading(const Placement<Scalar>&) const {
-    return {Scalar(1.0), Scalar(0.0)};
+  Point<Scalar, 3> turned(const Point<Interval, 3>& direction, const Placement<Scalar>& rotation) const {
+    return {dot(direction, rotation[0]), dot(direction, rotation[1]), dot(direction, rotation[2])};
   }
 
   /// Rotations need no bounds.

@@ -64,6 +64,13 @@ class Configuration {
       const double off = std::remainder(value - 0.5 * (range.lower + range.upper), 2.0 * EIGEN_PI);
       least = std::min(least, 0.5 * (range.upper - range.lower) - std::abs(off));
     }
+    for (const PassiveCone& limit : constraints_.passive_cones) least = std::min(least, in_cone(limit.cone));
+    return least;
+  }
+
+  double of_cones() const {
+    double least = infinity;
+    for (const BallJointCone& cone : constraints_.cones) least = std::min(least, in_cone(cone));
     return least;
   }
 
@@ -94,6 +101,19 @@ class Configuration {
   Vector3d anchor(std::size_t j) const { return pose_.transform(robot_.leg(j).anchor); }
   Vector3d joint(std::size_t j) const {
     return robot_.leg(j).proximal_point(q_[static_cast<Eigen::Index>(j)]);
+  }
+
+  double in_cone(const BallJointCone& cone) const {
+    const Vector3d rod = anchor(cone.leg) - joint(cone.leg), axis = seen_from_base(cone);
+    return cone.angle - std::atan2(rod.cross(axis).norm(), rod.dot(axis));
+  }
+
+  Vector3d seen_from_base(const BallJointCone& cone) const {
+    if (cone.end == LegEnd::platform) return pose_.orientation * cone.axis;
+    const auto* crank = std::get_if<RevoluteActuation>(&robot_.leg(cone.leg).actuation);
+    if (crank == nullptr) return cone.axis;
+    const Vector3d along = (joint(cone.leg) - crank->center) / crank->radius;
+    return cone.axis.x() * along + cone.axis.y() * crank->axis.cross(along) + cone.axis.z() * crank->axis;
   }
 
   std::vector<Body> links() const {
@@ -165,6 +185,8 @@ double constraint_clearance(const Manipulator& manipulator, ConstraintKind kind,
   switch (kind) {
     case ConstraintKind::passive_limits:
       return configuration.of_passive_joints();
+    case ConstraintKind::cones:
+      return configuration.of_cones();
     case ConstraintKind::self_collision:
       return configuration.of_links();
     case ConstraintKind::obstacles:

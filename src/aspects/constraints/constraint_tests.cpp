@@ -30,6 +30,8 @@ double width(const LinkThickness& thickness, LinkKind kind) {
 template <std::size_t D>
 ConstraintTests<D>::ConstraintTests(const Manipulator& manipulator)
     : passive_limits_(manipulator.leg_count()),
+      passive_cones_(manipulator.leg_count()),
+      cones_(manipulator.leg_count()),
       pairs_(manipulator.leg_count(), std::vector<std::vector<LinkPair>>(manipulator.leg_count())) {
   assert_rounding_upward();
   const Constraints& constraints = manipulator.constraints();
@@ -42,6 +44,10 @@ ConstraintTests<D>::ConstraintTests(const Manipulator& manipulator)
   for (const Leg& leg : manipulator.legs()) has_crank_.push_back(has_crank(leg));
   for (const PassiveLimit& limit : constraints.passive_limits)
     passive_limits_[limit.leg].push_back({limit.angle, AngleLimits(limit.limits, limit.offset, limit.sense)});
+  for (const PassiveCone& limit : constraints.passive_cones)
+    passive_cones_[limit.cone.leg].emplace_back(limit.cone, manipulator.leg(limit.cone.leg));
+  for (const BallJointCone& cone : constraints.cones)
+    cones_[cone.leg].emplace_back(cone, manipulator.leg(cone.leg));
   if (constraints.self_collision) add_pairs(manipulator);
   for (const Obstacle& obstacle : constraints.obstacles)
     std::visit([this](const auto& shape) { add(shape); }, obstacle.shape);

@@ -3,6 +3,7 @@
 #define PARALLEL_ASPECTS_ASPECTS_CONSTRAINTS_CONSTRAINT_TESTS_H
 
 #include "aspects/constraints/collision_monotonicity.h"
+#include "aspects/constraints/rod_cone.h"
 #include "aspects/constraints/separation.h"
 #include "interval/interval.h"
 #include "legs/limit_verdict.h"
@@ -34,7 +35,10 @@ class ConstraintTests {
   bool none() const noexcept { return none_; }
   bool has_obstacles() const noexcept { return !obstacles_.empty(); }
   bool has_platform() const noexcept { return has_obstacles() && !platform_sides_.empty(); }
-  bool has_passive_limits(std::size_t leg) const noexcept { return !passive_limits_[leg].empty(); }
+  bool has_passive_limits(std::size_t leg) const noexcept {
+    return !passive_limits_[leg].empty() || !passive_cones_[leg].empty();
+  }
+  bool has_cones(std::size_t leg) const noexcept { return !cones_[leg].empty(); }
   bool can_collide(std::size_t leg, std::size_t other) const noexcept { return !pairs_[leg][other].empty(); }
 
   /// Whether the operational point is in its box.
@@ -58,19 +62,39 @@ class ConstraintTests {
     }
   }
 
-  /// The limits of each passive joint of a leg, as functions; `heading` is the x axis of the platform.
-  template <class Scalar, class Action>
-  void for_each_passive_limit(std::size_t leg, const LinkPoints<Scalar, D>& points,
-                              const Point<Scalar, 2>& heading, const Action& action) const {
-    for (const PassiveTest& test : passive_limits_[leg]) action(functions(test, points, heading));
+  /// The limits of each passive joint of a leg, as functions; `robot` turns what is fixed in the platform.
+  template <class Scalar, class Robot, class Action>
+  void for_each_passive_limit(std::size_t leg, const LinkPoints<Scalar, D>& points, const Robot& robot,
+                              const Action& action) const {
+    for (const PassiveTest& test : passive_limits_[leg]) action(functions(test, points, robot));
+    for (const RodCone<D>& cone : passive_cones_[leg]) {
+      LimitFunctions<Scalar> limits;
+      limits.add(cone.function(points, robot));
+      action(limits);
+    }
+  }
+
+  /// The functions of `cones`, which are positive where it holds, one after the other.
+  template <class Scalar, class Robot, class Action>
+  void for_each_cone(std::size_t leg, const LinkPoints<Scalar, D>& points, const Robot& robot,
+                     const Action& action) const {
+    for (const RodCone<D>& cone : cones_[leg]) action(cone.function(points, robot));
+  }
+
+  /// Whether the rod of a leg is in all its cones.
+  template <class Scalar, class Robot>
+  Verdict cones(std::size_t leg, const LinkPoints<Scalar, D>& points, const Robot& robot) const {
+    Verdict result = Verdict::holds;
+    for_each_cone(leg, points, robot,
+                  [&result](const Scalar& value) { result = both(result, is_positive(range_of(value))); });
+    return result;
   }
 
   /// Whether all passive joints of a leg are within their limits.
-  template <class Scalar>
-  Verdict passive_limits(std::size_t leg, const LinkPoints<Scalar, D>& points,
-                         const Point<Scalar, 2>& heading) const {
+  template <class Scalar, class Robot>
+  Verdict passive_limits(std::size_t leg, const LinkPoints<Scalar, D>& points, const Robot& robot) const {
     Verdict result = Verdict::holds;
-    for_each_passive_limit(leg, points, heading, [&result](const LimitFunctions<Scalar>& limits) {
+    for_each_passive_limit(leg, points, robot, [&result](const LimitFunctions<Scalar>& limits) {
       LimitFunctions<Interval> ranges{{}, limits.count, limits.any};
       for (std::size_t k = 0; k < limits.count; ++k) ranges.values[k] = range_of(limits.values[k]);
       result = both(result, verdict(ranges));
@@ -183,21 +207,24 @@ class ConstraintTests {
   void add_pairs(const Manipulator& manipulator);
   void add_platform(const Manipulator& manipulator);
 
-  template <class Scalar>
+  template <class Scalar, class Robot>
   static LimitFunctions<Scalar> functions(const PassiveTest& test, const LinkPoints<Scalar, D>& points,
-                                          const Point<Scalar, 2>& heading) {
+                                          const Robot& robot) {
     const Point<Scalar, D> rod = points.anchor - points.joint;
     const Point<Scalar, 2> in_plane{rod[0], rod[1]};
     switch (test.angle) {
       case PassiveAngle::base_to_rod:
         return test.limits.functions(in_plane[0], in_plane[1]);
       case PassiveAngle::crank_to_rod:
-        return functions(test.limits, {points.joint[0] - points.base[0], points.joint[1] - points.base[1]},
-                         in_plane);
+        return functions<Scalar>(
+            test.limits, {points.joint[0] - points.base[0], points.joint[1] - points.base[1]}, in_plane);
       case PassiveAngle::rod_to_platform:
         break;
     }
-    return functions(test.limits, in_plane, heading);
+    Point<Interval, D> x_axis{};
+    x_axis[0] = Interval(1.0);
+    const Point<Scalar, D> heading = robot.turned(x_axis);
+    return functions<Scalar>(test.limits, in_plane, {heading[0], heading[1]});
   }
 
   /// Of the angle from one direction of the plane to another.
@@ -277,8 +304,9 @@ class ConstraintTests {
   bool none_ = true;
   std::size_t workspace_directions_ = 0;  // 0 without a workspace
   std::array<double, D> workspace_lower_{}, workspace_upper_{};
-  std::vector<std::vector<PassiveTest>> passive_limits_;   // by leg
-  std::vector<std::vector<std::vector<LinkPair>>> pairs_;  // by leg and a leg after it
+  std::vector<std::vector<PassiveTest>> passive_limits_;        // by leg
+  std::vector<std::vector<RodCone<D>>> passive_cones_, cones_;  // by leg
+  std::vector<std::vector<std::vector<LinkPair>>> pairs_;       // by leg and a leg after it
   std::vector<bool> has_crank_;
   std::vector<std::variant<Ball, Box>> obstacles_;
   std::vector<std::array<std::size_t, 2>> platform_sides_;  // by the legs of their anchors

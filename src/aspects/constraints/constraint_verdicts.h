@@ -18,7 +18,7 @@ namespace parallel_aspects {
 ///
 /// `Links` is where the links are on one kind of enclosures:
 ///  - points(j, sign): pointer to `LinkPoints`, null where they are not known;
-///  - position(), heading(): of the platform.
+///  - position() of the platform; turned(direction), of what is fixed in it.
 template <std::size_t Legs, std::size_t D>
 class ConstraintVerdicts {
  public:
@@ -32,8 +32,9 @@ class ConstraintVerdicts {
   template <class Links>
   Verdict all(const Signs& signs, const Links& links) {
     Verdict result = Verdict::holds;
-    for (const ConstraintKind kind : {ConstraintKind::workspace, ConstraintKind::passive_limits,
-                                      ConstraintKind::obstacles, ConstraintKind::self_collision}) {
+    for (const ConstraintKind kind :
+         {ConstraintKind::workspace, ConstraintKind::passive_limits, ConstraintKind::cones,
+          ConstraintKind::obstacles, ConstraintKind::self_collision}) {
       result = both(result, of(kind, signs, links));
       if (result == Verdict::fails) break;
     }
@@ -47,6 +48,8 @@ class ConstraintVerdicts {
         return settle(workspace_, [&] { return tests_.workspace(links.position()); });
       case ConstraintKind::passive_limits:
         return of_all_legs([&](std::size_t j) { return passive_limits(j, signs[j], links); });
+      case ConstraintKind::cones:
+        return of_all_legs([&](std::size_t j) { return cones(j, signs[j], links); });
       case ConstraintKind::obstacles:
         return both(platform(links),
                     of_all_legs([&](std::size_t j) { return obstacles(j, signs[j], links); }));
@@ -64,7 +67,17 @@ class ConstraintVerdicts {
     if (!tests_.has_passive_limits(j)) return Verdict::holds;
     return settle(passive_limits_[j][branch(sign)], [&] {
       const auto* points = links.points(j, sign);
-      return points != nullptr ? tests_.passive_limits(j, *points, links.heading()) : Verdict::unknown;
+      return points != nullptr ? tests_.passive_limits(j, *points, links) : Verdict::unknown;
+    });
+  }
+
+  /// Of one leg.
+  template <class Links>
+  Verdict cones(std::size_t j, int sign, const Links& links) {
+    if (!tests_.has_cones(j)) return Verdict::holds;
+    return settle(cones_[j][branch(sign)], [&] {
+      const auto* points = links.points(j, sign);
+      return points != nullptr ? tests_.cones(j, *points, links) : Verdict::unknown;
     });
   }
 
@@ -123,7 +136,7 @@ class ConstraintVerdicts {
   const ConstraintTests<D>& tests_;
   std::uint8_t stage_ = 1;
   Entry workspace_, platform_;
-  std::array<std::array<Entry, 2>, Legs> passive_limits_, obstacles_;
+  std::array<std::array<Entry, 2>, Legs> passive_limits_, cones_, obstacles_;
   std::array<std::array<std::array<Entry, 4>, Legs>, Legs> collisions_;
 };
 

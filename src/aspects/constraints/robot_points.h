@@ -20,8 +20,18 @@ template <class Scalar, std::size_t D>
 struct RobotPoints {
   std::size_t leg_count = 0;
   std::array<LinkPoints<Scalar, D>, max_legs> legs;
-  Point<Scalar, D> position;  ///< of the operational point
-  Point<Scalar, 2> heading;   ///< x axis of the platform, where it turns in the plane
+  Point<Scalar, D> position;                 ///< of the operational point
+  std::array<Point<Scalar, D>, D> rotation;  ///< rows of the rotation matrix of the platform
+
+  /// A direction that is fixed in the platform.
+  Point<Scalar, D> turned(const Point<Interval, D>& direction) const {
+    Point<Scalar, D> result;
+    for (std::size_t i = 0; i < D; ++i) {
+      result[i] = direction[0] * rotation[i][0];
+      for (std::size_t k = 1; k < D; ++k) result[i] = result[i] + direction[k] * rotation[i][k];
+    }
+    return result;
+  }
 };
 
 /// What is proved of all constraints but the limits of actuated joints.
@@ -31,7 +41,8 @@ Verdict verdict(const ConstraintTests<D>& tests, const RobotPoints<Scalar, D>& r
   std::array<Point<Scalar, D>, max_legs> anchors;
   for (std::size_t j = 0; j < robot.leg_count && result != Verdict::fails; ++j) {
     anchors[j] = robot.legs[j].anchor;
-    result = both(result, tests.passive_limits(j, robot.legs[j], robot.heading));
+    result = both(result, tests.passive_limits(j, robot.legs[j], robot));
+    result = both(result, tests.cones(j, robot.legs[j], robot));
     if (tests.has_obstacles()) result = both(result, tests.obstacles(j, robot.legs[j]));
     for (std::size_t k = 0; k < j && result != Verdict::fails; ++k)
       if (tests.can_collide(k, j)) result = both(result, tests.collision(k, robot.legs[k], j, robot.legs[j]));
@@ -49,7 +60,8 @@ std::optional<ConstraintKind> find_failing(const ConstraintTests<D>& tests,
   std::array<Point<Scalar, D>, max_legs> anchors;
   for (std::size_t j = 0; j < robot.leg_count; ++j) {
     anchors[j] = robot.legs[j].anchor;
-    if (fails(tests.passive_limits(j, robot.legs[j], robot.heading))) return ConstraintKind::passive_limits;
+    if (fails(tests.passive_limits(j, robot.legs[j], robot))) return ConstraintKind::passive_limits;
+    if (fails(tests.cones(j, robot.legs[j], robot))) return ConstraintKind::cones;
     if (tests.has_obstacles() && fails(tests.obstacles(j, robot.legs[j]))) return ConstraintKind::obstacles;
     for (std::size_t k = 0; k < j; ++k)
       if (tests.can_collide(k, j) && fails(tests.collision(k, robot.legs[k], j, robot.legs[j])))
@@ -73,9 +85,9 @@ RobotPoints<Interval, D> at_center(const RobotPoints<Scalar, D>& robot) {
   result.leg_count = robot.leg_count;
   for (std::size_t j = 0; j < robot.leg_count; ++j)
     result.legs[j] = {at_center(robot.legs[j].base), at_center(robot.legs[j].joint),
-                      at_center(robot.legs[j].anchor)};
+                      at_center(robot.legs[j].anchor), center_of(robot.legs[j].length)};
   result.position = at_center(robot.position);
-  result.heading = at_center(robot.heading);
+  for (std::size_t i = 0; i < D; ++i) result.rotation[i] = at_center(robot.rotation[i]);
   return result;
 }
 

@@ -30,6 +30,11 @@ std::string line(const PassiveLimit& limit) {
          numbers({limit.offset, limit.sense, limit.limits.lower, limit.limits.upper}) + "\n";
 }
 
+std::string line(const BallJointCone& cone) {
+  return "leg " + std::to_string(cone.leg + 1) + ", " + std::string(name(cone.end)) + " end" +
+         numbers(cone.axis) + numbers({cone.angle}) + "\n";
+}
+
 std::string line(const BallObstacle& ball) { return " ball" + numbers(ball.center) + numbers({ball.radius}); }
 
 std::string line(const BoxObstacle& box) {
@@ -49,6 +54,9 @@ std::string lines(const SelfCollision& collision) {
 std::string constraint_key(const Constraints& constraints) {
   std::string key;
   for (const PassiveLimit& limit : constraints.passive_limits) key += line(limit);
+  for (const PassiveCone& limit : constraints.passive_cones)
+    key += "passive joint '" + printable(limit.joint) + "', cone of " + line(limit.cone);
+  for (const BallJointCone& cone : constraints.cones) key += "cone of " + line(cone);
   const bool links = constraints.self_collision || !constraints.obstacles.empty();
   if (links)
     key += "thickness of crank, rod and platform" +

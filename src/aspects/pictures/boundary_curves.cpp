@@ -16,7 +16,7 @@ using Eigen::Vector2d;
 
 // det A, then each B_jj^2, then the distance of each limited actuated joint from its limits, then how far
 // each other constraint is from being broken. Zero sets bound the mode.
-constexpr int most_functions = 1 + 3 + 6 + 4;
+constexpr int most_functions = 1 + 3 + 6 + 5;
 using Values = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, most_functions, 1>;
 
 struct Function {
@@ -30,6 +30,7 @@ struct DrawnConstraint {
 };
 constexpr DrawnConstraint drawn_constraints[] = {
     {ConstraintKind::passive_limits, BoundaryKind::passive_limit},
+    {ConstraintKind::cones, BoundaryKind::cone},
     {ConstraintKind::self_collision, BoundaryKind::self_collision},
     {ConstraintKind::obstacles, BoundaryKind::obstacle},
     {ConstraintKind::workspace, BoundaryKind::workspace}};

@@ -144,10 +144,11 @@ class SegmentCertifier::Evaluation {
     for (std::size_t j = 0; j < robot.leg_count; ++j) {
       const auto points = parts_.legs[j].link_points(displacements_[j], entries_[j], mode_.sign(j));
       if (!points) return false;
-      robot.legs[j] = {reduced<D>(points->base), reduced<D>(points->joint), reduced<D>(points->anchor)};
+      robot.legs[j] = {reduced<D>(points->base), reduced<D>(points->joint), reduced<D>(points->anchor),
+                       points->length};
     }
     robot.position = reduced<D>(placement.position);
-    robot.heading = {placement.rotation[0][0], placement.rotation[1][0]};
+    for (std::size_t i = 0; i < D; ++i) robot.rotation[i] = reduced<D>(placement.rotation[i]);
     if (verdict(tests, robot) == Verdict::holds) return true;
     found_.failing = find_failing(tests, at_center(robot));
     if (found_.failing) found_.proved_violation = Violation::constraint;

@@ -17,8 +17,9 @@ bool each_has_image(const Items& items, const Matches& matches) {
 /// What the constraints become.
 class ConstraintImages {
  public:
-  ConstraintImages(const RigidSymmetry& symmetry, const std::vector<std::size_t>& leg_image)
-      : symmetry_(symmetry), leg_image_(leg_image) {}
+  ConstraintImages(const RigidSymmetry& symmetry, const std::vector<std::size_t>& leg_image,
+                   const Manipulator& manipulator)
+      : symmetry_(symmetry), leg_image_(leg_image), manipulator_(manipulator) {}
 
   bool operator()(const PassiveLimit& limit, const PassiveLimit& image) const {
     if (leg_image_[limit.leg] != image.leg || limit.angle != image.angle) return false;
@@ -26,6 +27,15 @@ class ConstraintImages {
     const int turned = symmetry_.handedness() < 0.0 ? -1 : 1;
     const int sense = limit.sense == image.sense ? 1 : -1;
     return image.offset == turned * limit.offset && are_images(limit.limits, image.limits, turned * sense);
+  }
+
+  bool operator()(const BallJointCone& cone, const BallJointCone& image) const {
+    return leg_image_[cone.leg] == image.leg && cone.end == image.end && cone.angle == image.angle &&
+           taken(cone) == image.axis;
+  }
+
+  bool operator()(const PassiveCone& limit, const PassiveCone& image) const {
+    return (*this)(limit.cone, image.cone);
   }
 
   bool operator()(const Obstacle& obstacle, const Obstacle& image) const {
@@ -63,6 +73,16 @@ class ConstraintImages {
   /// Angles in the plane are counted from there.
   bool keeps_x_axis() const { return symmetry_.base(0, 0) > 0.0 && symmetry_.platform(0, 0) > 0.0; }
 
+  // In a crank x goes to x, z to z or -z, and y = z cross x changes like z, but for reflections.
+  Eigen::Vector3d taken(const BallJointCone& cone) const {
+    if (cone.end == LegEnd::platform) return symmetry_.platform * cone.axis;
+    const auto* crank = std::get_if<RevoluteActuation>(&manipulator_.leg(cone.leg).actuation);
+    if (crank == nullptr) return symmetry_.base * cone.axis;
+    const auto& image = std::get<RevoluteActuation>(manipulator_.leg(leg_image_[cone.leg]).actuation);
+    const double along = takes_direction(symmetry_, crank->axis, image.axis);
+    return cone.axis.cwiseProduct(Eigen::Vector3d(1.0, symmetry_.handedness() * along, along));
+  }
+
   LinkName taken(const LinkName& link) const { return {link.kind, leg_image_[link.leg]}; }
 
   // In axes that are images of each other, the vector of a rotation changes like one, but for reflections.
@@ -76,6 +96,7 @@ class ConstraintImages {
 
   const RigidSymmetry& symmetry_;
   const std::vector<std::size_t>& leg_image_;
+  const Manipulator& manipulator_;
 };
 
 }  // namespace
@@ -101,15 +122,19 @@ bool are_images(const JointLimits& limits, const JointLimits& image, int sign) n
 }
 
 bool takes_constraints(const RigidSymmetry& symmetry, const std::vector<std::size_t>& leg_image,
-                       const Constraints& constraints, TaskSpace space) {
-  const ConstraintImages images(symmetry, leg_image);
-  if (constraints.workspace && !images.takes_workspace(*constraints.workspace, directions(space)))
+                       const Manipulator& manipulator) {
+  const Constraints& constraints = manipulator.constraints();
+  const ConstraintImages images(symmetry, leg_image, manipulator);
+  if (constraints.workspace &&
+      !images.takes_workspace(*constraints.workspace, directions(manipulator.task_space())))
     return false;
   if ((constraints.self_collision || constraints.thickness.platform) && !images.keeps_distances())
     return false;
   if (constraints.self_collision && !each_has_image(constraints.self_collision->ignored, images))
     return false;
-  return each_has_image(constraints.passive_limits, images) && each_has_image(constraints.obstacles, images);
+  return each_has_image(constraints.passive_limits, images) &&
+         each_has_image(constraints.passive_cones, images) && each_has_image(constraints.cones, images) &&
+         each_has_image(constraints.obstacles, images);
 }
 
 }  // namespace parallel_aspects

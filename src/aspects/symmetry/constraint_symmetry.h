@@ -4,7 +4,7 @@
 
 #include "aspects/symmetry/rigid_symmetry.h"
 #include "parallel_aspects/model/constraints.h"
-#include "parallel_aspects/model/task_space.h"
+#include "parallel_aspects/model/manipulator.h"
 
 #include <Eigen/Core>
 
@@ -24,10 +24,10 @@ int takes_direction(const RigidSymmetry& symmetry, const Eigen::Vector3d& direct
 /// Whether two ranges are the same, or where `sign` is -1 the same but for the sign of all their values.
 bool are_images(const JointLimits& limits, const JointLimits& image, int sign) noexcept;
 
-/// Whether a symmetry of the legs, leg j going to `leg_image[j]`, takes the constraints onto themselves,
+/// Whether a symmetry of the legs, leg j going to `leg_image[j]`, takes their constraints onto themselves,
 /// exactly. The limits of actuated joints are with the legs.
 bool takes_constraints(const RigidSymmetry& symmetry, const std::vector<std::size_t>& leg_image,
-                       const Constraints& constraints, TaskSpace space);
+                       const Manipulator& manipulator);
 
 }  // namespace parallel_aspects
 

@@ -106,7 +106,8 @@ class LegMatching {
         taken_(count_, false) {
     const Constraints& constraints = manipulator.constraints();
     shows_cranks_ = !is_planar(manipulator.task_space()) &&
-                    (constraints.self_collision || !constraints.obstacles.empty());
+                    (constraints.self_collision || !constraints.obstacles.empty() ||
+                     !constraints.cones.empty() || !constraints.passive_cones.empty());
   }
 
   void find(std::vector<RobotSymmetry>& found) {
@@ -115,8 +116,7 @@ class LegMatching {
 
  private:
   bool match_from(std::size_t leg) {
-    if (leg == count_)
-      return takes_constraints(symmetry_, leg_image_, manipulator_.constraints(), manipulator_.task_space());
+    if (leg == count_) return takes_constraints(symmetry_, leg_image_, manipulator_);
     const LegImages images(symmetry_, shows_cranks_);
     for (std::size_t other = 0; other < count_; ++other) {
       if (taken_[other]) continue;

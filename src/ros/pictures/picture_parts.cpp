@@ -14,10 +14,9 @@ namespace {
 using Eigen::Vector2d;
 using Points = MarkerBatch::Points;
 
-constexpr std::array<BoundaryKind, 7> kinds{BoundaryKind::limit,          BoundaryKind::passive_limit,
-                                            BoundaryKind::self_collision, BoundaryKind::obstacle,
-                                            BoundaryKind::workspace,      BoundaryKind::serial,
-                                            BoundaryKind::parallel};
+constexpr std::array<BoundaryKind, 8> kinds{
+    BoundaryKind::limit,    BoundaryKind::passive_limit, BoundaryKind::cone,   BoundaryKind::self_collision,
+    BoundaryKind::obstacle, BoundaryKind::workspace,     BoundaryKind::serial, BoundaryKind::parallel};
 
 Points ends_of(const std::vector<BoundarySegment>& segments, const Placing& place,
                const std::function<bool(const BoundarySegment&)>& wanted) {
@@ -41,6 +40,8 @@ std_msgs::ColorRGBA color_of(BoundaryKind kind) {
       return color(0x00305A);
     case BoundaryKind::passive_limit:
       return color(0xA0826D);
+    case BoundaryKind::cone:
+      return color(0xC71585);
     case BoundaryKind::self_collision:
       return color(0x8A2BE2);
     case BoundaryKind::obstacle:
@@ -108,6 +109,7 @@ std::vector<std::pair<BoundaryKind, const char*>> boundary_legend(
       {BoundaryKind::parallel, "parallel singularity, det A = 0"},
       {BoundaryKind::limit, "joint limit"},
       {BoundaryKind::passive_limit, "limit of a passive joint"},
+      {BoundaryKind::cone, "cone of a ball joint"},
       {BoundaryKind::self_collision, "links touch"},
       {BoundaryKind::obstacle, "obstacle"},
       {BoundaryKind::workspace, "workspace"}};

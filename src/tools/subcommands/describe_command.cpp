@@ -2,6 +2,7 @@
 #include "model/coefficients.h"
 #include "model/spherical_links.h"
 #include "parallel_aspects/kinematics/working_mode.h"
+#include "tools/report/cones_report.h"
 #include "tools/report/reports.h"
 #include "tools/report/text_table.h"
 #include "tools/subcommands.h"
@@ -108,6 +109,7 @@ json json_mechanism(const Mechanism& mechanism) {
           {"legs", legs},
           {"joints", mechanism.joint_names()},
           {"joint_limits", json_joint_limits(mechanism)},
+          {"cones", report_cones(manipulator).json},
           {"working_modes", json_modes(manipulator)},
           {"notes", mechanism.notes()}};
 }
@@ -208,7 +210,7 @@ std::string mechanism_text(const Mechanism& mechanism, bool verbose) {
   text += frame_text(manipulator) + home_text(mechanism) + workspace_text(mechanism.manipulator()) + "\n";
   text += leg_table(manipulator);
   text += "\nworking modes, as signs of B_jj:" + modes_text(manipulator) + "\n";
-  text += joints_text(mechanism);
+  text += joints_text(mechanism) + report_cones(manipulator).text;
   return text + notes_text(mechanism.notes(), verbose);
 }
 

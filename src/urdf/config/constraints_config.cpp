@@ -11,7 +11,12 @@
 namespace parallel_aspects {
 namespace {
 
+const char* const cone_help = "{leg: 1, end: base, axis: [0.0, 0.0, -1.0], angle: 0.6}";
 const char* const link_help = "write names such as crank_1 or rod_2";
+
+const char* const leg_help = "give its number, counted from 1 in the order of mechanism.actuated_joints";
+constexpr double most_legs = 6.0;
+constexpr double half_turn = EIGEN_PI;
 
 /// "crank_2" as a link; the number of a leg has one digit, since no robot has more than six.
 std::optional<LinkName> link_named(const std::string& word) {
@@ -28,7 +33,7 @@ class Reader {
   ConstraintsConfig read(const YAML::Node& node) {
     ConstraintsConfig config;
     if (!node.IsDefined() || node.IsNull()) return config;
-    const std::vector<std::string> known{"actuated_limits", "passive_limits", "thickness",
+    const std::vector<std::string> known{"actuated_limits", "passive_limits", "cones",    "thickness",
                                          "self_collision",  "obstacles",      "workspace"};
     if (!node.IsMap()) {
       std::string keys;
@@ -40,6 +45,7 @@ class Reader {
     yaml_.check_keys(node, known, "constraints");
     yaml_.truth(node["actuated_limits"], "constraints.actuated_limits", config.actuated_limits);
     yaml_.truth(node["passive_limits"], "constraints.passive_limits", config.passive_limits);
+    read_cones(node["cones"], config);
     read_thickness(node["thickness"], config.thickness);
     read_self_collision(node["self_collision"], config);
     read_obstacles(node["obstacles"], config);
@@ -48,6 +54,74 @@ class Reader {
   }
 
  private:
+  void read_cones(const YAML::Node& node, ConstraintsConfig& config) {
+    if (!node.IsDefined()) return;
+    if (!node.IsSequence())
+      return yaml_.problem("has a constraints.cones that is not a list; write one entry " +
+                           std::string(cone_help) + " for each.");
+    for (std::size_t k = 0; k < node.size(); ++k)
+      read_cone(node[k], "constraints.cones[" + std::to_string(k) + "]", config);
+  }
+
+  void read_cone(const YAML::Node& node, const std::string& where, ConstraintsConfig& config) {
+    if (!yaml_.map(node, where, std::string("write ") + cone_help)) return;
+    const std::vector<std::string> keys{"leg", "end", "axis", "angle"};
+    yaml_.check_keys(node, keys, where);
+    bool good = true;
+    for (const std::string& key : keys)
+      if (!node[key].IsDefined()) {
+        yaml_.problem("does not say " + where + "." + key + "; write " + cone_help + ".");
+        good = false;
+      }
+    ConfiguredCone cone;
+    cone.key = where;
+    good = read_leg(node["leg"], where + ".leg", cone.leg) && good;
+    good = read_end(node["end"], where + ".end", cone.end) && good;
+    good = read_axis(node["axis"], where + ".axis", cone.axis) && good;
+    good = read_angle(node["angle"], where + ".angle", cone.angle) && good;
+    if (good) config.cones.push_back(cone);
+  }
+
+  bool read_leg(const YAML::Node& node, const std::string& where, std::size_t& leg) {
+    double number = 0.0;
+    if (!yaml_.number(node, where, number)) return false;
+    const bool good = number >= 1.0 && number <= most_legs && number == std::floor(number);
+    if (good)
+      leg = static_cast<std::size_t>(number) - 1;
+    else
+      yaml_.problem("has a " + where + " that is no leg; " + leg_help + ".");
+    return good;
+  }
+
+  bool read_end(const YAML::Node& node, const std::string& where, LegEnd& end) {
+    std::string text;
+    if (!yaml_.text(node, where, text)) return false;
+    for (const LegEnd each : {LegEnd::base, LegEnd::platform})
+      if (text == name(each)) {
+        end = each;
+        return true;
+      }
+    yaml_.problem("has a " + where + " '" + text + "' that is no end of a leg; write base or platform.");
+    return false;
+  }
+
+  bool read_axis(const YAML::Node& node, const std::string& where, std::vector<double>& axis) {
+    if (!yaml_.numbers(node, where, axis)) return false;
+    if (std::any_of(axis.begin(), axis.end(), [](double entry) { return entry != 0.0; })) return true;
+    yaml_.problem("has a " + where +
+                  " of length zero; give the direction of the rod in the middle of its cone.");
+    return false;
+  }
+
+  bool read_angle(const YAML::Node& node, const std::string& where, double& angle) {
+    if (!yaml_.number(node, where, angle)) return false;
+    if (angle > 0.0 && angle < half_turn) return true;
+    yaml_.problem("has a " + where +
+                  " that is not above 0 and below pi; give half the opening of the cone in rad, or leave the "
+                  "cone out where the joint lets the rod point everywhere.");
+    return false;
+  }
+
   void read_thickness(const YAML::Node& node, LinkThickness& thickness) {
     if (!yaml_.map(node, "constraints.thickness", "write {crank: 0.1, rod: 0.05}")) return;
     yaml_.check_keys(node, {"crank", "rod", "platform"}, "constraints.thickness");
@@ -151,8 +225,32 @@ class Reader {
 /// Points become vectors, with what the plane lacks zero.
 class Resolver {
  public:
-  Resolver(TaskSpace space, const std::string& file, Problems& problems)
-      : planar_(is_planar(space)), directions_(directions(space)), file_(file), problems_(problems) {}
+  Resolver(const ConstrainedRobot& robot, const std::string& file, Problems& problems)
+      : robot_(robot),
+        planar_(is_planar(robot.space)),
+        directions_(directions(robot.space)),
+        file_(file),
+        problems_(problems) {}
+
+  void check(const LinkName& link) {
+    if (link.leg >= robot_.legs)
+      problems_.push_back(file_ + " leaves link '" + to_string(link) +
+                          "' out of constraints.self_collision, but the robot has " +
+                          std::to_string(robot_.legs) + " legs; " + link_help + ".");
+  }
+
+  BallJointCone cone(const ConfiguredCone& written) {
+    if (written.leg >= robot_.legs)
+      problems_.push_back(file_ + " names leg " + std::to_string(written.leg + 1) + " in " + written.key +
+                          ", but the robot has " + std::to_string(robot_.legs) + " legs; " + leg_help + ".");
+    if (written.end == LegEnd::platform && robot_.point_platform)
+      problems_.push_back(file_ + " gives " + written.key +
+                          " an axis in the platform, but the legs of the robot meet in one point, whose pose "
+                          "does not tell how a link turns there; leave it out.");
+    const Eigen::Vector3d axis = point(written.axis, dimension(), written.key + ".axis");
+    const double largest = axis.cwiseAbs().maxCoeff();
+    return {written.leg, written.end, largest > 0.0 ? (axis / largest).normalized() : axis, written.angle};
+  }
 
   Obstacle obstacle(const ConfiguredObstacle& written) {
     const Eigen::Vector3d center = point(written.center, dimension(), written.key + ".center");
@@ -190,6 +288,7 @@ class Resolver {
            Eigen::Quaterniond(about(angles[0], Eigen::Vector3d::UnitX()));
   }
 
+  const ConstrainedRobot robot_;
   bool planar_;
   std::size_t directions_;
   const std::string& file_;
@@ -203,23 +302,20 @@ ConstraintsConfig read_constraints_config(const YAML::Node& node, const std::str
   return Reader(file, problems).read(node);
 }
 
-Constraints resolve_constraints(const ConstraintsConfig& config, TaskSpace space, std::size_t legs,
+Constraints resolve_constraints(const ConstraintsConfig& config, const ConstrainedRobot& robot,
                                 const std::string& file, Problems& problems) {
   const std::size_t before = problems.size();
-  Resolver resolver(space, file, problems);
+  Resolver resolver(robot, file, problems);
   Constraints constraints;
   constraints.thickness = config.thickness;
   constraints.self_collision = config.self_collision;
+  for (const ConfiguredCone& cone : config.cones) constraints.cones.push_back(resolver.cone(cone));
   for (const ConfiguredObstacle& obstacle : config.obstacles)
     constraints.obstacles.push_back(resolver.obstacle(obstacle));
   if (config.workspace) constraints.workspace = resolver.workspace(*config.workspace);
   if (config.self_collision)
     for (const auto& pair : config.self_collision->ignored)
-      for (const LinkName& link : pair)
-        if (link.leg >= legs)
-          problems.push_back(file + " leaves link '" + to_string(link) +
-                             "' out of constraints.self_collision, but the robot has " +
-                             std::to_string(legs) + " legs; " + link_help + ".");
+      for (const LinkName& link : pair) resolver.check(link);
   return problems.size() == before ? constraints : Constraints{};
 }
 

@@ -29,11 +29,21 @@ struct ConfiguredObstacle {
   std::vector<double> rotation;  ///< [rad]: about z in the plane, roll, pitch and yaw in space; may be empty
 };
 
+/// A cone as it is written.
+struct ConfiguredCone {
+  std::string key;      ///< where it stands in the file
+  std::size_t leg = 0;  ///< index, from 0
+  LegEnd end = LegEnd::base;
+  std::vector<double> axis;  ///< not zero; of any length
+  double angle = 0.0;        ///< [rad]
+};
+
 /// The `constraints:` part of a robot's YAML file.
 struct ConstraintsConfig {
   bool actuated_limits = true;
   bool passive_limits = true;
   LinkThickness thickness;
+  std::vector<ConfiguredCone> cones;
   std::optional<SelfCollision> self_collision;
   std::vector<ConfiguredObstacle> obstacles;
   std::optional<std::array<std::vector<double>, 2>> workspace;  ///< lower, upper [m]
@@ -44,9 +54,16 @@ struct ConstraintsConfig {
 ConstraintsConfig read_constraints_config(const YAML::Node& node, const std::string& file,
                                           Problems& problems);
 
-/// The constraints of a robot with this task space and so many legs, without its joint limits. Points with
-/// too few or too many numbers, and links of legs that are not there, are added to `problems`.
-Constraints resolve_constraints(const ConstraintsConfig& config, TaskSpace space, std::size_t legs,
+/// What constraints are resolved for.
+struct ConstrainedRobot {
+  TaskSpace space = TaskSpace::T2;
+  std::size_t legs = 0;
+  bool point_platform = false;  ///< the link of the operational point turns as no pose tells
+};
+
+/// The constraints of this robot, without its joint limits. Points with too few or too many numbers, links
+/// and cones of legs that are not there, and cones of a platform that is a point are added to `problems`.
+Constraints resolve_constraints(const ConstraintsConfig& config, const ConstrainedRobot& robot,
                                 const std::string& file, Problems& problems);
 
 }  // namespace parallel_aspects

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/recognition/passive_limits.h"
 
+#include "urdf/recognition/universal_joint.h"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -10,6 +12,9 @@ namespace {
 
 using Eigen::Vector3d;
 
+// Of a rod that spins about its own axis.
+constexpr double direction_tolerance = 1e-6;
+
 double direction_of(const Vector3d& vector) { return std::atan2(vector.y(), vector.x()); }
 
 class Search {
@@ -18,9 +23,12 @@ class Search {
       : system_(system), values_(values), motion_(motion), to_task_(motion.task_frame.inverse()) {}
 
   FoundPassiveLimits run(const std::vector<RecognisedLeg>& legs) {
-    for (std::size_t j = 0; j < legs.size(); ++j)
-      if (is_planar(motion_.space) && !std::holds_alternative<ElbowActuation>(legs[j].leg.actuation))
-        for (const SplitChain& chain : legs[j].chains) add(j, legs[j].leg, chain);
+    for (std::size_t j = 0; j < legs.size(); ++j) {
+      if (motion_.space == TaskSpace::SO3 || std::holds_alternative<ElbowActuation>(legs[j].leg.actuation))
+        continue;
+      for (const SplitChain& chain : legs[j].chains)
+        is_planar(motion_.space) ? add(j, legs[j].leg, chain) : add_cones(j, legs[j].leg, chain);
+    }
     for (std::size_t variable = 0; variable < system_.in_loop().size(); ++variable)
       if (is_limited(variable) && !is_actuated(variable, legs) && !is_reported(joint(variable).name))
         found_.missing.push_back(joint(variable).name);
@@ -44,8 +52,9 @@ class Search {
   }
 
   bool is_reported(const std::string& name) const {
-    return std::any_of(found_.limits.begin(), found_.limits.end(),
-                       [&name](const PassiveLimit& limit) { return limit.joint == name; });
+    const auto is_of_joint = [&name](const auto& limit) { return limit.joint == name; };
+    return std::any_of(found_.limits.begin(), found_.limits.end(), is_of_joint) ||
+           std::any_of(found_.cones.begin(), found_.cones.end(), is_of_joint);
   }
 
   void add(std::size_t index, const Leg& leg, const SplitChain& chain) {
@@ -63,6 +72,49 @@ class Search {
                                  ? Vector3d(to_task_.linear() * motion_.platform.linear().col(0))
                                  : Vector3d(Vector3d::UnitX());
     add(index, PassiveAngle::rod_to_platform, *pivot, direction_of(heading) - direction_of(rod));
+  }
+
+  // In the order from the link that the axes of the cones are fixed in to the rod.
+  void add_cones(std::size_t index, const Leg& leg, const SplitChain& chain) {
+    const Vector3d rod = chain.p - chain.c;
+    add_cones(BallJointCone{index, LegEnd::base, {}, 0.0}, base_axes(leg, chain), chain.proximal, 1.0, rod);
+    if (motion_.point_platform) return;
+    const Chain from_platform(chain.distal.rbegin(), chain.distal.rend());
+    add_cones(BallJointCone{index, LegEnd::platform, {}, 0.0}, motion_.platform.linear(), from_platform, -1.0,
+              rod);
+  }
+
+  void add_cones(BallJointCone cone, const Eigen::Matrix3d& axes, const Chain& group, double sense,
+                 const Vector3d& rod) {
+    const bool spins = group.size() == 3 && group.back().kind == PivotKind::revolute &&
+                       group.back().axis.cross(rod.normalized()).norm() < direction_tolerance;
+    if (group.size() != 2 && !spins) return;
+    const auto first = universal_axis(group[0], sense), second = universal_axis(group[1], sense);
+    if (!first || !second || (!first->limits.limited() && !second->limits.limited())) return;
+    const auto directions = limited_directions(*first, *second, rod);
+    if (!directions) return;
+    for (const LimitedDirection& limited : *directions) {
+      cone.axis = (axes.transpose() * limited.axis).normalized();
+      cone.angle = limited.angle;
+      found_.cones.push_back({limited.joint, cone});
+    }
+  }
+
+  std::optional<UniversalAxis> universal_axis(const Pivot& pivot, double sense) const {
+    if (pivot.kind != PivotKind::revolute || !pivot.variable) return std::nullopt;
+    const JointLimits limits = is_limited(*pivot.variable) ? joint(*pivot.variable).limits : JointLimits{};
+    return UniversalAxis{joint(*pivot.variable).name, sense * pivot.sense * pivot.axis, value(pivot), limits};
+  }
+
+  // Of what the axes of cones at the base end are given in (see BallJointCone), in the base frame.
+  Eigen::Matrix3d base_axes(const Leg& leg, const SplitChain& chain) const {
+    const Eigen::Matrix3d task = motion_.task_frame.linear();
+    const auto* crank = std::get_if<RevoluteActuation>(&leg.actuation);
+    if (crank == nullptr) return task;
+    const Vector3d along = (leg.proximal_point(value(chain.actuation)) - crank->center).normalized();
+    Eigen::Matrix3d axes;
+    axes << along, crank->axis.cross(along), crank->axis;
+    return task * axes;
   }
 
   // The revolute joint of a group that turns nothing else, if it is limited.

@@ -17,6 +17,7 @@ namespace parallel_aspects {
 /// Limits of the joints of the loops that are not actuated.
 struct FoundPassiveLimits {
   std::vector<PassiveLimit> limits;  ///< of those whose angle is between two links of a planar leg
+  std::vector<PassiveCone> cones;    ///< of universal joints at the ends of a leg in space
   std::vector<std::string> missing;  ///< names of the others
 };
 

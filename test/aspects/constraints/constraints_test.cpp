@@ -285,7 +285,7 @@ TEST(Constraints, AreDrawnAsBoundariesOfTheirOwn) {
     for (const BoundarySegment& segment : picture.segments) kinds.insert(segment.kind);
   }
   for (const BoundaryKind kind :
-       {BoundaryKind::parallel, BoundaryKind::serial, BoundaryKind::passive_limit,
+       {BoundaryKind::parallel, BoundaryKind::serial, BoundaryKind::passive_limit, BoundaryKind::cone,
         BoundaryKind::self_collision, BoundaryKind::obstacle, BoundaryKind::workspace})
     EXPECT_EQ(kinds.count(kind), 1U) << static_cast<int>(kind);
 }
@@ -311,6 +311,14 @@ TEST(Constraints, AreAllInTheKeyOfAMap) {
       [](Constraints& c) { c.thickness.platform.reset(); },
       [](Constraints& c) { c.passive_limits[0].limits.upper += 0.1; },
       [](Constraints& c) { c.passive_limits[1].angle = PassiveAngle::crank_to_rod; },
+      [](Constraints& c) { c.cones.pop_back(); },
+      [](Constraints& c) { c.cones[0].angle += 1e-12; },
+      [](Constraints& c) { c.cones[0].axis.x() += 1e-12; },
+      [](Constraints& c) { c.cones[0].leg = 1; },
+      [](Constraints& c) { c.cones[0].end = LegEnd::base; },
+      [](Constraints& c) {
+        c.passive_cones.push_back({"joint", c.cones[0]});
+      },
       [](Constraints& c) { c.self_collision.reset(); },
       [](Constraints& c) {
         c.self_collision->ignored.push_back({LinkName{}, LinkName{LinkKind::rod, 1}});

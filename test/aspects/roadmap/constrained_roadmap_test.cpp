@@ -111,6 +111,8 @@ double clearance(const test::ClearanceAt& at, ConstraintKind kind) {
   switch (kind) {
     case ConstraintKind::passive_limits:
       return at.of_passive_joints();
+    case ConstraintKind::cones:
+      return at.of_cones();
     case ConstraintKind::self_collision:
       return at.of_self_collision();
     case ConstraintKind::obstacles:

@@ -269,6 +269,25 @@ TEST(RobotSymmetry, IsKeptByConstraintsThatHaveItOnly) {
   }));
 }
 
+// Reflection in the line of the bases turns the side of a crank, which its y counts, but not its x.
+TEST(RobotSymmetry, IsKeptByConesThatHaveItOnly) {
+  const auto keeps = [](const std::vector<BallJointCone>& cones) {
+    Constraints constraints;
+    constraints.cones = cones;
+    return keeps_its_reflection(constraints);
+  };
+  const Eigen::Vector3d slanted(0.6, 0.8, 0.0), mirrored(0.6, -0.8, 0.0);
+  for (const LegEnd end : {LegEnd::base, LegEnd::platform}) {
+    EXPECT_TRUE(keeps({{0, end, Eigen::Vector3d::UnitX(), 1.0}}));
+    EXPECT_FALSE(keeps({{0, end, Eigen::Vector3d::UnitY(), 1.0}}));
+    EXPECT_FALSE(keeps({{0, end, slanted, 1.0}}));
+    EXPECT_TRUE(keeps({{0, end, slanted, 1.0}, {0, end, mirrored, 1.0}}));
+    EXPECT_FALSE(keeps({{0, end, slanted, 1.0}, {0, end, mirrored, 1.1}}));
+    EXPECT_FALSE(keeps({{0, end, slanted, 1.0}, {1, end, mirrored, 1.0}}));
+  }
+  EXPECT_FALSE(keeps({{0, LegEnd::base, slanted, 1.0}, {0, LegEnd::platform, mirrored, 1.0}}));
+}
+
 // With both legs alike, reflection in the line between the bases exchanges them.
 TEST(RobotSymmetry, ExchangesWhatConstraintsSayOfLegs) {
   const Box region{2, {-5.0, -5.0, 0.0}, {5.0, 5.0, 0.0}};
