@@ -9,8 +9,10 @@
 #include "urdf/config/mechanism_config.h"
 #include "urdf/description/yaml_document.h"
 #include "urdf/mechanism_contents.h"
+#include "urdf/open_choices.h"
 #include "urdf/reading/tree_reader.h"
 #include "urdf/recognition/leg_recognition.h"
+#include "urdf/recognition/passive_chain.h"
 #include "urdf/recognition/passive_limits.h"
 #include "urdf/recognition/platform_motion.h"
 
@@ -19,7 +21,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bitset>
 #include <cmath>
 #include <optional>
 #include <random>
@@ -28,20 +29,11 @@
 namespace parallel_aspects {
 namespace {
 
-// Of these all combinations of two types are tried.
-constexpr std::size_t most_mixed_closures = 5;
-
 // Six for each leg of a hexapod, and twenty; the time to assemble a mechanism grows with their third power.
 constexpr std::size_t most_closures = 36;
 constexpr std::ptrdiff_t most_joints_in_loops = 120;
 
 std::string number(double value) { return number_text(value, 3); }
-
-std::vector<Closure> with_type(std::vector<Closure> closures, ClosureType type) {
-  for (Closure& closure : closures)
-    if (closure.type == ClosureType::automatic) closure.type = type;
-  return closures;
-}
 
 // Everything after names: assembles the mechanism, recognises it and proves the result on random poses.
 class Recogniser {
@@ -95,16 +87,43 @@ class Recogniser {
   std::unique_ptr<Mechanism::Contents> recognise(const AssembledMechanism& mechanism,
                                                  const Assembly& assembly, Problems& problems) const {
     const ClosureSystem& system = mechanism.system;
-    const auto chains = find_legs(mechanism, resolved_.actuated_joints, files_, problems);
+    const FoundLegs found = find_legs(mechanism, resolved_.actuated_joints, files_, problems);
     if (!problems.empty()) return nullptr;
     const auto motion = find_platform_motion(system, assembly, resolved_.actuated_joints, files_, problems);
-    if (!motion) return nullptr;
-    const auto legs = recognise_legs(chains, system, assembly.values, *motion, problems);
+    const auto passive = recognise_passive(found.passive, motion.has_value(), problems);
+    if (!motion || !problems.empty()) return nullptr;
+    const auto legs = recognise_legs(found.legs, system, assembly.values, *motion, problems);
     check_task_space(*motion, problems);
     if (!problems.empty()) return nullptr;
-    auto contents = build(system, assembly, *motion, legs, problems);
+    auto contents = build(system, assembly, *motion, legs, passive, problems);
     if (contents) prove(*contents, problems);
     return problems.empty() ? std::move(contents) : nullptr;
+  }
+
+  // Where the platform does not move as the actuated joints ask, a chain that couples coordinates is a leg
+  // whose actuated joint is not listed.
+  std::vector<PassiveChain> recognise_passive(const std::vector<PassiveChains>& found, bool moves,
+                                              Problems& problems) const {
+    std::vector<PassiveChain> chains;
+    for (const PassiveChains& one : found) {
+      std::string reason;
+      if (auto chain = recognise_passive_chain(one, reason)) {
+        chains.push_back(*chain);
+        continue;
+      }
+      const std::string names = joint_names_of(one.chains.front());
+      if (!moves)
+        problems = {files_.config + " actuates none of the joints " + names +
+                    ", which make one leg; add one of them to actuated_joints, or take the leg out of the "
+                    "URDF."};
+      else
+        problems.push_back(files_.urdf +
+                           " joins the platform to the base by a chain without actuated joint, " + names +
+                           ", that " + reason +
+                           "; write it as slides along fixed directions first, then revolute joints about "
+                           "different axes, three of them orthogonal one to the next, or one ball joint.");
+    }
+    return chains;
   }
 
   std::vector<bool> still_passive_joints(const ClosureSystem& system, const Assembly& assembly) const {
@@ -159,6 +178,7 @@ class Recogniser {
   std::unique_ptr<Mechanism::Contents> build(const ClosureSystem& system, const Assembly& assembly,
                                              const PlatformMotion& motion,
                                              const std::vector<RecognisedLeg>& legs,
+                                             const std::vector<PassiveChain>& passive,
                                              Problems& problems) const {
     ManipulatorDescription description;
     description.name = config_.name.empty() ? tree_->name : config_.name;
@@ -167,21 +187,25 @@ class Recogniser {
         (config_.frame_prefix.empty() ? "" : config_.frame_prefix + "/") + tree_->links[resolved_.base];
     description.task_frame = motion.task_frame;
     for (const RecognisedLeg& leg : legs) description.legs.push_back(leg.leg);
-    const FoundPassiveLimits passive = find_passive_limits(system, assembly.values, motion, legs);
-    description.constraints.passive_limits = passive.limits;
-    description.constraints.passive_cones = passive.cones;
-    description.constraints.missing_joints = passive.missing;
+    const SlideBounds bounds = slide_bounds(passive, system, assembly.values, motion, description.legs);
+    const FoundPassiveLimits limits =
+        find_passive_limits(system, assembly.values, motion, legs, bounds.joint_values);
+    description.constraints.passive_limits = limits.limits;
+    description.constraints.passive_cones = limits.cones;
+    description.constraints.missing_joints = limits.missing;
+    description.constraints.workspace = bounds.box;
     try {
       auto contents = std::unique_ptr<Mechanism::Contents>(new Mechanism::Contents{
           std::make_shared<const Manipulator>(description),
           tree_->links[resolved_.actuated_joints.platform_link],
+          config_.operational_point.name.empty() ? "platform" : config_.operational_point.name,
           {},
           {},
-          {},
+          notes_on(passive, bounds, *tree_, motion.space),
           static_cast<int>(motion.mobility),
           static_cast<int>(motion.idle),
           assembly.residual,
-          Completion(system, assembly.values, motion, legs, resolved_.actuated_joints.variables),
+          Completion(system, assembly.values, motion, legs, passive, resolved_.actuated_joints.variables),
           motion.point_platform});
       for (const std::size_t joint : tree_->movable) {
         contents->joint_names.push_back(tree_->joints[joint].name);
@@ -248,26 +272,6 @@ class Recogniser {
   const SourceNames& files_;
 };
 
-// Some of the open closures points and some revolute joints, few revolute ones first; none where there are
-// many.
-std::vector<std::vector<Closure>> mixtures(const std::vector<Closure>& closures) {
-  std::vector<std::size_t> open;
-  for (std::size_t k = 0; k < closures.size(); ++k)
-    if (closures[k].type == ClosureType::automatic) open.push_back(k);
-  if (open.size() > most_mixed_closures) return {};
-  std::vector<std::bitset<most_mixed_closures>> choices;
-  for (unsigned long choice = 1; choice + 1 < 1UL << open.size(); ++choice) choices.emplace_back(choice);
-  std::stable_sort(choices.begin(), choices.end(),
-                   [](const auto& one, const auto& other) { return one.count() < other.count(); });
-  std::vector<std::vector<Closure>> result;
-  for (const auto& choice : choices) {
-    result.push_back(closures);
-    for (std::size_t k = 0; k < open.size(); ++k)
-      result.back()[open[k]].type = choice[k] ? ClosureType::revolute : ClosureType::point;
-  }
-  return result;
-}
-
 void check_closures(const std::vector<Closure>& closures, const SourceNames& files, Problems& problems) {
   if (closures.size() > most_closures)
     problems.push_back(files.config + " and " + files.urdf + " describe " + std::to_string(closures.size()) +
@@ -275,54 +279,17 @@ void check_closures(const std::vector<Closure>& closures, const SourceNames& fil
                        " are treated; a robot needs one for each loop.");
 }
 
-// "point ('a - b') and revolute ('c - d', 'e - f')", of the closures whose types were open.
-std::string listed_types(const std::vector<Closure>& open, const std::vector<Closure>& taken) {
-  std::string text;
-  for (const ClosureType type : {ClosureType::point, ClosureType::revolute}) {
-    std::string names;
-    for (std::size_t k = 0; k < open.size(); ++k)
-      if (open[k].type == ClosureType::automatic && taken[k].type == type)
-        names += (names.empty() ? "'" : ", '") + taken[k].name + "'";
-    if (!names.empty()) text += (text.empty() ? "" : " and ") + std::string(name(type)) + " (" + names + ")";
-  }
-  return text;
-}
-
-bool any_automatic(const std::vector<Closure>& closures) {
-  return std::any_of(closures.begin(), closures.end(),
-                     [](const Closure& closure) { return closure.type == ClosureType::automatic; });
-}
-
-// The first closures that make a manipulator, of those whose types were open.
-std::unique_ptr<Mechanism::Contents> recognise_open(const Recogniser& recogniser,
-                                                    const std::vector<Closure>& closures,
-                                                    const SourceNames& files, Problems& problems) {
-  const std::string start = files.config + " leaves the type of closures open; they are taken as ";
-  const std::string end = ", under which the mobility is the number of actuated joints.";
-  for (const ClosureType type :
-       {ClosureType::point, ClosureType::revolute, ClosureType::universal, ClosureType::fixed}) {
-    Problems found;
-    if (auto contents = recogniser.recognise(with_type(closures, type), found)) {
-      contents->notes.push_back(start + std::string(name(type)) + end);
-      return contents;
-    }
-    if (problems.empty()) problems = found;
-  }
-  for (const std::vector<Closure>& mixed : mixtures(closures)) {
-    Problems found;
-    if (auto contents = recogniser.recognise(mixed, found)) {
-      contents->notes.push_back(start + listed_types(closures, mixed) + end);
-      return contents;
-    }
-  }
-  return nullptr;
-}
-
-std::unique_ptr<Mechanism::Contents> recognise(const Recogniser& recogniser,
-                                               const std::vector<Closure>& closures, const SourceNames& files,
-                                               Problems& problems) {
-  return any_automatic(closures) ? recognise_open(recogniser, closures, files, problems)
-                                 : recogniser.recognise(closures, problems);
+// The workspace of the YAML, as far as slides let the operational point go there.
+void intersect(const WorkspaceBox& slides, TaskSpace space, const SourceNames& files,
+               std::optional<WorkspaceBox>& workspace, Problems& problems) {
+  if (!workspace) workspace = slides;
+  workspace->lower = workspace->lower.cwiseMax(slides.lower);
+  workspace->upper = workspace->upper.cwiseMin(slides.upper);
+  const auto count = static_cast<Eigen::Index>(directions(space));
+  if ((workspace->lower.head(count).array() >= workspace->upper.head(count).array()).any())
+    problems.push_back(files.config +
+                       " has a constraints.workspace that the limits of the passive slides in " + files.urdf +
+                       " leave no room in; widen one of them.");
 }
 
 // Limits that the URDF states hold unless the YAML says otherwise; the rest is in the YAML alone.
@@ -337,6 +304,9 @@ void add_constraints(const MechanismConfig& config, const SourceNames& files, Me
     description.constraints.passive_limits = limits.passive_limits;
     description.constraints.passive_cones = limits.passive_cones;
     description.constraints.missing_joints = limits.missing_joints;
+    if (limits.workspace)
+      intersect(*limits.workspace, description.task_space, files, description.constraints.workspace,
+                problems);
   }
   if (!config.constraints.actuated_limits)
     for (Leg& leg : description.legs) leg.limits = {};
@@ -375,12 +345,16 @@ SharedMechanism load_mechanism(const std::string& urdf_text, const std::string& 
   config.frame_prefix = frame_prefix;
   auto tree = read_tree(urdf_text, urdf_name, problems, notes);
   if (!tree) throw InvalidDescription(problems);
+  add_operational_point(config.operational_point, files, *tree, problems);
   const ResolvedConfig resolved =
       resolved_names(*tree, config, urdf_text, config_text, files, problems, notes);
   check_closures(resolved.closures, files, problems);
   if (!problems.empty()) throw InvalidDescription(problems);
-  const Recogniser recogniser(std::make_shared<const Tree>(std::move(*tree)), config, resolved, files);
-  auto contents = recognise(recogniser, resolved.closures, files, problems);
+  const auto shared = std::make_shared<const Tree>(std::move(*tree));
+  const auto recognise = [&](const ResolvedConfig& chosen, Problems& found) {
+    return Recogniser(shared, config, chosen, files).recognise(chosen.closures, found);
+  };
+  auto contents = recognise_open(shared, resolved, recognise, files, problems);
   if (!contents) throw InvalidDescription(problems);
   Problems of_constraints;
   add_constraints(config, files, *contents, of_constraints);

@@ -35,6 +35,7 @@ const std::shared_ptr<const Manipulator>& Mechanism::manipulator() const noexcep
   return contents_->manipulator;
 }
 const std::string& Mechanism::platform_link() const noexcept { return contents_->platform_link; }
+const std::string& Mechanism::platform_frame() const noexcept { return contents_->platform_frame; }
 const std::vector<std::string>& Mechanism::link_names() const noexcept {
   return contents_->completion.system().tree().links;
 }

@@ -14,6 +14,7 @@ namespace parallel_aspects {
 struct Mechanism::Contents {
   std::shared_ptr<const Manipulator> manipulator;
   std::string platform_link;
+  std::string platform_frame;
   std::vector<std::string> joint_names;
   std::vector<JointLimits> joint_limits;
   std::vector<std::string> notes;

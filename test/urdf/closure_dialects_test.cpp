@@ -272,8 +272,8 @@ INSTANTIATE_TEST_SUITE_P(
                       <transmission name="b"><joint name="elbow_1"/><joint name="elbow_2"/></transmission>)",
                    "mechanism: {operational_point: tip_1, closures: [{frames: [tip_1, tip_2]}]}",
                    "robot.yaml does not say mechanism.actuated_joints, and 4 joints have a <transmission> in "
-                   "robot.urdf, 'mot_1', 'mot_2', 'elbow_1', 'elbow_2'; a fully parallel robot has one, two, "
-                   "three or six actuated joints, so list them."}));
+                   "robot.urdf, 'mot_1', 'mot_2', 'elbow_1', 'elbow_2'; the mobility fits [mot_1, mot_2] and "
+                   "[elbow_1, elbow_2], so list those that are actuated."}));
 
 }  // namespace
 }  // namespace parallel_aspects

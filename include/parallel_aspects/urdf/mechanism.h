@@ -38,10 +38,14 @@ class Mechanism {
 
   const std::shared_ptr<const Manipulator>& manipulator() const noexcept;  ///< never null
 
-  /// Link whose origin is the operational point.
+  /// Link whose origin is the operational point, or the name of that frame in the YAML.
   const std::string& platform_link() const noexcept;
 
-  /// Every link of the tree, the root first.
+  /// What the platform is called in tf: the name that the YAML gives the operational point, or else
+  /// "platform".
+  const std::string& platform_frame() const noexcept;
+
+  /// Every link of the tree, the root first, and the operational point where it is a frame of its own.
   const std::vector<std::string>& link_names() const noexcept;
 
   /// Every movable joint of the tree, actuated and passive, in the order of the URDF.

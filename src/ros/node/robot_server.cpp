@@ -176,7 +176,7 @@ void RobotServer::send_platform(const Eigen::Isometry3d& platform, const ros::Ti
   geometry_msgs::TransformStamped message;
   message.header.frame_id = setup_.mechanism->manipulator()->base_frame();
   message.header.stamp = stamp;
-  message.child_frame_id = setup_.options.frame_prefix + "/platform";
+  message.child_frame_id = setup_.options.frame_prefix + "/" + setup_.mechanism->platform_frame();
   message.transform = transform_message(platform);
   tf_broadcaster_.sendTransform(message);
 }

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/closing/chain.h"
 
+#include "urdf/closing/held_twists.h"
+
 #include <algorithm>
+#include <map>
 #include <numeric>
 #include <set>
 #include <utility>
@@ -28,12 +31,6 @@ class Partition {
   std::vector<std::size_t> parent_;
 };
 
-// A movable joint or closure between two rigid bodies.
-struct Edge {
-  std::size_t from = 0, to = 0;  // bodies; for a joint from parent to child
-  Chain pivots;                  // one, or two for a universal closure
-};
-
 class LegFinder {
  public:
   LegFinder(const AssembledMechanism& mechanism, const ActuatedJoints& actuated_joints,
@@ -56,20 +53,27 @@ class LegFinder {
       if (!ends_of_legs(edge.from) && !ends_of_legs(edge.to)) parts_.join(edge.from, edge.to);
   }
 
-  std::vector<LegChains> find() {
+  FoundLegs find() {
     if (base_ == platform_) {
       problem("lets operational_point '" + system_.tree().links[actuated_joints_.platform_link] +
               "' be fixed to the base link; name a link of the moving platform.");
       return {};
     }
-    std::vector<LegChains> legs;
-    for (const std::vector<std::size_t>& part : parts()) add_leg(part, legs);
-    if (!legs.empty()) legs.front().guide = guide_;
+    FoundLegs found;
+    const auto joining = joining_parts();
+    for (std::size_t k = 0; k < joining.size(); ++k) add_leg(joining, k, found);
+    std::vector<LegChains>& legs = found.legs;
     check_actuated_joints_used(legs);
     if (problems_.empty()) check_lengths(legs);
     std::sort(legs.begin(), legs.end(),
               [](const auto& a, const auto& b) { return a.actuation < b.actuation; });
-    return legs;
+    return found;
+  }
+
+  std::vector<std::vector<LegJoint>> joints() const {
+    std::vector<std::vector<LegJoint>> result;
+    for (const std::vector<std::size_t>& part : joining_parts()) result.push_back(joints_from_base(part));
+    return result;
   }
 
  private:
@@ -131,6 +135,17 @@ class LegFinder {
     return result;
   }
 
+  // Those that are in the loops.
+  std::vector<std::vector<std::size_t>> joining_parts() const {
+    std::vector<std::vector<std::size_t>> joining = parts();
+    joining.erase(std::remove_if(joining.begin(), joining.end(),
+                                 [this](const std::vector<std::size_t>& part) {
+                                   return !touches(part, base_) || !touches(part, platform_);
+                                 }),
+                  joining.end());
+    return joining;
+  }
+
   std::size_t bodies_count() const { return system_.tree().links.size(); }
 
   bool touches(const std::vector<std::size_t>& part, std::size_t body) const {
@@ -154,44 +169,50 @@ class LegFinder {
     return found;
   }
 
-  // The slide that leaves a platform one degree of freedom.
-  bool is_guide(const std::vector<std::size_t>& part) const {
-    if (actuated_joints_.variables.size() != 1 || part.size() != 1) return false;
-    const Pivot& pivot = edges_[part.front()].pivots.front();
-    return pivot.kind == PivotKind::prismatic && pivot.variable != actuated_joints_.variables.front();
+  // Bodies are passed in rounds, each one joint farther from the base.
+  std::vector<LegJoint> joints_from_base(const std::vector<std::size_t>& part) const {
+    std::map<std::size_t, std::size_t> depths{{base_, 0}};
+    std::vector<LegJoint> joints;
+    std::set<std::size_t> open(part.begin(), part.end());
+    for (std::size_t depth = 0; !open.empty() && depth <= part.size(); ++depth)
+      for (auto k = open.begin(); k != open.end();) {
+        const Edge& edge = edges_[*k];
+        const auto reached = [&](std::size_t body) {
+          return depths.count(body) > 0 && depths[body] == depth;
+        };
+        const bool from = reached(edge.from), to = reached(edge.to);
+        if (!from && !to) {
+          ++k;
+          continue;
+        }
+        depths.emplace(from ? edge.to : edge.from, depth + 1);
+        if (edge.pivots.front().variable) joints.push_back({*edge.pivots.front().variable, depth});
+        k = open.erase(k);
+      }
+    return joints;
   }
 
-  // Whether the leg has one actuated joint; else says what is wrong.
-  bool has_one(const std::vector<std::size_t>& actuated, const std::vector<std::size_t>& part) {
-    if (actuated.empty())
-      problem("actuates none of the joints " + joints_of(part) +
-              ", which make one leg; add one of them to actuated_joints, or take the leg out of the URDF.");
-    if (actuated.size() > 1)
-      problem("actuates " + std::to_string(actuated.size()) + " of the joints " + joints_of(part) +
+  void add_leg(const std::vector<std::vector<std::size_t>>& joining, std::size_t index, FoundLegs& legs) {
+    const std::vector<std::size_t>& part = joining[index];
+    const std::vector<std::size_t> found = actuated_joints_of(part);
+    if (found.size() > 1) {
+      problem("actuates " + std::to_string(found.size()) + " of the joints " + joints_of(part) +
               ", which share links between the base and the link of operational_point '" +
               system_.tree().links[actuated_joints_.platform_link] +
               "'; a fully parallel robot has one actuated joint a leg, and its operational point on the body "
               "that all legs share.");
-    return actuated.size() == 1;
-  }
-
-  void add_leg(const std::vector<std::size_t>& part, std::vector<LegChains>& legs) {
-    if (!touches(part, base_) || !touches(part, platform_)) return;  // outside the loops
-    if (is_guide(part)) {
-      Chain guide;
-      append(edges_[part.front()], edges_[part.front()].from == base_, guide);
-      guide_ = guide.front();
       return;
     }
-    const std::vector<std::size_t> actuated = actuated_joints_of(part);
-    if (!has_one(actuated, part)) return;
-    LegChains leg{actuated.front(), {}, std::nullopt};
+    std::vector<Chain> chains;
     Chain chain;
     std::set<std::size_t> visited{base_};
     steps_ = 0;
-    walk(part, base_, visited, chain, leg.chains);
-    if (leg.chains.size() < most_chains && steps_ < most_steps) {
-      legs.push_back(leg);
+    walk(part, base_, visited, chain, chains);
+    if (chains.size() < most_chains && steps_ < most_steps) {
+      if (found.empty())
+        legs.passive.push_back({chains, restricts(joining, index)});
+      else
+        legs.legs.push_back({found.front(), chains});
       return;
     }
     problem("makes one leg of the joints " + joints_of(part) +
@@ -219,6 +240,22 @@ class LegFinder {
       chain.resize(chain.size() - edge.pivots.size());
       visited.erase(next);
     }
+  }
+
+  TwistMatrix held_by(const std::vector<std::size_t>& part) const {
+    std::vector<Edge> edges;
+    for (const std::size_t k : part) edges.push_back(edges_[k]);
+    return held_twists(edges, base_, platform_, system_.size());
+  }
+
+  // Whether the platform could move in more ways without one of the parts that join it to the base.
+  bool restricts(const std::vector<std::vector<std::size_t>>& joining, std::size_t part) const {
+    std::vector<TwistMatrix> all, others;
+    for (std::size_t k = 0; k < joining.size(); ++k) {
+      all.push_back(held_by(joining[k]));
+      if (k != part) others.push_back(all.back());
+    }
+    return freedom_left(all) < freedom_left(others);
   }
 
   void check_actuated_joints_used(const std::vector<LegChains>& legs) {
@@ -282,7 +319,6 @@ class LegFinder {
   Partition bodies_;  // links that are fixed to one another
   Partition parts_;   // bodies that are connected without base and platform
   std::vector<Edge> edges_;
-  std::optional<Pivot> guide_;
   std::size_t base_ = 0, platform_ = 0;
   std::size_t steps_ = 0;              // of the walk through the present leg
   Eigen::Vector3d operational_point_;  // assembled, in the base frame [m]
@@ -296,9 +332,24 @@ std::string names_of(const Chain& chain) {
   return text;
 }
 
-std::vector<LegChains> find_legs(const AssembledMechanism& mechanism, const ActuatedJoints& actuated_joints,
-                                 const SourceNames& files, Problems& problems) {
+std::string joint_names_of(Chain chain) {
+  chain.erase(std::remove_if(chain.begin(), chain.end(), [](const Pivot& pivot) { return !pivot.variable; }),
+              chain.end());
+  return names_of(chain);
+}
+
+FoundLegs find_legs(const AssembledMechanism& mechanism, const ActuatedJoints& actuated_joints,
+                    const SourceNames& files, Problems& problems) {
   return LegFinder(mechanism, actuated_joints, files, problems).find();
+}
+
+std::vector<std::vector<LegJoint>> joints_by_leg(const ClosureSystem& system,
+                                                 const ActuatedJoints& actuated_joints,
+                                                 const SourceNames& files) {
+  Problems unused;
+  const AssembledMechanism at_zero{system, Eigen::VectorXd::Zero(system.tree().variables()),
+                                   std::vector<bool>(system.in_loop().size(), false)};
+  return LegFinder(at_zero, actuated_joints, files, unused).joints();
 }
 
 }  // namespace parallel_aspects

@@ -35,7 +35,18 @@ using Chain = std::vector<Pivot>;
 struct LegChains {
   std::size_t actuation = 0;  ///< index into the list of actuated joints
   std::vector<Chain> chains;
-  std::optional<Pivot> guide;  ///< slide from the base to the platform that leaves it one degree of freedom
+};
+
+/// The part between base and platform that no actuated joint is in.
+struct PassiveChains {
+  std::vector<Chain> chains;
+  bool restricts = false;  ///< whether the platform could move in more ways without it
+};
+
+/// All that joins the platform to the base.
+struct FoundLegs {
+  std::vector<LegChains> legs;  ///< in the order of the actuated joints
+  std::vector<PassiveChains> passive;
 };
 
 /// What the mechanism is for the search of its legs.
@@ -60,11 +71,25 @@ struct SourceNames {
 /// "'a', 'b'" for messages.
 std::string names_of(const Chain& chain);
 
-/// Legs in the order of the actuated joints. What is wrong (a leg with no or two actuated joints, legs that
-/// share a link, a link of a planar leg without length, a platform fixed to the base) is added to `problems`,
-/// each a message that names the file.
-std::vector<LegChains> find_legs(const AssembledMechanism& mechanism, const ActuatedJoints& actuated_joints,
-                                 const SourceNames& files, Problems& problems);
+/// The same without closures.
+std::string joint_names_of(Chain chain);
+
+/// Legs and passive chains. What is wrong (a leg with two actuated joints, legs that share a link, a link of
+/// a planar leg without length, a platform fixed to the base) is added to `problems`, each a message that
+/// names the file.
+FoundLegs find_legs(const AssembledMechanism& mechanism, const ActuatedJoints& actuated_joints,
+                    const SourceNames& files, Problems& problems);
+
+/// A joint between base and platform.
+struct LegJoint {
+  std::size_t variable = 0;  ///< index of its joint value
+  std::size_t depth = 0;     ///< how many joints and closures are between it and the base
+};
+
+/// The joints of each part between base and platform, whichever are actuated.
+std::vector<std::vector<LegJoint>> joints_by_leg(const ClosureSystem& system,
+                                                 const ActuatedJoints& actuated_joints,
+                                                 const SourceNames& files);
 
 }  // namespace parallel_aspects
 

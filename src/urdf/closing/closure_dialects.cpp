@@ -3,7 +3,6 @@
 
 #include "urdf/config/mechanism_config.h"
 #include "urdf/description/nearest_name.h"
-#include "urdf/description/xml_values.h"
 
 #include <algorithm>
 #include <array>
@@ -22,6 +21,14 @@ std::size_t carried_link(const Tree& tree, std::size_t link) {
 // Simulators are told in the same way to hold a base in the world.
 bool closes_no_loop(const Tree& tree, const Closure& closure) {
   return carried_link(tree, closure.frames[0].link) == carried_link(tree, closure.frames[1].link);
+}
+
+// Robots are closed with fixed joints that could not move otherwise.
+void take_as_weld(Closure& closure) {
+  const bool rigid = closure.type == ClosureType::fixed;
+  if (!rigid) closure.weld = Weld::none;
+  if (rigid && closure.weld == Weld::none) closure.weld = Weld::at_frames;
+  if (rigid) closure.type = ClosureType::automatic;
 }
 
 }  // namespace
@@ -47,21 +54,10 @@ FoundLoops find_described_loops(const LoopSource& source, Problems& problems) {
         std::remove_if(loops.closures.begin(), loops.closures.end(),
                        [&](const Closure& closure) { return closes_no_loop(source.tree, closure); }),
         loops.closures.end());
+    std::for_each(loops.closures.begin(), loops.closures.end(), take_as_weld);
     if (!loops.closures.empty() || problems.size() > before) return {dialect.name, loops};
   }
   return {};
-}
-
-std::vector<std::string> transmission_joints(const LoopSource& source) {
-  std::vector<std::string> joints;
-  for (const auto* transmission = source.robot.FirstChildElement("transmission"); transmission != nullptr;
-       transmission = transmission->NextSiblingElement("transmission"))
-    for (const auto* joint = transmission->FirstChildElement("joint"); joint != nullptr;
-         joint = joint->NextSiblingElement("joint")) {
-      const std::string name = attribute(joint, "name");
-      if (std::find(joints.begin(), joints.end(), name) == joints.end()) joints.push_back(name);
-    }
-  return joints;
 }
 
 std::optional<std::size_t> described_link(const LoopSource& source, const std::string& name,

@@ -40,15 +40,22 @@ struct ClosureDialect {
 const std::vector<ClosureDialect>& closure_dialects();
 
 /// The first dialect that finds a closure, with the name of that dialect; empty where none does. Closures
-/// between links that are fixed to one another are left out.
+/// between links that are fixed to one another are left out, and fixed ones become welds.
 struct FoundLoops {
   std::string_view dialect;
   DescribedLoops loops;
 };
 FoundLoops find_described_loops(const LoopSource& source, Problems& problems);
 
-/// The joints that `<transmission>` elements actuate, in the order of the file.
-std::vector<std::string> transmission_joints(const LoopSource& source);
+/// Joints that a URDF says are actuated, in the order of the file, and where it says so.
+struct DescribedActuation {
+  std::string_view element;  ///< for messages, after an indefinite article
+  std::vector<std::string> joints;
+};
+
+/// The joints with a command interface in `<ros2_control>`; where there are none, those with a
+/// `<transmission>` that does more than report their state.
+DescribedActuation described_actuation(const LoopSource& source);
 
 /// The link of that name; nothing, and a message in `problems` that says where it is named, when there is
 /// none.
@@ -85,9 +92,8 @@ DescribedLoops gepetto_file(const LoopSource& source, Problems& problems);
 /// request 264.
 DescribedLoops constraint_element(const LoopSource& source, Problems& problems);
 
-/// The DetachableJoint plugin of Gazebo: a parent and a child link, which keep the pose that they have at
-/// zero. Of no stated type, since robots are closed with it that could not move otherwise. Plugins that hold
-/// another model are passed over.
+/// The DetachableJoint plugin of Gazebo: a parent and a child link, which are welded where they are at zero.
+/// Plugins that hold another model are passed over.
 DescribedLoops detachable_joint(const LoopSource& source, Problems& problems);
 
 /// `<loop_joint><link1 link xyz rpy/><link2 link xyz rpy/></loop_joint>`, with a type (Isaac Sim) or an

@@ -8,12 +8,6 @@
 namespace parallel_aspects {
 namespace {
 
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "'" : ", '") + name + "'";
-  return text;
-}
-
 class Resolver {
  public:
   Resolver(const LoopSource& source, Problems& problems, std::vector<std::string>& notes)
@@ -21,8 +15,9 @@ class Resolver {
 
   ResolvedConfig resolve(const MechanismConfig& config) {
     if (!config.base_link.empty()) result_.base = link("mechanism.base_link", config.base_link);
-    if (!config.operational_point.empty())
-      result_.actuated_joints.platform_link = link("mechanism.operational_point", config.operational_point);
+    if (!config.operational_point.link.empty())
+      result_.actuated_joints.platform_link =
+          link("mechanism.operational_point", config.operational_point.link);
     for (std::size_t k = 0; k < config.closures.size(); ++k) add_closure(k, config.closures[k]);
     std::vector<std::string> actuated_joints = config.actuated_joints;
     const bool loops_are_read = config.lists_closures || describe_loops();
@@ -44,11 +39,12 @@ class Resolver {
   void add_closure(std::size_t index, const ConfiguredClosure& configured) {
     const std::string key = "mechanism.closures[" + std::to_string(index) + "].frames";
     Closure closure;
-    closure.name = configured.frames[0] + " - " + configured.frames[1];
+    closure.name = configured.frames[0].label() + " - " + configured.frames[1].label();
     closure.type = configured.type;
-    for (std::size_t k = 0; k < 2; ++k) closure.frames[k].link = link(key, configured.frames[k]);
-    if (configured.frames[0] == configured.frames[1])
-      problem("closes link '" + configured.frames[0] + "' with itself in " + key +
+    for (std::size_t k = 0; k < 2; ++k)
+      closure.frames[k] = {link(key, configured.frames[k].link), configured.frames[k].in_link};
+    if (configured.frames[0].link == configured.frames[1].link)
+      problem("closes link '" + configured.frames[0].link + "' with itself in " + key +
               "; name two different links.");
     result_.closures.push_back(closure);
   }
@@ -72,25 +68,22 @@ class Resolver {
 
   void describe_actuated_joints(std::vector<std::string>& actuated_joints) {
     const bool from_loops = !described_joints_.empty();
-    actuated_joints = from_loops ? described_joints_ : transmission_joints(source_);
+    const DescribedActuation described = described_actuation(source_);
+    actuated_joints = from_loops ? described_joints_ : described.joints;
     if (actuated_joints.empty()) {
       problem("does not say mechanism.actuated_joints, and " + files_.urdf +
               " has no transmissions; list the actuated joints, one a leg.");
       return;
     }
-    const std::string origin = from_loops ? "name_mot selects" : "have a <transmission> in " + files_.urdf;
+    const std::string element = "a " + std::string(described.element);
+    result_.actuation_origin = from_loops ? "name_mot selects" : "have " + element + " in " + files_.urdf;
     actuated_joints_named_in_ =
         from_loops ? files_.config + " names joint '" : files_.urdf + " actuates joint '";
-    actuated_joints_named_by_ = from_loops ? "' in name_mot, but " : "' in a <transmission>, but ";
+    actuated_joints_named_by_ = from_loops ? "' in name_mot, but " : "' in " + element + ", but ";
     std::vector<std::string> once;
     for (const std::string& joint : actuated_joints)
       if (std::find(once.begin(), once.end(), joint) == once.end()) once.push_back(joint);
     actuated_joints = once;
-    notes_.push_back("The actuated joints are those that " + origin + ": " + listed(actuated_joints) + ".");
-    if (actuated_joints.size() > 3 && actuated_joints.size() != 6)
-      problem("does not say mechanism.actuated_joints, and " + std::to_string(actuated_joints.size()) +
-              " joints " + origin + ", " + listed(actuated_joints) +
-              "; a fully parallel robot has one, two, three or six actuated joints, so list them.");
   }
 
   void add_actuated_joint(const std::string& name, const std::vector<std::string>& all) {
@@ -129,6 +122,25 @@ class Resolver {
 ResolvedConfig resolve_config(const MechanismConfig& config, const LoopSource& source, Problems& problems,
                               std::vector<std::string>& notes) {
   return Resolver(source, problems, notes).resolve(config);
+}
+
+void add_operational_point(ConfiguredFrame& point, const SourceNames& files, Tree& tree, Problems& problems) {
+  const auto parent = tree.link_named(point.link);
+  if (point.is_link || !parent) return;
+  const std::string name = point.name.empty() ? "operational_point" : point.name;
+  if (tree.link_named(name))
+    problems.push_back(files.config + " calls the frame of mechanism.operational_point '" + name + "', but " +
+                       files.urdf +
+                       " has a link of that name; give the frame another name under its key 'name'.");
+  TreeJoint joint;
+  joint.name = name;
+  joint.parent = *parent;
+  joint.child = tree.links.size();
+  joint.origin = point.in_link;
+  tree.joint_above.emplace_back(tree.joints.size());
+  tree.joints.push_back(joint);
+  tree.links.push_back(name);
+  point.link = name;
 }
 
 }  // namespace parallel_aspects

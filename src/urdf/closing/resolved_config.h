@@ -7,6 +7,7 @@
 #include "urdf/closing/closure_dialects.h"
 #include "urdf/config/mechanism_config.h"
 #include "urdf/description/closure.h"
+#include "urdf/description/tree.h"
 
 #include <string>
 #include <vector>
@@ -18,13 +19,20 @@ struct ResolvedConfig {
   std::size_t base = 0;  ///< link
   ActuatedJoints actuated_joints;
   std::vector<Closure> closures;
+  /// Where the actuated joints are described, if not in a list of the YAML; they may be too many then.
+  std::string actuation_origin;
 };
 
 /// Looks up the names of `config` in the tree. Closures that the YAML does not list come from the dialects of
-/// `source`; actuated joints that it does not list come from there too, or else from transmissions; `notes`
-/// say so. What is wrong is added to `problems`.
+/// `source`; actuated joints that it does not list come from there too, or else from `<ros2_control>` and
+/// transmissions; `notes` say so. What is wrong is added to `problems`.
 ResolvedConfig resolve_config(const MechanismConfig& config, const LoopSource& source, Problems& problems,
                               std::vector<std::string>& notes);
+
+/// Makes an operational point that is not a link one: a link of its own at the end of `tree`, fixed to that
+/// in whose frame it is given. A name that is taken is added to `problems`; a link that does not exist is
+/// left to `resolve_config`.
+void add_operational_point(ConfiguredFrame& point, const SourceNames& files, Tree& tree, Problems& problems);
 
 }  // namespace parallel_aspects
 

@@ -91,7 +91,7 @@ class Reader {
           "does not say mechanism.operational_point; name the link whose origin is the operational point of "
           "the "
           "platform.");
-    text(node, "mechanism.operational_point", config.operational_point);
+    if (node.IsDefined()) read_frame(yaml_, node, "mechanism.operational_point", config.operational_point);
   }
 
   void read_actuated_joints(const YAML::Node& node, MechanismConfig& config) {
@@ -157,7 +157,8 @@ class Reader {
     }
     bool good = true;
     for (std::size_t k = 0; k < 2; ++k)
-      good = text(frames[k], where + ".frames[" + std::to_string(k) + "]", closure.frames[k]) && good;
+      good = read_frame(yaml_, frames[k], where + ".frames[" + std::to_string(k) + "]", closure.frames[k]) &&
+             good;
     good = read_type(node["type"], where + ".type", closure.type) && good;
     if (good) config.closures.push_back(closure);
   }

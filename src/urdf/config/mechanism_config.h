@@ -5,6 +5,7 @@
 #include "parallel_aspects/model/problems.h"
 #include "parallel_aspects/model/task_space.h"
 #include "urdf/config/constraints_config.h"
+#include "urdf/config/frame_config.h"
 #include "urdf/description/closure.h"
 
 #include <array>
@@ -16,16 +17,16 @@ namespace parallel_aspects {
 
 /// A closure by the names of its frames.
 struct ConfiguredClosure {
-  std::array<std::string, 2> frames;  ///< names of links
+  std::array<ConfiguredFrame, 2> frames;
   ClosureType type = ClosureType::automatic;
 };
 
 /// The `mechanism:` and `constraints:` parts of a robot's YAML file; names are not yet looked up.
 struct MechanismConfig {
-  std::string name;               ///< empty: that of the URDF
-  std::string base_link;          ///< empty: the root link
-  std::string frame_prefix;       ///< of links in tf; not read from the file, empty for none
-  std::string operational_point;  ///< name of a link
+  std::string name;          ///< empty: that of the URDF
+  std::string base_link;     ///< empty: the root link
+  std::string frame_prefix;  ///< of links in tf; not read from the file, empty for none
+  ConfiguredFrame operational_point;
   std::vector<std::string> actuated_joints;
   bool lists_actuated_joints = false;  ///< otherwise the URDF may say them
   std::optional<TaskSpace> task_space;

@@ -37,11 +37,20 @@ struct LinkFrame {
   Eigen::Isometry3d in_link = Eigen::Isometry3d::Identity();  ///< [m]
 };
 
+/// Whether a closure of automatic type is written as rigid: then `fixed` is the first type to be tried, and
+/// another one says where the two links turn against each other.
+enum class Weld {
+  none,
+  at_frames,   ///< in its frames
+  at_origins,  ///< at the origin of the one link or of the other
+};
+
 /// Two frames that the mechanism holds together, though the tree does not.
 struct Closure {
   std::string name;
   std::array<LinkFrame, 2> frames;
   ClosureType type = ClosureType::automatic;
+  Weld weld = Weld::none;
 };
 
 /// The equations of all closures, in the frame of the base.

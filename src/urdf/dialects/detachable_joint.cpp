@@ -27,9 +27,10 @@ void read_plugin(const LoopSource& source, const Poses& poses, const XMLElement&
                     child_name = child_text(plugin, "child_link");
   const auto parent = described_link(source, parent_name, where, problems);
   const auto child = described_link(source, child_name, where, problems);
-  if (parent && child)
-    closures.push_back(closed_at_zero(poses, parent_name + " - " + child_name, *parent, LinkFrame{*child},
-                                      ClosureType::automatic));
+  if (!parent || !child) return;
+  closures.push_back(closed_at_zero(poses, parent_name + " - " + child_name, *parent, LinkFrame{*child},
+                                    ClosureType::fixed));
+  closures.back().weld = Weld::at_origins;
 }
 
 }  // namespace

@@ -100,6 +100,7 @@ class JointReader {
     LinkFrame turned{child, in_child};
     turned.in_link.rotate(axes_with_z(axis));
     Closure result = closed_at_zero(poses_, attribute(&joint_, "name"), parent, turned, type);
+    if (joint_.FirstChildElement("pose") == nullptr) result.weld = Weld::at_origins;
     // A universal closure keeps z of the first frame orthogonal to x of the second.
     if (type == ClosureType::universal) {
       turned.in_link.linear() =

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/recognition/completion.h"
 
+#include "model/linear_algebra.h"
 #include "urdf/recognition/rotation_subproblems.h"
 
 #include <algorithm>
@@ -200,12 +201,14 @@ bool starts_at_platform(const SplitChain& chain) {
 }  // namespace
 
 Completion::Completion(ClosureSystem system, Eigen::VectorXd reference, const PlatformMotion& motion,
-                       std::vector<RecognisedLeg> legs, std::vector<std::size_t> actuated_variables)
+                       std::vector<RecognisedLeg> legs, std::vector<PassiveChain> passive_chains,
+                       std::vector<std::size_t> actuated_variables)
     : system_(std::move(system)),
       reference_(std::move(reference)),
       task_frame_(motion.task_frame),
       point_platform_(motion.point_platform),
       legs_(std::move(legs)),
+      passive_chains_(std::move(passive_chains)),
       actuated_variables_(std::move(actuated_variables)) {
   const Isometry3d platform = task_frame_.inverse() * motion.platform;
   reference_pose_.position = platform.translation();
@@ -233,11 +236,9 @@ Eigen::VectorXd Completion::joint_values(const Pose& pose, const JointVector& q)
   for (std::size_t j = 0; j < legs_.size(); ++j) {
     const auto index = static_cast<Eigen::Index>(j);
     values[static_cast<Eigen::Index>(actuated_variables_[j])] = q[index];
-    if (legs_[j].guide)
-      values[static_cast<Eigen::Index>(*legs_[j].guide->variable)] +=
-          directed_axis(*legs_[j].guide).dot(platform.translation());
     for (const SplitChain& chain : legs_[j].chains) solve(chain, steps[index], platform, values);
   }
+  for (const PassiveChain& chain : passive_chains_) follow(chain, platform, values);
   return values;
 }
 
@@ -255,6 +256,33 @@ Eigen::Isometry3d Completion::solve(const SplitChain& chain, double joint_step,
   for (const Turn& turn : near) set(*turn.pivot, turn.step, values);
   for (const Turn& turn : far) set(*turn.pivot, turn.step, values);
   return carried;
+}
+
+// The rotations make up the orientation, and the slides what is left of the displacement. A ball joint takes
+// any orientation, about its centre.
+void Completion::follow(const PassiveChain& chain, const Isometry3d& platform_motion,
+                        Eigen::VectorXd& values) const {
+  Vector3d displacement = platform_motion.translation();
+  if (is_free(chain.rotations)) {
+    const Vector3d& center = chain.rotations.front().point;
+    displacement = platform_motion * center - center;
+  } else {
+    const Turns turns = turns_making(chain.rotations, platform_motion.linear());
+    Isometry3d turned = Isometry3d::Identity();
+    for (const Pivot& pivot : chain.rotations)
+      for (const Turn& turn : turns)
+        if (turn.pivot == &pivot) turned = turned * motion_of(pivot, turn.step);
+    displacement = (platform_motion * turned.inverse()).translation();
+    for (const Turn& turn : turns) set(*turn.pivot, turn.step, values);
+  }
+  if (chain.slides.empty()) return;
+  Eigen::MatrixXd axes(3, static_cast<Eigen::Index>(chain.slides.size()));
+  for (std::size_t k = 0; k < chain.slides.size(); ++k)
+    axes.col(static_cast<Eigen::Index>(k)) = directed_axis(chain.slides[k]);
+  const Eigen::VectorXd steps = least_squares_solution(axes, displacement, 1e-6);
+  for (std::size_t k = 0; k < chain.slides.size(); ++k)
+    if (const auto variable = chain.slides[k].variable)
+      values[static_cast<Eigen::Index>(*variable)] += steps[static_cast<Eigen::Index>(k)];
 }
 
 void Completion::set(const Pivot& pivot, double step, Eigen::VectorXd& values) const {

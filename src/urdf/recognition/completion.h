@@ -6,6 +6,7 @@
 #include "parallel_aspects/model/vectors.h"
 #include "urdf/description/closure.h"
 #include "urdf/recognition/leg_recognition.h"
+#include "urdf/recognition/passive_chain.h"
 #include "urdf/recognition/platform_motion.h"
 
 #include <Eigen/Geometry>
@@ -19,9 +20,10 @@ namespace parallel_aspects {
 /// where the assembled configuration has them.
 class Completion {
  public:
-  /// `reference` are all joint values of the assembled configuration that `motion` and `legs` belong to.
+  /// `reference` are all joint values of the assembled configuration that everything else belongs to.
   Completion(ClosureSystem system, Eigen::VectorXd reference, const PlatformMotion& motion,
-             std::vector<RecognisedLeg> legs, std::vector<std::size_t> actuated_variables);
+             std::vector<RecognisedLeg> legs, std::vector<PassiveChain> passive_chains,
+             std::vector<std::size_t> actuated_variables);
 
   /// Pose of the assembled configuration.
   const Pose& reference_pose() const noexcept { return reference_pose_; }
@@ -44,6 +46,8 @@ class Completion {
  private:
   Eigen::Isometry3d solve(const SplitChain& chain, double joint_step,
                           const Eigen::Isometry3d& platform_motion, Eigen::VectorXd& values) const;
+  void follow(const PassiveChain& chain, const Eigen::Isometry3d& platform_motion,
+              Eigen::VectorXd& values) const;
   void set(const Pivot& pivot, double step, Eigen::VectorXd& values) const;
 
   ClosureSystem system_;
@@ -52,6 +56,7 @@ class Completion {
   Pose reference_pose_;
   bool point_platform_;
   std::vector<RecognisedLeg> legs_;
+  std::vector<PassiveChain> passive_chains_;
   std::vector<std::size_t> actuated_variables_;
 };
 

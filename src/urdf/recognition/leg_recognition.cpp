@@ -110,11 +110,11 @@ class ChainRecogniser {
   bool is_three_revolute_arm(const Pivot& actuation, const Chain& after) const {
     return actuation.kind == PivotKind::revolute && after.size() > 2 &&
            after[0].kind == PivotKind::revolute && after[1].kind == PivotKind::revolute &&
-           tip({after.begin() + 2, after.end()});
+           tip({after.begin() + 2, after.end()}, true);
   }
 
   bool group(const Chain& proximal, const Chain& distal, SplitChain& found) {
-    const auto c = tip(proximal), p = tip(distal);
+    const auto c = tip(proximal, found.actuated_first), p = tip(distal, found.actuated_first);
     if (!c || !p) {
       if (!found.actuated_first)
         fail("has passive joints on one side of its actuated joint whose axes do not meet in a point");
@@ -128,9 +128,8 @@ class ChainRecogniser {
     found.distal = distal;
     found.c = *c;
     found.p = *p;
-    const bool spherical = motion_.space == TaskSpace::SO3;
-    found.proximal_center = spherical ? motion_.task_frame.translation() : *c;
-    found.distal_center = spherical ? motion_.task_frame.translation() : *p;
+    found.proximal_center = center_of(proximal, *c);
+    found.distal_center = center_of(distal, *p);
     return true;
   }
 
@@ -138,17 +137,34 @@ class ChainRecogniser {
     return (one - other).norm() < direction_tolerance * setting_.size;
   }
 
-  // The point that all pivots of a group turn about, as far as the task space can tell.
-  std::optional<Vector3d> tip(const Chain& group) const {
+  // The point that all pivots of a group turn about, as far as the task space can tell. Rods that change
+  // their length need their true ends.
+  std::optional<Vector3d> tip(const Chain& group, bool rod_is_rigid) const {
     if (group.empty()) return std::nullopt;
     for (const Pivot& pivot : group)
       if (pivot.kind == PivotKind::prismatic) return std::nullopt;
-    if (is_planar(motion_.space))
-      return common(group, [this](const Pivot& pivot) { return in_plane(pivot); });
-    if (motion_.space == TaskSpace::SO3)
-      return common(group, [this](const Pivot& pivot) { return on_sphere(pivot); });
-    return meeting_point(group);
+    if (is_planar(motion_.space)) {
+      const auto point = common(group, [this](const Pivot& pivot) { return in_plane(pivot); });
+      return point ? point : meeting_point(group);
+    }
+    if (motion_.space != TaskSpace::SO3) return meeting_point(group);
+    const auto drawn = common(group, [this](const Pivot& pivot) { return on_sphere(pivot); });
+    const auto true_end = meeting_point(group);
+    const bool is_beside = true_end && !same(*true_end, motion_.task_frame.translation());
+    return is_beside && !(rod_is_rigid && drawn) ? true_end : drawn;
   }
+
+  // A point on the axes of all pivots of the group.
+  Vector3d center_of(const Chain& group, const Vector3d& tip) const {
+    const Vector3d center = motion_.task_frame.translation();
+    const bool about_center =
+        motion_.space == TaskSpace::SO3 && std::all_of(group.begin(), group.end(), [&](const Pivot& pivot) {
+          return pivot.kind == PivotKind::ball || distance_to_axis(center, pivot) < tolerance();
+        });
+    return about_center ? center : tip;
+  }
+
+  double tolerance() const { return direction_tolerance * setting_.size; }
 
   template <class Point>
   std::optional<Vector3d> common(const Chain& group, Point point) const {
@@ -336,7 +352,6 @@ std::optional<RecognisedLeg> recognise_leg(const LegChains& leg, std::size_t act
     return std::nullopt;
   };
   RecognisedLeg result;
-  result.guide = leg.guide;
   ChainRecogniser recogniser(setting, actuated_variable);
   for (const Chain& chain : leg.chains) {
     const auto split = recogniser.split(chain);

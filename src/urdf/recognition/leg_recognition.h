@@ -33,7 +33,6 @@ struct SplitChain {
 struct RecognisedLeg {
   Leg leg;  ///< in the task frame
   std::vector<SplitChain> chains;
-  std::optional<Pivot> guide;  ///< see `LegChains`
 };
 
 /// What a leg is recognised in.

@@ -36,6 +36,8 @@ class Rounding {
         angle_(angle_decimals),
         direction_(direction_decimals) {}
 
+  double round(double length) const { return length_(length); }
+
   void round(Leg& leg) const {
     leg.anchor = length_(leg.anchor);
     leg.rod_length = length_(leg.rod_length);
@@ -74,5 +76,7 @@ Leg without_rounding_noise(Leg leg, double size) {
   Rounding(size).round(leg);
   return leg;
 }
+
+double without_rounding_noise(double length, double size) { return Rounding(size).round(length); }
 
 }  // namespace parallel_aspects

@@ -11,6 +11,9 @@ namespace parallel_aspects {
 /// says, and what is symmetric there is symmetric in the model.
 Leg without_rounding_noise(Leg leg, double size);
 
+/// The same of one length [m].
+double without_rounding_noise(double length, double size);
+
 }  // namespace parallel_aspects
 
 #endif  // PARALLEL_ASPECTS_URDF_RECOGNITION_LEG_ROUNDING_H

@@ -22,7 +22,7 @@ class Search {
   Search(const ClosureSystem& system, const Eigen::VectorXd& values, const PlatformMotion& motion)
       : system_(system), values_(values), motion_(motion), to_task_(motion.task_frame.inverse()) {}
 
-  FoundPassiveLimits run(const std::vector<RecognisedLeg>& legs) {
+  FoundPassiveLimits run(const std::vector<RecognisedLeg>& legs, const std::vector<std::size_t>& bounded) {
     for (std::size_t j = 0; j < legs.size(); ++j) {
       if (motion_.space == TaskSpace::SO3 || std::holds_alternative<ElbowActuation>(legs[j].leg.actuation))
         continue;
@@ -30,7 +30,8 @@ class Search {
         is_planar(motion_.space) ? add(j, legs[j].leg, chain) : add_cones(j, legs[j].leg, chain);
     }
     for (std::size_t variable = 0; variable < system_.in_loop().size(); ++variable)
-      if (is_limited(variable) && !is_actuated(variable, legs) && !is_reported(joint(variable).name))
+      if (is_limited(variable) && !is_actuated(variable, legs) && !is_reported(joint(variable).name) &&
+          std::find(bounded.begin(), bounded.end(), variable) == bounded.end())
         found_.missing.push_back(joint(variable).name);
     return std::move(found_);
   }
@@ -144,8 +145,9 @@ class Search {
 }  // namespace
 
 FoundPassiveLimits find_passive_limits(const ClosureSystem& system, const Eigen::VectorXd& values,
-                                       const PlatformMotion& motion, const std::vector<RecognisedLeg>& legs) {
-  return Search(system, values, motion).run(legs);
+                                       const PlatformMotion& motion, const std::vector<RecognisedLeg>& legs,
+                                       const std::vector<std::size_t>& bounded) {
+  return Search(system, values, motion).run(legs, bounded);
 }
 
 }  // namespace parallel_aspects

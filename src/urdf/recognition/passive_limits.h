@@ -22,9 +22,10 @@ struct FoundPassiveLimits {
 };
 
 /// `legs` are recognised in `system` at these joint values [rad or m]. A revolute joint with a range of a
-/// full turn has no limits.
+/// full turn has no limits. What is `bounded` otherwise, by index of the joint value, is left out.
 FoundPassiveLimits find_passive_limits(const ClosureSystem& system, const Eigen::VectorXd& values,
-                                       const PlatformMotion& motion, const std::vector<RecognisedLeg>& legs);
+                                       const PlatformMotion& motion, const std::vector<RecognisedLeg>& legs,
+                                       const std::vector<std::size_t>& bounded);
 
 }  // namespace parallel_aspects
 

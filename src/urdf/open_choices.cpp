@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "urdf/open_choices.h"
+
+#include "urdf/closing/actuation_choices.h"
+#include "urdf/closing/assembly.h"
+
+#include <algorithm>
+#include <array>
+#include <bitset>
+#include <sstream>
+#include <utility>
+
+namespace parallel_aspects {
+namespace {
+
+using Contents = std::unique_ptr<Mechanism::Contents>;
+
+// Of these all combinations of two types are tried.
+constexpr std::size_t most_mixed_closures = 5;
+
+bool is_open(const Closure& closure) { return closure.type == ClosureType::automatic; }
+
+bool any_open(const std::vector<Closure>& closures) {
+  return std::any_of(closures.begin(), closures.end(), is_open);
+}
+
+bool all_welds(const std::vector<Closure>& closures) {
+  return std::all_of(closures.begin(), closures.end(),
+                     [](const Closure& closure) { return !is_open(closure) || closure.weld != Weld::none; });
+}
+
+std::vector<Closure> with_type(std::vector<Closure> closures, ClosureType type) {
+  for (Closure& closure : closures)
+    if (is_open(closure)) closure.type = type;
+  return closures;
+}
+
+// Some of the open closures points and some revolute joints, few revolute ones first; none where there are
+// many.
+std::vector<std::vector<Closure>> mixtures(const std::vector<Closure>& closures) {
+  std::vector<std::size_t> open;
+  for (std::size_t k = 0; k < closures.size(); ++k)
+    if (is_open(closures[k])) open.push_back(k);
+  if (open.size() > most_mixed_closures) return {};
+  std::vector<std::bitset<most_mixed_closures>> choices;
+  for (unsigned long choice = 1; choice + 1 < 1UL << open.size(); ++choice) choices.emplace_back(choice);
+  std::stable_sort(choices.begin(), choices.end(),
+                   [](const auto& one, const auto& other) { return one.count() < other.count(); });
+  std::vector<std::vector<Closure>> result;
+  for (const auto& choice : choices) {
+    result.push_back(closures);
+    for (std::size_t k = 0; k < open.size(); ++k)
+      result.back()[open[k]].type = choice[k] ? ClosureType::revolute : ClosureType::point;
+  }
+  return result;
+}
+
+// "point ('a - b') and revolute ('c - d', 'e - f')", of the closures whose types were open.
+std::string listed_types(const std::vector<Closure>& open, const std::vector<Closure>& taken) {
+  std::string text;
+  for (const ClosureType type : {ClosureType::point, ClosureType::revolute}) {
+    std::string names;
+    for (std::size_t k = 0; k < open.size(); ++k)
+      if (is_open(open[k]) && taken[k].type == type)
+        names += (names.empty() ? "'" : ", '") + taken[k].name + "'";
+    if (!names.empty()) text += (text.empty() ? "" : " and ") + std::string(name(type)) + " (" + names + ")";
+  }
+  return text;
+}
+
+constexpr int note_digits = 4, yaml_digits = 12;
+
+std::string triple(const Eigen::Vector3d& vector, int digits = note_digits) {
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text.precision(digits);
+  for (int k = 0; k < 3; ++k)
+    text << (k == 0 ? "[" : ", ") << (std::abs(vector[k]) < 1e-12 ? 0.0 : vector[k]);
+  return text.str() + "]";
+}
+
+// Where a weld holds its second link in the first.
+Eigen::Isometry3d offset(const Closure& weld) {
+  return weld.frames[0].in_link * weld.frames[1].in_link.inverse();
+}
+
+bool has_offset(const Closure& closure, double size) {
+  return closure.weld != Weld::none && offset(closure).translation().norm() > closing_tolerance * size;
+}
+
+// "'b' at xyz [1, 0, 0] m of 'a'", for each weld that does not hold two origins together.
+std::string offsets(const std::vector<Closure>& closures, const Tree& tree, double size) {
+  std::string text;
+  for (const Closure& closure : closures)
+    if (has_offset(closure, size))
+      text += (text.empty() ? "" : ", ") + ("'" + tree.links[closure.frames[1].link]) + "' at xyz " +
+              triple(offset(closure).translation()) + " m of '" + tree.links[closure.frames[0].link] + "'";
+  return text;
+}
+
+// Welds without a frame of their own, turned about the origin of that link which the tree has first, or last.
+// So it does not matter which of the two is called the parent.
+std::vector<Closure> turned_at(std::vector<Closure> closures, bool first) {
+  for (Closure& closure : closures) {
+    if (closure.weld != Weld::at_origins) continue;
+    const Eigen::Isometry3d second_in_first = offset(closure);
+    const bool at_second = (closure.frames[0].link < closure.frames[1].link) != first;
+    closure.frames[0].in_link = at_second ? second_in_first : Eigen::Isometry3d::Identity();
+    closure.frames[1].in_link = at_second ? Eigen::Isometry3d::Identity() : second_in_first.inverse();
+  }
+  return closures;
+}
+
+// The first of the choices that makes a manipulator; the problems are those of the first that does not.
+class OpenChoices {
+ public:
+  OpenChoices(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,
+              const Recognise& recognise, const SourceNames& files)
+      : tree_(tree), resolved_(resolved), recognise_(recognise), files_(files) {}
+
+  Contents find(Problems& problems) const {
+    const std::vector<Closure>& closures = resolved_.closures;
+    if (!any_open(closures)) return recognise_(resolved_, problems);
+    return all_welds(closures) ? find_welds(problems) : find_types(closures, problems);
+  }
+
+ private:
+  Contents recognise(const std::vector<Closure>& closures, Problems& problems) const {
+    ResolvedConfig chosen = resolved_;
+    chosen.closures = closures;
+    Problems found;
+    Contents contents = recognise_(chosen, found);
+    if (problems.empty()) problems = found;
+    return contents;
+  }
+
+  Contents find_type(const std::vector<Closure>& closures, const std::vector<ClosureType>& types,
+                     std::string& taken, Problems& problems) const {
+    for (const ClosureType type : types) {
+      taken = name(type);
+      if (Contents contents = recognise(with_type(closures, type), problems)) return contents;
+    }
+    for (const std::vector<Closure>& mixed : mixtures(closures)) {
+      taken = listed_types(closures, mixed);
+      if (Contents contents = recognise(mixed, problems)) return contents;
+    }
+    return nullptr;
+  }
+
+  Contents find_types(const std::vector<Closure>& closures, Problems& problems) const {
+    std::string taken;
+    Contents contents = find_type(
+        closures, {ClosureType::point, ClosureType::revolute, ClosureType::universal, ClosureType::fixed},
+        taken, problems);
+    if (contents)
+      contents->notes.push_back(files_.config + " leaves the type of closures open; they are taken as " +
+                                taken + ", under which the mobility is the number of actuated joints.");
+    return contents;
+  }
+
+  // As they are written; where that holds too much, as joints that turn, in the place that is said or at the
+  // one of two that makes a manipulator.
+  Contents find_welds(Problems& problems) const {
+    const std::vector<Closure>& welds = resolved_.closures;
+    const double size = ClosureSystem(tree_, resolved_.base, with_type(welds, ClosureType::fixed)).size();
+    const std::string held = offsets(welds, *tree_, size);
+    const std::string where = held.empty() ? "" : ", with " + held;
+    if (Contents contents = recognise(with_type(welds, ClosureType::fixed), problems)) {
+      contents->notes.push_back("The rigid closures of " + files_.urdf +
+                                " are taken as fixed, as they are written" + where + ".");
+      return contents;
+    }
+    return find_turning(size, where, problems);
+  }
+
+  Contents find_turning(double size, const std::string& where, Problems& problems) const {
+    std::array<Contents, 2> found;
+    std::array<std::string, 2> taken;
+    std::array<std::vector<Closure>, 2> closures;
+    for (const std::size_t end : {0, 1}) {
+      closures[end] = turned_at(resolved_.closures, end == 0);
+      found[end] =
+          find_type(closures[end], {ClosureType::point, ClosureType::revolute, ClosureType::universal},
+                    taken[end], problems);
+      if (found[end] && !any_end_open(size)) break;
+    }
+    if (found[0] && found[1]) return refuse_both(size, problems);
+    const std::size_t end = found[0] ? 0 : 1;
+    if (found[end])
+      found[end]->notes.push_back("The rigid closures of " + files_.urdf + " would hold the robot still" +
+                                  where + "; they are taken as " + taken[end] + places(closures[end], size) +
+                                  ", under which the mobility is the number of actuated joints.");
+    return std::move(found[end]);
+  }
+
+  bool is_end_open(const Closure& closure, double size) const {
+    return closure.weld == Weld::at_origins && has_offset(closure, size);
+  }
+
+  bool any_end_open(double size) const {
+    return std::any_of(resolved_.closures.begin(), resolved_.closures.end(),
+                       [&](const Closure& closure) { return is_end_open(closure, size); });
+  }
+
+  // " at the origin of 'a', 'b'" of welds that hold two origins apart.
+  std::string places(const std::vector<Closure>& closures, double size) const {
+    std::string text;
+    for (const Closure& closure : closures) {
+      if (!is_end_open(closure, size)) continue;
+      const bool at_first = closure.frames[0].in_link.translation().isZero(0.0);
+      text += (text.empty() ? " at the origin of '" : ", '") +
+              tree_->links[closure.frames[at_first ? 0 : 1].link] + "'";
+    }
+    return text;
+  }
+
+  // With the first of the two origins, as the YAML has it.
+  std::nullptr_t refuse_both(double size, Problems& problems) const {
+    std::string remedy;
+    for (const Closure& closure : turned_at(resolved_.closures, true))
+      remedy += (remedy.empty() ? "" : ", ") + ("{frames: [" + written(closure.frames[0])) + ", " +
+                written(closure.frames[1]) + "]}";
+    problems = {files_.urdf + " holds " + offsets(resolved_.closures, *tree_, size) +
+                ", and is a manipulator with a joint at either origin; say in " + files_.config +
+                " which is meant, as by mechanism.closures: [" + remedy + "]."};
+    return nullptr;
+  }
+
+  std::string written(const LinkFrame& frame) const {
+    const std::string& link = tree_->links[frame.link];
+    if (frame.in_link.isApprox(Eigen::Isometry3d::Identity())) return link;
+    const Eigen::Vector3d zyx = frame.in_link.linear().eulerAngles(2, 1, 0);
+    return "{link: " + link + ", xyz: " + triple(frame.in_link.translation(), yaml_digits) +
+           ", rpy: " + triple(zyx.reverse(), yaml_digits) + "}";
+  }
+
+  const std::shared_ptr<const Tree>& tree_;
+  const ResolvedConfig& resolved_;
+  const Recognise& recognise_;
+  const SourceNames& files_;
+};
+
+std::string joint_list(const Tree& tree, const std::vector<std::size_t>& variables) {
+  std::string text;
+  for (const std::size_t variable : variables)
+    text += (text.empty() ? "[" : ", ") + tree.joint_of(variable).name;
+  return text + "]";
+}
+
+std::string quoted_joints(const Tree& tree, const std::vector<std::size_t>& variables) {
+  std::string text;
+  for (const std::size_t variable : variables)
+    text += (text.empty() ? "'" : ", '") + tree.joint_of(variable).name + "'";
+  return text;
+}
+
+using Choice = std::vector<std::size_t>;
+
+bool is_part_of_any(const Choice& choice, const std::vector<Choice>& others) {
+  return std::any_of(others.begin(), others.end(), [&](const Choice& other) {
+    return std::all_of(choice.begin(), choice.end(), [&](std::size_t joint) {
+      return std::find(other.begin(), other.end(), joint) != other.end();
+    });
+  });
+}
+
+// Which of the joints that the description calls actuated are so.
+class OpenActuation {
+ public:
+  OpenActuation(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,
+                const Recognise& recognise, const SourceNames& files)
+      : tree_(tree), resolved_(resolved), recognise_(recognise), files_(files) {}
+
+  Contents find(Problems& problems) {
+    const Choice& described = resolved_.actuated_joints.variables;
+    const bool may_be_all = is_actuation_count(described.size());
+    Contents all = may_be_all ? recognise(described, problems) : nullptr;
+    if (resolved_.actuation_origin.empty()) return all;
+    if (!all) return find_some(may_be_all, problems);
+    all->notes.push_back("The actuated joints are those that " + resolved_.actuation_origin + ": " +
+                         quoted_joints(*tree_, described) + ".");
+    return all;
+  }
+
+ private:
+  Contents find_some(bool may_be_all, Problems& problems) {
+    const ClosureSystem system(tree_, resolved_.base, with_type(resolved_.closures, ClosureType::point));
+    for (const auto& choices : actuation_choices(system, resolved_.actuated_joints, files_))
+      if (working_.empty()) try_all(choices);
+    if (working_.size() != 1) {
+      if (!may_be_all || !working_.empty()) problems = {refusal()};
+      return nullptr;
+    }
+    found_->notes.push_back("Of the joints that " + resolved_.actuation_origin +
+                            ", those are taken as actuated under which the mobility is their number: " +
+                            quoted_joints(*tree_, working_.front()) + ".");
+    return std::move(found_);
+  }
+
+  Contents recognise(const Choice& choice, Problems& problems) const {
+    ResolvedConfig chosen = resolved_;
+    chosen.actuated_joints.variables = choice;
+    return OpenChoices(tree_, chosen, recognise_, files_).find(problems);
+  }
+
+  void try_all(const std::vector<Choice>& choices) {
+    for (const Choice& choice : choices) {
+      Problems unused;
+      if (is_part_of_any(choice, working_)) continue;
+      if (Contents contents = recognise(choice, unused)) {
+        working_.push_back(choice);
+        found_ = std::move(contents);
+      }
+    }
+  }
+
+  std::string refusal() const {
+    const Choice& described = resolved_.actuated_joints.variables;
+    std::string fitting;
+    for (const Choice& choice : working_)
+      fitting += (fitting.empty() ? "" : " and ") + joint_list(*tree_, choice);
+    return files_.config + " does not say mechanism.actuated_joints, and " +
+           std::to_string(described.size()) + " joints " + resolved_.actuation_origin + ", " +
+           quoted_joints(*tree_, described) + "; " +
+           (working_.empty() ? "no choice of one, two, three or six of them was found to make a manipulator"
+                             : "the mobility fits " + fitting) +
+           ", so list those that are actuated.";
+  }
+
+  const std::shared_ptr<const Tree>& tree_;
+  const ResolvedConfig& resolved_;
+  const Recognise& recognise_;
+  const SourceNames& files_;
+  std::vector<Choice> working_;
+  Contents found_;
+};
+
+}  // namespace
+
+Contents recognise_open(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,
+                        const Recognise& recognise, const SourceNames& files, Problems& problems) {
+  return OpenActuation(tree, resolved, recognise, files).find(problems);
+}
+
+}  // namespace parallel_aspects
