@@ -22,7 +22,8 @@ constexpr const char* description =
 constexpr const char* footer =
     "\nExit codes: 0 done, 1 the robot, a file or a number was refused, 2 the command line was not "
     "understood,\n"
-    "130 ended by Ctrl-C. Results go to the standard output, problems to the standard error, one a line.\n";
+    "3 a question is open that only you can answer, 130 ended by Ctrl-C. Results go to the standard output, "
+    "problems to the standard error, one a line.\n";
 
 bool is_interrupted(const Surroundings& surroundings) {
   return surroundings.interrupted != nullptr && *surroundings.interrupted;
@@ -35,13 +36,22 @@ int print(const std::string& text, const Surroundings& surroundings) {
   return exit_code::bad_input;
 }
 
-int perform(const Subcommand& subcommand, bool json, const Surroundings& surroundings) {
+// Programs read the question from the standard output, as all JSON.
+int ask(const Report& question, const Surroundings& surroundings) {
+  (surroundings.json ? surroundings.output : surroundings.messages)
+      << (surroundings.json ? to_text(question.json) : question.text) << std::flush;
+  return exit_code::undecided;
+}
+
+int perform(const Subcommand& subcommand, const Surroundings& surroundings) {
   try {
     const Report report = subcommand.run(surroundings);
     if (is_interrupted(surroundings)) return exit_code::interrupted;
-    return print(json ? to_text(report.json) : report.text, surroundings);
+    return print(surroundings.json ? to_text(report.json) : report.text, surroundings);
   } catch (const Interrupted&) {
     return exit_code::interrupted;
+  } catch (const Unanswered& question) {
+    return ask(question.report, surroundings);
   } catch (const InvalidDescription& invalid) {
     surroundings.messages << invalid.what() << std::endl;
     return exit_code::bad_input;
@@ -66,7 +76,9 @@ class Command {
     const Subcommand& subcommand = find(arguments.front());
     if (!parse_arguments(subcommand, {arguments.begin() + 1, arguments.end()}))
       return print(help_of(subcommand), surroundings);
-    return perform(subcommand, json_, surroundings);
+    Surroundings chosen = surroundings;
+    chosen.json = json_;
+    return perform(subcommand, chosen);
   }
 
  private:
@@ -85,9 +97,9 @@ class Command {
   }
 
   bool json_ = false;
-  std::vector<Subcommand> subcommands_{map_subcommand(),      connect_subcommand(), describe_subcommand(),
-                                       distance_subcommand(), inverse_subcommand(), direct_subcommand(),
-                                       robots_subcommand()};
+  std::vector<Subcommand> subcommands_{setup_subcommand(),    map_subcommand(),      connect_subcommand(),
+                                       describe_subcommand(), distance_subcommand(), inverse_subcommand(),
+                                       direct_subcommand(),   robots_subcommand()};
 };
 
 }  // namespace

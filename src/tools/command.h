@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <functional>
+#include <istream>
 #include <ostream>
 
 namespace parallel_aspects::tools {
@@ -13,6 +14,7 @@ namespace exit_code {
 inline constexpr int ok = 0;
 inline constexpr int bad_input = 1;      ///< the robot, a file or a number was refused
 inline constexpr int bad_usage = 2;      ///< the command line was not understood
+inline constexpr int undecided = 3;      ///< a question is open that only the user can answer
 inline constexpr int interrupted = 130;  ///< by Ctrl-C
 }  // namespace exit_code
 
@@ -22,6 +24,8 @@ struct Surroundings {
   std::ostream& messages;                          ///< problems, one a line, and the progress bar
   bool messages_on_terminal = false;               ///< whether to draw a progress bar
   const std::atomic<bool>* interrupted = nullptr;  ///< turns true at Ctrl-C
+  std::istream* answers = nullptr;                 ///< a terminal where questions may be asked; null for none
+  bool json = false;                               ///< whether the result is to be JSON
 };
 
 /// Runs the command line `aspects ...` and returns its exit code. Throws nothing.

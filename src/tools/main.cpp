@@ -25,6 +25,8 @@ void ask_at_first_interrupt() {
 
 int main(int argc, char** argv) {
   ask_at_first_interrupt();
+  const bool messages_on_terminal = isatty(STDERR_FILENO) == 1;
+  std::istream* answers = messages_on_terminal && isatty(STDIN_FILENO) == 1 ? &std::cin : nullptr;
   return parallel_aspects::tools::run_command(
-      argc, argv, {std::cout, std::cerr, isatty(STDERR_FILENO) == 1, &interrupted});
+      argc, argv, {std::cout, std::cerr, messages_on_terminal, &interrupted, answers});
 }

@@ -57,7 +57,9 @@ Problems problems_of(const RobotChoice& choice) {
   if (choice.name.empty() && choice.urdf_file.empty())
     problems.emplace_back("No URDF is given; name a shipped robot, or add --urdf FILE.");
   if (choice.name.empty() && choice.config_file.empty())
-    problems.emplace_back("No configuration is given; name a shipped robot, or add --config FILE.");
+    problems.emplace_back(
+        "No configuration is given; name a shipped robot, or add --config FILE, which `aspects setup URDF` "
+        "writes.");
   return problems;
 }
 

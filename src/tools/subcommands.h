@@ -15,6 +15,11 @@ namespace parallel_aspects::tools {
 /// Thrown where a computation ended because of Ctrl-C; caught by `run_command`.
 struct Interrupted {};
 
+/// Thrown where only the user can answer a question: what is asked, with candidates. Caught by `run_command`.
+struct Unanswered {
+  Report report;
+};
+
 /// `--name VALUE`, or a positional argument where the name has no dashes.
 struct Option {
   std::string name;
@@ -47,6 +52,11 @@ Subcommand distance_subcommand();
 Subcommand inverse_subcommand();
 Subcommand direct_subcommand();
 Subcommand robots_subcommand();
+Subcommand setup_subcommand();
+
+/// What the URDF alone tells of a robot, without a YAML. Throws `InvalidDescription`, `Unanswered` or
+/// `Interrupted`.
+Report describe_bare(const std::string& urdf_file, const Surroundings& surroundings);
 
 /// `ROBOT`, `--urdf FILE` and `--config FILE`, which fill `choice`.
 std::vector<Option> robot_options(RobotChoice& choice);

@@ -229,8 +229,11 @@ Subcommand describe_subcommand() {
   return {"describe",
           "Show what is recognised in the description of a robot",
           robot_options(arguments->robot),
-          [arguments](const Surroundings&) {
-            return report_mechanism(*load_robot(arguments->robot), arguments->verbose);
+          [arguments](const Surroundings& surroundings) {
+            const RobotChoice& robot = arguments->robot;
+            const bool bare = robot.name.empty() && robot.config_file.empty() && !robot.urdf_file.empty();
+            return bare ? describe_bare(robot.urdf_file, surroundings)
+                        : report_mechanism(*load_robot(robot), arguments->verbose);
           },
           {{"--verbose", "List every joint that a note is about", &arguments->verbose}}};
 }

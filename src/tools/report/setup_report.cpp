@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/report/setup_report.h"
+
+#include "tools/report/reports.h"
+#include "tools/report/text_table.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace parallel_aspects::tools {
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* cut_short = "The search was cut short, so that there may be other candidates.";
+
+std::string joined(const std::vector<std::string>& values, const std::string& between) {
+  std::string text;
+  for (const std::string& value : values) text += (text.empty() ? "" : between) + value;
+  return text;
+}
+
+json json_candidate(const std::string& key, const SetupCandidate& candidate) {
+  return {{"values", candidate.values},
+          {"reason", candidate.reason},
+          {"option", option_for(key, candidate.values)}};
+}
+
+json json_candidates(const std::string& key, const std::vector<SetupCandidate>& candidates) {
+  json array = json::array();
+  for (const SetupCandidate& candidate : candidates) array.push_back(json_candidate(key, candidate));
+  return array;
+}
+
+json json_choices(const SetupResult& result) {
+  json array = json::array();
+  for (const SetupChoice& choice : result.choices)
+    array.push_back({{"key", choice.key},
+                     {"values", choice.taken.values},
+                     {"reason", choice.taken.reason},
+                     {"others", json_candidates(choice.key, choice.others)}});
+  return array;
+}
+
+json json_result(const std::string& status, const SetupResult& result) {
+  return {{"status", status},
+          {"robot", result.robot},
+          {"choices", json_choices(result)},
+          {"cut_short", result.cut_short}};
+}
+
+std::string next_command(const std::string& urdf_file, const std::string& written) {
+  if (written.empty()) return "aspects setup " + shell_word(urdf_file);
+  return "aspects map --urdf " + shell_word(urdf_file) + " --config " + shell_word(written);
+}
+
+std::string choices_text(const SetupResult& result) {
+  TextTable table({"key", "taken", "why"});
+  for (const SetupChoice& choice : result.choices)
+    table.add({choice.key, joined(choice.taken.values, " "), choice.taken.reason});
+  return table.text();
+}
+
+}  // namespace
+
+std::string shell_word(const std::string& word) {
+  const auto is_plain = [](char letter) {
+    return std::isalnum(static_cast<unsigned char>(letter)) != 0 ||
+           std::string("_-./=+:,@%").find(letter) != std::string::npos;
+  };
+  if (!word.empty() && std::all_of(word.begin(), word.end(), is_plain)) return word;
+  std::string quoted = "'";
+  for (const char letter : word) quoted += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
+  return quoted + "'";
+}
+
+std::string option_for(const std::string& key, const std::vector<std::string>& values) {
+  static const std::array<std::pair<std::string, std::string>, 4> options{
+      {{"base_link", "--base"},
+       {"operational_point", "--platform"},
+       {"actuated_joints", "--actuated"},
+       {"closures", "--closures"}}};
+  for (const auto& [known, option] : options)
+    if (known == key) return option + " " + shell_word(joined(values, " "));
+  return key;
+}
+
+Report report_question(const SetupResult& result, const std::string& urdf_file) {
+  const SetupQuestion& question = *result.question;
+  json object = json_result("undecided", result);
+  object["question"] = {{"key", question.key},
+                        {"text", question.text + "."},
+                        {"candidates", json_candidates(question.key, question.candidates)}};
+  std::string text = question.text + ".\n";
+  for (std::size_t k = 0; k < question.candidates.size(); ++k)
+    text += "  " + std::to_string(k + 1) + ". " + joined(question.candidates[k].values, " ") + " (" +
+            question.candidates[k].reason + ")\n";
+  if (result.cut_short) text += std::string(cut_short) + "\n";
+  const std::vector<std::string> example = question.candidates.empty() ? std::vector<std::string>{"LINK=LINK"}
+                                                                       : question.candidates.front().values;
+  text += "Nothing is written. Answer with an option, as in: aspects setup " + shell_word(urdf_file) + " " +
+          option_for(question.key, example) + "\n";
+  return {object, text};
+}
+
+Report report_setup(const SetupResult& result, const std::string& urdf_file, const std::string& written) {
+  json object = json_result("found", result);
+  const Report mechanism = report_mechanism(*result.mechanism);
+  object["describe"] = mechanism.json;
+  object["config"] = result.config;
+  object["written"] = written.empty() ? json(nullptr) : json(written);
+  object["next"] = next_command(urdf_file, written);
+  std::string text = choices_text(result) + "\n" + mechanism.text + "\n";
+  if (result.cut_short) text += std::string(cut_short) + "\n";
+  text +=
+      written.empty() ? "Nothing is written." : written + " is written; its comments say what is a guess.";
+  return {object, text + " Next:\n  " + next_command(urdf_file, written) + "\n"};
+}
+
+}  // namespace parallel_aspects::tools

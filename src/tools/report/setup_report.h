@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_TOOLS_REPORT_SETUP_REPORT_H
+#define PARALLEL_ASPECTS_TOOLS_REPORT_SETUP_REPORT_H
+
+#include "tools/report/report.h"
+#include "urdf/setup/setup.h"
+
+#include <string>
+
+namespace parallel_aspects::tools {
+
+/// A word of a command line, in quotation marks where a shell needs them.
+std::string shell_word(const std::string& word);
+
+/// The option of `aspects setup` that gives these values, as "--actuated 'a b'"; a name of its own key where
+/// the YAML alone can say it.
+std::string option_for(const std::string& key, const std::vector<std::string>& values);
+
+/// A question, its candidates numbered, and how to answer it with an option of `aspects setup URDF`.
+Report report_question(const SetupResult& result, const std::string& urdf_file);
+
+/// What was found. `written` is the YAML's file, empty where none was written.
+Report report_setup(const SetupResult& result, const std::string& urdf_file, const std::string& written);
+
+}  // namespace parallel_aspects::tools
+
+#endif  // PARALLEL_ASPECTS_TOOLS_REPORT_SETUP_REPORT_H

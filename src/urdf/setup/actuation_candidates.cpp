@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "urdf/setup/actuation_candidates.h"
+
+#include "urdf/description/xml_values.h"
+#include "urdf/setup/name_words.h"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+namespace parallel_aspects {
+namespace {
+
+// The first two decide alone; the others are habits of those who write URDFs.
+constexpr int weight_stated = 1000, weight_effort = 100, weight_name = 10, weight_passive = -10,
+              weight_at_base = 3, weight_slide = 3;
+
+using Variables = std::vector<std::size_t>;
+
+bool has_effort(const tinyxml2::XMLElement* joint) {
+  const auto effort = numbers(attribute(joint->FirstChildElement("limit"), "effort"));
+  return effort && effort->size() == 1 && effort->front() > 0.0;
+}
+
+class Combiner {
+ public:
+  Combiner(const Tree& tree, const std::vector<GraphPart>& legs, const JointEvidence& evidence)
+      : tree_(tree), legs_(legs), evidence_(evidence) {}
+
+  std::vector<ActuationCandidate> find() {
+    const auto stated = [&](std::size_t joint) { return evidence_.stated[joint]; };
+    const auto driven = [&](std::size_t joint) { return evidence_.has_effort[joint]; };
+    if (add(stated) || add(driven)) return weighed();
+    add([&](std::size_t joint) { return says_drive(tree_.joint_of(joint).name); });
+    for (const GraphPart& leg : legs_) {
+      for (const std::size_t joint : leg.variables) {
+        const std::string role = role_of(tree_.joint_of(joint).name);
+        add([&](std::size_t other) { return role_of(tree_.joint_of(other).name) == role; });
+      }
+      for (const std::size_t depth : leg.depths) add_at(depth);
+    }
+    return weighed();
+  }
+
+ private:
+  bool may_drive(std::size_t joint) const { return !tree_.joint_of(joint).mimics; }
+
+  // Where each leg has one joint that `selects` takes.
+  template <class Selects>
+  bool add(const Selects& selects) {
+    Variables chosen;
+    for (const GraphPart& leg : legs_) {
+      Variables fit;
+      for (const std::size_t joint : leg.variables)
+        if (may_drive(joint) && selects(joint)) fit.push_back(joint);
+      if (fit.size() != 1) return false;
+      chosen.push_back(fit.front());
+    }
+    return add(chosen);
+  }
+
+  // Where each leg has one joint at this depth.
+  void add_at(std::size_t depth) {
+    Variables chosen;
+    for (const GraphPart& leg : legs_) {
+      Variables fit;
+      for (std::size_t k = 0; k < leg.variables.size(); ++k)
+        if (leg.depths[k] == depth && may_drive(leg.variables[k])) fit.push_back(leg.variables[k]);
+      if (fit.size() != 1) return;
+      chosen.push_back(fit.front());
+    }
+    add(chosen);
+  }
+
+  // A joint drives one leg; false only where there is none.
+  bool add(const Variables& chosen) {
+    if (chosen.empty()) return false;
+    if (known_.insert(chosen).second) combinations_.push_back(chosen);
+    return true;
+  }
+
+  template <class Holds>
+  static bool all(const Variables& chosen, const Holds& holds) {
+    return std::all_of(chosen.begin(), chosen.end(), holds);
+  }
+
+  bool at_base(std::size_t joint) const {
+    return std::any_of(legs_.begin(), legs_.end(), [joint](const GraphPart& leg) {
+      for (std::size_t k = 0; k < leg.variables.size(); ++k)
+        if (leg.variables[k] == joint) return leg.depths[k] == 0;
+      return false;
+    });
+  }
+
+  // What speaks for every joint of the combination.
+  ActuationCandidate weighed(const Variables& chosen) const {
+    ActuationCandidate candidate{chosen, 0, ""};
+    const auto count = [&](bool holds, int weight, const std::string& reason) {
+      if (!holds) return;
+      candidate.weight += weight;
+      if (weight > 0) candidate.reason += (candidate.reason.empty() ? "" : ", and ") + reason;
+    };
+    const auto joint_name = [&](std::size_t joint) { return tree_.joint_of(joint).name; };
+    count(all(chosen, [&](std::size_t joint) { return evidence_.stated[joint]; }), weight_stated,
+          "they have a " + evidence_.stated_in);
+    count(all(chosen, [&](std::size_t joint) { return evidence_.has_effort[joint]; }), weight_effort,
+          "they have effort limits above zero");
+    count(all(chosen, [&](std::size_t joint) { return says_drive(joint_name(joint)); }), weight_name,
+          "their names tell of drives");
+    count(std::any_of(chosen.begin(), chosen.end(),
+                      [&](std::size_t joint) { return says_passive(joint_name(joint)); }),
+          weight_passive, "");
+    count(all(chosen, [&](std::size_t joint) { return at_base(joint); }), weight_at_base,
+          "they are next to the base, where drives usually are");
+    count(all(chosen,
+              [&](std::size_t joint) { return tree_.joint_of(joint).motion == JointMotion::prismatic; }),
+          weight_slide, "they are slides, which are seldom passive");
+    if (candidate.reason.empty()) candidate.reason = "the mobility fits";
+    return candidate;
+  }
+
+  std::vector<ActuationCandidate> weighed() const {
+    std::vector<ActuationCandidate> result;
+    for (const Variables& chosen : combinations_) result.push_back(weighed(chosen));
+    std::stable_sort(result.begin(), result.end(),
+                     [](const auto& one, const auto& other) { return one.weight > other.weight; });
+    return result;
+  }
+
+  const Tree& tree_;
+  const std::vector<GraphPart>& legs_;
+  const JointEvidence& evidence_;
+  std::set<Variables> known_;
+  std::vector<Variables> combinations_;
+};
+
+}  // namespace
+
+JointEvidence find_joint_evidence(const LoopSource& source) {
+  const auto count = static_cast<std::size_t>(source.tree.variables());
+  JointEvidence evidence{std::vector<bool>(count, false), std::vector<bool>(count, false), "<transmission>"};
+  const auto variable = [&](const std::string& name) {
+    const auto joint = source.tree.joint_named(name);
+    return joint ? source.tree.joints[*joint].variable : std::nullopt;
+  };
+  for (const std::string& name : transmission_joints(source))
+    if (const auto joint = variable(name)) evidence.stated[*joint] = true;
+  for (const auto* joint = source.robot.FirstChildElement("joint"); joint != nullptr;
+       joint = joint->NextSiblingElement("joint"))
+    if (const auto found = variable(attribute(joint, "name")))
+      evidence.has_effort[*found] = has_effort(joint);
+  return evidence;
+}
+
+std::vector<ActuationCandidate> actuation_candidates(const Tree& tree, const std::vector<GraphPart>& legs,
+                                                     const JointEvidence& evidence) {
+  return Combiner(tree, legs, evidence).find();
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_URDF_SETUP_ACTUATION_CANDIDATES_H
+#define PARALLEL_ASPECTS_URDF_SETUP_ACTUATION_CANDIDATES_H
+
+#include "urdf/closing/closure_dialects.h"
+#include "urdf/setup/body_graph.h"
+
+#include <string>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// What a URDF says of each joint value besides how it moves.
+struct JointEvidence {
+  std::vector<bool> stated;      ///< by what `stated_in` names, as <transmission>
+  std::vector<bool> has_effort;  ///< an effort limit above zero
+  std::string stated_in;
+};
+
+JointEvidence find_joint_evidence(const LoopSource& source);
+
+/// One joint of each leg, and how much speaks for these.
+struct ActuationCandidate {
+  std::vector<std::size_t> variables;
+  int weight = 0;
+  std::string reason;
+};
+
+/// Combinations of one joint of each leg that have the same place or name in all legs, or that alone have
+/// what speaks for a drive; those that most speaks for first. Where a combination is stated, or is the only
+/// one with effort limits, there are no others.
+std::vector<ActuationCandidate> actuation_candidates(const Tree& tree, const std::vector<GraphPart>& legs,
+                                                     const JointEvidence& evidence);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_URDF_SETUP_ACTUATION_CANDIDATES_H

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "urdf/setup/body_graph.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <queue>
+
+namespace parallel_aspects {
+namespace {
+
+constexpr std::size_t unreached = std::numeric_limits<std::size_t>::max();
+
+}  // namespace
+
+Bodies::Bodies(const Tree& tree) : body_(tree.links.size(), 0), links_{{0}} {
+  for (const TreeJoint& joint : tree.joints) {
+    if (!joint.variable) {
+      body_[joint.child] = body_[joint.parent];
+    } else {
+      body_[joint.child] = links_.size();
+      links_.emplace_back();
+    }
+    links_[body_[joint.child]].push_back(joint.child);
+  }
+}
+
+BodyGraph::BodyGraph(const Tree& tree, const Bodies& bodies, const std::vector<Closure>& closures)
+    : bodies_(bodies), in_loop_(static_cast<std::size_t>(tree.variables()), false) {
+  bodies_on_the_way_.assign(bodies.count(), 0);
+  std::vector<int> crossings(bodies.count(), 0);
+  for (const TreeJoint& joint : tree.joints)
+    if (joint.variable) bodies_on_the_way_[bodies.of(joint.child)] = bodies.of(joint.parent);
+  for (const Closure& closure : closures) {
+    std::fill(crossings.begin(), crossings.end(), 0);
+    for (const LinkFrame& frame : closure.frames)
+      for (std::size_t body = bodies.of(frame.link); body != 0; body = bodies_on_the_way_[body])
+        ++crossings[body];
+    for (const TreeJoint& joint : tree.joints)
+      if (joint.variable && crossings[bodies.of(joint.child)] == 1) in_loop_[*joint.variable] = true;
+    edges_.push_back({bodies.of(closure.frames[0].link), bodies.of(closure.frames[1].link), std::nullopt});
+  }
+  for (const TreeJoint& joint : tree.joints)
+    if (joint.variable && in_loop_[*joint.variable])
+      edges_.push_back({bodies.of(joint.parent), bodies.of(joint.child), joint.variable});
+}
+
+bool BodyGraph::touches_loop(std::size_t body) const {
+  return std::any_of(edges_.begin(), edges_.end(),
+                     [body](const Edge& edge) { return edge.from == body || edge.to == body; });
+}
+
+std::optional<std::size_t> BodyGraph::base() const {
+  // Bodies nearer to the root have lower numbers on each way.
+  for (std::size_t body = 0; body < bodies_.count(); ++body)
+    if (touches_loop(body)) return body;
+  return std::nullopt;
+}
+
+std::vector<std::size_t> BodyGraph::moving_bodies(std::size_t base) const {
+  std::vector<std::size_t> result;
+  for (std::size_t body = 0; body < bodies_.count(); ++body)
+    if (body != base && touches_loop(body)) result.push_back(body);
+  return result;
+}
+
+std::vector<std::size_t> BodyGraph::depths_from(std::size_t base, std::size_t platform) const {
+  std::vector<std::size_t> depths(bodies_.count(), unreached);
+  std::queue<std::size_t> open({base});
+  depths[base] = 0;
+  for (; !open.empty(); open.pop()) {
+    const std::size_t body = open.front();
+    if (body == platform) continue;
+    for (const Edge& edge : edges_)
+      for (const auto& [from, to] : {std::pair{edge.from, edge.to}, std::pair{edge.to, edge.from}})
+        if (from == body && depths[to] == unreached) {
+          depths[to] = depths[body] + 1;
+          open.push(to);
+        }
+  }
+  return depths;
+}
+
+GraphPart BodyGraph::part_of(std::vector<std::size_t> edges, const std::vector<std::size_t>& depths) const {
+  const auto depth = [&](std::size_t edge) {
+    return std::min(depths[edges_[edge].from], depths[edges_[edge].to]);
+  };
+  std::stable_sort(edges.begin(), edges.end(),
+                   [&](std::size_t one, std::size_t other) { return depth(one) < depth(other); });
+  GraphPart part;
+  for (const std::size_t edge : edges) {
+    if (!edges_[edge].variable) {
+      part.closed = true;
+      continue;
+    }
+    part.variables.push_back(*edges_[edge].variable);
+    part.depths.push_back(depth(edge));
+  }
+  return part;
+}
+
+std::vector<GraphPart> BodyGraph::parts_between(std::size_t base, std::size_t platform) const {
+  // Bodies that are joined without base and platform have one mark.
+  std::vector<std::size_t> mark(bodies_.count());
+  for (std::size_t body = 0; body < mark.size(); ++body) mark[body] = body;
+  const auto is_end = [&](std::size_t body) { return body == base || body == platform; };
+  for (const Edge& edge : edges_)
+    if (!is_end(edge.from) && !is_end(edge.to))
+      std::replace(mark.begin(), mark.end(), std::size_t{mark[edge.from]}, std::size_t{mark[edge.to]});
+  struct Found {
+    std::vector<std::size_t> edges;
+    bool at_base = false, at_platform = false;
+  };
+  std::map<std::size_t, Found> found;
+  for (std::size_t k = 0; k < edges_.size(); ++k) {
+    const Edge& edge = edges_[k];
+    const std::size_t inner = is_end(edge.from) ? edge.to : edge.from;
+    Found& part = found[is_end(inner) ? bodies_.count() + k : mark[inner]];
+    part.edges.push_back(k);
+    part.at_base = part.at_base || edge.from == base || edge.to == base;
+    part.at_platform = part.at_platform || edge.from == platform || edge.to == platform;
+  }
+  const std::vector<std::size_t> depths = depths_from(base, platform);
+  std::vector<GraphPart> parts;
+  for (const auto& [key, part] : found)
+    if (part.at_base && part.at_platform) parts.push_back(part_of(part.edges, depths));
+  // Legs in the order of the URDF.
+  std::sort(parts.begin(), parts.end(), [](const GraphPart& one, const GraphPart& other) {
+    return std::lexicographical_compare(one.variables.begin(), one.variables.end(), other.variables.begin(),
+                                        other.variables.end());
+  });
+  return parts;
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "urdf/setup/closed_search.h"
+
+#include "urdf/setup/name_words.h"
+
+#include <algorithm>
+
+namespace parallel_aspects {
+namespace {
+
+// Legs of a fully parallel robot, and one passive chain besides.
+constexpr std::size_t fewest_legs = 2, most_legs = 7;
+
+// How many candidates are tried besides what is taken, to say that they would do as well.
+constexpr std::size_t most_others = 4;
+
+// The type of every closure whose combinations take long is left to the loader for so many candidates.
+constexpr std::size_t most_open_types = 2;
+
+bool is_leg_count(std::size_t count) { return (count > 0 && count < 4) || count == 6; }
+
+struct Platform {
+  std::size_t body = 0;
+  std::vector<std::size_t> links;            // best operational point first
+  std::vector<std::vector<GraphPart>> legs;  // all of them; then without one passive chain
+  int likeness = 0;
+};
+
+class ClosedSearch {
+ public:
+  ClosedSearch(const SetupSubject& subject, const std::vector<Closure>& closures,
+               const SetupCandidate& described)
+      : subject_(subject),
+        tree_(subject.tree),
+        bodies_(subject.bodies),
+        graph_(subject.tree, subject.bodies, closures) {
+    result_.draft.robot = subject.tree.name;
+    result_.draft.urdf_name = subject.urdf_name;
+    result_.draft.closures = described;
+  }
+
+  ClosedResult find() {
+    if (!find_base()) {
+      result_.problems.push_back(
+          subject_.urdf_name +
+          " has no joint that these closures move; name frames at the two ends of each loop.");
+      return result_;
+    }
+    for (const Platform& platform : platforms())
+      for (const std::vector<GraphPart>& legs : platform.legs)
+        if (try_legs(platform, legs)) return result_;
+    if (result_.problems.empty())
+      result_.problems.push_back(subject_.urdf_name +
+                                 " has no link between which and the base there are one, two, three or six "
+                                 "legs; name the operational "
+                                 "point with --platform, or correct the closures.");
+    return result_;
+  }
+
+ private:
+  const std::string& link_name(std::size_t link) const { return tree_.links[link]; }
+
+  bool stopped() {
+    if (subject_.control.cancelled() || std::chrono::steady_clock::now() > subject_.control.deadline)
+      result_.cut_short = true;
+    return result_.cut_short;
+  }
+
+  bool find_base() {
+    const auto found = graph_.base();
+    if (!found) return false;
+    base_ = *found;
+    SetupCandidate& base = result_.draft.base_link;
+    if (!subject_.answers.base_link.empty()) {
+      base_ = bodies_.of(*tree_.link_named(subject_.answers.base_link));
+      base = {{subject_.answers.base_link}, "As asked for"};
+      return true;
+    }
+    const std::vector<std::size_t>& links = bodies_.links(base_);
+    const auto named = std::find_if(links.begin(), links.end(),
+                                    [&](std::size_t link) { return says_base(link_name(link)); });
+    const std::size_t link = named == links.end() ? links.front() : *named;
+    base = {{link_name(link)}, reason_for_base(link)};
+    return true;
+  }
+
+  std::string reason_for_base(std::size_t link) const {
+    if (link == 0) return "It is the root link, and the legs begin there";
+    if (base_ == 0) return "Its name says so, and it is fixed to the root link '" + link_name(0) + "'";
+    const TreeJoint& below = tree_.joints[*tree_.joint_above[bodies_.links(base_).front()]];
+    return "The legs begin there; joint '" + below.name + "' below it is in no loop and is left out";
+  }
+
+  // Bodies that as many legs as possible share come first.
+  std::vector<Platform> platforms() const {
+    std::vector<Platform> result;
+    const std::string& answer = subject_.answers.operational_point;
+    for (const std::size_t body : graph_.moving_bodies(base_)) {
+      if (!answer.empty() && bodies_.of(*tree_.link_named(answer)) != body) continue;
+      const std::vector<GraphPart> parts = graph_.parts_between(base_, body);
+      if (parts.size() < fewest_legs || parts.size() > most_legs) continue;
+      Platform platform{body, links_of(body), leg_choices(parts), 0};
+      platform.likeness = operational_point_likeness(link_name(platform.links.front()));
+      if (!platform.legs.empty()) result.push_back(platform);
+    }
+    std::stable_sort(result.begin(), result.end(), [](const Platform& one, const Platform& other) {
+      const auto key = [](const Platform& p) { return std::pair{p.legs.front().size(), p.likeness}; };
+      return key(one) > key(other);
+    });
+    return result;
+  }
+
+  std::vector<std::size_t> links_of(std::size_t body) const {
+    if (!subject_.answers.operational_point.empty())
+      return {*tree_.link_named(subject_.answers.operational_point)};
+    std::vector<std::size_t> links = bodies_.links(body);
+    const auto likeness = [&](std::size_t link) { return operational_point_likeness(link_name(link)); };
+    std::stable_sort(links.begin(), links.end(),
+                     [&](std::size_t one, std::size_t other) { return likeness(one) > likeness(other); });
+    return links;
+  }
+
+  // All parts; and all but one that is a chain without closures, which may be passive.
+  std::vector<std::vector<GraphPart>> leg_choices(const std::vector<GraphPart>& parts) const {
+    std::vector<std::vector<GraphPart>> choices;
+    if (is_leg_count(parts.size())) choices.push_back(parts);
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      if (parts[k].closed || !is_leg_count(parts.size() - 1) || is_driven(parts[k])) continue;
+      choices.push_back(parts);
+      choices.back().erase(choices.back().begin() + static_cast<std::ptrdiff_t>(k));
+    }
+    return choices;
+  }
+
+  bool is_driven(const GraphPart& part) const {
+    const auto& evidence = subject_.evidence;
+    return std::any_of(part.variables.begin(), part.variables.end(), [&](std::size_t joint) {
+      return evidence.stated[joint] || evidence.has_effort[joint];
+    });
+  }
+
+  std::vector<ActuationCandidate> actuations(const std::vector<GraphPart>& legs) const {
+    const auto& names = subject_.answers.actuated_joints;
+    if (names.empty()) return actuation_candidates(tree_, legs, subject_.evidence);
+    ActuationCandidate asked{{}, 0, "As asked for"};
+    for (const std::string& joint : names)
+      asked.variables.push_back(*tree_.joints[*tree_.joint_named(joint)].variable);
+    return {asked};
+  }
+
+  SetupCandidate described(const ActuationCandidate& actuation) const {
+    SetupCandidate candidate{{}, actuation.reason};
+    for (const std::size_t joint : actuation.variables)
+      candidate.values.push_back(tree_.joint_of(joint).name);
+    return candidate;
+  }
+
+  // Whether these legs came to a mechanism or a question. Of the candidates that load, those for which most
+  // speaks are equals; the others are told of.
+  bool try_legs(const Platform& platform, const std::vector<GraphPart>& legs) {
+    const std::vector<ActuationCandidate> candidates = actuations(legs);
+    std::vector<SetupCandidate> equals, others;
+    int weight = 0;
+    for (std::size_t k = 0; k < candidates.size() && others.size() < most_others; ++k) {
+      if (stopped()) break;
+      const bool first = !result_.mechanism;
+      if (first ? !try_links(platform, candidates[k], k < most_open_types) : !loads(candidates[k])) continue;
+      if (first) weight = candidates[k].weight;
+      (candidates[k].weight == weight ? equals : others).push_back(described(candidates[k]));
+    }
+    if (equals.empty()) return false;
+    if (equals.size() > 1)
+      result_.question = {"actuated_joints",
+                          subject_.urdf_name +
+                              " does not tell which joints are actuated: equally much speaks for " +
+                              std::to_string(equals.size()) + " combinations",
+                          equals};
+    result_.draft.others.push_back({"actuated_joints", equals.front(), others});
+    return true;
+  }
+
+  bool try_links(const Platform& platform, const ActuationCandidate& actuation, bool open_types) {
+    for (const std::size_t link : platform.links) {
+      result_.draft.operational_point = {{link_name(link)}, reason_for_link(platform, link)};
+      result_.draft.actuated_joints = described(actuation);
+      if (try_types(open_types)) return true;
+      if (stopped()) return false;
+    }
+    return false;
+  }
+
+  std::string reason_for_link(const Platform& platform, std::size_t link) const {
+    if (!subject_.answers.operational_point.empty()) return "As asked for";
+    const bool named = operational_point_likeness(link_name(link)) > 0;
+    const std::string of_body =
+        platform.links.size() > 1 ? " of the links of the body that the legs share" : "";
+    if (named) return "Its name says so" + of_body;
+    return platform.links.size() > 1 ? "A guess, since no name tells: the first" + of_body
+                                     : "It is the link that the legs share";
+  }
+
+  // The type under which the mechanism loads, revolute where a ball joint would only hold less.
+  bool try_types(bool open_types) {
+    SetupDraft& draft = result_.draft;
+    if (draft.closures.values.empty()) return load();
+    for (const char* type : {"spherical", "revolute", "auto"}) {
+      draft.closure_type = type;
+      if ((type == std::string("auto") && !open_types) || !load()) continue;
+      if (type == std::string("spherical")) prefer_revolute();
+      return true;
+    }
+    return false;
+  }
+
+  void prefer_revolute() {
+    const TaskSpace space = result_.mechanism->manipulator()->task_space();
+    if (space == TaskSpace::SE3 || space == TaskSpace::T3) return;
+    const auto ball = result_.mechanism;
+    result_.draft.closure_type = "revolute";
+    if (load()) return;
+    result_.mechanism = ball;
+    result_.draft.closure_type = "spherical";
+  }
+
+  bool load() {
+    if (stopped()) return false;
+    try {
+      result_.mechanism = load_mechanism(subject_.urdf_text, subject_.urdf_name, config_text(result_.draft),
+                                         subject_.config_name);
+      return true;
+    } catch (const InvalidDescription& invalid) {
+      if (result_.problems.empty()) result_.problems = invalid.problems();
+      return false;
+    }
+  }
+
+  // Whether it would do as well as what was found.
+  bool loads(const ActuationCandidate& actuation) {
+    SetupDraft draft = result_.draft;
+    draft.actuated_joints = described(actuation);
+    try {
+      load_mechanism(subject_.urdf_text, subject_.urdf_name, config_text(draft), subject_.config_name);
+      return true;
+    } catch (const InvalidDescription&) {
+      return false;
+    }
+  }
+
+  const SetupSubject& subject_;
+  const Tree& tree_;
+  const Bodies& bodies_;
+  BodyGraph graph_;
+  std::size_t base_ = 0;  // body
+  ClosedResult result_;
+};
+
+}  // namespace
+
+ClosedResult search_closed(const SetupSubject& subject, const std::vector<Closure>& closures,
+                           const SetupCandidate& described) {
+  return ClosedSearch(subject, closures, described).find();
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "urdf/setup/name_words.h"
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+
+namespace parallel_aspects {
+namespace {
+
+using Words = std::set<std::string>;
+
+// Bytes beyond ASCII belong to words.
+enum class Letter { other, digit, small, capital };
+
+Letter kind_of(char character) {
+  const auto code = static_cast<unsigned char>(character);
+  if (std::isdigit(code) != 0) return Letter::digit;
+  if (std::isupper(code) != 0) return Letter::capital;
+  return std::isalpha(code) != 0 || code > 127 ? Letter::small : Letter::other;
+}
+
+bool starts_word(Letter before, Letter letter) {
+  return letter != before && !(before == Letter::capital && letter == Letter::small);
+}
+
+bool has_word(const std::string& name, const Words& known) {
+  const std::vector<std::string> words = words_of(name);
+  return std::any_of(words.begin(), words.end(),
+                     [&](const std::string& word) { return known.count(word) > 0; });
+}
+
+}  // namespace
+
+std::vector<std::string> words_of(const std::string& name) {
+  std::vector<std::string> words;
+  Letter before = Letter::other;
+  for (const char character : name) {
+    const Letter letter = kind_of(character);
+    if (letter != Letter::other) {
+      if (starts_word(before, letter)) words.emplace_back();
+      words.back() += static_cast<char>(std::tolower(static_cast<unsigned char>(character)));
+    }
+    before = letter;
+  }
+  return words;
+}
+
+bool is_index(const std::string& word) {
+  return word.size() == 1 || std::all_of(word.begin(), word.end(),
+                                         [](char character) { return kind_of(character) == Letter::digit; });
+}
+
+std::string role_of(const std::string& name) {
+  std::string role;
+  for (const std::string& word : words_of(name))
+    role += (role.empty() ? "" : "_") + (is_index(word) ? std::string("#") : word);
+  return role;
+}
+
+bool says_drive(const std::string& name) {
+  static const Words words{"motor",  "act",    "actuator", "actuated", "active", "drive",
+                           "driven", "driver", "servo",    "crank",    "slider", "carriage",
+                           "strut",  "piston", "biceps",   "bicep",    "input",  "prismatic"};
+  return has_word(name, words) && !says_passive(name);
+}
+
+bool says_passive(const std::string& name) {
+  static const Words words{"passive", "free", "unactuated", "undriven"};
+  return has_word(name, words);
+}
+
+bool says_end(const std::string& name) {
+  static const Words words{"tip", "end", "ee", "closing", "closure", "close", "loop"};
+  return has_word(name, words);
+}
+
+bool says_fitting(const std::string& name) {
+  static const Words words{"camera",  "imu",   "sensor", "marker", "led",  "light",   "cover", "screw",
+                           "encoder", "laser", "com",    "cog",    "mass", "optical", "visual"};
+  return has_word(name, words);
+}
+
+int operational_point_likeness(const std::string& name) {
+  static const Words tools{"tool", "tcp", "ee", "eef", "effector", "endeffector", "hand"};
+  static const Words platforms{"platform", "moving",    "nacelle",   "flange",
+                               "mobile",   "traveling", "travelling"};
+  const int likeness = has_word(name, tools) ? 200 : has_word(name, platforms) ? 100 : 0;
+  return likeness == 0 ? 0 : std::max(1, likeness - 10 * static_cast<int>(words_of(name).size()));
+}
+
+bool says_base(const std::string& name) {
+  static const Words words{"base", "ground", "chassis"};
+  return has_word(name, words);
+}
+
+}  // namespace parallel_aspects

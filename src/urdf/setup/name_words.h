@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_URDF_SETUP_NAME_WORDS_H
+#define PARALLEL_ASPECTS_URDF_SETUP_NAME_WORDS_H
+
+#include <string>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// The words of a name, in small letters: "rod2LeftTip" and "rod_2-left_tip" are rod, 2, left, tip.
+std::vector<std::string> words_of(const std::string& name);
+
+/// A number or a single letter, which counts legs.
+bool is_index(const std::string& word);
+
+/// The name without what counts legs: "crank_#_joint".
+std::string role_of(const std::string& name);
+
+/// Whether the words of the name say that a drive is there, as "motor" or "crank" do.
+bool says_drive(const std::string& name);
+
+/// Whether they say that none is, as "passive" does.
+bool says_passive(const std::string& name);
+
+/// Whether they say that a loop is closed there, as "tip" or "closing" do.
+bool says_end(const std::string& name);
+
+/// Whether they say that nothing is held there, as "camera" does.
+bool says_fitting(const std::string& name);
+
+/// How much the name looks like that of an operational point: 0 for not at all.
+int operational_point_likeness(const std::string& name);
+
+/// Whether they say that it is the base.
+bool says_base(const std::string& name);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_URDF_SETUP_NAME_WORDS_H

@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "urdf/setup/open_ends.h"
+
+#include "urdf/setup/name_words.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <set>
+#include <sstream>
+
+namespace parallel_aspects {
+namespace {
+
+// Of the size of the robot: what CAD rounds, and what is near.
+constexpr double coincident = 1e-4;
+constexpr double near = 0.02;
+constexpr double distinct = 3.0;  // the second nearest is so many times farther
+
+constexpr std::size_t most_orders = 24;  // of ends that nothing tells apart
+
+using Strings = std::vector<std::string>;
+
+std::string number(double value) {
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text.precision(2);
+  text << value;
+  return text.str();
+}
+
+bool is_side(const std::string& word) {
+  static const std::set<std::string> sides{"left",  "right", "front", "rear", "back",
+                                           "upper", "lower", "inner", "outer"};
+  return sides.count(word) > 0;
+}
+
+// Words that tell the ends apart: an index weighs more than any other word.
+class Likeness {
+ public:
+  Likeness(const Tree& tree, const std::vector<std::size_t>& tips, const std::vector<std::size_t>& anchors) {
+    for (const auto* links : {&tips, &anchors}) {
+      const std::set<std::string> common = common_words(tree, *links);
+      for (const std::size_t link : *links) {
+        std::set<std::string>& own = words_[link];
+        for (const std::string& word : words_of(tree.links[link]))
+          if (common.count(word) == 0) own.insert(word);
+      }
+    }
+  }
+
+  int between(std::size_t one, std::size_t other) const {
+    int likeness = 0;
+    for (const std::string& word : words_.at(one))
+      if (words_.at(other).count(word) > 0) likeness += is_index(word) || is_side(word) ? 3 : 1;
+    return likeness;
+  }
+
+ private:
+  // Where there is but one link, all its words may tell.
+  static std::set<std::string> common_words(const Tree& tree, const std::vector<std::size_t>& links) {
+    std::map<std::string, std::size_t> counts;
+    for (const std::size_t link : links) {
+      const Strings words = words_of(tree.links[link]);
+      for (const std::string& word : std::set<std::string>(words.begin(), words.end())) ++counts[word];
+    }
+    std::set<std::string> common;
+    for (const auto& [word, count] : counts)
+      if (count == links.size() && links.size() > 1) common.insert(word);
+    return common;
+  }
+
+  std::map<std::size_t, std::set<std::string>> words_;
+};
+
+class EndFinder {
+ public:
+  EndFinder(const Tree& tree, const Bodies& bodies) : tree_(tree), bodies_(bodies) {
+    poses_ = link_poses(tree, 0, Eigen::VectorXd::Zero(tree.variables()));
+    for (const auto& one : poses_)
+      size_ = std::max(size_, (one.translation() - poses_.front().translation()).norm());
+    if (size_ == 0.0) size_ = 1.0;
+    collect();
+  }
+
+  OpenEnds find() {
+    if (terminal_.empty()) return result_;
+    split();
+    const auto at_zero = by_position();
+    const auto by_words = by_names();
+    add_first(at_zero, by_words);
+    if (tips_.size() == 1 && anchors_.size() == 1)
+      add({Pairing{{{anchors_[0], tips_[0].front(), ""}}, "they are the only open ends"}});
+    add_in_one_point();
+    add_orders();
+    return result_;
+  }
+
+ private:
+  struct Body {
+    std::size_t body = 0;
+    std::vector<std::size_t> ends;  // links
+  };
+
+  // Links without children; where a body that ends a chain has none but itself, its own origin.
+  void collect() {
+    std::vector<bool> has_child(tree_.links.size(), false), carries(bodies_.count(), false);
+    for (const TreeJoint& joint : tree_.joints) {
+      has_child[joint.parent] = true;
+      if (joint.variable) carries[bodies_.of(joint.parent)] = true;
+    }
+    for (std::size_t body = 0; body < bodies_.count(); ++body) {
+      Body found{body, {}};
+      const std::size_t own = bodies_.links(body).front();
+      for (const std::size_t link : bodies_.links(body))
+        if (!has_child[link] && (link != own || !carries[body]) && !says_fitting(tree_.links[link]))
+          found.ends.push_back(link);
+      if (!carries[body] && found.ends == std::vector<std::size_t>{own} && body != 0 &&
+          tree_.joints[*tree_.joint_above[own]].motion == JointMotion::revolute)
+        result_.blunt.push_back(own);
+      result_.links.insert(result_.links.end(), found.ends.begin(), found.ends.end());
+      if (!carries[body] && body != 0 && !found.ends.empty()) terminal_.push_back(found);
+      if (!found.ends.empty()) ended_.push_back(found);
+    }
+  }
+
+  // The body with most ends has the anchors, which the other chains reach.
+  void split() {
+    const Body* hub = &ended_.front();
+    for (const Body& body : ended_)
+      if (body.ends.size() > hub->ends.size()) hub = &body;
+    if (terminal_.size() > 1 && hub->ends.size() <= 1) hub = &best_single();
+    hub_ = hub->body;
+    anchors_ = hub->ends;
+    for (const Body& body : terminal_)
+      if (body.body != hub_) tips_.push_back(preferred(body.ends));
+  }
+
+  // Of bodies with one end each, that whose name looks most like an operational point.
+  const Body& best_single() const {
+    return *std::max_element(terminal_.begin(), terminal_.end(), [&](const Body& one, const Body& other) {
+      return operational_point_likeness(tree_.links[one.ends.front()]) <
+             operational_point_likeness(tree_.links[other.ends.front()]);
+    });
+  }
+
+  // Those that say that they are ends, where some do.
+  std::vector<std::size_t> preferred(const std::vector<std::size_t>& ends) const {
+    std::vector<std::size_t> said;
+    for (const std::size_t end : ends)
+      if (says_end(tree_.links[end])) said.push_back(end);
+    return said.empty() ? ends : said;
+  }
+
+  double distance(std::size_t one, std::size_t other) const {
+    return (poses_[one].translation() - poses_[other].translation()).norm();
+  }
+
+  // Every tip has an anchor where it is at zero, or nearly so.
+  std::optional<Pairing> by_position() const {
+    Pairing pairing{{}, "they coincide while all joints are zero"};
+    double widest = 0.0;
+    for (const std::vector<std::size_t>& tips : tips_) {
+      const auto pair = nearest(tips);
+      if (!pair) return std::nullopt;
+      widest = std::max(widest, distance(pair->one, pair->other));
+      pairing.pairs.push_back(*pair);
+    }
+    if (widest > coincident * size_)
+      pairing.reason = "they come within " + number(widest) + " m of each other while all joints are zero";
+    return pairing.pairs.empty() ? std::nullopt : std::optional<Pairing>(pairing);
+  }
+
+  std::optional<EndPair> nearest(const std::vector<std::size_t>& tips) const {
+    std::optional<EndPair> best;
+    double least = near * size_;
+    for (const std::size_t tip : tips)
+      for (const std::size_t anchor : anchors_)
+        if (distance(tip, anchor) < least - coincident * size_ || (!best && distance(tip, anchor) < least)) {
+          least = distance(tip, anchor);
+          best = EndPair{anchor, tip, ""};
+        }
+    if (!best) return best;
+    for (const std::size_t anchor : anchors_) {
+      const double other = distance(best->other, anchor);
+      if (distance(anchor, best->one) > coincident * size_ && other < distinct * least) return std::nullopt;
+    }
+    return best;
+  }
+
+  // Every tip has one anchor whose name is more like its own than any other, and the other way round.
+  std::optional<Pairing> by_names() const {
+    std::vector<std::size_t> all;
+    for (const auto& tips : tips_) all.insert(all.end(), tips.begin(), tips.end());
+    if (all.empty() || anchors_.size() < 2) return std::nullopt;
+    const Likeness likeness(tree_, all, anchors_);
+    Pairing pairing{{}, "their names have the same numbers or words"};
+    std::set<std::size_t> taken;
+    for (const auto& tips : tips_) {
+      const auto pair = likest(tips, likeness);
+      if (!pair || !taken.insert(pair->one).second) continue;
+      pairing.pairs.push_back(*pair);
+    }
+    // A chain that ends elsewhere, as the finger of a gripper, is left open where all anchors but some are
+    // taken.
+    const bool all_tips = pairing.pairs.size() == tips_.size();
+    return all_tips || pairing.pairs.size() > 1 ? std::optional<Pairing>(pairing) : std::nullopt;
+  }
+
+  std::optional<EndPair> likest(const std::vector<std::size_t>& tips, const Likeness& likeness) const {
+    EndPair best;
+    int most = 0, second = 0;
+    for (const std::size_t tip : tips)
+      for (const std::size_t anchor : anchors_) {
+        const int value = likeness.between(tip, anchor);
+        if (value > most) best = {anchor, tip, ""};
+        second = std::max(second, std::min(most, value));
+        most = std::max(most, value);
+      }
+    return most >= 3 && second < most ? std::optional<EndPair>(best) : std::nullopt;
+  }
+
+  static bool same(const Pairing& one, const Pairing& other) {
+    const auto ordered = [](const Pairing& pairing) {
+      std::set<std::pair<std::size_t, std::size_t>> pairs;
+      for (const EndPair& pair : pairing.pairs) pairs.insert(std::minmax(pair.one, pair.other));
+      return pairs;
+    };
+    return ordered(one) == ordered(other);
+  }
+
+  // Names and positions that contradict each other weigh the same.
+  void add_first(const std::optional<Pairing>& at_zero, const std::optional<Pairing>& by_words) {
+    EqualPairings first;
+    if (at_zero) first.push_back(*at_zero);
+    if (by_words && at_zero && same(*at_zero, *by_words))
+      first.front().reason += ", and " + by_words->reason;
+    else if (by_words)
+      first.push_back(*by_words);
+    add(std::move(first));
+  }
+
+  void add(EqualPairings pairings) {
+    if (!pairings.empty()) result_.pairings.push_back(std::move(pairings));
+  }
+
+  // Legs that have no common body meet in one point.
+  void add_in_one_point() {
+    if (anchors_.size() != 1 || tips_.size() < 2) return;
+    Pairing pairing{{}, "each is the only open end of its chain"};
+    for (const auto& tips : tips_) {
+      if (tips.size() != 1) return;
+      pairing.pairs.push_back({anchors_.front(), tips.front(), ""});
+    }
+    add({pairing});
+  }
+
+  // Each order of the anchors, where there are few.
+  void add_orders() {
+    if (anchors_.size() < tips_.size() || tips_.empty() || anchors_.size() == 1) return;
+    EqualPairings orders;
+    std::vector<std::size_t> chosen;
+    extend(chosen, orders);
+    add(std::move(orders));
+  }
+
+  void extend(std::vector<std::size_t>& chosen, EqualPairings& orders) {
+    if (orders.size() >= most_orders) {
+      result_.cut_short = true;
+      return;
+    }
+    const std::size_t leg = chosen.size();
+    if (leg == tips_.size()) {
+      Pairing pairing{{}, "nothing else closes"};
+      for (std::size_t k = 0; k < leg; ++k) pairing.pairs.push_back({chosen[k], tips_[k].front(), ""});
+      orders.push_back(pairing);
+      return;
+    }
+    for (const std::size_t anchor : anchors_) {
+      if (std::find(chosen.begin(), chosen.end(), anchor) != chosen.end()) continue;
+      chosen.push_back(anchor);
+      extend(chosen, orders);
+      chosen.pop_back();
+    }
+  }
+
+  const Tree& tree_;
+  const Bodies& bodies_;
+  Poses poses_;
+  double size_ = 0.0;  // [m]
+  std::vector<Body> terminal_, ended_;
+  std::size_t hub_ = 0;
+  std::vector<std::size_t> anchors_;
+  std::vector<std::vector<std::size_t>> tips_;  // of each chain, what may be its end
+  OpenEnds result_;
+};
+
+}  // namespace
+
+OpenEnds find_open_ends(const Tree& tree, const Bodies& bodies) { return EndFinder(tree, bodies).find(); }
+
+std::vector<Closure> closures_of(const Tree& tree, const Pairing& pairing) {
+  std::vector<Closure> closures;
+  for (const EndPair& pair : pairing.pairs)
+    closures.push_back({tree.links[pair.one] + " - " + tree.links[pair.other],
+                        {LinkFrame{pair.one}, LinkFrame{pair.other}},
+                        ClosureType::automatic});
+  return closures;
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_URDF_SETUP_OPEN_ENDS_H
+#define PARALLEL_ASPECTS_URDF_SETUP_OPEN_ENDS_H
+
+#include "urdf/description/closure.h"
+#include "urdf/description/tree.h"
+#include "urdf/setup/body_graph.h"
+
+#include <string>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// Two links whose origins a closure may hold together, and what speaks for it.
+struct EndPair {
+  std::size_t one = 0, other = 0;  ///< links
+  std::string reason;
+};
+
+/// One way to close all loops.
+struct Pairing {
+  std::vector<EndPair> pairs;
+  std::string reason;  ///< for all of them
+};
+
+/// Pairings for which equally much speaks.
+using EqualPairings = std::vector<Pairing>;
+
+/// Where the chains of a tree end, and which of these ends may be joints that the URDF, a tree, leaves out.
+struct OpenEnds {
+  std::vector<std::size_t> links;       ///< every end
+  std::vector<std::size_t> blunt;       ///< links that end a chain without a frame at their end
+  std::vector<EqualPairings> pairings;  ///< those that more speaks for first
+  bool cut_short = false;               ///< whether some are left out, since there are too many
+};
+
+/// Ends that coincide at zero come first, then those whose names say so, then all that is left.
+OpenEnds find_open_ends(const Tree& tree, const Bodies& bodies);
+
+/// Closures of open type.
+std::vector<Closure> closures_of(const Tree& tree, const Pairing& pairing);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_URDF_SETUP_OPEN_ENDS_H

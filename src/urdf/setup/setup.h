@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_URDF_SETUP_SETUP_H
+#define PARALLEL_ASPECTS_URDF_SETUP_SETUP_H
+
+#include "parallel_aspects/model/problems.h"
+#include "parallel_aspects/urdf/mechanism.h"
+
+#include <array>
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// What the user knows; what is empty is to be found.
+struct SetupAnswers {
+  std::string base_link;
+  std::string operational_point;
+  std::vector<std::string> actuated_joints;
+  std::vector<std::array<std::string, 2>> closures;  ///< names of links
+};
+
+/// One value that a key of the YAML may have, and what speaks for it. Links of a closure have '=' between
+/// them.
+struct SetupCandidate {
+  std::vector<std::string> values;
+  std::string reason;
+};
+
+/// What was taken for a key of the YAML, and what else would do.
+struct SetupChoice {
+  std::string key;
+  SetupCandidate taken;
+  std::vector<SetupCandidate> others;
+};
+
+/// What the URDF does not tell, and candidates for which equally much speaks; there may be none.
+struct SetupQuestion {
+  std::string key;
+  std::string text;  ///< one sentence
+  std::vector<SetupCandidate> candidates;
+};
+
+/// When to give up, and what for.
+struct SetupControl {
+  std::chrono::steady_clock::time_point deadline;
+  std::function<bool()> cancelled = [] { return false; };
+};
+
+/// What a bare URDF came to: a mechanism, a question, or problems.
+struct SetupResult {
+  std::string robot;
+  std::vector<SetupChoice> choices;
+  std::string config;                          ///< YAML with a comment for each guess; empty where none loads
+  std::shared_ptr<const Mechanism> mechanism;  ///< what `config` makes of the URDF
+  std::optional<SetupQuestion> question;
+  Problems problems;
+  bool cut_short = false;  ///< by the deadline, or since there are too many combinations
+};
+
+/// Looks for base, loop closures, platform and actuated joints of the URDF, and tries what it finds with
+/// `load_mechanism`. It never chooses between what equally much speaks for. The names are those of files, for
+/// messages and comments.
+SetupResult set_up(const std::string& urdf_text, const std::string& urdf_name, const std::string& config_name,
+                   const SetupAnswers& answers, const SetupControl& control);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_URDF_SETUP_SETUP_H

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "urdf/setup/setup_config.h"
+
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace parallel_aspects {
+namespace {
+
+constexpr std::size_t width = 110;
+constexpr std::size_t most_others = 4;
+
+// A text may hold anything, and a comment ends with its line.
+std::string one_line(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char letter) { return static_cast<unsigned char>(letter) < 32; }, ' ');
+  return text;
+}
+
+// Broken between words.
+std::string wrapped(const std::string& text) {
+  std::string lines, line;
+  std::size_t at = 0;
+  while (at < text.size()) {
+    const std::size_t end = std::min(text.find(' ', at), text.size());
+    const std::string word = text.substr(at, end - at);
+    if (!line.empty() && line.size() + word.size() + 1 > width) {
+      lines += line + '\n';
+      line.clear();
+    }
+    line += (line.empty() ? "" : " ") + word;
+    at = end + 1;
+  }
+  return lines + line;
+}
+
+std::string joined(const std::vector<std::string>& values) {
+  std::string text;
+  for (const std::string& value : values) text += (text.empty() ? "" : ", ") + value;
+  return text;
+}
+
+// With quotation marks where YAML needs them.
+template <class Value>
+std::string yaml(const Value& value) {
+  YAML::Emitter out;
+  out << YAML::Flow << value;
+  return out.c_str();
+}
+
+// The emitter of yaml-cpp does not indent comments.
+class Writer {
+ public:
+  explicit Writer(const SetupDraft& draft) : draft_(draft) {}
+
+  std::string text() {
+    comment("", "What " + draft_.urdf_name +
+                    ", a tree, does not say. Written by `aspects setup`: above each value stands why it was "
+                    "taken. Check the guesses.");
+    text_ += "mechanism:\n";
+    comment(indent, "Name of the robot in messages.");
+    entry("name", yaml(draft_.robot));
+    single("base_link", "Link that carries the base; poses are given in its frame", draft_.base_link);
+    single("operational_point", "Link whose origin is the operational point", draft_.operational_point);
+    explain("actuated_joints", "Actuated joints, one a leg", draft_.actuated_joints);
+    entry("actuated_joints", yaml(draft_.actuated_joints.values));
+    write_task_space();
+    write_closures();
+    return text_;
+  }
+
+ private:
+  void comment(const std::string& before, const std::string& text) {
+    std::istringstream lines(wrapped(one_line(text)));
+    for (std::string line; std::getline(lines, line);) text_ += before + "# " + line + '\n';
+  }
+
+  void entry(const std::string& key, const std::string& value) {
+    text_ += indent + key + ": " + value + '\n';
+  }
+
+  void explain(const std::string& key, const std::string& what, const SetupCandidate& taken) {
+    std::string text = what + ". " + taken.reason + ".";
+    for (const SetupChoice& choice : draft_.others)
+      for (std::size_t k = 0; choice.key == key && k < std::min(choice.others.size(), most_others); ++k)
+        text += " Would load too: " + joined(choice.others[k].values) + " (" + choice.others[k].reason + ").";
+    text_ += '\n';
+    comment(indent, text);
+  }
+
+  void single(const std::string& key, const std::string& what, const SetupCandidate& taken) {
+    explain(key, what, taken);
+    entry(key, yaml(taken.values.front()));
+  }
+
+  void write_task_space() {
+    if (!draft_.task_space) return;
+    text_ += '\n';
+    comment(indent, "Found from how the platform can move.");
+    entry("task_space", std::string(name(*draft_.task_space)));
+  }
+
+  void write_closures() {
+    explain("closures", "Loop closures, each holds the origins of two links together", draft_.closures);
+    if (draft_.closures.values.empty()) return;
+    text_ += indent + "closures:\n";
+    for (const std::string& pair : draft_.closures.values) {
+      const std::size_t middle = pair.find('=');
+      text_ += indent + indent + "- {frames: " +
+               yaml(std::vector<std::string>{pair.substr(0, middle), pair.substr(middle + 1)}) +
+               ", type: " + draft_.closure_type + "}\n";
+    }
+  }
+
+  const std::string indent = "  ";
+  const SetupDraft& draft_;
+  std::string text_;
+};
+
+}  // namespace
+
+std::string config_text(const SetupDraft& draft) { return Writer(draft).text(); }
+
+}  // namespace parallel_aspects

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_URDF_SETUP_SETUP_CONFIG_H
+#define PARALLEL_ASPECTS_URDF_SETUP_SETUP_CONFIG_H
+
+#include "parallel_aspects/model/task_space.h"
+#include "urdf/setup/setup.h"
+
+#include <optional>
+#include <string>
+
+namespace parallel_aspects {
+
+/// What the YAML of a robot says, with the reasons for it.
+struct SetupDraft {
+  std::string robot;
+  std::string urdf_name;
+  SetupCandidate base_link, operational_point, actuated_joints;
+  SetupCandidate closures;          ///< empty where the URDF describes them
+  std::string closure_type;         ///< of all of them
+  std::vector<SetupChoice> others;  ///< what else would do, by key
+  std::optional<TaskSpace> task_space;
+  std::vector<std::string> notes;  ///< of the loader
+};
+
+/// As commented YAML.
+std::string config_text(const SetupDraft& draft);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_URDF_SETUP_SETUP_CONFIG_H
