@@ -2,10 +2,10 @@
 #include "tools/report/setup_report.h"
 
 #include "tools/report/reports.h"
-#include "tools/report/text_table.h"
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <utility>
 
 namespace parallel_aspects::tools {
@@ -55,11 +55,17 @@ std::string next_command(const std::string& urdf_file, const std::string& writte
   return "aspects map --urdf " + shell_word(urdf_file) + " --config " + shell_word(written);
 }
 
+// Lists of joints and closures are long.
 std::string choices_text(const SetupResult& result) {
-  TextTable table({"key", "taken", "why"});
-  for (const SetupChoice& choice : result.choices)
-    table.add({choice.key, joined(choice.taken.values, " "), choice.taken.reason});
-  return table.text();
+  std::string text;
+  for (const SetupChoice& choice : result.choices) {
+    const bool stated = choice.taken.values.empty();
+    text += choice.key + ": " + (stated ? "not needed" : joined(choice.taken.values, " ")) + "\n    " +
+            choice.taken.reason + "\n";
+    for (const SetupCandidate& other : choice.others)
+      text += "    would load too: " + joined(other.values, " ") + " (" + other.reason + ")\n";
+  }
+  return text;
 }
 
 }  // namespace

@@ -116,6 +116,7 @@ class Combiner {
               [&](std::size_t joint) { return tree_.joint_of(joint).motion == JointMotion::prismatic; }),
           weight_slide, "they are slides, which are seldom passive");
     if (candidate.reason.empty()) candidate.reason = "the mobility fits";
+    if (candidate.weight < weight_effort) candidate.reason = "a guess: " + candidate.reason;
     return candidate;
   }
 

@@ -14,8 +14,8 @@ constexpr std::size_t fewest_legs = 2, most_legs = 7;
 // How many candidates are tried besides what is taken, to say that they would do as well.
 constexpr std::size_t most_others = 4;
 
-// The type of every closure whose combinations take long is left to the loader for so many candidates.
-constexpr std::size_t most_open_types = 2;
+// Closures that are seldom, as welds, and mixtures of types are tried for so many candidates.
+constexpr std::size_t most_with_all_types = 2;
 
 bool is_leg_count(std::size_t count) { return (count > 0 && count < 4) || count == 6; }
 
@@ -60,9 +60,12 @@ class ClosedSearch {
  private:
   const std::string& link_name(std::size_t link) const { return tree_.links[link]; }
 
+  bool is_late() const {
+    return subject_.control.cancelled() || std::chrono::steady_clock::now() > subject_.control.deadline;
+  }
+
   bool stopped() {
-    if (subject_.control.cancelled() || std::chrono::steady_clock::now() > subject_.control.deadline)
-      result_.cut_short = true;
+    result_.cut_short = result_.cut_short || is_late();
     return result_.cut_short;
   }
 
@@ -73,7 +76,7 @@ class ClosedSearch {
     SetupCandidate& base = result_.draft.base_link;
     if (!subject_.answers.base_link.empty()) {
       base_ = bodies_.of(*tree_.link_named(subject_.answers.base_link));
-      base = {{subject_.answers.base_link}, "As asked for"};
+      base = {{subject_.answers.base_link}, "as asked for"};
       return true;
     }
     const std::vector<std::size_t>& links = bodies_.links(base_);
@@ -85,10 +88,10 @@ class ClosedSearch {
   }
 
   std::string reason_for_base(std::size_t link) const {
-    if (link == 0) return "It is the root link, and the legs begin there";
-    if (base_ == 0) return "Its name says so, and it is fixed to the root link '" + link_name(0) + "'";
+    if (link == 0) return "it is the root link, and the legs begin there";
+    if (base_ == 0) return "its name says so, and it is fixed to the root link '" + link_name(0) + "'";
     const TreeJoint& below = tree_.joints[*tree_.joint_above[bodies_.links(base_).front()]];
-    return "The legs begin there; joint '" + below.name + "' below it is in no loop and is left out";
+    return "the legs begin there; joint '" + below.name + "' below it is in no loop and is left out";
   }
 
   // Bodies that as many legs as possible share come first.
@@ -142,7 +145,7 @@ class ClosedSearch {
   std::vector<ActuationCandidate> actuations(const std::vector<GraphPart>& legs) const {
     const auto& names = subject_.answers.actuated_joints;
     if (names.empty()) return actuation_candidates(tree_, legs, subject_.evidence);
-    ActuationCandidate asked{{}, 0, "As asked for"};
+    ActuationCandidate asked{{}, 0, "as asked for"};
     for (const std::string& joint : names)
       asked.variables.push_back(*tree_.joints[*tree_.joint_named(joint)].variable);
     return {asked};
@@ -156,68 +159,77 @@ class ClosedSearch {
   }
 
   // Whether these legs came to a mechanism or a question. Of the candidates that load, those for which most
-  // speaks are equals; the others are told of.
+  // speaks are equals, and so are those that time does not suffice to try; the others are told of.
   bool try_legs(const Platform& platform, const std::vector<GraphPart>& legs) {
     const std::vector<ActuationCandidate> candidates = actuations(legs);
     std::vector<SetupCandidate> equals, others;
     int weight = 0;
     for (std::size_t k = 0; k < candidates.size() && others.size() < most_others; ++k) {
-      if (stopped()) break;
-      const bool first = !result_.mechanism;
-      if (first ? !try_links(platform, candidates[k], k < most_open_types) : !loads(candidates[k])) continue;
-      if (first) weight = candidates[k].weight;
-      (candidates[k].weight == weight ? equals : others).push_back(described(candidates[k]));
+      const ActuationCandidate& candidate = candidates[k];
+      if (equals.empty()) {
+        if (stopped()) return false;
+        if (!try_links(platform, candidate, k < most_with_all_types)) continue;
+        weight = candidate.weight;
+        equals.push_back(described(candidate));
+      } else if (candidate.weight == weight) {
+        if (stopped() || loads(candidate)) equals.push_back(described(candidate));
+      } else if (!is_late() && loads(candidate)) {
+        others.push_back(described(candidate));
+      }
     }
     if (equals.empty()) return false;
-    if (equals.size() > 1)
-      result_.question = {"actuated_joints",
-                          subject_.urdf_name +
-                              " does not tell which joints are actuated: equally much speaks for " +
-                              std::to_string(equals.size()) + " combinations",
-                          equals};
+    if (equals.size() > 1) ask_for_actuated_joints(equals);
     result_.draft.others.push_back({"actuated_joints", equals.front(), others});
     return true;
   }
 
-  bool try_links(const Platform& platform, const ActuationCandidate& actuation, bool open_types) {
+  void ask_for_actuated_joints(const std::vector<SetupCandidate>& equals) {
+    result_.question = {"actuated_joints",
+                        subject_.urdf_name +
+                            " does not tell which joints are actuated: equally much speaks for " +
+                            std::to_string(equals.size()) + " combinations",
+                        equals};
+  }
+
+  bool try_links(const Platform& platform, const ActuationCandidate& actuation, bool all_types) {
     for (const std::size_t link : platform.links) {
       result_.draft.operational_point = {{link_name(link)}, reason_for_link(platform, link)};
       result_.draft.actuated_joints = described(actuation);
-      if (try_types(open_types)) return true;
+      if (try_types(all_types)) return true;
       if (stopped()) return false;
     }
     return false;
   }
 
   std::string reason_for_link(const Platform& platform, std::size_t link) const {
-    if (!subject_.answers.operational_point.empty()) return "As asked for";
+    if (!subject_.answers.operational_point.empty()) return "as asked for";
     const bool named = operational_point_likeness(link_name(link)) > 0;
-    const std::string of_body =
-        platform.links.size() > 1 ? " of the links of the body that the legs share" : "";
-    if (named) return "Its name says so" + of_body;
-    return platform.links.size() > 1 ? "A guess, since no name tells: the first" + of_body
-                                     : "It is the link that the legs share";
+    if (platform.links.size() == 1) return "it is the body that the legs share";
+    return named ? "its name says so, among the links of the body that the legs share"
+                 : "a guess, since no name tells among the links of the body that the legs share";
   }
 
-  // The type under which the mechanism loads, revolute where a ball joint would only hold less.
-  bool try_types(bool open_types) {
-    SetupDraft& draft = result_.draft;
-    if (draft.closures.values.empty()) return load();
-    for (const char* type : {"spherical", "revolute", "auto"}) {
-      draft.closure_type = type;
-      if ((type == std::string("auto") && !open_types) || !load()) continue;
-      if (type == std::string("spherical")) prefer_revolute();
+  // The first type under which the mechanism loads, revolute where a ball joint would only hold less.
+  bool try_types(bool all_types) {
+    if (result_.draft.closures.values.empty()) return load();
+    if (try_type("spherical")) {
+      prefer_revolute();
       return true;
     }
-    return false;
+    if (try_type("revolute")) return true;
+    return all_types && (try_type("universal") || try_type("fixed") || try_type("auto"));
+  }
+
+  bool try_type(const char* type) {
+    result_.draft.closure_type = type;
+    return load();
   }
 
   void prefer_revolute() {
     const TaskSpace space = result_.mechanism->manipulator()->task_space();
     if (space == TaskSpace::SE3 || space == TaskSpace::T3) return;
     const auto ball = result_.mechanism;
-    result_.draft.closure_type = "revolute";
-    if (load()) return;
+    if (try_type("revolute")) return;
     result_.mechanism = ball;
     result_.draft.closure_type = "spherical";
   }

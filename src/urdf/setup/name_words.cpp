@@ -24,6 +24,11 @@ bool starts_word(Letter before, Letter letter) {
   return letter != before && !(before == Letter::capital && letter == Letter::small);
 }
 
+// The last of several capitals begins the word of the small letter after them: legBEnd is leg, b, end.
+bool splits_capitals(Letter before, Letter letter, const std::vector<std::string>& words) {
+  return before == Letter::capital && letter == Letter::small && words.back().size() > 1;
+}
+
 bool has_word(const std::string& name, const Words& known) {
   const std::vector<std::string> words = words_of(name);
   return std::any_of(words.begin(), words.end(),
@@ -38,6 +43,11 @@ std::vector<std::string> words_of(const std::string& name) {
   for (const char character : name) {
     const Letter letter = kind_of(character);
     if (letter != Letter::other) {
+      if (splits_capitals(before, letter, words)) {
+        const std::string first(1, words.back().back());
+        words.back().pop_back();
+        words.push_back(first);
+      }
       if (starts_word(before, letter)) words.emplace_back();
       words.back() += static_cast<char>(std::tolower(static_cast<unsigned char>(character)));
     }
@@ -59,9 +69,9 @@ std::string role_of(const std::string& name) {
 }
 
 bool says_drive(const std::string& name) {
-  static const Words words{"motor",  "act",    "actuator", "actuated", "active", "drive",
-                           "driven", "driver", "servo",    "crank",    "slider", "carriage",
-                           "strut",  "piston", "biceps",   "bicep",    "input",  "prismatic"};
+  static const Words words{"motor",  "mot",    "act",   "actuator", "actuated", "active",   "drive",
+                           "driven", "driver", "servo", "crank",    "slider",   "carriage", "strut",
+                           "piston", "biceps", "bicep", "input",    "prismatic"};
   return has_word(name, words) && !says_passive(name);
 }
 

@@ -36,16 +36,22 @@ bool is_side(const std::string& word) {
   return sides.count(word) > 0;
 }
 
-// Words that tell the ends apart: an index weighs more than any other word.
+// Words that tell the ends apart: an index weighs more than any other word. What all have does not tell, nor
+// does an index that all names of one form have, as the 3 of ball_1_3 and ball_2_3.
 class Likeness {
  public:
   Likeness(const Tree& tree, const std::vector<std::size_t>& tips, const std::vector<std::size_t>& anchors) {
     for (const auto* links : {&tips, &anchors}) {
+      std::map<std::string, std::vector<std::size_t>> alike;
+      for (const std::size_t link : *links) alike[role_of(tree.links[link])].push_back(link);
       const std::set<std::string> common = common_words(tree, *links);
-      for (const std::size_t link : *links) {
-        std::set<std::string>& own = words_[link];
-        for (const std::string& word : words_of(tree.links[link]))
-          if (common.count(word) == 0) own.insert(word);
+      for (const auto& [role, members] : alike) {
+        const std::set<std::string> of_role = common_words(tree, members);
+        for (const std::size_t link : members) {
+          std::set<std::string>& own = words_[link];
+          for (const std::string& word : words_of(tree.links[link]))
+            if (common.count(word) == 0 && !(is_index(word) && of_role.count(word) > 0)) own.insert(word);
+        }
       }
     }
   }
@@ -272,7 +278,7 @@ class EndFinder {
     }
     const std::size_t leg = chosen.size();
     if (leg == tips_.size()) {
-      Pairing pairing{{}, "nothing else closes"};
+      Pairing pairing{{}, "with this order of the open ends it loads"};
       for (std::size_t k = 0; k < leg; ++k) pairing.pairs.push_back({chosen[k], tips_[k].front(), ""});
       orders.push_back(pairing);
       return;

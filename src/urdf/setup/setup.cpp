@@ -43,7 +43,7 @@ class Setup {
     if (!result_.problems.empty()) return result_;
     if (!described.loops.closures.empty()) {
       take(search_closed(subject_, described.loops.closures,
-                         {{}, "The URDF describes them by " + std::string(described.dialect)}));
+                         {{}, "the URDF describes them by " + std::string(described.dialect)}));
       return result_;
     }
     return open_ends();
@@ -99,7 +99,7 @@ class Setup {
   }
 
   SetupResult asked_closures() {
-    Pairing asked{{}, "As asked for"};
+    Pairing asked{{}, "as asked for"};
     for (const auto& pair : answers_.closures)
       asked.pairs.push_back({*tree_.link_named(pair[0]), *tree_.link_named(pair[1]), ""});
     take(search_closed(subject_, closures_of(tree_, asked), described(asked)));
@@ -122,8 +122,16 @@ class Setup {
       if (result_.cut_short) break;
     }
     result_.problems = first;
-    if (ends.pairings.empty() || result_.cut_short || !ends.blunt.empty()) ask_for_closures(ends);
+    if (ends.pairings.empty() || result_.cut_short || needs_frame(ends)) ask_for_closures(ends);
     return result_;
+  }
+
+  // Whether what was tried first holds a chain at its own last joint.
+  static bool needs_frame(const OpenEnds& ends) {
+    const auto& pairs = ends.pairings.front().front().pairs;
+    return std::any_of(pairs.begin(), pairs.end(), [&](const EndPair& pair) {
+      return std::count(ends.blunt.begin(), ends.blunt.end(), pair.other) > 0;
+    });
   }
 
   // Whether one of them loads, or several do, which is a question.

@@ -82,7 +82,7 @@ class Writer {
   }
 
   void explain(const std::string& key, const std::string& what, const SetupCandidate& taken) {
-    std::string text = what + ". " + taken.reason + ".";
+    std::string text = what + ": " + taken.reason + ".";
     for (const SetupChoice& choice : draft_.others)
       for (std::size_t k = 0; choice.key == key && k < std::min(choice.others.size(), most_others); ++k)
         text += " Would load too: " + joined(choice.others[k].values) + " (" + choice.others[k].reason + ").";
@@ -104,6 +104,8 @@ class Writer {
 
   void write_closures() {
     explain("closures", "Loop closures, each holds the origins of two links together", draft_.closures);
+    if (!draft_.closures.values.empty())
+      comment(indent, "Their type is the first under which the mobility is the number of actuated joints.");
     if (draft_.closures.values.empty()) return;
     text_ += indent + "closures:\n";
     for (const std::string& pair : draft_.closures.values) {

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "support/command_run.h"
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+namespace parallel_aspects::tools {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using test::Outcome;
+using test::run;
+
+// Writes into a folder of its own.
+class SetupCommand : public test::CommandTest {
+ protected:
+  void SetUp() override {
+    CommandTest::SetUp();
+    std::string pattern = (fs::temp_directory_path() / "setup_XXXXXX").string();
+    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
+    folder_ = pattern;
+    output_ = (folder_ / "robot.yaml").string();
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  static std::string urdf(const std::string& file) {
+    return std::string(PARALLEL_ASPECTS_SOURCE_DIR) + "/" + file;
+  }
+
+  std::string written() const {
+    std::ifstream stream(output_);
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
+
+  // On a terminal where this is typed.
+  Outcome answered(std::vector<const char*> arguments, const std::string& typed) const {
+    std::ostringstream output, messages;
+    std::istringstream answers(typed);
+    arguments.insert(arguments.begin(), "aspects");
+    const int code = run_command(static_cast<int>(arguments.size()), arguments.data(),
+                                 {output, messages, true, nullptr, &answers});
+    return {code, output.str(), messages.str()};
+  }
+
+  fs::path folder_;
+  std::string output_;
+  const std::string five_bar_ = urdf("urdf/five_bar.urdf");
+  const std::string unnamed_ = urdf("test/data/setup/unnamed_three_rpr.urdf");
+};
+
+TEST_F(SetupCommand, WritesWhatLoadsAndSaysWhatIsNext) {
+  const Outcome outcome = run({"setup", five_bar_.c_str(), "-o", output_.c_str()});
+  ASSERT_EQ(outcome.code, exit_code::ok) << outcome.messages;
+  EXPECT_NE(outcome.output.find("five_bar: fully parallel, task space T2"), std::string::npos);
+  EXPECT_NE(outcome.output.find("\n  aspects map --urdf " + five_bar_ + " --config " + output_ + "\n"),
+            std::string::npos)
+      << outcome.output;
+  EXPECT_EQ(run({"describe", "--urdf", five_bar_.c_str(), "--config", output_.c_str()}).code, exit_code::ok);
+  EXPECT_NE(written().find("# Actuated joints, one a leg: "), std::string::npos) << written();
+}
+
+TEST_F(SetupCommand, LeavesAFileThatExists) {
+  std::ofstream(output_) << "mine\n";
+  const Outcome outcome = run({"setup", five_bar_.c_str(), "-o", output_.c_str()});
+  EXPECT_EQ(outcome.code, exit_code::bad_input);
+  EXPECT_NE(outcome.messages.find("exists"), std::string::npos);
+  EXPECT_EQ(answered({"setup", five_bar_.c_str(), "-o", output_.c_str()}, "n\n").code, exit_code::bad_input);
+  EXPECT_EQ(written(), "mine\n");
+  EXPECT_EQ(answered({"setup", five_bar_.c_str(), "-o", output_.c_str()}, "y\n").code, exit_code::ok);
+  EXPECT_NE(written(), "mine\n");
+  EXPECT_EQ(run({"setup", five_bar_.c_str(), "-o", output_.c_str(), "--replace"}).code, exit_code::ok);
+}
+
+TEST_F(SetupCommand, WithoutATerminalAQuestionIsAllThatIsWritten) {
+  const Outcome outcome = run({"setup", unnamed_.c_str(), "-o", output_.c_str()});
+  EXPECT_EQ(outcome.code, exit_code::undecided);
+  EXPECT_EQ(outcome.output, "");
+  EXPECT_FALSE(fs::exists(output_));
+  const std::string option = "--closures 'ash=blue_tip oak=green_tip'";
+  EXPECT_NE(outcome.messages.find(option), std::string::npos) << outcome.messages;
+  EXPECT_EQ(
+      run({"setup", unnamed_.c_str(), "-o", output_.c_str(), "--closures", "ash=blue_tip oak=green_tip"})
+          .code,
+      exit_code::ok);
+}
+
+TEST_F(SetupCommand, OnATerminalItAsks) {
+  const Outcome outcome = answered({"setup", unnamed_.c_str(), "-o", output_.c_str()}, "2\n");
+  EXPECT_EQ(outcome.code, exit_code::ok) << outcome.messages;
+  EXPECT_NE(outcome.messages.find("Which one, 1 to 2?"), std::string::npos) << outcome.messages;
+  EXPECT_NE(written().find("[oak, blue_tip]"), std::string::npos) << written();
+  for (const char* typed : {"", "\n", "3\n", "0\n", "-1\n", "all\n"})
+    EXPECT_EQ(answered({"setup", unnamed_.c_str(), "-o", output_.c_str(), "--replace"}, typed).code,
+              exit_code::undecided)
+        << typed;
+}
+
+TEST_F(SetupCommand, JsonListsAndWritesOnlyWhereAFileIsNamed) {
+  const json report = test::run_json({"setup", five_bar_.c_str()});
+  EXPECT_EQ(report["status"], "found");
+  EXPECT_TRUE(report["written"].is_null());
+  EXPECT_EQ(report["choices"].size(), 4U);
+  EXPECT_EQ(report["describe"]["task_space"], "T2");
+  EXPECT_EQ(test::run_json({"setup", five_bar_.c_str(), "-o", output_.c_str()})["written"], output_);
+  EXPECT_EQ(written(), report["config"]);
+  const Outcome asked = run({"setup", unnamed_.c_str(), "--json"});
+  EXPECT_EQ(asked.code, exit_code::undecided);
+  const json question = json::parse(asked.output, nullptr, false);
+  EXPECT_EQ(question["status"], "undecided");
+  EXPECT_EQ(question["question"]["candidates"].size(), 2U);
+}
+
+TEST_F(SetupCommand, DescribeDoesTheSameWithoutWriting) {
+  const Outcome outcome = run({"describe", "--urdf", five_bar_.c_str()});
+  EXPECT_EQ(outcome.code, exit_code::ok) << outcome.messages;
+  EXPECT_NE(outcome.output.find("task space T2"), std::string::npos);
+  EXPECT_NE(outcome.output.find("Nothing is written"), std::string::npos);
+  EXPECT_EQ(run({"describe", "--urdf", unnamed_.c_str()}).code, exit_code::undecided);
+}
+
+TEST_F(SetupCommand, BadAnswersAreOneSentenceEach) {
+  const Outcome outcome = run({"setup", five_bar_.c_str(), "-o", output_.c_str(), "--closures", "tool",
+                               "--actuated", "crank_9_joint"});
+  EXPECT_EQ(outcome.code, exit_code::bad_input);
+  EXPECT_EQ(test::line_count(outcome.messages), 1U) << outcome.messages;
+  EXPECT_EQ(run({"setup"}).code, exit_code::bad_usage);
+  EXPECT_EQ(run({"setup", "nowhere.urdf", "-o", output_.c_str()}).code, exit_code::bad_input);
+  EXPECT_FALSE(fs::exists(output_));
+  const std::atomic<bool> interrupted{true};
+  EXPECT_EQ(run({"setup", five_bar_.c_str(), "-o", output_.c_str()}, &interrupted).code,
+            exit_code::interrupted);
+}
+
+}  // namespace
+}  // namespace parallel_aspects::tools

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is found in bare URDFs: the shipped robots, and robots as others write them.
+#include "urdf/setup/setup.h"
+
+#include "urdf/setup/name_words.h"
+
+#include <gtest/gtest.h>
+
+#include "support/loops.h"
+#include "support/shipped.h"
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects {
+namespace {
+
+using Strings = std::vector<std::string>;
+
+// Long enough for sanitizers on a busy machine; the searches take milliseconds.
+SetupControl patient() { return {std::chrono::steady_clock::now() + std::chrono::minutes(5)}; }
+
+SetupResult set_up_text(const std::string& urdf, const SetupAnswers& answers = {}) {
+  return set_up(urdf, "robot.urdf", "robot.yaml", answers, patient());
+}
+
+Strings actuated_joints(const Mechanism& mechanism) {
+  Strings joints;
+  for (const Leg& leg : mechanism.manipulator()->legs()) joints.push_back(leg.actuated_joint);
+  return joints;
+}
+
+std::string listed(const Problems& problems) {
+  std::string text;
+  for (const std::string& problem : problems) text += problem + '\n';
+  return text;
+}
+
+class SetupOfShipped : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(SetupOfShipped, IsTheShippedRobot) {
+  const std::string urdf = test::source_file("urdf/" + GetParam() + ".urdf");
+  const SetupResult result = set_up_text(urdf);
+  ASSERT_TRUE(result.mechanism) << listed(result.problems) << (result.question ? result.question->text : "");
+  EXPECT_FALSE(result.cut_short);
+  const auto loaded = load_mechanism(urdf, "robot.urdf", result.config, "robot.yaml");
+  const auto shipped = test::shipped(GetParam());
+  EXPECT_EQ(loaded->manipulator()->task_space(), shipped->manipulator()->task_space());
+  EXPECT_EQ(loaded->platform_link(), shipped->platform_link());
+  ASSERT_EQ(actuated_joints(*loaded), actuated_joints(*shipped));
+  for (std::size_t k = 0; k < shipped->manipulator()->leg_count(); ++k) {
+    const Leg &one = loaded->manipulator()->leg(k), &other = shipped->manipulator()->leg(k);
+    EXPECT_TRUE(one.base_point().isApprox(other.base_point(), 1e-9) ||
+                (one.base_point() - other.base_point()).norm() < 1e-9);
+    EXPECT_LT((one.anchor - other.anchor).norm(), 1e-9) << k;
+    EXPECT_NEAR(one.rod_length, other.rod_length, 1e-9);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, SetupOfShipped,
+                         ::testing::Values("agile_eye", "bipod", "delta", "five_bar", "hexa", "linear_delta",
+                                           "six_pus", "spherical_3rrr", "stewart", "three_prr", "three_rpr",
+                                           "three_rrr"));
+
+struct Found {
+  std::string file;
+  TaskSpace space;
+  std::string base, platform;
+  Strings joints;
+};
+
+void PrintTo(const Found& found, std::ostream* stream) { *stream << found.file; }
+
+class SetupOfOthers : public ::testing::TestWithParam<Found> {};
+
+TEST_P(SetupOfOthers, FindsTheRobot) {
+  const Found& expected = GetParam();
+  const std::string urdf = test::source_file("test/data/setup/" + expected.file + ".urdf");
+  const SetupResult result = set_up_text(urdf);
+  ASSERT_TRUE(result.mechanism) << listed(result.problems) << (result.question ? result.question->text : "");
+  const auto loaded = load_mechanism(urdf, "robot.urdf", result.config, "robot.yaml");
+  EXPECT_EQ(loaded->manipulator()->task_space(), expected.space);
+  EXPECT_EQ(loaded->manipulator()->base_frame(), expected.base);
+  EXPECT_EQ(loaded->platform_link(), expected.platform);
+  EXPECT_EQ(actuated_joints(*loaded), expected.joints);
+}
+
+const Strings upper_arms{"upper_arm_1_joint", "upper_arm_2_joint", "upper_arm_3_joint"};
+
+INSTANTIATE_TEST_SUITE_P(
+    All, SetupOfOthers,
+    ::testing::Values(
+        Found{"gazebo_five_bar", TaskSpace::T2, "base", "tcp", {"shoulder_left", "shoulder_right"}},
+        Found{"isaac_stewart",
+              TaskSpace::SE3,
+              "base_link",
+              "top_plate",
+              {"extend_1", "extend_2", "extend_3", "extend_4", "extend_5", "extend_6"}},
+        Found{"drake_delta", TaskSpace::T3, "base_link", "effector", upper_arms},
+        Found{"turning_delta", TaskSpace::T3, "column", "effector", upper_arms},
+        Found{"gripping_delta", TaskSpace::T3, "base_link", "effector", upper_arms},
+        Found{"detachable_three_rrr",
+              TaskSpace::SE2,
+              "base_footprint",
+              "ee_plate",
+              {"motor1", "motor2", "motor3"}},
+        Found{"exported_five_bar", TaskSpace::T2, "Base", "Frame1", {"Joint1", "Joint3"}},
+        Found{"lettered_three_rpr",
+              TaskSpace::SE2,
+              "ground",
+              "nacelle",
+              {"legAStroke", "legBStroke", "legCStroke"}},
+        Found{"elbow_closed_five_bar",
+              TaskSpace::T2,
+              "rr_base_link",
+              "rr_outer_2",
+              {"rr_active_1", "rr_active_2"}},
+        Found{"all_driven_five_bar", TaskSpace::T2, "base_link", "link2_tip", {"joint1", "joint3"}}));
+
+std::string urdf_of(const std::string& name) {
+  return test::source_file("test/data/setup/" + name + ".urdf");
+}
+
+SetupAnswers with_closures(const Strings& pairs) {
+  SetupAnswers answers;
+  for (const std::string& pair : pairs)
+    answers.closures.push_back({pair.substr(0, pair.find('=')), pair.substr(pair.find('=') + 1)});
+  return answers;
+}
+
+// Two ways to close it, which differ in their aspects; each loads where it is asked for.
+TEST(Setup, AsksWhereEquallyMuchSpeaksForTwoWaysToClose) {
+  const SetupResult result = set_up_text(urdf_of("unnamed_three_rpr"));
+  EXPECT_FALSE(result.mechanism);
+  EXPECT_TRUE(result.config.empty());
+  ASSERT_TRUE(result.question) << listed(result.problems);
+  EXPECT_EQ(result.question->key, "closures");
+  ASSERT_EQ(result.question->candidates.size(), 2U);
+  for (const SetupCandidate& candidate : result.question->candidates)
+    EXPECT_TRUE(set_up_text(urdf_of("unnamed_three_rpr"), with_closures(candidate.values)).mechanism);
+}
+
+// The remedy, followed to the letter: a link at the far end of each rod.
+TEST(Setup, AsksForAFrameWhereARodHasNone) {
+  std::string urdf = urdf_of("blunt_three_rrr");
+  const SetupResult result = set_up_text(urdf);
+  ASSERT_TRUE(result.question) << listed(result.problems);
+  EXPECT_NE(result.question->text.find("'rod_2' ends a chain"), std::string::npos) << result.question->text;
+  EXPECT_TRUE(result.question->candidates.empty());
+  const auto frame = [](const std::string& parent, const std::string& child, const std::string& xyz) {
+    return "<link name=\"" + child + "\"/><joint name=\"" + child +
+           "_joint\" type=\"fixed\"><parent link=\"" + parent + "\"/><child link=\"" + child +
+           "\"/><origin xyz=\"" + xyz + "\"/></joint>";
+  };
+  urdf = test::replaced(urdf, "</robot>",
+                        frame("rod_2", "end_2", "0.4 0 0") + frame("rod_3", "end_3", "0.4 0 0") +
+                            frame("platform", "corner_2", "0.2 0 0") +
+                            frame("platform", "corner_3", "0.1 0.2 0") + "</robot>");
+  const SetupResult mended = set_up_text(urdf, with_closures({"corner_2=end_2", "corner_3=end_3"}));
+  ASSERT_TRUE(mended.mechanism) << listed(mended.problems);
+  EXPECT_EQ(mended.mechanism->manipulator()->task_space(), TaskSpace::SE2);
+}
+
+TEST(Setup, CallsASerialArmSerial) {
+  const SetupResult result = set_up_text(urdf_of("serial_arm"));
+  EXPECT_FALSE(result.question);
+  ASSERT_EQ(result.problems.size(), 1U);
+  EXPECT_NE(result.problems.front().find("serial"), std::string::npos) << result.problems.front();
+}
+
+// A prismatic leg that is drawn with its base turning could be neither; a five-bar could be driven at its
+// elbows.
+TEST(Setup, TakesAnswersAndSaysWhatElseWouldDo) {
+  const std::string urdf = urdf_of("all_driven_five_bar");
+  const SetupResult found = set_up_text(urdf);
+  const auto choice = std::find_if(found.choices.begin(), found.choices.end(),
+                                   [](const SetupChoice& each) { return each.key == "actuated_joints"; });
+  ASSERT_NE(choice, found.choices.end());
+  ASSERT_FALSE(choice->others.empty());
+  const Strings elbows{"joint2", "joint4"};
+  EXPECT_EQ(choice->others.front().values, elbows);
+  EXPECT_NE(found.config.find("joint2, joint4"), std::string::npos) << found.config;
+  SetupAnswers answers;
+  answers.actuated_joints = elbows;
+  answers.operational_point = "link4_tip";
+  const SetupResult asked = set_up_text(urdf, answers);
+  ASSERT_TRUE(asked.mechanism) << listed(asked.problems);
+  EXPECT_EQ(actuated_joints(*asked.mechanism), elbows);
+  EXPECT_EQ(asked.mechanism->platform_link(), "link4_tip");
+}
+
+TEST(Setup, RefusesAnswersThatNameNothing) {
+  SetupAnswers answers = with_closures({"tool=closing_3"});
+  answers.actuated_joints = {"tool_joint"};
+  answers.base_link = "bas_link";
+  const SetupResult result = set_up_text(test::source_file("urdf/five_bar.urdf"), answers);
+  EXPECT_EQ(result.problems.size(), 3U) << listed(result.problems);
+}
+
+TEST(Setup, EndsWithTheTimeThatItIsGiven) {
+  const SetupControl none{std::chrono::steady_clock::now()};
+  const SetupResult result =
+      set_up(test::source_file("urdf/stewart.urdf"), "robot.urdf", "robot.yaml", {}, none);
+  EXPECT_TRUE(result.cut_short);
+  EXPECT_FALSE(result.mechanism);
+  ASSERT_TRUE(result.question);
+  EXPECT_FALSE(result.question->candidates.empty());
+  SetupControl cancelled = patient();
+  cancelled.cancelled = [] { return true; };
+  EXPECT_FALSE(
+      set_up(test::source_file("urdf/stewart.urdf"), "robot.urdf", "robot.yaml", {}, cancelled).mechanism);
+}
+
+// Names that YAML or a comment could take for something else.
+TEST(Setup, WritesNamesAsTheyAre) {
+  std::string urdf = test::source_file("urdf/five_bar.urdf");
+  urdf = test::replaced(urdf, "\"tool\"", "\"tool: #1 [x]\"");
+  urdf = test::replaced(urdf, "\"crank_1_joint\"", "\"true\"");
+  const SetupResult result = set_up_text(urdf);
+  ASSERT_TRUE(result.mechanism) << listed(result.problems);
+  EXPECT_EQ(result.mechanism->platform_link(), "tool: #1 [x]");
+  EXPECT_EQ(actuated_joints(*result.mechanism), (Strings{"true", "crank_2_joint"}));
+}
+
+TEST(NameWords, AreSplitWhereReadersSplitThem) {
+  EXPECT_EQ(words_of("rod_2-leftTip"), (Strings{"rod", "2", "left", "tip"}));
+  EXPECT_EQ(words_of("legBEnd"), (Strings{"leg", "b", "end"}));
+  EXPECT_EQ(words_of("TCP"), Strings{"tcp"});
+  EXPECT_EQ(words_of(""), Strings{});
+  EXPECT_EQ(role_of("crank_2_joint"), role_of("crank_13_joint"));
+  EXPECT_GT(operational_point_likeness("platform"), operational_point_likeness("platform_2"));
+  EXPECT_EQ(operational_point_likeness("rod_2_tip"), 0);
+}
+
+}  // namespace
+}  // namespace parallel_aspects
