@@ -8,6 +8,10 @@
 namespace parallel_aspects {
 namespace {
 
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 class Resolver {
  public:
   Resolver(const LoopSource& source, Problems& problems, std::vector<std::string>& notes)
@@ -82,7 +86,7 @@ class Resolver {
     actuated_joints_named_by_ = from_loops ? "' in name_mot, but " : "' in " + element + ", but ";
     std::vector<std::string> once;
     for (const std::string& joint : actuated_joints)
-      if (std::find(once.begin(), once.end(), joint) == once.end()) once.push_back(joint);
+      if (!contains(once, joint)) once.push_back(joint);
     actuated_joints = once;
   }
 
@@ -102,8 +106,9 @@ class Resolver {
       return " lets that joint mimic another; actuate the other one, or take out the <mimic>.";
     if (found) return " fixes that joint; actuate a movable one.";
     std::vector<std::string> movable;
-    for (const std::size_t joint : tree_.movable) movable.push_back(tree_.joints[joint].name);
-    return " has no such joint" + suggestion(name, others(movable, actuated_joints), problems_);
+    for (const std::size_t joint : tree_.movable)
+      if (!contains(actuated_joints, tree_.joints[joint].name)) movable.push_back(tree_.joints[joint].name);
+    return " has no such joint" + suggestion(name, movable, problems_);
   }
 
   const LoopSource& source_;

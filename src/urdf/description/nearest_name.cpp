@@ -2,7 +2,6 @@
 #include "urdf/description/nearest_name.h"
 
 #include <algorithm>
-#include <iterator>
 #include <numeric>
 
 namespace parallel_aspects {
@@ -10,7 +9,8 @@ namespace {
 
 constexpr std::size_t most_letters = 200;  // that are compared
 constexpr std::size_t most_suggestions = 20;
-constexpr std::size_t most_listed = 12;
+constexpr std::size_t most_listed = 12;   // names in a message
+constexpr std::size_t least_letters = 3;  // of a name that is a part of another
 
 std::size_t edit_distance(std::string one, std::string other) {
   for (std::string* word : {&one, &other}) word->resize(std::min(word->size(), most_letters));
@@ -28,6 +28,14 @@ std::size_t edit_distance(std::string one, std::string other) {
   return row.back();
 }
 
+// A part of the other, or at most a third of the letters to change.
+bool are_near(const std::string& one, const std::string& other) {
+  const auto& [shorter, longer] =
+      std::minmax(one, other, [](const std::string& a, const std::string& b) { return a.size() < b.size(); });
+  if (shorter.size() >= least_letters && longer.find(shorter) != std::string::npos) return true;
+  return 3 * edit_distance(one, other) <= longer.size();
+}
+
 std::string listed(const std::vector<std::string>& names) {
   std::string text;
   for (const std::string& name : names) text += (text.empty() ? "'" : ", '") + name + "'";
@@ -40,26 +48,19 @@ std::string similar_name(const std::string& word, const std::vector<std::string>
   const auto nearest = std::min_element(known.begin(), known.end(), [&](const auto& a, const auto& b) {
     return edit_distance(word, a) < edit_distance(word, b);
   });
-  const bool similar =
-      nearest != known.end() && 2 * edit_distance(word, *nearest) <= std::max(word.size(), nearest->size());
-  return similar ? *nearest : std::string();
+  if (nearest == known.end()) return {};
+  if (are_near(word, *nearest)) return *nearest;
+  const auto near =
+      std::find_if(known.begin(), known.end(), [&](const auto& name) { return are_near(word, name); });
+  return near == known.end() ? std::string() : *near;
 }
 
 std::string suggestion(const std::string& word, const std::vector<std::string>& known,
                        const Problems& problems) {
-  const std::string similar = problems.size() < most_suggestions ? similar_name(word, known) : std::string();
+  const std::string similar = problems.size() < most_suggestions ? similar_name(word, known) : "";
   if (!similar.empty()) return "; did you mean '" + similar + "'?";
-  return known.empty() || known.size() > most_listed
-             ? "; correct it."
-             : (known.size() == 1 ? "; there is " : "; there are ") + listed(known) + ".";
-}
-
-std::vector<std::string> others(const std::vector<std::string>& known, const std::vector<std::string>& used) {
-  std::vector<std::string> rest;
-  std::copy_if(known.begin(), known.end(), std::back_inserter(rest), [&](const std::string& name) {
-    return std::find(used.begin(), used.end(), name) == used.end();
-  });
-  return rest;
+  if (known.empty() || known.size() > most_listed) return "; correct it.";
+  return "; there are " + listed(known) + ".";
 }
 
 }  // namespace parallel_aspects

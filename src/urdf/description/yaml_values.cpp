@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <unordered_set>
 
 namespace parallel_aspects {
@@ -14,14 +15,18 @@ void YamlValues::check_keys(const YAML::Node& map, const std::vector<std::string
                             const std::string& where) const {
   std::vector<std::string> keys;
   for (const auto& entry : map) keys.push_back(entry.first.IsScalar() ? entry.first.Scalar() : "");
-  const std::vector<std::string> unused = others(known, keys);
+  std::vector<std::string> unused;
+  std::copy_if(known.begin(), known.end(), std::back_inserter(unused), [&](const std::string& key) {
+    return std::find(keys.begin(), keys.end(), key) == keys.end();
+  });
   std::unordered_set<std::string> seen;
   for (const std::string& key : keys) {
     if (std::find(known.begin(), known.end(), key) == known.end()) {
-      const std::string used = similar_name(key, unused).empty() ? similar_name(key, known) : "";
-      problem(
-          "has an unknown key '" + key + "' under " + where +
-          (used.empty() ? suggestion(key, unused, problems_) : "; remove it, as '" + used + "' is there."));
+      const bool may_be_new = !similar_name(key, unused).empty();
+      const std::string used = may_be_new ? "" : similar_name(key, known);
+      problem("has an unknown key '" + key + "' under " + where +
+              (used.empty() ? suggestion(key, may_be_new ? unused : known, problems_)
+                            : "; remove it, as '" + used + "' is there."));
     }
     if (!seen.insert(key).second)
       problem("has the key '" + key + "' twice under " + where + "; keep one of them.");

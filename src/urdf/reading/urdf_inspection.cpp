@@ -202,9 +202,8 @@ class Inspector {
     for (std::size_t k = 0; k < 2; ++k) {
       ends[k] = attribute(joint->FirstChildElement(tags[k]), "link");
       if (link_names_.count(ends[k]) > 0) continue;
-      const std::string meant = may_guess() ? similar_name(ends[k], links_) : "";
       problem("gives " + owner + " the " + tags[k] + " link '" + ends[k] + "', which does not exist; " +
-              (meant.empty() ? "add it." : "add it, or write '" + meant + "'."));
+              remedy_for_missing(ends[k]));
     }
     if (!parent_joint_.emplace(ends[1], attribute(joint, "name")).second)
       problem("makes link '" + ends[1] + "' the child of " + owner + " and of joint '" +
@@ -213,7 +212,10 @@ class Inspector {
   }
 
   // Comparing a name with all others takes long where both are many.
-  bool may_guess() { return !links_.empty() && guesses_++ < most_guesses; }
+  std::string remedy_for_missing(const std::string& link) {
+    const std::string similar = guesses_++ < most_guesses ? similar_name(link, links_) : "";
+    return similar.empty() ? "add it." : "add it, or write '" + similar + "'.";
+  }
 
   void inspect_type(XMLElement* joint, const std::string& name, const std::string& owner) {
     const std::string type = attribute(joint, "type");
