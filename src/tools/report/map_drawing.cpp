@@ -2,7 +2,7 @@
 #include "tools/report/map_drawing.h"
 
 #include "model/number_text.h"
-#include "tools/report/report.h"
+#include "tools/report/reports.h"
 
 #include <algorithm>
 #include <array>
@@ -115,10 +115,7 @@ class Drawing {
   double x(double value) const { return scale_[0] * (value - bounds_.lower[0]); }
   double y(double value) const { return scale_[1] * (bounds_.upper[1] - value); }
 
-  std::string title() const {
-    return map_.manipulator()->name() + ": " + counted(map_.aspects().size(), "aspect") + ", " +
-           std::to_string(map_.proved_count()) + " proved distinct";
-  }
+  std::string title() const { return map_.manipulator()->name() + ": " + aspect_count(map_); }
 
   std::string slice() const { return map_.slice() ? "slice " + to_string(*map_.slice()) : "all poses"; }
 

@@ -161,19 +161,6 @@ std::string unresolved_text(const AspectMap& map, const std::vector<Aspect>& cru
   return text + (text.empty() ? "" : ", and ") + counted(with_crumbs, "pair") + " with aspects not listed";
 }
 
-/// How many aspects there are, and no more than is proved of it.
-std::string count_text(const AspectMap& map) {
-  const std::size_t proved = map.proved_count(), components = map.aspects().size();
-  const std::size_t most = map.count_at_most().value_or(components);
-  if (most == proved && map.count_at_most()) return counted(proved, "aspect") + ", proved";
-  const std::string found = map.unresolved().empty()
-                                ? "all proved distinct"
-                                : std::to_string(proved) + " proved distinct; " +
-                                      counted(map.unresolved().size(), "pair") + " unresolved";
-  return (most == proved ? "at least " : std::to_string(proved) + " to ") + counted(most, "aspect") + " (" +
-         counted(components, "component") + "; " + found + ")";
-}
-
 std::string region_text(const AspectMap& map) {
   return map.region().dimension == 0 ? "" : ", region " + bounds_text(map.region());
 }
@@ -188,7 +175,7 @@ std::string symmetry_text(const AspectMap& map) {
 }
 
 std::string map_text(const AspectMap& map, bool all_aspects) {
-  std::string text = map.manipulator()->name() + ": " + count_text(map) + "; " +
+  std::string text = map.manipulator()->name() + ": " + aspect_count(map) + "; " +
                      counted(map.working_modes().size(), "working mode") + "\n";
   if (map.slice())
     text += "slice " + to_string(*map.slice()) +
@@ -205,6 +192,18 @@ std::string map_text(const AspectMap& map, bool all_aspects) {
 }
 
 }  // namespace
+
+std::string aspect_count(const AspectMap& map) {
+  const std::size_t proved = map.proved_count(), components = map.aspects().size();
+  const std::size_t most = map.count_at_most().value_or(components);
+  if (most == proved && map.count_at_most()) return counted(proved, "aspect") + ", proved";
+  const std::string found = map.unresolved().empty()
+                                ? "all proved distinct"
+                                : std::to_string(proved) + " proved distinct; " +
+                                      counted(map.unresolved().size(), "pair") + " unresolved";
+  return (most == proved ? "at least " : std::to_string(proved) + " to ") + counted(most, "aspect") + " (" +
+         counted(components, "component") + "; " + found + ")";
+}
 
 Report report_map(const AspectMap& map, const MapReportOptions& options) {
   Report report{json_map(map), map_text(map, options.all_aspects)};

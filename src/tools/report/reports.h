@@ -26,6 +26,9 @@ struct MapReportOptions {
   bool verbose = false;      ///< lists every joint that a note is about
 };
 
+/// How many aspects there are, claiming no more than is proved: "10 aspects, proved".
+std::string aspect_count(const AspectMap& map);
+
 /// `aspects map`: the table of aspects, and what is proved and what is not.
 Report report_map(const AspectMap& map, const MapReportOptions& options);
 
