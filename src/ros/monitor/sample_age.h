@@ -43,8 +43,8 @@ class SampleAge {
 
  private:
   double timeout_;
-  ros::Time stamp_, came_;           // of the last one, and when it came; zero for none
-  bool fresh_ = false;               // whether one came since the last `look`
+  ros::Time stamp_, came_;  // of the last one, and when it came; zero for none
+  bool fresh_ = false;      // whether one came since the last `look`
   bool halted_ = false;
   ros::SteadyTime looked_, beaten_;  // when a sample was last seen by `look`; the last beat
   ros::SteadyTime resumed_;          // when the process last went on after a pause; zero for never
