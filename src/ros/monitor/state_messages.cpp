@@ -119,7 +119,7 @@ Status halted_status(double timeout) {
 }
 
 Status paused_status(double pause) {
-  return make_status(Status::STALE, "This node stood still for " + printed(pause) +
+  return make_status(Status::STALE, "This node stood still for " + number_text(pause) +
                                         " s, as it was stopped or got no processor time, so that what it "
                                         "knows of the robot is old. It goes on with the joint_states that "
                                         "come; where nobody stopped it, relieve the computer.");
