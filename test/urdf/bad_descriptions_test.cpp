@@ -66,7 +66,8 @@ INSTANTIATE_TEST_SUITE_P(Files, BadDescription, ::testing::ValuesIn(bad_files())
 TEST(BadDescriptions, AreReportedAllAtOnce) {
   const Problems problems = problems_of("<robot/>", "robot.urdf", "mechanism: {colour: red}", "robot.yaml");
   const Problems expected{
-      "robot.yaml has an unknown key 'colour' under mechanism; did you mean 'closures'?",
+      "robot.yaml has an unknown key 'colour' under mechanism; there are 'name', 'base_link', "
+      "'operational_point', 'actuated_joints', 'task_space', 'closures'.",
       "robot.yaml does not say mechanism.operational_point; name the link whose origin is the operational "
       "point of the "
       "platform.",
