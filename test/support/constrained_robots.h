@@ -33,13 +33,13 @@ inline Constraints all_kinds(const Robot& robot, double thickness) {
                                                  Eigen::Vector3d(0.05, 0.02, 0.04) * size}});
   result.workspace =
       WorkspaceBox{Eigen::Vector3d::Constant(-0.6 * size), Eigen::Vector3d::Constant(0.55 * size)};
-  // Rods of spatial robots hang down.
-  const Eigen::Vector3d middle =
-      is_planar(robot->task_space()) ? Eigen::Vector3d(0.6, 0.8, 0.0) : -Eigen::Vector3d::UnitZ();
-  result.cones.push_back({0, LegEnd::platform, middle, is_planar(robot->task_space()) ? 2.7 : 0.8});
-  result.cones.push_back({1, LegEnd::base, Eigen::Vector3d::UnitX(), 2.6});
-  if (!is_planar(robot->task_space())) return result;
-  const bool crank = std::holds_alternative<RevoluteActuation>(robot->leg(0).actuation);
+  const bool planar = is_planar(robot->task_space());
+  const bool crank = std::holds_alternative<RevoluteActuation>(robot->leg(1).actuation);
+  const Eigen::Vector3d down = -Eigen::Vector3d::UnitZ(), across = Eigen::Vector3d::UnitY();
+  result.cones.push_back(
+      {0, LegEnd::platform, planar ? Eigen::Vector3d(-0.6, -0.8, 0.0) : down, planar ? 2.7 : 0.8});
+  result.cones.push_back({1, LegEnd::base, crank ? Eigen::Vector3d::UnitX() : planar ? across : down, 2.6});
+  if (!planar) return result;
   result.passive_limits.push_back({"first", 0, crank ? PassiveAngle::crank_to_rod : PassiveAngle::base_to_rod,
                                    0.3, -1.0, JointLimits{-2.9, 2.4}});
   result.passive_limits.push_back(

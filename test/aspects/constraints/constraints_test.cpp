@@ -131,7 +131,7 @@ TEST_P(ConstraintsTest, NoPoseContradictsItsBox) {
           << to_string(robot->task_space(), space->pose({0, point})) << ", sign " << *sign;
     }
   }
-  EXPECT_TRUE(test::is_sanitized || inside > 20U) << inside;
+  EXPECT_TRUE(test::is_sanitized || inside > 15U) << inside;
   EXPECT_TRUE(test::is_sanitized || shut_out > 100U) << shut_out;
 }
 
