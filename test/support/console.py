@@ -17,7 +17,7 @@ FILE_NAME = re.compile(r"`([\w.]+)`:\s*\Z")
 COMMAND = re.compile(r"^\$ ((?:.*\\\n)*.*)\n((?:(?!\$ ).*\n)*)", re.MULTILINE)
 NEEDS_ROS = re.compile(r"^(ros\w+|python3)\b")
 TIME = re.compile(r"\b[0-9][0-9.e-]* s\b")
-DEADLINE = 240.0  # [s]
+DEADLINE = 60.0  # [s]
 
 
 def fenced_blocks(text):
