@@ -43,7 +43,7 @@ struct Cell {
       const double negated_gap = std::min(0.0, half_width[i] - std::abs(center[i]));
       negated_square += negated_gap * -negated_gap;
     }
-    return std::sqrt(-negated_square) * (1.0 - 0x1p-51);
+    return lower_root_of_negated(negated_square);
   }
 
   /// The halves along coordinate i; they overlap by a rounding error at most.

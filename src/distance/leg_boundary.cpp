@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "distance/leg_boundary.h"
 
+#include "interval/half_turns.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -80,8 +82,7 @@ class Collector {
       const double entry = -actuation.sense * std::sin(angle);
       const int branch = std::abs(entry) < 1e-9 ? 0 : entry > 0.0 ? 1 : -1;
       add_limit_sphere(
-          end,
-          square(inner) + square(outer) + Interval(2.0) * inner * outer * enclosed(std::cos(angle), angle),
+          end, square(inner) + square(outer) + Interval(2.0) * inner * outer * enclosed_turn(angle).cosine,
           branch);
     }
   }
@@ -91,12 +92,6 @@ class Collector {
     LimitEnd end;
     double value;
   };
-
-  // Cosines and sines are a few units in the last place off, in every rounding direction.
-  static Interval enclosed(double value, double angle) {
-    const double error = 0x1p-48 * (1.0 + std::abs(angle));
-    return {value - error, value + error};
-  }
 
   static Interval magnitude_of(const Interval& a) { return root(square(a)); }
 
@@ -145,7 +140,7 @@ class Collector {
   }
 
   void add_limit(const RevoluteActuation& actuation, LimitEnd end, double angle) {
-    const Interval cosine = enclosed(std::cos(angle), angle), sine = enclosed(std::sin(angle), angle);
+    const auto [cosine, sine] = enclosed_turn(angle);
     const Eigen::Vector3d& e1 = actuation.zero_direction;
     const Interval radius = root(square(Interval(leg_.rod_length)) - squared_height_);
     Boundary boundary = at_surface(Surface::sphere, radius);

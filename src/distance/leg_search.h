@@ -200,8 +200,7 @@ class LegSearch {
         is_clear(boundary.rim_distance(d), cell, radius, distance))
       return;
     const double negated_square = -distance * distance + -least * least;
-    const double bound = std::sqrt(-negated_square) * (1.0 - 0x1p-51);
-    cell.bound = std::max(cell.bound, moves_freely ? bound : least);
+    cell.bound = std::max(cell.bound, moves_freely ? lower_root_of_negated(negated_square) : least);
     queue_.push(cell);
   }
 

@@ -11,10 +11,8 @@ constexpr double rounded_pi = 3.141592653589793;
 
 // pi t is off by less than 9e-16 for |t| <= 1, and sine and cosine of the C library by a unit in the last
 // place in every rounding direction.
-constexpr double error = 0x1p-48;
-
 Interval between(double a, double b) {
-  return {std::max(-1.0, std::min(a, b) - error), std::min(1.0, std::max(a, b) + error)};
+  return {std::max(-1.0, std::min(a, b) - few_units), std::min(1.0, std::max(a, b) + few_units)};
 }
 
 bool holds(const Interval& a, double t) { return a.lower() <= t && t <= a.upper(); }
@@ -31,6 +29,11 @@ Interval cosine_of_half_turns(const Interval& a) noexcept {
 Interval sine_of_half_turns(const Interval& a) noexcept {
   const Interval ends = between(std::sin(rounded_pi * a.lower()), std::sin(rounded_pi * a.upper()));
   return {holds(a, -0.5) ? -1.0 : ends.lower(), holds(a, 0.5) ? 1.0 : ends.upper()};
+}
+
+Turn<Interval> enclosed_turn(double angle) noexcept {
+  const double cosine = std::cos(angle), sine = std::sin(angle), error = few_units * (1.0 + std::abs(angle));
+  return {{cosine - error, cosine + error}, {sine - error, sine + error}};
 }
 
 }  // namespace parallel_aspects

@@ -26,6 +26,10 @@ inline Turn<Interval> turn_of_half_turns(const Interval& a) noexcept {
   return {cosine_of_half_turns(a), sine_of_half_turns(a)};
 }
 
+/// Of an angle [rad] that is itself a rounded sum or arc tangent: its error and that of cosine and sine are a
+/// few units in the last place each, in every rounding direction.
+Turn<Interval> enclosed_turn(double angle) noexcept;
+
 template <std::size_t N, class Value>
 Turn<Dual<N, Value>> turn_of_half_turns(const Dual<N, Value>& a) noexcept {
   const Turn<Value> value = turn_of_half_turns(a.value);

@@ -2,36 +2,12 @@
 #ifndef PARALLEL_ASPECTS_INTERVAL_INTERVAL_H
 #define PARALLEL_ASPECTS_INTERVAL_INTERVAL_H
 
+#include "interval/rounding.h"
+
 #include <algorithm>
-#include <cassert>
-#include <cfenv>
 #include <cmath>
 
 namespace parallel_aspects {
-
-/// While one lives, floating-point operations of its thread round upward. Intervals are enclosures only
-/// meanwhile. Hold one for a whole batch: switching costs more than many operations.
-class RoundingUpward {
- public:
-  RoundingUpward() noexcept : before_(std::fegetround()) { std::fesetround(FE_UPWARD); }
-  ~RoundingUpward() { std::fesetround(before_); }
-  RoundingUpward(const RoundingUpward&) = delete;
-  RoundingUpward& operator=(const RoundingUpward&) = delete;
-
- private:
-  int before_;
-};
-
-/// Whether this thread rounds upward, found by arithmetic. `fegetround` of glibc reads the control word of
-/// the x87 unit only, while the proofs are computed by SSE.
-inline bool rounds_upward() noexcept {
-  const volatile double one = 1.0, tiny = 0x1p-60;
-  return one + tiny > 1.0;
-}
-
-/// First in whatever needs a live `RoundingUpward`. Checked where assertions are: in debug and sanitized
-/// builds.
-inline void assert_rounding_upward() noexcept { assert(rounds_upward()); }
 
 /// A closed interval of real numbers [lower, upper] with outward rounding.
 ///

@@ -36,17 +36,9 @@ AngleLimits::AngleLimits(const JointLimits& limits, double offset, double sense)
                limits.upper - limits.lower < 2.0 * EIGEN_PI) {
   if (!limited_) return;
   const double one_end = offset + sense * limits.lower, other_end = offset + sense * limits.upper;
-  lower_ = direction_at(std::min(one_end, other_end));
-  upper_ = direction_at(std::max(one_end, other_end));
+  lower_ = enclosed_turn(std::min(one_end, other_end));
+  upper_ = enclosed_turn(std::max(one_end, other_end));
   less_than_half_turn_ = limits.upper - limits.lower < EIGEN_PI;
-}
-
-// The angle is a rounded sum of a limit and perhaps a rounded arc tangent; its error and that of cosine and
-// sine are a few units in the last place each, in every rounding direction. Together they stay below this.
-AngleDirection direction_at(double angle) noexcept {
-  const double error = 0x1p-48 * (1.0 + std::abs(angle));
-  const double cosine = std::cos(angle), sine = std::sin(angle);
-  return {{cosine - error, cosine + error}, {sine - error, sine + error}};
 }
 
 LengthLimits::LengthLimits(const JointLimits& limits, double zero, double sense) : limits_(limits) {

@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_LEGS_LIMIT_VERDICT_H
 #define PARALLEL_ASPECTS_LEGS_LIMIT_VERDICT_H
 
+#include "interval/half_turns.h"
 #include "interval/interval.h"
 #include "parallel_aspects/model/leg.h"
 
@@ -32,14 +33,6 @@ struct LimitFunctions {
 
 Verdict verdict(const LimitFunctions<Interval>& limits) noexcept;
 
-/// Cosine and sine of an angle.
-struct AngleDirection {
-  Interval cosine, sine;
-};
-
-/// They enclose those of every angle within some units in the last place of 1 or of this one [rad].
-AngleDirection direction_at(double angle) noexcept;
-
 /// Limits of a joint angle, tested on its cosine and sine without any arc function.
 class AngleLimits {
  public:
@@ -66,7 +59,7 @@ class AngleLimits {
  private:
   bool limited_ = false;
   bool less_than_half_turn_ = false;
-  AngleDirection lower_, upper_;
+  Turn<Interval> lower_, upper_;
 };
 
 /// Limits of a length [m].

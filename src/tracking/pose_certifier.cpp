@@ -26,7 +26,7 @@ constexpr double least_radius = 1e-9;
 constexpr double largest_turn = 3.0;
 
 // What `Eigen::Quaternion::normalize` leaves of a length other than 1, with room.
-constexpr double unit_error = 0x1p-48;
+constexpr double unit_error = few_units;
 
 template <int n>
 void invert(const SquareArray<double>& matrix, SquareArray<double>& inverse) {

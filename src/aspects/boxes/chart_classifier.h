@@ -103,12 +103,6 @@ class ChartClassifier final : public BoxClassifier {
   std::optional<Box> reachable_positions() const override { return chart_.reachable_positions(); }
 
  private:
-  template <class Made, class... More>
-  static Made made_under_upward_rounding(const Manipulator& manipulator, const More&... more) {
-    const RoundingUpward rounding;
-    return Made(manipulator, more...);
-  }
-
   static Signs signs_of(const WorkingMode& mode) {
     Signs signs;
     for (std::size_t j = 0; j < signs.size(); ++j) signs[j] = mode.sign(j);

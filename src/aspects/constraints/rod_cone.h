@@ -26,7 +26,7 @@ class RodCone {
       axis_[i] = Interval(cone.axis[static_cast<Eigen::Index>(i)]);
       squared_length += square(axis_[i]);
     }
-    least_ = square_root(squared_length) * direction_at(cone.angle).cosine;
+    least_ = square_root(squared_length) * enclosed_turn(cone.angle).cosine;
     const auto* crank = std::get_if<RevoluteActuation>(&leg.actuation);
     if (crank == nullptr || at_platform_) return;
     on_crank_ = true;

@@ -27,12 +27,6 @@ constexpr int points_of_a_look = 12;
 // See finite_lengths.h.
 constexpr double longest_length = 1e12;  // [m]
 
-template <std::size_t D>
-ConstraintTests<D> made_under_upward_rounding(const Manipulator& manipulator) {
-  const RoundingUpward rounding;
-  return ConstraintTests<D>(manipulator);
-}
-
 // What is proved to be at or before a configuration, on the path from one whose det A has this sign.
 Violation violation_at(const ConfigurationProof& proof, int sign) {
   if (proof.proved_violation != Violation::none) return proof.proved_violation;
@@ -46,8 +40,8 @@ struct SegmentCertifier::Parts {
   explicit Parts(const Manipulator& manipulator)
       : usable(is_usable(manipulator, longest_length)),
         is_planar(parallel_aspects::is_planar(manipulator.task_space())),
-        planar_constraints(made_under_upward_rounding<2>(manipulator)),
-        spatial_constraints(made_under_upward_rounding<3>(manipulator)) {
+        planar_constraints(made_under_upward_rounding<ConstraintTests<2>>(manipulator)),
+        spatial_constraints(made_under_upward_rounding<ConstraintTests<3>>(manipulator)) {
     const RoundingUpward rounding;
     for (const Leg& leg : manipulator.legs()) {
       legs.emplace_back(leg);
