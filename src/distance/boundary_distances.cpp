@@ -4,6 +4,7 @@
 #include "aspects/constraints/finite_lengths.h"
 #include "distance/leg_search.h"
 #include "distance/parallel_search.h"
+#include "model/task_space_traits.h"
 #include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/model/problems.h"
 
@@ -22,11 +23,10 @@ constexpr int most_boxes_at_all = 10'000'000;
 // What the task space does not move is left out.
 Pose within(TaskSpace space, const Pose& pose) {
   Pose result = pose;
-  if (space == TaskSpace::SO3) result.position.setZero();
-  if (space == TaskSpace::T1) result.position.tail<2>().setZero();
-  if (space == TaskSpace::T2 || space == TaskSpace::SE2) result.position.z() = 0.0;
-  if (!has_rotation(space)) result.orientation.setIdentity();
-  if (space == TaskSpace::SE2) result.orientation.x() = result.orientation.y() = 0.0;
+  for (std::size_t i = traits(space).translations; i < 3; ++i)
+    result.position[static_cast<Eigen::Index>(i)] = 0.0;
+  if (traits(space).rotations == 0) result.orientation.setIdentity();
+  if (traits(space).rotations == 1) result.orientation.x() = result.orientation.y() = 0.0;
   return result;
 }
 
@@ -35,11 +35,6 @@ bool has_branches(const Manipulator& manipulator, const WorkingMode& mode) {
   for (std::size_t j = 0; j < manipulator.leg_count(); ++j)
     if (!manipulator.leg(j).has_branch(mode.sign(j))) return false;
   return true;
-}
-
-bool is_bounded_by_links(const Leg& leg) {
-  return std::holds_alternative<RevoluteActuation>(leg.actuation) ||
-         std::holds_alternative<ElbowActuation>(leg.actuation);
 }
 
 double displacement(const Leg& leg, double from, double to) {
@@ -124,7 +119,7 @@ class BoundaryDistanceMeter::SearchesIn final : public Searches {
   SearchRange search_range() const noexcept {
     SearchRange range{2.0 * manipulator_->size(), false};
     const AnchorMetric& metric = chart_.metric();
-    if (space == TaskSpace::SO3) return {metric.widest_turn * (1.0 + 1e-12), true};
+    if (traits(space).translations == 0) return {metric.widest_turn * (1.0 + 1e-12), true};
     for (std::size_t j = 0; j < Chart::size; ++j) {
       const Leg& leg = manipulator_->leg(j);
       const double reach = leg.longest_reach();
@@ -135,9 +130,9 @@ class BoundaryDistanceMeter::SearchesIn final : public Searches {
       const double far =
           std::sqrt(squared.upper()) + height + reach + (Chart::turns > 0 ? 2.0 * metric.longest_arm : 0.0);
       const double radius = std::sqrt(far * far + metric.widest_turn * metric.widest_turn) * (1.0 + 1e-12);
-      if (is_bounded_by_links(leg) ? !range.holds_all || radius < range.radius
-                                   : !range.holds_all && radius < range.radius)
-        range = {radius, is_bounded_by_links(leg)};
+      const bool holds_all = leg.kind().bounded_by_links;
+      if (holds_all ? !range.holds_all || radius < range.radius : !range.holds_all && radius < range.radius)
+        range = {radius, holds_all};
     }
     return range;
   }
@@ -184,26 +179,10 @@ BoundaryDistanceMeter::BoundaryDistanceMeter(std::shared_ptr<const Manipulator> 
     problems.push_back(
         "The number of boxes of a search must be from 1 to 10000000; choose one such as 2000.");
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
-  switch (manipulator->task_space()) {
-    case TaskSpace::T1:
-      searches_ = std::make_unique<SearchesIn<TaskSpace::T1>>(std::move(manipulator), options);
-      break;
-    case TaskSpace::T2:
-      searches_ = std::make_unique<SearchesIn<TaskSpace::T2>>(std::move(manipulator), options);
-      break;
-    case TaskSpace::SE2:
-      searches_ = std::make_unique<SearchesIn<TaskSpace::SE2>>(std::move(manipulator), options);
-      break;
-    case TaskSpace::T3:
-      searches_ = std::make_unique<SearchesIn<TaskSpace::T3>>(std::move(manipulator), options);
-      break;
-    case TaskSpace::SO3:
-      searches_ = std::make_unique<SearchesIn<TaskSpace::SO3>>(std::move(manipulator), options);
-      break;
-    case TaskSpace::SE3:
-      searches_ = std::make_unique<SearchesIn<TaskSpace::SE3>>(std::move(manipulator), options);
-      break;
-  }
+  const TaskSpace task_space = manipulator->task_space();
+  searches_ = with_task_space(task_space, [&](auto constant) -> std::unique_ptr<Searches> {
+    return std::make_unique<SearchesIn<decltype(constant)::value>>(std::move(manipulator), options);
+  });
 }
 
 BoundaryDistanceMeter::~BoundaryDistanceMeter() = default;

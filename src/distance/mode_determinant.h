@@ -27,11 +27,8 @@ class ModeDeterminant {
   static constexpr std::size_t size = Chart::size;
 
   ModeDeterminant(const Chart& chart, const Manipulator& manipulator) : chart_(chart) {
-    for (std::size_t j = 0; j < size; ++j) {
-      const Actuation& actuation = manipulator.leg(j).actuation;
-      branches_[j] = std::holds_alternative<RevoluteActuation>(actuation) ||
-                     std::holds_alternative<PrismaticActuation>(actuation);
-    }
+    // Where c is fixed, u = p - c is the same on every branch.
+    for (std::size_t j = 0; j < size; ++j) branches_[j] = manipulator.leg(j).kind().moves_proximal_point;
   }
 
   void set_mode(const WorkingMode& mode) noexcept { mode_ = mode; }

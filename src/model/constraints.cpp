@@ -46,7 +46,7 @@ class Check {
       problem("The links of a robot in SO3 are not straight, so that " + what +
               " cannot be determined from distances; leave that out.");
     for (const Leg& leg : legs_)
-      if (std::holds_alternative<ElbowActuation>(leg.actuation))
+      if (!leg.kind().has_straight_rod)
         problem("Leg '" + leg.name + "' is actuated at its elbow, so that " + what +
                 " cannot be determined from the distance of its ends; leave that out.");
   }
@@ -54,9 +54,8 @@ class Check {
   void check_self_collision(const SelfCollision& collision) {
     check_links("self_collision");
     const LinkThickness& thickness = constraints_.thickness;
-    const bool cranks = std::any_of(legs_.begin(), legs_.end(), [](const Leg& leg) {
-      return std::holds_alternative<RevoluteActuation>(leg.actuation);
-    });
+    const bool cranks =
+        std::any_of(legs_.begin(), legs_.end(), [](const Leg& leg) { return leg.kind().has_crank; });
     if (!is_planar(space_) && !(thickness.rod > 0.0 && (thickness.crank > 0.0 || !cranks)))
       problem(
           "In space, links without thickness all but never touch; give self_collision a thickness of crank "

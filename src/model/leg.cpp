@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/model/leg.h"
 
+#include "model/overloaded.h"
+
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace parallel_aspects {
 namespace {
-
-template <class... Functions>
-struct Overloaded : Functions... {
-  using Functions::operator()...;
-};
-template <class... Functions>
-Overloaded(Functions...) -> Overloaded<Functions...>;
 
 double elbow_angle(const ElbowActuation& actuation, double q) {
   return actuation.angle_at_zero + actuation.sense * q;
@@ -82,14 +76,34 @@ double Leg::residual(const Pose& pose, double q) const noexcept {
   return (pose.transform(anchor) - proximal_point(q)).squaredNorm() - squared_distance(q);
 }
 
-bool Leg::actuated_by_angle() const noexcept {
-  return std::holds_alternative<RevoluteActuation>(actuation) ||
-         std::holds_alternative<ElbowActuation>(actuation);
+const LegKind& Leg::kind() const noexcept {
+  return std::visit([](const auto& each) -> const LegKind& { return each.kind; }, actuation);
 }
 
 bool Leg::has_branch(int sign) const noexcept {
-  const auto* strut = std::get_if<StrutActuation>(&actuation);
-  return strut == nullptr || strut->sense * sign > 0.0;
+  return std::visit(Overloaded{[](const RevoluteActuation&) { return true; },
+                               [](const PrismaticActuation&) { return true; },
+                               [sign](const StrutActuation& d) { return d.sense * sign > 0.0; },
+                               [](const ElbowActuation&) { return true; }},
+                    actuation);
+}
+
+bool Leg::can_have(double q) const noexcept {
+  return std::visit(
+      Overloaded{[](const RevoluteActuation&) { return true; },
+                 [](const PrismaticActuation&) { return true; },
+                 [q](const StrutActuation& d) { return !(d.length_at_zero + d.sense * q < 0.0); },
+                 [](const ElbowActuation&) { return true; }},
+      actuation);
+}
+
+// u.c' where c moves, rho rho' where rho does: a sine times these lengths.
+double Leg::largest_entry() const noexcept {
+  return std::visit(Overloaded{[this](const RevoluteActuation& d) { return d.radius * rod_length; },
+                               [this](const PrismaticActuation&) { return rod_length; },
+                               [](const StrutActuation&) { return 0.0; },
+                               [](const ElbowActuation& d) { return d.inner_length * d.outer_length; }},
+                    actuation);
 }
 
 double Leg::longest_reach() const noexcept {
@@ -107,12 +121,6 @@ Eigen::Vector3d Leg::base_point() const noexcept {
                                [](const StrutActuation& d) { return d.base; },
                                [](const ElbowActuation& d) { return d.base; }},
                     actuation);
-}
-
-std::string_view kind_name(const Actuation& actuation) noexcept {
-  static constexpr std::array<std::string_view, 4> names{
-      "actuated revolute joint", "actuated prismatic joint", "strut", "actuated elbow"};
-  return names[actuation.index()];
 }
 
 }  // namespace parallel_aspects

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "model/spherical_links.h"
 
+#include "model/overloaded.h"
+
 #include <algorithm>
 #include <cmath>
 #include <variant>
@@ -11,17 +13,24 @@ namespace {
 // Of lengths on the unit sphere; far above rounding, and it decides only how a leg is shown.
 constexpr double tolerance = 1e-9;
 
+std::optional<SphericalLinks> links_of(const RevoluteActuation& crank, const Leg& leg) noexcept {
+  const double along = crank.axis.dot(crank.center);
+  const bool through_center = (crank.center - along * crank.axis).norm() < tolerance;
+  const bool on_sphere = std::abs(std::hypot(crank.radius, along) - 1.0) < tolerance &&
+                         std::abs(leg.anchor.norm() - 1.0) < tolerance;
+  if (!through_center || !on_sphere) return std::nullopt;
+  return SphericalLinks{std::atan2(crank.radius, along), angle_of_chord(leg.rod_length)};
+}
+
 }  // namespace
 
 std::optional<SphericalLinks> spherical_links(const Leg& leg) noexcept {
-  const auto* crank = std::get_if<RevoluteActuation>(&leg.actuation);
-  if (crank == nullptr) return std::nullopt;
-  const double along = crank->axis.dot(crank->center);
-  const bool through_center = (crank->center - along * crank->axis).norm() < tolerance;
-  const bool on_sphere = std::abs(std::hypot(crank->radius, along) - 1.0) < tolerance &&
-                         std::abs(leg.anchor.norm() - 1.0) < tolerance;
-  if (!through_center || !on_sphere) return std::nullopt;
-  return SphericalLinks{std::atan2(crank->radius, along), angle_of_chord(leg.rod_length)};
+  using Links = std::optional<SphericalLinks>;
+  return std::visit(Overloaded{[&leg](const RevoluteActuation& crank) { return links_of(crank, leg); },
+                               [](const PrismaticActuation&) { return Links(); },
+                               [](const StrutActuation&) { return Links(); },
+                               [](const ElbowActuation&) { return Links(); }},
+                    leg.actuation);
 }
 
 bool moves_on_unit_sphere(const Manipulator& manipulator) noexcept {

@@ -7,6 +7,7 @@
 
 #include "support/random_robots.h"
 #include "support/round_trip.h"
+#include <algorithm>
 #include <tuple>
 
 namespace parallel_aspects {
@@ -88,6 +89,33 @@ TEST_P(Jacobians, RelateVelocities) {
     ASSERT_LT((left - right).cwiseAbs().maxCoeff(), 1e-5) << test::describe(*robot, pose, here.q);
   }
   EXPECT_GT(compared, 50);
+}
+
+// What the kind of a leg and `largest_entry` say, on random robots.
+TEST_P(Jacobians, HaveEntriesOfBUpToTheLargest) {
+  const auto [space, kind] = GetParam();
+  test::RandomRobots random(20260104);
+  double largest_share = 0.0;
+  for (int i = 0; i < 1000; ++i) {
+    const auto robot = random.robot(space, kind);
+    const Pose pose = random.pose(space);
+    const InverseSolution found = inverse(*robot, pose, working_modes(*robot).front());
+    if (found.status != InverseStatus::solved) continue;
+    const TaskVector b = inverse_diagonal(*robot, pose, found.q);
+    for (std::size_t j = 0; j < robot->leg_count(); ++j) {
+      const Leg& leg = robot->leg(j);
+      const double q = found.q[static_cast<Eigen::Index>(j)];
+      EXPECT_TRUE(leg.can_have(q));
+      EXPECT_EQ(leg.kind().moves_proximal_point, !leg.proximal_point_derivative(q).isZero(0.0));
+      EXPECT_EQ(leg.kind().bounded_by_links, std::isfinite(leg.longest_reach()));
+      EXPECT_EQ(leg.kind().name == "strut", leg.largest_entry() == 0.0);
+      if (leg.largest_entry() == 0.0) continue;
+      const double share = std::abs(b[static_cast<Eigen::Index>(j)]) / leg.largest_entry();
+      EXPECT_LE(share, 1.0 + 1e-9) << test::describe(*robot, pose, found.q);
+      largest_share = std::max(largest_share, share);
+    }
+  }
+  EXPECT_GT(largest_share, kind == test::ActuationKind::strut ? -1.0 : 0.9);
 }
 
 std::string case_name(const testing::TestParamInfo<SpaceAndActuation>& info) {

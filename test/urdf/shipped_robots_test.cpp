@@ -38,7 +38,7 @@ TEST_P(ShippedRobot, IsRecognised) {
   EXPECT_EQ(mechanism_->idle_degrees_of_freedom(), 0);
   EXPECT_EQ(working_modes(manipulator_).size(), GetParam().modes);
   for (std::size_t j = 0; j < manipulator_.leg_count(); ++j) {
-    EXPECT_EQ(kind_name(manipulator_.leg(j).actuation), GetParam().kind);
+    EXPECT_EQ(manipulator_.leg(j).kind().name, GetParam().kind);
     EXPECT_EQ(manipulator_.leg(j).actuated_joint,
               config_["mechanism"]["actuated_joints"][j].as<std::string>());
   }

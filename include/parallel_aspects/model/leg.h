@@ -13,9 +13,21 @@
 
 namespace parallel_aspects {
 
+/// What the kind of a leg tells, whatever its dimensions.
+struct LegKind {
+  std::string_view name;      ///< for people
+  bool actuated_by_angle;     ///< the joint value is an angle [rad], not a length [m]
+  bool moves_proximal_point;  ///< the joint value moves c; of other kinds it changes rho
+  bool has_crank;             ///< c is the tip of a crank about `Leg::base_point`
+  bool has_straight_rod;      ///< the rod is one straight link from c to p
+  bool bounded_by_links;      ///< links alone bound the reach; of other kinds, limits of the joint do
+};
+
 /// The proximal point c runs on a circle: c(q) = center + radius (cos q e1 + sin q e2), with e1 =
 /// zero_direction and e2 = axis x e1. Legs RRR, RUS, RSS, Delta, and spherical RRR. Joint value q in rad.
 struct RevoluteActuation {
+  static constexpr LegKind kind{"actuated revolute joint", true, true, true, true, true};
+
   Eigen::Vector3d center;          ///< of the circle, in the task frame [m]
   Eigen::Vector3d axis;            ///< unit vector; q turns about it by the right-hand rule
   Eigen::Vector3d zero_direction;  ///< unit vector orthogonal to axis; from center to c at q = 0
@@ -25,6 +37,8 @@ struct RevoluteActuation {
 /// The proximal point runs on a line: c(q) = origin + q direction. Legs PRR, PUS, PSS. Joint value q in
 /// m.
 struct PrismaticActuation {
+  static constexpr LegKind kind{"actuated prismatic joint", false, true, false, true, false};
+
   Eigen::Vector3d origin;     ///< c at q = 0, in the task frame [m]
   Eigen::Vector3d direction;  ///< unit vector
 };
@@ -32,6 +46,8 @@ struct PrismaticActuation {
 /// The rod itself is actuated: c fixed, rho(q) = length_at_zero + sense q. Legs RPR, UPS, SPS. Actuation
 /// value q in m.
 struct StrutActuation {
+  static constexpr LegKind kind{"strut", false, false, false, true, false};
+
   Eigen::Vector3d base;         ///< c, in the task frame [m]
   double length_at_zero = 0.0;  ///< rho at q = 0 [m]
   double sense = 1.0;           ///< +1 or -1
@@ -40,6 +56,8 @@ struct StrutActuation {
 /// The elbow between two links is actuated: c fixed, and by the law of cosines
 /// rho(q)^2 = inner^2 + outer^2 + 2 inner outer cos(angle_at_zero + sense q). Joint value q in rad.
 struct ElbowActuation {
+  static constexpr LegKind kind{"actuated elbow", true, false, false, false, true};
+
   Eigen::Vector3d base;        ///< c, in the task frame [m]
   double inner_length;         ///< link on the base [m], positive
   double outer_length;         ///< link on the platform [m], positive
@@ -47,7 +65,8 @@ struct ElbowActuation {
   double sense = 1.0;          ///< +1 or -1
 };
 
-/// What the actuated joint of a leg moves: c, or rho.
+/// What the actuated joint of a leg moves: c, or rho. Each kind states its own `LegKind`, so that the
+/// compiler asks for that of a new one.
 using Actuation = std::variant<RevoluteActuation, PrismaticActuation, StrutActuation, ElbowActuation>;
 
 /// Range of a joint value, both ends included, and its speed; unlimited by default. rad or m.
@@ -88,12 +107,22 @@ struct Leg {
   /// f(X, q) [m^2]: zero when the leg is assembled.
   double residual(const Pose& pose, double q) const noexcept;
 
+  /// What its kind tells.
+  const LegKind& kind() const noexcept;
+
   /// Whether the joint value is an angle [rad] rather than a length [m].
-  bool actuated_by_angle() const noexcept;
+  bool actuated_by_angle() const noexcept { return kind().actuated_by_angle; }
 
   /// Whether B_jj can take this sign (+1 or -1). Both signs, except for a strut: its length is positive, so
   /// that B_jj always has the sign of its sense.
   bool has_branch(int sign) const noexcept;
+
+  /// Whether it can have this joint value at all: the length of a strut must not be negative.
+  bool can_have(double q) const noexcept;
+
+  /// No |B_jj| is larger than this [m^2/rad or m]: that of rod and crank at right angles. 0 for a strut,
+  /// which has no serial singularity: its |B_jj| is its length.
+  double largest_entry() const noexcept;
 
   /// No anchor within reach of the leg is farther from `base_point()` than this [m]; infinite for a prismatic
   /// actuated joint or a strut without limits.
@@ -102,9 +131,6 @@ struct Leg {
   /// The fixed point that `longest_reach` counts from, in the task frame [m].
   Eigen::Vector3d base_point() const noexcept;
 };
-
-/// "actuated revolute joint", "actuated prismatic joint", "strut" or "actuated elbow".
-std::string_view kind_name(const Actuation& actuation) noexcept;
 
 }  // namespace parallel_aspects
 

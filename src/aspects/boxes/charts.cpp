@@ -2,6 +2,7 @@
 #include "aspects/boxes/charts.h"
 
 #include "aspects/boxes/reachable_box.h"
+#include "model/overloaded.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,28 +13,39 @@ namespace {
 // An actuated joint that is closer to its platform's line than this does not bound it.
 constexpr double least_slope = 1e-6;
 
+std::optional<PrismaticActuation> rail_of(const Leg& leg) {
+  using Rail = std::optional<PrismaticActuation>;
+  return std::visit(
+      Overloaded{[](const RevoluteActuation&) { return Rail(); },
+                 [](const PrismaticActuation& rail) { return Rail(rail); },
+                 [](const StrutActuation&) { return Rail(); }, [](const ElbowActuation&) { return Rail(); }},
+      leg.actuation);
+}
+
 Spatial<Interval> enclosed(const Eigen::Vector3d& vector) { return {vector.x(), vector.y(), vector.z()}; }
 
 }  // namespace
 
-T1Chart::T1Chart(const Manipulator& manipulator) : leg_(manipulator.leg(0)) {
+T1Chart::T1Chart(const Manipulator& manipulator)
+    : leg_(manipulator.leg(0)),
+      rail_(rail_of(manipulator.leg(0))),
+      rod_length_(manipulator.leg(0).rod_length) {
   const Eigen::Vector3d& anchor = manipulator.leg(0).anchor;
   offset_ = {Interval(anchor.x()) - leg_.base().x, Interval(anchor.y()) - leg_.base().y};
-  if (std::holds_alternative<PrismaticActuation>(manipulator.leg(0).actuation)) slide_ = manipulator.leg(0);
 }
 
 std::optional<Box> T1Chart::reachable_positions() const {
   const RoundingUpward rounding;
   ReachableBox box(1);
   box.restrict(0, -offset_.x, leg_.reach());
-  if (slide_) {
+  if (rail_) {
     // No farther from the line of the actuated joint than its rod is long.
-    const Eigen::Vector3d& direction = std::get<PrismaticActuation>(slide_->actuation).direction;
+    const Eigen::Vector3d& direction = rail_->direction;
     const Interval along(direction.x()), across(std::abs(direction.y()));
     const double side = direction.y() < 0.0 ? -1.0 : 1.0;
     if (across.lower() > least_slope)
       box.restrict(0, offset_.y * along * Interval(side) * reciprocal(across) - offset_.x,
-                   (Interval(slide_->rod_length) * reciprocal(across)).upper());
+                   (Interval(rod_length_) * reciprocal(across)).upper());
   }
   return box.box();
 }

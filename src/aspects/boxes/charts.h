@@ -94,8 +94,9 @@ class T1Chart {
 
  private:
   PlanarLeg leg_;
-  Planar<Interval> offset_;   // d = position + offset
-  std::optional<Leg> slide_;  // a leg on an actuated prismatic joint, which bounds x even without limits
+  Planar<Interval> offset_;                 // d = position + offset
+  std::optional<PrismaticActuation> rail_;  // bounds x even without limits
+  double rod_length_;
 };
 
 /// What the charts of planar robots with several legs have in common.

@@ -120,7 +120,7 @@ class Configuration {
     std::vector<Body> bodies;
     for (std::size_t j = 0; j < robot_.leg_count(); ++j) {
       bodies.push_back({joint(j), anchor(j), 0.5 * constraints_.thickness.rod, {LinkKind::rod, j}});
-      if (has_crank(robot_.leg(j)))
+      if (robot_.leg(j).kind().has_crank)
         bodies.push_back(
             {robot_.leg(j).base_point(), joint(j), 0.5 * constraints_.thickness.crank, {LinkKind::crank, j}});
     }

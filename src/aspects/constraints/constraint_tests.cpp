@@ -8,9 +8,6 @@
 namespace parallel_aspects {
 namespace {
 
-// Entries of a rotation matrix are a few units in the last place off, in every rounding direction.
-constexpr double entry_error = 0x1p-48;
-
 template <std::size_t D>
 Point<Interval, D> enclosed(const Eigen::Vector3d& vector, double error = 0.0) {
   Point<Interval, D> result;
@@ -41,7 +38,7 @@ ConstraintTests<D>::ConstraintTests(const Manipulator& manipulator)
   const Interval half(0.5);
   half_crank_ = half * Interval(constraints.thickness.crank);
   half_rod_ = half * Interval(constraints.thickness.rod);
-  for (const Leg& leg : manipulator.legs()) has_crank_.push_back(has_crank(leg));
+  for (const Leg& leg : manipulator.legs()) has_crank_.push_back(leg.kind().has_crank);
   for (const PassiveLimit& limit : constraints.passive_limits)
     passive_limits_[limit.leg].push_back({limit.angle, AngleLimits(limit.limits, limit.offset, limit.sense)});
   for (const PassiveCone& limit : constraints.passive_cones)
@@ -71,7 +68,7 @@ void ConstraintTests<D>::add(const BoxObstacle& box) {
   Box result{enclosed<D>(box.center), {}, {}};
   for (std::size_t i = 0; i < D; ++i) {
     const auto axis = static_cast<Eigen::Index>(i);
-    result.axes[i] = enclosed<D>(rotation.col(axis), entry_error);
+    result.axes[i] = enclosed<D>(rotation.col(axis), few_units);
     result.extent.half_size[i] = box.half_size[axis];
   }
   obstacles_.push_back(result);

@@ -24,8 +24,6 @@ bool is_ignored(const SelfCollision& collision, const LinkName& one, const LinkN
 
 }  // namespace
 
-bool has_crank(const Leg& leg) noexcept { return std::holds_alternative<RevoluteActuation>(leg.actuation); }
-
 bool can_collide(const Manipulator& manipulator, const LinkName& one, const LinkName& other) noexcept {
   return one.leg != other.leg && !are_joined(manipulator, one, other) &&
          !is_ignored(*manipulator.constraints().self_collision, one, other);

@@ -9,9 +9,6 @@ namespace parallel_aspects {
 /// Of the size of the robot: points that are closer are one joint.
 inline constexpr double joint_tolerance = 1e-9;
 
-/// Only legs with an actuated revolute joint have a crank.
-bool has_crank(const Leg& leg) noexcept;
-
 /// Whether these links are tested for collision: they are not of one leg, not joined to each other, and not
 /// ignored. The robot must have the constraint of self-collision.
 bool can_collide(const Manipulator& manipulator, const LinkName& one, const LinkName& other) noexcept;

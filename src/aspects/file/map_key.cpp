@@ -26,7 +26,7 @@ std::string printable(std::string text) {
 class LegLines {
  public:
   LegLines(const Leg& leg, std::size_t index) : start_("leg " + std::to_string(index + 1) + ", ") {
-    text_ = start_ + std::string(kind_name(leg.actuation)) + "\n";
+    text_ = start_ + std::string(leg.kind().name) + "\n";
     std::visit([this](const auto& actuation) { add(actuation); }, leg.actuation);
     point("anchor", leg.anchor);
     values("rod length", {leg.rod_length});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/roadmap/pose_sampler.h"
 
+#include "model/overloaded.h"
 #include "parallel_aspects/model/constraints.h"
 
 #include <algorithm>
@@ -30,8 +31,12 @@ Eigen::AlignedBox3d around(const PrismaticActuation& actuation, const Leg& leg) 
 }
 
 Eigen::AlignedBox3d anchor_box(const Leg& leg) {
-  const auto* rail = std::get_if<PrismaticActuation>(&leg.actuation);
-  return rail != nullptr ? around(*rail, leg) : around(leg.base_point(), leg.longest_reach());
+  const Eigen::AlignedBox3d ball = around(leg.base_point(), leg.longest_reach());
+  return std::visit(Overloaded{[&ball](const RevoluteActuation&) { return ball; },
+                               [&leg](const PrismaticActuation& rail) { return around(rail, leg); },
+                               [&ball](const StrutActuation&) { return ball; },
+                               [&ball](const ElbowActuation&) { return ball; }},
+                    leg.actuation);
 }
 
 }  // namespace

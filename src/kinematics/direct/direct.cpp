@@ -64,12 +64,7 @@ bool any_leg_stretched(const Manipulator& manipulator, const Pose& pose, const J
   const TaskVector diagonal = inverse_diagonal(manipulator, pose, q);
   for (std::size_t j = 0; j < manipulator.leg_count(); ++j) {
     const auto row = static_cast<Eigen::Index>(j);
-    const Leg& leg = manipulator.leg(j);
-    const double rod = (pose.transform(leg.anchor) - leg.proximal_point(q[row])).norm();
-    const auto* elbow = std::get_if<ElbowActuation>(&leg.actuation);
-    const double lever = elbow != nullptr ? elbow->inner_length * elbow->outer_length
-                                          : rod * leg.proximal_point_derivative(q[row]).norm();
-    if (std::abs(diagonal[row]) < nearly_stretched * lever) return true;
+    if (std::abs(diagonal[row]) < nearly_stretched * manipulator.leg(j).largest_entry()) return true;
   }
   return false;
 }
@@ -110,10 +105,8 @@ bool any_on_continuum(const Manipulator& manipulator, const JointVector& q,
 
 // Only its square is left in the equations.
 bool has_strut_of_negative_length(const Manipulator& manipulator, const JointVector& q) {
-  for (std::size_t j = 0; j < manipulator.leg_count(); ++j) {
-    const auto* strut = std::get_if<StrutActuation>(&manipulator.leg(j).actuation);
-    if (strut && strut->length_at_zero + strut->sense * q[static_cast<Eigen::Index>(j)] < 0.0) return true;
-  }
+  for (std::size_t j = 0; j < manipulator.leg_count(); ++j)
+    if (!manipulator.leg(j).can_have(q[static_cast<Eigen::Index>(j)])) return true;
   return false;
 }
 

@@ -73,14 +73,9 @@ std::vector<double> leg_angles(const Manipulator& manipulator, const SolvedPose&
   const TaskVector entries = inverse_diagonal(manipulator, solved.pose, solved.q);
   std::vector<double> angles;
   for (std::size_t j = 0; j < manipulator.leg_count(); ++j) {
-    const Leg& leg = manipulator.leg(j);
-    const double q = solved.q[static_cast<Eigen::Index>(j)];
-    double largest = std::sqrt(leg.squared_distance(q));
-    if (const auto* elbow = std::get_if<ElbowActuation>(&leg.actuation))
-      largest = elbow->inner_length * elbow->outer_length;
-    else if (!std::holds_alternative<StrutActuation>(leg.actuation))
-      largest *= leg.proximal_point_derivative(q).norm();
-    angles.push_back(std::asin(std::min(1.0, std::abs(entries[static_cast<Eigen::Index>(j)]) / largest)));
+    const double entry = std::abs(entries[static_cast<Eigen::Index>(j)]);
+    const double largest = manipulator.leg(j).largest_entry();
+    angles.push_back(entry < largest ? std::asin(entry / largest) : 0.5 * EIGEN_PI);
   }
   return angles;
 }

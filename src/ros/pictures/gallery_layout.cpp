@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/pictures/gallery_layout.h"
 
-#include <variant>
-
 namespace parallel_aspects {
 namespace {
 
@@ -22,8 +20,8 @@ AlignedBox2d workspace_of(const AspectMap& map) {
 // What the robot itself needs: its aspects, its base points and the circles of its cranks.
 AlignedBox2d robot_extent(const AspectMap& map, AlignedBox2d extent) {
   for (const Leg& leg : map.manipulator()->legs()) {
-    const auto* actuation = std::get_if<RevoluteActuation>(&leg.actuation);
-    const Vector2d reach = Vector2d::Constant(actuation != nullptr ? actuation->radius : 0.0);
+    const double crank = leg.kind().has_crank ? (leg.proximal_point(0.0) - leg.base_point()).norm() : 0.0;
+    const Vector2d reach = Vector2d::Constant(crank);
     extent.extend(leg.base_point().head<2>() + reach);
     extent.extend(leg.base_point().head<2>() - reach);
   }

@@ -16,16 +16,6 @@ using Eigen::Vector2d;
 
 constexpr double most_rows = 12.0, title_rows = 1.6, gauge_rows = 1.25;
 
-// Largest value of |B_jj|; 0 for a strut, which has no serial singularity.
-double largest_entry(const Leg& leg) {
-  if (const auto* revolute = std::get_if<RevoluteActuation>(&leg.actuation))
-    return revolute->radius * leg.rod_length;
-  if (std::holds_alternative<PrismaticActuation>(leg.actuation)) return leg.rod_length;
-  if (const auto* elbow = std::get_if<ElbowActuation>(&leg.actuation))
-    return elbow->inner_length * elbow->outer_length;
-  return 0.0;
-}
-
 MarkerBatch::Points filled_rectangle(const Vector2d& lower, const Vector2d& upper) {
   const Vector2d right(upper.x(), lower.y()), left(lower.x(), upper.y());
   return {lower, right, upper, lower, upper, left};
@@ -40,7 +30,7 @@ GaugePicture::GaugePicture(std::shared_ptr<const Manipulator> manipulator, Marke
       scene_(scene),
       plane_{frames_.aspects, Eigen::Isometry3d::Identity()} {
   double gauges = 2.0;
-  for (const Leg& leg : manipulator_->legs()) gauges += largest_entry(leg) > 0.0 ? 1.0 : 0.0;
+  for (const Leg& leg : manipulator_->legs()) gauges += leg.largest_entry() > 0.0 ? 1.0 : 0.0;
   top_ = -std::max(0.0, 0.5 * (most_rows - title_rows - gauge_rows * gauges)) * row_height();
 }
 
@@ -51,7 +41,7 @@ std::vector<GaugePicture::Gauge> GaugePicture::gauges(const DrawnConfiguration& 
   std::vector<Gauge> gauges{{"smallest singular value of A", indices.smallest_singular_value, true},
                             {"inverse condition number of A", indices.inverse_condition_number, true}};
   for (std::size_t j = 0; j < manipulator_->leg_count(); ++j) {
-    const double largest = largest_entry(manipulator_->leg(j));
+    const double largest = manipulator_->leg(j).largest_entry();
     if (largest <= 0.0) continue;
     const double share = std::abs(indices.inverse_diagonal[static_cast<Eigen::Index>(j)]) / largest;
     gauges.push_back({"|B" + std::to_string(j + 1) + std::to_string(j + 1) + "| / largest", share, false});

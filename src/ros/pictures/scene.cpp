@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/pictures/scene.h"
 
+#include "model/overloaded.h"
 #include "parallel_aspects/kinematics/inverse.h"
 
 #include <algorithm>
@@ -26,9 +27,11 @@ AlignedBox3d robot_box(const Manipulator& robot, const Pose& pose) {
   AlignedBox3d box;
   for (const Leg& leg : robot.legs()) {
     box.extend(pose.transform(leg.anchor));
-    if (const auto* revolute = std::get_if<RevoluteActuation>(&leg.actuation))
-      extend_by_circle(*revolute, box);
-    if (!std::holds_alternative<PrismaticActuation>(leg.actuation)) box.extend(leg.base_point());
+    std::visit(Overloaded{[&box](const RevoluteActuation& crank) { extend_by_circle(crank, box); },
+                          [](const PrismaticActuation&) {},  // its origin is anywhere on its line
+                          [&box](const StrutActuation& strut) { box.extend(strut.base); },
+                          [&box](const ElbowActuation& elbow) { box.extend(elbow.base); }},
+               leg.actuation);
     for (const double limit : {leg.limits.lower, leg.limits.upper})
       if (std::isfinite(limit)) box.extend(leg.proximal_point(limit));
   }

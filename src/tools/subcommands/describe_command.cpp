@@ -74,7 +74,7 @@ json json_joint_limits(const Mechanism& mechanism) {
 json json_leg(const Leg& leg) {
   json object = std::visit(ActuatedJointJson{leg}, leg.actuation);
   object["name"] = leg.name;
-  object["kind"] = std::string(kind_name(leg.actuation));
+  object["kind"] = std::string(leg.kind().name);
   object["actuated_joint"] = leg.actuated_joint;
   object["unit"] = joint_unit(leg);
   object["anchor"] = json_point(leg.anchor);
@@ -126,7 +126,7 @@ std::string limits_text(const Leg& leg) {
 std::string length_table(const Manipulator& manipulator) {
   TextTable table({"leg", "kind", "actuated joint", "lengths [m]", "base point [m]", "anchor [m]", "limits"});
   for (const Leg& leg : manipulator.legs())
-    table.add({leg.name, std::string(kind_name(leg.actuation)), leg.actuated_joint,
+    table.add({leg.name, std::string(leg.kind().name), leg.actuated_joint,
                std::visit(ActuatedJointText{leg}, leg.actuation), point_text(leg.base_point()),
                point_text(leg.anchor), limits_text(leg)});
   return table.text();

@@ -24,8 +24,7 @@ class Search {
 
   FoundPassiveLimits run(const std::vector<RecognisedLeg>& legs, const std::vector<std::size_t>& bounded) {
     for (std::size_t j = 0; j < legs.size(); ++j) {
-      if (motion_.space == TaskSpace::SO3 || std::holds_alternative<ElbowActuation>(legs[j].leg.actuation))
-        continue;
+      if (motion_.space == TaskSpace::SO3 || !legs[j].leg.kind().has_straight_rod) continue;
       for (const SplitChain& chain : legs[j].chains)
         is_planar(motion_.space) ? add(j, legs[j].leg, chain) : add_cones(j, legs[j].leg, chain);
     }
@@ -61,10 +60,10 @@ class Search {
   void add(std::size_t index, const Leg& leg, const SplitChain& chain) {
     const Vector3d rod = to_task_.linear() * (chain.p - chain.c);
     if (const Pivot* pivot = only_one(chain.proximal)) {
-      const auto* crank = std::get_if<RevoluteActuation>(&leg.actuation);
+      const bool crank = leg.kind().has_crank;
       const double from =
-          crank != nullptr ? direction_of(leg.proximal_point(value(chain.actuation)) - crank->center) : 0.0;
-      add(index, crank != nullptr ? PassiveAngle::crank_to_rod : PassiveAngle::base_to_rod, *pivot,
+          crank ? direction_of(leg.proximal_point(value(chain.actuation)) - leg.base_point()) : 0.0;
+      add(index, crank ? PassiveAngle::crank_to_rod : PassiveAngle::base_to_rod, *pivot,
           direction_of(rod) - from);
     }
     const Pivot* pivot = only_one(chain.distal);
