@@ -51,8 +51,13 @@ void LocalChart<space>::move_to(const Pose& pose) noexcept {
       displacements_[j][i] = offsets_[j][i] + arms_[j][i];
     }
   }
+  turn_half_turns();
+}
+
+template <TaskSpace space>
+void LocalChart<space>::turn_half_turns() noexcept {
+  half_turns_at_pose_ = 0.5 * (pose_.orientation.normalized().toRotationMatrix() * metric_.half_turns);
   const Interval half(0.5);
-  half_turns_at_pose_ = 0.5 * (pose.orientation.normalized().toRotationMatrix() * metric_.half_turns);
   if constexpr (dimension == 2) half_turns_[2][2] = half * Interval(metric_.half_turns(2, 2));
   if constexpr (dimension == 3)
     for (std::size_t i = 0; i < 3; ++i)

@@ -119,6 +119,7 @@ class LocalChart {
     return sum;
   }
 
+  void turn_half_turns() noexcept;
   static Vector<Interval> interval_vector(const Eigen::Vector3d& vector) noexcept;
 
   AnchorMetric metric_;

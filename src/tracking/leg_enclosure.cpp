@@ -116,31 +116,38 @@ LegEnclosure LegForm::enclose(const Pose& pose, const RotationRows<Interval>* tu
     const auto i = static_cast<std::size_t>(k);
     leg.u[i] = leg.b[i] + pose.position[k] - fixed_[k];
   }
-  Interval squared_length = squared_rod_;
-  if (kind_ == Kind::revolute) {
-    const Trigonometry at = enclosed(q);
-    IntervalVector speed;
-    for (std::size_t i = 0; i < 3; ++i) {
-      leg.u[i] = leg.u[i] - (at.cosine * exact_first_[i] + at.sine * exact_second_[i]);
-      speed[i] = at.cosine * exact_second_[i] - at.sine * exact_first_[i];
-    }
-    leg.inverse_diagonal = dot(leg.u, speed);
-  } else if (kind_ == Kind::prismatic) {
-    for (std::size_t i = 0; i < 3; ++i) leg.u[i] = leg.u[i] - exact_first_[i] * q;
-    leg.inverse_diagonal = dot(leg.u, exact_first_);
-  } else {
-    const Interval moved = Interval(offset_) + Interval(sense_) * q;
-    if (kind_ == Kind::strut) {
-      squared_length = square(moved);
-      leg.inverse_diagonal = moved * sense_;
-    } else {
-      const Trigonometry at = enclosed(moved.upper(), moved.upper() - moved.lower());
-      squared_length = squared_rod_ + Interval(2.0) * (product_ * at.cosine);
-      leg.inverse_diagonal = -(Interval(sense_) * (product_ * at.sine));
-    }
-  }
+  const Interval squared_length = moves_point() ? enclose_point(q, leg) : enclose_length(q, leg);
   leg.half_residual = Interval(0.5) * (squared_norm(leg.u) - squared_length);
   return leg;
+}
+
+// B_jj = u.c' where c moves.
+Interval LegForm::enclose_point(double q, LegEnclosure& leg) const noexcept {
+  if (kind_ == Kind::prismatic) {
+    for (std::size_t i = 0; i < 3; ++i) leg.u[i] = leg.u[i] - exact_first_[i] * q;
+    leg.inverse_diagonal = dot(leg.u, exact_first_);
+    return squared_rod_;
+  }
+  const Trigonometry at = enclosed(q);
+  IntervalVector speed;
+  for (std::size_t i = 0; i < 3; ++i) {
+    leg.u[i] = leg.u[i] - (at.cosine * exact_first_[i] + at.sine * exact_second_[i]);
+    speed[i] = at.cosine * exact_second_[i] - at.sine * exact_first_[i];
+  }
+  leg.inverse_diagonal = dot(leg.u, speed);
+  return squared_rod_;
+}
+
+// B_jj = rho rho' where rho does.
+Interval LegForm::enclose_length(double q, LegEnclosure& leg) const noexcept {
+  const Interval moved = Interval(offset_) + Interval(sense_) * q;
+  if (kind_ == Kind::strut) {
+    leg.inverse_diagonal = moved * sense_;
+    return square(moved);
+  }
+  const Trigonometry at = enclosed(moved.upper(), moved.upper() - moved.lower());
+  leg.inverse_diagonal = -(Interval(sense_) * (product_ * at.sine));
+  return squared_rod_ + Interval(2.0) * (product_ * at.cosine);
 }
 
 }  // namespace parallel_aspects

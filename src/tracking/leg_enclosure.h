@@ -56,6 +56,12 @@ class LegForm {
  private:
   enum class Kind { revolute, prismatic, strut, elbow };
 
+  bool moves_point() const noexcept { return kind_ == Kind::revolute || kind_ == Kind::prismatic; }
+
+  /// Each completes u and B_jj, and returns rho^2: of legs that move c, and of those that change rho.
+  Interval enclose_point(double q, LegEnclosure& leg) const noexcept;
+  Interval enclose_length(double q, LegEnclosure& leg) const noexcept;
+
   void prepare(const Leg& leg, const RevoluteActuation& actuation) noexcept;
   void prepare(const Leg& leg, const PrismaticActuation& actuation) noexcept;
   void prepare(const Leg& leg, const StrutActuation& actuation) noexcept;
