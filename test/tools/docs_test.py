@@ -21,7 +21,7 @@ class Docs(unittest.TestCase):
         for page in PAGES:
             with self.subTest(page=page.name):
                 problems = console.Page(page, PROGRAMS["aspects"].parent, ros=False).problems()
-                self.assertEqual("\n\n".join(problems), "")
+                self.assertTrue(problems == [], "\n\n".join(problems))
 
     def test_commands_are_in_console_blocks(self):
         for page in PAGES:

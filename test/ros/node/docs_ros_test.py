@@ -21,7 +21,7 @@ class DocsWithRos(unittest.TestCase):
         problems = []
         for name in ("tutorial.md", "stack.md"):
             problems += console.Page(ROOT / "docs" / name, aspects.parent, ros=True).problems()
-        self.assertEqual("\n\n".join(problems), "")
+        self.assertTrue(problems == [], "\n\n".join(problems))
 
 
 if __name__ == "__main__":
