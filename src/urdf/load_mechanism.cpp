@@ -88,9 +88,12 @@ class Recogniser {
                                                  const Assembly& assembly, Problems& problems) const {
     const ClosureSystem& system = mechanism.system;
     const FoundLegs found = find_legs(mechanism, resolved_.actuated_joints, files_, problems);
-    if (!problems.empty()) return nullptr;
-    const auto motion = find_platform_motion(system, assembly, resolved_.actuated_joints, files_, problems);
+    Problems of_motion;
+    const auto motion = problems.empty() ? find_platform_motion(system, assembly, resolved_.actuated_joints,
+                                                                files_, of_motion)
+                                         : std::nullopt;
     const auto passive = recognise_passive(found.passive, motion.has_value(), problems);
+    if (problems.empty()) problems = of_motion;
     if (!motion || !problems.empty()) return nullptr;
     const auto legs = recognise_legs(found.legs, system, assembly.values, *motion, problems);
     check_task_space(*motion, problems);
@@ -113,9 +116,10 @@ class Recogniser {
       }
       const std::string names = joint_names_of(one.chains.front());
       if (!moves)
-        problems = {files_.config + " actuates none of the joints " + names +
-                    ", which make one leg; add one of them to actuated_joints, or take the leg out of the "
-                    "URDF."};
+        problems.push_back(
+            files_.config + " actuates none of the joints " + names +
+            ", which make one leg; add one of them to actuated_joints, or take the leg out of the "
+            "URDF.");
       else
         problems.push_back(files_.urdf +
                            " joins the platform to the base by a chain without actuated joint, " + names +
