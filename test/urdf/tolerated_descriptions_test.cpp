@@ -76,6 +76,19 @@ INSTANTIATE_TEST_SUITE_P(
                   "ixz=\"0\" iyy=\"0\" "
                   "iyz=\"0\" izz=\"0\"/></inertial></link>",
                   ""},
+        Tolerated{"ShapesThatCannotBe", "<link name=\"closing_2\"/>",
+                  "<link name=\"closing_2\"><visual><origin xyz=\"0 nan 0\"/><geometry><box size=\"0 1 "
+                  "1\"/></geometry></visual><collision><geometry><cylinder radius=\"-0.1\" "
+                  "length=\"1\"/></geometry></collision><visual><geometry><mesh "
+                  "filename=\"\"/></geometry></visual></link>",
+                  "robot.urdf has shapes that cannot be, <origin xyz='0 nan 0'> in link 'closing_2', <box "
+                  "size='0 1 1'> in link 'closing_2', <mesh filename=''> in link 'closing_2', <cylinder "
+                  "radius='-0.1'> in link 'closing_2'; they are not used, as kinematics needs none."},
+        Tolerated{"WhatUrdfdomRefuses", "<link name=\"closing_2\"/>",
+                  "<material/><link name=\"closing_2\"><visual><geometry/></visual><inertial><mass "
+                  "value=\"heavy\"/></inertial><collision><geometry><mesh "
+                  "filename=\"package://gone/rod.stl\"/></geometry></collision></link>",
+                  ""},
         Tolerated{"AxisThatIsNotUnit", "<axis xyz=\"0 0 1\"/>", "<axis xyz=\"0 0 17\"/>", ""}),
     [](const ::testing::TestParamInfo<Tolerated>& tested) { return tested.param.name; });
 

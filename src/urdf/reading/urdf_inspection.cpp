@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <initializer_list>
 #include <locale>
 #include <map>
 #include <optional>
@@ -99,6 +100,10 @@ class Inspector {
     inspect_joints(robot);
     inspect_topology();
     for (const std::string& message : messages(remarks_)) notes_.push_back(file_ + " " + message);
+    if (!unused_shapes_.empty())
+      notes_.push_back(file_ + " has shapes that cannot be, " + unused_shapes_ +
+                       "; they are not used, as kinematics needs none.");
+    leave_out_what_kinematics_does_not_need(robot);
     tinyxml2::XMLPrinter printer(nullptr, true);  // without indents, which may be longer than the text
     document.Print(&printer);
     result_.text = printer.CStr();
@@ -138,29 +143,58 @@ class Inspector {
         for (const auto* body = link->FirstChildElement(part); body != nullptr;
              body = body->NextSiblingElement(part))
           inspect_body(body, "link '" + name + "'");
-      check_origin(link->FirstChildElement("inertial"), "link '" + name + "'");
     }
     if (links_.empty()) problem("has no links; give a URDF with the links and joints of the robot.");
   }
 
+  // What is wrong here is none of the robot's motion.
   void inspect_body(const XMLElement* body, const std::string& owner) {
-    check_origin(body, owner);
+    const auto* origin = body->FirstChildElement("origin");
+    for (const char* name : {"xyz", "rpy"})
+      if (origin != nullptr && origin->Attribute(name) != nullptr && !has_numbers(origin, name, 3))
+        remark_shape(origin, name, owner);
     const auto* geometry = body->FirstChildElement("geometry");
     if (geometry == nullptr) return;
     check_lengths(geometry->FirstChildElement("box"), "size", 3, owner);
     check_lengths(geometry->FirstChildElement("cylinder"), "radius", 1, owner);
     check_lengths(geometry->FirstChildElement("cylinder"), "length", 1, owner);
     check_lengths(geometry->FirstChildElement("sphere"), "radius", 1, owner);
+    const auto* mesh = geometry->FirstChildElement("mesh");
+    if (mesh != nullptr && attribute(mesh, "filename").empty()) remark_shape(mesh, "filename", owner);
   }
 
   void check_lengths(const XMLElement* shape, const char* name, std::size_t count, const std::string& owner) {
     if (shape == nullptr) return;
     const auto values = numbers(attribute(shape, name));
-    const bool good = values && values->size() == count &&
-                      std::all_of(values->begin(), values->end(), [](double value) { return value > 0.0; });
-    if (!good)
-      problem("has a <" + std::string(shape->Name()) + "> in " + owner + " whose " + name + " '" +
-              attribute(shape, name) + "' is not positive and finite; give lengths in metres.");
+    if (!has_numbers(shape, name, count) ||
+        !std::all_of(values->begin(), values->end(), [](double value) { return value > 0.0; }))
+      remark_shape(shape, name, owner);
+  }
+
+  static bool has_numbers(const XMLElement* element, const char* name, std::size_t count) {
+    const auto values = numbers(attribute(element, name));
+    return values && values->size() == count;
+  }
+
+  void remark_shape(const XMLElement* shape, const char* name, const std::string& owner) {
+    unused_shapes_ += (unused_shapes_.empty() ? "<" : ", <") + std::string(shape->Name()) + " " + name +
+                      "='" + attribute(shape, name) + "'> in " + owner;
+  }
+
+  // So that urdfdom does not refuse it.
+  static void leave_out_what_kinematics_does_not_need(XMLElement* robot) {
+    leave_out(robot, {"material"});
+    for (auto* link = robot->FirstChildElement("link"); link != nullptr;
+         link = link->NextSiblingElement("link"))
+      leave_out(link, {"visual", "collision", "inertial"});
+    for (auto* joint = robot->FirstChildElement("joint"); joint != nullptr;
+         joint = joint->NextSiblingElement("joint"))
+      leave_out(joint, {"dynamics", "safety_controller", "calibration"});
+  }
+
+  static void leave_out(XMLElement* parent, std::initializer_list<const char*> names) {
+    for (const char* name : names)
+      while (auto* child = parent->FirstChildElement(name)) parent->DeleteChild(child);
   }
 
   void check_origin(const XMLElement* parent, const std::string& owner) {
@@ -312,6 +346,7 @@ class Inspector {
   std::size_t earlier_problems_;
   UrdfInspection result_;
   std::multimap<Remark, std::string> remarks_;  // and the joints that they are about
+  std::string unused_shapes_;                   // for a note
   std::vector<std::string> links_;
   NameSet link_names_, joint_names_;
   int guesses_ = 0;
