@@ -5,16 +5,19 @@
 #include "parallel_aspects/kinematics/working_mode.h"
 #include "urdf/closing/assembly.h"
 #include "urdf/closing/chain.h"
+#include "urdf/closing/ends_of_loops.h"
 #include "urdf/closing/resolved_config.h"
 #include "urdf/config/mechanism_config.h"
 #include "urdf/description/yaml_document.h"
 #include "urdf/mechanism_contents.h"
 #include "urdf/open_choices.h"
 #include "urdf/reading/tree_reader.h"
+#include "urdf/recognition/culprit.h"
 #include "urdf/recognition/leg_recognition.h"
 #include "urdf/recognition/passive_chain.h"
 #include "urdf/recognition/passive_limits.h"
 #include "urdf/recognition/platform_motion.h"
+#include "urdf/stated_constraints.h"
 
 #include <tinyxml2.h>
 #include <yaml-cpp/yaml.h>
@@ -283,43 +286,43 @@ void check_closures(const std::vector<Closure>& closures, const SourceNames& fil
                        " are treated; a robot needs one for each loop.");
 }
 
-// The workspace of the YAML, as far as slides let the operational point go there.
-void intersect(const WorkspaceBox& slides, TaskSpace space, const SourceNames& files,
-               std::optional<WorkspaceBox>& workspace, Problems& problems) {
-  if (!workspace) workspace = slides;
-  workspace->lower = workspace->lower.cwiseMax(slides.lower);
-  workspace->upper = workspace->upper.cwiseMin(slides.upper);
-  const auto count = static_cast<Eigen::Index>(directions(space));
-  if ((workspace->lower.head(count).array() >= workspace->upper.head(count).array()).any())
-    problems.push_back(files.config +
-                       " has a constraints.workspace that the limits of the passive slides in " + files.urdf +
-                       " leave no room in; widen one of them.");
+// Which joints are in the loops does not depend on the types.
+ClosureSystem loops_of(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved) {
+  return {tree, resolved.base, with_type(resolved.closures, ClosureType::point)};
 }
 
-// Limits that the URDF states hold unless the YAML says otherwise; the rest is in the YAML alone.
-void add_constraints(const MechanismConfig& config, const SourceNames& files, Mechanism::Contents& contents,
-                     Problems& problems) {
-  const std::size_t before = problems.size();
-  ManipulatorDescription description = contents.manipulator->description();
-  const Constraints limits = description.constraints;
-  const ConstrainedRobot robot{description.task_space, description.legs.size(), contents.point_platform};
-  description.constraints = resolve_constraints(config.constraints, robot, files.config, problems);
-  if (config.constraints.passive_limits) {
-    description.constraints.passive_limits = limits.passive_limits;
-    description.constraints.passive_cones = limits.passive_cones;
-    description.constraints.missing_joints = limits.missing_joints;
-    if (limits.workspace)
-      intersect(*limits.workspace, description.task_space, files, description.constraints.workspace,
-                problems);
-  }
-  if (!config.constraints.actuated_limits)
-    for (Leg& leg : description.legs) leg.limits = {};
-  if (problems.size() > before) return;
-  try {
-    contents.manipulator = std::make_shared<const Manipulator>(std::move(description));
-  } catch (const InvalidDescription& invalid) {
-    for (const std::string& problem : invalid.problems()) problems.push_back(files.config + ": " + problem);
-  }
+// Of the joints that a URDF calls actuated, those outside of the loops may be of something else, as a
+// gripper.
+void check_ends(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,
+                const SourceNames& files) {
+  ActuatedJoints listed = resolved.actuated_joints;
+  if (!resolved.actuation_origin.empty()) listed.variables.clear();
+  Problems problems;
+  check_ends_of_loops(loops_of(tree, resolved), listed, files, problems);
+  if (!problems.empty()) throw InvalidDescription(problems);
+}
+
+// Throws where there is none.
+std::unique_ptr<Mechanism::Contents> recognise(const std::shared_ptr<const Tree>& tree,
+                                               const MechanismConfig& config, const ResolvedConfig& resolved,
+                                               const SourceNames& files) {
+  check_ends(tree, resolved, files);
+  const auto recognise_in = [&](const std::shared_ptr<const Tree>& in, const ResolvedConfig& open,
+                                Problems& problems) {
+    const Recognise each = [&](const ResolvedConfig& chosen, Problems& found) {
+      return Recogniser(in, config, chosen, files).recognise(chosen.closures, found);
+    };
+    return recognise_open(in, open, each, files, problems);
+  };
+  Problems problems;
+  if (auto contents = recognise_in(tree, resolved, problems)) return contents;
+  const Attempt attempt = [&](const auto& changed_tree, const ResolvedConfig& changed) {
+    Problems ignored;
+    const auto contents = recognise_in(changed_tree, changed, ignored);
+    return contents ? std::optional<std::string>(name(contents->manipulator->task_space())) : std::nullopt;
+  };
+  if (const auto culprit = find_culprit(tree, resolved, files, attempt)) throw InvalidDescription({*culprit});
+  throw InvalidDescription(problems);
 }
 
 // Both texts have been read once, so that they are known to parse, or the problem is known.
@@ -354,14 +357,9 @@ SharedMechanism load_mechanism(const std::string& urdf_text, const std::string& 
       resolved_names(*tree, config, urdf_text, config_text, files, problems, notes);
   check_closures(resolved.closures, files, problems);
   if (!problems.empty()) throw InvalidDescription(problems);
-  const auto shared = std::make_shared<const Tree>(std::move(*tree));
-  const auto recognise = [&](const ResolvedConfig& chosen, Problems& found) {
-    return Recogniser(shared, config, chosen, files).recognise(chosen.closures, found);
-  };
-  auto contents = recognise_open(shared, resolved, recognise, files, problems);
-  if (!contents) throw InvalidDescription(problems);
+  auto contents = recognise(std::make_shared<const Tree>(std::move(*tree)), config, resolved, files);
   Problems of_constraints;
-  add_constraints(config, files, *contents, of_constraints);
+  add_stated_constraints(config.constraints, files, *contents, of_constraints);
   if (!of_constraints.empty()) throw InvalidDescription(of_constraints);
   contents->notes.insert(contents->notes.begin(), notes.begin(), notes.end());
   return SharedMechanism(std::make_shared<const Mechanism>(std::move(contents)));

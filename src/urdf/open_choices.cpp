@@ -29,12 +29,6 @@ bool all_welds(const std::vector<Closure>& closures) {
                      [](const Closure& closure) { return !is_open(closure) || closure.weld != Weld::none; });
 }
 
-std::vector<Closure> with_type(std::vector<Closure> closures, ClosureType type) {
-  for (Closure& closure : closures)
-    if (is_open(closure)) closure.type = type;
-  return closures;
-}
-
 // Some of the open closures points and some revolute joints, few revolute ones first; none where there are
 // many.
 std::vector<std::vector<Closure>> mixtures(const std::vector<Closure>& closures) {

@@ -93,6 +93,19 @@ TEST(DeltaVariant, HasParallelogramsOfRevoluteJoints) {
 }
 
 // As CAD exports frames: nothing says what joint they are.
+TEST(DeltaVariant, HasATiltedAxisInAParallelogram) {
+  LoopTexts delta = delta_of_revolute_joints();
+  const std::string right = "<child link=\"right_rod_2\"/><origin xyz=\"0 -0.06 0\"/><axis xyz=\"1 0";
+  delta.urdf = test::replaced(delta.urdf, right + " 0", right + ".04 0");
+  const Problems problems = test::refusal(delta.urdf, config(delta.closures));
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_EQ(
+      problems[0],
+      "robot.urdf turns the axis of joint 'right_2' 0.04 rad away from axes that are parallel to each other, "
+      "so that the loops hold too much; write <axis xyz=\"1 0 0\"/> for joint 'right_2', which makes it a "
+      "robot in T3.");
+}
+
 TEST(DeltaVariant, LeavesTheTypesOfItsClosuresOpen) {
   const LoopTexts delta = delta_of_revolute_joints();
   const std::string open =

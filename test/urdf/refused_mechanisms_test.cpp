@@ -23,10 +23,8 @@ TEST(RefusedMechanism, HasItsOperationalPointBesideTheBallOfADrivenElbow) {
   five_bar.config =
       replaced(five_bar.config, "[crank_1_joint, crank_2_joint]", "[elbow_1_joint, crank_2_joint]");
   const Problems expected{
-      "robot.urdf has a leg through 'crank_1_joint', 'elbow_1_joint', 'ball_3_joint' that does not end in "
-      "the "
-      "operational point; move that to where the legs meet, since B would not be diagonal; it is not a "
-      "distance leg and cannot be treated."};
+      "robot.yaml has operational_point 'camera', but the legs of robot.urdf meet in link 'ball_3', as those "
+      "of a robot in T2; write operational_point: ball_3."};
   EXPECT_EQ(test::refusal(five_bar.urdf, five_bar.config), expected);
 }
 
@@ -91,11 +89,9 @@ TEST(RefusedMechanism, HasItsOperationalPointInsideARod) {
                "<link name=\"camera\"/>" + fixed_joint("rod_1", "camera", "xyz=\"2 0.5 0\"") + "</robot>");
   five_bar.config = replaced(five_bar.config, "operational_point: tool", "operational_point: camera");
   const Problems expected{
-      "robot.urdf has a leg through 'crank_2_joint', 'elbow_2_joint', 'tool - closing_2' that does not end "
-      "in "
-      "the operational point; move that to where the legs meet, since B would not be diagonal; it is not a "
-      "distance leg "
-      "and cannot be treated."};
+      "robot.yaml has operational_point 'camera', but the legs of robot.urdf meet in link 'tool', as those "
+      "of "
+      "a robot in T2; write operational_point: tool."};
   EXPECT_EQ(test::refusal(five_bar.urdf, five_bar.config), expected);
 }
 

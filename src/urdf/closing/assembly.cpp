@@ -20,6 +20,9 @@ constexpr unsigned seed = 20240117;
 constexpr double stillness = 1e-3;
 constexpr double step_length = 0.1;
 
+// Of the closures and the actuated joints, away from singularities.
+constexpr double good_conditioning = 0.02;
+
 double largest(const Eigen::VectorXd& vector) {
   return vector.size() > 0 ? vector.lpNorm<Eigen::Infinity>() : 0.0;
 }
@@ -107,9 +110,9 @@ struct Candidate {
   double conditioning = 0.0;  // 0 at a singularity
   std::size_t at_limits = 0;  // passive joints that stand on a limit, where legs may be stretched by chance
 
-  double worth() const { return at_limits == 0 ? conditioning : 0.01 * conditioning; }
-
   bool joints_move() const { return conditioning > rank_tolerance; }
+
+  bool is_good() const { return at_limits == 0 && conditioning > good_conditioning; }
 };
 
 // Columns of the joints inside the loops, with lengths counted in sizes of the robot.
@@ -169,13 +172,14 @@ Candidate judged(const ClosureSystem& system, const Eigen::VectorXd& values,
 }
 
 // Actuated joints that move independently come first: a mechanism may have other branches, as a parallelogram
-// that is crossed. Then least mobility; then the earliest, which is nearest to zero, unless a later one is
-// much better conditioned.
+// that is crossed. Then least mobility; then good ones, away from limits; then the earliest, which is nearest
+// to zero, unless a later one is much better conditioned.
 bool is_better(const Candidate& one, const Candidate& other) {
   if (one.joints_move() != other.joints_move()) return one.joints_move();
   const Eigen::Index mobility = one.assembly.motions.cols(), other_mobility = other.assembly.motions.cols();
   if (mobility != other_mobility) return mobility < other_mobility;
-  return one.worth() > 5.0 * other.worth();
+  if (one.is_good() != other.is_good()) return one.is_good();
+  return one.conditioning > 5.0 * other.conditioning;
 }
 
 // Of all motions together; a step that closes its loops again and is far enough to tell.
@@ -239,9 +243,9 @@ AssemblyResult assemble(const ClosureSystem& system, const std::vector<std::size
   std::mt19937 random(seed);
   const std::vector<bool> none_held(static_cast<std::size_t>(system.tree().variables()), false);
   std::vector<Candidate> candidates;
-  int moving = 0;
+  int moving = 0, good = 0;
   double least = std::numeric_limits<double>::infinity();
-  for (int trial = 0; trial <= random_starts && moving < wanted_assemblies; ++trial) {
+  for (int trial = 0; trial <= random_starts && (moving < wanted_assemblies || good == 0); ++trial) {
     const Eigen::VectorXd start =
         trial == 0 ? Eigen::VectorXd::Zero(system.tree().variables()) : random_start(system, random);
     const Eigen::VectorXd values = close_loops(system, start, none_held);
@@ -251,6 +255,7 @@ AssemblyResult assemble(const ClosureSystem& system, const std::vector<std::size
     if (!(error < closing_tolerance * system.size())) continue;
     candidates.push_back(judged(system, values, actuated_joints));
     if (candidates.back().joints_move()) ++moving;
+    if (candidates.back().is_good()) ++good;
   }
   if (!candidates.empty()) result.assembly = best(candidates).assembly;
   return result;

@@ -12,6 +12,19 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+// Whether all movable joints are in one chain, but for single ones that branch off, as fingers do.
+bool is_serial_arm(const Tree& tree) {
+  std::vector<std::size_t> joints_below(tree.links.size(), 0);  // in the longest chain
+  std::vector<std::size_t> long_branches(tree.links.size(), 0);
+  for (auto joint = tree.joints.rbegin(); joint != tree.joints.rend(); ++joint) {
+    const std::size_t length = joints_below[joint->child] + (joint->variable ? 1 : 0);
+    if (long_branches[joint->child] > 1) return false;
+    joints_below[joint->parent] = std::max(joints_below[joint->parent], length);
+    if (length > 1) ++long_branches[joint->parent];
+  }
+  return long_branches.front() == 1;
+}
+
 class Resolver {
  public:
   Resolver(const LoopSource& source, Problems& problems, std::vector<std::string>& notes)
@@ -59,6 +72,12 @@ class Resolver {
     const FoundLoops found = find_described_loops(source_, problems_);
     if (problems_.size() > before) return false;
     if (found.loops.closures.empty()) {
+      if (is_serial_arm(tree_)) {
+        problems_.push_back(files_.urdf + " is a serial arm, one chain of " +
+                            std::to_string(tree_.movable.size()) +
+                            " joints that no loop closes; only parallel robots are treated.");
+        return false;
+      }
       problem("has no mechanism.closures, and " + files_.urdf +
               " is an open tree without them; list the frames that each loop holds together.");
       return true;

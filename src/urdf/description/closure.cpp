@@ -185,4 +185,10 @@ Twists velocity_matrix(const Tree& tree, std::size_t base, const Poses& poses, s
   return result;
 }
 
+std::vector<Closure> with_type(std::vector<Closure> closures, ClosureType type) {
+  for (Closure& closure : closures)
+    if (closure.type == ClosureType::automatic) closure.type = type;
+  return closures;
+}
+
 }  // namespace parallel_aspects

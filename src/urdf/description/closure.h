@@ -86,6 +86,9 @@ class ClosureSystem {
   std::vector<bool> in_loop_;
 };
 
+/// Those of no stated type are of this one.
+std::vector<Closure> with_type(std::vector<Closure> closures, ClosureType type);
+
 /// Velocity (w, v) of a point fixed in a link, by the joint values: 6 rows; the base rests.
 Eigen::Matrix<double, 6, Eigen::Dynamic> velocity_matrix(const Tree& tree, std::size_t base,
                                                          const Poses& poses, std::size_t link,

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "urdf/recognition/culprit.h"
+
+#include "urdf/closing/assembly.h"
+#include "urdf/recognition/misfit_axes.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace parallel_aspects {
+namespace {
+
+constexpr std::size_t most_points = 16;  // links that are tried as operational point
+
+// Of attempts, times the square of the number of joints in the loops: a refusal is not to take long.
+constexpr std::size_t most_work = 40000;
+
+class Search {
+ public:
+  Search(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved, const SourceNames& files,
+         const Attempt& attempt)
+      : tree_(tree),
+        resolved_(resolved),
+        files_(files),
+        attempt_(attempt),
+        system_(tree, resolved.base, typed(resolved.closures)),
+        assembled_(assemble(system_, resolved.actuated_joints.variables)) {}
+
+  std::optional<std::string> run() {
+    if (assembled_.assembly)
+      if (auto message = other_operational_point()) return message;
+    if (auto message = misfit_axes()) return message;
+    if (auto message = other_types()) return message;
+    return one_degree_of_freedom();
+  }
+
+ private:
+  // With what holds least, so that it is assembled wherever it can be.
+  static std::vector<Closure> typed(std::vector<Closure> closures) {
+    for (Closure& closure : closures)
+      if (closure.type == ClosureType::automatic) closure.type = ClosureType::point;
+    return closures;
+  }
+
+  const std::string& operational_point() const {
+    return tree_->links[resolved_.actuated_joints.platform_link];
+  }
+
+  // Origins of links where loops are closed, or that several joints move, each place on a body once.
+  std::vector<std::size_t> candidates() const {
+    std::vector<std::size_t> links;
+    for (const Closure& closure : resolved_.closures)
+      for (const LinkFrame& frame : closure.frames) links.push_back(frame.link);
+    std::vector<std::size_t> joints_at(tree_->links.size(), 0);
+    for (const TreeJoint& joint : tree_->joints)
+      if (joint.variable && system_.in_loop()[*joint.variable]) ++joints_at[joint.parent];
+    for (std::size_t link = 0; link < joints_at.size(); ++link)
+      if (joints_at[link] > 1) links.push_back(link);
+    std::vector<std::size_t> once;
+    for (const std::size_t link : links)
+      if (link != resolved_.base && link != resolved_.actuated_joints.platform_link &&
+          std::find(once.begin(), once.end(), link) == once.end() && once.size() < most_points)
+        once.push_back(link);
+    return once;
+  }
+
+  std::optional<std::string> other_operational_point() {
+    for (const std::size_t link : candidates()) {
+      ResolvedConfig changed = resolved_;
+      changed.actuated_joints.platform_link = link;
+      const auto space = tried(tree_, changed);
+      if (!space) continue;
+      const std::string& name = tree_->links[link];
+      return files_.config + " has operational_point '" + operational_point() + "', but the legs of " +
+             files_.urdf + " meet in link '" + name + "', as those of a robot in " + *space +
+             "; write operational_point: " + name + ".";
+    }
+    return std::nullopt;
+  }
+
+  std::optional<std::string> misfit_axes() {
+    const Eigen::VectorXd& values = assembled_.assembly ? assembled_.assembly->values : assembled_.closest;
+    for (const AxisCorrection& correction : find_axis_corrections(system_, values)) {
+      const auto space = tried(correction.tree, resolved_);
+      if (!space) continue;
+      return files_.urdf + " " + correction.fault + ", so that the loops hold too much; " +
+             correction.remedy + ", which makes it a robot in " + *space + ".";
+    }
+    return std::nullopt;
+  }
+
+  std::optional<std::string> other_types() {
+    ResolvedConfig changed = resolved_;
+    std::string names;
+    for (Closure& closure : changed.closures) {
+      if (closure.type == ClosureType::automatic) continue;
+      names += (names.empty() ? "'" : ", '") + closure.name + "'";
+      closure.type = ClosureType::automatic;
+    }
+    const auto space = names.empty() ? std::nullopt : tried(tree_, changed);
+    if (!space) return std::nullopt;
+    return files_.config + " closes loops of " + files_.urdf +
+           " by types that do not fit its joints; write type: auto for " + names +
+           " in mechanism.closures, which makes it a robot in " + *space + ".";
+  }
+
+  std::optional<std::string> tried(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& changed) {
+    const auto joints =
+        static_cast<std::size_t>(std::count(system_.in_loop().begin(), system_.in_loop().end(), true));
+    work_ += joints * joints;
+    return work_ > most_work ? std::nullopt : attempt_(tree, changed);
+  }
+
+  // With the one joint that is actuated, or each of several that move together.
+  std::optional<std::string> one_degree_of_freedom() const {
+    if (!assembled_.assembly || assembled_.assembly->motions.cols() != 1) return std::nullopt;
+    return files_.urdf +
+           " is a linkage of one degree of freedom, as a four-bar, and its operational_point '" +
+           operational_point() +
+           "' is not on a slide; of those only a platform on a slide, which one leg moves (T1), is treated.";
+  }
+
+  const std::shared_ptr<const Tree>& tree_;
+  const ResolvedConfig& resolved_;
+  const SourceNames& files_;
+  const Attempt& attempt_;
+  ClosureSystem system_;
+  AssemblyResult assembled_;
+  std::size_t work_ = 0;
+};
+
+}  // namespace
+
+std::optional<std::string> find_culprit(const std::shared_ptr<const Tree>& tree,
+                                        const ResolvedConfig& resolved, const SourceNames& files,
+                                        const Attempt& attempt) {
+  return Search(tree, resolved, files, attempt).run();
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_URDF_RECOGNITION_CULPRIT_H
+#define PARALLEL_ASPECTS_URDF_RECOGNITION_CULPRIT_H
+
+#include "parallel_aspects/model/problems.h"
+#include "urdf/closing/resolved_config.h"
+#include "urdf/description/tree.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace parallel_aspects {
+
+/// What a description would be recognised as: "T2" and so on; nothing where it is refused.
+using Attempt =
+    std::function<std::optional<std::string>(const std::shared_ptr<const Tree>&, const ResolvedConfig&)>;
+
+/// Why a description is refused, in one message with a remedy that was tried and works; nothing where none
+/// of those that are known does: another operational point, axes that do not fit. And that a mechanism of
+/// one degree of freedom is none of the robots that are treated.
+std::optional<std::string> find_culprit(const std::shared_ptr<const Tree>& tree,
+                                        const ResolvedConfig& resolved, const SourceNames& files,
+                                        const Attempt& attempt);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_URDF_RECOGNITION_CULPRIT_H

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_URDF_STATED_CONSTRAINTS_H
+#define PARALLEL_ASPECTS_URDF_STATED_CONSTRAINTS_H
+
+#include "parallel_aspects/model/problems.h"
+#include "urdf/closing/chain.h"
+#include "urdf/config/constraints_config.h"
+#include "urdf/mechanism_contents.h"
+
+namespace parallel_aspects {
+
+/// Gives the manipulator the constraints of the YAML. Limits that the URDF states, which it has by now, hold
+/// unless the YAML says otherwise; what is wrong is added to `problems`.
+void add_stated_constraints(const ConstraintsConfig& config, const SourceNames& files,
+                            Mechanism::Contents& contents, Problems& problems);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_URDF_STATED_CONSTRAINTS_H

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Each refusal names what is wrong, and the remedy that it names works to the letter.
+#include <gtest/gtest.h>
+
+#include "support/descriptions.h"
+#include <algorithm>
+#include <cmath>
+
+namespace parallel_aspects {
+namespace {
+
+using test::Description;
+using test::fixed_joint;
+using test::moving_joint;
+using test::replaced;
+using test::shipped_text;
+
+Description culprit(const std::string& name) {
+  return {test::source_file("test/data/culprits/" + name + ".urdf"),
+          test::source_file("test/data/culprits/" + name + ".yaml")};
+}
+
+Problems refusal(const Description& description) {
+  return test::refusal(description.urdf, description.config);
+}
+
+TEST(Culprit, IsAFourBar) {
+  const std::string start = "robot.urdf is a linkage of one degree of freedom, as a four-bar, and its ";
+  const std::string end =
+      " is not on a slide; of those only a platform on a slide, which one leg moves (T1), is treated.";
+  for (const std::string link : {"coupler", "tip", "rocker", "rocker_tip"}) {
+    Description four_bar = culprit("four_bar");
+    four_bar.config = replaced(four_bar.config, "point: coupler", "point: " + link);
+    EXPECT_EQ(refusal(four_bar), Problems{start + "operational_point '" + link + "'" + end});
+    four_bar.config = replaced(four_bar.config, "[crank_joint]", "[crank_joint, rocker_joint]");
+    EXPECT_EQ(refusal(four_bar), Problems{start + "operational_point '" + link + "'" + end});
+  }
+}
+
+// All four sides of a parallelogram move along circles, but for a moment along lines.
+TEST(Culprit, IsAParallelogram) {
+  Description four_bar = culprit("four_bar");
+  four_bar.urdf = replaced(four_bar.urdf, "xyz=\"3.5 0 0\"", "xyz=\"3 0 0\"");
+  four_bar.urdf = replaced(four_bar.urdf, "xyz=\"2 0 0\"", "xyz=\"1 0 0\"");
+  const Problems problems = refusal(four_bar);
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_EQ(problems[0].rfind("robot.urdf is a linkage of one degree of freedom, as a four-bar", 0), 0U)
+      << problems[0];
+}
+
+// A crank on a slide is one, and its slider is a platform.
+TEST(Culprit, IsTheOperationalPointOfASliderCrank) {
+  Description slider = culprit("slider_crank");
+  EXPECT_EQ(refusal(slider),
+            Problems{"robot.yaml has operational_point 'rod', but the legs of robot.urdf meet in link "
+                     "'slider', as those of a robot in T1; write operational_point: slider."});
+  slider.config = replaced(slider.config, "operational_point: rod", "operational_point: slider");
+  EXPECT_EQ(test::load(slider)->manipulator()->task_space(), TaskSpace::T1);
+}
+
+TEST(Culprit, IsAnOperationalPointBesideTheJointsOfAHub) {
+  Description robot = culprit("hub");
+  EXPECT_EQ(refusal(robot), Problems{"robot.yaml has operational_point 'camera', but the legs of robot.urdf "
+                                     "meet in link 'hub', as those of a robot in T2; write "
+                                     "operational_point: hub."});
+  robot.config = replaced(robot.config, "operational_point: camera", "operational_point: hub");
+  EXPECT_EQ(test::load(robot)->manipulator()->task_space(), TaskSpace::T2);
+}
+
+TEST(Culprit, IsASerialArm) {
+  EXPECT_EQ(refusal(culprit("serial_arm")),
+            Problems{"robot.urdf is a serial arm, one chain of 5 joints that no loop closes; only parallel "
+                     "robots are treated."});
+}
+
+// A parallel robot is an open tree, too, until its loops are described.
+TEST(Culprit, IsNoSerialArmWhereLoopsAreNotDescribed) {
+  Description robot = shipped_text("five_bar");
+  robot.config =
+      replaced(robot.config, "  closures:\n    - {frames: [tool, closing_2], type: revolute}\n", "");
+  EXPECT_EQ(refusal(robot), Problems{"robot.yaml has no mechanism.closures, and robot.urdf is an open tree "
+                                     "without them; list the frames that each loop holds together."});
+}
+
+// On a turntable, whose joint is actuated like the others.
+Description on_turntable(Description robot, const std::string& base) {
+  robot.urdf =
+      replaced(robot.urdf, "</robot>",
+               "<link name=\"ground\"/>" + moving_joint("turn", "ground", base, "0 0 1") + "</robot>");
+  robot.config = replaced(robot.config, "  base_link: " + base + "\n", "");
+  return robot;
+}
+
+TEST(Culprit, IsATurntableBelowTheLoops) {
+  Description robot = on_turntable(shipped_text("delta"), "base_link");
+  EXPECT_EQ(refusal(robot), Problems{"robot.yaml has base_link 'ground', but joint 'turn' moves all loops of "
+                                     "robot.urdf; write base_link: base_link."});
+  Description actuated = robot;
+  actuated.config = replaced(robot.config, "[crank_1_joint, crank_2_joint, crank_3_joint]",
+                             "[crank_1_joint, crank_2_joint, turn]");
+  EXPECT_EQ(
+      refusal(actuated),
+      Problems{"robot.yaml has base_link 'ground', but joint 'turn' moves all loops of robot.urdf; write "
+               "base_link: base_link and actuated_joints: [crank_1_joint, crank_2_joint]."});
+  robot.config = replaced(robot.config, "mechanism:\n", "mechanism:\n  base_link: base_link\n");
+  EXPECT_EQ(test::load(robot)->manipulator()->task_space(), TaskSpace::T3);
+}
+
+TEST(Culprit, IsAWristAfterThePlatform) {
+  Description robot = shipped_text("three_rrr");
+  robot.urdf = replaced(
+      robot.urdf, "</robot>",
+      "<link name=\"gripper\"/>" + moving_joint("wrist", "platform", "gripper", "0 0 1") + "</robot>");
+  robot.config = replaced(robot.config, "operational_point: platform", "operational_point: gripper");
+  EXPECT_EQ(refusal(robot), Problems{"robot.yaml has operational_point 'gripper', which joint 'wrist' moves "
+                                     "against all loops of robot.urdf; write operational_point: platform."});
+}
+
+TEST(Culprit, IsAnActuatedJointOutsideOfTheLoops) {
+  Description robot = shipped_text("three_rrr");
+  robot.urdf =
+      replaced(robot.urdf, "</robot>",
+               "<link name=\"fan\"/>" + moving_joint("fan_joint", "base_link", "fan", "0 0 1") + "</robot>");
+  robot.config = replaced(robot.config, "crank_3_joint]", "fan_joint]");
+  EXPECT_EQ(refusal(robot), Problems{"robot.yaml actuates joint 'fan_joint', which is in no loop of "
+                                     "robot.urdf; write actuated_joints: [crank_1_joint, crank_2_joint], or "
+                                     "add the closure of its leg."});
+}
+
+// The axis of one joint of a robot in the plane.
+TEST(Culprit, IsATiltedAxis) {
+  Description robot = shipped_text("five_bar");
+  const std::string elbow = "<child link=\"rod_2\"/>\n    <origin xyz=\"5 0 0\"/>\n    ";
+  robot.urdf = replaced(robot.urdf, elbow + "<axis xyz=\"0 0 1\"/>", elbow + "<axis xyz=\"0.05 0 1\"/>");
+  EXPECT_EQ(
+      refusal(robot),
+      Problems{"robot.urdf turns the axis of joint 'elbow_2_joint' 0.05 rad away from the direction that "
+               "the axes of the other joints share, so that the loops hold too much; write <axis "
+               "xyz=\"0 0 1\"/> for joint 'elbow_2_joint', which makes it a robot in T2."});
+}
+
+// A frame that is turned takes all with it that hangs on it.
+TEST(Culprit, IsATiltedFrame) {
+  Description robot = shipped_text("three_rrr");
+  const std::size_t at = robot.urdf.find("<joint name=\"elbow_1_joint\"");
+  ASSERT_NE(at, std::string::npos);
+  const std::size_t origin = robot.urdf.find("/>", robot.urdf.find("<origin", at));
+  robot.urdf.insert(origin, " rpy=\"0.04 0 0\"");
+  const Problems problems = refusal(robot);
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_EQ(
+      problems[0],
+      "robot.urdf turns the axis of joint 'elbow_1_joint' 0.04 rad away from the direction that the axes "
+      "of the other joints share, so that the loops hold too much; write rpy=\"0 0 0\" in the origin of "
+      "joint 'elbow_1_joint', which makes it a robot in SE2.");
+  robot.urdf = replaced(robot.urdf, " rpy=\"0.04 0 0\"", " rpy=\"0 0 0\"");
+  EXPECT_EQ(test::load(robot)->manipulator()->task_space(), TaskSpace::SE2);
+}
+
+TEST(Culprit, IsAnAxisThatMissesTheCentre) {
+  Description robot = shipped_text("spherical_3rrr");
+  const std::string elbow = "<child link=\"rod_1\"/>\n    <origin xyz=\"";
+  robot.urdf = replaced(robot.urdf, elbow + "0 0 0\"", elbow + "0.02 0 0\"");
+  const Problems problems = refusal(robot);
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_EQ(
+      problems[0],
+      "robot.urdf puts the axis of joint 'elbow_1_joint' 0.02 m beside the point that the axes of the "
+      "other joints meet in, so that the loops hold too much; write xyz=\"0 0 0\" in the origin of joint "
+      "'elbow_1_joint', which makes it a robot in SO3.");
+}
+
+// Zero is stretched, and a limit of the elbows.
+TEST(Assembly, IsNotTakenStretchedAtALimit) {
+  for (const std::string robot : {"five_bar", "three_rrr"})
+    for (const std::string limits : {"lower=\"0\" upper=\"2.9\"", "lower=\"-2.9\" upper=\"0\"",
+                                     "lower=\"-0.001\" upper=\"2.9\"", "lower=\"0\" upper=\"0.8\""}) {
+      Description description = shipped_text(robot);
+      for (const std::string joint : {"elbow_1_joint", "elbow_2_joint"})
+        description.urdf =
+            replaced(description.urdf, "<joint name=\"" + joint + "\" type=\"continuous\">",
+                     "<joint name=\"" + joint + "\" type=\"revolute\"><limit " + limits + "/>");
+      const auto mechanism = test::load(description);
+      const AssembledConfiguration at = mechanism->assembled();
+      Eigen::VectorXd joints(static_cast<Eigen::Index>(mechanism->joint_names().size()));
+      ASSERT_TRUE(mechanism->complete(at.pose, at.q, joints));
+      for (std::size_t k = 0; k < mechanism->joint_names().size(); ++k) {
+        const JointLimits& range = mechanism->joint_limits()[k];
+        const double value = joints[static_cast<Eigen::Index>(k)];
+        if (!range.limited()) continue;
+        EXPECT_GT(std::min(value - range.lower, range.upper - value), 1e-3)
+            << robot << " " << limits << " " << mechanism->joint_names()[k];
+        EXPECT_GT(std::abs(std::sin(value)), 0.02);
+      }
+    }
+}
+
+}  // namespace
+}  // namespace parallel_aspects
