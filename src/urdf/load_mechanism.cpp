@@ -204,6 +204,7 @@ class Recogniser {
     try {
       auto contents = std::unique_ptr<Mechanism::Contents>(new Mechanism::Contents{
           std::make_shared<const Manipulator>(description),
+          nullptr,
           tree_->links[resolved_.actuated_joints.platform_link],
           config_.operational_point.name.empty() ? "platform" : config_.operational_point.name,
           {},

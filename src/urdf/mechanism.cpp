@@ -34,6 +34,9 @@ Mechanism::~Mechanism() = default;
 const std::shared_ptr<const Manipulator>& Mechanism::manipulator() const noexcept {
   return contents_->manipulator;
 }
+const std::shared_ptr<const Manipulator>& Mechanism::mapped_manipulator() const noexcept {
+  return contents_->mapped_manipulator;
+}
 const std::string& Mechanism::platform_link() const noexcept { return contents_->platform_link; }
 const std::string& Mechanism::platform_frame() const noexcept { return contents_->platform_frame; }
 const std::vector<std::string>& Mechanism::link_names() const noexcept {

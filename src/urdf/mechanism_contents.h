@@ -13,6 +13,7 @@ namespace parallel_aspects {
 
 struct Mechanism::Contents {
   std::shared_ptr<const Manipulator> manipulator;
+  std::shared_ptr<const Manipulator> mapped_manipulator;
   std::string platform_link;
   std::string platform_frame;
   std::vector<std::string> joint_names;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/stated_constraints.h"
 
+#include <algorithm>
+#include <limits>
 #include <memory>
+#include <string>
 #include <utility>
 
 namespace parallel_aspects {
@@ -19,6 +22,60 @@ void intersect(const WorkspaceBox& slides, TaskSpace space, const SourceNames& f
                        " has a constraints.workspace that the limits of the passive slides in " + files.urdf +
                        " leave no room in; widen one of them.");
 }
+
+// What limits may lack of a full turn where none are meant, as -3.14 to 3.14 does [rad].
+constexpr double nearly_a_turn = 0.01;
+
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+bool leaves_nearly_a_turn(const JointLimits& limits) {
+  const double lacking = 2.0 * EIGEN_PI - (limits.upper - limits.lower);
+  return 0.0 < lacking && lacking < nearly_a_turn;
+}
+
+// Takes limits of revolute joints that leave nearly a full turn as none of the aspects.
+class FullTurns {
+ public:
+  explicit FullTurns(const Mechanism::Contents& contents) : tree_(contents.completion.system().tree()) {}
+
+  void leave_out(ManipulatorDescription& description) {
+    for (Leg& leg : description.legs)
+      if (leg.limits.limited() && is_left_out(leg.actuated_joint))
+        leg.limits = {-unlimited, unlimited, leg.limits.velocity};
+    auto& limits = description.constraints.passive_limits;
+    limits.erase(std::remove_if(limits.begin(), limits.end(),
+                                [this](const PassiveLimit& limit) { return is_left_out(limit.joint); }),
+                 limits.end());
+    auto& missing = description.constraints.missing_joints;
+    missing.erase(std::remove_if(missing.begin(), missing.end(),
+                                 [this](const std::string& joint) { return is_left_out(joint); }),
+                  missing.end());
+  }
+
+  bool any() const { return !names_.empty(); }
+
+  std::string note(const SourceNames& files) const {
+    return files.urdf +
+           " limits joints to less than 0.01 rad below a full turn, which bounds no aspect: " + names_ +
+           "; constraints: {strict_limits: true} in " + files.config + " takes the limits as they are.";
+  }
+
+ private:
+  bool turns(const std::string& name) const {
+    const auto joint = tree_.joint_named(name);
+    return joint && tree_.joints[*joint].motion == JointMotion::revolute &&
+           leaves_nearly_a_turn(tree_.joints[*joint].limits);
+  }
+
+  bool is_left_out(const std::string& joint) {
+    if (!turns(joint)) return false;
+    names_ += (names_.empty() ? "'" : ", '") + joint + "'";
+    return true;
+  }
+
+  const Tree& tree_;
+  std::string names_;
+};
 
 }  // namespace
 
@@ -41,10 +98,17 @@ void add_stated_constraints(const ConstraintsConfig& config, const SourceNames& 
     for (Leg& leg : description.legs) leg.limits = {};
   if (problems.size() > before) return;
   try {
-    contents.manipulator = std::make_shared<const Manipulator>(std::move(description));
+    contents.manipulator = std::make_shared<const Manipulator>(description);
   } catch (const InvalidDescription& invalid) {
     for (const std::string& problem : invalid.problems()) problems.push_back(files.config + ": " + problem);
   }
+  contents.mapped_manipulator = contents.manipulator;
+  if (problems.size() > before) return;
+  FullTurns full_turns(contents);
+  if (!config.strict_limits) full_turns.leave_out(description);
+  if (!full_turns.any()) return;
+  contents.mapped_manipulator = std::make_shared<const Manipulator>(std::move(description));
+  contents.notes.push_back(full_turns.note(files));
 }
 
 }  // namespace parallel_aspects

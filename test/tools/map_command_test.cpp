@@ -123,6 +123,25 @@ TEST_F(MapCommand, ConesAreNamedAndCanBeLeftOut) {
   EXPECT_LT(bounded["aspects"].size(), free["aspects"].size());
 }
 
+// Where the limits cut nothing, or are nearly a full turn, the counts are the same.
+TEST_F(MapCommand, CountsWithoutLimitsAreTold) {
+  const json bipod = run_json({"map", "bipod", "--resolution", "0.2"});
+  EXPECT_EQ(bipod.at("without_limits").at("components"), 2);
+  EXPECT_EQ(bipod.at("without_limits").at("left_out"), json::array({"actuated_limits"}));
+  const std::string told = "without limits of joints there are ";
+  EXPECT_EQ(run({"map", "bipod", "--resolution", "0.2"}).output.find(told), std::string::npos) << "the same";
+  const std::string data = PARALLEL_ASPECTS_SOURCE_DIR "/test/data/";
+  const std::string urdf = data + "nearly_a_turn.urdf", config = data + "strict_limits.yaml";
+  const Outcome strict = run({"map", "--urdf", urdf.c_str(), "--config", config.c_str()});
+  EXPECT_NE(
+      strict.output.find(told + "10 in place of 20 components here; --no-constraint "
+                                "actuated_limits,passive_limits leaves them out, and so does constraints: "
+                                "{actuated_limits: false, passive_limits: false} in the YAML"),
+      std::string::npos)
+      << strict.output;
+  EXPECT_FALSE(run_json({"map", "five_bar", "--resolution", "0.5"}).contains("without_limits"));
+}
+
 TEST_F(MapCommand, BadConstraintsAreRefused) {
   const std::vector<std::pair<std::vector<const char*>, std::string>> cases{
       {{"map", "five_bar", "--constraint", "gravity"},

@@ -38,6 +38,11 @@ class Mechanism {
 
   const std::shared_ptr<const Manipulator>& manipulator() const noexcept;  ///< never null
 
+  /// Whose aspects are mapped, never null: `manipulator()`, but that limits of revolute joints which leave
+  /// less than 0.01 rad of a full turn are none, unless limits are strict. Those are written for none; where
+  /// a stop or a cable is there, it is in time that it counts.
+  const std::shared_ptr<const Manipulator>& mapped_manipulator() const noexcept;
+
   /// Link whose origin is the operational point, or the name of that frame in the YAML.
   const std::string& platform_link() const noexcept;
 

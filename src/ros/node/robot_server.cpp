@@ -39,7 +39,7 @@ RobotServer::RobotServer(const ros::NodeHandle& nh, const ros::NodeHandle& priva
       joint_states_(tracking_nh_.advertise<sensor_msgs::JointState>("joint_states", 100)),
       candidates_(work_nh_.advertise<AssemblyCandidates>("candidates", 10, true)),
       map_progress_(service_nh_.advertise<MapProgress>("map_progress", 10, true)),
-      worker_(setup_.mechanism->manipulator(), setup_.options.map_file,
+      worker_(setup_.mechanism->mapped_manipulator(), setup_.options.map_file,
               [this](const MapProgress& progress, const auto& map) { on_map_progress(progress, map); }),
       queries_(
           setup_.mechanism->manipulator(), monitor_, worker_,

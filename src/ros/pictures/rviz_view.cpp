@@ -34,7 +34,7 @@ Screen screen_of(const YAML::Node& config) {
 // The gallery of a robot of two degrees of freedom takes its size from the map, which takes no time to
 // compute.
 AlignedBox2d map_gallery(const NodeSetup& setup) {
-  const auto map = compute_aspect_map(setup.mechanism->manipulator(), setup.options.map).map;
+  const auto map = compute_aspect_map(setup.mechanism->mapped_manipulator(), setup.options.map).map;
   AlignedBox2d box;
   if (!map || map->aspects().empty() || !setup.options.display.gallery) return box;
   const GalleryLayout layout(*map, JointProjection(map).window(), setup.options.display.gallery_scale);

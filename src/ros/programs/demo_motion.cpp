@@ -143,7 +143,8 @@ class TourPlanner {
   SampledMotion plan() const {
     MapControl control;
     control.cancelled = &cancelled_;
-    const auto map = compute_aspect_map(setup_.mechanism->manipulator(), setup_.options.map, control).map;
+    const auto map =
+        compute_aspect_map(setup_.mechanism->mapped_manipulator(), setup_.options.map, control).map;
     if (!map) return {};
     const Tour tour = plan_tour(*map, local_.start.pose, local_.start.mode);
     if (tour.joint_values.size() < 2) return {};

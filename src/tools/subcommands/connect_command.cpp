@@ -176,7 +176,8 @@ Subcommand connect_subcommand() {
   return {"connect", "Tell whether two poses lie in one aspect, with a certified path", options,
           [arguments](const Surroundings& surroundings) {
             const auto mechanism = load_robot(arguments->robot);
-            const auto manipulator = choose_constraints(mechanism->manipulator(), arguments->constraints);
+            const auto manipulator =
+                choose_constraints(mechanism->mapped_manipulator(), arguments->constraints);
             const Question question = parse(*arguments, *manipulator);
             Asking asking(manipulator, question, surroundings);
             std::vector<ModeAnswer> answers;

@@ -10,6 +10,7 @@
 #include "tools/report/numbers.h"
 #include "tools/report/reports.h"
 #include "tools/subcommands.h"
+#include "tools/subcommands/unlimited_count.h"
 
 #include <filesystem>
 #include <optional>
@@ -189,6 +190,7 @@ Report load_or_compute(const std::shared_ptr<const Manipulator>& manipulator, co
   save(*map, arguments);
   draw(*map, arguments);
   Report report = report_map(*map, {loaded, arguments.all_aspects, arguments.verbose});
+  add_count_without_limits(*map, options, surroundings, report);
   if (arguments.neighbours) {
     MapControl control;
     control.cancelled = surroundings.interrupted;
@@ -239,7 +241,7 @@ Report report_of(const MapArguments& arguments, const Surroundings& surroundings
   check_file("--save", arguments.save_file, problems);
   check_file("--picture", arguments.picture_file, problems);
   const auto mechanism = load_robot(arguments.robot, std::move(problems));
-  const auto manipulator = choose_constraints(mechanism->manipulator(), arguments.constraints);
+  const auto manipulator = choose_constraints(mechanism->mapped_manipulator(), arguments.constraints);
   if (manipulator->task_space() == TaskSpace::SE3 && arguments.slice.empty())
     return roadmap_report(manipulator, arguments, section, surroundings);
   add_coverage(arguments, section, *manipulator, map_options);

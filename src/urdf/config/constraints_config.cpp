@@ -33,8 +33,8 @@ class Reader {
   ConstraintsConfig read(const YAML::Node& node) {
     ConstraintsConfig config;
     if (!node.IsDefined() || node.IsNull()) return config;
-    const std::vector<std::string> known{"actuated_limits", "passive_limits", "cones",    "thickness",
-                                         "self_collision",  "obstacles",      "workspace"};
+    const std::vector<std::string> known{"actuated_limits", "passive_limits", "strict_limits", "cones",
+                                         "thickness",       "self_collision", "obstacles",     "workspace"};
     if (!node.IsMap()) {
       std::string keys;
       for (const std::string& key : known) keys += (keys.empty() ? "" : ", ") + key;
@@ -45,6 +45,7 @@ class Reader {
     yaml_.check_keys(node, known, "constraints");
     yaml_.truth(node["actuated_limits"], "constraints.actuated_limits", config.actuated_limits);
     yaml_.truth(node["passive_limits"], "constraints.passive_limits", config.passive_limits);
+    yaml_.truth(node["strict_limits"], "constraints.strict_limits", config.strict_limits);
     read_cones(node["cones"], config);
     read_thickness(node["thickness"], config.thickness);
     read_self_collision(node["self_collision"], config);

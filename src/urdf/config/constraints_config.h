@@ -42,6 +42,7 @@ struct ConfiguredCone {
 struct ConstraintsConfig {
   bool actuated_limits = true;
   bool passive_limits = true;
+  bool strict_limits = false;  ///< whether limits that leave nearly a full turn bound aspects, too
   LinkThickness thickness;
   std::vector<ConfiguredCone> cones;
   std::optional<SelfCollision> self_collision;
