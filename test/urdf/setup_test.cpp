@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/loops.h"
+#include "support/many_joints.h"
 #include "support/shipped.h"
 #include <algorithm>
 #include <string>
@@ -220,6 +220,17 @@ TEST(Setup, WritesNamesAsTheyAre) {
   ASSERT_TRUE(result.mechanism) << listed(result.problems);
   EXPECT_EQ(result.mechanism->platform_link(), "tool: #1 [x]");
   EXPECT_EQ(actuated_joints(*result.mechanism), (Strings{"true", "crank_2_joint"}));
+}
+
+// A stand below, hands above, balls of three joints, welds and 200 joints.
+TEST(Setup, FindsAHexapodAmongTwoHundredJoints) {
+  const test::HexapodOf200Joints hexapod;
+  const SetupResult result = set_up_text(hexapod.description().urdf);
+  ASSERT_TRUE(result.mechanism) << listed(result.problems) << (result.question ? result.question->text : "");
+  EXPECT_EQ(result.mechanism->manipulator()->task_space(), TaskSpace::SE3);
+  EXPECT_EQ(result.mechanism->platform_link(), "platform");
+  EXPECT_EQ(actuated_joints(*result.mechanism),
+            (Strings{"crank_1", "crank_2", "crank_3", "crank_4", "crank_5", "crank_6"}));
 }
 
 TEST(NameWords, AreSplitWhereReadersSplitThem) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <queue>
 
 namespace parallel_aspects {
@@ -27,15 +28,14 @@ Bodies::Bodies(const Tree& tree) : body_(tree.links.size(), 0), links_{{0}} {
 
 BodyGraph::BodyGraph(const Tree& tree, const Bodies& bodies, const std::vector<Closure>& closures)
     : bodies_(bodies), in_loop_(static_cast<std::size_t>(tree.variables()), false) {
-  bodies_on_the_way_.assign(bodies.count(), 0);
+  carrier_.assign(bodies.count(), 0);
   std::vector<int> crossings(bodies.count(), 0);
   for (const TreeJoint& joint : tree.joints)
-    if (joint.variable) bodies_on_the_way_[bodies.of(joint.child)] = bodies.of(joint.parent);
+    if (joint.variable) carrier_[bodies.of(joint.child)] = bodies.of(joint.parent);
   for (const Closure& closure : closures) {
     std::fill(crossings.begin(), crossings.end(), 0);
     for (const LinkFrame& frame : closure.frames)
-      for (std::size_t body = bodies.of(frame.link); body != 0; body = bodies_on_the_way_[body])
-        ++crossings[body];
+      for (std::size_t body = bodies.of(frame.link); body != 0; body = carrier_[body]) ++crossings[body];
     for (const TreeJoint& joint : tree.joints)
       if (joint.variable && crossings[bodies.of(joint.child)] == 1) in_loop_[*joint.variable] = true;
     edges_.push_back({bodies.of(closure.frames[0].link), bodies.of(closure.frames[1].link), std::nullopt});
@@ -99,36 +99,35 @@ GraphPart BodyGraph::part_of(std::vector<std::size_t> edges, const std::vector<s
   return part;
 }
 
-std::vector<GraphPart> BodyGraph::parts_between(std::size_t base, std::size_t platform) const {
-  // Bodies that are joined without base and platform have one mark.
+std::vector<std::size_t> BodyGraph::marks_without(std::size_t base, std::size_t platform) const {
   std::vector<std::size_t> mark(bodies_.count());
-  for (std::size_t body = 0; body < mark.size(); ++body) mark[body] = body;
-  const auto is_end = [&](std::size_t body) { return body == base || body == platform; };
+  std::iota(mark.begin(), mark.end(), std::size_t{0});
   for (const Edge& edge : edges_)
-    if (!is_end(edge.from) && !is_end(edge.to))
+    if (edge.from != base && edge.from != platform && edge.to != base && edge.to != platform)
       std::replace(mark.begin(), mark.end(), std::size_t{mark[edge.from]}, std::size_t{mark[edge.to]});
-  struct Found {
-    std::vector<std::size_t> edges;
-    bool at_base = false, at_platform = false;
-  };
-  std::map<std::size_t, Found> found;
+  return mark;
+}
+
+bool BodyGraph::any_at(const std::vector<std::size_t>& edges, std::size_t body) const {
+  return std::any_of(edges.begin(), edges.end(),
+                     [&](std::size_t k) { return edges_[k].from == body || edges_[k].to == body; });
+}
+
+std::vector<GraphPart> BodyGraph::parts_between(std::size_t base, std::size_t platform) const {
+  const std::vector<std::size_t> mark = marks_without(base, platform);
+  const auto is_end = [&](std::size_t body) { return body == base || body == platform; };
+  std::map<std::size_t, std::vector<std::size_t>> edges_by_mark;
   for (std::size_t k = 0; k < edges_.size(); ++k) {
-    const Edge& edge = edges_[k];
-    const std::size_t inner = is_end(edge.from) ? edge.to : edge.from;
-    Found& part = found[is_end(inner) ? bodies_.count() + k : mark[inner]];
-    part.edges.push_back(k);
-    part.at_base = part.at_base || edge.from == base || edge.to == base;
-    part.at_platform = part.at_platform || edge.from == platform || edge.to == platform;
+    const std::size_t inner = is_end(edges_[k].from) ? edges_[k].to : edges_[k].from;
+    edges_by_mark[is_end(inner) ? bodies_.count() + k : mark[inner]].push_back(k);
   }
   const std::vector<std::size_t> depths = depths_from(base, platform);
   std::vector<GraphPart> parts;
-  for (const auto& [key, part] : found)
-    if (part.at_base && part.at_platform) parts.push_back(part_of(part.edges, depths));
+  for (const auto& [key, edges] : edges_by_mark)
+    if (any_at(edges, base) && any_at(edges, platform)) parts.push_back(part_of(edges, depths));
   // Legs in the order of the URDF.
-  std::sort(parts.begin(), parts.end(), [](const GraphPart& one, const GraphPart& other) {
-    return std::lexicographical_compare(one.variables.begin(), one.variables.end(), other.variables.begin(),
-                                        other.variables.end());
-  });
+  std::sort(parts.begin(), parts.end(),
+            [](const GraphPart& one, const GraphPart& other) { return one.variables < other.variables; });
   return parts;
 }
 

@@ -55,13 +55,17 @@ class BodyGraph {
   };
 
   bool touches_loop(std::size_t body) const;
+  bool any_at(const std::vector<std::size_t>& edges, std::size_t body) const;
+
+  // Bodies that are joined without these two have one mark.
+  std::vector<std::size_t> marks_without(std::size_t base, std::size_t platform) const;
   std::vector<std::size_t> depths_from(std::size_t base, std::size_t platform) const;
   GraphPart part_of(std::vector<std::size_t> edges, const std::vector<std::size_t>& depths) const;
 
   const Bodies& bodies_;
   std::vector<bool> in_loop_;
-  std::vector<Edge> edges_;                     // those of the loops
-  std::vector<std::size_t> bodies_on_the_way_;  // of each body: the one that carries it
+  std::vector<Edge> edges_;           // those of the loops
+  std::vector<std::size_t> carrier_;  // of each body: the one that carries it
 };
 
 }  // namespace parallel_aspects

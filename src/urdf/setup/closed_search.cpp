@@ -17,6 +17,9 @@ constexpr std::size_t most_others = 4;
 // Closures that are seldom, as welds, and mixtures of types are tried for so many candidates.
 constexpr std::size_t most_with_all_types = 2;
 
+// So many joints in the loops take a second to be refused, on a processor of 2.6 GHz.
+constexpr double joints_of_a_second = 45.0;
+
 bool is_leg_count(std::size_t count) { return (count > 0 && count < 4) || count == 6; }
 
 struct Platform {
@@ -34,6 +37,8 @@ class ClosedSearch {
         tree_(subject.tree),
         bodies_(subject.bodies),
         graph_(subject.tree, subject.bodies, closures) {
+    const std::vector<bool>& in_loop = graph_.in_loop();
+    joints_in_loops_ = static_cast<std::size_t>(std::count(in_loop.begin(), in_loop.end(), true));
     result_.draft.robot = subject.tree.name;
     result_.draft.urdf_name = subject.urdf_name;
     result_.draft.closures = described;
@@ -60,8 +65,13 @@ class ClosedSearch {
  private:
   const std::string& link_name(std::size_t link) const { return tree_.links[link]; }
 
+  // What may not end in time is not begun: assembling takes a time that grows with the third power.
   bool is_late() const {
-    return subject_.control.cancelled() || std::chrono::steady_clock::now() > subject_.control.deadline;
+    const double size = static_cast<double>(joints_in_loops_) / joints_of_a_second;
+    const auto cost = std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+        std::chrono::duration<double>(size * size * size));
+    return subject_.control.cancelled() ||
+           std::chrono::steady_clock::now() + cost > subject_.control.deadline;
   }
 
   bool stopped() {
@@ -162,6 +172,7 @@ class ClosedSearch {
   // speaks are equals, and so are those that time does not suffice to try; the others are told of.
   bool try_legs(const Platform& platform, const std::vector<GraphPart>& legs) {
     const std::vector<ActuationCandidate> candidates = actuations(legs);
+    legs_ = legs.size();
     std::vector<SetupCandidate> equals, others;
     int weight = 0;
     for (std::size_t k = 0; k < candidates.size() && others.size() < most_others; ++k) {
@@ -212,12 +223,32 @@ class ClosedSearch {
   // The first type under which the mechanism loads, revolute where a ball joint would only hold less.
   bool try_types(bool all_types) {
     if (result_.draft.closures.values.empty()) return load();
-    if (try_type("spherical")) {
-      prefer_revolute();
+    std::vector<CountedType> types{
+        {"spherical", 3, true}, {"revolute", 5, true}, {"universal", 4, false}, {"fixed", 6, false}};
+    const auto is_left_out = [&](const CountedType& type) {
+      return !all_types && !type.usual && !fits(type);
+    };
+    types.erase(std::remove_if(types.begin(), types.end(), is_left_out), types.end());
+    std::stable_partition(types.begin(), types.end(), [this](const CountedType& type) { return fits(type); });
+    for (const CountedType& type : types) {
+      if (!try_type(type.name)) continue;
+      if (type.held == 3) prefer_revolute();
       return true;
     }
-    if (try_type("revolute")) return true;
-    return all_types && (try_type("universal") || try_type("fixed") || try_type("auto"));
+    return all_types && try_type("auto");
+  }
+
+  struct CountedType {
+    const char* name;
+    std::size_t held;  // degrees of freedom that it takes in space
+    bool usual;
+  };
+
+  // Whether the joints less what closures hold make the degrees of freedom of the platform, and no more than
+  // a rod of each leg that spins. Planar and spherical robots have fewer by this count.
+  bool fits(const CountedType& type) const {
+    const std::size_t held = type.held * result_.draft.closures.values.size();
+    return joints_in_loops_ >= held + legs_ && joints_in_loops_ <= held + 2 * legs_;
   }
 
   bool try_type(const char* type) {
@@ -263,6 +294,8 @@ class ClosedSearch {
   const Bodies& bodies_;
   BodyGraph graph_;
   std::size_t base_ = 0;  // body
+  std::size_t joints_in_loops_ = 0;
+  std::size_t legs_ = 0;  // of what is being tried
   ClosedResult result_;
 };
 

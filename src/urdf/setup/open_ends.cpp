@@ -18,6 +18,7 @@ constexpr double coincident = 1e-4;
 constexpr double near = 0.02;
 constexpr double distinct = 3.0;  // the second nearest is so many times farther
 
+constexpr std::size_t most_hubs = 4;
 constexpr std::size_t most_orders = 24;  // of ends that nothing tells apart
 
 using Strings = std::vector<std::string>;
@@ -45,14 +46,8 @@ class Likeness {
       std::map<std::string, std::vector<std::size_t>> alike;
       for (const std::size_t link : *links) alike[role_of(tree.links[link])].push_back(link);
       const std::set<std::string> common = common_words(tree, *links);
-      for (const auto& [role, members] : alike) {
-        const std::set<std::string> of_role = common_words(tree, members);
-        for (const std::size_t link : members) {
-          std::set<std::string>& own = words_[link];
-          for (const std::string& word : words_of(tree.links[link]))
-            if (common.count(word) == 0 && !(is_index(word) && of_role.count(word) > 0)) own.insert(word);
-        }
-      }
+      for (const auto& [role, members] : alike)
+        for (const std::size_t link : members) words_[link] = telling_words(tree, link, members, common);
     }
   }
 
@@ -64,6 +59,21 @@ class Likeness {
   }
 
  private:
+  static std::set<std::string> telling_words(const Tree& tree, std::size_t link,
+                                             const std::vector<std::size_t>& members,
+                                             const std::set<std::string>& common) {
+    const Strings words = words_of(tree.links[link]);
+    std::set<std::string> telling;
+    for (std::size_t k = 0; k < words.size(); ++k) {
+      const bool of_all =
+          members.size() > 1 && std::all_of(members.begin(), members.end(), [&](std::size_t other) {
+            return words_of(tree.links[other])[k] == words[k];
+          });
+      if (is_index(words[k]) ? !of_all : common.count(words[k]) == 0) telling.insert(words[k]);
+    }
+    return telling;
+  }
+
   // Where there is but one link, all its words may tell.
   static std::set<std::string> common_words(const Tree& tree, const std::vector<std::size_t>& links) {
     std::map<std::string, std::size_t> counts;
@@ -92,10 +102,12 @@ class EndFinder {
 
   OpenEnds find() {
     if (terminal_.empty()) return result_;
-    split();
-    const auto at_zero = by_position();
-    const auto by_words = by_names();
-    add_first(at_zero, by_words);
+    const std::vector<Body> hubs = hubs_first();
+    for (const Body& hub : hubs) {
+      split(hub);
+      add_first(by_position(), by_names());
+    }
+    split(hubs.front());
     if (tips_.size() == 1 && anchors_.size() == 1)
       add({Pairing{{{anchors_[0], tips_[0].front(), ""}}, "they are the only open ends"}});
     add_in_one_point();
@@ -107,6 +119,7 @@ class EndFinder {
   struct Body {
     std::size_t body = 0;
     std::vector<std::size_t> ends;  // links
+    bool last = false;              // whether it carries no other body
   };
 
   // Links without children; where a body that ends a chain has none but itself, its own origin.
@@ -117,30 +130,50 @@ class EndFinder {
       if (joint.variable) carries[bodies_.of(joint.parent)] = true;
     }
     for (std::size_t body = 0; body < bodies_.count(); ++body) {
-      Body found{body, {}};
+      Body found{body, {}, !carries[body] && body != 0};
       const std::size_t own = bodies_.links(body).front();
       for (const std::size_t link : bodies_.links(body))
         if (!has_child[link] && (link != own || !carries[body]) && !says_fitting(tree_.links[link]))
           found.ends.push_back(link);
-      if (!carries[body] && found.ends == std::vector<std::size_t>{own} && body != 0 &&
+      if (found.last && found.ends == std::vector<std::size_t>{own} &&
           tree_.joints[*tree_.joint_above[own]].motion == JointMotion::revolute)
         result_.blunt.push_back(own);
       result_.links.insert(result_.links.end(), found.ends.begin(), found.ends.end());
-      if (!carries[body] && body != 0 && !found.ends.empty()) terminal_.push_back(found);
+      if (found.last && !found.ends.empty()) terminal_.push_back(found);
       if (!found.ends.empty()) ended_.push_back(found);
     }
   }
 
-  // The body with most ends has the anchors, which the other chains reach.
-  void split() {
-    const Body* hub = &ended_.front();
+  // The bodies that may have the anchors, which the other chains reach: those with most ends, but the root
+  // last, as chains begin there.
+  std::vector<Body> hubs_first() const {
+    std::vector<Body> hubs;
     for (const Body& body : ended_)
-      if (body.ends.size() > hub->ends.size()) hub = &body;
-    if (terminal_.size() > 1 && hub->ends.size() <= 1) hub = &best_single();
-    hub_ = hub->body;
-    anchors_ = hub->ends;
+      if (body.ends.size() > 1) hubs.push_back(body);
+    std::stable_sort(hubs.begin(), hubs.end(), [this](const Body& one, const Body& other) {
+      return std::pair{!carries_all(one.body), one.ends.size()} >
+             std::pair{!carries_all(other.body), other.ends.size()};
+    });
+    if (hubs.size() > most_hubs) hubs.resize(most_hubs);
+    if (hubs.empty()) hubs.push_back(terminal_.size() > 1 ? best_single() : ended_.front());
+    return hubs;
+  }
+
+  // Whether every chain passes through it on its way from the root.
+  bool carries_all(std::size_t body) const {
+    return std::all_of(terminal_.begin(), terminal_.end(), [&](const Body& end) {
+      std::size_t link = end.ends.front();
+      while (bodies_.of(link) != body && tree_.joint_above[link])
+        link = tree_.joints[*tree_.joint_above[link]].parent;
+      return bodies_.of(link) == body;
+    });
+  }
+
+  void split(const Body& hub) {
+    anchors_ = hub.ends;
+    tips_.clear();
     for (const Body& body : terminal_)
-      if (body.body != hub_) tips_.push_back(preferred(body.ends));
+      if (body.body != hub.body) tips_.push_back(preferred(body.ends));
   }
 
   // Of bodies with one end each, that whose name looks most like an operational point.
@@ -296,7 +329,6 @@ class EndFinder {
   Poses poses_;
   double size_ = 0.0;  // [m]
   std::vector<Body> terminal_, ended_;
-  std::size_t hub_ = 0;
   std::vector<std::size_t> anchors_;
   std::vector<std::vector<std::size_t>> tips_;  // of each chain, what may be its end
   OpenEnds result_;
