@@ -18,6 +18,7 @@
 #include "urdf/recognition/passive_limits.h"
 #include "urdf/recognition/platform_motion.h"
 #include "urdf/stated_constraints.h"
+#include "urdf/symmetrizing.h"
 
 #include <tinyxml2.h>
 #include <yaml-cpp/yaml.h>
@@ -215,6 +216,7 @@ class Recogniser {
           assembly.residual,
           Completion(system, assembly.values, motion, legs, passive, resolved_.actuated_joints.variables),
           motion.point_platform});
+      contents->manipulator = symmetrized(contents->manipulator, config_.symmetrize, files_, contents->notes);
       for (const std::size_t joint : tree_->movable) {
         contents->joint_names.push_back(tree_->joints[joint].name);
         contents->joint_limits.push_back(tree_->joints[joint].limits);

@@ -81,7 +81,7 @@ bool is_exact_sum(double one, double other, double sum) noexcept {
   return rounded == sum && error == 0.0;
 }
 
-std::vector<RigidSymmetry> find_rigid_symmetries(TaskSpace space, const Box& region) {
+std::vector<RigidSymmetry> rigid_symmetries_without_shift(TaskSpace space) {
   std::vector<RigidSymmetry> result;
   if (space == TaskSpace::SE3) return result;
   for (const Eigen::Matrix3d& base : signed_permutations()) {
@@ -89,11 +89,17 @@ std::vector<RigidSymmetry> find_rigid_symmetries(TaskSpace space, const Box& reg
     if (space == TaskSpace::SO3) {
       const auto more = symmetries_of_rotations(base);
       result.insert(result.end(), more.begin(), more.end());
-      continue;
+    } else {
+      result.push_back({base, base});
     }
-    RigidSymmetry symmetry{base, base};
-    if (set_shift(region, directions(space), symmetry)) result.push_back(symmetry);
   }
+  return result;
+}
+
+std::vector<RigidSymmetry> find_rigid_symmetries(TaskSpace space, const Box& region) {
+  std::vector<RigidSymmetry> result;
+  for (RigidSymmetry& symmetry : rigid_symmetries_without_shift(space))
+    if (space == TaskSpace::SO3 || set_shift(region, directions(space), symmetry)) result.push_back(symmetry);
   return result;
 }
 

@@ -24,6 +24,9 @@ struct RigidSymmetry {
   double handedness() const { return base.determinant(); }
 };
 
+/// Those that map the task space onto itself, about the origin; the identity is among them. None in SE3.
+std::vector<RigidSymmetry> rigid_symmetries_without_shift(TaskSpace space);
+
 /// Those that map the task space, and a region of its positions, onto itself exactly; the identity is among
 /// them. `region` is not used in SO3; in SE2 its third coordinate is not. None in SE3.
 std::vector<RigidSymmetry> find_rigid_symmetries(TaskSpace space, const Box& region);

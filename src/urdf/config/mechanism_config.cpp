@@ -11,9 +11,12 @@
 namespace parallel_aspects {
 namespace {
 
+// More would be another robot: loops close to within as much.
+constexpr double most_symmetrized = 1e-3;
+
 const std::vector<std::string>& mechanism_keys() {
   static const std::vector<std::string> keys{
-      "name", "base_link", "operational_point", "actuated_joints", "task_space", "closures"};
+      "name", "base_link", "operational_point", "actuated_joints", "task_space", "symmetrize", "closures"};
   return keys;
 }
 
@@ -66,6 +69,7 @@ class Reader {
     read_operational_point(mechanism, config);
     read_actuated_joints(mechanism["actuated_joints"], config);
     read_task_space(mechanism["task_space"], config);
+    read_symmetrize(mechanism["symmetrize"], config);
     read_closures(mechanism["closures"], config);
     config.constraints = read_constraints_config(root["constraints"], file_, problems_);
     return config;
@@ -126,6 +130,16 @@ class Reader {
     if (!config.task_space)
       problem("has the unknown mechanism.task_space '" + word +
               "'; write T1, T2, SE2, T3, SO3 or SE3, or leave it out.");
+  }
+
+  void read_symmetrize(const YAML::Node& node, MechanismConfig& config) {
+    double tolerance = 0.0;
+    if (!yaml_.number(node, "mechanism.symmetrize", tolerance)) return;
+    if (tolerance > 0.0 && tolerance <= most_symmetrized)
+      config.symmetrize = tolerance;
+    else
+      problem(
+          "has a mechanism.symmetrize that is not above 0 and at most 0.001; give 1.0e-4, or leave it out.");
   }
 
   void read_closures(const YAML::Node& node, MechanismConfig& config) {

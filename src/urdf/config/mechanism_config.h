@@ -33,6 +33,7 @@ struct MechanismConfig {
   std::vector<ConfiguredClosure> closures;
   bool lists_closures = false;  ///< otherwise the URDF or the rest of the file may say them
   ConstraintsConfig constraints;
+  std::optional<double> symmetrize;  ///< tolerance, in sizes of the robot and rad; none: off
 };
 
 /// Reads it from the text of the whole file; other top-level keys are for the node. What is wrong is added to

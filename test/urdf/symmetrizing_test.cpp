@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Robots that CAD has rounded: nearly symmetric, and made so.
+#include "aspects/symmetry/robot_symmetry.h"
+#include "parallel_aspects/aspects/aspect_map.h"
+
+#include <gtest/gtest.h>
+
+#include "support/descriptions.h"
+#include <iomanip>
+#include <random>
+#include <sstream>
+
+namespace parallel_aspects {
+namespace {
+
+using test::Description;
+using test::replaced;
+using test::shipped_text;
+
+// Every number of an origin moved by up to so much.
+std::string perturbed(const std::string& urdf, double most, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> error(-most, most);
+  std::string result;
+  std::size_t from = 0;
+  for (std::size_t joint = urdf.find("<joint"); joint != std::string::npos;
+       joint = urdf.find("<joint", from)) {
+    const std::size_t end = urdf.find("</joint>", joint);
+    const std::size_t origin = urdf.find("xyz=\"", urdf.find("<origin", joint));
+    result += urdf.substr(from, (origin < end ? origin + 5 : end) - from);
+    from = origin < end ? origin + 5 : end;
+    if (origin > end) continue;
+    std::istringstream numbers(urdf.substr(from, urdf.find('"', from) - from));
+    std::ostringstream text;
+    text << std::setprecision(17);
+    for (double number = 0.0; numbers >> number;) text << number + error(random) << " ";
+    result += text.str();
+    from = urdf.find('"', from);
+  }
+  return result + urdf.substr(from);
+}
+
+Description with_tolerance(Description robot, const std::string& tolerance) {
+  robot.config = replaced(robot.config, "mechanism:\n", "mechanism:\n  symmetrize: " + tolerance + "\n");
+  return robot;
+}
+
+std::shared_ptr<const AspectMap> map_of(const Mechanism& mechanism, double resolution) {
+  MapOptions options;
+  options.resolution = resolution;
+  options.extra_levels = 2;
+  const MapResult result = compute_aspect_map(mechanism.mapped_manipulator(), options);
+  EXPECT_EQ(result.status, MapStatus::complete) << result.message;
+  return result.map;
+}
+
+std::size_t motions_of(const AspectMap& map) {
+  return map.symmetry_use() ? map.symmetry_use()->motions.size() : 0;
+}
+
+struct Case {
+  const char* robot;
+  double resolution;
+};
+
+class Symmetrized : public ::testing::TestWithParam<Case> {};
+
+TEST_P(Symmetrized, HasTheSymmetriesAndCountsOfTheIdealRobot) {
+  const auto ideal = map_of(*test::load(shipped_text(GetParam().robot)), GetParam().resolution);
+  ASSERT_GT(motions_of(*ideal), 0U);
+  for (const unsigned seed : {1U, 2U, 3U}) {
+    Description robot = shipped_text(GetParam().robot);
+    robot.urdf = perturbed(robot.urdf, 1e-5, seed);
+    const auto raw = test::load(robot);
+    const auto symmetric = test::load(with_tolerance(robot, "1.0e-4"));
+    EXPECT_EQ(motions_of(*map_of(*raw, GetParam().resolution)), 0U);
+    const auto map = map_of(*symmetric, GetParam().resolution);
+    EXPECT_EQ(motions_of(*map), motions_of(*ideal)) << "seed " << seed;
+    EXPECT_EQ(map->aspects().size(), ideal->aspects().size()) << "seed " << seed;
+    ASSERT_FALSE(symmetric->notes().empty());
+    EXPECT_NE(symmetric->notes().front().find("is made symmetric under"), std::string::npos)
+        << symmetric->notes().front();
+    for (std::size_t j = 0; j < raw->manipulator()->leg_count(); ++j)
+      EXPECT_LT((raw->manipulator()->leg(j).anchor - symmetric->manipulator()->leg(j).anchor).norm(), 1e-3);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, Symmetrized,
+                         ::testing::Values(Case{"five_bar", 0.5}, Case{"bipod", 0.5}, Case{"delta", 0.2}),
+                         [](const auto& info) { return info.param.robot; });
+
+TEST(Symmetrize, IsOffByDefault) {
+  Description robot = shipped_text("five_bar");
+  robot.urdf = perturbed(robot.urdf, 1e-5, 1);
+  const auto mechanism = test::load(robot);
+  for (const std::string& note : mechanism->notes())
+    EXPECT_EQ(note.find("symmetric"), std::string::npos) << note;
+}
+
+TEST(Symmetrize, LeavesARobotAsItIsThatIsBeyondTheTolerance) {
+  Description robot = shipped_text("delta");
+  robot.urdf = perturbed(robot.urdf, 1e-4, 1);
+  const auto raw = test::load(robot), same = test::load(with_tolerance(robot, "1.0e-6"));
+  for (std::size_t j = 0; j < 3; ++j) {
+    EXPECT_EQ(raw->manipulator()->leg(j).anchor, same->manipulator()->leg(j).anchor);
+    EXPECT_EQ(raw->manipulator()->leg(j).rod_length, same->manipulator()->leg(j).rod_length);
+  }
+  ASSERT_FALSE(same->notes().empty());
+  EXPECT_EQ(
+      same->notes().front(),
+      "No motion that permutes the axes of coordinates takes the robot of robot.urdf onto itself within "
+      "mechanism.symmetrize: 1e-06 of robot.yaml; its numbers are taken as they are.");
+}
+
+TEST(Symmetrize, IsASmallPositiveNumber) {
+  for (const std::string tolerance : {"0", "-1.0e-4", "0.01"})
+    EXPECT_EQ(test::refusal(shipped_text("five_bar").urdf,
+                            with_tolerance(shipped_text("five_bar"), tolerance).config),
+              Problems{"robot.yaml has a mechanism.symmetrize that is not above 0 and at most 0.001; give "
+                       "1.0e-4, or leave it out."});
+}
+
+}  // namespace
+}  // namespace parallel_aspects
