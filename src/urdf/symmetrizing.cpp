@@ -2,21 +2,14 @@
 #include "urdf/symmetrizing.h"
 
 #include "aspects/symmetry/near_symmetry.h"
+#include "model/number_text.h"
 
-#include <locale>
-#include <sstream>
 #include <utility>
 
 namespace parallel_aspects {
 namespace {
 
-std::string number(double value) {
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text.precision(2);
-  text << value;
-  return text.str();
-}
+std::string number(double value) { return number_text(value, 2); }
 
 std::string moved(const MovedNumber& most, const std::string& what, const std::string& unit) {
   return what + " by at most " + number(most.amount) + " " + unit +

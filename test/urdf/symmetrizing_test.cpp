@@ -98,10 +98,10 @@ TEST(Symmetrize, IsOffByDefault) {
 }
 
 TEST(Symmetrize, LeavesARobotAsItIsThatIsBeyondTheTolerance) {
-  Description robot = shipped_text("delta");
+  Description robot = shipped_text("five_bar");
   robot.urdf = perturbed(robot.urdf, 1e-4, 1);
   const auto raw = test::load(robot), same = test::load(with_tolerance(robot, "1.0e-6"));
-  for (std::size_t j = 0; j < 3; ++j) {
+  for (std::size_t j = 0; j < 2; ++j) {
     EXPECT_EQ(raw->manipulator()->leg(j).anchor, same->manipulator()->leg(j).anchor);
     EXPECT_EQ(raw->manipulator()->leg(j).rod_length, same->manipulator()->leg(j).rod_length);
   }
