@@ -367,7 +367,7 @@ TEST(AmbiguousTracker, CrossingsOfOneStepAreAChain) {
                                           WorkingMode::from_index(3, static_cast<std::size_t>(run) % 8));
     if (start.status != InverseStatus::solved) continue;
     Tracker tracker(robot, straight());
-    if (!tracker.start_near(0.0, start.q, run % 2 == 0 ? 1 : -1)) continue;
+    if (!tracker.start_with_sign(0.0, start.q, run % 2 == 0 ? 1 : -1)) continue;
     const WorkingMode first = tracker.state().mode;
     tracker.update(1.0, start.q + joints({uniform(random), uniform(random), uniform(random)}));
     const WorkingMode* mode = &first;

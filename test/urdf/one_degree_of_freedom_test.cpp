@@ -121,9 +121,8 @@ TEST(FourBar, IsRefused) {
       test::moving_joint("pivot", "base", "rocker", "0 0 1", "xyz=\"3 0 0\"") +
       test::fixed_joint("rocker", "end", "xyz=\"2 0 0\"") + "</robot>";
   const Problems expected{
-      "robot.yaml actuates none of the joints 'pivot', which make one leg; add one of them to "
-      "actuated_joints, "
-      "or take the leg out of the URDF."};
+      "robot.urdf is a linkage of one degree of freedom, as a four-bar, and its operational_point 'coupler' "
+      "is not on a slide; of those only a platform on a slide, which one leg moves (T1), is treated."};
   EXPECT_EQ(test::refusal(urdf,
                           "mechanism: {operational_point: coupler, actuated_joints: [drive], closures: "
                           "[{frames: [tip, end], type: point}]}"),

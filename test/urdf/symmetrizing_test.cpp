@@ -87,7 +87,7 @@ TEST_P(Symmetrized, HasTheSymmetriesAndCountsOfTheIdealRobot) {
 
 INSTANTIATE_TEST_SUITE_P(Robots, Symmetrized,
                          ::testing::Values(Case{"five_bar", 0.5}, Case{"bipod", 0.5}, Case{"delta", 0.2}),
-                         [](const auto& info) { return info.param.robot; });
+                         [](const auto& given) { return given.param.robot; });
 
 TEST(Symmetrize, IsOffByDefault) {
   Description robot = shipped_text("five_bar");

@@ -26,6 +26,7 @@ struct LegKind {
 /// The proximal point c runs on a circle: c(q) = center + radius (cos q e1 + sin q e2), with e1 =
 /// zero_direction and e2 = axis x e1. Legs RRR, RUS, RSS, Delta, and spherical RRR. Joint value q in rad.
 struct RevoluteActuation {
+  /// What tells it from the other kinds.
   static constexpr LegKind kind{"actuated revolute joint", true, true, true, true, true};
 
   Eigen::Vector3d center;          ///< of the circle, in the task frame [m]
@@ -37,6 +38,7 @@ struct RevoluteActuation {
 /// The proximal point runs on a line: c(q) = origin + q direction. Legs PRR, PUS, PSS. Joint value q in
 /// m.
 struct PrismaticActuation {
+  /// What tells it from the other kinds.
   static constexpr LegKind kind{"actuated prismatic joint", false, true, false, true, false};
 
   Eigen::Vector3d origin;     ///< c at q = 0, in the task frame [m]
@@ -46,6 +48,7 @@ struct PrismaticActuation {
 /// The rod itself is actuated: c fixed, rho(q) = length_at_zero + sense q. Legs RPR, UPS, SPS. Actuation
 /// value q in m.
 struct StrutActuation {
+  /// What tells it from the other kinds.
   static constexpr LegKind kind{"strut", false, false, false, true, false};
 
   Eigen::Vector3d base;         ///< c, in the task frame [m]
@@ -56,6 +59,7 @@ struct StrutActuation {
 /// The elbow between two links is actuated: c fixed, and by the law of cosines
 /// rho(q)^2 = inner^2 + outer^2 + 2 inner outer cos(angle_at_zero + sense q). Joint value q in rad.
 struct ElbowActuation {
+  /// What tells it from the other kinds.
   static constexpr LegKind kind{"actuated elbow", true, false, false, false, true};
 
   Eigen::Vector3d base;        ///< c, in the task frame [m]
