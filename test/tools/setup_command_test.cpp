@@ -76,6 +76,15 @@ TEST_F(SetupCommand, LeavesAFileThatExists) {
   EXPECT_EQ(run({"setup", five_bar_.c_str(), "-o", output_.c_str(), "--replace"}).code, exit_code::ok);
 }
 
+TEST_F(SetupCommand, NeverReplacesTheUrdf) {
+  std::ofstream(output_) << std::ifstream(five_bar_).rdbuf();
+  const std::string before = written();
+  const Outcome outcome = run({"setup", output_.c_str(), "-o", output_.c_str(), "--replace"});
+  EXPECT_EQ(outcome.code, exit_code::bad_input);
+  EXPECT_NE(outcome.messages.find("is the URDF itself"), std::string::npos) << outcome.messages;
+  EXPECT_EQ(written(), before);
+}
+
 TEST_F(SetupCommand, WithoutATerminalAQuestionIsAllThatIsWritten) {
   const Outcome outcome = run({"setup", unnamed_.c_str(), "-o", output_.c_str()});
   EXPECT_EQ(outcome.code, exit_code::undecided);

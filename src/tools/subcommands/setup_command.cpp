@@ -116,6 +116,10 @@ bool exists(const std::string& file) {
 // Throws where a file would be lost.
 void check_output(const SetupArguments& arguments, const std::string& output,
                   const Surroundings& surroundings) {
+  std::error_code none;
+  if (fs::equivalent(output, arguments.urdf, none))
+    throw InvalidDescription(
+        {"File '" + output + "' is the URDF itself; give another one for the YAML with -o."});
   if (!exists(output) || arguments.replace) return;
   if (can_ask(surroundings)) {
     const std::string answer = answer_to(output + " exists. Replace it (y/n)? ", surroundings);

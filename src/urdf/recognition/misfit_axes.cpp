@@ -53,9 +53,9 @@ std::string number(double value) {
 // To six decimals, which is far inside of what is accepted.
 std::string triple(const Vector3d& vector) {
   std::string text;
-  for (const double entry : vector) {
+  for (Eigen::Index k = 0; k < 3; ++k) {
     std::array<char, 32> digits{};
-    const double rounded = std::round(entry * 1e6) / 1e6;
+    const double rounded = std::round(vector[k] * 1e6) / 1e6;
     std::snprintf(digits.data(), digits.size(), "%.9g", rounded == 0.0 ? 0.0 : rounded);
     text += (text.empty() ? "" : " ") + std::string(digits.data());
   }
