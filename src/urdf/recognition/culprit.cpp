@@ -13,8 +13,10 @@ namespace {
 
 constexpr std::size_t most_points = 16;  // links that are tried as operational point
 
-// Of attempts, times the square of the number of joints in the loops: a refusal is not to take long.
-constexpr std::size_t most_work = 40000;
+// Of attempts, times the square of the number of joints in the loops, and more where an attempt has choices
+// of its own: a refusal is not to take long.
+constexpr std::size_t most_work = 8000;
+constexpr std::size_t choices_of_types = 8;
 
 class Search {
  public:
@@ -108,7 +110,12 @@ class Search {
   std::optional<std::string> tried(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& changed) {
     const auto joints =
         static_cast<std::size_t>(std::count(system_.in_loop().begin(), system_.in_loop().end(), true));
-    work_ += joints * joints;
+    const auto& closures = changed.closures;
+    const bool is_open = !changed.actuation_origin.empty() ||
+                         std::any_of(closures.begin(), closures.end(), [](const Closure& closure) {
+                           return closure.type == ClosureType::automatic;
+                         });
+    work_ += joints * joints * (is_open ? choices_of_types : 1);
     return work_ > most_work ? std::nullopt : attempt_(tree, changed);
   }
 
