@@ -284,7 +284,8 @@ Robot stewart_with_cones(double angle) {
   const Robot plain = test::shipped("stewart")->manipulator();
   Constraints constraints;
   const Pose home{{0.0, 0.0, 1.3}, Eigen::Quaterniond::Identity()};
-  const test::ClearanceAt at(*plain, home, inverse(*plain, home, WorkingMode(6)).q);
+  const JointVector q = inverse(*plain, home, WorkingMode(6)).q;
+  const test::ClearanceAt at(*plain, home, q);
   for (std::size_t j = 0; j < 6; ++j)
     for (const LegEnd end : {LegEnd::base, LegEnd::platform})
       constraints.cones.push_back({j, end, at.seen_rod(j, end).normalized(), angle});
