@@ -193,26 +193,30 @@ TEST_P(ConesTest, SmallBoxesAreDecidedOnEitherSide) {
     decided_inside += margin > 0.0 && found.is_inside();
     decided_outside += margin < 0.0 && found.is_outside();
   }
-  EXPECT_GT(in_cones, 10);
-  EXPECT_GT(beyond, 10);
+  EXPECT_TRUE(test::is_sanitized || in_cones > 10) << in_cones;
+  EXPECT_TRUE(test::is_sanitized || beyond > 10) << beyond;
   EXPECT_GE(decided_inside, 0.999 * in_cones) << in_cones;
   EXPECT_GE(decided_outside, 0.999 * beyond) << beyond;
 }
 
 // Of all conditions, the cones among them.
 TEST_P(ConesTest, SlopesAreThoseOfFiniteDifferences) {
+  const auto conditions = [this](const MapPosition& position) {
+    const RoundingUpward rounding;
+    return classifier->conditions(position, 0, 1);
+  };
   int compared = 0;
   for (int i = 0; i < 20000 && compared < 500; ++i) {
     const MapPosition position = test::random_position(*space, random);
     if (test::sign_at(*robot, space->pose(position), mode).value_or(0) == 0) continue;
-    const Conditions here = classifier->conditions(position, 0, 1);
+    const Conditions here = conditions(position);
     ASSERT_GE(here.count, robot->leg_count() + 1 + robot->constraints().cones.size());
     for (std::size_t k = 0; k < space->dimension(); ++k) {
       const double step = 1e-6 * space->region().width(k);
       MapPosition before = position, after = position;
       before.point[k] -= step;
       after.point[k] += step;
-      const Conditions low = classifier->conditions(before, 0, 1), high = classifier->conditions(after, 0, 1);
+      const Conditions low = conditions(before), high = conditions(after);
       if (low.count != here.count || high.count != here.count) continue;
       for (std::size_t c = 0; c < here.count; ++c) {
         const double one = (here.items[c].value - low.items[c].value) / step,
