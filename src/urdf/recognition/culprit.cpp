@@ -15,7 +15,7 @@ constexpr std::size_t most_points = 16;  // links that are tried as operational 
 
 // Of attempts, times the square of the number of joints in the loops, and more where an attempt has choices
 // of its own: a refusal is not to take long.
-constexpr std::size_t most_work = 8000;
+constexpr std::size_t most_work = 4000;
 constexpr std::size_t choices_of_types = 8;
 
 class Search {
