@@ -15,7 +15,7 @@ constexpr std::size_t most_points = 16;  // links that are tried as operational 
 
 // Of attempts, times the square of the number of joints in the loops, and more where an attempt has choices
 // of its own: a refusal is not to take long.
-constexpr std::size_t most_work = 4000;
+constexpr std::size_t most_work = 2200;
 constexpr std::size_t choices_of_types = 8;
 
 class Search {
@@ -30,9 +30,9 @@ class Search {
         assembled_(assemble(system_, resolved.actuated_joints.variables)) {}
 
   std::optional<std::string> run() {
+    if (auto message = misfit_axes()) return message;
     if (assembled_.assembly)
       if (auto message = other_operational_point()) return message;
-    if (auto message = misfit_axes()) return message;
     if (auto message = other_types()) return message;
     return one_degree_of_freedom();
   }
