@@ -89,6 +89,25 @@ std::vector<bool> above(const Tree& tree, std::size_t link) {
   return result;
 }
 
+// Joints above the base and the frames of the closures, those nearer to the root first. Others move nothing
+// that the equations see, and a description may have thousands of them.
+std::vector<std::size_t> joints_above(const Tree& tree, std::size_t base,
+                                      const std::vector<Closure>& closures) {
+  std::vector<bool> found(tree.joints.size(), false);
+  const auto find = [&](std::size_t link) {
+    for (auto joint = tree.joint_above[link]; joint && !found[*joint];
+         joint = tree.joint_above[tree.joints[*joint].parent])
+      found[*joint] = true;
+  };
+  find(base);
+  for (const Closure& closure : closures)
+    for (const LinkFrame& frame : closure.frames) find(frame.link);
+  std::vector<std::size_t> result;
+  for (std::size_t joint = 0; joint < found.size(); ++joint)
+    if (found[joint]) result.push_back(joint);
+  return result;
+}
+
 }  // namespace
 
 std::string_view name(ClosureType type) noexcept {
@@ -105,7 +124,10 @@ std::optional<ClosureType> closure_type_named(std::string_view text) noexcept {
 
 ClosureSystem::ClosureSystem(std::shared_ptr<const Tree> tree, std::size_t base,
                              std::vector<Closure> closures)
-    : tree_(std::move(tree)), base_(base), closures_(std::move(closures)) {
+    : tree_(std::move(tree)),
+      base_(base),
+      closures_(std::move(closures)),
+      joints_(joints_above(*tree_, base_, closures_)) {
   const auto count = static_cast<std::size_t>(tree_->variables());
   size_ = spread(link_poses(*tree_, base, Eigen::VectorXd::Zero(tree_->variables())));
   in_loop_.assign(count, false);
@@ -117,7 +139,7 @@ ClosureSystem::ClosureSystem(std::shared_ptr<const Tree> tree, std::size_t base,
 }
 
 Eigen::VectorXd ClosureSystem::residual(const Eigen::VectorXd& values) const {
-  const Poses poses = link_poses(*tree_, base_, values);
+  const Poses poses = link_poses(*tree_, base_, values, joints_);
   Eigen::Index rows = 0;
   for (const Closure& closure : closures_) rows += 3 + angular_rows(closure.type);
   Eigen::VectorXd result(rows);
@@ -134,7 +156,7 @@ Eigen::VectorXd ClosureSystem::residual(const Eigen::VectorXd& values) const {
 }
 
 Eigen::MatrixXd ClosureSystem::jacobian(const Eigen::VectorXd& values) const {
-  const Poses poses = link_poses(*tree_, base_, values);
+  const Poses poses = link_poses(*tree_, base_, values, joints_);
   Eigen::MatrixXd result(residual(values).size(), tree_->variables());
   Eigen::Index row = 0;
   for (const Closure& closure : closures_) {
@@ -151,7 +173,7 @@ Eigen::MatrixXd ClosureSystem::jacobian(const Eigen::VectorXd& values) const {
 }
 
 std::pair<double, std::size_t> ClosureSystem::widest_gap(const Eigen::VectorXd& values) const {
-  const Poses poses = link_poses(*tree_, base_, values);
+  const Poses poses = link_poses(*tree_, base_, values, joints_);
   std::pair<double, std::size_t> widest{0.0, 0};
   for (std::size_t k = 0; k < closures_.size(); ++k) {
     const double gap = (placed(poses, closures_[k].frames[0]).translation() -

@@ -82,6 +82,7 @@ class ClosureSystem {
   std::shared_ptr<const Tree> tree_;
   std::size_t base_;
   std::vector<Closure> closures_;
+  std::vector<std::size_t> joints_;  // above the base and the frames of the closures
   double size_ = 1.0;
   std::vector<bool> in_loop_;
 };

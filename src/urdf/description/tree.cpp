@@ -2,6 +2,7 @@
 #include "urdf/description/tree.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace parallel_aspects {
 namespace {
@@ -29,13 +30,25 @@ std::optional<std::size_t> Tree::joint_named(const std::string& wanted) const {
 }
 
 Poses link_poses(const Tree& tree, std::size_t base, const Eigen::VectorXd& values) {
+  std::vector<std::size_t> all(tree.joints.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return link_poses(tree, base, values, all);
+}
+
+Poses link_poses(const Tree& tree, std::size_t base, const Eigen::VectorXd& values,
+                 const std::vector<std::size_t>& joints) {
   Poses poses(tree.links.size(), Eigen::Isometry3d::Identity());
-  for (const TreeJoint& joint : tree.joints) {
+  for (const std::size_t index : joints) {
+    const TreeJoint& joint = tree.joints[index];
     const double value = joint.variable ? values[static_cast<Eigen::Index>(*joint.variable)] : 0.0;
     poses[joint.child] = poses[joint.parent] * joint.origin * motion_of(joint, value);
   }
   const Eigen::Isometry3d to_base = poses[base].inverse();
-  for (Eigen::Isometry3d& pose : poses) pose = to_base * pose;
+  poses.front() = to_base * poses.front();
+  for (const std::size_t index : joints) {
+    Eigen::Isometry3d& pose = poses[tree.joints[index].child];
+    pose = to_base * pose;
+  }
   return poses;
 }
 

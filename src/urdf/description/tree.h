@@ -50,6 +50,11 @@ using Poses = std::vector<Eigen::Isometry3d>;
 /// Frame of every link in the frame of link `base` [m], for these joint values.
 Poses link_poses(const Tree& tree, std::size_t base, const Eigen::VectorXd& values);
 
+/// The same of the root and of the links below these joints alone, which hold all joints above each and above
+/// the base, those nearer to the root first.
+Poses link_poses(const Tree& tree, std::size_t base, const Eigen::VectorXd& values,
+                 const std::vector<std::size_t>& joints);
+
 }  // namespace parallel_aspects
 
 #endif  // PARALLEL_ASPECTS_URDF_DESCRIPTION_TREE_H
