@@ -5,6 +5,7 @@
 #include "parallel_aspects/model/problems.h"
 #include "urdf/closing/assembly.h"
 #include "urdf/description/closure.h"
+#include "urdf/description/source_names.h"
 
 #include <Eigen/Core>
 
@@ -60,12 +61,6 @@ struct AssembledMechanism {
   const ClosureSystem& system;
   Eigen::VectorXd values;   ///< of all joints [rad or m]
   std::vector<bool> still;  ///< joints that cannot move and are taken as fixed, for each joint value
-};
-
-/// Names of files or parameters, for messages.
-struct SourceNames {
-  std::string urdf;
-  std::string config;
 };
 
 /// "'a', 'b'" for messages.

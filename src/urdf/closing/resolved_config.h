@@ -4,10 +4,10 @@
 
 #include "parallel_aspects/model/problems.h"
 #include "urdf/closing/chain.h"
-#include "urdf/closing/closure_dialects.h"
 #include "urdf/config/mechanism_config.h"
 #include "urdf/description/closure.h"
 #include "urdf/description/tree.h"
+#include "urdf/dialects/closure_dialects.h"
 
 #include <string>
 #include <vector>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "urdf/closing/closure_dialects.h"
+#include "urdf/dialects/closure_dialects.h"
 
 #include <algorithm>
 

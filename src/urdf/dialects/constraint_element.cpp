@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "urdf/closing/closure_dialects.h"
 #include "urdf/description/xml_values.h"
+#include "urdf/dialects/closure_dialects.h"
 
 namespace parallel_aspects::dialects {
 namespace {

@@ -2,7 +2,7 @@
 #ifndef PARALLEL_ASPECTS_URDF_SETUP_ACTUATION_CANDIDATES_H
 #define PARALLEL_ASPECTS_URDF_SETUP_ACTUATION_CANDIDATES_H
 
-#include "urdf/closing/closure_dialects.h"
+#include "urdf/dialects/closure_dialects.h"
 #include "urdf/setup/body_graph.h"
 
 #include <string>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "urdf/closing/closure_dialects.h"
+#include "urdf/dialects/closure_dialects.h"
 
-#include "urdf/config/mechanism_config.h"
 #include "urdf/description/nearest_name.h"
 
 #include <algorithm>

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_URDF_CLOSING_CLOSURE_DIALECTS_H
-#define PARALLEL_ASPECTS_URDF_CLOSING_CLOSURE_DIALECTS_H
+#ifndef PARALLEL_ASPECTS_URDF_DIALECTS_CLOSURE_DIALECTS_H
+#define PARALLEL_ASPECTS_URDF_DIALECTS_CLOSURE_DIALECTS_H
 
 #include "parallel_aspects/model/problems.h"
-#include "urdf/closing/chain.h"
 #include "urdf/description/closure.h"
+#include "urdf/description/source_names.h"
+#include "urdf/description/tree.h"
 
 #include <tinyxml2.h>
 #include <yaml-cpp/yaml.h>
@@ -107,4 +108,4 @@ DescribedLoops drake_ball_constraint(const LoopSource& source, Problems& problem
 }  // namespace dialects
 }  // namespace parallel_aspects
 
-#endif  // PARALLEL_ASPECTS_URDF_CLOSING_CLOSURE_DIALECTS_H
+#endif  // PARALLEL_ASPECTS_URDF_DIALECTS_CLOSURE_DIALECTS_H
