@@ -6,6 +6,7 @@
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/map_slice.h"
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -50,6 +51,13 @@ inline MapPosition random_position(const PoseSpace& space, std::mt19937_64& rand
   for (std::size_t i = 0; i < space.dimension(); ++i)
     position.point[i] = uniform(random, space.region().lower[i], space.region().upper[i]);
   return position;
+}
+
+/// That of URDF: Rz(yaw) Ry(pitch) Rx(roll).
+inline Eigen::Quaterniond orientation_of(double roll, double pitch, double yaw) {
+  return Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()) *
+         Eigen::AngleAxisd(pitch, Eigen::Vector3d::UnitY()) *
+         Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitX());
 }
 
 /// What is held of a pose without tilt or turn.

@@ -186,6 +186,30 @@ Strings stray_tests_in(const fs::path& root) {
   return strays;
 }
 
+// A test that is named as a source lies where that is.
+Strings misplaced_tests_in(const fs::path& root) {
+  std::map<std::string, std::string> room_of_source;
+  const fs::path headers = root / "include" / "parallel_aspects";
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(headers))
+    if (is_source(entry.path()))
+      room_of_source[entry.path().stem()] = room_of_public(root, entry.path().lexically_relative(headers));
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / "src"))
+    if (is_source(entry.path()))
+      room_of_source[entry.path().stem()] = entry.path().parent_path().lexically_relative(root / "src");
+  Strings misplaced;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / "test")) {
+    static const std::regex test_of("(.+)_test");
+    std::smatch match;
+    const std::string stem = entry.path().stem();
+    if (!std::regex_match(stem, match, test_of)) continue;
+    const auto source = room_of_source.find(match[1]);
+    if (source == room_of_source.end()) continue;
+    if (entry.path().parent_path().lexically_relative(root / "test") != source->second)
+      misplaced.push_back(entry.path().string() + " tests a source of " + source->second);
+  }
+  return misplaced;
+}
+
 // Public headers are what clients compile: they include none that is private, and there are few of them.
 Strings private_includes_in(const fs::path& root) {
   Strings found;
@@ -311,6 +335,19 @@ TEST_F(PlantedTree, StrayTestsAreFound) {
   EXPECT_EQ(stray_tests_in(root_).size(), 2U);
 }
 
+TEST_F(PlantedTree, MisplacedTestsAreFound) {
+  for (const char* folder : {"test/aspects/tree", "test/legs"}) fs::create_directories(root_ / folder);
+  plant("include/parallel_aspects/aspects/box.h", "");
+  plant("src/legs/row.h", "");
+  plant("test/aspects/tree/box_test.cpp", "");
+  plant("test/legs/row_test.cpp", "");
+  plant("test/legs/all_robots_test.cpp", "");
+  EXPECT_EQ(misplaced_tests_in(root_), Strings());
+  plant("test/legs/box_test.cpp", "");
+  plant("test/aspects/tree/row_test.cpp", "");
+  EXPECT_EQ(misplaced_tests_in(root_).size(), 2U);
+}
+
 TEST_F(PlantedTree, PrivateIncludesAndRepeatedNamesAreFound) {
   plant("src/model/a.h", "");
   plant("include/parallel_aspects/model/b.h", "#include \"model/a.h\"");
@@ -334,6 +371,11 @@ TEST(Layers, EverySourceIsInARoom) {
 TEST(Layers, EveryTestIsInARoom) {
   const Strings strays = stray_tests_in(here);
   EXPECT_TRUE(strays.empty()) << listed(strays);
+}
+
+TEST(Layers, EveryTestNamedAsASourceIsInItsRoom) {
+  const Strings misplaced = misplaced_tests_in(here);
+  EXPECT_TRUE(misplaced.empty()) << listed(misplaced);
 }
 
 TEST(Layers, PublicHeadersAreFewAndIncludeNoPrivateOnes) {

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/boxes/box_classifier.h"
-#include "aspects/file/constraint_key.h"
 #include "interval/interval.h"
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/boundary_curves.h"
 #include "parallel_aspects/aspects/constraint_boundaries.h"
 #include "parallel_aspects/aspects/segment_certifier.h"
 #include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/model/problems.h"
 
 #include <gtest/gtest.h>
 
@@ -302,47 +300,6 @@ TEST(Constraints, CanLeaveWorkingModesEmpty) {
   EXPECT_EQ(missing.empty.size(), 2U);
   EXPECT_TRUE(missing.unknown.empty());
   for (const WorkingMode& mode : missing.empty) EXPECT_EQ(mode.sign(0), missing.empty.front().sign(0));
-}
-
-TEST(Constraints, AreAllInTheKeyOfAMap) {
-  const Constraints before = all_kinds(test::five_bar(), 0.01);
-  const std::vector<std::function<void(Constraints&)>> changes{
-      [](Constraints& c) { c.thickness.crank *= 2.0; },
-      [](Constraints& c) { c.thickness.platform.reset(); },
-      [](Constraints& c) { c.passive_limits[0].limits.upper += 0.1; },
-      [](Constraints& c) { c.passive_limits[1].angle = PassiveAngle::crank_to_rod; },
-      [](Constraints& c) { c.cones.pop_back(); },
-      [](Constraints& c) { c.cones[0].angle += 1e-12; },
-      [](Constraints& c) { c.cones[0].axis.x() += 1e-12; },
-      [](Constraints& c) { c.cones[0].leg = 1; },
-      [](Constraints& c) { c.cones[0].end = LegEnd::base; },
-      [](Constraints& c) {
-        c.passive_cones.push_back({"joint", c.cones[0]});
-      },
-      [](Constraints& c) { c.self_collision.reset(); },
-      [](Constraints& c) {
-        c.self_collision->ignored.push_back({LinkName{}, LinkName{LinkKind::rod, 1}});
-      },
-      [](Constraints& c) { std::get<BallObstacle>(c.obstacles[0].shape).radius += 1e-12; },
-      [](Constraints& c) { std::get<BoxObstacle>(c.obstacles[1].shape).half_size.x() += 1e-12; },
-      [](Constraints& c) { c.workspace->lower.y() -= 1e-12; }};
-  for (std::size_t i = 0; i < changes.size(); ++i) {
-    Constraints after = before;
-    changes[i](after);
-    EXPECT_NE(constraint_key(after), constraint_key(before)) << i;
-  }
-  EXPECT_EQ(constraint_key(Constraints{}), "");
-}
-
-TEST(Constraints, ThatDoNotFitTheLegsAreRefused) {
-  Constraints links;
-  links.self_collision.emplace();
-  EXPECT_THROW(with(test::delta(), links), InvalidDescription);
-  EXPECT_THROW(with(test::agile_eye(), links), InvalidDescription);
-  EXPECT_THROW(with(test::three_rrr_actuated_elbow(), links), InvalidDescription);
-  Constraints workspace;
-  workspace.workspace = WorkspaceBox{{1.0, 0.0, 0.0}, {0.0, 1.0, 1.0}};
-  EXPECT_THROW(with(test::five_bar(), workspace), InvalidDescription);
 }
 
 }  // namespace
