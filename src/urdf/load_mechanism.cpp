@@ -51,7 +51,8 @@ class Recogniser {
                                                  Problems& problems) const {
     const ClosureSystem system(tree_, resolved_.base, closures);
     if (!check_joints_in_loops(system, problems)) return nullptr;
-    const AssemblyResult assembled = assemble(system, resolved_.actuated_joints.variables);
+    const AssemblyResult assembled =
+        assemble(system, resolved_.actuated_joints.variables, resolved_.actuated_joints.platform_link);
     if (!assembled.assembly) {
       report_gap(system, assembled.closest, problems);
       return nullptr;

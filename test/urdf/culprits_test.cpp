@@ -5,6 +5,8 @@
 #include "support/descriptions.h"
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace parallel_aspects {
 namespace {
@@ -193,6 +195,77 @@ TEST(Assembly, IsNotTakenStretchedAtALimit) {
         EXPECT_GT(std::abs(std::sin(value)), 0.02);
       }
     }
+}
+
+struct Range {
+  const char *lower, *upper;  // [rad]
+};
+
+struct Ranges {
+  Range left_motor, right_motor, left_elbow, right_elbow;
+};
+
+void set_range(Description& robot, const std::string& joint, const Range& range) {
+  const std::size_t from = robot.urdf.find("lower=", robot.urdf.find("<joint name=\"" + joint + "\""));
+  robot.urdf.replace(from, robot.urdf.find(" effort", from) - from,
+                     std::string("lower=\"") + range.lower + "\" upper=\"" + range.upper + "\"");
+}
+
+Description symmetric_five_bar(const Ranges& ranges) {
+  Description robot = culprit("symmetric_five_bar");
+  set_range(robot, "left_motor", ranges.left_motor);
+  set_range(robot, "right_motor", ranges.right_motor);
+  set_range(robot, "left_elbow", ranges.left_elbow);
+  set_range(robot, "right_elbow", ranges.right_elbow);
+  return robot;
+}
+
+// Zero is stretched, and on limits where a range begins there; some leave less than 1 % of the
+// configurations.
+TEST(Assembly, IsFoundWhereTheHomeConfigurationIsSingular) {
+  const Range turn{"-3.14", "3.14"}, half{"-1.5708", "1.5708"}, left{"1.5708", "4.7124"},
+      quarter{"0", "1.5708"}, up{"0", "3.1416"}, some_up{"0", "2.6"}, some_down{"-2.6", "0"},
+      some{"-2.6", "2.6"};
+  std::vector<Ranges> all{{half, quarter, some_down, some},
+                          {quarter, quarter, some_down, up},
+                          {left, half, up, some_up},
+                          {left, quarter, up, some_up},
+                          {left, quarter, some_up, up}};
+  for (const char* most : {"6.28", "6.0"}) all.push_back({left, {"0", most}, some_up, turn});
+  for (const char* most : {"6.28", "6.0", "3.1416"}) {
+    const Range from_zero{"0", most};
+    all.push_back({from_zero, turn, turn, turn});
+    all.push_back({from_zero, half, up, up});
+    all.push_back({from_zero, half, some_up, up});
+  }
+  for (const Ranges& ranges : all) {
+    const Description robot = symmetric_five_bar(ranges);
+    EXPECT_EQ(refusal(robot), Problems{}) << robot.urdf;
+  }
+}
+
+// No configuration is within these ranges.
+TEST(Assembly, IsSaidToBeImpossibleWhereItIs) {
+  const Description robot =
+      symmetric_five_bar({{"1.5708", "4.7124"}, {"0", "1.5708"}, {"0", "2.6"}, {"0", "2.6"}});
+  const Problems problems = refusal(robot);
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_EQ(problems[0].rfind("robot.urdf cannot be closed as robot.yaml asks: the frames of closure 'tool - "
+                              "right_end' come no nearer than ",
+                              0),
+            0U)
+      << problems[0];
+}
+
+TEST(Assembly, IsFoundOfASliderInLineWithItsCrank) {
+  for (const char* beside : {"0 0 0", "0 0.0001 0", "0 0.01 0"}) {
+    Description slider = culprit("in_line_slider");
+    slider.urdf =
+        replaced(slider.urdf, "<origin xyz=\"0 0 0\"/>", std::string("<origin xyz=\"") + beside + "\"/>");
+    const auto mechanism = test::load(slider);
+    EXPECT_EQ(mechanism->manipulator()->task_space(), TaskSpace::T1) << beside;
+    EXPECT_LT(mechanism->assembled().pose.position.x(), 0.55) << beside;  // stretched at 0.6
+  }
 }
 
 }  // namespace

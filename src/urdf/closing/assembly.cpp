@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/closing/assembly.h"
 
+#include "model/coefficients.h"
 #include "model/linear_algebra.h"
 
 #include <algorithm>
 #include <limits>
 #include <random>
+#include <utility>
 
 namespace parallel_aspects {
 namespace {
 
 constexpr int random_starts = 24;
+constexpr int starts_beside = 24;
+constexpr double least_distance_beside = 0.02, most_distance_beside = 0.5;  // of motions of unit length
 constexpr int wanted_assemblies = 6;
 constexpr int iterations = 120;
 constexpr int polishing_steps = 12;
@@ -20,8 +24,8 @@ constexpr unsigned seed = 20240117;
 constexpr double stillness = 1e-3;
 constexpr double step_length = 0.1;
 
-// Of the closures and the actuated joints, away from singularities.
-constexpr double good_conditioning = 0.02;
+// Of the closures and the actuated joints, and of the platform, away from singularities.
+constexpr double good_conditioning = 0.02, good_platform_conditioning = 0.005, usable_conditioning = 0.002;
 
 double largest(const Eigen::VectorXd& vector) {
   return vector.size() > 0 ? vector.lpNorm<Eigen::Infinity>() : 0.0;
@@ -105,14 +109,38 @@ Eigen::VectorXd random_start(const ClosureSystem& system, std::mt19937& random) 
   return values;
 }
 
+// In how many ways the platform moves, and how far it is from one less.
+struct PlatformFreedom {
+  Eigen::Index translations = 0;
+  Eigen::Index motions = 0;  // with rotations
+  double conditioning = 0.0;
+
+  Eigen::Index ways() const { return translations + motions; }
+
+  // Up to two actuated joints move a point.
+  bool is_full(std::size_t actuated_joints) const {
+    const auto count = static_cast<Eigen::Index>(actuated_joints);
+    return motions == count && (count > 2 || translations == count);
+  }
+};
+
 struct Candidate {
   Assembly assembly;
-  double conditioning = 0.0;  // 0 at a singularity
+  double conditioning = 0.0;  // 0 at a singularity of the closures or actuated joints
+  PlatformFreedom platform;   // less where legs are stretched or folded
   std::size_t at_limits = 0;  // passive joints that stand on a limit, where legs may be stretched by chance
 
   bool joints_move() const { return conditioning > rank_tolerance; }
 
-  bool is_good() const { return at_limits == 0 && conditioning > good_conditioning; }
+  bool is_good() const {
+    return at_limits == 0 && conditioning > good_conditioning &&
+           platform.conditioning > good_platform_conditioning;
+  }
+
+  bool is_usable(std::size_t actuated_joints) const {
+    return at_limits == 0 && platform.is_full(actuated_joints) &&
+           std::min(conditioning, platform.conditioning) > usable_conditioning;
+  }
 };
 
 // Columns of the joints inside the loops, with lengths counted in sizes of the robot.
@@ -148,39 +176,125 @@ std::size_t passive_joints_at_limits(const ClosureSystem& system, const Eigen::V
   return count;
 }
 
-Candidate judged(const ClosureSystem& system, const Eigen::VectorXd& values,
-                 const std::vector<std::size_t>& actuated_joints) {
-  const Eigen::MatrixXd scaling = loop_scaling(system);
-  const Eigen::MatrixXd jacobian = system.jacobian(values) * scaling;
-  const auto svd = singular_value_decomposition(jacobian);
-  const Eigen::Index rank = svd.rank_above(rank_tolerance * svd.values[0]);
-  Candidate candidate;
-  candidate.assembly = {values, scaling * svd.null_space(rank),
-                        largest(system.residual(values)) / system.size()};
-  const double held = rank > 0 ? svd.values[rank - 1] / svd.values[0] : 0.0;
-  Eigen::MatrixXd driven(static_cast<Eigen::Index>(actuated_joints.size()),
-                         candidate.assembly.motions.cols());
+// Velocities of its origin count, and of those all with the angular ones: one task space wants the former,
+// another the latter.
+PlatformFreedom platform_freedom(const ClosureSystem& system, const Assembly& assembly, std::size_t link,
+                                 std::size_t actuated_joints) {
+  if (assembly.motions.cols() == 0) return {};
+  const Poses poses = link_poses(system.tree(), system.base(), assembly.values);
+  Eigen::MatrixXd twists =
+      velocity_matrix(system.tree(), system.base(), poses, link, poses[link].translation()) *
+      assembly.motions;
+  twists.bottomRows(3) /= system.size();
+  PlatformFreedom freedom{0, 0, std::numeric_limits<double>::infinity()};
+  const auto rank = [&](const Eigen::MatrixXd& rows) {
+    const Eigen::VectorXd values = singular_values(rows);
+    const Eigen::Index found =
+        std::min(static_cast<Eigen::Index>(actuated_joints), (values.array() > velocity_tolerance).count());
+    if (found > 0) freedom.conditioning = std::min(freedom.conditioning, values[found - 1]);
+    return found;
+  };
+  freedom.translations = rank(twists.bottomRows(3));
+  freedom.motions = rank(twists);
+  return freedom;
+}
+
+// Rates of the actuated joints in each motion, lengths in sizes of the robot.
+Eigen::MatrixXd actuated_rates(const ClosureSystem& system, const Eigen::MatrixXd& motions,
+                               const std::vector<std::size_t>& actuated_joints) {
+  Eigen::MatrixXd rates(static_cast<Eigen::Index>(actuated_joints.size()), motions.cols());
   for (std::size_t k = 0; k < actuated_joints.size(); ++k) {
     const bool prismatic = system.tree().joint_of(actuated_joints[k]).motion == JointMotion::prismatic;
-    driven.row(static_cast<Eigen::Index>(k)) =
-        candidate.assembly.motions.row(static_cast<Eigen::Index>(actuated_joints[k])) /
-        (prismatic ? system.size() : 1.0);
+    rates.row(static_cast<Eigen::Index>(k)) =
+        motions.row(static_cast<Eigen::Index>(actuated_joints[k])) / (prismatic ? system.size() : 1.0);
   }
-  candidate.conditioning = std::min(held, smallest_singular_value(driven));
-  candidate.at_limits = passive_joints_at_limits(system, values, actuated_joints);
-  return candidate;
+  return rates;
 }
 
 // Actuated joints that move independently come first: a mechanism may have other branches, as a parallelogram
-// that is crossed. Then least mobility; then good ones, away from limits; then the earliest, which is nearest
-// to zero, unless a later one is much better conditioned.
+// that is crossed. Then least mobility; then a platform that moves in most ways, as away from serial
+// singularities; then good ones, away from limits; then the earliest, which is nearest to zero, unless a
+// later one is much better conditioned.
 bool is_better(const Candidate& one, const Candidate& other) {
   if (one.joints_move() != other.joints_move()) return one.joints_move();
   const Eigen::Index mobility = one.assembly.motions.cols(), other_mobility = other.assembly.motions.cols();
   if (mobility != other_mobility) return mobility < other_mobility;
+  if (one.platform.ways() != other.platform.ways()) return one.platform.ways() > other.platform.ways();
   if (one.is_good() != other.is_good()) return one.is_good();
   return one.conditioning > 5.0 * other.conditioning;
 }
+
+// Looks for assembled configurations, and keeps the best.
+class Assembler {
+ public:
+  Assembler(const ClosureSystem& system, const std::vector<std::size_t>& actuated_joints,
+            std::size_t platform_link)
+      : system_(system),
+        actuated_joints_(actuated_joints),
+        platform_link_(platform_link),
+        none_held_(static_cast<std::size_t>(system.tree().variables()), false) {}
+
+  AssemblyResult run() {
+    for (int trial = 0; trial <= random_starts && (moving_ < wanted_assemblies || good_ == 0); ++trial)
+      try_from(trial == 0 ? Eigen::VectorXd::Zero(system_.tree().variables())
+                          : random_start(system_, random_));
+    for (int trial = 0; trial < starts_beside && is_poor(); ++trial) try_from(beside_best());
+    if (best_) result_.assembly = best_->assembly;
+    return std::move(result_);
+  }
+
+ private:
+  // Where nothing moves there is no way aside.
+  bool is_poor() const { return best_ && best_->joints_move() && !best_->is_usable(actuated_joints_.size()); }
+
+  void try_from(const Eigen::VectorXd& start) {
+    const Eigen::VectorXd values = close_loops(system_, start, none_held_);
+    const double error = largest(system_.residual(values));
+    if (error < least_) result_.closest = values;
+    least_ = std::min(least_, error);
+    if (!(error < closing_tolerance * system_.size())) return;
+    const Candidate candidate = judged(values);
+    if (candidate.joints_move()) ++moving_;
+    if (candidate.is_good()) ++good_;
+    if (!best_ || is_better(candidate, *best_)) best_ = candidate;
+  }
+
+  Candidate judged(const Eigen::VectorXd& values) const {
+    const Eigen::MatrixXd scaling = loop_scaling(system_);
+    const auto svd = singular_value_decomposition(system_.jacobian(values) * scaling);
+    const Eigen::Index rank = svd.rank_above(rank_tolerance * svd.values[0]);
+    Candidate candidate;
+    candidate.assembly = {values, scaling * svd.null_space(rank),
+                          largest(system_.residual(values)) / system_.size()};
+    const double held = rank > 0 ? svd.values[rank - 1] / svd.values[0] : 0.0;
+    candidate.conditioning = std::min(
+        held, smallest_singular_value(actuated_rates(system_, candidate.assembly.motions, actuated_joints_)));
+    candidate.platform =
+        platform_freedom(system_, candidate.assembly, platform_link_, actuated_joints_.size());
+    candidate.at_limits = passive_joints_at_limits(system_, values, actuated_joints_);
+    return candidate;
+  }
+
+  // A step of a random motion away, which keeps the loops nearly closed.
+  Eigen::VectorXd beside_best() {
+    const Eigen::MatrixXd& motions = best_->assembly.motions;
+    std::uniform_real_distribution<double> entry(-1.0, 1.0);
+    std::uniform_real_distribution<double> distance(least_distance_beside, most_distance_beside);
+    Eigen::VectorXd direction(motions.cols());
+    for (double& value : coefficients_of(direction)) value = entry(random_);
+    return best_->assembly.values + motions * (direction.stableNormalized() * distance(random_));
+  }
+
+  const ClosureSystem& system_;
+  const std::vector<std::size_t>& actuated_joints_;
+  std::size_t platform_link_;
+  std::vector<bool> none_held_;
+  std::mt19937 random_{seed};
+  std::optional<Candidate> best_;
+  int moving_ = 0, good_ = 0;
+  double least_ = std::numeric_limits<double>::infinity();
+  AssemblyResult result_;
+};
 
 // Of all motions together; a step that closes its loops again and is far enough to tell.
 bool moves_in_a_step(const ClosureSystem& system, const Assembly& assembly, std::size_t joint,
@@ -202,13 +316,6 @@ std::vector<Eigen::VectorXd> steps_along_motions(const ClosureSystem& system, co
     if (largest(system.residual(values)) < closing_tolerance * system.size()) steps.push_back(values);
   }
   return steps;
-}
-
-const Candidate& best(const std::vector<Candidate>& candidates) {
-  const Candidate* chosen = &candidates.front();
-  for (const Candidate& candidate : candidates)
-    if (is_better(candidate, *chosen)) chosen = &candidate;
-  return *chosen;
 }
 
 }  // namespace
@@ -238,27 +345,9 @@ Eigen::VectorXd close_loops(const ClosureSystem& system, Eigen::VectorXd values,
   return polished(system, values, held);
 }
 
-AssemblyResult assemble(const ClosureSystem& system, const std::vector<std::size_t>& actuated_joints) {
-  AssemblyResult result;
-  std::mt19937 random(seed);
-  const std::vector<bool> none_held(static_cast<std::size_t>(system.tree().variables()), false);
-  std::vector<Candidate> candidates;
-  int moving = 0, good = 0;
-  double least = std::numeric_limits<double>::infinity();
-  for (int trial = 0; trial <= random_starts && (moving < wanted_assemblies || good == 0); ++trial) {
-    const Eigen::VectorXd start =
-        trial == 0 ? Eigen::VectorXd::Zero(system.tree().variables()) : random_start(system, random);
-    const Eigen::VectorXd values = close_loops(system, start, none_held);
-    const double error = largest(system.residual(values));
-    if (error < least) result.closest = values;
-    least = std::min(least, error);
-    if (!(error < closing_tolerance * system.size())) continue;
-    candidates.push_back(judged(system, values, actuated_joints));
-    if (candidates.back().joints_move()) ++moving;
-    if (candidates.back().is_good()) ++good;
-  }
-  if (!candidates.empty()) result.assembly = best(candidates).assembly;
-  return result;
+AssemblyResult assemble(const ClosureSystem& system, const std::vector<std::size_t>& actuated_joints,
+                        std::size_t platform_link) {
+  return Assembler(system, actuated_joints, platform_link).run();
 }
 
 std::vector<bool> still_joints(const ClosureSystem& system, const Assembly& assembly) {

@@ -18,6 +18,9 @@ inline constexpr double rank_tolerance = 5e-4;
 /// A mechanism closes when its residual is below this part of its size; the same rounding asks for it.
 inline constexpr double closing_tolerance = 5e-4;
 
+/// Velocities of orthonormal motions below this count as none, lengths in sizes of the robot.
+inline constexpr double velocity_tolerance = 1e-3;
+
 /// A configuration that closes every loop, away from singularities where one was found.
 struct Assembly {
   Eigen::VectorXd values;  ///< of all joints; those outside the loops are zero [rad or m]
@@ -32,11 +35,13 @@ struct AssemblyResult {
   Eigen::VectorXd closest;  ///< where the loops come closest to closing, if they do not
 };
 
-/// Levenberg-Marquardt from the zero configuration and from seeded random ones, inside the joint limits. Of
-/// the assembled configurations it takes one where the `actuated_joints` move independently, the mobility
-/// is least and the conditioning good: the others are singular, or in a branch that is not meant, as a
-/// crossed parallelogram.
-AssemblyResult assemble(const ClosureSystem& system, const std::vector<std::size_t>& actuated_joints);
+/// Levenberg-Marquardt from the zero configuration and from seeded random ones, inside the joint limits;
+/// where all that this finds are singular or stand on a limit, also from beside the best of them. Of the
+/// assembled configurations it takes one where the `actuated_joints` move independently, the mobility is
+/// least, the platform moves in most ways and the conditioning is good: the others are singular, or in a
+/// branch that is not meant, as a crossed parallelogram.
+AssemblyResult assemble(const ClosureSystem& system, const std::vector<std::size_t>& actuated_joints,
+                        std::size_t platform_link);
 
 /// The configuration nearest to `start` that closes the loops, with the joints marked in `held` kept where
 /// they are. What it returns need not close them.

@@ -27,7 +27,8 @@ class Search {
         files_(files),
         attempt_(attempt),
         system_(tree, resolved.base, typed(resolved.closures)),
-        assembled_(assemble(system_, resolved.actuated_joints.variables)) {}
+        assembled_(
+            assemble(system_, resolved.actuated_joints.variables, resolved.actuated_joints.platform_link)) {}
 
   std::optional<std::string> run() {
     if (auto message = misfit_axes()) return message;

@@ -10,9 +10,6 @@ using Eigen::Matrix3d;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 
-// Velocities come from an orthonormal basis, lengths in sizes of the robot; see rank_tolerance.
-constexpr double velocity_tolerance = 1e-3;
-
 Eigen::Index rank(const MatrixXd& matrix) {
   return matrix.size() > 0 ? (singular_values(matrix).array() > velocity_tolerance).count() : 0;
 }
