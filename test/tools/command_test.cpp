@@ -7,7 +7,9 @@
 #include "support/command_run.h"
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -261,6 +263,51 @@ TEST_F(Command, UnwritableOutputIsAnError) {
   const std::vector<const char*> arguments{"aspects", "describe", "five_bar"};
   EXPECT_EQ(run_command(3, arguments.data(), {output, messages, false, nullptr}), exit_code::bad_input);
   EXPECT_NE(messages.str(), "");
+}
+
+// The five-bar with another part of its YAML in place of the empty `map`.
+class DescribedWith {
+ public:
+  explicit DescribedWith(const std::string& more) {
+    std::ifstream shipped(std::string(PARALLEL_ASPECTS_SOURCE_DIR) + "/config/robots/five_bar.yaml");
+    std::ostringstream text;
+    text << shipped.rdbuf();
+    const std::string empty = "map: {}\n";
+    const std::size_t at = text.str().find(empty);
+    EXPECT_NE(at, std::string::npos);
+    std::ofstream(file_) << text.str().replace(at, empty.size(), more);
+  }
+  ~DescribedWith() { std::remove(file_.c_str()); }
+  DescribedWith(const DescribedWith&) = delete;
+  DescribedWith& operator=(const DescribedWith&) = delete;
+
+  Outcome operator()(const std::vector<const char*>& options = {}) const {
+    std::vector<const char*> arguments{"describe", "--urdf", urdf_.c_str(), "--config", file_.c_str()};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return run(arguments);
+  }
+
+ private:
+  std::string urdf_ = std::string(PARALLEL_ASPECTS_SOURCE_DIR) + "/urdf/five_bar.urdf";
+  std::string file_ = ::testing::TempDir() + "described.yaml";
+};
+
+TEST_F(Command, DescribeRefusesWhatMapRefuses) {
+  const Outcome outcome = DescribedWith("map: {resolution: 0}\n")();
+  EXPECT_EQ(outcome.code, exit_code::bad_input);
+  EXPECT_NE(outcome.messages.find("map.resolution that is not positive"), std::string::npos)
+      << outcome.messages;
+  EXPECT_NE(DescribedWith("map: {region: {lower: [0], upper: [1]}}\n")().code, exit_code::ok);
+  EXPECT_EQ(DescribedWith("map: {resolution: 0.5}\n")().code, exit_code::ok);
+}
+
+TEST_F(Command, DescribeCountsManyCones) {
+  std::string cones = "constraints:\n  cones:\n";
+  for (int k = 0; k < 200; ++k) cones += "    - {leg: 1, end: base, axis: [1, 0], angle: 1.0}\n";
+  const DescribedWith described(cones);
+  EXPECT_NE(described().output.find("cones: 200 bound the rods; --verbose lists them\n"), std::string::npos);
+  EXPECT_EQ(described().output.find("cone: the rod"), std::string::npos);
+  EXPECT_GE(line_count(described({"--verbose"}).output), 200U);
 }
 
 }  // namespace

@@ -14,6 +14,8 @@ std::string holder(const Manipulator& manipulator, const BallJointCone& cone) {
   return std::holds_alternative<RevoluteActuation>(actuation) ? "crank" : "base";
 }
 
+constexpr std::size_t most_lines = 24;
+
 /// `joint` is empty for a cone that stands for no joint limit.
 void add(const Manipulator& manipulator, const BallJointCone& cone, const std::string& joint,
          Report& report) {
@@ -30,11 +32,13 @@ void add(const Manipulator& manipulator, const BallJointCone& cone, const std::s
 
 }  // namespace
 
-Report report_cones(const Manipulator& manipulator) {
+Report report_cones(const Manipulator& manipulator, bool verbose) {
   Report report{nlohmann::json::array(), ""};
   for (const BallJointCone& cone : manipulator.constraints().cones) add(manipulator, cone, "", report);
   for (const PassiveCone& limit : manipulator.constraints().passive_cones)
     add(manipulator, limit.cone, limit.joint, report);
+  if (report.json.size() > most_lines && !verbose)
+    report.text = "cones: " + std::to_string(report.json.size()) + " bound the rods; --verbose lists them\n";
   return report;
 }
 

@@ -8,8 +8,8 @@
 namespace parallel_aspects::tools {
 
 /// The cones that the rods of a manipulator must stay in, those of universal joints among them: a list, and
-/// a line each.
-Report report_cones(const Manipulator& manipulator);
+/// a line each, or one for all where they are many and it is not `verbose`.
+Report report_cones(const Manipulator& manipulator, bool verbose);
 
 }  // namespace parallel_aspects::tools
 

@@ -109,7 +109,7 @@ json json_mechanism(const Mechanism& mechanism) {
           {"legs", legs},
           {"joints", mechanism.joint_names()},
           {"joint_limits", json_joint_limits(mechanism)},
-          {"cones", report_cones(manipulator).json},
+          {"cones", report_cones(manipulator, true).json},
           {"working_modes", json_modes(manipulator)},
           {"notes", mechanism.notes()}};
 }
@@ -210,7 +210,7 @@ std::string mechanism_text(const Mechanism& mechanism, bool verbose) {
   text += frame_text(manipulator) + home_text(mechanism) + workspace_text(mechanism.manipulator()) + "\n";
   text += leg_table(manipulator);
   text += "\nworking modes, as signs of B_jj:" + modes_text(manipulator) + "\n";
-  text += joints_text(mechanism) + report_cones(manipulator).text;
+  text += joints_text(mechanism) + report_cones(manipulator, verbose).text;
   return text + notes_text(mechanism.notes(), verbose);
 }
 
@@ -219,6 +219,20 @@ std::string mechanism_text(const Mechanism& mechanism, bool verbose) {
 Report report_mechanism(const Mechanism& mechanism, bool verbose) {
   return {json_mechanism(mechanism), mechanism_text(mechanism, verbose)};
 }
+
+namespace {
+
+// What `map` refuses is refused here, too.
+std::shared_ptr<const Mechanism> load_checked(const RobotChoice& robot) {
+  Problems problems;
+  const MapSection section = load_map_section(robot, problems);
+  auto mechanism = load_robot(robot, problems);
+  resolve_region(section.config, mechanism->manipulator()->task_space(), section.file, problems);
+  if (!problems.empty()) throw InvalidDescription(problems);
+  return mechanism;
+}
+
+}  // namespace
 
 Subcommand describe_subcommand() {
   struct Arguments {
@@ -233,7 +247,7 @@ Subcommand describe_subcommand() {
             const RobotChoice& robot = arguments->robot;
             const bool bare = robot.name.empty() && robot.config_file.empty() && !robot.urdf_file.empty();
             return bare ? describe_bare(robot.urdf_file, surroundings)
-                        : report_mechanism(*load_robot(robot), arguments->verbose);
+                        : report_mechanism(*load_checked(robot), arguments->verbose);
           },
           {{"--verbose", "List every joint that a note is about", &arguments->verbose}}};
 }
