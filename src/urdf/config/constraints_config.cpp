@@ -33,8 +33,7 @@ class Reader {
   ConstraintsConfig read(const YAML::Node& node) {
     ConstraintsConfig config;
     if (!node.IsDefined() || node.IsNull()) return config;
-    const std::vector<std::string> known{"actuated_limits", "passive_limits", "strict_limits", "cones",
-                                         "thickness",       "self_collision", "obstacles",     "workspace"};
+    const std::vector<std::string>& known = constraint_keys();
     if (!node.IsMap()) {
       std::string keys;
       for (const std::string& key : known) keys += (keys.empty() ? "" : ", ") + key;
@@ -297,6 +296,13 @@ class Resolver {
 };
 
 }  // namespace
+
+const std::vector<std::string>& constraint_keys() {
+  static const std::vector<std::string> keys{"actuated_limits", "passive_limits", "strict_limits",
+                                             "cones",           "thickness",      "self_collision",
+                                             "obstacles",       "workspace"};
+  return keys;
+}
 
 ConstraintsConfig read_constraints_config(const YAML::Node& node, const std::string& file,
                                           Problems& problems) {

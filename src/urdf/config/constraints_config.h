@@ -50,6 +50,9 @@ struct ConstraintsConfig {
   std::optional<std::array<std::vector<double>, 2>> workspace;  ///< lower, upper [m]
 };
 
+/// All keys of it.
+const std::vector<std::string>& constraint_keys();
+
 /// Reads it; `node` may be undefined. What is wrong is added to `problems`, each a message that names `file`
 /// and the key.
 ConstraintsConfig read_constraints_config(const YAML::Node& node, const std::string& file,

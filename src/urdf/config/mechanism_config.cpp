@@ -7,6 +7,8 @@
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
+#include <optional>
+#include <sstream>
 
 namespace parallel_aspects {
 namespace {
@@ -63,7 +65,7 @@ class Reader {
           "under it.");
       return config;
     }
-    yaml_.check_keys(mechanism, mechanism_keys(), "mechanism");
+    yaml_.check_keys(mechanism, mechanism_keys(), "mechanism", {{"constraints", constraint_keys()}});
     text(mechanism["name"], "mechanism.name", config.name);
     text(mechanism["base_link"], "mechanism.base_link", config.base_link);
     read_operational_point(mechanism, config);
@@ -85,7 +87,8 @@ class Reader {
   // What a file of the gepetto toolbox has besides is not known here.
   void check_top(const YAML::Node& root) const {
     if (root.IsMap() && root["mechanism"].IsDefined() && !root["closed_loop"].IsDefined())
-      yaml_.check_keys(root, top_keys(), "the top of the file");
+      yaml_.check_keys(root, top_keys(), "the top of the file",
+                       {{"mechanism", mechanism_keys()}, {"constraints", constraint_keys()}});
   }
 
   void read_operational_point(const YAML::Node& mechanism, MechanismConfig& config) {
@@ -196,14 +199,31 @@ class Reader {
   YamlValues yaml_;
 };
 
+// The first line up to `last`, counted from 1, that is indented with a tab, which YAML does not allow.
+std::optional<int> line_with_tab(const std::string& text, int last) {
+  std::istringstream lines(text);
+  std::string line;
+  for (int number = 1; number <= last && std::getline(lines, line); ++number) {
+    const std::size_t tab = line.find('\t');
+    if (tab != std::string::npos && tab < line.find_first_not_of(" \t")) return number;
+  }
+  return std::nullopt;
+}
+
+std::string problem_with_yaml(const std::string& text, const YAML::Exception& error) {
+  const int line = error.mark.line + 1;
+  if (const auto tab = line_with_tab(text, line))
+    return " indents line " + std::to_string(*tab) + " with tabs, which YAML does not allow; write spaces.";
+  return " cannot be read as YAML at line " + std::to_string(line) + ": " + error.msg + "; correct it there.";
+}
+
 }  // namespace
 
 MechanismConfig read_mechanism_config(const std::string& text, const std::string& file, Problems& problems) {
   try {
     return Reader(file, problems).read(yaml_document(text));
   } catch (const YAML::Exception& error) {
-    problems.push_back(file + " cannot be read as YAML at line " + std::to_string(error.mark.line + 1) +
-                       ": " + error.msg + "; correct it there.");
+    problems.push_back(file + problem_with_yaml(text, error));
     return {};
   }
 }

@@ -11,17 +11,28 @@
 #include <unordered_set>
 
 namespace parallel_aspects {
+namespace {
+
+bool contains(const std::vector<std::string>& keys, const std::string& key) {
+  return std::find(keys.begin(), keys.end(), key) != keys.end();
+}
+
+}  // namespace
+
 void YamlValues::check_keys(const YAML::Node& map, const std::vector<std::string>& known,
-                            const std::string& where) const {
+                            const std::string& where, const std::vector<OtherPart>& elsewhere) const {
   std::vector<std::string> keys;
   for (const auto& entry : map) keys.push_back(entry.first.IsScalar() ? entry.first.Scalar() : "");
   std::vector<std::string> unused;
-  std::copy_if(known.begin(), known.end(), std::back_inserter(unused), [&](const std::string& key) {
-    return std::find(keys.begin(), keys.end(), key) == keys.end();
-  });
+  std::copy_if(known.begin(), known.end(), std::back_inserter(unused),
+               [&](const std::string& key) { return !contains(keys, key); });
   std::unordered_set<std::string> seen;
   for (const std::string& key : keys) {
-    if (std::find(known.begin(), known.end(), key) == known.end()) {
+    const auto part = std::find_if(elsewhere.begin(), elsewhere.end(),
+                                   [&](const OtherPart& other) { return contains(other.keys, key); });
+    if (!contains(known, key) && part != elsewhere.end()) {
+      problem("has the key '" + key + "' under " + where + "; write it under '" + part->name + "'.");
+    } else if (!contains(known, key)) {
       const bool may_be_new = !similar_name(key, unused).empty();
       const std::string used = may_be_new ? "" : similar_name(key, known);
       problem("has an unknown key '" + key + "' under " + where +

@@ -23,9 +23,15 @@ class YamlValues {
   /// Adds "FILE `message`".
   void problem(const std::string& message) const { problems_.push_back(file_ + " " + message); }
 
-  /// Unknown and repeated keys.
-  void check_keys(const YAML::Node& map, const std::vector<std::string>& known,
-                  const std::string& where) const;
+  /// Keys that belong into another part of the file.
+  struct OtherPart {
+    std::string name;
+    std::vector<std::string> keys;
+  };
+
+  /// Unknown and repeated keys, and those that belong elsewhere.
+  void check_keys(const YAML::Node& map, const std::vector<std::string>& known, const std::string& where,
+                  const std::vector<OtherPart>& elsewhere = {}) const;
 
   /// Whether it is a map; `help` says what to write.
   bool map(const YAML::Node& node, const std::string& where, const std::string& help) const;
