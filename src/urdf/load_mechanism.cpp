@@ -39,6 +39,18 @@ constexpr std::ptrdiff_t most_joints_in_loops = 120;
 
 std::string number(double value) { return number_text(value, 3); }
 
+bool check_joints_in_loops(const ClosureSystem& system, const SourceNames& files, Problems& problems) {
+  const auto count = std::count(system.in_loop().begin(), system.in_loop().end(), true);
+  if (count == 0)
+    problems.push_back(files.config + " closes only frames that no joint of " + files.urdf +
+                       " moves against one another; name frames at the two ends of each loop.");
+  if (count > most_joints_in_loops)
+    problems.push_back(files.urdf + " has " + std::to_string(count) +
+                       " movable joints in its loops, and at most " + std::to_string(most_joints_in_loops) +
+                       " are treated; fix those that hardly move.");
+  return count > 0 && count <= most_joints_in_loops;
+}
+
 // Everything after names: assembles the mechanism, recognises it and proves the result on random poses.
 class Recogniser {
  public:
@@ -50,7 +62,7 @@ class Recogniser {
   std::unique_ptr<Mechanism::Contents> recognise(const std::vector<Closure>& closures,
                                                  Problems& problems) const {
     const ClosureSystem system(tree_, resolved_.base, closures);
-    if (!check_joints_in_loops(system, problems)) return nullptr;
+    if (!check_joints_in_loops(system, files_, problems)) return nullptr;
     const AssemblyResult assembled =
         assemble(system, resolved_.actuated_joints.variables, resolved_.actuated_joints.platform_link);
     if (!assembled.assembly) {
@@ -61,18 +73,6 @@ class Recogniser {
   }
 
  private:
-  bool check_joints_in_loops(const ClosureSystem& system, Problems& problems) const {
-    const auto count = std::count(system.in_loop().begin(), system.in_loop().end(), true);
-    if (count == 0)
-      problems.push_back(files_.config + " closes only frames that no joint of " + files_.urdf +
-                         " moves against one another; name frames at the two ends of each loop.");
-    if (count > most_joints_in_loops)
-      problems.push_back(files_.urdf + " has " + std::to_string(count) +
-                         " movable joints in its loops, and at most " + std::to_string(most_joints_in_loops) +
-                         " are treated; fix those that hardly move.");
-    return count > 0 && count <= most_joints_in_loops;
-  }
-
   // As it is; and where that makes no manipulator, with joints that cannot move taken as fixed.
   std::unique_ptr<Mechanism::Contents> recognise(const ClosureSystem& system, const Assembly& assembly,
                                                  Problems& problems) const {
@@ -154,7 +154,10 @@ class Recogniser {
     const double error = system.residual(closest).lpNorm<Eigen::Infinity>() / system.size();
     const std::string cannot = files_.urdf + " cannot be closed as " + files_.config + " asks: ";
     const std::string& closure = system.closures()[index].name;
-    if (gap > closing_tolerance * system.size())
+    if (!std::isfinite(gap))
+      problems.push_back(cannot + "the frames of closure '" + closure +
+                         "' are farther apart than numbers go; check the lengths of its loop.");
+    else if (gap > closing_tolerance * system.size())
       problems.push_back(cannot + "the frames of closure '" + closure + "' come no nearer than " +
                          number(gap) + " m; check the lengths, the joint limits and the frames of its loop.");
     else
@@ -211,7 +214,7 @@ class Recogniser {
           config_.operational_point.name.empty() ? "platform" : config_.operational_point.name,
           {},
           {},
-          notes_on(passive, bounds, *tree_, motion.space),
+          notes_of(legs, passive, bounds, motion.space),
           static_cast<int>(motion.mobility),
           static_cast<int>(motion.idle),
           assembly.residual,
@@ -227,6 +230,21 @@ class Recogniser {
       for (const std::string& problem : invalid.problems()) problems.push_back(files_.urdf + ": " + problem);
       return nullptr;
     }
+  }
+
+  std::vector<std::string> notes_of(const std::vector<RecognisedLeg>& legs,
+                                    const std::vector<PassiveChain>& passive, const SlideBounds& bounds,
+                                    TaskSpace space) const {
+    std::vector<std::string> notes = notes_on(passive, bounds, *tree_, space);
+    for (const RecognisedLeg& leg : legs) {
+      const double range = leg.leg.limits.upper - leg.leg.limits.lower;
+      if (range > locked_range) continue;
+      notes.push_back(files_.urdf + " lets actuated joint '" + leg.leg.actuated_joint + "' move by only " +
+                      number(range) + (leg.leg.actuated_by_angle() ? " rad" : " m") +
+                      ", which leaves next to nothing for a map; widen its limits, or fix the joint and take "
+                      "it out of actuated_joints.");
+    }
+    return notes;
   }
 
   // Random poses, near and far, in random working modes: each must close every loop.
@@ -271,6 +289,7 @@ class Recogniser {
     step.tail(step.size() - angles) *= 0.5 * manipulator.size();
   }
 
+  static constexpr double locked_range = 1e-3;  // of an actuated joint that hardly moves [rad or m]
   static constexpr unsigned trial_seed = 5;
   static constexpr int trials = 60;
   static constexpr double trial_tolerance =
@@ -295,14 +314,15 @@ ClosureSystem loops_of(const std::shared_ptr<const Tree>& tree, const ResolvedCo
   return {tree, resolved.base, with_type(resolved.closures, ClosureType::point)};
 }
 
-// Of the joints that a URDF calls actuated, those outside of the loops may be of something else, as a
-// gripper.
+// What shows before anything is assembled. Of the joints that a URDF calls actuated, those outside of the
+// loops may be of something else, as a gripper.
 void check_ends(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,
                 const SourceNames& files) {
   ActuatedJoints listed = resolved.actuated_joints;
   if (!resolved.actuation_origin.empty()) listed.variables.clear();
   Problems problems;
-  check_ends_of_loops(loops_of(tree, resolved), listed, files, problems);
+  const ClosureSystem loops = loops_of(tree, resolved);
+  if (check_joints_in_loops(loops, files, problems)) check_ends_of_loops(loops, listed, files, problems);
   if (!problems.empty()) throw InvalidDescription(problems);
 }
 

@@ -197,6 +197,19 @@ TEST(Assembly, IsNotTakenStretchedAtALimit) {
     }
 }
 
+TEST(Culprit, IsAnActuatedJointThatIsLocked) {
+  Description robot = shipped_text("five_bar");
+  const std::string joint = "<joint name=\"crank_1_joint\" type=\"";
+  robot.urdf =
+      replaced(robot.urdf, joint + "continuous\">", joint + "revolute\"><limit lower=\"1\" upper=\"1\"/>");
+  const auto notes = test::load(robot)->notes();
+  EXPECT_EQ(std::count(notes.begin(), notes.end(),
+                       "robot.urdf lets actuated joint 'crank_1_joint' move by only 0 rad, which leaves next "
+                       "to nothing for a map; widen its limits, or fix the joint and take it out of "
+                       "actuated_joints."),
+            1);
+}
+
 struct Range {
   const char *lower, *upper;  // [rad]
 };

@@ -289,5 +289,36 @@ TEST(PassiveChain, IsRefusedWhereItCouplesCoordinates) {
   EXPECT_EQ(test::load(five_bar_on_slides("", ""))->mobility(), 2);
 }
 
+// A closure that ends on the chain, and not on the platform that the chain carries.
+TEST(PassiveChain, IsNotWhereALegEnds) {
+  Description robot = chain_text("three_rrr_on_slides");
+  const std::string meant = "[{link: platform, xyz: [10, 0, 0]}";
+  robot.config = replaced(robot.config, meant, "[{link: carriage_y, xyz: [10, 0, 0]}");
+  EXPECT_EQ(
+      test::refusal(robot.urdf, robot.config),
+      Problems{"robot.yaml closes 'carriage_y - rod_2' at link 'carriage_y', which is not on the body of "
+               "operational_point 'platform'; write link 'platform' there, which makes it a robot in "
+               "SE2."});
+}
+
+// Walls where the operational point is on the axis of the yaw, and else said to be none.
+TEST(PassiveChain, SaysWhichLimitsOfItsSlidesBoundNothing) {
+  const auto notes = [](const std::string& point) {
+    Description robot = chain_text("three_rrr_on_slides");
+    for (const std::string axis : {"1 0 0", "0 1 0"})
+      if (const std::string text = "<axis xyz=\"" + axis + "\"/>"; robot.urdf.find(text) != std::string::npos)
+        robot.urdf = replaced(robot.urdf, text, text + range(-5.0, 5.0));
+    robot.config = replaced(robot.config, "operational_point: platform", "operational_point: " + point);
+    return test::load(robot)->notes();
+  };
+  const auto says = [](const std::vector<std::string>& found, const std::string& text) {
+    return std::count_if(found.begin(), found.end(),
+                         [&](const std::string& note) { return note.find(text) != std::string::npos; });
+  };
+  const std::string unused = "The limits of 'world_x', 'world_y' bound no aspect";
+  EXPECT_EQ(says(notes("platform"), unused), 0);
+  EXPECT_EQ(says(notes("{link: platform, xyz: [1, 0, 0]}"), unused), 1);
+}
+
 }  // namespace
 }  // namespace parallel_aspects

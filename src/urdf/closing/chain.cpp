@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/closing/chain.h"
 
+#include "model/number_text.h"
 #include "urdf/closing/held_twists.h"
 
 #include <algorithm>
@@ -55,8 +56,8 @@ class LegFinder {
 
   FoundLegs find() {
     if (base_ == platform_) {
-      problem("lets operational_point '" + system_.tree().links[actuated_joints_.platform_link] +
-              "' be fixed to the base link; name a link of the moving platform.");
+      problem("lets " + operational_point_text(system_.tree(), actuated_joints_.platform_link) +
+              " be fixed to the base link; name a link of the moving platform.");
       return {};
     }
     FoundLegs found;
@@ -197,9 +198,9 @@ class LegFinder {
     const std::vector<std::size_t> found = actuated_joints_of(part);
     if (found.size() > 1) {
       problem("actuates " + std::to_string(found.size()) + " of the joints " + joints_of(part) +
-              ", which share links between the base and the link of operational_point '" +
-              system_.tree().links[actuated_joints_.platform_link] +
-              "'; a fully parallel robot has one actuated joint a leg, and its operational point on the body "
+              ", which share links between the base and the link of " +
+              operational_point_text(system_.tree(), actuated_joints_.platform_link) +
+              "; a fully parallel robot has one actuated joint a leg, and its operational point on the body "
               "that all legs share.");
       return;
     }
@@ -297,8 +298,8 @@ class LegFinder {
 
   void check_last_length(const Pivot& pivot) {
     if (pivot.kind != PivotKind::revolute || !on_axis(pivot, operational_point_)) return;
-    problem("has operational_point '" + system_.tree().links[actuated_joints_.platform_link] +
-            "' on the axis of joint '" + pivot.name +
+    problem("has " + operational_point_text(system_.tree(), actuated_joints_.platform_link) +
+            " on the axis of joint '" + pivot.name +
             "', so that the last link of the leg has length zero; move it, or lengthen the link in " +
             files_.urdf + ".");
   }
@@ -325,6 +326,17 @@ class LegFinder {
 };
 
 }  // namespace
+
+std::string operational_point_text(const Tree& tree, std::size_t platform_link) {
+  const std::string& name = tree.links[platform_link];
+  const auto above = tree.joint_above[platform_link];
+  const bool is_made = name == unnamed_operational_point && above && tree.joints[*above].name == name;
+  if (!is_made) return "operational_point '" + name + "'";
+  std::string xyz;
+  for (Eigen::Index k = 0; k < 3; ++k)
+    xyz += (k == 0 ? "" : ", ") + number_text(tree.joints[*above].origin.translation()[k]);
+  return "operational_point {link: " + tree.links[tree.joints[*above].parent] + ", xyz: [" + xyz + "]}";
+}
 
 std::string names_of(const Chain& chain) {
   std::string text;

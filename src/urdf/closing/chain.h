@@ -63,6 +63,13 @@ struct AssembledMechanism {
   std::vector<bool> still;  ///< joints that cannot move and are taken as fixed, for each joint value
 };
 
+/// Link and joint that are made for an operational point that is a frame without a name.
+inline constexpr const char* unnamed_operational_point = "operational_point";
+
+/// The operational point for messages: "operational_point 'LINK'", or as it is written where it is a frame
+/// without a name.
+std::string operational_point_text(const Tree& tree, std::size_t platform_link);
+
 /// "'a', 'b'" for messages.
 std::string names_of(const Chain& chain);
 

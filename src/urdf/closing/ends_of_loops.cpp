@@ -40,7 +40,7 @@ class EndsOfLoops {
                          listed(below->passed) + " moves all loops of " + files_.urdf +
                          "; write base_link: " + tree_.links[below->link] + remedy(below->passed) + ".");
     if (!after->passed.empty())
-      problems.push_back(files_.config + " has operational_point '" + tree_.links[platform] + "', which " +
+      problems.push_back(files_.config + " has " + operational_point_text(tree_, platform) + ", which " +
                          listed(after->passed) + " moves against all loops of " + files_.urdf +
                          "; write operational_point: " + tree_.links[after->link] + remedy(after->passed) +
                          ".");

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/closing/resolved_config.h"
 
+#include "model/number_text.h"
 #include "urdf/description/nearest_name.h"
 
 #include <algorithm>
 
 namespace parallel_aspects {
 namespace {
+
+// Of a frame from its link, in sums of all origins: far beyond any robot.
+constexpr double farthest_frame = 100.0;
 
 bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
@@ -31,6 +35,7 @@ class Resolver {
       : source_(source), tree_(source.tree), files_(source.files), problems_(problems), notes_(notes) {}
 
   ResolvedConfig resolve(const MechanismConfig& config) {
+    check_frames(config);
     if (!config.base_link.empty()) result_.base = link("mechanism.base_link", config.base_link);
     if (!config.operational_point.link.empty())
       result_.actuated_joints.platform_link =
@@ -45,6 +50,40 @@ class Resolver {
 
  private:
   void problem(const std::string& text) { problems_.push_back(files_.config + " " + text); }
+
+  void check_frames(const MechanismConfig& config) {
+    const ConfiguredFrame& point = config.operational_point;
+    for (const TreeJoint& joint : tree_.joints)
+      if (point.is_link || tree_.links[joint.child] != point.link)
+        reach_ += joint.origin.translation().norm();
+    check_distance("mechanism.operational_point", point);
+    if (!point.name.empty()) frame_names_.push_back(point.name);
+    for (std::size_t k = 0; k < config.closures.size(); ++k)
+      for (const ConfiguredFrame& frame : config.closures[k].frames) {
+        const std::string key = "mechanism.closures[" + std::to_string(k) + "].frames";
+        check_distance(key, frame);
+        if (!frame.name.empty()) check_name(key, frame.name);
+      }
+  }
+
+  // A frame is somewhere at the robot.
+  void check_distance(const std::string& key, const ConfiguredFrame& frame) {
+    const double away = frame.in_link.translation().stableNorm();
+    if (reach_ > 0.0 && !(away <= farthest_frame * reach_))
+      problem("puts a frame of " + key + " " + number_text(away, 3) +
+              " m away from its link, while the origins of all joints of " + files_.urdf + " add up to " +
+              number_text(reach_, 3) + " m; give its xyz in metres.");
+  }
+
+  // One name stands for one frame.
+  void check_name(const std::string& key, const std::string& name) {
+    if (contains(frame_names_, name))
+      problem("calls two frames '" + name + "', the second in " + key + "; give each a name of its own.");
+    else if (tree_.link_named(name))
+      problem("calls a frame of " + key + " '" + name + "', but " + files_.urdf +
+              " has a link of that name; give the frame another name under its key 'name'.");
+    frame_names_.push_back(name);
+  }
 
   std::size_t link(const std::string& key, const std::string& name) {
     if (const auto found = tree_.link_named(name)) return *found;
@@ -138,6 +177,8 @@ class Resolver {
   std::vector<std::string> described_joints_;                                // by the dialect of the closures
   std::string actuated_joints_named_in_ = files_.config + " names joint '";  // for messages, around the name
   std::string actuated_joints_named_by_ = "' in mechanism.actuated_joints, but ";
+  std::vector<std::string> frame_names_;  // that the YAML gives
+  double reach_ = 0.0;                    // of all links of the URDF one after the other [m]
   ResolvedConfig result_;
 };
 
@@ -151,7 +192,7 @@ ResolvedConfig resolve_config(const MechanismConfig& config, const LoopSource& s
 void add_operational_point(ConfiguredFrame& point, const SourceNames& files, Tree& tree, Problems& problems) {
   const auto parent = tree.link_named(point.link);
   if (point.is_link || !parent) return;
-  const std::string name = point.name.empty() ? "operational_point" : point.name;
+  const std::string name = point.name.empty() ? unnamed_operational_point : point.name;
   if (tree.link_named(name))
     problems.push_back(files.config + " calls the frame of mechanism.operational_point '" + name + "', but " +
                        files.urdf +

@@ -12,6 +12,7 @@ namespace parallel_aspects {
 namespace {
 
 constexpr std::size_t most_points = 16;  // links that are tried as operational point
+constexpr std::size_t most_links = 4;    // and as the end of one closure
 
 // Of attempts, times the square of the number of joints in the loops, and more where an attempt has choices
 // of its own: a refusal is not to take long.
@@ -31,7 +32,9 @@ class Search {
             assemble(system_, resolved.actuated_joints.variables, resolved.actuated_joints.platform_link)) {}
 
   std::optional<std::string> run() {
+    if (auto message = other_base()) return message;
     if (auto message = misfit_axes()) return message;
+    if (auto message = other_closing_link()) return message;
     if (assembled_.assembly)
       if (auto message = other_operational_point()) return message;
     if (auto message = other_types()) return message;
@@ -46,8 +49,85 @@ class Search {
     return closures;
   }
 
-  const std::string& operational_point() const {
-    return tree_->links[resolved_.actuated_joints.platform_link];
+  std::size_t platform() const { return resolved_.actuated_joints.platform_link; }
+
+  std::string operational_point() const { return operational_point_text(*tree_, platform()); }
+
+  // The link above that a movable joint carries, or the root: the same for all links of a body.
+  std::size_t body_of(std::size_t link) const {
+    for (auto joint = tree_->joint_above[link]; joint && !tree_->joints[*joint].variable;
+         joint = tree_->joint_above[link])
+      link = tree_->joints[*joint].parent;
+    return link;
+  }
+
+  // Where most of the actuated joints are fixed to.
+  std::optional<std::string> other_base() {
+    std::size_t most = 0, base = resolved_.base;
+    for (const std::size_t variable : resolved_.actuated_joints.variables) {
+      const std::size_t link = tree_->joint_of(variable).parent;
+      const auto count = static_cast<std::size_t>(std::count_if(
+          resolved_.actuated_joints.variables.begin(), resolved_.actuated_joints.variables.end(),
+          [&](std::size_t other) { return body_of(tree_->joint_of(other).parent) == body_of(link); }));
+      if (count > most) base = link;
+      most = std::max(most, count);
+    }
+    if (most < 2 || body_of(base) == body_of(resolved_.base) || body_of(base) == body_of(platform()))
+      return std::nullopt;
+    ResolvedConfig changed = resolved_;
+    changed.base = base;
+    const auto space = tried(tree_, changed);
+    if (!space) return std::nullopt;
+    return files_.config + " has base_link '" + tree_->links[resolved_.base] +
+           "', which is not where the actuated joints are fixed; write base_link: " + tree_->links[base] +
+           ", which makes it a robot in " + *space + ".";
+  }
+
+  // One closure elsewhere, where all others hold a leg to the platform.
+  std::optional<std::string> other_closing_link() {
+    const std::vector<Closure>& closures = resolved_.closures;
+    const auto is_elsewhere = [this](const Closure& closure) {
+      return !is_on_platform(closure.frames[0].link) && !is_on_platform(closure.frames[1].link);
+    };
+    if (closures.size() < 2 || std::count_if(closures.begin(), closures.end(), is_elsewhere) != 1)
+      return std::nullopt;
+    for (std::size_t k = 0; k < closures.size(); ++k) {
+      const auto& frames = closures[k].frames;
+      if (!is_elsewhere(closures[k])) continue;
+      for (const std::size_t end : {0, 1})
+        for (const std::size_t link : platform_links(frames[end]))
+          if (auto message = closed_at(k, end, link)) return message;
+    }
+    return std::nullopt;
+  }
+
+  bool is_on_platform(std::size_t link) const { return body_of(link) == body_of(platform()); }
+
+  bool is_closed(std::size_t link) const {
+    return std::any_of(resolved_.closures.begin(), resolved_.closures.end(), [&](const Closure& closure) {
+      return closure.frames[0].link == link || closure.frames[1].link == link;
+    });
+  }
+
+  // What may be meant: a place beside a link stays there, and else links that no closure has.
+  std::vector<std::size_t> platform_links(const LinkFrame& frame) const {
+    if (!frame.in_link.isApprox(Eigen::Isometry3d::Identity())) return {platform()};
+    std::vector<std::size_t> links;
+    for (std::size_t link = 0; link < tree_->links.size(); ++link)
+      if (is_on_platform(link) && link != platform() && !is_closed(link) && links.size() < most_links)
+        links.push_back(link);
+    return links;
+  }
+
+  std::optional<std::string> closed_at(std::size_t closure, std::size_t end, std::size_t link) {
+    ResolvedConfig changed = resolved_;
+    changed.closures[closure].frames[end].link = link;
+    const auto space = tried(tree_, changed);
+    if (!space) return std::nullopt;
+    const Closure& written = resolved_.closures[closure];
+    return files_.config + " closes '" + written.name + "' at link '" +
+           tree_->links[written.frames[end].link] + "', which is not on the body of " + operational_point() +
+           "; write link '" + tree_->links[link] + "' there, which makes it a robot in " + *space + ".";
   }
 
   // Origins of links where loops are closed, or that several joints move, each place on a body once.
@@ -75,8 +155,8 @@ class Search {
       const auto space = tried(tree_, changed);
       if (!space) continue;
       const std::string& name = tree_->links[link];
-      return files_.config + " has operational_point '" + operational_point() + "', but the legs of " +
-             files_.urdf + " meet in link '" + name + "', as those of a robot in " + *space +
+      return files_.config + " has " + operational_point() + ", but the legs of " + files_.urdf +
+             " meet in link '" + name + "', as those of a robot in " + *space +
              "; write operational_point: " + name + ".";
     }
     return std::nullopt;
@@ -123,10 +203,9 @@ class Search {
   // With the one joint that is actuated, or each of several that move together.
   std::optional<std::string> one_degree_of_freedom() const {
     if (!assembled_.assembly || assembled_.assembly->motions.cols() != 1) return std::nullopt;
-    return files_.urdf +
-           " is a linkage of one degree of freedom, as a four-bar, and its operational_point '" +
+    return files_.urdf + " is a linkage of one degree of freedom, as a four-bar, and its " +
            operational_point() +
-           "' is not on a slide; of those only a platform on a slide, which one leg moves (T1), is treated.";
+           " is not on a slide; of those only a platform on a slide, which one leg moves (T1), is treated.";
   }
 
   const std::shared_ptr<const Tree>& tree_;

@@ -129,6 +129,18 @@ class Bounding {
   SlideBounds bounds_;
 };
 
+// Those of the slides that have limits which are not among `bounded`.
+std::string unbounded_slides(const std::vector<PassiveChain>& chains, const std::vector<std::size_t>& bounded,
+                             const Tree& tree) {
+  std::string names;
+  for (const PassiveChain& chain : chains)
+    for (const Pivot& slide : chain.slides)
+      if (slide.variable && tree.joint_of(*slide.variable).limits.limited() &&
+          std::find(bounded.begin(), bounded.end(), *slide.variable) == bounded.end())
+        names += (names.empty() ? "" : ", ") + quoted(slide);
+  return names;
+}
+
 std::string corner(const Vector3d& point, TaskSpace space) {
   std::ostringstream text;
   text.imbue(std::locale::classic());
@@ -182,6 +194,11 @@ std::vector<std::string> notes_on(const std::vector<PassiveChain>& chains, const
     notes.push_back("The limits of " + limited + " keep the operational point between " +
                     corner(bounds.box->lower, space) + " and " + corner(bounds.box->upper, space) +
                     " m of the task frame, as constraints.workspace does.");
+  const std::string unbounded = unbounded_slides(chains, bounds.joint_values, tree);
+  if (!unbounded.empty())
+    notes.push_back("The limits of " + unbounded +
+                    " bound no aspect: for that slides are along the axes of the task frame and, where the "
+                    "platform turns, the operational point is on the axes of the joints that turn it.");
   return notes;
 }
 

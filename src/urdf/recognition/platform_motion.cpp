@@ -119,8 +119,8 @@ class MotionFinder {
     if (count == 3 && rank(linear()) == 3) return translations(true);
     if (count == 6 && rank(twists_) == 6) return all_motions();
     return refuse(
-        "names operational_point '" + system_.tree().links[actuated_joints_.platform_link] +
-        "', which moves in none of the task spaces T1 (1 actuated joint), T2 (2 actuated joints), SE2, "
+        "names " + operational_point_text(system_.tree(), actuated_joints_.platform_link) +
+        ", which moves in none of the task spaces T1 (1 actuated joint), T2 (2 actuated joints), SE2, "
         "T3, SO3 (3 actuated joints) or SE3 (6 actuated joints), but with " +
         std::to_string(rank(angular())) + " rotations and " + std::to_string(rank(linear())) +
         " translations for " + std::to_string(count) +
