@@ -383,7 +383,7 @@ SharedMechanism load_mechanism(const std::string& urdf_text, const std::string& 
   if (!problems.empty()) throw InvalidDescription(problems);
   auto contents = recognise(std::make_shared<const Tree>(std::move(*tree)), config, resolved, files);
   Problems of_constraints;
-  add_stated_constraints(config.constraints, files, *contents, of_constraints);
+  add_stated_constraints(config.constraints, config.symmetrize, files, *contents, of_constraints);
   if (!of_constraints.empty()) throw InvalidDescription(of_constraints);
   contents->notes.insert(contents->notes.begin(), notes.begin(), notes.end());
   return SharedMechanism(std::make_shared<const Mechanism>(std::move(contents)));

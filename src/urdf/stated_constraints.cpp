@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/stated_constraints.h"
 
+#include "urdf/symmetrizing.h"
+
 #include <algorithm>
 #include <limits>
 #include <memory>
@@ -79,8 +81,8 @@ class FullTurns {
 
 }  // namespace
 
-void add_stated_constraints(const ConstraintsConfig& config, const SourceNames& files,
-                            Mechanism::Contents& contents, Problems& problems) {
+void add_stated_constraints(const ConstraintsConfig& config, std::optional<double> symmetrize,
+                            const SourceNames& files, Mechanism::Contents& contents, Problems& problems) {
   const std::size_t before = problems.size();
   ManipulatorDescription description = contents.manipulator->description();
   const Constraints limits = description.constraints;
@@ -99,6 +101,10 @@ void add_stated_constraints(const ConstraintsConfig& config, const SourceNames& 
   if (problems.size() > before) return;
   try {
     contents.manipulator = std::make_shared<const Manipulator>(description);
+    if (symmetrize) {
+      symmetrize_constraints(description, contents.manipulator->size(), *symmetrize, files, contents.notes);
+      contents.manipulator = std::make_shared<const Manipulator>(description);
+    }
   } catch (const InvalidDescription& invalid) {
     for (const std::string& problem : invalid.problems()) problems.push_back(files.config + ": " + problem);
   }

@@ -7,12 +7,15 @@
 #include "urdf/config/constraints_config.h"
 #include "urdf/mechanism_contents.h"
 
+#include <optional>
+
 namespace parallel_aspects {
 
 /// Gives the manipulator the constraints of the YAML. Limits that the URDF states, which it has by now, hold
-/// unless the YAML says otherwise; what is wrong is added to `problems`.
-void add_stated_constraints(const ConstraintsConfig& config, const SourceNames& files,
-                            Mechanism::Contents& contents, Problems& problems);
+/// unless the YAML says otherwise; what is wrong is added to `problems`. All are made symmetric within the
+/// tolerance that the legs were made so, if there is one.
+void add_stated_constraints(const ConstraintsConfig& config, std::optional<double> symmetrize,
+                            const SourceNames& files, Mechanism::Contents& contents, Problems& problems);
 
 }  // namespace parallel_aspects
 

@@ -18,6 +18,11 @@ std::shared_ptr<const Manipulator> symmetrized(std::shared_ptr<const Manipulator
                                                std::optional<double> tolerance, const SourceNames& files,
                                                std::vector<std::string>& notes);
 
+/// Makes the constraints of a robot symmetric, too, whose legs were made so. Notes say what was moved by how
+/// much, and what keeps maps from using the symmetry.
+void symmetrize_constraints(ManipulatorDescription& robot, double size, double tolerance,
+                            const SourceNames& files, std::vector<std::string>& notes);
+
 }  // namespace parallel_aspects
 
 #endif  // PARALLEL_ASPECTS_URDF_SYMMETRIZING_H

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "support/descriptions.h"
+#include <algorithm>
 #include <iomanip>
 #include <random>
 #include <sstream>
@@ -118,6 +119,39 @@ TEST(Symmetrize, IsASmallPositiveNumber) {
                             with_tolerance(shipped_text("five_bar"), tolerance).config),
               Problems{"robot.yaml has a mechanism.symmetrize that is not above 0 and at most 0.001; give "
                        "1.0e-4, or leave it out."});
+}
+
+// The five-bar with stops at its elbows, walls and a post, beside the symmetry about the x axis by `off`.
+Description bounded_five_bar(const std::string& off) {
+  Description robot = with_tolerance(shipped_text("five_bar"), "1.0e-4");
+  robot.urdf = perturbed(robot.urdf, 1e-5, 1);
+  for (const std::string joint : {"elbow_1_joint", "elbow_2_joint"})
+    robot.urdf = replaced(
+        robot.urdf, "<joint name=\"" + joint + "\" type=\"continuous\">",
+        "<joint name=\"" + joint + "\" type=\"revolute\"><limit lower=\"-2.5\" upper=\"2.5" + off + "\"/>");
+  robot.config += "\nconstraints:\n  workspace: {lower: [-3.0, -9.0], upper: [12.0, 9.0" + off +
+                  "]}\n  obstacles: [{name: post, center: [4.5, 0.0" + off + "], radius: 0.2}]\n";
+  return robot;
+}
+
+bool any_note(const Mechanism& mechanism, const std::string& text) {
+  return std::any_of(mechanism.notes().begin(), mechanism.notes().end(),
+                     [&](const std::string& note) { return note.find(text) != std::string::npos; });
+}
+
+TEST(Symmetrize, ReachesConstraints) {
+  const auto mechanism = test::load(bounded_five_bar("0002"));
+  EXPECT_TRUE(any_note(*mechanism, "the limits of passive joints are made symmetric, too"));
+  EXPECT_FALSE(any_note(*mechanism, "Maps make no use of the symmetry"));
+  EXPECT_GT(motions_of(*map_of(*mechanism, 0.5)), 0U);
+}
+
+TEST(Symmetrize, NamesWhatIsBeyondTheTolerance) {
+  const auto mechanism = test::load(bounded_five_bar("2"));
+  EXPECT_TRUE(any_note(*mechanism,
+                       "Maps make no use of the symmetry of robot.urdf while these are not symmetric: "
+                       "constraints.workspace and constraints.obstacles and the limits of passive joints."));
+  EXPECT_EQ(motions_of(*map_of(*mechanism, 0.5)), 0U);
 }
 
 }  // namespace

@@ -17,15 +17,8 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Lengths become whole multiples of a power of two, so that their sums are exact: as far below the size of
-// the robot as sums of all images allow.
-constexpr int bits_of_lengths = 42, bits_of_directions = 44;
-
-double snapped(double value, double step) { return std::round(value / step) * step; }
-
-Vector3d snapped(const Vector3d& vector, double step) {
-  return vector.unaryExpr([step](double entry) { return snapped(entry, step); });
-}
+// As far below the size of the robot as sums of all images allow.
+constexpr int bits_of_lengths = 42;
 
 // What becomes of one leg: signs by which the directions of its image differ.
 struct LegMatch {
@@ -165,23 +158,19 @@ class Comparison {
 class Symmetrizer {
  public:
   Symmetrizer(TaskSpace space, const std::vector<Leg>& legs, double size, double tolerance)
-      : space_(space),
-        legs_(legs),
-        comparison_(size, tolerance),
-        length_step_(std::ldexp(1.0, std::ilogb(size) - bits_of_lengths)),
-        direction_step_(std::ldexp(1.0, -bits_of_directions)) {}
+      : space_(space), legs_(legs), comparison_(size, tolerance), length_step_(step_of_lengths(size)) {}
 
   SymmetricLegs run() {
     SymmetricLegs result;
     result.legs = legs_;
     for (const RigidSymmetry& motion : rigid_symmetries_without_shift(space_)) add(motion);
     if (group_.size() < 2 || !is_group()) return result;
-    center_ = common_center();
+    result.center = center_ = common_center();
     for (std::size_t leg = 0; leg < legs_.size(); ++leg)
       if (first_of_orbit(leg) == leg) set_orbit(leg, result.legs);
     for (NearSymmetry& symmetry : group_) {
       symmetry.motion.shift = center_ - symmetry.motion.base * center_;
-      if (!is_identity(symmetry.motion)) result.motions.push_back(symmetry.motion);
+      if (!is_identity(symmetry.motion)) result.motions.push_back({symmetry.motion, symmetry.leg_image});
     }
     for (std::size_t leg = 0; leg < legs_.size(); ++leg) measure(legs_[leg], result.legs[leg], result);
     return result;
@@ -281,10 +270,10 @@ class Symmetrizer {
     base_point(mean) = snapped(base_point(mean) / count, length_step_) + center_;
     mean.anchor = snapped(mean.anchor / count, length_step_);
     for (double* length : lengths_of(mean)) *length = snapped(*length / count, length_step_);
-    if (double* angle = angle_of(mean)) *angle = snapped(*angle / count, direction_step_);
+    if (double* angle = angle_of(mean)) *angle = snapped(*angle / count, step_of_angles);
     if (Vector3d* direction = direction_of(mean)) direction->normalize();
     if (Vector3d* zero = zero_of(mean)) *zero = across(*zero, *direction_of(mean));
-    const double step = mean.actuated_by_angle() ? direction_step_ : length_step_;
+    const double step = mean.actuated_by_angle() ? step_of_angles : length_step_;
     for (double* end : {&mean.limits.lower, &mean.limits.upper})
       if (std::isfinite(*end)) *end = snapped(*end / count, step);
     return mean;
@@ -316,17 +305,17 @@ class Symmetrizer {
     sum.anchor += symmetry.motion.platform.transpose() * snapped(leg.anchor, length_step_);
     const auto lengths = lengths_of(leg), sums = lengths_of(sum);
     for (std::size_t k = 0; k < lengths.size(); ++k) *sums[k] += snapped(*lengths[k], length_step_);
-    if (angle_of(leg) != nullptr) *angle_of(sum) += snapped(*angle_of(leg), direction_step_);
+    if (angle_of(leg) != nullptr) *angle_of(sum) += snapped(*angle_of(leg), step_of_angles);
     if (direction_of(leg) != nullptr)
-      *direction_of(sum) += match.along * (back * snapped(*direction_of(leg), direction_step_));
+      *direction_of(sum) += match.along * (back * snapped(*direction_of(leg), step_of_angles));
     if (zero_of(leg) != nullptr && keeps_zero)
-      *zero_of(sum) += match.zero * (back * snapped(*zero_of(leg), direction_step_));
+      *zero_of(sum) += match.zero * (back * snapped(*zero_of(leg), step_of_angles));
     if (limits_move(leg)) add_limits(leg, sign_of_values(leg, symmetry.motion, match), sum);
   }
 
   void add_limits(const Leg& leg, int sign, Leg& sum) const {
     const JointLimits limits = with_sign(leg.limits, sign);
-    const double step = leg.actuated_by_angle() ? direction_step_ : length_step_;
+    const double step = leg.actuated_by_angle() ? step_of_angles : length_step_;
     if (std::isfinite(limits.lower)) sum.limits.lower += snapped(limits.lower, step);
     if (std::isfinite(limits.upper)) sum.limits.upper += snapped(limits.upper, step);
   }
@@ -382,12 +371,20 @@ class Symmetrizer {
   TaskSpace space_;
   const std::vector<Leg>& legs_;
   Comparison comparison_;
-  double length_step_, direction_step_;
+  double length_step_;
   std::vector<NearSymmetry> group_;
   Vector3d center_ = Vector3d::Zero();
 };
 
 }  // namespace
+
+double step_of_lengths(double size) { return std::ldexp(1.0, std::ilogb(size) - bits_of_lengths); }
+
+double snapped(double value, double step) { return std::round(value / step) * step; }
+
+Vector3d snapped(const Vector3d& vector, double step) {
+  return vector.unaryExpr([step](double entry) { return snapped(entry, step); });
+}
 
 SymmetricLegs nearest_symmetric_legs(TaskSpace space, const std::vector<Leg>& legs, double size,
                                      double tolerance) {

@@ -6,6 +6,9 @@
 #include "parallel_aspects/model/leg.h"
 #include "parallel_aspects/model/task_space.h"
 
+#include <Eigen/Core>
+
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -17,12 +20,30 @@ struct MovedNumber {
   double amount = 0.0;  ///< [m or rad]
 };
 
+/// A motion, and where it takes the legs.
+struct SymmetricMotion {
+  RigidSymmetry motion;
+  std::vector<std::size_t> leg_image;
+};
+
 /// Legs that were nearly symmetric, and now are so to the last digit.
 struct SymmetricLegs {
   std::vector<Leg> legs;
-  std::vector<RigidSymmetry> motions;  ///< that take them onto themselves, without the identity
-  MovedNumber length, angle;           ///< what was moved farthest
+  std::vector<SymmetricMotion> motions;              ///< that take them onto themselves, without the identity
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();  ///< which all of them leave where it is [m]
+  MovedNumber length, angle;                         ///< what was moved farthest
 };
+
+// Numbers become whole multiples of powers of two, so that sums of their images are exact.
+
+/// For lengths of a robot of this size [m].
+double step_of_lengths(double size);
+
+/// For entries of directions, and angles [rad].
+inline constexpr double step_of_angles = 0x1p-44;
+
+double snapped(double value, double step);
+Eigen::Vector3d snapped(const Eigen::Vector3d& vector, double step);
 
 /// The symmetric legs that are nearest to `legs`: their average over the group of all motions, of those that
 /// `find_robot_symmetries` looks for, that take each number of the legs to one that is no farther away than
