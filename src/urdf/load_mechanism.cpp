@@ -9,6 +9,7 @@
 #include "urdf/closing/resolved_config.h"
 #include "urdf/config/mechanism_config.h"
 #include "urdf/description/yaml_document.h"
+#include "urdf/load_search.h"
 #include "urdf/mechanism_contents.h"
 #include "urdf/open_choices.h"
 #include "urdf/reading/tree_reader.h"
@@ -55,12 +56,13 @@ bool check_joints_in_loops(const ClosureSystem& system, const SourceNames& files
 class Recogniser {
  public:
   Recogniser(std::shared_ptr<const Tree> tree, const MechanismConfig& config, const ResolvedConfig& resolved,
-             const SourceNames& files)
-      : tree_(std::move(tree)), config_(config), resolved_(resolved), files_(files) {}
+             const SourceNames& files, const LoadSearch& search)
+      : tree_(std::move(tree)), config_(config), resolved_(resolved), files_(files), search_(search) {}
 
   /// With closures of these types; nothing, and `problems`, where they do not make a manipulator.
   std::unique_ptr<Mechanism::Contents> recognise(const std::vector<Closure>& closures,
                                                  Problems& problems) const {
+    search_.checkpoint();
     const ClosureSystem system(tree_, resolved_.base, closures);
     if (!check_joints_in_loops(system, files_, problems)) return nullptr;
     const AssemblyResult assembled =
@@ -300,6 +302,7 @@ class Recogniser {
   const MechanismConfig& config_;
   const ResolvedConfig& resolved_;
   const SourceNames& files_;
+  const LoadSearch& search_;
 };
 
 void check_closures(const std::vector<Closure>& closures, const SourceNames& files, Problems& problems) {
@@ -329,17 +332,18 @@ void check_ends(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& r
 // Throws where there is none.
 std::unique_ptr<Mechanism::Contents> recognise(const std::shared_ptr<const Tree>& tree,
                                                const MechanismConfig& config, const ResolvedConfig& resolved,
-                                               const SourceNames& files) {
+                                               const SourceNames& files, const LoadSearch& search) {
   check_ends(tree, resolved, files);
   const auto recognise_in = [&](const std::shared_ptr<const Tree>& in, const ResolvedConfig& open,
                                 Problems& problems) {
     const Recognise each = [&](const ResolvedConfig& chosen, Problems& found) {
-      return Recogniser(in, config, chosen, files).recognise(chosen.closures, found);
+      return Recogniser(in, config, chosen, files, search).recognise(chosen.closures, found);
     };
     return recognise_open(in, open, each, files, problems);
   };
   Problems problems;
   if (auto contents = recognise_in(tree, resolved, problems)) return contents;
+  if (!search.looks_for_remedies) throw InvalidDescription(problems);
   const Attempt attempt = [&](const auto& changed_tree, const ResolvedConfig& changed) {
     Problems ignored;
     const auto contents = recognise_in(changed_tree, changed, ignored);
@@ -369,6 +373,12 @@ ResolvedConfig resolved_names(const Tree& tree, const MechanismConfig& config, c
 SharedMechanism load_mechanism(const std::string& urdf_text, const std::string& urdf_name,
                                const std::string& config_text, const std::string& config_name,
                                const std::string& frame_prefix) {
+  return load_mechanism(urdf_text, urdf_name, config_text, config_name, frame_prefix, LoadSearch{});
+}
+
+SharedMechanism load_mechanism(const std::string& urdf_text, const std::string& urdf_name,
+                               const std::string& config_text, const std::string& config_name,
+                               const std::string& frame_prefix, const LoadSearch& search) {
   Problems problems;
   std::vector<std::string> notes;
   const SourceNames files{urdf_name, config_name};
@@ -381,7 +391,7 @@ SharedMechanism load_mechanism(const std::string& urdf_text, const std::string& 
       resolved_names(*tree, config, urdf_text, config_text, files, problems, notes);
   check_closures(resolved.closures, files, problems);
   if (!problems.empty()) throw InvalidDescription(problems);
-  auto contents = recognise(std::make_shared<const Tree>(std::move(*tree)), config, resolved, files);
+  auto contents = recognise(std::make_shared<const Tree>(std::move(*tree)), config, resolved, files, search);
   Problems of_constraints;
   add_stated_constraints(config.constraints, config.symmetrize, files, *contents, of_constraints);
   if (!of_constraints.empty()) throw InvalidDescription(of_constraints);
