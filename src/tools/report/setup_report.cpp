@@ -2,11 +2,7 @@
 #include "tools/report/setup_report.h"
 
 #include "tools/report/reports.h"
-
-#include <algorithm>
-#include <array>
-#include <cctype>
-#include <utility>
+#include "urdf/setup/options.h"
 
 namespace parallel_aspects::tools {
 namespace {
@@ -70,28 +66,6 @@ std::string choices_text(const SetupResult& result) {
 
 }  // namespace
 
-std::string shell_word(const std::string& word) {
-  const auto is_plain = [](char letter) {
-    return std::isalnum(static_cast<unsigned char>(letter)) != 0 ||
-           std::string("_-./=+:,@%").find(letter) != std::string::npos;
-  };
-  if (!word.empty() && std::all_of(word.begin(), word.end(), is_plain)) return word;
-  std::string quoted = "'";
-  for (const char letter : word) quoted += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
-  return quoted + "'";
-}
-
-std::string option_for(const std::string& key, const std::vector<std::string>& values) {
-  static const std::array<std::pair<std::string, std::string>, 4> options{
-      {{"base_link", "--base"},
-       {"operational_point", "--platform"},
-       {"actuated_joints", "--actuated"},
-       {"closures", "--closures"}}};
-  for (const auto& [known, option] : options)
-    if (known == key) return option + " " + shell_word(joined(values, " "));
-  return key;
-}
-
 Report report_question(const SetupResult& result, const std::string& urdf_file) {
   const SetupQuestion& question = *result.question;
   json object = json_result("undecided", result);
@@ -103,8 +77,8 @@ Report report_question(const SetupResult& result, const std::string& urdf_file) 
     text += "  " + std::to_string(k + 1) + ". " + joined(question.candidates[k].values, " ") + " (" +
             question.candidates[k].reason + ")\n";
   if (result.cut_short) text += std::string(cut_short) + "\n";
-  const std::vector<std::string> example = question.candidates.empty() ? std::vector<std::string>{"LINK=LINK"}
-                                                                       : question.candidates.front().values;
+  const std::vector<std::string>& example =
+      question.candidates.empty() ? question.example : question.candidates.front().values;
   text += "Nothing is written. Answer with an option, as in: aspects setup " + shell_word(urdf_file) + " " +
           option_for(question.key, example) + "\n";
   return {object, text};

@@ -9,13 +9,6 @@
 
 namespace parallel_aspects::tools {
 
-/// A word of a command line, in quotation marks where a shell needs them.
-std::string shell_word(const std::string& word);
-
-/// The option of `aspects setup` that gives these values, as "--actuated 'a b'"; a name of its own key where
-/// the YAML alone can say it.
-std::string option_for(const std::string& key, const std::vector<std::string>& values);
-
 /// A question, its candidates numbered, and how to answer it with an option of `aspects setup URDF`.
 Report report_question(const SetupResult& result, const std::string& urdf_file);
 

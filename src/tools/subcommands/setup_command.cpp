@@ -17,8 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Of ten seconds; the rest is for what is being tried when the time is up, and for the answer.
-constexpr std::chrono::seconds time_to_search{8};
+// Of ten seconds; the rest is for the attempt to assemble that is under way when the time is up.
+constexpr std::chrono::seconds time_to_search{9};
 
 struct SetupArguments {
   std::string urdf, output, base, platform, actuated, closures;
@@ -143,8 +143,8 @@ Report run(const SetupArguments& arguments, const Surroundings& surroundings) {
   const bool writes = !surroundings.json || !arguments.output.empty();
   const std::string output =
       arguments.output.empty() ? fs::path(arguments.urdf).stem().string() + ".yaml" : arguments.output;
-  if (writes) check_output(arguments, output, surroundings);
   const SetupResult result = found(arguments.urdf, output, answers, surroundings);
+  if (writes) check_output(arguments, output, surroundings);
   if (writes) write(result.config, output);
   return report_setup(result, arguments.urdf, writes ? output : "");
 }
@@ -165,7 +165,8 @@ Subcommand setup_subcommand() {
           {{"URDF", "", "URDF of the robot", &arguments->urdf, true},
            {"-o", "FILE", "YAML to write; by default NAME.yaml in the present folder for NAME.urdf",
             &arguments->output},
-           {"--closures", "PAIRS", "Links that are held together, such as \"tool=rod_2_tip\", where known",
+           {"--closures", "PAIRS",
+            "What is held together, as \"tool=rod_2_tip\" or \"tool=rod_2@0.4:0:0\" [m], where known",
             &arguments->closures},
            {"--actuated", "JOINTS", "Actuated joints, one a leg, such as \"motor_1 motor_2\", where known",
             &arguments->actuated},

@@ -12,14 +12,17 @@ namespace parallel_aspects {
 namespace {
 
 // The first two decide alone; the others are habits of those who write URDFs.
-constexpr int weight_stated = 1000, weight_effort = 100, weight_name = 10, weight_passive = -10,
+constexpr int weight_stated_alone = 1000, weight_effort = 100, least_weight_that_decides = 50,
+              weight_stated = 20, weight_name = 10, weight_passive = -10, weight_effort_by_habit = 5,
               weight_at_base = 3, weight_slide = 3;
 
 using Variables = std::vector<std::size_t>;
 
-bool has_effort(const tinyxml2::XMLElement* joint) {
+StatedEffort stated_effort(const tinyxml2::XMLElement* joint) {
   const auto effort = numbers(attribute(joint->FirstChildElement("limit"), "effort"));
-  return effort && effort->size() == 1 && effort->front() > 0.0;
+  if (!effort || effort->size() != 1) return StatedEffort::none;
+  if (!(effort->front() > 0.0)) return StatedEffort::zero;
+  return attribute(joint, "type") == "continuous" ? StatedEffort::meant : StatedEffort::by_habit;
 }
 
 class Combiner {
@@ -29,8 +32,11 @@ class Combiner {
 
   std::vector<ActuationCandidate> find() {
     const auto stated = [&](std::size_t joint) { return evidence_.stated[joint]; };
-    const auto driven = [&](std::size_t joint) { return evidence_.has_effort[joint]; };
-    if (add(stated) || add(driven)) return weighed();
+    if (add(stated)) {
+      stated_alone_ = combinations_.front();
+      return weighed();
+    }
+    if (add([&](std::size_t joint) { return has_effort(joint); })) with_effort_ = combinations_.front();
     add([&](std::size_t joint) { return says_drive(tree_.joint_of(joint).name); });
     for (const GraphPart& leg : legs_) {
       for (const std::size_t joint : leg.variables) {
@@ -44,6 +50,23 @@ class Combiner {
 
  private:
   bool may_drive(std::size_t joint) const { return !tree_.joint_of(joint).mimics; }
+
+  bool has_effort(std::size_t joint) const {
+    return evidence_.efforts[joint] == StatedEffort::by_habit ||
+           evidence_.efforts[joint] == StatedEffort::meant;
+  }
+
+  // Whether those that alone have an effort were meant to: by these joints, or by a zero at all others.
+  bool effort_is_meant() const {
+    const bool by_these = std::all_of(with_effort_.begin(), with_effort_.end(), [&](std::size_t joint) {
+      return evidence_.efforts[joint] == StatedEffort::meant;
+    });
+    return by_these || std::all_of(legs_.begin(), legs_.end(), [&](const GraphPart& leg) {
+             return std::all_of(leg.variables.begin(), leg.variables.end(), [&](std::size_t joint) {
+               return has_effort(joint) || evidence_.efforts[joint] == StatedEffort::zero;
+             });
+           });
+  }
 
   // Where each leg has one joint that `selects` takes.
   template <class Selects>
@@ -101,10 +124,11 @@ class Combiner {
       if (weight > 0) candidate.reason += (candidate.reason.empty() ? "" : ", and ") + reason;
     };
     const auto joint_name = [&](std::size_t joint) { return tree_.joint_of(joint).name; };
-    count(all(chosen, [&](std::size_t joint) { return evidence_.stated[joint]; }), weight_stated,
+    count(all(chosen, [&](std::size_t joint) { return evidence_.stated[joint]; }),
+          chosen == stated_alone_ ? weight_stated_alone : weight_stated,
           "they have a " + evidence_.stated_in);
-    count(all(chosen, [&](std::size_t joint) { return evidence_.has_effort[joint]; }), weight_effort,
-          "they have effort limits above zero");
+    count(chosen == with_effort_, effort_is_meant() ? weight_effort : weight_effort_by_habit,
+          "they alone have effort limits above zero");
     count(all(chosen, [&](std::size_t joint) { return says_drive(joint_name(joint)); }), weight_name,
           "their names tell of drives");
     count(std::any_of(chosen.begin(), chosen.end(),
@@ -115,8 +139,13 @@ class Combiner {
     count(all(chosen,
               [&](std::size_t joint) { return tree_.joint_of(joint).motion == JointMotion::prismatic; }),
           weight_slide, "they are slides, which are seldom passive");
+    return marked(candidate);
+  }
+
+  static ActuationCandidate marked(ActuationCandidate candidate) {
     if (candidate.reason.empty()) candidate.reason = "the mobility fits";
-    if (candidate.weight < weight_effort) candidate.reason = "a guess: " + candidate.reason;
+    candidate.is_guess = candidate.weight < least_weight_that_decides;
+    if (candidate.is_guess) candidate.reason = "a guess: " + candidate.reason;
     return candidate;
   }
 
@@ -131,6 +160,8 @@ class Combiner {
   const Tree& tree_;
   const std::vector<GraphPart>& legs_;
   const JointEvidence& evidence_;
+  // One joint of each leg, the only one with what the name says; else none.
+  Variables stated_alone_, with_effort_;
   std::set<Variables> known_;
   std::vector<Variables> combinations_;
 };
@@ -140,7 +171,7 @@ class Combiner {
 JointEvidence find_joint_evidence(const LoopSource& source) {
   const auto count = static_cast<std::size_t>(source.tree.variables());
   const DescribedActuation described = described_actuation(source);
-  JointEvidence evidence{std::vector<bool>(count, false), std::vector<bool>(count, false),
+  JointEvidence evidence{std::vector<bool>(count, false), std::vector<StatedEffort>(count),
                          std::string(described.element)};
   const auto variable = [&](const std::string& name) {
     const auto joint = source.tree.joint_named(name);
@@ -151,7 +182,7 @@ JointEvidence find_joint_evidence(const LoopSource& source) {
   for (const auto* joint = source.robot.FirstChildElement("joint"); joint != nullptr;
        joint = joint->NextSiblingElement("joint"))
     if (const auto found = variable(attribute(joint, "name")))
-      evidence.has_effort[*found] = has_effort(joint);
+      evidence.efforts[*found] = stated_effort(joint);
   return evidence;
 }
 

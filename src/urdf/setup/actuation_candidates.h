@@ -10,10 +10,14 @@
 
 namespace parallel_aspects {
 
+/// What a URDF says of the effort of a joint. Limits have to say some, but for a joint that turns endlessly,
+/// which needs none: there an effort is meant.
+enum class StatedEffort { none, zero, by_habit, meant };
+
 /// What a URDF says of each joint value besides how it moves.
 struct JointEvidence {
-  std::vector<bool> stated;      ///< by what `stated_in` names, as <transmission>
-  std::vector<bool> has_effort;  ///< an effort limit above zero
+  std::vector<bool> stated;  ///< by what `stated_in` names, as <transmission>
+  std::vector<StatedEffort> efforts;
   std::string stated_in;
 };
 
@@ -24,11 +28,12 @@ struct ActuationCandidate {
   std::vector<std::size_t> variables;
   int weight = 0;
   std::string reason;
+  bool is_guess = true;
 };
 
 /// Combinations of one joint of each leg that have the same place or name in all legs, or that alone have
-/// what speaks for a drive; those that most speaks for first. Where a combination is stated, or is the only
-/// one with effort limits, there are no others.
+/// what speaks for a drive; those that most speaks for first. Where a combination is stated, there are no
+/// others.
 std::vector<ActuationCandidate> actuation_candidates(const Tree& tree, const std::vector<GraphPart>& legs,
                                                      const JointEvidence& evidence);
 

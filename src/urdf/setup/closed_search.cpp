@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/setup/closed_search.h"
 
+#include "urdf/closing/actuation_choices.h"
+#include "urdf/load_search.h"
+#include "urdf/setup/freedom.h"
 #include "urdf/setup/name_words.h"
 
 #include <algorithm>
+#include <map>
 
 namespace parallel_aspects {
 namespace {
@@ -17,10 +21,7 @@ constexpr std::size_t most_others = 4;
 // Closures that are seldom, as welds, and mixtures of types are tried for so many candidates.
 constexpr std::size_t most_with_all_types = 2;
 
-// So many joints in the loops take a second to be refused, on a processor of 2.6 GHz.
-constexpr double joints_of_a_second = 45.0;
-
-bool is_leg_count(std::size_t count) { return (count > 0 && count < 4) || count == 6; }
+struct OutOfTime {};
 
 struct Platform {
   std::size_t body = 0;
@@ -36,6 +37,7 @@ class ClosedSearch {
       : subject_(subject),
         tree_(subject.tree),
         bodies_(subject.bodies),
+        closures_(closures),
         graph_(subject.tree, subject.bodies, closures) {
     const std::vector<bool>& in_loop = graph_.in_loop();
     joints_in_loops_ = static_cast<std::size_t>(std::count(in_loop.begin(), in_loop.end(), true));
@@ -46,32 +48,33 @@ class ClosedSearch {
 
   ClosedResult find() {
     if (!find_base()) {
-      result_.problems.push_back(
-          subject_.urdf_name +
-          " has no joint that these closures move; name frames at the two ends of each loop.");
+      result_.problems.push_back(subject_.urdf_name + " has no joint that " + closures() +
+                                 " move; name frames at the two ends of each loop with --closures.");
       return result_;
     }
     for (const Platform& platform : platforms())
       for (const std::vector<GraphPart>& legs : platform.legs)
         if (try_legs(platform, legs)) return result_;
     if (result_.problems.empty())
-      result_.problems.push_back(subject_.urdf_name +
-                                 " has no link between which and the base there are one, two, three or six "
-                                 "legs; name the operational "
-                                 "point with --platform, or correct the closures.");
+      result_.problems.push_back(subject_.urdf_name + " has no link between which and the base link '" +
+                                 result_.draft.base_link.values.front() + "' " + closures() +
+                                 " make one, two, three or six legs; name other loops with --closures, or "
+                                 "another base with --base.");
     return result_;
   }
 
  private:
   const std::string& link_name(std::size_t link) const { return tree_.links[link]; }
 
-  // What may not end in time is not begun: assembling takes a time that grows with the third power.
+  // "the closures a=b c=d", for messages.
+  std::string closures() const {
+    std::string pairs;
+    for (const std::string& pair : result_.draft.closures.values) pairs += " " + pair;
+    return "the closures" + pairs;
+  }
+
   bool is_late() const {
-    const double size = static_cast<double>(joints_in_loops_) / joints_of_a_second;
-    const auto cost = std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-        std::chrono::duration<double>(size * size * size));
-    return subject_.control.cancelled() ||
-           std::chrono::steady_clock::now() + cost > subject_.control.deadline;
+    return subject_.control.cancelled() || std::chrono::steady_clock::now() > subject_.control.deadline;
   }
 
   bool stopped() {
@@ -133,23 +136,32 @@ class ClosedSearch {
     return links;
   }
 
-  // All parts; and all but one that is a chain without closures, which may be passive.
+  // All parts; and all but one chain, which is passive where the others move the platform: that which it
+  // hangs on in the tree, or one that is unlike the others, which are alike.
   std::vector<std::vector<GraphPart>> leg_choices(const std::vector<GraphPart>& parts) const {
     std::vector<std::vector<GraphPart>> choices;
-    if (is_leg_count(parts.size())) choices.push_back(parts);
-    for (std::size_t k = 0; k < parts.size(); ++k) {
-      if (parts[k].closed || !is_leg_count(parts.size() - 1) || is_driven(parts[k])) continue;
-      choices.push_back(parts);
-      choices.back().erase(choices.back().begin() + static_cast<std::ptrdiff_t>(k));
-    }
+    if (is_actuation_count(parts.size())) choices.push_back(parts);
+    for (const bool closed : {false, true})
+      for (std::size_t k = 0; k < parts.size(); ++k) {
+        std::vector<GraphPart> others = parts;
+        others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
+        const bool fits = parts[k].closed == closed && is_actuation_count(others.size());
+        if (fits && (!closed || stands_out(parts[k], others))) choices.push_back(std::move(others));
+      }
     return choices;
   }
 
-  bool is_driven(const GraphPart& part) const {
-    const auto& evidence = subject_.evidence;
-    return std::any_of(part.variables.begin(), part.variables.end(), [&](std::size_t joint) {
-      return evidence.stated[joint] || evidence.has_effort[joint];
-    });
+  bool stands_out(const GraphPart& part, const std::vector<GraphPart>& others) const {
+    const auto motions = motions_of(others.front());
+    return others.size() > 1 && motions_of(part) != motions &&
+           std::all_of(others.begin(), others.end(),
+                       [&](const GraphPart& other) { return motions_of(other) == motions; });
+  }
+
+  std::vector<JointMotion> motions_of(const GraphPart& part) const {
+    std::vector<JointMotion> motions;
+    for (const std::size_t joint : part.variables) motions.push_back(tree_.joint_of(joint).motion);
+    return motions;
   }
 
   std::vector<ActuationCandidate> actuations(const std::vector<GraphPart>& legs) const {
@@ -169,7 +181,8 @@ class ClosedSearch {
   }
 
   // Whether these legs came to a mechanism or a question. Of the candidates that load, those for which most
-  // speaks are equals, and so are those that time does not suffice to try; the others are told of.
+  // speaks are equals, and so are those that time does not suffice to try; beside a guess the others are told
+  // of.
   bool try_legs(const Platform& platform, const std::vector<GraphPart>& legs) {
     const std::vector<ActuationCandidate> candidates = actuations(legs);
     legs_ = legs.size();
@@ -183,8 +196,8 @@ class ClosedSearch {
         weight = candidate.weight;
         equals.push_back(described(candidate));
       } else if (candidate.weight == weight) {
-        if (stopped() || loads(candidate)) equals.push_back(described(candidate));
-      } else if (!is_late() && loads(candidate)) {
+        if (loads(candidate) || stopped()) equals.push_back(described(candidate));
+      } else if (candidate.is_guess && loads(candidate)) {
         others.push_back(described(candidate));
       }
     }
@@ -199,7 +212,8 @@ class ClosedSearch {
                         subject_.urdf_name +
                             " does not tell which joints are actuated: equally much speaks for " +
                             std::to_string(equals.size()) + " combinations",
-                        equals};
+                        equals,
+                        {}};
   }
 
   bool try_links(const Platform& platform, const ActuationCandidate& actuation, bool all_types) {
@@ -253,7 +267,25 @@ class ClosedSearch {
 
   bool try_type(const char* type) {
     result_.draft.closure_type = type;
-    return load();
+    if (is_ruled_out("spherical") || is_ruled_out(type)) return false;
+    if (load()) return true;
+    learn_freedom(type);
+    return false;
+  }
+
+  // Whether the platform moves in fewer ways than it has legs; all types hold what spherical closures do.
+  bool is_ruled_out(const std::string& type) const {
+    const auto known = freedoms_.find(type);
+    return known != freedoms_.end() &&
+           known->second.of(*tree_.link_named(result_.draft.operational_point.values.front())) < legs_;
+  }
+
+  // Where an attempt has failed, others may.
+  void learn_freedom(const std::string& type) {
+    const auto known = closure_type_named(type);
+    if (!known || *known == ClosureType::automatic || freedoms_.count(type) > 0 || stopped()) return;
+    const std::size_t base = *tree_.link_named(result_.draft.base_link.values.front());
+    freedoms_.emplace(type, Freedom(tree_, base, with_type(closures_, *known)));
   }
 
   void prefer_revolute() {
@@ -265,35 +297,49 @@ class ClosedSearch {
     result_.draft.closure_type = "spherical";
   }
 
+  // Nothing where it does not load, or not in time.
+  std::shared_ptr<const Mechanism> loaded(const SetupDraft& draft, Problems& problems) const {
+    LoadSearch search;
+    search.looks_for_remedies = false;
+    search.checkpoint = [this] {
+      if (is_late()) throw OutOfTime{};
+    };
+    try {
+      return load_mechanism(subject_.urdf_text, subject_.urdf_name, config_text(draft), subject_.config_name,
+                            "", search);
+    } catch (const InvalidDescription& invalid) {
+      problems = invalid.problems();
+    } catch (const OutOfTime&) {
+    }
+    return nullptr;
+  }
+
   bool load() {
     if (stopped()) return false;
-    try {
-      result_.mechanism = load_mechanism(subject_.urdf_text, subject_.urdf_name, config_text(result_.draft),
-                                         subject_.config_name);
-      return true;
-    } catch (const InvalidDescription& invalid) {
-      if (result_.problems.empty()) result_.problems = invalid.problems();
-      return false;
+    Problems problems;
+    result_.mechanism = loaded(result_.draft, problems);
+    if (!result_.mechanism && !result_.tried && !problems.empty()) {
+      result_.tried = result_.draft;
+      result_.problems = problems;
     }
+    return result_.mechanism != nullptr;
   }
 
   // Whether it would do as well as what was found.
-  bool loads(const ActuationCandidate& actuation) {
+  bool loads(const ActuationCandidate& actuation) const {
     SetupDraft draft = result_.draft;
     draft.actuated_joints = described(actuation);
-    try {
-      load_mechanism(subject_.urdf_text, subject_.urdf_name, config_text(draft), subject_.config_name);
-      return true;
-    } catch (const InvalidDescription&) {
-      return false;
-    }
+    Problems unused;
+    return loaded(draft, unused) != nullptr;
   }
 
   const SetupSubject& subject_;
   const Tree& tree_;
   const Bodies& bodies_;
+  const std::vector<Closure>& closures_;
   BodyGraph graph_;
-  std::size_t base_ = 0;  // body
+  std::map<std::string, Freedom> freedoms_;  // under closures of this type
+  std::size_t base_ = 0;                     // body
   std::size_t joints_in_loops_ = 0;
   std::size_t legs_ = 0;  // of what is being tried
   ClosedResult result_;

@@ -31,7 +31,8 @@ struct ClosedResult {
   SetupDraft draft;
   std::shared_ptr<const Mechanism> mechanism;
   std::optional<SetupQuestion> question;
-  Problems problems;  ///< of what was tried first
+  Problems problems;                ///< of what was tried first
+  std::optional<SetupDraft> tried;  ///< first; nothing where there was nothing to try
   bool cut_short = false;
 };
 

@@ -40,7 +40,7 @@ bool has_word(const std::string& name, const Words& known) {
 std::vector<std::string> words_of(const std::string& name) {
   std::vector<std::string> words;
   Letter before = Letter::other;
-  for (const char character : name) {
+  for (const char character : name.substr(0, name.rfind('@'))) {
     const Letter letter = kind_of(character);
     if (letter != Letter::other) {
       if (splits_capitals(before, letter, words)) {
@@ -86,8 +86,9 @@ bool says_end(const std::string& name) {
 }
 
 bool says_fitting(const std::string& name) {
-  static const Words words{"camera",  "imu",   "sensor", "marker", "led",  "light",   "cover", "screw",
-                           "encoder", "laser", "com",    "cog",    "mass", "optical", "visual"};
+  static const Words words{"camera", "imu",     "sensor", "marker", "led", "light", "cover",
+                           "screw",  "encoder", "laser",  "com",    "cog", "mass",  "optical",
+                           "visual", "finger",  "thumb",  "jaw",    "claw"};
   return has_word(name, words);
 }
 
@@ -95,8 +96,14 @@ int operational_point_likeness(const std::string& name) {
   static const Words tools{"tool", "tcp", "ee", "eef", "effector", "endeffector", "hand"};
   static const Words platforms{"platform", "moving",    "nacelle",   "flange",
                                "mobile",   "traveling", "travelling"};
-  const int likeness = has_word(name, tools) ? 200 : has_word(name, platforms) ? 100 : 0;
-  return likeness == 0 ? 0 : std::max(1, likeness - 10 * static_cast<int>(words_of(name).size()));
+  static const Words carriers{"gripper", "stage", "plate"};
+  const int likeness = has_word(name, tools)       ? 200
+                       : has_word(name, platforms) ? 100
+                       : has_word(name, carriers)  ? 50
+                                                   : 0;
+  return likeness == 0 || says_base(name)
+             ? 0
+             : std::max(1, likeness - 10 * static_cast<int>(words_of(name).size()));
 }
 
 bool says_base(const std::string& name) {

@@ -7,7 +7,8 @@
 
 namespace parallel_aspects {
 
-/// The words of a name, in small letters: "rod2LeftTip" and "rod_2-left_tip" are rod, 2, left, tip.
+/// The words of a name, in small letters: "rod2LeftTip" and "rod_2-left_tip" are rod, 2, left, tip. The place
+/// in "rod_2@0.4:0:0" is none.
 std::vector<std::string> words_of(const std::string& name);
 
 /// A number or a single letter, which counts legs.
@@ -25,7 +26,7 @@ bool says_passive(const std::string& name);
 /// Whether they say that a loop is closed there, as "tip" or "closing" do.
 bool says_end(const std::string& name);
 
-/// Whether they say that nothing is held there, as "camera" does.
+/// Whether they say that no loop is closed there, as "camera" and "finger" do.
 bool says_fitting(const std::string& name);
 
 /// How much the name looks like that of an operational point: 0 for not at all.

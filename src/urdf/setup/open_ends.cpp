@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/setup/open_ends.h"
 
+#include "urdf/setup/end_likeness.h"
+#include "urdf/setup/left_open.h"
 #include "urdf/setup/name_words.h"
 
 #include <algorithm>
-#include <map>
 #include <numeric>
 #include <optional>
 #include <set>
@@ -21,8 +22,6 @@ constexpr double distinct = 3.0;  // the second nearest is so many times farther
 constexpr std::size_t most_hubs = 4;
 constexpr std::size_t most_orders = 24;  // of ends that nothing tells apart
 
-using Strings = std::vector<std::string>;
-
 std::string number(double value) {
   std::ostringstream text;
   text.imbue(std::locale::classic());
@@ -31,68 +30,10 @@ std::string number(double value) {
   return text.str();
 }
 
-bool is_side(const std::string& word) {
-  static const std::set<std::string> sides{"left",  "right", "front", "rear", "back",
-                                           "upper", "lower", "inner", "outer"};
-  return sides.count(word) > 0;
-}
-
-// Words that tell the ends apart: an index weighs more than any other word. What all have does not tell, nor
-// does an index that all names of one form have, as the 3 of ball_1_3 and ball_2_3.
-class Likeness {
- public:
-  Likeness(const Tree& tree, const std::vector<std::size_t>& tips, const std::vector<std::size_t>& anchors) {
-    for (const auto* links : {&tips, &anchors}) {
-      std::map<std::string, std::vector<std::size_t>> alike;
-      for (const std::size_t link : *links) alike[role_of(tree.links[link])].push_back(link);
-      const std::set<std::string> common = common_words(tree, *links);
-      for (const auto& [role, members] : alike)
-        for (const std::size_t link : members) words_[link] = telling_words(tree, link, members, common);
-    }
-  }
-
-  int between(std::size_t one, std::size_t other) const {
-    int likeness = 0;
-    for (const std::string& word : words_.at(one))
-      if (words_.at(other).count(word) > 0) likeness += is_index(word) || is_side(word) ? 3 : 1;
-    return likeness;
-  }
-
- private:
-  static std::set<std::string> telling_words(const Tree& tree, std::size_t link,
-                                             const std::vector<std::size_t>& members,
-                                             const std::set<std::string>& common) {
-    const Strings words = words_of(tree.links[link]);
-    std::set<std::string> telling;
-    for (std::size_t k = 0; k < words.size(); ++k) {
-      const bool of_all =
-          members.size() > 1 && std::all_of(members.begin(), members.end(), [&](std::size_t other) {
-            return words_of(tree.links[other])[k] == words[k];
-          });
-      if (is_index(words[k]) ? !of_all : common.count(words[k]) == 0) telling.insert(words[k]);
-    }
-    return telling;
-  }
-
-  // Where there is but one link, all its words may tell.
-  static std::set<std::string> common_words(const Tree& tree, const std::vector<std::size_t>& links) {
-    std::map<std::string, std::size_t> counts;
-    for (const std::size_t link : links) {
-      const Strings words = words_of(tree.links[link]);
-      for (const std::string& word : std::set<std::string>(words.begin(), words.end())) ++counts[word];
-    }
-    std::set<std::string> common;
-    for (const auto& [word, count] : counts)
-      if (count == links.size() && links.size() > 1) common.insert(word);
-    return common;
-  }
-
-  std::map<std::size_t, std::set<std::string>> words_;
-};
-
 class EndFinder {
  public:
-  EndFinder(const Tree& tree, const Bodies& bodies) : tree_(tree), bodies_(bodies) {
+  EndFinder(const Tree& tree, const Bodies& bodies, const std::vector<bool>& left_open)
+      : tree_(tree), bodies_(bodies), left_open_(left_open) {
     poses_ = link_poses(tree, 0, Eigen::VectorXd::Zero(tree.variables()));
     for (const auto& one : poses_)
       size_ = std::max(size_, (one.translation() - poses_.front().translation()).norm());
@@ -100,22 +41,70 @@ class EndFinder {
     collect();
   }
 
-  OpenEnds find() {
-    if (terminal_.empty()) return result_;
-    const std::vector<Body> hubs = hubs_first();
-    for (const Body& hub : hubs) {
+  // Without pairings.
+  OpenEnds ends() const {
+    OpenEnds found = result_;
+    found.pairings.clear();
+    if (terminal_.size() > 1) found.platform = hubs_first().front().ends.front();
+    return found;
+  }
+
+  // By what positions and names tell.
+  std::vector<EqualPairings> evident() {
+    result_.pairings.clear();
+    if (terminal_.empty()) return {};
+    for (const Body& hub : hubs_first()) {
       split(hub);
       add_first(by_position(), by_names());
     }
-    split(hubs.front());
+    return result_.pairings;
+  }
+
+  // Where there is no other way.
+  std::vector<EqualPairings> forced() {
+    result_.pairings.clear();
+    if (terminal_.empty()) return {};
+    split(hubs_first().front());
     if (tips_.size() == 1 && anchors_.size() == 1)
       add({Pairing{{{anchors_[0], tips_[0].front(), ""}}, "they are the only open ends"}});
+    return result_.pairings;
+  }
+
+  // All others that are tried.
+  std::vector<EqualPairings> others() {
+    result_.pairings.clear();
+    if (terminal_.empty()) return {};
+    split(hubs_first().front());
     add_in_one_point();
     add_orders();
-    return result_;
+    return result_.pairings;
+  }
+
+  bool cut_short() const { return result_.cut_short; }
+
+  // The sets of frames that it holds together, which several pairings may say.
+  std::set<std::set<std::size_t>> meetings(const Pairing& pairing) const {
+    std::set<std::set<std::size_t>> groups;
+    for (const EndPair& pair : pairing.pairs) {
+      std::set<std::size_t> group{place(pair.one), place(pair.other)};
+      for (auto other = groups.begin(); other != groups.end();) {
+        const bool meets = other->count(place(pair.one)) + other->count(place(pair.other)) > 0;
+        if (meets) group.insert(other->begin(), other->end());
+        other = meets ? groups.erase(other) : std::next(other);
+      }
+      groups.insert(group);
+    }
+    return groups;
   }
 
  private:
+  // Of the links of a body that have one origin, the first.
+  std::size_t place(std::size_t link) const {
+    const std::vector<std::size_t>& links = bodies_.links(bodies_.of(link));
+    return *std::find_if(links.begin(), links.end(),
+                         [&](std::size_t other) { return distance(link, other) <= coincident * size_; });
+  }
+
   struct Body {
     std::size_t body = 0;
     std::vector<std::size_t> ends;  // links
@@ -126,6 +115,7 @@ class EndFinder {
   void collect() {
     std::vector<bool> has_child(tree_.links.size(), false), carries(bodies_.count(), false);
     for (const TreeJoint& joint : tree_.joints) {
+      if (left_open_[joint.child]) continue;
       has_child[joint.parent] = true;
       if (joint.variable) carries[bodies_.of(joint.parent)] = true;
     }
@@ -133,7 +123,7 @@ class EndFinder {
       Body found{body, {}, !carries[body] && body != 0};
       const std::size_t own = bodies_.links(body).front();
       for (const std::size_t link : bodies_.links(body))
-        if (!has_child[link] && (link != own || !carries[body]) && !says_fitting(tree_.links[link]))
+        if (!has_child[link] && (link != own || !carries[body]) && !left_open_[link])
           found.ends.push_back(link);
       if (found.last && found.ends == std::vector<std::size_t>{own} &&
           tree_.joints[*tree_.joint_above[own]].motion == JointMotion::revolute)
@@ -233,7 +223,7 @@ class EndFinder {
     std::vector<std::size_t> all;
     for (const auto& tips : tips_) all.insert(all.end(), tips.begin(), tips.end());
     if (all.empty() || anchors_.size() < 2) return std::nullopt;
-    const Likeness likeness(tree_, all, anchors_);
+    const EndLikeness likeness(tree_, all, anchors_);
     Pairing pairing{{}, "their names have the same numbers or words"};
     std::set<std::size_t> taken;
     for (const auto& tips : tips_) {
@@ -247,7 +237,7 @@ class EndFinder {
     return all_tips || pairing.pairs.size() > 1 ? std::optional<Pairing>(pairing) : std::nullopt;
   }
 
-  std::optional<EndPair> likest(const std::vector<std::size_t>& tips, const Likeness& likeness) const {
+  std::optional<EndPair> likest(const std::vector<std::size_t>& tips, const EndLikeness& likeness) const {
     EndPair best;
     int most = 0, second = 0;
     for (const std::size_t tip : tips)
@@ -260,20 +250,11 @@ class EndFinder {
     return most >= 3 && second < most ? std::optional<EndPair>(best) : std::nullopt;
   }
 
-  static bool same(const Pairing& one, const Pairing& other) {
-    const auto ordered = [](const Pairing& pairing) {
-      std::set<std::pair<std::size_t, std::size_t>> pairs;
-      for (const EndPair& pair : pairing.pairs) pairs.insert(std::minmax(pair.one, pair.other));
-      return pairs;
-    };
-    return ordered(one) == ordered(other);
-  }
-
   // Names and positions that contradict each other weigh the same.
   void add_first(const std::optional<Pairing>& at_zero, const std::optional<Pairing>& by_words) {
     EqualPairings first;
     if (at_zero) first.push_back(*at_zero);
-    if (by_words && at_zero && same(*at_zero, *by_words))
+    if (by_words && at_zero && meetings(*at_zero) == meetings(*by_words))
       first.front().reason += ", and " + by_words->reason;
     else if (by_words)
       first.push_back(*by_words);
@@ -326,6 +307,7 @@ class EndFinder {
 
   const Tree& tree_;
   const Bodies& bodies_;
+  const std::vector<bool>& left_open_;  // by link
   Poses poses_;
   double size_ = 0.0;  // [m]
   std::vector<Body> terminal_, ended_;
@@ -336,7 +318,27 @@ class EndFinder {
 
 }  // namespace
 
-OpenEnds find_open_ends(const Tree& tree, const Bodies& bodies) { return EndFinder(tree, bodies).find(); }
+OpenEnds find_open_ends(const Tree& tree, const Bodies& bodies) {
+  const std::vector<bool> named = fittings(tree), alike = with_fingers(tree, bodies, named);
+  EndFinder without_named(tree, bodies, named), without_fingers(tree, bodies, alike);
+  OpenEnds found = without_named.ends();
+  std::set<std::set<std::set<std::size_t>>> known;
+  const auto add = [&](const std::vector<EqualPairings>& all) {
+    for (const EqualPairings& equals : all) {
+      EqualPairings news;
+      for (const Pairing& pairing : equals)
+        if (known.insert(without_named.meetings(pairing)).second) news.push_back(pairing);
+      if (!news.empty()) found.pairings.push_back(news);
+    }
+  };
+  add(without_named.evident());
+  add(without_fingers.evident());
+  add(without_fingers.forced());
+  add(without_named.forced());
+  add(without_named.others());
+  found.cut_short = without_named.cut_short();
+  return found;
+}
 
 std::vector<Closure> closures_of(const Tree& tree, const Pairing& pairing) {
   std::vector<Closure> closures;

@@ -6,6 +6,7 @@
 #include "urdf/description/tree.h"
 #include "urdf/setup/body_graph.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,13 +29,16 @@ using EqualPairings = std::vector<Pairing>;
 
 /// Where the chains of a tree end, and which of these ends may be joints that the URDF, a tree, leaves out.
 struct OpenEnds {
-  std::vector<std::size_t> links;       ///< every end
+  std::vector<std::size_t> links;       ///< every end that may be one of a loop
   std::vector<std::size_t> blunt;       ///< links that end a chain without a frame at their end
+  std::optional<std::size_t> platform;  ///< link that most looks like one, where there are several ends
   std::vector<EqualPairings> pairings;  ///< those that more speaks for first
   bool cut_short = false;               ///< whether some are left out, since there are too many
 };
 
-/// Ends that coincide at zero come first, then those whose names say so, then all that is left.
+/// Ends that coincide at zero come first, then those whose names say so, then all that is left; each pairing
+/// once. Fingers and fittings are left open, by their names or as several on one joint each; only what they
+/// leave without a pairing that loads is closed by them.
 OpenEnds find_open_ends(const Tree& tree, const Bodies& bodies);
 
 /// Closures of open type.

@@ -2,9 +2,12 @@
 #include "urdf/setup/setup.h"
 
 #include "urdf/description/nearest_name.h"
+#include "urdf/load_search.h"
 #include "urdf/reading/tree_reader.h"
 #include "urdf/setup/closed_search.h"
 #include "urdf/setup/open_ends.h"
+#include "urdf/setup/options.h"
+#include "urdf/setup/placed_frames.h"
 
 #include <tinyxml2.h>
 #include <yaml-cpp/yaml.h>
@@ -57,14 +60,24 @@ class Setup {
   }
 
   void check_link(const std::string& option, const std::string& name) {
-    if (!name.empty() && !tree_.link_named(name)) problem(option, "link", name, tree_.links);
+    if (name.empty() || tree_.link_named(name)) return;
+    const auto frame = placed_frame(name);
+    problem(option, "link", frame ? frame->link : name, tree_.links);
+  }
+
+  void check_closure(const std::array<std::string, 2>& links) {
+    for (const std::string& link : links) check_link("--closures", link);
+    const auto one = tree_.link_named(links[0]), other = tree_.link_named(links[1]);
+    if (one && other && bodies_.of(*one) == bodies_.of(*other))
+      result_.problems.push_back("--closures has '" + links[0] + "=" + links[1] + "', but in " +
+                                 source_.files.urdf +
+                                 " these are fixed to each other; name links that joints move apart.");
   }
 
   void check_answers() {
     check_link("--base", answers_.base_link);
     check_link("--platform", answers_.operational_point);
-    for (const auto& pair : answers_.closures)
-      for (const std::string& link : pair) check_link("--closures", link);
+    for (const auto& pair : answers_.closures) check_closure(pair);
     for (const std::string& name : answers_.actuated_joints) {
       const auto joint = tree_.joint_named(name);
       if (!joint || !tree_.joints[*joint].variable)
@@ -77,7 +90,7 @@ class Setup {
     result_.cut_short = result_.cut_short || found.cut_short;
     result_.question = found.question;
     if (!found.mechanism) {
-      result_.problems = found.problems;
+      refuse(found);
       return;
     }
     SetupDraft& draft = found.draft;
@@ -98,6 +111,28 @@ class Setup {
         load_mechanism(subject_.urdf_text, subject_.urdf_name, result_.config, subject_.config_name);
   }
 
+  // In the words of the options, with what would mend it where that is found in time.
+  void refuse(const ClosedResult& found) {
+    result_.problems = found.problems;
+    if (!found.tried) return;
+    const std::string config = subject_.config_name;
+    Problems reasons = found.problems;
+    try {
+      const LoadSearch search{[this] {
+        if (subject_.control.cancelled() || std::chrono::steady_clock::now() > subject_.control.deadline)
+          throw InvalidDescription(Problems{});
+      }};
+      load_mechanism(subject_.urdf_text, subject_.urdf_name, config_text(*found.tried), config, "", search);
+    } catch (const InvalidDescription& invalid) {
+      if (!invalid.problems().empty()) reasons = invalid.problems();
+    }
+    result_.problems.clear();
+    for (const std::string& reason : reasons)
+      result_.problems.push_back(source_.files.urdf + " makes no robot that is treated with " +
+                                 options_for(*found.tried) +
+                                 ", which was tried first: " + said_of_options(reason, config));
+  }
+
   SetupResult asked_closures() {
     Pairing asked{{}, "as asked for"};
     for (const auto& pair : answers_.closures)
@@ -115,55 +150,86 @@ class Setup {
 
   SetupResult open_ends() {
     const OpenEnds ends = find_open_ends(tree_, bodies_);
-    Problems first;
+    std::optional<ClosedResult> first;
     for (const EqualPairings& equals : ends.pairings) {
-      if (try_equals(equals, ends)) return result_;
-      if (first.empty()) first = result_.problems;
-      if (result_.cut_short) break;
+      if (try_equals(equals, ends, first)) return result_;
+      if (result_.cut_short || !blunt_ends(ends).empty()) break;
     }
-    result_.problems = first;
-    if (ends.pairings.empty() || result_.cut_short || needs_frame(ends)) ask_for_closures(ends);
+    if (!first || result_.cut_short || !blunt_ends(ends).empty())
+      ask_for_closures(ends);
+    else
+      refuse_ends(*first, ends);
     return result_;
   }
 
-  // Whether what was tried first holds a chain at its own last joint.
-  static bool needs_frame(const OpenEnds& ends) {
-    const auto& pairs = ends.pairings.front().front().pairs;
-    return std::any_of(pairs.begin(), pairs.end(), [&](const EndPair& pair) {
-      return std::count(ends.blunt.begin(), ends.blunt.end(), pair.other) > 0;
-    });
+  void refuse_ends(const ClosedResult& first, const OpenEnds& ends) {
+    refuse(first);
+    std::string names;
+    for (const std::size_t link : ends.links) names += (names.empty() ? "" : ", ") + tree_.links[link];
+    result_.problems.back() += " If other ends meet, name them with --closures; the open ends are " + names +
+                               ", and those that are in no loop are left out.";
+  }
+
+  // Links that what was tried first holds at their own joint.
+  std::vector<std::size_t> blunt_ends(const OpenEnds& ends) const {
+    std::vector<std::size_t> links;
+    for (const EndPair& pair : first_pairs(ends))
+      for (const std::size_t link : {pair.one, pair.other})
+        if (is_blunt(ends, link) && std::count(links.begin(), links.end(), link) == 0) links.push_back(link);
+    return links;
+  }
+
+  static bool is_blunt(const OpenEnds& ends, std::size_t link) {
+    return std::count(ends.blunt.begin(), ends.blunt.end(), link) > 0;
+  }
+
+  // Where nothing was tried, each end with what may be the platform.
+  static std::vector<EndPair> first_pairs(const OpenEnds& ends) {
+    if (!ends.pairings.empty()) return ends.pairings.front().front().pairs;
+    std::vector<EndPair> pairs;
+    for (const std::size_t link : ends.links)
+      if (ends.platform && link != *ends.platform) pairs.push_back({*ends.platform, link, ""});
+    return pairs;
   }
 
   // Whether one of them loads, or several do, which is a question.
-  bool try_equals(const EqualPairings& equals, const OpenEnds& ends) {
+  bool try_equals(const EqualPairings& equals, const OpenEnds& ends, std::optional<ClosedResult>& first) {
     std::vector<std::pair<SetupCandidate, ClosedResult>> found;
-    Problems first;
     bool cut_short = ends.cut_short && &equals == &ends.pairings.back();
     for (const Pairing& pairing : equals) {
       const SetupCandidate candidate = described(pairing);
       ClosedResult closed = search_closed(subject_, closures_of(tree_, pairing), candidate);
       cut_short = cut_short || closed.cut_short;
-      if (first.empty()) first = closed.problems;
+      if (!first) first = closed;
       if (closed.mechanism) found.emplace_back(candidate, std::move(closed));
       if (cut_short && closed.cut_short) break;
     }
-    result_.problems = first;
     result_.cut_short = result_.cut_short || cut_short;
     if (found.empty()) return false;
-    if (found.size() == 1 && !(cut_short && equals.size() > 1)) {
-      result_.problems.clear();
+    const bool only_one = found.size() == 1 && !(cut_short && equals.size() > 1);
+    if (only_one && !is_placed(found.front().first)) {
       take(std::move(found.front().second));
       return true;
     }
-    SetupQuestion question{"closures",
-                           source_.files.urdf +
-                               " does not tell which open ends meet: equally much speaks for " +
-                               std::to_string(found.size()) + " ways to close the loops",
-                           {}};
+    SetupQuestion question{"closures", source_.files.urdf + why_to_ask(found.size(), only_one), {}, {}};
     for (auto& [candidate, closed] : found) question.candidates.push_back(candidate);
     result_.question = question;
-    result_.problems.clear();
     return true;
+  }
+
+  static std::string why_to_ask(std::size_t found, bool only_one) {
+    if (only_one)
+      return " has links without a frame at their far end; with the lengths of those that have one it loads";
+    return " does not tell which open ends meet: equally much speaks for " + std::to_string(found) +
+           " ways to close the loops";
+  }
+
+  // Whether the length of a link was taken from others.
+  static bool is_placed(const SetupCandidate& closures) {
+    return std::any_of(closures.values.begin(), closures.values.end(), [](const std::string& pair) {
+      const std::size_t middle = pair.find('=');
+      return placed_frame(pair.substr(0, middle)) || placed_frame(pair.substr(middle + 1));
+    });
   }
 
   void ask_for_closures(const OpenEnds& ends) {
@@ -174,18 +240,33 @@ class Setup {
           "robots."};
       return;
     }
-    SetupQuestion question{"closures", source_.files.urdf + " does not tell where its loops are closed", {}};
-    if (!ends.blunt.empty())
-      question.text +=
-          "; link '" + tree_.links[ends.blunt.front()] +
-          "' ends a chain and has no frame at its far end, so fix a link there to be named in --closures";
+    SetupQuestion question{
+        "closures", source_.files.urdf + " does not tell where its loops are closed", {}, {}};
+    const std::vector<std::size_t> blunt = blunt_ends(ends);
+    for (const EndPair& pair : first_pairs(ends))
+      question.example.push_back(example_of(pair.one, ends) + "=" + example_of(pair.other, ends));
+    if (!blunt.empty())
+      question.text += "; " + ends_of_chains(blunt) +
+                       " no frame at the far end: give each place in the frame of its link as X:Y:Z [m]";
     else if (result_.cut_short)
       question.text += " in the time there is";
+    question.text += "; ends that are in no loop, as fingers, are left out of --closures";
     for (const EqualPairings& equals : ends.pairings)
       for (const Pairing& pairing : equals)
-        if (ends.blunt.empty()) question.candidates.push_back(described(pairing));
+        if (blunt.empty()) question.candidates.push_back(described(pairing));
     result_.question = question;
-    result_.problems.clear();
+  }
+
+  std::string example_of(std::size_t link, const OpenEnds& ends) const {
+    return tree_.links[link] + (is_blunt(ends, link) ? "@X:Y:Z" : "");
+  }
+
+  // "links 'a', 'b' end chains and have"
+  std::string ends_of_chains(const std::vector<std::size_t>& links) const {
+    std::string names;
+    for (const std::size_t link : links) names += (names.empty() ? "'" : ", '") + tree_.links[link] + "'";
+    return links.size() == 1 ? "link " + names + " ends a chain and has"
+                             : "links " + names + " end chains and have";
   }
 
   const Tree& tree_;
@@ -197,20 +278,31 @@ class Setup {
   SetupResult result_;
 };
 
+// The tree has them as links.
+void add_frames(const SetupAnswers& answers, Tree& tree) {
+  for (const auto& pair : answers.closures)
+    for (const std::string& frame : pair) add_placed_frame(tree, frame);
+  add_placed_frame(tree, answers.operational_point);
+}
+
 }  // namespace
 
 SetupResult set_up(const std::string& urdf_text, const std::string& urdf_name, const std::string& config_name,
                    const SetupAnswers& answers, const SetupControl& control) {
   SetupResult refused;
   std::vector<std::string> notes;
-  const auto tree = read_tree(urdf_text, urdf_name, refused.problems, notes);
+  auto tree = read_tree(urdf_text, urdf_name, refused.problems, notes);
   if (!tree) return refused;
+  add_frames(answers, *tree);
   tinyxml2::XMLDocument document;
   document.Parse(urdf_text.data(), urdf_text.size());
   const YAML::Node no_config(YAML::NodeType::Map);
   const SourceNames files{urdf_name, config_name};
   const LoopSource source{*document.FirstChildElement("robot"), no_config, *tree, files};
-  return Setup(*tree, source, answers, control, urdf_text).find();
+  const auto find = [&] { return Setup(*tree, source, answers, control, urdf_text).find(); };
+  const SetupResult found = find();
+  const bool asks_for_places = found.question && found.question->candidates.empty();
+  return asks_for_places && add_far_ends(*tree) ? find() : found;
 }
 
 }  // namespace parallel_aspects

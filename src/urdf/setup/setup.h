@@ -15,12 +15,13 @@
 
 namespace parallel_aspects {
 
-/// What the user knows; what is empty is to be found.
+/// What the user knows; what is empty is to be found. A link that closes a loop or is the operational point
+/// may be a place in the frame of a link, "rod_2@0.4:0:0" [m].
 struct SetupAnswers {
   std::string base_link;
   std::string operational_point;
   std::vector<std::string> actuated_joints;
-  std::vector<std::array<std::string, 2>> closures;  ///< names of links
+  std::vector<std::array<std::string, 2>> closures;
 };
 
 /// One value that a key of the YAML may have, and what speaks for it. Links of a closure have '=' between
@@ -42,9 +43,10 @@ struct SetupQuestion {
   std::string key;
   std::string text;  ///< one sentence
   std::vector<SetupCandidate> candidates;
+  std::vector<std::string> example;  ///< where there are none: what an answer looks like
 };
 
-/// When to give up, and what for.
+/// When to give up, and what for. Both are looked at before each attempt to assemble the mechanism.
 struct SetupControl {
   std::chrono::steady_clock::time_point deadline;
   std::function<bool()> cancelled = [] { return false; };

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/setup/setup_config.h"
 
+#include "model/number_text.h"
+#include "urdf/setup/placed_frames.h"
+
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
@@ -50,6 +53,22 @@ std::string yaml(const Value& value) {
   return out.c_str();
 }
 
+constexpr int coordinate_digits = 12;
+
+// The name of a link, or a place in its frame.
+std::string yaml_frame(const std::string& text) {
+  const auto frame = placed_frame(text);
+  const auto in_list = [](const std::string& name) {
+    const std::string list = yaml(std::vector<std::string>{name});
+    return list.substr(1, list.size() - 2);
+  };
+  if (!frame) return in_list(text);
+  std::string xyz;
+  for (const double coordinate : {frame->xyz.x(), frame->xyz.y(), frame->xyz.z()})
+    xyz += (xyz.empty() ? "" : ", ") + number_text(coordinate, coordinate_digits);
+  return "{link: " + in_list(frame->link) + ", xyz: [" + xyz + "]}";
+}
+
 // The emitter of yaml-cpp does not indent comments.
 class Writer {
  public:
@@ -92,7 +111,7 @@ class Writer {
 
   void single(const std::string& key, const std::string& what, const SetupCandidate& taken) {
     explain(key, what, taken);
-    entry(key, yaml(taken.values.front()));
+    entry(key, yaml_frame(taken.values.front()));
   }
 
   void write_task_space() {
@@ -110,9 +129,8 @@ class Writer {
     text_ += indent + "closures:\n";
     for (const std::string& pair : draft_.closures.values) {
       const std::size_t middle = pair.find('=');
-      text_ += indent + indent + "- {frames: " +
-               yaml(std::vector<std::string>{pair.substr(0, middle), pair.substr(middle + 1)}) +
-               ", type: " + draft_.closure_type + "}\n";
+      text_ += indent + indent + "- {frames: [" + yaml_frame(pair.substr(0, middle)) + ", " +
+               yaml_frame(pair.substr(middle + 1)) + "], type: " + draft_.closure_type + "}\n";
     }
   }
 

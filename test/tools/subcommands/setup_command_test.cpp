@@ -68,12 +68,42 @@ TEST_F(SetupCommand, LeavesAFileThatExists) {
   std::ofstream(output_) << "mine\n";
   const Outcome outcome = run({"setup", five_bar_.c_str(), "-o", output_.c_str()});
   EXPECT_EQ(outcome.code, exit_code::bad_input);
-  EXPECT_NE(outcome.messages.find("exists"), std::string::npos);
+  EXPECT_NE(outcome.messages.find("is left as it is"), std::string::npos);
   EXPECT_EQ(answered({"setup", five_bar_.c_str(), "-o", output_.c_str()}, "n\n").code, exit_code::bad_input);
   EXPECT_EQ(written(), "mine\n");
   EXPECT_EQ(answered({"setup", five_bar_.c_str(), "-o", output_.c_str()}, "y\n").code, exit_code::ok);
   EXPECT_NE(written(), "mine\n");
   EXPECT_EQ(run({"setup", five_bar_.c_str(), "-o", output_.c_str(), "--replace"}).code, exit_code::ok);
+}
+
+// What is wrong is said before what is in the way.
+TEST_F(SetupCommand, ReportsTheFileThatExistsLast) {
+  std::ofstream(output_) << "mine\n";
+  const auto messages = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "setup");
+    arguments.insert(arguments.end(), {"-o", output_});
+    std::vector<const char*> words;
+    for (const std::string& argument : arguments) words.push_back(argument.c_str());
+    return answered(words, "").messages;
+  };
+  EXPECT_EQ(messages({"nowhere.urdf"}).find("is left as it is"), std::string::npos);
+  EXPECT_NE(messages({five_bar_, "--actuated", "crank_9_joint"}).find("crank_9_joint"), std::string::npos);
+  EXPECT_EQ(messages({five_bar_, "--actuated", "crank_9_joint"}).find("is left as it is"), std::string::npos);
+  EXPECT_EQ(messages({unnamed_}).find("is left as it is"), std::string::npos);
+  EXPECT_NE(messages({five_bar_}).find("is left as it is"), std::string::npos);
+  EXPECT_EQ(written(), "mine\n");
+}
+
+// As it stands in the question.
+TEST_F(SetupCommand, TakesAPlaceInALink) {
+  const std::string half = urdf("test/data/setup/half_blunt_three_rrr.urdf");
+  const Outcome asked = run({"setup", half.c_str(), "-o", output_.c_str()});
+  EXPECT_EQ(asked.code, exit_code::undecided);
+  const std::string closures = "corner_1=shank_1_end corner_2=shank_2@0.28:0:0 corner_3=shank_3@0.28:0:0";
+  EXPECT_NE(asked.messages.find("--closures '" + closures + "'"), std::string::npos) << asked.messages;
+  const Outcome found = run({"setup", half.c_str(), "-o", output_.c_str(), "--closures", closures.c_str()});
+  EXPECT_EQ(found.code, exit_code::ok) << found.messages;
+  EXPECT_EQ(run({"describe", "--urdf", half.c_str(), "--config", output_.c_str()}).code, exit_code::ok);
 }
 
 TEST_F(SetupCommand, NeverReplacesTheUrdf) {

@@ -3,12 +3,14 @@
 #include "urdf/setup/setup.h"
 
 #include "urdf/setup/name_words.h"
+#include "urdf/setup/options.h"
 
 #include <gtest/gtest.h>
 
 #include "support/many_joints.h"
 #include "support/shipped.h"
 #include <algorithm>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -115,7 +117,13 @@ INSTANTIATE_TEST_SUITE_P(
               "rr_base_link",
               "rr_outer_2",
               {"rr_active_1", "rr_active_2"}},
-        Found{"all_driven_five_bar", TaskSpace::T2, "base_link", "link2_tip", {"joint1", "joint3"}}));
+        Found{"all_driven_five_bar", TaskSpace::T2, "base_link", "link2_tip", {"joint1", "joint3"}},
+        Found{"hung_three_rrr", TaskSpace::SE2, "ground", "moving_stage", {"hip_1", "hip_2", "hip_3"}},
+        Found{"hung_delta", TaskSpace::T3, "frame", "tool_plate", {"shoulder_1", "shoulder_2", "shoulder_3"}},
+        Found{"hung_five_bar", TaskSpace::T2, "table", "tool", {"drive1", "drive2"}},
+        Found{"guided_plunger", TaskSpace::T1, "housing", "plunger", {"crank_shaft"}},
+        Found{"gripping_five_bar", TaskSpace::T2, "BaseTable", "Hand", {"LeftShoulder", "RightShoulder"}},
+        Found{"clamping_five_bar", TaskSpace::T2, "BaseTable", "Hand", {"LeftShoulder", "RightShoulder"}}));
 
 std::string urdf_of(const std::string& name) {
   return test::source_file("test/data/setup/" + name + ".urdf");
@@ -140,25 +148,113 @@ TEST(Setup, AsksWhereEquallyMuchSpeaksForTwoWaysToClose) {
     EXPECT_TRUE(set_up_text(urdf_of("unnamed_three_rpr"), with_closures(candidate.values)).mechanism);
 }
 
-// The remedy, followed to the letter: a link at the far end of each rod.
-TEST(Setup, AsksForAFrameWhereARodHasNone) {
-  std::string urdf = urdf_of("blunt_three_rrr");
-  const SetupResult result = set_up_text(urdf);
-  ASSERT_TRUE(result.question) << listed(result.problems);
-  EXPECT_NE(result.question->text.find("'rod_2' ends a chain"), std::string::npos) << result.question->text;
-  EXPECT_TRUE(result.question->candidates.empty());
-  const auto frame = [](const std::string& parent, const std::string& child, const std::string& xyz) {
-    return "<link name=\"" + child + "\"/><joint name=\"" + child +
-           "_joint\" type=\"fixed\"><parent link=\"" + parent + "\"/><child link=\"" + child +
-           "\"/><origin xyz=\"" + xyz + "\"/></joint>";
-  };
-  urdf = test::replaced(urdf, "</robot>",
-                        frame("rod_2", "end_2", "0.4 0 0") + frame("rod_3", "end_3", "0.4 0 0") +
-                            frame("platform", "corner_2", "0.2 0 0") +
-                            frame("platform", "corner_3", "0.1 0.2 0") + "</robot>");
-  const SetupResult mended = set_up_text(urdf, with_closures({"corner_2=end_2", "corner_3=end_3"}));
+// The option that the question shows, with the places that it asks for.
+Strings filled(Strings pairs, const Strings& places) {
+  for (std::size_t k = 0; k < places.size(); ++k)
+    for (std::string& pair : pairs)
+      if (const std::size_t at = pair.find("X:Y:Z"); at != std::string::npos) {
+        pair.replace(at, 5, places[k]);
+        break;
+      }
+  return pairs;
+}
+
+// Of rods and corners without links, in one question; the length of one rod is known from another.
+TEST(Setup, AsksAtOnceForAllPlacesThatHaveNoLink) {
+  const std::string blunt = urdf_of("blunt_three_rrr");
+  const SetupResult one = set_up_text(blunt);
+  ASSERT_TRUE(one.question) << listed(one.problems);
+  EXPECT_NE(one.question->text.find("'platform' ends a chain"), std::string::npos) << one.question->text;
+  EXPECT_TRUE(one.question->candidates.empty());
+  EXPECT_EQ(one.question->example, (Strings{"platform@X:Y:Z=rod_2@0.4:0:0", "platform@X:Y:Z=rod_3@0.4:0:0"}));
+  const SetupResult mended =
+      set_up_text(blunt, with_closures(filled(one.question->example, {"0.2:0:0", "0.1:0.2:0"})));
   ASSERT_TRUE(mended.mechanism) << listed(mended.problems);
   EXPECT_EQ(mended.mechanism->manipulator()->task_space(), TaskSpace::SE2);
+  const std::string hung = test::source_file("test/data/chains/three_rrr_on_slides.urdf");
+  const SetupResult all = set_up_text(hung);
+  ASSERT_TRUE(all.question) << listed(all.problems);
+  EXPECT_NE(all.question->text.find("'rod_1', 'rod_2', 'rod_3'"), std::string::npos) << all.question->text;
+  const SetupResult found =
+      set_up_text(hung, with_closures(filled(all.question->example,
+                                             {"0:0:0", "10:0:0", "10:0:0", "10:0:0", "10:10:0", "10:0:0"})));
+  ASSERT_TRUE(found.mechanism) << listed(found.problems);
+  EXPECT_EQ(found.mechanism->manipulator()->task_space(), TaskSpace::SE2);
+}
+
+// It is no more than likely that all rods are of one length, so it is asked.
+TEST(Setup, OffersTheLengthOfOtherRods) {
+  const std::string urdf = urdf_of("half_blunt_three_rrr");
+  const SetupResult asked = set_up_text(urdf);
+  ASSERT_TRUE(asked.question) << listed(asked.problems);
+  ASSERT_EQ(asked.question->candidates.size(), 1U) << asked.question->text;
+  const Strings offered{"corner_1=shank_1_end", "corner_2=shank_2@0.28:0:0", "corner_3=shank_3@0.28:0:0"};
+  EXPECT_EQ(asked.question->candidates.front().values, offered);
+  const SetupResult found = set_up_text(urdf, with_closures(offered));
+  ASSERT_TRUE(found.mechanism) << listed(found.problems);
+  EXPECT_NE(found.config.find("{link: shank_2, xyz: [0.28, 0, 0]}"), std::string::npos) << found.config;
+  EXPECT_NEAR(found.mechanism->manipulator()->leg(1).rod_length, 0.28, 1e-12);
+}
+
+// Also where time did not suffice to try them.
+TEST(Setup, OffersEachWayToCloseOnce) {
+  const SetupControl none{std::chrono::steady_clock::now()};
+  const SetupResult result = set_up(urdf_of("hung_three_rrr"), "robot.urdf", "robot.yaml", {}, none);
+  ASSERT_TRUE(result.question) << listed(result.problems);
+  std::set<std::set<std::string>> once;
+  for (const SetupCandidate& candidate : result.question->candidates)
+    EXPECT_TRUE(once.insert({candidate.values.begin(), candidate.values.end()}).second)
+        << candidate.values.front();
+  EXPECT_EQ(once.size(), 6U);
+}
+
+// No file was written, and no value given: the options that were tried can be typed as they stand.
+TEST(Setup, RefusesInTheWordsOfItsOptions) {
+  for (const char* name : {"four_bar", "serial_arm"}) {
+    const std::string urdf = test::source_file("test/data/culprits/" + std::string(name) + ".urdf");
+    const SetupResult result = set_up_text(urdf);
+    ASSERT_FALSE(result.problems.empty()) << name;
+    for (const std::string& problem : result.problems)
+      for (const char* key : {"robot.yaml", "operational_point", "actuated_joints", "mechanism."})
+        EXPECT_EQ(problem.find(key), std::string::npos) << problem;
+  }
+  const SetupResult four_bar = set_up_text(test::source_file("test/data/culprits/four_bar.urdf"));
+  EXPECT_NE(listed(four_bar.problems).find("name them with --closures"), std::string::npos)
+      << listed(four_bar.problems);
+}
+
+TEST(SetupOptions, StandForTheKeysOfTheLoader) {
+  EXPECT_EQ(
+      said_of_options("a.yaml has base_link 'base_link', but joint 'x' moves all loops; write base_link: "
+                      "column and actuated_joints: [a, b].",
+                      "a.yaml"),
+      "this choice has --base 'base_link', but joint 'x' moves all loops; write --base column and "
+      "--actuated 'a b'.");
+  EXPECT_EQ(said_of_options("a.yaml has operational_point 'p'; write operational_point: q.", "a.yaml"),
+            "this choice has --platform 'p'; write --platform q.");
+  EXPECT_EQ(said_of_options("correct closures, or list fewer mechanism.actuated_joints in a.yaml.", "a.yaml"),
+            "correct closures, or list fewer --actuated in this choice.");
+}
+
+TEST(Setup, RefusesToCloseWhatIsFixed) {
+  const SetupResult result = set_up_text(urdf_of("hung_three_rrr"), with_closures({"corner_1=corner_2"}));
+  ASSERT_EQ(result.problems.size(), 1U) << listed(result.problems);
+  EXPECT_NE(result.problems.front().find("fixed to each other"), std::string::npos)
+      << result.problems.front();
+}
+
+// Limits have to state an effort, so that it tells no more than a name does.
+TEST(Setup, TakesAnEffortThatLimitsNeedForAHint) {
+  std::string urdf = urdf_of("hung_five_bar");
+  for (const char* elbow : {"pivot1", "pivot2"}) {
+    const std::string joint = "<joint name=\"" + std::string(elbow) + "\" type=";
+    urdf =
+        test::replaced(urdf, joint + "\"continuous\">",
+                       joint + "\"revolute\"><limit lower=\"-3\" upper=\"3\" effort=\"9\" velocity=\"1\"/>");
+  }
+  const SetupResult result = set_up_text(urdf);
+  ASSERT_TRUE(result.mechanism) << listed(result.problems);
+  EXPECT_EQ(actuated_joints(*result.mechanism), (Strings{"drive1", "drive2"}));
 }
 
 TEST(Setup, CallsASerialArmSerial) {

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "urdf/setup/end_likeness.h"
+
+#include "urdf/setup/name_words.h"
+
+#include <algorithm>
+
+namespace parallel_aspects {
+namespace {
+
+using Strings = std::vector<std::string>;
+
+bool is_side(const std::string& word) {
+  static const std::set<std::string> sides{"left",  "right", "front", "rear", "back",
+                                           "upper", "lower", "inner", "outer"};
+  return sides.count(word) > 0;
+}
+
+std::set<std::string> telling_words(const Tree& tree, std::size_t link,
+                                    const std::vector<std::size_t>& members,
+                                    const std::set<std::string>& common) {
+  const Strings words = words_of(tree.links[link]);
+  std::set<std::string> telling;
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    const bool of_all =
+        members.size() > 1 && std::all_of(members.begin(), members.end(), [&](std::size_t other) {
+          return words_of(tree.links[other])[k] == words[k];
+        });
+    if (is_index(words[k]) ? !of_all : common.count(words[k]) == 0) telling.insert(words[k]);
+  }
+  return telling;
+}
+
+// Where there is but one link, all its words may tell.
+std::set<std::string> common_words(const Tree& tree, const std::vector<std::size_t>& links) {
+  std::map<std::string, std::size_t> counts;
+  for (const std::size_t link : links) {
+    const Strings words = words_of(tree.links[link]);
+    for (const std::string& word : std::set<std::string>(words.begin(), words.end())) ++counts[word];
+  }
+  std::set<std::string> common;
+  for (const auto& [word, count] : counts)
+    if (count == links.size() && links.size() > 1) common.insert(word);
+  return common;
+}
+
+}  // namespace
+
+EndLikeness::EndLikeness(const Tree& tree, const std::vector<std::size_t>& tips,
+                         const std::vector<std::size_t>& anchors) {
+  for (const auto* links : {&tips, &anchors}) {
+    std::map<std::string, std::vector<std::size_t>> alike;
+    for (const std::size_t link : *links) alike[role_of(tree.links[link])].push_back(link);
+    const std::set<std::string> common = common_words(tree, *links);
+    for (const auto& [role, members] : alike)
+      for (const std::size_t link : members) words_[link] = telling_words(tree, link, members, common);
+  }
+}
+
+int EndLikeness::between(std::size_t one, std::size_t other) const {
+  int likeness = 0;
+  for (const std::string& word : words_.at(one))
+    if (words_.at(other).count(word) > 0) likeness += is_index(word) || is_side(word) ? 3 : 1;
+  return likeness;
+}
+
+}  // namespace parallel_aspects
