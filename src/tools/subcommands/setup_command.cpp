@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Of ten seconds; the rest is for the attempt to assemble that is under way when the time is up.
-constexpr std::chrono::seconds time_to_search{9};
+constexpr std::chrono::seconds time_to_search{8};
 
 struct SetupArguments {
   std::string urdf, output, base, platform, actuated, closures;

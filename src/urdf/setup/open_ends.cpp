@@ -292,7 +292,7 @@ class EndFinder {
     }
     const std::size_t leg = chosen.size();
     if (leg == tips_.size()) {
-      Pairing pairing{{}, "with this order of the open ends it loads"};
+      Pairing pairing{{}, "an order of the open ends, for which nothing else speaks"};
       for (std::size_t k = 0; k < leg; ++k) pairing.pairs.push_back({chosen[k], tips_[k].front(), ""});
       orders.push_back(pairing);
       return;

@@ -13,6 +13,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 namespace parallel_aspects {
@@ -201,6 +202,7 @@ class Setup {
       ClosedResult closed = search_closed(subject_, closures_of(tree_, pairing), candidate);
       cut_short = cut_short || closed.cut_short;
       if (!first) first = closed;
+      if (!closed.mechanism && !closed.cut_short) refused_.insert(&pairing);
       if (closed.mechanism) found.emplace_back(candidate, std::move(closed));
       if (cut_short && closed.cut_short) break;
     }
@@ -253,7 +255,7 @@ class Setup {
     question.text += "; ends that are in no loop, as fingers, are left out of --closures";
     for (const EqualPairings& equals : ends.pairings)
       for (const Pairing& pairing : equals)
-        if (blunt.empty()) question.candidates.push_back(described(pairing));
+        if (blunt.empty() && refused_.count(&pairing) == 0) question.candidates.push_back(described(pairing));
     result_.question = question;
   }
 
@@ -275,6 +277,7 @@ class Setup {
   Bodies bodies_;
   JointEvidence evidence_;
   SetupSubject subject_;
+  std::set<const Pairing*> refused_;  // of the open ends
   SetupResult result_;
 };
 

@@ -2,6 +2,7 @@
 // What is found in bare URDFs: the shipped robots, and robots as others write them.
 #include "urdf/setup/setup.h"
 
+#include "urdf/load_search.h"
 #include "urdf/setup/name_words.h"
 #include "urdf/setup/options.h"
 
@@ -232,8 +233,10 @@ TEST(SetupOptions, StandForTheKeysOfTheLoader) {
       "--actuated 'a b'.");
   EXPECT_EQ(said_of_options("a.yaml has operational_point 'p'; write operational_point: q.", "a.yaml"),
             "this choice has --platform 'p'; write --platform q.");
-  EXPECT_EQ(said_of_options("correct closures, or list fewer mechanism.actuated_joints in a.yaml.", "a.yaml"),
-            "correct closures, or list fewer --actuated in this choice.");
+  EXPECT_EQ(said_of_options("list fewer actuated_joints, or correct closures that hold too much (a revolute "
+                            "closure turns about z of its frames; type auto finds out).",
+                            "a.yaml"),
+            "list fewer --actuated, or correct closures that hold too much.");
 }
 
 TEST(Setup, RefusesToCloseWhatIsFixed) {
@@ -305,6 +308,22 @@ TEST(Setup, EndsWithTheTimeThatItIsGiven) {
   cancelled.cancelled = [] { return true; };
   EXPECT_FALSE(
       set_up(test::source_file("urdf/stewart.urdf"), "robot.urdf", "robot.yaml", {}, cancelled).mechanism);
+}
+
+// Before every attempt to assemble, so that a search with a deadline is late by one of them at most.
+TEST(LoadSearch, EndsWhereItsCheckpointThrows) {
+  const auto load = [](const LoadSearch& search) {
+    load_mechanism(test::source_file("urdf/five_bar.urdf"), "robot.urdf",
+                   test::source_file("config/robots/five_bar.yaml"), "robot.yaml", "", search);
+  };
+  int attempts = 0;
+  LoadSearch search;
+  search.checkpoint = [&] { ++attempts; };
+  load(search);
+  EXPECT_GT(attempts, 0);
+  struct Late {};
+  search.checkpoint = [] { throw Late{}; };
+  EXPECT_THROW(load(search), Late);
 }
 
 // Names that YAML or a comment could take for something else.
