@@ -55,15 +55,22 @@ class ClosedSearch {
     for (const Platform& platform : platforms())
       for (const std::vector<GraphPart>& legs : platform.legs)
         if (try_legs(platform, legs)) return result_;
-    if (result_.problems.empty())
-      result_.problems.push_back(subject_.urdf_name + " has no link between which and the base link '" +
-                                 result_.draft.base_link.values.front() + "' " + closures() +
-                                 " make one, two, three or six legs; name other loops with --closures, or "
-                                 "another base with --base.");
+    if (result_.problems.empty()) result_.problems.push_back(reason_for_none());
     return result_;
   }
 
  private:
+  // Where nothing was tried to the end.
+  std::string reason_for_none() const {
+    if (result_.cut_short)
+      return subject_.urdf_name + " could not be tried with " + closures() +
+             " in the time there is; say more with --platform and --actuated.";
+    return subject_.urdf_name + " has no link between which and the base link '" +
+           result_.draft.base_link.values.front() + "' " + closures() +
+           " make one, two, three or six legs; name other loops with --closures, or another base with "
+           "--base.";
+  }
+
   const std::string& link_name(std::size_t link) const { return tree_.links[link]; }
 
   // "the closures a=b c=d", for messages.
@@ -173,6 +180,18 @@ class ClosedSearch {
     return {asked};
   }
 
+  // Whether each leg has one of the joints that are asked for.
+  bool answers_fit(const std::vector<GraphPart>& legs) const {
+    const auto& names = subject_.answers.actuated_joints;
+    const auto asked = [&](std::size_t joint) {
+      return std::find(names.begin(), names.end(), tree_.joint_of(joint).name) != names.end();
+    };
+    return names.empty() ||
+           (names.size() == legs.size() && std::all_of(legs.begin(), legs.end(), [&](const GraphPart& leg) {
+              return std::count_if(leg.variables.begin(), leg.variables.end(), asked) == 1;
+            }));
+  }
+
   SetupCandidate described(const ActuationCandidate& actuation) const {
     SetupCandidate candidate{{}, actuation.reason};
     for (const std::size_t joint : actuation.variables)
@@ -185,6 +204,7 @@ class ClosedSearch {
   // of.
   bool try_legs(const Platform& platform, const std::vector<GraphPart>& legs) {
     const std::vector<ActuationCandidate> candidates = actuations(legs);
+    if (!answers_fit(legs)) return load_once(platform, candidates.front());
     legs_ = legs.size();
     std::vector<SetupCandidate> equals, others;
     int weight = 0;
@@ -207,6 +227,14 @@ class ClosedSearch {
     return true;
   }
 
+  // So that the loader says why it does not.
+  bool load_once(const Platform& platform, const ActuationCandidate& actuation) {
+    if (result_.tried) return false;
+    begin_draft(platform, platform.links.front(), actuation);
+    result_.draft.closure_type = "spherical";
+    return load();
+  }
+
   void ask_for_actuated_joints(const std::vector<SetupCandidate>& equals) {
     result_.question = {"actuated_joints",
                         subject_.urdf_name +
@@ -218,12 +246,16 @@ class ClosedSearch {
 
   bool try_links(const Platform& platform, const ActuationCandidate& actuation, bool all_types) {
     for (const std::size_t link : platform.links) {
-      result_.draft.operational_point = {{link_name(link)}, reason_for_link(platform, link)};
-      result_.draft.actuated_joints = described(actuation);
-      if (try_types(all_types)) return true;
+      begin_draft(platform, link, actuation);
+      if (try_types(all_types && link == platform.links.front())) return true;
       if (stopped()) return false;
     }
     return false;
+  }
+
+  void begin_draft(const Platform& platform, std::size_t link, const ActuationCandidate& actuation) {
+    result_.draft.operational_point = {{link_name(link)}, reason_for_link(platform, link)};
+    result_.draft.actuated_joints = described(actuation);
   }
 
   std::string reason_for_link(const Platform& platform, std::size_t link) const {

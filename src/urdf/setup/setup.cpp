@@ -25,6 +25,8 @@ std::vector<std::string> movable_joints(const Tree& tree) {
   return names;
 }
 
+struct OutOfTime {};
+
 class Setup {
  public:
   Setup(const Tree& tree, const LoopSource& source, const SetupAnswers& answers, const SetupControl& control,
@@ -121,11 +123,12 @@ class Setup {
     try {
       const LoadSearch search{[this] {
         if (subject_.control.cancelled() || std::chrono::steady_clock::now() > subject_.control.deadline)
-          throw InvalidDescription(Problems{});
+          throw OutOfTime{};
       }};
       load_mechanism(subject_.urdf_text, subject_.urdf_name, config_text(*found.tried), config, "", search);
     } catch (const InvalidDescription& invalid) {
-      if (!invalid.problems().empty()) reasons = invalid.problems();
+      reasons = invalid.problems();
+    } catch (const OutOfTime&) {
     }
     result_.problems.clear();
     for (const std::string& reason : reasons)
@@ -156,7 +159,8 @@ class Setup {
       if (try_equals(equals, ends, first)) return result_;
       if (result_.cut_short || !blunt_ends(ends).empty()) break;
     }
-    if (!first || result_.cut_short || !blunt_ends(ends).empty())
+    const bool is_refused = first && !first->problems.empty() && !refused_.empty();
+    if (!is_refused || !blunt_ends(ends).empty())
       ask_for_closures(ends);
     else
       refuse_ends(*first, ends);

@@ -239,6 +239,30 @@ TEST(SetupOptions, StandForTheKeysOfTheLoader) {
             "list fewer --actuated, or correct closures that hold too much.");
 }
 
+// The fault is in the answer, not in the closures, which are found.
+TEST(Setup, SaysWhyAnswersDoNotFit) {
+  for (const Strings& joints : {Strings{"stage_x", "stage_y", "stage_yaw"}, Strings{"hip_1", "hip_2"},
+                                Strings{"hip_1", "hip_2", "knee_2"}}) {
+    SetupAnswers answers;
+    answers.actuated_joints = joints;
+    const SetupResult result = set_up_text(urdf_of("hung_three_rrr"), answers);
+    EXPECT_FALSE(result.question) << joints.back();
+    EXPECT_FALSE(result.cut_short) << joints.back();
+    ASSERT_FALSE(result.problems.empty()) << joints.back();
+    EXPECT_NE(result.problems.front().find("--actuated '" + joints.front()), std::string::npos)
+        << result.problems.front();
+  }
+}
+
+TEST(Setup, SaysThatTimeDidNotSufficeForAnAnswer) {
+  const SetupControl none{std::chrono::steady_clock::now()};
+  const SetupResult result = set_up(urdf_of("guided_plunger"), "robot.urdf", "robot.yaml",
+                                    with_closures({"plunger=small_end"}), none);
+  ASSERT_EQ(result.problems.size(), 1U);
+  EXPECT_NE(result.problems.front().find("in the time there is"), std::string::npos)
+      << result.problems.front();
+}
+
 TEST(Setup, RefusesToCloseWhatIsFixed) {
   const SetupResult result = set_up_text(urdf_of("hung_three_rrr"), with_closures({"corner_1=corner_2"}));
   ASSERT_EQ(result.problems.size(), 1U) << listed(result.problems);
