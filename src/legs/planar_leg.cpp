@@ -5,7 +5,7 @@
 
 namespace parallel_aspects {
 
-PlanarLeg::PlanarLeg(const Leg& leg) {
+PlanarLeg::PlanarLeg(const Leg& leg) : type_(leg.kind().type) {
   assert_rounding_upward();
   set_base(leg.base_point(), leg);
   std::visit([this, &leg](const auto& actuation) { set(actuation, leg); }, leg.actuation);
@@ -24,7 +24,6 @@ void PlanarLeg::set_two_links(const Interval& squared_first, const Interval& squ
 }
 
 void PlanarLeg::set(const RevoluteActuation& actuation, const Leg& leg) {
-  kind_ = Kind::revolute;
   const Interval squared_crank = square(Interval(actuation.radius));
   // Anchor and crank tip move in parallel planes; what is left of the rod in the plane.
   rod_ = Interval(leg.rod_length);
@@ -37,7 +36,6 @@ void PlanarLeg::set(const RevoluteActuation& actuation, const Leg& leg) {
 }
 
 void PlanarLeg::set(const PrismaticActuation& actuation, const Leg& leg) {
-  kind_ = Kind::prismatic;
   rod_ = Interval(leg.rod_length);
   squared_rod_ = square(rod_) - squared_height_;
   direction_ = {actuation.direction.x(), actuation.direction.y()};
@@ -45,12 +43,10 @@ void PlanarLeg::set(const PrismaticActuation& actuation, const Leg& leg) {
 }
 
 void PlanarLeg::set(const StrutActuation& actuation, const Leg& leg) {
-  kind_ = Kind::strut;
   length_limits_ = LengthLimits(leg.limits, actuation.length_at_zero, actuation.sense);
 }
 
 void PlanarLeg::set(const ElbowActuation& actuation, const Leg& leg) {
-  kind_ = Kind::elbow;
   const Interval squared_inner = square(Interval(actuation.inner_length));
   const Interval squared_outer = square(Interval(actuation.outer_length));
   set_two_links(squared_inner, squared_outer);

@@ -21,6 +21,11 @@ struct Planar {
   const Scalar& operator[](std::size_t i) const { return i == 0 ? x : y; }
 };
 
+template <class Scalar>
+Scalar squared_norm(const Planar<Scalar>& d) {
+  return square(d.x) + square(d.y);
+}
+
 /// A leg seen from the displacement d = p - base point of its anchor. For both signs s of B_jj,
 /// |B_jj| = sqrt(squared_entry), and u = p - c has the direction of `fixed + s sqrt(squared_entry) turned`.
 template <class Scalar>
@@ -59,8 +64,6 @@ class PlanarLeg {
                                                    int sign) const;
 
  private:
-  enum class Kind { revolute, prismatic, strut, elbow };
-
   void set(const RevoluteActuation& actuation, const Leg& leg);
   void set(const PrismaticActuation& actuation, const Leg& leg);
   void set(const StrutActuation& actuation, const Leg& leg);
@@ -68,7 +71,21 @@ class PlanarLeg {
   void set_base(const Eigen::Vector3d& base, const Leg& leg);
   void set_two_links(const Interval& squared_first, const Interval& squared_second);
 
-  Kind kind_ = Kind::revolute;
+  /// Parts of `form`, `limits` and `link_points` for a crank.
+  template <class Scalar>
+  PlanarLegForm<Scalar> form_with_crank(const Planar<Scalar>& d) const;
+  template <class Scalar>
+  LimitFunctions<Scalar> limits_of_crank(const Planar<Scalar>& d, const Scalar& signed_entry) const;
+  template <class Scalar>
+  bool find_tip(const Planar<Scalar>& d, const Scalar& signed_entry, LinkPoints<Scalar, 2>& points) const;
+
+  /// The joint value of an actuated prismatic joint.
+  template <class Scalar>
+  Scalar slide(const Planar<Scalar>& d, const Scalar& signed_entry) const {
+    return direction_.x * d.x + direction_.y * d.y - signed_entry;
+  }
+
+  LegType type_;
   double reach_ = 0.0;
   Planar<Interval> base_;
   Interval squared_height_;                      // of the anchor over the base point, out of the plane
@@ -84,22 +101,31 @@ class PlanarLeg {
 
 template <class Scalar>
 PlanarLegForm<Scalar> PlanarLeg::form(const Planar<Scalar>& d) const {
-  const Interval half(0.5), quarter(0.25);
-  if (kind_ == Kind::prismatic) {
-    const Scalar across = direction_.x * d.y - direction_.y * d.x;
-    return {squared_rod_ - square(across),
-            {-(direction_.y * across), direction_.x * across},
-            {direction_.x, direction_.y}};
+  switch (type_) {
+    case LegType::revolute:
+      break;
+    case LegType::prismatic: {
+      const Scalar across = direction_.x * d.y - direction_.y * d.x;
+      return {squared_rod_ - square(across),
+              {-(direction_.y * across), direction_.x * across},
+              {direction_.x, direction_.y}};
+    }
+    case LegType::strut:
+      return {squared_norm(d) + Scalar(squared_height_), d, {0.0, 0.0}};
+    case LegType::elbow: {
+      const Scalar spatial = squared_norm(d) + Scalar(squared_height_);
+      return {Interval(0.25) * ((squared_longest_ - spatial) * (spatial - squared_shortest_)), d, {0.0, 0.0}};
+    }
   }
-  const Scalar squared_distance = square(d.x) + square(d.y);
-  if (kind_ == Kind::strut) return {squared_distance + Scalar(squared_height_), d, {0.0, 0.0}};
-  if (kind_ == Kind::elbow) {
-    const Scalar spatial = squared_distance + Scalar(squared_height_);
-    return {quarter * ((squared_longest_ - spatial) * (spatial - squared_shortest_)), d, {0.0, 0.0}};
-  }
-  const Scalar along = half * squared_distance + Scalar(half_difference_);
+  return form_with_crank(d);
+}
+
+template <class Scalar>
+PlanarLegForm<Scalar> PlanarLeg::form_with_crank(const Planar<Scalar>& d) const {
+  const Scalar squared_distance = squared_norm(d);
+  const Scalar along = Interval(0.5) * squared_distance + Scalar(half_difference_);
   const Planar<Scalar> turned = sense_ > 0.0 ? Planar<Scalar>{-d.y, d.x} : Planar<Scalar>{d.y, -d.x};
-  return {quarter * ((squared_longest_ - squared_distance) * (squared_distance - squared_shortest_)),
+  return {Interval(0.25) * ((squared_longest_ - squared_distance) * (squared_distance - squared_shortest_)),
           {along * d.x, along * d.y},
           turned};
 }
@@ -108,23 +134,27 @@ template <class Scalar>
 LimitFunctions<Scalar> PlanarLeg::limits(const Planar<Scalar>& d, const Scalar& entry, int sign) const {
   if (!angle_limits_.limited() && !length_limits_.limited()) return {};
   const Scalar signed_entry = sign > 0 ? entry : -entry;
-  const Scalar squared_distance = square(d.x) + square(d.y);
-  switch (kind_) {
-    case Kind::prismatic:
-      return length_limits_.functions<Scalar>(direction_.x * d.x + direction_.y * d.y - signed_entry);
-    case Kind::strut:
-      return length_limits_.functions_of_square<Scalar>(squared_distance + Scalar(squared_height_));
-    case Kind::elbow:
-      return angle_limits_.functions<Scalar>(
-          Interval(0.5) * (squared_distance + Scalar(squared_height_)) - Scalar(half_sum_),
-          Interval(-sense_) * signed_entry);
-    case Kind::revolute:
+  switch (type_) {
+    case LegType::revolute:
       break;
+    case LegType::prismatic:
+      return length_limits_.functions<Scalar>(slide(d, signed_entry));
+    case LegType::strut:
+      return length_limits_.functions_of_square<Scalar>(squared_norm(d) + Scalar(squared_height_));
+    case LegType::elbow:
+      return angle_limits_.functions<Scalar>(
+          Interval(0.5) * (squared_norm(d) + Scalar(squared_height_)) - Scalar(half_sum_),
+          Interval(-sense_) * signed_entry);
   }
-  // The crank points along a d - B_jj (axis x d), mirrored where the axis points down so that angles grow
-  // with q.
+  return limits_of_crank(d, signed_entry);
+}
+
+// The crank points along a d - B_jj (axis x d), mirrored where the axis points down so that angles grow with
+// q.
+template <class Scalar>
+LimitFunctions<Scalar> PlanarLeg::limits_of_crank(const Planar<Scalar>& d, const Scalar& signed_entry) const {
   const Planar<Scalar> mirrored{d.x, Interval(sense_) * d.y};
-  const Scalar along = Interval(0.5) * squared_distance - Scalar(half_difference_);
+  const Scalar along = Interval(0.5) * squared_norm(d) - Scalar(half_difference_);
   return angle_limits_.functions<Scalar>(along * mirrored.x + signed_entry * mirrored.y,
                                          along * mirrored.y - signed_entry * mirrored.x);
 }
@@ -132,23 +162,38 @@ LimitFunctions<Scalar> PlanarLeg::limits(const Planar<Scalar>& d, const Scalar& 
 template <class Scalar>
 std::optional<LinkPoints<Scalar, 2>> PlanarLeg::link_points(const Planar<Scalar>& d, const Scalar& entry,
                                                             int sign) const {
-  const Scalar x(base_.x), y(base_.y);
-  LinkPoints<Scalar, 2> points{
-      {x, y}, {x, y}, {x + d.x, y + d.y}, kind_ == Kind::strut ? entry : Scalar(rod_)};
-  const Scalar signed_entry = sign > 0 ? entry : -entry;
-  if (kind_ == Kind::prismatic) {
-    const Scalar slide = direction_.x * d.x + direction_.y * d.y - signed_entry;
-    points.joint = {x + direction_.x * slide, y + direction_.y * slide};
+  const Scalar x(base_.x), y(base_.y), signed_entry = sign > 0 ? entry : -entry;
+  LinkPoints<Scalar, 2> points{{x, y}, {x, y}, {x + d.x, y + d.y}, Scalar(rod_)};
+  switch (type_) {
+    case LegType::revolute:
+      if (!find_tip(d, signed_entry, points)) return std::nullopt;
+      break;
+    case LegType::prismatic: {
+      const Scalar value = slide(d, signed_entry);
+      points.joint = {x + direction_.x * value, y + direction_.y * value};
+      break;
+    }
+    case LegType::strut:
+      points.length = entry;
+      break;
+    case LegType::elbow:
+      break;
   }
-  if (kind_ != Kind::revolute) return points;
-  const Scalar squared_distance = square(d.x) + square(d.y);
+  return points;
+}
+
+template <class Scalar>
+bool PlanarLeg::find_tip(const Planar<Scalar>& d, const Scalar& signed_entry,
+                         LinkPoints<Scalar, 2>& points) const {
+  const Scalar squared_distance = squared_norm(d);
   const double least = std::max(range_of(squared_distance).lower(), squared_shortest_.lower());
-  if (!(least > 0.0)) return std::nullopt;
+  if (!(least > 0.0)) return false;
   const Scalar scale = reciprocal(squared_distance, least);
   const Scalar along = Interval(0.5) * squared_distance - Scalar(half_difference_);
   const Scalar across = Interval(sense_) * signed_entry;
-  points.joint = {x + scale * (along * d.x + across * d.y), y + scale * (along * d.y - across * d.x)};
-  return points;
+  points.joint = {points.base[0] + scale * (along * d.x + across * d.y),
+                  points.base[1] + scale * (along * d.y - across * d.x)};
+  return true;
 }
 
 }  // namespace parallel_aspects

@@ -10,13 +10,13 @@ Spatial<Interval> enclosed(const Eigen::Vector3d& vector) { return {vector.x(), 
 
 }  // namespace
 
-SpatialLeg::SpatialLeg(const Leg& leg) : reach_(leg.longest_reach()), base_(enclosed(leg.base_point())) {
+SpatialLeg::SpatialLeg(const Leg& leg)
+    : type_(leg.kind().type), reach_(leg.longest_reach()), base_(enclosed(leg.base_point())) {
   assert_rounding_upward();
   std::visit([this, &leg](const auto& actuation) { set(actuation, leg); }, leg.actuation);
 }
 
 void SpatialLeg::set(const RevoluteActuation& actuation, const Leg& leg) {
-  kind_ = Kind::revolute;
   axis_ = enclosed(actuation.axis);
   zero_direction_ = enclosed(actuation.zero_direction);
   side_direction_ = cross(axis_, zero_direction_);
@@ -30,7 +30,6 @@ void SpatialLeg::set(const RevoluteActuation& actuation, const Leg& leg) {
 }
 
 void SpatialLeg::set(const PrismaticActuation& actuation, const Leg& leg) {
-  kind_ = Kind::prismatic;
   axis_ = enclosed(actuation.direction);
   rod_ = Interval(leg.rod_length);
   squared_rod_ = square(rod_);
@@ -38,12 +37,10 @@ void SpatialLeg::set(const PrismaticActuation& actuation, const Leg& leg) {
 }
 
 void SpatialLeg::set(const StrutActuation& actuation, const Leg& leg) {
-  kind_ = Kind::strut;
   length_limits_ = LengthLimits(leg.limits, actuation.length_at_zero, actuation.sense);
 }
 
 void SpatialLeg::set(const ElbowActuation& actuation, const Leg& leg) {
-  kind_ = Kind::elbow;
   const Interval inner(actuation.inner_length), outer(actuation.outer_length);
   squared_longest_ = square(inner + outer);
   squared_shortest_ = square(inner - outer);

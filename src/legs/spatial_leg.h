@@ -20,6 +20,11 @@ template <class Scalar>
 using Spatial = std::array<Scalar, 3>;
 
 template <class Scalar>
+Scalar squared_norm(const Spatial<Scalar>& d) {
+  return square(d[0]) + square(d[1]) + square(d[2]);
+}
+
+template <class Scalar>
 Scalar dot(const Spatial<Interval>& a, const Spatial<Scalar>& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
@@ -58,14 +63,20 @@ class SpatialLeg {
                                                    int sign) const;
 
  private:
-  enum class Kind { revolute, prismatic, strut, elbow };
-
   void set(const RevoluteActuation& actuation, const Leg& leg);
   void set(const PrismaticActuation& actuation, const Leg& leg);
   void set(const StrutActuation& actuation, const Leg& leg);
   void set(const ElbowActuation& actuation, const Leg& leg);
 
-  Kind kind_ = Kind::revolute;
+  /// Parts of `form`, `limits` and `link_points` for a crank.
+  template <class Scalar>
+  SpatialLegForm<Scalar> form_with_crank(const Spatial<Scalar>& d) const;
+  template <class Scalar>
+  LimitFunctions<Scalar> limits_of_crank(const Spatial<Scalar>& d, const Scalar& signed_entry) const;
+  template <class Scalar>
+  bool find_tip(const Spatial<Scalar>& d, const Scalar& signed_entry, LinkPoints<Scalar, 3>& points) const;
+
+  LegType type_;
   double reach_ = 0.0;
   Spatial<Interval> base_;
   Spatial<Interval> axis_, zero_direction_,
@@ -81,24 +92,34 @@ class SpatialLeg {
 
 template <class Scalar>
 SpatialLegForm<Scalar> SpatialLeg::form(const Spatial<Scalar>& d) const {
-  const Interval half(0.5), quarter(0.25);
-  const Scalar w = square(d[0]) + square(d[1]) + square(d[2]);
-  if (kind_ == Kind::strut) return {w, d, {}};
-  if (kind_ == Kind::elbow) return {quarter * ((squared_longest_ - w) * (w - squared_shortest_)), d, {}};
-  const Scalar along = dot(axis_, d);
-  if (kind_ == Kind::prismatic) {
-    const Spatial<Scalar> across{d[0] - axis_[0] * along, d[1] - axis_[1] * along, d[2] - axis_[2] * along};
-    return {squared_rod_ - (square(across[0]) + square(across[1]) + square(across[2])),
-            across,
-            {axis_[0], axis_[1], axis_[2]}};
+  switch (type_) {
+    case LegType::revolute:
+      break;
+    case LegType::prismatic: {
+      const Scalar along = dot(axis_, d);
+      const Spatial<Scalar> across{d[0] - axis_[0] * along, d[1] - axis_[1] * along, d[2] - axis_[2] * along};
+      return {squared_rod_ - squared_norm(across), across, {axis_[0], axis_[1], axis_[2]}};
+    }
+    case LegType::strut:
+      return {squared_norm(d), d, {}};
+    case LegType::elbow: {
+      const Scalar w = squared_norm(d);
+      return {Interval(0.25) * ((squared_longest_ - w) * (w - squared_shortest_)), d, {}};
+    }
   }
-  // With D = |d|^2 - along^2 and a = (|d|^2 + crank^2 - rod^2) / 2:  D u = (D - a) d + a along axis + B (axis
-  // x d).
-  const Scalar a = half * w - half_difference_;
+  return form_with_crank(d);
+}
+
+// With D = |d|^2 - along^2 and a = (|d|^2 + crank^2 - rod^2) / 2:  D u = (D - a) d + a along axis + B (axis
+// x d).
+template <class Scalar>
+SpatialLegForm<Scalar> SpatialLeg::form_with_crank(const Spatial<Scalar>& d) const {
+  const Scalar w = squared_norm(d), along = dot(axis_, d);
+  const Scalar a = Interval(0.5) * w - half_difference_;
   const Scalar k = (w - square(along)) - a;
   const Scalar lift = a * along;
   const Scalar spread = squared_crank_ * square(along);
-  return {quarter * ((squared_longest_ - w) * (w - squared_shortest_)) - spread,
+  return {Interval(0.25) * ((squared_longest_ - w) * (w - squared_shortest_)) - spread,
           {k * d[0] + axis_[0] * lift, k * d[1] + axis_[1] * lift, k * d[2] + axis_[2] * lift},
           {axis_[1] * d[2] - axis_[2] * d[1], axis_[2] * d[0] - axis_[0] * d[2],
            axis_[0] * d[1] - axis_[1] * d[0]}};
@@ -108,20 +129,25 @@ template <class Scalar>
 LimitFunctions<Scalar> SpatialLeg::limits(const Spatial<Scalar>& d, const Scalar& entry, int sign) const {
   if (!angle_limits_.limited() && !length_limits_.limited()) return {};
   const Scalar signed_entry = sign > 0 ? entry : -entry;
-  const Scalar w = square(d[0]) + square(d[1]) + square(d[2]);
-  switch (kind_) {
-    case Kind::prismatic:
-      return length_limits_.functions<Scalar>(dot(axis_, d) - signed_entry);
-    case Kind::strut:
-      return length_limits_.functions_of_square<Scalar>(w);
-    case Kind::elbow:
-      return angle_limits_.functions<Scalar>(Interval(0.5) * w - Scalar(half_sum_),
-                                             Interval(-sense_) * signed_entry);
-    case Kind::revolute:
+  switch (type_) {
+    case LegType::revolute:
       break;
+    case LegType::prismatic:
+      return length_limits_.functions<Scalar>(dot(axis_, d) - signed_entry);
+    case LegType::strut:
+      return length_limits_.functions_of_square<Scalar>(squared_norm(d));
+    case LegType::elbow:
+      return angle_limits_.functions<Scalar>(Interval(0.5) * squared_norm(d) - Scalar(half_sum_),
+                                             Interval(-sense_) * signed_entry);
   }
+  return limits_of_crank(d, signed_entry);
+}
+
+template <class Scalar>
+LimitFunctions<Scalar> SpatialLeg::limits_of_crank(const Spatial<Scalar>& d,
+                                                   const Scalar& signed_entry) const {
   const Scalar d1 = dot(zero_direction_, d), d2 = dot(side_direction_, d);
-  const Scalar a = Interval(0.5) * w - Scalar(half_difference_);
+  const Scalar a = Interval(0.5) * squared_norm(d) - Scalar(half_difference_);
   return angle_limits_.functions<Scalar>(a * d1 + signed_entry * d2, a * d2 - signed_entry * d1);
 }
 
@@ -129,27 +155,43 @@ template <class Scalar>
 std::optional<LinkPoints<Scalar, 3>> SpatialLeg::link_points(const Spatial<Scalar>& d, const Scalar& entry,
                                                              int sign) const {
   LinkPoints<Scalar, 3> points;
-  points.length = kind_ == Kind::strut ? entry : Scalar(rod_);
+  points.length = Scalar(rod_);
   for (std::size_t i = 0; i < 3; ++i) {
     points.base[i] = points.joint[i] = Scalar(base_[i]);
     points.anchor[i] = points.base[i] + d[i];
   }
   const Scalar signed_entry = sign > 0 ? entry : -entry;
-  if (kind_ == Kind::prismatic) {
-    const Scalar slide = dot(axis_, d) - signed_entry;
-    for (std::size_t i = 0; i < 3; ++i) points.joint[i] = points.base[i] + axis_[i] * slide;
+  switch (type_) {
+    case LegType::revolute:
+      if (!find_tip(d, signed_entry, points)) return std::nullopt;
+      break;
+    case LegType::prismatic: {
+      const Scalar slide = dot(axis_, d) - signed_entry;
+      for (std::size_t i = 0; i < 3; ++i) points.joint[i] = points.base[i] + axis_[i] * slide;
+      break;
+    }
+    case LegType::strut:
+      points.length = entry;
+      break;
+    case LegType::elbow:
+      break;
   }
-  if (kind_ != Kind::revolute) return points;
+  return points;
+}
+
+template <class Scalar>
+bool SpatialLeg::find_tip(const Spatial<Scalar>& d, const Scalar& signed_entry,
+                          LinkPoints<Scalar, 3>& points) const {
   const Scalar d1 = dot(zero_direction_, d), d2 = dot(side_direction_, d);
   const Scalar in_plane = square(d1) + square(d2);
   const double least = range_of(in_plane).lower();
-  if (!(least > 0.0)) return std::nullopt;
+  if (!(least > 0.0)) return false;
   const Scalar scale = reciprocal(in_plane, least);
-  const Scalar a = Interval(0.5) * (square(d[0]) + square(d[1]) + square(d[2])) - Scalar(half_difference_);
+  const Scalar a = Interval(0.5) * squared_norm(d) - Scalar(half_difference_);
   const Scalar first = scale * (a * d1 + signed_entry * d2), second = scale * (a * d2 - signed_entry * d1);
   for (std::size_t i = 0; i < 3; ++i)
     points.joint[i] = points.base[i] + zero_direction_[i] * first + side_direction_[i] * second;
-  return points;
+  return true;
 }
 
 }  // namespace parallel_aspects

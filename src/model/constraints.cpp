@@ -105,7 +105,7 @@ class Check {
     if (space_ == TaskSpace::SO3)
       return problem(which +
                      " is one of a robot in SO3, whose links are arcs and have no direction; leave it out.");
-    if (std::holds_alternative<ElbowActuation>(legs_[cone.leg].actuation))
+    if (!legs_[cone.leg].kind().has_straight_rod)
       problem(which +
               " cannot be tested, since the leg is actuated at its elbow, and the distance of its ends "
               "does not tell where its links point; leave it out.");

@@ -80,6 +80,15 @@ const LegKind& Leg::kind() const noexcept {
   return std::visit([](const auto& each) -> const LegKind& { return each.kind; }, actuation);
 }
 
+const RevoluteActuation* Leg::crank() const noexcept {
+  using Crank = const RevoluteActuation*;
+  return std::visit(Overloaded{[](const RevoluteActuation& d) -> Crank { return &d; },
+                               [](const PrismaticActuation&) -> Crank { return nullptr; },
+                               [](const StrutActuation&) -> Crank { return nullptr; },
+                               [](const ElbowActuation&) -> Crank { return nullptr; }},
+                    actuation);
+}
+
 bool Leg::has_branch(int sign) const noexcept {
   return std::visit(Overloaded{[](const RevoluteActuation&) { return true; },
                                [](const PrismaticActuation&) { return true; },

@@ -47,7 +47,7 @@ IntervalVector turned(const RotationRows<Interval>* turn, const Eigen::Vector3d&
 
 }  // namespace
 
-LegForm::LegForm(const Leg& leg) noexcept : anchor_(leg.anchor) {
+LegForm::LegForm(const Leg& leg) noexcept : type_(leg.kind().type), anchor_(leg.anchor) {
   assert_rounding_upward();
   first_.setZero();
   second_.setZero();
@@ -55,7 +55,6 @@ LegForm::LegForm(const Leg& leg) noexcept : anchor_(leg.anchor) {
 }
 
 void LegForm::prepare(const Leg& leg, const RevoluteActuation& actuation) noexcept {
-  kind_ = Kind::revolute;
   fixed_ = actuation.center;
   first_ = actuation.radius * actuation.zero_direction;
   second_ = actuation.radius * actuation.axis.cross(actuation.zero_direction);
@@ -69,7 +68,6 @@ void LegForm::prepare(const Leg& leg, const RevoluteActuation& actuation) noexce
 }
 
 void LegForm::prepare(const Leg& leg, const PrismaticActuation& actuation) noexcept {
-  kind_ = Kind::prismatic;
   fixed_ = actuation.origin;
   first_ = actuation.direction;
   exact_first_ = scaled(1.0, actuation.direction);
@@ -79,7 +77,6 @@ void LegForm::prepare(const Leg& leg, const PrismaticActuation& actuation) noexc
 }
 
 void LegForm::prepare(const Leg&, const StrutActuation& actuation) noexcept {
-  kind_ = Kind::strut;
   fixed_ = actuation.base;
   offset_ = actuation.length_at_zero;
   sense_ = actuation.sense;
@@ -87,7 +84,6 @@ void LegForm::prepare(const Leg&, const StrutActuation& actuation) noexcept {
 }
 
 void LegForm::prepare(const Leg&, const ElbowActuation& actuation) noexcept {
-  kind_ = Kind::elbow;
   fixed_ = actuation.base;
   offset_ = actuation.angle_at_zero;
   sense_ = actuation.sense;
@@ -97,16 +93,43 @@ void LegForm::prepare(const Leg&, const ElbowActuation& actuation) noexcept {
 }
 
 Eigen::Vector3d LegForm::proximal_point(double q) const noexcept {
-  if (kind_ == Kind::revolute) return fixed_ + std::cos(q) * first_ + std::sin(q) * second_;
-  if (kind_ == Kind::prismatic) return fixed_ + q * first_;
+  switch (type_) {
+    case LegType::revolute:
+      return fixed_ + std::cos(q) * first_ + std::sin(q) * second_;
+    case LegType::prismatic:
+      return fixed_ + q * first_;
+    case LegType::strut:
+    case LegType::elbow:
+      break;
+  }
   return fixed_;
 }
 
 double LegForm::squared_distance(double q) const noexcept {
   const double moved = offset_ + sense_ * q;
-  if (kind_ == Kind::strut) return moved * moved;
-  if (kind_ == Kind::elbow) return squared_rod_.upper() + 2.0 * product_.upper() * std::cos(moved);
+  switch (type_) {
+    case LegType::revolute:
+    case LegType::prismatic:
+      break;
+    case LegType::strut:
+      return moved * moved;
+    case LegType::elbow:
+      return squared_rod_.upper() + 2.0 * product_.upper() * std::cos(moved);
+  }
   return squared_rod_.upper();
+}
+
+double LegForm::largest_inverse_entry(double rod) const noexcept {
+  switch (type_) {
+    case LegType::revolute:
+    case LegType::prismatic:
+      break;
+    case LegType::strut:
+      return rod;
+    case LegType::elbow:
+      return product_.upper();
+  }
+  return rod * point_speed_;
 }
 
 LegEnclosure LegForm::enclose(const Pose& pose, const RotationRows<Interval>* turn, double q) const noexcept {
@@ -116,18 +139,26 @@ LegEnclosure LegForm::enclose(const Pose& pose, const RotationRows<Interval>* tu
     const auto i = static_cast<std::size_t>(k);
     leg.u[i] = leg.b[i] + pose.position[k] - fixed_[k];
   }
-  const Interval squared_length = moves_point() ? enclose_point(q, leg) : enclose_length(q, leg);
+  const Interval squared_length = complete(q, leg);
   leg.half_residual = Interval(0.5) * (squared_norm(leg.u) - squared_length);
   return leg;
 }
 
-// B_jj = u.c' where c moves.
-Interval LegForm::enclose_point(double q, LegEnclosure& leg) const noexcept {
-  if (kind_ == Kind::prismatic) {
-    for (std::size_t i = 0; i < 3; ++i) leg.u[i] = leg.u[i] - exact_first_[i] * q;
-    leg.inverse_diagonal = dot(leg.u, exact_first_);
-    return squared_rod_;
+Interval LegForm::complete(double q, LegEnclosure& leg) const noexcept {
+  switch (type_) {
+    case LegType::revolute:
+      break;
+    case LegType::prismatic:
+      return complete_slide(q, leg);
+    case LegType::strut:
+      return complete_strut(q, leg);
+    case LegType::elbow:
+      return complete_elbow(q, leg);
   }
+  return complete_crank(q, leg);
+}
+
+Interval LegForm::complete_crank(double q, LegEnclosure& leg) const noexcept {
   const Trigonometry at = enclosed(q);
   IntervalVector speed;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -138,13 +169,20 @@ Interval LegForm::enclose_point(double q, LegEnclosure& leg) const noexcept {
   return squared_rod_;
 }
 
-// B_jj = rho rho' where rho does.
-Interval LegForm::enclose_length(double q, LegEnclosure& leg) const noexcept {
+Interval LegForm::complete_slide(double q, LegEnclosure& leg) const noexcept {
+  for (std::size_t i = 0; i < 3; ++i) leg.u[i] = leg.u[i] - exact_first_[i] * q;
+  leg.inverse_diagonal = dot(leg.u, exact_first_);
+  return squared_rod_;
+}
+
+Interval LegForm::complete_strut(double q, LegEnclosure& leg) const noexcept {
   const Interval moved = Interval(offset_) + Interval(sense_) * q;
-  if (kind_ == Kind::strut) {
-    leg.inverse_diagonal = moved * sense_;
-    return square(moved);
-  }
+  leg.inverse_diagonal = moved * sense_;
+  return square(moved);
+}
+
+Interval LegForm::complete_elbow(double q, LegEnclosure& leg) const noexcept {
+  const Interval moved = Interval(offset_) + Interval(sense_) * q;
   const Trigonometry at = enclosed(moved.upper(), moved.upper() - moved.lower());
   leg.inverse_diagonal = -(Interval(sense_) * (product_ * at.sine));
   return squared_rod_ + Interval(2.0) * (product_ * at.cosine);

@@ -43,9 +43,7 @@ class LegForm {
   LegEnclosure enclose(const Pose& pose, const RotationRows<Interval>* turn, double q) const noexcept;
 
   /// The largest |B_jj| of a leg whose |u| is `rod`.
-  double largest_inverse_entry(double rod) const noexcept {
-    return kind_ == Kind::elbow ? product_.upper() : kind_ == Kind::strut ? rod : rod * point_speed_;
-  }
+  double largest_inverse_entry(double rod) const noexcept;
 
   /// At least |c'| [m/rad or 1].
   double point_speed() const noexcept { return point_speed_; }
@@ -54,20 +52,19 @@ class LegForm {
   double joint_curvature(double rod) const noexcept { return curvature_ + point_curvature_ * rod; }
 
  private:
-  enum class Kind { revolute, prismatic, strut, elbow };
-
-  bool moves_point() const noexcept { return kind_ == Kind::revolute || kind_ == Kind::prismatic; }
-
-  /// Each completes u and B_jj, and returns rho^2: of legs that move c, and of those that change rho.
-  Interval enclose_point(double q, LegEnclosure& leg) const noexcept;
-  Interval enclose_length(double q, LegEnclosure& leg) const noexcept;
+  /// Each completes u and B_jj, which is u.c' where c moves and rho rho' where rho does, and returns rho^2.
+  Interval complete(double q, LegEnclosure& leg) const noexcept;
+  Interval complete_crank(double q, LegEnclosure& leg) const noexcept;
+  Interval complete_slide(double q, LegEnclosure& leg) const noexcept;
+  Interval complete_strut(double q, LegEnclosure& leg) const noexcept;
+  Interval complete_elbow(double q, LegEnclosure& leg) const noexcept;
 
   void prepare(const Leg& leg, const RevoluteActuation& actuation) noexcept;
   void prepare(const Leg& leg, const PrismaticActuation& actuation) noexcept;
   void prepare(const Leg& leg, const StrutActuation& actuation) noexcept;
   void prepare(const Leg& leg, const ElbowActuation& actuation) noexcept;
 
-  Kind kind_ = Kind::strut;
+  LegType type_ = LegType::strut;
   Eigen::Vector3d anchor_, fixed_, first_, second_;
   IntervalVector exact_first_, exact_second_;
   double offset_ = 0.0, sense_ = 1.0;  // of the length of a strut, or of the angle of an elbow

@@ -107,6 +107,7 @@ TEST_P(Jacobians, HaveEntriesOfBUpToTheLargest) {
       const double q = found.q[static_cast<Eigen::Index>(j)];
       EXPECT_TRUE(leg.can_have(q));
       EXPECT_EQ(leg.kind().moves_proximal_point, !leg.proximal_point_derivative(q).isZero(0.0));
+      EXPECT_EQ(leg.kind().has_crank, leg.crank() != nullptr);
       EXPECT_EQ(leg.kind().bounded_by_links, std::isfinite(leg.longest_reach()));
       EXPECT_EQ(leg.kind().name == "strut", leg.largest_entry() == 0.0);
       if (leg.largest_entry() == 0.0) continue;

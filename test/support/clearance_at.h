@@ -86,7 +86,7 @@ class ClearanceAt {
   Eigen::Vector3d seen_rod(std::size_t leg, LegEnd end) const {
     const Eigen::Vector3d rod = anchor(leg) - joint(leg);
     if (end == LegEnd::platform) return pose_.orientation.conjugate() * rod;
-    const auto* crank = std::get_if<RevoluteActuation>(&robot_.leg(leg).actuation);
+    const RevoluteActuation* crank = robot_.leg(leg).crank();
     if (crank == nullptr) return rod;
     Eigen::Matrix3d axes;
     axes << crank->zero_direction, crank->axis.cross(crank->zero_direction), crank->axis;
@@ -114,7 +114,7 @@ class ClearanceAt {
 
   std::vector<Body> links(std::size_t j) const {
     std::vector<Body> bodies{{joint(j), anchor(j), 0.5 * constraints_.thickness.rod, j, 1}};
-    if (const auto* crank = std::get_if<RevoluteActuation>(&robot_.leg(j).actuation))
+    if (const RevoluteActuation* crank = robot_.leg(j).crank())
       bodies.push_back({crank->center, joint(j), 0.5 * constraints_.thickness.crank, j, 0});
     return bodies;
   }

@@ -34,7 +34,7 @@ inline Constraints all_kinds(const Robot& robot, double thickness) {
   result.workspace =
       WorkspaceBox{Eigen::Vector3d::Constant(-0.6 * size), Eigen::Vector3d::Constant(0.55 * size)};
   const bool planar = is_planar(robot->task_space());
-  const bool crank = std::holds_alternative<RevoluteActuation>(robot->leg(1).actuation);
+  const bool crank = robot->leg(1).kind().has_crank;
   const Eigen::Vector3d down = -Eigen::Vector3d::UnitZ(), across = Eigen::Vector3d::UnitY();
   result.cones.push_back(
       {0, LegEnd::platform, planar ? Eigen::Vector3d(-0.6, -0.8, 0.0) : down, planar ? 2.7 : 0.8});

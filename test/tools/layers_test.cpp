@@ -3,13 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <memory>
 #include <regex>
 #include <string>
 #include <vector>
@@ -140,6 +137,18 @@ bool is_source(const fs::path& file) {
   return std::find(endings.begin(), endings.end(), file.extension().string()) != endings.end();
 }
 
+// With those in the folders below.
+std::vector<fs::path> sources_in(const fs::path& folder) {
+  std::vector<fs::path> sources;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file() && is_source(entry.path())) sources.push_back(entry.path());
+  return sources;
+}
+
+std::string folder_of(const fs::path& file, const fs::path& root) {
+  return file.parent_path().lexically_relative(root);
+}
+
 void check_file(const fs::path& root, const fs::path& file, const std::string& room, Strings& violations) {
   for (const std::string& header : includes_of(file))
     if (!is_allowed(root, room, header) && !is_neighbor(file, header))
@@ -152,23 +161,19 @@ Strings violations_in(const fs::path& root) {
     for (const fs::directory_entry& entry : fs::directory_iterator(root / "src" / room))
       if (is_source(entry.path())) check_file(root, entry.path(), room, violations);
   const fs::path headers = root / "include" / "parallel_aspects";
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(headers))
-    if (is_source(entry.path()))
-      check_file(root, entry.path(), room_of_public(root, entry.path().lexically_relative(headers)),
-                 violations);
+  for (const fs::path& header : sources_in(headers))
+    check_file(root, header, room_of_public(root, header.lexically_relative(headers)), violations);
   return violations;
 }
 
 // Sources in folders that are no rooms would escape the check.
 Strings strays_in(const fs::path& root) {
   Strings strays;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / "src"))
-    if (entry.is_regular_file() && is_source(entry.path()) &&
-        height(entry.path().parent_path().lexically_relative(root / "src")) == height(""))
-      strays.push_back(entry.path());
+  for (const fs::path& source : sources_in(root / "src"))
+    if (height(folder_of(source, root / "src")) == height("")) strays.push_back(source);
   const fs::path headers = root / "include" / "parallel_aspects";
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(headers))
-    if (entry.is_regular_file() && !is_layer(entry.path().parent_path().lexically_relative(headers)) &&
+    if (entry.is_regular_file() && !is_layer(folder_of(entry.path(), headers)) &&
         entry.path().parent_path() != headers)
       strays.push_back(entry.path());
   return strays;
@@ -178,7 +183,7 @@ Strings strays_in(const fs::path& root) {
 Strings stray_tests_in(const fs::path& root) {
   Strings strays;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / "test")) {
-    const fs::path folder = entry.path().parent_path().lexically_relative(root / "test");
+    const std::string folder = folder_of(entry.path(), root / "test");
     const bool is_test = entry.path().stem().string().find("_test") != std::string::npos;
     if (is_test && entry.is_regular_file() && height(folder) == height("") && !is_layer(folder))
       strays.push_back(entry.path());
@@ -190,22 +195,17 @@ Strings stray_tests_in(const fs::path& root) {
 Strings misplaced_tests_in(const fs::path& root) {
   std::map<std::string, std::string> room_of_source;
   const fs::path headers = root / "include" / "parallel_aspects";
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(headers))
-    if (is_source(entry.path()))
-      room_of_source[entry.path().stem()] = room_of_public(root, entry.path().lexically_relative(headers));
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / "src"))
-    if (is_source(entry.path()))
-      room_of_source[entry.path().stem()] = entry.path().parent_path().lexically_relative(root / "src");
+  for (const fs::path& header : sources_in(headers))
+    room_of_source[header.stem()] = room_of_public(root, header.lexically_relative(headers));
+  for (const fs::path& source : sources_in(root / "src"))
+    room_of_source[source.stem()] = folder_of(source, root / "src");
   Strings misplaced;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / "test")) {
-    static const std::regex test_of("(.+)_test");
-    std::smatch match;
-    const std::string stem = entry.path().stem();
-    if (!std::regex_match(stem, match, test_of)) continue;
-    const auto source = room_of_source.find(match[1]);
-    if (source == room_of_source.end()) continue;
-    if (entry.path().parent_path().lexically_relative(root / "test") != source->second)
-      misplaced.push_back(entry.path().string() + " tests a source of " + source->second);
+  for (const fs::path& test : sources_in(root / "test")) {
+    const std::string stem = test.stem();
+    const auto source = room_of_source.find(stem.substr(0, stem.rfind("_test")));
+    if (stem.rfind("_test") == std::string::npos || source == room_of_source.end()) continue;
+    if (folder_of(test, root / "test") != source->second)
+      misplaced.push_back(test.string() + " tests a source of " + source->second);
   }
   return misplaced;
 }
@@ -213,10 +213,22 @@ Strings misplaced_tests_in(const fs::path& root) {
 // Public headers are what clients compile: they include none that is private, and there are few of them.
 Strings private_includes_in(const fs::path& root) {
   Strings found;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / "include"))
-    if (is_source(entry.path()))
-      for (const std::string& header : includes_of(entry.path()))
-        if (fs::exists(root / "src" / header)) found.push_back(entry.path().string() + " includes " + header);
+  for (const fs::path& file : sources_in(root / "include"))
+    for (const std::string& header : includes_of(file))
+      if (fs::exists(root / "src" / header)) found.push_back(file.string() + " includes " + header);
+  return found;
+}
+
+// Where one kind of leg is looked for, the compiler does not ask for a new one.
+Strings single_kinds_in(const fs::path& root) {
+  static const std::regex single(R"((get|get_if|holds_alternative)<\w*Actuation>)");
+  Strings found;
+  for (const fs::path& source : sources_in(root / "src")) {
+    std::ifstream stream(source);
+    bool any = false;
+    for (std::string line; std::getline(stream, line);) any = any || std::regex_search(line, single);
+    if (any) found.push_back(source);
+  }
   return found;
 }
 
@@ -231,9 +243,7 @@ std::map<std::string, std::size_t> files_by_folder(const fs::path& folder) {
 Strings repeated_names_in(const fs::path& root) {
   std::map<std::string, std::size_t> counts;
   for (const fs::path& folder : {root / "src", root / "include"})
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
-      if (entry.path().extension() == ".h" || entry.path().extension() == ".cpp")
-        ++counts[entry.path().filename()];
+    for (const fs::path& source : sources_in(folder)) ++counts[source.filename()];
   Strings repeated;
   for (const auto& [name, count] : counts)
     if (count > 1) repeated.push_back(name);
@@ -244,26 +254,6 @@ std::string listed(const Strings& items) {
   std::string text;
   for (const std::string& item : items) text += item + '\n';
   return text;
-}
-
-Strings needed_libraries(const std::string& binary) {
-  const std::string command = "LC_ALL=C readelf -d '" + binary + "'";
-  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
-  static const std::regex needed(R"(\(NEEDED\).*\[(.+)\])");
-  std::array<char, 4096> line{};
-  Strings names;
-  std::cmatch match;
-  while (pipe && std::fgets(line.data(), line.size(), pipe.get()) != nullptr)
-    if (std::regex_search(line.data(), match, needed)) names.push_back(match[1]);
-  return names;
-}
-
-bool is_ros_library(const std::string& name) {
-  static const std::regex ros(
-      "lib(ros|cpp_common|tf|actionlib|nodelet|bondcpp|pluginlib|class_loader|message_filters|diagnostic|"
-      "dynamic_reconfigure|xmlrpcpp|kdl_parser|urdf\\.|rviz|interactive_markers|parallel_aspects_ros|.*_msgs)"
-      ".*");
-  return std::regex_match(name, ros);
 }
 
 // An empty tree in a folder of its own, gone at the end of the test.
@@ -356,6 +346,14 @@ TEST_F(PlantedTree, PrivateIncludesAndRepeatedNamesAreFound) {
   EXPECT_EQ(repeated_names_in(root_), Strings{"a.h"});
 }
 
+TEST_F(PlantedTree, SingleKindsOfLegsAreFound) {
+  plant("src/model/a.cpp", "std::visit(Overloaded{[](const RevoluteActuation&) {}}, leg.actuation);");
+  EXPECT_EQ(single_kinds_in(root_), Strings());
+  plant("src/legs/a.cpp", "const auto* crank = std::get_if<RevoluteActuation>(&leg.actuation);");
+  plant("src/tools/b.cpp", "return std::holds_alternative<ElbowActuation>(leg.actuation);");
+  EXPECT_EQ(single_kinds_in(root_).size(), 2U);
+}
+
 const fs::path here = PARALLEL_ASPECTS_SOURCE_DIR;
 
 TEST(Layers, IncludesPointDown) {
@@ -378,20 +376,18 @@ TEST(Layers, EveryTestNamedAsASourceIsInItsRoom) {
   EXPECT_TRUE(misplaced.empty()) << listed(misplaced);
 }
 
+TEST(Layers, NoSourceLooksForOneKindOfLeg) { EXPECT_EQ(single_kinds_in(here), Strings()); }
+
 TEST(Layers, PublicHeadersAreFewAndIncludeNoPrivateOnes) {
   const Strings found = private_includes_in(here);
   EXPECT_TRUE(found.empty()) << listed(found);
-  std::size_t count = 0;
-  for (const auto& [folder, files] : files_by_folder(here / "include")) count += files;
-  EXPECT_LE(count, most_public_headers);
+  EXPECT_LE(sources_in(here / "include").size(), most_public_headers);
 }
 
 TEST(Layers, TheUmbrellaHeaderIncludesEveryPublicOne) {
   const fs::path umbrella = here / "include/parallel_aspects/parallel_aspects.h";
-  std::size_t count = 0;
-  for (const auto& [folder, files] : files_by_folder(here / "include")) count += files;
   const Strings included = includes_of(umbrella);
-  EXPECT_EQ(included.size() + 1, count);
+  EXPECT_EQ(included.size() + 1, sources_in(here / "include").size());
   for (const std::string& header : included) EXPECT_TRUE(fs::exists(here / "include" / header)) << header;
 }
 
@@ -402,23 +398,5 @@ TEST(Layers, NoFolderHoldsTooManyFiles) {
 }
 
 TEST(Layers, NoTwoFilesHaveOneName) { EXPECT_EQ(repeated_names_in(here), Strings()); }
-
-TEST(Layers, RosLibrariesAreRecognised) {
-  for (const char* name :
-       {"libroscpp.so.4d", "librosconsole.so.3d", "libtf2_ros.so.1d", "liburdf.so.1d", "libtf2.so"})
-    EXPECT_TRUE(is_ros_library(name)) << name;
-  for (const char* name :
-       {"liburdfdom_model.so.3.0", "libtbb.so.12", "libyaml-cpp.so.0.7", "libconsole_bridge.so.1.0"})
-    EXPECT_FALSE(is_ros_library(name)) << name;
-}
-
-TEST(Layers, TheCommandAndTheCoreLinkNoRos) {
-  for (const std::string binary : {PARALLEL_ASPECTS_CORE_FILE, PARALLEL_ASPECTS_COMMAND_FILE}) {
-    if (fs::path(binary).extension() == ".a") continue;
-    const Strings needed = needed_libraries(binary);
-    ASSERT_FALSE(needed.empty()) << "readelf told nothing of " << binary;
-    for (const std::string& name : needed) EXPECT_FALSE(is_ros_library(name)) << binary << ' ' << name;
-  }
-}
 
 }  // namespace

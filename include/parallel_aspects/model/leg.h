@@ -13,8 +13,17 @@
 
 namespace parallel_aspects {
 
+/// The kinds of legs, for switches: without a default, so that the compiler asks for a new one.
+enum class LegType {
+  revolute,   ///< `RevoluteActuation`
+  prismatic,  ///< `PrismaticActuation`
+  strut,      ///< `StrutActuation`
+  elbow,      ///< `ElbowActuation`
+};
+
 /// What the kind of a leg tells, whatever its dimensions.
 struct LegKind {
+  LegType type;               ///< for switches
   std::string_view name;      ///< for people
   bool actuated_by_angle;     ///< the joint value is an angle [rad], not a length [m]
   bool moves_proximal_point;  ///< the joint value moves c; of other kinds it changes rho
@@ -27,7 +36,7 @@ struct LegKind {
 /// zero_direction and e2 = axis x e1. Legs RRR, RUS, RSS, Delta, and spherical RRR. Joint value q in rad.
 struct RevoluteActuation {
   /// What tells it from the other kinds.
-  static constexpr LegKind kind{"actuated revolute joint", true, true, true, true, true};
+  static constexpr LegKind kind{LegType::revolute, "actuated revolute joint", true, true, true, true, true};
 
   Eigen::Vector3d center;          ///< of the circle, in the task frame [m]
   Eigen::Vector3d axis;            ///< unit vector; q turns about it by the right-hand rule
@@ -39,7 +48,8 @@ struct RevoluteActuation {
 /// m.
 struct PrismaticActuation {
   /// What tells it from the other kinds.
-  static constexpr LegKind kind{"actuated prismatic joint", false, true, false, true, false};
+  static constexpr LegKind kind{
+      LegType::prismatic, "actuated prismatic joint", false, true, false, true, false};
 
   Eigen::Vector3d origin;     ///< c at q = 0, in the task frame [m]
   Eigen::Vector3d direction;  ///< unit vector
@@ -49,7 +59,7 @@ struct PrismaticActuation {
 /// value q in m.
 struct StrutActuation {
   /// What tells it from the other kinds.
-  static constexpr LegKind kind{"strut", false, false, false, true, false};
+  static constexpr LegKind kind{LegType::strut, "strut", false, false, false, true, false};
 
   Eigen::Vector3d base;         ///< c, in the task frame [m]
   double length_at_zero = 0.0;  ///< rho at q = 0 [m]
@@ -60,7 +70,7 @@ struct StrutActuation {
 /// rho(q)^2 = inner^2 + outer^2 + 2 inner outer cos(angle_at_zero + sense q). Joint value q in rad.
 struct ElbowActuation {
   /// What tells it from the other kinds.
-  static constexpr LegKind kind{"actuated elbow", true, false, false, false, true};
+  static constexpr LegKind kind{LegType::elbow, "actuated elbow", true, false, false, false, true};
 
   Eigen::Vector3d base;        ///< c, in the task frame [m]
   double inner_length;         ///< link on the base [m], positive
@@ -113,6 +123,9 @@ struct Leg {
 
   /// What its kind tells.
   const LegKind& kind() const noexcept;
+
+  /// Where the kind has a crank: what it is. Else null.
+  const RevoluteActuation* crank() const noexcept;
 
   /// Whether the joint value is an angle [rad] rather than a length [m].
   bool actuated_by_angle() const noexcept { return kind().actuated_by_angle; }

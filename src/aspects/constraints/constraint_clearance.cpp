@@ -110,7 +110,7 @@ class Configuration {
 
   Vector3d seen_from_base(const BallJointCone& cone) const {
     if (cone.end == LegEnd::platform) return pose_.orientation * cone.axis;
-    const auto* crank = std::get_if<RevoluteActuation>(&robot_.leg(cone.leg).actuation);
+    const RevoluteActuation* crank = robot_.leg(cone.leg).crank();
     if (crank == nullptr) return cone.axis;
     const Vector3d along = (joint(cone.leg) - crank->center) / crank->radius;
     return cone.axis.x() * along + cone.axis.y() * crank->axis.cross(along) + cone.axis.z() * crank->axis;

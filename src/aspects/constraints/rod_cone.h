@@ -10,7 +10,6 @@
 
 #include <array>
 #include <cstddef>
-#include <variant>
 
 namespace parallel_aspects {
 
@@ -27,7 +26,7 @@ class RodCone {
       squared_length += square(axis_[i]);
     }
     least_ = square_root(squared_length) * enclosed_turn(cone.angle).cosine;
-    const auto* crank = std::get_if<RevoluteActuation>(&leg.actuation);
+    const RevoluteActuation* crank = leg.crank();
     if (crank == nullptr || at_platform_) return;
     on_crank_ = true;
     for (std::size_t i = 0; i < 3; ++i)

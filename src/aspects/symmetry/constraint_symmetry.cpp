@@ -76,9 +76,9 @@ class ConstraintImages {
   // In a crank x goes to x, z to z or -z, and y = z cross x changes like z, but for reflections.
   Eigen::Vector3d taken(const BallJointCone& cone) const {
     if (cone.end == LegEnd::platform) return symmetry_.platform * cone.axis;
-    const auto* crank = std::get_if<RevoluteActuation>(&manipulator_.leg(cone.leg).actuation);
+    const RevoluteActuation* crank = manipulator_.leg(cone.leg).crank();
     if (crank == nullptr) return symmetry_.base * cone.axis;
-    const auto& image = std::get<RevoluteActuation>(manipulator_.leg(leg_image_[cone.leg]).actuation);
+    const RevoluteActuation& image = *manipulator_.leg(leg_image_[cone.leg]).crank();  // of the same kind
     const double along = takes_direction(symmetry_, crank->axis, image.axis);
     return cone.axis.cwiseProduct(Eigen::Vector3d(1.0, symmetry_.handedness() * along, along));
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/symmetry/near_symmetry.h"
 
+#include "model/overloaded.h"
 #include "parallel_aspects/model/constraints.h"
 
 #include <Eigen/LU>
@@ -33,64 +34,44 @@ struct NearSymmetry {
   std::vector<LegMatch> matches;
 };
 
-Vector3d& base_point(Leg& leg) {
-  struct Visitor {
-    Vector3d& operator()(RevoluteActuation& actuation) const { return actuation.center; }
-    Vector3d& operator()(PrismaticActuation& actuation) const { return actuation.origin; }
-    Vector3d& operator()(StrutActuation& actuation) const { return actuation.base; }
-    Vector3d& operator()(ElbowActuation& actuation) const { return actuation.base; }
-  };
-  return std::visit(Visitor{}, leg.actuation);
+// Numbers of a leg that a motion takes to others, or leaves as they are. Null where its kind has none.
+struct LegNumbers {
+  Vector3d* base_point;
+  Vector3d* direction;           // of axis or rail
+  Vector3d* zero;                // direction of the zero of an angle
+  std::vector<double*> lengths;  // that a motion does not change
+  double* angle;
+  double sense;
+};
+
+LegNumbers numbers_of(Leg& leg) {
+  return std::visit(
+      Overloaded{
+          [&leg](RevoluteActuation& d) -> LegNumbers {
+            return {&d.center, &d.axis, &d.zero_direction, {&d.radius, &leg.rod_length}, nullptr, 1.0};
+          },
+          [&leg](PrismaticActuation& d) -> LegNumbers {
+            return {&d.origin, &d.direction, nullptr, {&leg.rod_length}, nullptr, 1.0};
+          },
+          [](StrutActuation& d) -> LegNumbers {
+            return {&d.base, nullptr, nullptr, {&d.length_at_zero}, nullptr, d.sense};
+          },
+          [](ElbowActuation& d) -> LegNumbers {
+            return {&d.base, nullptr, nullptr, {&d.inner_length, &d.outer_length}, &d.angle_at_zero, d.sense};
+          }},
+      leg.actuation);
 }
 
-Vector3d base_point(const Leg& leg) {
-  Leg copy = leg;
-  return base_point(copy);
-}
-
-// Of axis or rail.
-Vector3d* direction_of(Leg& leg) {
-  if (auto* revolute = std::get_if<RevoluteActuation>(&leg.actuation)) return &revolute->axis;
-  if (auto* prismatic = std::get_if<PrismaticActuation>(&leg.actuation)) return &prismatic->direction;
-  return nullptr;
-}
-
-Vector3d* zero_of(Leg& leg) {
-  auto* revolute = std::get_if<RevoluteActuation>(&leg.actuation);
-  return revolute != nullptr ? &revolute->zero_direction : nullptr;
-}
-
-// Lengths that a motion does not change.
-std::vector<double*> lengths_of(Leg& leg) {
-  struct Visitor {
-    Leg& leg;
-    std::vector<double*> operator()(RevoluteActuation& actuation) const {
-      return {&actuation.radius, &leg.rod_length};
-    }
-    std::vector<double*> operator()(PrismaticActuation&) const { return {&leg.rod_length}; }
-    std::vector<double*> operator()(StrutActuation& actuation) const { return {&actuation.length_at_zero}; }
-    std::vector<double*> operator()(ElbowActuation& actuation) const {
-      return {&actuation.inner_length, &actuation.outer_length};
-    }
-  };
-  return std::visit(Visitor{leg}, leg.actuation);
-}
-
-double* angle_of(Leg& leg) {
-  auto* elbow = std::get_if<ElbowActuation>(&leg.actuation);
-  return elbow != nullptr ? &elbow->angle_at_zero : nullptr;
-}
-
-int sense_of(const Leg& leg) {
-  if (const auto* strut = std::get_if<StrutActuation>(&leg.actuation)) return strut->sense > 0.0 ? 1 : -1;
-  if (const auto* elbow = std::get_if<ElbowActuation>(&leg.actuation)) return elbow->sense > 0.0 ? 1 : -1;
-  return 1;
-}
+Vector3d& base_point(Leg& leg) { return *numbers_of(leg).base_point; }
+Vector3d* direction_of(Leg& leg) { return numbers_of(leg).direction; }
+Vector3d* zero_of(Leg& leg) { return numbers_of(leg).zero; }
+std::vector<double*> lengths_of(Leg& leg) { return numbers_of(leg).lengths; }
+double* angle_of(Leg& leg) { return numbers_of(leg).angle; }
+int sense_of(Leg& leg) { return numbers_of(leg).sense > 0.0 ? 1 : -1; }
 
 // By which joint values differ.
 int sign_of_values(const Leg& leg, const RigidSymmetry& motion, const LegMatch& match) {
-  const bool mirrored = leg.actuated_by_angle() && motion.handedness() < 0.0 &&
-                        std::holds_alternative<RevoluteActuation>(leg.actuation);
+  const bool mirrored = leg.crank() != nullptr && motion.handedness() < 0.0;
   return mirrored ? -match.along : match.along;
 }
 
@@ -201,7 +182,7 @@ class Symmetrizer {
   Vector3d mean_shift(const RigidSymmetry& motion, const std::vector<std::size_t>& image) const {
     Vector3d shift = Vector3d::Zero();
     for (std::size_t leg = 0; leg < legs_.size(); ++leg)
-      shift += base_point(legs_[image[leg]]) - motion.base * base_point(legs_[leg]);
+      shift += legs_[image[leg]].base_point() - motion.base * legs_[leg].base_point();
     return movable(shift / static_cast<double>(legs_.size()));
   }
 
@@ -337,7 +318,7 @@ class Symmetrizer {
       result.limits.lower = limits.lower;
       result.limits.upper = limits.upper;
     }
-    base_point(result) = base * (base_point(mean) - center_) + center_;
+    base_point(result) = base * (mean.base_point() - center_) + center_;
     result.anchor = symmetry.motion.platform * mean.anchor;
     if (Vector3d* direction = direction_of(result)) *direction = match.along * (base * *direction);
     if (zero_of(result) == nullptr) return result;

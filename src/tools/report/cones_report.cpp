@@ -2,7 +2,6 @@
 #include "tools/report/cones_report.h"
 
 #include <string>
-#include <variant>
 
 namespace parallel_aspects::tools {
 namespace {
@@ -10,8 +9,7 @@ namespace {
 /// What the axis is fixed in, and given in the frame of.
 std::string holder(const Manipulator& manipulator, const BallJointCone& cone) {
   if (cone.end == LegEnd::platform) return "platform";
-  const Actuation& actuation = manipulator.leg(cone.leg).actuation;
-  return std::holds_alternative<RevoluteActuation>(actuation) ? "crank" : "base";
+  return manipulator.leg(cone.leg).kind().has_crank ? "crank" : "base";
 }
 
 constexpr std::size_t most_lines = 24;

@@ -139,8 +139,7 @@ std::string angle_table(const Manipulator& manipulator) {
   for (const Leg& leg : manipulator.legs()) {
     const SphericalLinks links = *spherical_links(leg);
     table.add({leg.name, leg.actuated_joint, shown_angle(links.crank), shown_angle(links.rod),
-               point_text(std::get<RevoluteActuation>(leg.actuation).axis), point_text(leg.anchor),
-               limits_text(leg)});
+               point_text(leg.crank()->axis), point_text(leg.anchor), limits_text(leg)});
   }
   return table.text();
 }

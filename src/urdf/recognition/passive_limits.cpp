@@ -109,7 +109,7 @@ class Search {
   // Of what the axes of cones at the base end are given in (see BallJointCone), in the base frame.
   Eigen::Matrix3d base_axes(const Leg& leg, const SplitChain& chain) const {
     const Eigen::Matrix3d task = motion_.task_frame.linear();
-    const auto* crank = std::get_if<RevoluteActuation>(&leg.actuation);
+    const RevoluteActuation* crank = leg.crank();
     if (crank == nullptr) return task;
     const Vector3d along = (leg.proximal_point(value(chain.actuation)) - crank->center).normalized();
     Eigen::Matrix3d axes;
