@@ -189,11 +189,9 @@ class Recogniser {
                          std::string(name(motion.space)) + "; correct it or leave it out.");
   }
 
-  std::unique_ptr<Mechanism::Contents> build(const ClosureSystem& system, const Assembly& assembly,
-                                             const PlatformMotion& motion,
-                                             const std::vector<RecognisedLeg>& legs,
-                                             const std::vector<PassiveChain>& passive,
-                                             Problems& problems) const {
+  // Without constraints.
+  ManipulatorDescription describe(const PlatformMotion& motion,
+                                  const std::vector<RecognisedLeg>& legs) const {
     ManipulatorDescription description;
     description.name = config_.name.empty() ? tree_->name : config_.name;
     description.task_space = motion.space;
@@ -201,13 +199,27 @@ class Recogniser {
         (config_.frame_prefix.empty() ? "" : config_.frame_prefix + "/") + tree_->links[resolved_.base];
     description.task_frame = motion.task_frame;
     for (const RecognisedLeg& leg : legs) description.legs.push_back(leg.leg);
+    return description;
+  }
+
+  static Constraints constraints_of(const FoundPassiveLimits& limits, const SlideBounds& bounds) {
+    Constraints constraints;
+    constraints.passive_limits = limits.limits;
+    constraints.passive_cones = limits.cones;
+    constraints.missing_joints = limits.missing;
+    constraints.workspace = bounds.box;
+    return constraints;
+  }
+
+  std::unique_ptr<Mechanism::Contents> build(const ClosureSystem& system, const Assembly& assembly,
+                                             const PlatformMotion& motion,
+                                             const std::vector<RecognisedLeg>& legs,
+                                             const std::vector<PassiveChain>& passive,
+                                             Problems& problems) const {
+    ManipulatorDescription description = describe(motion, legs);
     const SlideBounds bounds = slide_bounds(passive, system, assembly.values, motion, description.legs);
-    const FoundPassiveLimits limits =
-        find_passive_limits(system, assembly.values, motion, legs, bounds.joint_values);
-    description.constraints.passive_limits = limits.limits;
-    description.constraints.passive_cones = limits.cones;
-    description.constraints.missing_joints = limits.missing;
-    description.constraints.workspace = bounds.box;
+    description.constraints = constraints_of(
+        find_passive_limits(system, assembly.values, motion, legs, bounds.joint_values), bounds);
     try {
       auto contents = std::unique_ptr<Mechanism::Contents>(new Mechanism::Contents{
           std::make_shared<const Manipulator>(description),
@@ -223,10 +235,7 @@ class Recogniser {
           Completion(system, assembly.values, motion, legs, passive, resolved_.actuated_joints.variables),
           motion.point_platform});
       contents->manipulator = symmetrized(contents->manipulator, config_.symmetrize, files_, contents->notes);
-      for (const std::size_t joint : tree_->movable) {
-        contents->joint_names.push_back(tree_->joints[joint].name);
-        contents->joint_limits.push_back(tree_->joints[joint].limits);
-      }
+      add_joints(*contents);
       return contents;
     } catch (const InvalidDescription& invalid) {
       for (const std::string& problem : invalid.problems()) problems.push_back(files_.urdf + ": " + problem);
@@ -247,6 +256,13 @@ class Recogniser {
                       "it out of actuated_joints.");
     }
     return notes;
+  }
+
+  void add_joints(Mechanism::Contents& contents) const {
+    for (const std::size_t joint : tree_->movable) {
+      contents.joint_names.push_back(tree_->joints[joint].name);
+      contents.joint_limits.push_back(tree_->joints[joint].limits);
+    }
   }
 
   // Random poses, near and far, in random working modes: each must close every loop.

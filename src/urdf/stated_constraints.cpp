@@ -79,23 +79,26 @@ class FullTurns {
   std::string names_;
 };
 
+// Those that the loader found; a workspace that slides leave bounds the stated one.
+void keep_passive_limits(const Constraints& found, TaskSpace space, const SourceNames& files,
+                         Constraints& constraints, Problems& problems) {
+  constraints.passive_limits = found.passive_limits;
+  constraints.passive_cones = found.passive_cones;
+  constraints.missing_joints = found.missing_joints;
+  if (found.workspace) intersect(*found.workspace, space, files, constraints.workspace, problems);
+}
+
 }  // namespace
 
 void add_stated_constraints(const ConstraintsConfig& config, std::optional<double> symmetrize,
                             const SourceNames& files, Mechanism::Contents& contents, Problems& problems) {
   const std::size_t before = problems.size();
   ManipulatorDescription description = contents.manipulator->description();
-  const Constraints limits = description.constraints;
+  const Constraints found = description.constraints;
   const ConstrainedRobot robot{description.task_space, description.legs.size(), contents.point_platform};
   description.constraints = resolve_constraints(config, robot, files.config, problems);
-  if (config.passive_limits) {
-    description.constraints.passive_limits = limits.passive_limits;
-    description.constraints.passive_cones = limits.passive_cones;
-    description.constraints.missing_joints = limits.missing_joints;
-    if (limits.workspace)
-      intersect(*limits.workspace, description.task_space, files, description.constraints.workspace,
-                problems);
-  }
+  if (config.passive_limits)
+    keep_passive_limits(found, description.task_space, files, description.constraints, problems);
   if (!config.actuated_limits)
     for (Leg& leg : description.legs) leg.limits = {};
   if (problems.size() > before) return;

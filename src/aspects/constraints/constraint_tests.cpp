@@ -49,11 +49,15 @@ ConstraintTests<D>::ConstraintTests(const Manipulator& manipulator)
   for (const Obstacle& obstacle : constraints.obstacles)
     std::visit([this](const auto& shape) { add(shape); }, obstacle.shape);
   if (constraints.thickness.platform) add_platform(manipulator);
-  if (!constraints.workspace) return;
-  workspace_directions_ = std::min(D, directions(manipulator.task_space()));
+  if (constraints.workspace) set_workspace(*constraints.workspace, directions(manipulator.task_space()));
+}
+
+template <std::size_t D>
+void ConstraintTests<D>::set_workspace(const WorkspaceBox& box, std::size_t count) {
+  workspace_directions_ = std::min(D, count);
   for (std::size_t i = 0; i < workspace_directions_; ++i) {
-    workspace_lower_[i] = constraints.workspace->lower[static_cast<Eigen::Index>(i)];
-    workspace_upper_[i] = constraints.workspace->upper[static_cast<Eigen::Index>(i)];
+    workspace_lower_[i] = box.lower[static_cast<Eigen::Index>(i)];
+    workspace_upper_[i] = box.upper[static_cast<Eigen::Index>(i)];
   }
 }
 

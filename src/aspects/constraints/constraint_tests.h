@@ -206,6 +206,7 @@ class ConstraintTests {
   void add(const BoxObstacle& box);
   void add_pairs(const Manipulator& manipulator);
   void add_platform(const Manipulator& manipulator);
+  void set_workspace(const WorkspaceBox& box, std::size_t count);
 
   template <class Scalar, class Robot>
   static LimitFunctions<Scalar> functions(const PassiveTest& test, const LinkPoints<Scalar, D>& points,

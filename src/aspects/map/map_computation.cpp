@@ -158,6 +158,28 @@ bool add_aspects(AspectMap::Contents& map, const MapPlan& plan, const MapControl
   return !is_cancelled(control);
 }
 
+/// A map that is yet to be computed.
+std::unique_ptr<AspectMap::Contents> planned(std::shared_ptr<const Manipulator> manipulator, MapPlan& plan) {
+  auto map = std::make_unique<AspectMap::Contents>(std::move(manipulator), std::move(plan.classifier),
+                                                   PoseTree(plan.space, plan.modes.size()), plan.modes);
+  map->slice = plan.slice;
+  map->resolution = plan.resolution;
+  map->depth = plan.depth;
+  map->deepest_level = plan.deepest_level;
+  return map;
+}
+
+BaseMapStatus grow(AspectMap::Contents& map, const MapPlan& plan, const MapControl& control,
+                   const ComponentPolicy& policy) {
+  MapControl scaled = control;
+  if (control.progress)
+    scaled.progress = [&control](double share) { control.progress(share_of_base_map * share); };
+  const BaseMapStatus base = grow_base_map(map.tree, *map.classifier, plan.depth,
+                                           detail_of_base_map(map.tree.dimension()), scaled, plan.symmetries);
+  if (base != BaseMapStatus::complete) return base;
+  return add_aspects(map, plan, control, policy) ? BaseMapStatus::complete : BaseMapStatus::cancelled;
+}
+
 }  // namespace
 
 MapResult compute_aspect_map(std::shared_ptr<const Manipulator> manipulator, const MapOptions& options,
@@ -172,25 +194,10 @@ MapResult compute_aspect_map(std::shared_ptr<const Manipulator> manipulator, con
   const std::string problem = make_map_plan(*manipulator, options, plan, policy.boxes);
   if (!problem.empty()) return refused(problem);
 
-  auto map = std::make_unique<AspectMap::Contents>(manipulator, std::move(plan.classifier),
-                                                   PoseTree(plan.space, plan.modes.size()), plan.modes);
-  map->slice = plan.slice;
-  map->resolution = plan.resolution;
-  map->depth = plan.depth;
-  map->deepest_level = plan.deepest_level;
-  MapControl scaled = control;
-  if (control.progress)
-    scaled.progress = [&control](double share) { control.progress(share_of_base_map * share); };
-
+  auto map = planned(std::move(manipulator), plan);
   tbb::task_arena arena(options.threads == 0 ? tbb::task_arena::automatic
                                              : static_cast<int>(options.threads));
-  const BaseMapStatus status = arena.execute([&] {
-    const BaseMapStatus base =
-        grow_base_map(map->tree, *map->classifier, plan.depth, detail_of_base_map(map->tree.dimension()),
-                      scaled, plan.symmetries);
-    if (base != BaseMapStatus::complete) return base;
-    return add_aspects(*map, plan, control, policy) ? BaseMapStatus::complete : BaseMapStatus::cancelled;
-  });
+  const BaseMapStatus status = arena.execute([&] { return grow(*map, plan, control, policy); });
   if (status == BaseMapStatus::cancelled)
     return {MapStatus::cancelled, "The computation was cancelled.", nullptr};
   if (status == BaseMapStatus::too_large)

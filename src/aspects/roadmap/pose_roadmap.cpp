@@ -112,6 +112,19 @@ std::vector<RoadmapSide> grown_sides(const RoadmapGround& ground, const std::vec
   return all;
 }
 
+std::vector<RoadmapSide> find_sides(const SegmentCertifier& certifier, const std::vector<Pose>& poses,
+                                    const Manipulator& manipulator, const RoadmapOptions& options,
+                                    const MapControl& control) {
+  std::vector<AnchorPoint> points;
+  for (const Pose& pose : poses) points.push_back(anchor_point(manipulator, pose));
+  tbb::task_arena arena(options.threads == 0 ? tbb::task_arena::automatic
+                                             : static_cast<int>(options.threads));
+  return arena.execute([&] {
+    const RoadmapGround ground{certifier, poses, points, options.neighbors};
+    return grown_sides(ground, options.modes.empty() ? working_modes(manipulator) : options.modes, control);
+  });
+}
+
 }  // namespace
 
 PoseRoadmap::PoseRoadmap(SegmentCertifier certifier, std::vector<Pose> poses, std::vector<RoadmapSide> sides,
@@ -147,15 +160,7 @@ RoadmapResult compute_pose_roadmap(std::shared_ptr<const Manipulator> manipulato
         "' have no limits that bound the workspace; limit the actuated joints in the URDF or give a region.");
   std::vector<Pose> poses = sample(*manipulator, sampler, options.samples, control);
   SegmentCertifier certifier(manipulator);
-  std::vector<AnchorPoint> points;
-  for (const Pose& pose : poses) points.push_back(anchor_point(*manipulator, pose));
-  std::vector<RoadmapSide> sides;
-  tbb::task_arena arena(options.threads == 0 ? tbb::task_arena::automatic
-                                             : static_cast<int>(options.threads));
-  arena.execute([&] {
-    const RoadmapGround ground{certifier, poses, points, options.neighbors};
-    sides = grown_sides(ground, options.modes.empty() ? working_modes(*manipulator) : options.modes, control);
-  });
+  std::vector<RoadmapSide> sides = find_sides(certifier, poses, *manipulator, options, control);
   if (is_cancelled(control)) return {MapStatus::cancelled, "The computation was cancelled.", nullptr};
   if (sides.empty())
     return refused(

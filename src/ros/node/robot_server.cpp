@@ -219,6 +219,12 @@ void RobotServer::on_map_progress(const MapProgress& progress, const std::shared
   map_progress_.publish(progress);
 }
 
+Status RobotServer::status_of_goal(const MapOptions& options) const {
+  if (setup_.options.read_only) return refused_as_read_only();
+  const Problems problems = problems_of(options, *setup_.mechanism->manipulator(), "goal/");
+  return problems.empty() ? Status() : make_status(Status::INVALID_REQUEST, problems.front());
+}
+
 // The map file is of the node's own options; a map of others does not go there.
 void RobotServer::on_compute_map(const ComputeMapGoalConstPtr& goal) {
   ComputeMapResult result;
@@ -226,16 +232,18 @@ void RobotServer::on_compute_map(const ComputeMapGoalConstPtr& goal) {
   MapOptions options = setup_.options.map;
   if (goal->resolution != 0.0) options.resolution = goal->resolution;
   if (goal->extra_levels != 0) options.extra_levels = goal->extra_levels;
-  const Problems problems = problems_of(options, *setup_.mechanism->manipulator(), "goal/");
-  if (!problems.empty()) result.status = make_status(Status::INVALID_REQUEST, problems.front());
-  if (setup_.options.read_only) result.status = refused_as_read_only();
+  result.status = status_of_goal(options);
   if (result.status.code != Status::OK) {
     std::this_thread::sleep_for(before_refusal);
     compute_map_->setAborted(result, result.status.message);
     return;
   }
   const bool as_configured = goal->resolution == 0.0 && goal->extra_levels == 0;
-  const MapWorker::Job job = worker_.compute(options, as_configured ? FileUse::save : FileUse::none);
+  finish(wait_for_map(worker_.compute(options, as_configured ? FileUse::save : FileUse::none)), result);
+}
+
+// What became of the computation, or that it was cancelled; feedback until then.
+MapProgress RobotServer::wait_for_map(MapWorker::Job job) {
   ComputeMapFeedback feedback;
   int polls_since_cancel = 0;
   do {
@@ -250,7 +258,7 @@ void RobotServer::on_compute_map(const ComputeMapGoalConstPtr& goal) {
     feedback.progress.state = MapProgress::CANCELLED;
     feedback.progress.message = "The computation was cancelled.";
   }
-  finish(feedback.progress, result);
+  return feedback.progress;
 }
 
 void RobotServer::finish(const MapProgress& progress, ComputeMapResult result) {

@@ -60,6 +60,8 @@ class RobotServer {
   void watch(const Transforms& event, FrameWatch::Topic topic);
   void on_map_progress(const MapProgress& progress, const std::shared_ptr<const AspectMap>& map);
   void on_compute_map(const ComputeMapGoalConstPtr& goal);
+  Status status_of_goal(const MapOptions& options) const;
+  MapProgress wait_for_map(MapWorker::Job job);
   void finish(const MapProgress& progress, ComputeMapResult result);
   void check_age();
   void show();

@@ -96,13 +96,7 @@ void check_file(const std::string& option, const std::string& file, Problems& pr
     problems.push_back(option + " is '" + file + "', which is not a regular file; give another.");
 }
 
-// With six degrees of freedom there is a roadmap in place of a map.
-Report roadmap_report(std::shared_ptr<const Manipulator> manipulator, const MapArguments& arguments,
-                      const MapSection& section, const Surroundings& surroundings) {
-  Problems problems;
-  RoadmapOptions options = parse_roadmap(arguments.roadmap, problems);
-  options.threads = parse_options(arguments, section.config, problems).threads;
-  options.region = find_region(arguments, section, manipulator->task_space(), std::nullopt, problems);
+void refuse_options_of_boxes(const MapArguments& arguments, Problems& problems) {
   if (!arguments.resolution.empty())
     problems.emplace_back(
         "--resolution is that of a map of boxes, which there is none of in SE3 without --slice; give that or "
@@ -125,6 +119,16 @@ Report roadmap_report(std::shared_ptr<const Manipulator> manipulator, const MapA
   if (!arguments.modes.empty())
     problems.emplace_back(
         "--mode is for maps of boxes, which there is none of in SE3 without --slice; leave it out.");
+}
+
+// With six degrees of freedom there is a roadmap in place of a map.
+Report roadmap_report(std::shared_ptr<const Manipulator> manipulator, const MapArguments& arguments,
+                      const MapSection& section, const Surroundings& surroundings) {
+  Problems problems;
+  RoadmapOptions options = parse_roadmap(arguments.roadmap, problems);
+  options.threads = parse_options(arguments, section.config, problems).threads;
+  options.region = find_region(arguments, section, manipulator->task_space(), std::nullopt, problems);
+  refuse_options_of_boxes(arguments, problems);
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
   return report_roadmap(*compute_roadmap(std::move(manipulator), options, surroundings), arguments.verbose);
 }

@@ -79,21 +79,8 @@ class Inspector {
 
   UrdfInspection inspect(const std::string& text) {
     tinyxml2::XMLDocument document;
-    if (text.find_first_not_of(" \t\r\n") == std::string::npos) {
-      problem("is empty or missing; give a URDF.");
-      return {};
-    }
-    if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS) {
-      problem("is not well-formed XML near line " + std::to_string(document.ErrorLineNum()) + " (" +
-              tinyxml2::XMLDocument::ErrorIDToName(document.ErrorID()) + "); correct it there.");
-      return {};
-    }
-    XMLElement* robot = document.FirstChildElement("robot");
-    if (robot == nullptr) {
-      problem("has no <robot> element; give a URDF.");
-      return {};
-    }
-    if (find_xacro(robot)) return {};
+    XMLElement* robot = parse(text, document);
+    if (robot == nullptr || find_xacro(robot)) return {};
     if (attribute(robot, "name").empty())
       problem("has a <robot> without a name; write <robot name=\"...\">.");
     inspect_links(robot);
@@ -112,6 +99,22 @@ class Inspector {
 
  private:
   void problem(const std::string& text) { problems_.push_back(file_ + " " + text); }
+
+  // The <robot> element; null, with what is wrong, where there is none.
+  XMLElement* parse(const std::string& text, tinyxml2::XMLDocument& document) {
+    if (text.find_first_not_of(" \t\r\n") == std::string::npos) {
+      problem("is empty or missing; give a URDF.");
+      return nullptr;
+    }
+    if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS) {
+      problem("is not well-formed XML near line " + std::to_string(document.ErrorLineNum()) + " (" +
+              tinyxml2::XMLDocument::ErrorIDToName(document.ErrorID()) + "); correct it there.");
+      return nullptr;
+    }
+    XMLElement* robot = document.FirstChildElement("robot");
+    if (robot == nullptr) problem("has no <robot> element; give a URDF.");
+    return robot;
+  }
 
   bool find_xacro(const XMLElement* element) {
     const bool tag = std::strncmp(element->Name(), "xacro:", 6) == 0;
