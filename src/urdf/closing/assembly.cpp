@@ -14,6 +14,7 @@ namespace {
 
 constexpr int random_starts = 24;
 constexpr int starts_beside = 24;
+constexpr int starts_beside_good = 4;  // where only the platform may lack a way to move, or be no platform
 constexpr double least_distance_beside = 0.02, most_distance_beside = 0.5;  // of motions of unit length
 constexpr int wanted_assemblies = 6;
 constexpr int iterations = 120;
@@ -238,7 +239,8 @@ class Assembler {
     for (int trial = 0; trial <= random_starts && (moving_ < wanted_assemblies || good_ == 0); ++trial)
       try_from(trial == 0 ? Eigen::VectorXd::Zero(system_.tree().variables())
                           : random_start(system_, random_));
-    for (int trial = 0; trial < starts_beside && is_poor(); ++trial) try_from(beside_best());
+    const int most = good_ > 0 ? starts_beside_good : starts_beside;
+    for (int trial = 0; trial < most && is_poor(); ++trial) try_from(beside_best());
     if (best_) result_.assembly = best_->assembly;
     return std::move(result_);
   }

@@ -39,6 +39,12 @@ Eigen::Vector3d rotation_vector(const Eigen::Matrix3d& rotation) {
   return turn.angle() * turn.axis();
 }
 
+Eigen::Index rows_of(const std::vector<Closure>& closures) {
+  Eigen::Index rows = 0;
+  for (const Closure& closure : closures) rows += 3 + angular_rows(closure.type);
+  return rows;
+}
+
 // Angle-like errors of a closure, and the direction along which each one feels the relative angular velocity.
 struct Orientation {
   Eigen::VectorXd error;
@@ -140,9 +146,7 @@ ClosureSystem::ClosureSystem(std::shared_ptr<const Tree> tree, std::size_t base,
 
 Eigen::VectorXd ClosureSystem::residual(const Eigen::VectorXd& values) const {
   const Poses poses = link_poses(*tree_, base_, values, joints_);
-  Eigen::Index rows = 0;
-  for (const Closure& closure : closures_) rows += 3 + angular_rows(closure.type);
-  Eigen::VectorXd result(rows);
+  Eigen::VectorXd result(rows_of(closures_));
   Eigen::Index row = 0;
   for (const Closure& closure : closures_) {
     const Eigen::Isometry3d a = placed(poses, closure.frames[0]);
@@ -157,7 +161,7 @@ Eigen::VectorXd ClosureSystem::residual(const Eigen::VectorXd& values) const {
 
 Eigen::MatrixXd ClosureSystem::jacobian(const Eigen::VectorXd& values) const {
   const Poses poses = link_poses(*tree_, base_, values, joints_);
-  Eigen::MatrixXd result(residual(values).size(), tree_->variables());
+  Eigen::MatrixXd result(rows_of(closures_), tree_->variables());
   Eigen::Index row = 0;
   for (const Closure& closure : closures_) {
     const Eigen::Isometry3d a = placed(poses, closure.frames[0]);

@@ -40,9 +40,12 @@ Poses link_poses(const Tree& tree, std::size_t base, const Eigen::VectorXd& valu
   Poses poses(tree.links.size(), Eigen::Isometry3d::Identity());
   for (const std::size_t index : joints) {
     const TreeJoint& joint = tree.joints[index];
-    const double value = joint.variable ? values[static_cast<Eigen::Index>(*joint.variable)] : 0.0;
-    poses[joint.child] = poses[joint.parent] * joint.origin * motion_of(joint, value);
+    poses[joint.child] = poses[joint.parent] * joint.origin;
+    if (joint.variable)
+      poses[joint.child] =
+          poses[joint.child] * motion_of(joint, values[static_cast<Eigen::Index>(*joint.variable)]);
   }
+  if (base == 0) return poses;
   const Eigen::Isometry3d to_base = poses[base].inverse();
   poses.front() = to_base * poses.front();
   for (const std::size_t index : joints) {
