@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "urdf/setup/setup.h"
+
 #include <gtest/gtest.h>
 
 #include "support/descriptions.h"
 #include <algorithm>
 #include <cmath>
 #include <regex>
+#include <sstream>
 
 // What a URDF leaves open: which joints are actuated, and how links that it welds move.
 namespace parallel_aspects {
@@ -208,6 +211,27 @@ TEST(Weld, IsAskedForWhereTwoRobotsFit) {
   const auto mechanism = test::load(text.urdf, replaced(text.config, "}", ", " + closures + "}"));
   EXPECT_EQ(mechanism->manipulator()->task_space(), TaskSpace::SE2);
   EXPECT_EQ(test::open_loops(*mechanism, 0.05), 0);
+}
+
+// The option that setup names, as it stands.
+TEST(Weld, IsAskedForBySetupWithAnOption) {
+  const std::string urdf = doubtful().urdf;
+  const SetupControl patient{std::chrono::steady_clock::now() + std::chrono::minutes(5)};
+  const SetupResult asked = set_up(urdf, "robot.urdf", "robot.yaml", {}, patient);
+  ASSERT_FALSE(asked.problems.empty());
+  const std::string start = "as by --closures '";
+  const std::size_t at = asked.problems.front().find(start);
+  ASSERT_NE(at, std::string::npos) << asked.problems.front();
+  const std::string rest = asked.problems.front().substr(at + start.size());
+  std::istringstream option(rest.substr(0, rest.find('\'')));
+  SetupAnswers answers;
+  for (std::string pair; option >> pair;) {
+    const std::size_t middle = pair.find('=');
+    answers.closures.push_back({pair.substr(0, middle), pair.substr(middle + 1)});
+  }
+  const SetupResult found = set_up(urdf, "robot.urdf", "robot.yaml", answers, patient);
+  ASSERT_TRUE(found.mechanism) << asked.problems.front();
+  EXPECT_EQ(found.mechanism->manipulator()->task_space(), TaskSpace::SE2);
 }
 
 }  // namespace

@@ -39,10 +39,21 @@ std::vector<std::string> names_in(std::string list) {
   return names;
 }
 
+// "{frames: [a, {link: b, xyz: [1, 0, 0], rpy: [0, 0, 0]}]}, ..." of a list in YAML as "a=b@1:0:0 ...". How
+// the frames are turned matters to no type but those that setup finds out.
+std::string pairs_in(std::string list) {
+  static const std::regex place(
+      R"(\{link: ([^,}]+), xyz: \[([^,]+), ([^,]+), ([^\]]+)\], rpy: \[[^\]]*\]\})"),
+      pair(R"(\{frames: \[([^,]+), ([^\]]+)\]\}(?:, )?)");
+  list = std::regex_replace(std::regex_replace(list, place, "$1@$2:$3:$4"), pair, "$1=$2 ");
+  return list.substr(0, list.size() - 1);
+}
+
 std::string said_of_option(const std::smatch& found) {
+  if (found[4].matched) return option_for("closures", {pairs_in(found[4])});
   if (found[1].matched) return option_for("actuated_joints", names_in(found[1]));
   if (found[2].matched) return option_of(found[2]) + " " + found[3].str();
-  return found[4].matched ? option_of(found[4]) : found.str();
+  return found[5].matched ? option_of(found[5]) : found.str();
 }
 
 }  // namespace
@@ -85,12 +96,13 @@ std::string said_of_options(const std::string& problem, const std::string& confi
   static const std::regex keys(
       "'[^']*'|(?:mechanism\\.)?actuated_joints: \\[([^\\]]*)\\]|"
       "(?:mechanism\\.)?(base_link|operational_point): ([^ ;,]+)|"
+      "mechanism\\.closures: \\[(\\{frames: .*\\]\\})\\]|"
       "(?:mechanism\\.)?\\b(base_link|operational_point|actuated_joints|closures)\\b(?:\\[\\d+\\]\\.frames)"
       "?");
   std::string said;
   std::smatch found;
   while (std::regex_search(text, found, keys)) {
-    const bool is_word = found[4].matched && found.str() == "closures";  // no key, but English
+    const bool is_word = found.str() == "closures";  // no key, but English
     said += found.prefix().str() + (is_word ? found.str() : said_of_option(found));
     text = found.suffix();
   }
