@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs the commands of the docs that need no ROS, and compares: docs_test.py ASPECTS FIRST_MAP RESULTS_XML"""
 import pathlib
+import re
 import subprocess
 import sys
 import unittest
@@ -42,6 +43,30 @@ class Docs(unittest.TestCase):
 
     def test_the_readme_is_short(self):
         self.assertLessEqual(len((ROOT / "README.md").read_text(encoding="utf-8").splitlines()), 130)
+
+
+class Architecture(unittest.TestCase):
+    """The page that says what is where."""
+
+    PAGE = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
+
+    def test_every_room_has_its_row(self):
+        named, layer = [], ""
+        for first, second in re.findall(r"^\| (`\w+/`)? ?\| (`\w+/`|\(itself\))? ?\| ", self.PAGE, re.MULTILINE):
+            layer = first or layer
+            named.append((layer + (second if second != "(itself)" else "")).replace("`", "").rstrip("/"))
+        folders = {each.parent.relative_to(ROOT / "src") for each in (ROOT / "src").rglob("*.cpp")}
+        self.assertEqual(sorted(named), sorted(map(str, folders)))
+
+    def test_every_file_that_is_named_is_there(self):
+        places = [ROOT / each for each in ("", "src", "include/parallel_aspects", "test/support")]
+        for name in re.findall(r"`([\w/]+\.(?:h|cpp|cmake|txt|yaml|rviz))`", self.PAGE):
+            if "NAME" in name:
+                continue
+            found = any((place / name).is_file() for place in places)
+            found = found or "/" not in name and any((ROOT / "src").rglob(name))
+            found = found or "/" not in name and any((ROOT / "include").rglob(name))
+            self.assertTrue(found, name)
 
 
 class Comparison(unittest.TestCase):
