@@ -64,6 +64,14 @@ JointVector unwrapped(const Manipulator& manipulator, const JointVector& last,
   return result;
 }
 
+JointVector encoder_noise(const Manipulator& manipulator, const SampleOptions& options) noexcept {
+  JointVector noise(static_cast<Eigen::Index>(manipulator.leg_count()));
+  for (std::size_t j = 0; j < manipulator.leg_count(); ++j)
+    noise[static_cast<Eigen::Index>(j)] =
+        options.encoder_noise * (manipulator.leg(j).actuated_by_angle() ? 1.0 : manipulator.size());
+  return noise;
+}
+
 bool velocities_limited(const Manipulator& manipulator, const SampleOptions& options) noexcept {
   const auto& legs = manipulator.legs();
   return options.check_velocity && std::all_of(legs.begin(), legs.end(), [](const Leg& leg) {
@@ -93,26 +101,27 @@ SampleGap gap_between(const Manipulator& manipulator, const SampleOptions& optio
                       double seconds, const JointVector& uncertainty) noexcept {
   if (silent(manipulator, options, intervals, seconds)) return SampleGap::silence;
   if (!options.check_velocity) return SampleGap::none;
+  const JointVector noise = encoder_noise(manipulator, options);
   for (std::size_t j = 0; j < manipulator.leg_count(); ++j) {
     const Leg& leg = manipulator.leg(j);
     if (!std::isfinite(leg.limits.velocity)) continue;
     const auto i = static_cast<Eigen::Index>(j);
-    const double noise = options.encoder_noise * (leg.actuated_by_angle() ? 1.0 : manipulator.size());
     const double possible =
         leg.limits.velocity * (1.0 + options.velocity_tolerance) * std::fmax(0.0, seconds);
     const double unknown = uncertainty.size() == q.size() ? uncertainty[i] : 0.0;
-    if (!(std::abs(q[i] - last[i]) <= possible + noise + unknown)) return SampleGap::step;
+    if (!(std::abs(q[i] - last[i]) <= possible + noise[i] + unknown)) return SampleGap::step;
     const bool turns_freely = leg.actuated_by_angle() && !leg.limits.limited();
     if (options.unwrap && turns_freely && possible >= EIGEN_PI) return SampleGap::silence;
   }
   return SampleGap::none;
 }
 
-JointVector PathBend::next(const SampleOptions& options, const JointVector& step) noexcept {
+JointVector PathBend::next(const SampleOptions& options, const JointVector& step,
+                           const JointVector& noise) noexcept {
   JointVector change = step;
   if (last_step_.size() == step.size()) change -= last_step_;
   last_step_ = step;
-  return allowance_ = change.cwiseAbs() * (options.path_bend / 8.0);
+  return allowance_ = (change.cwiseAbs() + 4.0 * noise) * (options.path_bend / 8.0) + noise;
 }
 
 }  // namespace parallel_aspects

@@ -24,14 +24,6 @@ constexpr int looks = 64;  // along a path
 // solution.
 constexpr double same_pose = 1e-6;  // over the robot's size
 
-JointVector noise_of(const Manipulator& manipulator, double noise) noexcept {
-  JointVector result(static_cast<Eigen::Index>(manipulator.leg_count()));
-  for (std::size_t j = 0; j < manipulator.leg_count(); ++j)
-    result[static_cast<Eigen::Index>(j)] =
-        noise * (manipulator.leg(j).actuated_by_angle() ? 1.0 : manipulator.size());
-  return result;
-}
-
 // The signs with which errors of the actuated joints move the platform farthest, to first order: next to det
 // A = 0 all rows of the inverse are about multiples of one.
 JointVector worst_signs(const CertifiedPoint& point) noexcept {
@@ -69,8 +61,8 @@ bool is_reached(const Manipulator& manipulator, const Pose& from, const Pose& to
 StandOff::StandOff(std::shared_ptr<const Manipulator> manipulator, const SampleOptions& options)
     : manipulator_(std::move(manipulator)),
       certifier_(std::make_shared<const PoseCertifier>(*manipulator_)),
-      noise_(noise_of(*manipulator_, options.encoder_noise)),
-      resting_bend_(0.5 * options.path_bend * noise_) {}
+      noise_(encoder_noise(*manipulator_, options)),
+      resting_bend_(PathBend::at_rest(options, noise_)) {}
 
 bool StandOff::can_distinguish(const Pose& pose, const WorkingMode& mode,
                                const JointVector& bend) const noexcept {

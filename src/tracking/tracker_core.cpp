@@ -32,7 +32,10 @@ Ambiguity ambiguity_of(SampleGap gap) { return gap == SampleGap::step ? Ambiguit
 }  // namespace
 
 TrackerCore::TrackerCore(std::shared_ptr<const Manipulator> manipulator, const TrackerOptions& options)
-    : manipulator_(std::move(manipulator)), options_(options), certifier_(*manipulator_) {}
+    : manipulator_(std::move(manipulator)),
+      options_(options),
+      noise_(encoder_noise(*manipulator_, options.samples)),
+      certifier_(*manipulator_) {}
 
 void TrackerCore::set_map(std::shared_ptr<const AspectMap> map) noexcept {
   map_ = std::move(map);
@@ -162,7 +165,8 @@ const TrackedState& TrackerCore::update(double time, const JointVector& q,
                                             joint_values, seconds, last_uncertainty + uncertainty_);
   if (!first) intervals_.add(seconds);
   const JointVector step = first ? JointVector::Zero(q.size()) : JointVector(joint_values - state_.q);
-  const JointVector bend = bend_.next(options_.samples, step) + last_uncertainty.cwiseMax(uncertainty_);
+  const JointVector bend =
+      bend_.next(options_.samples, step, noise_) + last_uncertainty.cwiseMax(uncertainty_);
   const bool followed = state_.followed();
   if (followed && gap != SampleGap::none)
     lose(time, ambiguity_of(gap));

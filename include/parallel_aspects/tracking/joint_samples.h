@@ -25,7 +25,8 @@ struct SampleOptions {
   /// By how much a step may be longer, for jitter of the stamps, as a share [0 or more].
   double velocity_tolerance = 0.25;
 
-  /// Noise of the encoders: a step may be longer by this [rad, or as a share of the robot's size].
+  /// Noise of the encoders: joint values are taken to be off by this at most, in each proof of a step too,
+  /// and a step may be longer by it [rad, or as a share of the robot's size].
   double encoder_noise = 1e-4;
 
   /// How far the actuated joints may leave the straight path between two samples: this many times an eighth
@@ -51,6 +52,9 @@ std::vector<std::string> problems_of(const SampleOptions& options);
 /// `q` with angles turned to where `last` says that they are; without a last sample (empty), to where the
 /// limits say. One entry a leg [rad or m]. Never allocates.
 JointVector unwrapped(const Manipulator& manipulator, const JointVector& last, const JointVector& q) noexcept;
+
+/// `SampleOptions::encoder_noise` of each actuated joint [rad or m].
+JointVector encoder_noise(const Manipulator& manipulator, const SampleOptions& options) noexcept;
 
 /// Whether velocity limits tell how far any actuated joint can have moved in a time.
 bool velocities_limited(const Manipulator& manipulator, const SampleOptions& options) noexcept;
@@ -92,9 +96,16 @@ SampleGap gap_between(const Manipulator& manipulator, const SampleOptions& optio
 /// Never allocates.
 class PathBend {
  public:
-  /// For a step of the actuated joints, by `SampleOptions::path_bend` [rad or m]. Stamps play no part: their
-  /// jitter would look like accelerations.
-  JointVector next(const SampleOptions& options, const JointVector& step) noexcept;
+  /// For a step of the actuated joints, by `SampleOptions::path_bend` and with this noise of the encoders
+  /// [rad or m]: of the three joint values that the difference of two steps is made of each may be off, the
+  /// one in the middle counting twice, and so may both ends of the step. Stamps play no part: their jitter
+  /// would look like accelerations.
+  JointVector next(const SampleOptions& options, const JointVector& step, const JointVector& noise) noexcept;
+
+  /// The most that `next` gives at rest, where noise alone makes the steps.
+  static JointVector at_rest(const SampleOptions& options, const JointVector& noise) noexcept {
+    return (options.path_bend + 1.0) * noise;
+  }
 
   /// What `next` last gave; empty at rest.
   const JointVector& allowance() const noexcept { return allowance_; }
