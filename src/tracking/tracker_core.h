@@ -58,6 +58,7 @@ class TrackerCore {
 
   std::shared_ptr<const Manipulator> manipulator_;
   TrackerOptions options_;
+  JointVector noise_;  // of the encoders [rad or m]
   PoseCertifier certifier_;
   std::shared_ptr<const AspectMap> map_;
   TrackedState state_;
