@@ -50,7 +50,7 @@ const std::vector<Switch> switches{
     {"faces", [](ComponentPolicy& policy) { policy.boxes.faces = false; }},
     {"joins_across_faces", [](ComponentPolicy& policy) { policy.joins_across_faces = false; }},
     {"climbs", [](ComponentPolicy& policy) { policy.climbs = false; }},
-    {"look_everywhere", [](ComponentPolicy& policy) { policy.most_leaves_to_look_into = 0; }},
+    {"look_everywhere", [](ComponentPolicy& policy) { policy.max_leaves_to_look_into = 0; }},
     {"searches_meetings", [](ComponentPolicy& policy) { policy.searches_meetings = false; }},
     {"searches_indeterminate", [](ComponentPolicy& policy) { policy.searches_indeterminate = false; }},
     {"searches_contacts", [](ComponentPolicy& policy) { policy.searches_contacts = false; }},
@@ -88,11 +88,11 @@ Run run(const std::shared_ptr<const Manipulator>& robot, const MapOptions& optio
 /// Noise only adds to times.
 Run best_run(const std::shared_ptr<const Manipulator>& robot, const MapOptions& options,
              const ComponentPolicy& policy, double limit) {
-  constexpr int most_runs = 3;
+  constexpr int max_runs = 3;
   constexpr double enough_seconds = 2.0;
   Run best = run(robot, options, policy, limit);
   double all = best.seconds;
-  for (int i = 1; best.map && i < most_runs && all < enough_seconds; ++i) {
+  for (int i = 1; best.map && i < max_runs && all < enough_seconds; ++i) {
     const Run next = run(robot, options, policy, limit);
     all += next.seconds;
     best.seconds = std::min(best.seconds, next.seconds);

@@ -69,10 +69,10 @@ class Tally {
   std::vector<double> ratios_;
 };
 
-void measure(benchmark::State& state, const std::string& name, int most_boxes) {
+void measure(benchmark::State& state, const std::string& name, int max_boxes) {
   const auto robot = test::shipped(name)->manipulator();
   DistanceOptions options;
-  if (most_boxes > 0) options.most_boxes = most_boxes;
+  if (max_boxes > 0) options.max_boxes = max_boxes;
   BoundaryDistanceMeter meter(robot, options);
   std::vector<double> seconds;
   Tally parallel, serial, limit;

@@ -88,7 +88,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string& publisher = message.header.frame_id;
   publishers.count(publisher, message.header.seq);
   std::string other;
-  publishers.claim(publisher, sample.joint_values, ros::Time(1000.0), other);
+  publishers.claim(publisher, sample.named_joints, ros::Time(1000.0), other);
   require(other.empty() || other != publisher);
   return 0;
 }

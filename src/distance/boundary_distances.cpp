@@ -18,7 +18,7 @@ namespace {
 
 // See finite_lengths.h.
 constexpr double longest_length = 1e9;  // [m]
-constexpr int most_boxes_at_all = 10'000'000;
+constexpr int max_boxes_at_all = 10'000'000;
 
 // What the task space does not move is left out.
 Pose within(TaskSpace space, const Pose& pose) {
@@ -175,7 +175,7 @@ BoundaryDistanceMeter::BoundaryDistanceMeter(std::shared_ptr<const Manipulator> 
   Problems problems;
   if (!(options.tolerance > 0.0 && options.tolerance < 1.0))
     problems.push_back("The tolerance of distances must be between 0 and 1; choose one such as 0.01.");
-  if (options.most_boxes < 1 || options.most_boxes > most_boxes_at_all)
+  if (options.max_boxes < 1 || options.max_boxes > max_boxes_at_all)
     problems.push_back(
         "The number of boxes of a search must be from 1 to 10000000; choose one such as 2000.");
   if (!problems.empty()) throw InvalidDescription(std::move(problems));

@@ -33,7 +33,7 @@ class LegSearch {
   using Boundary = LegBoundary<dimension>;
 
   LegSearch(const Chart& chart, const DistanceOptions& options) : chart_(chart), options_(options) {
-    queue_.reserve(2 * static_cast<std::size_t>(options.most_boxes) + 4 * max_legs + 2);
+    queue_.reserve(2 * static_cast<std::size_t>(options.max_boxes) + 4 * max_legs + 2);
   }
 
   /// Of limits a witness counts only where every leg reaches; of serial singularities the nearest of all legs
@@ -71,7 +71,7 @@ class LegSearch {
   static constexpr bool moves_freely = moves == dimension;
   static constexpr std::size_t searched = moves_freely ? Chart::turns : size;
   static constexpr std::size_t first_searched = moves_freely ? moves : 0;
-  static constexpr int most_attempts = 24;
+  static constexpr int max_attempts = 24;
   using SearchedCell = Cell<searched>;
   using Form = QuadraticForm<searched>;
 
@@ -180,7 +180,7 @@ class LegSearch {
       all.bound = first_bound((*boundaries_)[i]);
       queue_.push(all);
     }
-    while (!queue_.empty() && queue_.first().bound < target() && result_.boxes < options_.most_boxes) {
+    while (!queue_.empty() && queue_.first().bound < target() && result_.boxes < options_.max_boxes) {
       const SearchedCell cell = queue_.pop();
       look_at_center(cell);
       for (SearchedCell half : cell.halves(cell.widest())) bound_and_push(half);
@@ -228,7 +228,7 @@ class LegSearch {
   }
 
   void look_at_center(const SearchedCell& cell) noexcept {
-    if (attempts_ >= most_attempts) return;
+    if (attempts_ >= max_attempts) return;
     const Boundary& boundary = (*boundaries_)[cell.tag];
     Coordinates<size> y{};
     for (std::size_t i = 0; i < searched; ++i) y[first_searched + i] = cell.center[i];

@@ -24,7 +24,7 @@ class ParallelSearch {
 
   ParallelSearch(const LocalChart<space>& chart, const DistanceOptions& options)
       : chart_(chart), options_(options) {
-    queue_.reserve(static_cast<std::size_t>(options.most_boxes) + 2);
+    queue_.reserve(static_cast<std::size_t>(options.max_boxes) + 2);
   }
 
   /// Needs a live `RoundingUpward`; so does all of this class. Every leg must be proved to reach at the
@@ -43,20 +43,20 @@ class ParallelSearch {
     determinant.point_cells_to(result_.witness);
     if (size > 3) prove_ball();
     start();
-    while (!queue_.empty() && queue_.first().bound < target() && result_.boxes < most_boxes())
+    while (!queue_.empty() && queue_.first().bound < target() && result_.boxes < max_boxes())
       examine(queue_.pop());
     finish();
     return result_;
   }
 
  private:
-  static constexpr int most_attempts = 12;
+  static constexpr int max_attempts = 12;
 
   // In six degrees of freedom a box takes about as long as `box_cost` of a search over legs.
   static constexpr int box_cost = 32, balls = 8;
 
-  int most_boxes() const noexcept {
-    return size > 3 ? std::max(balls, options_.most_boxes / box_cost) : options_.most_boxes;
+  int max_boxes() const noexcept {
+    return size > 3 ? std::max(balls, options_.max_boxes / box_cost) : options_.max_boxes;
   }
 
   double target() const noexcept {
@@ -107,7 +107,7 @@ class ParallelSearch {
     if (range.lower() > 0.0 || is_positive_where_reached(value, cell)) return;
     if (range.upper() < 0.0) {
       // Beyond a singularity: between here and the origin there is a witness, unless legs do not reach there.
-      if (attempts_ < most_attempts) look_for_witness(determinant_->reflected_point(cell.center));
+      if (attempts_ < max_attempts) look_for_witness(determinant_->reflected_point(cell.center));
       return;
     }
     look_where_expected(LinearModel<size>(value, cell), cell);
@@ -139,7 +139,7 @@ class ParallelSearch {
   // Where det A is expected to vanish in the cell, nearer than all witnesses.
   void look_where_expected(const LinearModel<size>& model, const Cell<size>& cell) noexcept {
     const double squared = model.gradient_length * model.gradient_length;
-    if (!(squared > 0.0) || attempts_ >= most_attempts) return;
+    if (!(squared > 0.0) || attempts_ >= max_attempts) return;
     const double factor = -0.5 * (model.below_at_origin + model.above_at_origin) / squared;
     Coordinates<size> y;
     for (std::size_t i = 0; i < size; ++i) {
@@ -178,7 +178,7 @@ class ParallelSearch {
   // Surfaces det A = 0 may end where a leg just reaches. There det A has no slope, and steps go by det A at a
   // small constant |B_jj| and by B_jj^2 itself.
   void look_at_corner(const Cell<size>& cell) noexcept {
-    if (corner_attempts_ >= most_attempts || !(cell.least_length() < 0.98 * result_.upper)) return;
+    if (corner_attempts_ >= max_attempts || !(cell.least_length() < 0.98 * result_.upper)) return;
     std::size_t held = 0;
     for (const bool unclear : over_.unclear) held += unclear ? 1 : 0;
     if (held + 1 > size) return;

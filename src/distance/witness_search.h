@@ -23,7 +23,7 @@ class WitnessSearch {
 
   std::optional<PointDual<N>> run(Coordinates<N>& y) const noexcept {
     std::optional<PointDual<N>> at = function_(y);
-    for (int i = 0; i < most_steps && at; ++i) {
+    for (int i = 0; i < max_steps && at; ++i) {
       const double squared = dot<N>(at->gradient, at->gradient);
       if (!(squared > 0.0) || !std::isfinite(squared)) return std::nullopt;
       const double factor = (dot<N>(at->gradient, y) - at->value) / squared;
@@ -61,8 +61,8 @@ class WitnessSearch {
   }
 
  private:
-  static constexpr int most_steps = 25;
-  static constexpr int most_halvings = 6;
+  static constexpr int max_steps = 25;
+  static constexpr int max_halvings = 6;
   static constexpr double step_tolerance = 1e-5;
 
   static double square(double a) noexcept { return a * a; }
@@ -74,7 +74,7 @@ class WitnessSearch {
     const double penalty = 2.0 * std::sqrt(std::max(dot<N>(y, y), dot<N>(target, target)) / squared);
     const double before = 0.5 * dot<N>(y, y) + penalty * std::abs(at->value);
     double length = 1.0;
-    for (int i = 0; i <= most_halvings; ++i, length *= 0.5) {
+    for (int i = 0; i <= max_halvings; ++i, length *= 0.5) {
       Coordinates<N> next = y;
       for (std::size_t k = 0; k < N; ++k) next[k] += length * step[k];
       const std::optional<PointDual<N>> there = function_(next);

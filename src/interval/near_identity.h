@@ -39,12 +39,12 @@ class NearIdentity {
 
   /// Collatz and Wielandt: the spectral radius of E >= 0 is at most the largest (E v)_i / v_i, for any v > 0.
   /// `ratio` becomes an upper bound of it; infinite where there is none.
-  bool is_nonsingular(int most_iterations, double& ratio) const {
+  bool is_nonsingular(int max_iterations, double& ratio) const {
     using Vector = Eigen::Matrix<double, N, 1>;
     ratio = std::numeric_limits<double>::infinity();
     if (!is_finite_) return false;
     Vector v = Vector::Ones();
-    for (int i = 0; i < most_iterations; ++i) {
+    for (int i = 0; i < max_iterations; ++i) {
       const Vector image = deviation_ * v;
       if (!image.allFinite()) return false;
       ratio = std::min(ratio, image.cwiseQuotient(v).maxCoeff());

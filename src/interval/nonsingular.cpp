@@ -10,7 +10,7 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr int most_iterations = 6;
+constexpr int max_iterations = 6;
 
 // Of an interval without zero.
 Interval inverse_of(const Interval& a) { return a.positive() ? reciprocal(a) : -reciprocal(-a); }
@@ -42,7 +42,7 @@ bool proved(const SquareArray<PathForm>& matrix, double& ratio) {
   NearIdentity<N> product(center.middle);
   product.add_slope(slope.middle);
   product.add_error(center.radius + slope.radius);
-  return product.is_nonsingular(most_iterations, ratio);
+  return product.is_nonsingular(max_iterations, ratio);
 }
 
 }  // namespace

@@ -34,15 +34,15 @@ JointVector joint_change(const Manipulator& manipulator, const JointVector& from
   return change;
 }
 
-int steps_of_one_sample() noexcept { return TrackerOptions().most_steps / 2; }
+int steps_of_one_sample() noexcept { return TrackerOptions().max_steps / 2; }
 
 bool straight_motion_exists(const Manipulator& manipulator, const Place& from, const JointVector& change,
-                            const Pose& to, int most_steps) {
+                            const Pose& to, int max_steps) {
   const PoseCertifier certifier(manipulator);
   CertifiedPoint start;
   if (!certify_solution(certifier, from.pose, from.q, start)) return false;
   Continuation path(certifier, start, from.q + change);
-  return path.run(most_steps) == ContinuationStatus::finished &&
+  return path.run(max_steps) == ContinuationStatus::finished &&
          distance(manipulator, path.at().pose, to) < 1e-6 * manipulator.size();
 }
 
@@ -105,7 +105,7 @@ bool Roadmap::passable(std::size_t a, std::size_t b) {
   const Edge edge = std::minmax(a, b);
   if (proved_.count(edge) > 0) return true;
   const JointVector change = joint_change(manipulator_, places_[a].q, places_[b].q);
-  const bool passes = straight_motion_exists(manipulator_, places_[a], change, places_[b].pose, most_steps_);
+  const bool passes = straight_motion_exists(manipulator_, places_[a], change, places_[b].pose, max_steps_);
   (passes ? proved_ : blocked_).insert(edge);
   return passes;
 }

@@ -28,16 +28,16 @@ JointVector joint_change(const Manipulator& manipulator, const JointVector& from
 int steps_of_one_sample() noexcept;
 
 /// Whether the platform, when the actuated joints move straight from `from` by `change`, gets to the pose of
-/// `to` with det A away from zero all along; certified by continuation, in at most `most_steps`.
+/// `to` with det A away from zero all along; certified by continuation, in at most `max_steps`.
 bool straight_motion_exists(const Manipulator& manipulator, const Place& from, const JointVector& change,
-                            const Pose& to, int most_steps = steps_of_one_sample());
+                            const Pose& to, int max_steps = steps_of_one_sample());
 
 /// Places of one aspect, and paths between them that avoid singularities with room to spare.
 class Roadmap {
  public:
-  /// `most_steps`: for the proof of one straight motion. A motion of many samples may take more.
-  explicit Roadmap(const Manipulator& manipulator, int most_steps = steps_of_one_sample())
-      : manipulator_(manipulator), most_steps_(most_steps) {}
+  /// `max_steps`: for the proof of one straight motion. A motion of many samples may take more.
+  explicit Roadmap(const Manipulator& manipulator, int max_steps = steps_of_one_sample())
+      : manipulator_(manipulator), max_steps_(max_steps) {}
 
   std::size_t add(const Place& place);
   const Place& place(std::size_t index) const { return places_[index]; }
@@ -55,7 +55,7 @@ class Roadmap {
   bool passable(std::size_t a, std::size_t b);
 
   const Manipulator& manipulator_;
-  int most_steps_;
+  int max_steps_;
   std::vector<Place> places_;
   std::vector<double> narrowness_;  // 1 over the smallest singular value, for each place
   std::vector<std::vector<std::size_t>> neighbours_;

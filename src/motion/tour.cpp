@@ -14,9 +14,9 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr std::size_t most_places = 600;    // of one roadmap
-constexpr std::size_t most_leaves = 20000;  // looked at in one aspect
-constexpr std::size_t most_gates = 8;       // tried from one aspect to another
+constexpr std::size_t max_places = 600;    // of one roadmap
+constexpr std::size_t max_leaves = 20000;  // looked at in one aspect
+constexpr std::size_t max_gates = 8;       // tried from one aspect to another
 
 /// A pose on either side of a serial singularity of one leg: actuated joints q_before in one aspect, q_after
 /// in the other.
@@ -94,7 +94,7 @@ class Planner {
   void explore(const Aspect& aspect, Country& country) const {
     std::vector<std::pair<double, Place>> places;
     std::map<int, std::vector<Gate>> gates;
-    const std::size_t stride = 1 + aspect.inside_leaves / most_leaves;
+    const std::size_t stride = 1 + aspect.inside_leaves / max_leaves;
     std::size_t leaf = 0;
     map_.visit_inside_poses(aspect.id, [&](const Pose& pose, double measure) {
       if (leaf++ % stride != 0) return;
@@ -106,7 +106,7 @@ class Planner {
     });
     std::stable_sort(places.begin(), places.end(),
                      [](const auto& a, const auto& b) { return a.first > b.first; });
-    if (places.size() > most_places) places.resize(most_places);
+    if (places.size() > max_places) places.resize(max_places);
     country.roads = std::make_unique<Roadmap>(robot_);
     for (const auto& sized : places) country.roads->add(sized.second);
     country.deepest = country.roads->add({aspect.deepest, inverse(robot_, aspect.deepest, aspect.mode).q});
@@ -132,7 +132,7 @@ class Planner {
 
   // The narrowest gate that the robot can be proved to pass.
   std::optional<Gate> open_gate(std::vector<Gate> candidates) const {
-    const std::size_t count = std::min(most_gates, candidates.size());
+    const std::size_t count = std::min(max_gates, candidates.size());
     std::partial_sort(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(count),
                       candidates.end(), [](const Gate& a, const Gate& b) { return a.width < b.width; });
     for (std::size_t i = 0; i < count; ++i) {

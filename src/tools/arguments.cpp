@@ -15,7 +15,7 @@
 namespace parallel_aspects::tools {
 namespace {
 
-constexpr unsigned most_samples = 100000, largest_seed = 4294967295;
+constexpr unsigned max_samples = 100000, largest_seed = 4294967295;
 
 }  // namespace
 
@@ -102,7 +102,7 @@ std::optional<WorkingMode> parse_mode(const std::string& option, const Manipulat
 RoadmapOptions parse_roadmap(const RoadmapArguments& arguments, Problems& problems) {
   RoadmapOptions options;
   if (!arguments.samples.empty())
-    options.samples = parse_count("--samples", arguments.samples, most_samples, problems);
+    options.samples = parse_count("--samples", arguments.samples, max_samples, problems);
   if (!arguments.seed.empty()) options.seed = parse_count("--seed", arguments.seed, largest_seed, problems);
   return options;
 }

@@ -9,7 +9,7 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr int most_steps_when_back = 32;
+constexpr int max_steps_when_back = 32;
 
 // Direct solutions that are proved to be isolated are known far better than this, over the robot's size.
 constexpr double same_pose = 1e-6;
@@ -54,7 +54,7 @@ AssemblyComparison AssemblyWatch::watch(const Manipulator& manipulator, const Po
   if (farthest > 2.0) away_ = true;
   if (!away_ || farthest > 1.0) return AssemblyComparison::same;
   CertifiedPoint end;
-  const AssemblyComparison result = compare(manipulator, certifier, now, most_steps_when_back, end);
+  const AssemblyComparison result = compare(manipulator, certifier, now, max_steps_when_back, end);
   if (result == AssemblyComparison::unknown) return AssemblyComparison::same;
   away_ = false;
   if (result == AssemblyComparison::other) reference_ = end;
@@ -62,16 +62,16 @@ AssemblyComparison AssemblyWatch::watch(const Manipulator& manipulator, const Po
 }
 
 AssemblyComparison AssemblyWatch::compare(const Manipulator& manipulator, const PoseCertifier& certifier,
-                                          const CertifiedPoint& now, int most_steps) const noexcept {
+                                          const CertifiedPoint& now, int max_steps) const noexcept {
   CertifiedPoint end;
-  return compare(manipulator, certifier, now, most_steps, end);
+  return compare(manipulator, certifier, now, max_steps, end);
 }
 
 AssemblyComparison AssemblyWatch::compare(const Manipulator& manipulator, const PoseCertifier& certifier,
-                                          const CertifiedPoint& now, int most_steps,
+                                          const CertifiedPoint& now, int max_steps,
                                           CertifiedPoint& end) const noexcept {
   Continuation path(certifier, now, now.q + path_back(manipulator, now.q));
-  if (path.run(most_steps) != ContinuationStatus::finished) return AssemblyComparison::unknown;
+  if (path.run(max_steps) != ContinuationStatus::finished) return AssemblyComparison::unknown;
   end = path.at();
   return anchor_distance(manipulator, end.pose, reference_.pose) <= same_pose * manipulator.size()
              ? AssemblyComparison::same

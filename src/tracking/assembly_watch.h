@@ -28,12 +28,12 @@ class AssemblyWatch {
 
   /// The same question wherever the robot is; nothing is noted.
   AssemblyComparison compare(const Manipulator& manipulator, const PoseCertifier& certifier,
-                             const CertifiedPoint& now, int most_steps) const noexcept;
+                             const CertifiedPoint& now, int max_steps) const noexcept;
 
  private:
   JointVector path_back(const Manipulator& manipulator, const JointVector& q) const noexcept;
   AssemblyComparison compare(const Manipulator& manipulator, const PoseCertifier& certifier,
-                             const CertifiedPoint& now, int most_steps, CertifiedPoint& end) const noexcept;
+                             const CertifiedPoint& now, int max_steps, CertifiedPoint& end) const noexcept;
 
   CertifiedPoint reference_;
   bool away_ = false;

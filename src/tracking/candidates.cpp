@@ -33,13 +33,13 @@ void Candidates::set(const Candidate& only) noexcept {
 }
 
 void Candidates::follow(const PoseCertifier& certifier, const JointVector& q, const JointVector& bend,
-                        int most_steps) noexcept {
+                        int max_steps) noexcept {
   for (std::size_t i = list_.size(); i-- > 0;) {
     Candidate& candidate = list_[i];
     bool stays = candidate.point.q == q;
     if (candidate.followed && !stays) {
       Continuation path(certifier, candidate.point, q, bend);
-      stays = path.run(most_steps) == ContinuationStatus::finished;
+      stays = path.run(max_steps) == ContinuationStatus::finished;
       candidate.point = path.at();
     }
     if (stays) continue;

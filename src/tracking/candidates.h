@@ -36,7 +36,7 @@ class Candidates {
   /// Moves the actuated joints straight to `q`. A candidate that cannot be followed is dropped, and the list
   /// is then no longer complete. Never allocates.
   void follow(const PoseCertifier& certifier, const JointVector& q, const JointVector& bend,
-              int most_steps) noexcept;
+              int max_steps) noexcept;
 
   void remove(std::size_t index) noexcept;
   void clear() noexcept;

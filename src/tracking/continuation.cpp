@@ -58,8 +58,8 @@ ContinuationStatus Continuation::advance() noexcept {
   return status_;
 }
 
-ContinuationStatus Continuation::run(int most_steps) noexcept {
-  for (int i = 0; i < most_steps && advance() == ContinuationStatus::unfinished; ++i) {
+ContinuationStatus Continuation::run(int max_steps) noexcept {
+  for (int i = 0; i < max_steps && advance() == ContinuationStatus::unfinished; ++i) {
   }
   return status_;
 }

@@ -35,8 +35,8 @@ class Continuation {
   /// Goes on by one certified step.
   ContinuationStatus advance() noexcept;
 
-  /// Goes on to the end, or as far as `most_steps` lead.
-  ContinuationStatus run(int most_steps) noexcept;
+  /// Goes on to the end, or as far as `max_steps` lead.
+  ContinuationStatus run(int max_steps) noexcept;
 
  private:
   bool step(double length) noexcept;

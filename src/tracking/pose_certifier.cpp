@@ -12,7 +12,7 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr int most_newton_steps = 20;
+constexpr int max_newton_steps = 20;
 
 // Over the robot's size. With C that is right to the second of these, a step of the first leaves rounding.
 constexpr double converged = 1e-10;
@@ -121,7 +121,7 @@ bool PoseCertifier::refine(CertifiedPoint& point) const noexcept {
   LegBounds residual;
   Rows matrix;
   bool fresh = false;
-  for (int i = 0; i < most_newton_steps; ++i) {
+  for (int i = 0; i < max_newton_steps; ++i) {
     approximate(point.pose, point.q, residual, fresh ? nullptr : &matrix);
     if (!fresh) invert(size_, matrix, point.inverse);
     double size = 0.0;

@@ -12,8 +12,8 @@ std::vector<std::string> problems_of(const TrackerOptions& options) {
   if (!(options.hysteresis >= 0.0 && options.hysteresis < 1.0))
     problems.push_back("The hysteresis of working modes is " + std::to_string(options.hysteresis) +
                        "; it must be a sine from 0 to below 1.");
-  if (options.most_steps < 1)
-    problems.push_back("The number of subdivisions of a step is " + std::to_string(options.most_steps) +
+  if (options.max_steps < 1)
+    problems.push_back("The number of subdivisions of a step is " + std::to_string(options.max_steps) +
                        "; it must be 1 or more.");
   return problems;
 }
@@ -75,8 +75,8 @@ void Tracker::report_residual(double residual, bool contradicts) noexcept {
 
 void Tracker::set_reference() noexcept { core_->set_reference(); }
 
-AssemblyComparison Tracker::compare_with_reference(int most_steps) const noexcept {
-  return core_->compare_with_reference(most_steps);
+AssemblyComparison Tracker::compare_with_reference(int max_steps) const noexcept {
+  return core_->compare_with_reference(max_steps);
 }
 
 }  // namespace parallel_aspects

@@ -10,7 +10,7 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr int most_root_steps = 4;
+constexpr int max_root_steps = 4;
 
 int sign_of(double value) { return (value > 0.0) - (value < 0.0); }
 
@@ -186,7 +186,7 @@ void TrackerCore::follow(double time, const JointVector& q, const JointVector& b
   Continuation path(certifier_, point_, q, bend);
   const double start = state_.time;
   const auto time_at = [&](double share) { return share >= 1.0 ? time : start + (time - start) * share; };
-  for (int i = 0; i < options_.most_steps && path.status() == ContinuationStatus::unfinished; ++i) {
+  for (int i = 0; i < options_.max_steps && path.status() == ContinuationStatus::unfinished; ++i) {
     const double before = path.share();
     if (path.advance() == ContinuationStatus::too_near_singular) break;
     watch_legs(point_, path.at(), time_at(before), time_at(path.share()));
@@ -206,7 +206,7 @@ void TrackerCore::follow_candidates(const JointVector& q, const JointVector& ben
     candidates_.clear();
     become_ambiguous(ambiguity_of(gap));
   }
-  candidates_.follow(certifier_, q, bend, options_.most_steps);
+  candidates_.follow(certifier_, q, bend, options_.max_steps);
 }
 
 void TrackerCore::watch_legs(const CertifiedPoint& from, const CertifiedPoint& to, double start,
@@ -248,7 +248,7 @@ double TrackerCore::zero_time(const CertifiedPoint& from, const CertifiedPoint& 
   double at_low = certifier_.entry_sines(from)[i], at_high = certifier_.entry_sines(to)[i];
   double share = at_low / (at_low - at_high);
   CertifiedPoint between = to;
-  for (int k = 0; k < most_root_steps && std::isfinite(share); ++k) {
+  for (int k = 0; k < max_root_steps && std::isfinite(share); ++k) {
     between.q = from.q + share * (to.q - from.q);
     if (!certifier_.evaluate(between)) break;
     const double here = certifier_.entry_sines(between)[i];
@@ -304,9 +304,9 @@ void TrackerCore::set_reference() noexcept {
   mode_changed_ = false;
 }
 
-AssemblyComparison TrackerCore::compare_with_reference(int most_steps) const noexcept {
+AssemblyComparison TrackerCore::compare_with_reference(int max_steps) const noexcept {
   if (!state_.followed()) return AssemblyComparison::unknown;
-  return assembly_.compare(*manipulator_, certifier_, point_, most_steps);
+  return assembly_.compare(*manipulator_, certifier_, point_, max_steps);
 }
 
 void TrackerCore::report_residual(double residual, bool contradicts) noexcept {

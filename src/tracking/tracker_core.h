@@ -35,7 +35,7 @@ class TrackerCore {
   bool settle_kept() noexcept;
   void report_residual(double residual, bool contradicts) noexcept;
   void set_reference() noexcept;
-  AssemblyComparison compare_with_reference(int most_steps = 4096) const noexcept;
+  AssemblyComparison compare_with_reference(int max_steps = 4096) const noexcept;
 
  private:
   void clear() noexcept;

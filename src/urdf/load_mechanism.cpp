@@ -35,8 +35,8 @@ namespace parallel_aspects {
 namespace {
 
 // Six for each leg of a hexapod, and twenty; the time to assemble a mechanism grows with their third power.
-constexpr std::size_t most_closures = 36;
-constexpr std::ptrdiff_t most_joints_in_loops = 120;
+constexpr std::size_t max_closures = 36;
+constexpr std::ptrdiff_t max_joints_in_loops = 120;
 
 std::string number(double value) { return number_text(value, 3); }
 
@@ -45,11 +45,11 @@ bool check_joints_in_loops(const ClosureSystem& system, const SourceNames& files
   if (count == 0)
     problems.push_back(files.config + " closes only frames that no joint of " + files.urdf +
                        " moves against one another; name frames at the two ends of each loop.");
-  if (count > most_joints_in_loops)
+  if (count > max_joints_in_loops)
     problems.push_back(files.urdf + " has " + std::to_string(count) +
-                       " movable joints in its loops, and at most " + std::to_string(most_joints_in_loops) +
+                       " movable joints in its loops, and at most " + std::to_string(max_joints_in_loops) +
                        " are treated; fix those that hardly move.");
-  return count > 0 && count <= most_joints_in_loops;
+  return count > 0 && count <= max_joints_in_loops;
 }
 
 // Everything after names: assembles the mechanism, recognises it and proves the result on random poses.
@@ -218,8 +218,8 @@ class Recogniser {
                                              Problems& problems) const {
     ManipulatorDescription description = describe(motion, legs);
     const SlideBounds bounds = slide_bounds(passive, system, assembly.values, motion, description.legs);
-    description.constraints = constraints_of(
-        find_passive_limits(system, assembly.values, motion, legs, bounds.joint_values), bounds);
+    description.constraints =
+        constraints_of(find_passive_limits(system, assembly.values, motion, legs, bounds.slides), bounds);
     try {
       auto contents = std::unique_ptr<Mechanism::Contents>(new Mechanism::Contents{
           std::make_shared<const Manipulator>(description),
@@ -322,9 +322,9 @@ class Recogniser {
 };
 
 void check_closures(const std::vector<Closure>& closures, const SourceNames& files, Problems& problems) {
-  if (closures.size() > most_closures)
+  if (closures.size() > max_closures)
     problems.push_back(files.config + " and " + files.urdf + " describe " + std::to_string(closures.size()) +
-                       " closures, and at most " + std::to_string(most_closures) +
+                       " closures, and at most " + std::to_string(max_closures) +
                        " are treated; a robot needs one for each loop.");
 }
 

@@ -16,7 +16,7 @@ namespace {
 using Contents = std::unique_ptr<Mechanism::Contents>;
 
 // Of these all combinations of two types are tried.
-constexpr std::size_t most_mixed_closures = 5;
+constexpr std::size_t max_mixed_closures = 5;
 
 bool is_open(const Closure& closure) { return closure.type == ClosureType::automatic; }
 
@@ -35,8 +35,8 @@ std::vector<std::vector<Closure>> mixtures(const std::vector<Closure>& closures)
   std::vector<std::size_t> open;
   for (std::size_t k = 0; k < closures.size(); ++k)
     if (is_open(closures[k])) open.push_back(k);
-  if (open.size() > most_mixed_closures) return {};
-  std::vector<std::bitset<most_mixed_closures>> choices;
+  if (open.size() > max_mixed_closures) return {};
+  std::vector<std::bitset<max_mixed_closures>> choices;
   for (unsigned long choice = 1; choice + 1 < 1UL << open.size(); ++choice) choices.emplace_back(choice);
   std::stable_sort(choices.begin(), choices.end(),
                    [](const auto& one, const auto& other) { return one.count() < other.count(); });

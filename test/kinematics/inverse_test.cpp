@@ -57,9 +57,8 @@ TEST_P(Inverse, OutOfReachMeansThatNoDriveValueAssembles) {
 }
 
 std::string case_name(const testing::TestParamInfo<SpaceAndActuation>& info) {
-  static const char* const joint_values[] = {"revolute", "prismatic", "strut", "elbow"};
-  return std::string(name(std::get<0>(info.param))) + "_" +
-         joint_values[static_cast<int>(std::get<1>(info.param))];
+  static const char* const kinds[] = {"revolute", "prismatic", "strut", "elbow"};
+  return std::string(name(std::get<0>(info.param))) + "_" + kinds[static_cast<int>(std::get<1>(info.param))];
 }
 
 INSTANTIATE_TEST_SUITE_P(EverySpaceAndActuation, Inverse,

@@ -20,7 +20,7 @@ struct RoundTrips {
   int missed = 0;    ///< solved, but the pose was not among the solutions
   int unsolved = 0;  ///< said so
   int continuum = 0;
-  std::size_t most_solutions = 0;
+  std::size_t max_solutions = 0;
   double worst_residual = 0.0;
   std::string first_miss;  ///< as C++ literals
 };
@@ -53,7 +53,7 @@ inline void count_round_trip(const Manipulator& robot, const Pose& pose, const J
                              RoundTrips& trips) {
   const DirectResult result = direct(robot, q);
   ++trips.made;
-  trips.most_solutions = std::max(trips.most_solutions, result.solutions.size());
+  trips.max_solutions = std::max(trips.max_solutions, result.solutions.size());
   for (const AssemblyMode& mode : result.solutions)
     trips.worst_residual = std::max(trips.worst_residual, mode.residual);
   const AssemblyMode* found = closest(robot, result, pose);

@@ -56,8 +56,8 @@ const Strings rooms{"model",
                     "ros/node",
                     "ros/programs"};
 
-constexpr std::size_t most_files_in_a_folder = 30;
-constexpr std::size_t most_public_headers = 60;
+constexpr std::size_t max_files_in_a_folder = 30;
+constexpr std::size_t max_public_headers = 60;
 
 bool starts_with(const std::string& text, const std::string& start) { return text.rfind(start, 0) == 0; }
 
@@ -381,7 +381,7 @@ TEST(Layers, NoSourceLooksForOneKindOfLeg) { EXPECT_EQ(single_kinds_in(here), St
 TEST(Layers, PublicHeadersAreFewAndIncludeNoPrivateOnes) {
   const Strings found = private_includes_in(here);
   EXPECT_TRUE(found.empty()) << listed(found);
-  EXPECT_LE(sources_in(here / "include").size(), most_public_headers);
+  EXPECT_LE(sources_in(here / "include").size(), max_public_headers);
 }
 
 TEST(Layers, TheUmbrellaHeaderIncludesEveryPublicOne) {
@@ -394,7 +394,7 @@ TEST(Layers, TheUmbrellaHeaderIncludesEveryPublicOne) {
 TEST(Layers, NoFolderHoldsTooManyFiles) {
   for (const char* folder : {"src", "include", "test/support"})
     for (const auto& [name, count] : files_by_folder(here / folder))
-      EXPECT_LE(count, most_files_in_a_folder) << name;
+      EXPECT_LE(count, max_files_in_a_folder) << name;
 }
 
 TEST(Layers, NoTwoFilesHaveOneName) { EXPECT_EQ(repeated_names_in(here), Strings()); }

@@ -79,7 +79,7 @@ TEST(AmbiguousTracker, RefusesOptionsThatMakeNoSense) {
   EXPECT_TRUE(problems_of(TrackerOptions{}).empty());
   TrackerOptions options;
   options.hysteresis = 1.0;
-  options.most_steps = 0;
+  options.max_steps = 0;
   options.samples.velocity_tolerance = -0.1;
   options.samples.encoder_noise = std::numeric_limits<double>::quiet_NaN();
   options.samples.longest_interval = 0.0;
@@ -330,7 +330,7 @@ TEST(AmbiguousTracker, AResidualMakesTheStateInconsistentAndIsFollowedOn) {
 
 TEST(AmbiguousTracker, AStepThatNeedsTooManySubdivisionsIsSaidToBeOne) {
   TrackerOptions options = straight();
-  options.most_steps = 1;
+  options.max_steps = 1;
   const auto robot = test::five_bar();
   Tracker tracker(robot, options);
   const JointVector q = joint_values(*robot, at(4.5, 8.0), {-1, -1});

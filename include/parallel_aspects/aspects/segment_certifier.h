@@ -65,20 +65,20 @@ class SegmentCertifier {
   ConfigurationProof prove(const Pose& pose, const WorkingMode& mode) const noexcept;
 
   /// What is proved of the segment in this working mode; both poses must lie in the task space. At most
-  /// `most_parts` parts are tried, each some microseconds.
+  /// `max_parts` parts are tried, each some microseconds.
   SegmentProof prove(const Pose& from, const Pose& to, const WorkingMode& mode,
-                     int most_parts = 400) const noexcept;
+                     int max_parts = 400) const noexcept;
 
   /// The same, but goes as far as it can towards `to` (see `free_until`), which may be anywhere.
   SegmentProof prove_start(const Pose& from, const Pose& to, const WorkingMode& mode,
-                           int most_parts = 400) const noexcept;
+                           int max_parts = 400) const noexcept;
 
  private:
   struct Parts;
   class Evaluation;
 
   SegmentProof march(const Pose& from, const Pose& to, const WorkingMode& mode, int sign,
-                     int most_parts) const noexcept;
+                     int max_parts) const noexcept;
 
   std::shared_ptr<const Manipulator> manipulator_;
   std::shared_ptr<const Parts> parts_;

@@ -93,7 +93,7 @@ struct DistanceOptions {
   double tolerance = 0.01;  ///< relative gap between the bounds that is aimed at, in (0, 1)
   /// Evaluated in one search, at least 1; there are three. In six degrees of freedom the search for det A = 0
   /// evaluates a 32nd of it, for its boxes take so much longer, but 8 at least.
-  int most_boxes = 400;
+  int max_boxes = 400;
 };
 
 /// Measures how far a configuration (pose X, working mode s) is from

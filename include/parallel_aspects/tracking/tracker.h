@@ -58,7 +58,7 @@ struct TrackerOptions {
   SampleOptions samples;  ///< what samples of the actuated joints are taken to mean
 
   /// Certified subdivisions of one step between samples, for each assembly mode that is followed.
-  int most_steps = 256;
+  int max_steps = 256;
 };
 
 /// Every problem, a message each; empty when the options can be used.
@@ -191,8 +191,8 @@ class Tracker {
   void set_reference() noexcept;
 
   /// Whether the robot is in the assembly mode that it had at the reference; `unknown` unless followed. Takes
-  /// up to `most_steps` certified steps; never allocates.
-  AssemblyComparison compare_with_reference(int most_steps = 4096) const noexcept;
+  /// up to `max_steps` certified steps; never allocates.
+  AssemblyComparison compare_with_reference(int max_steps = 4096) const noexcept;
 
  private:
   void remove_candidate(std::size_t index) noexcept;

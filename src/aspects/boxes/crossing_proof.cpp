@@ -7,7 +7,7 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr int most_halvings = 8;
+constexpr int max_halvings = 8;
 
 Box part_of(const CrossingSegment& segment, double begin, double end) noexcept {
   return hull(segment.dimension, segment.from, segment.to, begin, end);
@@ -17,7 +17,7 @@ Box part_of(const CrossingSegment& segment, double begin, double end) noexcept {
 template <class Passes>
 bool all_parts(const Passes& passes, double begin, double end, int halvings) noexcept {
   if (passes(begin, end)) return true;
-  if (halvings == most_halvings) return false;
+  if (halvings == max_halvings) return false;
   const double middle = 0.5 * (begin + end);
   return all_parts(passes, begin, middle, halvings + 1) && all_parts(passes, middle, end, halvings + 1);
 }

@@ -28,7 +28,7 @@ class PreconditionedSign {
     for (std::size_t i = 0; i < Coordinates; ++i)
       product.add_slope(of_entries(rows, [i](const Form& entry) { return entry.slope(i); }));
     double ratio = 0.0;
-    if (!product.is_nonsingular(most_iterations, ratio)) return 0;
+    if (!product.is_nonsingular(max_iterations, ratio)) return 0;
     SquareArray<Interval> centers;
     for (std::size_t i = 0; i < Size; ++i)
       for (std::size_t k = 0; k < Size; ++k) centers[i][k] = Interval((*rows[i])[k].center());
@@ -37,7 +37,7 @@ class PreconditionedSign {
 
  private:
   static constexpr int order = static_cast<int>(Size);
-  static constexpr int most_iterations = 4;
+  static constexpr int max_iterations = 4;
   using Matrix = Eigen::Matrix<double, order, order>;
 
   template <class Function>

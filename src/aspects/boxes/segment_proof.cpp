@@ -15,7 +15,7 @@ struct Segment {
   RootIndex root;
   const MapPoint& from;
   const MapPoint& to;
-  int most_halvings;
+  int max_halvings;
 
   LeafState state(double begin, double end) const noexcept {
     return classifier.state(root, hull(dimension, from, to, begin, end), mode);
@@ -24,7 +24,7 @@ struct Segment {
   bool is_free(double begin, double end, int halvings) const noexcept {
     const LeafState all = state(begin, end);
     if (all.is_inside(sign)) return true;
-    if (!all.may_be(sign) || halvings == most_halvings) return false;
+    if (!all.may_be(sign) || halvings == max_halvings) return false;
     const double middle = 0.5 * (begin + end);
     // Most segments that are not free show it at a single point.
     if (!state(middle, middle).is_inside(sign)) return false;
@@ -55,9 +55,9 @@ int proved_sign(const BoxClassifier& classifier, std::size_t dimension, std::siz
 }
 
 bool segment_is_free(const BoxClassifier& classifier, std::size_t dimension, std::size_t mode, int sign,
-                     const MapPosition& from, const MapPoint& to, int most_halvings) noexcept {
-  return Segment{classifier, dimension, mode, sign, from.root, from.point, to, most_halvings}.is_free(0.0,
-                                                                                                      1.0, 0);
+                     const MapPosition& from, const MapPoint& to, int max_halvings) noexcept {
+  return Segment{classifier, dimension, mode, sign, from.root, from.point, to, max_halvings}.is_free(0.0, 1.0,
+                                                                                                     0);
 }
 
 }  // namespace parallel_aspects

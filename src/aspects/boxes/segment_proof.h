@@ -20,9 +20,9 @@ Box hull(std::size_t dimension, const MapPoint& from, const MapPoint& to, double
 
 /// Whether the straight segment between two points of a root box is proved free of singularities and within
 /// limits, with det A of the given sign all along: it is covered by boxes, halved where they are too long, at
-/// most `most_halvings` times. Needs a live `RoundingUpward`. Neither allocates nor throws.
+/// most `max_halvings` times. Needs a live `RoundingUpward`. Neither allocates nor throws.
 bool segment_is_free(const BoxClassifier& classifier, std::size_t dimension, std::size_t mode, int sign,
-                     const MapPosition& from, const MapPoint& to, int most_halvings = 12) noexcept;
+                     const MapPosition& from, const MapPoint& to, int max_halvings = 12) noexcept;
 
 }  // namespace parallel_aspects
 

@@ -56,12 +56,12 @@ bool Climb::step() noexcept {
   has_crossed_ = false;
   const Box& region = space_.region();
   const Conditions conditions = classifier_.conditions(position_, mode_, sign_);
-  for (int trial = 0; trial < policy_.most_trials; ++trial, damping_ *= policy_.more_damping) {
+  for (int trial = 0; trial < policy_.max_trials; ++trial, damping_ *= policy_.more_damping) {
     const Vector toward = direction(conditions, region, damping_, policy_);
     if (toward.size() == 0) return false;
     const MapPoint to = moved(position_.point, toward, region);
     if (proved_sign(classifier_, region.dimension, mode_, {position_.root, to}) != sign_) continue;
-    if (!segment_is_free(classifier_, region.dimension, mode_, sign_, position_, to, policy_.most_halvings))
+    if (!segment_is_free(classifier_, region.dimension, mode_, sign_, position_, to, policy_.max_halvings))
       continue;
     position_.point = to;
     damping_ = std::max(1.0, damping_ / policy_.more_damping);

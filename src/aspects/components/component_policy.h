@@ -20,14 +20,14 @@ struct ClimbPolicy {
 
   /// Directions that are tried for a step, each with so many times the damping of the one before: eight of
   /// them span twelve decades, from Newton's direction to that of steepest ascent.
-  int most_trials = 8;
+  int max_trials = 8;
   double more_damping = 30.0;
 
   /// Halvings of the boxes that cover a step; where more are needed a shorter step is tried.
-  int most_halvings = 4;
+  int max_halvings = 4;
 
   /// Steps of one climb, so that it ends.
-  int most_steps = 100;
+  int max_steps = 100;
 };
 
 /// What is done to join the components of a working mode or to prove them apart, how much of it, and in which
@@ -48,11 +48,11 @@ struct ComponentPolicy {
 
   /// With so many degrees of freedom undecided leaves are few enough to look into all. Boundaries meet at
   /// points, so that dividing what is indeterminate ends.
-  std::size_t most_degrees_of_freedom_to_look_everywhere = 2;
+  std::size_t max_degrees_of_freedom_to_look_everywhere = 2;
 
   /// With more of them a mode looks into all undecided leaves where it has no more than these, so that
   /// the time for it stays bounded.
-  std::size_t most_leaves_to_look_into = 50000;
+  std::size_t max_leaves_to_look_into = 50000;
 
   /// Levels below the base map from which `Detail::all_parts` is asked of divided leaves, in modes of more
   /// degrees of freedom that look everywhere. Most contacts end before, and the work does not pay there.
@@ -68,10 +68,10 @@ struct ComponentPolicy {
 
   /// Of indeterminate leaves, where they are divided. Where they are more they lie along a curve, and double
   /// with each level.
-  std::size_t most_indeterminate_leaves = 1000;
+  std::size_t max_indeterminate_leaves = 1000;
 
   /// Down to here leaves that are merely indeterminate are divided with more than
-  /// `most_degrees_of_freedom_to_look_everywhere`; below, curves of them would use up the budget.
+  /// `max_degrees_of_freedom_to_look_everywhere`; below, curves of them would use up the budget.
   std::uint32_t level_of_indeterminate_leaves = 10;
 
   /// Leaves that `ContactSearch` looks at: these, and so many for each leaf of a small component. What lies
@@ -84,8 +84,8 @@ struct ComponentPolicy {
   /// A contact of at most so many leaves is worked on all at once. At a point the number of leaves does not
   /// grow with depth, along a curve it doubles with each level: this number makes the difference. In modes
   /// that do not look everywhere, leaves are examined first, and fewer are left.
-  std::size_t most_leaves_of_a_point = 1000;
-  std::size_t most_leaves_of_a_point_between = 400;
+  std::size_t max_leaves_of_a_point = 1000;
+  std::size_t max_leaves_of_a_point_between = 400;
 
   /// Leaves of a larger contact that are tried first, how many times more when these are settled, and the
   /// levels below the base map that they are divided to.
@@ -95,7 +95,7 @@ struct ComponentPolicy {
 
   /// A contact whose tries came to nothing is examined as a whole if it has no more leaves, and then given
   /// up.
-  std::size_t most_leaves_to_examine = 2000;
+  std::size_t max_leaves_to_examine = 2000;
 
   // What one mode may divide in all: so many leaves, and one for so many that the base map left undecided.
   std::size_t least_budget = 10000;

@@ -55,7 +55,7 @@ std::vector<NodeIndex> ContactChoice::choose(SignGraph& graph,
 
 std::vector<NodeIndex> ContactChoice::choose_of_pair(const SignGraph& graph,
                                                      const std::vector<NodeIndex>& leaves) {
-  if (leaves.size() <= most_leaves_of_a_point_) return coarsest_of(tree_, leaves);
+  if (leaves.size() <= max_leaves_of_a_point_) return coarsest_of(tree_, leaves);
   if (!policy_.tries) return of_many(graph, leaves);
   std::vector<NodeIndex> tried;
   std::uint32_t deepest = base_level_;
@@ -64,7 +64,7 @@ std::vector<NodeIndex> ContactChoice::choose_of_pair(const SignGraph& graph,
     deepest = std::max(deepest, level);
     if (level > base_level_) tried.push_back(node);
   }
-  if (deepest >= base_level_ + policy_.levels_of_a_try || tried.size() > most_leaves_of_a_point_)
+  if (deepest >= base_level_ + policy_.levels_of_a_try || tried.size() > max_leaves_of_a_point_)
     return of_many(graph, leaves);
   if (!tried.empty()) return coarsest_of(tree_, tried);
   asks_for_more_ = true;
@@ -73,8 +73,8 @@ std::vector<NodeIndex> ContactChoice::choose_of_pair(const SignGraph& graph,
 
 std::vector<NodeIndex> ContactChoice::of_many(const SignGraph& graph,
                                               const std::vector<NodeIndex>& leaves) const {
-  return leaves.size() <= policy_.most_leaves_to_examine ? unexamined_of(graph, leaves)
-                                                         : std::vector<NodeIndex>();
+  return leaves.size() <= policy_.max_leaves_to_examine ? unexamined_of(graph, leaves)
+                                                        : std::vector<NodeIndex>();
 }
 
 std::vector<NodeIndex> ContactChoice::spread(const std::vector<NodeIndex>& leaves) const {

@@ -22,12 +22,12 @@ std::vector<NodeIndex> coarsest_of(const PoseTree& tree, const std::vector<NodeI
 /// where they were not, the components are given up.
 class ContactChoice {
  public:
-  /// `most_leaves_of_a_point`: see ComponentPolicy, which must outlive this.
-  ContactChoice(const PoseTree& tree, std::uint32_t base_level, std::size_t most_leaves_of_a_point,
+  /// `max_leaves_of_a_point`: see ComponentPolicy, which must outlive this.
+  ContactChoice(const PoseTree& tree, std::uint32_t base_level, std::size_t max_leaves_of_a_point,
                 const ComponentPolicy& policy)
       : tree_(tree),
         base_level_(base_level),
-        most_leaves_of_a_point_(most_leaves_of_a_point),
+        max_leaves_of_a_point_(max_leaves_of_a_point),
         policy_(policy),
         tries_(policy.first_tries) {}
 
@@ -41,7 +41,7 @@ class ContactChoice {
 
   const PoseTree& tree_;
   std::uint32_t base_level_;
-  std::size_t most_leaves_of_a_point_;
+  std::size_t max_leaves_of_a_point_;
   const ComponentPolicy& policy_;
   std::size_t tries_;
   bool asks_for_more_ = false;

@@ -20,14 +20,14 @@ ContactSearch::ContactSearch(const PoseTree& tree, SignGraph& graph, const MapCo
 }
 
 std::vector<SignGraph::Contact> ContactSearch::run() {
-  std::size_t most_leaves = policy_.least_leaves_to_search;
+  std::size_t max_leaves = policy_.least_leaves_to_search;
   for (const NodeIndex leaf : graph_.members()) {
     if (is_cancelled(control_)) break;
     if (!is_source(leaf)) continue;
     go_on(leaf, leaf);
-    most_leaves += policy_.leaves_to_search_for_one;
+    max_leaves += policy_.leaves_to_search_for_one;
   }
-  for (std::size_t head = 0; head < std::min(queue_.size(), most_leaves) && !is_cancelled(control_); ++head)
+  for (std::size_t head = 0; head < std::min(queue_.size(), max_leaves) && !is_cancelled(control_); ++head)
     go_on(queue_[head], reached_from_[queue_[head]]);
   return std::move(contacts_);
 }

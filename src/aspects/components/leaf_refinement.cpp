@@ -24,8 +24,8 @@ void classify(PoseTree& tree, const BoxClassifier& classifier, std::size_t mode,
   classifier.classify(tree.place(node).root, tree.box(node), ModeSet{1} << mode, detail, tree.states(node));
 }
 
-std::size_t most_leaves_of_a_point(const LeafGraph& graph, const ComponentPolicy& policy) {
-  return graph.looks_everywhere() ? policy.most_leaves_of_a_point : policy.most_leaves_of_a_point_between;
+std::size_t max_leaves_of_a_point(const LeafGraph& graph, const ComponentPolicy& policy) {
+  return graph.looks_everywhere() ? policy.max_leaves_of_a_point : policy.max_leaves_of_a_point_between;
 }
 
 /// What one working mode wants divided.
@@ -40,8 +40,8 @@ class ModeRefinement {
         policy_(policy),
         deepest_level_(deepest_level),
         base_level_(base_level),
-        positive_contacts_(tree, base_level, most_leaves_of_a_point(graph, policy), policy),
-        negative_contacts_(tree, base_level, most_leaves_of_a_point(graph, policy), policy),
+        positive_contacts_(tree, base_level, max_leaves_of_a_point(graph, policy), policy),
+        negative_contacts_(tree, base_level, max_leaves_of_a_point(graph, policy), policy),
         budget_(policy.least_budget +
                 undecided_leaves(tree, graph.mode()) / policy.undecided_leaves_for_one) {}
 
@@ -89,7 +89,7 @@ class ModeRefinement {
 
   Detail detail(NodeIndex node) const {
     if (!graph_.looks_everywhere()) return Detail::centers;
-    const bool thorough = tree_.dimension() <= policy_.most_degrees_of_freedom_to_look_everywhere ||
+    const bool thorough = tree_.dimension() <= policy_.max_degrees_of_freedom_to_look_everywhere ||
                           tree_.place(node).level >= base_level_ + policy_.levels_before_all_parts;
     return thorough ? Detail::all_parts : Detail::parts;
   }
@@ -136,12 +136,12 @@ class ModeRefinement {
 
   void request_indeterminate(int sign) {
     std::vector<NodeIndex> leaves;
-    const std::uint32_t level = tree_.dimension() <= policy_.most_degrees_of_freedom_to_look_everywhere
+    const std::uint32_t level = tree_.dimension() <= policy_.max_degrees_of_freedom_to_look_everywhere
                                     ? deepest_level_
                                     : policy_.level_of_indeterminate_leaves;
     for (const SignGraph::IndeterminateLeaf& open : graph_.of(sign).indeterminate_leaves())
       if (open.node != no_node && tree_.place(open.node).level < level) leaves.push_back(open.node);
-    if (leaves.size() > policy_.most_indeterminate_leaves) return;
+    if (leaves.size() > policy_.max_indeterminate_leaves) return;
     for (const NodeIndex node : coarsest_of(tree_, leaves)) request(node);
   }
 
@@ -160,8 +160,8 @@ class ModeRefinement {
 }  // namespace
 
 bool looks_everywhere(const PoseTree& tree, std::size_t mode, const ComponentPolicy& policy) noexcept {
-  return tree.dimension() <= policy.most_degrees_of_freedom_to_look_everywhere ||
-         undecided_leaves(tree, mode) <= policy.most_leaves_to_look_into;
+  return tree.dimension() <= policy.max_degrees_of_freedom_to_look_everywhere ||
+         undecided_leaves(tree, mode) <= policy.max_leaves_to_look_into;
 }
 
 void look_into_leaves(PoseTree& tree, const BoxClassifier& classifier, std::size_t mode,

@@ -175,7 +175,7 @@ void SignGraph::climb(const PoseTree& tree, const BoxClassifier& classifier, Nod
                       const MapPoint& pose) {
   traits_[component(leaf)].climbed = true;
   Climb climb(classifier, tree.space(), mode_, sign_, {tree.place(leaf).root, pose}, policy_.climb);
-  for (int i = 0; i <= policy_.climb.most_steps; ++i) {
+  for (int i = 0; i <= policy_.climb.max_steps; ++i) {
     const auto here = tree.leaf_at(climb.position(), mode_);
     if (here && slot_[*here] != none && is_in_component(*here) && component(*here) != component(leaf))
       return unite(leaf, *here);

@@ -74,7 +74,7 @@ BaseMapStatus grow_base_map(PoseTree& tree, const BoxClassifier& classifier, std
     symmetry.tell(tree);
     if (level < depth) divide_undecided(tree, begin, end);
     symmetry.descend(tree);
-    if (tree.node_count() > most_nodes) return BaseMapStatus::too_large;
+    if (tree.node_count() > max_nodes) return BaseMapStatus::too_large;
     begin = end;
   }
   return BaseMapStatus::complete;

@@ -16,7 +16,7 @@ namespace parallel_aspects {
 enum class BaseMapStatus { complete, cancelled, too_large };
 
 /// A base map that needs more nodes is given up: some gigabytes of memory.
-inline constexpr std::size_t most_nodes = 30'000'000;
+inline constexpr std::size_t max_nodes = 30'000'000;
 
 /// Classifies the pending nodes of `tree` and divides what stays undecided, level by level, down to `depth`,
 /// on all threads of the calling arena; the result does not depend on their number. At `depth` that much

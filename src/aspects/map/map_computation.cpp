@@ -201,7 +201,7 @@ MapResult compute_aspect_map(std::shared_ptr<const Manipulator> manipulator, con
   if (status == BaseMapStatus::cancelled)
     return {MapStatus::cancelled, "The computation was cancelled.", nullptr};
   if (status == BaseMapStatus::too_large)
-    return refused("The map takes more than " + std::to_string(most_nodes / 1'000'000) +
+    return refused("The map takes more than " + std::to_string(max_nodes / 1'000'000) +
                    " million boxes at this resolution; give a coarser one or a smaller region.");
   map->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (control.progress) control.progress(1.0);

@@ -11,7 +11,7 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr int most_extra_levels = 20;
+constexpr int max_extra_levels = 20;
 
 Box at_level(Box box, std::uint32_t level) {
   for (std::size_t i = 0; i < box.dimension; ++i)
@@ -162,7 +162,7 @@ std::string make_map_plan(const Manipulator& manipulator, const MapOptions& opti
   const double resolution = options.resolution.value_or(default_resolution(manipulator, options.slice));
   if (!std::isfinite(resolution) || resolution <= 0.0)
     return "The resolution is " + std::to_string(resolution) + " m; give a finite and positive one.";
-  if (options.extra_levels < 0 || options.extra_levels > most_extra_levels)
+  if (options.extra_levels < 0 || options.extra_levels > max_extra_levels)
     return "The number of extra levels is " + std::to_string(options.extra_levels) + "; give 0 to 20.";
 
   Box positions;

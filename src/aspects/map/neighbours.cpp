@@ -19,7 +19,7 @@ namespace parallel_aspects {
 namespace {
 
 constexpr std::size_t leaves_of_a_share = 20000;  // of one working mode
-constexpr int most_attempts = 30;                 // to prove a pair
+constexpr int max_attempts = 30;                  // to prove a pair
 
 using Key = std::tuple<int, int, Crossing, std::size_t>;
 
@@ -129,7 +129,7 @@ class ModeNeighbours {
     if (!path) return;
     Finding& finding =
         found_[{std::min(one, other), std::max(one, other), std::get<Crossing>(side), std::get<1>(side)}];
-    if (finding.proved || finding.attempts == most_attempts) return;
+    if (finding.proved || finding.attempts == max_attempts) return;
     ++finding.attempts;
     has_news_ = has_news_ || finding.attempts == 1;
     finding.proved = proof(*path);

@@ -16,8 +16,8 @@ using Eigen::Vector2d;
 
 // det A, then each B_jj^2, then the distance of each limited actuated joint from its limits, then how far
 // each other constraint is from being broken. Zero sets bound the mode.
-constexpr int most_functions = 1 + 3 + 6 + 5;
-using Values = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, most_functions, 1>;
+constexpr int max_functions = 1 + 3 + 6 + 5;
+using Values = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, max_functions, 1>;
 
 struct Function {
   BoundaryKind kind;

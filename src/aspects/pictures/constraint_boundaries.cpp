@@ -13,7 +13,7 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr std::size_t most_modes = 64;  // the bits of a ModeSet
+constexpr std::size_t max_modes = 64;  // the bits of a ModeSet
 
 ModeSet undecided_modes(const PoseTree& tree, NodeIndex node) {
   ModeSet modes = 0;
@@ -29,7 +29,7 @@ Counts count_unknown(const AspectMap::Contents& map, NodeIndex node) {
   Counts counts{};
   const ModeSet modes = undecided_modes(map.tree, node);
   if (modes == 0) return counts;
-  std::array<ConstraintKinds, most_modes> kinds;
+  std::array<ConstraintKinds, max_modes> kinds;
   map.classifier->find_unknown_constraints(map.tree.place(node).root, map.tree.box(node), modes,
                                            kinds.data());
   for (std::size_t mode = 0; mode < map.modes.size(); ++mode)

@@ -16,7 +16,7 @@ using Eigen::Vector2d;
 constexpr double turn = 2.0 * EIGEN_PI;
 constexpr double longest_edge = 0.25;    // of an image, where it can be had [rad]
 constexpr double longest_segment = 0.5;  // likewise
-constexpr int most_splits = 2;
+constexpr int max_splits = 2;
 
 // Images are drawn a little larger than they are, so that no gap is seen where a straight side meets two that
 // are not quite in line.
@@ -152,7 +152,7 @@ TriangleCorners JointProjection::triangles(int aspect, const std::vector<Boundar
   const WorkingMode mode = map_->aspects()[static_cast<std::size_t>(aspect - 1)].mode;
   TriangleCorners corners;
   for (const BoundarySliver& sliver : slivers)
-    if (sliver.aspect == aspect) add_image(sliver.corners, mode, most_splits, corners);
+    if (sliver.aspect == aspect) add_image(sliver.corners, mode, max_splits, corners);
   return corners;
 }
 

@@ -10,10 +10,10 @@ namespace parallel_aspects {
 namespace {
 
 constexpr std::size_t tries_to_attach = 24, tries_to_join = 3;
-constexpr std::size_t most_explored = 400;
+constexpr std::size_t max_explored = 400;
 constexpr double share_kept = 0.9;  // of a way that ends at a singularity or a limit
 constexpr double shortest_path = 1e-3;
-constexpr int most_parts = 100;
+constexpr int max_parts = 100;
 
 }  // namespace
 
@@ -49,7 +49,7 @@ std::vector<PathSearch::Vertex> PathSearch::nearest(const AnchorPoint& point, st
 
 bool PathSearch::link(Vertex a, Vertex b) {
   if (joined(a, b)) return true;
-  if (roadmap_.certifier().prove(poses_[a], poses_[b], mode_, most_parts).verdict != SegmentVerdict::free)
+  if (roadmap_.certifier().prove(poses_[a], poses_[b], mode_, max_parts).verdict != SegmentVerdict::free)
     return false;
   links_[a].push_back(b);
   links_[b].push_back(a);
@@ -67,12 +67,12 @@ void PathSearch::explore(Vertex from, Vertex to) {
   const RoadmapOptions& options = roadmap_.options();
   const SegmentCertifier& certifier = roadmap_.certifier();
   PoseSampler sampler(certifier.manipulator(), options.seed + 1, options.region, options.largest_rotation);
-  for (std::size_t i = 0; i < most_explored && !joined(from, to); ++i, std::swap(from, to)) {
+  for (std::size_t i = 0; i < max_explored && !joined(from, to); ++i, std::swap(from, to)) {
     const auto target = sampler.draw();
     if (!target) continue;
     const AnchorPoint point = anchor_point(*certifier.manipulator(), *target);
     const Vertex near = nearest(point, 1, from, true).front();
-    const SegmentProof proof = certifier.prove_start(poses_[near], *target, mode_, most_parts);
+    const SegmentProof proof = certifier.prove_start(poses_[near], *target, mode_, max_parts);
     const double kept = proof.verdict == SegmentVerdict::free ? 1.0 : share_kept * proof.free_until;
     if (kept < shortest_path) continue;
     const Vertex reached = add(pose_between(poses_[near], *target, kept));
@@ -103,7 +103,7 @@ std::vector<Pose> PathSearch::shortened(const std::vector<Vertex>& vertices) con
     std::size_t next = vertices.size() - 1;
     while (
         next > at + 1 &&
-        roadmap_.certifier().prove(poses_[vertices[at]], poses_[vertices[next]], mode_, most_parts).verdict !=
+        roadmap_.certifier().prove(poses_[vertices[at]], poses_[vertices[next]], mode_, max_parts).verdict !=
             SegmentVerdict::free)
       --next;
     path.push_back(poses_[vertices[next]]);

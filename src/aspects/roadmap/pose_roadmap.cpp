@@ -17,7 +17,7 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr std::size_t most_samples = 100000, most_neighbors = 100;
+constexpr std::size_t max_samples = 100000, max_neighbors = 100;
 constexpr std::size_t draws_for_each_sample = 20000;
 constexpr std::size_t draws_between_looks = 256;
 constexpr double share_of_sampling = 0.1;
@@ -32,9 +32,9 @@ bool is_usable(const Box& box, TaskSpace space) {
 }
 
 std::string problem_of(const Manipulator& manipulator, const RoadmapOptions& options) {
-  if (options.samples < 1 || options.samples > most_samples)
+  if (options.samples < 1 || options.samples > max_samples)
     return "The number of samples is " + std::to_string(options.samples) + "; give 1 to 100000.";
-  if (options.neighbors < 1 || options.neighbors > most_neighbors)
+  if (options.neighbors < 1 || options.neighbors > max_neighbors)
     return "The number of neighbors is " + std::to_string(options.neighbors) + "; give 1 to 100.";
   if (!(options.largest_rotation >= 0.0 && options.largest_rotation <= EIGEN_PI))
     return "The largest rotation is " + std::to_string(options.largest_rotation) + " rad; give 0 to pi.";

@@ -73,10 +73,10 @@ class SegmentCertifier::Evaluation {
   }
 
   /// Part by part from a start with this sign of det A, as long as the parts may be.
-  SegmentProof march(int sign, int most_parts) {
+  SegmentProof march(int sign, int max_parts) {
     SegmentProof proof;
     double step = first_step;
-    while (proof.verdict == SegmentVerdict::undecided && proof.parts < most_parts && step >= shortest_step) {
+    while (proof.verdict == SegmentVerdict::undecided && proof.parts < max_parts && step >= shortest_step) {
       // Towards a singularity parts become ever shorter; whether one lies ahead shows at single points.
       if (++proof.parts % parts_between_looks == 0 && look_ahead(sign, proof)) break;
       const double end = 1.0 - proof.free_until <= step ? 1.0 : proof.free_until + step;
@@ -214,28 +214,28 @@ ConfigurationProof SegmentCertifier::prove(const Pose& pose, const WorkingMode& 
 }
 
 SegmentProof SegmentCertifier::prove(const Pose& from, const Pose& to, const WorkingMode& mode,
-                                     int most_parts) const noexcept {
+                                     int max_parts) const noexcept {
   const ConfigurationProof start = prove(from, mode), end = prove(to, mode);
   const Violation found = start.proved_violation != Violation::none ? start.proved_violation
                           : start.sign != 0                         ? violation_at(end, start.sign)
                                                                     : Violation::none;
   if (found != Violation::none) return {SegmentVerdict::blocked, found, 0.0, 1.0, 0};
   if (start.sign == 0 || end.sign == 0) return {};
-  return march(from, to, mode, start.sign, most_parts);
+  return march(from, to, mode, start.sign, max_parts);
 }
 
 SegmentProof SegmentCertifier::prove_start(const Pose& from, const Pose& to, const WorkingMode& mode,
-                                           int most_parts) const noexcept {
+                                           int max_parts) const noexcept {
   const ConfigurationProof start = prove(from, mode);
   if (start.sign == 0 || !is_usable(to, longest_length)) return {};
-  return march(from, to, mode, start.sign, most_parts);
+  return march(from, to, mode, start.sign, max_parts);
 }
 
 SegmentProof SegmentCertifier::march(const Pose& from, const Pose& to, const WorkingMode& mode, int sign,
-                                     int most_parts) const noexcept {
+                                     int max_parts) const noexcept {
   const RoundingUpward rounding;
   const PoseSegment segment(from, to);
-  return Evaluation(*this, segment, mode).march(sign, most_parts);
+  return Evaluation(*this, segment, mode).march(sign, max_parts);
 }
 
 }  // namespace parallel_aspects

@@ -23,7 +23,7 @@ using platform_paths::Parameters;
 using platform_paths::PathEnd;
 using platform_paths::Solution;
 
-constexpr int most_attempts = 8;
+constexpr int max_attempts = 8;
 
 // Ends closer than this are the same solution.
 constexpr double same_solution = 1e-7;
@@ -177,7 +177,7 @@ DirectResult direct_se3(const Manipulator& manipulator, const JointVector& q) {
   const Normalised problem(manipulator, q);
   Search search(problem.parameters());
   DirectResult result{DirectStatus::unsolved, {}};
-  for (int attempt = 0; attempt < most_attempts && result.status == DirectStatus::unsolved; ++attempt)
+  for (int attempt = 0; attempt < max_attempts && result.status == DirectStatus::unsolved; ++attempt)
     if (search.attempt(attempt)) result.status = DirectStatus::solved;
   add_real(problem, search.regular(), false, result.solutions);
   add_real(problem, search.singular(), true, result.solutions);

@@ -11,11 +11,11 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr int most_steps = 40;
+constexpr int max_steps = 40;
 
 // Close to a singularity the residual may first rise with a step along the near null motion of A, for that
 // bends, and then fall again.
-constexpr int most_idle_steps = 6;
+constexpr int max_idle_steps = 6;
 
 // Where the residual does not fall from here, it is rounding.
 constexpr double converged = 1e-14;
@@ -32,7 +32,7 @@ Refinement refined(const Manipulator& manipulator, const Pose& pose, const Joint
   const double scale = assembly_scale(manipulator, q);
   Refinement best{pose, relative_residual(manipulator, pose, q, scale), 0.0};
   Pose now = pose;
-  for (int step = 0, idle = 0; step < most_steps && idle < most_idle_steps; ++step) {
+  for (int step = 0, idle = 0; step < max_steps && idle < max_idle_steps; ++step) {
     now = after_newton_step(manipulator, now, q);
     const double residual = relative_residual(manipulator, now, q, scale);
     if (!std::isfinite(residual)) break;

@@ -96,8 +96,8 @@ std::optional<System> found_by_monodromy(unsigned seed) {
   const Solution first = random.solution();
   System system{random.parameters(), {first}};
   fit_lengths(first, system.parameters);
-  constexpr int most_loops = 100, loops_to_confirm = 20;
-  for (int loop = 0, idle = 0; loop < most_loops && idle < loops_to_confirm; ++loop) {
+  constexpr int max_loops = 100, loops_to_confirm = 20;
+  for (int loop = 0, idle = 0; loop < max_loops && idle < loops_to_confirm; ++loop) {
     const Parameters away = random.parameters();
     const auto there = arrived(followed({system.parameters, away, {}}, system.solutions, {}));
     const auto back = arrived(followed({away, system.parameters, random.parameters()}, there, {}));

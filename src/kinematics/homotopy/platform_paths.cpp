@@ -154,7 +154,7 @@ class Follower {
     const double wanted = 0.8 * std::pow(accuracy_.prediction / std::max(error, 1e-15), 0.2);
     const double factor = converges ? std::clamp(wanted, 0.2, 2.5) : std::clamp(wanted, 0.2, 0.5);
     const double step = now_.step[lane] * factor;
-    if (step < smallest_relative_step * left || traveller(lane).steps >= accuracy_.most_steps)
+    if (step < smallest_relative_step * left || traveller(lane).steps >= accuracy_.max_steps)
       return give_up(lane);
     // Rather two equal steps to the end than one and a tiny one.
     now_.step[lane] = step >= left ? left : std::min(step, std::max(0.5 * left, step * 0.5));

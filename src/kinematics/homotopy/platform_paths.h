@@ -40,7 +40,7 @@ struct ParameterPath {
 
 struct Accuracy {
   double prediction = 1e-4;  ///< largest error of a predicted point, which has norm 1
-  int most_steps = 2000;     ///< of one path
+  int max_steps = 2000;      ///< of one path
 };
 
 enum class Ending {

@@ -50,9 +50,9 @@ void JointMerger::forget() noexcept {
   last_ = ros::Time();
 }
 
-std::optional<MergedJoints> JointMerger::add(const ros::Time& stamp, const JointSet& joint_values,
+std::optional<MergedJoints> JointMerger::add(const ros::Time& stamp, const JointSet& named_joints,
                                              const JointVector& q) {
-  remember(stamp, joint_values, q);
+  remember(stamp, named_joints, q);
   for (std::size_t j = 0; j < manipulator_->leg_count(); ++j)
     if (histories_[j].count == 0) return std::nullopt;
   MergedJoints merged;
@@ -63,14 +63,14 @@ std::optional<MergedJoints> JointMerger::add(const ros::Time& stamp, const Joint
 }
 
 // Angles go on from the value before, as between two samples.
-void JointMerger::remember(const ros::Time& stamp, const JointSet& joint_values, const JointVector& q) {
+void JointMerger::remember(const ros::Time& stamp, const JointSet& named_joints, const JointVector& q) {
   JointVector before = q;
   for (std::size_t j = 0; j < manipulator_->leg_count(); ++j)
     if (histories_[j].count > 0) before[static_cast<Eigen::Index>(j)] = histories_[j].values.front().position;
   const JointVector positions = options_.unwrap ? unwrapped(*manipulator_, before, q) : q;
   for (std::size_t j = 0; j < manipulator_->leg_count(); ++j) {
     History& history = histories_[j];
-    if (!joint_values[j] || (history.count > 0 && !(stamp > history.values.front().stamp))) continue;
+    if (!named_joints[j] || (history.count > 0 && !(stamp > history.values.front().stamp))) continue;
     history.push({stamp, positions[static_cast<Eigen::Index>(j)]});
   }
 }

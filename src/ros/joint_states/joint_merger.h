@@ -36,7 +36,7 @@ class JointMerger {
 
   /// A message with these actuated joints; other entries of `q` are not read. A configuration that is newer
   /// than the one before, where that makes one. Values that are not newer than those before change nothing.
-  std::optional<MergedJoints> add(const ros::Time& stamp, const JointSet& joint_values, const JointVector& q);
+  std::optional<MergedJoints> add(const ros::Time& stamp, const JointSet& named_joints, const JointVector& q);
 
   void forget() noexcept;
 
@@ -53,7 +53,7 @@ class JointMerger {
     double bend(std::size_t newer) const noexcept;
   };
 
-  void remember(const ros::Time& stamp, const JointSet& joint_values, const JointVector& q);
+  void remember(const ros::Time& stamp, const JointSet& named_joints, const JointVector& q);
   bool bracketed(MergedJoints& merged) const;
   bool interpolate(const History& history, double fastest, const ros::Time& stamp, double& position,
                    double& uncertainty) const;

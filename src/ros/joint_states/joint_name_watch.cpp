@@ -9,7 +9,7 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr std::size_t most_names = 20;
+constexpr std::size_t max_names = 20;
 constexpr std::size_t longest_name = 80;  // kept of each [characters]
 
 using Names = std::vector<std::string>;
@@ -36,7 +36,7 @@ bool JointNameWatch::hear(const sensor_msgs::JointState& message) {
     const std::string_view name = std::string_view(message.name[i]).substr(0, longest_name);
     if (contains(arriving_, name)) continue;
     heard = true;
-    if (arriving_.size() < most_names)
+    if (arriving_.size() < max_names)
       arriving_.emplace_back(name);
     else
       more_arrive_ = true;

@@ -18,10 +18,10 @@ constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 JointSample invalid(std::string message) { return {SampleStatus::invalid, std::move(message), {}, {}, {}}; }
 
 JointSet actuated_joints_named(const Manipulator& manipulator, const std::vector<std::string>& names) {
-  JointSet joint_values;
+  JointSet named_joints;
   for (std::size_t j = 0; j < manipulator.leg_count(); ++j)
-    joint_values[j] = std::find(names.begin(), names.end(), manipulator.leg(j).actuated_joint) != names.end();
-  return joint_values;
+    named_joints[j] = std::find(names.begin(), names.end(), manipulator.leg(j).actuated_joint) != names.end();
+  return named_joints;
 }
 
 // What is wrong with the position of an actuated joint, or empty.
@@ -68,14 +68,14 @@ JointSampleReader::JointSampleReader(std::shared_ptr<const Mechanism> mechanism)
     : mechanism_(std::move(mechanism)) {}
 
 JointSample JointSampleReader::read(const sensor_msgs::JointState& message) const {
-  const JointSet joint_values = actuated_joints_named(*mechanism_->manipulator(), message.name);
-  JointSample sample = read(message, joint_values);
-  sample.joint_values = joint_values;
+  const JointSet named_joints = actuated_joints_named(*mechanism_->manipulator(), message.name);
+  JointSample sample = read(message, named_joints);
+  sample.named_joints = named_joints;
   return sample;
 }
 
 JointSample JointSampleReader::read(const sensor_msgs::JointState& message,
-                                    const JointSet& joint_values) const {
+                                    const JointSet& named_joints) const {
   const std::size_t names = message.name.size();
   if (names == 0) return invalid("it names no joint.");
   if (message.position.size() != names || !fits(message.velocity.size(), names) ||
@@ -84,7 +84,7 @@ JointSample JointSampleReader::read(const sensor_msgs::JointState& message,
                    std::to_string(message.position.size()) + ", velocity " +
                    std::to_string(message.velocity.size()) + ", effort " +
                    std::to_string(message.effort.size()) + ".");
-  if (joint_values.none())
+  if (named_joints.none())
     return {SampleStatus::foreign, "it holds none of the actuated joints.", {}, {}, {}};
   JointSample sample = collect(*mechanism_->manipulator(), message.name, message.position);
   if (sample.status != SampleStatus::usable) return sample;

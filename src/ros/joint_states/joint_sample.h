@@ -24,7 +24,7 @@ enum class SampleStatus {
 struct JointSample {
   SampleStatus status = SampleStatus::invalid;
   std::string message;
-  JointSet joint_values;     ///< which ones the message names
+  JointSet named_joints;     ///< which ones the message names
   JointVector q;             ///< in the order of the legs [rad or m]
   Eigen::VectorXd readings;  ///< of every joint, as `joint_readings`; only where usable
 };
@@ -41,7 +41,7 @@ class JointSampleReader {
   JointSample read(const sensor_msgs::JointState& message) const;
 
  private:
-  JointSample read(const sensor_msgs::JointState& message, const JointSet& joint_values) const;
+  JointSample read(const sensor_msgs::JointState& message, const JointSet& named_joints) const;
 
   std::shared_ptr<const Mechanism> mechanism_;
 };

@@ -6,7 +6,7 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr std::size_t most_publishers = 16;  // remembered at a time
+constexpr std::size_t max_publishers = 16;  // remembered at a time
 
 // A jump in `seq` beyond this is a new way of counting, not a loss.
 constexpr std::uint32_t longest_loss = 1000000;
@@ -32,12 +32,12 @@ void PublisherWatch::count(const std::string& publisher, std::uint32_t sequence)
     return;
   }
   const Publisher heard{publisher, sequence, false, {}};
-  if (publishers_.size() < most_publishers) {
+  if (publishers_.size() < max_publishers) {
     publishers_.push_back(heard);
     return;
   }
   publishers_[next_to_replace_] = heard;
-  next_to_replace_ = (next_to_replace_ + 1) % most_publishers;
+  next_to_replace_ = (next_to_replace_ + 1) % max_publishers;
 }
 
 bool PublisherWatch::recent(const Turn& turn, const ros::Time& now) const {
@@ -46,14 +46,14 @@ bool PublisherWatch::recent(const Turn& turn, const ros::Time& now) const {
 
 // Two publish the same actuated joint where one is heard, then the other, then the first again. One after the
 // other, as when a bag is played a second time, is no contest.
-Claim PublisherWatch::claim(const std::string& publisher, const JointSet& joint_values, const ros::Time& now,
+Claim PublisherWatch::claim(const std::string& publisher, const JointSet& named_joints, const ros::Time& now,
                             std::string& other) {
   Publisher* const own = find(publisher);
   Claim claim = Claim::sole;
   other.clear();
   ++claims_;
-  for (std::size_t actuation = 0; actuation < joint_values.size(); ++actuation) {
-    if (!joint_values[actuation]) continue;
+  for (std::size_t actuation = 0; actuation < named_joints.size(); ++actuation) {
+    if (!named_joints[actuation]) continue;
     const Turn before = own ? own->turns[actuation] : Turn();
     if (own) own->turns[actuation] = {now, claims_};
     for (const Publisher& rival : publishers_) {

@@ -37,7 +37,7 @@ class PublisherWatch {
 
   /// It holds these actuated joints of this robot. `other` becomes the name of another publisher that did so
   /// a short while ago, or empty.
-  Claim claim(const std::string& publisher, const JointSet& joint_values, const ros::Time& now,
+  Claim claim(const std::string& publisher, const JointSet& named_joints, const ros::Time& now,
               std::string& other);
 
   /// Messages that did not arrive since the start.

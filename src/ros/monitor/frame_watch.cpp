@@ -12,7 +12,7 @@ const ros::WallDuration alive(2.0);
 
 const ros::WallDuration all_heard(1.0);  // by then each of two nodes has published all its frames
 
-constexpr std::size_t most_frames = 1000, most_disputes = 20;  // remembered
+constexpr std::size_t max_frames = 1000, max_disputes = 20;  // remembered
 
 }  // namespace
 
@@ -20,14 +20,14 @@ void FrameWatch::hear(const std::string& name, const std::string& publisher, Top
                       const ros::WallTime& now) {
   if (name.compare(0, own_.size(), own_) != 0 && links_.count(name) == 0) return;
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (frames_.size() >= most_frames) frames_.clear();
+  if (frames_.size() >= max_frames) frames_.clear();
   const Frame before = std::exchange(frames_[name], {publisher, now});
   if (before.publisher.empty() || before.publisher == publisher || now - before.heard > alive) return;
   const Nodes nodes = std::minmax(before.publisher, publisher);
-  if (disputes_.size() >= most_disputes && disputes_.count(nodes) == 0) return;
+  if (disputes_.size() >= max_disputes && disputes_.count(nodes) == 0) return;
   Dispute& dispute = disputes_[nodes];
   if (dispute.frames.empty()) dispute.first = now;
-  if (dispute.frames.size() < most_frames) dispute.frames.insert(name);
+  if (dispute.frames.size() < max_frames) dispute.frames.insert(name);
   dispute.last = now;
   dispute.for_good = dispute.for_good || topic == Topic::tf_static;
 }

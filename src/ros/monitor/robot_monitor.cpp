@@ -52,7 +52,7 @@ MonitorUpdate RobotMonitor::update(const sensor_msgs::JointState& message, const
   const bool new_names = sample.status != SampleStatus::usable && nothing_lately && names_.hear(message);
   if (sample.status == SampleStatus::foreign) return pass_over(new_names);
   std::string other;
-  const Claim claim = publishers_.claim(publisher, sample.joint_values, now, other);
+  const Claim claim = publishers_.claim(publisher, sample.named_joints, now, other);
   if (claim == Claim::contested)
     return refuse(Status::SEVERAL_PUBLISHERS,
                   "both " + std::min(publisher, other) + " and " + std::max(publisher, other) +
@@ -70,7 +70,7 @@ MonitorUpdate RobotMonitor::update(const sensor_msgs::JointState& message, const
   const ros::Time before = sample.status == SampleStatus::partial ? ros::Time() : age_.stamp();
   const std::string fault = fault_of_stamp(stamp, before, now, age_.timeout());
   if (!fault.empty()) return refuse(Status::INVALID_JOINT_STATES, fault, stamp, now);
-  const auto merged = merger_.add(stamp, sample.joint_values, sample.q);
+  const auto merged = merger_.add(stamp, sample.named_joints, sample.q);
   if (sample.status == SampleStatus::usable) return accept(sample, {stamp, sample.q, {}}, now);
   if (merged && merged->stamp > age_.stamp()) return accept(JointSample(), *merged, now);
   return wait_for_joints(sample, now);
@@ -111,21 +111,21 @@ MonitorUpdate RobotMonitor::wait_for_joints(const JointSample& sample, const ros
   return update;
 }
 
-MonitorUpdate RobotMonitor::accept(const JointSample& sample, const MergedJoints& joint_values,
+MonitorUpdate RobotMonitor::accept(const JointSample& sample, const MergedJoints& merged,
                                    const ros::Time& now) {
   ++counts_.usable;
   names_.forget();
   const bool first = age_.stamp().isZero();
-  const ros::Time& stamp = joint_values.stamp;
+  const ros::Time& stamp = merged.stamp;
   if (first) epoch_ = stamp;
-  const JointVector& q = joint_values.q;
+  const JointVector& q = merged.q;
   age_.take(stamp, now);
   last_q_ = q;
-  last_uncertainty_ = joint_values.uncertainty;
+  last_uncertainty_ = merged.uncertainty;
   readings_ = sample.readings;
   const double time = seconds_between(epoch_, stamp);
   const Status start = first ? start_as_configured(time, q) : Status();
-  if (!first || start.code != Status::OK) tracker_.update(time, q, joint_values.uncertainty);
+  if (!first || start.code != Status::OK) tracker_.update(time, q, merged.uncertainty);
   const bool uninitialised = tracker_.state().status == TrackStatus::uninitialised;
   if (tracker_.state().followed()) not_started_ = {};
   if (first && uninitialised) not_started_ = start;

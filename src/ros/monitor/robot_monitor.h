@@ -102,7 +102,7 @@ class RobotMonitor {
   MonitorUpdate refuse(std::uint8_t code, const std::string& message, const ros::Time& stamp,
                        const ros::Time& now);
   MonitorUpdate wait_for_joints(const JointSample& sample, const ros::Time& now);
-  MonitorUpdate accept(const JointSample& sample, const MergedJoints& joint_values, const ros::Time& now);
+  MonitorUpdate accept(const JointSample& sample, const MergedJoints& merged, const ros::Time& now);
   Status start_as_configured(double time, const JointVector& q);
   bool failed_start() const;
   JointVector uncertainty_to_report() const;

@@ -26,8 +26,8 @@ std::vector<std::string> lines_of(const std::string& words, std::size_t longest)
   std::vector<std::string> lines;
   std::istringstream stream(words);
   for (std::string line; std::getline(stream, line);) add_lines(line, longest, lines);
-  if (lines.size() <= Caption::most_lines) return lines;
-  lines.resize(Caption::most_lines);
+  if (lines.size() <= Caption::max_lines) return lines;
+  lines.resize(Caption::max_lines);
   std::string& last = lines.back();
   if (last.size() + 4 > longest) last.erase(std::min(last.find_last_of(' ', longest - 4), longest - 4));
   last += " ...";

@@ -14,7 +14,7 @@ namespace parallel_aspects {
 /// What rviz says about the robot, in lines that cover neither the robot nor the gallery: below a planar
 /// robot, and above any other and its gallery.
 struct Caption {
-  static constexpr std::size_t most_lines = 4;
+  static constexpr std::size_t max_lines = 4;
   static constexpr double letter_width = 0.45;  ///< on average, over the height of the text
   static constexpr double line_pitch = 1.2;     ///< from one line to the next, over the height of the text
 

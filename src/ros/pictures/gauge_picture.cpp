@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double most_rows = 12.0, title_rows = 1.6, gauge_rows = 1.25;
+constexpr double max_rows = 12.0, title_rows = 1.6, gauge_rows = 1.25;
 
 MarkerBatch::Points filled_rectangle(const Vector2d& lower, const Vector2d& upper) {
   const Vector2d right(upper.x(), lower.y()), left(lower.x(), upper.y());
@@ -31,10 +31,10 @@ GaugePicture::GaugePicture(std::shared_ptr<const Manipulator> manipulator, Marke
       plane_{frames_.aspects, Eigen::Isometry3d::Identity()} {
   double gauges = 2.0;
   for (const Leg& leg : manipulator_->legs()) gauges += leg.largest_entry() > 0.0 ? 1.0 : 0.0;
-  top_ = -std::max(0.0, 0.5 * (most_rows - title_rows - gauge_rows * gauges)) * row_height();
+  top_ = -std::max(0.0, 0.5 * (max_rows - title_rows - gauge_rows * gauges)) * row_height();
 }
 
-double GaugePicture::row_height() const noexcept { return scene_.tiles.height() / most_rows; }
+double GaugePicture::row_height() const noexcept { return scene_.tiles.height() / max_rows; }
 
 std::vector<GaugePicture::Gauge> GaugePicture::gauges(const DrawnConfiguration& now) const {
   const SingularityIndices indices = singularity_indices(*manipulator_, now.solved.pose, now.solved.q);

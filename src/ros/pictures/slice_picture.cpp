@@ -17,7 +17,7 @@ using Points = MarkerBatch::Points;
 constexpr int tile_cells = 48;                               // of the grid across a tile
 constexpr int robot_cells = 110;                             // across the slice at the robot
 constexpr double gallery_step = 0.02, present_step = 0.005;  // of the range of levels, between two drawings
-constexpr std::size_t most_lines = 3;                        // of legend under a tile
+constexpr std::size_t max_lines = 3;                         // of legend under a tile
 
 std::pair<double, double> level_bounds(const AspectMap& map) {
   if (map.manipulator()->task_space() == TaskSpace::SO3) return {-EIGEN_PI, EIGEN_PI};
@@ -127,11 +127,11 @@ std::vector<int> SlicePicture::legend(const WorkingMode& mode, const Drawn& now)
   std::vector<int> ids;
   for (const Aspect& aspect : map_->aspects())
     if (aspect.mode == mode) ids.push_back(aspect.id);
-  if (ids.size() <= most_lines) return ids;
+  if (ids.size() <= max_lines) return ids;
   const bool here = now && now->mode == mode && now->aspect != 0;
   const bool hidden =
-      here && std::find(ids.begin(), ids.begin() + most_lines, now->aspect) == ids.begin() + most_lines;
-  ids.resize(most_lines);
+      here && std::find(ids.begin(), ids.begin() + max_lines, now->aspect) == ids.begin() + max_lines;
+  ids.resize(max_lines);
   if (hidden) ids.back() = now->aspect;
   return ids;
 }

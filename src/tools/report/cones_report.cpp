@@ -12,7 +12,7 @@ std::string holder(const Manipulator& manipulator, const BallJointCone& cone) {
   return manipulator.leg(cone.leg).kind().has_crank ? "crank" : "base";
 }
 
-constexpr std::size_t most_lines = 24;
+constexpr std::size_t max_lines = 24;
 
 /// `joint` is empty for a cone that stands for no joint limit.
 void add(const Manipulator& manipulator, const BallJointCone& cone, const std::string& joint,
@@ -35,7 +35,7 @@ Report report_cones(const Manipulator& manipulator, bool verbose) {
   for (const BallJointCone& cone : manipulator.constraints().cones) add(manipulator, cone, "", report);
   for (const PassiveCone& limit : manipulator.constraints().passive_cones)
     add(manipulator, limit.cone, limit.joint, report);
-  if (report.json.size() > most_lines && !verbose)
+  if (report.json.size() > max_lines && !verbose)
     report.text = "cones: " + std::to_string(report.json.size()) + " bound the rods; --verbose lists them\n";
   return report;
 }

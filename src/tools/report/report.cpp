@@ -11,8 +11,8 @@
 namespace parallel_aspects::tools {
 namespace {
 
-constexpr std::ptrdiff_t most_names = 4;  // that a note lists
-constexpr std::ptrdiff_t shown_names = most_names - 1;
+constexpr std::ptrdiff_t max_names = 4;  // that a note lists
+constexpr std::ptrdiff_t shown_names = max_names - 1;
 constexpr double degrees_in_radian = 180.0 / EIGEN_PI;
 
 std::string with_digits(double value, int digits) {
@@ -98,7 +98,7 @@ std::string shortened(const std::string& note) {
     const std::ptrdiff_t count = std::distance(each, none);
     text.append(done, note.begin() + found->position());
     done = note.begin() + found->position() + found->length();
-    if (count <= most_names) {
+    if (count <= max_names) {
       text += names;
       continue;
     }

@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr unsigned most_boxes = 10'000'000;
+constexpr unsigned max_boxes = 10'000'000;
 
 struct DistanceArguments {
   RobotChoice robot;
@@ -40,8 +40,8 @@ DistanceQuestion parse(const DistanceArguments& arguments, const Manipulator& ma
   if (!arguments.tolerance.empty())
     question.options.tolerance = parse_positive("--tolerance", arguments.tolerance, problems);
   if (!arguments.boxes.empty())
-    question.options.most_boxes =
-        static_cast<int>(parse_count("--boxes", arguments.boxes, most_boxes, problems));
+    question.options.max_boxes =
+        static_cast<int>(parse_count("--boxes", arguments.boxes, max_boxes, problems));
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
   return question;
 }

@@ -20,7 +20,7 @@
 namespace parallel_aspects::tools {
 namespace {
 
-constexpr unsigned most_threads = 1024;
+constexpr unsigned max_threads = 1024;
 
 struct MapArguments {
   RobotChoice robot;
@@ -47,7 +47,7 @@ MapOptions parse_options(const MapArguments& arguments, const MapConfig& section
   if (!arguments.resolution.empty())
     options.resolution = parse_positive("--resolution", arguments.resolution, problems);
   if (!arguments.threads.empty())
-    options.threads = parse_count("--threads", arguments.threads, most_threads, problems);
+    options.threads = parse_count("--threads", arguments.threads, max_threads, problems);
   return options;
 }
 

@@ -8,7 +8,7 @@ namespace parallel_aspects {
 namespace {
 
 // Each is assembled and recognised, which takes tenths of a second for a hexapod.
-constexpr std::size_t most_alike = 24, most_others = 16;
+constexpr std::size_t max_alike = 24, max_others = 16;
 
 using Choice = std::vector<std::size_t>;
 
@@ -37,11 +37,11 @@ class Chooser {
       for (const auto& leg : legs_)
         if (std::count_if(leg.begin(), leg.end(), at(depth)) == 1)
           choice.push_back(std::find_if(leg.begin(), leg.end(), at(depth))->variable);
-      add(choice, most_alike);
+      add(choice, max_alike);
       for (std::size_t without = 0; without < choice.size(); ++without) {
         Choice fewer = choice;
         fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(without));
-        add(fewer, most_alike);
+        add(fewer, max_alike);
       }
     }
     return std::move(choices_);
@@ -71,8 +71,8 @@ class Chooser {
   }
 
   void extend(std::size_t leg, Choice& choice) {
-    if (choices_.size() >= most_others) return;
-    if (leg == legs_.size()) return add(choice, most_others);
+    if (choices_.size() >= max_others) return;
+    if (leg == legs_.size()) return add(choice, max_others);
     for (const LegJoint& joint : legs_[leg]) {
       choice.push_back(joint.variable);
       extend(leg + 1, choice);

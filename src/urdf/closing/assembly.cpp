@@ -15,7 +15,7 @@ namespace {
 constexpr int random_starts = 24;
 constexpr int starts_beside = 24;
 constexpr int starts_beside_good = 4;  // where only the platform may lack a way to move, or be no platform
-constexpr double least_distance_beside = 0.02, most_distance_beside = 0.5;  // of motions of unit length
+constexpr double least_distance_beside = 0.02, max_distance_beside = 0.5;  // of motions of unit length
 constexpr int wanted_assemblies = 6;
 constexpr int iterations = 120;
 constexpr int polishing_steps = 12;
@@ -281,7 +281,7 @@ class Assembler {
   Eigen::VectorXd beside_best() {
     const Eigen::MatrixXd& motions = best_->assembly.motions;
     std::uniform_real_distribution<double> entry(-1.0, 1.0);
-    std::uniform_real_distribution<double> distance(least_distance_beside, most_distance_beside);
+    std::uniform_real_distribution<double> distance(least_distance_beside, max_distance_beside);
     Eigen::VectorXd direction(motions.cols());
     for (double& value : coefficients_of(direction)) value = entry(random_);
     return best_->assembly.values + motions * (direction.stableNormalized() * distance(random_));

@@ -13,8 +13,8 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr std::size_t most_chains = 16;    // of one leg; a Delta leg has two
-constexpr std::size_t most_steps = 20000;  // on the path along them
+constexpr std::size_t max_chains = 16;    // of one leg; a Delta leg has two
+constexpr std::size_t max_steps = 20000;  // on the path along them
 
 // Sets of numbers that are joined pair by pair.
 class Partition {
@@ -209,7 +209,7 @@ class LegFinder {
     std::set<std::size_t> visited{base_};
     steps_ = 0;
     walk(part, base_, visited, chain, chains);
-    if (chains.size() < most_chains && steps_ < most_steps) {
+    if (chains.size() < max_chains && steps_ < max_steps) {
       if (found.empty())
         legs.passive.push_back({chains, restricts(joining, index)});
       else
@@ -229,7 +229,7 @@ class LegFinder {
   void walk(const std::vector<std::size_t>& part, std::size_t body, std::set<std::size_t>& visited,
             Chain& chain, std::vector<Chain>& chains) {
     if (body == platform_) chains.push_back(chain);
-    if (body == platform_ || chains.size() >= most_chains || ++steps_ >= most_steps) return;
+    if (body == platform_ || chains.size() >= max_chains || ++steps_ >= max_steps) return;
     for (const std::size_t k : part) {
       const Edge& edge = edges_[k];
       if (edge.from != body && edge.to != body) continue;

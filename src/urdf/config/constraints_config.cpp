@@ -15,7 +15,7 @@ const char* const cone_help = "{leg: 1, end: base, axis: [0.0, 0.0, -1.0], angle
 const char* const link_help = "write names such as crank_1 or rod_2";
 
 const char* const leg_help = "give its number, counted from 1 in the order of mechanism.actuated_joints";
-constexpr double most_legs = 6.0;
+constexpr double max_leg_number = 6.0;
 constexpr double half_turn = EIGEN_PI;
 
 /// "crank_2" as a link; the number of a leg has one digit, since no robot has more than six.
@@ -85,7 +85,7 @@ class Reader {
   bool read_leg(const YAML::Node& node, const std::string& where, std::size_t& leg) {
     double number = 0.0;
     if (!yaml_.number(node, where, number)) return false;
-    const bool good = number >= 1.0 && number <= most_legs && number == std::floor(number);
+    const bool good = number >= 1.0 && number <= max_leg_number && number == std::floor(number);
     if (good)
       leg = static_cast<std::size_t>(number) - 1;
     else

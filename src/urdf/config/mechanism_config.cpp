@@ -14,7 +14,7 @@ namespace parallel_aspects {
 namespace {
 
 // More would be another robot: loops close to within as much.
-constexpr double most_symmetrized = 1e-3;
+constexpr double max_symmetrized = 1e-3;
 
 const std::vector<std::string>& mechanism_keys() {
   static const std::vector<std::string> keys{
@@ -138,7 +138,7 @@ class Reader {
   void read_symmetrize(const YAML::Node& node, MechanismConfig& config) {
     double tolerance = 0.0;
     if (!yaml_.number(node, "mechanism.symmetrize", tolerance)) return;
-    if (tolerance > 0.0 && tolerance <= most_symmetrized)
+    if (tolerance > 0.0 && tolerance <= max_symmetrized)
       config.symmetrize = tolerance;
     else
       problem(

@@ -7,13 +7,13 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr std::size_t most_letters = 200;  // that are compared
-constexpr std::size_t most_suggestions = 20;
-constexpr std::size_t most_listed = 12;   // names in a message
+constexpr std::size_t max_letters = 200;  // that are compared
+constexpr std::size_t max_suggestions = 20;
+constexpr std::size_t max_listed = 12;    // names in a message
 constexpr std::size_t least_letters = 3;  // of a name that is a part of another
 
 std::size_t edit_distance(std::string one, std::string other) {
-  for (std::string* word : {&one, &other}) word->resize(std::min(word->size(), most_letters));
+  for (std::string* word : {&one, &other}) word->resize(std::min(word->size(), max_letters));
   std::vector<std::size_t> row(other.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
   for (std::size_t i = 1; i <= one.size(); ++i) {
@@ -57,9 +57,9 @@ std::string similar_name(const std::string& word, const std::vector<std::string>
 
 std::string suggestion(const std::string& word, const std::vector<std::string>& known,
                        const Problems& problems) {
-  const std::string similar = problems.size() < most_suggestions ? similar_name(word, known) : "";
+  const std::string similar = problems.size() < max_suggestions ? similar_name(word, known) : "";
   if (!similar.empty()) return "; did you mean '" + similar + "'?";
-  if (known.empty() || known.size() > most_listed) return "; correct it.";
+  if (known.empty() || known.size() > max_listed) return "; correct it.";
   return "; there are " + listed(known) + ".";
 }
 

@@ -14,8 +14,8 @@ namespace {
 using YAML::anchor_t;
 using YAML::Mark;
 
-constexpr std::size_t most_characters = 200000;  // a shipped robot has less than a thousand
-constexpr std::size_t most_levels = 100;         // of lists and maps in one another
+constexpr std::size_t max_characters = 200000;  // a shipped robot has less than a thousand
+constexpr std::size_t max_levels = 100;         // of lists and maps in one another
 
 // Counts while the text is read, and stops it early. What follows a closing quote or bracket is a document of
 // its own to yaml-cpp, and a stray comma begins one without end, so that LoadAll never returns.
@@ -57,17 +57,17 @@ class SizeLimit : public YAML::EventHandler {
 
   void add(const Mark& mark, anchor_t anchor, std::size_t characters) {
     characters_ += characters;
-    if (characters_ > most_characters)
-      throw YAML::ParserException(mark, "more than " + std::to_string(most_characters) +
+    if (characters_ > max_characters)
+      throw YAML::ParserException(mark, "more than " + std::to_string(max_characters) +
                                             " characters are said, each alias counted as what it "
                                             "stands for");
     sizes_[anchor] = characters;
   }
 
   void open(const Mark& mark, anchor_t anchor) {
-    if (open_.size() == most_levels)
+    if (open_.size() == max_levels)
       throw YAML::ParserException(
-          mark, "more than " + std::to_string(most_levels) + " lists and maps lie in one another");
+          mark, "more than " + std::to_string(max_levels) + " lists and maps lie in one another");
     open_.push_back({anchor, characters_});
     add(mark, {}, 1);
   }

@@ -68,7 +68,7 @@ std::vector<std::string> messages(const std::multimap<Remark, std::string>& rema
   return result;
 }
 
-constexpr int most_guesses = 20;  // of names that may be meant
+constexpr int max_guesses = 20;  // of names that may be meant
 
 using NameSet = std::unordered_set<std::string>;
 
@@ -250,7 +250,7 @@ class Inspector {
 
   // Comparing a name with all others takes long where both are many.
   std::string remedy_for_missing(const std::string& link) {
-    const std::string similar = guesses_++ < most_guesses ? similar_name(link, links_) : "";
+    const std::string similar = guesses_++ < max_guesses ? similar_name(link, links_) : "";
     return similar.empty() ? "add it." : "add it, or write '" + similar + "'.";
   }
 

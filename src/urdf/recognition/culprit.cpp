@@ -11,12 +11,12 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr std::size_t most_points = 16;  // links that are tried as operational point
-constexpr std::size_t most_links = 4;    // and as the end of one closure
+constexpr std::size_t max_points = 16;  // links that are tried as operational point
+constexpr std::size_t max_links = 4;    // and as the end of one closure
 
 // Of attempts, times the square of the number of joints in the loops, and more where an attempt has choices
 // of its own: a refusal is not to take long.
-constexpr std::size_t most_work = 2200;
+constexpr std::size_t max_work = 2200;
 constexpr std::size_t choices_of_types = 8;
 
 class Search {
@@ -114,7 +114,7 @@ class Search {
     if (!frame.in_link.isApprox(Eigen::Isometry3d::Identity())) return {platform()};
     std::vector<std::size_t> links;
     for (std::size_t link = 0; link < tree_->links.size(); ++link)
-      if (is_on_platform(link) && link != platform() && !is_closed(link) && links.size() < most_links)
+      if (is_on_platform(link) && link != platform() && !is_closed(link) && links.size() < max_links)
         links.push_back(link);
     return links;
   }
@@ -143,7 +143,7 @@ class Search {
     std::vector<std::size_t> once;
     for (const std::size_t link : links)
       if (link != resolved_.base && link != resolved_.actuated_joints.platform_link &&
-          std::find(once.begin(), once.end(), link) == once.end() && once.size() < most_points)
+          std::find(once.begin(), once.end(), link) == once.end() && once.size() < max_points)
         once.push_back(link);
     return once;
   }
@@ -197,7 +197,7 @@ class Search {
                            return closure.type == ClosureType::automatic;
                          });
     work_ += joints * joints * (is_open ? choices_of_types : 1);
-    return work_ > most_work ? std::nullopt : attempt_(tree, changed);
+    return work_ > max_work ? std::nullopt : attempt_(tree, changed);
   }
 
   // With the one joint that is actuated, or each of several that move together.

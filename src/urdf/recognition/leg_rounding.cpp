@@ -12,12 +12,12 @@ using Eigen::Vector3d;
 constexpr int length_digits = 14, angle_decimals = 13, direction_decimals = 14;
 
 // Powers of ten are exact up to there, and so are the integers that numbers of the model are multiplied to.
-constexpr int most_decimals = 22;
+constexpr int max_decimals = 22;
 
 /// To a number of decimals; the nearest double of the decimal number, and of its opposite the opposite.
 class Decimals {
  public:
-  explicit Decimals(int decimals) : scale_(std::pow(10.0, std::clamp(decimals, 0, most_decimals))) {}
+  explicit Decimals(int decimals) : scale_(std::pow(10.0, std::clamp(decimals, 0, max_decimals))) {}
 
   double operator()(double value) const {
     const double rounded = std::round(value * scale_) / scale_;

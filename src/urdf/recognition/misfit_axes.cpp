@@ -17,10 +17,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double near_angle = 0.15;         // of an axis that was meant to be parallel [rad]
-constexpr double most_misfits = 1.0 / 3.0;  // of the axes, where these are all meant to share something
+constexpr double near_angle = 0.15;        // of an axis that was meant to be parallel [rad]
+constexpr double max_misfits = 1.0 / 3.0;  // of the axes, where these are all meant to share something
 
-constexpr std::size_t most_alone = 4;  // that are put right without the others
+constexpr std::size_t max_alone = 4;  // that are put right without the others
 
 // The axis of a joint, in the base frame.
 struct Axis {
@@ -87,7 +87,7 @@ class MisfitFinder {
 
  private:
   bool are_most(std::size_t others) const {
-    return others > 0 && static_cast<double>(others) <= most_misfits * static_cast<double>(axes_.size());
+    return others > 0 && static_cast<double>(others) <= max_misfits * static_cast<double>(axes_.size());
   }
 
   std::size_t count_beside(const Vector3d& direction) const {
@@ -157,7 +157,7 @@ class MisfitFinder {
 
   void add(const std::vector<Misfit>& misfits, const std::string& from) {
     if (misfits.empty()) return;
-    for (std::size_t k = 0; k < misfits.size() && k < most_alone; ++k) add_turned_axes({misfits[k]}, from);
+    for (std::size_t k = 0; k < misfits.size() && k < max_alone; ++k) add_turned_axes({misfits[k]}, from);
     if (misfits.size() > 1) add_turned_axes(misfits, from);
     add_turned_frame(misfits.front(), from);
   }

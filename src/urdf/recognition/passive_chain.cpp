@@ -73,7 +73,7 @@ class Bounding {
   SlideBounds run(const std::vector<PassiveChain>& chains, const std::vector<Leg>& legs) {
     for (const PassiveChain& chain : chains)
       if (moves_point_by_slides_alone(chain)) add(chain);
-    if (bounds_.joint_values.empty()) return {};
+    if (bounds_.slides.empty()) return {};
     for (const Leg& leg : legs) fill(leg);
     if (!box_.lower.head(count_).allFinite() || !box_.upper.head(count_).allFinite()) return {};
     for (Eigen::Index k = 0; k < 3; ++k)
@@ -108,7 +108,7 @@ class Bounding {
     const std::array<double, 2> ends{at(limits.lower), at(limits.upper)};
     box_.lower[along] = std::max(box_.lower[along], std::min(ends[0], ends[1]));
     box_.upper[along] = std::min(box_.upper[along], std::max(ends[0], ends[1]));
-    bounds_.joint_values.push_back(*slide.variable);
+    bounds_.slides.push_back(*slide.variable);
   }
 
   // A box that no pose leaves bounds nothing.
@@ -188,13 +188,13 @@ std::vector<std::string> notes_on(const std::vector<PassiveChain>& chains, const
                     ".");
   }
   std::string limited;
-  for (const std::size_t variable : bounds.joint_values)
+  for (const std::size_t variable : bounds.slides)
     limited += (limited.empty() ? "'" : ", '") + tree.joint_of(variable).name + "'";
   if (bounds.box)
     notes.push_back("The limits of " + limited + " keep the operational point between " +
                     corner(bounds.box->lower, space) + " and " + corner(bounds.box->upper, space) +
                     " m of the task frame, as constraints.workspace does.");
-  const std::string unbounded = unbounded_slides(chains, bounds.joint_values, tree);
+  const std::string unbounded = unbounded_slides(chains, bounds.slides, tree);
   if (!unbounded.empty())
     notes.push_back("The limits of " + unbounded +
                     " bound no aspect: for that slides are along the axes of the task frame and, where the "

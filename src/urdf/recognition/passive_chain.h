@@ -29,8 +29,8 @@ std::optional<PassiveChain> recognise_passive_chain(const PassiveChains& found, 
 
 /// What the limits of slides say of the operational point.
 struct SlideBounds {
-  std::optional<WorkspaceBox> box;        ///< in the task frame [m]; none where no slide is limited
-  std::vector<std::size_t> joint_values;  ///< the limited slides whose limits are exactly that
+  std::optional<WorkspaceBox> box;  ///< in the task frame [m]; none where no slide is limited
+  std::vector<std::size_t> slides;  ///< the limited slides whose limits are exactly that
 };
 
 /// `values` are those of all joints at the assembled configuration of `motion` [rad or m]. Limits of slides

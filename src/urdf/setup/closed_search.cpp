@@ -13,13 +13,13 @@ namespace parallel_aspects {
 namespace {
 
 // Legs of a fully parallel robot, and one passive chain besides.
-constexpr std::size_t fewest_legs = 2, most_legs = 7;
+constexpr std::size_t min_parts = 2, max_parts = 7;
 
 // How many candidates are tried besides what is taken, to say that they would do as well.
-constexpr std::size_t most_others = 4;
+constexpr std::size_t max_others = 4;
 
 // Closures that are seldom, as welds, and mixtures of types are tried for so many candidates.
-constexpr std::size_t most_with_all_types = 2;
+constexpr std::size_t max_with_all_types = 2;
 
 struct OutOfTime {};
 
@@ -121,7 +121,7 @@ class ClosedSearch {
     for (const std::size_t body : graph_.moving_bodies(base_)) {
       if (!answer.empty() && bodies_.of(*tree_.link_named(answer)) != body) continue;
       const std::vector<GraphPart> parts = graph_.parts_between(base_, body);
-      if (parts.size() < fewest_legs || parts.size() > most_legs) continue;
+      if (parts.size() < min_parts || parts.size() > max_parts) continue;
       Platform platform{body, links_of(body), leg_choices(parts), 0};
       platform.likeness = operational_point_likeness(link_name(platform.links.front()));
       if (!platform.legs.empty()) result.push_back(platform);
@@ -208,11 +208,11 @@ class ClosedSearch {
     legs_ = legs.size();
     std::vector<SetupCandidate> equals, others;
     int weight = 0;
-    for (std::size_t k = 0; k < candidates.size() && others.size() < most_others; ++k) {
+    for (std::size_t k = 0; k < candidates.size() && others.size() < max_others; ++k) {
       const ActuationCandidate& candidate = candidates[k];
       if (equals.empty()) {
         if (stopped()) return false;
-        if (!try_links(platform, candidate, k < most_with_all_types)) continue;
+        if (!try_links(platform, candidate, k < max_with_all_types)) continue;
         weight = candidate.weight;
         equals.push_back(described(candidate));
       } else if (candidate.weight == weight) {

@@ -12,7 +12,7 @@ namespace parallel_aspects {
 namespace {
 
 // The loops are closed from so many configurations, the first at zero, until enough are found.
-constexpr int most_starts = 16;
+constexpr int max_starts = 16;
 constexpr std::size_t enough = 4;
 constexpr unsigned seed = 7;
 
@@ -40,7 +40,7 @@ Freedom::Freedom(const Tree& tree, std::size_t base, std::vector<Closure> closur
   const std::vector<bool> none_held(system_.in_loop().size(), false);
   std::mt19937 random(seed);
   Eigen::VectorXd start = Eigen::VectorXd::Zero(tree.variables());
-  for (int k = 0; k < most_starts && samples_.size() < enough; ++k) {
+  for (int k = 0; k < max_starts && samples_.size() < enough; ++k) {
     add(close_loops(system_, start, none_held));
     start = random_values(system_, random);
   }

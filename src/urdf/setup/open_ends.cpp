@@ -19,8 +19,8 @@ constexpr double coincident = 1e-4;
 constexpr double near = 0.02;
 constexpr double distinct = 3.0;  // the second nearest is so many times farther
 
-constexpr std::size_t most_hubs = 4;
-constexpr std::size_t most_orders = 24;  // of ends that nothing tells apart
+constexpr std::size_t max_hubs = 4;
+constexpr std::size_t max_orders = 24;  // of ends that nothing tells apart
 
 std::string number(double value) {
   std::ostringstream text;
@@ -144,7 +144,7 @@ class EndFinder {
       return std::pair{!carries_all(one.body), one.ends.size()} >
              std::pair{!carries_all(other.body), other.ends.size()};
     });
-    if (hubs.size() > most_hubs) hubs.resize(most_hubs);
+    if (hubs.size() > max_hubs) hubs.resize(max_hubs);
     if (hubs.empty()) hubs.push_back(terminal_.size() > 1 ? best_single() : ended_.front());
     return hubs;
   }
@@ -286,7 +286,7 @@ class EndFinder {
   }
 
   void extend(std::vector<std::size_t>& chosen, EqualPairings& orders) {
-    if (orders.size() >= most_orders) {
+    if (orders.size() >= max_orders) {
       result_.cut_short = true;
       return;
     }

@@ -16,7 +16,7 @@ using SpaceAndActuation = std::tuple<TaskSpace, test::ActuationKind>;
 
 class Completeness : public testing::TestWithParam<SpaceAndActuation> {};
 
-std::size_t most_solutions(TaskSpace space) {
+std::size_t max_solutions(TaskSpace space) {
   switch (space) {
     case TaskSpace::T1:
     case TaskSpace::T2:
@@ -58,7 +58,7 @@ TEST_P(Completeness, NewtonFromRandomPosesFindsNothingElse) {
     ++tested;
     const DirectResult result = direct(*robot, solution.q);
     ASSERT_EQ(result.status, DirectStatus::solved) << test::describe(*robot, pose, solution.q);
-    ASSERT_LE(result.solutions.size(), most_solutions(space)) << test::describe(*robot, pose, solution.q);
+    ASSERT_LE(result.solutions.size(), max_solutions(space)) << test::describe(*robot, pose, solution.q);
     ASSERT_EQ(result.solutions.size() % 2, 0U) << test::describe(*robot, pose, solution.q);
     check_against_newton(*robot, solution.q, result, random, slow ? 100 : 30);
   }
@@ -66,9 +66,8 @@ TEST_P(Completeness, NewtonFromRandomPosesFindsNothingElse) {
 }
 
 std::string case_name(const testing::TestParamInfo<SpaceAndActuation>& info) {
-  static const char* const joint_values[] = {"revolute", "prismatic", "strut", "elbow"};
-  return std::string(name(std::get<0>(info.param))) + "_" +
-         joint_values[static_cast<int>(std::get<1>(info.param))];
+  static const char* const kinds[] = {"revolute", "prismatic", "strut", "elbow"};
+  return std::string(name(std::get<0>(info.param))) + "_" + kinds[static_cast<int>(std::get<1>(info.param))];
 }
 
 INSTANTIATE_TEST_SUITE_P(EverySpaceAndActuation, Completeness,

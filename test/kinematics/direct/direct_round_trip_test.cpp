@@ -13,7 +13,7 @@ struct Case {
   std::shared_ptr<const Manipulator> robot;
   Eigen::Vector3d home;
   double spread;
-  std::size_t most_solutions;
+  std::size_t max_solutions;
   int count = 10000;
 
   friend std::ostream& operator<<(std::ostream& out, const Case& each) { return out << each.robot->name(); }
@@ -23,7 +23,7 @@ class RoundTrip : public testing::TestWithParam<Case> {};
 
 // Pose -> actuated joints in a random working mode -> all direct solutions contain the pose.
 TEST_P(RoundTrip, FindsThePoseAgain) {
-  const auto& [robot, home, spread, most_solutions, all] = GetParam();
+  const auto& [robot, home, spread, max_solutions, all] = GetParam();
   const int count = test::thinned(all);
   Pose center;
   center.position = home;
@@ -32,7 +32,7 @@ TEST_P(RoundTrip, FindsThePoseAgain) {
   EXPECT_EQ(trips.missed, 0) << trips.first_miss;
   EXPECT_EQ(trips.unsolved, 0) << trips.first_miss;
   EXPECT_EQ(trips.continuum, 0);
-  EXPECT_LE(trips.most_solutions, most_solutions);
+  EXPECT_LE(trips.max_solutions, max_solutions);
   EXPECT_LT(trips.worst_residual, 1e-12);
 }
 

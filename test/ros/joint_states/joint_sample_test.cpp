@@ -52,7 +52,7 @@ TEST(JointSample, AMessageMayHoldSomeOfTheDrives) {
   const JointSample sample = read({"crank_2_joint"}, {1.0});
   ASSERT_EQ(sample.status, SampleStatus::partial);
   EXPECT_NE(sample.message.find("crank_1_joint is missing"), std::string::npos) << sample.message;
-  EXPECT_EQ(sample.joint_values, JointSet().set(1));
+  EXPECT_EQ(sample.named_joints, JointSet().set(1));
   EXPECT_TRUE(std::isnan(sample.q[0]));
   EXPECT_EQ(sample.q[1], 1.0);
 }

@@ -37,11 +37,11 @@ class PartialJointStates {
 
   // Whether it is, from the start on.
   bool followed() {
-    const std::size_t joint_values = manipulator()->leg_count();
+    const std::size_t joints = manipulator()->leg_count();
     if (!truth_.start_near(0.0, joints_at(0.0), home_.pose, 1e-6)) return false;
     for (int i = 0; i < static_cast<int>(2.0 * rate_); ++i)
-      for (std::size_t j = 0; j < joint_values; ++j)
-        if (!send(j, (i + share_ * static_cast<double>(j) / static_cast<double>(joint_values)) / rate_))
+      for (std::size_t j = 0; j < joints; ++j)
+        if (!send(j, (i + share_ * static_cast<double>(j) / static_cast<double>(joints)) / rate_))
           return false;
     return started_;
   }

@@ -72,7 +72,7 @@ class StoppingCampaign {
   }
 
  private:
-  static constexpr int most_samples = 1000000;
+  static constexpr int max_samples = 1000000;
 
   /// A straight path from a configuration to a hazard.
   struct Path {
@@ -176,7 +176,7 @@ class StoppingCampaign {
     bool clear = false;
     AspectState state;
     std::vector<Pose> measured{path.from};
-    for (int i = 0; i < most_samples && (state.level < AspectState::STOP || !clear); ++i) {
+    for (int i = 0; i < max_samples && (state.level < AspectState::STOP || !clear); ++i) {
       if (i > 2) travelled = std::min(path.length, travelled + travel(speed));  // the first stand still
       const auto message = sample(path, travelled, noise, i / plan_.rate);
       if (!message || (i > 2 && !clear)) return;  // lost at once

@@ -53,7 +53,7 @@ Eigen::AlignedBox2d extent(const Caption& caption, const Eigen::Vector2d& at) {
 
 TEST_P(CaptionTest, CoversNeitherTheRobotNorTheGallery) {
   const Caption caption = caption_of(scene_, std::string("robot: ") + long_message + "\n" + long_message);
-  EXPECT_EQ(lines_of(caption.words).size(), Caption::most_lines);
+  EXPECT_EQ(lines_of(caption.words).size(), Caption::max_lines);
   if (scene_.planar) {
     const auto box = extent(caption, caption.at.head<2>());
     EXPECT_LE(box.max().y(), scene_.robot.min().y());

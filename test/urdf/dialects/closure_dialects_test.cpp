@@ -8,7 +8,7 @@
 namespace parallel_aspects {
 namespace {
 
-const std::string joint_values = "mechanism: {operational_point: tip_1, actuated_joints: [mot_1, mot_2]}\n";
+const std::string listed_joints = "mechanism: {operational_point: tip_1, actuated_joints: [mot_1, mot_2]}\n";
 
 std::string closed_by(const std::string& closure) {
   return test::replaced(test::source_file("test/data/closed_five_bar.urdf"), "<!-- closure -->", closure);
@@ -47,41 +47,41 @@ INSTANTIATE_TEST_SUITE_P(
         Dialect{"GazeboRevolute",
                 R"(<gazebo><joint name="loop" type="revolute"><parent>rod_1</parent><child>rod_2</child>
                    <pose>-2 2 0 0 0 0</pose><axis><xyz>0 0 1</xyz></axis></joint></gazebo>)",
-                joint_values, "The closures are those that <gazebo><joint> describes, 1 in all."},
+                listed_joints, "The closures are those that <gazebo><joint> describes, 1 in all."},
         Dialect{
             "GazeboBall",
             R"(<gazebo><joint name="loop" type="ball"><parent>robot::tip_1</parent><child>tip_2</child></joint>
                    </gazebo>)",
-            joint_values, "The closures are those that <gazebo><joint> describes, 1 in all."},
+            listed_joints, "The closures are those that <gazebo><joint> describes, 1 in all."},
         // Tip 2 is turned against the plane, so that neither pose nor axis would fit in its own frame.
         Dialect{"GazeboWithFramesOfSdf",
                 R"(<gazebo><joint name="loop" type="revolute"><parent>rod_1</parent><child>tip_2</child>
                    <pose relative_to="rod_2">-2 2 0 0.5 0.6 0.7</pose><axis><xyz>0 0 1</xyz>
                    <use_parent_model_frame>1</use_parent_model_frame></axis></joint></gazebo>)",
-                joint_values, "The closures are those that <gazebo><joint> describes, 1 in all."},
+                listed_joints, "The closures are those that <gazebo><joint> describes, 1 in all."},
         Dialect{"GazeboAxisOfTheModel",
                 R"(<gazebo><joint name="loop" type="revolute"><parent>rod_1</parent><child>tip_2</child>
                    <axis><xyz expressed_in="__model__">0 0 -1</xyz></axis></joint></gazebo>)",
-                joint_values, "The closures are those that <gazebo><joint> describes, 1 in all."},
+                listed_joints, "The closures are those that <gazebo><joint> describes, 1 in all."},
         Dialect{"GazeboHoldsTheBaseToo",
                 R"(<gazebo><joint name="hold" type="fixed"><parent>world</parent><child>base</child></joint>
                    <joint name="loop" type="ball"><parent>tip_1</parent><child>tip_2</child></joint></gazebo>)",
-                joint_values, "The closures are those that <gazebo><joint> describes, 1 in all."},
+                listed_joints, "The closures are those that <gazebo><joint> describes, 1 in all."},
         Dialect{"GazeboHoldsTheBaseAlone",
                 R"(<gazebo><joint name="hold" type="fixed"><parent>world</parent><child>base</child></joint>
                    </gazebo><loop_joint name="loop" type="spherical"><link1 link="rod_1" xyz="2 2 0"/>
                    <link2 link="rod_2" xyz="-2 2 0"/></loop_joint>)",
-                joint_values, "The closures are those that <loop_joint> describes, 1 in all."},
+                listed_joints, "The closures are those that <loop_joint> describes, 1 in all."},
         Dialect{"ClosingFrames",
                 R"(<link name="closing_tip_1"/><link name="closing_tip_2"/>
                    <joint name="c1" type="fixed"><parent link="tip_1"/><child link="closing_tip_1"/></joint>
                    <joint name="c2" type="fixed"><parent link="tip_2"/><child link="closing_tip_2"/></joint>)",
-                joint_values, "The closures are those that closing frames describes, 1 in all."},
+                listed_joints, "The closures are those that closing frames describes, 1 in all."},
         Dialect{"ClosingFramesByLetter",
                 R"(<link name="closing_tip_A"/><link name="closing_tip_B"/>
                    <joint name="c1" type="fixed"><parent link="tip_1"/><child link="closing_tip_B"/></joint>
                    <joint name="c2" type="fixed"><parent link="tip_2"/><child link="closing_tip_A"/></joint>)",
-                joint_values, "The closures are those that closing frames describes, 1 in all."},
+                listed_joints, "The closures are those that closing frames describes, 1 in all."},
         Dialect{"GepettoFile", "",
                 "closed_loop: [[tip_1, tip_2_joint]]\ntype: [3d]\nname_mot: mot\n"
                 "mechanism: {operational_point: tip_1}\n",
@@ -94,47 +94,47 @@ INSTANTIATE_TEST_SUITE_P(
             "Constraint",
             R"(<constraint name="loop" type="spherical_joint"><parent link="rod_1"/><parent_origin xyz="2 2 0"/>
                    <child link="rod_2"/><child_origin xyz="-2 2 0" rpy="1 2 3"/></constraint>)",
-            joint_values, "The closures are those that <constraint> describes, 1 in all."},
+            listed_joints, "The closures are those that <constraint> describes, 1 in all."},
         Dialect{
             "ConstraintWithAxes",
             R"(<constraint name="loop" type="revolute_joint"><parent link="rod_1"/><parent_origin xyz="2 2 0"/>
                    <parent_axis xyz="0 0 1"/><child link="rod_2"/><child_origin xyz="-2 2 0" rpy="1.570796326794897 0 0"/>
                    <child_axis xyz="0 1 0"/></constraint>)",
-            joint_values, "The closures are those that <constraint> describes, 1 in all."},
+            listed_joints, "The closures are those that <constraint> describes, 1 in all."},
         Dialect{
             "DetachableJoint",
             R"(<gazebo><plugin filename="x" name="gz::sim::systems::DetachableJoint"><parent_link>tip_1</parent_link>
                    <child_model>robot</child_model><child_link>tip_2</child_link></plugin></gazebo>)",
-            joint_values, "The closures are those that DetachableJoint describes, 1 in all."},
+            listed_joints, "The closures are those that DetachableJoint describes, 1 in all."},
         Dialect{"DetachableJointBesideAGripper",
                 R"(<gazebo><plugin filename="gz-sim-detachable-joint-system" name="a::DetachableJoint">
                    <parent_link>tip_1</parent_link><child_model>pickup_box</child_model><child_link>link</child_link>
                    </plugin><plugin filename="libgz-sim-detachable-joint-system.so" name="b"><parent_link>tip_1
                    </parent_link><child_model>spawned_as_this</child_model><child_link>tip_2</child_link></plugin>
                    </gazebo>)",
-                joint_values, "The closures are those that DetachableJoint describes, 1 in all."},
+                listed_joints, "The closures are those that DetachableJoint describes, 1 in all."},
         Dialect{"LoopJointWithType",
                 R"(<loop_joint name="loop" type="spherical"><link1 link="rod_1" rpy="0 0 0" xyz="2 2 0"/>
                    <link2 link="rod_2" rpy="0 0 0" xyz="-2 2 0"/></loop_joint>)",
-                joint_values, "The closures are those that <loop_joint> describes, 1 in all."},
+                listed_joints, "The closures are those that <loop_joint> describes, 1 in all."},
         Dialect{"LoopJointAsTheManualOfIsaacSimHasIt",
                 R"(<loop_joint name="loop" type="spherical"><link1 link="rod_1" rpy="0 0 0" xyz="2 2 0"/>
                    <link1 link="rod_2" rpy="0 0 0" xyz="-2 2 0"/></loop_joint>)",
-                joint_values, "The closures are those that <loop_joint> describes, 1 in all."},
+                listed_joints, "The closures are those that <loop_joint> describes, 1 in all."},
         Dialect{"LoopJointWithParentAndChild",
                 R"(<loop_joint name="loop" type="revolute"><parent link="rod_1"/><child link="tip_2"/>
                    <parent_origin xyz="2 2 0"/><child_origin xyz="0 0 0"/><axis xyz="0 0 1" frame="parent"/>
                    </loop_joint>)",
-                joint_values, "The closures are those that <loop_joint> describes, 1 in all."},
+                listed_joints, "The closures are those that <loop_joint> describes, 1 in all."},
         Dialect{"LoopJointWithAxis",
                 R"(<loop_joint name="loop"><link1 link="rod_1" xyz="2 2 0"/><link2 link="rod_2" xyz="-2 2 0"/>
                    <axis xyz="0 0 1"/></loop_joint>)",
-                joint_values, "The closures are those that <loop_joint> describes, 1 in all."},
+                listed_joints, "The closures are those that <loop_joint> describes, 1 in all."},
         Dialect{"DrakeBallConstraint",
                 R"(<drake:ball_constraint><drake:ball_constraint_body_A name="rod_1"/>
                    <drake:ball_constraint_body_B name="rod_2"/><drake:ball_constraint_p_AP value="2 2 0"/>
                    <drake:ball_constraint_p_BQ value="-2 2 0"/></drake:ball_constraint>)",
-                joint_values, "The closures are those that <drake:ball_constraint> describes, 1 in all."}),
+                listed_joints, "The closures are those that <drake:ball_constraint> describes, 1 in all."}),
     [](const ::testing::TestParamInfo<Dialect>& tested) { return tested.param.name; });
 
 TEST(ClosureDialects, AreOverruledByTheList) {
@@ -182,67 +182,67 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         BadDialect{
             R"(<gazebo><joint name="loop" type="ball"><parent>rod_1</parent><child>rod_3</child></joint></gazebo>)",
-            joint_values,
+            listed_joints,
             "robot.urdf has a <gazebo> joint 'loop' that names link 'rod_3', but robot.urdf has no such "
             "link; did "
             "you mean 'rod_1'?"},
         BadDialect{
             R"(<gazebo><joint name="loop" type="screw"><parent>tip_1</parent><child>tip_2</child></joint></gazebo>)",
-            joint_values,
+            listed_joints,
             "robot.urdf has a <gazebo> joint 'loop' that has the type 'screw', which cannot close a loop; "
             "use "
             "revolute, ball, universal or fixed."},
         BadDialect{
             R"(<gazebo><joint name="loop" type="ball"><parent>tip_1</parent><child>tip_2</child>
                       <pose>0 0 nan</pose></joint></gazebo>)",
-            joint_values,
+            listed_joints,
             "robot.urdf has a <gazebo> joint 'loop' that has a pose that is not a list of finite numbers; "
             "give "
             "six, or leave it out for zeros."},
         BadDialect{
             R"(<gazebo><joint name="loop" type="revolute"><parent>tip_1</parent><child>tip_2</child>
                       <axis><xyz>0 0 0</xyz></axis></joint></gazebo>)",
-            joint_values,
+            listed_joints,
             "robot.urdf has a <gazebo> joint 'loop' that has an <axis> that is not three finite numbers, or "
             "zero; give the direction of the joint."},
         BadDialect{
             R"(<gazebo><joint name="loop" type="ball"><parent>tip_1</parent><child>tip_2</child>
                       <pose relative_to="tip_3">0 0 0 0 0 0</pose></joint></gazebo>)",
-            joint_values,
+            listed_joints,
             "robot.urdf has a <gazebo> joint 'loop' that names link 'tip_3', but robot.urdf has no such "
             "link; "
             "did you mean 'tip_1'?"},
         BadDialect{
             R"(<loop_joint name="loop" type="prismatic"><link1 link="tip_1"/><link2 link="tip_2"/>
                       </loop_joint>)",
-            joint_values,
+            listed_joints,
             "robot.urdf has a <loop_joint> 'loop' that has a type or an axis that cannot close a loop; "
             "use spherical, revolute, universal or fixed, and an axis of three numbers."},
         BadDialect{
             R"(<constraint name="loop" type="planar_joint"><parent link="tip_1"/><child link="tip_2"/>
                       </constraint>)",
-            joint_values,
+            listed_joints,
             "robot.urdf has a <constraint> 'loop' that has the type 'planar_joint', which cannot close "
             "a loop; use spherical_joint, revolute_joint, universal_joint or fixed_joint."},
         BadDialect{
             R"(<drake:ball_constraint><drake:ball_constraint_body_A name="tip_1"/>
                       <drake:ball_constraint_body_B name="tip_2"/><drake:ball_constraint_p_AP value="0 0"/>
                       <drake:ball_constraint_p_BQ value="0 0 0"/></drake:ball_constraint>)",
-            joint_values,
+            listed_joints,
             "robot.urdf has a <drake:ball_constraint> that has a drake:ball_constraint_p_AP that is not "
             "three finite numbers; write three."},
         BadDialect{R"(<gazebo><plugin filename="x" name="DetachableJoint"><parent_link>tip_1</parent_link>
                       <child_model>closed_five_bar</child_model><child_link>tip_3</child_link></plugin></gazebo>)",
-                   joint_values,
+                   listed_joints,
                    "robot.urdf has a DetachableJoint plugin that names link 'tip_3', but robot.urdf has no "
                    "such link; did you mean 'tip_1'?"},
         BadDialect{
             R"(<link name="closing_tip_1"/>
                       <joint name="c1" type="fixed"><parent link="tip_1"/><child link="closing_tip_1"/></joint>)",
-            joint_values,
+            listed_joints,
             "robot.urdf has the closing frame 'closing_tip_1' but no 'closing_tip_2'; add it, or list the "
             "closures in robot.yaml."},
-        BadDialect{"", "closed_loop: [[tip_1]]\n" + joint_values,
+        BadDialect{"", "closed_loop: [[tip_1]]\n" + listed_joints,
                    "robot.yaml has a closed_loop[0] that is not a pair; name two links or joints."},
         BadDialect{"",
                    "closed_loop: [[tip_1, tip_2]]\nname_mot: [mot_1, motor]\n"
@@ -251,7 +251,7 @@ INSTANTIATE_TEST_SUITE_P(
                    "name; correct it, or list mechanism.actuated_joints."},
         BadDialect{
             "",
-            "closed_loop: [[tip_1, tip_2]]\njoint_name: [elbow_1]\njoint_type: [SPHERICAL]\n" + joint_values,
+            "closed_loop: [[tip_1, tip_2]]\njoint_name: [elbow_1]\njoint_type: [SPHERICAL]\n" + listed_joints,
             "robot.yaml replaces joint 'elbow_1' by a joint of another type in joint_name, which is not "
             "read; write two or three revolute joints in its place into robot.urdf."},
         BadDialect{
@@ -260,7 +260,7 @@ INSTANTIATE_TEST_SUITE_P(
             "mechanism: {operational_point: tip_1, closures: [{frames: [tip_1, tip_2]}]}",
             "robot.urdf actuates joint 'mot_3' in a <transmission>, but robot.urdf has no such joint; did "
             "you mean 'mot_2'?"},
-        BadDialect{"", "closed_loop: [[tip_1, tip_2]]\ntype: 4d\n" + joint_values,
+        BadDialect{"", "closed_loop: [[tip_1, tip_2]]\ntype: 4d\n" + listed_joints,
                    "robot.yaml gives closed_loop[0] the type '4d'; write 3d or 6d for each, or leave out the "
                    "types."},
         BadDialect{
