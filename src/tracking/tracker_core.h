@@ -66,7 +66,6 @@ class TrackerCore {
   CertifiedPoint point_;    // of the last sample, while followed
   TaskVector entry_sines_;  // there
   Candidates candidates_;   // while ambiguous
-  JointVector noise_;       // of the encoders [rad or m]
   PathBend bend_;
   JointVector uncertainty_;  // of the last sample
   SampleIntervals intervals_;
