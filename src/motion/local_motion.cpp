@@ -15,9 +15,6 @@ namespace parallel_aspects {
 namespace {
 
 constexpr int corners = 360;
-constexpr double largest =
-    0.4;  // amplitude tried first: of positions over the robot's size, half of it in rad
-constexpr double smallest = 2e-3;  // and last
 constexpr double shrink = 0.8;
 constexpr double margin = 0.35;  // of each index at the middle of the figure that must be left everywhere
 
@@ -30,11 +27,11 @@ class Planner {
           const ConfigurationFilter& allowed)
       : robot_(robot), middle_(middle), mode_(mode), allowed_(allowed) {}
 
-  std::vector<JointVector> plan() {
+  std::vector<JointVector> plan(double widest) {
     const InverseSolution start = inverse(robot_, middle_, mode_);
     if (start.status != InverseStatus::solved || !allowed_(middle_, start.q)) return {};
     indices_ = singularity_indices(robot_, middle_, start.q);
-    for (double amplitude = largest; amplitude >= smallest; amplitude *= shrink) {
+    for (double amplitude = widest; amplitude >= narrowest_local_motion; amplitude *= shrink) {
       std::vector<JointVector> joint_values = figure({middle_, start.q}, amplitude);
       if (!joint_values.empty()) return joint_values;
     }
@@ -89,8 +86,9 @@ class Planner {
 }  // namespace
 
 std::vector<JointVector> plan_local_motion(const Manipulator& manipulator, const Pose& pose,
-                                           const WorkingMode& mode, const ConfigurationFilter& allowed) {
-  return Planner(manipulator, pose, mode, allowed).plan();
+                                           const WorkingMode& mode, const ConfigurationFilter& allowed,
+                                           double widest) {
+  return Planner(manipulator, pose, mode, allowed).plan(widest);
 }
 
 }  // namespace parallel_aspects

@@ -35,6 +35,7 @@ class LocalMotion : public testing::TestWithParam<const char*> {
   void follow(const std::vector<JointVector>& joint_values, const WorkingMode& mode) const {
     TrackerOptions straight;
     straight.samples.path_bend = 0.0;
+    straight.samples.encoder_noise = 0.0;
     Tracker tracker(mechanism_->manipulator(), straight);
     ASSERT_TRUE(tracker.start_near(0.0, joint_values.front(), start_, 1e-6 * robot_.size()));
     EXPECT_EQ(tracker.state().mode, mode);

@@ -172,7 +172,7 @@ TEST(HotPath, AllocatesNothing) {
 TEST(HotPath, AllocatesNothingWithSixCandidates) {
   JointVector q(3);
   q << 14.98, 15.38, 12.0;
-  const Seen seen = walk(test::three_rpr(), q, 0.02, 20);
+  const Seen seen = walk(test::three_rpr(), q, 0.02, 30);
   EXPECT_EQ(seen.allocations, 0);
   EXPECT_GT(seen.losses, 5);
   EXPECT_GT(seen.silences, 5);

@@ -94,18 +94,26 @@ struct LocalMotion {
   Rehearsal rehearsal;
 };
 
-// In the first start that leaves room to move, played as the node's own tracker follows it.
-std::optional<LocalMotion> plan_local(const NodeSetup& setup, double duration) {
+// As wide as the node's own tracker follows it from there, with what encoders may be off by.
+std::optional<LocalMotion> plan_local(const NodeSetup& setup, const Start& start, double duration) {
   const Mechanism& mechanism = *setup.mechanism;
-  const Manipulator& robot = *mechanism.manipulator();
   const auto allowed = [&](const Pose& pose, const JointVector& q) { return closes(mechanism, pose, q); };
-  for (const Start& start : possible_starts(mechanism, setup.options.start)) {
-    const auto corners = plan_local_motion(robot, start.pose, start.mode, allowed);
+  for (double amplitude = widest_local_motion; amplitude > narrowest_local_motion; amplitude *= 0.5) {
+    const auto corners =
+        plan_local_motion(*mechanism.manipulator(), start.pose, start.mode, allowed, amplitude);
     Rehearsal rehearsal(mechanism.manipulator(), setup.options.tracking, interval);
-    if (corners.size() < 2 || !rehearsal.start(start.pose, corners.front())) continue;
+    if (corners.size() < 2 || !rehearsal.start(start.pose, corners.front())) return std::nullopt;
     SampledMotion motion = rehearsal.slow_enough(corners, duration);
-    if (rehearsal.play(motion)) return LocalMotion{start, std::move(motion), std::move(rehearsal)};
+    if (!motion.samples.empty() && rehearsal.play(motion))
+      return LocalMotion{start, std::move(motion), std::move(rehearsal)};
   }
+  return std::nullopt;
+}
+
+// In the first start that leaves room to move.
+std::optional<LocalMotion> plan_local(const NodeSetup& setup, double duration) {
+  for (const Start& start : possible_starts(*setup.mechanism, setup.options.start))
+    if (auto local = plan_local(setup, start, duration)) return local;
   return std::nullopt;
 }
 
