@@ -23,11 +23,14 @@ double turned_inside(const JointLimits& limits, double wanted, double angle) {
   return angle;
 }
 
-bool silent(const Manipulator& manipulator, const SampleOptions& options, const SampleIntervals& intervals,
-            double seconds) {
-  if (std::isinf(options.longest_interval)) return false;
-  if (!(seconds >= 0.0 && seconds <= options.longest_interval)) return true;
-  return !velocities_limited(manipulator, options) && intervals.exceeded_by(seconds, options.interval_ratio);
+// Of the time alone.
+SampleGap gap_of(const Manipulator& manipulator, const SampleOptions& options,
+                 const SampleIntervals& intervals, double seconds) {
+  if (std::isinf(options.longest_interval)) return SampleGap::none;
+  if (!(seconds >= 0.0 && seconds <= options.longest_interval)) return SampleGap::silence;
+  const bool paused =
+      !velocities_limited(manipulator, options) && intervals.exceeded_by(seconds, options.interval_ratio);
+  return paused ? SampleGap::pause : SampleGap::none;
 }
 
 }  // namespace
@@ -99,8 +102,8 @@ void SampleIntervals::add(double seconds) noexcept {
 SampleGap gap_between(const Manipulator& manipulator, const SampleOptions& options,
                       const SampleIntervals& intervals, const JointVector& last, const JointVector& q,
                       double seconds, const JointVector& uncertainty) noexcept {
-  if (silent(manipulator, options, intervals, seconds)) return SampleGap::silence;
-  if (!options.check_velocity) return SampleGap::none;
+  const SampleGap gap = gap_of(manipulator, options, intervals, seconds);
+  if (gap != SampleGap::none || !options.check_velocity) return gap;
   const JointVector noise = encoder_noise(manipulator, options);
   for (std::size_t j = 0; j < manipulator.leg_count(); ++j) {
     const Leg& leg = manipulator.leg(j);
@@ -111,7 +114,7 @@ SampleGap gap_between(const Manipulator& manipulator, const SampleOptions& optio
     const double unknown = uncertainty.size() == q.size() ? uncertainty[i] : 0.0;
     if (!(std::abs(q[i] - last[i]) <= possible + noise[i] + unknown)) return SampleGap::step;
     const bool turns_freely = leg.actuated_by_angle() && !leg.limits.limited();
-    if (options.unwrap && turns_freely && possible >= EIGEN_PI) return SampleGap::silence;
+    if (options.unwrap && turns_freely && possible >= EIGEN_PI) return SampleGap::half_turn;
   }
   return SampleGap::none;
 }

@@ -27,7 +27,21 @@ bool proved_mode(const CertifiedPoint& point, WorkingMode& mode) {
   return true;
 }
 
-Ambiguity ambiguity_of(SampleGap gap) { return gap == SampleGap::step ? Ambiguity::gap : Ambiguity::silence; }
+Ambiguity ambiguity_of(SampleGap gap) {
+  switch (gap) {
+    case SampleGap::none:
+      return Ambiguity::none;
+    case SampleGap::step:
+      return Ambiguity::gap;
+    case SampleGap::silence:
+      return Ambiguity::silence;
+    case SampleGap::pause:
+      return Ambiguity::pause;
+    case SampleGap::half_turn:
+      break;
+  }
+  return Ambiguity::half_turn;
+}
 
 }  // namespace
 

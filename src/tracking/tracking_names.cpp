@@ -27,6 +27,13 @@ const char* reason(Ambiguity ambiguity) noexcept {
       return "the last step of the actuated joints was longer than their velocity limits allow";
     case Ambiguity::silence:
       return "no sample came for so long that the robot may have moved unseen (tracking/longest_interval)";
+    case Ambiguity::pause:
+      return "no sample came for so many times the usual interval that the robot may have moved unseen "
+             "(tracking/interval_ratio)";
+    case Ambiguity::half_turn:
+      return "no sample came for so long that an actuated joint may have turned by half a turn at its "
+             "velocity "
+             "limit";
     case Ambiguity::step_budget:
       return "the last step of the actuated joints was too long to be certified with the subdivisions "
              "allowed";

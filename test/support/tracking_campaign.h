@@ -30,8 +30,8 @@ struct CampaignCounts {
   long tracked = 0;   ///< of them, those after which it named a pose
   long wrong = 0;     ///< of them, those with another pose, sign of det A or working mode than the truth
   long unjudged = 0;  ///< of them, those where the truth was not found
-  std::array<long, 9> ambiguous{};  ///< the others, by `Ambiguity`
-  long avoidable = 0;               ///< of those, with a truth that stays off det A = 0 by a thousandth
+  std::array<long, 11> ambiguous{};  ///< the others, by `Ambiguity`
+  long avoidable = 0;                ///< of those, with a truth that stays off det A = 0 by a thousandth
   long crossings_made = 0, crossings_found = 0;
   std::string first_wrong;
 };

@@ -133,8 +133,9 @@ Seen walk(const std::shared_ptr<const Manipulator>& robot, const JointVector& st
       }
       if (!followed || tracker.state().followed()) continue;
       ++seen.losses;
-      seen.gaps += tracker.state().ambiguity == Ambiguity::gap;
-      seen.silences += tracker.state().ambiguity == Ambiguity::silence;
+      const Ambiguity why = tracker.state().ambiguity;
+      seen.gaps += why == Ambiguity::gap;
+      seen.silences += why == Ambiguity::silence || why == Ambiguity::pause;
       tracker.find_candidates();
     }
   }

@@ -107,15 +107,21 @@ TEST(AmbiguousTracker, AnIntervalThatIsTooLongIsASilence) {
 TEST(AmbiguousTracker, ARobotThatWasMovedInSilenceIsNotFollowed) {
   const auto robot = test::five_bar();
   const JointVector q = joint_values(*robot, at(4.5, 8.0), {-1, -1});
-  for (const double silence : {0.06, 0.3}) {
+  for (const double pause : {0.06, 0.3}) {
     Tracker tracker(robot);
     ASSERT_TRUE(tracker.start_with_sign(0.0, q, 1));
     for (int i = 1; i <= 20; ++i) ASSERT_EQ(tracker.update(0.01 * i, q).status, TrackStatus::tracking);
-    EXPECT_EQ(tracker.update(0.2 + silence, q + joints({0.01, 0.0})).ambiguity, Ambiguity::silence);
+    EXPECT_EQ(tracker.update(0.2 + pause, q + joints({0.01, 0.0})).ambiguity, Ambiguity::pause);
     EXPECT_EQ(tracker.transitions().begin()->kind, TransitionKind::lost);
     EXPECT_FALSE(tracker.find_candidates());
     EXPECT_EQ(tracker.candidates().size(), 2U) << "both assembly modes are possible";
   }
+}
+
+TEST(AmbiguousTracker, TheParameterThatMakesASilenceIsNamed) {
+  EXPECT_NE(std::string(reason(Ambiguity::silence)).find("tracking/longest_interval"), std::string::npos);
+  EXPECT_NE(std::string(reason(Ambiguity::pause)).find("tracking/interval_ratio"), std::string::npos);
+  EXPECT_EQ(std::string(reason(Ambiguity::half_turn)).find("interval"), std::string::npos);
 }
 
 TEST(AmbiguousTracker, ASilenceIsToldFromTheUsualRate) {
@@ -131,10 +137,10 @@ TEST(AmbiguousTracker, ASilenceIsToldFromTheUsualRate) {
   EXPECT_EQ(gap(*free, 0.4), SampleGap::none) << "no rate is known yet";
   intervals.add(0.001);
   EXPECT_EQ(gap(*free, 0.049), SampleGap::none);
-  EXPECT_EQ(gap(*free, 0.051), SampleGap::silence);
+  EXPECT_EQ(gap(*free, 0.051), SampleGap::pause);
   EXPECT_EQ(gap(*limited, 0.4), SampleGap::none) << "the limit says how far it can have moved";
   options.check_velocity = false;
-  EXPECT_EQ(gap(*limited, 0.051), SampleGap::silence);
+  EXPECT_EQ(gap(*limited, 0.051), SampleGap::pause);
   options.interval_ratio = 100.0;
   EXPECT_EQ(gap(*limited, 0.4), SampleGap::none);
   options.interval_ratio = 5.0;
@@ -213,7 +219,7 @@ TEST(AmbiguousTracker, ATimeForHalfATurnIsASilence) {
   EXPECT_EQ(gap(joints({1.2, -1.2}), 1.0), SampleGap::none);
   EXPECT_EQ(gap(joints({1.3, 0.0}), 1.0), SampleGap::step);
   EXPECT_EQ(gap(joints({0.0, 0.0}), 2.5), SampleGap::none);
-  EXPECT_EQ(gap(joints({0.0, 0.0}), 3.0), SampleGap::silence);
+  EXPECT_EQ(gap(joints({0.0, 0.0}), 3.0), SampleGap::half_turn);
   EXPECT_EQ(gap(joints({0.001, 0.0}), -1.0), SampleGap::step) << "time goes backwards";
 }
 

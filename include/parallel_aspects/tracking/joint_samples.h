@@ -81,9 +81,11 @@ class SampleIntervals {
 
 /// Why nothing is known of the path of the actuated joints between two samples.
 enum class SampleGap {
-  none,     ///< it is known
-  step,     ///< it is longer than the velocity limits allow
-  silence,  ///< too much time went by
+  none,       ///< it is known
+  step,       ///< it is longer than the velocity limits allow
+  silence,    ///< more time went by than `longest_interval`
+  pause,      ///< more than `interval_ratio` times the usual interval
+  half_turn,  ///< so much that an actuated joint without limits may have turned by half a turn
 };
 
 /// For two samples that are `seconds` apart, after samples at these intervals. `uncertainty`: how far each

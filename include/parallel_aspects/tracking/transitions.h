@@ -26,7 +26,9 @@ enum class Ambiguity {
   none,
   near_parallel_singularity,  ///< the last step came too near to det A = 0 to be certified
   gap,                        ///< the last step was longer than the velocity limits allow
-  silence,                    ///< too long a time went by between the last two samples
+  silence,                    ///< more than the longest interval went by between the last two samples
+  pause,                      ///< many times the usual interval went by between them
+  half_turn,                  ///< so long a time that an actuated joint may have turned by half a turn
   step_budget,                ///< the last step needed more subdivisions than allowed
   several_assembly_modes,     ///< the actuated joints can be assembled in several ways
   serial_singularity,         ///< a leg is stretched or folded where tracking would start

@@ -3,6 +3,7 @@
 
 #include <ros/console.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -30,6 +31,11 @@ ThresholdParameters parameters_of(const ThresholdsConfig& config) {
   return parameters;
 }
 
+bool same(const ThresholdParameters& a, const ThresholdParameters& b) {
+  return std::all_of(thresholds.begin(), thresholds.end(),
+                     [&](const Threshold& each) { return a.*each.parameter == b.*each.parameter; });
+}
+
 void fill(const ThresholdParameters& parameters, ThresholdsConfig& config) {
   for (const Threshold& each : thresholds) config.*each.config = parameters.*each.parameter;
 }
@@ -49,8 +55,10 @@ Reconfiguration::Reconfiguration(const ros::NodeHandle& private_nh, const NodeOp
   display_server_.setCallback([this](DisplayConfig& config, std::uint32_t) { change(config); });
 }
 
+// The server also calls at its start, with what is there.
 void Reconfiguration::change(ThresholdsConfig& config) {
   const ThresholdParameters wanted = parameters_of(config);
+  if (same(wanted, thresholds_)) return;
   const Problems problems =
       read_only_ ? Problems{"the node is read_only."} : problems_of(wanted, "thresholds/");
   for (const std::string& problem : problems) ROS_WARN_STREAM("Not changed: " << problem);
@@ -61,19 +69,23 @@ void Reconfiguration::change(ThresholdsConfig& config) {
 
 // Ranges are kept by the server, but it lets through what is not a number.
 void Reconfiguration::change(DisplayConfig& config) {
+  const bool differs = config.gallery != display_.gallery || config.gallery_scale != display_.gallery_scale ||
+                       config.rate != display_.rate;
+  if (!differs) return;
   const bool numbers = std::isfinite(config.gallery_scale) && std::isfinite(config.rate);
   if (!numbers || read_only_) {
-    ROS_WARN_COND(!numbers, "Not changed: display/gallery_scale and display/rate must be numbers.");
+    ROS_WARN_STREAM("Not changed: " << (read_only_
+                                            ? "the node is read_only."
+                                            : "display/gallery_scale and display/rate must be numbers."));
     config.gallery = display_.gallery;
     config.gallery_scale = display_.gallery_scale;
     config.rate = display_.rate;
+    return;
   }
-  const bool differs = config.gallery != display_.gallery || config.gallery_scale != display_.gallery_scale ||
-                       config.rate != display_.rate;
   display_.gallery = config.gallery;
   display_.gallery_scale = config.gallery_scale;
   display_.rate = config.rate;
-  if (differs) on_display_(display_);
+  on_display_(display_);
 }
 
 }  // namespace parallel_aspects

@@ -4,6 +4,7 @@ import pathlib
 import unittest
 
 import roslaunch.config
+import roslaunch.core
 
 LAUNCH = pathlib.Path(__file__).resolve().parents[3] / "launch"
 
@@ -56,6 +57,21 @@ class LaunchFiles(unittest.TestCase):
         params = load("aspects.launch").params
         self.assertEqual(params["/aspect_node/thresholds/parallel_stop"].value, 0.0)
         self.assertEqual(params["/aspect_node/map/file"].value, "")
+
+    def test_what_makes_no_sense_is_left_to_the_node_which_refuses_it_by_name(self):
+        for given, expected in (("-1", -1.0), ("1e-3", 1e-3), ("inf", float("inf")), ("-0.6", -0.6)):
+            for argument, key in (("resolution", "map/resolution"), ("parallel_stop", "thresholds/parallel_stop")):
+                params = load("aspects.launch", f"{argument}:={given}").params
+                self.assertEqual(params["/aspect_node/" + key].value, expected)
+        for argument in ("resolution", "parallel_stop"):
+            with self.assertRaisesRegex(roslaunch.core.RLException, f"(?s)could not convert string to float.*{argument}"):
+                load("aspects.launch", f"{argument}:=abc")
+
+    def test_no_parameter_of_an_earlier_launch_counts(self):
+        for file in ("aspects.launch", "demo.launch"):
+            config = load(file, "rviz:=true")
+            self.assertEqual({node.name for node in config.nodes},
+                             {name.strip("/") for name in config.clear_params})
 
 
 if __name__ == "__main__":

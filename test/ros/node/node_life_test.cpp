@@ -314,6 +314,7 @@ TEST_F(NodeLife, ThresholdsChangeWhileItRuns) {
   }));
   EXPECT_EQ(change(std::nan(""), 0.0), 100.0) << "not a number";
   EXPECT_EQ(change(50.0, 60.0), 100.0) << "a stop before the warning";
+  EXPECT_EQ(change(-0.6, 0.0), 100.0) << "less than none";
   EXPECT_EQ(level(), AspectState::WARN);
   EXPECT_EQ(change(100.0, 90.0), 100.0);
   EXPECT_TRUE(eventually([&] { return level() == AspectState::STOP; }));
