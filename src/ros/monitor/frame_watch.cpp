@@ -36,7 +36,8 @@ std::vector<std::string> FrameWatch::news(const ros::WallTime& now) {
   const std::lock_guard<std::mutex> lock(mutex_);
   std::vector<std::string> messages;
   for (auto& [nodes, dispute] : disputes_)
-    if (!dispute.said && now - dispute.first >= all_heard) {
+    if (!dispute.said && now - dispute.first >= all_heard &&
+        (dispute.for_good || now - dispute.last <= all_heard)) {
       messages.push_back(message(nodes, dispute));
       dispute.said = true;
     }

@@ -10,8 +10,8 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr std::size_t max_lines = 100;  // between two writes
-constexpr std::size_t max_causes = 10;  // within the time below, whatever arrives
+constexpr std::size_t most_lines = 100;  // between two writes
+constexpr std::size_t most_causes = 10;  // within the time below, whatever arrives
 const ros::WallDuration between_warnings(5.0);
 
 // The words that are no numbers.
@@ -27,21 +27,29 @@ std::string cause_of(const std::string& line) {
 
 void LogQueue::say(std::string line) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (lines_.size() < max_lines)
+  if (lines_.size() < most_lines)
     lines_.push_back(std::move(line));
   else
     ++dropped_;
 }
 
-void LogQueue::warn(std::string line) {
+void LogQueue::warn(std::string line, const ros::SteadyTime& now) {
   const std::string cause = cause_of(line);
   const std::lock_guard<std::mutex> lock(mutex_);
   const auto known = std::find_if(warnings_.begin(), warnings_.end(),
                                   [&](const Warning& warning) { return warning.cause == cause; });
-  if (known != warnings_.end())
+  if (known != warnings_.end()) {
     known->line = std::move(line);
-  else if (warnings_.size() < max_causes)
-    warnings_.push_back({cause, std::move(line), {}});
+    known->due = known->due || now - known->written > between_warnings;
+  } else if (warnings_.size() < most_causes) {
+    warnings_.push_back({cause, std::move(line), {}, true});
+  }
+}
+
+void LogQueue::withdraw() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (Warning& warning : warnings_)
+    if (!warning.due) warning.line.clear();
 }
 
 std::vector<std::string> LogQueue::take_warnings(const ros::SteadyTime& now) {
@@ -54,6 +62,7 @@ std::vector<std::string> LogQueue::take_warnings(const ros::SteadyTime& now) {
     if (rests(warning) || warning.line.empty()) continue;
     due.push_back(std::exchange(warning.line, {}));
     warning.written = now;
+    warning.due = false;
   }
   warnings_.erase(std::remove_if(warnings_.begin(), warnings_.end(),
                                  [&](const Warning& warning) { return !rests(warning); }),

@@ -19,7 +19,10 @@ class LogQueue {
   /// A warning with another cause than those of the last five seconds is written at once; one cause is
   /// written at most every five seconds, the newest line of it then. Lines that differ in numbers alone have
   /// one cause.
-  void warn(std::string line);
+  void warn(std::string line, const ros::SteadyTime& now = ros::SteadyTime::now());
+
+  /// All is well: what was still to be written five seconds after the last of its cause is not true any more.
+  void withdraw();
 
   /// Writes what has come in since.
   void write();
@@ -31,6 +34,7 @@ class LogQueue {
   struct Warning {
     std::string cause, line;  // the line is empty once it is written
     ros::SteadyTime written;  // zero for never
+    bool due = true;          // came when the cause was new, or five seconds old
   };
 
   std::mutex mutex_;

@@ -141,6 +141,7 @@ void RobotServer::on_joint_states(const ros::MessageEvent<const sensor_msgs::Joi
       monitor_.update(*event.getConstMessage(), ros::Time::now(), event.getPublisherName());
   if (!update.warning.empty()) log_.warn(update.warning);
   if (!update.state) return;
+  if (update.warning.empty() && update.state->status.code == Status::OK) log_.withdraw();
   const bool other_joints = update.state->status.code == Status::NO_JOINT_STATES;  // said when names are new
   const bool changed = thinned_.differs(*update.state) || other_joints || !update.transitions.empty();
   if (changed && update.warning.empty() && !update.state->status.message.empty())

@@ -15,14 +15,28 @@ ros::SteadyTime at(double seconds) { return ros::SteadyTime(1000.0 + seconds); }
 
 TEST(LogQueue, WritesOneCauseEveryFiveSecondsAndTheNewestLineOfIt) {
   LogQueue log;
-  log.warn("the stamp is 0.1 s ahead");
+  log.warn("the stamp is 0.1 s ahead", at(0.0));
   EXPECT_EQ(log.take_warnings(at(0.0)), Lines{"the stamp is 0.1 s ahead"});
   for (int i = 0; i < 4; ++i) {
-    log.warn("the stamp is 0." + std::to_string(i) + " s ahead");
+    log.warn("the stamp is 0." + std::to_string(i) + " s ahead", at(1.0 + i));
     EXPECT_TRUE(log.take_warnings(at(1.0 + i)).empty());
   }
   EXPECT_EQ(log.take_warnings(at(5.1)), Lines{"the stamp is 0.3 s ahead"});
   EXPECT_TRUE(log.take_warnings(at(20.0)).empty());
+}
+
+// What waits for its five seconds is not written once the fault has ended; what is new is.
+TEST(LogQueue, WhatHasEndedIsNotSaidLater) {
+  LogQueue log;
+  log.warn("the clock stands still", at(0.0));
+  log.withdraw();
+  EXPECT_EQ(log.take_warnings(at(0.1)).size(), 1U) << "it stood still";
+  log.warn("the clock stands still", at(1.0));
+  log.withdraw();
+  EXPECT_TRUE(log.take_warnings(at(5.2)).empty());
+  log.warn("the clock stands still", at(6.0));
+  log.withdraw();
+  EXPECT_EQ(log.take_warnings(at(6.1)).size(), 1U);
 }
 
 TEST(LogQueue, WritesAnotherCauseAtOnce) {
