@@ -75,12 +75,16 @@ bool JointNameWatch::lacks_an_actuated_joint() const {
   return !arriving_.empty() && !more_arrive_ && !std::all_of(expected_.begin(), expected_.end(), arrives);
 }
 
+std::string JointNameWatch::expectation() const {
+  return (expected_.size() == 1 ? "joint " + listed(expected_) + " is"
+                                : "joints " + listed(expected_) + " are") +
+         " expected";
+}
+
 std::string JointNameWatch::comparison() const {
   const std::string found = guess();
   const bool one = arriving_.size() == 1 && !more_arrive_;
-  return (expected_.size() == 1 ? "joint " + listed(expected_) + " is"
-                                : "joints " + listed(expected_) + " are") +
-         " expected, and " + listed(arriving_) + (more_arrive_ ? " and others" : "") +
+  return expectation() + ", and " + listed(arriving_) + (more_arrive_ ? " and others" : "") +
          (one ? " arrives" : " arrive") +
          (found.empty() ? "; remap joint_states, or correct mechanism/actuated_joints." : "; " + found);
 }

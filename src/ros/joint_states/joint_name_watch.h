@@ -25,6 +25,9 @@ class JointNameWatch {
   /// Whether joints have arrived, but not all that are actuated.
   bool lacks_an_actuated_joint() const;
 
+  /// Which joints are expected; begins "joint".
+  std::string expectation() const;
+
   /// Which joints are expected, which have arrived, and which of these may be meant; begins "joint".
   std::string comparison() const;
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/joint_states/joint_sample.h"
 
+#include "urdf/description/nearest_name.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -27,7 +29,7 @@ JointSet actuated_joints_named(const Manipulator& manipulator, const std::vector
 // What is wrong with the position of an actuated joint, or empty.
 std::string fault_of(const std::string& joint, const std::vector<std::string>& names, double position) {
   if (std::count(names.begin(), names.end(), joint) > 1)
-    return "joint " + joint + " is there twice; publish each joint once.";
+    return "joint " + joint + " is there twice; give each joint once.";
   if (!std::isfinite(position)) return "position of joint " + joint + " is not a finite number.";
   if (std::abs(position) > largest_position)
     return "position of joint " + joint + " is beyond a million rad or m; check its unit.";
@@ -115,7 +117,15 @@ JointSample actuated_values(const Manipulator& manipulator, const std::vector<st
   if (names.size() != positions.size())
     return invalid("joint_names has length " + std::to_string(names.size()) + ", joint_positions " +
                    std::to_string(positions.size()) + "; give each name one position.");
-  return collect(manipulator, names, positions);
+  JointSample sample = collect(manipulator, names, positions);
+  if (sample.status == SampleStatus::partial)
+    for (std::size_t j = 0; j < manipulator.leg_count(); ++j) {
+      const std::string& joint = manipulator.leg(j).actuated_joint;
+      const std::string similar =
+          std::isnan(sample.q[static_cast<Eigen::Index>(j)]) ? similar_name(joint, names) : "";
+      if (!similar.empty()) sample.message += " Did you mean " + joint + " by " + similar + "?";
+    }
+  return sample;
 }
 
 }  // namespace parallel_aspects

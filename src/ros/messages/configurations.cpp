@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/messages/configurations.h"
 
+#include "model/number_text.h"
 #include "parallel_aspects/kinematics/direct.h"
 #include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/kinematics/jacobians.h"
 #include "parallel_aspects/model/anchor_distance.h"
 
 #include <algorithm>
@@ -18,13 +20,64 @@ ConfigurationAnswer refusal(std::uint8_t code, std::string message) {
   return {make_status(code, std::move(message)), {}, {}};
 }
 
+bool any_meant(const std::vector<std::int8_t>& signs) {
+  return std::all_of(signs.begin(), signs.end(), [](std::int8_t sign) { return sign == 0; });
+}
+
 // The modes that a request names: one, or all; nothing where it is malformed.
 std::vector<WorkingMode> modes_meant(const Manipulator& manipulator, const std::vector<std::int8_t>& signs) {
-  if (std::all_of(signs.begin(), signs.end(), [](std::int8_t sign) { return sign == 0; }))
-    return working_modes(manipulator);
+  if (any_meant(signs)) return working_modes(manipulator);
   const auto mode = WorkingMode::from_signs({signs.begin(), signs.end()});
   if (!mode || mode->leg_count() != manipulator.leg_count()) return {};
   return {*mode};
+}
+
+std::string fault_of_mode(const Manipulator& manipulator) {
+  return "working_mode must be empty, or 0, or have " + std::to_string(manipulator.leg_count()) +
+         " entries, each 1 or -1.";
+}
+
+// What the completion of rosservice fills in says nothing.
+bool says_pose(const geometry_msgs::PoseStamped& stamped) {
+  const geometry_msgs::Point& p = stamped.pose.position;
+  const geometry_msgs::Quaternion& o = stamped.pose.orientation;
+  const bool origin = p.x == 0.0 && p.y == 0.0 && p.z == 0.0 && o.x == 0.0 && o.y == 0.0 && o.z == 0.0;
+  return !origin || !(o.w == 0.0 || o.w == 1.0) || !stamped.header.frame_id.empty();
+}
+
+bool says_joints(const Configuration& configuration) {
+  const auto& names = configuration.joint_names;
+  const auto& positions = configuration.joint_positions;
+  return std::any_of(names.begin(), names.end(), [](const std::string& name) { return !name.empty(); }) ||
+         std::any_of(positions.begin(), positions.end(), [](double position) { return position != 0.0; });
+}
+
+std::string branch_text(const Manipulator& manipulator, const SolvedPose& solved) {
+  const TaskVector diagonal = inverse_diagonal(manipulator, solved.pose, solved.q);
+  WorkingMode mode(manipulator.leg_count());
+  for (std::size_t j = 0; j < mode.leg_count(); ++j)
+    mode.set_sign(j, diagonal[static_cast<Eigen::Index>(j)] < 0.0 ? -1 : 1);
+  const double determinant = direct_determinant(manipulator, solved.pose, solved.q);
+  return branch_text(mode, (determinant > 0.0) - (determinant < 0.0));
+}
+
+std::string text(const StatedSigns& stated) {
+  std::string text;
+  if (const auto mode = WorkingMode::from_signs({stated.working_mode.begin(), stated.working_mode.end()}))
+    text = "working_mode " + to_string(*mode);
+  if (stated.determinant_sign != 0)
+    text += (text.empty() ? "determinant_sign " : ", determinant_sign ") +
+            std::to_string(stated.determinant_sign);
+  return text;
+}
+
+bool fits(const Manipulator& manipulator, const SolvedPose& solved, const StatedSigns& stated) {
+  if (direct_determinant(manipulator, solved.pose, solved.q) * stated.determinant_sign < 0.0) return false;
+  if (any_meant(stated.working_mode)) return true;
+  const TaskVector diagonal = inverse_diagonal(manipulator, solved.pose, solved.q);
+  for (std::size_t j = 0; j < stated.working_mode.size(); ++j)
+    if (diagonal[static_cast<Eigen::Index>(j)] * stated.working_mode[j] < 0.0) return false;
+  return true;
 }
 
 std::string failure_text(const Manipulator& manipulator, const InverseSolution& solution) {
@@ -37,13 +90,55 @@ std::string failure_text(const Manipulator& manipulator, const InverseSolution& 
 
 }  // namespace
 
+StatedSigns stated_signs(const Configuration& configuration) {
+  return {configuration.working_mode, configuration.determinant_sign};
+}
+
+std::string fault_of(const Manipulator& manipulator, const Configuration& configuration) {
+  if (configuration.kind > Configuration::JOINTS) return "kind must be 0 (now), 1 (pose) or 2 (joints).";
+  if (std::abs(configuration.determinant_sign) > 1) return "determinant_sign must be 1, -1 or 0 for both.";
+  if (modes_meant(manipulator, configuration.working_mode).empty()) return fault_of_mode(manipulator);
+  const std::string remedy =
+      ", but kind is " + std::to_string(configuration.kind) + "; leave out what is not meant.";
+  if (configuration.kind != Configuration::POSE && says_pose(configuration.pose))
+    return "pose belongs to kind 1 (pose)" + remedy;
+  if (configuration.kind != Configuration::JOINTS && says_joints(configuration))
+    return "joint_names and joint_positions belong to kind 2 (joints)" + remedy;
+  return {};
+}
+
+ConfigurationAnswer as_stated(const Manipulator& manipulator, ConfigurationAnswer answer,
+                              const StatedSigns& stated) {
+  auto& all = answer.configurations;
+  const auto fitting = std::stable_partition(
+      all.begin(), all.end(), [&](const SolvedPose& solved) { return fits(manipulator, solved, stated); });
+  if (fitting == all.begin() && !all.empty()) {
+    std::string found;
+    for (const SolvedPose& solved : all)
+      found += (found.empty() ? "" : " or ") + branch_text(manipulator, solved);
+    answer.status = make_status(
+        Status::NO_SOLUTION, "The robot is then in " + found + ", which contradicts " + text(stated) + ".");
+  }
+  all.erase(fitting, all.end());
+  return answer;
+}
+
+std::string beyond_limits(const Manipulator& manipulator, const JointVector& q) {
+  for (std::size_t j = 0; j < manipulator.leg_count(); ++j) {
+    const Leg& leg = manipulator.leg(j);
+    const double value = q[static_cast<Eigen::Index>(j)];
+    if (leg.limits.contain(value)) continue;
+    const std::string unit = leg.actuated_by_angle() ? " rad" : " m";
+    return "Joint " + leg.actuated_joint + " is at " + number_text(value) + unit + ", beyond its limits " +
+           number_text(leg.limits.lower) + " to " + number_text(leg.limits.upper) + unit + ".";
+  }
+  return {};
+}
+
 ConfigurationAnswer configurations_at_pose(const Manipulator& manipulator, const Pose& pose,
                                            const std::vector<std::int8_t>& working_mode) {
   const auto modes = modes_meant(manipulator, working_mode);
-  if (modes.empty())
-    return refusal(Status::INVALID_REQUEST, "working_mode must be empty, or 0, or have " +
-                                                std::to_string(manipulator.leg_count()) +
-                                                " entries, each 1 or -1.");
+  if (modes.empty()) return refusal(Status::INVALID_REQUEST, fault_of_mode(manipulator));
   ConfigurationAnswer answer;
   std::string failure;
   for (const WorkingMode& mode : modes) {
@@ -58,10 +153,7 @@ ConfigurationAnswer configurations_at_pose(const Manipulator& manipulator, const
   return answer;
 }
 
-ConfigurationAnswer configurations_at_joints(const Manipulator& manipulator, const JointVector& q,
-                                             int determinant_sign) {
-  if (std::abs(determinant_sign) > 1)
-    return refusal(Status::INVALID_REQUEST, "determinant_sign must be 1, -1 or 0 for both.");
+ConfigurationAnswer configurations_at_joints(const Manipulator& manipulator, const JointVector& q) {
   const DirectResult result = direct(manipulator, q);
   if (result.status == DirectStatus::continuum)
     return refusal(
@@ -71,12 +163,9 @@ ConfigurationAnswer configurations_at_joints(const Manipulator& manipulator, con
     return refusal(Status::FAILED,
                    "The direct kinematics could not be solved completely for these actuated joints.");
   ConfigurationAnswer answer;
-  for (const AssemblyMode& solution : result.solutions)
-    if (determinant_sign == 0 || solution.determinant * determinant_sign > 0.0)
-      answer.configurations.push_back({solution.pose, q});
+  for (const AssemblyMode& solution : result.solutions) answer.configurations.push_back({solution.pose, q});
   if (answer.configurations.empty())
-    answer.status =
-        make_status(Status::NO_SOLUTION, "The robot does not assemble so at these actuated joints.");
+    answer.status = make_status(Status::NO_SOLUTION, "The robot does not assemble at these actuated joints.");
   return answer;
 }
 

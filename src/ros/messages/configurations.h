@@ -4,6 +4,8 @@
 
 #include "ros/messages/conversions.h"
 
+#include <parallel_aspects/Configuration.h>
+
 #include <ros/time.h>
 
 #include <cstdint>
@@ -19,13 +21,31 @@ struct ConfigurationAnswer {
   std::vector<SolvedPose> configurations;
 };
 
+/// What is said of a configuration besides its pose or joint values.
+struct StatedSigns {
+  std::vector<std::int8_t> working_mode;  ///< empty, or zeros alone, for any
+  int determinant_sign = 0;               ///< of det A; 0 for any
+};
+StatedSigns stated_signs(const Configuration& configuration);
+
+/// What cannot be meant by a question: a kind or signs that there are not, or fields that its kind does not
+/// look at. Empty where there is nothing.
+std::string fault_of(const Manipulator& manipulator, const Configuration& configuration);
+
+/// Those of the configurations that are as stated. Where none is, the status says what they are and what was
+/// stated. A sign that is exactly zero contradicts nothing.
+ConfigurationAnswer as_stated(const Manipulator& manipulator, ConfigurationAnswer answer,
+                              const StatedSigns& stated);
+
+/// That an actuated joint is beyond its limits; empty where none is.
+std::string beyond_limits(const Manipulator& manipulator, const JointVector& q);
+
 /// Every configuration with this pose, in the given working mode or, where it is empty, in all.
 ConfigurationAnswer configurations_at_pose(const Manipulator& manipulator, const Pose& pose,
                                            const std::vector<std::int8_t>& working_mode);
 
-/// Every assembly mode at these actuated joints with this sign of det A, or, where it is 0, with any.
-ConfigurationAnswer configurations_at_joints(const Manipulator& manipulator, const JointVector& q,
-                                             int determinant_sign);
+/// Every assembly mode at these actuated joints.
+ConfigurationAnswer configurations_at_joints(const Manipulator& manipulator, const JointVector& q);
 
 /// Why a robot with these actuated joints is not at a pose, for people: nothing reaches it, or how far the
 /// nearest assembly mode is from it.

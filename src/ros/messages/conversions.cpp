@@ -96,7 +96,7 @@ std::uint8_t kind_of(TransitionKind kind) {
 
 std::string aspect_text(std::uint32_t id) { return id == 0 ? "unknown" : std::to_string(id); }
 
-std::string cause_of(const AspectTransition& t, const Transition& transition) {
+std::string cause_of(const AspectTransition& t, const Transition& transition, bool stated_anew) {
   const std::string number = std::to_string(transition.leg + 1);
   switch (t.kind) {
     case AspectTransition::WORKING_MODE:
@@ -106,11 +106,12 @@ std::string cause_of(const AspectTransition& t, const Transition& transition) {
     case AspectTransition::ASSEMBLY_MODE:
       return "the actuated joints are back, and the platform is in another assembly mode";
     default:
-      return t.determinant_crossed ? "det A has changed its sign" : "the aspect became known";
+      if (!t.determinant_crossed) return "the aspect became known";
+      return stated_anew ? "the assembly mode was stated anew" : "det A has changed its sign";
   }
 }
 
-std::string message_of(const AspectTransition& t, const Transition& transition) {
+std::string message_of(const AspectTransition& t, const Transition& transition, bool stated_anew) {
   const std::string before = branch_text(transition.mode_before, transition.determinant_sign_before);
   const std::string after = branch_text(transition.mode_after, transition.determinant_sign_after);
   const std::string aspects = "aspect " + aspect_text(t.aspect_before) + " -> " + aspect_text(t.aspect_after);
@@ -118,7 +119,7 @@ std::string message_of(const AspectTransition& t, const Transition& transition) 
   const std::string branches = t.kind == AspectTransition::LOST ? before
                                : same                           ? after
                                                                 : before + " -> " + after;
-  return aspects + ": " + cause_of(t, transition) + "; " + branches;
+  return aspects + ": " + cause_of(t, transition, stated_anew) + "; " + branches;
 }
 
 }  // namespace
@@ -343,7 +344,7 @@ AspectState unknown_state(const Manipulator& manipulator, const Status& status, 
 }
 
 AspectTransition transition_message(const Manipulator& manipulator, const Transition& transition,
-                                    const ros::Time& stamp) {
+                                    const ros::Time& stamp, bool stated_anew) {
   AspectTransition message;
   message.header = header_in_base(manipulator, stamp);
   const bool changes_mode = transition.kind == TransitionKind::working_mode;
@@ -359,7 +360,7 @@ AspectTransition transition_message(const Manipulator& manipulator, const Transi
   message.determinant_sign_after = static_cast<std::int8_t>(transition.determinant_sign_after);
   message.aspect_before = static_cast<std::uint32_t>(transition.aspect_before);
   message.aspect_after = static_cast<std::uint32_t>(transition.aspect_after);
-  message.message = message_of(message, transition);
+  message.message = message_of(message, transition, stated_anew);
   return message;
 }
 

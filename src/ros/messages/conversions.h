@@ -89,8 +89,9 @@ AspectState state_message(const Manipulator& manipulator, const TrackedState& st
 /// State that says only why nothing is known.
 AspectState unknown_state(const Manipulator& manipulator, const Status& status, const ros::Time& stamp);
 
+/// `stated_anew`: whether somebody has stated the assembly mode since the transition before.
 AspectTransition transition_message(const Manipulator& manipulator, const Transition& transition,
-                                    const ros::Time& stamp);
+                                    const ros::Time& stamp, bool stated_anew = false);
 
 }  // namespace parallel_aspects
 

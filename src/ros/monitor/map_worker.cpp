@@ -10,6 +10,8 @@
 
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 #ifdef __GLIBC__
@@ -221,6 +223,11 @@ void MapWorker::make_roadmap(const MapOptions& options, const MapControl& contro
 }
 
 bool MapWorker::load(const MapOptions& options) {
+  std::error_code failure;
+  if (!std::filesystem::exists(file_, failure) && !failure) {
+    say_of_file(file_ + " is not there yet; the map is computed and saved to it", true);
+    return false;
+  }
   const MapResult result = load_map(manipulator_, options, file_);
   if (result.status != MapStatus::complete) {
     say_of_file("the map is computed, as the file was not used: " + result.message, false);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/monitor/robot_monitor.h"
 
+#include "model/number_text.h"
 #include "ros/messages/hazard_messages.h"
 #include "ros/monitor/state_messages.h"
 
@@ -12,17 +13,12 @@
 namespace parallel_aspects {
 namespace {
 
-Pose start_pose(const Manipulator& manipulator, const std::vector<double>& coordinates) {
-  const Eigen::Map<const Eigen::VectorXd> values(coordinates.data(),
-                                                 static_cast<Eigen::Index>(coordinates.size()));
-  return pose_from_coordinates(manipulator.task_space(), values).value_or(Pose{});
-}
-
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
-RobotMonitor::RobotMonitor(std::shared_ptr<const Mechanism> mechanism, const NodeOptions& options)
+RobotMonitor::RobotMonitor(std::shared_ptr<const Mechanism> mechanism, const NodeOptions& options,
+                           const std::string& topic)
     : mechanism_(mechanism),
       reader_(mechanism),
       names_(*mechanism),
@@ -34,7 +30,8 @@ RobotMonitor::RobotMonitor(std::shared_ptr<const Mechanism> mechanism, const Nod
       stand_off_(mechanism->manipulator(), options.tracking.samples),
       merger_(mechanism->manipulator(), options.tracking.samples, options.joint_states_window),
       tracker_(mechanism->manipulator(), options.tracking),
-      status_(make_status(Status::NO_JOINT_STATES, "No usable joint_states have arrived yet.")),
+      status_(make_status(Status::NO_JOINT_STATES,
+                          "Nothing has arrived on " + topic + " yet; " + names_.expectation() + ".")),
       age_(options.joint_states_timeout),
       publishers_(ros::Duration(options.joint_states_timeout)),
       hazards_(mechanism->manipulator(), thresholds_of(options.thresholds)) {}
@@ -63,13 +60,15 @@ MonitorUpdate RobotMonitor::update(const sensor_msgs::JointState& message, const
     return {};
   }
   if (sample.status == SampleStatus::invalid)
-    return refuse(Status::INVALID_JOINT_STATES, names_.with_guess(sample.message), stamp, now);
+    return refuse(Status::INVALID_JOINT_STATES, sample.message, stamp, now);
   if (sample.status == SampleStatus::usable && stamp == age_.stamp() && last_q_ && sample.q == *last_q_)
     return {};  // the same again
   // Messages that hold some of the actuated joints come on several paths, and may overtake one another.
   const ros::Time before = sample.status == SampleStatus::partial ? ros::Time() : age_.stamp();
   const std::string fault = fault_of_stamp(stamp, before, now, age_.timeout());
   if (!fault.empty()) return refuse(Status::INVALID_JOINT_STATES, fault, stamp, now);
+  for (std::size_t j = 0; j < sample.named_joints.size(); ++j)
+    if (sample.named_joints[j]) came_[j] = now;
   const auto merged = merger_.add(stamp, sample.named_joints, sample.q);
   if (sample.status == SampleStatus::usable) return accept(sample, {stamp, sample.q, {}}, now);
   if (merged && merged->stamp > age_.stamp()) return accept(JointSample(), *merged, now);
@@ -142,14 +141,18 @@ MonitorUpdate RobotMonitor::accept(const JointSample& sample, const MergedJoints
     return update;
   }
   update.state->status = status_;
-  if (status_.code == Status::OK) update.state->status.message = update.warning;
+  if (status_.code == Status::OK)
+    update.state->status.message = update.warning.empty()
+                                       ? beyond_limits(*mechanism_->manipulator(), tracker_.state().q)
+                                       : update.warning;
   return update;
 }
 
 void RobotMonitor::keep_transitions() {
   for (const Transition& transition : tracker_.take_transitions())
-    transitions_.push_back(
-        transition_message(*mechanism_->manipulator(), transition, epoch_ + ros::Duration(transition.time)));
+    transitions_.push_back(transition_message(*mechanism_->manipulator(), transition,
+                                              epoch_ + ros::Duration(transition.time),
+                                              std::exchange(stated_anew_, false)));
 }
 
 void RobotMonitor::fill_tracked(const ros::Time& stamp, MonitorUpdate& update) {
@@ -242,29 +245,6 @@ std::optional<sensor_msgs::JointState> RobotMonitor::complete(const TrackedState
   return message;
 }
 
-// Only the first sample may start: a later one could lie near the start pose in another assembly mode.
-Status RobotMonitor::start_as_configured(double time, const JointVector& q) {
-  const Manipulator& manipulator = *mechanism_->manipulator();
-  if (clock_went_back_)
-    return not_started_status("The clock went backwards, so how the robot moved meanwhile is not known",
-                              read_only_);
-  std::string why;
-  if (start_.pose) {
-    const Pose pose = start_pose(manipulator, *start_.pose);
-    if (tracker_.start_near(time, q, pose, start_tolerance_, last_uncertainty_)) return {};
-    why = why_not_near(manipulator, q, pose, start_tolerance_, "start/pose", last_uncertainty_);
-  } else if (start_.determinant_sign) {
-    if (tracker_.start_with_sign(time, q, *start_.determinant_sign, last_uncertainty_)) return {};
-    why = why_not_with_sign(manipulator, q, *start_.determinant_sign, last_uncertainty_);
-  }
-  return not_started_status(why, read_only_);
-}
-
-// Whether it was said where the robot is at first, did not fit, and nothing was known since.
-bool RobotMonitor::failed_start() const {
-  return (start_.pose || start_.determinant_sign) && not_started_.code != Status::OK;
-}
-
 // Of the merged actuated joints, where that is what keeps the assembly mode unknown: near det A = 0 it would
 // be without it.
 JointVector RobotMonitor::uncertainty_to_report() const {
@@ -293,7 +273,25 @@ Status RobotMonitor::status_at(const ros::Time& now) const {
   const bool refused =
       status_.code == Status::INVALID_JOINT_STATES || status_.code == Status::SEVERAL_PUBLISHERS;
   if (refused && seconds_between(last_refused_, now) <= age_.timeout()) return status_;
-  return age_.too_old(now) ? age_.status(now, names_) : status_;
+  if (!age_.too_old(now)) return status_;
+  const std::string overdue = overdue_joints(now);
+  return overdue.empty() ? age_.status(now, names_) : overdue_status(overdue, names_);
+}
+
+// The actuated joints that do not come while others do; empty where all or none do.
+std::string RobotMonitor::overdue_joints(const ros::Time& now) const {
+  const Manipulator& manipulator = *mechanism_->manipulator();
+  std::string overdue;
+  bool others = false;
+  for (std::size_t j = 0; j < manipulator.leg_count(); ++j) {
+    const double silence = seconds_between(came_[j], now);
+    if (silence <= age_.timeout())
+      others = true;
+    else if (!came_[j].isZero())
+      overdue += (overdue.empty() ? "" : ", ") + manipulator.leg(j).actuated_joint + " has not come for " +
+                 number_text(silence, 2) + " s";
+  }
+  return others ? overdue : std::string();
 }
 
 void RobotMonitor::beat(const ros::SteadyTime& wall) {
@@ -342,37 +340,6 @@ void RobotMonitor::set_map(std::shared_ptr<const AspectMap> map) {
   tracker_.set_map(std::move(map));
 }
 
-Status RobotMonitor::start_near(const Pose& pose, const ros::Time& now) {
-  return start_by(now, [&](double time, const JointVector& q, const JointVector& uncertainty) {
-    return tracker_.start_near(time, q, pose, start_tolerance_, uncertainty)
-               ? std::string()
-               : why_not_near(*mechanism_->manipulator(), q, pose, start_tolerance_, "that pose",
-                              uncertainty);
-  });
-}
-
-Status RobotMonitor::start_with_sign(int determinant_sign, const ros::Time& now) {
-  return start_by(now, [&](double time, const JointVector& q, const JointVector& uncertainty) {
-    return tracker_.start_with_sign(time, q, determinant_sign, uncertainty)
-               ? std::string()
-               : why_not_with_sign(*mechanism_->manipulator(), q, determinant_sign, uncertainty);
-  });
-}
-
-// `start` says why it could not, or nothing.
-template <class Start>
-Status RobotMonitor::start_by(const ros::Time& now, const Start& start) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  if (!last_q_ || age_.too_old(now))
-    return make_status(Status::NO_JOINT_STATES,
-                       "No present joint values are known; publish joint_states first.");
-  const std::string why_not = start(seconds_between(epoch_, age_.stamp()), *last_q_, last_uncertainty_);
-  if (!tracker_.state().followed() || why_not.empty()) status_ = status_of_tracker();
-  if (!why_not.empty()) return make_status(Status::NO_SOLUTION, why_not);
-  keep_transitions();
-  return {};
-}
-
 // A simulation that begins anew starts as configured; a clock that was set back says nothing of the robot.
 void RobotMonitor::forget() {
   clock_went_back_ = !ros::Time::isSimTime();
@@ -383,6 +350,7 @@ void RobotMonitor::forget() {
   not_started_ = {};
   age_.forget();
   last_refused_ = waiting_since_ = ros::Time();
+  came_.fill({});
   last_q_.reset();
   status_ =
       make_status(Status::NO_JOINT_STATES, "Time went backwards; no usable joint_states have arrived since.");

@@ -11,6 +11,7 @@
 #include "ros/joint_states/joint_name_watch.h"
 #include "ros/joint_states/joint_sample.h"
 #include "ros/joint_states/publisher_watch.h"
+#include "ros/messages/configurations.h"
 #include "ros/messages/conversions.h"
 #include "ros/monitor/hazard_watch.h"
 #include "ros/monitor/sample_age.h"
@@ -22,6 +23,7 @@
 
 #include <ros/time.h>
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <mutex>
@@ -62,8 +64,9 @@ struct MonitorCounts {
 /// assembly mode and comparing passive joints, is left to `work`, for another thread.
 class RobotMonitor {
  public:
-  /// `options` must have passed `problems_of`.
-  RobotMonitor(std::shared_ptr<const Mechanism> mechanism, const NodeOptions& options);
+  /// `options` must have passed `problems_of`. `topic`: what joint_states is called, for messages.
+  RobotMonitor(std::shared_ptr<const Mechanism> mechanism, const NodeOptions& options,
+               const std::string& topic = "joint_states");
 
   /// The next message, received at `now` from the node `publisher`.
   MonitorUpdate update(const sensor_msgs::JointState& message, const ros::Time& now,
@@ -92,10 +95,10 @@ class RobotMonitor {
   void set_map(std::shared_ptr<const AspectMap> map);
   void set_thresholds(const DistanceThresholds::Options& thresholds);
 
-  /// Starts at the direct solution of the last sample that is closest to `pose`, or that has this sign of det
-  /// A.
-  Status start_near(const Pose& pose, const ros::Time& now);
-  Status start_with_sign(int determinant_sign, const ros::Time& now);
+  /// Starts at the direct solution of the last sample that is closest to `pose`, or that has the stated sign
+  /// of det A. Where that solution contradicts what is stated it is refused, and nothing changes.
+  Status start_near(const Pose& pose, const ros::Time& now, const StatedSigns& stated = {});
+  Status start_with_sign(const StatedSigns& stated, const ros::Time& now);
 
  private:
   MonitorUpdate pass_over(bool new_names);
@@ -108,8 +111,9 @@ class RobotMonitor {
   JointVector uncertainty_to_report() const;
   Status status_of_tracker() const;
   Status status_at(const ros::Time& now) const;
+  std::string overdue_joints(const ros::Time& now) const;
   template <class Start>
-  Status start_by(const ros::Time& now, const Start& start);
+  Status start_by(const ros::Time& now, const StatedSigns& stated, const Start& start);
   void fill_tracked(const ros::Time& stamp, MonitorUpdate& update);
   void keep_transitions();
   AspectState lost_state(const Status& status, const ros::Time& stamp);
@@ -132,15 +136,17 @@ class RobotMonitor {
   JointMerger merger_;
   Tracker tracker_;
   Status status_;
-  Status not_started_;       // why, where the first sample could not start
-  ros::Time epoch_;          // of the tracker's clock
-  SampleAge age_;            // of the last usable sample
-  ros::Time last_received_;  // when any message came
-  ros::Time last_refused_;   // when one was that could not be used, or one of two publishers'
-  ros::Time waiting_since_;  // for the other actuated joints, before the first one; zero for not
+  Status not_started_;                    // why, where the first sample could not start
+  ros::Time epoch_;                       // of the tracker's clock
+  SampleAge age_;                         // of the last usable sample
+  ros::Time last_received_;               // when any message came
+  ros::Time last_refused_;                // when one was that could not be used, or one of two publishers'
+  std::array<ros::Time, max_legs> came_;  // when each actuated joint last did; zero for never
+  ros::Time waiting_since_;               // for the other actuated joints, before the first one; zero for not
   std::optional<JointVector> last_q_;
   JointVector last_uncertainty_;
   std::vector<AspectTransition> transitions_;  // still to be published
+  bool stated_anew_ = false;                   // the assembly mode, since the last transition
   bool said_stale_ = false;
   bool said_names_ = false;
   bool clock_went_back_ = false;  // though it was not a simulation that began anew

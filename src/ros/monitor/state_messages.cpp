@@ -83,7 +83,9 @@ std::string why_not_with_sign(const Manipulator& manipulator, const JointVector&
   const bool singular = is_near_singular(solutions);
   return "The actuated joints do not have exactly one assembly mode with the sign " +
          std::to_string(determinant_sign) + " of det A: there are " + std::to_string(fit) +
-         (singular ? ", and a parallel singularity is near." : "." + merged_joints(uncertainty));
+         (singular  ? ", and a parallel singularity is near."
+          : fit > 1 ? "; give a pose near that of the robot instead." + merged_joints(uncertainty)
+                    : "." + merged_joints(uncertainty));
 }
 
 Status ambiguous_status(Ambiguity ambiguity, const JointVector& uncertainty, const std::string& start,
@@ -109,6 +111,11 @@ Status silent_status(double timeout, const JointNameWatch& names) {
       Status::STALE,
       "The last usable joint_states are older than " + number_text(timeout) + " s" +
           (names.lacks_an_actuated_joint() ? ", and by their names, " + names.comparison() : "."));
+}
+
+Status overdue_status(const std::string& overdue, const JointNameWatch& names) {
+  return make_status(Status::STALE, names.with_guess("Of the actuated joints, " + overdue +
+                                                     ", while others arrive; look at the driver."));
 }
 
 Status halted_status(double timeout) {

@@ -46,6 +46,10 @@ Status inconsistent_status(const Mechanism& mechanism, const PassiveResidual& re
 /// That nothing usable came for `timeout` [s], and which joints came since.
 Status silent_status(double timeout, const JointNameWatch& names);
 
+/// That some of the actuated joints do not come any more. `overdue`: which, and for how long.
+/// `names`: what came since the last usable sample.
+Status overdue_status(const std::string& overdue, const JointNameWatch& names);
+
 /// That nothing did while the clock stood still.
 Status halted_status(double timeout);
 

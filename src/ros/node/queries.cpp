@@ -66,16 +66,21 @@ Queries::Queries(std::shared_ptr<const Manipulator> manipulator, RobotMonitor& m
       meter_(manipulator_) {}
 
 ConfigurationAnswer Queries::resolve(const Configuration& configuration) const {
-  switch (configuration.kind) {
-    case Configuration::NOW:
-      return resolve_now();
-    case Configuration::POSE:
-      return resolve_pose(configuration);
-    case Configuration::JOINTS:
-      return resolve_joints(configuration);
-    default:
-      return refusal(Status::INVALID_REQUEST, "kind must be 0 (now), 1 (pose) or 2 (joints).");
-  }
+  const std::string fault = fault_of(*manipulator_, configuration);
+  if (!fault.empty()) return refusal(Status::INVALID_REQUEST, fault);
+  StatedSigns stated = stated_signs(configuration);
+  // The working mode has chosen the joint values at a pose, also where a leg is stretched and has no sign.
+  if (configuration.kind == Configuration::POSE) stated.working_mode.clear();
+  ConfigurationAnswer answer = as_stated(*manipulator_, resolve_kind(configuration), stated);
+  if (answer.status.code == Status::OK && answer.status.message.empty())
+    answer.status.message = beyond_limits(*manipulator_, answer.configurations.front().q);
+  return answer;
+}
+
+ConfigurationAnswer Queries::resolve_kind(const Configuration& configuration) const {
+  if (configuration.kind == Configuration::NOW) return resolve_now();
+  return configuration.kind == Configuration::POSE ? resolve_pose(configuration)
+                                                   : resolve_joints(configuration);
 }
 
 ConfigurationAnswer Queries::resolve_now() const {
@@ -107,8 +112,7 @@ ConfigurationAnswer Queries::resolve_joints(const Configuration& configuration) 
       actuated_values(*manipulator_, configuration.joint_names, configuration.joint_positions);
   if (sample.status != SampleStatus::usable)
     return refusal(Status::INVALID_REQUEST, "The joints cannot be used: " + sample.message);
-  ConfigurationAnswer answer =
-      configurations_at_joints(*manipulator_, sample.q, configuration.determinant_sign);
+  ConfigurationAnswer answer = configurations_at_joints(*manipulator_, sample.q);
   answer.stamp = ros::Time::now();
   return answer;
 }
@@ -196,9 +200,11 @@ BoundaryDistances Queries::distances(const SolvedPose& solved) const {
 
 Status Queries::start(const Configuration& configuration) const {
   const ros::Time now = ros::Time::now();
+  const std::string fault = fault_of(*manipulator_, configuration);
+  if (!fault.empty()) return make_status(Status::INVALID_REQUEST, fault);
+  const StatedSigns stated = stated_signs(configuration);
   if (configuration.kind == Configuration::NOW) {
-    if (std::abs(configuration.determinant_sign) == 1)
-      return monitor_.start_with_sign(configuration.determinant_sign, now);
+    if (stated.determinant_sign != 0) return monitor_.start_with_sign(stated, now);
     return make_status(Status::INVALID_REQUEST,
                        "determinant_sign must be 1 or -1, or kind 1 (pose) or 2 (joints).");
   }
@@ -207,15 +213,17 @@ Status Queries::start(const Configuration& configuration) const {
     const auto in_base = to_base_(configuration.pose, message);
     if (!in_base) return make_status(Status::NO_TRANSFORM, std::move(message));
     const auto pose = pose_from_base(*manipulator_, *in_base);
-    return pose ? monitor_.start_near(*pose, now)
+    return pose ? monitor_.start_near(*pose, now, stated)
                 : make_status(Status::INVALID_REQUEST, "The pose must be finite.");
   }
   const ConfigurationAnswer found = resolve(configuration);
   if (found.status.code != Status::OK) return found.status;
   if (found.configurations.size() != 1)
-    return make_status(Status::INVALID_REQUEST,
-                       "More than one assembly mode is meant; set determinant_sign to 1 or -1.");
-  return monitor_.start_near(found.configurations.front().pose, now);
+    return make_status(
+        Status::INVALID_REQUEST,
+        "More than one assembly mode is meant; set determinant_sign to 1 or -1, or, where that "
+        "was done, give a pose (kind 1).");
+  return monitor_.start_near(found.configurations.front().pose, now, stated);
 }
 
 SetAssemblyMode::Response Queries::answer(const SetAssemblyMode::Request& request) const {

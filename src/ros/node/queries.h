@@ -44,6 +44,7 @@ class Queries {
 
  private:
   ConfigurationAnswer resolve(const Configuration& configuration) const;
+  ConfigurationAnswer resolve_kind(const Configuration& configuration) const;
   ConfigurationAnswer resolve_now() const;
   ConfigurationAnswer resolve_pose(const Configuration& configuration) const;
   ConfigurationAnswer resolve_joints(const Configuration& configuration) const;

@@ -18,6 +18,14 @@ namespace {
 // Actionlib's client in Python loses an answer that comes before it has noted its goal.
 constexpr std::chrono::milliseconds before_refusal{200};
 
+const ros::WallDuration until_silence(5.0);  // after the start, if nothing has arrived
+
+// For messages: a name or a reason may be as long as whoever asks likes.
+std::string shortened(const std::string& text) {
+  constexpr std::size_t longest = 200;
+  return text.size() <= longest ? text : text.substr(0, longest) + "...";
+}
+
 ros::NodeHandle on_queue(ros::NodeHandle nh, ros::CallbackQueue& queue) {
   nh.setCallbackQueue(&queue);
   return nh;
@@ -32,7 +40,7 @@ RobotServer::RobotServer(const ros::NodeHandle& nh, const ros::NodeHandle& priva
       work_nh_(on_queue(private_nh, work_queue_)),
       joint_states_nh_(on_queue(nh, tracking_queue_)),
       tf_listener_(tf_, on_queue(nh, tf_queue_), false),
-      monitor_(setup_.mechanism, setup_.options),
+      monitor_(setup_.mechanism, setup_.options, joint_states_nh_.resolveName("joint_states")),
       display_(setup_, service_nh_),
       state_(tracking_nh_.advertise<AspectState>("state", 100, true)),
       transitions_(tracking_nh_.advertise<AspectTransition>("transitions", 100)),
@@ -116,6 +124,8 @@ void RobotServer::subscribe() {
                                   [this](const ros::WallTimerEvent&) { diagnostics_.publish(); });
   stand_off_timer_ = service_nh_.createWallTimer(
       ros::WallDuration(0.0), [this](const ros::WallTimerEvent&) { report_stand_off(); }, true);
+  silence_timer_ = service_nh_.createWallTimer(
+      until_silence, [this](const ros::WallTimerEvent&) { report_silence(); }, true);
   log_timer_ = service_nh_.createWallTimer(ros::WallDuration(0.1), [this](const ros::WallTimerEvent&) {
     log_.write();
     for (const std::string& message : frame_watch_.news(ros::WallTime::now())) ROS_WARN_STREAM(message);
@@ -201,6 +211,15 @@ void RobotServer::report_stand_off() {
   const std::string warning = warning_of(estimate, setup_.options.thresholds.parallel_stop);
   if (estimate.poses > 0) ROS_INFO_STREAM(message_of(estimate));
   if (!warning.empty()) ROS_WARN_STREAM(warning);
+}
+
+void RobotServer::report_silence() {
+  const MonitorCounts counts = monitor_.counts();
+  if (counts.usable + counts.invalid + counts.foreign > 0) return;
+  const std::uint32_t publishers = subscriber_.getNumPublishers();
+  const std::string who = publishers == 0 ? "No node publishes it; start the driver, or remap joint_states."
+                                          : "Nodes that publish it: " + std::to_string(publishers) + ".";
+  ROS_WARN_STREAM(monitor_.current(ros::Time::now()).status.message << " " << who);
 }
 
 void RobotServer::show() { display_.show(monitor_.current(ros::Time::now()), worker_.progress().message); }
@@ -291,7 +310,8 @@ std::optional<geometry_msgs::Pose> RobotServer::to_base(const geometry_msgs::Pos
   try {
     return tf_.transform(given, base, ros::Duration(setup_.options.tf_timeout)).pose;
   } catch (const std::runtime_error& failure) {  // of tf2, or of a time that no clock has
-    message = "tf does not connect " + given.header.frame_id + " with " + base + ": " + failure.what();
+    message = "tf does not connect " + shortened(given.header.frame_id) + " with " + base + ": " +
+              shortened(failure.what());
     return std::nullopt;
   }
 }

@@ -67,6 +67,7 @@ class RobotServer {
   void show();
   void work();
   void report_stand_off();
+  void report_silence();
   void send_platform(const Eigen::Isometry3d& platform, const ros::Time& stamp);
   std::optional<geometry_msgs::Pose> to_base(const geometry_msgs::PoseStamped& pose,
                                              std::string& message) const;
@@ -95,7 +96,8 @@ class RobotServer {
   std::vector<ros::ServiceServer> services_;
   ros::Subscriber subscriber_, tf_subscriber_, tf_static_subscriber_;
   ros::SteadyTimer age_timer_;
-  ros::WallTimer display_timer_, diagnostics_timer_, log_timer_, work_timer_, stand_off_timer_;
+  ros::WallTimer display_timer_, diagnostics_timer_, log_timer_, work_timer_, stand_off_timer_,
+      silence_timer_;
   std::atomic<bool> stopping_{false};
   ros::AsyncSpinner tracking_spinner_, service_spinner_, work_spinner_, tf_spinner_;
 };

@@ -41,6 +41,24 @@ TEST_F(JointNames, TellsWhichJointsAreExpectedAndWhichArrive) {
   EXPECT_FALSE(update(named({"another"}), 1.4).state);
 }
 
+TEST_F(JointNames, SaysWhatIsExpectedWhereNothingArrives) {
+  const RobotMonitor quiet(mechanism_, {}, "/arm/joint_states");
+  EXPECT_EQ(
+      quiet.current(at(1.0)).status.message,
+      "Nothing has arrived on /arm/joint_states yet; joints 'crank_1_joint', 'crank_2_joint' are expected.");
+}
+
+// What an earlier message was called is no reason why this one cannot be used.
+TEST_F(JointNames, NoNameOfAnEarlierMessageIsGuessedAt) {
+  auto message = joint_values(4.5, 8.0, {1, -1}, 1.0);
+  message.name[1] = "crank2_joint";
+  update(message, 1.0);
+  auto broken = joint_values(4.5, 8.0, {1, -1}, 1.1);
+  broken.position.pop_back();
+  const std::string text = update(broken, 1.1).state->status.message;
+  EXPECT_EQ(text.find("did you mean"), std::string::npos) << text;
+}
+
 // Names of other robots would be work at their rate; what came while all was well is no reason for a silence.
 TEST_F(JointNames, JointsOfOthersAreHeardOnlyWhileNothingUsableComes) {
   sensor_msgs::JointState other;

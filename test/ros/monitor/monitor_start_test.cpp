@@ -91,12 +91,42 @@ TEST_F(MonitorStart, WhatItSaysToDoIsNotRefused) {
 
 TEST_F(MonitorStart, StartsWithASignOfTheDeterminant) {
   update(joint_values(4.5, -8.0, {1, 1}, 1.0), 1.0);
-  EXPECT_EQ(monitor_.start_with_sign(-1, at(1.0)).code, Status::OK);
+  EXPECT_EQ(monitor_.start_with_sign({{}, -1}, at(1.0)).code, Status::OK);
   EXPECT_EQ(monitor_.current(at(1.0)).tracked.determinant_sign, -1);
 }
 
+// The five-bar is in (+,-), det A < 0 there.
+TEST_F(MonitorStart, AStatementThatContradictsTheJointsIsRefused) {
+  update(joint_values(4.5, 8.0, {1, -1}, 1.0), 1.0);
+  const int sign = monitor_.current(at(1.0)).tracked.determinant_sign;
+  const Pose pose = test::pose_at(4.5, 8.0);
+  EXPECT_EQ(monitor_.start_near(pose, at(1.0), {{1, -1}, sign}).code, Status::OK);
+  for (const StatedSigns& stated :
+       {StatedSigns{{-1, 1}, 0}, StatedSigns{{}, -sign}, StatedSigns{{1, 1}, sign}}) {
+    const Status refused = monitor_.start_near(pose, at(1.0), stated);
+    EXPECT_EQ(refused.code, Status::NO_SOLUTION) << refused.message;
+    EXPECT_NE(refused.message.find("in (+,-), det A "), std::string::npos) << refused.message;
+    EXPECT_NE(refused.message.find("contradicts "), std::string::npos) << refused.message;
+  }
+  EXPECT_EQ(monitor_.start_with_sign({{-1, 1}, sign}, at(1.0)).code, Status::NO_SOLUTION);
+  EXPECT_EQ(monitor_.current(at(1.0)).status.code, Status::OK) << "nothing has changed";
+  EXPECT_EQ(monitor_.current(at(1.0)).tracked.determinant_sign, sign);
+}
+
+TEST_F(MonitorStart, AStatementIsNoCrossing) {
+  monitor_.set_map(compute_aspect_map(mechanism_->manipulator(), {}).map);
+  update(joint_values(4.5, 8.0, {1, -1}, 1.0), 1.0);
+  const int sign = monitor_.current(at(1.0)).tracked.determinant_sign;
+  ASSERT_EQ(monitor_.start_with_sign({{}, -sign}, at(1.0)).code, Status::OK);
+  const auto transitions = update(joint_values(4.5, 8.0, {1, -1}, 1.1), 1.1).transitions;
+  std::string text;
+  for (const AspectTransition& transition : transitions) text += transition.message + "\n";
+  EXPECT_NE(text.find("the assembly mode was stated anew"), std::string::npos) << text;
+  EXPECT_EQ(text.find("changed its sign"), std::string::npos) << text;
+}
+
 TEST_F(MonitorStart, CannotBeStartedWithoutDrives) {
-  EXPECT_EQ(monitor_.start_with_sign(1, at(1.0)).code, Status::NO_JOINT_STATES);
+  EXPECT_EQ(monitor_.start_with_sign({{}, 1}, at(1.0)).code, Status::NO_JOINT_STATES);
   EXPECT_EQ(monitor_.start_near(test::pose_at(4.5, 8.0), at(1.0)).code, Status::NO_JOINT_STATES);
 }
 
@@ -109,7 +139,7 @@ TEST_F(MonitorStart, ARefusedStartKeepsTheCandidates) {
   ASSERT_TRUE(candidates);
   EXPECT_EQ(candidates->candidates.size(), 2U);
   EXPECT_EQ(monitor.start_near(test::pose_at(4.5, 3.0), at(1.0)).code, Status::NO_SOLUTION);
-  EXPECT_EQ(monitor.start_with_sign(0, at(1.0)).code, Status::NO_SOLUTION);
+  EXPECT_EQ(monitor.start_with_sign({{}, 0}, at(1.0)).code, Status::NO_SOLUTION);
   const auto after = monitor.work();
   EXPECT_FALSE(after) << after->message;
   EXPECT_EQ(monitor.current(at(1.0)).status.code, Status::AMBIGUOUS);

@@ -105,6 +105,22 @@ TEST_F(SeveralPublishers, DrivesOfSeveralPublishersAreMerged) {
   EXPECT_TRUE(expire(2.3)) << "actuated joints that are missing make it stale";
 }
 
+TEST_F(SeveralPublishers, TheOneThatHasEndedIsNamedByItsJoint) {
+  const auto send = [&](std::size_t actuation, double seconds) {
+    auto message = joint_values(4.5, 8.0, {1, -1}, seconds);
+    message.name = {message.name[actuation]};
+    message.position = {message.position[actuation]};
+    monitor_.update(message, at(seconds), actuation == 0 ? "/one" : "/two");
+  };
+  for (std::size_t i = 0; i < 10; ++i) send(i % 2, 1.0 + 0.02 * static_cast<double>(i));
+  for (int i = 0; i < 50; ++i) send(0, 1.2 + 0.02 * i);
+  const auto stale = expire(2.2);
+  ASSERT_TRUE(stale);
+  EXPECT_EQ(
+      stale->status.message,
+      "Of the actuated joints, crank_2_joint has not come for 1 s, while others arrive; look at the driver.");
+}
+
 // Values that are long apart are not joined, which is said with what to do.
 TEST_F(SeveralPublishers, DrivesThatComeTooFarApartAreSaidToBe) {
   std::string text;

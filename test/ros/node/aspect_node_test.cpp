@@ -171,6 +171,15 @@ TEST_F(AspectNode, RefusesQuestionsThatMakeNoSense) {
             Status::INVALID_REQUEST);
   EXPECT_EQ(ask<GetWorkingMode>("get_working_mode", at_pose(4.5, std::nan(""), "")).status.code,
             Status::INVALID_REQUEST);
+  const auto far = ask<GetWorkingMode>("get_working_mode", at_pose(4.5, 8.0, std::string(100000, 'x')));
+  EXPECT_EQ(far.status.code, Status::NO_TRANSFORM);
+  EXPECT_LT(far.status.message.size(), 1000U);
+  Configuration misspelt;
+  misspelt.kind = Configuration::JOINTS;
+  misspelt.joint_names = {"crank_1_joint", "crank2_joint"};
+  misspelt.joint_positions = {1.0, 1.0};
+  const std::string guess = ask<GetWorkingMode>("get_working_mode", misspelt).status.message;
+  EXPECT_NE(guess.find("Did you mean crank_2_joint by crank2_joint?"), std::string::npos) << guess;
   Configuration unknown_kind;
   unknown_kind.kind = 9;
   EXPECT_EQ(ask<GetWorkingMode>("get_working_mode", unknown_kind).status.code, Status::INVALID_REQUEST);

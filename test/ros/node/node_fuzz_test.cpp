@@ -220,10 +220,19 @@ class NodeFuzz : public testing::TestWithParam<const char*> {
     return false;
   }
 
+  // Else nearly every question would be refused for the fields that its kind does not look at.
+  static void leave_what_its_kind_means(Configuration& configuration) {
+    if (configuration.kind != Configuration::POSE) configuration.pose = {};
+    if (configuration.kind == Configuration::JOINTS) return;
+    configuration.joint_names.clear();
+    configuration.joint_positions.clear();
+  }
+
   template <typename Service>
   void question(const std::string& name) {
     Service service;
     service.request = random_->make<typename Service::Request>();
+    if (random_->pick(2) == 0) leave_what_its_kind_means(service.request.configuration);
     note(name, service.request);
     if (!ask(name, service)) return;
     check(service.response.status);

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// How the monitor comes to know the assembly mode: as configured, or as somebody states it.
+#include "ros/joint_states/joint_merger.h"
+#include "ros/messages/configurations.h"
+#include "ros/monitor/robot_monitor.h"
+#include "ros/monitor/state_messages.h"
+
+#include <utility>
+
+namespace parallel_aspects {
+namespace {
+
+Pose start_pose(const Manipulator& manipulator, const std::vector<double>& coordinates) {
+  const Eigen::Map<const Eigen::VectorXd> values(coordinates.data(),
+                                                 static_cast<Eigen::Index>(coordinates.size()));
+  return pose_from_coordinates(manipulator.task_space(), values).value_or(Pose{});
+}
+
+}  // namespace
+
+// Only the first sample may start: a later one could lie near the start pose in another assembly mode.
+Status RobotMonitor::start_as_configured(double time, const JointVector& q) {
+  const Manipulator& manipulator = *mechanism_->manipulator();
+  if (clock_went_back_)
+    return not_started_status("The clock went backwards, so how the robot moved meanwhile is not known",
+                              read_only_);
+  std::string why;
+  if (start_.pose) {
+    const Pose pose = start_pose(manipulator, *start_.pose);
+    if (tracker_.start_near(time, q, pose, start_tolerance_, last_uncertainty_)) return {};
+    why = why_not_near(manipulator, q, pose, start_tolerance_, "start/pose", last_uncertainty_);
+  } else if (start_.determinant_sign) {
+    if (tracker_.start_with_sign(time, q, *start_.determinant_sign, last_uncertainty_)) return {};
+    why = why_not_with_sign(manipulator, q, *start_.determinant_sign, last_uncertainty_);
+  }
+  return not_started_status(why, read_only_);
+}
+
+// Whether it was said where the robot is at first, did not fit, and nothing was known since.
+bool RobotMonitor::failed_start() const {
+  return (start_.pose || start_.determinant_sign) && not_started_.code != Status::OK;
+}
+
+Status RobotMonitor::start_near(const Pose& pose, const ros::Time& now, const StatedSigns& stated) {
+  return start_by(now, stated, [&](Tracker& tracker, double time, const JointVector& q) {
+    return tracker.start_near(time, q, pose, start_tolerance_, last_uncertainty_)
+               ? std::string()
+               : why_not_near(*mechanism_->manipulator(), q, pose, start_tolerance_, "that pose",
+                              last_uncertainty_);
+  });
+}
+
+Status RobotMonitor::start_with_sign(const StatedSigns& stated, const ros::Time& now) {
+  return start_by(now, stated, [&](Tracker& tracker, double time, const JointVector& q) {
+    return tracker.start_with_sign(time, q, stated.determinant_sign, last_uncertainty_)
+               ? std::string()
+               : why_not_with_sign(*mechanism_->manipulator(), q, stated.determinant_sign, last_uncertainty_);
+  });
+}
+
+// `start` says why it could not, or nothing. It starts a copy, which is dropped where it shows a
+// contradiction.
+template <class Start>
+Status RobotMonitor::start_by(const ros::Time& now, const StatedSigns& stated, const Start& start) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!last_q_ || age_.too_old(now))
+    return make_status(Status::NO_JOINT_STATES,
+                       "No present joint values are known; publish joint_states first.");
+  Tracker tracker = tracker_;
+  const std::string why_not = start(tracker, seconds_between(epoch_, age_.stamp()), *last_q_);
+  if (why_not.empty()) {
+    const SolvedPose found{tracker.state().pose, tracker.state().q};
+    const Status fit = as_stated(*mechanism_->manipulator(), {{}, {}, {found}}, stated).status;
+    if (fit.code != Status::OK) return fit;
+  }
+  tracker_ = std::move(tracker);
+  if (!tracker_.state().followed() || why_not.empty()) status_ = status_of_tracker();
+  if (!why_not.empty()) return make_status(Status::NO_SOLUTION, why_not);
+  stated_anew_ = true;
+  keep_transitions();
+  return {};
+}
+
+}  // namespace parallel_aspects
