@@ -62,6 +62,23 @@ JointSample collect(const Manipulator& manipulator, const std::vector<std::strin
   return sample;
 }
 
+// Which of the names may be meant by the actuated joints that are missing; none that is one of them.
+std::string guesses(const Manipulator& manipulator, const std::vector<std::string>& names) {
+  const auto contains = [](const std::vector<std::string>& list, const std::string& name) {
+    return std::find(list.begin(), list.end(), name) != list.end();
+  };
+  std::vector<std::string> actuated, others;
+  for (const Leg& leg : manipulator.legs()) actuated.push_back(leg.actuated_joint);
+  for (const std::string& name : names)
+    if (!contains(actuated, name)) others.push_back(name);
+  std::string text;
+  for (const std::string& joint : actuated) {
+    const std::string similar = contains(names, joint) ? "" : similar_name(joint, others);
+    if (!similar.empty()) text += " Did you mean " + joint + " by " + similar + "?";
+  }
+  return text;
+}
+
 bool fits(std::size_t size, std::size_t names) { return size == 0 || size == names; }
 
 }  // namespace
@@ -118,13 +135,7 @@ JointSample actuated_values(const Manipulator& manipulator, const std::vector<st
     return invalid("joint_names has length " + std::to_string(names.size()) + ", joint_positions " +
                    std::to_string(positions.size()) + "; give each name one position.");
   JointSample sample = collect(manipulator, names, positions);
-  if (sample.status == SampleStatus::partial)
-    for (std::size_t j = 0; j < manipulator.leg_count(); ++j) {
-      const std::string& joint = manipulator.leg(j).actuated_joint;
-      const std::string similar =
-          std::isnan(sample.q[static_cast<Eigen::Index>(j)]) ? similar_name(joint, names) : "";
-      if (!similar.empty()) sample.message += " Did you mean " + joint + " by " + similar + "?";
-    }
+  if (sample.status == SampleStatus::partial) sample.message += guesses(manipulator, names);
   return sample;
 }
 

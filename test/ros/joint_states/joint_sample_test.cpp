@@ -99,6 +99,8 @@ TEST(ActuatedValues, NamesOneJointThatIsMissingOrSeveral) {
             "actuated joints crank_1_joint, crank_2_joint are missing.");
   EXPECT_EQ(actuated_values(*mechanism->manipulator(), {"crank_1_joint"}, {1.0}).message,
             "actuated joint crank_2_joint is missing.");
+  EXPECT_EQ(actuated_values(*mechanism->manipulator(), {"crank_1_joint", "crank2_joint"}, {1.0, 1.0}).message,
+            "actuated joint crank_2_joint is missing. Did you mean crank_2_joint by crank2_joint?");
 }
 
 }  // namespace
