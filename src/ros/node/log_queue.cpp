@@ -10,8 +10,8 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr std::size_t most_lines = 100;  // between two writes
-constexpr std::size_t most_causes = 10;  // within the time below, whatever arrives
+constexpr std::size_t max_lines = 100;  // between two writes
+constexpr std::size_t max_causes = 10;  // within the time below, whatever arrives
 const ros::WallDuration between_warnings(5.0);
 
 // The words that are no numbers.
@@ -27,7 +27,7 @@ std::string cause_of(const std::string& line) {
 
 void LogQueue::say(std::string line) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (lines_.size() < most_lines)
+  if (lines_.size() < max_lines)
     lines_.push_back(std::move(line));
   else
     ++dropped_;
@@ -41,7 +41,7 @@ void LogQueue::warn(std::string line, const ros::SteadyTime& now) {
   if (known != warnings_.end()) {
     known->line = std::move(line);
     known->due = known->due || now - known->written > between_warnings;
-  } else if (warnings_.size() < most_causes) {
+  } else if (warnings_.size() < max_causes) {
     warnings_.push_back({cause, std::move(line), {}, true});
   }
 }
