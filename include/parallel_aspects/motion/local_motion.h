@@ -15,8 +15,11 @@ namespace parallel_aspects {
 /// Whether a motion may pass through this configuration, beyond what the manipulator itself demands.
 using ConfigurationFilter = std::function<bool(const Pose&, const JointVector&)>;
 
-/// Amplitudes of a local motion: of positions over the robot's size, half of it in rad.
-inline constexpr double widest_local_motion = 0.4, narrowest_local_motion = 2e-3;
+/// The largest amplitude of a local motion: of positions over the robot's size, half of it in rad.
+inline constexpr double widest_local_motion = 0.4;
+
+/// And the smallest.
+inline constexpr double narrowest_local_motion = 2e-3;
 
 /// A smooth round of the platform about a pose, through all degrees of freedom at once, that needs no map: a
 /// Lissajous figure as large as stays clear of singularities, in one working mode, within joint limits, its
