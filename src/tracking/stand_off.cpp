@@ -112,13 +112,14 @@ double StandOff::along_path(const Pose& pose, const Pose& singular, const Workin
 }
 
 StandOffEstimate estimate_stand_off(const std::shared_ptr<const Manipulator>& manipulator,
-                                    const SampleOptions& options, int poses) {
+                                    const SampleOptions& options, int poses,
+                                    const std::function<bool()>& goes_on) {
   PoseSampler sampler(manipulator, 1, region_for(*manipulator), EIGEN_PI);
   BoundaryDistanceMeter meter(manipulator);
   const StandOff stand_off(manipulator, options);
   const std::vector<WorkingMode> modes = working_modes(*manipulator);
   StandOffEstimate estimate;
-  for (int i = 0; i < draws_a_pose * poses && estimate.poses < poses; ++i) {
+  for (int i = 0; i < draws_a_pose * poses && estimate.poses < poses && goes_on(); ++i) {
     const std::optional<Pose> pose = sampler.draw();
     const WorkingMode& mode = modes[static_cast<std::size_t>(i) % modes.size()];
     if (!pose || inverse(*manipulator, *pose, mode).status != InverseStatus::solved) continue;

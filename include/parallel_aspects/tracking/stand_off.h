@@ -7,6 +7,7 @@
 #include "parallel_aspects/model/pose.h"
 #include "parallel_aspects/tracking/joint_samples.h"
 
+#include <functional>
 #include <memory>
 
 namespace parallel_aspects {
@@ -48,9 +49,11 @@ struct StandOffEstimate {
 };
 
 /// The largest stand-off of as many poses with det A = 0, next to seeded random configurations: an estimate
-/// from below, as others may ask for more. Allocates.
-StandOffEstimate estimate_stand_off(const std::shared_ptr<const Manipulator>& manipulator,
-                                    const SampleOptions& options, int poses);
+/// from below, as others may ask for more. It ends early, with what it has, where `goes_on` says no.
+/// Allocates.
+StandOffEstimate estimate_stand_off(
+    const std::shared_ptr<const Manipulator>& manipulator, const SampleOptions& options, int poses,
+    const std::function<bool()>& goes_on = [] { return true; });
 
 }  // namespace parallel_aspects
 

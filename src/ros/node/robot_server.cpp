@@ -207,7 +207,7 @@ void RobotServer::work() {
 // Takes some tenths of a second, so it is not for the constructor.
 void RobotServer::report_stand_off() {
   const StandOffEstimate estimate =
-      estimate_stand_off(setup_.mechanism->manipulator(), setup_.options.tracking.samples, 50);
+      estimate_stand_off(setup_.mechanism->manipulator(), setup_.options.tracking.samples, 50, ros::ok);
   const std::string warning = warning_of(estimate, setup_.options.thresholds.parallel_stop);
   if (estimate.poses > 0) ROS_INFO_STREAM(message_of(estimate));
   if (!warning.empty()) ROS_WARN_STREAM(warning);
