@@ -13,7 +13,7 @@ namespace parallel_aspects {
 struct LoadSearch {
   /// Called before each attempt to assemble the mechanism; may throw, which ends the search.
   std::function<void()> checkpoint = [] {};
-  /// Whether a refusal names what would mend the description, which takes most of its time.
+  /// Whether a refusal names what would correct the description, which takes most of its time.
   bool looks_for_remedies = true;
 };
 

@@ -32,7 +32,7 @@ struct Counts {
 
 struct Encoders {
   double noise = 0.0;    // that there is, even to both sides [rad, or of the robot's size]
-  double allowed = 0.0;  // that the tracker is told of
+  double allowed = 0.0;  // that the tracker allows for
 };
 
 class SmoothMotion : public testing::TestWithParam<Case> {

@@ -183,10 +183,7 @@ PlatformFreedom platform_freedom(const ClosureSystem& system, const Assembly& as
                                  std::size_t actuated_joints) {
   if (assembly.motions.cols() == 0) return {};
   const Poses poses = link_poses(system.tree(), system.base(), assembly.values);
-  Eigen::MatrixXd twists =
-      velocity_matrix(system.tree(), system.base(), poses, link, poses[link].translation()) *
-      assembly.motions;
-  twists.bottomRows(3) /= system.size();
+  const Eigen::MatrixXd twists = link_twists(system, poses, link, assembly.motions);
   PlatformFreedom freedom{0, 0, std::numeric_limits<double>::infinity()};
   const auto rank = [&](const Eigen::MatrixXd& rows) {
     const Eigen::VectorXd values = singular_values(rows);
@@ -262,15 +259,12 @@ class Assembler {
   }
 
   Candidate judged(const Eigen::VectorXd& values) const {
-    const Eigen::MatrixXd scaling = loop_scaling(system_);
-    const auto svd = singular_value_decomposition(system_.jacobian(values) * scaling);
-    const Eigen::Index rank = svd.rank_above(rank_tolerance * svd.values[0]);
+    const LoopMotions loops = loop_motions(system_, values);
     Candidate candidate;
-    candidate.assembly = {values, scaling * svd.null_space(rank),
-                          largest(system_.residual(values)) / system_.size()};
-    const double held = rank > 0 ? svd.values[rank - 1] / svd.values[0] : 0.0;
+    candidate.assembly = {values, loops.motions, largest(system_.residual(values)) / system_.size()};
     candidate.conditioning = std::min(
-        held, smallest_singular_value(actuated_rates(system_, candidate.assembly.motions, actuated_joints_)));
+        loops.conditioning,
+        smallest_singular_value(actuated_rates(system_, candidate.assembly.motions, actuated_joints_)));
     candidate.platform =
         platform_freedom(system_, candidate.assembly, platform_link_, actuated_joints_.size());
     candidate.at_limits = passive_joints_at_limits(system_, values, actuated_joints_);
@@ -321,6 +315,21 @@ std::vector<Eigen::VectorXd> steps_along_motions(const ClosureSystem& system, co
 }
 
 }  // namespace
+
+LoopMotions loop_motions(const ClosureSystem& system, const Eigen::VectorXd& values) {
+  const Eigen::MatrixXd scaling = loop_scaling(system);
+  const auto svd = singular_value_decomposition(system.jacobian(values) * scaling);
+  const Eigen::Index rank = svd.rank_above(rank_tolerance * svd.values[0]);
+  return {scaling * svd.null_space(rank), rank > 0 ? svd.values[rank - 1] / svd.values[0] : 0.0};
+}
+
+Eigen::MatrixXd link_twists(const ClosureSystem& system, const Poses& poses, std::size_t link,
+                            const Eigen::MatrixXd& motions) {
+  Eigen::MatrixXd twists =
+      velocity_matrix(system.tree(), system.base(), poses, link, poses[link].translation()) * motions;
+  twists.bottomRows(3) /= system.size();
+  return twists;
+}
 
 Eigen::VectorXd close_loops(const ClosureSystem& system, Eigen::VectorXd values,
                             const std::vector<bool>& held) {

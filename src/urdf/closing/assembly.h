@@ -30,6 +30,19 @@ struct Assembly {
   double residual = 0.0;  ///< largest entry over the size of the robot, dimensionless
 };
 
+/// How joints can move from a configuration that closes every loop.
+struct LoopMotions {
+  Eigen::MatrixXd motions;    ///< see `Assembly::motions`
+  double conditioning = 0.0;  ///< of the closures: 0 where they hold nothing
+};
+
+LoopMotions loop_motions(const ClosureSystem& system, const Eigen::VectorXd& values);
+
+/// Twists of a link in such motions, angular velocities first, lengths in sizes of the robot. `poses`: where
+/// the links are.
+Eigen::MatrixXd link_twists(const ClosureSystem& system, const Poses& poses, std::size_t link,
+                            const Eigen::MatrixXd& motions);
+
 struct AssemblyResult {
   std::optional<Assembly> assembly;
   Eigen::VectorXd closest;  ///< where the loops come closest to closing, if they do not

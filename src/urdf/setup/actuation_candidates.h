@@ -32,8 +32,8 @@ struct ActuationCandidate {
 };
 
 /// Combinations of one joint of each leg that have the same place or name in all legs, or that alone have
-/// what speaks for a drive; those that most speaks for first. Where a combination is stated, there are no
-/// others.
+/// what speaks for an actuated joint; those that most speaks for first. Where a combination is stated, there
+/// are no others.
 std::vector<ActuationCandidate> actuation_candidates(const Tree& tree, const std::vector<GraphPart>& legs,
                                                      const JointEvidence& evidence);
 

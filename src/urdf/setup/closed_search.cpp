@@ -200,8 +200,8 @@ class ClosedSearch {
   }
 
   // Whether these legs came to a mechanism or a question. Of the candidates that load, those for which most
-  // speaks are equals, and so are those that time does not suffice to try; beside a guess the others are told
-  // of.
+  // speaks are equals, and so are those that time does not suffice to try; beside a guess the others are
+  // listed.
   bool try_legs(const Platform& platform, const std::vector<GraphPart>& legs) {
     const std::vector<ActuationCandidate> candidates = actuations(legs);
     if (!answers_fit(legs)) return load_once(platform, candidates.front());

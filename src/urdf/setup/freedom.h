@@ -27,7 +27,6 @@ class Freedom {
     Eigen::MatrixXd motions;  // orthonormal columns, lengths in sizes of the robot
   };
 
-  Eigen::MatrixXd scaling() const;
   void add(const Eigen::VectorXd& values);
 
   ClosureSystem system_;

@@ -114,7 +114,7 @@ class Setup {
         load_mechanism(subject_.urdf_text, subject_.urdf_name, result_.config, subject_.config_name);
   }
 
-  // In the words of the options, with what would mend it where that is found in time.
+  // In the words of the options, with what would correct it where that is found in time.
   void refuse(const ClosedResult& found) {
     result_.problems = found.problems;
     if (!found.tried) return;

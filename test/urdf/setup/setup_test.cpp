@@ -168,10 +168,10 @@ TEST(Setup, AsksAtOnceForAllPlacesThatHaveNoLink) {
   EXPECT_NE(one.question->text.find("'platform' ends a chain"), std::string::npos) << one.question->text;
   EXPECT_TRUE(one.question->candidates.empty());
   EXPECT_EQ(one.question->example, (Strings{"platform@X:Y:Z=rod_2@0.4:0:0", "platform@X:Y:Z=rod_3@0.4:0:0"}));
-  const SetupResult mended =
+  const SetupResult corrected =
       set_up_text(blunt, with_closures(filled(one.question->example, {"0.2:0:0", "0.1:0.2:0"})));
-  ASSERT_TRUE(mended.mechanism) << listed(mended.problems);
-  EXPECT_EQ(mended.mechanism->manipulator()->task_space(), TaskSpace::SE2);
+  ASSERT_TRUE(corrected.mechanism) << listed(corrected.problems);
+  EXPECT_EQ(corrected.mechanism->manipulator()->task_space(), TaskSpace::SE2);
   const std::string hung = test::source_file("test/data/chains/three_rrr_on_slides.urdf");
   const SetupResult all = set_up_text(hung);
   ASSERT_TRUE(all.question) << listed(all.problems);
