@@ -8,12 +8,12 @@
 #include "urdf/closing/ends_of_loops.h"
 #include "urdf/closing/resolved_config.h"
 #include "urdf/config/mechanism_config.h"
+#include "urdf/corrections/culprit.h"
 #include "urdf/description/yaml_document.h"
 #include "urdf/load_search.h"
 #include "urdf/mechanism_contents.h"
 #include "urdf/open_choices.h"
 #include "urdf/reading/tree_reader.h"
-#include "urdf/recognition/culprit.h"
 #include "urdf/recognition/leg_recognition.h"
 #include "urdf/recognition/passive_chain.h"
 #include "urdf/recognition/passive_limits.h"
@@ -234,7 +234,7 @@ class Recogniser {
           assembly.residual,
           Completion(system, assembly.values, motion, legs, passive, resolved_.actuated_joints.variables),
           motion.point_platform});
-      contents->manipulator = symmetrized(contents->manipulator, config_.symmetrize, files_, contents->notes);
+      symmetrize_legs(*contents, config_.symmetrize, files_);
       add_joints(*contents);
       return contents;
     } catch (const InvalidDescription& invalid) {

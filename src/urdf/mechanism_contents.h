@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_URDF_MECHANISM_CONTENTS_H
 #define PARALLEL_ASPECTS_URDF_MECHANISM_CONTENTS_H
 
+#include "aspects/symmetry/near_symmetry.h"
 #include "parallel_aspects/urdf/mechanism.h"
 #include "urdf/recognition/completion.h"
 
@@ -24,6 +25,7 @@ struct Mechanism::Contents {
   double accepted_residual = 0.0;  ///< what rounding in the description costs, over the size of the robot
   Completion completion;
   bool point_platform = false;  ///< see `PlatformMotion`
+  SymmetricLegs symmetric{};    ///< by `mechanism.symmetrize`: the motions; the legs are the manipulator's
 };
 
 }  // namespace parallel_aspects

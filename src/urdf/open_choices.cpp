@@ -269,7 +269,10 @@ class OpenActuation {
     const Choice& described = resolved_.actuated_joints.variables;
     const bool may_be_all = is_actuation_count(described.size());
     Contents all = may_be_all ? recognise(described, problems) : nullptr;
-    if (resolved_.actuation_origin.empty()) return all;
+    if (resolved_.actuation_origin.empty()) {
+      if (!may_be_all) problems = {wrong_number()};
+      return all;
+    }
     if (!all) return find_some(may_be_all, problems);
     all->notes.push_back("The actuated joints are those that " + resolved_.actuation_origin + ": " +
                          quoted_joints(*tree_, described) + ".");
@@ -306,6 +309,12 @@ class OpenActuation {
         found_ = std::move(contents);
       }
     }
+  }
+
+  std::string wrong_number() const {
+    return files_.config + " lists " + std::to_string(resolved_.actuated_joints.variables.size()) +
+           " joints in mechanism.actuated_joints; a fully parallel robot in T1 has one actuated joint, in T2 "
+           "two, in SE2, T3 or SO3 three, in SE3 six.";
   }
 
   std::string refusal() const {

@@ -61,29 +61,31 @@ std::string asymmetric_kinds(const ManipulatorDescription& robot,
 
 }  // namespace
 
-std::shared_ptr<const Manipulator> symmetrized(std::shared_ptr<const Manipulator> robot,
-                                               std::optional<double> tolerance, const SourceNames& files,
-                                               std::vector<std::string>& notes) {
-  if (!tolerance) return robot;
-  const TaskSpace space = robot->task_space();
-  SymmetricLegs found = nearest_symmetric_legs(space, robot->legs(), robot->size(), *tolerance);
+void symmetrize_legs(Mechanism::Contents& contents, std::optional<double> tolerance,
+                     const SourceNames& files) {
+  if (!tolerance) return;
+  const Manipulator& robot = *contents.manipulator;
+  const TaskSpace space = robot.task_space();
+  SymmetricLegs found = nearest_symmetric_legs(space, robot.legs(), robot.size(), *tolerance);
   const std::string asked = "mechanism.symmetrize: " + number(*tolerance) + " of " + files.config;
   if (found.motions.empty()) {
-    notes.push_back("No motion that permutes the axes of coordinates takes the robot of " + files.urdf +
-                    " onto itself within " + asked + "; its numbers are taken as they are.");
-    return robot;
+    contents.notes.push_back("No motion that permutes the axes of coordinates takes the robot of " +
+                             files.urdf + " onto itself within " + asked +
+                             "; its numbers are taken as they are.");
+    return;
   }
-  ManipulatorDescription description = robot->description();
-  description.legs = std::move(found.legs);
-  notes.push_back("By " + asked + " the robot of " + files.urdf + " is made symmetric under " +
-                  listed(found.motions, space) + ", which moves " + moved(found.length, "lengths", "m") +
-                  " and " + moved(found.angle, "angles", "rad") + ".");
-  return std::make_shared<const Manipulator>(std::move(description));
+  ManipulatorDescription description = robot.description();
+  description.legs = std::exchange(found.legs, {});
+  contents.notes.push_back("By " + asked + " the robot of " + files.urdf + " is made symmetric under " +
+                           listed(found.motions, space) + ", which moves " +
+                           moved(found.length, "lengths", "m") + " and " +
+                           moved(found.angle, "angles", "rad") + ".");
+  contents.manipulator = std::make_shared<const Manipulator>(std::move(description));
+  contents.symmetric = std::move(found);
 }
 
-void symmetrize_constraints(ManipulatorDescription& robot, double size, double tolerance,
-                            const SourceNames& files, std::vector<std::string>& notes) {
-  const SymmetricLegs legs = nearest_symmetric_legs(robot.task_space, robot.legs, size, tolerance);
+void symmetrize_constraints(ManipulatorDescription& robot, const SymmetricLegs& legs, double size,
+                            double tolerance, const SourceNames& files, std::vector<std::string>& notes) {
   if (legs.motions.empty()) return;
   SymmetricConstraints found =
       nearest_symmetric_constraints(robot.constraints, robot.task_space, legs, size, tolerance);

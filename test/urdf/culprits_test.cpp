@@ -150,11 +150,11 @@ TEST(Culprit, IsATiltedFrame) {
   robot.urdf.insert(origin, " rpy=\"0.04 0 0\"");
   const Problems problems = refusal(robot);
   ASSERT_EQ(problems.size(), 1U);
-  EXPECT_EQ(
-      problems[0],
-      "robot.urdf turns the axis of joint 'elbow_1_joint' 0.04 rad away from the direction that the axes "
-      "of the other joints share, so that the loops hold too much; write rpy=\"0 0 0\" in the origin of "
-      "joint 'elbow_1_joint', which makes it a robot in SE2.");
+  EXPECT_EQ(problems[0],
+            "robot.urdf turns the origin of joint 'elbow_1_joint' by rpy (0.04, 0, 0), where that of other "
+            "legs has "
+            "(0, 0, 0); write rpy=\"0 0 0\" in the origin of joint 'elbow_1_joint', which makes it a robot "
+            "in SE2.");
   robot.urdf = replaced(robot.urdf, " rpy=\"0.04 0 0\"", " rpy=\"0 0 0\"");
   EXPECT_EQ(test::load(robot)->manipulator()->task_space(), TaskSpace::SE2);
 }
@@ -167,9 +167,9 @@ TEST(Culprit, IsAnAxisThatMissesTheCentre) {
   ASSERT_EQ(problems.size(), 1U);
   EXPECT_EQ(
       problems[0],
-      "robot.urdf puts the axis of joint 'elbow_1_joint' 0.02 m beside the point that the axes of the "
-      "other joints meet in, so that the loops hold too much; write xyz=\"0 0 0\" in the origin of joint "
-      "'elbow_1_joint', which makes it a robot in SO3.");
+      "robot.urdf puts the origin of joint 'elbow_1_joint' at (0.02, 0, 0) m, where that of other legs has "
+      "(0, 0, 0) m; write xyz=\"0 0 0\" in the origin of joint 'elbow_1_joint', which makes it a robot in "
+      "SO3.");
 }
 
 // Zero is stretched, and a limit of the elbows.

@@ -101,9 +101,10 @@ TEST(DeltaVariant, HasATiltedAxisInAParallelogram) {
   ASSERT_EQ(problems.size(), 1U);
   EXPECT_EQ(
       problems[0],
-      "robot.urdf turns the axis of joint 'right_2' 0.04 rad away from axes that are parallel to each other, "
-      "so that the loops hold too much; write <axis xyz=\"1 0 0\"/> for joint 'right_2', which makes it a "
-      "robot in T3.");
+      "robot.urdf lets joint 'right_2' turn about (0.999200958722, 0.0399680383489, 0), where that of other "
+      "legs turns about (1, 0, 0); write <axis xyz=\"1 0 0\"/> for joint 'right_2', which makes it a robot "
+      "in "
+      "T3.");
 }
 
 TEST(DeltaVariant, LeavesTheTypesOfItsClosuresOpen) {

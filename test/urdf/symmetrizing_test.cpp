@@ -154,5 +154,15 @@ TEST(Symmetrize, NamesWhatIsBeyondTheTolerance) {
   EXPECT_EQ(motions_of(*map_of(*mechanism, 0.5)), 0U);
 }
 
+TEST(Symmetrize, SaysNothingOfMovesThatAreNotKept) {
+  Description robot = with_tolerance(shipped_text("five_bar"), "1.0e-4");
+  robot.config +=
+      "\nconstraints:\n  obstacles: [{name: post, center: [4.5, 0.0002], radius: 0.2}, "
+      "{name: wall, center: [4.5, 3.0], radius: 0.2}]\n";
+  const auto mechanism = test::load(robot);
+  EXPECT_TRUE(any_note(*mechanism, "while these are not symmetric: constraints.obstacles."));
+  EXPECT_FALSE(any_note(*mechanism, "are made symmetric, too"));
+}
+
 }  // namespace
 }  // namespace parallel_aspects

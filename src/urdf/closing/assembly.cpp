@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <random>
 #include <utility>
 
 namespace parallel_aspects {
@@ -18,6 +17,7 @@ constexpr int starts_beside_good = 4;  // where only the platform may lack a way
 constexpr double least_distance_beside = 0.02, max_distance_beside = 0.5;  // of motions of unit length
 constexpr int wanted_assemblies = 6;
 constexpr int iterations = 120;
+constexpr int few_iterations = 40;  // where most mechanisms that are asked about do not close
 constexpr int polishing_steps = 12;
 constexpr unsigned seed = 20240117;
 
@@ -70,6 +70,30 @@ class FreeJoints {
   std::vector<Eigen::Index> indices_;
 };
 
+// Levenberg-Marquardt.
+Eigen::VectorXd closer(const ClosureSystem& system, Eigen::VectorXd values, const FreeJoints& free,
+                       int most) {
+  double damping = 1e-2;
+  clamp_to_limits(system.tree(), values);
+  Eigen::VectorXd residual = system.residual(values);
+  for (int step = 0; step < most && largest(residual) > 1e-9 * system.size(); ++step) {
+    const Eigen::MatrixXd jacobian = free.jacobian(values);
+    Eigen::MatrixXd normal = jacobian.transpose() * jacobian;
+    normal.diagonal().array() += damping * std::max(normal.diagonal().maxCoeff(), 1e-12);
+    Eigen::VectorXd next =
+        free.moved(values, positive_definite_solution(normal, jacobian.transpose() * residual));
+    clamp_to_limits(system.tree(), next);
+    const Eigen::VectorXd next_residual = system.residual(next);
+    const bool better = next_residual.squaredNorm() < residual.squaredNorm();
+    damping = better ? std::max(0.2 * damping, 1e-12) : 5.0 * damping;
+    if (damping > 1e8) break;
+    if (!better) continue;
+    values = next;
+    residual = next_residual;
+  }
+  return values;
+}
+
 // Minimum-norm Gauss-Newton steps: quadratic convergence, also where the closures are redundant. A joint that
 // runs into a limit stays there.
 Eigen::VectorXd polished(const ClosureSystem& system, Eigen::VectorXd values, std::vector<bool> held) {
@@ -92,21 +116,6 @@ Eigen::VectorXd polished(const ClosureSystem& system, Eigen::VectorXd values, st
     values = next;
     error = next_error;
   }
-  return values;
-}
-
-Eigen::VectorXd random_start(const ClosureSystem& system, std::mt19937& random) {
-  const Tree& tree = system.tree();
-  Eigen::VectorXd values = Eigen::VectorXd::Zero(tree.variables());
-  for (std::size_t k = 0; k < tree.movable.size(); ++k) {
-    if (!system.in_loop()[k]) continue;
-    const TreeJoint& joint = tree.joint_of(k);
-    const double range = joint.motion == JointMotion::revolute ? EIGEN_PI : system.size();
-    std::uniform_real_distribution<double> value(std::max(joint.limits.lower, -range),
-                                                 std::min(joint.limits.upper, range));
-    if (value.a() < value.b()) values[static_cast<Eigen::Index>(k)] = value(random);
-  }
-  clamp_to_limits(tree, values);
   return values;
 }
 
@@ -331,29 +340,41 @@ Eigen::MatrixXd link_twists(const ClosureSystem& system, const Poses& poses, std
   return twists;
 }
 
-Eigen::VectorXd close_loops(const ClosureSystem& system, Eigen::VectorXd values,
+Eigen::VectorXd close_loops(const ClosureSystem& system, Eigen::VectorXd start,
                             const std::vector<bool>& held) {
   const FreeJoints free(system, held);
-  if (free.none()) return values;
-  double damping = 1e-2;
-  clamp_to_limits(system.tree(), values);
-  Eigen::VectorXd residual = system.residual(values);
-  for (int step = 0; step < iterations && largest(residual) > 1e-9 * system.size(); ++step) {
-    const Eigen::MatrixXd jacobian = free.jacobian(values);
-    Eigen::MatrixXd normal = jacobian.transpose() * jacobian;
-    normal.diagonal().array() += damping * std::max(normal.diagonal().maxCoeff(), 1e-12);
-    Eigen::VectorXd next =
-        free.moved(values, positive_definite_solution(normal, jacobian.transpose() * residual));
-    clamp_to_limits(system.tree(), next);
-    const Eigen::VectorXd next_residual = system.residual(next);
-    const bool better = next_residual.squaredNorm() < residual.squaredNorm();
-    damping = better ? std::max(0.2 * damping, 1e-12) : 5.0 * damping;
-    if (damping > 1e8) break;
-    if (!better) continue;
-    values = next;
-    residual = next_residual;
+  return free.none() ? start : polished(system, closer(system, std::move(start), free, iterations), held);
+}
+
+std::vector<Eigen::VectorXd> closed_configurations(const ClosureSystem& system, int starts,
+                                                   std::size_t wanted) {
+  const std::vector<bool> none_held(system.in_loop().size(), false);
+  const FreeJoints free(system, none_held);
+  std::mt19937 random(seed);
+  std::vector<Eigen::VectorXd> closed;
+  for (int trial = 0; trial < starts && closed.size() < wanted && !free.none(); ++trial) {
+    const Eigen::VectorXd start =
+        trial == 0 ? Eigen::VectorXd::Zero(system.tree().variables()) : random_start(system, random);
+    const Eigen::VectorXd values = closer(system, start, free, few_iterations);
+    if (largest(system.residual(values)) < closing_tolerance * system.size())
+      closed.push_back(polished(system, values, none_held));
   }
-  return polished(system, values, held);
+  return closed;
+}
+
+Eigen::VectorXd random_start(const ClosureSystem& system, std::mt19937& random) {
+  const Tree& tree = system.tree();
+  Eigen::VectorXd values = Eigen::VectorXd::Zero(tree.variables());
+  for (std::size_t k = 0; k < tree.movable.size(); ++k) {
+    if (!system.in_loop()[k]) continue;
+    const TreeJoint& joint = tree.joint_of(k);
+    const double range = joint.motion == JointMotion::revolute ? EIGEN_PI : system.size();
+    std::uniform_real_distribution<double> value(std::max(joint.limits.lower, -range),
+                                                 std::min(joint.limits.upper, range));
+    if (value.a() < value.b()) values[static_cast<Eigen::Index>(k)] = value(random);
+  }
+  clamp_to_limits(tree, values);
+  return values;
 }
 
 AssemblyResult assemble(const ClosureSystem& system, const std::vector<std::size_t>& actuated_joints,

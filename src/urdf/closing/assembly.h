@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include <optional>
+#include <random>
 #include <vector>
 
 namespace parallel_aspects {
@@ -56,10 +57,19 @@ struct AssemblyResult {
 AssemblyResult assemble(const ClosureSystem& system, const std::vector<std::size_t>& actuated_joints,
                         std::size_t platform_link);
 
+/// Random values, inside their limits, of the joints in the loops, from which these may be closed; the others
+/// are as near to zero as their limits allow.
+Eigen::VectorXd random_start(const ClosureSystem& system, std::mt19937& random);
+
 /// The configuration nearest to `start` that closes the loops, with the joints marked in `held` kept where
 /// they are. What it returns need not close them.
 Eigen::VectorXd close_loops(const ClosureSystem& system, Eigen::VectorXd start,
                             const std::vector<bool>& held);
+
+/// Up to `wanted` configurations that close the loops, from zero and from seeded random ones, `starts` in
+/// all: for those who ask of many mechanisms whether they close.
+std::vector<Eigen::VectorXd> closed_configurations(const ClosureSystem& system, int starts,
+                                                   std::size_t wanted);
 
 /// The joints inside the loops that these hold still, for each joint value: as those that only take up
 /// misalignment in a planar robot. Found from where the mechanism is after a step of each of its motions.

@@ -65,7 +65,9 @@ class LegFinder {
     for (std::size_t k = 0; k < joining.size(); ++k) add_leg(joining, k, found);
     std::vector<LegChains>& legs = found.legs;
     check_actuated_joints_used(legs);
-    if (problems_.empty()) check_lengths(legs);
+    const bool are_legs = problems_.empty();
+    if (are_legs) check_lengths(legs);
+    found.has_zero_length = are_legs && !problems_.empty();
     std::sort(legs.begin(), legs.end(),
               [](const auto& a, const auto& b) { return a.actuation < b.actuation; });
     return found;

@@ -48,6 +48,7 @@ struct PassiveChains {
 struct FoundLegs {
   std::vector<LegChains> legs;  ///< in the order of the actuated joints
   std::vector<PassiveChains> passive;
+  bool has_zero_length = false;  ///< of a link, which is a problem that has been named
 };
 
 /// What the mechanism is for the search of its legs.

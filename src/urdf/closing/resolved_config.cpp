@@ -162,7 +162,7 @@ class Resolver {
                                     const std::vector<std::string>& actuated_joints) const {
     if (found && tree_.joints[*found].mimics)
       return " lets that joint mimic another; actuate the other one, or take out the <mimic>.";
-    if (found) return " fixes that joint; actuate a movable one.";
+    if (found) return " fixes that joint; give it a type that moves there, or actuate a movable joint.";
     std::vector<std::string> movable;
     for (const std::size_t joint : tree_.movable)
       if (!contains(actuated_joints, tree_.joints[joint].name)) movable.push_back(tree_.joints[joint].name);

@@ -110,11 +110,6 @@ class Reader {
           "leg.");
       return;
     }
-    if (node.size() > 3 && node.size() != 6)
-      problem("lists " + std::to_string(node.size()) +
-              " joints in mechanism.actuated_joints; a fully parallel robot in T1 has one actuated joint, in "
-              "T2 two, in "
-              "SE2, T3 or SO3 three, in SE3 six.");
     for (std::size_t k = 0; k < node.size(); ++k) {
       std::string joint;
       if (!text(node[k], "mechanism.actuated_joints[" + std::to_string(k) + "]", joint)) continue;

@@ -42,6 +42,10 @@ std::string listed(const std::vector<std::string>& names) {
   return text;
 }
 
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 }  // namespace
 
 std::string similar_name(const std::string& word, const std::vector<std::string>& known) {
@@ -53,6 +57,22 @@ std::string similar_name(const std::string& word, const std::vector<std::string>
   const auto near =
       std::find_if(known.begin(), known.end(), [&](const auto& name) { return are_near(word, name); });
   return near == known.end() ? std::string() : *near;
+}
+
+std::vector<MeantName> meant_names(const std::vector<std::string>& expected,
+                                   const std::vector<std::string>& written,
+                                   const std::vector<std::string>& own) {
+  std::vector<std::string> others;
+  for (const std::string& name : written)
+    if (!contains(own, name)) others.push_back(name);
+  std::vector<MeantName> meant;
+  for (const std::string& name : expected) {
+    const std::string similar = contains(written, name) ? "" : similar_name(name, others);
+    if (similar.empty()) continue;
+    meant.push_back({name, similar});
+    others.erase(std::find(others.begin(), others.end(), similar));
+  }
+  return meant;
 }
 
 std::string suggestion(const std::string& word, const std::vector<std::string>& known,

@@ -13,6 +13,17 @@ namespace parallel_aspects {
 /// near: neither is a part of the other, and more than a third of the letters differ.
 std::string similar_name(const std::string& word, const std::vector<std::string>& known);
 
+/// A name that something else was written for.
+struct MeantName {
+  std::string name, written;
+};
+
+/// The names of `expected` that are not among those `written`, each with the one of these that is near to it:
+/// with none that is one of `own`, and none twice.
+std::vector<MeantName> meant_names(const std::vector<std::string>& expected,
+                                   const std::vector<std::string>& written,
+                                   const std::vector<std::string>& own);
+
 /// For the end of a message: "; did you mean 'NAME'?" where a name is near, else the names, where they are
 /// few; so for the first of many `problems` only, since comparing one with all others takes long where both
 /// are many.

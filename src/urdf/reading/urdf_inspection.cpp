@@ -27,6 +27,9 @@ using tinyxml2::XMLElement;
 // More than this many radians in a joint limit is more likely a number of degrees.
 constexpr double suspicious_angle = 20.0;
 
+// Metres, radians or parts of an axis: products of larger numbers overflow.
+constexpr double largest_number = 1e6;
+
 std::optional<double> number(const std::string& text) {
   const auto values = numbers(text);
   if (!values || values->size() != 1) return std::nullopt;
@@ -210,9 +213,14 @@ class Inspector {
                                                   const std::string& owner) {
     if (element == nullptr || element->Attribute(name) == nullptr) return std::nullopt;
     auto values = numbers(attribute(element, name));
-    if (values && values->size() == 3) return values;
+    const bool are_three = values && values->size() == 3;
+    const bool are_small = are_three && std::all_of(values->begin(), values->end(), [](double value) {
+                             return std::abs(value) <= largest_number;
+                           });
+    if (are_small) return values;
     problem("gives " + owner + " the " + element->Name() + " " + name + "=\"" + attribute(element, name) +
-            "\", which is not three finite numbers; write three, separated by blanks.");
+            (are_three ? "\", which has a number beyond a million; write metres in xyz, radians in rpy."
+                       : "\", which is not three finite numbers; write three, separated by blanks."));
     return std::nullopt;
   }
 

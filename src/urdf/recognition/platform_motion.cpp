@@ -83,11 +83,11 @@ class MotionFinder {
     const std::string numbers = "actuates " + actuated_names() + ", but the closed mechanism of " +
                                 files_.urdf + " has mobility " + std::to_string(result_.mobility);
     if (independent < count)
-      return refuse(numbers + ", and only " + std::to_string(independent) + " of the " +
-                    std::to_string(count) +
-                    " actuated joints can move independently; list fewer actuated_joints, or correct "
-                    "closures that hold "
-                    "too much (a revolute closure turns about z of its frames; type auto finds out).");
+      return refuse(
+          numbers + ", and only " + std::to_string(independent) + " of the " + std::to_string(count) +
+          " actuated joints can move independently" + held_text() +
+          "; compare axes, origins and types of the joints in the loops with the robot, and types of "
+          "closures, of which a revolute one turns about z of its frames.");
     const MatrixXd locked = null_space(joint_rates_);
     result_.idle = locked.cols();
     const MatrixXd free_twists = twists_ * locked;
@@ -99,6 +99,16 @@ class MotionFinder {
           ", and the platform still moves with the actuated joints locked; list more actuated_joints, or "
           "correct closures that hold too little.");
     return true;
+  }
+
+  // Of the actuated joints, those that nothing moves.
+  std::string held_text() const {
+    std::string text;
+    for (Eigen::Index j = 0; j < joint_rates_.rows(); ++j)
+      if (joint_rates_.row(j).norm() < velocity_tolerance)
+        text += (text.empty() ? ", as the loops hold '" : ", '") +
+                system_.tree().joint_of(actuated_joints_.variables[static_cast<std::size_t>(j)]).name + "'";
+    return text;
   }
 
   std::string actuated_names() const {

@@ -5,7 +5,6 @@
 #include "urdf/closing/assembly.h"
 
 #include <algorithm>
-#include <random>
 #include <utility>
 
 namespace parallel_aspects {
@@ -19,18 +18,6 @@ constexpr unsigned seed = 7;
 // The tree is owned elsewhere.
 std::shared_ptr<const Tree> borrowed(const Tree& tree) { return {std::shared_ptr<const Tree>(), &tree}; }
 
-Eigen::VectorXd random_values(const ClosureSystem& system, std::mt19937& random) {
-  Eigen::VectorXd values = Eigen::VectorXd::Zero(system.tree().variables());
-  std::uniform_real_distribution<double> part(0.0, 1.0);
-  for (std::size_t k = 0; k < system.in_loop().size(); ++k) {
-    const TreeJoint& joint = system.tree().joint_of(k);
-    const double range = joint.motion == JointMotion::revolute ? EIGEN_PI : system.size();
-    const double lower = std::max(joint.limits.lower, -range), upper = std::min(joint.limits.upper, range);
-    if (system.in_loop()[k]) values[static_cast<Eigen::Index>(k)] = lower + part(random) * (upper - lower);
-  }
-  return values;
-}
-
 }  // namespace
 
 Freedom::Freedom(const Tree& tree, std::size_t base, std::vector<Closure> closures)
@@ -40,7 +27,7 @@ Freedom::Freedom(const Tree& tree, std::size_t base, std::vector<Closure> closur
   Eigen::VectorXd start = Eigen::VectorXd::Zero(tree.variables());
   for (int k = 0; k < max_starts && samples_.size() < enough; ++k) {
     add(close_loops(system_, start, none_held));
-    start = random_values(system_, random);
+    start = random_start(system_, random);
   }
 }
 

@@ -89,9 +89,6 @@ std::string said_of_options(const std::string& problem, const std::string& confi
   std::string text = problem;
   for (std::size_t at = 0; !config_name.empty() && (at = text.find(config_name, at)) != std::string::npos;)
     text.replace(at, config_name.size(), "this choice");
-  static const std::string of_types =  // which setup has tried
-      " (a revolute closure turns about z of its frames; type auto finds out)";
-  if (const std::size_t at = text.find(of_types); at != std::string::npos) text.erase(at, of_types.size());
   // Names in quotation marks, as of a link 'base_link', stay as they are.
   static const std::regex keys(
       "'[^']*'|(?:mechanism\\.)?actuated_joints: \\[([^\\]]*)\\]|"

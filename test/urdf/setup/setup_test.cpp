@@ -233,10 +233,8 @@ TEST(SetupOptions, StandForTheKeysOfTheLoader) {
       "--actuated 'a b'.");
   EXPECT_EQ(said_of_options("a.yaml has operational_point 'p'; write operational_point: q.", "a.yaml"),
             "this choice has --platform 'p'; write --platform q.");
-  EXPECT_EQ(said_of_options("list fewer actuated_joints, or correct closures that hold too much (a revolute "
-                            "closure turns about z of its frames; type auto finds out).",
-                            "a.yaml"),
-            "list fewer --actuated, or correct closures that hold too much.");
+  EXPECT_EQ(said_of_options("list more actuated_joints, or correct closures that hold too little.", "a.yaml"),
+            "list more --actuated, or correct closures that hold too little.");
 }
 
 // The fault is in the answer, not in the closures, which are found.

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "urdf/recognition/culprit.h"
+#include "urdf/corrections/culprit.h"
 
 #include "urdf/closing/assembly.h"
-#include "urdf/recognition/misfit_axes.h"
+#include "urdf/corrections/correction_search.h"
+#include "urdf/corrections/misfit_axes.h"
 
 #include <algorithm>
 #include <utility>
@@ -19,6 +20,8 @@ constexpr std::size_t max_links = 4;    // and as the end of one closure
 constexpr std::size_t max_work = 2200;
 constexpr std::size_t choices_of_types = 8;
 
+constexpr int starts_without_limits = 12;
+
 class Search {
  public:
   Search(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved, const SourceNames& files,
@@ -33,10 +36,19 @@ class Search {
 
   std::optional<std::string> run() {
     if (auto message = other_base()) return message;
-    if (auto message = misfit_axes()) return message;
+    const Eigen::VectorXd& values = assembled_.assembly ? assembled_.assembly->values : assembled_.closest;
+    const bool is_known = has_zero_length() || closes_without_limits();
+    CorrectionSearch corrections(tree_, resolved_, assembled_.assembly.has_value(), files_, attempt_);
+    if (!is_known) {
+      if (auto message = corrections.like_others()) return message;
+      if (auto message = corrections.working_of(find_axis_corrections(system_, values, files_)))
+        return message;
+    }
     if (auto message = other_closing_link()) return message;
     if (assembled_.assembly)
       if (auto message = other_operational_point()) return message;
+    if (!is_known && !mobility_fits())
+      if (auto message = corrections.others()) return message;
     if (auto message = other_types()) return message;
     return one_degree_of_freedom();
   }
@@ -47,6 +59,31 @@ class Search {
     for (Closure& closure : closures)
       if (closure.type == ClosureType::automatic) closure.type = ClosureType::point;
     return closures;
+  }
+
+  // Which is said where the legs are looked for.
+  bool has_zero_length() const {
+    if (!assembled_.assembly) return false;
+    const std::vector<bool> none(system_.in_loop().size(), false);
+    Problems unused;
+    return find_legs({system_, assembled_.assembly->values, none}, resolved_.actuated_joints, files_, unused)
+        .has_zero_length;
+  }
+
+  // Then lengths and axes are not at fault. Slides without limits would reach any length.
+  bool closes_without_limits() const {
+    if (assembled_.assembly) return false;
+    auto tree = std::make_shared<Tree>(*tree_);
+    for (TreeJoint& joint : tree->joints)
+      if (joint.motion == JointMotion::revolute) joint.limits = {};
+    return !closed_configurations({tree, resolved_.base, system_.closures()}, starts_without_limits, 1)
+                .empty();
+  }
+
+  bool mobility_fits() const {
+    return assembled_.assembly &&
+           (!resolved_.actuation_origin.empty() ||
+            moves_a_body(system_, *assembled_.assembly, resolved_.actuated_joints, files_));
   }
 
   std::size_t platform() const { return resolved_.actuated_joints.platform_link; }
@@ -158,17 +195,6 @@ class Search {
       return files_.config + " has " + operational_point() + ", but the legs of " + files_.urdf +
              " meet in link '" + name + "', as those of a robot in " + *space +
              "; write operational_point: " + name + ".";
-    }
-    return std::nullopt;
-  }
-
-  std::optional<std::string> misfit_axes() {
-    const Eigen::VectorXd& values = assembled_.assembly ? assembled_.assembly->values : assembled_.closest;
-    for (const AxisCorrection& correction : find_axis_corrections(system_, values)) {
-      const auto space = tried(correction.tree, resolved_);
-      if (!space) continue;
-      return files_.urdf + " " + correction.fault + ", so that the loops hold too much; " +
-             correction.remedy + ", which makes it a robot in " + *space + ".";
     }
     return std::nullopt;
   }

@@ -1,21 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_URDF_RECOGNITION_CULPRIT_H
-#define PARALLEL_ASPECTS_URDF_RECOGNITION_CULPRIT_H
+#ifndef PARALLEL_ASPECTS_URDF_CORRECTIONS_CULPRIT_H
+#define PARALLEL_ASPECTS_URDF_CORRECTIONS_CULPRIT_H
 
 #include "parallel_aspects/model/problems.h"
 #include "urdf/closing/resolved_config.h"
+#include "urdf/corrections/attempt.h"
 #include "urdf/description/tree.h"
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 
 namespace parallel_aspects {
-
-/// What a description would be recognised as: "T2" and so on; nothing where it is refused.
-using Attempt =
-    std::function<std::optional<std::string>(const std::shared_ptr<const Tree>&, const ResolvedConfig&)>;
 
 /// Why a description is refused, in one message with a remedy that was tried and works; nothing where none
 /// of those that are known does: another operational point, axes that do not fit. And that a mechanism of
@@ -26,4 +22,4 @@ std::optional<std::string> find_culprit(const std::shared_ptr<const Tree>& tree,
 
 }  // namespace parallel_aspects
 
-#endif  // PARALLEL_ASPECTS_URDF_RECOGNITION_CULPRIT_H
+#endif  // PARALLEL_ASPECTS_URDF_CORRECTIONS_CULPRIT_H

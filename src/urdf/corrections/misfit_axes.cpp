@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "urdf/recognition/misfit_axes.h"
+#include "urdf/corrections/misfit_axes.h"
 
 #include "urdf/closing/assembly.h"
+#include "urdf/corrections/correction_text.h"
 
 #include <Eigen/Geometry>
 
@@ -64,8 +65,8 @@ std::string triple(const Vector3d& vector) {
 
 class MisfitFinder {
  public:
-  MisfitFinder(const ClosureSystem& system, const Eigen::VectorXd& values)
-      : system_(system), poses_(link_poses(system.tree(), system.base(), values)) {
+  MisfitFinder(const ClosureSystem& system, const Eigen::VectorXd& values, const SourceNames& files)
+      : system_(system), files_(files), poses_(link_poses(system.tree(), system.base(), values)) {
     const Tree& tree = system.tree();
     for (std::size_t k = 0; k < tree.joints.size(); ++k) {
       const TreeJoint& joint = tree.joints[k];
@@ -74,7 +75,7 @@ class MisfitFinder {
     }
   }
 
-  std::vector<AxisCorrection> find() {
+  Corrections find() {
     if (const auto common = common_direction())
       add(beside(*common), "the direction that the axes of the other joints share");
     add(beside_neighbours(), "axes that are parallel to each other");
@@ -164,73 +165,83 @@ class MisfitFinder {
 
   // With all that hangs on it.
   void add_shifted(const Miss& miss) {
-    auto tree = std::make_shared<Tree>(system_.tree());
-    TreeJoint& joint = tree->joints[miss.axis->joint];
-    joint.origin.translation() += poses_[joint.parent].linear().transpose() * miss.shift;
-    found_.push_back({tree,
-                      "puts the axis of joint '" + joint.name + "' " + number(miss.shift.norm()) +
-                          " m beside the point that the axes of the other joints meet in",
-                      "write xyz=\"" + triple(joint.origin.translation()) + "\" in the origin of joint '" +
-                          joint.name + "'"});
+    const TreeJoint& joint = joint_of(*miss.axis);
+    Eigen::Isometry3d origin = joint.origin;
+    origin.translation() += poses_[joint.parent].linear().transpose() * miss.shift;
+    found_.push_back(
+        {quoted(*miss.axis),
+         files_.urdf + " puts the axis of " + quoted(*miss.axis) + " " + number(miss.shift.norm()) +
+             " m beside the point that the axes of the other joints meet in" + consequence,
+         "write xyz=\"" + triple(origin.translation()) + "\" in the origin of " + quoted(*miss.axis), true,
+         with_origin(miss.axis->joint, origin)});
   }
 
-  std::string name(const Misfit& misfit) const { return system_.tree().joints[misfit.axis->joint].name; }
+  const TreeJoint& joint_of(const Axis& axis) const { return system_.tree().joints[axis.joint]; }
+
+  std::string quoted(const Axis& axis) const { return "joint '" + joint_of(axis).name + "'"; }
+
+  static std::function<void(Tree&, ResolvedConfig&)> with_origin(std::size_t joint,
+                                                                 const Eigen::Isometry3d& origin) {
+    return [joint, origin](Tree& tree, ResolvedConfig&) { tree.joints[joint].origin = origin; };
+  }
 
   std::string fault(const Misfit& misfit, const std::string& from) const {
-    return "turns the axis of joint '" + name(misfit) + "' " +
+    return "turns the axis of " + quoted(*misfit.axis) + " " +
            number(angle_between(misfit.axis->direction, misfit.direction)) + " rad away from " + from;
   }
 
   void add_turned_axes(const std::vector<Misfit>& misfits, const std::string& from) {
-    auto tree = std::make_shared<Tree>(system_.tree());
-    AxisCorrection correction;
+    Correction correction;
+    std::vector<std::pair<std::size_t, Vector3d>> turned;
     for (const Misfit& misfit : misfits) {
-      TreeJoint& joint = tree->joints[misfit.axis->joint];
-      const Vector3d direction = same_way(misfit);
+      const TreeJoint& joint = joint_of(*misfit.axis);
       const Eigen::Matrix3d frame = poses_[joint.parent].linear() * joint.origin.linear();
-      joint.axis = (frame.transpose() * direction).normalized();
-      correction.fault += (correction.fault.empty() ? "" : ", and ") + fault(misfit, from);
-      correction.remedy += (correction.remedy.empty() ? "" : ", and ") + std::string("write <axis xyz=\"") +
-                           triple(joint.axis) + "\"/> for joint '" + joint.name + "'";
+      turned.emplace_back(misfit.axis->joint, (frame.transpose() * same_way(misfit)).normalized());
+      const bool first = correction.element.empty();
+      correction.element += (first ? "" : " and ") + quoted(*misfit.axis);
+      correction.fault += (first ? files_.urdf + " " : ", and ") + fault(misfit, from);
+      correction.remedy += (first ? "" : ", and ") + std::string("write <axis xyz=\"") +
+                           triple(turned.back().second) + "\"/> for " + quoted(*misfit.axis);
     }
-    correction.tree = tree;
-    found_.push_back(correction);
+    correction.fault += consequence;
+    correction.like_others = true;
+    correction.apply = [turned](Tree& tree, ResolvedConfig&) {
+      for (const auto& [joint, axis] : turned) tree.joints[joint].axis = axis;
+    };
+    found_.push_back(std::move(correction));
   }
 
   // With all that hangs on it, as where the rpy of its origin is wrong.
   void add_turned_frame(const Misfit& misfit, const std::string& from) {
-    auto tree = std::make_shared<Tree>(system_.tree());
-    TreeJoint& joint = tree->joints[misfit.axis->joint];
+    const TreeJoint& joint = joint_of(*misfit.axis);
     const auto turn = Eigen::Quaterniond::FromTwoVectors(misfit.axis->direction, same_way(misfit));
     const Eigen::Matrix3d parent = poses_[joint.parent].linear();
-    joint.origin.linear() =
-        (parent.transpose() * turn.toRotationMatrix() * parent * joint.origin.linear()).eval();
-    found_.push_back({tree, fault(misfit, from),
-                      "write rpy=\"" + triple(roll_pitch_yaw(joint.origin.linear())) +
-                          "\" in the origin of joint '" + joint.name + "'"});
+    Eigen::Isometry3d origin = joint.origin;
+    origin.linear() = (parent.transpose() * turn.toRotationMatrix() * parent * joint.origin.linear()).eval();
+    found_.push_back({quoted(*misfit.axis), files_.urdf + " " + fault(misfit, from) + consequence,
+                      "write rpy=\"" + triple(roll_pitch_yaw(origin.linear())) + "\" in the origin of " +
+                          quoted(*misfit.axis),
+                      true, with_origin(misfit.axis->joint, origin)});
   }
 
   static Vector3d same_way(const Misfit& misfit) {
     return std::copysign(1.0, misfit.axis->direction.dot(misfit.direction)) * misfit.direction;
   }
 
-  static Vector3d roll_pitch_yaw(const Eigen::Matrix3d& turned) {
-    const double level = std::hypot(turned(0, 0), turned(1, 0));
-    return {std::atan2(turned(2, 1), turned(2, 2)), std::atan2(-turned(2, 0), level),
-            std::atan2(turned(1, 0), turned(0, 0))};
-  }
+  static constexpr const char* consequence = ", so that the loops hold too much";
 
   const ClosureSystem& system_;
+  const SourceNames& files_;
   Poses poses_;
   std::vector<Axis> axes_;
-  std::vector<AxisCorrection> found_;
+  Corrections found_;
 };
 
 }  // namespace
 
-std::vector<AxisCorrection> find_axis_corrections(const ClosureSystem& system,
-                                                  const Eigen::VectorXd& values) {
-  return MisfitFinder(system, values).find();
+Corrections find_axis_corrections(const ClosureSystem& system, const Eigen::VectorXd& values,
+                                  const SourceNames& files) {
+  return MisfitFinder(system, values, files).find();
 }
 
 }  // namespace parallel_aspects

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_URDF_CORRECTIONS_ATTEMPT_H
+#define PARALLEL_ASPECTS_URDF_CORRECTIONS_ATTEMPT_H
+
+#include "urdf/closing/resolved_config.h"
+#include "urdf/description/tree.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace parallel_aspects {
+
+/// What a description would be recognised as: "T2" and so on; nothing where it is refused.
+using Attempt =
+    std::function<std::optional<std::string>(const std::shared_ptr<const Tree>&, const ResolvedConfig&)>;
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_URDF_CORRECTIONS_ATTEMPT_H

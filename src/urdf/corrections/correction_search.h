@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_URDF_CORRECTIONS_CORRECTION_SEARCH_H
+#define PARALLEL_ASPECTS_URDF_CORRECTIONS_CORRECTION_SEARCH_H
+
+#include "urdf/closing/assembly.h"
+#include "urdf/corrections/attempt.h"
+#include "urdf/corrections/correction.h"
+#include "urdf/corrections/loop_joints.h"
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// Whether the mobility fits and the platform moves in a task space, not as a mere point of space: that is
+/// seldom meant where three joints are actuated.
+bool moves_a_body(const ClosureSystem& system, const Assembly& assembly,
+                  const ActuatedJoints& actuated_joints, const SourceNames& files);
+
+/// Tries corrections of one element at a time. Most are sorted out by whether the loops close from some
+/// starts and the mobility fits; those that are left are recognised like any description.
+class CorrectionSearch {
+ public:
+  /// `closes`: whether the description can be assembled as it is.
+  CorrectionSearch(std::shared_ptr<const Tree> tree, const ResolvedConfig& resolved, bool closes,
+                   const SourceNames& files, const Attempt& attempt);
+
+  /// Those that make an element like others of its kind: a message if any works.
+  std::optional<std::string> like_others();
+
+  /// All others.
+  std::optional<std::string> others();
+
+  /// Those of these that work.
+  std::optional<std::string> working_of(const Corrections& corrections);
+
+ private:
+  struct Working {
+    Correction correction;
+    std::string space;
+  };
+
+  void collect();
+  std::vector<std::size_t> open_loops() const;
+  std::vector<std::size_t> suspects() const;
+  void try_one(const Correction& correction);
+  bool closes_and_moves(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& config);
+  bool closes_and_moves(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& config,
+                        ClosureType type_of_open_ones);
+  std::string message() const;
+
+  std::shared_ptr<const Tree> tree_;
+  const ResolvedConfig& resolved_;
+  const SourceNames& files_;
+  const Attempt& attempt_;
+  ClosureSystem system_;
+  LoopJoints loops_;
+  std::vector<std::size_t> open_loops_;  // closures that cannot be closed even without the others
+  Corrections corrections_;
+  std::vector<Working> working_;
+  std::size_t tried_ = 0, attempts_ = 0;
+  bool is_complete_ = true;  // whether all were tried that were to be
+};
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_URDF_CORRECTIONS_CORRECTION_SEARCH_H

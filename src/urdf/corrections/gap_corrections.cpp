@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "urdf/corrections/gap_corrections.h"
+
+#include "urdf/closing/assembly.h"
+#include "urdf/corrections/correction_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace parallel_aspects {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double out_of_scale = 30.0;  // of a length in mm against the others in m, at least
+
+class GapCorrections {
+ public:
+  GapCorrections(const Tree& tree, const LoopJoints& loops, std::size_t joint, const SourceNames& files)
+      : tree_(tree),
+        loops_(loops),
+        index_(joint),
+        name_("joint '" + tree.joints[joint].name + "'"),
+        files_(files),
+        place_(tree.joints[joint].origin.translation()),
+        angles_(roll_pitch_yaw(tree.joints[joint].origin.linear())) {}
+
+  Corrections find() {
+    add_of_siblings();
+    add_units();
+    for (Eigen::Index k = 0; k < 3; ++k)
+      if (std::abs(place_[k]) > rank_tolerance * place_.norm()) add_place(with_sign(place_, k));
+    if (angles_.norm() < rank_tolerance) return std::move(found_);
+    add_angles(Vector3d::Zero());
+    for (Eigen::Index k = 0; k < 3; ++k) {
+      if (std::abs(angles_[k]) < rank_tolerance) continue;
+      add_angles(with_sign(angles_, k));
+      Vector3d without = angles_;
+      without[k] = 0.0;
+      add_angles(without);
+    }
+    return std::move(found_);
+  }
+
+ private:
+  static Vector3d with_sign(Vector3d vector, Eigen::Index changed) {
+    vector[changed] = -vector[changed];
+    return vector;
+  }
+
+  template <class Same, class Add>
+  void add_common(Same same, Add add) {
+    const std::vector<std::size_t> siblings = loops_.siblings(index_);
+    const auto like = [&](std::size_t joint) {
+      return std::count_if(siblings.begin(), siblings.end(),
+                           [&](std::size_t other) { return same(joint, other); });
+    };
+    const auto own = like(index_) + 1;
+    for (const std::size_t sibling : siblings) {
+      const auto count = like(sibling);
+      if (same(index_, sibling) || count < own) continue;
+      const bool like_others = count > own && count > 1;
+      add(sibling, like_others,
+          ", where that of " + (like_others ? "other legs" : "joint '" + tree_.joints[sibling].name + "'") +
+              " has ");
+    }
+  }
+
+  void add_of_siblings() {
+    add_common([this](std::size_t a, std::size_t b) { return loops_.same_place(a, b); },
+               [this](std::size_t sibling, bool like_others, const std::string& reason) {
+                 if (!like_others) return;  // legs of different lengths are no fault
+                 const Vector3d place = tree_.joints[sibling].origin.translation();
+                 add_place(place, reason + in_brackets(place) + " m", true);
+               });
+    add_common([this](std::size_t a, std::size_t b) { return loops_.same_direction(a, b); },
+               [this](std::size_t sibling, bool like_others, const std::string& reason) {
+                 const Vector3d angles = roll_pitch_yaw(tree_.joints[sibling].origin.linear());
+                 add_angles(angles, reason + in_brackets(angles), like_others);
+               });
+  }
+
+  // Where it is the one that stands out.
+  void add_units() {
+    const double own = place_.norm();
+    std::vector<double> lengths;
+    for (const std::size_t joint : loops_.all()) {
+      const double length = tree_.joints[joint].origin.translation().norm();
+      if (joint != index_ && length > 0.0) lengths.push_back(length);
+    }
+    if (lengths.empty() || own == 0.0) return;
+    const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+    std::nth_element(lengths.begin(), middle, lengths.end());
+    if (own > out_of_scale * *middle) add_place(1e-3 * place_, ", as if in millimetres", true);
+    if (own * out_of_scale < *middle) add_place(1e3 * place_, ", as if in kilometres", true);
+  }
+
+  void add_place(const Vector3d& place, const std::string& reason = "", bool like_others = false) {
+    add("puts the origin of " + name_ + " at " + in_brackets(place_) + " m" + reason,
+        "xyz=\"" + as_attribute(place) + "\"", like_others,
+        [joint = index_, place](Tree& tree, ResolvedConfig&) {
+          tree.joints[joint].origin.translation() = place;
+        });
+  }
+
+  void add_angles(const Vector3d& angles, const std::string& reason = "", bool like_others = false) {
+    add("turns the origin of " + name_ + " by rpy " + in_brackets(angles_) + reason,
+        "rpy=\"" + as_attribute(angles) + "\"", like_others,
+        [joint = index_, angles](Tree& tree, ResolvedConfig&) {
+          tree.joints[joint].origin.linear() = rotation_of(angles);
+        });
+  }
+
+  void add(const std::string& fault, const std::string& attribute, bool like_others,
+           std::function<void(Tree&, ResolvedConfig&)> apply) {
+    const std::string remedy = "write " + attribute + " in the origin of " + name_;
+    const bool is_known = std::any_of(found_.begin(), found_.end(),
+                                      [&](const Correction& other) { return other.remedy == remedy; });
+    if (!is_known)
+      found_.push_back({name_, files_.urdf + " " + fault, remedy, like_others, std::move(apply)});
+  }
+
+  const Tree& tree_;
+  const LoopJoints& loops_;
+  std::size_t index_;
+  std::string name_;
+  const SourceNames& files_;
+  Vector3d place_, angles_;  // as the origin has them
+  Corrections found_;
+};
+
+}  // namespace
+
+Corrections gap_corrections(const Tree& tree, const LoopJoints& loops, std::size_t joint,
+                            const SourceNames& files) {
+  return GapCorrections(tree, loops, joint, files).find();
+}
+
+}  // namespace parallel_aspects

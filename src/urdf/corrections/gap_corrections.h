@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_URDF_CORRECTIONS_GAP_CORRECTIONS_H
+#define PARALLEL_ASPECTS_URDF_CORRECTIONS_GAP_CORRECTIONS_H
+
+#include "urdf/corrections/correction.h"
+#include "urdf/corrections/loop_joints.h"
+
+namespace parallel_aspects {
+
+/// Of the origin of a joint: the place or the rotation of its siblings first, then a coordinate of the other
+/// sign, millimetres, an rpy of the other sign or without one of its angles.
+Corrections gap_corrections(const Tree& tree, const LoopJoints& loops, std::size_t joint,
+                            const SourceNames& files);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_URDF_CORRECTIONS_GAP_CORRECTIONS_H

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "urdf/corrections/joint_corrections.h"
+
+#include "urdf/closing/assembly.h"
+#include "urdf/corrections/correction_text.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace parallel_aspects {
+namespace {
+
+using Eigen::Vector3d;
+
+// What a joint is to be: its type, and the axis where it is not fixed.
+struct Motion {
+  JointMotion type = JointMotion::fixed;
+  Vector3d axis = Vector3d::UnitX();
+};
+
+void remove_variable(Tree& tree, ResolvedConfig& resolved, std::size_t joint) {
+  const std::size_t removed = *tree.joints[joint].variable;
+  tree.joints[joint].variable.reset();
+  tree.movable.erase(tree.movable.begin() + static_cast<std::ptrdiff_t>(removed));
+  for (TreeJoint& other : tree.joints)
+    if (other.variable && *other.variable > removed) --*other.variable;
+  for (std::size_t& actuated : resolved.actuated_joints.variables)
+    if (actuated > removed) --actuated;
+}
+
+void set_motion(Tree& tree, ResolvedConfig& resolved, std::size_t joint, const Motion& motion) {
+  TreeJoint& changed = tree.joints[joint];
+  if (changed.motion != motion.type && motion.type != JointMotion::prismatic) changed.limits = {};
+  changed.motion = motion.type;
+  changed.axis = motion.axis;
+  const bool is_movable = motion.type != JointMotion::fixed;
+  if (is_movable == changed.variable.has_value()) return;
+  if (!is_movable) return remove_variable(tree, resolved, joint);
+  changed.variable = tree.movable.size();
+  tree.movable.push_back(joint);
+}
+
+std::string type_name(JointMotion type) {
+  if (type == JointMotion::fixed) return "fixed";
+  return type == JointMotion::revolute ? "continuous" : "prismatic";
+}
+
+// "is fixed", "turns about (0, 0, 1)".
+std::string text_of(const Motion& motion) {
+  if (motion.type == JointMotion::fixed) return "is fixed";
+  return (motion.type == JointMotion::revolute ? "turns about " : "slides along ") + in_brackets(motion.axis);
+}
+
+bool are_same(const Motion& one, const Motion& other) {
+  return one.type == other.type &&
+         (one.type == JointMotion::fixed || one.axis.cross(other.axis).norm() < rank_tolerance);
+}
+
+class JointCorrections {
+ public:
+  JointCorrections(const Tree& tree, const ResolvedConfig& resolved, const LoopJoints& loops,
+                   std::size_t joint, const SourceNames& files)
+      : tree_(tree), loops_(loops), index_(joint), joint_(tree.joints[joint]), files_(files) {
+    const auto& actuated = resolved.actuated_joints.variables;
+    is_actuated_ =
+        joint_.variable && std::find(actuated.begin(), actuated.end(), *joint_.variable) != actuated.end();
+  }
+
+  Corrections find() {
+    add_of_siblings();
+    const bool is_fixed = joint_.motion == JointMotion::fixed;
+    if (joint_.motion == JointMotion::revolute && any_slides()) add({JointMotion::prismatic, joint_.axis});
+    if (joint_.motion == JointMotion::prismatic)
+      add({JointMotion::revolute, joint_.axis}, "", !is_actuated_);  // a passive slide is seldom meant
+    if (!is_fixed) add({JointMotion::fixed, joint_.axis});
+    for (const Eigen::Index k : {2, 1, 0})
+      add({is_fixed ? JointMotion::revolute : joint_.motion, Vector3d::Unit(k)});
+    return std::move(found_);
+  }
+
+ private:
+  bool any_slides() const {
+    return std::any_of(loops_.all().begin(), loops_.all().end(), [this](std::size_t joint) {
+      return tree_.joints[joint].motion == JointMotion::prismatic;
+    });
+  }
+
+  // What as many siblings are, at least, as are like this joint.
+  void add_of_siblings() {
+    const std::vector<std::size_t> siblings = loops_.siblings(index_);
+    const auto like = [&](std::size_t joint) {
+      return std::count_if(siblings.begin(), siblings.end(),
+                           [&](std::size_t other) { return loops_.same_motion(joint, other); });
+    };
+    const auto own = like(index_) + 1;
+    for (const std::size_t sibling : siblings) {
+      const auto count = like(sibling);
+      if (loops_.same_motion(index_, sibling) || count < own) continue;
+      const Motion motion{tree_.joints[sibling].motion, tree_.joints[sibling].axis};
+      const bool like_others = count > own && count > 1;
+      add(motion,
+          ", where " + (like_others ? "that of other legs" : "joint '" + tree_.joints[sibling].name + "'") +
+              " " + text_of(motion),
+          like_others);
+    }
+  }
+
+  // An actuated joint moves.
+  void add(const Motion& motion, const std::string& reason = "", bool like_others = false) {
+    const bool is_known = std::any_of(tried_.begin(), tried_.end(),
+                                      [&](const Motion& other) { return are_same(motion, other); });
+    if (is_known || are_same(motion, {joint_.motion, joint_.axis})) return;
+    if (is_actuated_ && motion.type == JointMotion::fixed) return;
+    tried_.push_back(motion);
+    Correction correction;
+    correction.element = "joint '" + joint_.name + "'";
+    correction.fault = files_.urdf + " " + present_text() + reason;
+    correction.remedy = "write " + written(motion) + " for " + correction.element;
+    correction.like_others = like_others;
+    correction.apply = [joint = index_, motion](Tree& tree, ResolvedConfig& resolved) {
+      set_motion(tree, resolved, joint, motion);
+    };
+    found_.push_back(std::move(correction));
+  }
+
+  std::string present_text() const {
+    const std::string name = "joint '" + joint_.name + "'";
+    if (joint_.motion == JointMotion::fixed) return "fixes " + name;
+    return "lets " + name + (joint_.motion == JointMotion::revolute ? " turn about " : " slide along ") +
+           in_brackets(joint_.axis);
+  }
+
+  std::string written(const Motion& motion) const {
+    const bool other_type = motion.type != joint_.motion;
+    const bool other_axis =
+        motion.type != JointMotion::fixed &&
+        (joint_.motion == JointMotion::fixed || motion.axis.cross(joint_.axis).norm() > rank_tolerance);
+    return (other_type ? "type=\"" + type_name(motion.type) + "\"" : "") +
+           (other_type && other_axis ? " and " : "") +
+           (other_axis ? "<axis xyz=\"" + as_attribute(motion.axis) + "\"/>" : "");
+  }
+
+  const Tree& tree_;
+  const LoopJoints& loops_;
+  std::size_t index_;
+  const TreeJoint& joint_;
+  const SourceNames& files_;
+  bool is_actuated_ = false;
+  std::vector<Motion> tried_;
+  Corrections found_;
+};
+
+}  // namespace
+
+Corrections joint_corrections(const Tree& tree, const ResolvedConfig& resolved, const LoopJoints& loops,
+                              std::size_t joint, const SourceNames& files) {
+  return JointCorrections(tree, resolved, loops, joint, files).find();
+}
+
+}  // namespace parallel_aspects

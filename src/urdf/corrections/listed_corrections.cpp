@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "urdf/corrections/listed_corrections.h"
+
+#include "urdf/closing/actuation_choices.h"
+#include "urdf/closing/assembly.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace parallel_aspects {
+namespace {
+
+using Choice = std::vector<std::size_t>;
+
+bool contains(const Choice& choice, std::size_t variable) {
+  return std::find(choice.begin(), choice.end(), variable) != choice.end();
+}
+
+bool are_same(const LinkFrame& one, const LinkFrame& other) {
+  return one.link == other.link && one.in_link.isApprox(other.in_link, rank_tolerance);
+}
+
+bool are_same(const Closure& one, const Closure& other) {
+  const auto &a = one.frames, &b = other.frames;
+  return (are_same(a[0], b[0]) && are_same(a[1], b[1])) || (are_same(a[0], b[1]) && are_same(a[1], b[0]));
+}
+
+class ClosureCorrections {
+ public:
+  ClosureCorrections(const ResolvedConfig& resolved, const SourceNames& files)
+      : closures_(resolved.closures), files_(files) {}
+
+  Corrections find() {
+    for (std::size_t k = 0; k < closures_.size(); ++k)
+      for (std::size_t other = 0; other < k; ++other)
+        if (are_same(closures_[k], closures_[other])) add_without(k);
+    for (std::size_t k = 0; k < closures_.size(); ++k)
+      if (closures_[k].type != ClosureType::automatic)
+        for (const ClosureType type : {ClosureType::point, ClosureType::revolute, ClosureType::universal})
+          if (type != closures_[k].type) add_type(k, type);
+    std::stable_partition(found_.begin(), found_.end(),
+                          [](const Correction& correction) { return correction.like_others; });
+    return std::move(found_);
+  }
+
+ private:
+  void add_without(std::size_t index) {
+    const std::string element = "closure '" + closures_[index].name + "'";
+    found_.push_back({element, files_.config + " has " + element + " twice",
+                      "leave out one entry of " + element, true, [index](Tree&, ResolvedConfig& resolved) {
+                        resolved.closures.erase(resolved.closures.begin() +
+                                                static_cast<std::ptrdiff_t>(index));
+                      }});
+  }
+
+  void add_type(std::size_t index, ClosureType type) {
+    const Closure& closure = closures_[index];
+    const auto count = [this](ClosureType wanted) {
+      return std::count_if(closures_.begin(), closures_.end(),
+                           [&](const Closure& other) { return other.type == wanted; });
+    };
+    const std::string element = "closure '" + closure.name + "'";
+    const bool have_others = count(closure.type) == 1 && count(type) > 1;
+    const bool like_others =
+        have_others || closure.type == ClosureType::fixed;  // which makes one link of two
+    found_.push_back(
+        {element,
+         files_.config + " has type " + std::string(name(closure.type)) + " for " + element +
+             (have_others ? ", where others have type " + std::string(name(type)) : ""),
+         "write type: " + std::string(name(type)) + " for " + element, like_others,
+         [index, type](Tree&, ResolvedConfig& resolved) { resolved.closures[index].type = type; }});
+  }
+
+  const std::vector<Closure>& closures_;
+  const SourceNames& files_;
+  Corrections found_;
+};
+
+class ActuationCorrections {
+ public:
+  ActuationCorrections(const Tree& tree, const ResolvedConfig& resolved, const ClosureSystem& system,
+                       const SourceNames& files)
+      : tree_(tree),
+        listed_(resolved.actuated_joints.variables),
+        legs_(joints_by_leg(system, resolved.actuated_joints, files)),
+        files_(files) {
+    std::map<std::size_t, std::size_t> counts;
+    for (const auto& leg : legs_)
+      for (const LegJoint& joint : leg)
+        if (contains(listed_, joint.variable)) ++counts[joint.depth];
+    for (const auto& [depth, count] : counts)
+      if (count > counts[usual_depth_]) usual_depth_ = depth;
+  }
+
+  Corrections find() {
+    if (!is_actuation_count(listed_.size())) add_one_of_each_leg();
+    for (const auto& leg : legs_) {
+      const std::vector<LegJoint> listed = listed_of(leg);
+      if (listed.empty()) add_one_of(leg);
+      if (listed.size() == 1) exchange(listed.front(), leg);
+      if (listed.size() > 1) remove_one_of(listed);
+    }
+    std::stable_partition(found_.begin(), found_.end(),
+                          [](const Correction& correction) { return correction.like_others; });
+    return std::move(found_);
+  }
+
+ private:
+  std::vector<LegJoint> listed_of(const std::vector<LegJoint>& leg) const {
+    std::vector<LegJoint> listed;
+    for (const LegJoint& joint : leg)
+      if (contains(listed_, joint.variable)) listed.push_back(joint);
+    return listed;
+  }
+
+  // Those of the listed ones that are where most are.
+  void add_one_of_each_leg() {
+    Choice choice;
+    for (const std::size_t variable : listed_)
+      for (const auto& leg : legs_)
+        for (const LegJoint& joint : leg)
+          if (joint.variable == variable && joint.depth == usual_depth_) choice.push_back(variable);
+    if (choice.size() < listed_.size()) add(choice, "lists several joints of a leg", true);
+  }
+
+  void add_one_of(const std::vector<LegJoint>& leg) {
+    for (const LegJoint& joint : leg)
+      add(with(listed_, joint.variable), "does not list joint '" + name_of(joint) + "'",
+          joint.depth == usual_depth_);
+  }
+
+  // For the joint where others have theirs.
+  void exchange(const LegJoint& listed, const std::vector<LegJoint>& leg) {
+    if (listed.depth == usual_depth_) return;
+    for (const LegJoint& joint : leg) {
+      if (joint.depth != usual_depth_) continue;
+      Choice choice = listed_;
+      *std::find(choice.begin(), choice.end(), listed.variable) = joint.variable;
+      add(choice,
+          "lists joint '" + name_of(listed) + "', where other legs have the one of '" + name_of(joint) + "'",
+          true);
+    }
+  }
+
+  // Another leg may have none.
+  void remove_one_of(const std::vector<LegJoint>& leg) {
+    for (const LegJoint& joint : leg) {
+      Choice fewer = listed_;
+      fewer.erase(std::find(fewer.begin(), fewer.end(), joint.variable));
+      const std::string fault = "lists joint '" + name_of(joint) + "' besides another one of its leg";
+      const bool stands_out = joint.depth != usual_depth_;
+      add(fewer, fault, stands_out);
+      for (const auto& other : legs_)
+        if (listed_of(other).empty())
+          for (const LegJoint& added : other)
+            add(with(fewer, added.variable), fault + ", and none of the leg of '" + name_of(added) + "'",
+                stands_out && added.depth == usual_depth_);
+    }
+  }
+
+  // In the order of the file, where the others are.
+  static Choice with(Choice choice, std::size_t variable) {
+    const bool in_order = std::is_sorted(choice.begin(), choice.end());
+    const auto place = std::upper_bound(choice.begin(), choice.end(), variable);
+    choice.insert(in_order ? place : choice.end(), variable);
+    return choice;
+  }
+
+  std::string name_of(const LegJoint& joint) const { return tree_.joint_of(joint.variable).name; }
+
+  void add(const Choice& choice, const std::string& fault, bool like_others) {
+    if (std::any_of(choice.begin(), choice.end(),
+                    [this](std::size_t variable) { return tree_.joint_of(variable).mimics; }))
+      return;
+    std::string names;
+    for (const std::size_t variable : choice)
+      names += (names.empty() ? "" : ", ") + tree_.joint_of(variable).name;
+    const std::string remedy = "write actuated_joints: [" + names + "]";
+    found_.push_back(
+        {like_others ? "actuated_joints" : remedy, files_.config + " " + fault + " in actuated_joints",
+         remedy, like_others,
+         [choice](Tree&, ResolvedConfig& resolved) { resolved.actuated_joints.variables = choice; }});
+  }
+
+  const Tree& tree_;
+  const Choice& listed_;
+  std::vector<std::vector<LegJoint>> legs_;
+  const SourceNames& files_;
+  std::size_t usual_depth_ = 0;  // of the actuated joints in their legs
+  Corrections found_;
+};
+
+}  // namespace
+
+Corrections closure_corrections(const ResolvedConfig& resolved, const SourceNames& files) {
+  return ClosureCorrections(resolved, files).find();
+}
+
+Corrections actuation_corrections(const Tree& tree, const ResolvedConfig& resolved,
+                                  const ClosureSystem& system, const SourceNames& files) {
+  return ActuationCorrections(tree, resolved, system, files).find();
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_URDF_CORRECTIONS_LISTED_CORRECTIONS_H
+#define PARALLEL_ASPECTS_URDF_CORRECTIONS_LISTED_CORRECTIONS_H
+
+#include "urdf/corrections/correction.h"
+
+namespace parallel_aspects {
+
+/// Of the closures: another type of one, or one less where two are the same.
+Corrections closure_corrections(const ResolvedConfig& resolved, const SourceNames& files);
+
+/// Of the list of actuated joints: one of a leg that has none, one less of a leg that has several, or both.
+Corrections actuation_corrections(const Tree& tree, const ResolvedConfig& resolved,
+                                  const ClosureSystem& system, const SourceNames& files);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_URDF_CORRECTIONS_LISTED_CORRECTIONS_H

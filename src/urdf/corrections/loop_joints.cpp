@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "urdf/corrections/loop_joints.h"
+
+#include "urdf/closing/assembly.h"
+
+#include <algorithm>
+
+namespace parallel_aspects {
+namespace {
+
+std::vector<bool> above(const Tree& tree, std::size_t link) {
+  std::vector<bool> found(tree.joints.size(), false);
+  for (auto joint = tree.joint_above[link]; joint; joint = tree.joint_above[tree.joints[*joint].parent])
+    found[*joint] = true;
+  return found;
+}
+
+std::vector<std::size_t> depths(const Tree& tree) {
+  std::vector<std::size_t> result(tree.joints.size(), 0);
+  for (std::size_t k = 0; k < tree.joints.size(); ++k)
+    if (const auto parent = tree.joint_above[tree.joints[k].parent]) result[k] = result[*parent] + 1;
+  return result;
+}
+
+}  // namespace
+
+LoopJoints::LoopJoints(const Tree& tree, const std::vector<Closure>& closures, double size)
+    : tree_(tree), size_(size), depth_(depths(tree)) {
+  std::vector<bool> in_loop(tree.joints.size(), false);
+  for (const Closure& closure : closures) {
+    const std::vector<bool> one = above(tree, closure.frames[0].link);
+    const std::vector<bool> other = above(tree, closure.frames[1].link);
+    for (std::size_t k = 0; k < in_loop.size(); ++k) in_loop[k] = in_loop[k] || one[k] != other[k];
+  }
+  for (std::size_t k = 0; k < in_loop.size(); ++k)
+    if (in_loop[k]) all_.push_back(k);
+}
+
+std::vector<std::size_t> LoopJoints::siblings(std::size_t joint) const {
+  std::vector<std::size_t> result;
+  for (const std::size_t other : all_)
+    if (other != joint && depth_[other] == depth_[joint]) result.push_back(other);
+  return result;
+}
+
+bool LoopJoints::same_motion(std::size_t one, std::size_t other) const {
+  const TreeJoint &a = tree_.joints[one], &b = tree_.joints[other];
+  return a.motion == b.motion &&
+         (a.motion == JointMotion::fixed || a.axis.cross(b.axis).norm() < rank_tolerance);
+}
+
+bool LoopJoints::same_place(std::size_t one, std::size_t other) const {
+  const Eigen::Vector3d between =
+      tree_.joints[one].origin.translation() - tree_.joints[other].origin.translation();
+  return between.norm() < closing_tolerance * size_;
+}
+
+bool LoopJoints::same_direction(std::size_t one, std::size_t other) const {
+  const Eigen::Matrix3d between = tree_.joints[one].origin.linear() - tree_.joints[other].origin.linear();
+  return between.norm() < rank_tolerance;
+}
+
+bool LoopJoints::is_like_others(std::size_t joint) const {
+  const std::vector<std::size_t> others = siblings(joint);
+  return std::count_if(others.begin(), others.end(), [&](std::size_t other) {
+           return same_motion(joint, other) && same_place(joint, other) && same_direction(joint, other);
+         }) >= 2;
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "urdf/corrections/faulty_robots.h"
+
+#include <gtest/gtest.h>
+
+#include "support/thoroughness.h"
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdlib>
+#include <iomanip>
+#include <iostream>
+#include <map>
+
+namespace parallel_aspects {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using test::Description;
+using test::FaultyRobot;
+
+enum Outcome : std::size_t { loaded, named, listed, not_found, wrong };
+using Counts = std::array<int, 5>;
+
+bool loads(const Description& description) {
+  return test::refusal(description.urdf, description.config).empty();
+}
+
+bool is_of(const std::string& remedy, const FaultyRobot& robot) {
+  return remedy.find(robot.element) != std::string::npos;
+}
+
+// Every remedy is followed to the letter: all of one sentence together, each of several alone.
+Outcome outcome(const FaultyRobot& robot, const Problems& problems, std::string& said) {
+  if (problems.empty()) return loaded;
+  for (const std::string& problem : problems) said += problem + "\n";
+  if (said.find("joint " + robot.element +
+                " in mechanism.actuated_joints, but robot.urdf fixes that joint") != std::string::npos)
+    return named;
+  const std::vector<std::string> remedies = test::remedies(said);
+  if (remedies.empty())
+    return said.find("makes it a robot") == std::string::npos &&
+                   said.find("as those of a robot") == std::string::npos
+               ? not_found
+               : wrong;
+  const bool alone = said.find("each of these corrections alone") != std::string::npos;
+  Description all = robot.text;
+  for (const std::string& remedy : remedies) {
+    const Description one = test::corrected(robot.text, remedy);
+    if (alone && !loads(one)) return wrong;
+    all = test::corrected(all, remedy);
+  }
+  const auto count = std::count_if(remedies.begin(), remedies.end(),
+                                   [&](const std::string& remedy) { return is_of(remedy, robot); });
+  const bool is_open = said.find("there may be others") != std::string::npos;
+  if (alone && count == 0) return is_open ? not_found : wrong;
+  if (alone) return listed;
+  return count == static_cast<std::ptrdiff_t>(remedies.size()) && loads(all) ? named : wrong;
+}
+
+void print(const std::string& robot, const std::map<std::string, Counts>& table) {
+  std::cout << std::left << std::setw(14) << robot << " loads named listed  none wrong\n";
+  for (const auto& [kind, counts] : table) {
+    std::cout << std::setw(14) << kind << std::right;
+    for (const int count : counts) std::cout << std::setw(6) << count;
+    std::cout << std::left << '\n';
+  }
+}
+
+class CorrectionSearch : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(CorrectionSearch, NamesWhatIsAtFault) {
+  std::map<std::string, Counts> table;
+  const bool is_verbose = std::getenv("CORRECTIONS_VERBOSE") != nullptr;
+  double slowest = 0.0;
+  const std::vector<FaultyRobot> robots = test::faulty_robots(GetParam());
+  const std::size_t step = std::getenv("CORRECTIONS_ALL") != nullptr ? 1 : test::is_sanitized ? 40 : 5;
+  for (std::size_t k = 0; k < robots.size(); k += step) {
+    const FaultyRobot& robot = robots[k];
+    std::string said;
+    const Clock::time_point start = Clock::now();
+    const Problems problems = test::refusal(robot.text.urdf, robot.text.config);
+    const double took = std::chrono::duration<double>(Clock::now() - start).count();
+    slowest = std::max(slowest, took);
+    const Outcome found = outcome(robot, problems, said);
+    ++table[robot.kind][found];
+    if (is_verbose)
+      std::cout << "OUT " << found << ' ' << robot.kind << ' ' << robot.element << ' ' << took
+                << " s: " << said << std::endl;
+    EXPECT_NE(found, wrong) << robot.kind << " of " << robot.element << ": " << said;
+  }
+  print(GetParam(), table);
+  std::cout << "slowest " << slowest << " s\n";
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, CorrectionSearch,
+                         ::testing::Values("five_bar", "three_rrr", "three_rpr", "delta", "hexa", "stewart",
+                                           "three_prr", "linear_delta", "bipod", "six_pus", "agile_eye",
+                                           "spherical_3rrr"));
+
+}  // namespace
+}  // namespace parallel_aspects
