@@ -45,17 +45,10 @@ bool JointNameWatch::hear(const sensor_msgs::JointState& message) {
 }
 
 std::string JointNameWatch::guess() const {
-  Names missing, others, meant, written;
-  for (const std::string& name : expected_)
-    if (!contains(arriving_, name)) missing.push_back(name);
-  for (const std::string& name : arriving_)
-    if (!contains(own_, name)) others.push_back(name);
-  for (const std::string& name : missing) {
-    const std::string similar = similar_name(name, others);
-    if (similar.empty()) continue;
-    meant.push_back(name);
-    written.push_back(similar);
-    others.erase(std::find(others.begin(), others.end(), similar));
+  Names meant, written;
+  for (const MeantName& each : meant_names(expected_, arriving_, own_)) {
+    meant.push_back(each.name);
+    written.push_back(each.written);
   }
   return meant.empty() ? "" : "did you mean " + listed(meant) + " by " + listed(written) + "?";
 }

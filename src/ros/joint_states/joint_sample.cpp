@@ -62,20 +62,13 @@ JointSample collect(const Manipulator& manipulator, const std::vector<std::strin
   return sample;
 }
 
-// Which of the names may be meant by the actuated joints that are missing; none that is one of them.
+// Which of the names may be meant by the actuated joints that are missing.
 std::string guesses(const Manipulator& manipulator, const std::vector<std::string>& names) {
-  const auto contains = [](const std::vector<std::string>& list, const std::string& name) {
-    return std::find(list.begin(), list.end(), name) != list.end();
-  };
-  std::vector<std::string> actuated, others;
+  std::vector<std::string> actuated;
   for (const Leg& leg : manipulator.legs()) actuated.push_back(leg.actuated_joint);
-  for (const std::string& name : names)
-    if (!contains(actuated, name)) others.push_back(name);
   std::string text;
-  for (const std::string& joint : actuated) {
-    const std::string similar = contains(names, joint) ? "" : similar_name(joint, others);
-    if (!similar.empty()) text += " Did you mean " + joint + " by " + similar + "?";
-  }
+  for (const MeantName& meant : meant_names(actuated, names, actuated))
+    text += " Did you mean " + meant.name + " by " + meant.written + "?";
   return text;
 }
 

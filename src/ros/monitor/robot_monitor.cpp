@@ -48,17 +48,7 @@ MonitorUpdate RobotMonitor::update(const sensor_msgs::JointState& message, const
   const bool nothing_lately = age_.silence(now) > age_.timeout() / 2.0;
   const bool new_names = sample.status != SampleStatus::usable && nothing_lately && names_.hear(message);
   if (sample.status == SampleStatus::foreign) return pass_over(new_names);
-  std::string other;
-  const Claim claim = publishers_.claim(publisher, sample.named_joints, now, other);
-  if (claim == Claim::contested)
-    return refuse(Status::SEVERAL_PUBLISHERS,
-                  "both " + std::min(publisher, other) + " and " + std::max(publisher, other) +
-                      " publish the actuated joints; stop one of them.",
-                  stamp, now);
-  if (claim == Claim::waiting && !age_.halted()) {  // while the clock stands still, no other seems to end
-    if (status_.code == Status::SEVERAL_PUBLISHERS) last_refused_ = now;
-    return {};
-  }
+  if (const auto contested = contest(publisher, sample, stamp, now)) return *contested;
   if (sample.status == SampleStatus::invalid)
     return refuse(Status::INVALID_JOINT_STATES, sample.message, stamp, now);
   if (sample.status == SampleStatus::usable && stamp == age_.stamp() && last_q_ && sample.q == *last_q_)
@@ -67,6 +57,27 @@ MonitorUpdate RobotMonitor::update(const sensor_msgs::JointState& message, const
   const ros::Time before = sample.status == SampleStatus::partial ? ros::Time() : age_.stamp();
   const std::string fault = fault_of_stamp(stamp, before, now, age_.timeout());
   if (!fault.empty()) return refuse(Status::INVALID_JOINT_STATES, fault, stamp, now);
+  return take(sample, stamp, now);
+}
+
+// What to say where another node publishes these actuated joints, too, or may do so; nothing where none does.
+std::optional<MonitorUpdate> RobotMonitor::contest(const std::string& publisher, const JointSample& sample,
+                                                   const ros::Time& stamp, const ros::Time& now) {
+  std::string other;
+  const Claim claim = publishers_.claim(publisher, sample.named_joints, now, other);
+  if (claim == Claim::contested)
+    return refuse(Status::SEVERAL_PUBLISHERS,
+                  "both " + std::min(publisher, other) + " and " + std::max(publisher, other) +
+                      " publish the actuated joints; stop one of them.",
+                  stamp, now);
+  // While the clock stands still, no other seems to end.
+  if (claim != Claim::waiting || age_.halted()) return std::nullopt;
+  if (status_.code == Status::SEVERAL_PUBLISHERS) last_refused_ = now;
+  return MonitorUpdate();
+}
+
+// All of the actuated joints, or some, which make a configuration with what came before.
+MonitorUpdate RobotMonitor::take(const JointSample& sample, const ros::Time& stamp, const ros::Time& now) {
   for (std::size_t j = 0; j < sample.named_joints.size(); ++j)
     if (sample.named_joints[j]) came_[j] = now;
   const auto merged = merger_.add(stamp, sample.named_joints, sample.q);
@@ -116,19 +127,11 @@ MonitorUpdate RobotMonitor::accept(const JointSample& sample, const MergedJoints
   names_.forget();
   const bool first = age_.stamp().isZero();
   const ros::Time& stamp = merged.stamp;
-  if (first) epoch_ = stamp;
-  const JointVector& q = merged.q;
   age_.take(stamp, now);
-  last_q_ = q;
+  last_q_ = merged.q;
   last_uncertainty_ = merged.uncertainty;
   readings_ = sample.readings;
-  const double time = seconds_between(epoch_, stamp);
-  const Status start = first ? start_as_configured(time, q) : Status();
-  if (!first || start.code != Status::OK) tracker_.update(time, q, merged.uncertainty);
-  const bool uninitialised = tracker_.state().status == TrackStatus::uninitialised;
-  if (tracker_.state().followed()) not_started_ = {};
-  if (first && uninitialised) not_started_ = start;
-  status_ = status_of_tracker();
+  const Status start = follow(merged, first);
 
   MonitorUpdate update;
   if (!sample.message.empty()) update.warning = "In joint_states, " + sample.message;
@@ -146,6 +149,18 @@ MonitorUpdate RobotMonitor::accept(const JointSample& sample, const MergedJoints
                                        ? beyond_limits(*mechanism_->manipulator(), tracker_.state().q)
                                        : update.warning;
   return update;
+}
+
+// How the start went, where it is the first configuration.
+Status RobotMonitor::follow(const MergedJoints& merged, bool first) {
+  if (first) epoch_ = merged.stamp;
+  const double time = seconds_between(epoch_, merged.stamp);
+  const Status start = first ? start_as_configured(time, merged.q) : Status();
+  if (!first || start.code != Status::OK) tracker_.update(time, merged.q, merged.uncertainty);
+  if (tracker_.state().followed()) not_started_ = {};
+  if (first && tracker_.state().status == TrackStatus::uninitialised) not_started_ = start;
+  status_ = status_of_tracker();
+  return start;
 }
 
 void RobotMonitor::keep_transitions() {

@@ -102,10 +102,14 @@ class RobotMonitor {
 
  private:
   MonitorUpdate pass_over(bool new_names);
+  std::optional<MonitorUpdate> contest(const std::string& publisher, const JointSample& sample,
+                                       const ros::Time& stamp, const ros::Time& now);
+  MonitorUpdate take(const JointSample& sample, const ros::Time& stamp, const ros::Time& now);
   MonitorUpdate refuse(std::uint8_t code, const std::string& message, const ros::Time& stamp,
                        const ros::Time& now);
   MonitorUpdate wait_for_joints(const JointSample& sample, const ros::Time& now);
   MonitorUpdate accept(const JointSample& sample, const MergedJoints& merged, const ros::Time& now);
+  Status follow(const MergedJoints& merged, bool first);
   Status start_as_configured(double time, const JointVector& q);
   bool failed_start() const;
   JointVector uncertainty_to_report() const;

@@ -36,6 +36,7 @@ void LogQueue::say(std::string line) {
 void LogQueue::warn(std::string line, const ros::SteadyTime& now) {
   const std::string cause = cause_of(line);
   const std::lock_guard<std::mutex> lock(mutex_);
+  may_withdraw_ = true;
   const auto known = std::find_if(warnings_.begin(), warnings_.end(),
                                   [&](const Warning& warning) { return warning.cause == cause; });
   if (known != warnings_.end()) {
@@ -47,7 +48,9 @@ void LogQueue::warn(std::string line, const ros::SteadyTime& now) {
 }
 
 void LogQueue::withdraw() {
+  if (!may_withdraw_) return;
   const std::lock_guard<std::mutex> lock(mutex_);
+  may_withdraw_ = false;
   for (Warning& warning : warnings_)
     if (!warning.due) warning.line.clear();
 }

@@ -4,6 +4,7 @@
 
 #include <ros/time.h>
 
+#include <atomic>
 #include <cstddef>
 #include <mutex>
 #include <string>
@@ -22,6 +23,7 @@ class LogQueue {
   void warn(std::string line, const ros::SteadyTime& now = ros::SteadyTime::now());
 
   /// All is well: what was still to be written five seconds after the last of its cause is not true any more.
+  /// Takes no lock where no warning came since the last time, so that it may be called at every sample.
   void withdraw();
 
   /// Writes what has come in since.
@@ -41,6 +43,7 @@ class LogQueue {
   std::vector<std::string> lines_;
   std::size_t dropped_ = 0;  // lines that there was no room for
   std::vector<Warning> warnings_;
+  std::atomic<bool> may_withdraw_{false};  // a warning came since the last withdrawal
 };
 
 }  // namespace parallel_aspects

@@ -68,13 +68,7 @@ RobotServer::RobotServer(const ros::NodeHandle& nh, const ros::NodeHandle& priva
   for (const std::string& note : setup_.mechanism->notes()) ROS_INFO_STREAM(note);
   advertise();
   subscribe();
-  reconfiguration_ = std::make_unique<Reconfiguration>(
-      service_nh_, setup_.options,
-      [this](const ThresholdParameters& wanted) { monitor_.set_thresholds(thresholds_of(wanted)); },
-      [this](const DisplayOptions& wanted) {
-        display_.set_options(wanted);
-        display_timer_.setPeriod(ros::WallDuration(1.0 / wanted.rate));
-      });
+  accept_reconfiguration();
   state_.publish(
       unknown_state(*setup_.mechanism->manipulator(), monitor_.current(ros::Time::now()).status, {}));
   tracking_spinner_.start();
@@ -130,6 +124,16 @@ void RobotServer::subscribe() {
     log_.write();
     for (const std::string& message : frame_watch_.news(ros::WallTime::now())) ROS_WARN_STREAM(message);
   });
+}
+
+void RobotServer::accept_reconfiguration() {
+  reconfiguration_ = std::make_unique<Reconfiguration>(
+      service_nh_, setup_.options,
+      [this](const ThresholdParameters& wanted) { monitor_.set_thresholds(thresholds_of(wanted)); },
+      [this](const DisplayOptions& wanted) {
+        display_.set_options(wanted);
+        display_timer_.setPeriod(ros::WallDuration(1.0 / wanted.rate));
+      });
 }
 
 // A service that was reached returns true: what became of the request is in the response.

@@ -50,6 +50,7 @@ class RobotServer {
 
   void advertise();
   void subscribe();
+  void accept_reconfiguration();
   template <typename Service>
   void serve(const std::string& name);
 

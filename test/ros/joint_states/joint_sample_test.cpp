@@ -101,6 +101,10 @@ TEST(ActuatedValues, NamesOneJointThatIsMissingOrSeveral) {
             "actuated joint crank_2_joint is missing.");
   EXPECT_EQ(actuated_values(*mechanism->manipulator(), {"crank_1_joint", "crank2_joint"}, {1.0, 1.0}).message,
             "actuated joint crank_2_joint is missing. Did you mean crank_2_joint by crank2_joint?");
+  EXPECT_EQ(
+      actuated_values(*mechanism->manipulator(), {"crank_joint"}, {1.0}).message,
+      "actuated joints crank_1_joint, crank_2_joint are missing. Did you mean crank_1_joint by crank_joint?")
+      << "one name is not meant for two";
 }
 
 }  // namespace
