@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/aspects/basins.h"
+
+#include "aspects/basins/index_cells.h"
+#include "aspects/basins/merge_tree.h"
+#include "aspects/components/disjoint_sets.h"
+#include "aspects/tree/face_traversal.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <map>
+#include <queue>
+#include <utility>
+#include <vector>
+
+namespace parallel_aspects {
+namespace {
+
+// Bounds of the index in one cell that are closer than this are not worth halving it, but where that may
+// raise the largest index of an aspect.
+constexpr double fine_enough = 0.05, finest = 0.01;  // as shares of the upper one
+constexpr std::size_t halvings_of_peaks = 3000;      // for each aspect
+
+/// Basins of one working mode and one sign of det A.
+class SignBasins {
+ public:
+  SignBasins(const AspectMap& map, std::size_t mode, int sign, ParallelIndex index, const MapControl& control)
+      : map_(map), contents_(map.contents()), control_(control), cells_(contents_, mode, sign, index) {
+    for (const Aspect& aspect : map.aspects())
+      if (aspect.mode == contents_.modes[mode] && aspect.determinant_sign == sign) ids_.push_back(aspect.id);
+  }
+
+  /// Its basins, whose places are counted from the first of them. The rest is written into `basins`.
+  std::vector<Basin> find(BasinDetail detail, MapBasins& basins) {
+    if (ids_.empty()) return {};
+    if (detail == BasinDetail::basins) divide_coarse();
+    find_peaks();
+    if (is_cancelled(control_)) return {};
+    add_deepest(basins);
+    return merge_all(detail, basins);
+  }
+
+ private:
+  /// Inside leaves are as large as the proof of their sign lets them be: bounds of the index want smaller
+  /// ones. Where it is small, they need not be as near to each other.
+  void divide_coarse() {
+    std::vector<NodeIndex> cells = cells_.all();
+    double largest = 0.0;
+    for (const NodeIndex cell : cells) largest = std::max(largest, cells_.lower(cell));
+    const auto is_done = [this, largest](NodeIndex cell) {
+      const double upper = cells_.upper(cell), gap = upper - cells_.lower(cell);
+      return !cells_.is_inside(cell) || gap <= fine_enough * std::max(upper, largest) ||
+             cells_.tree().place(cell).level >= contents_.depth;
+    };
+    while (!cells.empty() && !is_cancelled(control_)) {
+      cells.erase(std::remove_if(cells.begin(), cells.end(), is_done), cells.end());
+      cells = cells_.divide(cells);
+    }
+  }
+
+  /// Best first: the cell whose upper bound is the highest of its aspect is halved.
+  void find_peaks() {
+    const auto is_lower = [this](NodeIndex a, NodeIndex b) { return cells_.upper(a) < cells_.upper(b); };
+    using Queue = std::priority_queue<NodeIndex, std::vector<NodeIndex>, decltype(is_lower)>;
+    std::map<int, Queue> queues;
+    for (const NodeIndex cell : cells_.all())
+      if (cells_.aspect(cell) != 0)
+        queues.try_emplace(cells_.aspect(cell), is_lower).first->second.push(cell);
+    for (auto& [id, queue] : queues) {
+      for (std::size_t i = 0; i < halvings_of_peaks && !queue.empty() && !is_cancelled(control_); ++i) {
+        const NodeIndex top = queue.top();
+        if (cells_.upper(top) - cells_.lower(top) <= finest * cells_.upper(top)) break;
+        queue.pop();
+        const std::vector<NodeIndex> children = cells_.divide({top});
+        if (children.empty()) break;
+        for (const NodeIndex child : children) queue.push(child);
+      }
+    }
+  }
+
+  /// Undecided cells count for each aspect that they are connected with, through others such.
+  void add_deepest(MapBasins& basins) const {
+    DisjointSets sets(cells_.tree().node_count());
+    std::vector<double> upper(sets.size(), 0.0);
+    visit_faces(cells_.tree(), 0, [&](NodeIndex a, NodeIndex b) {
+      if (cells_.aspect(a) == 0 && cells_.aspect(b) == 0) sets.unite(a, b);
+    });
+    for (const NodeIndex cell : cells_.all()) {
+      double& largest = upper[sets.find(cell)];
+      largest = std::max(largest, cells_.upper(cell));
+      if (cells_.aspect(cell) != 0) take(basins, cells_.aspect(cell), cells_.lower(cell), cells_.upper(cell));
+    }
+    visit_faces(cells_.tree(), 0, [&](NodeIndex a, NodeIndex b) {
+      for (const auto& [one, other] : {std::pair(a, b), std::pair(b, a)})
+        if (cells_.aspect(one) != 0 && cells_.aspect(other) == 0)
+          take(basins, cells_.aspect(one), 0.0, upper[sets.find(other)]);
+    });
+  }
+
+  static void take(MapBasins& basins, int id, double lower, double upper) {
+    IndexRange& range = basins.deepest[static_cast<std::size_t>(id - 1)];
+    range = {std::max(range.lower, lower), std::max(range.upper, upper)};
+  }
+
+  std::vector<Basin> merge_all(BasinDetail detail, MapBasins& basins) const {
+    std::vector<std::pair<int, int>> pairs;
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < map_.unresolved().size(); ++i)
+      if (std::count(ids_.begin(), ids_.end(), map_.unresolved()[i].first) > 0) {
+        pairs.push_back(map_.unresolved()[i]);
+        places.push_back(i);
+      }
+    if (pairs.empty() && detail == BasinDetail::depths) return {};
+    const Merging merging = merge(cells_, edges_of(cells_, PathBound::upper), pairs);
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+      basins.bottlenecks[places[i]] = {0.0, merging.pair_levels[i]};
+    return detail == BasinDetail::basins ? basins_of(merging.merges, basins) : std::vector<Basin>();
+  }
+
+  std::vector<Basin> basins_of(const std::vector<PeakMerge>& merges, const MapBasins& depths) const {
+    std::vector<std::pair<NodeIndex, NodeIndex>> ends;
+    for (const PeakMerge& merge : merges) ends.emplace_back(merge.peak, merge.higher);
+    const std::vector<double> lower =
+        levels_of_joining(cells_.tree().node_count(), edges_of(cells_, PathBound::lower), ends);
+    std::vector<Basin> basins;
+    std::map<NodeIndex, std::size_t> place;  // in the list, by peak
+    for (const NodeIndex peak : roots_and_peaks(merges)) {
+      place.emplace(peak, basins.size());
+      basins.push_back(basin_at(peak));
+      basins.back().depth.upper = depths.deepest[static_cast<std::size_t>(basins.back().aspect - 1)].upper;
+    }
+    for (std::size_t i = 0; i < merges.size(); ++i) {
+      Basin& basin = basins[place.at(merges[i].peak)];
+      basin.deeper = place.at(merges[i].higher);
+      basin.saddle = {lower[i], merges[i].level};
+      basin.depth.upper = std::min(basin.depth.upper, merges[i].largest);
+    }
+    return basins;
+  }
+
+  /// Every peak of the merges, and the highest of each aspect that none of them names; the highest first.
+  std::vector<NodeIndex> roots_and_peaks(const std::vector<PeakMerge>& merges) const {
+    std::vector<NodeIndex> peaks;
+    std::map<int, NodeIndex> highest;
+    for (const NodeIndex cell : cells_.all()) {
+      if (cells_.aspect(cell) == 0) continue;
+      const auto known = highest.try_emplace(cells_.aspect(cell), cell).first;
+      if (cells_.lower(cell) > cells_.lower(known->second)) known->second = cell;
+    }
+    for (const auto& [id, cell] : highest) peaks.push_back(cell);
+    for (const PeakMerge& merge : merges) peaks.insert(peaks.end(), {merge.peak, merge.higher});
+    std::sort(peaks.begin(), peaks.end());
+    peaks.erase(std::unique(peaks.begin(), peaks.end()), peaks.end());
+    std::stable_sort(peaks.begin(), peaks.end(),
+                     [this](NodeIndex a, NodeIndex b) { return cells_.lower(a) > cells_.lower(b); });
+    return peaks;
+  }
+
+  Basin basin_at(NodeIndex peak) const {
+    const PoseTree& tree = cells_.tree();
+    const MapPosition middle{tree.place(peak).root, tree.box(peak).middle()};
+    Basin basin;
+    basin.aspect = cells_.aspect(peak);
+    basin.deepest = tree.space().pose(middle);
+    basin.depth = {std::max(cells_.lower(peak), cells_.at(middle).lower), cells_.upper(peak)};
+    return basin;
+  }
+
+  const AspectMap& map_;
+  const AspectMap::Contents& contents_;
+  const MapControl& control_;
+  IndexCells cells_;
+  std::vector<int> ids_;
+};
+
+}  // namespace
+
+namespace {
+
+/// Behind the others, which they do not refer to.
+void append(std::vector<Basin> more, std::vector<Basin>& basins) {
+  const std::size_t before = basins.size();
+  for (Basin& basin : more) {
+    if (basin.deeper) *basin.deeper += before;
+    basins.push_back(basin);
+  }
+}
+
+}  // namespace
+
+std::optional<MapBasins> find_basins(const AspectMap& map, ParallelIndex index, BasinDetail detail,
+                                     const MapControl& control) {
+  const std::size_t signs = 2 * map.contents().modes.size();
+  std::vector<std::vector<Basin>> found(signs);  // by mode, positive before negative
+  MapBasins basins;
+  basins.index = index;
+  basins.deepest.assign(map.aspects().size(), {0.0, 0.0});
+  basins.bottlenecks.assign(map.unresolved().size(), {0.0, 0.0});
+  // Each writes to what belongs to its own aspects.
+  tbb::parallel_for(std::size_t{0}, signs, [&](std::size_t i) {
+    if (!is_cancelled(control))
+      found[i] = SignBasins(map, i / 2, i % 2 == 0 ? 1 : -1, index, control).find(detail, basins);
+  });
+  if (is_cancelled(control)) return std::nullopt;
+  for (std::vector<Basin>& each : found) append(std::move(each), basins.basins);
+  return basins;
+}
+
+}  // namespace parallel_aspects

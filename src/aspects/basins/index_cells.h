@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASPECTS_BASINS_INDEX_CELLS_H
+#define PARALLEL_ASPECTS_ASPECTS_BASINS_INDEX_CELLS_H
+
+#include "aspects/map/map_contents.h"
+#include "aspects/tree/pose_tree.h"
+#include "parallel_aspects/aspects/basins.h"
+#include "parallel_aspects/singularity/indices.h"
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// The leaves of one working mode of a map that may hold poses of one sign of det A, as *cells* that can be
+/// halved further, with bounds of an index at these poses. The map must outlive this.
+class IndexCells {
+ public:
+  IndexCells(const AspectMap::Contents& map, std::size_t mode, int sign, ParallelIndex index);
+
+  const PoseTree& tree() const noexcept { return tree_; }
+
+  bool is_cell(NodeIndex node) const noexcept { return tree_.state(node, 0).may_be(sign_); }
+  /// Whether all its poses are proved to belong to S(mode, sign).
+  bool is_inside(NodeIndex node) const noexcept { return tree_.state(node, 0).is_inside(sign_); }
+  std::vector<NodeIndex> all() const;
+
+  /// No index in it is higher.
+  double upper(NodeIndex cell) const noexcept { return bounds_[cell].upper; }
+  /// None is lower; 0 where not all poses are proved to belong to S(mode, sign).
+  double lower(NodeIndex cell) const noexcept { return bounds_[cell].lower; }
+
+  /// Id of the aspect that it is proved to lie in; 0 where the map does not tell.
+  int aspect(NodeIndex cell) const noexcept { return aspects_[cell]; }
+
+  /// The index at one pose. 0 to the largest where it is not known.
+  IndexRange at(const MapPosition& position) const;
+
+  /// Halves these cells along every coordinate, those alone that can be. Returns their children that are
+  /// cells.
+  std::vector<NodeIndex> divide(const std::vector<NodeIndex>& cells);
+
+ private:
+  void copy(NodeIndex from, NodeIndex to);
+  NodeIndex add_children(NodeIndex cell);
+  void classify(NodeIndex node);
+  void bound(const std::vector<NodeIndex>& nodes);
+  void bound(NodeIndex node);
+
+  const AspectMap::Contents& map_;
+  std::size_t mode_;
+  int sign_;
+  ParallelIndex index_;
+  PoseTree tree_;  // of this mode alone
+  std::vector<int> aspects_;
+  std::vector<IndexRange> bounds_;
+};
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ASPECTS_BASINS_INDEX_CELLS_H

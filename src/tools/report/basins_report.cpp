@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/report/basins_report.h"
+
+#include "tools/report/reports.h"
+#include "tools/report/text_table.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace parallel_aspects::tools {
+namespace {
+
+using nlohmann::json;
+
+constexpr int bar_width = 40;
+constexpr std::size_t max_pairs = 12;  // that are listed by themselves
+
+json json_range(const IndexRange& range) {
+  return {{"lower", json_number(range.lower)}, {"upper", json_number(range.upper)}};
+}
+
+std::string index_name(ParallelIndex index) {
+  return index == ParallelIndex::normalised ? "parallel index" : "|det A|";
+}
+
+json json_basin(const AspectMap& map, const Basin& basin) {
+  json object = {{"aspect", basin.aspect},
+                 {"deepest_index", json_range(basin.depth)},
+                 {"deepest_pose", json_pose(map.manipulator()->task_space(), basin.deepest)},
+                 {"deeper", nullptr},
+                 {"saddle", nullptr}};
+  if (!basin.deeper) return object;
+  object["deeper"] = *basin.deeper;
+  object["saddle"] = json_range(basin.saddle);
+  return object;
+}
+
+/// From the saddle to the depth, on a scale from 0 to `largest`.
+std::string bar(const Basin& basin, double largest) {
+  const auto place = [largest](double index) {
+    return largest > 0.0 ? static_cast<std::size_t>(std::lround(bar_width * std::min(1.0, index / largest)))
+                         : 0U;
+  };
+  const std::size_t from = basin.deeper ? place(basin.saddle.upper) : 0, to = place(basin.depth.lower);
+  return std::string(from, ' ') + std::string(std::max<std::size_t>(1, to > from ? to - from : 1), '#');
+}
+
+std::string persistence_text(const AspectMap& map, const MapBasins& basins) {
+  double largest = 0.0;
+  for (const Basin& basin : basins.basins) largest = std::max(largest, basin.depth.upper);
+  TextTable table({">basin", ">aspect", "largest " + index_name(basins.index), "joins basin", "at",
+                   "deepest pose", "from there to its largest"});
+  for (std::size_t i = 0; i < basins.basins.size(); ++i) {
+    const Basin& basin = basins.basins[i];
+    table.add({std::to_string(i + 1), std::to_string(basin.aspect), shown_range(basin.depth),
+               basin.deeper ? std::to_string(*basin.deeper + 1) : "-",
+               basin.deeper ? shown_range(basin.saddle) : "-",
+               to_string(map.manipulator()->task_space(), basin.deepest), bar(basin, largest)});
+  }
+  return "\nbasins: parts of aspects that a larger margin separates\n" + table.text();
+}
+
+std::string pairs_text(const AspectMap& map, const MapBasins& basins) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(max_pairs, basins.bottlenecks.size()); ++i)
+    text += "  " + std::to_string(map.unresolved()[i].first) + " and " +
+            std::to_string(map.unresolved()[i].second) + ": no path between them keeps a larger " +
+            index_name(basins.index) + " than " + shown_briefly(basins.bottlenecks[i].upper) + "\n";
+  return text;
+}
+
+}  // namespace
+
+std::string shown_range(const IndexRange& range) {
+  const std::string lower = shown_briefly(range.lower), upper = shown_briefly(range.upper);
+  return lower == upper ? lower : lower + " to " + upper;
+}
+
+std::string name(ParallelIndex index) { return index == ParallelIndex::normalised ? "parallel" : "det_a"; }
+
+void add_depths(const AspectMap& map, const MapBasins& basins, Report& report) {
+  report.json["index"] = name(basins.index);
+  for (std::size_t i = 0; i < basins.deepest.size(); ++i)
+    report.json["aspects"][i]["deepest_index"] = json_range(basins.deepest[i]);
+  report.json["bottlenecks"] = json::array();
+  for (std::size_t i = 0; i < basins.bottlenecks.size(); ++i)
+    report.json["bottlenecks"].push_back(
+        {{"aspects", map.unresolved()[i]}, {"bottleneck", json_range(basins.bottlenecks[i])}});
+  report.text += pairs_text(map, basins);
+}
+
+void add_persistence(const AspectMap& map, const MapBasins& basins, Report& report) {
+  report.json["basins"] = json::array();
+  for (const Basin& basin : basins.basins) report.json["basins"].push_back(json_basin(map, basin));
+  report.text += persistence_text(map, basins);
+}
+
+json json_bottleneck(ParallelIndex index, const Bottleneck& bottleneck) {
+  if (bottleneck.status != BottleneckStatus::found) return nullptr;
+  json object = json_range(bottleneck.index);
+  object["index"] = name(index);
+  return object;
+}
+
+std::string bottleneck_text(ParallelIndex index, const Bottleneck& bottleneck) {
+  if (bottleneck.status != BottleneckStatus::found) return bottleneck.message;
+  return "the largest " + index_name(index) + " that a path can keep is " + shown_range(bottleneck.index);
+}
+
+}  // namespace parallel_aspects::tools

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_TOOLS_REPORT_BASINS_REPORT_H
+#define PARALLEL_ASPECTS_TOOLS_REPORT_BASINS_REPORT_H
+
+#include "parallel_aspects/aspects/basins.h"
+#include "tools/report/report.h"
+
+#include <string>
+
+namespace parallel_aspects::tools {
+
+/// "0.93 to 0.95", or one number where the two are shown alike.
+std::string shown_range(const IndexRange& range);
+
+/// "parallel" or "det_a", as it is written for --index and --margin.
+std::string name(ParallelIndex index);
+
+/// Adds to each aspect of a report of `aspects map` its largest index, and how well those that could be one
+/// are connected.
+void add_depths(const AspectMap& map, const MapBasins& basins, Report& report);
+
+/// `aspects map --persistence`: the basins of each aspect, as a table with bars.
+void add_persistence(const AspectMap& map, const MapBasins& basins, Report& report);
+
+/// `aspects connect`: the largest index that a path can keep.
+nlohmann::json json_bottleneck(ParallelIndex index, const Bottleneck& bottleneck);
+std::string bottleneck_text(ParallelIndex index, const Bottleneck& bottleneck);
+
+}  // namespace parallel_aspects::tools
+
+#endif  // PARALLEL_ASPECTS_TOOLS_REPORT_BASINS_REPORT_H

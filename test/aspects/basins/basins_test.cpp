@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/aspects/basins.h"
+
+#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/singularity/indices.h"
+
+#include <gtest/gtest.h>
+
+#include "support/index_at.h"
+#include "support/robots.h"
+#include "support/slices.h"
+#include "support/thoroughness.h"
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace parallel_aspects {
+namespace {
+
+using Robot = std::shared_ptr<const Manipulator>;
+
+/// A map of two coordinates with the pose of each pair of their values.
+struct Planes {
+  const char* name;
+  std::function<Robot()> make;
+  test::Held held;  // of a slice; empty for a map
+};
+
+/// The widest path on a grid, by code of its own: the largest index that a path of neighbouring grid points
+/// can keep, each of eight being a neighbour.
+class Grid {
+ public:
+  Grid(const AspectMap& map, const WorkingMode& mode, int sign, ParallelIndex index, int count)
+      : map_(map),
+        count_(count),
+        values_(static_cast<std::size_t>(count) * static_cast<std::size_t>(count), 0.0) {
+    const Manipulator& robot = *map.manipulator();
+    for (int i = 0; i < count; ++i)
+      for (int k = 0; k < count; ++k) {
+        const InverseSolution found = inverse(robot, pose(i, k), mode);
+        if (found.status != InverseStatus::solved || !robot.within_limits(found.q)) continue;
+        const test::IndexAt at(robot, pose(i, k), found.q);
+        if (at.signed_determinant() * sign <= 0.0L) continue;
+        values_[place(i, k)] =
+            static_cast<double>(index == ParallelIndex::normalised ? at.parallel() : at.determinant());
+      }
+  }
+
+  Pose pose(int i, int k) const {
+    const Box region = map_.region();
+    const auto at = [&](std::size_t axis, int step) {
+      return region.lower[axis] + region.width(axis) * (step + 0.5) / count_;
+    };
+    const double x = at(0, i), y = at(1, k);
+    if (!map_.slice()) return Pose::planar(x, y);
+    Pose pose = map_.slice()->held;
+    const double values[] = {x, y};
+    for (std::size_t c = 0, next = 0; c < 3; ++c)
+      if (map_.slice()->moves[c]) pose.position[static_cast<Eigen::Index>(c)] = values[next++];
+    return pose;
+  }
+
+  double value(int i, int k) const { return values_[place(i, k)]; }
+
+  /// Points are added by falling value, until the two are joined.
+  double widest(std::size_t from, std::size_t to) const {
+    std::vector<std::size_t> order(values_.size()), parent(values_.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::iota(parent.begin(), parent.end(), 0U);
+    std::sort(order.begin(), order.end(),
+              [this](std::size_t a, std::size_t b) { return values_[a] > values_[b]; });
+    const std::function<std::size_t(std::size_t)> root = [&parent](std::size_t item) {
+      while (parent[item] != item) item = parent[item] = parent[parent[item]];
+      return item;
+    };
+    std::vector<bool> is_there(values_.size(), false);
+    for (const std::size_t item : order) {
+      if (!(values_[item] > 0.0)) return 0.0;
+      is_there[item] = true;
+      const auto i = static_cast<int>(item) / count_, k = static_cast<int>(item) % count_;
+      for (int a = std::max(0, i - 1); a <= std::min(count_ - 1, i + 1); ++a)
+        for (int b = std::max(0, k - 1); b <= std::min(count_ - 1, k + 1); ++b)
+          if (is_there[place(a, b)]) parent[root(place(a, b))] = root(item);
+      if (is_there[from] && is_there[to] && root(from) == root(to)) return values_[item];
+    }
+    return 0.0;
+  }
+
+  /// The largest value that is reached from the point nearest to a pose on paths above a level.
+  double largest_from(double x, double y, double level) const {
+    const auto step = [&](std::size_t axis, double value) {
+      const Box region = map_.region();
+      return std::clamp(static_cast<int>((value - region.lower[axis]) / region.width(axis) * count_), 0,
+                        count_ - 1);
+    };
+    std::vector<bool> is_there(values_.size(), false);
+    std::vector<std::pair<int, int>> open{{step(0, x), step(1, y)}};
+    double largest = 0.0;
+    while (!open.empty()) {
+      const auto [i, k] = open.back();
+      open.pop_back();
+      if (is_there[place(i, k)] || !(value(i, k) > level)) continue;
+      is_there[place(i, k)] = true;
+      largest = std::max(largest, value(i, k));
+      // Diagonal neighbours could be across a gap.
+      if (i > 0) open.emplace_back(i - 1, k);
+      if (i + 1 < count_) open.emplace_back(i + 1, k);
+      if (k > 0) open.emplace_back(i, k - 1);
+      if (k + 1 < count_) open.emplace_back(i, k + 1);
+    }
+    return largest;
+  }
+
+  std::size_t place(int i, int k) const {
+    return static_cast<std::size_t>(i) * static_cast<std::size_t>(count_) + static_cast<std::size_t>(k);
+  }
+
+ private:
+  const AspectMap& map_;
+  int count_;
+  std::vector<double> values_;
+};
+
+class BasinsTest : public testing::TestWithParam<Planes> {
+ protected:
+  void SetUp() override {
+    const Robot robot = GetParam().make();
+    MapOptions options;
+    if (!GetParam().held.empty()) options.slice = test::slice_of(robot, GetParam().held);
+    options.modes = {WorkingMode(robot->leg_count())};
+    map = compute_aspect_map(robot, options).map;
+    ASSERT_TRUE(map);
+  }
+
+  std::shared_ptr<const AspectMap> map;
+};
+
+TEST_P(BasinsTest, BottlenecksAreThoseOfAGrid) {
+  constexpr int count = test::is_sanitized ? 100 : 700;
+  const WorkingMode mode(map->manipulator()->leg_count());
+  std::mt19937_64 random{7};
+  for (const ParallelIndex index : {ParallelIndex::normalised, ParallelIndex::determinant}) {
+    const Grid grid(*map, mode, map->aspects().front().determinant_sign, index, count);
+    const auto draw = [&] {
+      for (int i = 0; i < 1000000; ++i) {
+        const int a = static_cast<int>(random() % count), b = static_cast<int>(random() % count);
+        if (grid.value(a, b) > 0.0 && map->locate(grid.pose(a, b), mode)) return std::pair(a, b);
+      }
+      return std::pair(0, 0);
+    };
+    for (int n = 0; n < test::thinned(10); ++n) {
+      const auto from = draw(), to = draw();
+      const Pose first = grid.pose(from.first, from.second), second = grid.pose(to.first, to.second);
+      const Bottleneck found = find_bottleneck(*map, mode, first, second, index);
+      const double expected =
+          grid.widest(grid.place(from.first, from.second), grid.place(to.first, to.second));
+      const std::string what = to_string(map->manipulator()->task_space(), first) + " to " +
+                               to_string(map->manipulator()->task_space(), second);
+      if (found.status == BottleneckStatus::separate) {
+        EXPECT_EQ(expected, 0.0) << what;
+        continue;
+      }
+      ASSERT_EQ(found.status, BottleneckStatus::found) << found.message;
+      // A grid misses the best path by a cell.
+      const double scale = index == ParallelIndex::normalised ? 1.0 : map->manipulator()->size();
+      const double coarse = 0.02 * (expected + 0.01 * scale);
+      EXPECT_LE(found.index.lower, expected + coarse) << what;
+      EXPECT_GE(found.index.upper, expected - coarse) << what;
+      EXPECT_LE(found.index.upper - found.index.lower, std::max(0.05 * found.index.upper, 0.001)) << what;
+    }
+  }
+}
+
+// Of the five-bar also the mode with the shallow aspect, whose largest index is at a serial singularity.
+TEST(Basins, EndAtSerialSingularities) {
+  const Robot robot = test::five_bar();
+  MapOptions options;
+  options.modes = {*WorkingMode::from_signs({-1, 1})};
+  const auto map = compute_aspect_map(robot, options).map;
+  ASSERT_TRUE(map);
+  const auto basins = find_basins(*map, ParallelIndex::normalised, BasinDetail::basins);
+  ASSERT_TRUE(basins);
+  bool found = false;
+  for (const Basin& basin : basins->basins) {
+    if (basin.depth.lower > 0.6) continue;
+    found = true;
+    const Grid grid(*map, options.modes[0], -1, ParallelIndex::normalised, 1000);
+    const double largest = grid.largest_from(basin.deepest.position.x(), basin.deepest.position.y(), 0.02);
+    EXPECT_GT(largest, 0.55);
+    EXPECT_LE(largest, basin.depth.upper);
+  }
+  EXPECT_TRUE(found);
+}
+
+TEST_P(BasinsTest, NoPoseIsDeeperThanItsAspect) {
+  const auto basins = find_basins(*map, ParallelIndex::normalised, BasinDetail::basins);
+  ASSERT_TRUE(basins);
+  const WorkingMode mode(map->manipulator()->leg_count());
+  std::vector<double> largest(map->aspects().size(), 0.0);
+  const Grid grid(*map, mode, 1, ParallelIndex::normalised, 150),
+      other(*map, mode, -1, ParallelIndex::normalised, 150);
+  for (int i = 0; i < 150; ++i)
+    for (int k = 0; k < 150; ++k) {
+      const Location at = map->locate(grid.pose(i, k), mode);
+      if (!at) continue;
+      double& known = largest[static_cast<std::size_t>(at.aspect - 1)];
+      known = std::max({known, grid.value(i, k), other.value(i, k)});
+    }
+  for (std::size_t i = 0; i < largest.size(); ++i) {
+    EXPECT_LE(largest[i], basins->deepest[i].upper + 1e-12);
+    EXPECT_LE(basins->deepest[i].lower, basins->deepest[i].upper);
+    EXPECT_GT(basins->deepest[i].lower, 0.0);
+  }
+  for (const Basin& basin : basins->basins) {
+    const InverseSolution found = inverse(*map->manipulator(), basin.deepest, mode);
+    ASSERT_EQ(found.status, InverseStatus::solved);
+    EXPECT_GE(parallel_index(*map->manipulator(), basin.deepest, found.q), basin.depth.lower - 1e-12);
+    if (!map->slice()) {
+      const int sign = map->aspects()[static_cast<std::size_t>(basin.aspect - 1)].determinant_sign;
+      const Grid fine(*map, mode, sign, ParallelIndex::normalised, 600);
+      const double level = basin.deeper ? basin.saddle.upper : 0.02;
+      EXPECT_LE(fine.largest_from(basin.deepest.position.x(), basin.deepest.position.y(), level),
+                basin.depth.upper + 1e-12);
+    }
+    if (!basin.deeper) continue;
+    EXPECT_LT(basin.saddle.upper, basin.depth.lower);
+    EXPECT_LE(basin.saddle.lower, basin.saddle.upper);
+    const Basin& deeper = basins->basins[*basin.deeper];
+    const Bottleneck between =
+        find_bottleneck(*map, mode, basin.deepest, deeper.deepest, ParallelIndex::normalised);
+    if (between.status != BottleneckStatus::found) continue;
+    EXPECT_LE(between.index.lower, basin.saddle.upper);
+    EXPECT_GE(between.index.upper, basin.saddle.lower);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, BasinsTest,
+                         testing::Values(Planes{"five_bar", test::five_bar, {}},
+                                         Planes{"three_rrr", test::three_rrr, {{"phi", 0.3}}},
+                                         Planes{"delta", test::delta, {{"z", -0.6}}}),
+                         [](const auto& each) { return std::string(each.param.name); });
+
+}  // namespace
+}  // namespace parallel_aspects
