@@ -14,6 +14,7 @@
 namespace parallel_aspects {}
 
 #include "parallel_aspects/aspects/aspect_map.h"
+#include "parallel_aspects/aspects/basins.h"
 #include "parallel_aspects/aspects/boundary_curves.h"
 #include "parallel_aspects/aspects/box.h"
 #include "parallel_aspects/aspects/constraint_boundaries.h"

@@ -89,6 +89,11 @@ inline Interval intersection(const Interval& a, const Interval& b) noexcept {
   return {std::max(a.lower(), b.lower()), std::min(a.upper(), b.upper())};
 }
 
+/// { |x| : x in a }.
+inline Interval absolute(const Interval& a) noexcept {
+  return {std::max({0.0, a.lower(), -a.upper()}), std::max(-a.lower(), a.upper())};
+}
+
 /// The part of `a` that is not negative; `a` must have one.
 inline Interval not_negative_part(const Interval& a) noexcept {
   return {std::max(0.0, a.lower()), std::max(0.0, a.upper())};

@@ -53,6 +53,16 @@ class PlanarLeg {
   template <class Scalar>
   PlanarLegForm<Scalar> form(const Planar<Scalar>& d) const;
 
+  /// How much longer the direction of `form` is than u.
+  template <class Scalar>
+  Scalar scale(const Planar<Scalar>& d) const {
+    return type_ == LegType::revolute ? squared_norm(d) : Scalar(1.0);
+  }
+
+  /// The square of the length of the direction of `form`, in the plane.
+  template <class Scalar>
+  Scalar squared_rod(const Planar<Scalar>& d) const;
+
   /// Limits of the joint value of branch `sign`, where |B_jj| is `entry`.
   template <class Scalar>
   LimitFunctions<Scalar> limits(const Planar<Scalar>& d, const Scalar& entry, int sign) const;
@@ -128,6 +138,20 @@ PlanarLegForm<Scalar> PlanarLeg::form_with_crank(const Planar<Scalar>& d) const 
   return {Interval(0.25) * ((squared_longest_ - squared_distance) * (squared_distance - squared_shortest_)),
           {along * d.x, along * d.y},
           turned};
+}
+
+template <class Scalar>
+Scalar PlanarLeg::squared_rod(const Planar<Scalar>& d) const {
+  switch (type_) {
+    case LegType::revolute:
+      return squared_rod_ * square(squared_norm(d));
+    case LegType::prismatic:
+      return Scalar(squared_rod_);
+    case LegType::strut:
+    case LegType::elbow:
+      break;
+  }
+  return squared_norm(d);
 }
 
 template <class Scalar>

@@ -22,6 +22,7 @@ void SpatialLeg::set(const RevoluteActuation& actuation, const Leg& leg) {
   side_direction_ = cross(axis_, zero_direction_);
   const Interval crank(actuation.radius), rod(leg.rod_length);
   rod_ = rod;
+  squared_rod_ = square(rod);
   squared_longest_ = square(crank + rod);
   squared_shortest_ = square(crank - rod);
   squared_crank_ = square(crank);

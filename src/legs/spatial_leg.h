@@ -52,6 +52,16 @@ class SpatialLeg {
   template <class Scalar>
   SpatialLegForm<Scalar> form(const Spatial<Scalar>& d) const;
 
+  /// How much longer the direction of `form` is than u.
+  template <class Scalar>
+  Scalar scale(const Spatial<Scalar>& d) const {
+    return type_ == LegType::revolute ? squared_norm(d) - square(dot(axis_, d)) : Scalar(1.0);
+  }
+
+  /// The square of the length of the direction of `form`.
+  template <class Scalar>
+  Scalar squared_rod(const Spatial<Scalar>& d) const;
+
   /// Limits of the joint value of branch `sign`, where |B_jj| is `entry`.
   template <class Scalar>
   LimitFunctions<Scalar> limits(const Spatial<Scalar>& d, const Scalar& entry, int sign) const;
@@ -123,6 +133,20 @@ SpatialLegForm<Scalar> SpatialLeg::form_with_crank(const Spatial<Scalar>& d) con
           {k * d[0] + axis_[0] * lift, k * d[1] + axis_[1] * lift, k * d[2] + axis_[2] * lift},
           {axis_[1] * d[2] - axis_[2] * d[1], axis_[2] * d[0] - axis_[0] * d[2],
            axis_[0] * d[1] - axis_[1] * d[0]}};
+}
+
+template <class Scalar>
+Scalar SpatialLeg::squared_rod(const Spatial<Scalar>& d) const {
+  switch (type_) {
+    case LegType::revolute:
+      return squared_rod_ * square(scale(d));
+    case LegType::prismatic:
+      return Scalar(squared_rod_);
+    case LegType::strut:
+    case LegType::elbow:
+      break;
+  }
+  return squared_norm(d);
 }
 
 template <class Scalar>

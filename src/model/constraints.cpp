@@ -25,6 +25,7 @@ class Check {
       std::visit([&](const auto& shape) { check(obstacle.name, shape); }, obstacle.shape);
     if (!constraints_.obstacles.empty()) check_links("obstacles");
     if (constraints_.workspace) check_workspace(*constraints_.workspace);
+    check_margins(constraints_.margins);
     for (const PassiveLimit& limit : constraints_.passive_limits) check_passive(limit);
     for (const PassiveCone& limit : constraints_.passive_cones) check_cone(limit.cone);
     for (const BallJointCone& cone : constraints_.cones) check_cone(cone);
@@ -90,6 +91,13 @@ class Check {
                 std::to_string(i + 1) + " is not.");
   }
 
+  void check_margins(const Margins& margins) {
+    for (const NamedMargin& margin : named_margins)
+      if (!(margins.*margin.member >= 0.0 && margins.*margin.member < margin.bound))
+        problem("The margin '" + std::string(margin.name) + "' is not " + std::string(margin.range) +
+                "; give " + std::string(margin.meaning) + ".");
+  }
+
   void check_passive(const PassiveLimit& limit) {
     if (limit.leg >= legs_.size() || !std::isfinite(limit.offset) || std::abs(limit.sense) != 1.0 ||
         !(limit.limits.lower <= limit.limits.upper) || !is_planar(space_))
@@ -141,9 +149,11 @@ std::string_view name(ConstraintKind kind) noexcept {
     case ConstraintKind::obstacles:
       return "obstacles";
     case ConstraintKind::workspace:
+      return "workspace";
+    case ConstraintKind::margins:
       break;
   }
-  return "workspace";
+  return "margins";
 }
 
 std::string_view name(LegEnd end) noexcept { return end == LegEnd::base ? "base" : "platform"; }

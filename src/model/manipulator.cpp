@@ -158,6 +158,7 @@ ConstraintKinds Manipulator::constraint_kinds() const noexcept {
   kinds[index_of(ConstraintKind::self_collision)] = constraints.self_collision.has_value();
   kinds[index_of(ConstraintKind::obstacles)] = !constraints.obstacles.empty();
   kinds[index_of(ConstraintKind::workspace)] = constraints.workspace.has_value();
+  kinds[index_of(ConstraintKind::margins)] = constraints.margins.any();
   return kinds;
 }
 
@@ -179,6 +180,13 @@ std::shared_ptr<const Manipulator> Manipulator::with_constraints(ConstraintKinds
     constraints.self_collision.emplace();
   if (!asked(ConstraintKind::obstacles)) constraints.obstacles.clear();
   if (!asked(ConstraintKind::workspace)) constraints.workspace.reset();
+  if (!asked(ConstraintKind::margins)) constraints.margins = {};
+  return std::make_shared<const Manipulator>(std::move(description));
+}
+
+std::shared_ptr<const Manipulator> Manipulator::with_margins(const Margins& margins) const {
+  ManipulatorDescription description = description_;
+  description.constraints.margins = margins;
   return std::make_shared<const Manipulator>(std::move(description));
 }
 

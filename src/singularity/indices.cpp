@@ -2,9 +2,32 @@
 #include "parallel_aspects/singularity/indices.h"
 
 #include "model/linear_algebra.h"
+#include "model/matrix_row.h"
+#include "model/task_space_traits.h"
 #include "parallel_aspects/kinematics/jacobians.h"
 
+#include <cmath>
+
 namespace parallel_aspects {
+namespace {
+
+struct Anchors {
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  double distance = 1.0;  // from the middle, root of the mean square
+};
+
+Anchors anchors_of(const Manipulator& manipulator) {
+  Anchors anchors;
+  const auto count = static_cast<double>(manipulator.leg_count());
+  for (const Leg& leg : manipulator.legs()) anchors.middle += leg.anchor / count;
+  double sum = 0.0;
+  for (const Leg& leg : manipulator.legs()) sum += (leg.anchor - anchors.middle).squaredNorm() / count;
+  if (sum > 0.0) anchors.distance = std::sqrt(sum);
+  return anchors;
+}
+
+}  // namespace
+
 SingularityIndices singularity_indices(const Manipulator& manipulator, const Pose& pose,
                                        const JointVector& q) {
   const TaskMatrix direct = direct_matrix(manipulator, pose, q);
@@ -13,6 +36,34 @@ SingularityIndices singularity_indices(const Manipulator& manipulator, const Pos
   const double smallest = values[values.size() - 1];
   return {determinant(direct), inverse_diagonal(manipulator, pose, q), smallest,
           largest > 0.0 ? smallest / largest : 0.0};
+}
+
+double parallel_index(const Manipulator& manipulator, const Pose& pose, const JointVector& q) {
+  const TaskSpace space = manipulator.task_space();
+  const Anchors anchors =
+      traits(space).rotations > 0 && traits(space).translations > 0 ? anchors_of(manipulator) : Anchors();
+  const auto rotations = static_cast<Eigen::Index>(traits(space).rotations);
+  TaskMatrix matrix = direct_matrix(manipulator, pose, q);
+  double norms = 1.0;
+  for (Eigen::Index j = 0; j < matrix.rows(); ++j) {
+    const Leg& leg = manipulator.leg(static_cast<std::size_t>(j));
+    const Eigen::Vector3d u = pose.transform(leg.anchor) - leg.proximal_point(q[j]);
+    const Eigen::Vector3d b = pose.orientation * (leg.anchor - anchors.middle);
+    auto row = matrix.row(j);
+    write_row(space, b, u, row);
+    row.head(rotations) /= anchors.distance;
+    norms *= space == TaskSpace::T1 ? u.head<2>().norm() : row.norm();
+  }
+  return norms > 0.0 ? std::abs(determinant(matrix)) / norms : 0.0;
+}
+
+TaskVector serial_indices(const Manipulator& manipulator, const Pose& pose, const JointVector& q) {
+  TaskVector indices = inverse_diagonal(manipulator, pose, q).cwiseAbs();
+  for (Eigen::Index j = 0; j < indices.size(); ++j) {
+    const double largest = manipulator.leg(static_cast<std::size_t>(j)).largest_entry();
+    indices[j] = largest > 0.0 ? indices[j] / largest : 1.0;
+  }
+  return indices;
 }
 
 }  // namespace parallel_aspects

@@ -99,6 +99,21 @@ std::optional<WorkingMode> parse_mode(const std::string& option, const Manipulat
   return std::nullopt;
 }
 
+Option index_option(std::string& text) {
+  return {
+      "--index", "NAME",
+      "By which index depths and bottlenecks are measured: parallel, |det A| over the norms of its rows, or "
+      "det_a, |det A| itself; by default parallel",
+      &text};
+}
+
+ParallelIndex parse_index(const std::string& text, Problems& problems) {
+  if (text == "det_a") return ParallelIndex::determinant;
+  if (!text.empty() && text != "parallel")
+    problems.push_back("--index is '" + text + "'; give parallel or det_a.");
+  return ParallelIndex::normalised;
+}
+
 RoadmapOptions parse_roadmap(const RoadmapArguments& arguments, Problems& problems) {
   RoadmapOptions options;
   if (!arguments.samples.empty())

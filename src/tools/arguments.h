@@ -8,6 +8,7 @@
 #include "parallel_aspects/kinematics/working_mode.h"
 #include "parallel_aspects/model/pose.h"
 #include "parallel_aspects/model/problems.h"
+#include "parallel_aspects/singularity/indices.h"
 #include "tools/command.h"
 #include "tools/subcommands.h"
 
@@ -39,18 +40,27 @@ MapSlice parse_slice(const std::string& option, TaskSpace space, const std::stri
 Box parse_region(const std::string& option, const std::vector<std::string>& names, const std::string& text,
                  Problems& problems);
 
+/// The margins that `text` gives, such as "parallel=0.05 serial=0.1", separated by blanks or commas.
+Margins parse_margins(const std::string& option, std::string text, Problems& problems);
+
 /// Which constraints bound the aspects, as text from the command line; empty where not given.
 struct ConstraintArguments {
-  std::string only, without;
+  std::string only, without, margins;
 };
 
-/// `--constraint LIST` and `--no-constraint LIST`, which fill `arguments`.
+/// `--constraint LIST`, `--no-constraint LIST` and `--margin LIST`, which fill `arguments`.
 std::vector<Option> constraint_options(ConstraintArguments& arguments);
 
 /// The manipulator with the constraints that are chosen; by default those that its description states.
 /// Throws `InvalidDescription` with every problem.
 std::shared_ptr<const Manipulator> choose_constraints(std::shared_ptr<const Manipulator> manipulator,
                                                       const ConstraintArguments& arguments);
+
+/// `--index NAME`, which fills `text`.
+Option index_option(std::string& text);
+
+/// "parallel", which is taken for no text, or "det_a".
+ParallelIndex parse_index(const std::string& text, Problems& problems);
 
 /// What is sampled for a roadmap, as text from the command line; empty where not given.
 struct RoadmapArguments {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/arguments.h"
+#include "tools/report/numbers.h"
 
 #include <algorithm>
 #include <sstream>
@@ -45,14 +46,41 @@ void require(ConstraintKinds kinds, const Manipulator& manipulator, Problems& pr
                          "' has none of; state it in the robot's YAML or URDF, or leave it out.");
 }
 
+void read_margin(const std::string& option, const std::string& word, Margins& margins, Problems& problems) {
+  const std::size_t equals = word.find('=');
+  const std::string name = word.substr(0, equals);
+  const auto found = std::find_if(named_margins.begin(), named_margins.end(),
+                                  [&name](const NamedMargin& margin) { return margin.name == name; });
+  if (equals == std::string::npos || found == named_margins.end())
+    return problems.push_back(option + " has '" + word +
+                              "'; give some of parallel, serial and det_a, such as "
+                              "\"parallel=0.05 serial=0.1\".");
+  const auto value = parse_numbers(option, word.substr(equals + 1), {name}, problems);
+  if (!value.empty()) margins.*found->member = value.front();
+}
+
 }  // namespace
 
+Margins parse_margins(const std::string& option, std::string text, Problems& problems) {
+  std::replace(text.begin(), text.end(), ',', ' ');
+  std::istringstream words(text);
+  Margins margins;
+  for (std::string word; words >> word;) read_margin(option, word, margins, problems);
+  return margins;
+}
+
 std::vector<Option> constraint_options(ConstraintArguments& arguments) {
-  return {{"--constraint", "LIST",
-           "Constraints that bound the aspects besides singularities, separated by commas: " + known_names() +
-               "; by default all that the robot has",
-           &arguments.only},
-          {"--no-constraint", "LIST", "Constraints to leave out", &arguments.without}};
+  return {
+      {"--constraint", "LIST",
+       "Constraints that bound the aspects besides singularities, separated by commas: " + known_names() +
+           "; by default all that the robot has",
+       &arguments.only},
+      {"--no-constraint", "LIST", "Constraints to leave out", &arguments.without},
+      {"--margin", "LIST",
+       "Least indices, in place of those that the robot has, such as \"parallel=0.05 serial=0.1\": |det A| "
+       "over the norms of its rows and |B_jj| over its largest, 0 at singularities and 1 at most; "
+       "det_a=20000: |det A| itself",
+       &arguments.margins}};
 }
 
 std::shared_ptr<const Manipulator> choose_constraints(std::shared_ptr<const Manipulator> manipulator,
@@ -63,8 +91,10 @@ std::shared_ptr<const Manipulator> choose_constraints(std::shared_ptr<const Mani
       arguments.only.empty() ? all : parse_kinds("--constraint", arguments.only, all, problems);
   kinds &= ~parse_kinds("--no-constraint", arguments.without, all, problems);
   require(kinds, *manipulator, problems);
+  const Margins margins = parse_margins("--margin", arguments.margins, problems);
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
-  return kinds == all ? manipulator : manipulator->with_constraints(kinds);
+  if (kinds != all) manipulator = manipulator->with_constraints(kinds);
+  return arguments.margins.empty() ? manipulator : manipulator->with_margins(margins);
 }
 
 }  // namespace parallel_aspects::tools

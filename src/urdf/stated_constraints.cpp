@@ -105,7 +105,8 @@ void add_stated_constraints(const ConstraintsConfig& config, std::optional<doubl
   try {
     contents.manipulator = std::make_shared<const Manipulator>(description);
     if (symmetrize) {
-      symmetrize_constraints(description, contents.manipulator->size(), *symmetrize, files, contents.notes);
+      symmetrize_constraints(description, contents.symmetric, contents.manipulator->size(), *symmetrize,
+                             files, contents.notes);
       contents.manipulator = std::make_shared<const Manipulator>(description);
     }
   } catch (const InvalidDescription& invalid) {

@@ -7,6 +7,7 @@
 
 #include <Eigen/Dense>
 
+#include "support/index_at.h"
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -23,7 +24,17 @@ class ClearanceAt {
       : robot_(robot), constraints_(robot.constraints()), pose_(pose), q_(q) {}
 
   double of_all() const {
-    return std::min({of_workspace(), of_passive_joints(), of_cones(), of_self_collision(), of_obstacles()});
+    return std::min(
+        {of_workspace(), of_passive_joints(), of_cones(), of_self_collision(), of_obstacles(), of_margins()});
+  }
+
+  /// No unit: of indices.
+  double of_margins() const {
+    const Margins& margins = constraints_.margins;
+    const IndexAt at(robot_, pose_, q_);
+    const auto parallel = static_cast<double>(at.parallel()), serial = static_cast<double>(at.serial());
+    return std::min(margins.parallel > 0.0 ? parallel - margins.parallel : infinity,
+                    margins.serial > 0.0 ? serial - margins.serial : infinity);
   }
 
   double of_workspace() const {

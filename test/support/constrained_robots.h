@@ -33,6 +33,7 @@ inline Constraints all_kinds(const Robot& robot, double thickness) {
                                                  Eigen::Vector3d(0.05, 0.02, 0.04) * size}});
   result.workspace =
       WorkspaceBox{Eigen::Vector3d::Constant(-0.6 * size), Eigen::Vector3d::Constant(0.55 * size)};
+  result.margins = {0.1, 0.15, 0.0};
   const bool planar = is_planar(robot->task_space());
   const bool crank = robot->leg(1).kind().has_crank;
   const Eigen::Vector3d down = -Eigen::Vector3d::UnitZ(), across = Eigen::Vector3d::UnitY();

@@ -24,6 +24,7 @@ enum class BoundaryKind {
   self_collision,  ///< links of two legs touch
   obstacle,        ///< a link or the platform touches an obstacle
   workspace,       ///< the operational point on the side of its box
+  margin,          ///< an index of singularities as small as its margin lets it be
 };
 
 /// A short straight piece of the boundary of the aspects of one working mode, for drawing: approximated

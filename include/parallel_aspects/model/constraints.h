@@ -12,6 +12,7 @@
 #include <array>
 #include <bitset>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -28,12 +29,14 @@ enum class ConstraintKind {
   self_collision,   ///< links of two legs that touch
   obstacles,        ///< links or the platform that touch something in the surroundings
   workspace,        ///< a box that the operational point must stay in
+  margins,          ///< how near to singularities configurations may come
 };
 
 /// Every kind of constraint, in the order in which they are named.
-inline constexpr std::array<ConstraintKind, 6> all_constraint_kinds{
+inline constexpr std::array<ConstraintKind, 7> all_constraint_kinds{
     ConstraintKind::actuated_limits, ConstraintKind::passive_limits, ConstraintKind::cones,
-    ConstraintKind::self_collision,  ConstraintKind::obstacles,      ConstraintKind::workspace};
+    ConstraintKind::self_collision,  ConstraintKind::obstacles,      ConstraintKind::workspace,
+    ConstraintKind::margins};
 
 /// Bit k stands for the k-th of `all_constraint_kinds`.
 using ConstraintKinds = std::bitset<all_constraint_kinds.size()>;
@@ -41,7 +44,7 @@ using ConstraintKinds = std::bitset<all_constraint_kinds.size()>;
 /// Its place in `all_constraint_kinds`.
 inline std::size_t index_of(ConstraintKind kind) noexcept { return static_cast<std::size_t>(kind); }
 
-/// "actuated_limits", "passive_limits", "cones", "self_collision", "obstacles" or "workspace".
+/// "actuated_limits", "passive_limits", "cones", "self_collision", "obstacles", "workspace" or "margins".
 std::string_view name(ConstraintKind kind) noexcept;
 
 /// The kind of that name; nothing for any other text.
@@ -149,6 +152,35 @@ struct WorkspaceBox {
   Eigen::Vector3d upper = Eigen::Vector3d::Zero();  ///< corner with the largest
 };
 
+/// The least indices of the configurations that count, so that they keep away from singularities. 0 asks
+/// nothing.
+struct Margins {
+  double parallel = 0.0;  ///< of `parallel_index`, 0 to below 1
+  double serial = 0.0;    ///< of every `serial_indices`, 0 to below 1
+  double det_a = 0.0;     ///< of |det A|, in the unit of `direct_determinant`; 0 or more
+
+  /// Whether anything is asked.
+  bool any() const noexcept { return parallel > 0.0 || serial > 0.0 || det_a > 0.0; }
+};
+
+/// How one of the margins is written, and which numbers it takes: 0 to below `bound`.
+struct NamedMargin {
+  std::string_view name;     ///< "parallel", "serial" or "det_a"
+  double Margins::*member;   ///< where it is
+  double bound;              ///< infinite where there is none
+  std::string_view range;    ///< the same in words
+  std::string_view meaning;  ///< what it is the least of
+};
+
+/// Every margin, in the order in which they are named.
+inline constexpr std::array<NamedMargin, 3> named_margins{
+    {{"parallel", &Margins::parallel, 1.0, "from 0 to below 1",
+      "the least parallel index, which is 0 at parallel singularities and 1 at most"},
+     {"serial", &Margins::serial, 1.0, "from 0 to below 1",
+      "the least |B_jj| over its largest on that leg, which is 0 at serial singularities and 1 at most"},
+     {"det_a", &Margins::det_a, std::numeric_limits<double>::infinity(), "0 or a positive number",
+      "the least |det A|, in its unit"}}};
+
 /// What bounds the motions of a manipulator besides singularities and the limits of its actuated joints,
 /// which its legs hold. What is not there is not asked.
 struct Constraints {
@@ -159,6 +191,7 @@ struct Constraints {
   std::optional<SelfCollision> self_collision;  ///< none: links may touch each other
   std::vector<Obstacle> obstacles;              ///< what links and platform must not touch
   std::optional<WorkspaceBox> workspace;        ///< none: the operational point may be anywhere
+  Margins margins;                              ///< from singularities
 
   /// Limited joints that none of `passive_limits` and `passive_cones` stands for, since distances do not tell
   /// where they are.

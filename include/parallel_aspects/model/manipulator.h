@@ -55,6 +55,9 @@ class Manipulator {
   /// Throws `InvalidDescription` where a kind is asked for that does not fit the legs.
   std::shared_ptr<const Manipulator> with_constraints(ConstraintKinds kinds) const;
 
+  /// The same manipulator with other margins. Throws `InvalidDescription` where they are out of their range.
+  std::shared_ptr<const Manipulator> with_margins(const Margins& margins) const;
+
   /// Root mean square distance of the anchors from the operational point [m]; the length that makes rotations
   /// and displacements comparable. 1 when the platform does not turn or all anchors are at the operational
   /// point.

@@ -28,6 +28,22 @@ struct SingularityIndices {
 SingularityIndices singularity_indices(const Manipulator& manipulator, const Pose& pose,
                                        const JointVector& q);
 
+/// Which number tells how near a configuration is to a parallel singularity.
+enum class ParallelIndex {
+  normalised,   ///< `parallel_index`
+  determinant,  ///< |det A|, in the unit of `direct_determinant`
+};
+
+/// |det A| over the product of the norms of its rows, with moments about the middle of the anchors and over
+/// their root mean square distance from it, so that moving the operational point in the platform changes
+/// nothing. In T1 |A| over |u|, in T2 the sine of the angle between the rods. Dimensionless; 0 at a parallel
+/// singularity, 1 at most.
+double parallel_index(const Manipulator& manipulator, const Pose& pose, const JointVector& q);
+
+/// |B_jj| of each leg over its `largest_entry`: the sine of the angle between rod and crank, or rod and the
+/// normal of its rail. 1 for a strut. Dimensionless; 0 at a serial singularity.
+TaskVector serial_indices(const Manipulator& manipulator, const Pose& pose, const JointVector& q);
+
 }  // namespace parallel_aspects
 
 #endif  // PARALLEL_ASPECTS_SINGULARITY_INDICES_H

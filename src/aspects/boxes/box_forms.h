@@ -13,6 +13,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <optional>
 
 namespace parallel_aspects {
@@ -60,6 +61,29 @@ class BoxForms : public BoxStage<Chart, BoxForms<Chart>> {
     return intersection(natural, legs_->determinant(signs).range());
   }
 
+  Verdict keeps_parallel_margins(const Signs& signs) const {
+    const auto& margins = at().tests.margins();
+    const Verdict apart = margins.parallel(square(determinant(signs)), *legs_, signs);
+    if (apart != Verdict::unknown) return apart;
+    Verdict together = Verdict::holds;
+    margins.for_each_parallel_function(
+        square(legs_->determinant(signs)), *legs_, signs,
+        [&together](const Form& value) { together = both(together, is_positive(value.range())); });
+    return together;
+  }
+
+  /// At every pose of the box that all legs reach; intervals know more where squares are not positive.
+  Interval index(ParallelIndex kind, const Signs& signs) const {
+    const auto& margins = at().tests.margins();
+    const Form squares = kind == ParallelIndex::normalised ? margins.squared_norms(*legs_, signs)
+                                                           : margins.squared_scales(*legs_);
+    const double least = squares.range().lower();
+    if (!(least > 0.0)) return {0.0, std::numeric_limits<double>::infinity()};
+    const Form norms = square_root(squares, least);
+    return absolute(
+        (legs_->determinant(signs) * reciprocal(norms, square_root(Interval(least)).lower())).range());
+  }
+
   /// Of det A on the whole box, whose range is known to be in `determinant`; 0 where it is not proved.
   /// Matrices of six rows are worth the inverse of one.
   int sign_of(const Interval& determinant, const Signs& signs) const {
@@ -88,6 +112,7 @@ class BoxForms : public BoxStage<Chart, BoxForms<Chart>> {
 
   Verdict constraint(ConstraintKind kind, const Signs& signs) const {
     if (kind == ConstraintKind::actuated_limits) return this->within_limits(signs);
+    if (kind == ConstraintKind::margins) return this->keeps_margins(signs);
     return at().tests.none() ? Verdict::holds : constraints_.of(kind, signs, *legs_);
   }
 
@@ -127,7 +152,8 @@ class BoxForms : public BoxStage<Chart, BoxForms<Chart>> {
 
   /// By the constraints besides limits of actuated joints.
   bool center_is_allowed(const Signs& signs) const {
-    if (at().tests.none() || constraints_.all(signs, *legs_) == Verdict::holds) return true;
+    const Verdict points = at().tests.none() ? Verdict::holds : constraints_.all(signs, *legs_);
+    if (both(this->keeps_margins(signs), points) == Verdict::holds) return true;
     const Box center{coordinate_count, at().box.middle(), at().box.middle()};
     const BoxIntervals<Chart> there(at().with(center));
     return !there.reachable_nowhere() && there.is_allowed(signs) == Verdict::holds;

@@ -6,9 +6,11 @@
 #include "aspects/boxes/evaluated_legs.h"
 #include "aspects/constraints/constraint_verdicts.h"
 #include "interval/interval.h"
+#include "parallel_aspects/singularity/indices.h"
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <optional>
 
 namespace parallel_aspects {
@@ -40,6 +42,21 @@ class BoxIntervals : public BoxStage<Chart, BoxIntervals<Chart>> {
   const EvaluatedLegs<Chart, Interval>& legs() const noexcept { return *legs_; }
 
   Interval determinant(const Signs& signs) const { return legs_->determinant(signs); }
+
+  /// At every pose of the box that all legs reach.
+  Interval index(ParallelIndex kind, const Signs& signs) const {
+    const auto& margins = at_.tests.margins();
+    const bool normalised = kind == ParallelIndex::normalised;
+    const Interval all(0.0, normalised ? 1.0 : std::numeric_limits<double>::infinity());
+    const Interval squares =
+        normalised ? margins.squared_norms(*legs_, signs) : margins.squared_scales(*legs_);
+    if (!squares.positive()) return all;
+    return intersection(all, absolute(determinant(signs)) * reciprocal(square_root(squares)));
+  }
+
+  Verdict keeps_parallel_margins(const Signs& signs) const {
+    return at_.tests.margins().parallel(square(determinant(signs)), *legs_, signs);
+  }
 
   int sign_of(const Interval& determinant, const Signs&) const {
     return determinant.positive() ? 1 : determinant.negative() ? -1 : 0;

@@ -102,6 +102,7 @@ class BoxSlopes {
       add_limits(limits(j, signs[j]), result);
     }
     result.add(condition(Interval(sign) * legs_.determinant(signs)));
+    add_margins(signs, result);
     add_constraints(signs, result);
     return result;
   }
@@ -111,6 +112,7 @@ class BoxSlopes {
 
   const BoxEntries<leg_count>& entries() const noexcept { return forms_.entries(); }
   const auto& tests() const noexcept { return at().tests; }
+  const auto& margins() const noexcept { return tests().margins(); }
 
   std::array<Slope, coordinate_count> coordinates() const {
     const std::array<Form, coordinate_count> forms = Forms::coordinates(at());
@@ -144,6 +146,7 @@ class BoxSlopes {
       if (!entries().clear(j)) take(monotone_with(placed_.squared_entry(j)));
       visit_open_limits(j, signs[j], take);
     }
+    visit_open_margins(signs, take);
     visit_open_constraints(signs, take);
     const Interval value = forms_.determinant(signs);
     if (!(sign > 0 ? value.positive() : value.negative())) take(monotonicity_of_determinant(signs, sign));
@@ -169,6 +172,19 @@ class BoxSlopes {
       all = all.with(monotone_with(slopes.values[k]));
     }
     if (values.any) take(all);
+  }
+
+  /// Margins of det A depend on |B_jj|, whose slope is not known of legs that are not clear.
+  template <class Take>
+  void visit_open_margins(const Signs& signs, const Take& take) const {
+    if (forms_.keeps_margins(signs) == Verdict::holds) return;
+    for (std::size_t j = 0; j < leg_count; ++j)
+      if (margins().serial(j, entries().square(j)) != Verdict::holds)
+        take(monotone_with(placed_.squared_entry(j)));
+    if (!margins().has_parallel() || forms_.keeps_parallel_margins(signs) == Verdict::holds) return;
+    if (!entries().all_clear()) return take(Monotonicity::unknown());
+    margins().for_each_parallel_function(square(legs_.determinant(signs)), legs_, signs,
+                                         [&take](const Slope& value) { take(monotone_with(value)); });
   }
 
   template <class Take>
@@ -280,6 +296,14 @@ class BoxSlopes {
   bool is_unreachable(const MapPoint& point) const {
     const Box box{coordinate_count, point, point};
     return BoxIntervals<Chart>(at().with(box)).reachable_nowhere();
+  }
+
+  void add_margins(const Signs& signs, Conditions& result) const {
+    const auto add = [&result](const Slope& function) { result.add(condition(function)); };
+    for (std::size_t j = 0; j < leg_count; ++j)
+      margins().for_each_serial_function(j, placed_.squared_entry(j), add);
+    if (margins().has_parallel())
+      margins().for_each_parallel_function(square(legs_.determinant(signs)), legs_, signs, add);
   }
 
   void add_constraints(const Signs& signs, Conditions& result) const {

@@ -105,7 +105,8 @@ class BoxEntries {
 ///  - at(): the ChartBox; entries(): BoxEntries;
 ///  - displacement(j): over intervals;
 ///  - constraints(): ConstraintVerdicts; legs(): EvaluatedLegs, unless the box is reachable nowhere;
-///  - determinant(signs): enclosure of det A; sign_of(determinant, signs): its sign where that is proved.
+///  - determinant(signs): enclosure of det A; sign_of(determinant, signs): its sign where that is proved;
+///  - keeps_parallel_margins(signs): see MarginTests.
 template <class Chart, class Stage>
 class BoxStage {
  public:
@@ -134,9 +135,21 @@ class BoxStage {
 
   /// By limits and all other constraints, where some pose may be reached.
   Verdict is_allowed(const Signs& signs) const {
-    const Verdict limits = within_limits(signs);
-    if (stage().at().tests.none() || limits == Verdict::fails) return limits;
-    return both(limits, stage().constraints().all(signs, stage().legs()));
+    Verdict result = within_limits(signs);
+    if (result != Verdict::fails) result = both(result, keeps_margins(signs));
+    if (stage().at().tests.none() || result == Verdict::fails) return result;
+    return both(result, stage().constraints().all(signs, stage().legs()));
+  }
+
+  /// By the margins from singularities.
+  Verdict keeps_margins(const Signs& signs) const {
+    const auto& margins = stage().at().tests.margins();
+    Verdict result = Verdict::holds;
+    if (!margins.any()) return result;
+    for (std::size_t j = 0; j < leg_count; ++j)
+      result = both(result, margins.serial(j, stage().entries().square(j)));
+    if (!margins.has_parallel() || result == Verdict::fails) return result;
+    return both(result, stage().keeps_parallel_margins(signs));
   }
 
  protected:

@@ -93,6 +93,16 @@ class ChartClassifier final : public BoxClassifier {
     return Slopes(forms).conditions(signs_[mode], sign);
   }
 
+  Interval enclose_index(RootIndex root, const Box& box, std::size_t mode, ParallelIndex index,
+                         double share) const noexcept override {
+    const Intervals intervals(at(root, box));
+    if (intervals.reachable_nowhere()) return Interval(0.0);
+    const Interval range = intervals.index(index, signs_[mode]);
+    if (range.upper() - range.lower() <= share * range.upper()) return range;
+    const Forms forms(intervals);
+    return forms.reachable_nowhere() ? Interval(0.0) : intersection(range, forms.index(index, signs_[mode]));
+  }
+
   void find_unknown_constraints(RootIndex root, const Box& box, ModeSet modes,
                                 ConstraintKinds* kinds) const noexcept override {
     const Intervals intervals(at(root, box));

@@ -20,6 +20,9 @@
 //  - Placement<Scalar>: the pose as its legs need it, made by place(root, coordinates) once for all legs;
 //  - displacement(j, placement): d = p - base point of leg j;
 //  - rows(j, displacement, placement);
+//  - squared_rod(j, displacement) and scale(j, displacement): see PlanarLeg; the first is asked for only
+//  where
+//    the platform does not turn;
 //  - limits(j, displacement, |B_jj|, sign of B_jj): of the actuated joint, see LimitFunctions;
 //  - point_dimension: of its points, 2 or 3;
 //  - link_points(j, displacement, |B_jj|, sign of B_jj): see LinkPoints;
@@ -60,6 +63,16 @@ class T1Chart {
   LegRows<Scalar, leg_count> rows(std::size_t, const Displacement<Scalar>& d,
                                   const Placement<Scalar>&) const {
     return leg_rows<TaskSpace::T1>(leg_.form(d));
+  }
+
+  template <class Scalar>
+  Scalar squared_rod(std::size_t, const Displacement<Scalar>& d) const {
+    return leg_.squared_rod(d);
+  }
+
+  template <class Scalar>
+  Scalar scale(std::size_t, const Displacement<Scalar>& d) const {
+    return leg_.scale(d);
   }
 
   template <class Scalar>
@@ -105,6 +118,16 @@ class PlanarLegs {
   static constexpr std::size_t point_dimension = 2;
   template <class Scalar>
   using Displacement = Planar<Scalar>;
+
+  template <class Scalar>
+  Scalar squared_rod(std::size_t j, const Displacement<Scalar>& d) const {
+    return legs_[j].squared_rod(d);
+  }
+
+  template <class Scalar>
+  Scalar scale(std::size_t j, const Displacement<Scalar>& d) const {
+    return legs_[j].scale(d);
+  }
 
   template <class Scalar>
   LimitFunctions<Scalar> limits(std::size_t j, const Displacement<Scalar>& d, const Scalar& entry,
@@ -258,6 +281,16 @@ class T3Chart {
   }
 
   template <class Scalar>
+  Scalar squared_rod(std::size_t j, const Displacement<Scalar>& d) const {
+    return legs_[j].squared_rod(d);
+  }
+
+  template <class Scalar>
+  Scalar scale(std::size_t j, const Displacement<Scalar>& d) const {
+    return legs_[j].scale(d);
+  }
+
+  template <class Scalar>
   LimitFunctions<Scalar> limits(std::size_t j, const Displacement<Scalar>& d, const Scalar& entry,
                                 int sign) const {
     return legs_[j].limits(d, entry, sign);
@@ -326,6 +359,16 @@ class SO3Chart {
   LegRows<Scalar, leg_count> rows(std::size_t j, const Displacement<Scalar>& d,
                                   const Placement<Scalar>&) const {
     return leg_rows<TaskSpace::SO3>(legs_[j].form(d.from_base), d.anchor);
+  }
+
+  template <class Scalar>
+  Scalar squared_rod(std::size_t j, const Displacement<Scalar>& d) const {
+    return legs_[j].squared_rod(d.from_base);
+  }
+
+  template <class Scalar>
+  Scalar scale(std::size_t j, const Displacement<Scalar>& d) const {
+    return legs_[j].scale(d.from_base);
   }
 
   template <class Scalar>

@@ -59,6 +59,13 @@ class EvaluatedLegs {
   const Rows& rows() const { return rows_; }
   Scalar determinant(const Signs& signs) const { return determinants_.of(signs); }
 
+  /// Of A, up to a positive factor.
+  const Row<Scalar, leg_count>& row(std::size_t j, int sign) const { return rows_[j].of(sign); }
+
+  /// See the charts.
+  Scalar squared_rod(std::size_t j) const { return chart_.squared_rod(j, placed_.legs[j].displacement); }
+  Scalar scale(std::size_t j) const { return chart_.scale(j, placed_.legs[j].displacement); }
+
   /// Where the links of a leg are; null where that is not known.
   const Links* points(std::size_t j, int sign) const {
     MaybeLinks& links = links_[j][sign > 0 ? 1 : 0];

@@ -46,6 +46,17 @@ class SliceLegs {
     });
   }
 
+  /// Legs of planar robots have more of it out of the plane, but there all platforms turn.
+  template <class Scalar>
+  Scalar squared_rod(std::size_t j, const Displacement<Scalar>& d) const {
+    return legs_[j].squared_rod(d.from_base);
+  }
+
+  template <class Scalar>
+  Scalar scale(std::size_t j, const Displacement<Scalar>& d) const {
+    return legs_[j].scale(d.from_base);
+  }
+
   template <class Scalar>
   LimitFunctions<Scalar> limits(std::size_t j, const Displacement<Scalar>& d, const Scalar& entry,
                                 int sign) const {

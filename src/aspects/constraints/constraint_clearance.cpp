@@ -3,6 +3,8 @@
 
 #include "aspects/constraints/closest_points.h"
 #include "aspects/constraints/link_pairs.h"
+#include "parallel_aspects/kinematics/jacobians.h"
+#include "parallel_aspects/singularity/indices.h"
 
 #include <algorithm>
 #include <cmath>
@@ -71,6 +73,18 @@ class Configuration {
   double of_cones() const {
     double least = infinity;
     for (const BallJointCone& cone : constraints_.cones) least = std::min(least, in_cone(cone));
+    return least;
+  }
+
+  double of_margins() const {
+    const Margins& margins = constraints_.margins;
+    double least = infinity;
+    if (margins.parallel > 0.0) least = parallel_index(robot_, pose_, q_) - margins.parallel;
+    if (margins.serial > 0.0)
+      least = std::min(least, serial_indices(robot_, pose_, q_).minCoeff() - margins.serial);
+    // Over the least one, so that it is an index, too.
+    if (margins.det_a > 0.0)
+      least = std::min(least, std::abs(direct_determinant(robot_, pose_, q_)) / margins.det_a - 1.0);
     return least;
   }
 
@@ -193,6 +207,8 @@ double constraint_clearance(const Manipulator& manipulator, ConstraintKind kind,
       return configuration.of_obstacles();
     case ConstraintKind::workspace:
       return configuration.in_workspace();
+    case ConstraintKind::margins:
+      return configuration.of_margins();
     case ConstraintKind::actuated_limits:
       break;
   }

@@ -26,14 +26,15 @@ double width(const LinkThickness& thickness, LinkKind kind) {
 
 template <std::size_t D>
 ConstraintTests<D>::ConstraintTests(const Manipulator& manipulator)
-    : passive_limits_(manipulator.leg_count()),
+    : margins_(manipulator),
+      passive_limits_(manipulator.leg_count()),
       passive_cones_(manipulator.leg_count()),
       cones_(manipulator.leg_count()),
       pairs_(manipulator.leg_count(), std::vector<std::vector<LinkPair>>(manipulator.leg_count())) {
   assert_rounding_upward();
   const Constraints& constraints = manipulator.constraints();
   ConstraintKinds kinds = manipulator.constraint_kinds();
-  kinds[index_of(ConstraintKind::actuated_limits)] = false;
+  kinds[index_of(ConstraintKind::actuated_limits)] = kinds[index_of(ConstraintKind::margins)] = false;
   none_ = kinds.none();
   const Interval half(0.5);
   half_crank_ = half * Interval(constraints.thickness.crank);

@@ -3,6 +3,7 @@
 #define PARALLEL_ASPECTS_ASPECTS_CONSTRAINTS_CONSTRAINT_TESTS_H
 
 #include "aspects/constraints/collision_monotonicity.h"
+#include "aspects/constraints/margin_tests.h"
 #include "aspects/constraints/rod_cone.h"
 #include "aspects/constraints/separation.h"
 #include "interval/interval.h"
@@ -32,7 +33,9 @@ class ConstraintTests {
  public:
   explicit ConstraintTests(const Manipulator& manipulator);
 
+  /// Whether points have nothing to keep; margins do not count, which ask for more than points.
   bool none() const noexcept { return none_; }
+  const MarginTests<D>& margins() const noexcept { return margins_; }
   bool has_obstacles() const noexcept { return !obstacles_.empty(); }
   bool has_platform() const noexcept { return has_obstacles() && !platform_sides_.empty(); }
   bool has_passive_limits(std::size_t leg) const noexcept {
@@ -303,6 +306,7 @@ class ConstraintTests {
   }
 
   bool none_ = true;
+  MarginTests<D> margins_;
   std::size_t workspace_directions_ = 0;  // 0 without a workspace
   std::array<double, D> workspace_lower_{}, workspace_upper_{};
   std::vector<std::vector<PassiveTest>> passive_limits_;        // by leg

@@ -14,7 +14,7 @@ namespace parallel_aspects {
 
 /// What is proved of the constraints of one box, in every working mode: each leg is tested once for each
 /// branch and each pair of legs once for each pair of branches, when a mode first asks. Limits of actuated
-/// joints are not among them.
+/// joints and margins are not among them.
 ///
 /// `Links` is where the links are on one kind of enclosures:
 ///  - points(j, sign): pointer to `LinkPoints`, null where they are not known;
@@ -56,6 +56,7 @@ class ConstraintVerdicts {
       case ConstraintKind::self_collision:
         return of_all_legs([&](std::size_t j) { return collisions(j, signs, links); });
       case ConstraintKind::actuated_limits:
+      case ConstraintKind::margins:
         break;
     }
     return Verdict::holds;

@@ -68,6 +68,8 @@ std::string constraint_key(const Constraints& constraints) {
     key += "obstacle" + std::visit([](const auto& shape) { return line(shape); }, obstacle.shape) + "\n";
   if (constraints.workspace)
     key += "workspace" + numbers(constraints.workspace->lower) + numbers(constraints.workspace->upper) + "\n";
+  const Margins& margins = constraints.margins;
+  if (margins.any()) key += "margins" + numbers({margins.parallel, margins.serial, margins.det_a}) + "\n";
   return key;
 }
 

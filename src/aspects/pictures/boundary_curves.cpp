@@ -16,7 +16,7 @@ using Eigen::Vector2d;
 
 // det A, then each B_jj^2, then the distance of each limited actuated joint from its limits, then how far
 // each other constraint is from being broken. Zero sets bound the mode.
-constexpr int max_functions = 1 + 3 + 6 + 5;
+constexpr int max_functions = 1 + 3 + 6 + 6;
 using Values = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, max_functions, 1>;
 
 struct Function {
@@ -33,7 +33,8 @@ constexpr DrawnConstraint drawn_constraints[] = {
     {ConstraintKind::cones, BoundaryKind::cone},
     {ConstraintKind::self_collision, BoundaryKind::self_collision},
     {ConstraintKind::obstacles, BoundaryKind::obstacle},
-    {ConstraintKind::workspace, BoundaryKind::workspace}};
+    {ConstraintKind::workspace, BoundaryKind::workspace},
+    {ConstraintKind::margins, BoundaryKind::margin}};
 
 struct Vertex {
   Vector2d point;

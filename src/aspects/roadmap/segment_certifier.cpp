@@ -4,6 +4,7 @@
 #include "aspects/constraints/constraint_tests.h"
 #include "aspects/constraints/finite_lengths.h"
 #include "aspects/constraints/robot_points.h"
+#include "aspects/roadmap/margin_legs.h"
 #include "aspects/roadmap/pose_segment.h"
 #include "interval/nonsingular.h"
 #include "legs/limit_verdict.h"
@@ -125,8 +126,32 @@ class SegmentCertifier::Evaluation {
     if (!segment_.place(PathForm::parameter(begin, middle, end), placement)) return false;
     for (std::size_t j = 0; j < parts_.legs.size(); ++j)
       if (!leg_is_free(j, placement)) return false;
+    if (!keeps_margins(placement)) return false;
     return parts_.is_planar ? is_allowed(parts_.planar_constraints, placement)
                             : is_allowed(parts_.spatial_constraints, placement);
+  }
+
+  bool keeps_margins(const PoseSegment::Placement& placement) {
+    return parts_.is_planar ? keeps_margins(parts_.planar_constraints.margins(), placement)
+                            : keeps_margins(parts_.spatial_constraints.margins(), placement);
+  }
+
+  /// The legs must be free.
+  template <std::size_t D>
+  bool keeps_margins(const MarginTests<D>& margins, const PoseSegment::Placement& placement) {
+    if (!margins.any()) return true;
+    const MarginLegs<D> legs{parts_.legs, rows_, displacements_, rods_, placement.rotation};
+    Verdict everywhere = Verdict::holds, at_center = Verdict::holds;
+    const auto take = [&](const PathForm& value) {
+      everywhere = both(everywhere, is_positive(value.range));
+      at_center = both(at_center, is_positive(value.center));
+    };
+    for (std::size_t j = 0; j < parts_.legs.size(); ++j)
+      margins.for_each_serial_function(j, squared_entries_[j], take);
+    if (margins.has_parallel())
+      margins.for_each_parallel_function(square(legs.determinant()), legs, std::array<int, max_legs>{}, take);
+    if (at_center == Verdict::fails) found_ = {0, Violation::constraint, ConstraintKind::margins, {}};
+    return everywhere == Verdict::holds;
   }
 
   /// By the constraints besides limits of actuated joints. The legs must be free.
@@ -168,9 +193,10 @@ class SegmentCertifier::Evaluation {
     if (!form.squared_entry.range.positive()) return false;
     const PathForm entry = square_root(form.squared_entry);
     displacements_[j] = d;
+    squared_entries_[j] = form.squared_entry;
     entries_[j] = entry;
     if (!is_within_limits(j, d, entry)) return false;
-    Spatial<PathForm> u;
+    Spatial<PathForm>& u = rods_[j];
     for (std::size_t i = 0; i < 3; ++i) {
       const PathForm turned = entry * form.turned[i];
       u[i] = mode_.sign(j) > 0 ? form.fixed[i] + turned : form.fixed[i] - turned;
@@ -195,6 +221,8 @@ class SegmentCertifier::Evaluation {
   const WorkingMode& mode_;
   SquareArray<PathForm> rows_;
   std::array<Spatial<PathForm>, max_legs> displacements_;  // of the anchors from the base points
+  std::array<Spatial<PathForm>, max_legs> rods_;           // u, up to a positive factor
+  std::array<PathForm, max_legs> squared_entries_;         // B_jj^2
   std::array<PathForm, max_legs> entries_;                 // |B_jj|
   ConfigurationProof found_;                               // of the middle of the part; its sign is not told
   double ratio_ = 0.0;  // upper bound of the spectral radius that must be below 1; infinite where unknown

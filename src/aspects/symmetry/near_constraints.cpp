@@ -87,6 +87,7 @@ class ConstraintSymmetrizer {
   // What each is the mean of: what the motions take onto it, brought back.
   void average(std::vector<Obstacle>& obstacles) {
     std::vector<Obstacle> result = obstacles;
+    MovedNumber most = result_.length;
     for (Obstacle& obstacle : result) {
       Vector3d sum = inside(center_of(obstacle));
       for (const SymmetricMotion& motion : legs_.motions) {
@@ -99,9 +100,10 @@ class ConstraintSymmetrizer {
       }
       const Vector3d old = center_of(obstacle);
       center_of(obstacle) = placed(sum, old);
-      tell(result_.length, "obstacle " + obstacle.name, (center_of(obstacle) - old).norm());
+      tell(most, "obstacle " + obstacle.name, (center_of(obstacle) - old).norm());
     }
     obstacles = std::move(result);
+    result_.length = most;
   }
 
   void average(std::vector<PassiveLimit>& limits) {

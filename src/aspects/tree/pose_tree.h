@@ -44,6 +44,7 @@ class PoseTree {
   PoseTree(std::shared_ptr<const PoseSpace> space, std::size_t modes);
 
   const PoseSpace& space() const noexcept { return *space_; }
+  const std::shared_ptr<const PoseSpace>& shared_space() const noexcept { return space_; }
   const Box& region() const noexcept { return region_; }
   std::size_t dimension() const noexcept { return region_.dimension; }
   std::size_t root_count() const noexcept { return space_->root_count(); }

@@ -14,9 +14,10 @@ namespace {
 using Eigen::Vector2d;
 using Points = MarkerBatch::Points;
 
-constexpr std::array<BoundaryKind, 8> kinds{
-    BoundaryKind::limit,    BoundaryKind::passive_limit, BoundaryKind::cone,   BoundaryKind::self_collision,
-    BoundaryKind::obstacle, BoundaryKind::workspace,     BoundaryKind::serial, BoundaryKind::parallel};
+constexpr std::array<BoundaryKind, 9> kinds{
+    BoundaryKind::limit,          BoundaryKind::passive_limit, BoundaryKind::cone,
+    BoundaryKind::self_collision, BoundaryKind::obstacle,      BoundaryKind::workspace,
+    BoundaryKind::margin,         BoundaryKind::serial,        BoundaryKind::parallel};
 
 Points ends_of(const std::vector<BoundarySegment>& segments, const Placing& place,
                const std::function<bool(const BoundarySegment&)>& wanted) {
@@ -48,6 +49,8 @@ std_msgs::ColorRGBA color_of(BoundaryKind kind) {
       return color(0xE07B00);
     case BoundaryKind::workspace:
       return color(0x2E8B57);
+    case BoundaryKind::margin:
+      return color(0xD9A400);
     case BoundaryKind::limit:
       break;
   }
@@ -112,7 +115,8 @@ std::vector<std::pair<BoundaryKind, const char*>> boundary_legend(
       {BoundaryKind::cone, "cone of a ball joint"},
       {BoundaryKind::self_collision, "links touch"},
       {BoundaryKind::obstacle, "obstacle"},
-      {BoundaryKind::workspace, "workspace"}};
+      {BoundaryKind::workspace, "workspace"},
+      {BoundaryKind::margin, "margin from singularities"}};
   const auto is_absent = [&](const auto& entry) {
     return std::none_of(segments.begin(), segments.end(),
                         [&](const BoundarySegment& segment) { return segment.kind == entry.first; });

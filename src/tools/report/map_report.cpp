@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "model/coefficients.h"
+#include "tools/report/basins_report.h"
 #include "tools/report/bounds_report.h"
 #include "tools/report/reports.h"
 #include "tools/report/text_table.h"
@@ -51,6 +52,13 @@ json json_symmetry(const AspectMap& map) {
   return {{"motions", map.symmetry_use()->motions}, {"computed_modes", map.symmetry_use()->computed_modes}};
 }
 
+json json_margins(const Margins& margins) {
+  json object = json::object();
+  for (const NamedMargin& margin : named_margins)
+    if (margins.*margin.member > 0.0) object[std::string(margin.name)] = json_number(margins.*margin.member);
+  return object;
+}
+
 json json_map(const AspectMap& map) {
   const TaskSpace space = map.manipulator()->task_space();
   json object = {{"mechanism", map.manipulator()->name()},
@@ -68,6 +76,7 @@ json json_map(const AspectMap& map) {
                  {"indeterminate_leaves", map.indeterminate_leaves()},
                  {"inside_components", map.aspects().size()},
                  {"unresolved", map.unresolved()},
+                 {"margins", json_margins(map.manipulator()->constraints().margins)},
                  {"measure_undecided", json_number(map.measure_undecided())}};
   for (const WorkingMode& mode : map.working_modes()) object["working_modes"].push_back(mode.signs());
   for (const Aspect& aspect : map.aspects()) object["aspects"].push_back(json_aspect(map, aspect));
@@ -107,12 +116,14 @@ ListedAspects listed_aspects(const AspectMap& map, bool all) {
 }
 
 // Where orientations are searched alone, boxes have no bounds to show.
-std::string aspect_table(const AspectMap& map, const std::vector<Aspect>& aspects) {
+std::string aspect_table(const AspectMap& map, const std::vector<Aspect>& aspects, const MapBasins* basins) {
   const bool bounded = map.region().dimension > 0;
   std::vector<std::string> titles{">id",       "working mode", "det A",   ">measure [" + map.unit() + "]",
                                   ">at least", ">at most",     ">leaves", "deepest pose",
                                   ">clearance"};
   if (bounded) titles.insert(titles.end() - 2, "bounds");
+  if (basins != nullptr)
+    titles.emplace_back(basins->index == ParallelIndex::normalised ? "largest index" : "largest |det A|");
   TextTable table(titles);
   for (const Aspect& aspect : aspects) {
     std::vector<std::string> cells{std::to_string(aspect.id),
@@ -125,6 +136,8 @@ std::string aspect_table(const AspectMap& map, const std::vector<Aspect>& aspect
                                    pose_text(map.manipulator()->task_space(), aspect.deepest),
                                    shown_briefly(aspect.deepest_clearance)};
     if (bounded) cells.insert(cells.end() - 2, bounds_text(aspect.bounds));
+    if (basins != nullptr)
+      cells.push_back(shown_range(basins->deepest[static_cast<std::size_t>(aspect.id - 1)]));
     table.add(std::move(cells));
   }
   return table.text();
@@ -174,7 +187,7 @@ std::string symmetry_text(const AspectMap& map) {
          counted(map.symmetry_use()->computed_modes, "working mode") + " computed\n";
 }
 
-std::string map_text(const AspectMap& map, bool all_aspects) {
+std::string map_text(const AspectMap& map, bool all_aspects, const MapBasins* basins) {
   std::string text = map.manipulator()->name() + ": " + aspect_count(map) + "; " +
                      counted(map.working_modes().size(), "working mode") + "\n";
   if (map.slice())
@@ -184,7 +197,7 @@ std::string map_text(const AspectMap& map, bool all_aspects) {
           ", resolution " + shown(map.resolution()) + ", " + shown(map.seconds()) + " s\n" +
           symmetry_text(map) + "\n";
   const ListedAspects listed = listed_aspects(map, all_aspects);
-  text += aspect_table(map, listed.shown) + crumbs_text(map, listed.crumbs);
+  text += aspect_table(map, listed.shown, basins) + crumbs_text(map, listed.crumbs);
   text += "\npairs that could be one aspect: " + unresolved_text(map, listed.crumbs) + "\n";
   text += "undecided, over all working modes: " + shown(map.measure_undecided()) + " " + map.unit() +
           (map.count_at_most() ? "" : "; smaller aspects may hide there") + "\n";
@@ -206,7 +219,8 @@ std::string aspect_count(const AspectMap& map) {
 }
 
 Report report_map(const AspectMap& map, const MapReportOptions& options) {
-  Report report{json_map(map), map_text(map, options.all_aspects)};
+  Report report{json_map(map), map_text(map, options.all_aspects, options.basins)};
+  if (options.basins != nullptr) add_depths(map, *options.basins, report);
   const Report bounds = report_bounds(map, options.verbose);
   report.json.update(bounds.json);
   report.text += bounds.text;

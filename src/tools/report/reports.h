@@ -3,6 +3,7 @@
 #define PARALLEL_ASPECTS_TOOLS_REPORT_REPORTS_H
 
 #include "parallel_aspects/aspects/aspect_map.h"
+#include "parallel_aspects/aspects/basins.h"
 #include "parallel_aspects/aspects/neighbours.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"
 #include "parallel_aspects/aspects/same_aspect.h"
@@ -13,6 +14,7 @@
 #include "tools/report/report.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +26,7 @@ struct MapReportOptions {
   bool loaded = false;       ///< whether the map is from a file
   bool all_aspects = false;  ///< lists those below 1 % of the largest too, which are one line otherwise
   bool verbose = false;      ///< lists every joint that a note is about
+  const MapBasins* basins = nullptr;  ///< of the map, where they were looked for
 };
 
 /// How many aspects there are, claiming no more than is proved: "10 aspects, proved".
@@ -42,6 +45,8 @@ Report report_roadmap(const PoseRoadmap& roadmap, bool verbose = false);
 struct ModeAnswer {
   WorkingMode mode;
   AspectComparison comparison;
+  ParallelIndex index = ParallelIndex::normalised;
+  std::optional<Bottleneck> bottleneck;  ///< by that index, where there is a map
 };
 
 /// `aspects connect`: whether two poses lie in one aspect, by working mode.

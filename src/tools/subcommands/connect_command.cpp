@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/aspects/same_aspect.h"
 #include "tools/arguments.h"
+#include "tools/report/basins_report.h"
 #include "tools/report/bounds_report.h"
 #include "tools/report/numbers.h"
 #include "tools/report/reports.h"
@@ -18,7 +19,7 @@ using nlohmann::json;
 
 struct ConnectArguments {
   RobotChoice robot;
-  std::string from, to, mode, resolution;
+  std::string from, to, mode, resolution, index;
   RoadmapArguments roadmap;
   ConstraintArguments constraints;
 };
@@ -29,6 +30,7 @@ struct Question {
   std::vector<WorkingMode> modes;
   RoadmapOptions roadmap;
   std::optional<double> resolution;
+  ParallelIndex index = ParallelIndex::normalised;
 };
 
 Question parse(const ConnectArguments& arguments, const Manipulator& manipulator) {
@@ -37,6 +39,7 @@ Question parse(const ConnectArguments& arguments, const Manipulator& manipulator
   question.from = parse_pose("--from", manipulator.task_space(), arguments.from, problems);
   question.to = parse_pose("--to", manipulator.task_space(), arguments.to, problems);
   question.roadmap = parse_roadmap(arguments.roadmap, problems);
+  question.index = parse_index(arguments.index, problems);
   question.modes = working_modes(manipulator);
   if (!arguments.mode.empty())
     if (const auto mode = parse_mode("--mode", manipulator, arguments.mode, problems))
@@ -64,6 +67,17 @@ class Asking {
     AspectComparison found = same_aspect(certifier_, first, second);
     if (found.searched_sign != 0) found = same_aspect(*roadmap(mode), first, second);
     if (found.searched_sign != 0 && has_map()) ask_map(mode, found);
+    return found;
+  }
+
+  /// Of two poses that are not proved to lie in different aspects; nothing without a map.
+  std::optional<Bottleneck> bottleneck(const WorkingMode& mode, SameAspect answer) {
+    if (answer == SameAspect::no || !has_map()) return std::nullopt;
+    MapControl control;
+    control.cancelled = surroundings_.interrupted;
+    const Bottleneck found =
+        find_bottleneck(map(), mode, question_.from, question_.to, question_.index, {}, control);
+    if (found.status == BottleneckStatus::cancelled) throw Interrupted{};
     return found;
   }
 
@@ -116,7 +130,9 @@ json json_answer(TaskSpace space, const ModeAnswer& answer) {
                  {"same_aspect", name(answer.comparison.answer)},
                  {"reason", answer.comparison.message},
                  {"failing_constraint", nullptr},
-                 {"path", json::array()}};
+                 {"path", json::array()},
+                 {"bottleneck", nullptr}};
+  if (answer.bottleneck) object["bottleneck"] = json_bottleneck(answer.index, *answer.bottleneck);
   if (answer.comparison.failing) object["failing_constraint"] = name(*answer.comparison.failing);
   for (const Pose& pose : answer.comparison.path) object["path"].push_back(json_pose(space, pose));
   return object;
@@ -136,6 +152,9 @@ std::string answers_text(const Manipulator& manipulator, const Pose& from, const
   for (const ModeAnswer& answer : answers) {
     table.add({to_string(answer.mode), name(answer.comparison.answer), answer.comparison.message});
     if (answer.comparison.path.size() > 2) paths += path_text(space, answer);
+    if (answer.bottleneck)
+      paths +=
+          "\nin " + to_string(answer.mode) + " " + bottleneck_text(answer.index, *answer.bottleneck) + "\n";
   }
   return manipulator.name() + ", from " + to_string(space, from) + " to " + to_string(space, to) + "\n\n" +
          table.text() + paths;
@@ -172,6 +191,7 @@ Subcommand connect_subcommand() {
   options.push_back({"--resolution", "R",
                      "Resolution of the map that is asked last [m or rad]; by default one is made in T2 only",
                      &arguments->resolution});
+  options.push_back(index_option(arguments->index));
   for (const Option& option : constraint_options(arguments->constraints)) options.push_back(option);
   return {"connect", "Tell whether two poses lie in one aspect, with a certified path", options,
           [arguments](const Surroundings& surroundings) {
@@ -181,7 +201,10 @@ Subcommand connect_subcommand() {
             const Question question = parse(*arguments, *manipulator);
             Asking asking(manipulator, question, surroundings);
             std::vector<ModeAnswer> answers;
-            for (const WorkingMode& mode : question.modes) answers.push_back({mode, asking.ask(mode)});
+            for (const WorkingMode& mode : question.modes) {
+              const AspectComparison found = asking.ask(mode);
+              answers.push_back({mode, found, question.index, asking.bottleneck(mode, found.answer)});
+            }
             return report_comparison(*manipulator, question.from, question.to, answers);
           }};
 }

@@ -6,6 +6,7 @@
 #include "parallel_aspects/model/problems.h"
 #include "tools/arguments.h"
 #include "tools/computation.h"
+#include "tools/report/basins_report.h"
 #include "tools/report/map_drawing.h"
 #include "tools/report/numbers.h"
 #include "tools/report/reports.h"
@@ -33,6 +34,9 @@ struct MapArguments {
   bool no_symmetry = false;
   bool all_aspects = false;
   bool verbose = false;
+  bool persistence = false;
+  std::string index_text;
+  ParallelIndex index = ParallelIndex::normalised;
   RoadmapArguments roadmap;
   ConstraintArguments constraints;
 };
@@ -110,6 +114,11 @@ void refuse_options_of_boxes(const MapArguments& arguments, Problems& problems) 
         "--picture is for maps of boxes, which there is none of in SE3 without --slice; give a slice of two "
         "free "
         "coordinates.");
+  if (arguments.persistence || !arguments.index_text.empty())
+    problems.emplace_back(
+        "--persistence and --index are for maps of boxes, which there is none of in SE3 without --slice; "
+        "leave "
+        "them out.");
   if (arguments.neighbours)
     problems.emplace_back(
         "--neighbours is for maps of boxes, which there is none of in SE3 without --slice; leave it out.");
@@ -186,6 +195,15 @@ void draw(const AspectMap& map, const MapArguments& arguments) {
                               "; give a file in a folder that can be written to and has room."});
 }
 
+MapBasins basins_of(const AspectMap& map, const MapArguments& arguments, const Surroundings& surroundings) {
+  MapControl control;
+  control.cancelled = surroundings.interrupted;
+  const auto basins = find_basins(map, arguments.index,
+                                  arguments.persistence ? BasinDetail::basins : BasinDetail::depths, control);
+  if (!basins) throw Interrupted{};
+  return *basins;
+}
+
 Report load_or_compute(const std::shared_ptr<const Manipulator>& manipulator, const MapOptions& options,
                        const MapArguments& arguments, const Surroundings& surroundings) {
   std::shared_ptr<const AspectMap> map = load(manipulator, options, arguments, surroundings);
@@ -193,7 +211,9 @@ Report load_or_compute(const std::shared_ptr<const Manipulator>& manipulator, co
   if (!loaded) map = compute(manipulator, options, surroundings);
   save(*map, arguments);
   draw(*map, arguments);
-  Report report = report_map(*map, {loaded, arguments.all_aspects, arguments.verbose});
+  const MapBasins basins = basins_of(*map, arguments, surroundings);
+  Report report = report_map(*map, {loaded, arguments.all_aspects, arguments.verbose, &basins});
+  if (arguments.persistence) add_persistence(*map, basins, report);
   add_count_without_limits(*map, options, surroundings, report);
   if (arguments.neighbours) {
     MapControl control;
@@ -234,12 +254,14 @@ std::vector<Option> options_of(MapArguments& arguments) {
                      &arguments.roadmap.samples});
   options.push_back({"--seed", "N", "With six degrees of freedom: seed of its poses, by default 1",
                      &arguments.roadmap.seed});
+  options.push_back(index_option(arguments.index_text));
   for (const Option& option : constraint_options(arguments.constraints)) options.push_back(option);
   return options;
 }
 
-Report report_of(const MapArguments& arguments, const Surroundings& surroundings) {
+Report report_of(MapArguments arguments, const Surroundings& surroundings) {
   Problems problems;
+  arguments.index = parse_index(arguments.index_text, problems);
   const MapSection section = load_map_section(arguments.robot, problems);
   MapOptions map_options = parse_options(arguments, section.config, problems);
   check_file("--save", arguments.save_file, problems);
@@ -265,6 +287,8 @@ Subcommand map_subcommand() {
            {"--no-symmetry", "Compute what symmetries of the robot show to be the same, too",
             &arguments->no_symmetry},
            {"--all", "List aspects below 1 % of the largest too", &arguments->all_aspects},
+           {"--persistence", "List the basins of each aspect: which parts of it a larger margin separates",
+            &arguments->persistence},
            {"--verbose", "List every joint that a note is about", &arguments->verbose}}};
 }
 

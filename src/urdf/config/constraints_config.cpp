@@ -50,6 +50,7 @@ class Reader {
     read_self_collision(node["self_collision"], config);
     read_obstacles(node["obstacles"], config);
     read_workspace(node["workspace"], config);
+    read_margins(node["margins"], config.margins);
     return config;
   }
 
@@ -206,6 +207,24 @@ class Reader {
     config.obstacles.push_back(obstacle);
   }
 
+  void read_margins(const YAML::Node& node, Margins& margins) {
+    if (!node.IsDefined() || !yaml_.map(node, "constraints.margins", "write {parallel: 0.05, serial: 0.1}"))
+      return;
+    std::vector<std::string> keys;
+    for (const NamedMargin& margin : named_margins) keys.emplace_back(margin.name);
+    yaml_.check_keys(node, keys, "constraints.margins");
+    for (const NamedMargin& margin : named_margins) {
+      const std::string where = "constraints.margins." + std::string(margin.name);
+      double value = 0.0;
+      if (!yaml_.number(node[std::string(margin.name)], where, value)) continue;
+      if (value >= 0.0 && value < margin.bound)
+        margins.*margin.member = value;
+      else
+        yaml_.problem("has a " + where + " that is not " + std::string(margin.range) + "; give " +
+                      std::string(margin.meaning) + ".");
+    }
+  }
+
   void read_workspace(const YAML::Node& node, ConstraintsConfig& config) {
     if (!node.IsDefined() || !yaml_.map(node, "constraints.workspace", "write lower and upper under it"))
       return;
@@ -300,7 +319,7 @@ class Resolver {
 const std::vector<std::string>& constraint_keys() {
   static const std::vector<std::string> keys{"actuated_limits", "passive_limits", "strict_limits",
                                              "cones",           "thickness",      "self_collision",
-                                             "obstacles",       "workspace"};
+                                             "obstacles",       "workspace",      "margins"};
   return keys;
 }
 
@@ -316,6 +335,7 @@ Constraints resolve_constraints(const ConstraintsConfig& config, const Constrain
   Constraints constraints;
   constraints.thickness = config.thickness;
   constraints.self_collision = config.self_collision;
+  constraints.margins = config.margins;
   for (const ConfiguredCone& cone : config.cones) constraints.cones.push_back(resolver.cone(cone));
   for (const ConfiguredObstacle& obstacle : config.obstacles)
     constraints.obstacles.push_back(resolver.obstacle(obstacle));

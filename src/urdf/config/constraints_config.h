@@ -48,6 +48,7 @@ struct ConstraintsConfig {
   std::optional<SelfCollision> self_collision;
   std::vector<ConfiguredObstacle> obstacles;
   std::optional<std::array<std::vector<double>, 2>> workspace;  ///< lower, upper [m]
+  Margins margins;
 };
 
 /// All keys of it.

@@ -1,8 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "aspects/boxes/box_classifier.h"
-#include "aspects/roadmap/pose_sampler.h"
-#include "aspects/tree/slice_space.h"
-#include "interval/interval.h"
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"
 #include "parallel_aspects/aspects/same_aspect.h"
@@ -13,16 +9,13 @@
 #include <gtest/gtest.h>
 
 #include "support/clearance_at.h"
+#include "support/constrained_boxes.h"
 #include "support/constrained_robots.h"
 #include "support/robots.h"
 #include "support/shipped.h"
-#include "support/sign_at.h"
-#include "support/slices.h"
 #include "support/thoroughness.h"
 #include <cmath>
-#include <functional>
-#include <optional>
-#include <random>
+#include <string>
 
 namespace parallel_aspects {
 namespace {
@@ -30,231 +23,42 @@ namespace {
 using test::Robot;
 using test::with;
 
-struct Case {
-  const char* name;
-  std::function<Robot()> make;
-  test::Held held;  // of a slice; empty for a map
-};
-
-const Case cases[] = {
-    {"delta", test::delta, {}},
-    {"linear_delta", test::linear_delta, {}},
-    {"five_bar", test::five_bar, {}},
-    {"three_rrr", test::three_rrr, {}},
-    {"three_rpr", test::three_rpr, {}},
-    {"three_rrr_turning", test::three_rrr, {{"x", -4.0}}},
-    {"hexa", [] { return test::shipped("hexa")->manipulator(); }, test::upright({{"z", -0.6}})},
-    {"stewart", [] { return test::shipped("stewart")->manipulator(); }, test::upright({{"z", 1.3}})},
-    {"stewart_turning",
-     [] { return test::shipped("stewart")->manipulator(); },
-     {{"z", 1.3}, {"roll", 0.1}, {"pitch", 0.0}}},
-    {"stewart_tilting",
-     [] { return test::shipped("stewart")->manipulator(); },
-     {{"x", 0.0}, {"y", 0.1}, {"z", 1.3}}},
-    {"six_pus", [] { return test::shipped("six_pus")->manipulator(); }, test::upright()}};
-
 /// Cones about where the rods are at some pose, of every kind and size: narrow, of half a turn and wider.
-class ConesTest : public testing::TestWithParam<Case> {
+class ConesTest : public test::ConstrainedBoxes {
  protected:
-  void SetUp() override {
-    const Robot plain = GetParam().make();
-    std::optional<MapSlice> slice;
-    if (!GetParam().held.empty()) slice = test::slice_of(plain, GetParam().held);
-    space = make_space(*plain, slice);
-    const auto start = draw_start(*plain);
-    ASSERT_TRUE(start);
-    mode = start->mode;
-    Constraints constraints;
-    constraints.cones = draw_cones(*plain, *start);
-    robot = with(plain, constraints);
-    classifier = make_classifier(*robot, slice);
-  }
-
-  double uniform(double lower, double upper) { return test::uniform(random, lower, upper); }
-
-  std::unique_ptr<const BoxClassifier> make_classifier(const Manipulator& of,
-                                                       const std::optional<MapSlice>& slice) {
-    return slice ? make_slice_classifier(of, {mode}, *slice) : make_box_classifier(of, {mode});
-  }
-
-  std::shared_ptr<const PoseSpace> make_space(const Manipulator& of, const std::optional<MapSlice>& slice) {
-    mode = WorkingMode(of.leg_count());
-    const double size = of.size();  // rails without ends reach everywhere
-    const Box around{3, {-size, -size, -size}, {size, size, size}};
-    const Box reachable = make_classifier(of, slice)->reachable_positions().value_or(around);
-    return slice ? make_slice_space(*slice, reachable, of.characteristic_length())
-                 : make_pose_space(of.task_space(), reachable, of.characteristic_length());
-  }
-
-  struct Start {
-    Pose pose;
-    WorkingMode mode;
-    JointVector q;
-  };
-
-  std::optional<Start> draw_start(const Manipulator& of) {
-    for (int i = 0; i < 100000; ++i) {
-      const Pose pose = space->pose(test::random_position(*space, random));
-      for (const InverseSolution& solution : inverse_in_all_modes(of, pose))
-        if (solution.status == InverseStatus::solved &&
-            test::sign_at(of, pose, solution.mode).value_or(0) != 0)
-          return Start{pose, solution.mode, solution.q};
-    }
-    return std::nullopt;
-  }
-
-  std::vector<BallJointCone> draw_cones(const Manipulator& of, const Start& start) {
-    const test::ClearanceAt at(of, start.pose, start.q);
+  Constraints choose(const Manipulator& plain, const Start& start) override {
+    const test::ClearanceAt at(plain, start.pose, start.q);
     const double angles[] = {0.9, 0.5 * EIGEN_PI, 2.3};
-    std::vector<BallJointCone> cones;
+    Constraints constraints;
     for (std::size_t k = 0; k < 4; ++k) {
-      BallJointCone cone{k % of.leg_count(), k % 2 == 0 ? LegEnd::platform : LegEnd::base, {}, angles[k % 3]};
-      Eigen::Vector3d about =
-          is_planar(of.task_space())
+      BallJointCone cone{
+          k % plain.leg_count(), k % 2 == 0 ? LegEnd::platform : LegEnd::base, {}, angles[k % 3]};
+      const Eigen::Vector3d about =
+          is_planar(plain.task_space())
               ? Eigen::Vector3d::UnitZ()
               : Eigen::Vector3d(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)).normalized();
       cone.axis = Eigen::AngleAxisd(0.8 * cone.angle, about) * at.seen_rod(cone.leg, cone.end).normalized();
-      cones.push_back(cone);
+      constraints.cones.push_back(cone);
     }
-    return cones;
+    return constraints;
   }
 
-  MapPosition random_box(double largest_share, Box& box) {
-    box = space->region();
-    const double share = largest_share * std::pow(2.0, uniform(-8.0, 0.0));
-    for (std::size_t i = 0; i < box.dimension; ++i) {
-      const double width = share * space->region().width(i);
-      box.lower[i] = uniform(space->region().lower[i], space->region().upper[i] - width);
-      box.upper[i] = box.lower[i] + width;
-    }
-    return {static_cast<RootIndex>(random() % space->root_count()), box.lower};
-  }
-
-  MapPoint random_point(const Box& box) {
-    MapPoint point{};
-    for (std::size_t i = 0; i < box.dimension; ++i) point[i] = uniform(box.lower[i], box.upper[i]);
-    return point;
-  }
-
-  double clearance(const Pose& pose) const {
+  double clearance(const Pose& pose) const override {
     return test::ClearanceAt(*robot, pose, inverse(*robot, pose, mode).q).of_cones();
   }
-
-  LeafState state(RootIndex root, const Box& box) const {
-    const RoundingUpward rounding;
-    return classifier->state(root, box, 0);
-  }
-
-  std::mt19937_64 random{20261122};
-  Robot robot;
-  WorkingMode mode{1};
-  std::shared_ptr<const PoseSpace> space;
-  std::unique_ptr<const BoxClassifier> classifier;
 };
 
-TEST_P(ConesTest, NoPoseContradictsItsBox) {
-  std::size_t samples = 0, inside = 0, shut_out = 0;
-  for (int i = 0; samples < test::thinned<std::size_t>(100000) && i < 400000; ++i) {
-    Box box;
-    const RootIndex root = random_box(0.05, box).root;
-    const LeafState found = state(root, box);
-    for (int k = 0; k < 4; ++k, ++samples) {
-      const Pose pose = space->pose({root, random_point(box)});
-      const auto sign = test::sign_at(*robot, pose, mode);
-      if (!sign) continue;
-      const double margin = *sign == 0 ? -1.0 : clearance(pose);
-      if (found.is_inside()) {
-        ++inside;
-        ASSERT_TRUE(found.is_inside(*sign) && margin > -1e-9)
-            << to_string(robot->task_space(), pose) << ' ' << margin;
-      } else if (*sign != 0 && margin > 1e-9) {
-        ASSERT_TRUE(found.may_be(*sign)) << to_string(robot->task_space(), pose) << ' ' << margin;
-      } else if (*sign != 0) {
-        shut_out += found.is_outside();
-      }
-    }
-  }
-  EXPECT_TRUE(test::is_sanitized || inside > 100U) << inside;
-  EXPECT_TRUE(test::is_sanitized || shut_out > 20U) << shut_out;
-}
+TEST_P(ConesTest, NoPoseContradictsItsBox) { expect_no_contradiction(); }
 
-TEST_P(ConesTest, SmallBoxesAreDecidedOnEitherSide) {
-  int in_cones = 0, decided_inside = 0, beyond = 0, decided_outside = 0;
-  for (int i = 0; i < test::thinned(20000); ++i) {
-    Box box;
-    const RootIndex root = random_box(0.0, box).root;
-    for (std::size_t k = 0; k < box.dimension; ++k) box.upper[k] += 1e-9 * space->region().width(k);
-    const Pose pose = space->pose({root, box.lower});
-    if (test::sign_at(*robot, pose, mode).value_or(0) == 0) continue;
-    const double margin = clearance(pose);
-    if (std::abs(margin) < 1e-4) continue;
-    const LeafState found = state(root, box);
-    ++(margin > 0.0 ? in_cones : beyond);
-    decided_inside += margin > 0.0 && found.is_inside();
-    decided_outside += margin < 0.0 && found.is_outside();
-  }
-  EXPECT_TRUE(test::is_sanitized || in_cones > 10) << in_cones;
-  EXPECT_TRUE(test::is_sanitized || beyond > 10) << beyond;
-  EXPECT_GE(decided_inside, 0.999 * in_cones) << in_cones;
-  EXPECT_GE(decided_outside, 0.999 * beyond) << beyond;
-}
+TEST_P(ConesTest, SmallBoxesAreDecidedOnEitherSide) { expect_small_boxes_decided(); }
 
-// Of all conditions, the cones among them.
 TEST_P(ConesTest, SlopesAreThoseOfFiniteDifferences) {
-  const auto conditions = [this](const MapPosition& position) {
-    const RoundingUpward rounding;
-    return classifier->conditions(position, 0, 1);
-  };
-  int compared = 0;
-  for (int i = 0; i < 20000 && compared < 500; ++i) {
-    const MapPosition position = test::random_position(*space, random);
-    if (test::sign_at(*robot, space->pose(position), mode).value_or(0) == 0) continue;
-    const Conditions here = conditions(position);
-    ASSERT_GE(here.count, robot->leg_count() + 1 + robot->constraints().cones.size());
-    for (std::size_t k = 0; k < space->dimension(); ++k) {
-      const double step = 1e-6 * space->region().width(k);
-      MapPosition before = position, after = position;
-      before.point[k] -= step;
-      after.point[k] += step;
-      const Conditions low = conditions(before), high = conditions(after);
-      if (low.count != here.count || high.count != here.count) continue;
-      for (std::size_t c = 0; c < here.count; ++c) {
-        const double one = (here.items[c].value - low.items[c].value) / step,
-                     other = (high.items[c].value - here.items[c].value) / step;
-        // Where B_jj is nearly 0, its slope is too steep for differences.
-        const double bend = std::abs(one - other);
-        ASSERT_NEAR(here.items[c].slope[k], 0.5 * (one + other),
-                    bend + 1e-5 * (std::abs(one) + std::pow(robot->size(), 3)))
-            << "condition " << c << " at " << to_string(robot->task_space(), space->pose(position));
-        ++compared;
-      }
-    }
-  }
-  EXPECT_GE(compared, 500);
+  expect_slopes_of_finite_differences(robot->leg_count() + 1 + robot->constraints().cones.size());
 }
 
-TEST_P(ConesTest, FreeSegmentsStayInTheCones) {
-  const SegmentCertifier certifier(robot);
-  int free = 0, blocked = 0;
-  for (int i = 0; i < test::thinned(2000); ++i) {
-    Box box;
-    const RootIndex root = random_box(0.1, box).root;
-    const Pose from = space->pose({root, random_point(box)}), to = space->pose({root, random_point(box)});
-    const ConfigurationProof start = certifier.prove(from, mode);
-    if (start.failing == ConstraintKind::cones) {
-      ++blocked;
-      ASSERT_LT(clearance(from), 1e-9);
-    }
-    if (certifier.prove(from, to, mode).verdict != SegmentVerdict::free) continue;
-    ++free;
-    for (int k = 0; k <= 10; ++k) ASSERT_GT(clearance(pose_between(from, to, 0.1 * k)), -1e-9);
-  }
-  EXPECT_GT(free, test::is_sanitized ? -1 : 5);
-  EXPECT_GT(blocked, test::is_sanitized ? -1 : 0);
-}
+TEST_P(ConesTest, FreeSegmentsStayInTheCones) { expect_free_segments_stay(ConstraintKind::cones); }
 
-INSTANTIATE_TEST_SUITE_P(Robots, ConesTest, testing::ValuesIn(cases),
-                         [](const auto& each) { return std::string(each.param.name); });
+INSTANTIATE_TEST_SUITE_P(Robots, ConesTest, testing::ValuesIn(test::mapped_robots()), test::name_of);
 
 Robot delta_with_cones(double at_crank, double at_platform) {
   const Robot plain = test::delta();

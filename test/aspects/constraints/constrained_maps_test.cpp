@@ -270,8 +270,8 @@ TEST(Constraints, AreEachReportedWithTheirBoundary) {
   EXPECT_GT(of_struts[0].measure, 0.0);
 }
 
-TEST(Constraints, AreDrawnAsBoundariesOfTheirOwn) {
-  const Robot robot = with(test::five_bar(), all_kinds(test::five_bar(), 0.01));
+/// The kinds of boundaries in all pictures of a map.
+std::set<BoundaryKind> drawn_kinds(const Robot& robot) {
   MapOptions options;
   options.resolution = 0.4;
   options.extra_levels = 2;
@@ -282,10 +282,23 @@ TEST(Constraints, AreDrawnAsBoundariesOfTheirOwn) {
         trace_slice(*found.map, mode, PoseSlice(TaskSpace::T2, 0.0), slice_bounds(*found.map), 60);
     for (const BoundarySegment& segment : picture.segments) kinds.insert(segment.kind);
   }
+  return kinds;
+}
+
+TEST(Constraints, AreDrawnAsBoundariesOfTheirOwn) {
+  const Robot robot = with(test::five_bar(), all_kinds(test::five_bar(), 0.01));
+  const std::set<BoundaryKind> with_margins = drawn_kinds(robot),
+                               without = drawn_kinds(robot->with_margins({}));
   for (const BoundaryKind kind :
-       {BoundaryKind::parallel, BoundaryKind::serial, BoundaryKind::passive_limit, BoundaryKind::cone,
-        BoundaryKind::self_collision, BoundaryKind::obstacle, BoundaryKind::workspace})
-    EXPECT_EQ(kinds.count(kind), 1U) << static_cast<int>(kind);
+       {BoundaryKind::passive_limit, BoundaryKind::cone, BoundaryKind::self_collision, BoundaryKind::obstacle,
+        BoundaryKind::workspace}) {
+    EXPECT_EQ(with_margins.count(kind), 1U) << static_cast<int>(kind);
+    EXPECT_EQ(without.count(kind), 1U) << static_cast<int>(kind);
+  }
+  EXPECT_EQ(without.count(BoundaryKind::serial), 1U);
+  EXPECT_EQ(without.count(BoundaryKind::parallel), 1U);
+  EXPECT_EQ(without.count(BoundaryKind::margin), 0U);
+  EXPECT_EQ(with_margins.count(BoundaryKind::margin), 1U);
 }
 
 // Leg 1 of the five-bar may bend one way only.

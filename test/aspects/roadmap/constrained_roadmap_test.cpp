@@ -117,6 +117,8 @@ double clearance(const test::ClearanceAt& at, ConstraintKind kind) {
       return at.of_self_collision();
     case ConstraintKind::obstacles:
       return at.of_obstacles();
+    case ConstraintKind::margins:
+      return at.of_margins();
     case ConstraintKind::workspace:
     case ConstraintKind::actuated_limits:
       break;

@@ -110,6 +110,22 @@ TEST_F(RoadmapCommand, TellsTheAspectsOfTheFiveBarApart) {
   EXPECT_EQ(found, expected);
 }
 
+TEST_F(RoadmapCommand, BottlenecksAreToldWhereThereIsAMap) {
+  const auto bottleneck = [&](const char* to, const char* index) {
+    return run_json(
+               {"connect", "five_bar", "--from", "4.5 8", "--to", to, "--mode", "(+,-)", "--index", index})
+        .at("answers")[0]
+        .at("bottleneck");
+  };
+  const json around = bottleneck("4.5 -8", "parallel");
+  EXPECT_EQ(around["index"], "parallel");
+  EXPECT_GT(around["lower"], 0.4);
+  EXPECT_LT(around["upper"], 0.5);
+  EXPECT_GT(bottleneck("4.5 -8", "det_a")["lower"], 1.0);
+  EXPECT_EQ(bottleneck("4.69 11.63", "parallel"), nullptr);  // another aspect
+  EXPECT_EQ(bottleneck("40 0", "parallel"), nullptr);
+}
+
 TEST_F(RoadmapCommand, OneModeCanBeAskedFor) {
   for (const char* mode : {"(+,-)", "+-", "+ -"}) {
     const json connection =

@@ -123,6 +123,54 @@ TEST_F(MapCommand, ConesAreNamedAndCanBeLeftOut) {
   EXPECT_LT(bounded["aspects"].size(), free["aspects"].size());
 }
 
+// A larger margin leaves less, and the crumbs of the Delta go first.
+TEST_F(MapCommand, MarginsLeaveWhatIsDeep) {
+  const auto five_bar = [&](const char* margin) {
+    return run_json({"map", "five_bar", "--resolution", "0.5", "--margin", margin});
+  };
+  const json plain = run_json({"map", "five_bar", "--resolution", "0.5"}),
+             some = five_bar("parallel=0.2,serial=0.1"), most = five_bar("parallel=0.6");
+  EXPECT_TRUE(plain["margins"].empty());
+  EXPECT_EQ(some["margins"], json::parse(R"({"parallel": 0.2, "serial": 0.1})"));
+  EXPECT_EQ(some["constraints"][0]["name"], "margins");
+  EXPECT_EQ(plain["aspects"].size(), 10U);
+  for (const json& aspect : most["aspects"]) EXPECT_GE(aspect["deepest_index"]["upper"], 0.6);
+  for (const json& aspect : plain["aspects"]) {
+    EXPECT_LE(aspect["deepest_index"]["lower"], aspect["deepest_index"]["upper"]);
+    EXPECT_GT(aspect["deepest_index"]["lower"], 0.3);
+  }
+}
+
+TEST_F(MapCommand, MarginsAndIndicesThatAreNoneAreRefused) {
+  const std::vector<std::vector<const char*>> questions{
+      {"--margin", "paralel=0.1"}, {"--margin", "parallel=1.1"}, {"--margin", "0.1"}, {"--index", "sine"}};
+  for (const auto& question : questions) {
+    const Outcome outcome = run({"map", "five_bar", question[0], question[1]});
+    EXPECT_EQ(outcome.code, exit_code::bad_input) << question[1];
+    EXPECT_NE(outcome.messages.find("parallel"), std::string::npos) << outcome.messages;
+  }
+  const Outcome roadmap = run({"map", "stewart", "--persistence"});
+  EXPECT_EQ(roadmap.code, exit_code::bad_input);
+  EXPECT_NE(roadmap.messages.find("--persistence and --index are for maps of boxes"), std::string::npos);
+}
+
+TEST_F(MapCommand, PersistenceListsBasins) {
+  const json map = run_json({"map", "five_bar", "--persistence"});
+  const json& basins = map.at("basins");
+  ASSERT_GE(basins.size(), 10U);
+  EXPECT_EQ(basins[0]["deeper"], nullptr);
+  std::size_t joined = 0;
+  for (const json& basin : basins) {
+    if (basin["deeper"].is_null()) continue;
+    ++joined;
+    EXPECT_LT(basin["saddle"]["upper"], basin["deepest_index"]["lower"]);
+    EXPECT_EQ(basins[basin["deeper"].get<std::size_t>()]["aspect"], basin["aspect"]);
+  }
+  EXPECT_EQ(joined, basins.size() - 10);
+  const std::string text = run({"map", "five_bar", "--persistence"}).output;
+  EXPECT_NE(text.find("\nbasins: parts of aspects that a larger margin separates\n"), std::string::npos);
+}
+
 // Where the limits cut nothing, or are nearly a full turn, the counts are the same.
 TEST_F(MapCommand, CountsWithoutLimitsAreTold) {
   const json bipod = run_json({"map", "bipod", "--resolution", "0.2"});
@@ -146,10 +194,10 @@ TEST_F(MapCommand, BadConstraintsAreRefused) {
   const std::vector<std::pair<std::vector<const char*>, std::string>> cases{
       {{"map", "five_bar", "--constraint", "gravity"},
        "--constraint names 'gravity'; give some of actuated_limits, passive_limits, cones, self_collision, "
-       "obstacles, workspace, all or none.\n"},
+       "obstacles, workspace, margins, all or none.\n"},
       {{"map", "five_bar", "--no-constraint", "gravity"},
        "--no-constraint names 'gravity'; give some of actuated_limits, passive_limits, cones, "
-       "self_collision, obstacles, workspace, all or none.\n"},
+       "self_collision, obstacles, workspace, margins, all or none.\n"},
       {{"map", "five_bar", "--constraint", "obstacles"},
        "--constraint names obstacles, which 'five_bar' has none of; state it in the robot's YAML or URDF, or "
        "leave it out.\n"},

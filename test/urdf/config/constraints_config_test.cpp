@@ -39,6 +39,7 @@ constraints:
     - {name: post, center: [4.5, 3.0], radius: 0.5}
     - {center: [1.0, -2.0], size: [2.0, 1.0], rotation: [0.5]}
   workspace: {lower: [0.0, 1.0], upper: [8.0, 9.0]}
+  margins: {parallel: 0.05, serial: 0.1, det_a: 3.0}
 )");
   const Constraints& found = mechanism->manipulator()->constraints();
   EXPECT_EQ(found.thickness.crank, 0.35);
@@ -53,6 +54,9 @@ constraints:
   ASSERT_EQ(found.self_collision->ignored.size(), 1U);
   EXPECT_EQ(to_string(found.self_collision->ignored[0][0]), "rod_2");
   EXPECT_EQ(to_string(found.self_collision->ignored[0][1]), "crank_1");
+  EXPECT_EQ(found.margins.parallel, 0.05);
+  EXPECT_EQ(found.margins.serial, 0.1);
+  EXPECT_EQ(found.margins.det_a, 3.0);
   ASSERT_EQ(found.obstacles.size(), 2U);
   EXPECT_EQ(found.obstacles[0].name, "post");
   EXPECT_EQ(std::get<BallObstacle>(found.obstacles[0].shape).radius, 0.5);
@@ -61,6 +65,31 @@ constraints:
   EXPECT_NEAR(Eigen::AngleAxisd(box.orientation).angle(), 0.5, 1e-15);
   ASSERT_TRUE(found.workspace);
   EXPECT_EQ(found.workspace->upper, Eigen::Vector3d(8.0, 9.0, 0.0));
+}
+
+// Each message by its remedy.
+TEST(ConstraintsConfig, RefusesMarginsThatAreNone) {
+  const auto problem = [](const std::string& margins) -> std::string {
+    try {
+      loaded("five_bar", "constraints: {margins: " + margins + "}");
+    } catch (const InvalidDescription& invalid) {
+      return invalid.problems().size() == 1 ? invalid.problems().front() : "several problems";
+    }
+    return "";
+  };
+  EXPECT_EQ(problem("{parallel: 0.0}"), "");
+  EXPECT_EQ(problem("{parallel: 1.0}"),
+            "five_bar.yaml has a constraints.margins.parallel that is not from 0 to below 1; give the least "
+            "parallel "
+            "index, which is 0 at parallel singularities and 1 at most.");
+  EXPECT_EQ(problem("{det_a: -1.0}"),
+            "five_bar.yaml has a constraints.margins.det_a that is not 0 or a positive number; give the "
+            "least |det A|, "
+            "in its unit.");
+  EXPECT_NE(problem("{paralel: 0.1}").find("did you mean 'parallel'"), std::string::npos)
+      << problem("{paralel: 0.1}");
+  EXPECT_NE(problem("[0.1]").find("write {parallel: 0.05, serial: 0.1}"), std::string::npos)
+      << problem("[0.1]");
 }
 
 TEST(ConstraintsConfig, CanSwitchLimitsOff) {
