@@ -355,7 +355,7 @@ class GoSignal : public NodeLife {
 };
 
 TEST_F(GoSignal, IsOffWhereTheNodeIsHaltedOrKilled) {
-  EXPECT_TRUE(becomes(true));
+  ASSERT_TRUE(becomes(true)) << "the first python3 on PATH must have rospy";
   process_->signal(SIGSTOP);
   EXPECT_TRUE(becomes(false));
   EXPECT_TRUE(stays_off(10));
