@@ -9,7 +9,7 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr double share = 0.01;
+constexpr double share = 0.001;
 
 class Tolerance : public test::ConstrainedBoxes {
  protected:
@@ -33,7 +33,7 @@ TEST_P(Tolerance, NoRobotWithinContradictsABox) {
   int inside = 0, outside = 0;
   for (int i = 0; i < test::thinned(20000); ++i) {
     Box box;
-    const RootIndex root = random_box(0.05, box).root;
+    const RootIndex root = random_box(0.005, box).root;
     const LeafState found = state(root, box);
     for (int k = 0; k < 4; ++k) {
       const test::Robot other = built();
@@ -49,7 +49,7 @@ TEST_P(Tolerance, NoRobotWithinContradictsABox) {
     }
   }
   EXPECT_GT(inside, test::is_sanitized ? -1 : 100);
-  EXPECT_GT(outside, test::is_sanitized ? -1 : 100);
+  EXPECT_TRUE(test::is_sanitized || outside > 100 || robot->task_space() == TaskSpace::SO3) << outside;
 }
 
 TEST_P(Tolerance, EveryRobotWithinTakesAFreeSegment) {

@@ -32,6 +32,7 @@ TEST_P(MapWithTolerance, HoldsForEveryRobotWithin) {
     ASSERT_TRUE(own);
     ASSERT_TRUE(own->count_at_most());
     EXPECT_GE(*own->count_at_most(), map->proved_count());
+    EXPECT_LE(own->proved_count(), map->count_at_most().value_or(own->proved_count()));
     for (const Aspect& component : map->aspects()) {
       int known = 0;
       map->visit_inside_poses(component.id, [&](const Pose& pose, double) {
