@@ -11,7 +11,8 @@ template <TaskSpace space>
 LocalChart<space>::LocalChart(const Manipulator& manipulator) : metric_(manipulator) {
   const RoundingUpward rounding;
   for (std::size_t j = 0; j < size; ++j) {
-    const Leg& leg = manipulator.leg(j);
+    Leg leg = manipulator.leg(j);
+    leg.tolerance = 0.0;  // distances are those of the robot that is described
     legs_.emplace_back(leg);
     const Vector<Interval> anchor = interval_vector(leg.anchor), center = interval_vector(metric_.center);
     base_points_[j] = interval_vector(leg.base_point());

@@ -41,16 +41,16 @@ AngleLimits::AngleLimits(const JointLimits& limits, double offset, double sense)
   less_than_half_turn_ = limits.upper - limits.lower < EIGEN_PI;
 }
 
-LengthLimits::LengthLimits(const JointLimits& limits, double zero, double sense) : limits_(limits) {
+LengthLimits::LengthLimits(const JointLimits& limits, const Interval& zero, double sense) : limits_(limits) {
   const double first = sense > 0.0 ? limits.lower : limits.upper;
   const double last = sense > 0.0 ? limits.upper : limits.lower;
-  const Interval at_zero(zero), factor(sense);
+  const Interval factor(sense);
   if (std::isfinite(first)) {
-    const Interval shortest = at_zero + factor * Interval(first);
+    const Interval shortest = zero + factor * Interval(first);
     if (!shortest.negative()) squared_lower_ = square(not_negative_part(shortest));
   }
   if (std::isfinite(last)) {
-    const Interval longest = at_zero + factor * Interval(last);
+    const Interval longest = zero + factor * Interval(last);
     squared_upper_ = longest.negative() ? Interval(-1.0) : square(not_negative_part(longest));
   }
 }

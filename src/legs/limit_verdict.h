@@ -69,7 +69,7 @@ class LengthLimits {
   explicit LengthLimits(const JointLimits& limits) noexcept : limits_(limits) {}
 
   /// Of the length `zero` + `sense` q of a strut, q in `limits`; `sense` +1 or -1.
-  LengthLimits(const JointLimits& limits, double zero, double sense);
+  LengthLimits(const JointLimits& limits, const Interval& zero, double sense);
 
   bool limited() const noexcept { return limits_.limited(); }
 

@@ -1,20 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "legs/planar_leg.h"
 
+#include "legs/toleranced.h"
+
 #include <cmath>
 
 namespace parallel_aspects {
 
 PlanarLeg::PlanarLeg(const Leg& leg) : type_(leg.kind().type) {
   assert_rounding_upward();
-  set_base(leg.base_point(), leg);
+  set_base(leg);
   std::visit([this, &leg](const auto& actuation) { set(actuation, leg); }, leg.actuation);
 }
 
-void PlanarLeg::set_base(const Eigen::Vector3d& base, const Leg& leg) {
-  base_ = {base.x(), base.y()};
-  squared_height_ = square(Interval(leg.anchor.z()) - Interval(base.z()));
-  reach_ = leg.longest_reach();
+void PlanarLeg::set_base(const Leg& leg) {
+  const std::array<Interval, 3> base = toleranced_base(leg);
+  base_ = {base[0], base[1]};
+  squared_height_ = square(toleranced_anchor(leg)[2] - base[2]);
+  reach_ = toleranced_reach(leg);
 }
 
 void PlanarLeg::set_two_links(const Interval& squared_first, const Interval& squared_second) {
@@ -24,9 +27,9 @@ void PlanarLeg::set_two_links(const Interval& squared_first, const Interval& squ
 }
 
 void PlanarLeg::set(const RevoluteActuation& actuation, const Leg& leg) {
-  const Interval squared_crank = square(Interval(actuation.radius));
+  const Interval squared_crank = square(toleranced_length(actuation.radius, leg));
   // Anchor and crank tip move in parallel planes; what is left of the rod in the plane.
-  rod_ = Interval(leg.rod_length);
+  rod_ = toleranced_length(leg.rod_length, leg);
   squared_rod_ = square(rod_) - squared_height_;
   set_two_links(squared_crank, not_negative_part(squared_rod_));
   half_difference_ = Interval(0.5) * (squared_rod_ - squared_crank);
@@ -36,19 +39,20 @@ void PlanarLeg::set(const RevoluteActuation& actuation, const Leg& leg) {
 }
 
 void PlanarLeg::set(const PrismaticActuation& actuation, const Leg& leg) {
-  rod_ = Interval(leg.rod_length);
+  rod_ = toleranced_length(leg.rod_length, leg);
   squared_rod_ = square(rod_) - squared_height_;
   direction_ = {actuation.direction.x(), actuation.direction.y()};
   length_limits_ = LengthLimits(leg.limits);
 }
 
 void PlanarLeg::set(const StrutActuation& actuation, const Leg& leg) {
-  length_limits_ = LengthLimits(leg.limits, actuation.length_at_zero, actuation.sense);
+  length_limits_ =
+      LengthLimits(leg.limits, toleranced_length(actuation.length_at_zero, leg), actuation.sense);
 }
 
 void PlanarLeg::set(const ElbowActuation& actuation, const Leg& leg) {
-  const Interval squared_inner = square(Interval(actuation.inner_length));
-  const Interval squared_outer = square(Interval(actuation.outer_length));
+  const Interval squared_inner = square(toleranced_length(actuation.inner_length, leg));
+  const Interval squared_outer = square(toleranced_length(actuation.outer_length, leg));
   set_two_links(squared_inner, squared_outer);
   half_sum_ = Interval(0.5) * (squared_inner + squared_outer);
   sense_ = actuation.sense;

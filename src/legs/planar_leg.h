@@ -35,7 +35,7 @@ struct PlanarLegForm {
 };
 
 /// A distance leg whose actuated joint and anchor move in parallels of the x-y plane, with its constants
-/// enclosed in intervals. Must be made under a live `RoundingUpward`.
+/// enclosed for every robot within `Leg::tolerance`. Must be made under a live `RoundingUpward`.
 ///
 /// `SpatialLeg` would do, in more time: with it, through `SliceChart`, maps take 1.4 times the processor time
 /// (five_bar), 1.13 (three_rpr), 1.29 (three_prr) and 1.55 (three_rrr). In the plane fewer products enclose
@@ -78,7 +78,7 @@ class PlanarLeg {
   void set(const PrismaticActuation& actuation, const Leg& leg);
   void set(const StrutActuation& actuation, const Leg& leg);
   void set(const ElbowActuation& actuation, const Leg& leg);
-  void set_base(const Eigen::Vector3d& base, const Leg& leg);
+  void set_base(const Leg& leg);
   void set_two_links(const Interval& squared_first, const Interval& squared_second);
 
   /// Parts of `form`, `limits` and `link_points` for a crank.

@@ -2,6 +2,7 @@
 #include "legs/spatial_leg.h"
 
 #include "legs/determinant.h"
+#include "legs/toleranced.h"
 
 namespace parallel_aspects {
 namespace {
@@ -11,7 +12,7 @@ Spatial<Interval> enclosed(const Eigen::Vector3d& vector) { return {vector.x(), 
 }  // namespace
 
 SpatialLeg::SpatialLeg(const Leg& leg)
-    : type_(leg.kind().type), reach_(leg.longest_reach()), base_(enclosed(leg.base_point())) {
+    : type_(leg.kind().type), reach_(toleranced_reach(leg)), base_(toleranced_base(leg)) {
   assert_rounding_upward();
   std::visit([this, &leg](const auto& actuation) { set(actuation, leg); }, leg.actuation);
 }
@@ -20,7 +21,8 @@ void SpatialLeg::set(const RevoluteActuation& actuation, const Leg& leg) {
   axis_ = enclosed(actuation.axis);
   zero_direction_ = enclosed(actuation.zero_direction);
   side_direction_ = cross(axis_, zero_direction_);
-  const Interval crank(actuation.radius), rod(leg.rod_length);
+  const Interval crank = toleranced_length(actuation.radius, leg),
+                 rod = toleranced_length(leg.rod_length, leg);
   rod_ = rod;
   squared_rod_ = square(rod);
   squared_longest_ = square(crank + rod);
@@ -32,17 +34,19 @@ void SpatialLeg::set(const RevoluteActuation& actuation, const Leg& leg) {
 
 void SpatialLeg::set(const PrismaticActuation& actuation, const Leg& leg) {
   axis_ = enclosed(actuation.direction);
-  rod_ = Interval(leg.rod_length);
+  rod_ = toleranced_length(leg.rod_length, leg);
   squared_rod_ = square(rod_);
   length_limits_ = LengthLimits(leg.limits);
 }
 
 void SpatialLeg::set(const StrutActuation& actuation, const Leg& leg) {
-  length_limits_ = LengthLimits(leg.limits, actuation.length_at_zero, actuation.sense);
+  length_limits_ =
+      LengthLimits(leg.limits, toleranced_length(actuation.length_at_zero, leg), actuation.sense);
 }
 
 void SpatialLeg::set(const ElbowActuation& actuation, const Leg& leg) {
-  const Interval inner(actuation.inner_length), outer(actuation.outer_length);
+  const Interval inner = toleranced_length(actuation.inner_length, leg);
+  const Interval outer = toleranced_length(actuation.outer_length, leg);
   squared_longest_ = square(inner + outer);
   squared_shortest_ = square(inner - outer);
   half_sum_ = Interval(0.5) * (square(inner) + square(outer));

@@ -37,8 +37,8 @@ struct SpatialLegForm {
   Spatial<Scalar> fixed, turned;
 };
 
-/// A distance leg in space, with its constants enclosed in intervals. Must be made under a live
-/// `RoundingUpward`.
+/// A distance leg in space, with its constants enclosed for every robot within `Leg::tolerance`.
+/// Must be made under a live `RoundingUpward`.
 class SpatialLeg {
  public:
   explicit SpatialLeg(const Leg& leg);

@@ -24,6 +24,8 @@ class LegCheck {
           "joint "
           "'" +
           leg.actuated_joint + "'.");
+    if (!std::isfinite(leg.tolerance) || leg.tolerance < 0.0)
+      say("has a tolerance that is not finite or is negative; give a length in metres, or 0.");
     if (!(leg.limits.velocity > 0.0))
       say("has a velocity limit that is not positive; give one, or none, to joint '" + leg.actuated_joint +
           "'.");
@@ -188,6 +190,18 @@ std::shared_ptr<const Manipulator> Manipulator::with_margins(const Margins& marg
   ManipulatorDescription description = description_;
   description.constraints.margins = margins;
   return std::make_shared<const Manipulator>(std::move(description));
+}
+
+std::shared_ptr<const Manipulator> Manipulator::with_tolerance(double share) const {
+  ManipulatorDescription description = description_;
+  for (Leg& leg : description.legs) leg.tolerance = share * size_;
+  return std::make_shared<const Manipulator>(std::move(description));
+}
+
+double Manipulator::tolerance() const noexcept {
+  double largest = 0.0;
+  for (const Leg& leg : legs()) largest = std::max(largest, leg.tolerance);
+  return largest;
 }
 
 bool Manipulator::within_limits(const JointVector& q) const noexcept {

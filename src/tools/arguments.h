@@ -43,16 +43,18 @@ Box parse_region(const std::string& option, const std::vector<std::string>& name
 /// The margins that `text` gives, such as "parallel=0.05 serial=0.1", separated by blanks or commas.
 Margins parse_margins(const std::string& option, std::string text, Problems& problems);
 
-/// Which constraints bound the aspects, as text from the command line; empty where not given.
+/// Which constraints bound the aspects, and of robots within which tolerance, as text from the command line;
+/// empty where not given.
 struct ConstraintArguments {
-  std::string only, without, margins;
+  std::string only, without, margins, tolerance;
 };
 
-/// `--constraint LIST`, `--no-constraint LIST` and `--margin LIST`, which fill `arguments`.
+/// `--constraint LIST`, `--no-constraint LIST`, `--margin LIST` and `--tolerance SHARE`, which fill
+/// `arguments`.
 std::vector<Option> constraint_options(ConstraintArguments& arguments);
 
-/// The manipulator with the constraints that are chosen; by default those that its description states.
-/// Throws `InvalidDescription` with every problem.
+/// The manipulator with the constraints and the tolerance that are chosen; by default those that its
+/// description states. Throws `InvalidDescription` with every problem.
 std::shared_ptr<const Manipulator> choose_constraints(std::shared_ptr<const Manipulator> manipulator,
                                                       const ConstraintArguments& arguments);
 

@@ -3,6 +3,7 @@
 #include "tools/report/numbers.h"
 
 #include <algorithm>
+#include <optional>
 #include <sstream>
 #include <utility>
 
@@ -59,6 +60,15 @@ void read_margin(const std::string& option, const std::string& word, Margins& ma
   if (!value.empty()) margins.*found->member = value.front();
 }
 
+std::optional<double> parse_tolerance(const std::string& text, Problems& problems) {
+  if (text.empty()) return std::nullopt;
+  const auto value = parse_numbers("--tolerance", text, {"the share"}, problems);
+  if (value.empty()) return std::nullopt;
+  if (value.front() >= 0.0 && value.front() <= 0.1) return value.front();
+  problems.push_back("--tolerance is not from 0 to 0.1; give a share of the robot's size such as 0.001.");
+  return std::nullopt;
+}
+
 }  // namespace
 
 Margins parse_margins(const std::string& option, std::string text, Problems& problems) {
@@ -80,7 +90,11 @@ std::vector<Option> constraint_options(ConstraintArguments& arguments) {
        "Least indices, in place of those that the robot has, such as \"parallel=0.05 serial=0.1\": |det A| "
        "over the norms of its rows and |B_jj| over its largest, 0 at singularities and 1 at most; "
        "det_a=20000: |det A| itself",
-       &arguments.margins}};
+       &arguments.margins},
+      {"--tolerance", "SHARE",
+       "Prove for every robot whose points and lengths differ from the description by at most this share of "
+       "the robot's size, such as 0.001; by default that of the robot's YAML, or 0",
+       &arguments.tolerance}};
 }
 
 std::shared_ptr<const Manipulator> choose_constraints(std::shared_ptr<const Manipulator> manipulator,
@@ -92,7 +106,9 @@ std::shared_ptr<const Manipulator> choose_constraints(std::shared_ptr<const Mani
   kinds &= ~parse_kinds("--no-constraint", arguments.without, all, problems);
   require(kinds, *manipulator, problems);
   const Margins margins = parse_margins("--margin", arguments.margins, problems);
+  const std::optional<double> tolerance = parse_tolerance(arguments.tolerance, problems);
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
+  if (tolerance) manipulator = manipulator->with_tolerance(*tolerance);
   if (kinds != all) manipulator = manipulator->with_constraints(kinds);
   return arguments.margins.empty() ? manipulator : manipulator->with_margins(margins);
 }

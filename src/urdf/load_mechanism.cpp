@@ -384,6 +384,16 @@ ResolvedConfig resolved_names(const Tree& tree, const MechanismConfig& config, c
   return resolve_config(config, {*document.FirstChildElement("robot"), yaml, tree, files}, problems, notes);
 }
 
+// For maps alone: a robot that runs is followed by the numbers of its description.
+void take_tolerance(double share, const SourceNames& files, Mechanism::Contents& contents) {
+  if (share == 0.0) return;
+  contents.mapped_manipulator = contents.mapped_manipulator->with_tolerance(share);
+  contents.notes.push_back("By mechanism.tolerance: " + number(share) + " of " + files.config +
+                           " maps hold for every robot whose points and lengths are within " +
+                           number(contents.mapped_manipulator->tolerance()) + " m of those of " + files.urdf +
+                           ".");
+}
+
 }  // namespace
 
 SharedMechanism load_mechanism(const std::string& urdf_text, const std::string& urdf_name,
@@ -411,6 +421,7 @@ SharedMechanism load_mechanism(const std::string& urdf_text, const std::string& 
   Problems of_constraints;
   add_stated_constraints(config.constraints, config.symmetrize, files, *contents, of_constraints);
   if (!of_constraints.empty()) throw InvalidDescription(of_constraints);
+  take_tolerance(config.tolerance, files, *contents);
   contents->notes.insert(contents->notes.begin(), notes.begin(), notes.end());
   return SharedMechanism(std::make_shared<const Mechanism>(std::move(contents)));
 }

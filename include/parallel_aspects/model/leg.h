@@ -112,6 +112,10 @@ struct Leg {
   double rod_length =
       0.0;             ///< rho for revolute and actuated prismatic joints [m], positive; unused by the others
   JointLimits limits;  ///< of the joint value
+  /// A robot as it is built may differ from these numbers: each of its points by a vector, and each of its
+  /// lengths by a difference, of at most this [m]. Directions and angles are as they are. What maps and
+  /// segments prove holds for every such robot; everything else is of the robot with these numbers.
+  double tolerance = 0.0;
 
   Eigen::Vector3d proximal_point(double q) const noexcept;             ///< c(q) [m]
   Eigen::Vector3d proximal_point_derivative(double q) const noexcept;  ///< dc/dq [m/rad or 1]

@@ -58,6 +58,13 @@ class Manipulator {
   /// The same manipulator with other margins. Throws `InvalidDescription` where they are out of their range.
   std::shared_ptr<const Manipulator> with_margins(const Margins& margins) const;
 
+  /// The same manipulator with a tolerance for each leg: this share of its size (see `Leg::tolerance`).
+  /// Throws `InvalidDescription` where it is negative or not finite.
+  std::shared_ptr<const Manipulator> with_tolerance(double share) const;
+
+  /// The largest tolerance of a leg [m]; 0 by default.
+  double tolerance() const noexcept;
+
   /// Root mean square distance of the anchors from the operational point [m]; the length that makes rotations
   /// and displacements comparable. 1 when the platform does not turn or all anchors are at the operational
   /// point.

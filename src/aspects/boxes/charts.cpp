@@ -2,6 +2,7 @@
 #include "aspects/boxes/charts.h"
 
 #include "aspects/boxes/reachable_box.h"
+#include "legs/toleranced.h"
 #include "model/overloaded.h"
 
 #include <algorithm>
@@ -22,16 +23,14 @@ std::optional<PrismaticActuation> rail_of(const Leg& leg) {
       leg.actuation);
 }
 
-Spatial<Interval> enclosed(const Eigen::Vector3d& vector) { return {vector.x(), vector.y(), vector.z()}; }
-
 }  // namespace
 
 T1Chart::T1Chart(const Manipulator& manipulator)
     : leg_(manipulator.leg(0)),
       rail_(rail_of(manipulator.leg(0))),
-      rod_length_(manipulator.leg(0).rod_length) {
-  const Eigen::Vector3d& anchor = manipulator.leg(0).anchor;
-  offset_ = {Interval(anchor.x()) - leg_.base().x, Interval(anchor.y()) - leg_.base().y};
+      rod_length_(toleranced_length(manipulator.leg(0).rod_length, manipulator.leg(0))) {
+  const Spatial<Interval> anchor = toleranced_anchor(manipulator.leg(0));
+  offset_ = {anchor[0] - leg_.base().x, anchor[1] - leg_.base().y};
 }
 
 std::optional<Box> T1Chart::reachable_positions() const {
@@ -45,15 +44,15 @@ std::optional<Box> T1Chart::reachable_positions() const {
     const double side = direction.y() < 0.0 ? -1.0 : 1.0;
     if (across.lower() > least_slope)
       box.restrict(0, offset_.y * along * Interval(side) * reciprocal(across) - offset_.x,
-                   (Interval(rod_length_) * reciprocal(across)).upper());
+                   (rod_length_ * reciprocal(across)).upper());
   }
   return box.box();
 }
 
 T2Chart::T2Chart(const Manipulator& manipulator) : PlanarLegs(manipulator) {
   for (std::size_t j = 0; j < leg_count; ++j) {
-    const Eigen::Vector3d& anchor = manipulator.leg(j).anchor;
-    offsets_[j] = {Interval(anchor.x()) - leg(j).base().x, Interval(anchor.y()) - leg(j).base().y};
+    const Spatial<Interval> anchor = toleranced_anchor(manipulator.leg(j));
+    offsets_[j] = {anchor[0] - leg(j).base().x, anchor[1] - leg(j).base().y};
   }
 }
 
@@ -69,8 +68,8 @@ std::optional<Box> T2Chart::reachable_positions() const {
 
 SE2Chart::SE2Chart(const Manipulator& manipulator) : PlanarLegs(manipulator) {
   for (std::size_t j = 0; j < leg_count; ++j) {
-    const Eigen::Vector3d& anchor = manipulator.leg(j).anchor;
-    anchors_[j] = {anchor.x(), anchor.y()};
+    const Spatial<Interval> anchor = toleranced_anchor(manipulator.leg(j));
+    anchors_[j] = {anchor[0], anchor[1]};
   }
 }
 
@@ -89,7 +88,7 @@ T3Chart::T3Chart(const Manipulator& manipulator) {
   for (std::size_t j = 0; j < leg_count; ++j) {
     const Leg& leg = manipulator.leg(j);
     legs_.emplace_back(leg);
-    const Spatial<Interval> anchor = enclosed(leg.anchor);
+    const Spatial<Interval> anchor = toleranced_anchor(leg);
     for (std::size_t i = 0; i < 3; ++i) offsets_[j][i] = anchor[i] - legs_[j].base()[i];
   }
 }
@@ -105,7 +104,7 @@ std::optional<Box> T3Chart::reachable_positions() const {
 SO3Chart::SO3Chart(const Manipulator& manipulator) {
   for (std::size_t j = 0; j < leg_count; ++j) {
     legs_.emplace_back(manipulator.leg(j));
-    anchors_[j] = enclosed(manipulator.leg(j).anchor);
+    anchors_[j] = toleranced_anchor(manipulator.leg(j));
   }
 }
 

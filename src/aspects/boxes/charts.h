@@ -109,7 +109,7 @@ class T1Chart {
   PlanarLeg leg_;
   Planar<Interval> offset_;                 // d = position + offset
   std::optional<PrismaticActuation> rail_;  // bounds x even without limits
-  double rod_length_;
+  Interval rod_length_;
 };
 
 /// What the charts of planar robots with several legs have in common.

@@ -7,6 +7,7 @@
 #include "interval/half_turns.h"
 #include "legs/leg_rows.h"
 #include "legs/spatial_leg.h"
+#include "legs/toleranced.h"
 #include "parallel_aspects/aspects/box.h"
 #include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/model/manipulator.h"
@@ -108,10 +109,7 @@ class SliceChart : public SliceLegs<Legs, Coordinates, Dimension> {
         slice_(slice),
         turns_(slice.rotation == MapSlice::Rotation::about_axis),
         held_(enclosed_rotation(slice.held.orientation)) {
-    for (std::size_t j = 0; j < Legs; ++j) {
-      const Eigen::Vector3d& point = manipulator.leg(j).anchor;
-      anchors_[j] = turning({point.x(), point.y(), point.z()});
-    }
+    for (std::size_t j = 0; j < Legs; ++j) anchors_[j] = turning(toleranced_anchor(manipulator.leg(j)));
   }
 
   template <class Scalar>
@@ -209,8 +207,8 @@ class OrientationChart : public SliceLegs<6, 3> {
   OrientationChart(const Manipulator& manipulator, const MapSlice& slice) : SliceLegs<6, 3>(manipulator) {
     for (std::size_t i = 0; i < 3; ++i) held_[i] = slice.held.position[static_cast<Eigen::Index>(i)];
     for (std::size_t j = 0; j < leg_count; ++j) {
-      const Eigen::Vector3d &point = manipulator.leg(j).anchor, &position = slice.held.position;
-      anchors_[j] = {point.x(), point.y(), point.z()};
+      const Eigen::Vector3d& position = slice.held.position;
+      anchors_[j] = toleranced_anchor(manipulator.leg(j));
       for (std::size_t i = 0; i < 3; ++i)
         offsets_[j][i] = Interval(position[static_cast<Eigen::Index>(i)]) - leg(j).base()[i];
     }

@@ -31,6 +31,7 @@ class LegLines {
     point("anchor", leg.anchor);
     values("rod length", {leg.rod_length});
     values("limits", {leg.limits.lower, leg.limits.upper});
+    if (leg.tolerance > 0.0) values("tolerance", {leg.tolerance});
   }
 
   const std::string& text() const noexcept { return text_; }

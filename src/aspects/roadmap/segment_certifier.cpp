@@ -9,6 +9,7 @@
 #include "interval/nonsingular.h"
 #include "legs/limit_verdict.h"
 #include "legs/spatial_leg.h"
+#include "legs/toleranced.h"
 #include "model/matrix_row.h"
 
 #include <algorithm>
@@ -46,7 +47,7 @@ struct SegmentCertifier::Parts {
     const RoundingUpward rounding;
     for (const Leg& leg : manipulator.legs()) {
       legs.emplace_back(leg);
-      anchors.push_back({leg.anchor.x(), leg.anchor.y(), leg.anchor.z()});
+      anchors.push_back(toleranced_anchor(leg));
     }
   }
 

@@ -29,6 +29,7 @@ class LegImages {
 
   EntrySigns compare(const Leg& leg, const Leg& image) const {
     if (leg.actuation.index() != image.actuation.index()) return {};
+    if (leg.tolerance != image.tolerance) return {};
     if (symmetry_.platform * leg.anchor != image.anchor) return {};
     return std::visit(
         [&](const auto& actuation) {

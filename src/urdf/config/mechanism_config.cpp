@@ -16,9 +16,13 @@ namespace {
 // More would be another robot: loops close to within as much.
 constexpr double max_symmetrized = 1e-3;
 
+// Of robots that differ by more next to nothing can be proved at once.
+constexpr double max_tolerance = 0.1;
+
 const std::vector<std::string>& mechanism_keys() {
   static const std::vector<std::string> keys{
-      "name", "base_link", "operational_point", "actuated_joints", "task_space", "symmetrize", "closures"};
+      "name",       "base_link",  "operational_point", "actuated_joints",
+      "task_space", "symmetrize", "tolerance",         "closures"};
   return keys;
 }
 
@@ -72,6 +76,7 @@ class Reader {
     read_actuated_joints(mechanism["actuated_joints"], config);
     read_task_space(mechanism["task_space"], config);
     read_symmetrize(mechanism["symmetrize"], config);
+    read_tolerance(mechanism["tolerance"], config);
     read_closures(mechanism["closures"], config);
     config.constraints = read_constraints_config(root["constraints"], file_, problems_);
     return config;
@@ -138,6 +143,17 @@ class Reader {
     else
       problem(
           "has a mechanism.symmetrize that is not above 0 and at most 0.001; give 1.0e-4, or leave it out.");
+  }
+
+  void read_tolerance(const YAML::Node& node, MechanismConfig& config) {
+    double tolerance = 0.0;
+    if (!yaml_.number(node, "mechanism.tolerance", tolerance)) return;
+    if (tolerance >= 0.0 && tolerance <= max_tolerance)
+      config.tolerance = tolerance;
+    else
+      problem(
+          "has a mechanism.tolerance that is not from 0 to 0.1; "
+          "give a share of the robot's size such as 1.0e-4, or leave it out.");
   }
 
   void read_closures(const YAML::Node& node, MechanismConfig& config) {

@@ -34,6 +34,7 @@ struct MechanismConfig {
   bool lists_closures = false;  ///< otherwise the URDF or the rest of the file may say them
   ConstraintsConfig constraints;
   std::optional<double> symmetrize;  ///< tolerance, in sizes of the robot and rad; none: off
+  double tolerance = 0.0;            ///< of the robot as it is built, in sizes of it
 };
 
 /// Reads it from the text of the whole file; other top-level keys are for the node. What is wrong is added to
