@@ -209,7 +209,8 @@ std::string to_string(const MapSlice& slice) {
   for (const HeldCoordinate& each : slice.held_coordinates)
     text += (text.empty() ? "" : ", ") + each.name + " = " + number_text(each.value) +
             (is_angle(slice, each.name) ? " rad" : " m");
-  if (slice.rotation != MapSlice::Rotation::about_axis || slice.angle_name != "phi") return text;
+  if (slice.joint || slice.rotation != MapSlice::Rotation::about_axis || slice.angle_name != "phi")
+    return text;
   return text + (text.empty() ? "" : ", ") + "phi turns about (" + number_text(slice.axis.x()) + ", " +
          number_text(slice.axis.y()) + ", " + number_text(slice.axis.z()) + ")";
 }
