@@ -80,7 +80,8 @@ std::string find_held_joint_problem(const Manipulator& manipulator, const HeldJo
   if (leg.kind().type == LegType::elbow)
     return "The slice holds '" + leg.actuated_joint +
            "', which is an actuated elbow; hold the joint of a crank, slide or strut.";
-  if (!std::isfinite(joint.value)) return start + "which is no finite number; give one.";
+  if (!std::isfinite(joint.value))
+    return "The slice holds '" + leg.actuated_joint + "' at no finite number; give one.";
   if (!leg.limits.contain(joint.value))
     return start + "outside of its limits, " + number_text(leg.limits.lower) + " to " +
            number_text(leg.limits.upper) + "; hold it inside.";
@@ -110,7 +111,10 @@ MapSlice make_slice(const Manipulator& manipulator, const std::vector<HeldCoordi
   slice.rotation = MapSlice::Rotation::about_axis;
   slice.held_coordinates = held;
   const std::string problem = find_held_joint_problem(manipulator, *slice.joint);
-  if (!problem.empty()) problems.push_back(problem);
+  if (problem.empty())
+    slice.held = circle_of_anchor(manipulator, *slice.joint).pose(0.0, 0.0);
+  else
+    problems.push_back(problem);
   return slice;
 }
 

@@ -182,8 +182,8 @@ class Drawing {
   MapPoint deepest_directions(const Aspect& aspect, const HeldJoint& joint) const {
     const Eigen::Vector2d rod = circle_of_anchor(*map_.manipulator(), joint).rod(aspect.deepest);
     const Eigen::Quaterniond& turn = aspect.deepest.orientation;
-    return {std::atan2(rod.y(), rod.x()),
-            std::remainder(2.0 * std::atan2(turn.z(), turn.w()), 2.0 * EIGEN_PI), 0.0};
+    const double phi = 2.0 * std::atan2(turn.z(), turn.w()), full_turn = 2.0 * EIGEN_PI;
+    return {std::atan2(rod.y(), rod.x()), std::remainder(phi, full_turn), 0.0};
   }
 
   std::string frame() const {

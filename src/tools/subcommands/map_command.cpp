@@ -77,7 +77,12 @@ std::optional<Box> find_region(const MapArguments& arguments, const MapSection& 
                                const std::optional<MapSlice>& slice, Problems& problems) {
   std::vector<std::string> names = slice ? coordinate_names(*slice) : coordinate_names(space);
   names.resize(slice ? slice->free_positions() : directions(space));
-  if (!arguments.region.empty() && names.empty())
+  if (!arguments.region.empty() && slice && slice->joint)
+    problems.emplace_back(
+        "--region is of positions, but here every direction and orientation is searched and no more; leave "
+        "it "
+        "out.");
+  else if (!arguments.region.empty() && names.empty())
     problems.emplace_back(
         "--region is of positions, but here every orientation is searched and no more; "
         "leave it out.");
