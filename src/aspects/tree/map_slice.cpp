@@ -172,6 +172,8 @@ MapSlice make_slice(TaskSpace space, const std::vector<HeldCoordinate>& coordina
 std::string find_slice_problem(const Manipulator& manipulator, const MapSlice& slice) {
   const std::string start = "The slice of the poses of '" + manipulator.name() + "' ";
   const TaskSpace space = manipulator.task_space();
+  if (slice.joint && slice.free_positions() != 0)
+    return start + "holds a joint, but lets positions move too; hold one or the other.";
   if (slice.joint) return find_held_joint_problem(manipulator, *slice.joint);
   const double norm = slice.held.orientation.norm(), axis = slice.axis.norm();
   if (!slice.held.position.allFinite() || !(std::abs(norm - 1.0) < 1e-6))

@@ -9,8 +9,10 @@
 #include "support/held_joint_at.h"
 #include "support/random_robots.h"
 #include "support/robots.h"
+#include "support/sign_at.h"
 #include "support/slices.h"
 #include "support/thoroughness.h"
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -129,6 +131,46 @@ TEST(HeldJointChart, NoPoseOfRandomRobotsContradictsItsBox) {
       ASSERT_FALSE(HasFatalFailure());
     }
   EXPECT_GT(agreed, test::thinned(5000));
+}
+
+// Anchors out of the plane of what the joints move: rods are shorter, seen in the plane. By the kinematics.
+TEST(HeldJointChart, TakesHeightsIntoAccount) {
+  for (const Robot& plane : {test::three_rrr(), test::three_prr(), test::three_rpr()}) {
+    ManipulatorDescription description = plane->description();
+    for (std::size_t j = 0; j < 3; ++j)
+      description.legs[j].anchor.z() += 0.05 * (1.0 + static_cast<double>(j)) * plane->size();
+    const Robot robot = std::make_shared<const Manipulator>(description);
+    const double value =
+        plane->leg(1).limits.limited()
+            ? plane->leg(1).limits.lower + 0.3 * (plane->leg(1).limits.upper - plane->leg(1).limits.lower)
+            : 0.4;
+    const MapSlice slice = holding(*robot, 1, value);
+    const auto modes = working_modes(*robot);
+    const auto classifier = make_held_joint_classifier(*robot, modes, slice, {});
+    const auto space = make_held_joint_space(*robot, slice);
+    std::mt19937_64 random(4);
+    int inside = 0;
+    for (int i = 0; i < test::thinned(20000); ++i) {
+      const MapPosition at = test::random_position(*space, random);
+      const Pose pose = space->pose(at);
+      const std::size_t mode = random() % modes.size();
+      const auto sign = test::sign_at(*robot, pose, modes[mode]);
+      if (!sign) continue;
+      const Leg& leg = robot->leg(1);
+      const double off =
+          *sign == 0 ? 0.0 : joint_value(leg, pose.transform(leg.anchor), modes[mode].sign(1)) - value;
+      const bool holds = std::abs(std::remainder(off, 2.0 * EIGEN_PI)) < 1e-7;
+      Box box{2, at.point, at.point};
+      for (std::size_t k = 0; k < 2; ++k) box.upper[k] = std::min(1.0, box.lower[k] + 1e-4);
+      const RoundingUpward rounding;
+      const LeafState state = classifier->state(0, box, mode);
+      inside += state.is_inside() ? 1 : 0;
+      ASSERT_FALSE(state.is_inside() ? !holds || !state.is_inside(*sign)
+                                     : holds && *sign != 0 && !state.may_be(*sign))
+          << robot->name() << ", trial " << i;
+    }
+    EXPECT_GT(inside, test::thinned(50)) << robot->name();
+  }
 }
 
 // Both by formulas of the package, since the space only says which pose is meant.

@@ -17,6 +17,7 @@
 #include <functional>
 #include <map>
 #include <numeric>
+#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -78,7 +79,42 @@ class Flood {
     return result;
   }
 
+  /// The largest level at which two cells are joined; 0 without one.
+  double widest(std::size_t from, std::size_t to) {
+    std::vector<std::size_t> order(values_.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::sort(order.begin(), order.end(),
+              [this](std::size_t a, std::size_t b) { return values_[a] > values_[b]; });
+    std::iota(parent_.begin(), parent_.end(), 0U);
+    std::vector<bool> is_there(values_.size(), false);
+    for (const std::size_t item : order) {
+      if (!(values_[item] > 0.0)) return 0.0;
+      is_there[item] = true;
+      for (const std::size_t next : around(item))
+        if (is_there[next]) parent_[root(next)] = root(item);
+      if (is_there[from] && is_there[to] && root(from) == root(to)) return values_[item];
+    }
+    return 0.0;
+  }
+
+  std::size_t cell_count() const { return values_.size(); }
+  double value(std::size_t item) const { return values_[item]; }
+  Pose pose(const AnchorCircle& circle, std::size_t item) const {
+    const auto count = static_cast<std::size_t>(count_);
+    return circle.pose(static_cast<double>(angle(static_cast<int>(item / count))),
+                       static_cast<double>(angle(static_cast<int>(item % count))));
+  }
+
  private:
+  /// With those at its corners.
+  std::vector<std::size_t> around(std::size_t item) const {
+    const int i = static_cast<int>(item) / count_, k = static_cast<int>(item) % count_;
+    std::vector<std::size_t> result;
+    for (const int a : {i + count_ - 1, i, i + 1})
+      for (const int b : {k + count_ - 1, k, k + 1}) result.push_back(place(a % count_, b % count_));
+    return result;
+  }
+
   long double angle(int i) const {
     return std::acos(-1.0L) * (2.0L * (static_cast<long double>(i) + 0.5L) / count_ - 1.0L);
   }
@@ -147,6 +183,33 @@ TEST_P(MapOfHeldJoint, HasTheComponentsOfAGrid) {
   EXPECT_GT(compared, 0U);
   EXPECT_EQ(map->unit(), "rad^2");
   EXPECT_EQ(map->coordinates(), (std::vector<std::string>{"direction", "phi"}));
+}
+
+// |det A| changes by a few percent from one cell of the grid to the next.
+TEST_P(MapOfHeldJoint, BottlenecksAreThoseOfAGrid) {
+  constexpr int count = test::is_sanitized ? 100 : 500;
+  const Robot robot = GetParam().make();
+  const MapSlice slice = *options_of(robot, GetParam().leg, GetParam().value).slice;
+  const auto map = map_of(robot, GetParam().leg, GetParam().value);
+  ASSERT_TRUE(map);
+  const auto is_smaller = [](const Aspect& a, const Aspect& b) { return a.measure < b.measure; };
+  const Aspect& aspect = *std::max_element(map->aspects().begin(), map->aspects().end(), is_smaller);
+  Flood grid(robot, GetParam().leg, GetParam().value, aspect.mode, aspect.determinant_sign, count);
+  const AnchorCircle circle = circle_of_anchor(*robot, *slice.joint);
+  std::mt19937_64 random(11);
+  int compared = 0;
+  for (int i = 0; i < 100000 && compared < 5; ++i) {
+    const std::size_t from = random() % grid.cell_count(), to = random() % grid.cell_count();
+    const double widest = grid.value(from) > 0.0 && grid.value(to) > 0.0 ? grid.widest(from, to) : 0.0;
+    if (!(widest > 0.0)) continue;
+    const Pose start = grid.pose(circle, from), end = grid.pose(circle, to);
+    const Bottleneck found = find_bottleneck(*map, aspect.mode, start, end, ParallelIndex::determinant);
+    if (found.status != BottleneckStatus::found) continue;  // next to a boundary
+    EXPECT_LE(found.index.lower, 1.05 * widest) << "from " << from << " to " << to;
+    EXPECT_GE(found.index.upper, 0.98 * widest) << "from " << from << " to " << to;
+    ++compared;
+  }
+  EXPECT_EQ(compared, 5);
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, MapOfHeldJoint,

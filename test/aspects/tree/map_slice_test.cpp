@@ -82,6 +82,12 @@ TEST(MapSlice, HoldsAnActuatedJoint) {
   EXPECT_EQ(to_string(slice), "leg_2_joint = 20 m");
   EXPECT_EQ(to_string(slice_of(test::three_rrr(), {{"leg_1_joint", 0.5}})), "leg_1_joint = 0.5 rad");
   EXPECT_EQ(find_slice_problem(*test::three_rpr(), slice), "");
+  MapSlice both = slice;
+  both.moves[0] = true;
+  EXPECT_NE(find_slice_problem(*test::three_rpr(), both), "");
+  both = slice;
+  both.joint->leg = 3;
+  EXPECT_NE(find_slice_problem(*test::three_rpr(), both), "");
   EXPECT_EQ(problem_of(test::three_rrr(), {{"phi", 0.0}}), "0 problems");
 }
 
