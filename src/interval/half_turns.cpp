@@ -9,11 +9,14 @@ namespace {
 
 constexpr double rounded_pi = 3.141592653589793;
 
-// pi t is off by less than 9e-16 for |t| <= 1, and sine and cosine of the C library by a unit in the last
+// pi t is off by less than 2e-15 for |t| <= 1.5, and sine and cosine of the C library by a unit in the last
 // place in every rounding direction.
 Interval between(double a, double b) {
   return {std::max(-1.0, std::min(a, b) - few_units), std::min(1.0, std::max(a, b) + few_units)};
 }
+
+// Boxes that are made longer than the region may leave [-1, 1]; there is no extreme but these up to here.
+bool is_near(const Interval& a) { return -1.5 <= a.lower() && a.upper() <= 1.5; }
 
 bool holds(const Interval& a, double t) { return a.lower() <= t && t <= a.upper(); }
 
@@ -22,11 +25,13 @@ bool holds(const Interval& a, double t) { return a.lower() <= t && t <= a.upper(
 Interval pi_enclosure() noexcept { return {rounded_pi, 3.1415926535897936}; }
 
 Interval cosine_of_half_turns(const Interval& a) noexcept {
+  if (!is_near(a)) return {-1.0, 1.0};
   const Interval ends = between(std::cos(rounded_pi * a.lower()), std::cos(rounded_pi * a.upper()));
   return {holds(a, -1.0) || holds(a, 1.0) ? -1.0 : ends.lower(), holds(a, 0.0) ? 1.0 : ends.upper()};
 }
 
 Interval sine_of_half_turns(const Interval& a) noexcept {
+  if (!is_near(a)) return {-1.0, 1.0};
   const Interval ends = between(std::sin(rounded_pi * a.lower()), std::sin(rounded_pi * a.upper()));
   return {holds(a, -0.5) ? -1.0 : ends.lower(), holds(a, 0.5) ? 1.0 : ends.upper()};
 }

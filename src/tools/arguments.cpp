@@ -62,7 +62,7 @@ std::vector<WorkingMode> parse_modes(const std::string& option, const Manipulato
   return modes;
 }
 
-MapSlice parse_slice(const std::string& option, TaskSpace space, const std::string& text,
+MapSlice parse_slice(const std::string& option, const Manipulator& manipulator, const std::string& text,
                      Problems& problems) {
   std::string words = text;
   std::replace(words.begin(), words.end(), ',', ' ');
@@ -86,7 +86,8 @@ MapSlice parse_slice(const std::string& option, TaskSpace space, const std::stri
     held.push_back({name, value.empty() ? 0.0 : value.front()});
   }
   if (problems.size() > known) return {};
-  return axis.empty() ? make_slice(space, held, problems) : make_rotation_slice(space, held, axis, problems);
+  return axis.empty() ? make_slice(manipulator, held, problems)
+                      : make_rotation_slice(manipulator.task_space(), held, axis, problems);
 }
 
 std::optional<WorkingMode> parse_mode(const std::string& option, const Manipulator& manipulator,

@@ -33,7 +33,8 @@ std::vector<WorkingMode> parse_modes(const std::string& option, const Manipulato
 
 /// The slice that `text` describes, such as "z=1.3 roll=0": what is held, separated by blanks or commas (see
 /// `make_slice`).
-MapSlice parse_slice(const std::string& option, TaskSpace space, const std::string& text, Problems& problems);
+MapSlice parse_slice(const std::string& option, const Manipulator& manipulator, const std::string& text,
+                     Problems& problems);
 
 /// The box that `text` gives, such as "x=-5:5 y=0:10": a lower and an upper end for each of `names`,
 /// separated by blanks or commas.

@@ -4,6 +4,7 @@
 
 #include "aspects/boxes/box_classifier.h"
 #include "aspects/roadmap/pose_sampler.h"
+#include "aspects/tree/held_joint_space.h"
 #include "aspects/tree/slice_space.h"
 #include "interval/interval.h"
 #include "parallel_aspects/aspects/segment_certifier.h"
@@ -40,6 +41,8 @@ inline std::vector<MappedRobot> mapped_robots() {
           {"three_rrr", three_rrr, {}},
           {"three_rpr", three_rpr, {}},
           {"three_rrr_turning", three_rrr, {{"x", -4.0}}},
+          {"three_rrr_holding", three_rrr, {{"leg_2_joint", 0.4}}},
+          {"three_rpr_holding", three_rpr, {{"leg_1_joint", 14.98}}},
           {"hexa", [] { return shipped("hexa")->manipulator(); }, upright({{"z", -0.6}})},
           {"stewart", [] { return shipped("stewart")->manipulator(); }, upright({{"z", 1.3}})},
           {"stewart_turning",
@@ -67,14 +70,13 @@ class ConstrainedBoxes : public testing::TestWithParam<MappedRobot> {
 
   void SetUp() override {
     const Robot plain = with(GetParam().make(), {});
-    std::optional<MapSlice> slice;
     if (!GetParam().held.empty()) slice = slice_of(plain, GetParam().held);
-    space = make_space(*plain, slice);
+    space = make_space(*plain);
     const auto start = draw_start(*plain);
     ASSERT_TRUE(start);
     mode = start->mode;
     robot = with(plain, choose(*plain, *start));
-    classifier = make_classifier(*robot, slice);
+    classifier = make_classifier(*robot);
   }
 
   double uniform(double lower, double upper) { return test::uniform(random, lower, upper); }
@@ -109,7 +111,7 @@ class ConstrainedBoxes : public testing::TestWithParam<MappedRobot> {
       const LeafState found = state(root, box);
       for (int k = 0; k < 4; ++k, ++samples) {
         const Pose pose = space->pose({root, random_point(box)});
-        const auto sign = sign_at(*robot, pose, mode);
+        const auto sign = sign_within(*robot, pose, mode);
         if (!sign) continue;
         const double margin = *sign == 0 ? -1.0 : clearance(pose);
         if (found.is_inside()) {
@@ -134,7 +136,7 @@ class ConstrainedBoxes : public testing::TestWithParam<MappedRobot> {
       const RootIndex root = random_box(0.0, box).root;
       for (std::size_t k = 0; k < box.dimension; ++k) box.upper[k] += 1e-9 * space->region().width(k);
       const Pose pose = space->pose({root, box.lower});
-      if (sign_at(*robot, pose, mode).value_or(0) == 0) continue;
+      if (sign_within(*robot, pose, mode).value_or(0) == 0) continue;
       const double margin = clearance(pose);
       if (std::abs(margin) < 1e-4) continue;
       const LeafState found = state(root, box);
@@ -157,7 +159,7 @@ class ConstrainedBoxes : public testing::TestWithParam<MappedRobot> {
     int compared = 0;
     for (int i = 0; i < 20000 && compared < 500; ++i) {
       const MapPosition position = random_position(*space, random);
-      if (sign_at(*robot, space->pose(position), mode).value_or(0) == 0) continue;
+      if (sign_within(*robot, space->pose(position), mode).value_or(0) == 0) continue;
       const Conditions here = conditions(position);
       ASSERT_GE(here.count, least_count);
       for (std::size_t k = 0; k < space->dimension(); ++k) {
@@ -208,18 +210,29 @@ class ConstrainedBoxes : public testing::TestWithParam<MappedRobot> {
   WorkingMode mode{1};
   std::shared_ptr<const PoseSpace> space;
   std::unique_ptr<const BoxClassifier> classifier;
+  std::optional<MapSlice> slice;
+
+  /// See `sign_at`; a joint that is held has its value in one of two working modes.
+  std::optional<int> sign_within(const Manipulator& of, const Pose& pose, const WorkingMode& in) const {
+    const std::optional<int> sign = sign_at(of, pose, in);
+    if (!slice || !slice->joint || sign.value_or(0) == 0) return sign;
+    const Leg& leg = of.leg(slice->joint->leg);
+    const double off =
+        joint_value(leg, pose.transform(leg.anchor), in.sign(slice->joint->leg)) - slice->joint->value;
+    return std::abs(std::remainder(off, 2.0 * EIGEN_PI)) < 1e-6 ? sign : 0;
+  }
 
  private:
-  std::unique_ptr<const BoxClassifier> make_classifier(const Manipulator& of,
-                                                       const std::optional<MapSlice>& slice) {
+  std::unique_ptr<const BoxClassifier> make_classifier(const Manipulator& of) {
     return slice ? make_slice_classifier(of, {mode}, *slice) : make_box_classifier(of, {mode});
   }
 
-  std::shared_ptr<const PoseSpace> make_space(const Manipulator& of, const std::optional<MapSlice>& slice) {
+  std::shared_ptr<const PoseSpace> make_space(const Manipulator& of) {
     mode = WorkingMode(of.leg_count());
     const double size = of.size();  // rails without ends reach everywhere
     const Box around{3, {-size, -size, -size}, {size, size, size}};
-    const Box reachable = make_classifier(of, slice)->reachable_positions().value_or(around);
+    const Box reachable = make_classifier(of)->reachable_positions().value_or(around);
+    if (slice && slice->joint) return make_held_joint_space(of, *slice);
     return slice ? make_slice_space(*slice, reachable, of.characteristic_length())
                  : make_pose_space(of.task_space(), reachable, of.characteristic_length());
   }
@@ -228,7 +241,7 @@ class ConstrainedBoxes : public testing::TestWithParam<MappedRobot> {
     for (int i = 0; i < 100000; ++i) {
       const Pose pose = space->pose(random_position(*space, random));
       for (const InverseSolution& solution : inverse_in_all_modes(of, pose))
-        if (solution.status == InverseStatus::solved && sign_at(of, pose, solution.mode).value_or(0) != 0)
+        if (solution.status == InverseStatus::solved && sign_within(of, pose, solution.mode).value_or(0) != 0)
           return Start{pose, solution.mode, solution.q};
     }
     return std::nullopt;

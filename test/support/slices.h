@@ -20,7 +20,7 @@ using Held = std::vector<HeldCoordinate>;
 
 inline MapSlice slice_of(const Robot& robot, const Held& held) {
   Problems problems;
-  const MapSlice slice = make_slice(robot->task_space(), held, problems);
+  const MapSlice slice = make_slice(*robot, held, problems);
   EXPECT_TRUE(problems.empty()) << problems.front();
   return slice;
 }

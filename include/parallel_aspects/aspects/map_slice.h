@@ -10,19 +10,30 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace parallel_aspects {
 
-/// A pose coordinate with the value that it is held at [m or rad].
+/// What is held, with its value [m or rad]: a pose coordinate or an actuated joint.
 struct HeldCoordinate {
   std::string name;    ///< as in `make_slice`
   double value = 0.0;  ///< [m or rad]
 };
 
+/// An actuated joint with the value that it is held at.
+struct HeldJoint {
+  std::size_t leg = 0;    ///< whose joint it is, from 0
+  double value = 0.0;     ///< [m or rad]
+  bool is_angle = false;  ///< of the joint value: rad, not m
+};
+
 /// A line, plane or volume of poses: some of the pose moves, and the rest is held. A map of a slice is one of
 /// the connected components within the slice; two of them may be joined outside of it.
+///
+/// In place of pose coordinates an actuated joint of SE2 may be held. Then the free coordinates are the
+/// direction of the rod of its leg, about the proximal point (of a strut about its base point), and phi.
 struct MapSlice {
   /// How the platform turns within the slice.
   enum class Rotation {
@@ -36,6 +47,7 @@ struct MapSlice {
   Rotation rotation = Rotation::none;               ///< of the platform
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< in the task frame; need not be of unit length
   std::string angle_name = "phi";                   ///< of the angle about it
+  std::optional<HeldJoint> joint{};                 ///< held in place of pose coordinates; SE2 only
   std::vector<HeldCoordinate> held_coordinates{};   ///< as it was asked for; for people only
 
   std::size_t free_positions() const noexcept;  ///< how many of x, y and z are free: 0 to 3
@@ -51,14 +63,19 @@ struct MapSlice {
 /// meaning.
 MapSlice make_slice(TaskSpace space, const std::vector<HeldCoordinate>& held, Problems& problems);
 
+/// The same for this manipulator, of which an actuated joint may be held in SE2, by its name, in place of
+/// pose coordinates. Coordinates go before joints of the same name.
+MapSlice make_slice(const Manipulator& manipulator, const std::vector<HeldCoordinate>& held,
+                    Problems& problems);
+
 /// Why there is no map of this slice of the manipulator's poses; empty where there is one.
 std::string find_slice_problem(const Manipulator& manipulator, const MapSlice& slice);
 
-/// Names of the free coordinates, in the order of the boxes of its map: positions, then the angle; none for
-/// orientations that are free, which have no box.
+/// Names of the free coordinates, in the order of the boxes of its map: positions, then the angle;
+/// "direction" and "phi" where a joint is held; none for orientations that are free, which have no box.
 std::vector<std::string> coordinate_names(const MapSlice& slice);
 
-/// Unit of its volumes: "m", "m^2", "m^3", "rad", "m rad", "m^2 rad" or "rad^3".
+/// Unit of its volumes: "m", "m^2", "m^3", "rad", "m rad", "m^2 rad", "rad^2" or "rad^3".
 std::string measure_unit(const MapSlice& slice);
 
 /// "z = 1.3 m, roll = 0 rad" and so on, for people.

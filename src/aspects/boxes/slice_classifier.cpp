@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/boxes/box_classifier.h"
 #include "aspects/boxes/chart_classifier.h"
+#include "aspects/boxes/held_joint_classifier.h"
 #include "aspects/boxes/slice_chart.h"
 #include "parallel_aspects/model/constraints.h"
 
@@ -44,6 +45,7 @@ Classifier make_for_six_legs(const Manipulator& manipulator, const Modes& modes,
 
 Classifier make_slice_classifier(const Manipulator& manipulator, const Modes& modes, const MapSlice& slice,
                                  const BoxPolicy& policy) {
+  if (slice.joint) return make_held_joint_classifier(manipulator, modes, slice, policy);
   switch (manipulator.leg_count()) {
     case 2:
       return make<SliceChart<2, 1, 2>>(manipulator, modes, slice, policy);

@@ -94,6 +94,8 @@ std::string coverage_key(const std::optional<MapSlice>& slice, const std::vector
     for (const bool each : slice->moves) key += each ? " free" : " held";
     key +=
         " rotation " + std::to_string(static_cast<int>(slice->rotation)) + " " + printable(slice->angle_name);
+    if (slice->joint)
+      key += " joint of leg " + std::to_string(slice->joint->leg + 1) + " at " + number(slice->joint->value);
   } else {
     key += " all poses";
   }

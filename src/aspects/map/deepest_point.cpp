@@ -26,13 +26,9 @@ class NearestForeignLeaf {
 
   double distance() {
     const Box& region = map_.tree.region();
-    descend(position_.root);
-    for (std::size_t i = 0; i < region.dimension; ++i) {
-      if (map_.tree.space().is_periodic(i))
-        look_around(i, region.width(i));
-      else
-        keep_distance_to_face(i, region);
-    }
+    look_around(0);
+    for (std::size_t i = 0; i < region.dimension; ++i)
+      if (!map_.tree.space().is_periodic(i)) keep_distance_to_face(i, region);
     return std::sqrt(best_);
   }
 
@@ -44,14 +40,18 @@ class NearestForeignLeaf {
     best_ = std::min(best_, distance * distance);
   }
 
-  // What lies behind a glued face, seen as images of the position a period away.
-  void look_around(std::size_t i, double period) {
-    const double here = position_.point[i];
+  // From the position and, for what lies behind glued faces, from its images a period away: along coordinate
+  // `first` and those after it.
+  void look_around(std::size_t first) {
+    if (first == map_.tree.dimension()) return descend(position_.root);
+    look_around(first + 1);
+    if (!map_.tree.space().is_periodic(first)) return;
+    const double here = position_.point[first], period = map_.tree.region().width(first);
     for (const double shift : {-period, period}) {
-      position_.point[i] = here + shift;
-      descend(position_.root);
+      position_.point[first] = here + shift;
+      look_around(first + 1);
     }
-    position_.point[i] = here;
+    position_.point[first] = here;
   }
 
   void descend(NodeIndex node) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/map/map_plan.h"
 
+#include "aspects/tree/held_joint_space.h"
 #include "aspects/tree/pose_tree.h"
 #include "aspects/tree/slice_space.h"
 #include "model/task_space_traits.h"
@@ -59,7 +60,7 @@ std::optional<Box> allowed_positions(const Manipulator& manipulator, const MapOp
 /// Why the workspace holds no pose of the slice; empty otherwise.
 std::string find_workspace_problem(const Manipulator& manipulator, const MapPlan& plan) {
   const auto& workspace = manipulator.constraints().workspace;
-  if (!workspace || !plan.slice) return "";
+  if (!workspace || !plan.slice || plan.slice->joint) return "";
   for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(directions(manipulator.task_space())); ++i) {
     const double held = plan.slice->held.position[i];
     if (!plan.slice->moves[static_cast<std::size_t>(i)] &&
@@ -118,7 +119,7 @@ bool is_fine_enough(const MapPlan& plan, const MapOptions& options, double resol
   const PoseSpace& space = *plan.space;
   const Box leaf = at_level(space.region(), level);
   const std::size_t last = leaf.dimension - 1;
-  if (options.resolution || last == 0 || !space.is_periodic(last))
+  if (options.resolution || !space.is_periodic(last) || space.is_periodic(0))
     return space.longest_edge(leaf) <= resolution;
   for (std::size_t i = 0; i < last; ++i)
     if (leaf.width(i) > resolution) return false;
@@ -143,11 +144,13 @@ std::string make_classifier(const Manipulator& manipulator, const MapOptions& op
 std::shared_ptr<const PoseSpace> make_space(const Manipulator& manipulator, const MapPlan& plan,
                                             const Box& positions) {
   const double length = manipulator.characteristic_length();
+  if (plan.slice && plan.slice->joint) return make_held_joint_space(manipulator, *plan.slice);
   if (plan.slice) return make_slice_space(*plan.slice, positions, length);
   return make_pose_space(manipulator.task_space(), positions, length);
 }
 
 double default_resolution_of_slice(const Manipulator& manipulator, const MapSlice& slice) {
+  if (slice.joint) return default_angle(slice.dimension());
   if (slice.free_positions() == 0) return slice.dimension() == 1 ? 0.01 : 0.1;
   return manipulator.size() / (slice.dimension() < 3 ? 200.0 : 50.0);
 }

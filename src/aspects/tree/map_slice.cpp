@@ -3,6 +3,7 @@
 
 #include "model/number_text.h"
 #include "parallel_aspects/aspects/box.h"
+#include "parallel_aspects/aspects/held_joint.h"
 
 #include <algorithm>
 #include <array>
@@ -23,7 +24,9 @@ Names names_of(TaskSpace space) {
   return coordinate_names(space);
 }
 
-bool is_angle(const std::string& name) { return name.size() > 1; }
+bool is_angle(const MapSlice& slice, const std::string& name) {
+  return slice.joint ? slice.joint->is_angle : name.size() > 1;
+}
 
 std::string listed(const Names& names) {
   std::string text;
@@ -137,6 +140,7 @@ std::size_t MapSlice::free_positions() const noexcept {
 }
 
 std::size_t MapSlice::dimension() const noexcept {
+  if (joint) return 2;
   if (rotation == Rotation::freely) return free_positions() + 3;
   return free_positions() + (rotation == Rotation::about_axis ? 1U : 0U);
 }
@@ -168,6 +172,9 @@ MapSlice make_slice(TaskSpace space, const std::vector<HeldCoordinate>& coordina
 std::string find_slice_problem(const Manipulator& manipulator, const MapSlice& slice) {
   const std::string start = "The slice of the poses of '" + manipulator.name() + "' ";
   const TaskSpace space = manipulator.task_space();
+  if (slice.joint && slice.free_positions() != 0)
+    return start + "holds a joint, but lets positions move too; hold one or the other.";
+  if (slice.joint) return find_held_joint_problem(manipulator, *slice.joint);
   const double norm = slice.held.orientation.norm(), axis = slice.axis.norm();
   if (!slice.held.position.allFinite() || !(std::abs(norm - 1.0) < 1e-6))
     return start + "holds a pose that is not finite or has no unit quaternion; give another.";
@@ -182,6 +189,7 @@ std::string find_slice_problem(const Manipulator& manipulator, const MapSlice& s
 }
 
 std::vector<std::string> coordinate_names(const MapSlice& slice) {
+  if (slice.joint) return {"direction", "phi"};
   Names names;
   for (std::size_t i = 0; i < 3; ++i)
     if (slice.moves[i]) names.push_back(positions[i]);
@@ -190,6 +198,7 @@ std::vector<std::string> coordinate_names(const MapSlice& slice) {
 }
 
 std::string measure_unit(const MapSlice& slice) {
+  if (slice.joint) return "rad^2";
   if (slice.rotation == MapSlice::Rotation::freely) return "rad^3";
   const std::array<const char*, 4> lengths{"", "m", "m^2", "m^3"};
   const std::string length = lengths[slice.free_positions()];
@@ -201,8 +210,9 @@ std::string to_string(const MapSlice& slice) {
   std::string text;
   for (const HeldCoordinate& each : slice.held_coordinates)
     text += (text.empty() ? "" : ", ") + each.name + " = " + number_text(each.value) +
-            (is_angle(each.name) ? " rad" : " m");
-  if (slice.rotation != MapSlice::Rotation::about_axis || slice.angle_name != "phi") return text;
+            (is_angle(slice, each.name) ? " rad" : " m");
+  if (slice.joint || slice.rotation != MapSlice::Rotation::about_axis || slice.angle_name != "phi")
+    return text;
   return text + (text.empty() ? "" : ", ") + "phi turns about (" + number_text(slice.axis.x()) + ", " +
          number_text(slice.axis.y()) + ", " + number_text(slice.axis.z()) + ")";
 }

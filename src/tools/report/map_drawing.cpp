@@ -2,6 +2,7 @@
 #include "tools/report/map_drawing.h"
 
 #include "model/number_text.h"
+#include "parallel_aspects/aspects/held_joint.h"
 #include "tools/report/reports.h"
 
 #include <algorithm>
@@ -167,6 +168,7 @@ class Drawing {
   }
 
   MapPoint deepest(const Aspect& aspect) const {
+    if (map_.slice() && map_.slice()->joint) return deepest_directions(aspect, *map_.slice()->joint);
     const std::array<std::string, 3> positions{"x", "y", "z"};
     MapPoint point{};
     for (std::size_t i = 0; i < 2; ++i) {
@@ -175,6 +177,13 @@ class Drawing {
         if (names_[i] == positions[k]) point[i] = aspect.deepest.position[static_cast<Eigen::Index>(k)];
     }
     return point;
+  }
+
+  MapPoint deepest_directions(const Aspect& aspect, const HeldJoint& joint) const {
+    const Eigen::Vector2d rod = circle_of_anchor(*map_.manipulator(), joint).rod(aspect.deepest);
+    const Eigen::Quaterniond& turn = aspect.deepest.orientation;
+    const double phi = 2.0 * std::atan2(turn.z(), turn.w()), full_turn = 2.0 * EIGEN_PI;
+    return {std::atan2(rod.y(), rod.x()), std::remainder(phi, full_turn), 0.0};
   }
 
   std::string frame() const {

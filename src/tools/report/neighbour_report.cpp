@@ -30,12 +30,23 @@ std::string neighbours_text(const AspectMap& map, const std::vector<Neighbours>&
   return "\naspects that touch:\n" + table.text();
 }
 
+/// The leg across whose singularity no neighbours are looked for, since its joint is held; null without one.
+json held_leg(const AspectMap& map) {
+  if (!map.slice() || !map.slice()->joint) return nullptr;
+  const Leg& leg = map.manipulator()->leg(map.slice()->joint->leg);
+  return leg.kind().moves_proximal_point ? json(leg.name) : json(nullptr);
+}
+
 }  // namespace
 
 void add_neighbours(const AspectMap& map, const std::vector<Neighbours>& neighbours, Report& report) {
   report.json["neighbours"] = json::array();
   for (const Neighbours& pair : neighbours) report.json["neighbours"].push_back(json_neighbours(map, pair));
   report.text += neighbours_text(map, neighbours);
+  report.json["neighbours_not_across"] = held_leg(map);
+  if (!held_leg(map).is_null())
+    report.text += "those across B_jj = 0 of " + held_leg(map).get<std::string>() +
+                   ", whose joint is held, are not looked for\n";
 }
 
 }  // namespace parallel_aspects::tools

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/aspects/held_joint.h"
 #include "parallel_aspects/aspects/same_aspect.h"
 #include "tools/arguments.h"
 #include "tools/report/basins_report.h"
@@ -9,6 +10,7 @@
 #include "tools/subcommands.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -19,7 +21,7 @@ using nlohmann::json;
 
 struct ConnectArguments {
   RobotChoice robot;
-  std::string from, to, mode, resolution, index;
+  std::string from, to, mode, slice, resolution, index;
   RoadmapArguments roadmap;
   ConstraintArguments constraints;
 };
@@ -29,9 +31,35 @@ struct Question {
   Pose from, to;
   std::vector<WorkingMode> modes;
   RoadmapOptions roadmap;
+  std::optional<MapSlice> slice;
   std::optional<double> resolution;
   ParallelIndex index = ParallelIndex::normalised;
+  double moved = 0.0;  // onto the slice, at most [m]
 };
+
+/// With a joint held, what is given in a few digits is put onto the slice; how far it was moved [m], or
+/// nothing.
+double put_onto(const MapSlice& slice, const Manipulator& manipulator, const std::string& option, Pose& pose,
+                Problems& problems) {
+  const AnchorCircle circle = circle_of_anchor(manipulator, *slice.joint);
+  const double distance = std::abs(circle.distance(pose));
+  if (!(distance <= held_joint_tolerance))
+    problems.push_back(option + " lies " + shown(distance) + " m from the slice " + to_string(slice) +
+                       "; give a pose within " + shown(held_joint_tolerance) + " m of it.");
+  pose = circle.nearest(pose);
+  return distance;
+}
+
+void parse_slice_of_question(const ConnectArguments& arguments, const Manipulator& manipulator,
+                             Question& question, Problems& problems) {
+  if (arguments.slice.empty()) return;
+  const std::size_t known = problems.size();
+  question.slice = parse_slice("--slice", manipulator, arguments.slice, problems);
+  if (problems.size() > known || !question.slice->joint) return;
+  const double from = put_onto(*question.slice, manipulator, "--from", question.from, problems),
+               to = put_onto(*question.slice, manipulator, "--to", question.to, problems);
+  question.moved = std::max(from, to);
+}
 
 Question parse(const ConnectArguments& arguments, const Manipulator& manipulator) {
   Problems problems;
@@ -46,7 +74,8 @@ Question parse(const ConnectArguments& arguments, const Manipulator& manipulator
       question.modes = {*mode};
   if (!arguments.resolution.empty())
     question.resolution = parse_positive("--resolution", arguments.resolution, problems);
-  if (question.resolution && manipulator.task_space() == TaskSpace::SE3)
+  parse_slice_of_question(arguments, manipulator, question, problems);
+  if (question.resolution && !question.slice && manipulator.task_space() == TaskSpace::SE3)
     problems.emplace_back("--resolution is that of a map, which there is none of in SE3; leave it out.");
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
   return question;
@@ -63,6 +92,7 @@ class Asking {
         surroundings_(surroundings) {}
 
   AspectComparison ask(const WorkingMode& mode) {
+    if (question_.slice) return ask_slice(mode);
     const PoseInMode first{question_.from, mode}, second{question_.to, mode};
     AspectComparison found = same_aspect(certifier_, first, second);
     if (found.searched_sign != 0) found = same_aspect(*roadmap(mode), first, second);
@@ -89,12 +119,15 @@ class Asking {
   }
 
   // Maps of one or two degrees of freedom are quick; others are made where they are asked for.
-  bool has_map() const { return question_.resolution || degrees_of_freedom(manipulator_->task_space()) <= 2; }
+  bool has_map() const {
+    return question_.slice || question_.resolution || degrees_of_freedom(manipulator_->task_space()) <= 2;
+  }
 
   const AspectMap& map() {
     if (map_) return *map_;
     MapOptions options;
     options.resolution = question_.resolution;
+    options.slice = question_.slice;
     MapControl control;
     control.cancelled = surroundings_.interrupted;
     const MapResult result = compute_aspect_map(manipulator_, options, control);
@@ -111,6 +144,27 @@ class Asking {
       found = {SameAspect::yes, "The map proves it: both are in the same connected set of boxes.", {}, 0};
     else if (is_separate(first.aspect, second.aspect))
       found = {SameAspect::no, "The map proves the two aspects separate.", {}, 0};
+  }
+
+  // Paths stay in the slice, so that roadmaps are of no use.
+  AspectComparison ask_slice(const WorkingMode& mode) {
+    const Location first = map().locate(question_.from, mode), second = map().locate(question_.to, mode);
+    for (const LocationStatus status : {first.status, second.status}) {
+      if (status == LocationStatus::outside)
+        return {SameAspect::no, "One of the poses is proved to lie in no aspect of the slice.", {}, 0};
+      if (status == LocationStatus::not_mapped)
+        return {SameAspect::unknown, "One of the poses lies outside of the slice.", {}, 0};
+    }
+    if (!first || !second)
+      return {SameAspect::unknown,
+              "One of the poses is closer to a singularity or a limit than the map can tell.",
+              {},
+              0};
+    if (first.aspect == second.aspect)
+      return {SameAspect::yes, "The map of the slice proves it, by a path within the slice.", {}, 0};
+    if (is_separate(first.aspect, second.aspect))
+      return {SameAspect::no, "The map proves them separate within the slice.", {}, 0};
+    return {SameAspect::unknown, "The map of the slice neither joins them nor proves them separate.", {}, 0};
   }
 
   bool is_separate(int first, int second) {
@@ -176,6 +230,21 @@ Report report_comparison(const Manipulator& manipulator, const Pose& from, const
   return {object, answers_text(manipulator, from, to, answers) + '\n' + constraints.text};
 }
 
+namespace {
+
+/// That the answers are of a slice, and what was done to the poses.
+void add_slice(const Question& question, Report& report) {
+  if (!question.slice) return;
+  report.json["slice"] = to_string(*question.slice);
+  report.json["moved_onto_slice"] = question.moved;
+  report.text += "\nslice " + to_string(*question.slice) +
+                 ": aspects of the slice, of which two may be joined outside of it\n";
+  if (question.moved > 0.0)
+    report.text += "the poses are moved onto the slice, by at most " + shown(question.moved) + " m\n";
+}
+
+}  // namespace
+
 Subcommand connect_subcommand() {
   const auto arguments = std::make_shared<ConnectArguments>();
   std::vector<Option> options = robot_options(arguments->robot);
@@ -184,6 +253,10 @@ Subcommand connect_subcommand() {
   options.push_back({"--to", "\"x y\"", "Another one", &arguments->to, true});
   options.push_back(
       {"--mode", "\"(+,-)\"", "Working mode, as signs of B_jj; by default every one", &arguments->mode});
+  options.push_back({"--slice", "\"phi=0\"",
+                     "Ask within a slice: held pose coordinates, or in SE2 an actuated joint, with the value "
+                     "[m or rad]; its map answers",
+                     &arguments->slice});
   options.push_back({"--samples", "N",
                      "Poses of the roadmap that is asked where the straight way is not free",
                      &arguments->roadmap.samples});
@@ -205,7 +278,9 @@ Subcommand connect_subcommand() {
               const AspectComparison found = asking.ask(mode);
               answers.push_back({mode, found, question.index, asking.bottleneck(mode, found.answer)});
             }
-            return report_comparison(*manipulator, question.from, question.to, answers);
+            Report report = report_comparison(*manipulator, question.from, question.to, answers);
+            add_slice(question, report);
+            return report;
           }};
 }
 

@@ -77,13 +77,19 @@ std::optional<Box> find_region(const MapArguments& arguments, const MapSection& 
                                const std::optional<MapSlice>& slice, Problems& problems) {
   std::vector<std::string> names = slice ? coordinate_names(*slice) : coordinate_names(space);
   names.resize(slice ? slice->free_positions() : directions(space));
-  if (!arguments.region.empty() && names.empty())
+  if (!arguments.region.empty() && slice && slice->joint)
+    problems.emplace_back(
+        "--region is of positions, but here every direction and orientation is searched and no more; leave "
+        "it "
+        "out.");
+  else if (!arguments.region.empty() && names.empty())
     problems.emplace_back(
         "--region is of positions, but here every orientation is searched and no more; "
         "leave it out.");
   else if (!arguments.region.empty())
     return parse_region("--region", names, arguments.region, problems);
   if (!arguments.region.empty()) return std::nullopt;
+  if (slice && slice->joint) return std::nullopt;
   const auto region = resolve_region(section.config, space, section.file, problems);
   return region && slice ? region_of_slice(*region, *slice, section.file, problems) : region;
 }
@@ -151,7 +157,7 @@ void add_coverage(const MapArguments& arguments, const MapSection& section, cons
                        manipulator.name() + "' is one of boxes, so give --resolution.");
   options.modes = parse_modes("--mode", manipulator, arguments.modes, problems);
   if (!arguments.slice.empty())
-    options.slice = parse_slice("--slice", manipulator.task_space(), arguments.slice, problems);
+    options.slice = parse_slice("--slice", manipulator, arguments.slice, problems);
   if (problems.empty())
     options.region = find_region(arguments, section, manipulator.task_space(), options.slice, problems);
   const std::size_t dimension =
@@ -235,7 +241,7 @@ std::vector<Option> options_of(MapArguments& arguments) {
                      &arguments.region});
   options.push_back({"--slice", "\"z=1\"",
                      "Map a line, plane or volume of poses: what is held, with its value [m or rad]; the "
-                     "rest is free",
+                     "rest is free. In SE2 an actuated joint may be held, such as \"strut_1_joint=15\"",
                      &arguments.slice});
   options.push_back({"--mode", "\"(+,-)\"",
                      "Map these working modes only, as signs of B_jj; by default every one",

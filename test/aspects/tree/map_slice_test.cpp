@@ -67,6 +67,53 @@ TEST(MapSlice, EveryMistakeIsOneSentence) {
             "T1 has no slices, since x is all there is; map it whole.");
 }
 
+std::string problem_of(const Robot& robot, const Held& held) {
+  Problems problems;
+  make_slice(*robot, held, problems);
+  return problems.size() == 1 ? problems.front() : std::to_string(problems.size()) + " problems";
+}
+
+TEST(MapSlice, HoldsAnActuatedJoint) {
+  const MapSlice slice = slice_of(test::three_rpr(), {{"leg_2_joint", 20.0}});
+  ASSERT_TRUE(slice.joint);
+  EXPECT_EQ(slice.joint->leg, 1U);
+  EXPECT_EQ(slice.dimension(), 2U);
+  EXPECT_EQ(slice.free_positions(), 0U);
+  EXPECT_EQ(to_string(slice), "leg_2_joint = 20 m");
+  EXPECT_EQ(to_string(slice_of(test::three_rrr(), {{"leg_1_joint", 0.5}})), "leg_1_joint = 0.5 rad");
+  EXPECT_EQ(find_slice_problem(*test::three_rpr(), slice), "");
+  MapSlice both = slice;
+  both.moves[0] = true;
+  EXPECT_NE(find_slice_problem(*test::three_rpr(), both), "");
+  both = slice;
+  both.joint->leg = 3;
+  EXPECT_NE(find_slice_problem(*test::three_rpr(), both), "");
+  EXPECT_EQ(problem_of(test::three_rrr(), {{"phi", 0.0}}), "0 problems");
+}
+
+TEST(MapSlice, JointsThatCanNotBeHeldAreRefused) {
+  EXPECT_EQ(
+      problem_of(test::three_rpr(), {{"leg_4_joint", 20.0}}),
+      "'three_rpr' has no pose coordinate or actuated joint 'leg_4_joint'; hold some of x, y and phi, or "
+      "one of leg_1_joint, leg_2_joint or leg_3_joint.");
+  EXPECT_EQ(problem_of(test::three_rpr(), {{"leg_1_joint", 20.0}, {"phi", 0.0}}),
+            "The slice holds the joint 'leg_1_joint' and more; hold that joint alone, or pose coordinates.");
+  EXPECT_EQ(problem_of(test::three_rpr(), {{"leg_1_joint", 9.0}}),
+            "The slice holds 'leg_1_joint' at 9, outside of its limits, 10 to 32; hold it inside.");
+  EXPECT_EQ(problem_of(test::three_rpr(), {{"leg_1_joint", NAN}}),
+            "The slice holds 'leg_1_joint' at no finite number; give one.");
+  EXPECT_EQ(problem_of(test::five_bar(), {{"leg_1_joint", 0.5}}),
+            "A slice of T2 can hold pose coordinates only; joints can be held in SE2.");
+  EXPECT_EQ(problem_of(test::three_rrr_actuated_elbow(), {{"leg_1_joint", 0.5}}),
+            "The slice holds 'leg_1_joint', which is an actuated elbow; hold the joint of a crank, slide or "
+            "strut.");
+  ManipulatorDescription free = test::three_rpr()->description();
+  free.legs[0].limits = JointLimits{};
+  EXPECT_EQ(
+      problem_of(std::make_shared<const Manipulator>(free), {{"leg_1_joint", 0.0}}),
+      "The slice holds 'leg_1_joint' at 0, where its leg has no length in the plane; give another value.");
+}
+
 TEST(MapSlice, SlicesThatDoNotFitTheRobotAreRefused) {
   const Robot planar = test::three_rrr(), spatial = test::stewart(), delta = test::delta();
   MapSlice slice = slice_of(planar, {{"phi", 0.0}});

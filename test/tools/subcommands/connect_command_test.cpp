@@ -126,6 +126,33 @@ TEST_F(RoadmapCommand, BottlenecksAreToldWhereThereIsAMap) {
   EXPECT_EQ(bottleneck("40 0", "parallel"), nullptr);
 }
 
+// Two solutions of one value of the actuated joints, and one of another component.
+TEST_F(RoadmapCommand, ConnectsWithinSlices) {
+  const char *from = "14.67394366 -3.01260312 2.13290437", *to = "-5.49566082 -13.93549828 -0.04733137",
+             *other = "-8.72659533 12.17566975 -0.98697424";
+  const auto ask = [&](const char* goal, const char* slice) {
+    return run_json(
+        {"connect", "three_rpr", "--from", from, "--to", goal, "--slice", slice, "--index", "det_a"});
+  };
+  const json same = ask(to, "strut_1_joint=14.98");
+  EXPECT_EQ(same.at("slice"), "strut_1_joint = 14.98 m");
+  EXPECT_GT(same.at("moved_onto_slice"), 0.0);
+  EXPECT_LT(same.at("moved_onto_slice"), 1e-6);
+  EXPECT_EQ(same.at("answers")[0].at("same_aspect"), "yes");
+  EXPECT_GT(same.at("answers")[0].at("bottleneck").at("lower"), 3000.0);
+  EXPECT_EQ(ask(other, "strut_1_joint=14.98").at("answers")[0].at("same_aspect"), "no");
+  const Outcome beside =
+      run({"connect", "three_rpr", "--from", from, "--to", to, "--slice", "strut_1_joint=15"});
+  EXPECT_EQ(beside.code, exit_code::bad_input);
+  EXPECT_NE(beside.messages.find("--from lies 0.02 m from the slice strut_1_joint = 15 m; give a pose within "
+                                 "1e-06 m of it."),
+            std::string::npos)
+      << beside.messages;
+  EXPECT_EQ(answers(run_json({"connect", "delta", "--from", "0 0 -0.6", "--to", "0.1 0 -0.6", "--slice",
+                              "z=-0.6", "--mode", "+++"})),
+            (std::map<std::string, std::string>{{"[1,1,1]", "yes"}}));
+}
+
 TEST_F(RoadmapCommand, OneModeCanBeAskedFor) {
   for (const char* mode : {"(+,-)", "+-", "+ -"}) {
     const json connection =

@@ -225,6 +225,10 @@ TEST_F(MapCommand, SlicesAreMapped) {
   EXPECT_EQ(line.at("slice").at("free"), (std::vector<std::string>{"phi"}));
   EXPECT_EQ(line.at("unit"), "rad");
   EXPECT_LE(line.at("working_modes").size(), 2U);
+  const json strut = run_json({"map", "three_rpr", "--slice", "strut_1_joint=14.98"});
+  EXPECT_EQ(strut.at("slice").at("held").at("strut_1_joint"), 14.98);
+  EXPECT_EQ(strut.at("slice").at("free"), (std::vector<std::string>{"direction", "phi"}));
+  EXPECT_EQ(strut.at("unit"), "rad^2");
   EXPECT_TRUE(run_json({"map", "five_bar"}).at("slice").is_null());
 }
 
@@ -271,6 +275,13 @@ TEST_F(MapCommand, BadSlicesAreRefused) {
   const std::map<std::vector<const char*>, const char*> refused{
       {{"map", "delta", "--slice", "phi=0"},
        "A slice of T3 has no coordinate 'phi'; hold some of x, y and z.\n"},
+      {{"map", "three_rpr", "--slice", "strut_4_joint=15"},
+       "'three_rpr' has no pose coordinate or actuated joint 'strut_4_joint'; hold some of x, y and phi, or "
+       "one "
+       "of strut_1_joint, strut_2_joint or strut_3_joint.\n"},
+      {{"map", "three_rpr", "--slice", "strut_1_joint=15", "--region", "x=0:1"},
+       "--region is of positions, but here every direction and orientation is searched and no more; leave it "
+       "out.\n"},
       {{"map", "delta", "--slice", "z"},
        "--slice has 'z'; give what is held with its value, such as \"z=0.5\".\n"},
       {{"map", "delta", "--slice", "z=high"},

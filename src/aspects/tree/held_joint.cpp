@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/aspects/held_joint.h"
+
+#include "model/number_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace parallel_aspects {
+namespace {
+
+/// The leg whose actuated joint has this name.
+std::optional<std::size_t> leg_of(const Manipulator& manipulator, const std::string& joint) {
+  for (std::size_t j = 0; j < manipulator.leg_count(); ++j)
+    if (manipulator.leg(j).actuated_joint == joint) return j;
+  return std::nullopt;
+}
+
+bool is_coordinate(TaskSpace space, const std::string& name) {
+  const std::vector<std::string> names = coordinate_names(space);
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+std::string joints_of(const Manipulator& manipulator) {
+  std::string text;
+  for (std::size_t j = 0; j < manipulator.leg_count(); ++j)
+    text += (j == 0                             ? ""
+             : j + 1 == manipulator.leg_count() ? " or "
+                                                : ", ") +
+            manipulator.leg(j).actuated_joint;
+  return text;
+}
+
+/// What is held in SE2 and no pose coordinate: actuated joints, and names that nothing has.
+std::vector<HeldCoordinate> others_of(const Manipulator& manipulator,
+                                      const std::vector<HeldCoordinate>& held) {
+  std::vector<HeldCoordinate> result;
+  for (const HeldCoordinate& each : held)
+    if (!is_coordinate(manipulator.task_space(), each.name)) result.push_back(each);
+  return result;
+}
+
+}  // namespace
+
+Eigen::Vector2d AnchorCircle::rod(const Pose& pose) const noexcept {
+  return pose.transform({anchor.x(), anchor.y(), 0.0}).head<2>() - center;
+}
+
+double AnchorCircle::distance(const Pose& pose) const noexcept { return rod(pose).norm() - radius; }
+
+Pose AnchorCircle::pose(double direction, double phi) const noexcept {
+  const Eigen::Vector2d at = center + radius * Eigen::Vector2d(std::cos(direction), std::sin(direction)) -
+                             Eigen::Rotation2Dd(phi) * anchor;
+  return Pose::planar(at.x(), at.y(), phi);
+}
+
+Pose AnchorCircle::nearest(const Pose& pose) const noexcept {
+  const Eigen::Vector2d from_center = rod(pose);
+  return this->pose(std::atan2(from_center.y(), from_center.x()),
+                    2.0 * std::atan2(pose.orientation.z(), pose.orientation.w()));
+}
+
+AnchorCircle circle_of_anchor(const Manipulator& manipulator, const HeldJoint& joint) noexcept {
+  const Leg& leg = manipulator.leg(joint.leg);
+  const Eigen::Vector3d center = leg.proximal_point(joint.value);
+  const double height = leg.anchor.z() - center.z();
+  const double squared_radius = leg.squared_distance(joint.value) - height * height;
+  return {center.head<2>(), std::sqrt(std::max(0.0, squared_radius)), leg.anchor.head<2>()};
+}
+
+std::string find_held_joint_problem(const Manipulator& manipulator, const HeldJoint& joint) {
+  if (manipulator.task_space() != TaskSpace::SE2)
+    return "A slice of " + std::string(name(manipulator.task_space())) +
+           " can hold pose coordinates only; joints can be held in SE2.";
+  if (joint.leg >= manipulator.leg_count())
+    return "The slice holds the joint of a leg that '" + manipulator.name() + "' does not have.";
+  const Leg& leg = manipulator.leg(joint.leg);
+  const std::string start =
+      "The slice holds '" + leg.actuated_joint + "' at " + number_text(joint.value) + ", ";
+  if (leg.kind().type == LegType::elbow)
+    return "The slice holds '" + leg.actuated_joint +
+           "', which is an actuated elbow; hold the joint of a crank, slide or strut.";
+  if (!std::isfinite(joint.value))
+    return "The slice holds '" + leg.actuated_joint + "' at no finite number; give one.";
+  if (!leg.limits.contain(joint.value))
+    return start + "outside of its limits, " + number_text(leg.limits.lower) + " to " +
+           number_text(leg.limits.upper) + "; hold it inside.";
+  if (!leg.can_have(joint.value) || !(circle_of_anchor(manipulator, joint).radius > held_joint_tolerance))
+    return start + "where its leg has no length in the plane; give another value.";
+  return "";
+}
+
+MapSlice make_slice(const Manipulator& manipulator, const std::vector<HeldCoordinate>& held,
+                    Problems& problems) {
+  const TaskSpace space = manipulator.task_space();
+  const std::vector<HeldCoordinate> others = others_of(manipulator, held);
+  if (others.empty() || (space != TaskSpace::SE2 && !leg_of(manipulator, others.front().name)))
+    return make_slice(space, held, problems);
+  const HeldCoordinate& first = others.front();
+  const std::optional<std::size_t> leg = leg_of(manipulator, first.name);
+  MapSlice slice;
+  if (!leg)
+    problems.push_back("'" + manipulator.name() + "' has no pose coordinate or actuated joint '" +
+                       first.name + "'; hold some of x, y and phi, or one of " + joints_of(manipulator) +
+                       ".");
+  else if (held.size() > 1)
+    problems.push_back("The slice holds the joint '" + first.name +
+                       "' and more; hold that joint alone, or pose coordinates.");
+  if (!leg || held.size() > 1) return slice;
+  slice.joint = HeldJoint{*leg, first.value, manipulator.leg(*leg).actuated_by_angle()};
+  slice.rotation = MapSlice::Rotation::about_axis;
+  slice.held_coordinates = held;
+  const std::string problem = find_held_joint_problem(manipulator, *slice.joint);
+  if (problem.empty())
+    slice.held = circle_of_anchor(manipulator, *slice.joint).pose(0.0, 0.0);
+  else
+    problems.push_back(problem);
+  return slice;
+}
+
+}  // namespace parallel_aspects
