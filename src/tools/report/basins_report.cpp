@@ -6,6 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+#include <vector>
 
 namespace parallel_aspects::tools {
 namespace {
@@ -68,16 +72,31 @@ std::string pair_text(const std::pair<int, int>& pair, const MapBasins& basins, 
          shown_briefly(range.upper) + "\n";
 }
 
+/// Places of the unresolved pairs, those of large aspects first.
+std::vector<std::size_t> by_falling_size(const AspectMap& map) {
+  const auto size = [&map](std::size_t i) {
+    const auto [one, other] = map.unresolved()[i];
+    return std::min(map.aspects()[static_cast<std::size_t>(one - 1)].measure,
+                    map.aspects()[static_cast<std::size_t>(other - 1)].measure);
+  };
+  std::vector<std::size_t> places(map.unresolved().size());
+  std::iota(places.begin(), places.end(), std::size_t{0});
+  std::stable_sort(places.begin(), places.end(),
+                   [&size](std::size_t a, std::size_t b) { return size(a) > size(b); });
+  return places;
+}
+
 /// The pairs of which something is known, and how many others there are.
 std::string pairs_text(const AspectMap& map, const MapBasins& basins) {
   std::string text;
   std::size_t listed = 0, unbounded = 0;
-  for (std::size_t i = 0; i < basins.bottlenecks.size(); ++i)
+  for (const std::size_t i : by_falling_size(map))
     if (!is_bounded(basins, basins.bottlenecks[i]))
       ++unbounded;
     else if (listed++ < max_pairs)
       text += pair_text(map.unresolved()[i], basins, basins.bottlenecks[i]);
-  if (listed > max_pairs) text += "  and " + counted(listed - max_pairs, "pair") + " more, in the JSON\n";
+  if (listed > max_pairs)
+    text += "  and " + counted(listed - max_pairs, "more pair") + "; --json lists all\n";
   if (unbounded > 0)
     text += "  " + counted(unbounded, "pair") + (listed > 0 ? " more" : "") + ": no useful bound of the " +
             index_name(basins.index) + "\n";
