@@ -47,6 +47,7 @@ namespace parallel_aspects {}
 #include "parallel_aspects/motion/rehearsal.h"
 #include "parallel_aspects/motion/tour.h"
 #include "parallel_aspects/singularity/indices.h"
+#include "parallel_aspects/singularity/margins.h"
 #include "parallel_aspects/tracking/approach_speed.h"
 #include "parallel_aspects/tracking/hazard_memory.h"
 #include "parallel_aspects/tracking/joint_samples.h"

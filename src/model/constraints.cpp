@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/model/constraints.h"
 
+#include "model/number_text.h"
 #include "model/task_space_traits.h"
 
 #include <algorithm>
@@ -94,8 +95,8 @@ class Check {
   void check_margins(const Margins& margins) {
     for (const NamedMargin& margin : named_margins)
       if (!(margins.*margin.member >= 0.0 && margins.*margin.member < margin.bound))
-        problem("The margin '" + std::string(margin.name) + "' is not " + std::string(margin.range) +
-                "; give " + std::string(margin.meaning) + ".");
+        problem("The margin '" + std::string(margin.name) + "' is " + number_text(margins.*margin.member) +
+                "; it must be " + std::string(margin.range) + ": " + std::string(margin.meaning) + ".");
   }
 
   void check_passive(const PassiveLimit& limit) {

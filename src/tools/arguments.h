@@ -41,8 +41,9 @@ MapSlice parse_slice(const std::string& option, const Manipulator& manipulator, 
 Box parse_region(const std::string& option, const std::vector<std::string>& names, const std::string& text,
                  Problems& problems);
 
-/// The margins that `text` gives, such as "parallel=0.05 serial=0.1", separated by blanks or commas.
-Margins parse_margins(const std::string& option, std::string text, Problems& problems);
+/// The margins that `text` gives, such as "parallel=0.05 serial=0.1", separated by blanks or commas; those
+/// that it does not name are as in `others`.
+Margins parse_margins(const std::string& option, std::string text, const Margins& others, Problems& problems);
 
 /// Which constraints bound the aspects, and of robots within which tolerance, as text from the command line;
 /// empty where not given.

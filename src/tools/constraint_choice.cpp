@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <utility>
 
@@ -34,31 +35,63 @@ ConstraintKinds parse_kinds(const std::string& option, std::string text, Constra
   return kinds;
 }
 
-/// Links of a planar robot can be tested without being told of.
-bool can_be_added(ConstraintKind kind, const Manipulator& manipulator) {
-  return kind == ConstraintKind::self_collision && is_planar(manipulator.task_space());
+/// Those that the two options leave.
+ConstraintKinds chosen_kinds(const ConstraintArguments& arguments, ConstraintKinds all, Problems& problems) {
+  const ConstraintKinds kinds =
+      arguments.only.empty() ? all : parse_kinds("--constraint", arguments.only, all, problems);
+  return kinds & ~parse_kinds("--no-constraint", arguments.without, all, problems);
 }
 
-void require(ConstraintKinds kinds, const Manipulator& manipulator, Problems& problems) {
+/// Whether margins are named in `text` by their own name.
+bool names_margins(const std::string& text) {
+  Problems said_elsewhere;
+  return parse_kinds("", text, {}, said_elsewhere)[index_of(ConstraintKind::margins)];
+}
+
+/// Margins can be given by an option, and links of a planar robot can be tested without being told of.
+bool can_be_added(ConstraintKind kind, bool has_margins, const Manipulator& manipulator) {
+  return kind == ConstraintKind::margins
+             ? has_margins
+             : kind == ConstraintKind::self_collision && is_planar(manipulator.task_space());
+}
+
+void require(ConstraintKinds kinds, bool has_margins, const Manipulator& manipulator, Problems& problems) {
   const ConstraintKinds known = manipulator.constraint_kinds();
   for (const ConstraintKind kind : all_constraint_kinds)
-    if (kinds[index_of(kind)] && !known[index_of(kind)] && !can_be_added(kind, manipulator))
-      problems.push_back("--constraint names " + std::string(name(kind)) + ", which '" + manipulator.name() +
-                         "' has none of; state it in the robot's YAML or URDF, or leave it out.");
+    if (kinds[index_of(kind)] && !known[index_of(kind)] && !can_be_added(kind, has_margins, manipulator))
+      problems.push_back("--constraint names " + std::string(name(kind)) + ", but '" + manipulator.name() +
+                         "' has none; state them in the robot's YAML or URDF, or leave the name out.");
 }
 
-void read_margin(const std::string& option, const std::string& word, Margins& margins, Problems& problems) {
-  const std::size_t equals = word.find('=');
-  const std::string name = word.substr(0, equals);
-  const auto found = std::find_if(named_margins.begin(), named_margins.end(),
-                                  [&name](const NamedMargin& margin) { return margin.name == name; });
-  if (equals == std::string::npos || found == named_margins.end())
-    return problems.push_back(option + " has '" + word +
-                              "'; give some of parallel, serial and det_a, such as "
-                              "\"parallel=0.05 serial=0.1\".");
-  const auto value = parse_numbers(option, word.substr(equals + 1), {name}, problems);
-  if (!value.empty()) margins.*found->member = value.front();
-}
+/// The margins that an option names, over those that hold without it.
+class NamedMargins {
+ public:
+  NamedMargins(std::string option, const Margins& others, Problems& problems)
+      : option_(std::move(option)), margins_(others), problems_(problems) {}
+
+  void read(const std::string& word) {
+    const std::size_t equals = word.find('=');
+    const std::string name = word.substr(0, equals);
+    const auto found = std::find_if(named_margins.begin(), named_margins.end(),
+                                    [&name](const NamedMargin& margin) { return margin.name == name; });
+    if (equals == std::string::npos || found == named_margins.end())
+      return problems_.push_back(option_ + " has '" + word +
+                                 "'; give some of parallel, serial and det_a, such as "
+                                 "\"parallel=0.05 serial=0.1\".");
+    if (!named_.insert(name).second)
+      return problems_.push_back(option_ + " names " + name + " twice; give one value for it.");
+    const auto value = parse_numbers(option_, word.substr(equals + 1), {name}, problems_);
+    if (!value.empty()) margins_.*found->member = value.front();
+  }
+
+  const Margins& margins() const noexcept { return margins_; }
+
+ private:
+  std::string option_;
+  Margins margins_;
+  Problems& problems_;
+  std::set<std::string> named_;
+};
 
 std::optional<double> parse_tolerance(const std::string& text, Problems& problems) {
   if (text.empty()) return std::nullopt;
@@ -71,46 +104,46 @@ std::optional<double> parse_tolerance(const std::string& text, Problems& problem
 
 }  // namespace
 
-Margins parse_margins(const std::string& option, std::string text, Problems& problems) {
+Margins parse_margins(const std::string& option, std::string text, const Margins& others,
+                      Problems& problems) {
   std::replace(text.begin(), text.end(), ',', ' ');
   std::istringstream words(text);
-  Margins margins;
-  for (std::string word; words >> word;) read_margin(option, word, margins, problems);
-  return margins;
+  NamedMargins margins(option, others, problems);
+  for (std::string word; words >> word;) margins.read(word);
+  return margins.margins();
 }
 
 std::vector<Option> constraint_options(ConstraintArguments& arguments) {
-  return {
-      {"--constraint", "LIST",
-       "Constraints that bound the aspects besides singularities, separated by commas: " + known_names() +
-           "; by default all that the robot has",
-       &arguments.only},
-      {"--no-constraint", "LIST", "Constraints to leave out", &arguments.without},
-      {"--margin", "LIST",
-       "Least indices, in place of those that the robot has, such as \"parallel=0.05 serial=0.1\": |det A| "
-       "over the norms of its rows and |B_jj| over its largest, 0 at singularities and 1 at most; "
-       "det_a=20000: |det A| itself",
-       &arguments.margins},
-      {"--tolerance", "SHARE",
-       "Prove for every robot whose points and lengths differ from the description by at most this share of "
-       "the robot's size, such as 0.001; by default that of the robot's YAML, or 0",
-       &arguments.tolerance}};
+  return {{"--constraint", "LIST",
+           "Constraints that bound the aspects besides singularities, separated by commas: " + known_names() +
+               "; by default all that the robot has",
+           &arguments.only},
+          {"--no-constraint", "LIST", "Constraints to leave out", &arguments.without},
+          {"--margin", "LIST",
+           "Least indices, each in place of the one that the robot has, such as \"parallel=0.05 "
+           "serial=0.1\": |det A| "
+           "over the norms of its rows and |B_jj| over its largest, 0 at singularities and 1 at most; "
+           "det_a=20000: |det A| itself",
+           &arguments.margins}};
 }
 
 std::shared_ptr<const Manipulator> choose_constraints(std::shared_ptr<const Manipulator> manipulator,
                                                       const ConstraintArguments& arguments) {
   Problems problems;
+  const bool has_margins = !arguments.margins.empty();
   const ConstraintKinds all = manipulator->constraint_kinds();
-  ConstraintKinds kinds =
-      arguments.only.empty() ? all : parse_kinds("--constraint", arguments.only, all, problems);
-  kinds &= ~parse_kinds("--no-constraint", arguments.without, all, problems);
-  require(kinds, *manipulator, problems);
-  const Margins margins = parse_margins("--margin", arguments.margins, problems);
+  const ConstraintKinds kinds = chosen_kinds(arguments, all, problems);
+  require(kinds, has_margins, *manipulator, problems);
+  if (has_margins && names_margins(arguments.without))
+    problems.emplace_back("--margin sets margins and --no-constraint leaves them out; give one of the two.");
+  const Margins others =
+      kinds[index_of(ConstraintKind::margins)] ? manipulator->constraints().margins : Margins();
+  const Margins margins = parse_margins("--margin", arguments.margins, others, problems);
   const std::optional<double> tolerance = parse_tolerance(arguments.tolerance, problems);
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
   if (tolerance) manipulator = manipulator->with_tolerance(*tolerance);
   if (kinds != all) manipulator = manipulator->with_constraints(kinds);
-  return arguments.margins.empty() ? manipulator : manipulator->with_margins(margins);
+  return has_margins ? manipulator->with_margins(margins) : manipulator;
 }
 
 }  // namespace parallel_aspects::tools

@@ -81,11 +81,11 @@ struct Bottleneck {
   std::size_t halved = 0;  ///< how many boxes were divided for it
 };
 
-/// How precisely it is looked for. The search ends where the bounds differ by no more than the larger of the
-/// two, or have taken too much work.
+/// How precisely it is looked for. The search ends where the bounds differ by no more than the larger of
+/// `relative` and `absolute`, or have taken too much work; they hold either way.
 struct BottleneckPrecision {
   double relative = 0.05;        ///< of the upper bound
-  double absolute = 0.001;       ///< in the unit of the index
+  double absolute = 0.001;       ///< of the normalised index; for |det A|, whose unit varies, none
   std::size_t boxes = 400000;    ///< that are divided at most
   std::size_t visits = 2000000;  ///< of boxes while paths are looked for, after which no more are divided
 };

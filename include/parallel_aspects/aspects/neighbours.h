@@ -23,6 +23,9 @@ enum class Crossing {
 /// reach within limits, no other B_jj is zero, and det A has the aspects' sign in both modes, at B_jj = 0
 /// too. So the robot can go there in one mode and come back in the other, through this singularity alone.
 ///
+/// A serial margin keeps the aspects of different working modes apart. Such a crossing then leads through
+/// what the margin shuts out: it is lifted for `leg`, and all others are kept all along.
+///
 /// Proved of a parallel crossing: there is a segment of poses from one aspect to the other all along which
 /// the legs reach within limits, no B_jj is zero, and det A is zero exactly once, where it changes sign at a
 /// rate that is not zero.

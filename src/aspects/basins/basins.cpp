@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/aspects/basins.h"
 
+#include "aspects/basins/deepest_index.h"
 #include "aspects/basins/index_cells.h"
 #include "aspects/basins/merge_tree.h"
-#include "aspects/components/disjoint_sets.h"
-#include "aspects/tree/face_traversal.h"
 
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <map>
-#include <queue>
 #include <utility>
 #include <vector>
 
@@ -19,14 +17,17 @@ namespace {
 
 // Bounds of the index in one cell that are closer than this are not worth halving it, but where that may
 // raise the largest index of an aspect.
-constexpr double fine_enough = 0.05, finest = 0.01;  // as shares of the upper one
-constexpr std::size_t halvings_of_peaks = 3000;      // for each aspect
+constexpr double fine_enough = 0.05;  // as a share of the upper one
 
 /// Basins of one working mode and one sign of det A.
 class SignBasins {
  public:
   SignBasins(const AspectMap& map, std::size_t mode, int sign, ParallelIndex index, const MapControl& control)
-      : map_(map), contents_(map.contents()), control_(control), cells_(contents_, mode, sign, index) {
+      : map_(map),
+        contents_(map.contents()),
+        index_(index),
+        control_(control),
+        cells_(contents_, mode, sign, index) {
     for (const Aspect& aspect : map.aspects())
       if (aspect.mode == contents_.modes[mode] && aspect.determinant_sign == sign) ids_.push_back(aspect.id);
   }
@@ -35,9 +36,10 @@ class SignBasins {
   std::vector<Basin> find(BasinDetail detail, MapBasins& basins) {
     if (ids_.empty()) return {};
     if (detail == BasinDetail::basins) divide_coarse();
-    find_peaks();
+    DeepestIndex deepest(cells_, index_, control_);
+    deepest.search();
     if (is_cancelled(control_)) return {};
-    add_deepest(basins);
+    for (const auto& [id, range] : deepest.ranges()) basins.deepest[static_cast<std::size_t>(id - 1)] = range;
     return merge_all(detail, basins);
   }
 
@@ -57,50 +59,6 @@ class SignBasins {
       cells.erase(std::remove_if(cells.begin(), cells.end(), is_done), cells.end());
       cells = cells_.divide(cells);
     }
-  }
-
-  /// Best first: the cell whose upper bound is the highest of its aspect is halved.
-  void find_peaks() {
-    const auto is_lower = [this](NodeIndex a, NodeIndex b) { return cells_.upper(a) < cells_.upper(b); };
-    using Queue = std::priority_queue<NodeIndex, std::vector<NodeIndex>, decltype(is_lower)>;
-    std::map<int, Queue> queues;
-    for (const NodeIndex cell : cells_.all())
-      if (cells_.aspect(cell) != 0)
-        queues.try_emplace(cells_.aspect(cell), is_lower).first->second.push(cell);
-    for (auto& [id, queue] : queues) {
-      for (std::size_t i = 0; i < halvings_of_peaks && !queue.empty() && !is_cancelled(control_); ++i) {
-        const NodeIndex top = queue.top();
-        if (cells_.upper(top) - cells_.lower(top) <= finest * cells_.upper(top)) break;
-        queue.pop();
-        const std::vector<NodeIndex> children = cells_.divide({top});
-        if (children.empty()) break;
-        for (const NodeIndex child : children) queue.push(child);
-      }
-    }
-  }
-
-  /// Undecided cells count for each aspect that they are connected with, through others such.
-  void add_deepest(MapBasins& basins) const {
-    DisjointSets sets(cells_.tree().node_count());
-    std::vector<double> upper(sets.size(), 0.0);
-    visit_faces(cells_.tree(), 0, [&](NodeIndex a, NodeIndex b) {
-      if (cells_.aspect(a) == 0 && cells_.aspect(b) == 0) sets.unite(a, b);
-    });
-    for (const NodeIndex cell : cells_.all()) {
-      double& largest = upper[sets.find(cell)];
-      largest = std::max(largest, cells_.upper(cell));
-      if (cells_.aspect(cell) != 0) take(basins, cells_.aspect(cell), cells_.lower(cell), cells_.upper(cell));
-    }
-    visit_faces(cells_.tree(), 0, [&](NodeIndex a, NodeIndex b) {
-      for (const auto& [one, other] : {std::pair(a, b), std::pair(b, a)})
-        if (cells_.aspect(one) != 0 && cells_.aspect(other) == 0)
-          take(basins, cells_.aspect(one), 0.0, upper[sets.find(other)]);
-    });
-  }
-
-  static void take(MapBasins& basins, int id, double lower, double upper) {
-    IndexRange& range = basins.deepest[static_cast<std::size_t>(id - 1)];
-    range = {std::max(range.lower, lower), std::max(range.upper, upper)};
   }
 
   std::vector<Basin> merge_all(BasinDetail detail, MapBasins& basins) const {
@@ -169,6 +127,7 @@ class SignBasins {
 
   const AspectMap& map_;
   const AspectMap::Contents& contents_;
+  ParallelIndex index_;
   const MapControl& control_;
   IndexCells cells_;
   std::vector<int> ids_;

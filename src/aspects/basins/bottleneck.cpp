@@ -151,7 +151,9 @@ Bottleneck find_bottleneck(const AspectMap& map, const WorkingMode& mode, const 
   if (other != sign)
     return {BottleneckStatus::separate, "det A has different signs at the two poses.", {}, 0};
   IndexCells cells(contents, *place, sign, index);
-  return BottleneckSearch(cells, start, end, precision, control).run();
+  BottleneckPrecision wanted = precision;
+  if (index == ParallelIndex::determinant) wanted.absolute = 0.0;
+  return BottleneckSearch(cells, start, end, wanted, control).run();
 }
 
 }  // namespace parallel_aspects

@@ -70,7 +70,7 @@ void IndexCells::bound(const std::vector<NodeIndex>& nodes) {
 std::vector<NodeIndex> IndexCells::divide(const std::vector<NodeIndex>& cells) {
   std::vector<NodeIndex> children;
   for (const NodeIndex cell : cells) {
-    if (tree_.place(cell).level >= PoseTree::deepest_level) continue;
+    if (!can_be_halved(cell)) continue;
     const NodeIndex first = add_children(cell);
     for (NodeIndex rank = 0; rank < tree_.children_per_node(); ++rank) children.push_back(first + rank);
   }

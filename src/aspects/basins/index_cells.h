@@ -33,6 +33,12 @@ class IndexCells {
 
   /// Id of the aspect that it is proved to lie in; 0 where the map does not tell.
   int aspect(NodeIndex cell) const noexcept { return aspects_[cell]; }
+  /// For what was proved since.
+  void set_aspect(NodeIndex cell, int id) noexcept { aspects_[cell] = id; }
+
+  bool can_be_halved(NodeIndex cell) const noexcept {
+    return tree_.place(cell).level < PoseTree::deepest_level;
+  }
 
   /// The index at one pose. 0 to the largest where it is not known.
   IndexRange at(const MapPosition& position) const;

@@ -51,6 +51,8 @@ struct Condition {
 struct Conditions {
   static constexpr std::size_t most = 48;
 
+  std::array<std::size_t, max_legs> entry_of_leg{};  ///< where B_jj^2 is among the items
+
   std::array<Condition, most> items;
   std::size_t count = 0;
 
@@ -68,8 +70,9 @@ struct BoxFacts {
   LegSet legs = 0;         ///< all that there are
   LegSet clear = 0;        ///< those with B_jj^2 positive on the whole box
   LegSet unreachable = 0;  ///< those with B_jj^2 positive nowhere; where there is one nothing below is told
-  bool within_limits =
-      false;  ///< at every pose that all legs reach; of actuated joints and by all other constraints
+  LegSet serial_margins = 0;  ///< those that keep the serial margin on the whole box; all where there is none
+  bool within_limits = false;  ///< at every pose that all legs reach; of actuated joints and by all other
+                               ///< constraints but serial margins
   int determinant_sign = 0;  ///< of det A at every pose that all legs reach, B_jj = 0 too; 0 where not proved
 
   /// Where all legs are clear and the sign is not proved: partial derivatives of a function that is det A
@@ -77,7 +80,8 @@ struct BoxFacts {
   std::array<Interval, max_map_dimension> determinant_slope{};
 
   static LegSet bit(std::size_t leg) noexcept { return static_cast<LegSet>(1U << leg); }
-  bool all_clear_but(LegSet except) const noexcept { return (clear | except) == legs; }
+  /// Whether all other legs are clear, and keep the serial margin.
+  bool all_clear_but(LegSet except) const noexcept { return ((clear & serial_margins) | except) == legs; }
 };
 
 /// Proves boxes inside or outside, in the coordinates of the manipulator's `PoseSpace`. Immutable; may be

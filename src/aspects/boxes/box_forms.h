@@ -61,7 +61,7 @@ class BoxForms : public BoxStage<Chart, BoxForms<Chart>> {
     return intersection(natural, legs_->determinant(signs).range());
   }
 
-  Verdict keeps_parallel_margins(const Signs& signs) const {
+  Verdict parallel_margins_by_squares(const Signs& signs) const {
     const auto& margins = at().tests.margins();
     const Verdict apart = margins.parallel(square(determinant(signs)), *legs_, signs);
     if (apart != Verdict::unknown) return apart;

@@ -54,7 +54,7 @@ class BoxIntervals : public BoxStage<Chart, BoxIntervals<Chart>> {
     return intersection(all, absolute(determinant(signs)) * reciprocal(square_root(squares)));
   }
 
-  Verdict keeps_parallel_margins(const Signs& signs) const {
+  Verdict parallel_margins_by_squares(const Signs& signs) const {
     return at_.tests.margins().parallel(square(determinant(signs)), *legs_, signs);
   }
 

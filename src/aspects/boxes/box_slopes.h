@@ -98,6 +98,7 @@ class BoxSlopes {
     Conditions result;
     if (!entries().all_clear()) return result;
     for (std::size_t j = 0; j < leg_count; ++j) {
+      result.entry_of_leg[j] = result.count;
       result.add(condition(placed_.squared_entry(j)));
       add_limits(limits(j, signs[j]), result);
     }

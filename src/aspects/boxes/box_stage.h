@@ -133,31 +133,7 @@ class BoxStage {
     return found.may_be(sign) && !found.is_inside();
   }
 
-  /// By limits and all other constraints, where some pose may be reached.
-  Verdict is_allowed(const Signs& signs) const {
-    Verdict result = within_limits(signs);
-    if (result != Verdict::fails) result = both(result, keeps_margins(signs));
-    if (stage().at().tests.none() || result == Verdict::fails) return result;
-    return both(result, stage().constraints().all(signs, stage().legs()));
-  }
-
-  /// By the margins from singularities.
-  Verdict keeps_margins(const Signs& signs) const {
-    const auto& margins = stage().at().tests.margins();
-    Verdict result = Verdict::holds;
-    if (!margins.any()) return result;
-    for (std::size_t j = 0; j < leg_count; ++j)
-      result = both(result, margins.serial(j, stage().entries().square(j)));
-    if (!margins.has_parallel() || result == Verdict::fails) return result;
-    return both(result, stage().keeps_parallel_margins(signs));
-  }
-
- protected:
-  BoxStage() = default;
-  ~BoxStage() = default;
-  BoxStage(const BoxStage&) = delete;
-  BoxStage& operator=(const BoxStage&) = delete;
-
+  /// By limits of actuated joints.
   Verdict within_limits(const Signs& signs) const {
     Verdict all = Verdict::holds;
     for (std::size_t j = 0; j < leg_count && all != Verdict::fails; ++j)
@@ -165,6 +141,48 @@ class BoxStage {
                                                         stage().entries().value(j), signs[j])));
     return all;
   }
+
+  /// By limits and all other constraints, where some pose may be reached.
+  Verdict is_allowed(const Signs& signs) const {
+    Verdict result = within_limits(signs);
+    if (result != Verdict::fails) result = both(result, keeps_serial_margins());
+    return result == Verdict::fails ? result : both(result, is_allowed_otherwise(signs));
+  }
+
+  /// By all constraints but limits and serial margins.
+  Verdict is_allowed_otherwise(const Signs& signs) const {
+    const Verdict result = keeps_parallel_margins(signs);
+    if (stage().at().tests.none() || result == Verdict::fails) return result;
+    return both(result, stage().constraints().all(signs, stage().legs()));
+  }
+
+  /// By the margins from singularities.
+  Verdict keeps_margins(const Signs& signs) const {
+    const Verdict result = keeps_serial_margins();
+    return result == Verdict::fails ? result : both(result, keeps_parallel_margins(signs));
+  }
+
+  Verdict keeps_serial_margin(std::size_t j) const {
+    return stage().at().tests.margins().serial(j, stage().entries().square(j));
+  }
+
+  Verdict keeps_serial_margins() const {
+    Verdict result = Verdict::holds;
+    if (!stage().at().tests.margins().any()) return result;
+    for (std::size_t j = 0; j < leg_count; ++j) result = both(result, keeps_serial_margin(j));
+    return result;
+  }
+
+  Verdict keeps_parallel_margins(const Signs& signs) const {
+    return stage().at().tests.margins().has_parallel() ? stage().parallel_margins_by_squares(signs)
+                                                       : Verdict::holds;
+  }
+
+ protected:
+  BoxStage() = default;
+  ~BoxStage() = default;
+  BoxStage(const BoxStage&) = delete;
+  BoxStage& operator=(const BoxStage&) = delete;
 
  private:
   const Stage& stage() const { return static_cast<const Stage&>(*this); }

@@ -75,9 +75,10 @@ class ChartClassifier final : public BoxClassifier {
     const Signs& signs = signs_[mode];
     const Intervals intervals(at(root, box));
     const Forms forms(intervals);
-    BoxFacts facts = leg_facts(forms.entries());
+    BoxFacts facts = leg_facts(forms);
     if (forms.reachable_nowhere()) return facts;
-    facts.within_limits = forms.is_allowed(signs) == Verdict::holds;
+    facts.within_limits =
+        both(forms.within_limits(signs), forms.is_allowed_otherwise(signs)) == Verdict::holds;
     facts.determinant_sign = forms.sign_of(forms.determinant(signs), signs);
     if (facts.determinant_sign != 0 || !forms.entries().all_clear()) return facts;
     const auto gradient = Slopes(forms).determinant_gradient(signs);
@@ -152,11 +153,13 @@ class ChartClassifier final : public BoxClassifier {
            WedgeProof<Chart>(slopes, signs, sign, policy()).find();
   }
 
-  static BoxFacts leg_facts(const BoxEntries<Chart::leg_count>& entries) {
+  static BoxFacts leg_facts(const Forms& forms) {
+    const BoxEntries<Chart::leg_count>& entries = forms.entries();
     BoxFacts facts;
     for (std::size_t j = 0; j < Chart::leg_count; ++j) {
       facts.legs |= BoxFacts::bit(j);
       if (entries.clear(j)) facts.clear |= BoxFacts::bit(j);
+      if (forms.keeps_serial_margin(j) == Verdict::holds) facts.serial_margins |= BoxFacts::bit(j);
       if (entries.square(j).upper() <= 0.0) facts.unreachable |= BoxFacts::bit(j);
     }
     return facts;

@@ -9,7 +9,10 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr double relative_precision = 0.01;
+// Of the radius that is found. Where an aspect is long and everywhere as wide, nearly every part of it may
+// hold the largest ball; after so many boxes the second one will do.
+constexpr double relative_precision = 0.01, precision_of_long_searches = 0.1;
+constexpr std::size_t boxes_of_long_searches = 20000;
 
 /// Nearest leaf that is not of the aspect, by descending the tree and leaving out what is farther than the
 /// best.
@@ -105,12 +108,16 @@ class Search {
   }
 
  private:
-  double least_bound() const { return best_.clearance * (1.0 + relative_precision); }
+  double least_bound() const {
+    return best_.clearance *
+           (1.0 + (boxes_ < boxes_of_long_searches ? relative_precision : precision_of_long_searches));
+  }
   bool worth(const Cell& cell) const { return cell.bound > least_bound(); }
 
   double edge(const Box& box, std::size_t i) const { return weights_[i] * box.width(i); }
 
   void push(RootIndex root, const Box& box) {
+    ++boxes_;
     double squared_diagonal = 0.0;
     for (std::size_t i = 0; i < box.dimension; ++i) squared_diagonal += edge(box, i) * edge(box, i);
     const MapPosition middle{root, box.middle()};
@@ -138,6 +145,7 @@ class Search {
   const MapControl& control_;
   MapPoint weights_;
   ClearPoint best_;
+  std::size_t boxes_ = 0;  // that were looked at
   std::priority_queue<Cell> queue_;
 };
 

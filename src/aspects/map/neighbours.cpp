@@ -90,8 +90,8 @@ class ModeNeighbours {
     const auto other = mode_index(map_, flipped);
     const auto is_done = [&](int sign) { return all_proved(Crossing::serial, leg, sign, *other, sign); };
     if (!other || (is_done(1) && is_done(-1))) return;
-    const std::optional<NearPosition> unreachable = find_unreachable(root, box, leg);
-    if (!unreachable) return;
+    const std::optional<NearPosition> near = find_unreachable(root, box, leg);
+    if (!near && !has_serial_margin()) return;
     for (const int sign : {1, -1}) {
       if (is_done(sign)) continue;
       const Held here = find_held(root, box, mode_, sign);
@@ -99,7 +99,9 @@ class ModeNeighbours {
       if (here.aspect == 0 || proved_sign(*map_.classifier, box.dimension, *other, at) != sign) continue;
       const Location there = locate(map_, *other, at);
       if (there.status != LocationStatus::inside) continue;
-      add(here.aspect, there.aspect, {Crossing::serial, leg, sign}, path(root, here.near, *unreachable),
+      const std::optional<NearPosition> end = near ? near : find_beyond_margin(here.near, leg);
+      if (!end) continue;
+      add(here.aspect, there.aspect, {Crossing::serial, leg, sign}, path(root, here.near, *end),
           [&](const CrossingPath& path) {
             return crosses_serial_singularity(*map_.classifier, path, mode_, *other, leg, sign);
           });
@@ -215,12 +217,36 @@ class ModeNeighbours {
   std::optional<NearPosition> find_unreachable(RootIndex root, const Box& box, std::size_t leg) const {
     std::optional<NearPosition> found;
     visit_positions(root, box, [&](const NearPosition& near) {
-      const BoxFacts facts =
-          map_.classifier->facts(near.at.root, Box{box.dimension, near.at.point, near.at.point}, mode_);
-      if ((facts.unreachable & BoxFacts::bit(leg)) != 0) found = near;
+      if (is_unreachable(near.at, leg)) found = near;
       return found.has_value();
     });
     return found;
+  }
+
+  bool has_serial_margin() const { return map_.manipulator->constraints().margins.serial > 0.0; }
+
+  bool is_unreachable(const MapPosition& at, std::size_t leg) const {
+    const Box point{map_.tree.dimension(), at.point, at.point};
+    return (map_.classifier->facts(at.root, point, mode_).unreachable & BoxFacts::bit(leg)) != 0;
+  }
+
+  /// Where a serial margin keeps aspects apart: straight on, down the slope of B_jj^2, to where the leg does
+  /// not reach.
+  std::optional<NearPosition> find_beyond_margin(const NearPosition& from, std::size_t leg) const {
+    const Conditions conditions = map_.classifier->conditions(from.at, mode_, 1);
+    if (conditions.count == 0) return std::nullopt;
+    const Condition& entry = conditions.items[conditions.entry_of_leg[leg]];
+    double square = 0.0;
+    for (const double slope : entry.slope) square += slope * slope;
+    if (!(square > 0.0)) return std::nullopt;
+    NearPosition to = from;
+    for (const double share : {1.02, 1.1, 1.3, 1.7, 2.5}) {
+      for (std::size_t i = 0; i < map_.tree.dimension(); ++i)
+        to.at.point[i] = from.at.point[i] - share * entry.value / square * entry.slope[i];
+      if (map_.tree.region().nearest(to.at.point) != to.at.point) return std::nullopt;
+      if (is_unreachable(to.at, leg)) return to;
+    }
+    return std::nullopt;
   }
 
   const AspectMap::Contents& map_;

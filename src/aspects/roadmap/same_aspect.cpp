@@ -2,14 +2,25 @@
 #include "parallel_aspects/aspects/same_aspect.h"
 
 #include "aspects/roadmap/path_search.h"
+#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/singularity/margins.h"
 
 #include <utility>
 
 namespace parallel_aspects {
 namespace {
 
+/// Which constraint does not hold, with its numbers where it is a margin.
+std::string constraint_text(const Manipulator& manipulator, const PoseInMode& at, ConstraintKind failing) {
+  if (failing == ConstraintKind::margins) {
+    const std::string missed = missed_margins(manipulator, at.pose, inverse(manipulator, at.pose, at.mode).q);
+    if (!missed.empty()) return missed + " (constraint margins)";
+  }
+  return "the constraint " + std::string(name(failing)) + " does not hold there";
+}
+
 /// Why no aspect holds a configuration.
-std::string reason(const Manipulator& manipulator, const ConfigurationProof& proof) {
+std::string reason(const Manipulator& manipulator, const PoseInMode& at, const ConfigurationProof& proof) {
   const std::string leg = proof.leg ? "leg '" + manipulator.leg(*proof.leg).name + "'" : "a leg";
   switch (proof.proved_violation) {
     case Violation::out_of_reach:
@@ -17,8 +28,7 @@ std::string reason(const Manipulator& manipulator, const ConfigurationProof& pro
     case Violation::joint_limit:
       return "the actuated joint of " + leg + " would be outside its limits (constraint actuated_limits)";
     case Violation::constraint:
-      return "the constraint " + std::string(name(proof.failing.value_or(ConstraintKind::workspace))) +
-             " does not hold there";
+      return constraint_text(manipulator, at, proof.failing.value_or(ConstraintKind::workspace));
     case Violation::singularity:
     case Violation::none:
       break;
@@ -27,13 +37,13 @@ std::string reason(const Manipulator& manipulator, const ConfigurationProof& pro
 }
 
 /// Whether `proof` answers the question already; so it does where the configuration lies in no aspect.
-bool is_answered(const Manipulator& manipulator, const ConfigurationProof& proof, const std::string& which,
-                 AspectComparison& comparison) {
+bool is_answered(const Manipulator& manipulator, const PoseInMode& at, const ConfigurationProof& proof,
+                 const std::string& which, AspectComparison& comparison) {
   if (proof.sign != 0) return false;
   const bool proved = proof.proved_violation != Violation::none;
   comparison.answer = proved ? SameAspect::no : SameAspect::unknown;
   comparison.message =
-      proved ? "The " + which + " configuration lies in no aspect: " + reason(manipulator, proof) + "."
+      proved ? "The " + which + " configuration lies in no aspect: " + reason(manipulator, at, proof) + "."
              : "The " + which + " configuration is too close to a singularity or a limit to be determined.";
   comparison.failing = proof.failing;
   return true;
@@ -60,8 +70,8 @@ AspectComparison same_aspect(const SegmentCertifier& certifier, const PoseInMode
   const ConfigurationProof end = certifier.prove(second.pose, second.mode);
   AspectComparison comparison;
   const Manipulator& manipulator = *certifier.manipulator();
-  if (is_answered(manipulator, start, "first", comparison) ||
-      is_answered(manipulator, end, "second", comparison))
+  if (is_answered(manipulator, first, start, "first", comparison) ||
+      is_answered(manipulator, second, end, "second", comparison))
     return comparison;
   if (first.mode != second.mode) return no("They are in different working modes.");
   if (start.sign != end.sign) return no("det A differs in sign, " + signs_text(start.sign, end.sign) + ".");

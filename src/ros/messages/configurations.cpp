@@ -6,6 +6,7 @@
 #include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/kinematics/jacobians.h"
 #include "parallel_aspects/model/anchor_distance.h"
+#include "parallel_aspects/singularity/margins.h"
 
 #include <algorithm>
 #include <cmath>
@@ -133,6 +134,14 @@ std::string beyond_limits(const Manipulator& manipulator, const JointVector& q) 
            number_text(leg.limits.lower) + " to " + number_text(leg.limits.upper) + unit + ".";
   }
   return {};
+}
+
+std::string beyond_margins(const Manipulator& manipulator, const std::vector<SolvedPose>& configurations) {
+  std::string text;
+  for (const SolvedPose& solved : configurations)
+    if (const std::string missed = missed_margins(manipulator, solved.pose, solved.q); !missed.empty())
+      text += (text.empty() ? "In " : " In ") + branch_text(manipulator, solved) + " " + missed + ".";
+  return text;
 }
 
 ConfigurationAnswer configurations_at_pose(const Manipulator& manipulator, const Pose& pose,

@@ -40,6 +40,9 @@ ConfigurationAnswer as_stated(const Manipulator& manipulator, ConfigurationAnswe
 /// That an actuated joint is beyond its limits; empty where none is.
 std::string beyond_limits(const Manipulator& manipulator, const JointVector& q);
 
+/// Which margins from singularities the configurations do not keep; empty where all keep them.
+std::string beyond_margins(const Manipulator& manipulator, const std::vector<SolvedPose>& configurations);
+
 /// Every configuration with this pose, in the given working mode or, where it is empty, in all.
 ConfigurationAnswer configurations_at_pose(const Manipulator& manipulator, const Pose& pose,
                                            const std::vector<std::int8_t>& working_mode);

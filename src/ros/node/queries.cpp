@@ -74,6 +74,8 @@ ConfigurationAnswer Queries::resolve(const Configuration& configuration) const {
   ConfigurationAnswer answer = as_stated(*manipulator_, resolve_kind(configuration), stated);
   if (answer.status.code == Status::OK && answer.status.message.empty())
     answer.status.message = beyond_limits(*manipulator_, answer.configurations.front().q);
+  if (answer.status.code == Status::OK && answer.status.message.empty())
+    answer.status.message = beyond_margins(*manipulator_, answer.configurations);
   return answer;
 }
 

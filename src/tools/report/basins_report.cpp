@@ -6,6 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+#include <vector>
 
 namespace parallel_aspects::tools {
 namespace {
@@ -17,10 +21,6 @@ constexpr std::size_t max_pairs = 12;  // that are listed by themselves
 
 json json_range(const IndexRange& range) {
   return {{"lower", json_number(range.lower)}, {"upper", json_number(range.upper)}};
-}
-
-std::string index_name(ParallelIndex index) {
-  return index == ParallelIndex::normalised ? "parallel index" : "|det A|";
 }
 
 json json_basin(const AspectMap& map, const Basin& basin) {
@@ -48,8 +48,8 @@ std::string bar(const Basin& basin, double largest) {
 std::string persistence_text(const AspectMap& map, const MapBasins& basins) {
   double largest = 0.0;
   for (const Basin& basin : basins.basins) largest = std::max(largest, basin.depth.upper);
-  TextTable table({">basin", ">aspect", "largest " + index_name(basins.index), "joins basin", "at",
-                   "deepest pose", "from there to its largest"});
+  TextTable table({">basin", ">aspect", "largest " + index_name(basins.index), ">merges into", "at",
+                   "pose of the largest", "0 to " + shown_briefly(largest)});
   for (std::size_t i = 0; i < basins.basins.size(); ++i) {
     const Basin& basin = basins.basins[i];
     table.add({std::to_string(i + 1), std::to_string(basin.aspect), shown_range(basin.depth),
@@ -57,15 +57,49 @@ std::string persistence_text(const AspectMap& map, const MapBasins& basins) {
                basin.deeper ? shown_range(basin.saddle) : "-",
                to_string(map.manipulator()->task_space(), basin.deepest), bar(basin, largest)});
   }
-  return "\nbasins: parts of aspects that a larger margin separates\n" + table.text();
+  return "\nbasins: parts of aspects that a larger margin separates, and the index at which they merge\n" +
+         table.text();
 }
 
+/// Whether an upper bound says something: the normalised index is 1 at most anyway.
+bool is_bounded(const MapBasins& basins, const IndexRange& bottleneck) {
+  return basins.index == ParallelIndex::normalised ? bottleneck.upper < 1.0 : std::isfinite(bottleneck.upper);
+}
+
+std::string pair_text(const std::pair<int, int>& pair, const MapBasins& basins, const IndexRange& range) {
+  return "  " + std::to_string(pair.first) + " and " + std::to_string(pair.second) +
+         ": no path between them keeps a larger " + index_name(basins.index) + " than " +
+         shown_briefly(range.upper) + "\n";
+}
+
+/// Places of the unresolved pairs, those of large aspects first.
+std::vector<std::size_t> by_falling_size(const AspectMap& map) {
+  const auto size = [&map](std::size_t i) {
+    const auto [one, other] = map.unresolved()[i];
+    return std::min(map.aspects()[static_cast<std::size_t>(one - 1)].measure,
+                    map.aspects()[static_cast<std::size_t>(other - 1)].measure);
+  };
+  std::vector<std::size_t> places(map.unresolved().size());
+  std::iota(places.begin(), places.end(), std::size_t{0});
+  std::stable_sort(places.begin(), places.end(),
+                   [&size](std::size_t a, std::size_t b) { return size(a) > size(b); });
+  return places;
+}
+
+/// The pairs of which something is known, and how many others there are.
 std::string pairs_text(const AspectMap& map, const MapBasins& basins) {
   std::string text;
-  for (std::size_t i = 0; i < std::min(max_pairs, basins.bottlenecks.size()); ++i)
-    text += "  " + std::to_string(map.unresolved()[i].first) + " and " +
-            std::to_string(map.unresolved()[i].second) + ": no path between them keeps a larger " +
-            index_name(basins.index) + " than " + shown_briefly(basins.bottlenecks[i].upper) + "\n";
+  std::size_t listed = 0, unbounded = 0;
+  for (const std::size_t i : by_falling_size(map))
+    if (!is_bounded(basins, basins.bottlenecks[i]))
+      ++unbounded;
+    else if (listed++ < max_pairs)
+      text += pair_text(map.unresolved()[i], basins, basins.bottlenecks[i]);
+  if (listed > max_pairs)
+    text += "  and " + counted(listed - max_pairs, "more pair") + "; --json lists all\n";
+  if (unbounded > 0)
+    text += "  " + counted(unbounded, "pair") + (listed > 0 ? " more" : "") + ": no useful bound of the " +
+            index_name(basins.index) + "\n";
   return text;
 }
 
@@ -74,6 +108,10 @@ std::string pairs_text(const AspectMap& map, const MapBasins& basins) {
 std::string shown_range(const IndexRange& range) {
   const std::string lower = shown_briefly(range.lower), upper = shown_briefly(range.upper);
   return lower == upper ? lower : lower + " to " + upper;
+}
+
+std::string index_name(ParallelIndex index) {
+  return index == ParallelIndex::normalised ? "parallel index" : "|det A|";
 }
 
 std::string name(ParallelIndex index) { return index == ParallelIndex::normalised ? "parallel" : "det_a"; }

@@ -12,6 +12,9 @@ namespace parallel_aspects::tools {
 /// "0.93 to 0.95", or one number where the two are shown alike.
 std::string shown_range(const IndexRange& range);
 
+/// "parallel index" or "|det A|".
+std::string index_name(ParallelIndex index);
+
 /// "parallel" or "det_a", as it is written for --index and --margin.
 std::string name(ParallelIndex index);
 

@@ -2,6 +2,7 @@
 #include "tools/report/bounds_report.h"
 
 #include "parallel_aspects/aspects/constraint_boundaries.h"
+#include "parallel_aspects/singularity/margins.h"
 
 #include <string>
 #include <vector>
@@ -22,6 +23,13 @@ std::string modes_text(const std::string& what, const std::vector<WorkingMode>& 
   std::string text;
   for (const WorkingMode& mode : modes) text += " " + to_string(mode);
   return what + text + "\n";
+}
+
+/// The name of a constraint, of margins with their values.
+std::string constraint_text(const Manipulator& manipulator, ConstraintKind kind) {
+  const std::string text(name(kind));
+  return kind == ConstraintKind::margins ? text + " (" + to_string(manipulator.constraints().margins) + ")"
+                                         : text;
 }
 
 /// Which limits do not count.
@@ -48,7 +56,7 @@ Report report_constraints(const Manipulator& manipulator, bool verbose) {
   for (const ConstraintKind kind : all_constraint_kinds) {
     if (!manipulator.constraint_kinds()[index_of(kind)]) continue;
     report.json["constraints"].push_back(name(kind));
-    list += (list.empty() ? "" : ", ") + std::string(name(kind));
+    list += (list.empty() ? "" : ", ") + constraint_text(manipulator, kind);
   }
   report.text = "constraints: " + (list.empty() ? "none" : list) + "\n";
   add_missing_joints(manipulator, "aspects", verbose, report);
@@ -60,13 +68,12 @@ Report report_bounds(const AspectMap& map, bool verbose) {
   report.json["constraints"] = json::array();
   std::string list;
   for (const ConstraintBoundary& boundary : constraint_boundaries(map)) {
-    const std::string constraint(name(boundary.kind));
-    report.json["constraints"].push_back({{"name", constraint},
+    report.json["constraints"].push_back({{"name", name(boundary.kind)},
                                           {"undecided_leaves", boundary.leaves},
                                           {"measure_undecided", json_number(boundary.measure)}});
-    list += (list.empty() ? "" : "; ") + constraint + ", undecided in " +
-            counted(boundary.leaves, "leaf", "leaves") + " of " + shown_briefly(boundary.measure) + " " +
-            map.unit();
+    list += (list.empty() ? "" : "; ") + constraint_text(*map.manipulator(), boundary.kind) +
+            ", undecided in " + counted(boundary.leaves, "leaf", "leaves") + " of " +
+            shown_briefly(boundary.measure) + " " + map.unit();
   }
   report.text = "constraints: " + (list.empty() ? "none" : list) + "\n";
   add_missing_joints(*map.manipulator(), "map", verbose, report);

@@ -4,6 +4,7 @@
 #include "model/number_text.h"
 #include "parallel_aspects/aspects/held_joint.h"
 #include "tools/report/reports.h"
+#include "tools/report/svg.h"
 
 #include <algorithm>
 #include <array>
@@ -15,36 +16,16 @@ namespace parallel_aspects::tools {
 namespace {
 
 // Lengths on the page [px].
-constexpr double panel_size = 300.0, margin = 34.0, title_height = 58.0, least_width = 640.0,
-                 font_size = 11.0;
+constexpr double panel_size = 300.0, margin = 34.0, title_height = 58.0, least_width = 640.0;
 
 // After Paul Tol's colour schemes for people with any colour vision.
 constexpr std::array<const char*, 5> positive_colors{"#4477aa", "#88ccee", "#332288", "#44aa99", "#117733"};
 constexpr std::array<const char*, 5> negative_colors{"#cc6677", "#ddcc77", "#882255", "#aa4499", "#999933"};
 constexpr const char* undecided_color = "#bbbbbb";
 
-std::string number(double value) { return fixed_number_text(value, 2); }
-
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char character : text) {
-    if (character == '&')
-      result += "&amp;";
-    else if (character == '<')
-      result += "&lt;";
-    else if (character == '>')
-      result += "&gt;";
-    else
-      result += character;
-  }
-  return result;
-}
-
-std::string text_at(double x, double y, const std::string& anchor, const std::string& text,
-                    double size = font_size) {
-  return "<text x=\"" + number(x) + "\" y=\"" + number(y) + "\" font-size=\"" + number(size) +
-         "\" text-anchor=\"" + anchor + "\">" + escaped(text) + "</text>\n";
-}
+using svg::font_size;
+using svg::number;
+using svg::text_at;
 
 /// Boxes in rows, those that touch in one row made one.
 std::vector<Box> merged(std::vector<Box> boxes) {
@@ -80,10 +61,7 @@ class Drawing {
   std::string text() const {
     const double width = std::max(least_width, margin + static_cast<double>(columns_) * step(0));
     const double height = title_height + static_cast<double>(rows_) * step(1);
-    std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + number(width) + "\" height=\"" +
-                      number(height) +
-                      "\" font-family=\"sans-serif\">\n<rect width=\"100%\" height=\"100%\" "
-                      "fill=\"#ffffff\"/>\n";
+    std::string svg = svg::start(width, height);
     svg += text_at(margin, 18.0, "start", title(), 14.0);
     svg += text_at(margin, 34.0, "start", slice());
     svg +=

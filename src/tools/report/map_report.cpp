@@ -15,7 +15,7 @@ namespace {
 using nlohmann::json;
 
 // An aspect with a smaller share of the largest is not listed by itself.
-constexpr double crumb_share = 0.01;
+constexpr double small_share = 0.01;
 
 json json_aspect(const AspectMap& map, const Aspect& aspect) {
   return {{"id", aspect.id},
@@ -50,13 +50,6 @@ json json_slice(const AspectMap& map) {
 json json_symmetry(const AspectMap& map) {
   if (!map.symmetry_use()) return nullptr;
   return {{"motions", map.symmetry_use()->motions}, {"computed_modes", map.symmetry_use()->computed_modes}};
-}
-
-json json_margins(const Margins& margins) {
-  json object = json::object();
-  for (const NamedMargin& margin : named_margins)
-    if (margins.*margin.member > 0.0) object[std::string(margin.name)] = json_number(margins.*margin.member);
-  return object;
 }
 
 json json_map(const AspectMap& map) {
@@ -102,7 +95,7 @@ std::string bounds_text(const Box& box) {
 
 /// Aspects that are a line each, and those that are one line together.
 struct ListedAspects {
-  std::vector<Aspect> shown, crumbs;
+  std::vector<Aspect> shown, small;
 };
 
 ListedAspects listed_aspects(const AspectMap& map, bool all) {
@@ -110,8 +103,8 @@ ListedAspects listed_aspects(const AspectMap& map, bool all) {
   for (const Aspect& aspect : map.aspects()) largest = std::max(largest, aspect.measure);
   ListedAspects listed;
   for (const Aspect& aspect : map.aspects()) {
-    const bool crumb = !all && aspect.measure < crumb_share * largest;
-    (crumb ? listed.crumbs : listed.shown).push_back(aspect);
+    const bool is_small = !all && aspect.measure < small_share * largest;
+    (is_small ? listed.small : listed.shown).push_back(aspect);
   }
   return listed;
 }
@@ -144,35 +137,35 @@ std::string aspect_table(const AspectMap& map, const std::vector<Aspect>& aspect
   return table.text();
 }
 
-std::string crumbs_text(const AspectMap& map, const std::vector<Aspect>& crumbs) {
-  if (crumbs.empty()) return "";
+std::string small_text(const AspectMap& map, const std::vector<Aspect>& small) {
+  if (small.empty()) return "";
   double sum = 0.0;
   std::size_t separate = 0;
-  for (const Aspect& aspect : crumbs) {
+  for (const Aspect& aspect : small) {
     sum += aspect.measure;
     separate += aspect.unresolved_with.empty() ? 1 : 0;
   }
-  return "and " + std::to_string(crumbs.size()) + " more, each below 1 % of the largest, together " +
+  return "and " + std::to_string(small.size()) + " more, each below 1 % of the largest, together " +
          shown(sum) + ' ' + map.unit() + "; " + std::to_string(separate) +
          " of them proved separate from all others; --all lists them\n";
 }
 
 /// Pairs of those that are listed, and how many pairs there are with others.
-std::string unresolved_text(const AspectMap& map, const std::vector<Aspect>& crumbs) {
+std::string unresolved_text(const AspectMap& map, const std::vector<Aspect>& small) {
   if (map.unresolved().empty()) return "none; all are proved separate";
-  const auto is_crumb = [&](int id) {
-    return std::any_of(crumbs.begin(), crumbs.end(), [&](const Aspect& each) { return each.id == id; });
+  const auto is_small = [&](int id) {
+    return std::any_of(small.begin(), small.end(), [&](const Aspect& each) { return each.id == id; });
   };
   std::string text;
-  std::size_t with_crumbs = 0;
+  std::size_t with_small = 0;
   for (const auto& [first, second] : map.unresolved()) {
-    if (is_crumb(first) || is_crumb(second))
-      ++with_crumbs;
+    if (is_small(first) || is_small(second))
+      ++with_small;
     else
       text += (text.empty() ? "" : ", ") + std::to_string(first) + " with " + std::to_string(second);
   }
-  if (with_crumbs == 0) return text;
-  return text + (text.empty() ? "" : ", and ") + counted(with_crumbs, "pair") + " with aspects not listed";
+  if (with_small == 0) return text;
+  return text + (text.empty() ? "" : ", and ") + counted(with_small, "pair") + " with aspects not listed";
 }
 
 std::string region_text(const AspectMap& map) {
@@ -206,14 +199,21 @@ std::string map_text(const AspectMap& map, bool all_aspects, const MapBasins* ba
           ", resolution " + shown(map.resolution()) + ", " + shown(map.seconds()) + " s\n" +
           symmetry_text(map) + "\n";
   const ListedAspects listed = listed_aspects(map, all_aspects);
-  text += aspect_table(map, listed.shown, basins) + crumbs_text(map, listed.crumbs);
-  text += "\npairs that could be one aspect: " + unresolved_text(map, listed.crumbs) + "\n";
+  text += aspect_table(map, listed.shown, basins) + small_text(map, listed.small);
+  text += "\npairs that could be one aspect: " + unresolved_text(map, listed.small) + "\n";
   text += "undecided, over all working modes: " + shown(map.measure_undecided()) + " " + map.unit() +
           (map.count_at_most() ? "" : "; smaller aspects may hide there") + "\n";
   return text;
 }
 
 }  // namespace
+
+json json_margins(const Margins& margins) {
+  json object = json::object();
+  for (const NamedMargin& margin : named_margins)
+    if (margins.*margin.member > 0.0) object[std::string(margin.name)] = json_number(margins.*margin.member);
+  return object;
+}
 
 std::string aspect_count(const AspectMap& map) {
   const std::size_t proved = map.proved_count(), components = map.aspects().size();

@@ -32,6 +32,9 @@ struct MapReportOptions {
 /// How many aspects there are, claiming no more than is proved: "10 aspects, proved".
 std::string aspect_count(const AspectMap& map);
 
+/// Those that ask something, by name.
+nlohmann::json json_margins(const Margins& margins);
+
 /// `aspects map`: the table of aspects, and what is proved and what is not.
 Report report_map(const AspectMap& map, const MapReportOptions& options);
 

@@ -76,7 +76,7 @@ Question parse(const ConnectArguments& arguments, const Manipulator& manipulator
     question.resolution = parse_positive("--resolution", arguments.resolution, problems);
   parse_slice_of_question(arguments, manipulator, question, problems);
   if (question.resolution && !question.slice && manipulator.task_space() == TaskSpace::SE3)
-    problems.emplace_back("--resolution is that of a map, which there is none of in SE3; leave it out.");
+    problems.emplace_back("--resolution is that of a map of boxes, and in SE3 there is none; leave it out.");
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
   return question;
 }

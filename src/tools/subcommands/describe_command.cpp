@@ -2,6 +2,7 @@
 #include "model/coefficients.h"
 #include "model/spherical_links.h"
 #include "parallel_aspects/kinematics/working_mode.h"
+#include "parallel_aspects/singularity/margins.h"
 #include "tools/report/cones_report.h"
 #include "tools/report/reports.h"
 #include "tools/report/text_table.h"
@@ -111,6 +112,7 @@ json json_mechanism(const Mechanism& mechanism) {
           {"joint_limits", json_joint_limits(mechanism)},
           {"cones", report_cones(manipulator, true).json},
           {"working_modes", json_modes(manipulator)},
+          {"margins", json_margins(manipulator.constraints().margins)},
           {"notes", mechanism.notes()}};
 }
 
@@ -194,6 +196,17 @@ std::string home_text(const Mechanism& mechanism) {
          shown(home.q) + "\n";
 }
 
+// Those in force, and what the home pose lacks of them.
+std::string margins_text(const Mechanism& mechanism) {
+  const Manipulator& manipulator = *mechanism.manipulator();
+  const std::string margins = to_string(manipulator.constraints().margins);
+  if (margins.empty()) return "";
+  const AssembledConfiguration home = mechanism.assembled();
+  const std::string missed = missed_margins(manipulator, home.pose, home.q);
+  return "margins from singularities: " + margins + (missed.empty() ? "" : "; at the home pose " + missed) +
+         "\n";
+}
+
 std::string size_text(const Manipulator& manipulator) {
   return moves_on_unit_sphere(manipulator) ? "" : ", size " + shown(manipulator.size()) + " m";
 }
@@ -209,7 +222,7 @@ std::string mechanism_text(const Mechanism& mechanism, bool verbose) {
   text += frame_text(manipulator) + home_text(mechanism) + workspace_text(mechanism.manipulator()) + "\n";
   text += leg_table(manipulator);
   text += "\nworking modes, as signs of B_jj:" + modes_text(manipulator) + "\n";
-  text += joints_text(mechanism) + report_cones(manipulator, verbose).text;
+  text += joints_text(mechanism) + margins_text(mechanism) + report_cones(manipulator, verbose).text;
   return text + notes_text(mechanism.notes(), verbose);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "model/spherical_links.h"
 #include "parallel_aspects/distance/boundary_distances.h"
+#include "parallel_aspects/singularity/margins.h"
 #include "tools/arguments.h"
 #include "tools/report/numbers.h"
 #include "tools/report/reports.h"
@@ -71,12 +72,24 @@ json json_distance(const Manipulator& manipulator, Boundary boundary, const Boun
   return object;
 }
 
-json json_mode(const Manipulator& manipulator, const ModeDistances& answer) {
+bool has_joints(const BoundaryDistances& distances) {
+  return distances.status == ConfigurationStatus::measured ||
+         distances.status == ConfigurationStatus::outside_limits;
+}
+
+/// What the configuration lacks of the margins; empty where it keeps them.
+std::string missed_margins(const Manipulator& manipulator, const Pose& pose, const ModeDistances& answer) {
+  return has_joints(answer.distances)
+             ? parallel_aspects::missed_margins(manipulator, pose, answer.distances.q)
+             : "";
+}
+
+json json_mode(const Manipulator& manipulator, const Pose& pose, const ModeDistances& answer) {
   const BoundaryDistances& distances = answer.distances;
   json object = {{"working_mode", answer.mode.signs()}, {"status", name(distances.status)}};
-  if (distances.status != ConfigurationStatus::measured &&
-      distances.status != ConfigurationStatus::outside_limits)
-    return object;
+  if (!has_joints(distances)) return object;
+  const std::string missed = missed_margins(manipulator, pose, answer);
+  object["missed_margins"] = missed.empty() ? json() : json(missed);
   object["joints"] = json_numbers(distances.q);
   object["parallel"] = json_distance(manipulator, Boundary::parallel, distances.parallel);
   object["serial"] = json_distance(manipulator, Boundary::serial, distances.serial);
@@ -113,10 +126,12 @@ std::string distances_text(const Manipulator& manipulator, const Pose& pose,
   const std::string unit = on_sphere ? "" : " [m]";
   TextTable table({"working mode", "to the nearest", ">proved at least" + unit, ">at most" + unit, "status",
                    "at", "actuated joints move by [rad or m]"});
+  std::string missed;
   for (const ModeDistances& answer : answers) {
     const BoundaryDistances& distances = answer.distances;
-    if (distances.status != ConfigurationStatus::measured &&
-        distances.status != ConfigurationStatus::outside_limits) {
+    if (const std::string text = missed_margins(manipulator, pose, answer); !text.empty())
+      missed += "in " + to_string(answer.mode) + " " + text + "\n";
+    if (!has_joints(distances)) {
       table.add({to_string(answer.mode), "-", "-", "-", name(distances.status), "-", "-"});
       continue;
     }
@@ -126,7 +141,7 @@ std::string distances_text(const Manipulator& manipulator, const Pose& pose,
   }
   return manipulator.name() + " at " + to_string(manipulator.task_space(), pose) +
          ", root mean square displacement of the anchors" +
-         (on_sphere ? ", as the angle of that chord at the center" : "") + "\n\n" + table.text();
+         (on_sphere ? ", as the angle of that chord at the center" : "") + "\n\n" + table.text() + missed;
 }
 
 }  // namespace
@@ -137,7 +152,8 @@ Report report_distances(const Manipulator& manipulator, const Pose& pose,
                  {"task_space", std::string(name(manipulator.task_space()))},
                  {"pose", json_pose(manipulator.task_space(), pose)},
                  {"answers", json::array()}};
-  for (const ModeDistances& answer : answers) object["answers"].push_back(json_mode(manipulator, answer));
+  for (const ModeDistances& answer : answers)
+    object["answers"].push_back(json_mode(manipulator, pose, answer));
   return {object, distances_text(manipulator, pose, answers)};
 }
 

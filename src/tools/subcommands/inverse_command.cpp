@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/model/problems.h"
+#include "parallel_aspects/singularity/margins.h"
 #include "tools/arguments.h"
 #include "tools/report/reports.h"
 #include "tools/report/text_table.h"
@@ -51,6 +52,8 @@ json json_solution(const Mechanism& mechanism, const Pose& pose, const InverseSo
   const Eigen::VectorXd positions = completed(mechanism, pose, solution.q);
   object["joint_positions"] = json_joint_positions(mechanism, positions);
   object["joint_outside_limits"] = json_joint_outside_limits(mechanism, positions);
+  const std::string missed = missed_margins(manipulator, pose, solution.q);
+  object["missed_margins"] = missed.empty() ? json() : json(missed);
   object["indices"] = json_indices(singularity_indices(manipulator, pose, solution.q));
   return object;
 }
@@ -77,7 +80,10 @@ json json_inverse(const Mechanism& mechanism, const Pose& pose,
 std::string status_text(const Mechanism& mechanism, const Pose& pose, const InverseSolution& solution) {
   const Eigen::VectorXd positions = completed(mechanism, pose, solution.q);
   const auto joint = mechanism.joint_outside_limits(positions);
-  if (!joint) return name(solution.status);
+  if (!joint) {
+    const std::string missed = missed_margins(*mechanism.manipulator(), pose, solution.q);
+    return missed.empty() ? name(solution.status) : missed;
+  }
   const JointLimits& limits = mechanism.joint_limits()[*joint];
   return "passive joint '" + mechanism.joint_names()[*joint] + "' at " +
          shown(positions[static_cast<Eigen::Index>(*joint)]) + ", outside its limits [" +

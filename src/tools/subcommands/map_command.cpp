@@ -6,6 +6,7 @@
 #include "parallel_aspects/model/problems.h"
 #include "tools/arguments.h"
 #include "tools/computation.h"
+#include "tools/report/basins_drawing.h"
 #include "tools/report/basins_report.h"
 #include "tools/report/map_drawing.h"
 #include "tools/report/numbers.h"
@@ -29,7 +30,7 @@ struct MapArguments {
   std::string resolution, region;  // likewise
   std::string threads;
   std::string load_file, save_file;  // empty where not given
-  std::string picture_file;
+  std::string picture_file, basins_file;
   bool neighbours = false;
   bool no_symmetry = false;
   bool all_aspects = false;
@@ -39,6 +40,8 @@ struct MapArguments {
   ParallelIndex index = ParallelIndex::normalised;
   RoadmapArguments roadmap;
   ConstraintArguments constraints;
+
+  bool wants_basins() const { return persistence || !basins_file.empty(); }
 };
 
 /// What the command line says, and else the robot's file; the region is not yet looked at.
@@ -107,33 +110,20 @@ void check_file(const std::string& option, const std::string& file, Problems& pr
 }
 
 void refuse_options_of_boxes(const MapArguments& arguments, Problems& problems) {
-  if (!arguments.resolution.empty())
-    problems.emplace_back(
-        "--resolution is that of a map of boxes, which there is none of in SE3 without --slice; give that or "
-        "--samples.");
-  if (!arguments.load_file.empty() || !arguments.save_file.empty())
-    problems.emplace_back(
-        "--load and --save are for maps of boxes, which there is none of in SE3 without --slice; leave them "
-        "out.");
-  if (!arguments.picture_file.empty())
-    problems.emplace_back(
-        "--picture is for maps of boxes, which there is none of in SE3 without --slice; give a slice of two "
-        "free "
-        "coordinates.");
-  if (arguments.persistence || !arguments.index_text.empty())
-    problems.emplace_back(
-        "--persistence and --index are for maps of boxes, which there is none of in SE3 without --slice; "
-        "leave "
-        "them out.");
-  if (arguments.neighbours)
-    problems.emplace_back(
-        "--neighbours is for maps of boxes, which there is none of in SE3 without --slice; leave it out.");
-  if (arguments.no_symmetry)
-    problems.emplace_back(
-        "--no-symmetry is for maps of boxes, which there is none of in SE3 without --slice; leave it out.");
-  if (!arguments.modes.empty())
-    problems.emplace_back(
-        "--mode is for maps of boxes, which there is none of in SE3 without --slice; leave it out.");
+  const auto refuse = [&problems](bool is_given, const std::string& options, const std::string& remedy) {
+    if (is_given)
+      problems.push_back(options + " for maps of boxes, and in SE3 only slices have these; " + remedy + ".");
+  };
+  const std::string leave = "give --slice, or leave ";
+  refuse(!arguments.resolution.empty(), "--resolution is", "give --slice, or --samples for the roadmap");
+  refuse(!arguments.load_file.empty() || !arguments.save_file.empty(), "--load and --save are",
+         leave + "them out");
+  refuse(!arguments.picture_file.empty(), "--picture is", "give --slice with two free coordinates");
+  refuse(arguments.wants_basins() || !arguments.index_text.empty(),
+         "--persistence, --persistence-picture and --index are", leave + "them out");
+  refuse(arguments.neighbours, "--neighbours is", leave + "it out");
+  refuse(arguments.no_symmetry, "--no-symmetry is", leave + "it out");
+  refuse(!arguments.modes.empty(), "--mode is", leave + "it out");
 }
 
 // With six degrees of freedom there is a roadmap in place of a map.
@@ -192,20 +182,18 @@ void save(const AspectMap& map, const MapArguments& arguments) {
   if (!result.saved) throw InvalidDescription({result.message});
 }
 
-void draw(const AspectMap& map, const MapArguments& arguments) {
-  if (arguments.picture_file.empty()) return;
-  const std::string svg = draw_map(map);
-  const std::string problem = replace_file(arguments.picture_file, Bytes(svg.begin(), svg.end()));
+void write_picture(const std::string& file, const std::string& svg) {
+  const std::string problem = replace_file(file, Bytes(svg.begin(), svg.end()));
   if (!problem.empty())
-    throw InvalidDescription({"Picture '" + arguments.picture_file + "' is not written, since " + problem +
+    throw InvalidDescription({"Picture '" + file + "' is not written, since " + problem +
                               "; give a file in a folder that can be written to and has room."});
 }
 
 MapBasins basins_of(const AspectMap& map, const MapArguments& arguments, const Surroundings& surroundings) {
   MapControl control;
   control.cancelled = surroundings.interrupted;
-  const auto basins = find_basins(map, arguments.index,
-                                  arguments.persistence ? BasinDetail::basins : BasinDetail::depths, control);
+  const auto basins = find_basins(
+      map, arguments.index, arguments.wants_basins() ? BasinDetail::basins : BasinDetail::depths, control);
   if (!basins) throw Interrupted{};
   return *basins;
 }
@@ -216,10 +204,11 @@ Report load_or_compute(const std::shared_ptr<const Manipulator>& manipulator, co
   const bool loaded = map != nullptr;
   if (!loaded) map = compute(manipulator, options, surroundings);
   save(*map, arguments);
-  draw(*map, arguments);
+  if (!arguments.picture_file.empty()) write_picture(arguments.picture_file, draw_map(*map));
   const MapBasins basins = basins_of(*map, arguments, surroundings);
   Report report = report_map(*map, {loaded, arguments.all_aspects, arguments.verbose, &basins});
   if (arguments.persistence) add_persistence(*map, basins, report);
+  if (!arguments.basins_file.empty()) write_picture(arguments.basins_file, draw_basins(*map, basins));
   add_count_without_limits(*map, options, surroundings, report);
   if (arguments.neighbours) {
     MapControl control;
@@ -255,6 +244,9 @@ std::vector<Option> options_of(MapArguments& arguments) {
   options.push_back({"--picture", "FILE",
                      "Draw the aspects of every working mode as SVG, where two coordinates are free",
                      &arguments.picture_file});
+  options.push_back({"--persistence-picture", "FILE",
+                     "Draw as SVG what --persistence lists, a bar over the index for each basin",
+                     &arguments.basins_file});
   options.push_back({"--samples", "N",
                      "With six degrees of freedom: poses of the certified roadmap, by default 1000",
                      &arguments.roadmap.samples});
@@ -272,6 +264,7 @@ Report report_of(MapArguments arguments, const Surroundings& surroundings) {
   MapOptions map_options = parse_options(arguments, section.config, problems);
   check_file("--save", arguments.save_file, problems);
   check_file("--picture", arguments.picture_file, problems);
+  check_file("--persistence-picture", arguments.basins_file, problems);
   const auto mechanism = load_robot(arguments.robot, std::move(problems));
   const auto manipulator = choose_constraints(mechanism->mapped_manipulator(), arguments.constraints);
   if (manipulator->task_space() == TaskSpace::SE3 && arguments.slice.empty())

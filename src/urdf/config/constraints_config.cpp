@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/config/constraints_config.h"
 
+#include "model/number_text.h"
 #include "urdf/description/yaml_values.h"
 
 #include <yaml-cpp/yaml.h>
@@ -220,8 +221,8 @@ class Reader {
       if (value >= 0.0 && value < margin.bound)
         margins.*margin.member = value;
       else
-        yaml_.problem("has a " + where + " that is not " + std::string(margin.range) + "; give " +
-                      std::string(margin.meaning) + ".");
+        yaml_.problem("has a " + where + " of " + number_text(value) + "; it must be " +
+                      std::string(margin.range) + ": " + std::string(margin.meaning) + ".");
     }
   }
 

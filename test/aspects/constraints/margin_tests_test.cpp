@@ -7,6 +7,7 @@
 #include "parallel_aspects/kinematics/jacobians.h"
 #include "parallel_aspects/model/problems.h"
 #include "parallel_aspects/singularity/indices.h"
+#include "parallel_aspects/singularity/margins.h"
 
 #include <gtest/gtest.h>
 
@@ -157,6 +158,20 @@ TEST(Margins, OutOfTheirRangeAreRefused) {
     EXPECT_THROW(test::five_bar()->with_margins(margins), InvalidDescription);
 }
 
+TEST(Margins, AreTextWithTheirValues) {
+  EXPECT_EQ(to_string(Margins{}), "");
+  EXPECT_EQ(to_string(Margins{0.05, 0.0, 20000.0}), "parallel 0.05, det_a 20000");
+  const Robot robot = test::five_bar()->with_margins({0.5, 0.999, 1e9});
+  const Pose pose = Pose::planar(4.5, 8.0);
+  const InverseSolution found = inverse(*robot, pose, WorkingMode(2));
+  ASSERT_EQ(found.status, InverseStatus::solved);
+  const std::string text = missed_margins(*robot, pose, found.q);
+  EXPECT_NE(text.find("the serial index of leg 'leg_1' is 0."), std::string::npos) << text;
+  EXPECT_NE(text.find("; |det A| is "), std::string::npos) << text;
+  EXPECT_NE(text.find(", below the margin 1e+09"), std::string::npos) << text;
+  EXPECT_EQ(missed_margins(*test::five_bar(), pose, found.q), "");
+}
+
 TEST(Margins, AreNamedWhereTheyFail) {
   const Robot robot = five_bar_with_margin(0.3);
   const SegmentCertifier certifier(robot);
@@ -173,8 +188,13 @@ TEST(Margins, AreNamedWhereTheyFail) {
       if (index < 0.25) shallow = at;
     }
   ASSERT_TRUE(deep && shallow);
-  EXPECT_EQ(same_aspect(certifier, *deep, *shallow).message,
-            "The second configuration lies in no aspect: the constraint margins does not hold there.");
+  const std::string message = same_aspect(certifier, *deep, *shallow).message;
+  const double index = parallel_index(*robot, shallow->pose, inverse(*robot, shallow->pose, mode).q);
+  const std::string start = "The second configuration lies in no aspect: the parallel index is ",
+                    end = ", below the margin 0.3 (constraint margins).";
+  ASSERT_EQ(message.substr(0, start.size()), start);
+  EXPECT_NEAR(std::stod(message.substr(start.size())), index, 1e-6);
+  EXPECT_EQ(message.substr(message.size() - end.size()), end);
 }
 
 }  // namespace

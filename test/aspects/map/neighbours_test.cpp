@@ -3,6 +3,7 @@
 
 #include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/kinematics/jacobians.h"
+#include "parallel_aspects/singularity/indices.h"
 
 #include <gtest/gtest.h>
 
@@ -256,6 +257,95 @@ TEST(Neighbours, AreNoneWhereCancelled) {
   MapControl control;
   control.cancelled = &cancelled;
   EXPECT_TRUE(find_neighbours(*map, control).empty());
+}
+
+/// A second way to the aspects that a serial margin keeps apart, which proves nothing: points of a fine grid
+/// where all other margins hold in both working modes, joined where they are next to each other.
+class GateGrid {
+ public:
+  GateGrid(const AspectMap& map, int cells) : map_(map), robot_(*map.manipulator()), cells_(cells) {}
+
+  /// Pairs of aspects that hold one pose from which points lead to where a leg does not reach.
+  std::set<Pair> pairs() {
+    for (const WorkingMode& mode : map_.working_modes())
+      for (std::size_t leg = 0; leg < mode.leg_count(); ++leg)
+        if (mode.sign(leg) > 0)
+          for (const int sign : {1, -1}) look(mode, leg, sign);
+    return std::move(pairs_);
+  }
+
+ private:
+  Pose at(int point) const {
+    const Box region = map_.region();
+    return Pose::planar(region.lower[0] + region.width(0) * (point / cells_ + 0.5) / cells_,
+                        region.lower[1] + region.width(1) * (point % cells_ + 0.5) / cells_);
+  }
+
+  bool is_open(const Pose& pose, const WorkingMode& mode, std::size_t leg, int sign) const {
+    const InverseSolution found = inverse(robot_, pose, mode);
+    if (found.status != InverseStatus::solved) return false;
+    const Margins& margins = robot_.constraints().margins;
+    const TaskVector serial = serial_indices(robot_, pose, found.q);
+    for (std::size_t j = 0; j < robot_.leg_count(); ++j)
+      if (j != leg && serial[static_cast<Eigen::Index>(j)] < margins.serial) return false;
+    return sign * direct_determinant(robot_, pose, found.q) > 0.0 &&
+           parallel_index(robot_, pose, found.q) >= margins.parallel;
+  }
+
+  void look(const WorkingMode& mode, std::size_t leg, int sign) {
+    WorkingMode other = mode;
+    other.set_sign(leg, -1);
+    std::vector<bool> open(static_cast<std::size_t>(cells_ * cells_));
+    for (int point = 0; point < cells_ * cells_; ++point)
+      open[static_cast<std::size_t>(point)] =
+          is_open(at(point), mode, leg, sign) && is_open(at(point), other, leg, sign);
+    for (int point = 0; point < cells_ * cells_; ++point) flood(point, open, mode, other, leg);
+  }
+
+  void flood(int start, std::vector<bool>& open, const WorkingMode& mode, const WorkingMode& other,
+             std::size_t leg) {
+    std::vector<int> queue;
+    const auto take = [&](int point) {
+      if (!open[static_cast<std::size_t>(point)]) return;
+      open[static_cast<std::size_t>(point)] = false;
+      queue.push_back(point);
+    };
+    take(start);
+    std::set<Pair> found;
+    bool leads_out = false;
+    for (std::size_t next = 0; next < queue.size(); ++next) {
+      const Location one = map_.locate(at(queue[next]), mode), two = map_.locate(at(queue[next]), other);
+      if (one && two) found.insert(pair_of(one.aspect, two.aspect, Crossing::serial, leg));
+      const int i = queue[next] / cells_, k = queue[next] % cells_;
+      for (const auto& [a, b] : {std::pair(i + 1, k), {i - 1, k}, {i, k + 1}, {i, k - 1}}) {
+        if (a < 0 || b < 0 || a >= cells_ || b >= cells_) continue;
+        const InverseSolution beyond = inverse(robot_, at(a * cells_ + b), mode);
+        leads_out = leads_out || (beyond.status == InverseStatus::out_of_reach && beyond.leg == leg);
+        take(a * cells_ + b);
+      }
+    }
+    if (leads_out) pairs_.insert(found.begin(), found.end());
+  }
+
+  const AspectMap& map_;
+  const Manipulator& robot_;
+  int cells_;
+  std::set<Pair> pairs_;
+};
+
+TEST(Neighbours, AreFoundAcrossSerialMargins) {
+  for (const Margins& margins : {Margins{0.0, 0.02, 0.0}, {0.0, 0.2, 0.0}, {0.3, 0.2, 0.0}}) {
+    const auto map = compute_aspect_map(test::five_bar()->with_margins(margins)).map;
+    ASSERT_TRUE(map);
+    std::set<Pair> serial;
+    for (const Pair& pair : proved_pairs(*map)) {
+      if (pair.crossing == Crossing::serial) serial.insert(pair);
+      EXPECT_TRUE(pair.crossing == Crossing::serial || margins.parallel == 0.0) << pair;
+    }
+    EXPECT_GE(serial.size(), 8U);
+    if (test::is_sanitized) continue;
+    EXPECT_EQ(serial, GateGrid(*map, 240).pairs()) << margins.parallel << ' ' << margins.serial;
+  }
 }
 
 }  // namespace

@@ -56,6 +56,16 @@ TEST(BeyondLimits, AreSaidWithTheJoint) {
   EXPECT_EQ(beyond_limits(*robot, q), "Joint crank_2_joint is at 2 rad, beyond its limits -1 to 1.5 rad.");
 }
 
+TEST(Configurations, MarginsAreNamedWithTheirValues) {
+  const auto five_bar = test::five_bar_mechanism()->manipulator();
+  const auto robot = five_bar->with_margins({0.999, 0.0, 0.0});
+  const auto answer = configurations_at_pose(*robot, Pose::planar(4.5, 8.0), {1, -1});
+  EXPECT_EQ(beyond_margins(*five_bar, answer.configurations), "");
+  const std::string text = beyond_margins(*robot, answer.configurations);
+  EXPECT_NE(text.find(" the parallel index is 0."), std::string::npos) << text;
+  EXPECT_NE(text.find(", below the margin 0.999."), std::string::npos) << text;
+}
+
 TEST(AsStated, RefusesWhatContradicts) {
   const auto mechanism = test::five_bar_mechanism();
   const Manipulator& robot = *mechanism->manipulator();

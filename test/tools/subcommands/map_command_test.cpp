@@ -123,7 +123,7 @@ TEST_F(MapCommand, ConesAreNamedAndCanBeLeftOut) {
   EXPECT_LT(bounded["aspects"].size(), free["aspects"].size());
 }
 
-// A larger margin leaves less, and the crumbs of the Delta go first.
+// A larger margin leaves less, and the small components of the Delta go first.
 TEST_F(MapCommand, MarginsLeaveWhatIsDeep) {
   const auto five_bar = [&](const char* margin) {
     return run_json({"map", "five_bar", "--resolution", "0.5", "--margin", margin});
@@ -149,9 +149,55 @@ TEST_F(MapCommand, MarginsAndIndicesThatAreNoneAreRefused) {
     EXPECT_EQ(outcome.code, exit_code::bad_input) << question[1];
     EXPECT_NE(outcome.messages.find("parallel"), std::string::npos) << outcome.messages;
   }
+  const auto message = [](std::vector<const char*> options) {
+    options.insert(options.begin(), {"map", "five_bar", "--resolution", "1"});
+    return run(options).messages;
+  };
+  EXPECT_EQ(message({"--margin", "parallel=0.1 serial=0.1 parallel=0.2"}),
+            "--margin names parallel twice; give one value for it.\n");
+  EXPECT_EQ(message({"--margin", "parallel=0.1", "--no-constraint", "margins"}),
+            "--margin sets margins and --no-constraint leaves them out; give one of the two.\n");
+  EXPECT_EQ(message({"--margin", "parallel=0.1", "--constraint", "margins"}), "");
+  EXPECT_NE(message({"--constraint", "margins"}), "");
   const Outcome roadmap = run({"map", "stewart", "--persistence"});
   EXPECT_EQ(roadmap.code, exit_code::bad_input);
-  EXPECT_NE(roadmap.messages.find("--persistence and --index are for maps of boxes"), std::string::npos);
+  EXPECT_NE(roadmap.messages.find("--persistence, --persistence-picture and --index are for maps of boxes"),
+            std::string::npos);
+}
+
+// A margin of the option takes the place of the YAML's of that name; those that it does not name hold.
+TEST_F(MapCommand, MarginsOfTheOptionAreOverThoseOfTheYaml) {
+  const std::string root = PARALLEL_ASPECTS_SOURCE_DIR, urdf = root + "/urdf/five_bar.urdf",
+                    config = testing::TempDir() + "map_command_margins.yaml";
+  std::ifstream shipped(root + "/config/robots/five_bar.yaml");
+  const std::string text{std::istreambuf_iterator<char>(shipped), {}};
+  std::ofstream(config) << text << "\nconstraints: {margins: {parallel: 0.9, serial: 0.1}}\n";
+  const auto margins = [&](std::vector<const char*> options) {
+    options.insert(options.begin(), {"map", "--urdf", urdf.c_str(), "--config", config.c_str(),
+                                     "--resolution", "1", "--mode", "(+,-)"});
+    return run_json(options).at("margins");
+  };
+  EXPECT_EQ(margins({}), json::parse(R"({"parallel": 0.9, "serial": 0.1})"));
+  EXPECT_EQ(margins({"--margin", "parallel=0.2"}), json::parse(R"({"parallel": 0.2, "serial": 0.1})"));
+  EXPECT_EQ(margins({"--margin", "parallel=0"}), json::parse(R"({"serial": 0.1})"));
+  EXPECT_EQ(margins({"--margin", "parallel=0.2", "--no-constraint", "all"}),
+            json::parse(R"({"parallel": 0.2})"));
+  EXPECT_EQ(margins({"--no-constraint", "margins"}), json::object());
+  // They are told wherever poses are asked about, with what a pose lacks of them.
+  const auto told = [&](const std::vector<const char*>& question) {
+    std::vector<const char*> words = question;
+    words.insert(words.end(), {"--urdf", urdf.c_str(), "--config", config.c_str()});
+    return run(words).output;
+  };
+  EXPECT_NE(told({"describe"}).find("\nmargins from singularities: parallel 0.9, serial 0.1"),
+            std::string::npos);
+  EXPECT_NE(told({"map", "--resolution", "1"}).find("\nconstraints: margins (parallel 0.9, serial 0.1)"),
+            std::string::npos);
+  for (const char* command : {"ik", "distance"}) {
+    const std::string answer = told({command, "--pose", "4.5 2"});
+    EXPECT_NE(answer.find("the parallel index is 0."), std::string::npos) << answer;
+    EXPECT_NE(answer.find(", below the margin 0.9"), std::string::npos) << answer;
+  }
 }
 
 TEST_F(MapCommand, PersistenceListsBasins) {
@@ -167,8 +213,21 @@ TEST_F(MapCommand, PersistenceListsBasins) {
     EXPECT_EQ(basins[basin["deeper"].get<std::size_t>()]["aspect"], basin["aspect"]);
   }
   EXPECT_EQ(joined, basins.size() - 10);
-  const std::string text = run({"map", "five_bar", "--persistence"}).output;
-  EXPECT_NE(text.find("\nbasins: parts of aspects that a larger margin separates\n"), std::string::npos);
+  const std::string file = testing::TempDir() + "basins_drawn.svg";
+  const std::string text =
+      run({"map", "five_bar", "--persistence", "--persistence-picture", file.c_str()}).output;
+  std::ifstream stream(file);
+  const std::string svg{std::istreambuf_iterator<char>(stream), {}};
+  EXPECT_NE(svg.find("five_bar: basins of its aspects"), std::string::npos);
+  EXPECT_NE(svg.find("aspect 10 (-,-)"), std::string::npos);
+  std::size_t bars = 0;
+  for (std::size_t at = svg.find("<rect x"); at != std::string::npos; at = svg.find("<rect x", at + 1))
+    ++bars;
+  EXPECT_GE(bars, 20U) << "two for each aspect, dark and light";
+  EXPECT_NE(
+      text.find(
+          "\nbasins: parts of aspects that a larger margin separates, and the index at which they merge\n"),
+      std::string::npos);
 }
 
 // Where the limits cut nothing, or are nearly a full turn, the counts are the same.
@@ -199,8 +258,8 @@ TEST_F(MapCommand, BadConstraintsAreRefused) {
        "--no-constraint names 'gravity'; give some of actuated_limits, passive_limits, cones, "
        "self_collision, obstacles, workspace, margins, all or none.\n"},
       {{"map", "five_bar", "--constraint", "obstacles"},
-       "--constraint names obstacles, which 'five_bar' has none of; state it in the robot's YAML or URDF, or "
-       "leave it out.\n"},
+       "--constraint names obstacles, but 'five_bar' has none; state them in the robot's YAML or URDF, or "
+       "leave the name out.\n"},
       {{"map", "bipod", "--no-constraint", "actuated_limits"},
        "The legs of 'bipod' have no limits that bound the workspace; limit the actuated joints in the URDF, "
        "or give a "
@@ -292,7 +351,7 @@ TEST_F(MapCommand, BadSlicesAreRefused) {
       {{"map", "stewart", "--mode", "(-,+,+,+,+,+)", "--slice", "z=1.3 roll=0 pitch=0 yaw=0"},
        "'stewart' has no working mode (-,+,+,+,+,+); its first is (+,+,+,+,+,+).\n"},
       {{"map", "stewart", "--mode", "(+,+,+,+,+,+)"},
-       "--mode is for maps of boxes, which there is none of in SE3 without --slice; leave it out.\n"},
+       "--mode is for maps of boxes, and in SE3 only slices have these; give --slice, or leave it out.\n"},
       {{"map", "hexa", "--slice", "z=-0.6 roll=0 pitch=0", "--samples", "10"},
        "--samples and --seed are for roadmaps, in SE3 without --slice; the map of 'hexa' is one of boxes, so "
        "give --resolution.\n"}};

@@ -79,13 +79,11 @@ TEST(ConstraintsConfig, RefusesMarginsThatAreNone) {
   };
   EXPECT_EQ(problem("{parallel: 0.0}"), "");
   EXPECT_EQ(problem("{parallel: 1.0}"),
-            "five_bar.yaml has a constraints.margins.parallel that is not from 0 to below 1; give the least "
-            "parallel "
-            "index, which is 0 at parallel singularities and 1 at most.");
+            "five_bar.yaml has a constraints.margins.parallel of 1; it must be from 0 to below 1: the least "
+            "parallel index, which is 0 at parallel singularities and 1 at most.");
   EXPECT_EQ(problem("{det_a: -1.0}"),
-            "five_bar.yaml has a constraints.margins.det_a that is not 0 or a positive number; give the "
-            "least |det A|, "
-            "in its unit.");
+            "five_bar.yaml has a constraints.margins.det_a of -1; it must be 0 or a positive number: the "
+            "least |det A|, in its unit.");
   EXPECT_NE(problem("{paralel: 0.1}").find("did you mean 'parallel'"), std::string::npos)
       << problem("{paralel: 0.1}");
   EXPECT_NE(problem("[0.1]").find("write {parallel: 0.05, serial: 0.1}"), std::string::npos)

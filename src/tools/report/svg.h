@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_TOOLS_REPORT_SVG_H
+#define PARALLEL_ASPECTS_TOOLS_REPORT_SVG_H
+
+#include <string>
+
+/// Parts of pictures as SVG. Lengths on the page [px].
+namespace parallel_aspects::tools::svg {
+
+constexpr double font_size = 11.0;
+
+/// A length.
+std::string number(double value);
+
+/// The start of a picture with a white ground; it ends with "</svg>\n".
+std::string start(double width, double height);
+
+/// Text whose "start", "middle" or "end" is there.
+std::string text_at(double x, double y, const std::string& anchor, const std::string& text,
+                    double size = font_size);
+
+}  // namespace parallel_aspects::tools::svg
+
+#endif  // PARALLEL_ASPECTS_TOOLS_REPORT_SVG_H
