@@ -74,6 +74,10 @@ std::string find_held_joint_problem(const Manipulator& manipulator, const HeldJo
            " can hold pose coordinates only; joints can be held in SE2.";
   if (joint.leg >= manipulator.leg_count())
     return "The slice holds the joint of a leg that '" + manipulator.name() + "' does not have.";
+  if (manipulator.tolerance() > 0.0)
+    return "A slice that holds a joint has other poses for each robot within a tolerance; leave the "
+           "tolerance "
+           "out, or hold pose coordinates.";
   const Leg& leg = manipulator.leg(joint.leg);
   const std::string start =
       "The slice holds '" + leg.actuated_joint + "' at " + number_text(joint.value) + ", ";
