@@ -37,8 +37,8 @@ struct Question {
   double moved = 0.0;  // onto the slice, at most [m]
 };
 
-/// With a joint held, what is given in a few digits is put onto the slice; how far it was moved [m], or
-/// nothing.
+/// With a joint held, a pose that is typed in a few digits is put onto the slice; by how much it was moved
+/// [m].
 double put_onto(const MapSlice& slice, const Manipulator& manipulator, const std::string& option, Pose& pose,
                 Problems& problems) {
   const AnchorCircle circle = circle_of_anchor(manipulator, *slice.joint);
@@ -53,9 +53,8 @@ double put_onto(const MapSlice& slice, const Manipulator& manipulator, const std
 void parse_slice_of_question(const ConnectArguments& arguments, const Manipulator& manipulator,
                              Question& question, Problems& problems) {
   if (arguments.slice.empty()) return;
-  const std::size_t known = problems.size();
   question.slice = parse_slice("--slice", manipulator, arguments.slice, problems);
-  if (problems.size() > known || !question.slice->joint) return;
+  if (!problems.empty() || !question.slice->joint) return;
   const double from = put_onto(*question.slice, manipulator, "--from", question.from, problems),
                to = put_onto(*question.slice, manipulator, "--to", question.to, problems);
   question.moved = std::max(from, to);
