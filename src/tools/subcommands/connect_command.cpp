@@ -95,6 +95,7 @@ class Asking {
     if (map_) return *map_;
     MapOptions options;
     options.resolution = question_.resolution;
+    options.modes = question_.modes;
     MapControl control;
     control.cancelled = surroundings_.interrupted;
     const MapResult result = compute_aspect_map(manipulator_, options, control);
