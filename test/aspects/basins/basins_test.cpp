@@ -228,11 +228,13 @@ TEST(Basins, EndAtSerialSingularities) {
   ASSERT_TRUE(basins);
   bool found = false;
   for (const Basin& basin : basins->basins) {
-    if (basin.depth.lower > 0.7) continue;
+    if (basin.deeper || basin.depth.lower > 0.7) continue;
     found = true;
     const Grid grid(*map, options.modes[0], -1, ParallelIndex::normalised, 1000);
-    const double largest = grid.largest_from(basin.deepest.position.x(), basin.deepest.position.y(), 0.02);
-    EXPECT_GT(largest, 0.55);
+    // The deepest pose is so near to the singularity that the next point of the grid is out of reach.
+    const Pose& within = map->aspects()[static_cast<std::size_t>(basin.aspect - 1)].deepest;
+    const double largest = grid.largest_from(within.position.x(), within.position.y(), 0.02);
+    EXPECT_GT(largest, 0.6);
     EXPECT_LE(largest, basin.depth.upper);
   }
   EXPECT_TRUE(found);
