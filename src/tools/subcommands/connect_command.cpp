@@ -127,6 +127,7 @@ class Asking {
     MapOptions options;
     options.resolution = question_.resolution;
     options.slice = question_.slice;
+    options.modes = question_.modes;
     MapControl control;
     control.cancelled = surroundings_.interrupted;
     const MapResult result = compute_aspect_map(manipulator_, options, control);

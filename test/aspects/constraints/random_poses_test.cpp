@@ -67,7 +67,8 @@ class RandomPoses : public testing::TestWithParam<std::string> {
     std::cout << "| " << GetParam() << " | " << to_string(margins) << " | " << inside << " | " << outside
               << " | " << poses - inside - outside << " |\n";
     // A coarse map may decide little with margins.
-    if (is_thorough() || !margins.any()) EXPECT_GT(inside, poses / 100);
+    if (margins.any() && !is_thorough()) return;
+    EXPECT_GT(inside, poses / 100);
   }
 
  private:
