@@ -6,6 +6,7 @@
 #include "urdf/closing/assembly.h"
 #include "urdf/closing/chain.h"
 #include "urdf/closing/ends_of_loops.h"
+#include "urdf/closing/layers.h"
 #include "urdf/closing/resolved_config.h"
 #include "urdf/config/mechanism_config.h"
 #include "urdf/corrections/culprit.h"
@@ -333,23 +334,40 @@ ClosureSystem loops_of(const std::shared_ptr<const Tree>& tree, const ResolvedCo
   return {tree, resolved.base, with_type(resolved.closures, ClosureType::point)};
 }
 
+// Of those that are in no loop.
+std::optional<std::string> joints_left_out(const ClosureSystem& loops, const SourceNames& files) {
+  std::string names;
+  for (std::size_t joint = 0; joint < loops.in_loop().size(); ++joint)
+    if (!loops.in_loop()[joint])
+      names += (names.empty() ? "'" : ", '") + loops.tree().joint_of(joint).name + "'";
+  if (names.empty()) return std::nullopt;
+  return files.urdf +
+         " has joints that no closure puts in a loop, which are no part of the robot here: " + names + ".";
+}
+
 // What shows before anything is assembled. Of the joints that a URDF calls actuated, those outside of the
 // loops may be of something else, as a gripper.
 void check_ends(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,
-                const SourceNames& files) {
+                const SourceNames& files, const LoadSearch& search, const Attempt& attempt) {
   ActuatedJoints listed = resolved.actuated_joints;
   if (!resolved.actuation_origin.empty()) listed.variables.clear();
   Problems problems;
   const ClosureSystem loops = loops_of(tree, resolved);
-  if (check_joints_in_loops(loops, files, problems)) check_ends_of_loops(loops, listed, files, problems);
-  if (!problems.empty()) throw InvalidDescription(problems);
+  const WrongEnds wrong =
+      check_joints_in_loops(loops, files, problems) ? find_wrong_ends(loops, listed, files) : WrongEnds{};
+  if (problems.empty() && wrong.found.empty()) return;
+  const auto joints = std::count(loops.in_loop().begin(), loops.in_loop().end(), true);
+  if (search.looks_for_remedies && !resolved.closures.empty() && joints <= max_joints_in_loops) {
+    const Problems culprits = find_culprit_of_ends(tree, resolved, wrong, files, attempt);
+    if (!culprits.empty()) throw InvalidDescription(culprits);
+  }
+  throw InvalidDescription(problems.empty() ? wrong.problems() : problems);
 }
 
 // Throws where there is none.
 std::unique_ptr<Mechanism::Contents> recognise(const std::shared_ptr<const Tree>& tree,
                                                const MechanismConfig& config, const ResolvedConfig& resolved,
                                                const SourceNames& files, const LoadSearch& search) {
-  check_ends(tree, resolved, files);
   const auto recognise_in = [&](const std::shared_ptr<const Tree>& in, const ResolvedConfig& open,
                                 Problems& problems) {
     const Recognise each = [&](const ResolvedConfig& chosen, Problems& found) {
@@ -357,14 +375,15 @@ std::unique_ptr<Mechanism::Contents> recognise(const std::shared_ptr<const Tree>
     };
     return recognise_open(in, open, each, files, problems);
   };
-  Problems problems;
-  if (auto contents = recognise_in(tree, resolved, problems)) return contents;
-  if (!search.looks_for_remedies) throw InvalidDescription(problems);
   const Attempt attempt = [&](const auto& changed_tree, const ResolvedConfig& changed) {
     Problems ignored;
     const auto contents = recognise_in(changed_tree, changed, ignored);
     return contents ? std::optional<std::string>(name(contents->manipulator->task_space())) : std::nullopt;
   };
+  check_ends(tree, resolved, files, search, attempt);
+  Problems problems;
+  if (auto contents = recognise_in(tree, resolved, problems)) return contents;
+  if (!search.looks_for_remedies) throw InvalidDescription(problems);
   if (const auto culprit = find_culprit(tree, resolved, files, attempt)) throw InvalidDescription({*culprit});
   throw InvalidDescription(problems);
 }
@@ -403,11 +422,15 @@ SharedMechanism load_mechanism(const std::string& urdf_text, const std::string& 
   auto tree = read_tree(urdf_text, urdf_name, problems, notes);
   if (!tree) throw InvalidDescription(problems);
   add_operational_point(config.operational_point, files, *tree, problems);
-  const ResolvedConfig resolved =
-      resolved_names(*tree, config, urdf_text, config_text, files, problems, notes);
+  ResolvedConfig resolved = resolved_names(*tree, config, urdf_text, config_text, files, problems, notes);
   check_closures(resolved.closures, files, problems);
   if (!problems.empty()) throw InvalidDescription(problems);
-  auto contents = recognise(std::make_shared<const Tree>(std::move(*tree)), config, resolved, files, search);
+  for (const std::string& note :
+       join_layers(*tree, resolved.actuated_joints.platform_link, files, resolved.closures))
+    notes.push_back(note);
+  const auto open_tree = std::make_shared<const Tree>(std::move(*tree));
+  auto contents = recognise(open_tree, config, resolved, files, search);
+  if (const auto note = joints_left_out(loops_of(open_tree, resolved), files)) notes.push_back(*note);
   Problems of_constraints;
   add_stated_constraints(config.constraints, config.symmetrize, files, *contents, of_constraints);
   if (!of_constraints.empty()) throw InvalidDescription(of_constraints);

@@ -3,6 +3,7 @@
 
 #include "urdf/closing/actuation_choices.h"
 #include "urdf/closing/assembly.h"
+#include "urdf/corrections/frame_corrections.h"
 #include "urdf/corrections/gap_corrections.h"
 #include "urdf/corrections/joint_corrections.h"
 #include "urdf/corrections/listed_corrections.h"
@@ -26,6 +27,14 @@ std::vector<Closure> typed(const std::vector<Closure>& closures) {
 
 void append(Corrections& all, Corrections more) {
   std::move(more.begin(), more.end(), std::back_inserter(all));
+}
+
+Correction together(const Correction& first, const Correction& second) {
+  return {first.element, first.fault + ", and " + second.fault, first.remedy + " and " + second.remedy, false,
+          [one = first.apply, other = second.apply](Tree& tree, ResolvedConfig& resolved) {
+            one(tree, resolved);
+            other(tree, resolved);
+          }};
 }
 
 }  // namespace
@@ -85,6 +94,32 @@ void CorrectionSearch::collect() {
     append(corrections_, joint_corrections(*tree_, resolved_, loops_, joint, files_));
     if (!is_fixed) append(corrections_, gap_corrections(*tree_, loops_, joint, files_));
   }
+}
+
+std::optional<std::string> CorrectionSearch::of_frames() {
+  const std::vector<Corrections> alone = frame_corrections(*tree_, resolved_, system_, files_);
+  for (const std::vector<Corrections>& kinds : {alone, with_actuation(alone)})
+    for (const Corrections& kind : kinds)
+      if (auto message = working_of(kind)) return message;
+  return std::nullopt;
+}
+
+// Each with those of the actuated joints that are like others once it is applied.
+std::vector<Corrections> CorrectionSearch::with_actuation(const std::vector<Corrections>& kinds) const {
+  std::vector<Corrections> both;
+  if (!resolved_.actuation_origin.empty()) return both;
+  for (const Corrections& kind : kinds) {
+    both.emplace_back();
+    for (const Correction& first : kind) {
+      auto tree = std::make_shared<Tree>(*tree_);
+      ResolvedConfig config = resolved_;
+      first.apply(*tree, config);
+      const ClosureSystem system(tree, config.base, typed(config.closures));
+      for (const Correction& second : actuation_corrections(*tree, config, system, files_))
+        if (second.like_others) both.back().push_back(together(first, second));
+    }
+  }
+  return both;
 }
 
 std::optional<std::string> CorrectionSearch::like_others() {

@@ -28,6 +28,9 @@ class CorrectionSearch {
   CorrectionSearch(std::shared_ptr<const Tree> tree, const ResolvedConfig& resolved, bool closes,
                    const SourceNames& files, const Attempt& attempt);
 
+  /// Those of what closures hold, alone and else with one of the actuated joints: a message if any works.
+  std::optional<std::string> of_frames();
+
   /// Those that make an element like others of its kind: a message if any works.
   std::optional<std::string> like_others();
 
@@ -44,6 +47,7 @@ class CorrectionSearch {
   };
 
   void collect();
+  std::vector<Corrections> with_actuation(const std::vector<Corrections>& kinds) const;
   std::vector<std::size_t> open_loops() const;
   std::vector<std::size_t> suspects() const;
   void try_one(const Correction& correction);
