@@ -425,6 +425,7 @@ SharedMechanism load_mechanism(const std::string& urdf_text, const std::string& 
   ResolvedConfig resolved = resolved_names(*tree, config, urdf_text, config_text, files, problems, notes);
   check_closures(resolved.closures, files, problems);
   if (!problems.empty()) throw InvalidDescription(problems);
+  for (const std::string& note : leave_out_repeated(resolved.closures, files)) notes.push_back(note);
   for (const std::string& note :
        join_layers(*tree, resolved.actuated_joints.platform_link, files, resolved.closures))
     notes.push_back(note);

@@ -3,11 +3,22 @@
 
 #include "urdf/closing/assembly.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
 namespace parallel_aspects {
 namespace {
+
+// Else the chain there is a passive one, no leg.
+bool is_actuated_above(const Tree& tree, const ResolvedConfig& resolved, std::size_t link) {
+  const auto& actuated = resolved.actuated_joints.variables;
+  for (auto joint = tree.joint_above[link]; joint; joint = tree.joint_above[tree.joints[*joint].parent])
+    if (const auto variable = tree.joints[*joint].variable;
+        variable && std::find(actuated.begin(), actuated.end(), *variable) != actuated.end())
+      return true;
+  return false;
+}
 
 // Where joints and closures are on the body of the platform, in the frame of that body at zero.
 std::vector<Eigen::Vector3d> anchors(const Tree& tree, const ResolvedConfig& resolved) {
@@ -19,7 +30,8 @@ std::vector<Eigen::Vector3d> anchors(const Tree& tree, const ResolvedConfig& res
       if (body_of(tree, frame.link) == body)
         points.push_back((poses[frame.link] * frame.in_link).translation());
   for (const TreeJoint& joint : tree.joints)
-    if (joint.variable && (joint.child == body || body_of(tree, joint.parent) == body))
+    if (joint.variable && ((joint.child == body && is_actuated_above(tree, resolved, body)) ||
+                           body_of(tree, joint.parent) == body))
       points.push_back(poses[joint.child].translation());
   return points;
 }

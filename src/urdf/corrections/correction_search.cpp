@@ -97,27 +97,28 @@ void CorrectionSearch::collect() {
 }
 
 std::optional<std::string> CorrectionSearch::of_frames() {
-  const std::vector<Corrections> alone = frame_corrections(*tree_, resolved_, system_, files_);
-  for (const std::vector<Corrections>& kinds : {alone, with_actuation(alone)})
-    for (const Corrections& kind : kinds)
-      if (auto message = working_of(kind)) return message;
+  for (const Corrections& kind : frame_corrections(*tree_, resolved_, system_, files_))
+    if (auto message = working_of(kind)) return message;
+  return std::nullopt;
+}
+
+std::optional<std::string> CorrectionSearch::of_frames_and_actuation() {
+  if (!resolved_.actuation_origin.empty()) return std::nullopt;
+  for (const Corrections& kind : frame_corrections(*tree_, resolved_, system_, files_))
+    if (auto message = working_of(with_actuation(kind))) return message;
   return std::nullopt;
 }
 
 // Each with those of the actuated joints that are like others once it is applied.
-std::vector<Corrections> CorrectionSearch::with_actuation(const std::vector<Corrections>& kinds) const {
-  std::vector<Corrections> both;
-  if (!resolved_.actuation_origin.empty()) return both;
-  for (const Corrections& kind : kinds) {
-    both.emplace_back();
-    for (const Correction& first : kind) {
-      auto tree = std::make_shared<Tree>(*tree_);
-      ResolvedConfig config = resolved_;
-      first.apply(*tree, config);
-      const ClosureSystem system(tree, config.base, typed(config.closures));
-      for (const Correction& second : actuation_corrections(*tree, config, system, files_))
-        if (second.like_others) both.back().push_back(together(first, second));
-    }
+Corrections CorrectionSearch::with_actuation(const Corrections& kind) const {
+  Corrections both;
+  for (const Correction& first : kind) {
+    auto tree = std::make_shared<Tree>(*tree_);
+    ResolvedConfig config = resolved_;
+    first.apply(*tree, config);
+    const ClosureSystem system(tree, config.base, typed(config.closures));
+    for (const Correction& second : actuation_corrections(*tree, config, system, files_))
+      if (second.like_others) both.push_back(together(first, second));
   }
   return both;
 }

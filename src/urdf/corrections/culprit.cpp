@@ -51,6 +51,8 @@ class Search {
     if (auto message = other_closing_link()) return message;
     if (assembled_.assembly)
       if (auto message = other_operational_point()) return message;
+    CorrectionSearch both(tree_, resolved_, true, files_, attempt_);
+    if (auto message = both.of_frames_and_actuation()) return message;
     if (!is_known && !mobility_fits())
       if (auto message = corrections.others()) return message;
     if (auto message = other_types()) return message;
@@ -274,9 +276,12 @@ std::optional<std::string> find_culprit(const std::shared_ptr<const Tree>& tree,
 
 Problems find_culprit_of_ends(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,
                               const WrongEnds& ends, const SourceNames& files, const Attempt& attempt) {
-  if (const auto message = CorrectionSearch(tree, resolved, true, files, attempt).of_frames())
-    return {*message};
-  if (ends.found.empty()) return {};
+  CorrectionSearch frames(tree, resolved, true, files, attempt);
+  if (const auto message = frames.of_frames()) return {*message};
+  if (ends.found.empty()) {
+    const auto message = frames.of_frames_and_actuation();
+    return message ? Problems{*message} : Problems{};
+  }
   ResolvedConfig changed = resolved;
   changed.base = ends.base;
   changed.actuated_joints.platform_link = ends.actuated_joints.platform_link;

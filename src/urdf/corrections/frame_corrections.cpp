@@ -60,9 +60,7 @@ class FrameCorrections {
     exchange_links(true, true);
     exchange_links(true, false);
     add_closures(true);
-    start_kind();
-    for (const Closure& closure : resolved_.closures)
-      for (const std::size_t end : {0, 1}) exchange_parent(closure, end);
+    exchange_parents();
     exchange_links(false, true);
     exchange_links(false, false);
     add_closures(false);
@@ -93,8 +91,7 @@ class FrameCorrections {
       for (std::size_t link = 0; link < tree_.links.size(); ++link) {
         const std::size_t body = body_of(tree_, link);
         const bool is_end = !is_parent_[link] && body != body_of(tree_, resolved_.base);
-        if (is_end && !is_closed(link) && contains(loose_, body) == loose && open_.size() < max_open &&
-            link != resolved_.actuated_joints.platform_link)
+        if (is_end && !is_closed(link) && contains(loose_, body) == loose && open_.size() < max_open)
           open_.push_back(link);
       }
   }
@@ -138,6 +135,7 @@ class FrameCorrections {
     const LinkFrame& frame = closure.frames[end];
     const Closure* other = other_with(frame);
     const std::size_t body = body_of(tree_, frame.link);
+    if (!frame.in_link.isApprox(Eigen::Isometry3d::Identity())) return;
     for (const std::size_t link : open_) {
       const std::size_t new_body = body_of(tree_, link);
       const bool is_meant = contains(loose_, new_body) || new_body == body || new_body == platform_;
@@ -170,7 +168,8 @@ class FrameCorrections {
     Links others;
     for (const std::size_t link : open_)
       if (body_of(tree_, link) == platform_) others.push_back(link);
-    if (others.empty()) others.push_back(resolved_.actuated_joints.platform_link);
+    const std::size_t point = resolved_.actuated_joints.platform_link;
+    if (others.empty() && body_of(tree_, loose) != platform_) others.push_back(point);
     for (const std::size_t other : others) {
       const std::string frames = "{frames: [" + tree_.links[other] + ", " + tree_.links[loose] +
                                  "], type: " + std::string(name(usual_type())) + "}";
@@ -184,6 +183,18 @@ class FrameCorrections {
                files_.urdf + ", to link " + quoted(other),
            "add " + frames + " to mechanism.closures", false,
            [closure](Tree&, ResolvedConfig& resolved) { resolved.closures.push_back(closure); }});
+    }
+  }
+
+  // Where all chains end in loops, of frames that are not on the platform though they should, or on one point
+  // of it.
+  void exchange_parents() {
+    start_kind();
+    for (const Closure& closure : resolved_.closures) {
+      const bool is_elsewhere = body_of(tree_, closure.frames[0].link) != platform_ &&
+                                body_of(tree_, closure.frames[1].link) != platform_;
+      for (const std::size_t end : {0, 1})
+        if (!loose_.empty() || is_elsewhere || may_share_) exchange_parent(closure, end);
     }
   }
 
