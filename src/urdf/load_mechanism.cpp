@@ -10,6 +10,7 @@
 #include "urdf/closing/resolved_config.h"
 #include "urdf/config/mechanism_config.h"
 #include "urdf/corrections/culprit.h"
+#include "urdf/corrections/unit_corrections.h"
 #include "urdf/description/yaml_document.h"
 #include "urdf/load_search.h"
 #include "urdf/mechanism_contents.h"
@@ -431,7 +432,11 @@ SharedMechanism load_mechanism(const std::string& urdf_text, const std::string& 
     notes.push_back(note);
   const auto open_tree = std::make_shared<const Tree>(std::move(*tree));
   auto contents = recognise(open_tree, config, resolved, files, search);
-  if (const auto note = joints_left_out(loops_of(open_tree, resolved), files)) notes.push_back(*note);
+  const ClosureSystem loops = loops_of(open_tree, resolved);
+  if (const auto note = joints_left_out(loops, files)) notes.push_back(*note);
+  for (const std::string& note :
+       unit_notes(*open_tree, LoopJoints(*open_tree, resolved.closures, loops.size()), loops.size(), files))
+    notes.push_back(note);
   Problems of_constraints;
   add_stated_constraints(config.constraints, config.symmetrize, files, *contents, of_constraints);
   if (!of_constraints.empty()) throw InvalidDescription(of_constraints);

@@ -103,7 +103,10 @@ TEST(Culprit, IsATurntableBelowTheLoops) {
   EXPECT_EQ(
       refusal(actuated),
       Problems{"robot.yaml has base_link 'ground', but joint 'turn' moves all loops of robot.urdf; write "
-               "base_link: base_link and actuated_joints: [crank_1_joint, crank_2_joint]."});
+               "base_link: base_link and actuated_joints: [crank_1_joint, crank_2_joint]; then robot.yaml "
+               "does not "
+               "list joint 'crank_3_joint' in actuated_joints; write actuated_joints: [crank_1_joint, "
+               "crank_2_joint, crank_3_joint], which makes it a robot in T3."});
   robot.config = replaced(robot.config, "mechanism:\n", "mechanism:\n  base_link: base_link\n");
   EXPECT_EQ(test::load(robot)->manipulator()->task_space(), TaskSpace::T3);
 }
@@ -124,9 +127,12 @@ TEST(Culprit, IsAnActuatedJointOutsideOfTheLoops) {
       replaced(robot.urdf, "</robot>",
                "<link name=\"fan\"/>" + moving_joint("fan_joint", "base_link", "fan", "0 0 1") + "</robot>");
   robot.config = replaced(robot.config, "crank_3_joint]", "fan_joint]");
-  EXPECT_EQ(refusal(robot), Problems{"robot.yaml actuates joint 'fan_joint', which is in no loop of "
-                                     "robot.urdf; write actuated_joints: [crank_1_joint, crank_2_joint], or "
-                                     "add the closure of its leg."});
+  EXPECT_EQ(
+      refusal(robot),
+      Problems{"robot.yaml actuates joint 'fan_joint', which is in no loop of robot.urdf; write "
+               "actuated_joints: [crank_1_joint, crank_2_joint]; then robot.yaml does not list joint "
+               "'crank_3_joint' in actuated_joints; write actuated_joints: [crank_1_joint, crank_2_joint, "
+               "crank_3_joint], which makes it a robot in SE2."});
 }
 
 // The axis of one joint of a robot in the plane.

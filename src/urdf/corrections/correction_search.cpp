@@ -7,6 +7,7 @@
 #include "urdf/corrections/gap_corrections.h"
 #include "urdf/corrections/joint_corrections.h"
 #include "urdf/corrections/listed_corrections.h"
+#include "urdf/corrections/unit_corrections.h"
 #include "urdf/recognition/platform_motion.h"
 
 #include <algorithm>
@@ -87,6 +88,7 @@ std::vector<std::size_t> CorrectionSearch::suspects() const {
 void CorrectionSearch::collect() {
   if (resolved_.actuation_origin.empty())
     append(corrections_, actuation_corrections(*tree_, resolved_, system_, files_));
+  append(corrections_, unit_corrections(*tree_, loops_, system_.size(), files_));
   append(corrections_, closure_corrections(resolved_, files_));
   for (const std::size_t joint : suspects()) {
     const bool is_fixed = tree_->joints[joint].motion == JointMotion::fixed;

@@ -214,12 +214,15 @@ class Search {
     return std::nullopt;
   }
 
-  // One for all that are stated, or none.
+  // One for all that are stated, or none. Where all are revolute, as in the plane, that is right.
   std::optional<std::string> other_types() {
-    for (const ClosureType type :
-         {ClosureType::point, ClosureType::revolute, ClosureType::universal, ClosureType::automatic})
-      if (auto message = other_type(type)) return message;
-    return std::nullopt;
+    const bool all_revolute =
+        std::all_of(resolved_.closures.begin(), resolved_.closures.end(),
+                    [](const Closure& closure) { return closure.type == ClosureType::revolute; });
+    if (!all_revolute)
+      for (const ClosureType type : {ClosureType::point, ClosureType::revolute, ClosureType::universal})
+        if (auto message = other_type(type)) return message;
+    return other_type(ClosureType::automatic);
   }
 
   std::optional<std::string> other_type(ClosureType type) {

@@ -58,9 +58,10 @@ class FrameCorrections {
   // A link that a movable joint carries is seldom a frame of its own.
   std::vector<Corrections> find() {
     exchange_links(true, true);
+    exchange_parents(true);
     exchange_links(true, false);
     add_closures(true);
-    exchange_parents();
+    exchange_parents(false);
     exchange_links(false, true);
     exchange_links(false, false);
     add_closures(false);
@@ -91,7 +92,8 @@ class FrameCorrections {
       for (std::size_t link = 0; link < tree_.links.size(); ++link) {
         const std::size_t body = body_of(tree_, link);
         const bool is_end = !is_parent_[link] && body != body_of(tree_, resolved_.base);
-        if (is_end && !is_closed(link) && contains(loose_, body) == loose && open_.size() < max_open)
+        if (is_end && !is_closed(link) && contains(loose_, body) == loose && open_.size() < max_open &&
+            link != resolved_.actuated_joints.platform_link)
           open_.push_back(link);
       }
   }
@@ -186,16 +188,24 @@ class FrameCorrections {
     }
   }
 
-  // Where all chains end in loops, of frames that are not on the platform though they should, or on one point
-  // of it.
-  void exchange_parents() {
+  // Of frames that are not on the platform though they should, or on one point of it; else where chains are
+  // loose.
+  void exchange_parents(bool misplaced) {
     start_kind();
     for (const Closure& closure : resolved_.closures) {
-      const bool is_elsewhere = body_of(tree_, closure.frames[0].link) != platform_ &&
-                                body_of(tree_, closure.frames[1].link) != platform_;
+      const bool is_elsewhere =
+          !is_at_platform(closure.frames[0].link) && !is_at_platform(closure.frames[1].link);
       for (const std::size_t end : {0, 1})
-        if (!loose_.empty() || is_elsewhere || may_share_) exchange_parent(closure, end);
+        if (misplaced == (is_elsewhere || may_share_) && (misplaced || !loose_.empty()))
+          exchange_parent(closure, end);
     }
+  }
+
+  // Or on a body that a joint moves against it.
+  bool is_at_platform(std::size_t link) const {
+    const std::size_t body = body_of(tree_, link);
+    const auto joint = tree_.joint_above[body];
+    return body == platform_ || (joint && body_of(tree_, tree_.joints[*joint].parent) == platform_);
   }
 
   // For links of loose bodies and of the platform.
