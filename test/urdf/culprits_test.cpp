@@ -69,6 +69,14 @@ TEST(Culprit, IsAnOperationalPointBesideTheJointsOfAHub) {
   EXPECT_EQ(test::load(robot)->manipulator()->task_space(), TaskSpace::T2);
 }
 
+TEST(Culprit, IsABoomThatAPistonTurns) {
+  EXPECT_EQ(
+      refusal(culprit("boom")),
+      Problems{"robot.urdf turns operational_point 'boom_tip' about joint 'boom_joint' alone, as a boom that "
+               "a piston moves; of linkages of one degree of freedom only a platform on a slide, which one "
+               "leg moves (T1), is treated."});
+}
+
 TEST(Culprit, IsASerialArm) {
   EXPECT_EQ(refusal(culprit("serial_arm")),
             Problems{"robot.urdf is a serial arm, one chain of 5 joints that no loop closes; only parallel "

@@ -252,9 +252,25 @@ class Search {
     return work_ > max_work ? std::nullopt : attempt_(tree, changed);
   }
 
+  // That carries the platform on the base, in a loop with a slide.
+  std::optional<std::size_t> turning_joint() const {
+    const auto joint = tree_->joint_above[body_of(*tree_, platform())];
+    bool any_slide = false;
+    for (const TreeJoint& other : tree_->joints)
+      any_slide = any_slide || (other.motion == JointMotion::prismatic && system_.in_loop()[*other.variable]);
+    const bool turns = joint && tree_->joints[*joint].motion == JointMotion::revolute &&
+                       body_of(*tree_, tree_->joints[*joint].parent) == body_of(*tree_, resolved_.base);
+    return turns && any_slide ? joint : std::nullopt;
+  }
+
   // With the one joint that is actuated, or each of several that move together.
   std::optional<std::string> one_degree_of_freedom() const {
     if (!assembled_.assembly || assembled_.assembly->motions.cols() != 1) return std::nullopt;
+    if (const auto joint = turning_joint())
+      return files_.urdf + " turns " + operational_point() + " about joint '" + tree_->joints[*joint].name +
+             "' alone, as a boom that a piston moves; of linkages of one degree of freedom only a platform "
+             "on a "
+             "slide, which one leg moves (T1), is treated.";
     return files_.urdf + " is a linkage of one degree of freedom, as a four-bar, and its " +
            operational_point() +
            " is not on a slide; of those only a platform on a slide, which one leg moves (T1), is treated.";
