@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "model/coefficients.h"
 #include "model/number_text.h"
-#include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/kinematics/working_mode.h"
 #include "urdf/closing/assembly.h"
 #include "urdf/closing/chain.h"
 #include "urdf/closing/ends_of_loops.h"
@@ -22,6 +19,7 @@
 #include "urdf/recognition/platform_motion.h"
 #include "urdf/stated_constraints.h"
 #include "urdf/symmetrizing.h"
+#include "urdf/trial_poses.h"
 
 #include <tinyxml2.h>
 #include <yaml-cpp/yaml.h>
@@ -30,7 +28,6 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <random>
 #include <utility>
 
 namespace parallel_aspects {
@@ -108,7 +105,7 @@ class Recogniser {
     check_task_space(*motion, problems);
     if (!problems.empty()) return nullptr;
     auto contents = build(system, assembly, *motion, legs, passive, problems);
-    if (contents) prove(*contents, problems);
+    if (contents) close_trial_poses(*contents, files_, problems);
     return problems.empty() ? std::move(contents) : nullptr;
   }
 
@@ -267,54 +264,7 @@ class Recogniser {
     }
   }
 
-  // Random poses, near and far, in random working modes: each must close every loop.
-  void prove(Mechanism::Contents& contents, Problems& problems) const {
-    const Manipulator& manipulator = *contents.manipulator;
-    const Completion& completion = contents.completion;
-    const std::vector<WorkingMode> modes = working_modes(manipulator);
-    std::mt19937 random(trial_seed);
-    double worst = completion.residual(
-        completion.joint_values(completion.reference_pose(), completion.reference_joints()));
-    for (int trial = 0; trial < trials; ++trial) {
-      const Pose pose = trial_pose(contents, static_cast<double>(trial) / trials, random);
-      const InverseSolution solution = inverse(manipulator, pose, modes[random() % modes.size()]);
-      if (solution.status == InverseStatus::out_of_reach) continue;
-      const double residual = completion.residual(completion.joint_values(pose, solution.q));
-      worst = std::max(worst, residual);
-      if (residual < trial_tolerance) continue;
-      problems.push_back(files_.urdf + " was recognised as " + std::string(name(manipulator.task_space())) +
-                         " with distance legs, but at " + to_string(manipulator.task_space(), pose) +
-                         " its loops stay open by " + number(residual * completion.system().size()) +
-                         " m; its legs do more than keep a distance, which is not supported.");
-      return;
-    }
-    if (worst < exact_closure) return;
-    contents.accepted_residual = 3.0 * worst;
-    contents.notes.push_back(
-        files_.urdf + " closes its loops only to within " + number(worst * completion.system().size()) +
-        " m, as with rounded angles; the robot is taken as the ideal one nearest to it.");
-  }
-
-  static Pose trial_pose(const Mechanism::Contents& contents, double spread, std::mt19937& random) {
-    const Manipulator& manipulator = *contents.manipulator;
-    std::uniform_real_distribution<double> entries(-spread, spread);
-    TaskVector step(static_cast<Eigen::Index>(manipulator.leg_count()));
-    for (double& entry : coefficients_of(step)) entry = entries(random);
-    scale_translations(manipulator, step);
-    return displaced(manipulator.task_space(), contents.completion.reference_pose(), step);
-  }
-
-  static void scale_translations(const Manipulator& manipulator, TaskVector& step) {
-    const auto angles = static_cast<Eigen::Index>(rotational_degrees_of_freedom(manipulator.task_space()));
-    step.tail(step.size() - angles) *= 0.5 * manipulator.size();
-  }
-
   static constexpr double locked_range = 1e-3;  // of an actuated joint that hardly moves [rad or m]
-  static constexpr unsigned trial_seed = 5;
-  static constexpr int trials = 60;
-  static constexpr double trial_tolerance =
-      1e-3;  // over the size; roundings grow away from the assembled configuration
-  static constexpr double exact_closure = 1e-11;  // over the size
 
   std::shared_ptr<const Tree> tree_;
   const MechanismConfig& config_;

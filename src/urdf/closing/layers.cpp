@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -35,7 +36,7 @@ class Layers {
   /// the joints have no planes.
   Vector3d offset() const {
     const auto normal = common_normal();
-    if (!normal) return Vector3d::Zero();
+    if (!normal || !turns_about(*normal)) return Vector3d::Zero();
     return *normal * normal->dot(origin(1) - origin(0));
   }
 
@@ -55,6 +56,15 @@ class Layers {
  private:
   Vector3d origin(std::size_t end) const {
     return (poses_[closure_.frames[end].link] * closure_.frames[end].in_link).translation();
+  }
+
+  // A closure that would turn about another axis is wrong in more than its layer.
+  bool turns_about(const Vector3d& normal) const {
+    if (closure_.type != ClosureType::revolute) return true;
+    return std::all_of(closure_.frames.begin(), closure_.frames.end(), [&](const LinkFrame& frame) {
+      const Vector3d z = poses_[frame.link].linear() * frame.in_link.linear().col(2);
+      return normal.cross(z).norm() < rank_tolerance;
+    });
   }
 
   Vector3d axis(std::size_t joint) const {
