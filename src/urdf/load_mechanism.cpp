@@ -3,7 +3,7 @@
 #include "urdf/closing/assembly.h"
 #include "urdf/closing/chain.h"
 #include "urdf/closing/ends_of_loops.h"
-#include "urdf/closing/layers.h"
+#include "urdf/closing/planar_layers.h"
 #include "urdf/closing/resolved_config.h"
 #include "urdf/config/mechanism_config.h"
 #include "urdf/corrections/culprit.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_URDF_CLOSING_LAYERS_H
-#define PARALLEL_ASPECTS_URDF_CLOSING_LAYERS_H
+#ifndef PARALLEL_ASPECTS_URDF_CLOSING_PLANAR_LAYERS_H
+#define PARALLEL_ASPECTS_URDF_CLOSING_PLANAR_LAYERS_H
 
 #include "urdf/description/closure.h"
 #include "urdf/description/source_names.h"
@@ -19,4 +19,4 @@ std::vector<std::string> join_layers(const Tree& tree, std::size_t platform, con
 
 }  // namespace parallel_aspects
 
-#endif  // PARALLEL_ASPECTS_URDF_CLOSING_LAYERS_H
+#endif  // PARALLEL_ASPECTS_URDF_CLOSING_PLANAR_LAYERS_H

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "urdf/closing/layers.h"
+#include "urdf/closing/planar_layers.h"
 
 #include "model/number_text.h"
 #include "urdf/closing/assembly.h"
