@@ -85,7 +85,9 @@ class Command {
   const Subcommand& find(const std::string& name) const {
     for (const Subcommand& subcommand : subcommands_)
       if (subcommand.name == name) return subcommand;
-    throw UsageError("'" + name + "': there is no such subcommand");
+    std::vector<std::string> names;
+    for (const Subcommand& subcommand : subcommands_) names.push_back(subcommand.name);
+    throw UsageError("'" + name + "': there is no such subcommand" + did_you_mean(name, names));
   }
 
   std::string help() const {
@@ -108,8 +110,9 @@ int run_command(int argc, const char* const* argv, const Surroundings& surroundi
   try {
     return Command().run({argv + std::min(argc, 1), argv + argc}, surroundings);
   } catch (const UsageError& error) {
-    surroundings.messages << error.what() << ". `aspects --help` and `aspects SUBCOMMAND --help` tell more."
-                          << std::endl;
+    const std::string text = error.what();
+    surroundings.messages << text << (text.back() == '?' ? "" : ".")
+                          << " `aspects --help` and `aspects SUBCOMMAND --help` tell more." << std::endl;
     return exit_code::bad_usage;
   } catch (const std::exception& error) {
     surroundings.messages << "The command failed: " << error.what() << std::endl;

@@ -2,6 +2,7 @@
 #include "tools/command_line.h"
 
 #include "tools/report/text_table.h"
+#include "urdf/description/nearest_name.h"
 
 #include <cstddef>
 
@@ -41,7 +42,15 @@ class Parser {
       *flag.value = true;
       return;
     }
-    throw UsageError(name + ": there is no such option");
+    throw UsageError(name + ": there is no such option" + meant(name));
+  }
+
+  std::string meant(const std::string& name) const {
+    std::vector<std::string> known{"--help"};
+    for (const Option& option : subcommand_.options)
+      if (is_named(option.name)) known.push_back(option.name);
+    for (const Flag& flag : subcommand_.flags) known.push_back(flag.name);
+    return did_you_mean(name, known);
   }
 
   void take_positional(const std::string& argument) {
@@ -74,6 +83,11 @@ class Parser {
 
 bool parse_arguments(const Subcommand& subcommand, const std::vector<std::string>& arguments) {
   return Parser(subcommand, arguments).run();
+}
+
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& known) {
+  const std::string near = similar_name(word, known);
+  return near.empty() ? "" : "; did you mean " + near + "?";
 }
 
 bool asks_for_help(const std::string& argument) { return argument == "-h" || argument == "--help"; }

@@ -22,6 +22,9 @@ struct UsageError : std::runtime_error {
 /// given twice, empty, without its value or required and missing.
 bool parse_arguments(const Subcommand& subcommand, const std::vector<std::string>& arguments);
 
+/// "; did you mean NAME?" where one of `known` is near, else nothing.
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& known);
+
 bool asks_for_help(const std::string& argument);
 
 /// Usage, arguments and options, each on a line of its own.

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "model/coefficients.h"
 #include "model/number_text.h"
-#include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/kinematics/working_mode.h"
 #include "urdf/closing/assembly.h"
 #include "urdf/closing/chain.h"
 #include "urdf/closing/ends_of_loops.h"
+#include "urdf/closing/planar_layers.h"
 #include "urdf/closing/resolved_config.h"
 #include "urdf/config/mechanism_config.h"
 #include "urdf/corrections/culprit.h"
+#include "urdf/corrections/unit_corrections.h"
 #include "urdf/description/yaml_document.h"
 #include "urdf/load_search.h"
 #include "urdf/mechanism_contents.h"
@@ -20,6 +19,7 @@
 #include "urdf/recognition/platform_motion.h"
 #include "urdf/stated_constraints.h"
 #include "urdf/symmetrizing.h"
+#include "urdf/trial_poses.h"
 
 #include <tinyxml2.h>
 #include <yaml-cpp/yaml.h>
@@ -28,7 +28,6 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <random>
 #include <utility>
 
 namespace parallel_aspects {
@@ -106,7 +105,7 @@ class Recogniser {
     check_task_space(*motion, problems);
     if (!problems.empty()) return nullptr;
     auto contents = build(system, assembly, *motion, legs, passive, problems);
-    if (contents) prove(*contents, problems);
+    if (contents) close_trial_poses(*contents, files_, problems);
     return problems.empty() ? std::move(contents) : nullptr;
   }
 
@@ -265,54 +264,7 @@ class Recogniser {
     }
   }
 
-  // Random poses, near and far, in random working modes: each must close every loop.
-  void prove(Mechanism::Contents& contents, Problems& problems) const {
-    const Manipulator& manipulator = *contents.manipulator;
-    const Completion& completion = contents.completion;
-    const std::vector<WorkingMode> modes = working_modes(manipulator);
-    std::mt19937 random(trial_seed);
-    double worst = completion.residual(
-        completion.joint_values(completion.reference_pose(), completion.reference_joints()));
-    for (int trial = 0; trial < trials; ++trial) {
-      const Pose pose = trial_pose(contents, static_cast<double>(trial) / trials, random);
-      const InverseSolution solution = inverse(manipulator, pose, modes[random() % modes.size()]);
-      if (solution.status == InverseStatus::out_of_reach) continue;
-      const double residual = completion.residual(completion.joint_values(pose, solution.q));
-      worst = std::max(worst, residual);
-      if (residual < trial_tolerance) continue;
-      problems.push_back(files_.urdf + " was recognised as " + std::string(name(manipulator.task_space())) +
-                         " with distance legs, but at " + to_string(manipulator.task_space(), pose) +
-                         " its loops stay open by " + number(residual * completion.system().size()) +
-                         " m; its legs do more than keep a distance, which is not supported.");
-      return;
-    }
-    if (worst < exact_closure) return;
-    contents.accepted_residual = 3.0 * worst;
-    contents.notes.push_back(
-        files_.urdf + " closes its loops only to within " + number(worst * completion.system().size()) +
-        " m, as with rounded angles; the robot is taken as the ideal one nearest to it.");
-  }
-
-  static Pose trial_pose(const Mechanism::Contents& contents, double spread, std::mt19937& random) {
-    const Manipulator& manipulator = *contents.manipulator;
-    std::uniform_real_distribution<double> entries(-spread, spread);
-    TaskVector step(static_cast<Eigen::Index>(manipulator.leg_count()));
-    for (double& entry : coefficients_of(step)) entry = entries(random);
-    scale_translations(manipulator, step);
-    return displaced(manipulator.task_space(), contents.completion.reference_pose(), step);
-  }
-
-  static void scale_translations(const Manipulator& manipulator, TaskVector& step) {
-    const auto angles = static_cast<Eigen::Index>(rotational_degrees_of_freedom(manipulator.task_space()));
-    step.tail(step.size() - angles) *= 0.5 * manipulator.size();
-  }
-
   static constexpr double locked_range = 1e-3;  // of an actuated joint that hardly moves [rad or m]
-  static constexpr unsigned trial_seed = 5;
-  static constexpr int trials = 60;
-  static constexpr double trial_tolerance =
-      1e-3;  // over the size; roundings grow away from the assembled configuration
-  static constexpr double exact_closure = 1e-11;  // over the size
 
   std::shared_ptr<const Tree> tree_;
   const MechanismConfig& config_;
@@ -333,23 +285,40 @@ ClosureSystem loops_of(const std::shared_ptr<const Tree>& tree, const ResolvedCo
   return {tree, resolved.base, with_type(resolved.closures, ClosureType::point)};
 }
 
+// Of those that are in no loop.
+std::optional<std::string> joints_left_out(const ClosureSystem& loops, const SourceNames& files) {
+  std::string names;
+  for (std::size_t joint = 0; joint < loops.in_loop().size(); ++joint)
+    if (!loops.in_loop()[joint])
+      names += (names.empty() ? "'" : ", '") + loops.tree().joint_of(joint).name + "'";
+  if (names.empty()) return std::nullopt;
+  return files.urdf +
+         " has joints that no closure puts in a loop, which are no part of the robot here: " + names + ".";
+}
+
 // What shows before anything is assembled. Of the joints that a URDF calls actuated, those outside of the
 // loops may be of something else, as a gripper.
 void check_ends(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,
-                const SourceNames& files) {
+                const SourceNames& files, const LoadSearch& search, const Attempt& attempt) {
   ActuatedJoints listed = resolved.actuated_joints;
   if (!resolved.actuation_origin.empty()) listed.variables.clear();
   Problems problems;
   const ClosureSystem loops = loops_of(tree, resolved);
-  if (check_joints_in_loops(loops, files, problems)) check_ends_of_loops(loops, listed, files, problems);
-  if (!problems.empty()) throw InvalidDescription(problems);
+  const WrongEnds wrong =
+      check_joints_in_loops(loops, files, problems) ? find_wrong_ends(loops, listed, files) : WrongEnds{};
+  if (problems.empty() && wrong.found.empty()) return;
+  const auto joints = std::count(loops.in_loop().begin(), loops.in_loop().end(), true);
+  if (search.looks_for_remedies && !resolved.closures.empty() && joints <= max_joints_in_loops) {
+    const Problems culprits = find_culprit_of_ends(tree, resolved, wrong, files, attempt);
+    if (!culprits.empty()) throw InvalidDescription(culprits);
+  }
+  throw InvalidDescription(problems.empty() ? wrong.problems() : problems);
 }
 
 // Throws where there is none.
 std::unique_ptr<Mechanism::Contents> recognise(const std::shared_ptr<const Tree>& tree,
                                                const MechanismConfig& config, const ResolvedConfig& resolved,
                                                const SourceNames& files, const LoadSearch& search) {
-  check_ends(tree, resolved, files);
   const auto recognise_in = [&](const std::shared_ptr<const Tree>& in, const ResolvedConfig& open,
                                 Problems& problems) {
     const Recognise each = [&](const ResolvedConfig& chosen, Problems& found) {
@@ -357,14 +326,15 @@ std::unique_ptr<Mechanism::Contents> recognise(const std::shared_ptr<const Tree>
     };
     return recognise_open(in, open, each, files, problems);
   };
-  Problems problems;
-  if (auto contents = recognise_in(tree, resolved, problems)) return contents;
-  if (!search.looks_for_remedies) throw InvalidDescription(problems);
   const Attempt attempt = [&](const auto& changed_tree, const ResolvedConfig& changed) {
     Problems ignored;
     const auto contents = recognise_in(changed_tree, changed, ignored);
     return contents ? std::optional<std::string>(name(contents->manipulator->task_space())) : std::nullopt;
   };
+  check_ends(tree, resolved, files, search, attempt);
+  Problems problems;
+  if (auto contents = recognise_in(tree, resolved, problems)) return contents;
+  if (!search.looks_for_remedies) throw InvalidDescription(problems);
   if (const auto culprit = find_culprit(tree, resolved, files, attempt)) throw InvalidDescription({*culprit});
   throw InvalidDescription(problems);
 }
@@ -413,11 +383,20 @@ SharedMechanism load_mechanism(const std::string& urdf_text, const std::string& 
   auto tree = read_tree(urdf_text, urdf_name, problems, notes);
   if (!tree) throw InvalidDescription(problems);
   add_operational_point(config.operational_point, files, *tree, problems);
-  const ResolvedConfig resolved =
-      resolved_names(*tree, config, urdf_text, config_text, files, problems, notes);
+  ResolvedConfig resolved = resolved_names(*tree, config, urdf_text, config_text, files, problems, notes);
   check_closures(resolved.closures, files, problems);
   if (!problems.empty()) throw InvalidDescription(problems);
-  auto contents = recognise(std::make_shared<const Tree>(std::move(*tree)), config, resolved, files, search);
+  for (const std::string& note : leave_out_repeated(resolved.closures, files)) notes.push_back(note);
+  for (const std::string& note :
+       join_layers(*tree, resolved.actuated_joints.platform_link, files, resolved.closures))
+    notes.push_back(note);
+  const auto open_tree = std::make_shared<const Tree>(std::move(*tree));
+  auto contents = recognise(open_tree, config, resolved, files, search);
+  const ClosureSystem loops = loops_of(open_tree, resolved);
+  if (const auto note = joints_left_out(loops, files)) notes.push_back(*note);
+  for (const std::string& note :
+       unit_notes(*open_tree, LoopJoints(*open_tree, resolved.closures, loops.size()), loops.size(), files))
+    notes.push_back(note);
   Problems of_constraints;
   add_stated_constraints(config.constraints, config.symmetrize, files, *contents, of_constraints);
   if (!of_constraints.empty()) throw InvalidDescription(of_constraints);

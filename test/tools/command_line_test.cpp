@@ -71,7 +71,9 @@ TEST_F(CommandLine, EveryMisunderstandingHasItsSentence) {
   EXPECT_EQ(problem_of({"", "--pose", "1"}), "ROBOT: it is empty; give a value, or leave the option out");
   EXPECT_EQ(problem_of({"--pose", "1", "--pose=1"}), "--pose: it is given twice; give it once");
   EXPECT_EQ(problem_of({"--pose", "1", "--colour"}), "--colour: there is no such option");
-  EXPECT_EQ(problem_of({"--pos", "1"}), "--pos: there is no such option");
+  EXPECT_EQ(problem_of({"--pos", "1"}), "--pos: there is no such option; did you mean --pose?");
+  EXPECT_EQ(problem_of({"--psoe", "1"}), "--psoe: there is no such option; did you mean --pose?");
+  EXPECT_EQ(problem_of({"--jsno"}), "--jsno: there is no such option; did you mean --json?");
   EXPECT_EQ(problem_of({"--pose", "1", "--json=no"}), "--json: it takes no value; leave it out");
   EXPECT_EQ(problem_of({"five_bar", "--pose", "1", "2"}),
             "'2': there is no place for it; values of several words are quoted");

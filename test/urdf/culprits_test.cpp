@@ -69,6 +69,14 @@ TEST(Culprit, IsAnOperationalPointBesideTheJointsOfAHub) {
   EXPECT_EQ(test::load(robot)->manipulator()->task_space(), TaskSpace::T2);
 }
 
+TEST(Culprit, IsABoomThatAPistonTurns) {
+  EXPECT_EQ(
+      refusal(culprit("boom")),
+      Problems{"robot.urdf turns operational_point 'boom_tip' about joint 'boom_joint' alone, as a boom that "
+               "a piston moves; of linkages of one degree of freedom only a platform on a slide, which one "
+               "leg moves (T1), is treated."});
+}
+
 TEST(Culprit, IsASerialArm) {
   EXPECT_EQ(refusal(culprit("serial_arm")),
             Problems{"robot.urdf is a serial arm, one chain of 5 joints that no loop closes; only parallel "
@@ -103,7 +111,10 @@ TEST(Culprit, IsATurntableBelowTheLoops) {
   EXPECT_EQ(
       refusal(actuated),
       Problems{"robot.yaml has base_link 'ground', but joint 'turn' moves all loops of robot.urdf; write "
-               "base_link: base_link and actuated_joints: [crank_1_joint, crank_2_joint]."});
+               "base_link: base_link and actuated_joints: [crank_1_joint, crank_2_joint]; then robot.yaml "
+               "does not "
+               "list joint 'crank_3_joint' in actuated_joints; write actuated_joints: [crank_1_joint, "
+               "crank_2_joint, crank_3_joint], which makes it a robot in T3."});
   robot.config = replaced(robot.config, "mechanism:\n", "mechanism:\n  base_link: base_link\n");
   EXPECT_EQ(test::load(robot)->manipulator()->task_space(), TaskSpace::T3);
 }
@@ -124,9 +135,12 @@ TEST(Culprit, IsAnActuatedJointOutsideOfTheLoops) {
       replaced(robot.urdf, "</robot>",
                "<link name=\"fan\"/>" + moving_joint("fan_joint", "base_link", "fan", "0 0 1") + "</robot>");
   robot.config = replaced(robot.config, "crank_3_joint]", "fan_joint]");
-  EXPECT_EQ(refusal(robot), Problems{"robot.yaml actuates joint 'fan_joint', which is in no loop of "
-                                     "robot.urdf; write actuated_joints: [crank_1_joint, crank_2_joint], or "
-                                     "add the closure of its leg."});
+  EXPECT_EQ(
+      refusal(robot),
+      Problems{"robot.yaml actuates joint 'fan_joint', which is in no loop of robot.urdf; write "
+               "actuated_joints: [crank_1_joint, crank_2_joint]; then robot.yaml does not list joint "
+               "'crank_3_joint' in actuated_joints; write actuated_joints: [crank_1_joint, crank_2_joint, "
+               "crank_3_joint], which makes it a robot in SE2."});
 }
 
 // The axis of one joint of a robot in the plane.

@@ -148,13 +148,17 @@ void add_coverage(const MapArguments& arguments, const MapSection& section, cons
   options.modes = parse_modes("--mode", manipulator, arguments.modes, problems);
   if (!arguments.slice.empty())
     options.slice = parse_slice("--slice", manipulator, arguments.slice, problems);
+  const std::size_t whole = degrees_of_freedom(manipulator.task_space());
+  if (!arguments.slice.empty() && !problems.empty() && whole == 2)
+    problems.back() += " The map of T2 has two coordinates as it is, so that it needs no --slice.";
   if (problems.empty())
     options.region = find_region(arguments, section, manipulator.task_space(), options.slice, problems);
-  const std::size_t dimension =
-      options.slice ? options.slice->dimension() : degrees_of_freedom(manipulator.task_space());
+  const std::size_t dimension = options.slice ? options.slice->dimension() : whole;
   if (problems.empty() && !arguments.picture_file.empty() && dimension != 2)
     problems.push_back("--picture is of two coordinates, but the map has " + std::to_string(dimension) +
-                       "; give a slice that leaves two free.");
+                       (whole > 2    ? "; give a slice that leaves two free."
+                        : whole == 2 ? "; leave out --slice, without which it has two."
+                                     : "; leave it out."));
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
 }
 

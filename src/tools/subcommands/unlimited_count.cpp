@@ -3,6 +3,9 @@
 
 #include "tools/computation.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -11,7 +14,20 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double not_long = 1.0;  // [s]
+// Of the smallest ones in the region, all of which the second map could take at most: 256 by 256.
+constexpr double max_boxes = 65536.0;
+
+// Of unit quaternions: four charts, each from -1 to 1 in three coordinates.
+constexpr double charts = 4.0, width_of_chart = 2.0;
+
+double smallest_boxes(const AspectMap& map) {
+  const Box region = map.region();
+  if (region.dimension == 0) return charts * std::pow(width_of_chart / map.resolution(), 3.0);
+  double count = 1.0;
+  for (std::size_t k = 0; k < region.dimension; ++k)
+    count *= std::max(1.0, (region.upper[k] - region.lower[k]) / map.resolution());
+  return count;
+}
 
 ConstraintKinds limits_of_joints(const Manipulator& manipulator) {
   ConstraintKinds kinds;
@@ -41,7 +57,7 @@ void add_count_without_limits(const AspectMap& map, MapOptions options, const Su
                               Report& report) {
   const Manipulator& manipulator = *map.manipulator();
   const ConstraintKinds limits = limits_of_joints(manipulator);
-  if (limits.none() || (map.region().dimension > 2 && map.seconds() > not_long)) return;
+  if (limits.none() || smallest_boxes(map) > max_boxes) return;
   options.region = searched_positions(map);
   const auto free = manipulator.with_constraints(manipulator.constraint_kinds() & ~limits);
   const auto result = completed(

@@ -25,6 +25,8 @@ constexpr unsigned seed = 20240117;
 constexpr double stillness = 1e-3;
 constexpr double step_length = 0.1;
 
+constexpr double share_inside = 0.05;  // of its range that an actuated joint is moved from a limit
+
 // Of the closures and the actuated joints, and of the platform, away from singularities.
 constexpr double good_conditioning = 0.02, good_platform_conditioning = 0.005, usable_conditioning = 0.002;
 
@@ -247,6 +249,7 @@ class Assembler {
                           : random_start(system_, random_));
     const int most = good_ > 0 ? starts_beside_good : starts_beside;
     for (int trial = 0; trial < most && is_poor(); ++trial) try_from(beside_best());
+    if (best_) move_inside();
     if (best_) result_.assembly = best_->assembly;
     return std::move(result_);
   }
@@ -265,6 +268,33 @@ class Assembler {
     if (candidate.joints_move()) ++moving_;
     if (candidate.is_good()) ++good_;
     if (!best_ || is_better(candidate, *best_)) best_ = candidate;
+  }
+
+  // Of their limits: the actuated joints that stand on one, where the rest stays as good.
+  void move_inside() {
+    Eigen::VectorXd start = best_->assembly.values;
+    std::vector<bool> held = none_held_;
+    for (const std::size_t joint : actuated_joints_) {
+      double& value = start[static_cast<Eigen::Index>(joint)];
+      const double inside = inside_limits(joint, value);
+      if (inside == value) continue;
+      value = inside;
+      held[joint] = true;
+    }
+    if (held == none_held_) return;
+    const Eigen::VectorXd values = close_loops(system_, start, held);
+    if (!(largest(system_.residual(values)) < closing_tolerance * system_.size())) return;
+    const Candidate moved = judged(values);
+    if (!is_better(*best_, moved)) best_ = moved;
+  }
+
+  double inside_limits(std::size_t joint, double value) const {
+    const TreeJoint& of = system_.tree().joint_of(joint);
+    const double unit = of.motion == JointMotion::prismatic ? system_.size() : 1.0;
+    const double step = share_inside * std::min(of.limits.upper - of.limits.lower, unit);
+    if (!(step > 0.0)) return value;
+    return std::clamp(value, of.limits.lower + (value - of.limits.lower < closing_tolerance ? step : 0.0),
+                      of.limits.upper - (of.limits.upper - value < closing_tolerance ? step : 0.0));
   }
 
   Candidate judged(const Eigen::VectorXd& values) const {

@@ -32,24 +32,26 @@ class EndsOfLoops {
     spread_over_fixed_joints();
   }
 
-  void check(std::size_t base, std::size_t platform, Problems& problems) {
+  WrongEnds find(std::size_t base, std::size_t platform) {
+    wrong_.base = base;
+    wrong_.actuated_joints.variables = actuated_;
+    wrong_.actuated_joints.platform_link = platform;
     const auto below = way_in(base, platform), after = way_in(platform, base);
-    if (!below || !after) return;  // the loops are elsewhere
-    if (!below->passed.empty())
-      problems.push_back(files_.config + " has base_link '" + tree_.links[base] + "', but " +
-                         listed(below->passed) + " moves all loops of " + files_.urdf +
-                         "; write base_link: " + tree_.links[below->link] + remedy(below->passed) + ".");
-    if (!after->passed.empty())
-      problems.push_back(files_.config + " has " + operational_point_text(tree_, platform) + ", which " +
-                         listed(after->passed) + " moves against all loops of " + files_.urdf +
-                         "; write operational_point: " + tree_.links[after->link] + remedy(after->passed) +
-                         ".");
-    if (!below->passed.empty() || !after->passed.empty()) return;
-    for (const std::size_t variable : actuated_)
-      if (!in_loop_[variable])
-        problems.push_back(files_.config + " actuates joint '" + tree_.joint_of(variable).name +
-                           "', which is in no loop of " + files_.urdf + "; write " + without({variable}) +
-                           ", or add the closure of its leg.");
+    if (!below || !after) return wrong_;  // the loops are elsewhere
+    if (!below->passed.empty()) {
+      add(files_.config + " has base_link '" + tree_.links[base] + "', but " + listed(below->passed) +
+              " moves all loops of " + files_.urdf,
+          "base_link: " + tree_.links[below->link], below->passed);
+      wrong_.base = below->link;
+    }
+    if (!after->passed.empty()) {
+      add(files_.config + " has " + operational_point_text(tree_, platform) + ", which " +
+              listed(after->passed) + " moves against all loops of " + files_.urdf,
+          "operational_point: " + tree_.links[after->link], after->passed);
+      wrong_.actuated_joints.platform_link = after->link;
+    }
+    if (wrong_.found.empty()) find_outside();
+    return std::move(wrong_);
   }
 
  private:
@@ -91,19 +93,41 @@ class EndsOfLoops {
   }
 
   std::string listed(const Variables& joints) const {
-    std::string text;
-    for (const std::size_t joint : joints) text += (text.empty() ? "" : ", ") + quoted(joint);
-    return (joints.size() == 1 ? "joint " : "each of the joints ") + text;
+    return (joints.size() == 1 ? "joint " : "each of the joints ") + names(joints);
   }
 
   std::string quoted(std::size_t joint) const { return "'" + tree_.joint_of(joint).name + "'"; }
 
-  // Where one of these is actuated.
-  std::string remedy(const Variables& joints) const {
-    const bool any = std::any_of(joints.begin(), joints.end(), [this](std::size_t joint) {
+  // Where one of these is actuated, it is so no longer.
+  void add(const std::string& fault, const std::string& key, const Variables& passed) {
+    const bool any = std::any_of(passed.begin(), passed.end(), [this](std::size_t joint) {
       return std::find(actuated_.begin(), actuated_.end(), joint) != actuated_.end();
     });
-    return any ? " and " + without(joints) : "";
+    wrong_.found.push_back({fault, "write " + key + (any ? " and " + without(passed) : "")});
+    for (const std::size_t joint : passed) leave_out(joint);
+  }
+
+  void find_outside() {
+    Variables outside;
+    for (const std::size_t variable : actuated_)
+      if (!in_loop_[variable]) outside.push_back(variable);
+    if (outside.empty()) return;
+    wrong_.found.push_back({files_.config + " actuates " + (outside.size() == 1 ? "joint " : "the joints ") +
+                                names(outside) + ", which " + (outside.size() == 1 ? "is" : "are") +
+                                " in no loop of " + files_.urdf,
+                            "write " + without(outside)});
+    for (const std::size_t joint : outside) leave_out(joint);
+  }
+
+  void leave_out(std::size_t joint) {
+    Variables& kept = wrong_.actuated_joints.variables;
+    kept.erase(std::remove(kept.begin(), kept.end(), joint), kept.end());
+  }
+
+  std::string names(const Variables& joints) const {
+    std::string text;
+    for (const std::size_t joint : joints) text += (text.empty() ? "" : ", ") + quoted(joint);
+    return text;
   }
 
   // The actuated joints but these, as the YAML has them.
@@ -119,16 +143,21 @@ class EndsOfLoops {
   const std::vector<bool>& in_loop_;
   const Variables& actuated_;
   const SourceNames& files_;
+  WrongEnds wrong_;
   std::vector<bool> touched_;  // by link: its body has a joint of the loops
 };
 
 }  // namespace
 
-void check_ends_of_loops(const ClosureSystem& system, const ActuatedJoints& actuated_joints,
-                         const SourceNames& files, Problems& problems) {
-  const auto& in_loop = system.in_loop();
-  if (std::find(in_loop.begin(), in_loop.end(), true) == in_loop.end()) return;
-  EndsOfLoops(system, actuated_joints, files).check(system.base(), actuated_joints.platform_link, problems);
+Problems WrongEnds::problems() const {
+  Problems problems;
+  for (const Wrong& wrong : found) problems.push_back(wrong.fault + "; " + wrong.remedy + ".");
+  return problems;
+}
+
+WrongEnds find_wrong_ends(const ClosureSystem& system, const ActuatedJoints& actuated_joints,
+                          const SourceNames& files) {
+  return EndsOfLoops(system, actuated_joints, files).find(system.base(), actuated_joints.platform_link);
 }
 
 }  // namespace parallel_aspects

@@ -6,13 +6,32 @@
 #include "urdf/closing/chain.h"
 #include "urdf/description/closure.h"
 
+#include <cstddef>
+#include <string>
+#include <vector>
+
 namespace parallel_aspects {
 
-/// The base and the operational point must be on bodies of the loops. Serial joints that are in between, as
-/// of a turntable or a wrist, and actuated joints outside of the loops are added to `problems`, each with the
-/// link to name in place. Needs no assembled configuration.
-void check_ends_of_loops(const ClosureSystem& system, const ActuatedJoints& actuated_joints,
-                         const SourceNames& files, Problems& problems);
+/// What keeps the ends of a mechanism from its loops: faults, what to write against each, and how the base,
+/// the operational point and the actuated joints are once all of that is written.
+struct WrongEnds {
+  struct Wrong {
+    std::string fault, remedy;
+  };
+
+  std::vector<Wrong> found;
+  std::size_t base = 0;  // link
+  ActuatedJoints actuated_joints;
+
+  /// "FAULT; REMEDY.", each.
+  Problems problems() const;
+};
+
+/// The base and the operational point must be on bodies of the loops: serial joints that are in between, as
+/// of a turntable or a wrist, are wrong, and so are actuated joints outside of the loops. Needs no assembled
+/// configuration.
+WrongEnds find_wrong_ends(const ClosureSystem& system, const ActuatedJoints& actuated_joints,
+                          const SourceNames& files);
 
 }  // namespace parallel_aspects
 

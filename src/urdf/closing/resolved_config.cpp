@@ -29,6 +29,16 @@ bool is_serial_arm(const Tree& tree) {
   return long_branches.front() == 1;
 }
 
+bool are_same(const LinkFrame& one, const LinkFrame& other) {
+  return one.link == other.link && one.in_link.isApprox(other.in_link);
+}
+
+bool are_same(const Closure& one, const Closure& other) {
+  const auto &a = one.frames, &b = other.frames;
+  return one.type == other.type &&
+         ((are_same(a[0], b[0]) && are_same(a[1], b[1])) || (are_same(a[0], b[1]) && are_same(a[1], b[0])));
+}
+
 class Resolver {
  public:
   Resolver(const LoopSource& source, Problems& problems, std::vector<std::string>& notes)
@@ -187,6 +197,22 @@ class Resolver {
 ResolvedConfig resolve_config(const MechanismConfig& config, const LoopSource& source, Problems& problems,
                               std::vector<std::string>& notes) {
   return Resolver(source, problems, notes).resolve(config);
+}
+
+std::vector<std::string> leave_out_repeated(std::vector<Closure>& closures, const SourceNames& files) {
+  std::vector<std::string> notes;
+  std::vector<Closure> once;
+  for (const Closure& closure : closures) {
+    const bool is_known =
+        std::any_of(once.begin(), once.end(), [&](const Closure& other) { return are_same(closure, other); });
+    if (is_known)
+      notes.push_back(files.config + " lists closure '" + closure.name +
+                      "' twice, which counts once; leave out one entry.");
+    else
+      once.push_back(closure);
+  }
+  closures = once;
+  return notes;
 }
 
 void add_operational_point(ConfiguredFrame& point, const SourceNames& files, Tree& tree, Problems& problems) {

@@ -3,9 +3,11 @@
 
 #include "urdf/closing/actuation_choices.h"
 #include "urdf/closing/assembly.h"
+#include "urdf/corrections/frame_corrections.h"
 #include "urdf/corrections/gap_corrections.h"
 #include "urdf/corrections/joint_corrections.h"
 #include "urdf/corrections/listed_corrections.h"
+#include "urdf/corrections/unit_corrections.h"
 #include "urdf/recognition/platform_motion.h"
 
 #include <algorithm>
@@ -26,6 +28,14 @@ std::vector<Closure> typed(const std::vector<Closure>& closures) {
 
 void append(Corrections& all, Corrections more) {
   std::move(more.begin(), more.end(), std::back_inserter(all));
+}
+
+Correction together(const Correction& first, const Correction& second) {
+  return {first.element, first.fault + ", and " + second.fault, first.remedy + " and " + second.remedy, false,
+          [one = first.apply, other = second.apply](Tree& tree, ResolvedConfig& resolved) {
+            one(tree, resolved);
+            other(tree, resolved);
+          }};
 }
 
 }  // namespace
@@ -78,6 +88,7 @@ std::vector<std::size_t> CorrectionSearch::suspects() const {
 void CorrectionSearch::collect() {
   if (resolved_.actuation_origin.empty())
     append(corrections_, actuation_corrections(*tree_, resolved_, system_, files_));
+  append(corrections_, unit_corrections(*tree_, loops_, system_.size(), files_));
   append(corrections_, closure_corrections(resolved_, files_));
   for (const std::size_t joint : suspects()) {
     const bool is_fixed = tree_->joints[joint].motion == JointMotion::fixed;
@@ -85,6 +96,33 @@ void CorrectionSearch::collect() {
     append(corrections_, joint_corrections(*tree_, resolved_, loops_, joint, files_));
     if (!is_fixed) append(corrections_, gap_corrections(*tree_, loops_, joint, files_));
   }
+}
+
+std::optional<std::string> CorrectionSearch::of_frames() {
+  for (const Corrections& kind : frame_corrections(*tree_, resolved_, system_, files_))
+    if (auto message = working_of(kind)) return message;
+  return std::nullopt;
+}
+
+std::optional<std::string> CorrectionSearch::of_frames_and_actuation() {
+  if (!resolved_.actuation_origin.empty()) return std::nullopt;
+  for (const Corrections& kind : frame_corrections(*tree_, resolved_, system_, files_))
+    if (auto message = working_of(with_actuation(kind))) return message;
+  return std::nullopt;
+}
+
+// Each with those of the actuated joints that are like others once it is applied.
+Corrections CorrectionSearch::with_actuation(const Corrections& kind) const {
+  Corrections both;
+  for (const Correction& first : kind) {
+    auto tree = std::make_shared<Tree>(*tree_);
+    ResolvedConfig config = resolved_;
+    first.apply(*tree, config);
+    const ClosureSystem system(tree, config.base, typed(config.closures));
+    for (const Correction& second : actuation_corrections(*tree, config, system, files_))
+      if (second.like_others) both.push_back(together(first, second));
+  }
+  return both;
 }
 
 std::optional<std::string> CorrectionSearch::like_others() {

@@ -28,6 +28,12 @@ class CorrectionSearch {
   CorrectionSearch(std::shared_ptr<const Tree> tree, const ResolvedConfig& resolved, bool closes,
                    const SourceNames& files, const Attempt& attempt);
 
+  /// Those of what closures hold: a message if any works.
+  std::optional<std::string> of_frames();
+
+  /// The same, each together with one of the actuated joints.
+  std::optional<std::string> of_frames_and_actuation();
+
   /// Those that make an element like others of its kind: a message if any works.
   std::optional<std::string> like_others();
 
@@ -44,6 +50,7 @@ class CorrectionSearch {
   };
 
   void collect();
+  Corrections with_actuation(const Corrections& kind) const;
   std::vector<std::size_t> open_loops() const;
   std::vector<std::size_t> suspects() const;
   void try_one(const Correction& correction);

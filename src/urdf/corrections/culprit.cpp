@@ -2,6 +2,7 @@
 #include "urdf/corrections/culprit.h"
 
 #include "urdf/closing/assembly.h"
+#include "urdf/corrections/anchors.h"
 #include "urdf/corrections/correction_search.h"
 #include "urdf/corrections/misfit_axes.h"
 
@@ -36,8 +37,11 @@ class Search {
 
   std::optional<std::string> run() {
     if (auto message = other_base()) return message;
+    if (auto message = CorrectionSearch(tree_, resolved_, true, files_, attempt_).of_frames()) return message;
+    if (is_one_type())
+      if (auto message = other_type(ClosureType::point)) return message;
     const Eigen::VectorXd& values = assembled_.assembly ? assembled_.assembly->values : assembled_.closest;
-    const bool is_known = has_zero_length() || closes_without_limits();
+    const bool is_known = (has_zero_length() && has_mobility()) || closes_without_limits();
     CorrectionSearch corrections(tree_, resolved_, assembled_.assembly.has_value(), files_, attempt_);
     if (!is_known) {
       if (auto message = corrections.like_others()) return message;
@@ -47,6 +51,8 @@ class Search {
     if (auto message = other_closing_link()) return message;
     if (assembled_.assembly)
       if (auto message = other_operational_point()) return message;
+    CorrectionSearch both(tree_, resolved_, true, files_, attempt_);
+    if (auto message = both.of_frames_and_actuation()) return message;
     if (!is_known && !mobility_fits())
       if (auto message = corrections.others()) return message;
     if (auto message = other_types()) return message;
@@ -70,6 +76,19 @@ class Search {
         .has_zero_length;
   }
 
+  bool has_mobility() const {
+    return assembled_.assembly && assembled_.assembly->motions.cols() ==
+                                      static_cast<Eigen::Index>(resolved_.actuated_joints.variables.size());
+  }
+
+  // As where somebody takes revolute joints for ball joints throughout. Fewer are of planar robots.
+  bool is_one_type() const {
+    const std::vector<Closure>& closures = resolved_.closures;
+    return closures.size() > 2 && closures.front().type != ClosureType::automatic &&
+           std::all_of(closures.begin(), closures.end(),
+                       [&](const Closure& closure) { return closure.type == closures.front().type; });
+  }
+
   // Then lengths and axes are not at fault. Slides without limits would reach any length.
   bool closes_without_limits() const {
     if (assembled_.assembly) return false;
@@ -90,26 +109,21 @@ class Search {
 
   std::string operational_point() const { return operational_point_text(*tree_, platform()); }
 
-  // The link above that a movable joint carries, or the root: the same for all links of a body.
-  std::size_t body_of(std::size_t link) const {
-    for (auto joint = tree_->joint_above[link]; joint && !tree_->joints[*joint].variable;
-         joint = tree_->joint_above[link])
-      link = tree_->joints[*joint].parent;
-    return link;
-  }
-
   // Where most of the actuated joints are fixed to.
   std::optional<std::string> other_base() {
     std::size_t most = 0, base = resolved_.base;
     for (const std::size_t variable : resolved_.actuated_joints.variables) {
       const std::size_t link = tree_->joint_of(variable).parent;
-      const auto count = static_cast<std::size_t>(std::count_if(
-          resolved_.actuated_joints.variables.begin(), resolved_.actuated_joints.variables.end(),
-          [&](std::size_t other) { return body_of(tree_->joint_of(other).parent) == body_of(link); }));
+      const auto count = static_cast<std::size_t>(
+          std::count_if(resolved_.actuated_joints.variables.begin(),
+                        resolved_.actuated_joints.variables.end(), [&](std::size_t other) {
+                          return body_of(*tree_, tree_->joint_of(other).parent) == body_of(*tree_, link);
+                        }));
       if (count > most) base = link;
       most = std::max(most, count);
     }
-    if (most < 2 || body_of(base) == body_of(resolved_.base) || body_of(base) == body_of(platform()))
+    if (most < 2 || body_of(*tree_, base) == body_of(*tree_, resolved_.base) ||
+        body_of(*tree_, base) == body_of(*tree_, platform()))
       return std::nullopt;
     ResolvedConfig changed = resolved_;
     changed.base = base;
@@ -138,7 +152,7 @@ class Search {
     return std::nullopt;
   }
 
-  bool is_on_platform(std::size_t link) const { return body_of(link) == body_of(platform()); }
+  bool is_on_platform(std::size_t link) const { return body_of(*tree_, link) == body_of(*tree_, platform()); }
 
   bool is_closed(std::size_t link) const {
     return std::any_of(resolved_.closures.begin(), resolved_.closures.end(), [&](const Closure& closure) {
@@ -159,6 +173,7 @@ class Search {
   std::optional<std::string> closed_at(std::size_t closure, std::size_t end, std::size_t link) {
     ResolvedConfig changed = resolved_;
     changed.closures[closure].frames[end].link = link;
+    if (legs_share_anchors(*tree_, changed, system_.size())) return std::nullopt;
     const auto space = tried(tree_, changed);
     if (!space) return std::nullopt;
     const Closure& written = resolved_.closures[closure];
@@ -199,18 +214,29 @@ class Search {
     return std::nullopt;
   }
 
+  // One for all that are stated, or none. Where all are revolute, as in the plane, that is right.
   std::optional<std::string> other_types() {
+    const bool all_revolute =
+        std::all_of(resolved_.closures.begin(), resolved_.closures.end(),
+                    [](const Closure& closure) { return closure.type == ClosureType::revolute; });
+    if (!all_revolute)
+      for (const ClosureType type : {ClosureType::point, ClosureType::revolute, ClosureType::universal})
+        if (auto message = other_type(type)) return message;
+    return other_type(ClosureType::automatic);
+  }
+
+  std::optional<std::string> other_type(ClosureType type) {
     ResolvedConfig changed = resolved_;
     std::string names;
     for (Closure& closure : changed.closures) {
-      if (closure.type == ClosureType::automatic) continue;
+      if (closure.type == ClosureType::automatic || closure.type == type) continue;
       names += (names.empty() ? "'" : ", '") + closure.name + "'";
-      closure.type = ClosureType::automatic;
+      closure.type = type;
     }
     const auto space = names.empty() ? std::nullopt : tried(tree_, changed);
     if (!space) return std::nullopt;
     return files_.config + " closes loops of " + files_.urdf +
-           " by types that do not fit its joints; write type: auto for " + names +
+           " by types that do not fit its joints; write type: " + std::string(name(type)) + " for " + names +
            " in mechanism.closures, which makes it a robot in " + *space + ".";
   }
 
@@ -226,9 +252,25 @@ class Search {
     return work_ > max_work ? std::nullopt : attempt_(tree, changed);
   }
 
+  // That carries the platform on the base, in a loop with a slide.
+  std::optional<std::size_t> turning_joint() const {
+    const auto joint = tree_->joint_above[body_of(*tree_, platform())];
+    bool any_slide = false;
+    for (const TreeJoint& other : tree_->joints)
+      any_slide = any_slide || (other.motion == JointMotion::prismatic && system_.in_loop()[*other.variable]);
+    const bool turns = joint && tree_->joints[*joint].motion == JointMotion::revolute &&
+                       body_of(*tree_, tree_->joints[*joint].parent) == body_of(*tree_, resolved_.base);
+    return turns && any_slide ? joint : std::nullopt;
+  }
+
   // With the one joint that is actuated, or each of several that move together.
   std::optional<std::string> one_degree_of_freedom() const {
     if (!assembled_.assembly || assembled_.assembly->motions.cols() != 1) return std::nullopt;
+    if (const auto joint = turning_joint())
+      return files_.urdf + " turns " + operational_point() + " about joint '" + tree_->joints[*joint].name +
+             "' alone, as a boom that a piston moves; of linkages of one degree of freedom only a platform "
+             "on a "
+             "slide, which one leg moves (T1), is treated.";
     return files_.urdf + " is a linkage of one degree of freedom, as a four-bar, and its " +
            operational_point() +
            " is not on a slide; of those only a platform on a slide, which one leg moves (T1), is treated.";
@@ -249,6 +291,28 @@ std::optional<std::string> find_culprit(const std::shared_ptr<const Tree>& tree,
                                         const ResolvedConfig& resolved, const SourceNames& files,
                                         const Attempt& attempt) {
   return Search(tree, resolved, files, attempt).run();
+}
+
+Problems find_culprit_of_ends(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,
+                              const WrongEnds& ends, const SourceNames& files, const Attempt& attempt) {
+  CorrectionSearch frames(tree, resolved, true, files, attempt);
+  if (const auto message = frames.of_frames()) return {*message};
+  if (ends.found.empty()) {
+    const auto message = frames.of_frames_and_actuation();
+    return message ? Problems{*message} : Problems{};
+  }
+  ResolvedConfig changed = resolved;
+  changed.base = ends.base;
+  changed.actuated_joints.platform_link = ends.actuated_joints.platform_link;
+  if (resolved.actuation_origin.empty()) changed.actuated_joints = ends.actuated_joints;
+  if (attempt(tree, changed)) return ends.problems();
+  std::string text, faults;
+  for (const WrongEnds::Wrong& wrong : ends.found) {
+    text += wrong.fault + "; " + wrong.remedy + "; ";
+    faults += (faults.empty() ? "" : ", and ") + wrong.fault;
+  }
+  const auto next = find_culprit(tree, changed, files, attempt);
+  return {next ? text + "then " + *next : faults + "."};
 }
 
 }  // namespace parallel_aspects

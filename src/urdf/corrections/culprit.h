@@ -3,6 +3,7 @@
 #define PARALLEL_ASPECTS_URDF_CORRECTIONS_CULPRIT_H
 
 #include "parallel_aspects/model/problems.h"
+#include "urdf/closing/ends_of_loops.h"
 #include "urdf/closing/resolved_config.h"
 #include "urdf/corrections/attempt.h"
 #include "urdf/description/tree.h"
@@ -19,6 +20,11 @@ namespace parallel_aspects {
 std::optional<std::string> find_culprit(const std::shared_ptr<const Tree>& tree,
                                         const ResolvedConfig& resolved, const SourceNames& files,
                                         const Attempt& attempt);
+
+/// The same where the ends are not those of the loops, or where no joint is in a loop; never empty but there.
+/// Names remedies only where all together work.
+Problems find_culprit_of_ends(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,
+                              const WrongEnds& ends, const SourceNames& files, const Attempt& attempt);
 
 }  // namespace parallel_aspects
 

@@ -157,6 +157,9 @@ class Setup {
     std::optional<ClosedResult> first;
     for (const EqualPairings& equals : ends.pairings) {
       if (try_equals(equals, ends, first)) return result_;
+      if (&equals == &ends.pairings.front() && equals.size() == 1 && blunt_ends(ends).empty() &&
+          corrects(*first, ends))
+        return result_;
       if (result_.cut_short || !blunt_ends(ends).empty()) break;
     }
     const bool is_refused = first && !first->problems.empty() && !refused_.empty();
@@ -165,6 +168,17 @@ class Setup {
     else
       refuse_ends(*first, ends);
     return result_;
+  }
+
+  // Whether the ends that most speaks for make a robot once one element is corrected: then that is at fault,
+  // and not which ends meet.
+  bool corrects(const ClosedResult& first, const OpenEnds& ends) {
+    if (first.problems.empty() || !first.tried) return false;
+    SetupResult before = result_;
+    refuse_ends(first, ends);
+    if (result_.problems.front().find("which makes it a robot in") != std::string::npos) return true;
+    result_ = before;
+    return false;
   }
 
   void refuse_ends(const ClosedResult& first, const OpenEnds& ends) {

@@ -86,6 +86,7 @@ class Faults {
          joint = joint->NextSiblingElement("joint"))
       add_of_joint(*joint);
     add_of_closures();
+    add_of_frames(document);
     add_of_actuated_joints();
     return std::move(found_);
   }
@@ -168,6 +169,60 @@ class Faults {
     }
   }
 
+  // A frame on the link that carries the frame of another closure, or on the root; one in the place of
+  // another; a closure that is missing.
+  void add_of_frames(XMLDocument& document) {
+    const YAML::Node closures = YAML::Load(good_.config)["mechanism"]["closures"];
+    const std::string root = document.RootElement()->FirstChildElement("link")->Attribute("name");
+    for (std::size_t k = 0; k < closures.size(); ++k) {
+      const std::size_t next = (k + 1) % closures.size();
+      for (const std::size_t end : {0, 1}) {
+        const std::string frame = closures[k]["frames"][end].as<std::string>(),
+                          other = closures[next]["frames"][end].as<std::string>();
+        add_parent(document, frame, root);
+        if (next == k) continue;
+        add_parent(document, frame, parent_of(document, other));
+        add_other_frame(k, end, other);
+      }
+      if (next != k) add_without(k);
+    }
+  }
+
+  static XMLElement* joint_above(XMLDocument& document, const std::string& link) {
+    XMLElement* joint = document.RootElement()->FirstChildElement("joint");
+    while (joint != nullptr && joint->FirstChildElement("child")->Attribute("link") != link)
+      joint = joint->NextSiblingElement("joint");
+    return joint;
+  }
+
+  static std::string parent_of(XMLDocument& document, const std::string& link) {
+    return joint_above(document, link)->FirstChildElement("parent")->Attribute("link");
+  }
+
+  void add_parent(XMLDocument& document, const std::string& frame, const std::string& parent) {
+    XMLElement* joint = joint_above(document, frame);
+    if (joint->Attribute("type", "fixed") == nullptr || parent_of(document, frame) == parent) return;
+    add_joint("parent", joint->Attribute("name"),
+              [&](XMLElement* changed) { child(changed, "parent")->SetAttribute("link", parent.c_str()); });
+  }
+
+  void add_other_frame(std::size_t closure, std::size_t end, const std::string& other) {
+    const YAML::Node yaml = YAML::Load(good_.config);
+    YAML::Node frames = yaml["mechanism"]["closures"][closure]["frames"];
+    const std::string meant = frames[end].as<std::string>();
+    frames[end] = other;
+    found_.push_back({"frame", "link '" + meant + "'", {good_.urdf, printed(yaml)}});
+  }
+
+  void add_without(std::size_t closure) {
+    const YAML::Node yaml = YAML::Load(good_.config);
+    YAML::Node closures = yaml["mechanism"]["closures"];
+    const YAML::Node frames = closures[closure]["frames"];
+    const std::string element = "[" + frames[0].as<std::string>() + ", " + frames[1].as<std::string>() + "]";
+    closures.remove(closure);
+    found_.push_back({"no closure", element, {good_.urdf, printed(yaml)}});
+  }
+
   void add_actuated(const std::string& kind, const std::vector<std::string>& joints) {
     add_config(kind, "actuated_joints", [&](const YAML::Node& yaml) { set_actuated(yaml, joints); });
   }
@@ -209,6 +264,8 @@ std::string with_joint(const std::string& urdf, const std::string& remedy) {
   return changed_joint(urdf, quoted(remedy, "joint '([^']+)'"), [&](XMLElement* joint) {
     const std::string type = quoted(remedy, "type=\"([^\"]+)\""),
                       axis = quoted(remedy, "<axis xyz=\"([^\"]+)\"/>");
+    const std::string parent = quoted(remedy, "<parent link=\"([^\"]+)\"/>");
+    if (!parent.empty()) child(joint, "parent")->SetAttribute("link", parent.c_str());
     if (!type.empty()) joint->SetAttribute("type", type.c_str());
     if (!axis.empty()) child(joint, "axis")->SetAttribute("xyz", axis.c_str());
   });
@@ -238,7 +295,9 @@ std::vector<std::string> remedies(const std::string& message) {
   const std::regex remedy(
       "write ((type=\"[^\"]+\")?( and )?(<axis xyz=\"[^\"]+\"/>)? for joint '[^']+'"
       "|(xyz|rpy)=\"[^\"]+\" in the origin of joint '[^']+'|type: \\w+ for closure '[^']+'"
-      "|actuated_joints: \\[[^\\]]+\\])|leave out one entry of closure '[^']+'");
+      "|<parent link=\"[^\"]+\"/> for joint '[^']+'|link '[^']+' in the place of '[^']+' in closure '[^']+'"
+      "|actuated_joints: \\[[^\\]]+\\])|add \\{frames: \\[[^\\]]+\\], type: \\w+\\} to "
+      "mechanism.closures|leave out one entry of closure '[^']+'");
   std::vector<std::string> found;
   for (std::sregex_iterator at(message.begin(), message.end(), remedy), end; at != end; ++at)
     found.push_back(at->str());
@@ -247,7 +306,17 @@ std::vector<std::string> remedies(const std::string& message) {
 
 Description corrected(Description text, const std::string& remedy) {
   const YAML::Node yaml = YAML::Load(text.config);
-  if (remedy.find("in the origin") != std::string::npos) {
+  if (remedy.find("in the place of") != std::string::npos) {
+    YAML::Node frames = closure_named(yaml, quoted(remedy, "closure '([^']+)'"))["frames"];
+    const std::string old = quoted(remedy, "place of '([^']+)'");
+    for (std::size_t end = 0; end < 2; ++end)
+      if (frames[end].as<std::string>() == old) frames[end] = quoted(remedy, "link '([^']+)'");
+    text.config = printed(yaml);
+  } else if (remedy.find("add {") == 0) {
+    YAML::Node closures = yaml["mechanism"]["closures"];
+    closures.push_back(YAML::Load(quoted(remedy, "add (\\{.*\\})")));
+    text.config = printed(yaml);
+  } else if (remedy.find("in the origin") != std::string::npos) {
     text.urdf = with_origin(text.urdf, remedy);
   } else if (remedy.find("leave out") == 0) {
     const std::string name = quoted(remedy, "closure '([^']+)'");

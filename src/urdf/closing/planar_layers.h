@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_URDF_CLOSING_PLANAR_LAYERS_H
+#define PARALLEL_ASPECTS_URDF_CLOSING_PLANAR_LAYERS_H
+
+#include "urdf/description/closure.h"
+#include "urdf/description/source_names.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// Planar legs in layers: where all joints of a loop move in parallel planes, the distance of the frames of
+/// its closure across these is the same in all configurations, and no matter of kinematics. Takes it out of
+/// the `closures`, with a note each. `platform`: a link whose frames stay where they are.
+std::vector<std::string> join_layers(const Tree& tree, std::size_t platform, const SourceNames& files,
+                                     std::vector<Closure>& closures);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_URDF_CLOSING_PLANAR_LAYERS_H

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "urdf/corrections/frame_corrections.h"
+
+#include "urdf/closing/assembly.h"
+#include "urdf/corrections/anchors.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace parallel_aspects {
+namespace {
+
+using Links = std::vector<std::size_t>;
+
+constexpr std::size_t max_open = 12;  // links that a closure may lack
+
+bool contains(const Links& links, std::size_t link) {
+  return std::find(links.begin(), links.end(), link) != links.end();
+}
+
+// Fixed to `parent` by a joint that stays as it is; those nearer to the root come first again.
+void hang(Tree& tree, std::size_t joint, std::size_t parent) {
+  tree.joints[joint].parent = parent;
+  std::vector<bool> placed(tree.links.size(), false);
+  placed.front() = true;
+  std::vector<TreeJoint> joints;
+  while (joints.size() < tree.joints.size())
+    for (const TreeJoint& next : tree.joints) {
+      if (!placed[next.parent] || placed[next.child]) continue;
+      placed[next.child] = true;
+      tree.joint_above[next.child] = joints.size();
+      if (next.variable) tree.movable[*next.variable] = joints.size();
+      joints.push_back(next);
+    }
+  tree.joints = std::move(joints);
+}
+
+class FrameCorrections {
+ public:
+  FrameCorrections(const Tree& tree, const ResolvedConfig& resolved, const ClosureSystem& system,
+                   const SourceNames& files)
+      : tree_(tree),
+        resolved_(resolved),
+        system_(system),
+        files_(files),
+        platform_(body_of(tree, resolved.actuated_joints.platform_link)),
+        may_share_(legs_share_anchors(tree, resolved, system.size())),
+        is_parent_(tree.links.size(), false) {
+    for (const TreeJoint& joint : tree.joints) is_parent_[joint.parent] = true;
+    find_loose_bodies();
+    find_open_frames();
+  }
+
+  // A link that a movable joint carries is seldom a frame of its own.
+  std::vector<Corrections> find() {
+    exchange_links(true, true);
+    exchange_parents(true);
+    exchange_links(true, false);
+    add_closures(true);
+    exchange_parents(false);
+    exchange_links(false, true);
+    exchange_links(false, false);
+    add_closures(false);
+    return std::move(found_);
+  }
+
+ private:
+  void start_kind() { found_.emplace_back(); }
+
+  bool is_frame(std::size_t link) const {
+    return tree_.joint_above[link] && !tree_.joints[*tree_.joint_above[link]].variable;
+  }
+
+  // The ends of chains that no loop holds.
+  void find_loose_bodies() {
+    std::vector<bool> carries(tree_.links.size(), false);
+    for (const TreeJoint& joint : tree_.joints)
+      if (joint.variable) carries[body_of(tree_, joint.parent)] = true;
+    for (const TreeJoint& joint : tree_.joints)
+      if (joint.variable && !system_.in_loop()[*joint.variable] && !carries[joint.child] &&
+          joint.child != platform_)
+        loose_.push_back(joint.child);
+  }
+
+  // Which end chains and bodies and which no closure has, loose ones first.
+  void find_open_frames() {
+    for (const bool loose : {true, false})
+      for (std::size_t link = 0; link < tree_.links.size(); ++link) {
+        const std::size_t body = body_of(tree_, link);
+        const bool is_end = !is_parent_[link] && body != body_of(tree_, resolved_.base);
+        if (is_end && !is_closed(link) && contains(loose_, body) == loose && open_.size() < max_open &&
+            link != resolved_.actuated_joints.platform_link)
+          open_.push_back(link);
+      }
+  }
+
+  bool is_closed(std::size_t link) const {
+    return std::any_of(resolved_.closures.begin(), resolved_.closures.end(), [&](const Closure& closure) {
+      return closure.frames[0].link == link || closure.frames[1].link == link;
+    });
+  }
+
+  // The other closure that has it.
+  const Closure* other_with(const LinkFrame& frame) const {
+    for (const Closure& closure : resolved_.closures)
+      for (const LinkFrame& other : closure.frames)
+        if (&other != &frame && other.link == frame.link &&
+            other.in_link.isApprox(frame.in_link, rank_tolerance))
+          return &closure;
+    return nullptr;
+  }
+
+  bool is_repeated(const LinkFrame& frame) const { return other_with(frame) != nullptr; }
+
+  std::string quoted(std::size_t link) const { return "'" + tree_.links[link] + "'"; }
+
+  void exchange_links(bool for_frames, bool repeated) {
+    start_kind();
+    for (std::size_t k = 0; k < resolved_.closures.size(); ++k)
+      for (const std::size_t end : {0, 1})
+        if (is_repeated(resolved_.closures[k].frames[end]) == repeated) exchange_link(k, end, for_frames);
+  }
+
+  void add_closures(bool of_frames) {
+    start_kind();
+    for (const std::size_t loose : open_)
+      if (contains(loose_, body_of(tree_, loose)) && is_frame(loose) == of_frames) add_closures_of(loose);
+  }
+
+  // What stays loose is no leg.
+  void exchange_link(std::size_t index, std::size_t end, bool for_frames) {
+    const Closure& closure = resolved_.closures[index];
+    const LinkFrame& frame = closure.frames[end];
+    const Closure* other = other_with(frame);
+    const std::size_t body = body_of(tree_, frame.link);
+    if (!frame.in_link.isApprox(Eigen::Isometry3d::Identity())) return;
+    for (const std::size_t link : open_) {
+      const std::size_t new_body = body_of(tree_, link);
+      const bool is_meant = contains(loose_, new_body) || new_body == body || new_body == platform_;
+      if (!is_meant || is_frame(link) != for_frames ||
+          new_body == body_of(tree_, closure.frames[1 - end].link))
+        continue;
+      const std::string element = "closure '" + closure.name + "'";
+      const std::string why = other != nullptr ? ", which closure '" + other->name + "' has, too"
+                                               : ", while no closure has link " + quoted(link);
+      add({element, files_.config + " names link " + quoted(frame.link) + " in " + element + why,
+           "write link " + quoted(link) + " in the place of " + quoted(frame.link) + " in " + element, false,
+           [index, end, link](Tree&, ResolvedConfig& resolved) {
+             resolved.closures[index].frames[end] = {link, Eigen::Isometry3d::Identity()};
+           }});
+    }
+  }
+
+  // The type that most closures have.
+  ClosureType usual_type() const {
+    std::map<ClosureType, int> counts;
+    for (const Closure& closure : resolved_.closures) ++counts[closure.type];
+    ClosureType usual = ClosureType::automatic;
+    for (const auto& [type, count] : counts)
+      if (count > counts[usual]) usual = type;
+    return usual;
+  }
+
+  // With an open frame of the platform, and where it has none with the operational point.
+  void add_closures_of(std::size_t loose) {
+    Links others;
+    for (const std::size_t link : open_)
+      if (body_of(tree_, link) == platform_) others.push_back(link);
+    const std::size_t point = resolved_.actuated_joints.platform_link;
+    if (others.empty() && body_of(tree_, loose) != platform_) others.push_back(point);
+    for (const std::size_t other : others) {
+      const std::string frames = "{frames: [" + tree_.links[other] + ", " + tree_.links[loose] +
+                                 "], type: " + std::string(name(usual_type())) + "}";
+      const Closure closure{
+          tree_.links[other] + " - " + tree_.links[loose],
+          {{{other, Eigen::Isometry3d::Identity()}, {loose, Eigen::Isometry3d::Identity()}}},
+          usual_type(),
+          Weld::none};
+      add({"closure '" + closure.name + "'",
+           "no closure of " + files_.config + " joins link " + quoted(loose) + ", which ends a chain of " +
+               files_.urdf + ", to link " + quoted(other),
+           "add " + frames + " to mechanism.closures", false,
+           [closure](Tree&, ResolvedConfig& resolved) { resolved.closures.push_back(closure); }});
+    }
+  }
+
+  // Of frames that are not on the platform though they should, or on one point of it; else where chains are
+  // loose.
+  void exchange_parents(bool misplaced) {
+    start_kind();
+    for (const Closure& closure : resolved_.closures) {
+      const bool is_elsewhere =
+          !is_at_platform(closure.frames[0].link) && !is_at_platform(closure.frames[1].link);
+      for (const std::size_t end : {0, 1})
+        if (misplaced == (is_elsewhere || may_share_) && (misplaced || !loose_.empty()))
+          exchange_parent(closure, end);
+    }
+  }
+
+  // Or on a body that a joint moves against it.
+  bool is_at_platform(std::size_t link) const {
+    const std::size_t body = body_of(tree_, link);
+    const auto joint = tree_.joint_above[body];
+    return body == platform_ || (joint && body_of(tree_, tree_.joints[*joint].parent) == platform_);
+  }
+
+  // For links of loose bodies and of the platform.
+  void exchange_parent(const Closure& closure, std::size_t end) {
+    const std::size_t link = closure.frames[end].link;
+    const auto joint = tree_.joint_above[link];
+    if (!joint || tree_.joints[*joint].variable || is_parent_[link]) return;
+    const std::size_t present = tree_.joints[*joint].parent;
+    for (std::size_t parent = 0; parent < tree_.links.size(); ++parent) {
+      const std::size_t body = body_of(tree_, parent);
+      const bool is_meant = body == platform_ || contains(loose_, body);
+      if (!is_meant || parent == present || parent == link || is_closed(parent)) continue;
+      const std::string name = tree_.joints[*joint].name;
+      add({"joint '" + name + "'",
+           files_.urdf + " fixes link " + quoted(link) + ", which closure '" + closure.name +
+               "' holds, to link " + quoted(present) +
+               (contains(loose_, body) ? ", and link " + quoted(body) + " is in no loop" : ""),
+           "write <parent link=\"" + tree_.links[parent] + "\"/> for joint '" + name + "'", false,
+           [at = *joint, parent](Tree& tree, ResolvedConfig&) { hang(tree, at, parent); }});
+    }
+  }
+
+  void add(Correction correction) {
+    Tree tree = tree_;
+    ResolvedConfig resolved = resolved_;
+    correction.apply(tree, resolved);
+    if (may_share_ || !legs_share_anchors(tree, resolved, system_.size()))
+      found_.back().push_back(std::move(correction));
+  }
+
+  const Tree& tree_;
+  const ResolvedConfig& resolved_;
+  const ClosureSystem& system_;
+  const SourceNames& files_;
+  std::size_t platform_;  // body
+  bool may_share_;
+  std::vector<bool> is_parent_;  // by link
+  Links loose_;                  // bodies
+  Links open_;                   // links
+  std::vector<Corrections> found_;
+};
+
+}  // namespace
+
+std::vector<Corrections> frame_corrections(const Tree& tree, const ResolvedConfig& resolved,
+                                           const ClosureSystem& system, const SourceNames& files) {
+  return FrameCorrections(tree, resolved, system, files).find();
+}
+
+}  // namespace parallel_aspects

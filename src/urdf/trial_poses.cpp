@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "urdf/trial_poses.h"
+
+#include "model/coefficients.h"
+#include "model/number_text.h"
+#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/kinematics/working_mode.h"
+
+#include <algorithm>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects {
+namespace {
+
+constexpr unsigned trial_seed = 5;
+constexpr int trials = 60;
+// Over the size; roundings grow away from the assembled configuration.
+constexpr double trial_tolerance = 1e-3;
+constexpr double exact_closure = 1e-11;  // over the size
+
+std::string number(double value) { return number_text(value, 3); }
+
+void scale_translations(const Manipulator& manipulator, TaskVector& step) {
+  const auto angles = static_cast<Eigen::Index>(rotational_degrees_of_freedom(manipulator.task_space()));
+  step.tail(step.size() - angles) *= 0.5 * manipulator.size();
+}
+
+Pose trial_pose(const Mechanism::Contents& contents, double spread, std::mt19937& random) {
+  const Manipulator& manipulator = *contents.manipulator;
+  std::uniform_real_distribution<double> entries(-spread, spread);
+  TaskVector step(static_cast<Eigen::Index>(manipulator.leg_count()));
+  for (double& entry : coefficients_of(step)) entry = entries(random);
+  scale_translations(manipulator, step);
+  return displaced(manipulator.task_space(), contents.completion.reference_pose(), step);
+}
+
+std::string open_at(const Manipulator& manipulator, const Pose& pose, double gap, const SourceNames& files) {
+  return files.urdf + " was recognised as " + std::string(name(manipulator.task_space())) +
+         " with distance legs, but at " + to_string(manipulator.task_space(), pose) +
+         " its loops stay open by " + number(gap) +
+         " m; its legs do more than keep a distance, which is not supported.";
+}
+
+}  // namespace
+
+void close_trial_poses(Mechanism::Contents& contents, const SourceNames& files, Problems& problems) {
+  const Manipulator& manipulator = *contents.manipulator;
+  const Completion& completion = contents.completion;
+  const double size = completion.system().size();
+  const std::vector<WorkingMode> modes = working_modes(manipulator);
+  std::mt19937 random(trial_seed);
+  double worst = completion.residual(
+      completion.joint_values(completion.reference_pose(), completion.reference_joints()));
+  for (int trial = 0; trial < trials; ++trial) {
+    const Pose pose = trial_pose(contents, static_cast<double>(trial) / trials, random);
+    const InverseSolution solution = inverse(manipulator, pose, modes[random() % modes.size()]);
+    if (solution.status == InverseStatus::out_of_reach) continue;
+    const double residual = completion.residual(completion.joint_values(pose, solution.q));
+    worst = std::max(worst, residual);
+    if (residual < trial_tolerance) continue;
+    problems.push_back(open_at(manipulator, pose, residual * size, files));
+    return;
+  }
+  if (worst < exact_closure) return;
+  contents.accepted_residual = 3.0 * worst;
+  contents.notes.push_back(files.urdf + " closes its loops only to within " + number(worst * size) +
+                           " m, as with rounded angles; the robot is taken as the ideal one nearest to it.");
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Frames of closures on wrong links, and closures that are missing: each remedy is followed to the letter.
+#include "urdf/corrections/faulty_robots.h"
+
+#include <gtest/gtest.h>
+
+#include "support/descriptions.h"
+#include <algorithm>
+#include <string>
+
+namespace parallel_aspects {
+namespace {
+
+using test::Description;
+using test::replaced;
+using test::shipped_text;
+
+std::string sentence(const Description& robot) {
+  const Problems problems = test::refusal(robot.urdf, robot.config);
+  EXPECT_EQ(problems.size(), 1U);
+  return problems.empty() ? "" : problems.front();
+}
+
+// With all remedies of one sentence together, or each of several alone.
+void expect_remedies_work(const Description& robot, const std::string& said) {
+  const std::vector<std::string> remedies = test::remedies(said);
+  EXPECT_FALSE(remedies.empty()) << said;
+  Description all = robot;
+  const bool alone = said.find("each of these corrections alone") != std::string::npos;
+  for (const std::string& remedy : remedies) {
+    all = test::corrected(alone ? robot : all, remedy);
+    if (alone || remedy == remedies.back()) {
+      EXPECT_EQ(test::refusal(all.urdf, all.config), Problems{}) << said;
+    }
+  }
+}
+
+Description on_link(const std::string& robot, const std::string& frame, const std::string& parent,
+                    const std::string& other) {
+  Description moved = shipped_text(robot);
+  moved.urdf = replaced(moved.urdf, "<parent link=\"" + parent + "\"/>\n    <child link=\"" + frame + "\"/>",
+                        "<parent link=\"" + other + "\"/>\n    <child link=\"" + frame + "\"/>");
+  return moved;
+}
+
+TEST(FrameCorrection, IsTheParentOfAFrameOfAFiveBar) {
+  for (const std::string other : {"crank_2", "crank_1", "base_link", "tool"}) {
+    const Description robot = on_link("five_bar", "closing_2", "rod_2", other);
+    EXPECT_EQ(sentence(robot),
+              "robot.urdf fixes link 'closing_2', which closure 'tool - closing_2' holds, to link '" + other +
+                  "', and link 'rod_2' is in no loop; write <parent link=\"rod_2\"/> for joint "
+                  "'closing_2_joint', which makes it a robot in T2.");
+    expect_remedies_work(robot, sentence(robot));
+  }
+}
+
+// Either end may be meant to be on the other rod.
+TEST(FrameCorrection, IsOneOfTwoWhereBothEndsAreOnOneRod) {
+  const Description robot = on_link("five_bar", "closing_2", "rod_2", "rod_1");
+  EXPECT_EQ(test::remedies(sentence(robot)).size(), 2U);
+  expect_remedies_work(robot, sentence(robot));
+}
+
+TEST(FrameCorrection, IsTheParentOfAFrameAnywhere) {
+  for (const std::string other : {"bar_3", "bar_1", "base_link", "platform"}) {
+    const Description robot = on_link("three_rpr", "bar_2_tip", "bar_2", other);
+    EXPECT_NE(sentence(robot).find("for joint 'bar_2_tip_joint'"), std::string::npos) << sentence(robot);
+    expect_remedies_work(robot, sentence(robot));
+  }
+  for (const std::string other : {"rod_3_left", "rod_2_right", "crank_2"}) {
+    const Description robot = on_link("delta", "rod_2_left_tip", "rod_2_left", other);
+    EXPECT_NE(sentence(robot).find("write <parent link=\"rod_2_left\"/> for joint 'rod_2_left_tip_joint', "
+                                   "which makes it a robot in T3."),
+              std::string::npos)
+        << sentence(robot);
+    expect_remedies_work(robot, sentence(robot));
+  }
+}
+
+// Not one of another leg, whose anchor would be the same.
+TEST(FrameCorrection, GivesEachLegItsOwnAnchor) {
+  for (const std::string other : {"bar_3", "base_link", "bar_2"}) {
+    const Description robot = on_link("three_rpr", "platform_2", "platform", other);
+    EXPECT_EQ(sentence(robot),
+              "robot.urdf fixes link 'platform_2', which closure 'platform_2 - bar_2_tip' holds, to "
+              "link '" +
+                  other +
+                  "'; write <parent link=\"platform\"/> for joint 'platform_2_joint', which makes "
+                  "it a robot in SE2.");
+  }
+}
+
+TEST(FrameCorrection, ComesWithAnActuatedJointThatIsWrong) {
+  Description robot = on_link("delta", "rod_2_left_tip", "rod_2_left", "rod_3_left");
+  robot.config =
+      replaced(robot.config, "crank_2_joint, crank_3_joint]", "crank_2_joint, rod_3_left_pitch_joint]");
+  EXPECT_NE(
+      sentence(robot).find("write <parent link=\"rod_2_left\"/> for joint 'rod_2_left_tip_joint' and write "
+                           "actuated_joints: [crank_1_joint, crank_2_joint, crank_3_joint], which makes it "
+                           "a robot in T3."),
+      std::string::npos)
+      << sentence(robot);
+  expect_remedies_work(robot, sentence(robot));
+}
+
+TEST(FrameCorrection, IsAFrameThatTwoClosuresHave) {
+  Description robot = shipped_text("delta");
+  robot.config =
+      replaced(robot.config, "[platform_2_left, rod_2_left_tip]", "[platform_2_left, rod_3_left_tip]");
+  EXPECT_EQ(
+      sentence(robot),
+      "robot.yaml names link 'rod_3_left_tip' in closure 'platform_2_left - rod_3_left_tip', which closure "
+      "'platform_3_left - rod_3_left_tip' has, too; write link 'rod_2_left_tip' in the place of "
+      "'rod_3_left_tip' in closure 'platform_2_left - rod_3_left_tip', which makes it a robot in T3.");
+  expect_remedies_work(robot, sentence(robot));
+}
+
+TEST(FrameCorrection, IsAClosureThatIsMissing) {
+  Description robot = shipped_text("three_rpr");
+  robot.config = replaced(robot.config, "    - {frames: [platform_2, bar_2_tip], type: revolute}\n", "");
+  EXPECT_EQ(sentence(robot),
+            "no closure of robot.yaml joins link 'bar_2_tip', which ends a chain of robot.urdf, to link "
+            "'platform_2'; "
+            "add {frames: [platform_2, bar_2_tip], type: revolute} to mechanism.closures, which makes it a "
+            "robot in "
+            "SE2.");
+  expect_remedies_work(robot, sentence(robot));
+}
+
+TEST(FrameCorrection, IsTheTypeOfAllClosures) {
+  for (const std::string type : {"revolute", "fixed", "universal"}) {
+    Description robot = shipped_text("stewart");
+    for (std::size_t at = 0; (at = robot.config.find("type: spherical", at)) != std::string::npos;)
+      robot.config.replace(at, std::string("type: spherical").size(), "type: " + type);
+    EXPECT_NE(sentence(robot).find("by types that do not fit its joints; write type: point for"),
+              std::string::npos)
+        << sentence(robot);
+  }
+}
+
+TEST(FrameCorrection, IsAFixedElbow) {
+  for (const std::string elbow : {"elbow_1_joint", "elbow_2_joint"}) {
+    Description robot = shipped_text("five_bar");
+    robot.urdf = replaced(robot.urdf, "<joint name=\"" + elbow + "\" type=\"continuous\">",
+                          "<joint name=\"" + elbow + "\" type=\"fixed\">");
+    EXPECT_EQ(sentence(robot).rfind("robot.urdf fixes joint '" + elbow + "'", 0), 0U) << sentence(robot);
+    expect_remedies_work(robot, sentence(robot));
+  }
+}
+
+bool has_note(const Description& robot, const std::string& note) {
+  const auto notes = test::load(robot)->notes();
+  return std::count(notes.begin(), notes.end(), note) == 1;
+}
+
+std::string in_millimetres(std::string urdf, const std::string& joint) {
+  const auto scale = [&](const std::string& key) {
+    const std::size_t at =
+        urdf.find(key + "=\"", urdf.find("<joint name=\"" + joint + "\"")) + key.size() + 2;
+    const std::size_t end = urdf.find('"', at);
+    urdf.replace(at, end - at, std::to_string(1000.0 * std::stod(urdf.substr(at, end - at))));
+  };
+  scale("lower");
+  scale("upper");
+  return urdf;
+}
+
+TEST(Units, OfLimitsAreMetres) {
+  Description robot = shipped_text("stewart");
+  robot.urdf = in_millimetres(robot.urdf, "strut_1_joint");
+  EXPECT_EQ(
+      sentence(robot),
+      "robot.urdf is 2.35 m wide, but has limits of slides, 'strut_1_joint', as if in millimetres; write "
+      "lower=\"1.1\" upper=\"1.9\" for joint 'strut_1_joint', which makes it a robot in SE3.");
+  robot = shipped_text("three_prr");
+  robot.urdf = in_millimetres(robot.urdf, "slider_1_joint");
+  const auto notes = test::load(robot)->notes();
+  EXPECT_EQ(
+      std::count_if(notes.begin(), notes.end(),
+                    [](const std::string& note) {
+                      return note.find(
+                                 "limits of slides, 'slider_1_joint', as if in millimetres; if so, write "
+                                 "lower=") != std::string::npos;
+                    }),
+      1);
+}
+
+TEST(Units, OfARobotAreMetres) {
+  Description robot = shipped_text("five_bar");
+  for (const std::string length : {"9", "8", "5"})
+    for (std::size_t at = 0; (at = robot.urdf.find("\"" + length + " 0 0\"", at)) != std::string::npos;)
+      robot.urdf.replace(at, length.size() + 6, "\"" + length + "000 0 0\"");
+  const auto notes = test::load(robot)->notes();
+  EXPECT_EQ(
+      std::count(
+          notes.begin(), notes.end(),
+          "robot.urdf is 2.2e+04 m wide, as if in millimetres; if so, write a thousandth of each xyz in "
+          "the origins of its joints."),
+      1);
+}
+
+// Of slides and cranks that start on one.
+TEST(Home, IsInsideTheLimits) {
+  for (const std::string name : {"six_pus", "linear_delta", "stewart"}) {
+    const auto mechanism = test::load(shipped_text(name));
+    const AssembledConfiguration at = mechanism->assembled();
+    for (std::size_t j = 0; j < mechanism->manipulator()->leg_count(); ++j) {
+      const JointLimits& limits = mechanism->manipulator()->leg(j).limits;
+      const double q = at.q[static_cast<Eigen::Index>(j)];
+      EXPECT_GT(std::min(q - limits.lower, limits.upper - q), 1e-3) << name << " " << j;
+    }
+  }
+}
+
+// The same robot, by its legs.
+TEST(Layers, DoNotMatter) {
+  Description robot = shipped_text("five_bar");
+  robot.urdf = replaced(robot.urdf, "<origin xyz=\"9 0 0\"/>", "<origin xyz=\"9 0 0.3\"/>");
+  EXPECT_TRUE(
+      has_note(robot,
+               "robot.urdf has the frames of closure 'tool - closing_2' 0.3 m apart along the axes of "
+               "its loop, which all are parallel; they are taken as layers of one planar mechanism."));
+  const auto layered = test::load(robot), flat = test::load(shipped_text("five_bar"));
+  for (std::size_t j = 0; j < 2; ++j) {
+    EXPECT_NEAR(layered->manipulator()->leg(j).rod_length, flat->manipulator()->leg(j).rod_length, 1e-9);
+    EXPECT_NEAR((layered->manipulator()->leg(j).anchor - flat->manipulator()->leg(j).anchor).head<2>().norm(),
+                0.0, 1e-9);
+  }
+  EXPECT_NEAR((layered->assembled().pose.position - flat->assembled().pose.position).norm(), 0.0, 1e-9);
+  EXPECT_EQ(test::open_loops(*layered), 0);
+}
+
+TEST(Closures, CountOnce) {
+  for (const std::string again : {"[tool, closing_2]", "[closing_2, tool]"}) {
+    Description robot = shipped_text("five_bar");
+    const std::string closure = "    - {frames: [tool, closing_2], type: revolute}\n";
+    robot.config =
+        replaced(robot.config, closure, closure + "    - {frames: " + again + ", type: revolute}\n");
+    const std::string name = again == "[tool, closing_2]" ? "tool - closing_2" : "closing_2 - tool";
+    EXPECT_TRUE(has_note(
+        robot, "robot.yaml lists closure '" + name + "' twice, which counts once; leave out one entry."));
+  }
+}
+
+TEST(LooseChains, AreNoted) {
+  Description robot = shipped_text("five_bar");
+  robot.urdf = replaced(
+      robot.urdf, "</robot>",
+      "<link name=\"arm\"/>" + test::moving_joint("arm_joint", "base_link", "arm", "0 0 1") + "</robot>");
+  EXPECT_TRUE(has_note(robot,
+                       "robot.urdf has joints that no closure puts in a loop, which are no part of the robot "
+                       "here: 'arm_joint'."));
+}
+
+}  // namespace
+}  // namespace parallel_aspects
