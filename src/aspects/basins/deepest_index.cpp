@@ -19,6 +19,9 @@ constexpr double least_gap = 0.001;     // or this, of the normalised index
 constexpr std::size_t halvings = 3000;  // for each aspect
 constexpr std::size_t boxes_of_group = 20000;  // that are halved into, for each group and round
 constexpr int max_rounds = 3;                  // since groups fall apart when they are halved
+// With three coordinates undecided cells lie along surfaces: far more boxes than these would be needed to
+// bound the index there, so they are taken as they are.
+constexpr std::size_t largest_dimension_of_groups = 2;
 
 }  // namespace
 
@@ -30,7 +33,9 @@ DeepestIndex::DeepestIndex(IndexCells& cells, ParallelIndex index, const MapCont
 
 void DeepestIndex::search() {
   halve_aspects();
-  for (int round = 0; round < max_rounds && !is_cancelled(control_); ++round) {
+  const int rounds = cells_.tree().dimension() <= largest_dimension_of_groups ? max_rounds : 0;
+  if (rounds == 0) find_groups();
+  for (int round = 0; round < rounds && !is_cancelled(control_); ++round) {
     find_groups();
     const bool any = halve_groups();
     halve_aspects();

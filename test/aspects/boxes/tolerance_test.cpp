@@ -72,9 +72,11 @@ TEST_P(Tolerance, EveryRobotWithinTakesAFreeSegment) {
   EXPECT_GT(free, test::is_sanitized ? -1 : 5);
 }
 
-// The chart of rotations, which the slices above leave out.
+// And the chart of rotations, which is not among them. A slice that holds a joint refuses tolerances.
 std::vector<test::MappedRobot> robots() {
-  std::vector<test::MappedRobot> result = test::mapped_robots();
+  std::vector<test::MappedRobot> result;
+  for (const test::MappedRobot& each : test::mapped_robots())
+    if (std::string(each.name).find("holding") == std::string::npos) result.push_back(each);
   result.push_back({"agile_eye", test::agile_eye, {}});
   result.push_back({"three_rrr_actuated_elbow", test::three_rrr_actuated_elbow, {}});
   return result;
