@@ -21,8 +21,8 @@ double clearance(const AspectMap::Contents& map, const Aspect& aspect, std::size
                  const MapPosition& position, double of_interest = 0.0);
 
 /// The center of the largest ball within the inside leaves of an aspect, within one part in a hundred of the
-/// radius, or one in ten after 20,000 boxes (best-first search with a Lipschitz bound, as "polylabel" does for
-/// polygons). Ends early when cancelled.
+/// radius, or one in ten after 20,000 boxes (best-first search with a Lipschitz bound, as "polylabel" does
+/// for polygons). Ends early when cancelled.
 ClearPoint deepest_point(const AspectMap::Contents& map, const Aspect& aspect, std::size_t mode,
                          const MapControl& control);
 

@@ -26,8 +26,8 @@ using Number = long double;
 constexpr Number rounding = 1e-13L;
 
 /// Poses, half of them all over the region of a map and half in leaves that are not outside, each asked for
-/// in a random working mode and evaluated by formulas of the test alone. As many as RANDOM_POSES says, where it is
-/// set, such as ten million.
+/// in a random working mode and evaluated by formulas of the test alone. As many as RANDOM_POSES says, where
+/// it is set, such as ten million.
 class RandomPoses : public testing::TestWithParam<std::string> {
  protected:
   /// RANDOM_POSES=10000000 asks for so many of each robot, in maps of the default resolution.
