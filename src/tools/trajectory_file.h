@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_TOOLS_TRAJECTORY_FILE_H
+#define PARALLEL_ASPECTS_TOOLS_TRAJECTORY_FILE_H
+
+#include "parallel_aspects/model/task_space.h"
+#include "parallel_aspects/motion/check_trajectory.h"
+
+#include <string>
+#include <vector>
+
+namespace parallel_aspects::tools {
+
+/// The poses of a CSV file: a header with `t` or `time` [s] and the coordinates of the task space [m or rad]
+/// in any order, then a line for each waypoint. Throws `InvalidDescription` with every problem.
+std::vector<PoseWaypoint> read_pose_waypoints(TaskSpace space, const std::string& file);
+
+}  // namespace parallel_aspects::tools
+
+#endif  // PARALLEL_ASPECTS_TOOLS_TRAJECTORY_FILE_H

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/command.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "support/command_run.h"
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects::tools {
+namespace {
+
+using nlohmann::json;
+using test::Outcome;
+using test::run;
+
+class CheckCommand : public test::CommandTest {
+ protected:
+  void SetUp() override {
+    test::CommandTest::SetUp();
+    std::string pattern = (std::filesystem::temp_directory_path() / "check_XXXXXX").string();
+    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
+    folder_ = pattern;
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::string file(const std::string& text) {
+    const std::string name = (folder_ / "path.csv").string();
+    std::ofstream(name) << text;
+    return name;
+  }
+
+  Outcome check_path(const std::string& text, std::vector<const char*> more = {}) {
+    const std::string name = file(text);
+    std::vector<const char*> arguments{"check", "five_bar", "--path", name.c_str(), "--mode", "(+,-)"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run(arguments);
+  }
+
+  std::filesystem::path folder_;
+};
+
+TEST_F(CheckCommand, SafePathIsProved) {
+  const Outcome outcome = check_path("t,x,y\n0,4.5,8\n1,4.6,8\n2,4.6,8.2\n", {"--json"});
+  ASSERT_EQ(outcome.code, exit_code::ok) << outcome.messages << outcome.output;
+  const json result = json::parse(outcome.output);
+  EXPECT_EQ(result.at("answer"), "yes");
+  EXPECT_EQ(result.at("proved"), true);
+  EXPECT_EQ(result.at("free_until"), 2.0);
+  EXPECT_TRUE(result.at("first_violation").is_null());
+  EXPECT_TRUE(result.at("crossings").empty());
+  EXPECT_GT(result.at("least_index").at("parallel").at("value").get<double>(), 0.0);
+  EXPECT_GT(result.at("least_index").at("serial").at("value").get<double>(), 0.0);
+  ASSERT_EQ(result.at("speeds").size(), 2U);
+  EXPECT_GT(result.at("speeds")[0].at("fastest").get<double>(), 0.0);
+}
+
+TEST_F(CheckCommand, UnsafePathHasAnExitCodeAndTheTime) {
+  const Outcome outcome = check_path("x,time,y\n4.5,0,8\n4.5,2,30\n", {"--json"});
+  ASSERT_EQ(outcome.code, exit_code::unsafe) << outcome.messages;
+  const json result = json::parse(outcome.output);
+  EXPECT_EQ(result.at("answer"), "no");
+  const json& violation = result.at("first_violation");
+  EXPECT_EQ(violation.at("kind"), "serial_singularity");
+  EXPECT_TRUE(violation.at("leg").is_string());
+  EXPECT_LE(violation.at("after").get<double>(), violation.at("before").get<double>());
+  EXPECT_EQ(result.at("crossings").size(), 1U);
+  const Outcome text = check_path("t,x,y\n0,4.5,8\n2,4.5,30\n");
+  EXPECT_EQ(text.code, exit_code::unsafe);
+  EXPECT_NE(text.output.find("safe: no"), std::string::npos) << text.output;
+}
+
+TEST_F(CheckCommand, MarginsAreChecked) {
+  const std::string path = "t,x,y\n0,4.5,8\n1,4.6,8\n";
+  const Outcome outcome = check_path(path, {"--margin", "parallel=0.999", "--json"});
+  ASSERT_EQ(outcome.code, exit_code::unsafe) << outcome.messages;
+  const json result = json::parse(outcome.output);
+  EXPECT_EQ(result.at("first_violation").at("constraint"), "margins");
+}
+
+TEST_F(CheckCommand, BadFilesAreRefusedWithASentenceEach) {
+  for (const char* text : {"", "t,x,y\n", "t,x\n0,1\n", "t,x,y,z\n0,4.5,8,1\n", "t,x,y\n0,4.5,8\n0,4.6,8\n",
+                           "t,x,y\n1,4.5,8\n0,4.6,8\n", "t,x,y\n0,4.5\n", "t,x,y\n0,4.5,nan\n",
+                           "t,x,y\n0,4.5,inf\n", "t,x,y\n0,4.5,eight\n", "t,x,y\n0,4.5,80\n"}) {
+    const Outcome outcome = check_path(text);
+    EXPECT_EQ(outcome.code, exit_code::bad_input) << text;
+    EXPECT_EQ(outcome.output, "") << text;
+    EXPECT_EQ(test::line_count(outcome.messages), 1U) << text << outcome.messages;
+  }
+  EXPECT_EQ(run({"check", "five_bar", "--path", "/no/such/file", "--mode", "+-"}).code, exit_code::bad_input);
+  EXPECT_EQ(check_path("t,x,y\n0,4.5,8\n", {"--constraint", "cones"}).code, exit_code::bad_input);
+}
+
+TEST_F(CheckCommand, IsListedInTheHelp) {
+  EXPECT_NE(run({"--help"}).output.find("  check "), std::string::npos);
+}
+
+}  // namespace
+}  // namespace parallel_aspects::tools
