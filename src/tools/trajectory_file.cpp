@@ -75,9 +75,8 @@ void require_columns(const std::string& file, const Names& given, const Names& n
 }
 
 /// The rows with their columns in the order of `needed`.
-std::vector<std::vector<double>> read_columns(const std::string& file, const Names& needed) {
-  Problems problems;
-  const Table table = read_table(file, problems);
+std::vector<std::vector<double>> read_columns(const std::string& file, const Table& table,
+                                              const Names& needed, Problems problems) {
   if (!table.names.empty()) require_columns(file, table.names, needed, problems);
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
   std::vector<std::vector<double>> rows;
@@ -96,7 +95,8 @@ std::vector<PoseWaypoint> read_pose_waypoints(TaskSpace space, const std::string
   for (const std::string& name : coordinate_names(space)) needed.push_back(name);
   std::vector<PoseWaypoint> waypoints;
   Problems problems;
-  for (const std::vector<double>& row : read_columns(file, needed)) {
+  const Table table = read_table(file, problems);
+  for (const std::vector<double>& row : read_columns(file, table, needed, problems)) {
     const auto pose = pose_from_coordinates(
         space, Eigen::Map<const Eigen::VectorXd>(row.data() + 1, static_cast<Eigen::Index>(row.size() - 1)));
     if (!pose)
@@ -105,6 +105,50 @@ std::vector<PoseWaypoint> read_pose_waypoints(TaskSpace space, const std::string
     waypoints.push_back({row.front(), pose.value_or(Pose{})});
   }
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
+  return waypoints;
+}
+
+namespace {
+
+Names with_ending(const Names& joints, const std::string& ending) {
+  Names names;
+  for (const std::string& joint : joints) names.push_back(joint + ending);
+  return names;
+}
+
+/// Those of the columns that belong to all joints, if any of them is there.
+bool append_if_any(const Names& columns, const Names& given, Names& needed) {
+  const bool any = std::any_of(columns.begin(), columns.end(), [&given](const std::string& column) {
+    return std::count(given.begin(), given.end(), column) > 0;
+  });
+  if (any) needed.insert(needed.end(), columns.begin(), columns.end());
+  return any;
+}
+
+/// The next numbers of a row, one a leg.
+JointVector take(const std::vector<double>& row, std::size_t first, std::size_t legs) {
+  return Eigen::Map<const Eigen::VectorXd>(row.data() + first, static_cast<Eigen::Index>(legs));
+}
+
+}  // namespace
+
+std::vector<JointWaypoint> read_joint_waypoints(const Manipulator& manipulator, const std::string& file) {
+  Problems problems;
+  const Table table = read_table(file, problems);
+  const std::size_t legs = manipulator.leg_count();
+  Names joints;
+  for (const Leg& leg : manipulator.legs()) joints.push_back(leg.actuated_joint);
+  Names needed{"time"};
+  needed.insert(needed.end(), joints.begin(), joints.end());
+  const bool accelerations = append_if_any(with_ending(joints, "/acceleration"), table.names, needed);
+  const bool velocities = append_if_any(with_ending(joints, "/velocity"), table.names, needed);
+  std::vector<JointWaypoint> waypoints;
+  for (const std::vector<double>& row : read_columns(file, table, needed, problems)) {
+    JointWaypoint waypoint{row.front(), take(row, 1, legs), {}, {}};
+    if (accelerations) waypoint.acceleration = take(row, 1 + legs, legs);
+    if (velocities) waypoint.velocity = take(row, 1 + (accelerations ? 2 : 1) * legs, legs);
+    waypoints.push_back(waypoint);
+  }
   return waypoints;
 }
 

@@ -107,6 +107,17 @@ class SegmentCertifier::Evaluation {
     if (proof.verdict == SegmentVerdict::undecided && !look_ahead(sign, proof))
       block_if_violated(1.0, sign, proof);
     if (proof.verdict != SegmentVerdict::blocked) return;
+    approach_from_start(sign, width, max_parts, proof);
+    // Where something else is in between that cannot be decided, such as det A that touches zero.
+    double open = proof.free_until;
+    while (proof.witness - open > width && proof.parts++ < max_parts) {
+      const double middle = open + 0.5 * (proof.witness - open);
+      if (!block_if_violated(middle, sign, proof)) open = middle;
+    }
+  }
+
+ private:
+  void approach_from_start(int sign, double width, int max_parts, SegmentProof& proof) {
     double step = 1.0;
     while (proof.witness - proof.free_until > width && proof.parts < max_parts && step >= shortest_step) {
       ++proof.parts;
@@ -122,7 +133,6 @@ class SegmentCertifier::Evaluation {
     }
   }
 
- private:
   bool look_ahead(int sign, SegmentProof& proof) {
     double ahead = 1.0 - proof.free_until;
     for (int i = 0; i < points_of_a_look; ++i) {

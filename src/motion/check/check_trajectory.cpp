@@ -45,9 +45,7 @@ class PoseCheck {
     check_.answer = TrajectoryAnswer::safe;
     const std::size_t segments = std::max<std::size_t>(waypoints_.size() - 1, 1);
     for (std::size_t i = 0; i < segments && check_.answer == TrajectoryAnswer::safe; ++i) pass(i);
-    if (check_.answer == TrajectoryAnswer::safe)
-      check_.reason =
-          "Proved: no singularity is met, every leg reaches and all constraints hold, at every time.";
+    if (check_.answer == TrajectoryAnswer::safe) check_.reason = safe_text();
     return check_;
   }
 
@@ -78,8 +76,7 @@ class PoseCheck {
     check_.answer = TrajectoryAnswer::unsafe;
     check_.violation = TrajectoryViolation{proof.violation, proof.at_witness.leg, proof.at_witness.failing,
                                            check_.free_until, before};
-    check_.reason = "Proved: " + violation_text(manipulator_, *check_.violation) + " between " +
-                    number_text(check_.free_until, 9) + " s and " + number_text(before, 9) + " s.";
+    check_.reason = unsafe_text(manipulator_, *check_.violation);
   }
 
   void leave_open() {

@@ -56,6 +56,15 @@ std::string violation_text(const Manipulator& manipulator, const TrajectoryViola
   return "det A vanishes";
 }
 
+std::string safe_text() {
+  return "Proved: no singularity is met, every leg reaches and all constraints hold, at every time.";
+}
+
+std::string unsafe_text(const Manipulator& manipulator, const TrajectoryViolation& violation) {
+  return "Proved: " + violation_text(manipulator, violation) + " between " + number_text(violation.after, 9) +
+         " s and " + number_text(violation.before, 9) + " s.";
+}
+
 std::string exceeded_speeds(const Manipulator& manipulator, const TrajectoryCheck& check) {
   std::string text;
   for (std::size_t j = 0; j < check.speeds.size(); ++j) {

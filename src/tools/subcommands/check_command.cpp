@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/motion/check_trajectory.h"
+#include "parallel_aspects/motion/check_joint_trajectory.h"
 #include "tools/arguments.h"
 #include "tools/report/bounds_report.h"
 #include "tools/report/reports.h"
@@ -17,7 +17,7 @@ using nlohmann::json;
 
 struct CheckArguments {
   RobotChoice robot;
-  std::string path, mode;
+  std::string path, mode, trajectory, start_pose, start_sign;
   ConstraintArguments constraints;
 };
 
@@ -122,12 +122,47 @@ Report report_check(const Manipulator& manipulator, const TrajectoryCheck& check
 TrajectoryCheck check_path(const std::shared_ptr<const Manipulator>& manipulator,
                            const CheckArguments& arguments) {
   Problems problems;
+  if (arguments.mode.empty() || !arguments.start_pose.empty() || !arguments.start_sign.empty())
+    throw InvalidDescription({"--path needs --mode, and no start of actuated joints; correct the options."});
   const auto mode = parse_mode("--mode", *manipulator, arguments.mode, problems);
   if (!mode) throw InvalidDescription(std::move(problems));
   const auto waypoints = read_pose_waypoints(manipulator->task_space(), arguments.path);
   problems = problems_of(*manipulator, waypoints, *mode);
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
   return check_trajectory(SegmentCertifier(manipulator), waypoints, *mode);
+}
+
+TrajectoryStart parse_start(const Manipulator& manipulator, const CheckArguments& arguments) {
+  Problems problems;
+  TrajectoryStart start;
+  if (!arguments.start_pose.empty())
+    start.pose = parse_pose("--start-pose", manipulator.task_space(), arguments.start_pose, problems);
+  if (!arguments.start_sign.empty() && arguments.start_sign != "+" && arguments.start_sign != "-")
+    problems.push_back("--start-sign is '" + arguments.start_sign + "'; give + or -, the sign of det A.");
+  if (start.pose && !arguments.start_sign.empty())
+    problems.emplace_back("--start-pose and --start-sign both state the start; give one of the two.");
+  if (!problems.empty()) throw InvalidDescription(std::move(problems));
+  start.determinant_sign = arguments.start_sign.empty() ? 0 : arguments.start_sign == "+" ? 1 : -1;
+  return start;
+}
+
+TrajectoryCheck check_joints(const std::shared_ptr<const Manipulator>& manipulator,
+                             const CheckArguments& arguments) {
+  if (!arguments.mode.empty())
+    throw InvalidDescription(
+        {"--mode is of --path; the start of actuated joints tells theirs, leave it out."});
+  const TrajectoryStart start = parse_start(*manipulator, arguments);
+  const auto waypoints = read_joint_waypoints(*manipulator, arguments.trajectory);
+  Problems problems = problems_of(*manipulator, waypoints, start);
+  if (!problems.empty()) throw InvalidDescription(std::move(problems));
+  return check_trajectory(SegmentCertifier(manipulator), waypoints, start);
+}
+
+TrajectoryCheck check(const std::shared_ptr<const Manipulator>& manipulator,
+                      const CheckArguments& arguments) {
+  if (arguments.path.empty() == arguments.trajectory.empty())
+    throw InvalidDescription({"Give one of --path, for poses, and --trajectory, for actuated joints."});
+  return arguments.path.empty() ? check_joints(manipulator, arguments) : check_path(manipulator, arguments);
 }
 
 }  // namespace
@@ -138,14 +173,24 @@ Subcommand check_subcommand() {
   options.push_back({"--path", "FILE",
                      "CSV with poses of the platform: a header such as time,x,y and a line for each waypoint "
                      "[s, m, rad]",
-                     &arguments->path, true});
-  options.push_back({"--mode", "\"(+,-)\"", "Working mode, as signs of B_jj", &arguments->mode, true});
+                     &arguments->path});
+  options.push_back({"--mode", "\"(+,-)\"", "Working mode of the poses, as signs of B_jj", &arguments->mode});
+  options.push_back(
+      {"--trajectory", "FILE",
+       "CSV with values of the actuated joints: a header of time and their names, NAME/velocity and "
+       "NAME/acceleration where known",
+       &arguments->trajectory});
+  options.push_back(
+      {"--start-pose", "\"x y\"",
+       "About where the platform is at the start, where actuated joints have several assembly modes",
+       &arguments->start_pose});
+  options.push_back({"--start-sign", "+", "Or the sign of det A there", &arguments->start_sign});
   for (const Option& option : constraint_options(arguments->constraints)) options.push_back(option);
   return {
       "check", "Tell whether a trajectory is safe at every time", options, [arguments](const Surroundings&) {
         const auto mechanism = load_robot(arguments->robot);
         const auto manipulator = choose_constraints(mechanism->mapped_manipulator(), arguments->constraints);
-        return report_check(*manipulator, check_path(manipulator, *arguments));
+        return report_check(*manipulator, check(manipulator, *arguments));
       }};
 }
 

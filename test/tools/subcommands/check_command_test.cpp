@@ -60,7 +60,7 @@ TEST_F(CheckCommand, SafePathIsProved) {
 }
 
 TEST_F(CheckCommand, UnsafePathHasAnExitCodeAndTheTime) {
-  const Outcome outcome = check_path("x,time,y\n4.5,0,8\n4.5,2,30\n", {"--json"});
+  const Outcome outcome = check_path("x,time,y\n4.5,0,8\n-30,2,8\n", {"--json"});
   ASSERT_EQ(outcome.code, exit_code::unsafe) << outcome.messages;
   const json result = json::parse(outcome.output);
   EXPECT_EQ(result.at("answer"), "no");
@@ -69,7 +69,7 @@ TEST_F(CheckCommand, UnsafePathHasAnExitCodeAndTheTime) {
   EXPECT_TRUE(violation.at("leg").is_string());
   EXPECT_LE(violation.at("after").get<double>(), violation.at("before").get<double>());
   EXPECT_EQ(result.at("crossings").size(), 1U);
-  const Outcome text = check_path("t,x,y\n0,4.5,8\n2,4.5,30\n");
+  const Outcome text = check_path("t,x,y\n0,4.5,8\n2,-30,8\n");
   EXPECT_EQ(text.code, exit_code::unsafe);
   EXPECT_NE(text.output.find("safe: no"), std::string::npos) << text.output;
 }
@@ -93,6 +93,39 @@ TEST_F(CheckCommand, BadFilesAreRefusedWithASentenceEach) {
   }
   EXPECT_EQ(run({"check", "five_bar", "--path", "/no/such/file", "--mode", "+-"}).code, exit_code::bad_input);
   EXPECT_EQ(check_path("t,x,y\n0,4.5,8\n", {"--constraint", "cones"}).code, exit_code::bad_input);
+}
+
+TEST_F(CheckCommand, JointsAreFollowedFromTheStart) {
+  const json start = test::run_json({"ik", "five_bar", "--pose", "4.5 8"});
+  const json end = test::run_json({"ik", "five_bar", "--pose", "4.6 8"});
+  const auto row = [](const json& poses) {
+    const json& q = poses.at("solutions")[0].at("joints");
+    return q[0].dump() + "," + q[1].dump() + "\n";
+  };
+  const std::string joints = start.at("actuated_joints")[0].get<std::string>() + "," +
+                             start.at("actuated_joints")[1].get<std::string>();
+  const std::string name = file("t," + joints + "\n0," + row(start) + "2," + row(end));
+  const std::vector<const char*> arguments{"check", "five_bar", "--trajectory", name.c_str(), "--json"};
+  const Outcome ambiguous = run(arguments);
+  EXPECT_EQ(ambiguous.code, exit_code::unknown) << ambiguous.messages;
+  EXPECT_NE(json::parse(ambiguous.output).at("reason").get<std::string>().find("assembly modes"),
+            std::string::npos);
+  std::vector<const char*> stated = arguments;
+  stated.insert(stated.end(), {"--start-pose", "4.5 8"});
+  const Outcome safe = run(stated);
+  EXPECT_EQ(safe.code, exit_code::ok) << safe.output << safe.messages;
+  stated.back() = "4.9 8";
+  EXPECT_EQ(run(stated).code, exit_code::bad_input);
+  file("t,shoulder\n0,1\n");
+  EXPECT_EQ(run(arguments).code, exit_code::bad_input);
+}
+
+TEST_F(CheckCommand, OptionsThatDoNotGoTogetherAreRefused) {
+  EXPECT_EQ(run({"check", "five_bar"}).code, exit_code::bad_input);
+  EXPECT_EQ(run({"check", "five_bar", "--path", "a", "--trajectory", "b"}).code, exit_code::bad_input);
+  EXPECT_EQ(run({"check", "five_bar", "--path", "a"}).code, exit_code::bad_input);
+  EXPECT_EQ(run({"check", "five_bar", "--trajectory", "a", "--mode", "+-"}).code, exit_code::bad_input);
+  EXPECT_EQ(run({"check", "five_bar", "--trajectory", "a", "--start-sign", "up"}).code, exit_code::bad_input);
 }
 
 TEST_F(CheckCommand, IsListedInTheHelp) {
