@@ -2,6 +2,7 @@
 #include "tools/trajectory_file.h"
 
 #include "tools/report/numbers.h"
+#include "tools/trajectory_yaml.h"
 #include "urdf/description/text_file.h"
 
 #include <algorithm>
@@ -41,11 +42,9 @@ std::ptrdiff_t place(const Names& names, const std::string& name) {
 }
 
 /// Numbers whose columns have names.
-Table read_table(const std::string& file, Problems& problems) {
+Table table_of(const std::string& file, const std::string& text, Problems& problems) {
   Table table;
-  const std::optional<std::string> text = read_text_file(file, problems);
-  if (!text) return table;
-  std::istringstream stream(*text);
+  std::istringstream stream(text);
   std::size_t number = 0;
   for (std::string line; std::getline(stream, line);) {
     ++number;
@@ -61,6 +60,14 @@ Table read_table(const std::string& file, Problems& problems) {
                        " has no waypoint; give a line with the names of the columns, and one for each "
                        "waypoint.");
   return table;
+}
+
+/// Throws `InvalidDescription` where it cannot be read.
+std::string text_of(const std::string& file) {
+  Problems problems;
+  const std::optional<std::string> text = read_text_file(file, problems);
+  if (!text) throw InvalidDescription(std::move(problems));
+  return *text;
 }
 
 /// A column each, once, and no other.
@@ -95,7 +102,7 @@ std::vector<PoseWaypoint> read_pose_waypoints(TaskSpace space, const std::string
   for (const std::string& name : coordinate_names(space)) needed.push_back(name);
   std::vector<PoseWaypoint> waypoints;
   Problems problems;
-  const Table table = read_table(file, problems);
+  const Table table = table_of(file, text_of(file), problems);
   for (const std::vector<double>& row : read_columns(file, table, needed, problems)) {
     const auto pose = pose_from_coordinates(
         space, Eigen::Map<const Eigen::VectorXd>(row.data() + 1, static_cast<Eigen::Index>(row.size() - 1)));
@@ -130,11 +137,10 @@ JointVector take(const std::vector<double>& row, std::size_t first, std::size_t 
   return Eigen::Map<const Eigen::VectorXd>(row.data() + first, static_cast<Eigen::Index>(legs));
 }
 
-}  // namespace
-
-std::vector<JointWaypoint> read_joint_waypoints(const Manipulator& manipulator, const std::string& file) {
+std::vector<JointWaypoint> waypoints_of_table(const Manipulator& manipulator, const std::string& file,
+                                              const std::string& text) {
   Problems problems;
-  const Table table = read_table(file, problems);
+  const Table table = table_of(file, text, problems);
   const std::size_t legs = manipulator.leg_count();
   Names joints;
   for (const Leg& leg : manipulator.legs()) joints.push_back(leg.actuated_joint);
@@ -149,6 +155,17 @@ std::vector<JointWaypoint> read_joint_waypoints(const Manipulator& manipulator, 
     if (velocities) waypoint.velocity = take(row, 1 + (accelerations ? 2 : 1) * legs, legs);
     waypoints.push_back(waypoint);
   }
+  return waypoints;
+}
+
+}  // namespace
+
+std::vector<JointWaypoint> read_joint_waypoints(const Manipulator& manipulator, const std::string& file) {
+  Problems problems;
+  const std::string text = text_of(file);
+  if (text.find("joint_names:") == std::string::npos) return waypoints_of_table(manipulator, file, text);
+  const auto waypoints = waypoints_of_message(manipulator, file, text, problems);
+  if (!problems.empty()) throw InvalidDescription(std::move(problems));
   return waypoints;
 }
 

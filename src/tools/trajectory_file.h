@@ -14,9 +14,10 @@ namespace parallel_aspects::tools {
 /// in any order, then a line for each waypoint. Throws `InvalidDescription` with every problem.
 std::vector<PoseWaypoint> read_pose_waypoints(TaskSpace space, const std::string& file);
 
-/// The values of the actuated joints in a CSV file: a header with `t` or `time` [s] and their names in any
-/// order [rad or m]; with NAME/velocity for each of them, and NAME/acceleration besides, where those are
-/// given. Throws `InvalidDescription` with every problem.
+/// The values of the actuated joints in a file: a trajectory_msgs/JointTrajectory as rostopic prints it, or
+/// CSV: a header with `t` or `time` [s] and their names in any order [rad or m]; with NAME/velocity for each
+/// of them, and NAME/acceleration besides, where those are given. Throws `InvalidDescription` with every
+/// problem.
 std::vector<JointWaypoint> read_joint_waypoints(const Manipulator& manipulator, const std::string& file);
 
 }  // namespace parallel_aspects::tools

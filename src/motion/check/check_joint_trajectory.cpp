@@ -146,14 +146,23 @@ class JointCheck {
     return Piece::taken;
   }
 
-  /// Of all poses about `at_`. No B_jj vanishes there, so that the working mode stays.
+  /// Of all that the platform and the joints can be in this piece. By the joints as well, B_jj is known to
+  /// the first order; by the pose alone it would be a square root.
   bool is_free(const JointRanges& range, double radius) const {
     for (std::size_t j = 0; j < manipulator_.leg_count(); ++j) {
       const JointLimits& limits = manipulator_.leg(j).limits;
       if (has_limits() && !(range[j].lower() >= limits.lower && range[j].upper() <= limits.upper))
         return false;
+      const double change = farthest(range[j], at_.q[static_cast<Eigen::Index>(j)]);
+      if (poses_.entry_sign(at_, j, radius, change) != mode_.sign(j)) return false;
     }
-    return around(radius).free;
+    return !has_others() || around(radius).free;
+  }
+
+  bool has_others() const {
+    ConstraintKinds kinds = manipulator_.constraint_kinds();
+    kinds[static_cast<std::size_t>(ConstraintKind::actuated_limits)] = false;
+    return kinds.any();
   }
 
   bool has_limits() const {

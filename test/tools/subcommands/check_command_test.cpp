@@ -120,6 +120,38 @@ TEST_F(CheckCommand, JointsAreFollowedFromTheStart) {
   EXPECT_EQ(run(arguments).code, exit_code::bad_input);
 }
 
+TEST_F(CheckCommand, MessagesAreReadAsRostopicPrintsThem) {
+  const json solutions = test::run_json({"ik", "five_bar", "--pose", "4.5 8"});
+  const json& q = solutions.at("solutions")[0].at("joints");
+  const json& joints = solutions.at("actuated_joints");
+  // The joints in another order than the legs.
+  const std::string names = "header: \n  seq: 0\njoint_names: \n  - " + joints[1].get<std::string>() +
+                            "\n  - " + joints[0].get<std::string>() + "\npoints: \n";
+  const auto point = [&q](const std::string& nsecs, const std::string& more) {
+    return "  - \n    positions: [" + q[1].dump() + ", " + q[0].dump() + "]\n    " + more +
+           "effort: []\n    time_from_start: \n      secs: 1\n      nsecs: " + nsecs + "\n";
+  };
+  const std::string still = "velocities: [0.0, 0.0]\n    accelerations: []\n    ";
+  const std::string name = file(names + point("0", still) + point("500000000", still) + "---\n");
+  const std::vector<const char*> arguments{"check",        "five_bar", "--trajectory", name.c_str(),
+                                           "--start-pose", "4.5 8",    "--json"};
+  const Outcome outcome = run(arguments);
+  ASSERT_EQ(outcome.code, exit_code::ok) << outcome.messages << outcome.output;
+  EXPECT_EQ(json::parse(outcome.output).at("free_until"), 1.5);
+  const std::vector<std::string> bad{names,
+                                     names + point("0", "velocities: [0.0]\n    "),
+                                     names + point("soon", still),
+                                     names + point("0", still) + point("0", still),
+                                     "joint_names: [a, b]\npoints: []\n",
+                                     "joint_names: [\n",
+                                     "joint_names: 3\n"};
+  for (const std::string& text : bad) {
+    file(text);
+    EXPECT_EQ(run(arguments).code, exit_code::bad_input) << text;
+    EXPECT_EQ(run(arguments).output, "");
+  }
+}
+
 TEST_F(CheckCommand, OptionsThatDoNotGoTogetherAreRefused) {
   EXPECT_EQ(run({"check", "five_bar"}).code, exit_code::bad_input);
   EXPECT_EQ(run({"check", "five_bar", "--path", "a", "--trajectory", "b"}).code, exit_code::bad_input);
