@@ -43,6 +43,8 @@ namespace parallel_aspects {}
 #include "parallel_aspects/model/problems.h"
 #include "parallel_aspects/model/task_space.h"
 #include "parallel_aspects/model/vectors.h"
+#include "parallel_aspects/motion/check_joint_trajectory.h"
+#include "parallel_aspects/motion/check_trajectory.h"
 #include "parallel_aspects/motion/local_motion.h"
 #include "parallel_aspects/motion/rehearsal.h"
 #include "parallel_aspects/motion/tour.h"

@@ -22,7 +22,9 @@ constexpr const char* description =
 constexpr const char* footer =
     "\nExit codes: 0 done, 1 the robot, a file or a number was refused, 2 the command line was not "
     "understood,\n"
-    "3 a question is open that only you can answer, 130 ended by Ctrl-C. Results go to the standard output, "
+    "3 a question is open that only you can answer, or `check` proved that it is not safe, 4 `check` does "
+    "not "
+    "know, 130 ended by Ctrl-C. Results go to the standard output, "
     "problems to the standard error, one a line.\n";
 
 bool is_interrupted(const Surroundings& surroundings) {
@@ -47,7 +49,8 @@ int perform(const Subcommand& subcommand, const Surroundings& surroundings) {
   try {
     const Report report = subcommand.run(surroundings);
     if (is_interrupted(surroundings)) return exit_code::interrupted;
-    return print(surroundings.json ? to_text(report.json) : report.text, surroundings);
+    const int printed = print(surroundings.json ? to_text(report.json) : report.text, surroundings);
+    return printed == exit_code::ok ? report.exit_code : printed;
   } catch (const Interrupted&) {
     return exit_code::interrupted;
   } catch (const Unanswered& question) {
@@ -99,9 +102,9 @@ class Command {
   }
 
   bool json_ = false;
-  std::vector<Subcommand> subcommands_{setup_subcommand(),    map_subcommand(),      connect_subcommand(),
-                                       describe_subcommand(), distance_subcommand(), inverse_subcommand(),
-                                       direct_subcommand(),   robots_subcommand()};
+  std::vector<Subcommand> subcommands_{setup_subcommand(),   map_subcommand(),      connect_subcommand(),
+                                       check_subcommand(),   describe_subcommand(), distance_subcommand(),
+                                       inverse_subcommand(), direct_subcommand(),   robots_subcommand()};
 };
 
 }  // namespace

@@ -46,6 +46,7 @@ struct Subcommand {
 };
 
 Subcommand map_subcommand();
+Subcommand check_subcommand();
 Subcommand connect_subcommand();
 Subcommand describe_subcommand();
 Subcommand distance_subcommand();

@@ -28,6 +28,7 @@ Continuation::Continuation(const PoseCertifier& certifier, const CertifiedPoint&
 // moves continuously; the new ball holds exactly one for those at its end. Where the new ball lies in the old
 // one the two are the same, so that the new point continues the old one.
 bool Continuation::step(double length) noexcept {
+  if (speed_ < 0.0) speed_ = certifier_.path_speed(at_, direction_);
   const CertifiedBall ball = certifier_.ball(at_, direction_, allowance_, length, speed_);
   if (!ball.certified) return false;
   const double share = share_ + length >= 1.0 ? 1.0 : share_ + length;
@@ -40,6 +41,7 @@ bool Continuation::step(double length) noexcept {
     return false;
   at_ = next;
   share_ = share;
+  radius_ = ball.radius;
   speed_ = -1.0;
   return true;
 }
@@ -47,7 +49,6 @@ bool Continuation::step(double length) noexcept {
 ContinuationStatus Continuation::advance() noexcept {
   const RoundingUpward upward;
   if (status_ != ContinuationStatus::unfinished) return status_;
-  if (speed_ < 0.0) speed_ = certifier_.path_speed(at_, direction_);
   length_ = std::min(length_, 1.0 - share_);
   while (!step(length_)) {
     length_ *= 0.5;

@@ -35,18 +35,25 @@ class Continuation {
   /// Goes on by one certified step.
   ContinuationStatus advance() noexcept;
 
+  /// Tries a step of exactly this share; false, and nothing has changed, where it cannot be certified. Needs
+  /// a live `RoundingUpward`.
+  bool step(double length) noexcept;
+
+  /// All solutions of the last step lie in the ball of this radius about the pose that it began at, in the
+  /// metric of `PoseCertifier::distance` [m].
+  double radius() const noexcept { return radius_; }
+
   /// Goes on to the end, or as far as `max_steps` lead.
   ContinuationStatus run(int max_steps) noexcept;
 
  private:
-  bool step(double length) noexcept;
-
   const PoseCertifier& certifier_;
   CertifiedPoint at_;
   JointVector start_, end_;
   TaskVector direction_, allowance_;
   double speed_ = -1.0;  // at `at_`; negative where it is not known yet
   double share_ = 0.0;
+  double radius_ = 0.0;
   double length_ = 1.0;  // of the next step to try, as a share of the path
   ContinuationStatus status_ = ContinuationStatus::unfinished;
 };

@@ -282,6 +282,18 @@ TaskVector PoseCertifier::entry_sines(const CertifiedPoint& point) const noexcep
   return sines;
 }
 
+// Along a straight way |u| stays below what it is at most, and B_jj changes by c'.Dp for the pose and by the
+// second derivative of F for the joint value.
+int PoseCertifier::entry_sign(const CertifiedPoint& point, std::size_t leg, double radius,
+                              double change) const noexcept {
+  assert_rounding_upward();
+  const double rod = point.rod[leg] + lever_[leg] * radius + legs_[leg].point_speed() * change;
+  const double off =
+      legs_[leg].point_speed() * lever_[leg] * radius + legs_[leg].joint_curvature(rod) * change;
+  const Interval entry = point.inverse_diagonal[leg] + Interval(-off, off);
+  return entry.positive() ? 1 : entry.negative() ? -1 : 0;
+}
+
 int PoseCertifier::determinant_sign(const CertifiedPoint& point) const noexcept {
   std::array<LegEnclosure, max_legs> legs;
   return proved_determinant_sign(size_, enclosed_matrix(point, legs));

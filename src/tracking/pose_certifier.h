@@ -82,6 +82,10 @@ class PoseCertifier {
   /// between rod and the normal of a rail; 1 or -1 for struts. Rounded.
   TaskVector entry_sines(const CertifiedPoint& point) const noexcept;
 
+  /// The sign of B_jj of a leg wherever the platform is within `radius` of `point`, in the metric of
+  /// `distance`, and the actuated joint within `change` of its value [rad or m]; 0 where that is not proved.
+  int entry_sign(const CertifiedPoint& point, std::size_t leg, double radius, double change) const noexcept;
+
   /// The sign of det A at `point`, and so in each ball around it; 0 where that is not proved.
   int determinant_sign(const CertifiedPoint& point) const noexcept;
 

@@ -38,6 +38,7 @@ const Strings rooms{"model",
                     "distance",
                     "tracking",
                     "motion",
+                    "motion/check",
                     "urdf/description",
                     "urdf/config",
                     "urdf/reading",
@@ -71,7 +72,7 @@ const Strings& libraries(const std::string& layer) {
   static const Strings aspects{"Eigen/", "tbb/", "zlib.h", "fcntl.h", "sys/stat.h", "unistd.h"};
   static const Strings urdf{"Eigen/",          "urdf_parser/", "urdf_model/", "urdf_world/",
                             "urdf_exception/", "yaml-cpp/",    "tinyxml2.h",  "console_bridge/"};
-  static const Strings tools{"Eigen/", "nlohmann/", "unistd.h"};
+  static const Strings tools{"Eigen/", "nlohmann/", "unistd.h", "yaml-cpp/"};
   return layer == "aspects" ? aspects : layer == "urdf" ? urdf : layer == "tools" ? tools : eigen;
 }
 

@@ -32,6 +32,14 @@ struct ConfigurationProof {
   std::optional<std::size_t> leg;  ///< which leg cannot reach, or whose actuated joint is outside its limits
 };
 
+/// What is proved of all poses about one.
+struct NeighbourhoodProof {
+  bool free = false;  ///< proved of each: every leg reaches, all constraints hold, B_jj != 0
+  Violation proved_violation = Violation::none;  ///< proved of each; never `singularity`
+  std::optional<ConstraintKind> failing;         ///< which constraint, where the violation is one
+  std::optional<std::size_t> leg;                ///< at fault, where it is one
+};
+
 /// What is proved of a whole segment.
 enum class SegmentVerdict {
   free,       ///< proved: every leg reaches, all constraints hold, B_jj != 0 and det A != 0 all along
@@ -44,8 +52,9 @@ struct SegmentProof {
   SegmentVerdict verdict = SegmentVerdict::undecided;  ///< of all of it
   Violation violation = Violation::none;               ///< where blocked: what is proved to stand in the way
   double free_until = 0.0;                             ///< proved free from t = 0 to here
-  double witness = 0.0;  ///< where blocked: proved to be violated at or before this t
-  int parts = 0;         ///< that were tried
+  double witness = 0.0;             ///< where blocked: proved to be violated at or before this t
+  int parts = 0;                    ///< that were tried
+  ConfigurationProof at_witness{};  ///< where `prove_to_violation` says blocked: what is proved at `witness`
 };
 
 /// Proves segments of poses (see `PoseSegment`) free of singularities within one working mode, in every task
@@ -72,6 +81,17 @@ class SegmentCertifier {
   /// The same, but goes as far as it can towards `to` (see `free_until`), which may be anywhere.
   SegmentProof prove_start(const Pose& from, const Pose& to, const WorkingMode& mode,
                            int max_parts = 400) const noexcept;
+
+  /// The same over all of the segment, both poses in the task space, and where it is blocked as near as it
+  /// can to the first violation: `witness` and `free_until` are at most `width` apart unless the parts are
+  /// used up. Where `from` is violated itself, both are 0.
+  SegmentProof prove_to_violation(const Pose& from, const Pose& to, const WorkingMode& mode, double width,
+                                  int max_parts = 2000) const noexcept;
+
+  /// What is proved of every pose of the task space that is at most so far from this one: by `displacement`
+  /// of the operational point [m] and by `angle` [rad].
+  NeighbourhoodProof prove_around(const Pose& pose, double displacement, double angle,
+                                  const WorkingMode& mode) const noexcept;
 
  private:
   struct Parts;

@@ -74,6 +74,13 @@ class SegmentCertifier::Evaluation {
     return found_;
   }
 
+  /// What is proved of all poses that a placement without slope encloses.
+  NeighbourhoodProof over(const PoseSegment::Placement& placement) {
+    found_ = {};
+    const bool free = legs_are_free(placement);
+    return {free, found_.proved_violation, found_.failing, found_.leg};
+  }
+
   /// Part by part from a start with this sign of det A, as long as the parts may be.
   SegmentProof march(int sign, int max_parts) {
     SegmentProof proof;
@@ -95,7 +102,37 @@ class SegmentCertifier::Evaluation {
     return proof;
   }
 
+  /// Takes a march that was not free as near to the first violation as it can.
+  void approach_violation(int sign, double width, int max_parts, SegmentProof& proof) {
+    if (proof.verdict == SegmentVerdict::undecided && !look_ahead(sign, proof))
+      block_if_violated(1.0, sign, proof);
+    if (proof.verdict != SegmentVerdict::blocked) return;
+    approach_from_start(sign, width, max_parts, proof);
+    // Where something else is in between that cannot be decided, such as det A that touches zero.
+    double open = proof.free_until;
+    while (proof.witness - open > width && proof.parts++ < max_parts) {
+      const double middle = open + 0.5 * (proof.witness - open);
+      if (!block_if_violated(middle, sign, proof)) open = middle;
+    }
+  }
+
  private:
+  void approach_from_start(int sign, double width, int max_parts, SegmentProof& proof) {
+    double step = 1.0;
+    while (proof.witness - proof.free_until > width && proof.parts < max_parts && step >= shortest_step) {
+      ++proof.parts;
+      const double middle = proof.free_until + 0.5 * (proof.witness - proof.free_until);
+      block_if_violated(middle, sign, proof);
+      step = std::min(step, 0.5 * (proof.witness - proof.free_until));
+      const double end = proof.free_until + step;
+      const bool free = is_free(proof.free_until, end);
+      const double ratio = ratio_;
+      if (free) proof.free_until = end;
+      if (!free) block_if_violated(end, sign, proof);
+      step *= free ? std::clamp(aimed_ratio / ratio, 0.5, 4.0) : std::clamp(aimed_ratio / ratio, 0.125, 0.5);
+    }
+  }
+
   bool look_ahead(int sign, SegmentProof& proof) {
     double ahead = 1.0 - proof.free_until;
     for (int i = 0; i < points_of_a_look; ++i) {
@@ -106,11 +143,13 @@ class SegmentCertifier::Evaluation {
   }
 
   bool block_if_violated(double t, int sign, SegmentProof& proof) {
-    const Violation found = violation_at(at(t), sign);
+    const ConfigurationProof here = at(t);
+    const Violation found = violation_at(here, sign);
     if (found == Violation::none) return false;
     proof.verdict = SegmentVerdict::blocked;
     proof.violation = found;
     proof.witness = t;
+    proof.at_witness = here;
     return true;
   }
 
@@ -124,7 +163,10 @@ class SegmentCertifier::Evaluation {
     found_ = {};
     const double middle = std::clamp(0.5 * (begin + end), begin, end);
     PoseSegment::Placement placement;
-    if (!segment_.place(PathForm::parameter(begin, middle, end), placement)) return false;
+    return segment_.place(PathForm::parameter(begin, middle, end), placement) && legs_are_free(placement);
+  }
+
+  bool legs_are_free(const PoseSegment::Placement& placement) {
     for (std::size_t j = 0; j < parts_.legs.size(); ++j)
       if (!leg_is_free(j, placement)) return false;
     if (!keeps_margins(placement)) return false;
@@ -258,6 +300,42 @@ SegmentProof SegmentCertifier::prove_start(const Pose& from, const Pose& to, con
   const ConfigurationProof start = prove(from, mode);
   if (start.sign == 0 || !is_usable(to, longest_length)) return {};
   return march(from, to, mode, start.sign, max_parts);
+}
+
+SegmentProof SegmentCertifier::prove_to_violation(const Pose& from, const Pose& to, const WorkingMode& mode,
+                                                  double width, int max_parts) const noexcept {
+  const ConfigurationProof start = prove(from, mode);
+  if (start.proved_violation != Violation::none)
+    return {SegmentVerdict::blocked, start.proved_violation, 0.0, 0.0, 0, start};
+  if (start.sign == 0 || !is_usable(to, longest_length)) return {};
+  const RoundingUpward rounding;
+  const PoseSegment segment(from, to);
+  Evaluation evaluation(*this, segment, mode);
+  SegmentProof proof = evaluation.march(start.sign, max_parts / 2);
+  if (proof.verdict != SegmentVerdict::free)
+    evaluation.approach_violation(start.sign, width, max_parts, proof);
+  return proof;
+}
+
+// A rotation by an angle changes no entry of a rotation matrix by more than that angle.
+NeighbourhoodProof SegmentCertifier::prove_around(const Pose& pose, double displacement, double angle,
+                                                  const WorkingMode& mode) const noexcept {
+  if (!parts_->usable || !is_usable(pose, longest_length) || mode.leg_count() != parts_->legs.size() ||
+      !(displacement < longest_length) || !(angle < longest_length))
+    return {};
+  const RoundingUpward rounding;
+  const RotationRows<Interval> turn = enclosed_rotation(pose.orientation);
+  const Interval away(-displacement, displacement), turned(-angle, angle);
+  PoseSegment::Placement placement;
+  const std::size_t moved = parts_->is_planar ? 2 : 3;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Interval at(pose.position[static_cast<Eigen::Index>(i)]);
+    placement.position[i] = i < moved ? at + away : at;
+    for (std::size_t k = 0; k < 3; ++k)
+      placement.rotation[i][k] = std::max(i, k) < moved ? turn[i][k] + turned : turn[i][k];
+  }
+  const PoseSegment still(pose, pose);
+  return Evaluation(*this, still, mode).over(placement);
 }
 
 SegmentProof SegmentCertifier::march(const Pose& from, const Pose& to, const WorkingMode& mode, int sign,

@@ -18,6 +18,7 @@ namespace parallel_aspects::tools {
 struct Report {
   nlohmann::json json;
   std::string text;
+  int exit_code = 0;  ///< of the command
 };
 
 /// A number as JSON: null where it is infinite or not a number, which JSON does not have.

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/aspects/segment_certifier.h"
 
+#include "parallel_aspects/kinematics/inverse.h"
+
 #include <gtest/gtest.h>
 
 #include "support/pose_pairs.h"
 #include "support/robots.h"
 #include "support/shipped.h"
 #include "support/thoroughness.h"
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iostream>
 #include <limits>
 #include <ostream>
 #include <string>
@@ -60,6 +64,16 @@ class SegmentCertifierTest : public testing::TestWithParam<Case> {
     }
   }
 
+  // A twist of at most so much rotation and displacement.
+  TaskVector random_step(double turn, double away) {
+    TaskVector step(static_cast<Eigen::Index>(robot->leg_count()));
+    const auto turns = static_cast<Eigen::Index>(rotational_degrees_of_freedom(robot->task_space()));
+    for (Eigen::Index k = 0; k < step.size(); ++k) step[k] = pairs.uniform(-1.0, 1.0);
+    step.head(turns) *= turn / std::max(1.0, step.head(turns).norm());
+    step.tail(step.size() - turns) *= away / std::max(1.0, step.tail(step.size() - turns).norm());
+    return step;
+  }
+
   // Whether legs reach and det A keeps this sign at evenly spread points, as plain doubles see it.
   bool seems_free(const Pose& from, const Pose& to, const WorkingMode& mode, int points) const {
     const int sign = sign_in_doubles(*robot, from, mode);
@@ -73,6 +87,37 @@ class SegmentCertifierTest : public testing::TestWithParam<Case> {
   SegmentCertifier certifier{robot};
   test::PosePairs pairs{robot, 20261121};
 };
+
+TEST_P(SegmentCertifierTest, NoPoseOfANeighbourhoodContradictsWhatIsProvedOfAll) {
+  long free = 0, outside = 0;
+  for (int i = 0; i < test::thinned(400); ++i) {
+    const WorkingMode mode = pairs.mode();
+    const auto reached = pairs.reached(mode);
+    if (!reached) continue;
+    const double size = robot->size() * std::pow(10.0, pairs.uniform(-4.0, -1.0));
+    const Pose middle = displaced(robot->task_space(), *reached, random_step(1.0, robot->size()));
+    const double angle = size / robot->size();
+    const Pose& pose = i % 2 == 0 ? *reached : middle;
+    const NeighbourhoodProof proof = certifier.prove_around(pose, size, angle, mode);
+    free += proof.free ? 1 : 0;
+    outside += proof.proved_violation == Violation::out_of_reach ? 1 : 0;
+    for (int k = 0; k < 40; ++k) {
+      const Pose near = displaced(robot->task_space(), pose, random_step(angle, size));
+      const InverseStatus status = inverse(*robot, near, mode).status;
+      if (proof.free) {
+        EXPECT_EQ(status, InverseStatus::solved) << text(*robot, mode, pose, near);
+      }
+      if (proof.proved_violation == Violation::out_of_reach) {
+        EXPECT_EQ(status, InverseStatus::out_of_reach) << text(*robot, mode, pose, near);
+      }
+      if (proof.proved_violation == Violation::joint_limit) {
+        EXPECT_NE(status, InverseStatus::solved) << text(*robot, mode, pose, near);
+      }
+    }
+  }
+  EXPECT_GT(free, 0);
+  std::cout << free << " free, " << outside << " out of reach\n";
+}
 
 TEST_P(SegmentCertifierTest, NoRandomPointContradictsWhatIsProved) {
   long proved = 0, checked = 0;

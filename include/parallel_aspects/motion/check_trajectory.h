@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_MOTION_CHECK_TRAJECTORY_H
+#define PARALLEL_ASPECTS_MOTION_CHECK_TRAJECTORY_H
+
+#include "parallel_aspects/aspects/segment_certifier.h"
+#include "parallel_aspects/kinematics/working_mode.h"
+#include "parallel_aspects/model/constraints.h"
+#include "parallel_aspects/model/manipulator.h"
+#include "parallel_aspects/model/pose.h"
+#include "parallel_aspects/model/problems.h"
+#include "parallel_aspects/model/vectors.h"
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// A pose that the platform passes, and when.
+struct PoseWaypoint {
+  double time = 0.0;  ///< [s]
+  Pose pose;          ///< in the task frame
+};
+
+/// Whether a trajectory is safe at every time from its first waypoint to its last.
+enum class TrajectoryAnswer {
+  safe,     ///< proved: no singularity is met, every leg reaches and all constraints hold
+  unsafe,   ///< proved not to be safe
+  unknown,  ///< neither is proved
+};
+
+/// "yes", "no" or "unknown".
+const char* name(TrajectoryAnswer answer) noexcept;
+
+/// The first violation of a trajectory, between two times.
+struct TrajectoryViolation {
+  Violation kind = Violation::none;          ///< what is proved to be violated at `before`
+  std::optional<std::size_t> leg;            ///< at fault, where it is one
+  std::optional<ConstraintKind> constraint;  ///< that does not hold, where it is one
+  double after = 0.0;                        ///< proved free from the start to here [s]
+  double before = 0.0;                       ///< proved to be violated here or earlier [s]
+};
+
+/// The least value that was met, of samples.
+struct SampledLeast {
+  double value = std::numeric_limits<double>::infinity();  ///< infinite where nothing was sampled
+  double time = 0.0;                                       ///< [s]
+  std::size_t leg = 0;                                     ///< whose it is, of a value by leg
+};
+
+/// The fastest motion of an actuated joint, of samples.
+struct SampledSpeed {
+  double value = 0.0;  ///< mean between two samples [rad/s or m/s]; the joint is at least once as fast
+  double time = 0.0;   ///< at the later of the two [s]
+};
+
+/// What is known of a trajectory.
+struct TrajectoryCheck {
+  TrajectoryAnswer answer = TrajectoryAnswer::unknown;  ///< of all of its continuous time
+  std::string reason;                                   ///< a sentence
+  double free_until = 0.0;                              ///< proved free from the start to here [s]
+  std::optional<TrajectoryViolation> violation;         ///< where unsafe: the first
+  SampledLeast parallel_index;                          ///< by `parallel_index`, up to `free_until`
+  SampledLeast serial_index;                            ///< by `serial_indices`, up to `free_until`
+  std::vector<SampledSpeed> speeds;                     ///< of each actuated joint, up to `free_until`
+};
+
+/// How a trajectory is checked.
+struct TrajectoryCheckOptions {
+  double bracket = 1e-6;  ///< width of that of the first violation, over the time between two waypoints
+  int max_parts = 4000;   ///< of the time between two waypoints that are tried to be proved
+  int samples = 200;      ///< of indices and speeds, at least
+};
+
+/// Every reason why poses cannot be checked, a message each: no waypoint, numbers that are not finite, times
+/// that do not rise, a working mode that the robot does not have, a first pose out of reach.
+Problems problems_of(const Manipulator& manipulator, const std::vector<PoseWaypoint>& waypoints,
+                     const WorkingMode& mode);
+
+/// Checks a path of the platform in one working mode: between waypoints it runs as `pose_between`, at even
+/// parameter in time. Unknown, with the first problem as its reason, where there are `problems_of`.
+TrajectoryCheck check_trajectory(const SegmentCertifier& certifier,
+                                 const std::vector<PoseWaypoint>& waypoints, const WorkingMode& mode,
+                                 const TrajectoryCheckOptions& options = {});
+
+/// Which actuated joints were faster than their velocity limits, with both numbers; empty where none was.
+std::string exceeded_speeds(const Manipulator& manipulator, const TrajectoryCheck& check);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_MOTION_CHECK_TRAJECTORY_H

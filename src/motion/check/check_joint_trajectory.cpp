@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/motion/check_joint_trajectory.h"
+
+#include "interval/path_form.h"
+#include "model/number_text.h"
+#include "motion/check/joint_path.h"
+#include "motion/check/start_assembly.h"
+#include "motion/check/trajectory_survey.h"
+#include "motion/check/unassembled.h"
+#include "tracking/continuation.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace parallel_aspects {
+namespace {
+
+// Shares of the time between two waypoints.
+constexpr double longest_piece = 0x1p-3;  // so that there are some samples
+constexpr double narrow_piece = 0x1p-20;  // that is still tried to be proved free
+constexpr double shortest_piece = 0x1p-36;
+constexpr double longest_probe = 0x1p-6;
+
+// Where times are compared with a proof, rounding must not shorten the bracket.
+constexpr double time_rounding = 0x1p-50;
+
+using JointRanges = std::array<Interval, max_legs>;
+
+double farthest(const Interval& values, double value) {
+  return std::max({0.0, values.upper() - value, value - values.lower()});
+}
+
+/// Follows the platform piece by piece, each of which is proved.
+class JointCheck {
+ public:
+  JointCheck(const SegmentCertifier& certifier, const std::vector<JointWaypoint>& waypoints,
+             const TrajectoryCheckOptions& options)
+      : certifier_(certifier),
+        manipulator_(*certifier.manipulator()),
+        poses_(manipulator_),
+        waypoints_(waypoints),
+        options_(options),
+        survey_(manipulator_, check_) {}
+
+  TrajectoryCheck run(const TrajectoryStart& start) {
+    check_.free_until = waypoints_.front().time;
+    StartAssembly assembly = find_start(manipulator_, poses_, waypoints_.front().q, start);
+    check_.reason = assembly.problem;
+    if (!assembly.problem.empty()) return check_;
+    at_ = assembly.point;
+    begin();
+    const std::size_t segments = std::max<std::size_t>(waypoints_.size() - 1, 1);
+    for (std::size_t i = 0; i < segments && outcome_ == Outcome::open; ++i) pass(i);
+    conclude();
+    return check_;
+  }
+
+ private:
+  enum class Outcome { open, violated, lost, stretched, cut_short };
+  enum class Piece { taken, not_followed, not_free };
+
+  const JointWaypoint& end_of(std::size_t i) const {
+    return waypoints_[std::min(i + 1, waypoints_.size() - 1)];
+  }
+
+  double time_at(std::size_t i, double share) const {
+    return waypoints_[i].time + share * (end_of(i).time - waypoints_[i].time);
+  }
+
+  double rounding_of(std::size_t i) const {
+    return time_rounding * std::max(std::abs(waypoints_[i].time), std::abs(end_of(i).time));
+  }
+
+  void begin() {
+    const RoundingUpward upward;
+    mode_ = WorkingMode(manipulator_.leg_count());
+    const double radius = poses_.ball(at_).radius;
+    for (std::size_t j = 0; j < manipulator_.leg_count(); ++j) {
+      const int sign = poses_.entry_sign(at_, j, radius, 0.0);
+      if (sign == 0) outcome_ = Outcome::stretched;
+      mode_.set_sign(j, sign < 0 ? -1 : 1);
+    }
+    JointRanges q;
+    for (std::size_t j = 0; j < manipulator_.leg_count(); ++j)
+      q[j] = Interval(waypoints_.front().q[static_cast<Eigen::Index>(j)]);
+    if (outcome_ == Outcome::open) look_for_violation(q, check_.free_until);
+    survey_.add(check_.free_until, at_.pose, at_.q);
+  }
+
+  void pass(std::size_t i) {
+    const RoundingUpward upward;
+    const JointPath path(waypoints_[i], end_of(i));
+    double share = 0.0;
+    for (int parts = 0; share < 1.0 && outcome_ == Outcome::open; ++parts) {
+      if (parts == options_.max_parts) outcome_ = Outcome::cut_short;
+      const double end = 1.0 - share <= length_ ? 1.0 : share + length_;
+      const Piece piece = go(path, share, end);
+      if (piece == Piece::taken) {
+        share = end;
+        arrive(i, path, share);
+        length_ = std::min(2.0 * length_, is_free_ ? longest_piece : longest_probe);
+      } else if (piece == Piece::not_free && length_ <= narrow_piece) {
+        is_free_ = false;
+      } else {
+        length_ *= 0.5;
+        if (length_ < shortest_piece) lose(i, path, share);
+      }
+    }
+  }
+
+  /// Where no pose goes with the joints a little later, the platform has met det A = 0 before.
+  void lose(std::size_t i, const JointPath& path, double share) {
+    outcome_ = Outcome::lost;
+    for (double ahead = shortest_piece; share + ahead < 1.0; ahead *= 2.0) {
+      if (!proved_unassembled(manipulator_, ranges_at(path, share + ahead))) continue;
+      const double time = time_at(i, share + ahead) + rounding_of(i);
+      return violate(Violation::singularity, {}, {}, std::min(end_of(i).time, time));
+    }
+  }
+
+  JointRanges ranges_at(const JointPath& path, double share) const {
+    JointRanges q;
+    for (std::size_t j = 0; j < manipulator_.leg_count(); ++j) q[j] = path.value(j, share);
+    return q;
+  }
+
+  /// Straight from the point that is known to one near the end of the piece; what the joints are off that
+  /// way is within its allowance.
+  Piece go(const JointPath& path, double begin, double end) {
+    JointVector target(at_.q.size()), bend(at_.q.size());
+    JointRanges range;
+    for (std::size_t j = 0; j < manipulator_.leg_count(); ++j) {
+      const auto k = static_cast<Eigen::Index>(j);
+      const Interval first = path.value(j, begin), last = path.value(j, end);
+      target[k] = 0.5 * (last.lower() + last.upper());
+      const double bent = path.bend(j, begin, end);
+      bend[k] = bent + std::max(farthest(first, at_.q[k]), farthest(last, target[k]));
+      range[j] = Interval(std::min(first.lower(), last.lower()), std::max(first.upper(), last.upper())) +
+                 Interval(-bent, bent);
+    }
+    Continuation way(poses_, at_, target, bend);
+    if (!way.step(1.0)) return Piece::not_followed;
+    if (is_free_ && !is_free(range, way.radius())) return Piece::not_free;
+    at_ = way.at();
+    return Piece::taken;
+  }
+
+  /// Of all that the platform and the joints can be in this piece. By the joints as well, B_jj is known to
+  /// the first order; by the pose alone it would be a square root.
+  bool is_free(const JointRanges& range, double radius) const {
+    for (std::size_t j = 0; j < manipulator_.leg_count(); ++j) {
+      const JointLimits& limits = manipulator_.leg(j).limits;
+      if (has_limits() && !(range[j].lower() >= limits.lower && range[j].upper() <= limits.upper))
+        return false;
+      const double change = farthest(range[j], at_.q[static_cast<Eigen::Index>(j)]);
+      if (poses_.entry_sign(at_, j, radius, change) != mode_.sign(j)) return false;
+    }
+    return !has_others() || around(radius).free;
+  }
+
+  bool has_others() const {
+    ConstraintKinds kinds = manipulator_.constraint_kinds();
+    kinds[static_cast<std::size_t>(ConstraintKind::actuated_limits)] = false;
+    return kinds.any();
+  }
+
+  bool has_limits() const {
+    return manipulator_.constraint_kinds()[static_cast<std::size_t>(ConstraintKind::actuated_limits)];
+  }
+
+  NeighbourhoodProof around(double radius) const {
+    return certifier_.prove_around(
+        at_.pose, has_translation(manipulator_.task_space()) ? radius : 0.0,
+        has_rotation(manipulator_.task_space()) ? radius / manipulator_.characteristic_length() : 0.0, mode_);
+  }
+
+  void arrive(std::size_t i, const JointPath& path, double share) {
+    if (is_free_) {
+      check_.free_until =
+          share >= 1.0 ? end_of(i).time : std::max(waypoints_[i].time, time_at(i, share) - rounding_of(i));
+      survey_.add(time_at(i, share), at_.pose, at_.q);
+      return;
+    }
+    look_for_violation(ranges_at(path, share), std::min(end_of(i).time, time_at(i, share) + rounding_of(i)));
+  }
+
+  /// Here, where the joints are within `q`.
+  void look_for_violation(const JointRanges& q, double time) {
+    const std::size_t legs = manipulator_.leg_count();
+    TaskVector change(at_.q.size());
+    for (std::size_t j = 0; j < legs; ++j) {
+      const auto k = static_cast<Eigen::Index>(j);
+      change[k] = farthest(q[j], at_.q[k]);
+      const JointLimits& limits = manipulator_.leg(j).limits;
+      if (has_limits() && (q[j].upper() < limits.lower || q[j].lower() > limits.upper))
+        return violate(Violation::joint_limit, j, ConstraintKind::actuated_limits, time);
+    }
+    const TaskVector still = TaskVector::Zero(at_.q.size());
+    const CertifiedBall ball = poses_.ball(at_, still, change, 0.0, 0.0);
+    if (!ball.certified) return;
+    for (std::size_t j = 0; j < legs; ++j) {
+      const int sign = poses_.entry_sign(at_, j, ball.radius, change[static_cast<Eigen::Index>(j)]);
+      if (sign == -mode_.sign(j)) return violate(Violation::out_of_reach, j, {}, time);
+      if (sign == 0) return;
+    }
+    const NeighbourhoodProof proof = around(ball.radius);
+    if (proof.proved_violation == Violation::constraint)
+      violate(Violation::constraint, proof.leg, proof.failing, time);
+  }
+
+  void violate(Violation kind, std::optional<std::size_t> leg, std::optional<ConstraintKind> constraint,
+               double time) {
+    check_.violation = TrajectoryViolation{kind, leg, constraint, check_.free_until, time};
+    outcome_ = Outcome::violated;
+  }
+
+  void conclude() {
+    const std::string free = "Proved free until " + number_text(check_.free_until, 9) + " s; just after it ";
+    check_.answer = outcome_ == Outcome::violated           ? TrajectoryAnswer::unsafe
+                    : outcome_ == Outcome::open && is_free_ ? TrajectoryAnswer::safe
+                                                            : TrajectoryAnswer::unknown;
+    if (check_.answer == TrajectoryAnswer::safe)
+      check_.reason = safe_text();
+    else if (outcome_ == Outcome::violated)
+      check_.reason = unsafe_text(manipulator_, *check_.violation);
+    else if (outcome_ == Outcome::stretched)
+      check_.reason = "A leg is stretched or folded at the start (B_jj = 0), or too near to it.";
+    else if (outcome_ == Outcome::lost && is_free_)
+      check_.reason = free + "it comes too near to det A = 0 to be followed.";
+    else
+      check_.reason = free + "it comes too near to a singularity or a limit to be determined.";
+  }
+
+  const SegmentCertifier& certifier_;
+  const Manipulator& manipulator_;
+  PoseCertifier poses_;
+  const std::vector<JointWaypoint>& waypoints_;
+  const TrajectoryCheckOptions& options_;
+  TrajectoryCheck check_;
+  TrajectorySurvey survey_;
+  CertifiedPoint at_;
+  WorkingMode mode_;
+  double length_ = longest_piece;  // of the next piece
+  bool is_free_ = true;            // proved up to here
+  Outcome outcome_ = Outcome::open;
+};
+
+std::string numbered(std::size_t index) { return "Waypoint " + std::to_string(index + 1); }
+
+bool is_usable(const JointVector& values, Eigen::Index legs, bool required) {
+  return values.size() == 0 ? !required : values.size() == legs && values.allFinite();
+}
+
+void check_numbers(const JointWaypoint& waypoint, const std::string& which, Eigen::Index legs,
+                   Problems& problems) {
+  if (!std::isfinite(waypoint.time) || !is_usable(waypoint.q, legs, true) ||
+      !is_usable(waypoint.velocity, legs, false) || !is_usable(waypoint.acceleration, legs, false))
+    problems.push_back(which + " needs " + std::to_string(legs) +
+                       " finite joint values, and as many velocities and accelerations or none.");
+  else if (waypoint.acceleration.size() > 0 && waypoint.velocity.size() == 0)
+    problems.push_back(which + " has accelerations but no velocities; give both.");
+}
+
+}  // namespace
+
+Problems problems_of(const Manipulator& manipulator, const std::vector<JointWaypoint>& waypoints,
+                     const TrajectoryStart& start) {
+  if (waypoints.empty()) return {"The trajectory has no waypoint; give one or more."};
+  Problems problems;
+  const auto legs = static_cast<Eigen::Index>(manipulator.leg_count());
+  for (std::size_t i = 0; i < waypoints.size(); ++i) check_numbers(waypoints[i], numbered(i), legs, problems);
+  if (!problems.empty()) return problems;
+  for (std::size_t i = 1; i < waypoints.size(); ++i)
+    if (!(waypoints[i].time > waypoints[i - 1].time))
+      problems.push_back(numbered(i) + " is not later than the one before; times must rise.");
+  if (manipulator.tolerance() > 0.0)
+    problems.emplace_back(
+        "Trajectories of actuated joints are not checked within a tolerance; leave it out.");
+  const std::string misfit = start_misfit(manipulator, waypoints.front().q, start);
+  if (!misfit.empty()) problems.push_back(misfit);
+  return problems;
+}
+
+TrajectoryCheck check_trajectory(const SegmentCertifier& certifier,
+                                 const std::vector<JointWaypoint>& waypoints, const TrajectoryStart& start,
+                                 const TrajectoryCheckOptions& options) {
+  const Problems problems = problems_of(*certifier.manipulator(), waypoints, start);
+  if (problems.empty()) return JointCheck(certifier, waypoints, options).run(start);
+  TrajectoryCheck check;
+  check.reason = problems.front();
+  return check;
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/motion/check_joint_trajectory.h"
+#include "tools/arguments.h"
+#include "tools/report/bounds_report.h"
+#include "tools/report/reports.h"
+#include "tools/report/text_table.h"
+#include "tools/subcommands.h"
+#include "tools/trajectory_file.h"
+
+#include <optional>
+#include <utility>
+
+namespace parallel_aspects::tools {
+namespace {
+
+using nlohmann::json;
+
+struct CheckArguments {
+  RobotChoice robot;
+  std::string path, mode, trajectory, start_pose, start_sign;
+  ConstraintArguments constraints;
+};
+
+const char* name_of(Violation kind) {
+  switch (kind) {
+    case Violation::singularity:
+      return "parallel_singularity";
+    case Violation::out_of_reach:
+      return "serial_singularity";
+    case Violation::joint_limit:
+      return "actuated_limit";
+    case Violation::constraint:
+      return "constraint";
+    case Violation::none:
+      break;
+  }
+  return "none";
+}
+
+json json_violation(const Manipulator& manipulator, const TrajectoryViolation& violation) {
+  return {{"kind", name_of(violation.kind)},
+          {"leg", violation.leg ? json(manipulator.leg(*violation.leg).name) : json()},
+          {"constraint", violation.constraint ? json(name(*violation.constraint)) : json()},
+          {"after", violation.after},
+          {"before", violation.before}};
+}
+
+bool is_crossing(const TrajectoryViolation& violation) {
+  return violation.kind == Violation::singularity || violation.kind == Violation::out_of_reach;
+}
+
+json json_least(const SampledLeast& least) {
+  return {{"value", json_number(least.value)}, {"time", json_number(least.time)}};
+}
+
+json json_speeds(const Manipulator& manipulator, const TrajectoryCheck& check) {
+  json speeds = json::array();
+  for (std::size_t j = 0; j < check.speeds.size(); ++j) {
+    const double limit = manipulator.leg(j).limits.velocity;
+    speeds.push_back({{"joint", manipulator.leg(j).actuated_joint},
+                      {"fastest", check.speeds[j].value},
+                      {"time", check.speeds[j].time},
+                      {"limit", json_number(limit)},
+                      {"exceeded", check.speeds[j].value > limit}});
+  }
+  return speeds;
+}
+
+json json_check(const Manipulator& manipulator, const TrajectoryCheck& check) {
+  json serial = json_least(check.serial_index);
+  serial["leg"] = manipulator.leg(check.serial_index.leg).name;
+  json object = {{"mechanism", manipulator.name()},
+                 {"task_space", std::string(name(manipulator.task_space()))},
+                 {"answer", name(check.answer)},
+                 {"proved", check.answer != TrajectoryAnswer::unknown},
+                 {"reason", check.reason},
+                 {"free_until", check.free_until},
+                 {"first_violation", nullptr},
+                 {"crossings", json::array()},
+                 {"least_index", {{"parallel", json_least(check.parallel_index)}, {"serial", serial}}},
+                 {"speeds", json_speeds(manipulator, check)}};
+  if (check.violation) object["first_violation"] = json_violation(manipulator, *check.violation);
+  if (check.violation && is_crossing(*check.violation))
+    object["crossings"].push_back(object["first_violation"]);
+  return object;
+}
+
+std::string sampled_text(const Manipulator& manipulator, const TrajectoryCheck& check) {
+  TextTable table({"sampled", ">least or fastest", ">at [s]", ">limit"});
+  table.add({"parallel index", shown(check.parallel_index.value), shown(check.parallel_index.time), "-"});
+  table.add({"serial index, leg '" + manipulator.leg(check.serial_index.leg).name + "'",
+             shown(check.serial_index.value), shown(check.serial_index.time), "-"});
+  for (std::size_t j = 0; j < check.speeds.size(); ++j) {
+    const Leg& leg = manipulator.leg(j);
+    table.add({"speed of '" + leg.actuated_joint + "' [" + joint_unit(leg) + "/s]",
+               shown(check.speeds[j].value), shown(check.speeds[j].time), shown(leg.limits.velocity)});
+  }
+  return table.text();
+}
+
+std::string check_text(const Manipulator& manipulator, const TrajectoryCheck& check) {
+  std::string text = manipulator.name() + ", safe: " + name(check.answer) + "\n" + check.reason + "\n";
+  const std::string fast = exceeded_speeds(manipulator, check);
+  if (!fast.empty()) text += "Faster than its velocity limit: " + fast + ".\n";
+  return text + '\n' + sampled_text(manipulator, check);
+}
+
+int code_of(TrajectoryAnswer answer) {
+  return answer == TrajectoryAnswer::safe     ? exit_code::ok
+         : answer == TrajectoryAnswer::unsafe ? exit_code::unsafe
+                                              : exit_code::unknown;
+}
+
+Report report_check(const Manipulator& manipulator, const TrajectoryCheck& check) {
+  Report report{json_check(manipulator, check), check_text(manipulator, check), code_of(check.answer)};
+  const Report constraints = report_constraints(manipulator);
+  report.json.update(constraints.json);
+  report.text += '\n' + constraints.text;
+  return report;
+}
+
+TrajectoryCheck check_path(const std::shared_ptr<const Manipulator>& manipulator,
+                           const CheckArguments& arguments) {
+  Problems problems;
+  if (arguments.mode.empty() || !arguments.start_pose.empty() || !arguments.start_sign.empty())
+    throw InvalidDescription({"--path needs --mode, and no start of actuated joints; correct the options."});
+  const auto mode = parse_mode("--mode", *manipulator, arguments.mode, problems);
+  if (!mode) throw InvalidDescription(std::move(problems));
+  const auto waypoints = read_pose_waypoints(manipulator->task_space(), arguments.path);
+  problems = problems_of(*manipulator, waypoints, *mode);
+  if (!problems.empty()) throw InvalidDescription(std::move(problems));
+  return check_trajectory(SegmentCertifier(manipulator), waypoints, *mode);
+}
+
+TrajectoryStart parse_start(const Manipulator& manipulator, const CheckArguments& arguments) {
+  Problems problems;
+  TrajectoryStart start;
+  if (!arguments.start_pose.empty())
+    start.pose = parse_pose("--start-pose", manipulator.task_space(), arguments.start_pose, problems);
+  if (!arguments.start_sign.empty() && arguments.start_sign != "+" && arguments.start_sign != "-")
+    problems.push_back("--start-sign is '" + arguments.start_sign + "'; give + or -, the sign of det A.");
+  if (start.pose && !arguments.start_sign.empty())
+    problems.emplace_back("--start-pose and --start-sign both state the start; give one of the two.");
+  if (!problems.empty()) throw InvalidDescription(std::move(problems));
+  start.determinant_sign = arguments.start_sign.empty() ? 0 : arguments.start_sign == "+" ? 1 : -1;
+  return start;
+}
+
+TrajectoryCheck check_joints(const std::shared_ptr<const Manipulator>& manipulator,
+                             const CheckArguments& arguments) {
+  if (!arguments.mode.empty())
+    throw InvalidDescription(
+        {"--mode is of --path; the start of actuated joints tells theirs, leave it out."});
+  const TrajectoryStart start = parse_start(*manipulator, arguments);
+  const auto waypoints = read_joint_waypoints(*manipulator, arguments.trajectory);
+  Problems problems = problems_of(*manipulator, waypoints, start);
+  if (!problems.empty()) throw InvalidDescription(std::move(problems));
+  return check_trajectory(SegmentCertifier(manipulator), waypoints, start);
+}
+
+TrajectoryCheck check(const std::shared_ptr<const Manipulator>& manipulator,
+                      const CheckArguments& arguments) {
+  if (arguments.path.empty() == arguments.trajectory.empty())
+    throw InvalidDescription({"Give one of --path, for poses, and --trajectory, for actuated joints."});
+  return arguments.path.empty() ? check_joints(manipulator, arguments) : check_path(manipulator, arguments);
+}
+
+}  // namespace
+
+Subcommand check_subcommand() {
+  const auto arguments = std::make_shared<CheckArguments>();
+  std::vector<Option> options = robot_options(arguments->robot);
+  options.push_back({"--path", "FILE",
+                     "CSV with poses of the platform: a header such as time,x,y and a line for each waypoint "
+                     "[s, m, rad]",
+                     &arguments->path});
+  options.push_back({"--mode", "\"(+,-)\"", "Working mode of the poses, as signs of B_jj", &arguments->mode});
+  options.push_back(
+      {"--trajectory", "FILE",
+       "CSV with values of the actuated joints: a header of time and their names, NAME/velocity and "
+       "NAME/acceleration where known",
+       &arguments->trajectory});
+  options.push_back(
+      {"--start-pose", "\"x y\"",
+       "About where the platform is at the start, where actuated joints have several assembly modes",
+       &arguments->start_pose});
+  options.push_back({"--start-sign", "+", "Or the sign of det A there", &arguments->start_sign});
+  for (const Option& option : constraint_options(arguments->constraints)) options.push_back(option);
+  return {
+      "check", "Tell whether a trajectory is safe at every time", options, [arguments](const Surroundings&) {
+        const auto mechanism = load_robot(arguments->robot);
+        const auto manipulator = choose_constraints(mechanism->mapped_manipulator(), arguments->constraints);
+        return report_check(*manipulator, check(manipulator, *arguments));
+      }};
+}
+
+}  // namespace parallel_aspects::tools

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/trajectory_file.h"
+
+#include "tools/report/numbers.h"
+#include "tools/trajectory_yaml.h"
+#include "urdf/description/text_file.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <sstream>
+#include <utility>
+
+namespace parallel_aspects::tools {
+namespace {
+
+using Names = std::vector<std::string>;
+
+struct Table {
+  Names names;
+  std::vector<std::vector<double>> rows;
+};
+
+bool is_blank(const std::string& line) { return line.find_first_not_of(" \t\r,") == std::string::npos; }
+
+Names split(std::string line) {
+  std::replace(line.begin(), line.end(), ',', ' ');
+  std::istringstream stream(line);
+  Names names;
+  for (std::string word; stream >> word;) names.push_back(word == "t" ? "time" : word);
+  return names;
+}
+
+std::string joined(const Names& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ",") + name;
+  return text;
+}
+
+std::ptrdiff_t place(const Names& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) - names.begin();
+}
+
+/// Numbers whose columns have names.
+Table table_of(const std::string& file, const std::string& text, Problems& problems) {
+  Table table;
+  std::istringstream stream(text);
+  std::size_t number = 0;
+  for (std::string line; std::getline(stream, line);) {
+    ++number;
+    if (is_blank(line)) continue;
+    if (table.names.empty())
+      table.names = split(line);
+    else
+      table.rows.push_back(
+          parse_numbers(file + ", line " + std::to_string(number) + ",", line, table.names, problems));
+  }
+  if (table.rows.empty() && problems.empty())
+    problems.push_back(file +
+                       " has no waypoint; give a line with the names of the columns, and one for each "
+                       "waypoint.");
+  return table;
+}
+
+/// Throws `InvalidDescription` where it cannot be read.
+std::string text_of(const std::string& file) {
+  Problems problems;
+  const std::optional<std::string> text = read_text_file(file, problems);
+  if (!text) throw InvalidDescription(std::move(problems));
+  return *text;
+}
+
+/// A column each, once, and no other.
+void require_columns(const std::string& file, const Names& given, const Names& needed, Problems& problems) {
+  const std::string all = "; the columns are " + joined(needed) + ".";
+  for (const std::string& name : needed)
+    if (std::count(given.begin(), given.end(), name) != 1)
+      problems.push_back(file + " does not have the column '" + name + "' once" + all);
+  for (const std::string& name : given)
+    if (std::count(needed.begin(), needed.end(), name) == 0)
+      problems.push_back(file + " has the unknown column '" + name + "'" + all);
+}
+
+/// The rows with their columns in the order of `needed`.
+std::vector<std::vector<double>> read_columns(const std::string& file, const Table& table,
+                                              const Names& needed, Problems problems) {
+  if (!table.names.empty()) require_columns(file, table.names, needed, problems);
+  if (!problems.empty()) throw InvalidDescription(std::move(problems));
+  std::vector<std::vector<double>> rows;
+  for (const std::vector<double>& row : table.rows) {
+    rows.emplace_back();
+    for (const std::string& name : needed)
+      rows.back().push_back(row[static_cast<std::size_t>(place(table.names, name))]);
+  }
+  return rows;
+}
+
+}  // namespace
+
+std::vector<PoseWaypoint> read_pose_waypoints(TaskSpace space, const std::string& file) {
+  Names needed{"time"};
+  for (const std::string& name : coordinate_names(space)) needed.push_back(name);
+  std::vector<PoseWaypoint> waypoints;
+  Problems problems;
+  const Table table = table_of(file, text_of(file), problems);
+  for (const std::vector<double>& row : read_columns(file, table, needed, problems)) {
+    const auto pose = pose_from_coordinates(
+        space, Eigen::Map<const Eigen::VectorXd>(row.data() + 1, static_cast<Eigen::Index>(row.size() - 1)));
+    if (!pose)
+      problems.push_back(file + ", waypoint " + std::to_string(waypoints.size() + 1) +
+                         ", has a quaternion of zero length; give a unit quaternion.");
+    waypoints.push_back({row.front(), pose.value_or(Pose{})});
+  }
+  if (!problems.empty()) throw InvalidDescription(std::move(problems));
+  return waypoints;
+}
+
+namespace {
+
+Names with_ending(const Names& joints, const std::string& ending) {
+  Names names;
+  for (const std::string& joint : joints) names.push_back(joint + ending);
+  return names;
+}
+
+/// Those of the columns that belong to all joints, if any of them is there.
+bool append_if_any(const Names& columns, const Names& given, Names& needed) {
+  const bool any = std::any_of(columns.begin(), columns.end(), [&given](const std::string& column) {
+    return std::count(given.begin(), given.end(), column) > 0;
+  });
+  if (any) needed.insert(needed.end(), columns.begin(), columns.end());
+  return any;
+}
+
+/// The next numbers of a row, one a leg.
+JointVector take(const std::vector<double>& row, std::size_t first, std::size_t legs) {
+  return Eigen::Map<const Eigen::VectorXd>(row.data() + first, static_cast<Eigen::Index>(legs));
+}
+
+std::vector<JointWaypoint> waypoints_of_table(const Manipulator& manipulator, const std::string& file,
+                                              const std::string& text) {
+  Problems problems;
+  const Table table = table_of(file, text, problems);
+  const std::size_t legs = manipulator.leg_count();
+  Names joints;
+  for (const Leg& leg : manipulator.legs()) joints.push_back(leg.actuated_joint);
+  Names needed{"time"};
+  needed.insert(needed.end(), joints.begin(), joints.end());
+  const bool accelerations = append_if_any(with_ending(joints, "/acceleration"), table.names, needed);
+  const bool velocities = append_if_any(with_ending(joints, "/velocity"), table.names, needed);
+  std::vector<JointWaypoint> waypoints;
+  for (const std::vector<double>& row : read_columns(file, table, needed, problems)) {
+    JointWaypoint waypoint{row.front(), take(row, 1, legs), {}, {}};
+    if (accelerations) waypoint.acceleration = take(row, 1 + legs, legs);
+    if (velocities) waypoint.velocity = take(row, 1 + (accelerations ? 2 : 1) * legs, legs);
+    waypoints.push_back(waypoint);
+  }
+  return waypoints;
+}
+
+}  // namespace
+
+std::vector<JointWaypoint> read_joint_waypoints(const Manipulator& manipulator, const std::string& file) {
+  Problems problems;
+  const std::string text = text_of(file);
+  if (text.find("joint_names:") == std::string::npos) return waypoints_of_table(manipulator, file, text);
+  const auto waypoints = waypoints_of_message(manipulator, file, text, problems);
+  if (!problems.empty()) throw InvalidDescription(std::move(problems));
+  return waypoints;
+}
+
+}  // namespace parallel_aspects::tools

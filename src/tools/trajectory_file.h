@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_TOOLS_TRAJECTORY_FILE_H
+#define PARALLEL_ASPECTS_TOOLS_TRAJECTORY_FILE_H
+
+#include "parallel_aspects/model/task_space.h"
+#include "parallel_aspects/motion/check_joint_trajectory.h"
+
+#include <string>
+#include <vector>
+
+namespace parallel_aspects::tools {
+
+/// The poses of a CSV file: a header with `t` or `time` [s] and the coordinates of the task space [m or rad]
+/// in any order, then a line for each waypoint. Throws `InvalidDescription` with every problem.
+std::vector<PoseWaypoint> read_pose_waypoints(TaskSpace space, const std::string& file);
+
+/// The values of the actuated joints in a file: a trajectory_msgs/JointTrajectory as rostopic prints it, or
+/// CSV: a header with `t` or `time` [s] and their names in any order [rad or m]; with NAME/velocity for each
+/// of them, and NAME/acceleration besides, where those are given. Throws `InvalidDescription` with every
+/// problem.
+std::vector<JointWaypoint> read_joint_waypoints(const Manipulator& manipulator, const std::string& file);
+
+}  // namespace parallel_aspects::tools
+
+#endif  // PARALLEL_ASPECTS_TOOLS_TRAJECTORY_FILE_H

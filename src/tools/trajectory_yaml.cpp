@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/trajectory_yaml.h"
+
+#include "urdf/description/yaml_values.h"
+
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace parallel_aspects::tools {
+namespace {
+
+using Names = std::vector<std::string>;
+
+/// Messages end with a line of three dashes.
+std::string first_message(std::string text) {
+  if (text.rfind("---", 0) == 0) text.erase(0, 3);
+  return text.substr(0, text.find("\n---"));
+}
+
+/// Reads one message.
+class MessageReader {
+ public:
+  MessageReader(const Manipulator& manipulator, const std::string& file, Problems& problems)
+      : manipulator_(manipulator), values_(file, problems), problems_(problems) {}
+
+  std::vector<JointWaypoint> read(const YAML::Node& message) {
+    if (!message.IsMap() || !message["joint_names"].IsSequence() || !message["points"].IsSequence()) {
+      values_.problem("is no trajectory_msgs/JointTrajectory; it needs joint_names and points.");
+      return {};
+    }
+    for (const YAML::Node& name : message["joint_names"]) names_.push_back(name.as<std::string>());
+    find_columns();
+    std::vector<JointWaypoint> waypoints;
+    if (!problems_.empty()) return waypoints;
+    for (const YAML::Node& point : message["points"])
+      waypoints.push_back(waypoint(point, "points[" + std::to_string(waypoints.size()) + "]"));
+    return waypoints;
+  }
+
+ private:
+  void find_columns() {
+    for (const Leg& leg : manipulator_.legs()) {
+      const auto found = std::find(names_.begin(), names_.end(), leg.actuated_joint);
+      columns_.push_back(static_cast<std::size_t>(found - names_.begin()));
+      if (std::count(names_.begin(), names_.end(), leg.actuated_joint) != 1)
+        values_.problem("does not have the joint '" + leg.actuated_joint +
+                        "' once; name every actuated joint.");
+    }
+    for (std::size_t i = 0; i < names_.size(); ++i)
+      if (std::count(columns_.begin(), columns_.end(), i) == 0)
+        values_.problem("has the unknown joint '" + names_[i] + "'; name the actuated joints only.");
+  }
+
+  JointWaypoint waypoint(const YAML::Node& point, const std::string& where) const {
+    JointWaypoint result;
+    result.time = time(point["time_from_start"], where + ".time_from_start");
+    result.q = vector(point["positions"], where + ".positions", true);
+    result.velocity = vector(point["velocities"], where + ".velocities", false);
+    result.acceleration = vector(point["accelerations"], where + ".accelerations", false);
+    return result;
+  }
+
+  double time(const YAML::Node& node, const std::string& where) const {
+    double seconds = 0.0, nanoseconds = 0.0;
+    if (!node.IsDefined() || !node.IsMap()) {
+      values_.problem("has no " + where + " with secs and nsecs; give it.");
+      return 0.0;
+    }
+    values_.number(node["secs"], where + ".secs", seconds);
+    values_.number(node["nsecs"], where + ".nsecs", nanoseconds);
+    return seconds + 1e-9 * nanoseconds;
+  }
+
+  JointVector vector(const YAML::Node& node, const std::string& where, bool required) const {
+    std::vector<double> numbers;
+    const bool given = values_.numbers(node, where, numbers) && !numbers.empty();
+    if (!given && !required) return {};
+    JointVector result = JointVector::Zero(static_cast<Eigen::Index>(columns_.size()));
+    if (numbers.size() != names_.size())
+      values_.problem("has " + std::to_string(numbers.size()) + " numbers in " + where +
+                      "; give one a joint.");
+    else
+      for (std::size_t j = 0; j < columns_.size(); ++j)
+        result[static_cast<Eigen::Index>(j)] = numbers[columns_[j]];
+    return result;
+  }
+
+  const Manipulator& manipulator_;
+  YamlValues values_;
+  Problems& problems_;
+  Names names_;
+  std::vector<std::size_t> columns_;  // of each leg
+};
+
+}  // namespace
+
+std::vector<JointWaypoint> waypoints_of_message(const Manipulator& manipulator, const std::string& file,
+                                                const std::string& text, Problems& problems) {
+  try {
+    return MessageReader(manipulator, file, problems).read(YAML::Load(first_message(text)));
+  } catch (const YAML::Exception& error) {
+    problems.push_back(file + " is not the YAML of a message: " + error.what() + ".");
+    return {};
+  }
+}
+
+}  // namespace parallel_aspects::tools

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/motion/check_trajectory.h"
+
+#include <gtest/gtest.h>
+
+#include "support/configuration_at.h"
+#include "support/pose_pairs.h"
+#include "support/shipped.h"
+#include "support/thoroughness.h"
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects {
+namespace {
+
+using Waypoints = std::vector<PoseWaypoint>;
+
+std::shared_ptr<const Manipulator> with_actuated_limits(const std::string& name) {
+  ConstraintKinds kinds;
+  kinds[static_cast<std::size_t>(ConstraintKind::actuated_limits)] = true;
+  return test::shipped(name)->manipulator()->with_constraints(kinds);
+}
+
+// What dense sampling in extended precision says of a trajectory, by formulas of the test.
+class Truth {
+ public:
+  Truth(const Manipulator& robot, const Waypoints& waypoints, const WorkingMode& mode)
+      : robot_(robot), waypoints_(waypoints), mode_(mode) {
+    sign_ = At(robot_, waypoints_.front().pose, mode_).parallel() > 0 ? 1.0L : -1.0L;
+  }
+
+  // Not positive where a singularity is passed, a leg cannot reach or a limit is left.
+  long double clearance(double time) const {
+    const At at(robot_, pose(time), mode_);
+    return at.reaches() ? std::min({at.squared_serial(), at.within_limits(), sign_ * at.parallel()})
+                        : at.squared_serial();
+  }
+
+  // Of samples at even times; infinite where there is none.
+  double first_violation(double interval) const {
+    for (double time = waypoints_.front().time; time < waypoints_.back().time; time += interval)
+      if (clearance(time) < -1e-15L) return time;
+    return std::numeric_limits<double>::infinity();
+  }
+
+ private:
+  using At = test::ConfigurationAt<long double>;
+
+  Pose pose(double time) const {
+    std::size_t i = 1;
+    while (i + 1 < waypoints_.size() && waypoints_[i].time < time) ++i;
+    const PoseWaypoint &from = waypoints_[i - 1], &to = waypoints_[i];
+    const double share = std::clamp((time - from.time) / (to.time - from.time), 0.0, 1.0);
+    Pose result;
+    result.position = (1.0 - share) * from.pose.position + share * to.pose.position;
+    const Eigen::Vector4d first = from.pose.orientation.coeffs(), last = to.pose.orientation.coeffs();
+    const Eigen::Vector4d mixed = (1.0 - share) * first + share * (first.dot(last) < 0.0 ? -last : last);
+    result.orientation.coeffs() = mixed.normalized();
+    return result;
+  }
+
+  const Manipulator& robot_;
+  const Waypoints& waypoints_;
+  WorkingMode mode_;
+  long double sign_ = 1;
+};
+
+struct Tally {
+  int safe = 0, unsafe = 0, unknown = 0;
+};
+
+class RandomPaths : public testing::TestWithParam<const char*> {
+ protected:
+  Waypoints draw(const WorkingMode& mode) {
+    Waypoints waypoints;
+    const auto start = pairs.reached(mode);
+    if (!start) return {};
+    waypoints.push_back({pairs.uniform(-1.0, 1.0), *start});
+    for (int i = 0; i < 3; ++i) {
+      const auto next = pairs.nearby(waypoints.back().pose, mode);
+      if (next) waypoints.push_back({waypoints.back().time + pairs.uniform(0.1, 2.0), *next});
+    }
+    return waypoints;
+  }
+
+  std::string text(const Waypoints& waypoints, const WorkingMode& mode) const {
+    std::string result = robot->name() + " in " + to_string(mode);
+    for (const PoseWaypoint& waypoint : waypoints) {
+      result += "\n" + std::to_string(waypoint.time);
+      const PoseCoordinates coordinates = pose_coordinates(robot->task_space(), waypoint.pose);
+      for (Eigen::Index i = 0; i < coordinates.size(); ++i) {
+        char digits[40];
+        std::snprintf(digits, sizeof digits, ", %.17g", coordinates[i]);
+        result += digits;
+      }
+    }
+    return result;
+  }
+
+  std::shared_ptr<const Manipulator> robot = with_actuated_limits(GetParam());
+  SegmentCertifier certifier{robot};
+  test::PosePairs pairs{robot, 20261123};
+};
+
+void compare_violation(const TrajectoryCheck& check, const Truth& truth, double interval) {
+  ASSERT_TRUE(check.violation);
+  const TrajectoryViolation& found = *check.violation;
+  ASSERT_LE(found.after, found.before);
+  const double seen = truth.first_violation(interval);
+  EXPECT_GE(seen, found.after);
+  // What cannot be decided, such as a determinant that touches zero, makes the bracket wide.
+  if (found.before - found.after > interval) {
+    EXPECT_LE(std::abs(truth.clearance(found.after)), 1e-6L);
+  }
+  // What lasts for less than an interval may be missed by samples, but not here.
+  const double room = std::min(found.before - found.after, interval);
+  long double least = std::numeric_limits<long double>::infinity();
+  for (int i = -50; i <= 50; ++i) least = std::min(least, truth.clearance(found.before + room * i / 50.0));
+  EXPECT_LE(least, 1e-13L);
+  if (truth.clearance(found.before + interval) < -1e-15L) {
+    EXPECT_LE(seen, found.before + interval);
+  }
+}
+
+TEST_P(RandomPaths, AreAnsweredAsDenseSamplesInExtendedPrecisionSay) {
+  Tally tally;
+  for (int i = 0; i < test::thinned(300); ++i) {
+    const WorkingMode mode = pairs.mode();
+    const Waypoints waypoints = draw(mode);
+    if (waypoints.size() < 2) continue;
+    SCOPED_TRACE(text(waypoints, mode));
+    const TrajectoryCheck check = check_trajectory(certifier, waypoints, mode);
+    const Truth truth(*robot, waypoints, mode);
+    const double interval = (waypoints.back().time - waypoints.front().time) / test::thinned(1000);
+    if (check.answer == TrajectoryAnswer::safe) {
+      EXPECT_EQ(truth.first_violation(interval), std::numeric_limits<double>::infinity());
+    }
+    if (check.answer == TrajectoryAnswer::unsafe) compare_violation(check, truth, interval);
+    if (check.answer == TrajectoryAnswer::unknown) {
+      EXPECT_GE(truth.first_violation(interval), check.free_until);
+    }
+    ++(check.answer == TrajectoryAnswer::safe     ? tally.safe
+       : check.answer == TrajectoryAnswer::unsafe ? tally.unsafe
+                                                  : tally.unknown);
+  }
+  std::cout << GetParam() << ": safe " << tally.safe << ", unsafe " << tally.unsafe << ", unknown "
+            << tally.unknown << '\n';
+  EXPECT_GT(tally.safe, 0);
+  if (robot->name() != "agile_eye") {
+    EXPECT_GT(tally.unsafe, 0);
+  }  // it has no surface of singular poses
+  EXPECT_LE(20 * tally.unknown, tally.safe + tally.unsafe);
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, RandomPaths,
+                         testing::Values("five_bar", "bipod", "three_rpr", "three_rrr", "three_prr", "delta",
+                                         "linear_delta", "agile_eye", "spherical_3rrr"),
+                         [](const auto& each) { return std::string(each.param); });
+
+class FiveBarPaths : public testing::Test {
+ protected:
+  TrajectoryCheck check(const Waypoints& waypoints) const {
+    return check_trajectory(certifier, waypoints, mode);
+  }
+
+  std::shared_ptr<const Manipulator> robot = with_actuated_limits("five_bar");
+  SegmentCertifier certifier{robot};
+  WorkingMode mode = *WorkingMode::from_signs({-1, 1});
+};
+
+TEST_F(FiveBarPaths, OutOfReachNamesTheLegAndTheTime) {
+  const TrajectoryCheck found = check({{0.0, Pose::planar(4.5, 8.0)}, {2.0, Pose::planar(4.5, 30.0)}});
+  ASSERT_EQ(found.answer, TrajectoryAnswer::unsafe) << found.reason;
+  EXPECT_EQ(found.violation->kind, Violation::out_of_reach);
+  EXPECT_TRUE(found.violation->leg);
+  EXPECT_LT(found.violation->before, 2.0);
+  EXPECT_NEAR(found.violation->after, found.violation->before, 1e-5);
+}
+
+TEST_F(FiveBarPaths, IndicesAndSpeedsAreSampledOnTheWay) {
+  const TrajectoryCheck found = check({{0.0, Pose::planar(4.5, 8.0)}, {0.01, Pose::planar(4.6, 8.0)}});
+  ASSERT_EQ(found.answer, TrajectoryAnswer::safe) << found.reason;
+  EXPECT_GT(found.parallel_index.value, 0.0);
+  EXPECT_LT(found.parallel_index.value, 1.0);
+  EXPECT_GT(found.serial_index.value, 0.0);
+  ASSERT_EQ(found.speeds.size(), 2U);
+  EXPECT_GT(found.speeds[0].value, 0.1);
+}
+
+TEST_F(FiveBarPaths, BadInputIsSaidInOneSentenceEach) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const PoseWaypoint good{0.0, Pose::planar(4.5, 8.0)}, later{1.0, Pose::planar(4.6, 8.0)};
+  EXPECT_TRUE(problems_of(*robot, {good, later}, mode).empty());
+  EXPECT_EQ(problems_of(*robot, {}, mode).size(), 1U);
+  EXPECT_EQ(problems_of(*robot, {later, good}, mode).size(), 1U);
+  EXPECT_EQ(problems_of(*robot, {good, good}, mode).size(), 1U);
+  EXPECT_EQ(problems_of(*robot, {good, {nan, good.pose}}, mode).size(), 1U);
+  EXPECT_EQ(problems_of(*robot, {good, {2.0, Pose::planar(nan, 0.0)}}, mode).size(), 1U);
+  EXPECT_EQ(problems_of(*robot, {good}, WorkingMode(3)).size(), 1U);
+  EXPECT_EQ(problems_of(*robot, {{0.0, Pose::planar(4.5, 90.0)}, later}, mode).size(), 1U);
+  EXPECT_EQ(check({}).answer, TrajectoryAnswer::unknown);
+  EXPECT_NE(check({}).reason, "");
+}
+
+}  // namespace
+}  // namespace parallel_aspects

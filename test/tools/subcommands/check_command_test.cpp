@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/command.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "support/command_run.h"
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects::tools {
+namespace {
+
+using nlohmann::json;
+using test::Outcome;
+using test::run;
+
+class CheckCommand : public test::CommandTest {
+ protected:
+  void SetUp() override {
+    test::CommandTest::SetUp();
+    std::string pattern = (std::filesystem::temp_directory_path() / "check_XXXXXX").string();
+    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
+    folder_ = pattern;
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::string file(const std::string& text) {
+    const std::string name = (folder_ / "path.csv").string();
+    std::ofstream(name) << text;
+    return name;
+  }
+
+  Outcome check_path(const std::string& text, std::vector<const char*> more = {}) {
+    const std::string name = file(text);
+    std::vector<const char*> arguments{"check", "five_bar", "--path", name.c_str(), "--mode", "(+,-)"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run(arguments);
+  }
+
+  std::filesystem::path folder_;
+};
+
+TEST_F(CheckCommand, SafePathIsProved) {
+  const Outcome outcome = check_path("t,x,y\n0,4.5,8\n1,4.6,8\n2,4.6,8.2\n", {"--json"});
+  ASSERT_EQ(outcome.code, exit_code::ok) << outcome.messages << outcome.output;
+  const json result = json::parse(outcome.output);
+  EXPECT_EQ(result.at("answer"), "yes");
+  EXPECT_EQ(result.at("proved"), true);
+  EXPECT_EQ(result.at("free_until"), 2.0);
+  EXPECT_TRUE(result.at("first_violation").is_null());
+  EXPECT_TRUE(result.at("crossings").empty());
+  EXPECT_GT(result.at("least_index").at("parallel").at("value").get<double>(), 0.0);
+  EXPECT_GT(result.at("least_index").at("serial").at("value").get<double>(), 0.0);
+  ASSERT_EQ(result.at("speeds").size(), 2U);
+  EXPECT_GT(result.at("speeds")[0].at("fastest").get<double>(), 0.0);
+}
+
+TEST_F(CheckCommand, UnsafePathHasAnExitCodeAndTheTime) {
+  const Outcome outcome = check_path("x,time,y\n4.5,0,8\n-30,2,8\n", {"--json"});
+  ASSERT_EQ(outcome.code, exit_code::unsafe) << outcome.messages;
+  const json result = json::parse(outcome.output);
+  EXPECT_EQ(result.at("answer"), "no");
+  const json& violation = result.at("first_violation");
+  EXPECT_EQ(violation.at("kind"), "serial_singularity");
+  EXPECT_TRUE(violation.at("leg").is_string());
+  EXPECT_LE(violation.at("after").get<double>(), violation.at("before").get<double>());
+  EXPECT_EQ(result.at("crossings").size(), 1U);
+  const Outcome text = check_path("t,x,y\n0,4.5,8\n2,-30,8\n");
+  EXPECT_EQ(text.code, exit_code::unsafe);
+  EXPECT_NE(text.output.find("safe: no"), std::string::npos) << text.output;
+}
+
+TEST_F(CheckCommand, MarginsAreChecked) {
+  const std::string path = "t,x,y\n0,4.5,8\n1,4.6,8\n";
+  const Outcome outcome = check_path(path, {"--margin", "parallel=0.999", "--json"});
+  ASSERT_EQ(outcome.code, exit_code::unsafe) << outcome.messages;
+  const json result = json::parse(outcome.output);
+  EXPECT_EQ(result.at("first_violation").at("constraint"), "margins");
+}
+
+TEST_F(CheckCommand, BadFilesAreRefusedWithASentenceEach) {
+  for (const char* text : {"", "t,x,y\n", "t,x\n0,1\n", "t,x,y,z\n0,4.5,8,1\n", "t,x,y\n0,4.5,8\n0,4.6,8\n",
+                           "t,x,y\n1,4.5,8\n0,4.6,8\n", "t,x,y\n0,4.5\n", "t,x,y\n0,4.5,nan\n",
+                           "t,x,y\n0,4.5,inf\n", "t,x,y\n0,4.5,eight\n", "t,x,y\n0,4.5,80\n"}) {
+    const Outcome outcome = check_path(text);
+    EXPECT_EQ(outcome.code, exit_code::bad_input) << text;
+    EXPECT_EQ(outcome.output, "") << text;
+    EXPECT_EQ(test::line_count(outcome.messages), 1U) << text << outcome.messages;
+  }
+  EXPECT_EQ(run({"check", "five_bar", "--path", "/no/such/file", "--mode", "+-"}).code, exit_code::bad_input);
+  EXPECT_EQ(check_path("t,x,y\n0,4.5,8\n", {"--constraint", "cones"}).code, exit_code::bad_input);
+}
+
+TEST_F(CheckCommand, JointsAreFollowedFromTheStart) {
+  const json start = test::run_json({"ik", "five_bar", "--pose", "4.5 8"});
+  const json end = test::run_json({"ik", "five_bar", "--pose", "4.6 8"});
+  const auto row = [](const json& poses) {
+    const json& q = poses.at("solutions")[0].at("joints");
+    return q[0].dump() + "," + q[1].dump() + "\n";
+  };
+  const std::string joints = start.at("actuated_joints")[0].get<std::string>() + "," +
+                             start.at("actuated_joints")[1].get<std::string>();
+  const std::string name = file("t," + joints + "\n0," + row(start) + "2," + row(end));
+  const std::vector<const char*> arguments{"check", "five_bar", "--trajectory", name.c_str(), "--json"};
+  const Outcome ambiguous = run(arguments);
+  EXPECT_EQ(ambiguous.code, exit_code::unknown) << ambiguous.messages;
+  EXPECT_NE(json::parse(ambiguous.output).at("reason").get<std::string>().find("assembly modes"),
+            std::string::npos);
+  std::vector<const char*> stated = arguments;
+  stated.insert(stated.end(), {"--start-pose", "4.5 8"});
+  const Outcome safe = run(stated);
+  EXPECT_EQ(safe.code, exit_code::ok) << safe.output << safe.messages;
+  stated.back() = "4.9 8";
+  EXPECT_EQ(run(stated).code, exit_code::bad_input);
+  file("t,shoulder\n0,1\n");
+  EXPECT_EQ(run(arguments).code, exit_code::bad_input);
+}
+
+TEST_F(CheckCommand, MessagesAreReadAsRostopicPrintsThem) {
+  const json solutions = test::run_json({"ik", "five_bar", "--pose", "4.5 8"});
+  const json& q = solutions.at("solutions")[0].at("joints");
+  const json& joints = solutions.at("actuated_joints");
+  // The joints in another order than the legs.
+  const std::string names = "header: \n  seq: 0\njoint_names: \n  - " + joints[1].get<std::string>() +
+                            "\n  - " + joints[0].get<std::string>() + "\npoints: \n";
+  const auto point = [&q](const std::string& nsecs, const std::string& more) {
+    return "  - \n    positions: [" + q[1].dump() + ", " + q[0].dump() + "]\n    " + more +
+           "effort: []\n    time_from_start: \n      secs: 1\n      nsecs: " + nsecs + "\n";
+  };
+  const std::string still = "velocities: [0.0, 0.0]\n    accelerations: []\n    ";
+  const std::string name = file(names + point("0", still) + point("500000000", still) + "---\n");
+  const std::vector<const char*> arguments{"check",        "five_bar", "--trajectory", name.c_str(),
+                                           "--start-pose", "4.5 8",    "--json"};
+  const Outcome outcome = run(arguments);
+  ASSERT_EQ(outcome.code, exit_code::ok) << outcome.messages << outcome.output;
+  EXPECT_EQ(json::parse(outcome.output).at("free_until"), 1.5);
+  const std::vector<std::string> bad{names,
+                                     names + point("0", "velocities: [0.0]\n    "),
+                                     names + point("soon", still),
+                                     names + point("0", still) + point("0", still),
+                                     "joint_names: [a, b]\npoints: []\n",
+                                     "joint_names: [\n",
+                                     "joint_names: 3\n"};
+  for (const std::string& text : bad) {
+    file(text);
+    EXPECT_EQ(run(arguments).code, exit_code::bad_input) << text;
+    EXPECT_EQ(run(arguments).output, "");
+  }
+}
+
+TEST_F(CheckCommand, OptionsThatDoNotGoTogetherAreRefused) {
+  EXPECT_EQ(run({"check", "five_bar"}).code, exit_code::bad_input);
+  EXPECT_EQ(run({"check", "five_bar", "--path", "a", "--trajectory", "b"}).code, exit_code::bad_input);
+  EXPECT_EQ(run({"check", "five_bar", "--path", "a"}).code, exit_code::bad_input);
+  EXPECT_EQ(run({"check", "five_bar", "--trajectory", "a", "--mode", "+-"}).code, exit_code::bad_input);
+  EXPECT_EQ(run({"check", "five_bar", "--trajectory", "a", "--start-sign", "up"}).code, exit_code::bad_input);
+}
+
+TEST_F(CheckCommand, IsListedInTheHelp) {
+  EXPECT_NE(run({"--help"}).output.find("  check "), std::string::npos);
+}
+
+}  // namespace
+}  // namespace parallel_aspects::tools
