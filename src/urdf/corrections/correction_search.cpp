@@ -100,8 +100,18 @@ void CorrectionSearch::collect() {
 
 std::optional<std::string> CorrectionSearch::of_frames() {
   for (const Corrections& kind : frame_corrections(*tree_, resolved_, system_, files_))
-    if (auto message = working_of(kind)) return message;
+    if (working_of(kind)) return with_rivals();
   return std::nullopt;
+}
+
+// A frame that a joint lets loose can be put onto another link, too, and the joint be fixed. They change less
+// than what is joined to what.
+std::string CorrectionSearch::with_rivals() {
+  const auto frames = static_cast<std::ptrdiff_t>(working_.size());
+  for (const Correction& correction : corrections_)
+    if (correction.like_others || correction.fixes_joint) try_one(correction);
+  std::rotate(working_.begin(), working_.begin() + frames, working_.end());
+  return message();
 }
 
 std::optional<std::string> CorrectionSearch::of_frames_and_actuation() {
