@@ -50,6 +50,7 @@ class CorrectionSearch {
   };
 
   void collect();
+  bool takes_in_joints(const Correction& correction) const;
   std::string with_rivals();
   Corrections with_actuation(const Corrections& kind) const;
   std::vector<std::size_t> open_loops() const;

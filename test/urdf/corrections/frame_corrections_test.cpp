@@ -127,6 +127,40 @@ TEST(FrameCorrection, IsAClosureThatIsMissing) {
   expect_remedies_work(robot, sentence(robot));
 }
 
+// Either may be meant: the joint to be fixed, or the frame to be on another link.
+TEST(FrameCorrection, IsListedAfterAJointThatIsOneTooMany) {
+  for (const std::string leg : {"2", "3"}) {
+    const std::string joint = "platform_" + leg + "_direction_joint";
+    Description robot = shipped_text("spherical_3rrr");
+    robot.urdf = replaced(robot.urdf, "<joint name=\"" + joint + "\" type=\"fixed\">",
+                          "<joint name=\"" + joint + "\" type=\"continuous\">");
+    const std::vector<std::string> remedies = test::remedies(sentence(robot));
+    ASSERT_GE(remedies.size(), 2U) << sentence(robot);
+    EXPECT_EQ(remedies.front(), "write type=\"fixed\" for joint '" + joint + "'");
+    EXPECT_EQ(remedies.back(), "write <parent link=\"platform_1\"/> for joint 'platform_" + leg + "_joint'");
+    expect_remedies_work(robot, sentence(robot));
+  }
+}
+
+TEST(FrameCorrection, IsNoClosureWhereARodHangsLoose) {
+  Description robot = shipped_text("delta");
+  robot.config =
+      replaced(robot.config, "    - {frames: [platform_2_left, rod_2_left_tip], type: spherical}\n", "");
+  EXPECT_NE(sentence(robot).find("add {frames: [platform_2_left, rod_2_left_tip], type: point} to "
+                                 "mechanism.closures, which makes it a robot in T3."),
+            std::string::npos)
+      << sentence(robot);
+}
+
+// Of which no leg starts there, as all actuated joints are slides on struts.
+TEST(Base, IsTheRoot) {
+  Description robot = shipped_text("three_rpr");
+  robot.config = replaced(robot.config, "base_link: base_link", "base_link: platform");
+  EXPECT_EQ(sentence(robot),
+            "robot.yaml has base_link 'platform', while the tree of robot.urdf starts at link 'base_link'; "
+            "write base_link: base_link, which makes it a robot in SE2.");
+}
+
 TEST(FrameCorrection, IsTheTypeOfAllClosures) {
   for (const std::string type : {"revolute", "fixed", "universal"}) {
     Description robot = shipped_text("stewart");
@@ -183,6 +217,14 @@ TEST(Units, OfLimitsAreMetres) {
                                  "lower=") != std::string::npos;
                     }),
       1);
+}
+
+TEST(Units, OfOneLengthAreNamedByItsJoint) {
+  Description robot = shipped_text("bipod");
+  robot.urdf = replaced(robot.urdf, "<origin xyz=\"5 0 0\"/>", "<origin xyz=\"5000 0 0\"/>");
+  EXPECT_EQ(sentence(robot),
+            "robot.urdf is 5e+03 m wide, as if in millimetres; write xyz=\"5 0 0\" in the origin of joint "
+            "'pivot_2_joint', which makes it a robot in T2.");
 }
 
 TEST(Units, OfARobotAreMetres) {
