@@ -71,10 +71,6 @@ Eigen::VectorXd close_loops(const ClosureSystem& system, Eigen::VectorXd start,
 std::vector<Eigen::VectorXd> closed_configurations(const ClosureSystem& system, int starts,
                                                    std::size_t wanted);
 
-/// The joints inside the loops that these hold still, for each joint value: as those that only take up
-/// misalignment in a planar robot. Found from where the mechanism is after a step of each of its motions.
-std::vector<bool> still_joints(const ClosureSystem& system, const Assembly& assembly);
-
 }  // namespace parallel_aspects
 
 #endif  // PARALLEL_ASPECTS_URDF_CLOSING_ASSEMBLY_H

@@ -20,6 +20,7 @@ struct Correction {
   std::string remedy;   ///< "write <axis xyz=\"0 0 1\"/> for joint 'a'"
   bool like_others = false;  ///< whether it makes the element what most others of its kind are
   std::function<void(Tree&, ResolvedConfig&)> apply;
+  bool fixes_joint = false;  ///< whether it takes a joint out that may be one too many
 };
 
 using Corrections = std::vector<Correction>;

@@ -100,8 +100,34 @@ void CorrectionSearch::collect() {
 
 std::optional<std::string> CorrectionSearch::of_frames() {
   for (const Corrections& kind : frame_corrections(*tree_, resolved_, system_, files_))
-    if (auto message = working_of(kind)) return message;
+    if (working_of(kind)) return with_rivals();
   return std::nullopt;
+}
+
+// Into a loop, where they were in none before.
+bool CorrectionSearch::takes_in_joints(const Correction& correction) const {
+  auto tree = std::make_shared<Tree>(*tree_);
+  ResolvedConfig config = resolved_;
+  correction.apply(*tree, config);
+  const ClosureSystem system(tree, config.base, typed(config.closures));
+  const auto count = [](const std::vector<bool>& joints) {
+    return std::count(joints.begin(), joints.end(), true);
+  };
+  return count(system.in_loop()) > count(system_.in_loop());
+}
+
+// A chain that was loose speaks for what takes it in. Else a frame that a joint lets loose may be put onto
+// another link, or the joint be fixed: corrections of joints come first, as they change less than what is
+// joined to what.
+std::string CorrectionSearch::with_rivals() {
+  const auto frames = static_cast<std::ptrdiff_t>(working_.size());
+  if (std::any_of(working_.begin(), working_.end(),
+                  [this](const Working& working) { return takes_in_joints(working.correction); }))
+    return message();
+  for (const Correction& correction : corrections_)
+    if (correction.like_others || correction.fixes_joint) try_one(correction);
+  std::rotate(working_.begin(), working_.begin() + frames, working_.end());
+  return message();
 }
 
 std::optional<std::string> CorrectionSearch::of_frames_and_actuation() {

@@ -28,7 +28,7 @@ class CorrectionSearch {
   CorrectionSearch(std::shared_ptr<const Tree> tree, const ResolvedConfig& resolved, bool closes,
                    const SourceNames& files, const Attempt& attempt);
 
-  /// Those of what closures hold: a message if any works.
+  /// Those of what closures hold: a message if any works. It lists those of joints that work as well, first.
   std::optional<std::string> of_frames();
 
   /// The same, each together with one of the actuated joints.
@@ -50,6 +50,8 @@ class CorrectionSearch {
   };
 
   void collect();
+  bool takes_in_joints(const Correction& correction) const;
+  std::string with_rivals();
   Corrections with_actuation(const Corrections& kind) const;
   std::vector<std::size_t> open_loops() const;
   std::vector<std::size_t> suspects() const;

@@ -109,9 +109,17 @@ class Search {
 
   std::string operational_point() const { return operational_point_text(*tree_, platform()); }
 
-  // Where most of the actuated joints are fixed to.
+  // Where most of the actuated joints are fixed to, and else the root.
   std::optional<std::string> other_base() {
-    std::size_t most = 0, base = resolved_.base;
+    const std::size_t usual = usual_link_of_actuation();
+    if (body_of(*tree_, usual) != body_of(*tree_, resolved_.base))
+      return based_on(usual, "which is not where the actuated joints are fixed");
+    return based_on(0, "while the tree of " + files_.urdf + " starts at link '" + tree_->links.front() + "'");
+  }
+
+  // The base as it is where they have none together.
+  std::size_t usual_link_of_actuation() const {
+    std::size_t most = 1, base = resolved_.base;
     for (const std::size_t variable : resolved_.actuated_joints.variables) {
       const std::size_t link = tree_->joint_of(variable).parent;
       const auto count = static_cast<std::size_t>(
@@ -122,16 +130,17 @@ class Search {
       if (count > most) base = link;
       most = std::max(most, count);
     }
-    if (most < 2 || body_of(*tree_, base) == body_of(*tree_, resolved_.base) ||
-        body_of(*tree_, base) == body_of(*tree_, platform()))
-      return std::nullopt;
+    return base;
+  }
+
+  std::optional<std::string> based_on(std::size_t base, const std::string& reason) {
+    if (body_of(*tree_, base) == body_of(*tree_, resolved_.base) || is_on_platform(base)) return std::nullopt;
     ResolvedConfig changed = resolved_;
     changed.base = base;
     const auto space = tried(tree_, changed);
     if (!space) return std::nullopt;
-    return files_.config + " has base_link '" + tree_->links[resolved_.base] +
-           "', which is not where the actuated joints are fixed; write base_link: " + tree_->links[base] +
-           ", which makes it a robot in " + *space + ".";
+    return files_.config + " has base_link '" + tree_->links[resolved_.base] + "', " + reason +
+           "; write base_link: " + tree_->links[base] + ", which makes it a robot in " + *space + ".";
   }
 
   // One closure elsewhere, where all others hold a leg to the platform.

@@ -117,6 +117,7 @@ class JointCorrections {
     correction.fault = files_.urdf + " " + present_text() + reason;
     correction.remedy = "write " + written(motion) + " for " + correction.element;
     correction.like_others = like_others;
+    correction.fixes_joint = motion.type == JointMotion::fixed;
     correction.apply = [joint = index_, motion](Tree& tree, ResolvedConfig& resolved) {
       set_motion(tree, resolved, joint, motion);
     };

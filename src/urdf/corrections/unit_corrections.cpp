@@ -2,6 +2,7 @@
 #include "urdf/corrections/unit_corrections.h"
 
 #include "model/number_text.h"
+#include "urdf/corrections/correction_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -52,10 +53,18 @@ Correction metres_for_limits(const Tree& tree, const std::vector<std::size_t>& s
           }};
 }
 
-Correction metres_for_lengths(double size, const SourceNames& files) {
-  return {"lengths", files.urdf + " is " + number_text(size, 3) + " m wide, as if in millimetres",
-          "write a thousandth of each xyz in the origins of its joints", true,
-          [](Tree& changed, ResolvedConfig&) {
+// The joint whose origin alone has a length, by name.
+Correction metres_for_lengths(const Tree& tree, double size, const SourceNames& files) {
+  std::vector<const TreeJoint*> lengths;
+  for (const TreeJoint& joint : tree.joints)
+    if (!joint.origin.translation().isZero(0.0)) lengths.push_back(&joint);
+  const bool is_one = lengths.size() == 1;
+  const std::string element = is_one ? "joint '" + lengths.front()->name + "'" : "lengths";
+  return {element, files.urdf + " is " + number_text(size, 3) + " m wide, as if in millimetres",
+          is_one ? "write xyz=\"" + as_attribute(metres * lengths.front()->origin.translation()) +
+                       "\" in the origin of " + element
+                 : "write a thousandth of each xyz in the origins of its joints",
+          true, [](Tree& changed, ResolvedConfig&) {
             for (TreeJoint& joint : changed.joints) joint.origin.translation() *= metres;
           }};
 }
@@ -67,7 +76,7 @@ Corrections unit_corrections(const Tree& tree, const LoopJoints& loops, double s
   Corrections found;
   const std::vector<std::size_t> slides = slides_of_millimetres(tree, loops, size);
   if (!slides.empty()) found.push_back(metres_for_limits(tree, slides, size, files));
-  if (size > widest_robot) found.push_back(metres_for_lengths(size, files));
+  if (size > widest_robot) found.push_back(metres_for_lengths(tree, size, files));
   return found;
 }
 

@@ -75,6 +75,11 @@ void set_actuated(YAML::Node yaml, const std::vector<std::string>& joints) {
   yaml["mechanism"]["actuated_joints"] = joints;
 }
 
+// As "base_link".
+void set_end(YAML::Node yaml, const std::string& end, const std::string& link) {
+  yaml["mechanism"][end] = link;
+}
+
 class Faults {
  public:
   explicit Faults(const std::string& robot) : good_(shipped_text(robot)) {}
@@ -88,6 +93,7 @@ class Faults {
     add_of_closures();
     add_of_frames(document);
     add_of_actuated_joints();
+    add_of_ends(document);
     return std::move(found_);
   }
 
@@ -251,6 +257,17 @@ class Faults {
     }
   }
 
+  // On each other body.
+  void add_of_ends(XMLDocument& document) {
+    for (XMLElement* joint = document.RootElement()->FirstChildElement("joint"); joint != nullptr;
+         joint = joint->NextSiblingElement("joint")) {
+      const std::string link = joint->FirstChildElement("child")->Attribute("link");
+      if (joint->Attribute("type", "fixed") != nullptr) continue;
+      for (const std::string end : {"operational_point", "base_link"})
+        add_config(end, end + ":", [&](const YAML::Node& yaml) { set_end(yaml, end, link); });
+    }
+  }
+
   Description good_;
   std::vector<FaultyRobot> found_;
 };
@@ -279,6 +296,8 @@ std::string with_origin(const std::string& urdf, const std::string& remedy) {
   });
 }
 
+std::string end_of(const std::string& remedy) { return quoted(remedy, "(operational_point|base_link): "); }
+
 std::vector<std::string> listed(const std::string& text) {
   std::vector<std::string> names;
   const std::regex name("[^, ]+");
@@ -296,6 +315,7 @@ std::vector<std::string> remedies(const std::string& message) {
       "write ((type=\"[^\"]+\")?( and )?(<axis xyz=\"[^\"]+\"/>)? for joint '[^']+'"
       "|(xyz|rpy)=\"[^\"]+\" in the origin of joint '[^']+'|type: \\w+ for closure '[^']+'"
       "|<parent link=\"[^\"]+\"/> for joint '[^']+'|link '[^']+' in the place of '[^']+' in closure '[^']+'"
+      "|(operational_point|base_link): \\w+( and actuated_joints: \\[[^\\]]+\\])?"
       "|actuated_joints: \\[[^\\]]+\\])|add \\{frames: \\[[^\\]]+\\], type: \\w+\\} to "
       "mechanism.closures|leave out one entry of closure '[^']+'");
   std::vector<std::string> found;
@@ -332,8 +352,10 @@ Description corrected(Description text, const std::string& remedy) {
   } else if (remedy.find("closure") != std::string::npos) {
     closure_named(yaml, quoted(remedy, "closure '([^']+)'"))["type"] = quoted(remedy, "type: (\\w+)");
     text.config = printed(yaml);
-  } else if (remedy.find("actuated_joints") != std::string::npos) {
-    set_actuated(yaml, listed(quoted(remedy, "\\[([^\\]]+)\\]")));
+  } else if (remedy.find("actuated_joints") != std::string::npos || !end_of(remedy).empty()) {
+    const std::string end = end_of(remedy), joints = quoted(remedy, "\\[([^\\]]+)\\]");
+    if (!end.empty()) set_end(yaml, end, quoted(remedy, end + ": (\\w+)"));
+    if (!joints.empty()) set_actuated(yaml, listed(joints));
     text.config = printed(yaml);
   } else {
     text.urdf = with_joint(text.urdf, remedy);

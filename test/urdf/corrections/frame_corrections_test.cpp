@@ -46,34 +46,38 @@ Description on_link(const std::string& robot, const std::string& frame, const st
 TEST(FrameCorrection, IsTheParentOfAFrameOfAFiveBar) {
   for (const std::string other : {"crank_2", "crank_1", "base_link", "tool"}) {
     const Description robot = on_link("five_bar", "closing_2", "rod_2", other);
-    EXPECT_EQ(sentence(robot),
-              "robot.urdf fixes link 'closing_2', which closure 'tool - closing_2' holds, to link '" + other +
-                  "', and link 'rod_2' is in no loop; write <parent link=\"rod_2\"/> for joint "
-                  "'closing_2_joint', which makes it a robot in T2.");
-    expect_remedies_work(robot, sentence(robot));
+    const std::string said = sentence(robot);
+    EXPECT_EQ(said, "robot.urdf fixes link 'closing_2', which closure 'tool - closing_2' holds, to link '" +
+                        other +
+                        "', and link 'rod_2' is in no loop; write <parent link=\"rod_2\"/> for joint "
+                        "'closing_2_joint', which makes it a robot in T2.");
+    expect_remedies_work(robot, said);
   }
 }
 
 // Either end may be meant to be on the other rod.
 TEST(FrameCorrection, IsOneOfTwoWhereBothEndsAreOnOneRod) {
   const Description robot = on_link("five_bar", "closing_2", "rod_2", "rod_1");
-  EXPECT_EQ(test::remedies(sentence(robot)).size(), 2U);
-  expect_remedies_work(robot, sentence(robot));
+  const std::string said = sentence(robot);
+  EXPECT_EQ(test::remedies(said).size(), 2U);
+  expect_remedies_work(robot, said);
 }
 
 TEST(FrameCorrection, IsTheParentOfAFrameAnywhere) {
   for (const std::string other : {"bar_3", "bar_1", "base_link", "platform"}) {
     const Description robot = on_link("three_rpr", "bar_2_tip", "bar_2", other);
-    EXPECT_NE(sentence(robot).find("for joint 'bar_2_tip_joint'"), std::string::npos) << sentence(robot);
-    expect_remedies_work(robot, sentence(robot));
+    const std::string said = sentence(robot);
+    EXPECT_NE(said.find("for joint 'bar_2_tip_joint'"), std::string::npos) << said;
+    expect_remedies_work(robot, said);
   }
-  for (const std::string other : {"rod_3_left", "rod_2_right", "crank_2"}) {
+  for (const std::string other : {"rod_3_left", "crank_2"}) {
     const Description robot = on_link("delta", "rod_2_left_tip", "rod_2_left", other);
-    EXPECT_NE(sentence(robot).find("write <parent link=\"rod_2_left\"/> for joint 'rod_2_left_tip_joint', "
-                                   "which makes it a robot in T3."),
+    const std::string said = sentence(robot);
+    EXPECT_NE(said.find("write <parent link=\"rod_2_left\"/> for joint 'rod_2_left_tip_joint', "
+                        "which makes it a robot in T3."),
               std::string::npos)
-        << sentence(robot);
-    expect_remedies_work(robot, sentence(robot));
+        << said;
+    expect_remedies_work(robot, said);
   }
 }
 
@@ -94,41 +98,79 @@ TEST(FrameCorrection, ComesWithAnActuatedJointThatIsWrong) {
   Description robot = on_link("delta", "rod_2_left_tip", "rod_2_left", "rod_3_left");
   robot.config =
       replaced(robot.config, "crank_2_joint, crank_3_joint]", "crank_2_joint, rod_3_left_pitch_joint]");
-  EXPECT_NE(
-      sentence(robot).find("write <parent link=\"rod_2_left\"/> for joint 'rod_2_left_tip_joint' and write "
-                           "actuated_joints: [crank_1_joint, crank_2_joint, crank_3_joint], which makes it "
-                           "a robot in T3."),
-      std::string::npos)
-      << sentence(robot);
-  expect_remedies_work(robot, sentence(robot));
+  const std::string said = sentence(robot);
+  EXPECT_NE(said.find("write <parent link=\"rod_2_left\"/> for joint 'rod_2_left_tip_joint' and write "
+                      "actuated_joints: [crank_1_joint, crank_2_joint, crank_3_joint], which makes it "
+                      "a robot in T3."),
+            std::string::npos)
+      << said;
+  expect_remedies_work(robot, said);
 }
 
 TEST(FrameCorrection, IsAFrameThatTwoClosuresHave) {
   Description robot = shipped_text("delta");
   robot.config =
       replaced(robot.config, "[platform_2_left, rod_2_left_tip]", "[platform_2_left, rod_3_left_tip]");
+  const std::string said = sentence(robot);
   EXPECT_EQ(
-      sentence(robot),
+      said,
       "robot.yaml names link 'rod_3_left_tip' in closure 'platform_2_left - rod_3_left_tip', which closure "
       "'platform_3_left - rod_3_left_tip' has, too; write link 'rod_2_left_tip' in the place of "
       "'rod_3_left_tip' in closure 'platform_2_left - rod_3_left_tip', which makes it a robot in T3.");
-  expect_remedies_work(robot, sentence(robot));
+  expect_remedies_work(robot, said);
 }
 
 TEST(FrameCorrection, IsAClosureThatIsMissing) {
   Description robot = shipped_text("three_rpr");
   robot.config = replaced(robot.config, "    - {frames: [platform_2, bar_2_tip], type: revolute}\n", "");
-  EXPECT_EQ(sentence(robot),
+  const std::string said = sentence(robot);
+  EXPECT_EQ(said,
             "no closure of robot.yaml joins link 'bar_2_tip', which ends a chain of robot.urdf, to link "
             "'platform_2'; "
             "add {frames: [platform_2, bar_2_tip], type: revolute} to mechanism.closures, which makes it a "
             "robot in "
             "SE2.");
-  expect_remedies_work(robot, sentence(robot));
+  expect_remedies_work(robot, said);
+}
+
+// Either may be meant: the joint to be fixed, or the frame to be on another link.
+TEST(FrameCorrection, IsListedAfterAJointThatIsOneTooMany) {
+  for (const std::string leg : {"2", "3"}) {
+    const std::string joint = "platform_" + leg + "_direction_joint";
+    Description robot = shipped_text("spherical_3rrr");
+    robot.urdf = replaced(robot.urdf, "<joint name=\"" + joint + "\" type=\"fixed\">",
+                          "<joint name=\"" + joint + "\" type=\"continuous\">");
+    const std::string said = sentence(robot);
+    const std::vector<std::string> remedies = test::remedies(said);
+    ASSERT_GE(remedies.size(), 2U) << said;
+    EXPECT_EQ(remedies.front(), "write type=\"fixed\" for joint '" + joint + "'");
+    EXPECT_EQ(remedies.back(), "write <parent link=\"platform_1\"/> for joint 'platform_" + leg + "_joint'");
+    expect_remedies_work(robot, said);
+  }
+}
+
+TEST(FrameCorrection, IsNoClosureWhereARodHangsLoose) {
+  Description robot = shipped_text("delta");
+  robot.config =
+      replaced(robot.config, "    - {frames: [platform_2_left, rod_2_left_tip], type: spherical}\n", "");
+  const std::string said = sentence(robot);
+  EXPECT_NE(said.find("add {frames: [platform_2_left, rod_2_left_tip], type: point} to "
+                      "mechanism.closures, which makes it a robot in T3."),
+            std::string::npos)
+      << said;
+}
+
+// Of which no leg starts there, as all actuated joints are slides on struts.
+TEST(Base, IsTheRoot) {
+  Description robot = shipped_text("three_rpr");
+  robot.config = replaced(robot.config, "base_link: base_link", "base_link: platform");
+  EXPECT_EQ(sentence(robot),
+            "robot.yaml has base_link 'platform', while the tree of robot.urdf starts at link 'base_link'; "
+            "write base_link: base_link, which makes it a robot in SE2.");
 }
 
 TEST(FrameCorrection, IsTheTypeOfAllClosures) {
-  for (const std::string type : {"revolute", "fixed", "universal"}) {
+  for (const std::string type : {"revolute", "universal"}) {
     Description robot = shipped_text("stewart");
     for (std::size_t at = 0; (at = robot.config.find("type: spherical", at)) != std::string::npos;)
       robot.config.replace(at, std::string("type: spherical").size(), "type: " + type);
@@ -183,6 +225,14 @@ TEST(Units, OfLimitsAreMetres) {
                                  "lower=") != std::string::npos;
                     }),
       1);
+}
+
+TEST(Units, OfOneLengthAreNamedByItsJoint) {
+  Description robot = shipped_text("bipod");
+  robot.urdf = replaced(robot.urdf, "<origin xyz=\"5 0 0\"/>", "<origin xyz=\"5000 0 0\"/>");
+  EXPECT_EQ(sentence(robot),
+            "robot.urdf is 5e+03 m wide, as if in millimetres; write xyz=\"5 0 0\" in the origin of joint "
+            "'pivot_2_joint', which makes it a robot in T2.");
 }
 
 TEST(Units, OfARobotAreMetres) {
