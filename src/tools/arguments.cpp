@@ -64,13 +64,10 @@ std::vector<WorkingMode> parse_modes(const std::string& option, const Manipulato
 
 MapSlice parse_slice(const std::string& option, const Manipulator& manipulator, const std::string& text,
                      Problems& problems) {
-  std::string words = text;
-  std::replace(words.begin(), words.end(), ',', ' ');
-  std::istringstream stream(words);
   std::vector<HeldCoordinate> held;
   std::string axis;
   const std::size_t known = problems.size();
-  for (std::string word; stream >> word;) {
+  for (const std::string& word : words_of_list(text)) {
     const std::size_t equals = word.find('=');
     const std::string name = word.substr(0, equals);
     if (equals == std::string::npos) {

@@ -106,10 +106,8 @@ std::optional<double> parse_tolerance(const std::string& text, Problems& problem
 
 Margins parse_margins(const std::string& option, std::string text, const Margins& others,
                       Problems& problems) {
-  std::replace(text.begin(), text.end(), ',', ' ');
-  std::istringstream words(text);
   NamedMargins margins(option, others, problems);
-  for (std::string word; words >> word;) margins.read(word);
+  for (const std::string& word : words_of_list(std::move(text))) margins.read(word);
   return margins.margins();
 }
 
@@ -124,7 +122,11 @@ std::vector<Option> constraint_options(ConstraintArguments& arguments) {
            "serial=0.1\": |det A| "
            "over the norms of its rows and |B_jj| over its largest, 0 at singularities and 1 at most; "
            "det_a=20000: |det A| itself",
-           &arguments.margins}};
+           &arguments.margins},
+          {"--tolerance", "SHARE",
+           "Prove for every robot whose points and lengths differ from the description by at most this share "
+           "of the robot's size, such as 0.001; by default that of the robot's YAML, or 0",
+           &arguments.tolerance}};
 }
 
 std::shared_ptr<const Manipulator> choose_constraints(std::shared_ptr<const Manipulator> manipulator,

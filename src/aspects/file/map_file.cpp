@@ -70,8 +70,10 @@ std::string find_damage(const Bytes& file, ByteReader& reader) {
 
 std::string find_other_key(const std::string& held, const std::string& asked) {
   if (held == asked) return "";
-  return "it holds a map with \"" + first_difference(held, asked) + "\" and not \"" +
-         first_difference(asked, held) + "\"";
+  const std::string of_file = line_missing_in(asked, held), of_question = line_missing_in(held, asked);
+  if (of_file.empty()) return "it holds a map without \"" + of_question + "\"";
+  return "it holds a map with \"" + of_file + "\"" +
+         (of_question.empty() ? ", which is not asked for" : " and not \"" + of_question + "\"");
 }
 
 /// Fills `map`, or says why the file does not hold it.

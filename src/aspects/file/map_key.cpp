@@ -8,6 +8,7 @@
 #include <cctype>
 #include <cstddef>
 #include <initializer_list>
+#include <set>
 #include <sstream>
 
 namespace parallel_aspects {
@@ -104,10 +105,12 @@ std::string coverage_key(const std::optional<MapSlice>& slice, const std::vector
   return key + "\n";
 }
 
-std::string first_difference(const std::string& one, const std::string& other) {
-  std::istringstream lines(one), other_lines(other);
-  for (std::string line, other_line; std::getline(lines, line);)
-    if (!std::getline(other_lines, other_line) || line != other_line) return line;
+std::string line_missing_in(const std::string& text, const std::string& other) {
+  std::set<std::string> known;
+  std::istringstream lines(text), other_lines(other);
+  for (std::string line; std::getline(lines, line);) known.insert(line);
+  for (std::string line; std::getline(other_lines, line);)
+    if (known.count(line) == 0) return line;
   return "";
 }
 

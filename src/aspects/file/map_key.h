@@ -23,8 +23,8 @@ std::string map_key(const Manipulator& manipulator, const Box& region, double re
 /// What of the robot's configurations a map covers, in the same manner: its slice and its working modes.
 std::string coverage_key(const std::optional<MapSlice>& slice, const std::vector<WorkingMode>& modes);
 
-/// The first line of `one` that differs from that of `other`; empty where there is none left in `one`.
-std::string first_difference(const std::string& one, const std::string& other);
+/// The first line of `other` that `text` does not have; empty where it has them all.
+std::string line_missing_in(const std::string& text, const std::string& other);
 
 }  // namespace parallel_aspects
 

@@ -69,7 +69,7 @@ bool is_bounded(const MapBasins& basins, const IndexRange& bottleneck) {
 std::string pair_text(const std::pair<int, int>& pair, const MapBasins& basins, const IndexRange& range) {
   return "  " + std::to_string(pair.first) + " and " + std::to_string(pair.second) +
          ": no path between them keeps a larger " + index_name(basins.index) + " than " +
-         shown_briefly(range.upper) + "\n";
+         shown_bound(range.upper, Side::above) + "\n";
 }
 
 /// Places of the unresolved pairs, those of large aspects first.
@@ -106,8 +106,7 @@ std::string pairs_text(const AspectMap& map, const MapBasins& basins) {
 }  // namespace
 
 std::string shown_range(const IndexRange& range) {
-  const std::string lower = shown_briefly(range.lower), upper = shown_briefly(range.upper);
-  return lower == upper ? lower : lower + " to " + upper;
+  return shown_bound(range.lower, Side::below) + " to " + shown_bound(range.upper, Side::above);
 }
 
 std::string index_name(ParallelIndex index) {
@@ -142,7 +141,13 @@ json json_bottleneck(ParallelIndex index, const Bottleneck& bottleneck) {
 
 std::string bottleneck_text(ParallelIndex index, const Bottleneck& bottleneck) {
   if (bottleneck.status != BottleneckStatus::found) return bottleneck.message;
-  return "the largest " + index_name(index) + " that a path can keep is " + shown_range(bottleneck.index);
+  const BottleneckPrecision aim;
+  const double absolute = index == ParallelIndex::normalised ? aim.absolute : 0.0;
+  const double width = bottleneck.index.upper - bottleneck.index.lower;
+  return "the largest " + index_name(index) + " that a path can keep is " + shown_range(bottleneck.index) +
+         (width > std::max(aim.relative * bottleneck.index.upper, absolute)
+              ? ", where the search came to its limit; a finer --resolution may tell more"
+              : "");
 }
 
 }  // namespace parallel_aspects::tools

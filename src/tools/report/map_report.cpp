@@ -181,20 +181,13 @@ std::string symmetry_text(const AspectMap& map) {
          counted(map.symmetry_use()->computed_modes, "working mode") + " computed\n";
 }
 
-std::string tolerance_text(const AspectMap& map) {
-  const double tolerance = map.manipulator()->tolerance();
-  if (tolerance == 0.0) return "";
-  return "for every robot whose points and lengths are within " + shown(tolerance) +
-         " m of those of the description\n";
-}
-
 std::string map_text(const AspectMap& map, bool all_aspects, const MapBasins* basins) {
   std::string text = map.manipulator()->name() + ": " + aspect_count(map) + "; " +
                      counted(map.working_modes().size(), "working mode") + "\n";
   if (map.slice())
     text += "slice " + to_string(*map.slice()) +
             ": aspects of the slice, of which two may be joined outside of it\n";
-  text += tolerance_text(map);
+  text += tolerance_text(*map.manipulator());
   text += "task space " + std::string(name(map.manipulator()->task_space())) + region_text(map) +
           ", resolution " + shown(map.resolution()) + ", " + shown(map.seconds()) + " s\n" +
           symmetry_text(map) + "\n";

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <optional>
+#include <regex>
 #include <sstream>
 
 namespace parallel_aspects::tools {
@@ -36,6 +37,11 @@ std::string joined(const std::vector<std::string>& names) {
 }
 
 }  // namespace
+
+std::vector<std::string> words_of_list(std::string text) {
+  static const std::regex around_equals("\\s*=\\s*");
+  return words(std::regex_replace(text, around_equals, "="));
+}
 
 double parse_positive(const std::string& option, const std::string& text, Problems& problems) {
   const std::optional<double> value = finite_number(text);

@@ -5,6 +5,7 @@
 #include "model/task_space_traits.h"
 
 #include <cmath>
+#include <cstdlib>
 #include <regex>
 #include <sstream>
 
@@ -65,6 +66,14 @@ std::string shown(double value) { return with_digits(value, 6); }
 
 std::string shown_briefly(double value) { return with_digits(value, 4); }
 
+std::string shown_bound(double value, Side side) {
+  const std::string text = shown_briefly(value);
+  const double rounded = std::strtod(text.c_str(), nullptr);
+  if (side == Side::below ? rounded <= value : rounded >= value) return text;
+  const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 3.0);
+  return shown_briefly(side == Side::below ? rounded - unit : rounded + unit);
+}
+
 std::string shown(const TaskVector& values) {
   std::string text;
   for (const double value : coefficients_of(values)) text += (text.empty() ? "" : ", ") + shown(value);
@@ -72,6 +81,12 @@ std::string shown(const TaskVector& values) {
 }
 
 std::string shown_sign(double value) { return value > 0.0 ? "+" : value < 0.0 ? "-" : "0"; }
+
+std::string tolerance_text(const Manipulator& manipulator) {
+  if (manipulator.tolerance() == 0.0) return "";
+  return "for every robot whose points and lengths are within " + shown(manipulator.tolerance()) +
+         " m of those of the description\n";
+}
 
 std::string joint_unit(const Leg& leg) { return leg.actuated_by_angle() ? "rad" : "m"; }
 

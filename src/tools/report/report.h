@@ -42,6 +42,12 @@ std::string shown(double value);
 /// Four significant digits.
 std::string shown_briefly(double value);
 
+/// On which side of a number what is shown of it may lie.
+enum class Side { below, above };
+
+/// The same for a bound that is proved: rounded to this side, so that what is shown is proved as well.
+std::string shown_bound(double value, Side side);
+
 /// Several numbers, separated by ", ".
 std::string shown(const TaskVector& values);
 
@@ -53,6 +59,9 @@ std::string joint_unit(const Leg& leg);
 
 /// Unit of det A: "m^2", "m^4" and so on, as in `direct_determinant`.
 std::string determinant_unit(TaskSpace space);
+
+/// A line that says for which robots something is proved; empty without a tolerance.
+std::string tolerance_text(const Manipulator& manipulator);
 
 /// "1 aspect", "2 aspects"; or with `plural` where that has another form.
 std::string counted(std::size_t number, const std::string& noun, const std::string& plural = "");

@@ -51,7 +51,8 @@ std::string side_table(const PoseRoadmap& roadmap) {
 std::string roadmap_text(const PoseRoadmap& roadmap) {
   const Manipulator& manipulator = *roadmap.certifier().manipulator();
   std::string text = manipulator.name() + ": at least " + counted(roadmap.proved_count(), "aspect") + " in " +
-                     counted(mode_count(roadmap), "working mode") + ", proved\n";
+                     counted(mode_count(roadmap), "working mode") + ", proved\n" +
+                     tolerance_text(manipulator);
   text += "task space " + std::string(name(manipulator.task_space())) + ", a certified roadmap of " +
           counted(roadmap.poses().size(), "sampled pose") + ", seed " +
           std::to_string(roadmap.options().seed) + ", " + shown(roadmap.seconds()) + " s\n\n";

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <vector>
+
 namespace parallel_aspects::tools {
 namespace {
 
@@ -14,6 +17,10 @@ TEST(Numbers, AreSeparatedByBlanksOrCommas) {
     EXPECT_EQ(parse_numbers("--pose", text, {"x", "y"}, problems), Numbers({-1.0, 2.5})) << text;
     EXPECT_TRUE(problems.empty()) << text;
   }
+}
+
+TEST(Numbers, NamedOnesMayHaveBlanksAroundTheSign) {
+  EXPECT_EQ(words_of_list("z = 0.5, roll=0  yaw= 1"), (std::vector<std::string>{"z=0.5", "roll=0", "yaw=1"}));
 }
 
 TEST(Numbers, EveryProblemIsToldAtOnce) {

@@ -26,6 +26,18 @@ TEST(Report, NotesSayHowTheyAreListed) {
   EXPECT_EQ(notes_text({"one"}, false), "note: one\n");
 }
 
+// What is shown of a proved bound is proved, too.
+TEST(Report, BoundsAreRoundedOutward) {
+  EXPECT_EQ(shown_bound(9846.118, Side::below), "9846");
+  EXPECT_EQ(shown_bound(9846.118, Side::above), "9847");
+  EXPECT_EQ(shown_bound(2.0 / 3.0, Side::below), "0.6666");
+  EXPECT_EQ(shown_bound(2.0 / 3.0, Side::above), "0.6667");
+  EXPECT_EQ(shown_bound(-2.0 / 3.0, Side::below), "-0.6667");
+  EXPECT_EQ(shown_bound(0.99999, Side::above), "1");
+  EXPECT_EQ(shown_bound(0.99999, Side::below), "0.9999");
+  EXPECT_EQ(shown_bound(0.0, Side::above), "0");
+}
+
 TEST(Report, AnglesComeInDegreesAndRadians) { EXPECT_EQ(shown_angle(0.5 * EIGEN_PI), "90 deg (1.5708 rad)"); }
 
 }  // namespace

@@ -123,6 +123,16 @@ TEST_F(MapCommand, ConesAreNamedAndCanBeLeftOut) {
   EXPECT_LT(bounded["aspects"].size(), free["aspects"].size());
 }
 
+TEST_F(MapCommand, ProvesForRobotsWithinATolerance) {
+  const auto with = [](const char* share) {
+    return run({"map", "five_bar", "--resolution", "0.5", "--tolerance", share});
+  };
+  EXPECT_NE(with("0.001").output.find("for every robot whose points and lengths are within 0.022 m"),
+            std::string::npos);
+  EXPECT_EQ(with("0").output.find("for every robot"), std::string::npos);
+  for (const char* wrong : {"0.2", "-0.1", "nan", "small"}) EXPECT_NE(with(wrong).code, 0) << wrong;
+}
+
 // A larger margin leaves less, and the small components of the Delta go first.
 TEST_F(MapCommand, MarginsLeaveWhatIsDeep) {
   const auto five_bar = [&](const char* margin) {
