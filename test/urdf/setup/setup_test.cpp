@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/loops.h"
 #include "support/many_joints.h"
 #include "support/shipped.h"
 #include <algorithm>
@@ -147,6 +148,48 @@ TEST(Setup, AsksWhereEquallyMuchSpeaksForTwoWaysToClose) {
   ASSERT_EQ(result.question->candidates.size(), 2U);
   for (const SetupCandidate& candidate : result.question->candidates)
     EXPECT_TRUE(set_up_text(urdf_of("unnamed_three_rpr"), with_closures(candidate.values)).mechanism);
+}
+
+using Pairs = std::set<std::set<std::string>>;
+
+Pairs closures_found(const SetupResult& result) {
+  Pairs pairs;
+  for (const SetupChoice& choice : result.choices)
+    if (choice.key == "closures")
+      for (const std::string& pair : choice.taken.values)
+        pairs.insert({pair.substr(0, pair.find('=')), pair.substr(pair.find('=') + 1)});
+  return pairs;
+}
+
+std::string without_numbers(std::string wrist) {
+  for (const auto& [name, other] :
+       {std::pair{"dome1", "qa"}, {"dome2", "qb"}, {"dist1_end", "ra"}, {"dist2_end", "rb"}})
+    wrist = test::replaced(wrist, name, other);
+  return wrist;
+}
+
+// All frames are in the centre, and their axes alone tell them apart, whatever the names are.
+TEST(Setup, PairsTheFramesOfAWristByTheirAxes) {
+  const std::string wrist = urdf_of("wrist");
+  const Pairs right{{"dome1", "dist1_end"}, {"dome2", "dist2_end"}};
+  EXPECT_EQ(closures_found(set_up_text(wrist)), right);
+  const std::string unnamed = without_numbers(wrist);
+  EXPECT_EQ(closures_found(set_up_text(unnamed)), (Pairs{{"qa", "ra"}, {"qb", "rb"}}));
+  const std::string with_tool = test::replaced(
+      wrist, "</robot>",
+      R"(<link name="cap"/><joint name="cap" type="fixed"><parent link="dome"/><child link="cap"/>)"
+      R"(<origin xyz="0 0 0.1"/></joint></robot>)");
+  EXPECT_EQ(closures_found(set_up_text(with_tool)), right);
+}
+
+// Neither places nor names tell which axis of the dome is whose.
+TEST(Setup, AsksWhereNoAxesOfAWristAreOneAtZero) {
+  const std::string turned =
+      test::replaced(without_numbers(urdf_of("wrist")), R"(rpy="0 0.9273 0")", R"(rpy="0.2 0.9273 0")");
+  const SetupResult result = set_up_text(turned);
+  EXPECT_FALSE(result.mechanism);
+  ASSERT_TRUE(result.question) << listed(result.problems) << result.config;
+  EXPECT_EQ(result.question->key, "closures");
 }
 
 // The option that the question shows, with the places that it asks for.
