@@ -12,6 +12,7 @@
 #include "support/many_joints.h"
 #include "support/shipped.h"
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -120,6 +121,8 @@ INSTANTIATE_TEST_SUITE_P(
               "rr_outer_2",
               {"rr_active_1", "rr_active_2"}},
         Found{"all_driven_five_bar", TaskSpace::T2, "base_link", "link2_tip", {"joint1", "joint3"}},
+        Found{
+            "layered_five_bar", TaskSpace::T2, "base_plate", "tip_left", {"shoulder_left", "shoulder_right"}},
         Found{"hung_three_rrr", TaskSpace::SE2, "ground", "moving_stage", {"hip_1", "hip_2", "hip_3"}},
         Found{"hung_delta", TaskSpace::T3, "frame", "tool_plate", {"shoulder_1", "shoulder_2", "shoulder_3"}},
         Found{"hung_five_bar", TaskSpace::T2, "table", "tool", {"drive1", "drive2"}},
@@ -252,6 +255,21 @@ TEST(Setup, OffersEachWayToCloseOnce) {
   EXPECT_EQ(once.size(), 6U);
 }
 
+// One way that loads, and others that were not tried, are not equals.
+TEST(Setup, SaysThatItDidNotTryAllWaysToClose) {
+  const std::string urdf = urdf_of("unnamed_three_rpr");
+  std::optional<SetupQuestion> question;
+  for (int most = 1; most < 10000 && !(question && question->candidates.size() == 1); ++most) {
+    SetupControl control = patient();
+    control.cancelled = [left = most]() mutable { return --left < 0; };
+    question = set_up(urdf, "robot.urdf", "robot.yaml", {}, control).question;
+    ASSERT_TRUE(question) << most;
+  }
+  EXPECT_EQ(question->text,
+            "robot.urdf does not tell which open ends meet; the search ended before all ways to close the "
+            "loops were tried, and of those that were one loads");
+}
+
 // No file was written, and no value given: the options that were tried can be typed as they stand.
 TEST(Setup, RefusesInTheWordsOfItsOptions) {
   for (const char* name : {"four_bar", "serial_arm"}) {
@@ -302,6 +320,14 @@ TEST(Setup, SaysThatTimeDidNotSufficeForAnAnswer) {
   ASSERT_EQ(result.problems.size(), 1U);
   EXPECT_NE(result.problems.front().find("in the time there is"), std::string::npos)
       << result.problems.front();
+}
+
+TEST(Setup, SaysThatAPlaceHasThreeCoordinates) {
+  const SetupResult result =
+      set_up_text(test::source_file("urdf/five_bar.urdf"), with_closures({"tool=rod_2@0.28:0"}));
+  EXPECT_EQ(result.problems,
+            Problems{"--closures has 'rod_2@0.28:0'; write a place in the frame of link 'rod_2' with three "
+                     "coordinates, as rod_2@X:Y:Z [m]."});
 }
 
 TEST(Setup, RefusesToCloseWhatIsFixed) {
