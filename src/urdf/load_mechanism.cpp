@@ -5,6 +5,7 @@
 #include "urdf/closing/resolved_config.h"
 #include "urdf/config/mechanism_config.h"
 #include "urdf/corrections/culprit.h"
+#include "urdf/corrections/shared_frames.h"
 #include "urdf/corrections/unit_corrections.h"
 #include "urdf/description/yaml_document.h"
 #include "urdf/load_search.h"
@@ -142,6 +143,7 @@ SharedMechanism load_mechanism(const std::string& urdf_text, const std::string& 
   check_closures(resolved.closures, files, problems);
   if (!problems.empty()) throw InvalidDescription(problems);
   for (const std::string& note : leave_out_repeated(resolved.closures, files)) notes.push_back(note);
+  for (const std::string& note : shared_frame_notes(*tree, resolved.closures)) notes.push_back(note);
   for (const std::string& note :
        join_layers(*tree, resolved.actuated_joints.platform_link, files, resolved.closures))
     notes.push_back(note);

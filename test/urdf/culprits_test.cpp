@@ -39,6 +39,43 @@ TEST(Culprit, IsAFourBar) {
   }
 }
 
+// Two legs of a five-bar hold a platform that can only slide; one alone would be a robot in T1.
+TEST(Culprit, IsASliderThatTwoLegsHold) {
+  Description robot = culprit("held_slider");
+  const Problems expected{
+      "robot.urdf is a linkage of one degree of freedom, whose operational_point 'stage' moves on slide 'h0' "
+      "and is held by several legs; of those only a platform on a slide, which one leg moves (T1), is "
+      "treated."};
+  EXPECT_EQ(refusal(robot), expected);
+  robot.config = replaced(robot.config, "[q1, q3]", "[q1]");
+  EXPECT_EQ(refusal(robot), expected);
+  robot.config = replaced(robot.config, ", {type: revolute, frames: [stage, rodB_end]}", "");
+  EXPECT_EQ(test::load(robot)->manipulator()->task_space(), TaskSpace::T1);
+}
+
+// Which may be meant, so that it loads.
+TEST(Culprit, MayBeALinkThatTwoClosuresHold) {
+  for (const std::string robot : {"stewart", "three_rpr", "spherical_3rrr"}) {
+    Description description = shipped_text(robot);
+    const auto about_links = [&] {
+      std::vector<std::string> found;
+      const auto loaded = test::load(description);
+      for (const std::string& note : loaded->notes())
+        if (note.find(" closures, and '") != std::string::npos) found.push_back(note);
+      return found;
+    };
+    EXPECT_TRUE(about_links().empty()) << robot;
+    const std::size_t start = description.config.find("{frames: [platform_3");
+    ASSERT_NE(start, std::string::npos) << robot;
+    description.config.replace(start, 20, "{frames: [platform_2");
+    EXPECT_EQ(about_links(),
+              std::vector<std::string>{"Link 'platform_2' is in two closures, and 'platform_3' of the same "
+                                       "body in none; where each joint has its own link, correct the "
+                                       "closures."})
+        << robot;
+  }
+}
+
 // All four sides of a parallelogram move along circles, but for a moment along lines.
 TEST(Culprit, IsAParallelogram) {
   Description four_bar = culprit("four_bar");

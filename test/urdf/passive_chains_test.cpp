@@ -128,6 +128,17 @@ TEST(PassiveChain, OfAPlanarPlatformTakesNothing) {
 }
 
 // Rods of 0.6 m that run 0.05 m out of their planes.
+// At zero two of its struts are as short as they can be, and it can stand elsewhere.
+TEST(PassiveChain, DoesNotKeepTheHomePoseOnALimit) {
+  const auto robot = test::load(chain_text("hung_three_rpr"));
+  const AssembledConfiguration home = robot->assembled();
+  for (std::size_t k = 0; k < robot->manipulator()->leg_count(); ++k) {
+    const JointLimits& limits = robot->manipulator()->leg(k).limits;
+    EXPECT_GT(home.q[static_cast<Eigen::Index>(k)], limits.lower + 1e-3) << k;
+    EXPECT_LT(home.q[static_cast<Eigen::Index>(k)], limits.upper - 1e-3) << k;
+  }
+}
+
 TEST(PassiveChain, OfTwoSlidesMakesAPlane) {
   const auto mechanism = test::load(chain_text("y_z_slides"));
   EXPECT_EQ(mechanism->manipulator()->task_space(), TaskSpace::T2);

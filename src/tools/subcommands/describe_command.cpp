@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "model/coefficients.h"
 #include "model/spherical_links.h"
 #include "parallel_aspects/kinematics/working_mode.h"
 #include "parallel_aspects/singularity/margins.h"
@@ -8,6 +7,7 @@
 #include "tools/report/text_table.h"
 #include "tools/subcommands.h"
 
+#include <cmath>
 #include <variant>
 
 namespace parallel_aspects::tools {
@@ -116,8 +116,12 @@ json json_mechanism(const Mechanism& mechanism) {
           {"notes", mechanism.notes()}};
 }
 
+// Zero where only rounding, or its sign, tells it from zero [m or rad].
+double without_noise(double value) { return std::abs(value) < 1e-12 ? 0.0 : value; }
+
 std::string point_text(const Eigen::Vector3d& point) {
-  return "(" + shown(point.x()) + ", " + shown(point.y()) + ", " + shown(point.z()) + ")";
+  const Eigen::Vector3d told = point.unaryExpr(&without_noise);
+  return "(" + shown(told.x()) + ", " + shown(told.y()) + ", " + shown(told.z()) + ")";
 }
 
 std::string limits_text(const Leg& leg) {
@@ -188,12 +192,15 @@ std::string frame_text(const Manipulator& manipulator) {
 std::string home_text(const Mechanism& mechanism) {
   const TaskSpace space = mechanism.manipulator()->task_space();
   const AssembledConfiguration home = mechanism.assembled();
-  std::string numbers;
-  const PoseCoordinates coordinates = pose_coordinates(space, home.pose);
-  for (const double each : coefficients_of(coordinates))
-    numbers += (numbers.empty() ? "" : " ") + shown(each);
-  return "home pose: " + to_string(space, home.pose) + " (--pose \"" + numbers + "\"), at the joint values " +
-         shown(home.q) + "\n";
+  std::string named, numbers;
+  const PoseCoordinates coordinates = pose_coordinates(space, home.pose).unaryExpr(&without_noise);
+  for (Eigen::Index k = 0; k < coordinates.size(); ++k) {
+    named += (k == 0 ? "" : ", ") + coordinate_names(space)[static_cast<std::size_t>(k)] + ' ' +
+             shown(coordinates[k]);
+    numbers += (k == 0 ? "" : " ") + shown(coordinates[k]);
+  }
+  const TaskVector q = home.q.unaryExpr(&without_noise);
+  return "home pose: " + named + " (--pose \"" + numbers + "\"), at the joint values " + shown(q) + "\n";
 }
 
 // Those in force, and what the home pose lacks of them.

@@ -217,9 +217,8 @@ Eigen::MatrixXd actuated_rates(const ClosureSystem& system, const Eigen::MatrixX
 }
 
 // Actuated joints that move independently come first: a mechanism may have other branches, as a parallelogram
-// that is crossed. Then least mobility; then a platform that moves in most ways, as away from serial
-// singularities; then good ones, away from limits; then the earliest, which is nearest to zero, unless a
-// later one is much better conditioned.
+// that is crossed. Then least mobility; then a platform that moves in most ways; then good ones, away from
+// limits; then the earliest, which is nearest to zero, unless a later one is much better conditioned.
 bool is_better(const Candidate& one, const Candidate& other) {
   if (one.joints_move() != other.joints_move()) return one.joints_move();
   const Eigen::Index mobility = one.assembly.motions.cols(), other_mobility = other.assembly.motions.cols();
@@ -266,22 +265,33 @@ class Assembler {
     if (!best_ || is_better(candidate, *best_)) best_ = candidate;
   }
 
-  // Of their limits: the actuated joints that stand on one, where the rest stays as good.
+  // Of their limits: the actuated joints that stand on one, where the rest stays as good, or good enough.
   void move_inside() {
     Eigen::VectorXd start = best_->assembly.values;
     std::vector<bool> held = none_held_;
     for (const std::size_t joint : actuated_joints_) {
       double& value = start[static_cast<Eigen::Index>(joint)];
-      const double inside = inside_limits(joint, value);
-      if (inside == value) continue;
-      value = inside;
-      held[joint] = true;
+      held[joint] = inside_limits(joint, value) != value;
+      value = inside_limits(joint, value);
     }
     if (held == none_held_) return;
     const Eigen::VectorXd values = close_loops(system_, start, held);
     if (!(largest(system_.residual(values)) < closing_tolerance * system_.size())) return;
     const Candidate moved = judged(values);
-    if (!is_better(*best_, moved)) best_ = moved;
+    if (!is_better(*best_, moved) || serves_as_well(moved)) best_ = moved;
+  }
+
+  bool serves_as_well(const Candidate& moved) const {
+    return moved.assembly.motions.cols() == best_->assembly.motions.cols() &&
+           moved.is_usable(actuated_joints_.size()) &&
+           on_limits(moved.assembly.values) < on_limits(best_->assembly.values);
+  }
+
+  std::ptrdiff_t on_limits(const Eigen::VectorXd& values) const {
+    return std::count_if(actuated_joints_.begin(), actuated_joints_.end(), [&](std::size_t joint) {
+      const double value = values[static_cast<Eigen::Index>(joint)];
+      return inside_limits(joint, value) != value;
+    });
   }
 
   double inside_limits(std::size_t joint, double value) const {

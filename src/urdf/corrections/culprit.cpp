@@ -272,6 +272,22 @@ class Search {
     return turns && any_slide ? joint : std::nullopt;
   }
 
+  // That carries the platform on the base.
+  std::optional<std::size_t> slide_below_platform() const {
+    const auto joint = tree_->joint_above[body_of(*tree_, platform())];
+    const bool slides = joint && tree_->joints[*joint].motion == JointMotion::prismatic &&
+                        body_of(*tree_, tree_->joints[*joint].parent) == body_of(*tree_, resolved_.base);
+    return slides ? joint : std::nullopt;
+  }
+
+  std::ptrdiff_t legs_at_platform() const {
+    const std::size_t body = body_of(*tree_, platform());
+    return std::count_if(resolved_.closures.begin(), resolved_.closures.end(), [&](const Closure& closure) {
+      return body_of(*tree_, closure.frames[0].link) == body ||
+             body_of(*tree_, closure.frames[1].link) == body;
+    });
+  }
+
   // With the one joint that is actuated, or each of several that move together.
   std::optional<std::string> one_degree_of_freedom() const {
     if (!assembled_.assembly || assembled_.assembly->motions.cols() != 1) return std::nullopt;
@@ -280,6 +296,14 @@ class Search {
              "' alone, as a boom that a piston moves; of linkages of one degree of freedom only a platform "
              "on a "
              "slide, which one leg moves (T1), is treated.";
+    if (const auto slide = slide_below_platform())
+      return legs_at_platform() < 2
+                 ? std::nullopt
+                 : std::optional<std::string>(
+                       files_.urdf + " is a linkage of one degree of freedom, whose " + operational_point() +
+                       " moves on slide '" + tree_->joints[*slide].name +
+                       "' and is held by several legs; of those only a platform on a slide, which one leg "
+                       "moves (T1), is treated.");
     return files_.urdf + " is a linkage of one degree of freedom, as a four-bar, and its " +
            operational_point() +
            " is not on a slide; of those only a platform on a slide, which one leg moves (T1), is treated.";

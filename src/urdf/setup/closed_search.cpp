@@ -2,12 +2,14 @@
 #include "urdf/setup/closed_search.h"
 
 #include "urdf/closing/actuation_choices.h"
+#include "urdf/closing/planar_layers.h"
 #include "urdf/load_search.h"
 #include "urdf/setup/freedom.h"
 #include "urdf/setup/name_words.h"
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 namespace parallel_aspects {
 namespace {
@@ -317,7 +319,9 @@ class ClosedSearch {
     const auto known = closure_type_named(type);
     if (!known || *known == ClosureType::automatic || freedoms_.count(type) > 0 || stopped()) return;
     const std::size_t base = *tree_.link_named(result_.draft.base_link.values.front());
-    freedoms_.emplace(type, Freedom(tree_, base, with_type(closures_, *known)));
+    std::vector<Closure> typed = with_type(closures_, *known);
+    join_layers(tree_, base, {subject_.urdf_name, subject_.config_name}, typed);
+    freedoms_.emplace(type, Freedom(tree_, base, std::move(typed)));
   }
 
   void prefer_revolute() {

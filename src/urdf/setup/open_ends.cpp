@@ -39,6 +39,8 @@ class EndFinder {
       size_ = std::max(size_, (one.translation() - poses_.front().translation()).norm());
     if (size_ == 0.0) size_ = 1.0;
     collect();
+    is_wrist_ = std::any_of(result_.links.begin(), result_.links.end(),
+                            [this](std::size_t link) { return every_chain_ends_at(link); });
   }
 
   // Without pairings.
@@ -102,7 +104,28 @@ class EndFinder {
   std::size_t place(std::size_t link) const {
     const std::vector<std::size_t>& links = bodies_.links(bodies_.of(link));
     return *std::find_if(links.begin(), links.end(),
-                         [&](std::size_t other) { return distance(link, other) <= coincident * size_; });
+                         [&](std::size_t other) { return are_one_frame(link, other); });
+  }
+
+  // The joints of a wrist all are in its centre, where only their axes tell them apart.
+  bool are_one_frame(std::size_t one, std::size_t other) const {
+    return in_one_place(one, other) && (!is_wrist_ || have_one_axis(one, other));
+  }
+
+  bool every_chain_ends_at(std::size_t place) const {
+    return std::all_of(terminal_.begin(), terminal_.end(), [&](const Body& body) {
+      return std::any_of(body.ends.begin(), body.ends.end(),
+                         [&](std::size_t end) { return in_one_place(end, place); });
+    });
+  }
+
+  bool in_one_place(std::size_t one, std::size_t other) const {
+    return distance(one, other) <= coincident * size_;
+  }
+
+  // Along z, either way round, as revolute closures hold it.
+  bool have_one_axis(std::size_t one, std::size_t other) const {
+    return poses_[one].linear().col(2).cross(poses_[other].linear().col(2)).norm() <= near;
   }
 
   struct Body {
@@ -190,9 +213,11 @@ class EndFinder {
   std::optional<Pairing> by_position() const {
     Pairing pairing{{}, "they coincide while all joints are zero"};
     double widest = 0.0;
+    std::set<std::size_t> taken;
     for (const std::vector<std::size_t>& tips : tips_) {
-      const auto pair = nearest(tips);
+      const auto pair = nearest(tips, taken);
       if (!pair) return std::nullopt;
+      taken.insert(pair->one);
       widest = std::max(widest, distance(pair->one, pair->other));
       pairing.pairs.push_back(*pair);
     }
@@ -201,7 +226,8 @@ class EndFinder {
     return pairing.pairs.empty() ? std::nullopt : std::optional<Pairing>(pairing);
   }
 
-  std::optional<EndPair> nearest(const std::vector<std::size_t>& tips) const {
+  std::optional<EndPair> nearest(const std::vector<std::size_t>& tips,
+                                 const std::set<std::size_t>& taken) const {
     std::optional<EndPair> best;
     double least = near * size_;
     for (const std::size_t tip : tips)
@@ -213,9 +239,25 @@ class EndFinder {
     if (!best) return best;
     for (const std::size_t anchor : anchors_) {
       const double other = distance(best->other, anchor);
-      if (distance(anchor, best->one) > coincident * size_ && other < distinct * least) return std::nullopt;
+      if (!in_one_place(anchor, best->one) && other < distinct * least) return std::nullopt;
     }
-    return best;
+    const auto anchor = anchor_at(*best, taken);
+    return anchor ? std::optional<EndPair>({*anchor, best->other, ""}) : std::nullopt;
+  }
+
+  // Of the anchors in the place of that of the pair, one with the axis of the tip, and one that is not taken.
+  // Nothing where many are in the centre of a wrist, and none has that axis.
+  std::optional<std::size_t> anchor_at(const EndPair& pair, const std::set<std::size_t>& taken) const {
+    std::vector<std::size_t> there;
+    for (const std::size_t anchor : anchors_)
+      if (in_one_place(anchor, pair.one)) there.push_back(anchor);
+    const auto rank = [&](std::size_t anchor) {
+      return std::pair{!have_one_axis(anchor, pair.other), taken.count(anchor)};
+    };
+    const std::size_t best = *std::min_element(
+        there.begin(), there.end(), [&](std::size_t one, std::size_t two) { return rank(one) < rank(two); });
+    const bool is_told = !is_wrist_ || there.size() == 1 || have_one_axis(best, pair.other);
+    return is_told ? std::optional<std::size_t>(best) : std::nullopt;
   }
 
   // Every tip has one anchor whose name is more like its own than any other, and the other way round.
@@ -309,7 +351,8 @@ class EndFinder {
   const Bodies& bodies_;
   const std::vector<bool>& left_open_;  // by link
   Poses poses_;
-  double size_ = 0.0;  // [m]
+  double size_ = 0.0;      // [m]
+  bool is_wrist_ = false;  // whether all chains have an end in one place
   std::vector<Body> terminal_, ended_;
   std::vector<std::size_t> anchors_;
   std::vector<std::vector<std::size_t>> tips_;  // of each chain, what may be its end

@@ -65,7 +65,12 @@ class Setup {
   void check_link(const std::string& option, const std::string& name) {
     if (name.empty() || tree_.link_named(name)) return;
     const auto frame = placed_frame(name);
-    problem(option, "link", frame ? frame->link : name, tree_.links);
+    const std::string before = name.substr(0, name.rfind('@'));
+    if (!frame && before != name && tree_.link_named(before))
+      result_.problems.push_back(option + " has '" + name + "'; write a place in the frame of link '" +
+                                 before + "' with three coordinates, as " + before + "@X:Y:Z [m].");
+    else
+      problem(option, "link", frame ? frame->link : name, tree_.links);
   }
 
   void check_closure(const std::array<std::string, 2>& links) {
@@ -240,6 +245,9 @@ class Setup {
   static std::string why_to_ask(std::size_t found, bool only_one) {
     if (only_one)
       return " has links without a frame at their far end; with the lengths of those that have one it loads";
+    if (found == 1)
+      return " does not tell which open ends meet; the search ended before all ways to close the loops were "
+             "tried, and of those that were one loads";
     return " does not tell which open ends meet: equally much speaks for " + std::to_string(found) +
            " ways to close the loops";
   }

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <regex>
 #include <sstream>
 
 namespace parallel_aspects::tools {
@@ -62,6 +63,16 @@ TEST_F(SetupCommand, WritesWhatLoadsAndSaysWhatIsNext) {
       << outcome.output;
   EXPECT_EQ(run({"describe", "--urdf", five_bar_.c_str(), "--config", output_.c_str()}).code, exit_code::ok);
   EXPECT_NE(written().find("# Actuated joints, one a leg: "), std::string::npos) << written();
+}
+
+// As -0 and 1.7e-17, which rounding leaves of zero.
+TEST_F(SetupCommand, TellsNoNumbersThatAreNoise) {
+  for (const char* name : {"layered_five_bar", "wrist"}) {
+    const std::string robot = urdf("test/data/setup/" + std::string(name) + ".urdf");
+    const std::string told = run({"setup", robot.c_str(), "-o", (output_ + name).c_str()}).output;
+    EXPECT_NE(told.find("home pose: "), std::string::npos) << told;
+    EXPECT_FALSE(std::regex_search(told, std::regex("-0[,) \"\n]|e-1[0-9]"))) << told;
+  }
 }
 
 TEST_F(SetupCommand, LeavesAFileThatExists) {

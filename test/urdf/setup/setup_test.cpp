@@ -8,9 +8,11 @@
 
 #include <gtest/gtest.h>
 
+#include "support/loops.h"
 #include "support/many_joints.h"
 #include "support/shipped.h"
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -119,6 +121,8 @@ INSTANTIATE_TEST_SUITE_P(
               "rr_outer_2",
               {"rr_active_1", "rr_active_2"}},
         Found{"all_driven_five_bar", TaskSpace::T2, "base_link", "link2_tip", {"joint1", "joint3"}},
+        Found{
+            "layered_five_bar", TaskSpace::T2, "base_plate", "tip_left", {"shoulder_left", "shoulder_right"}},
         Found{"hung_three_rrr", TaskSpace::SE2, "ground", "moving_stage", {"hip_1", "hip_2", "hip_3"}},
         Found{"hung_delta", TaskSpace::T3, "frame", "tool_plate", {"shoulder_1", "shoulder_2", "shoulder_3"}},
         Found{"hung_five_bar", TaskSpace::T2, "table", "tool", {"drive1", "drive2"}},
@@ -147,6 +151,48 @@ TEST(Setup, AsksWhereEquallyMuchSpeaksForTwoWaysToClose) {
   ASSERT_EQ(result.question->candidates.size(), 2U);
   for (const SetupCandidate& candidate : result.question->candidates)
     EXPECT_TRUE(set_up_text(urdf_of("unnamed_three_rpr"), with_closures(candidate.values)).mechanism);
+}
+
+using Pairs = std::set<std::set<std::string>>;
+
+Pairs closures_found(const SetupResult& result) {
+  Pairs pairs;
+  for (const SetupChoice& choice : result.choices)
+    if (choice.key == "closures")
+      for (const std::string& pair : choice.taken.values)
+        pairs.insert({pair.substr(0, pair.find('=')), pair.substr(pair.find('=') + 1)});
+  return pairs;
+}
+
+std::string without_numbers(std::string wrist) {
+  for (const auto& [name, other] :
+       {std::pair{"dome1", "qa"}, {"dome2", "qb"}, {"dist1_end", "ra"}, {"dist2_end", "rb"}})
+    wrist = test::replaced(wrist, name, other);
+  return wrist;
+}
+
+// All frames are in the centre, and their axes alone tell them apart, whatever the names are.
+TEST(Setup, PairsTheFramesOfAWristByTheirAxes) {
+  const std::string wrist = urdf_of("wrist");
+  const Pairs right{{"dome1", "dist1_end"}, {"dome2", "dist2_end"}};
+  EXPECT_EQ(closures_found(set_up_text(wrist)), right);
+  const std::string unnamed = without_numbers(wrist);
+  EXPECT_EQ(closures_found(set_up_text(unnamed)), (Pairs{{"qa", "ra"}, {"qb", "rb"}}));
+  const std::string with_tool = test::replaced(
+      wrist, "</robot>",
+      R"(<link name="cap"/><joint name="cap" type="fixed"><parent link="dome"/><child link="cap"/>)"
+      R"(<origin xyz="0 0 0.1"/></joint></robot>)");
+  EXPECT_EQ(closures_found(set_up_text(with_tool)), right);
+}
+
+// Neither places nor names tell which axis of the dome is whose.
+TEST(Setup, AsksWhereNoAxesOfAWristAreOneAtZero) {
+  const std::string turned =
+      test::replaced(without_numbers(urdf_of("wrist")), R"(rpy="0 0.9273 0")", R"(rpy="0.2 0.9273 0")");
+  const SetupResult result = set_up_text(turned);
+  EXPECT_FALSE(result.mechanism);
+  ASSERT_TRUE(result.question) << listed(result.problems) << result.config;
+  EXPECT_EQ(result.question->key, "closures");
 }
 
 // The option that the question shows, with the places that it asks for.
@@ -209,6 +255,21 @@ TEST(Setup, OffersEachWayToCloseOnce) {
   EXPECT_EQ(once.size(), 6U);
 }
 
+// One way that loads, and others that were not tried, are not equals.
+TEST(Setup, SaysThatItDidNotTryAllWaysToClose) {
+  const std::string urdf = urdf_of("unnamed_three_rpr");
+  std::optional<SetupQuestion> question;
+  for (int most = 1; most < 10000 && !(question && question->candidates.size() == 1); ++most) {
+    SetupControl control = patient();
+    control.cancelled = [left = most]() mutable { return --left < 0; };
+    question = set_up(urdf, "robot.urdf", "robot.yaml", {}, control).question;
+    ASSERT_TRUE(question) << most;
+  }
+  EXPECT_EQ(question->text,
+            "robot.urdf does not tell which open ends meet; the search ended before all ways to close the "
+            "loops were tried, and of those that were one loads");
+}
+
 // No file was written, and no value given: the options that were tried can be typed as they stand.
 TEST(Setup, RefusesInTheWordsOfItsOptions) {
   for (const char* name : {"four_bar", "serial_arm"}) {
@@ -259,6 +320,14 @@ TEST(Setup, SaysThatTimeDidNotSufficeForAnAnswer) {
   ASSERT_EQ(result.problems.size(), 1U);
   EXPECT_NE(result.problems.front().find("in the time there is"), std::string::npos)
       << result.problems.front();
+}
+
+TEST(Setup, SaysThatAPlaceHasThreeCoordinates) {
+  const SetupResult result =
+      set_up_text(test::source_file("urdf/five_bar.urdf"), with_closures({"tool=rod_2@0.28:0"}));
+  EXPECT_EQ(result.problems,
+            Problems{"--closures has 'rod_2@0.28:0'; write a place in the frame of link 'rod_2' with three "
+                     "coordinates, as rod_2@X:Y:Z [m]."});
 }
 
 TEST(Setup, RefusesToCloseWhatIsFixed) {

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_URDF_CORRECTIONS_SHARED_FRAMES_H
+#define PARALLEL_ASPECTS_URDF_CORRECTIONS_SHARED_FRAMES_H
+
+#include "urdf/description/closure.h"
+#include "urdf/description/tree.h"
+
+#include <string>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// What looks like a slip, though it may be meant: a link that several closures hold, while one of its body
+/// with such a name is in none.
+std::vector<std::string> shared_frame_notes(const Tree& tree, const std::vector<Closure>& closures);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_URDF_CORRECTIONS_SHARED_FRAMES_H
