@@ -35,7 +35,7 @@ class Layers {
   /// From the first frame to the second across the planes, in the frame of the root at zero [m]; zero where
   /// the joints have no planes.
   Vector3d offset() const {
-    const auto normal = common_normal();
+    const auto normal = common_normal(tree_, poses_, joints_);
     if (!normal || !turns_about(*normal)) return Vector3d::Zero();
     return *normal * normal->dot(origin(1) - origin(0));
   }
@@ -67,25 +67,6 @@ class Layers {
     });
   }
 
-  Vector3d axis(std::size_t joint) const {
-    return poses_[tree_.joints[joint].child].linear() * tree_.joints[joint].axis;
-  }
-
-  // Rotations about it and slides across it keep both as they are.
-  std::optional<Vector3d> common_normal() const {
-    std::optional<Vector3d> normal;
-    for (const std::size_t joint : joints_) {
-      if (tree_.joints[joint].motion != JointMotion::revolute) continue;
-      if (!normal) normal = axis(joint);
-      if (normal->cross(axis(joint)).norm() > rank_tolerance) return std::nullopt;
-    }
-    for (const std::size_t joint : joints_)
-      if (normal && tree_.joints[joint].motion == JointMotion::prismatic &&
-          std::abs(normal->dot(axis(joint))) > rank_tolerance)
-        return std::nullopt;
-    return normal;
-  }
-
   const Tree& tree_;
   const Closure& closure_;
   Poses poses_;
@@ -98,6 +79,25 @@ bool may_be_layered(const Closure& closure) {
 }
 
 }  // namespace
+
+// Rotations about it and slides across it keep both as they are.
+std::optional<Vector3d> common_normal(const Tree& tree, const Poses& poses,
+                                      const std::vector<std::size_t>& joints) {
+  const auto axis = [&](std::size_t joint) -> Vector3d {
+    return poses[tree.joints[joint].child].linear() * tree.joints[joint].axis;
+  };
+  std::optional<Vector3d> normal;
+  for (const std::size_t joint : joints) {
+    if (tree.joints[joint].motion != JointMotion::revolute) continue;
+    if (!normal) normal = axis(joint);
+    if (normal->cross(axis(joint)).norm() > rank_tolerance) return std::nullopt;
+  }
+  for (const std::size_t joint : joints)
+    if (normal && tree.joints[joint].motion == JointMotion::prismatic &&
+        std::abs(normal->dot(axis(joint))) > rank_tolerance)
+      return std::nullopt;
+  return normal;
+}
 
 std::vector<std::string> join_layers(const Tree& tree, std::size_t platform, const SourceNames& files,
                                      std::vector<Closure>& closures) {

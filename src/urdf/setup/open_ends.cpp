@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/setup/open_ends.h"
 
+#include "model/number_text.h"
+#include "urdf/closing/planar_layers.h"
 #include "urdf/setup/end_likeness.h"
 #include "urdf/setup/left_open.h"
 #include "urdf/setup/name_words.h"
@@ -9,7 +11,6 @@
 #include <numeric>
 #include <optional>
 #include <set>
-#include <sstream>
 
 namespace parallel_aspects {
 namespace {
@@ -22,14 +23,6 @@ constexpr double distinct = 3.0;  // the second nearest is so many times farther
 constexpr std::size_t max_hubs = 4;
 constexpr std::size_t max_orders = 24;  // of ends that nothing tells apart
 
-std::string number(double value) {
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text.precision(2);
-  text << value;
-  return text.str();
-}
-
 class EndFinder {
  public:
   EndFinder(const Tree& tree, const Bodies& bodies, const std::vector<bool>& left_open)
@@ -38,6 +31,7 @@ class EndFinder {
     for (const auto& one : poses_)
       size_ = std::max(size_, (one.translation() - poses_.front().translation()).norm());
     if (size_ == 0.0) size_ = 1.0;
+    normal_ = common_normal(tree, poses_, tree.movable);
     collect();
     is_wrist_ = std::any_of(result_.links.begin(), result_.links.end(),
                             [this](std::size_t link) { return every_chain_ends_at(link); });
@@ -107,9 +101,12 @@ class EndFinder {
                          [&](std::size_t other) { return are_one_frame(link, other); });
   }
 
-  // The joints of a wrist all are in its centre, where only their axes tell them apart.
+  // The joints of a wrist all are in its centre, where only their axes tell them apart; for planar robots it
+  // does not matter in which layer a frame is.
   bool are_one_frame(std::size_t one, std::size_t other) const {
-    return in_one_place(one, other) && (!is_wrist_ || have_one_axis(one, other));
+    Eigen::Vector3d between = poses_[one].translation() - poses_[other].translation();
+    if (normal_) between -= *normal_ * normal_->dot(between);
+    return between.norm() <= coincident * size_ && (!is_wrist_ || have_one_axis(one, other));
   }
 
   bool every_chain_ends_at(std::size_t place) const {
@@ -184,6 +181,8 @@ class EndFinder {
 
   void split(const Body& hub) {
     anchors_ = hub.ends;
+    std::stable_partition(anchors_.begin(), anchors_.end(),
+                          [this](std::size_t link) { return says_end(tree_.links[link]); });
     tips_.clear();
     for (const Body& body : terminal_)
       if (body.body != hub.body) tips_.push_back(preferred(body.ends));
@@ -222,7 +221,8 @@ class EndFinder {
       pairing.pairs.push_back(*pair);
     }
     if (widest > coincident * size_)
-      pairing.reason = "they come within " + number(widest) + " m of each other while all joints are zero";
+      pairing.reason =
+          "they come within " + number_text(widest, 2) + " m of each other while all joints are zero";
     return pairing.pairs.empty() ? std::nullopt : std::optional<Pairing>(pairing);
   }
 
@@ -351,8 +351,9 @@ class EndFinder {
   const Bodies& bodies_;
   const std::vector<bool>& left_open_;  // by link
   Poses poses_;
-  double size_ = 0.0;      // [m]
-  bool is_wrist_ = false;  // whether all chains have an end in one place
+  double size_ = 0.0;                      // [m]
+  bool is_wrist_ = false;                  // whether all chains have an end in one place
+  std::optional<Eigen::Vector3d> normal_;  // of the planes of a planar robot
   std::vector<Body> terminal_, ended_;
   std::vector<std::size_t> anchors_;
   std::vector<std::vector<std::size_t>> tips_;  // of each chain, what may be its end

@@ -185,6 +185,16 @@ TEST(Setup, PairsTheFramesOfAWristByTheirAxes) {
   EXPECT_EQ(closures_found(set_up_text(with_tool)), right);
 }
 
+// Beside the tip of a planar leg, in another layer, it is held as well by the tip.
+TEST(Setup, DoesNotAskInWhichLayerAFrameIsHeld) {
+  const std::string with_pen = test::replaced(
+      urdf_of("layered_five_bar"), "</robot>",
+      R"(<link name="pen"/><joint name="pen" type="fixed"><parent link="forearm_left"/><child link="pen"/>)"
+      R"(<origin xyz="0.2 0 -0.05"/></joint></robot>)");
+  const SetupResult result = set_up_text(with_pen);
+  EXPECT_EQ(closures_found(result), (Pairs{{"tip_left", "tip_right"}})) << listed(result.problems);
+}
+
 // Neither places nor names tell which axis of the dome is whose.
 TEST(Setup, AsksWhereNoAxesOfAWristAreOneAtZero) {
   const std::string turned =
