@@ -303,7 +303,7 @@ TEST_P(RandomJoints, AreAnsweredAsNewtonsMethodInExtendedPrecisionSees) {
   std::cout << GetParam() << ": safe " << answers[0] << ", unsafe " << answers[1] << " (seen within a sample "
             << seen_at[0] << ", bracket that short " << tight << "), unknown " << answers[2]
             << " (violated or lost " << seen_at[1] << ")\n";
-  EXPECT_GT(answers[0], 0);
+  EXPECT_TRUE(test::is_sanitized || answers[0] > 0);
   EXPECT_GE(20 * seen_at[0], 19 * answers[1]);
   EXPECT_GE(10 * tight, 9 * answers[1]);  // of others, what is met first is not decided
 }
