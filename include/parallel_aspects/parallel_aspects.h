@@ -13,6 +13,7 @@
 /// rounding.
 namespace parallel_aspects {}
 
+#include "parallel_aspects/aspects/aspect_graph.h"
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/basins.h"
 #include "parallel_aspects/aspects/boundary_curves.h"
@@ -46,6 +47,7 @@ namespace parallel_aspects {}
 #include "parallel_aspects/motion/check_joint_trajectory.h"
 #include "parallel_aspects/motion/check_trajectory.h"
 #include "parallel_aspects/motion/local_motion.h"
+#include "parallel_aspects/motion/plan_path.h"
 #include "parallel_aspects/motion/rehearsal.h"
 #include "parallel_aspects/motion/tour.h"
 #include "parallel_aspects/singularity/indices.h"

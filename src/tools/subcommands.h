@@ -50,8 +50,10 @@ Subcommand check_subcommand();
 Subcommand connect_subcommand();
 Subcommand describe_subcommand();
 Subcommand distance_subcommand();
+Subcommand graph_subcommand();
 Subcommand inverse_subcommand();
 Subcommand direct_subcommand();
+Subcommand plan_subcommand();
 Subcommand robots_subcommand();
 Subcommand setup_subcommand();
 

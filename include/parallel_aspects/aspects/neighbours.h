@@ -38,6 +38,10 @@ struct Neighbours {
   std::size_t leg = 0;                     ///< whose B_jj is zero, where serial
   bool proved = false;                     ///< whether it is, as said above
   Pose pose;                               ///< in the leaf where they touch, on the segment where proved
+
+  /// Where proved, the segment: its two ends, or three poses where it goes through a glued face of the space
+  /// of poses. A serial one begins in both aspects, a parallel one in that with positive det A.
+  std::vector<Pose> segment;
 };
 
 /// Pairs of aspects that touch, by rising ids, across glued faces of the space of poses too. All undecided

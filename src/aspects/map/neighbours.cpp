@@ -27,6 +27,7 @@ struct Finding {
   bool proved = false;
   int attempts = 0;
   Pose pose;
+  std::vector<Pose> segment;
 };
 
 /// A position in the box of a leaf or near it, on its own side of a glued face or beyond it.
@@ -138,8 +139,17 @@ class ModeNeighbours {
     if (finding.proved) {
       --open_pairs_[side];
       has_news_ = true;
+      finding.segment = poses(*path);
     }
     if (finding.proved || finding.attempts == 1) finding.pose = map_.tree.space().pose(middle(*path));
+  }
+
+  std::vector<Pose> poses(const CrossingPath& path) const {
+    const PoseSpace& space = map_.tree.space();
+    std::vector<Pose> result{space.pose({path.segments.front().root, path.segments.front().from})};
+    for (std::size_t i = 0; i < path.count; ++i)
+      result.push_back(space.pose({path.segments[i].root, path.segments[i].to}));
+    return result;
   }
 
   static MapPosition middle(const CrossingPath& path) {
@@ -270,7 +280,7 @@ std::vector<Neighbours> find_neighbours(const AspectMap& map, const MapControl& 
   for (const auto& of_mode : found)
     for (const auto& [key, finding] : of_mode) {
       const auto [first, second, crossing, leg] = key;
-      result.push_back({first, second, crossing, leg, finding.proved, finding.pose});
+      result.push_back({first, second, crossing, leg, finding.proved, finding.pose, finding.segment});
     }
   std::sort(result.begin(), result.end(), [](const Neighbours& a, const Neighbours& b) {
     return std::tie(a.first, a.second, a.leg) < std::tie(b.first, b.second, b.leg);

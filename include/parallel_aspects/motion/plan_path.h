@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_MOTION_PLAN_PATH_H
+#define PARALLEL_ASPECTS_MOTION_PLAN_PATH_H
+
+#include "parallel_aspects/aspects/aspect_graph.h"
+#include "parallel_aspects/aspects/aspect_map.h"
+#include "parallel_aspects/aspects/map_control.h"
+#include "parallel_aspects/aspects/same_aspect.h"
+#include "parallel_aspects/kinematics/working_mode.h"
+#include "parallel_aspects/model/pose.h"
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// What a path may pass.
+enum class PathPolicy {
+  stay,    ///< nothing: it stays in one aspect
+  serial,  ///< serial singularities, where a leg changes its posture; the platform is under control all along
+};
+
+/// Where a path begins or ends.
+struct PathEnd {
+  Pose pose;                        ///< in the task frame
+  std::optional<WorkingMode> mode;  ///< by default any
+};
+
+/// A point of a path. From one to the next the pose runs as `pose_between` says, in the working mode of both;
+/// where the modes differ the pose is the same, and one leg changes its posture.
+struct PathPoint {
+  Pose pose;         ///< in the task frame
+  WorkingMode mode;  ///< in which it is reached
+  JointVector q;     ///< actuated joints there [rad or m]; of angles the nearest to those before
+};
+
+/// Where a path changes its working mode.
+struct PathCrossing {
+  std::size_t point = 0;  ///< index of the last point before it
+  std::size_t leg = 0;    ///< whose B_jj is zero
+  int from = 0, to = 0;   ///< ids of the aspects
+};
+
+/// A path, or why there is none.
+struct PlannedPath {
+  SameAspect answer = SameAspect::unknown;  ///< whether there is one; yes and no are proved
+  std::string message;                      ///< why
+  std::vector<PathPoint> points;            ///< from the start to the goal, where the answer is yes
+  std::vector<PathCrossing> crossings;      ///< in their order
+  double length = 0.0;                      ///< of the way of the operational point [m]
+  double turned = 0.0;                      ///< of the rotation of the platform [rad]
+
+  explicit operator bool() const noexcept { return answer == SameAspect::yes; }  ///< whether there is a path
+};
+
+/// Plans paths in the region of one map. Every path is a theorem: each segment between two points is proved
+/// free of singularities and within limits in its working mode. A crossing is proved as `Neighbours` says:
+/// between the two points with one pose, the platform goes on along the segment to where B_jj is zero and
+/// comes back, and the two points are as close to there as the segment is proved in either mode. That there
+/// is no path is proved by the sign of det A or by the leaves of the map.
+class PathPlanner {
+ public:
+  /// The map is not null. Gates are looked for with the first question that needs them.
+  explicit PathPlanner(std::shared_ptr<const AspectMap> map);
+  ~PathPlanner();
+  PathPlanner(PathPlanner&&) noexcept;
+  PathPlanner& operator=(PathPlanner&&) noexcept;
+
+  /// Looks for a path. Where an end leaves the mode open, the shortest that is found. `unknown` where
+  /// cancelled.
+  PlannedPath plan(const PathEnd& from, const PathEnd& to, PathPolicy policy, const MapControl& control = {});
+
+  /// The gates and sets that it plans with; nothing where cancelled.
+  const AspectGraph* graph(const MapControl& control = {});
+
+ private:
+  class Search;
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+/// "stay" or "serial".
+const char* name(PathPolicy policy) noexcept;
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_MOTION_PLAN_PATH_H

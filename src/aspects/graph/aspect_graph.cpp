@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/aspects/aspect_graph.h"
+
+#include "aspects/components/disjoint_sets.h"
+#include "aspects/graph/gate_exclusion.h"
+#include "aspects/map/map_contents.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <map>
+#include <utility>
+
+namespace parallel_aspects {
+namespace {
+
+std::uint32_t index_of_aspect(int id) { return static_cast<std::uint32_t>(id - 1); }
+
+/// Sets of aspects that proved serial gates join, by their lowest id.
+std::vector<AspectSet> joined_sets(const AspectMap& map, const std::vector<Neighbours>& gates) {
+  DisjointSets joined(map.aspects().size());
+  for (const Neighbours& gate : gates)
+    if (gate.proved && gate.crossing == Crossing::serial)
+      joined.unite(index_of_aspect(gate.first), index_of_aspect(gate.second));
+  std::map<std::uint32_t, AspectSet> sets;
+  for (const Aspect& aspect : map.aspects()) {
+    AspectSet& set = sets[joined.find(index_of_aspect(aspect.id))];
+    set.aspects.push_back(aspect.id);
+    set.determinant_sign = aspect.determinant_sign;
+  }
+  std::vector<AspectSet> result;
+  for (auto& item : sets) result.push_back(std::move(item.second));
+  return result;
+}
+
+/// Measures what the inside leaves of some aspects cover, each pose once.
+class Workspace {
+ public:
+  Workspace(const AspectMap::Contents& map, const AspectSet& set)
+      : map_(map), belongs_(map.aspects.size() + 1) {
+    for (const int aspect : set.aspects) belongs_[static_cast<std::size_t>(aspect)] = true;
+  }
+
+  double measure() const {
+    ModeSet all = 0;
+    for (std::size_t mode = 0; mode < map_.modes.size(); ++mode) all |= ModeSet{1} << mode;
+    double sum = 0.0;
+    for (RootIndex root = 0; root < map_.tree.root_count(); ++root) sum += measure(root, all);
+    return sum;
+  }
+
+ private:
+  /// Of a node, where `modes` are those that no leaf above it ends.
+  double measure(NodeIndex node, ModeSet modes) const {
+    ModeSet divided = 0;
+    for (std::size_t mode = 0; mode < map_.modes.size(); ++mode) {
+      if ((modes >> mode & 1U) == 0) continue;
+      if (map_.tree.state(node, mode).is_divided()) divided |= ModeSet{1} << mode;
+      const int aspect = map_.leaf_aspect(node, mode);
+      if (belongs_[static_cast<std::size_t>(aspect)]) return map_.tree.space().measure(map_.tree.box(node));
+    }
+    if (divided == 0) return 0.0;
+    double sum = 0.0;
+    const NodeIndex first = map_.tree.first_child(node);
+    for (NodeIndex rank = 0; rank < map_.tree.children_per_node(); ++rank)
+      sum += measure(first + rank, divided);
+    return sum;
+  }
+
+  const AspectMap::Contents& map_;
+  std::vector<bool> belongs_;  // by id; not 0
+};
+
+/// By index of a set, the first one of the same group, where `may_join` says of two aspects whether they may
+/// be joined.
+template <class MayJoin>
+std::vector<std::size_t> groups(const std::vector<AspectSet>& sets, const MayJoin& may_join) {
+  std::vector<std::size_t> group(sets.size());
+  for (std::size_t i = 0; i < sets.size(); ++i) {
+    group[i] = i;
+    for (std::size_t k = 0; k < i && group[i] == i; ++k)
+      if (sets[k].determinant_sign == sets[i].determinant_sign &&
+          may_join(sets[k].aspects.front(), sets[i].aspects.front()))
+        group[i] = group[k];
+  }
+  return group;
+}
+
+/// A serial margin keeps leaves out that gates lead through, so that they prove nothing then.
+bool leaves_exclude(const AspectMap& map) { return map.manipulator()->constraints().margins.serial == 0.0; }
+
+std::size_t count_of_sign(const std::vector<AspectSet>& sets, int sign) {
+  return static_cast<std::size_t>(std::count_if(
+      sets.begin(), sets.end(), [sign](const AspectSet& set) { return set.determinant_sign == sign; }));
+}
+
+std::vector<std::size_t> find_groups(const AspectMap& map, const std::vector<AspectSet>& sets,
+                                     const MapControl& control) {
+  if (!leaves_exclude(map)) return groups(sets, [](int, int) { return true; });
+  std::array<std::vector<int>, 2> labels;
+  for (const int sign : {1, -1})
+    if (count_of_sign(sets, sign) > 1) labels[sign > 0] = possibly_joined(map.contents(), sign, control);
+  return groups(sets, [&](int one, int other) {
+    const auto& of_sign = labels[map.aspects()[index_of_aspect(one)].determinant_sign > 0];
+    return of_sign[index_of_aspect(one)] == of_sign[index_of_aspect(other)];
+  });
+}
+
+}  // namespace
+
+std::size_t AspectGraph::set_of(int aspect) const noexcept {
+  for (std::size_t i = 0; i < sets.size(); ++i)
+    if (std::binary_search(sets[i].aspects.begin(), sets[i].aspects.end(), aspect)) return i;
+  return sets.size();
+}
+
+std::optional<AspectGraph> compute_aspect_graph(const AspectMap& map, const MapControl& control) {
+  AspectGraph graph;
+  graph.gates = find_neighbours(map, control);
+  graph.sets = joined_sets(map, graph.gates);
+  for (AspectSet& set : graph.sets) set.workspace_lower = Workspace(map.contents(), set).measure();
+  graph.set_group = find_groups(map, graph.sets, control);
+  if (is_cancelled(control)) return std::nullopt;
+  for (std::size_t i = 0; i < graph.set_group.size(); ++i) graph.proved_set_count += graph.set_group[i] == i;
+  return graph;
+}
+
+}  // namespace parallel_aspects

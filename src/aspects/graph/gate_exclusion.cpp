@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "aspects/graph/gate_exclusion.h"
+
+#include "aspects/components/disjoint_sets.h"
+#include "aspects/map/map_location.h"
+#include "aspects/tree/face_traversal.h"
+#include "interval/interval.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace parallel_aspects {
+namespace {
+
+class Exclusion {
+ public:
+  Exclusion(const AspectMap::Contents& map, int sign, const MapControl& control)
+      : map_(map), sign_(sign), control_(control), sets_(map.tree.node_count() * map.modes.size()) {}
+
+  std::vector<int> run() {
+    const RoundingUpward rounding;
+    for (std::size_t mode = 0; mode < map_.modes.size(); ++mode) {
+      unite_neighbours(mode);
+      for (std::size_t leg = 0; leg < map_.modes[mode].leg_count(); ++leg) unite_across(mode, leg);
+    }
+    return labels();
+  }
+
+ private:
+  std::uint32_t item(NodeIndex node, std::size_t mode) const {
+    return static_cast<std::uint32_t>(node * map_.modes.size() + mode);
+  }
+
+  bool may_hold_path(NodeIndex leaf, std::size_t mode) const {
+    return map_.tree.state(leaf, mode).may_be(sign_);
+  }
+
+  void unite_neighbours(std::size_t mode) {
+    visit_faces(
+        map_.tree, mode,
+        [&](NodeIndex a, NodeIndex b) {
+          if (may_hold_path(a, mode) && may_hold_path(b, mode)) sets_.unite(item(a, mode), item(b, mode));
+        },
+        control_);
+  }
+
+  /// Once for the two modes that differ in this leg.
+  void unite_across(std::size_t mode, std::size_t leg) {
+    if (map_.modes[mode].sign(leg) < 0) return;
+    WorkingMode flipped = map_.modes[mode];
+    flipped.set_sign(leg, -1);
+    const auto other = mode_index(map_, flipped);
+    if (!other) return;
+    for (RootIndex root = 0; root < map_.tree.root_count(); ++root)
+      descend(root, {mode, root}, {*other, root}, leg);
+  }
+
+  /// Where one mode stands: in this node, or in a leaf above it.
+  struct Side {
+    std::size_t mode;
+    NodeIndex node;
+  };
+
+  void descend(NodeIndex node, Side here, Side there, std::size_t leg) {
+    if (is_cancelled(control_)) return;
+    const bool here_divided = is_divided(here), there_divided = is_divided(there);
+    if (!here_divided && !may_change(here)) return;
+    if (!there_divided && !may_change(there)) return;
+    if (!here_divided && !there_divided) return unite_if_singular(node, here, there, leg);
+    const NodeIndex first = map_.tree.first_child(node);
+    for (NodeIndex child = first; child < first + map_.tree.children_per_node(); ++child)
+      descend(child, here_divided ? Side{here.mode, child} : here,
+              there_divided ? Side{there.mode, child} : there, leg);
+  }
+
+  bool is_divided(const Side& side) const { return map_.tree.state(side.node, side.mode).is_divided(); }
+
+  /// Inside leaves hold no B_jj = 0.
+  bool may_change(const Side& side) const {
+    return map_.tree.state(side.node, side.mode).is_undecided() && may_hold_path(side.node, side.mode);
+  }
+
+  /// `node` is the smaller one of the two leaves.
+  void unite_if_singular(NodeIndex node, const Side& here, const Side& there, std::size_t leg) {
+    if (sets_.find(item(here.node, here.mode)) == sets_.find(item(there.node, there.mode))) return;
+    const BoxFacts facts = map_.classifier->facts(map_.tree.place(node).root, map_.tree.box(node), here.mode);
+    const bool is_excluded =
+        facts.unreachable != 0 || is_clear(facts, leg) || facts.determinant_sign == -sign_;
+    if (!is_excluded) sets_.unite(item(here.node, here.mode), item(there.node, there.mode));
+  }
+
+  /// Whether B_jj of the leg is proved not to vanish; of a leg whose joint is held the facts say nothing.
+  bool is_clear(const BoxFacts& facts, std::size_t leg) const {
+    const bool is_held = map_.slice && map_.slice->joint && map_.slice->joint->leg == leg;
+    return !is_held && (facts.clear & BoxFacts::bit(leg)) != 0;
+  }
+
+  std::vector<int> labels() {
+    std::vector<int> result(map_.aspects.size(), -1);
+    for (NodeIndex node = 0; node < map_.tree.node_count(); ++node)
+      for (std::size_t mode = 0; mode < map_.modes.size(); ++mode) {
+        if (!map_.tree.state(node, mode).is_inside(sign_)) continue;
+        const auto aspect = static_cast<std::size_t>(map_.leaf_aspect(node, mode) - 1);
+        if (result[aspect] < 0) result[aspect] = static_cast<int>(sets_.find(item(node, mode)));
+      }
+    return result;
+  }
+
+  const AspectMap::Contents& map_;
+  int sign_;
+  const MapControl& control_;
+  DisjointSets sets_;
+};
+
+}  // namespace
+
+std::vector<int> possibly_joined(const AspectMap::Contents& map, int sign, const MapControl& control) {
+  return Exclusion(map, sign, control).run();
+}
+
+}  // namespace parallel_aspects

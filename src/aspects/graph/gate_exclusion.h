@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASPECTS_GRAPH_GATE_EXCLUSION_H
+#define PARALLEL_ASPECTS_ASPECTS_GRAPH_GATE_EXCLUSION_H
+
+#include "aspects/map/map_contents.h"
+#include "parallel_aspects/aspects/map_control.h"
+
+#include <vector>
+
+namespace parallel_aspects {
+
+/// By id - 1, a label of each aspect with this sign of det A, and -1 for the others. Where labels differ, no
+/// path in the region of the map joins the aspects: none on which det A keeps the sign, the legs reach within
+/// limits, and the working mode changes only where B_jj = 0.
+///
+/// Such a path is, at every moment, in a leaf of its working mode that is proved neither outside nor to have
+/// the other sign; and where it changes sides of B_jj = 0, in a leaf of either mode where B_jj^2 > 0 is not
+/// proved. So all leaves that may hold a part of one path are united: neighbours of one mode, and leaves of
+/// two modes that share poses where B_jj may vanish.
+std::vector<int> possibly_joined(const AspectMap::Contents& map, int sign, const MapControl& control);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ASPECTS_GRAPH_GATE_EXCLUSION_H

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "motion/plan/aspect_paths.h"
+
+#include "aspects/map/map_contents.h"
+#include "aspects/roadmap/path_search.h"
+#include "motion/plan/leaf_path.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace parallel_aspects {
+
+AspectPaths::AspectPaths(std::shared_ptr<const AspectMap> map)
+    : map_(std::move(map)), certifier_(map_->manipulator()) {}
+
+bool AspectPaths::is_free(const Pose& from, const Pose& to, const WorkingMode& mode) const {
+  return certifier_.prove(from, to, mode).verdict == SegmentVerdict::free;
+}
+
+std::vector<Pose> AspectPaths::find(int aspect, const Pose& from, const Pose& to) {
+  const Aspect& in = map_->aspects()[static_cast<std::size_t>(aspect - 1)];
+  if (is_free(from, to, in.mode)) return {from, to};
+  const std::vector<Pose> through_leaves =
+      proved(find_leaf_path(map_->contents(), aspect, from, to), in.mode);
+  return through_leaves.empty() ? find_in_roadmap(in, from, to) : shortened(through_leaves, in.mode);
+}
+
+/// The path where all of it is proved, empty otherwise.
+std::vector<Pose> AspectPaths::proved(const std::vector<Pose>& path, const WorkingMode& mode) const {
+  for (std::size_t i = 0; i + 1 < path.size(); ++i)
+    if (!is_free(path[i], path[i + 1], mode)) return {};
+  return path;
+}
+
+/// Leaves out poses where the segment past them is proved, as many at once as doubling and halving finds.
+std::vector<Pose> AspectPaths::shortened(std::vector<Pose> path, const WorkingMode& mode) const {
+  std::vector<Pose> kept{path.front()};
+  for (std::size_t at = 0; at + 1 < path.size();) {
+    std::size_t good = at + 1, bad = path.size();
+    for (std::size_t step = 2; at + step < path.size(); step *= 2) {
+      if (!is_free(path[at], path[at + step], mode)) {
+        bad = at + step;
+        break;
+      }
+      good = at + step;
+    }
+    while (bad - good > 1) {
+      const std::size_t middle = good + (bad - good) / 2;
+      (is_free(path[at], path[middle], mode) ? good : bad) = middle;
+    }
+    kept.push_back(path[good]);
+    at = good;
+  }
+  return kept;
+}
+
+/// Aspects are joined by more than faces of inside leaves; there poses are sampled.
+std::vector<Pose> AspectPaths::find_in_roadmap(const Aspect& aspect, const Pose& from, const Pose& to) {
+  if (map_->slice()) return {};
+  std::shared_ptr<const PoseRoadmap>& roadmap = roadmaps_[aspect.mode.index()];
+  if (!roadmap) {
+    RoadmapOptions options;
+    options.modes = {aspect.mode};
+    roadmap = compute_pose_roadmap(map_->manipulator(), options).roadmap;
+  }
+  return roadmap ? PathSearch(*roadmap, aspect.mode, aspect.determinant_sign).find(from, to)
+                 : std::vector<Pose>();
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_MOTION_PLAN_ASPECT_PATHS_H
+#define PARALLEL_ASPECTS_MOTION_PLAN_ASPECT_PATHS_H
+
+#include "parallel_aspects/aspects/aspect_map.h"
+#include "parallel_aspects/aspects/pose_roadmap.h"
+#include "parallel_aspects/aspects/segment_certifier.h"
+#include "parallel_aspects/model/pose.h"
+
+#include <map>
+#include <memory>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// Finds proved paths within the aspects of a map.
+class AspectPaths {
+ public:
+  explicit AspectPaths(std::shared_ptr<const AspectMap> map);
+
+  const SegmentCertifier& certifier() const noexcept { return certifier_; }
+
+  /// Poses from one to the other, each segment between two proved free in the aspect's working mode; empty
+  /// where none was found. Both must lie in the aspect.
+  std::vector<Pose> find(int aspect, const Pose& from, const Pose& to);
+
+ private:
+  bool is_free(const Pose& from, const Pose& to, const WorkingMode& mode) const;
+  std::vector<Pose> proved(const std::vector<Pose>& path, const WorkingMode& mode) const;
+  std::vector<Pose> shortened(std::vector<Pose> path, const WorkingMode& mode) const;
+  std::vector<Pose> find_in_roadmap(const Aspect& aspect, const Pose& from, const Pose& to);
+
+  std::shared_ptr<const AspectMap> map_;
+  SegmentCertifier certifier_;
+  std::map<std::size_t, std::shared_ptr<const PoseRoadmap>> roadmaps_;  // by index of the working mode
+};
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_MOTION_PLAN_ASPECT_PATHS_H

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/motion/plan_path.h"
+
+#include "aspects/map/map_contents.h"
+#include "motion/plan/aspect_paths.h"
+#include "motion/plan/gate_route.h"
+#include "motion/roadmap.h"
+#include "parallel_aspects/kinematics/inverse.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace parallel_aspects {
+namespace {
+
+constexpr double width_of_turning_points = 1e-9;  // of the segment that leads through B_jj = 0
+constexpr int steps_of_a_segment = 32;            // at which the actuated joints are looked at
+
+/// The aspects that hold an end, and what is known of the working modes in which none is found.
+struct EndAspects {
+  std::vector<PoseInAspect> found;
+  bool all_known = true;  // of every other mode it is proved that no aspect holds the end
+  std::string reason;     // of one of these
+};
+
+PlannedPath without_path(SameAspect verdict, std::string message) {
+  PlannedPath path;
+  path.answer = verdict;
+  path.message = std::move(message);
+  return path;
+}
+
+PlannedPath not_in_aspect(const std::string& which, const EndAspects& end) {
+  const std::string text = "No aspect of the map is known to hold the " + which + ". " + end.reason;
+  return without_path(end.all_known ? SameAspect::no : SameAspect::unknown, text);
+}
+
+const Aspect& aspect_of(const AspectMap& map, int id) {
+  return map.aspects()[static_cast<std::size_t>(id - 1)];
+}
+
+EndAspects find_aspects(const AspectMap& map, const SegmentCertifier& certifier, const PathEnd& end) {
+  EndAspects result;
+  for (const WorkingMode& mode : map.contents().modes) {
+    if (end.mode && mode != *end.mode) continue;
+    if (const Location location = map.locate(end.pose, mode)) {
+      result.found.push_back({end.pose, location.aspect});
+      continue;
+    }
+    const AspectComparison why = same_aspect(certifier, {end.pose, mode}, {end.pose, mode});
+    result.all_known = result.all_known && why.answer == SameAspect::no;
+    if (result.reason.empty()) result.reason = why.message;
+  }
+  return result;
+}
+
+bool may_be_one(const AspectMap& map, int first, int second) {
+  const std::vector<int>& unresolved = aspect_of(map, first).unresolved_with;
+  return first == second || std::find(unresolved.begin(), unresolved.end(), second) != unresolved.end();
+}
+
+/// Whether some pair of ends fulfils a condition on two aspects.
+template <class Condition>
+bool any_pair(const EndAspects& starts, const EndAspects& goals, const Condition& condition) {
+  return std::any_of(starts.found.begin(), starts.found.end(), [&](const PoseInAspect& start) {
+    return std::any_of(goals.found.begin(), goals.found.end(),
+                       [&](const PoseInAspect& goal) { return condition(start.aspect, goal.aspect); });
+  });
+}
+
+/// The path between poses in one working mode, and in another behind a crossing.
+class PathBuilder {
+ public:
+  explicit PathBuilder(const Manipulator& manipulator) : robot_(manipulator) {}
+
+  void go(const std::vector<Pose>& poses, const WorkingMode& mode) {
+    for (const Pose& pose : poses) add(pose, mode);
+  }
+
+  void cross(std::size_t leg, int from, int to) {
+    path_.crossings.push_back({path_.points.size() - 1, leg, from, to});
+  }
+
+  PlannedPath take(std::string message) {
+    path_.answer = SameAspect::yes;
+    path_.message = std::move(message);
+    return std::move(path_);
+  }
+
+ private:
+  void add(const Pose& pose, const WorkingMode& mode) {
+    if (path_.points.empty()) {
+      path_.points.push_back({pose, mode, inverse(robot_, pose, mode).q});
+      return;
+    }
+    const PathPoint last = path_.points.back();
+    if (last.mode == mode && last.pose.position == pose.position &&
+        last.pose.orientation.coeffs() == pose.orientation.coeffs())
+      return;
+    JointVector q = last.q;
+    for (int step = 1; step <= steps_of_a_segment; ++step) {
+      const Pose at = pose_between(last.pose, pose, static_cast<double>(step) / steps_of_a_segment);
+      q += joint_change(robot_, q, inverse(robot_, at, mode).q);
+    }
+    path_.length += (pose.position - last.pose.position).norm();
+    path_.turned += pose.orientation.angularDistance(last.pose.orientation);
+    path_.points.push_back({pose, mode, q});
+  }
+
+  const Manipulator& robot_;
+  PlannedPath path_;
+};
+
+}  // namespace
+
+struct PathPlanner::Parts {
+  explicit Parts(std::shared_ptr<const AspectMap> aspect_map) : map(std::move(aspect_map)), paths(map) {}
+
+  std::shared_ptr<const AspectMap> map;
+  AspectPaths paths;
+  std::optional<AspectGraph> graph;
+};
+
+/// The answer to one question.
+class PathPlanner::Search {
+ public:
+  Search(PathPlanner& planner, const MapControl& control)
+      : planner_(planner), map_(*planner.parts_->map), paths_(planner.parts_->paths), control_(control) {}
+
+  PlannedPath run(const PathEnd& from, const PathEnd& to, PathPolicy policy) {
+    const EndAspects starts = find_aspects(map_, paths_.certifier(), from),
+                     goals = find_aspects(map_, paths_.certifier(), to);
+    if (starts.found.empty()) return not_in_aspect("start", starts);
+    if (goals.found.empty()) return not_in_aspect("goal", goals);
+    PlannedPath found = stay(starts, goals);
+    return found || policy == PathPolicy::stay ? found : pass_gates(starts, goals);
+  }
+
+ private:
+  PlannedPath stay(const EndAspects& starts, const EndAspects& goals) {
+    PlannedPath best =
+        without_path(SameAspect::unknown, "The ends lie in one aspect, but no path was found.");
+    bool any_common = false;
+    for (const PoseInAspect& start : starts.found)
+      for (const PoseInAspect& goal : goals.found) {
+        if (start.aspect != goal.aspect) continue;
+        any_common = true;
+        PlannedPath path = follow({}, start, goal);
+        if (path && (!best || path.length < best.length)) best = std::move(path);
+      }
+    return any_common ? best : no_common_aspect(starts, goals);
+  }
+
+  PlannedPath no_common_aspect(const EndAspects& starts, const EndAspects& goals) const {
+    const bool may_share =
+        any_pair(starts, goals, [this](int first, int second) { return may_be_one(map_, first, second); });
+    if (may_share || !starts.all_known || !goals.all_known)
+      return without_path(SameAspect::unknown, "No aspect of the map is known to hold both ends.");
+    return without_path(SameAspect::no,
+                        "Proved: no aspect holds both ends; they differ in the working mode, in the "
+                        "sign of det A, or the map proves them apart.");
+  }
+
+  PlannedPath pass_gates(const EndAspects& starts, const EndAspects& goals) {
+    const AspectGraph* graph = planner_.graph(control_);
+    if (graph == nullptr) return without_path(SameAspect::unknown, "Cancelled.");
+    if (const auto route = find_gate_route(map_, *graph, starts.found, goals.found)) {
+      PlannedPath path = follow(route->gates, starts.found[route->start], goals.found[route->goal]);
+      if (path) return path;
+      return without_path(SameAspect::unknown, "The ends are proved to be joined, but no path was found.");
+    }
+    return no_route(*graph, starts, goals);
+  }
+
+  PlannedPath no_route(const AspectGraph& graph, const EndAspects& starts, const EndAspects& goals) const {
+    const bool same_sign = any_pair(starts, goals, [this](int first, int second) {
+      return aspect_of(map_, first).determinant_sign == aspect_of(map_, second).determinant_sign;
+    });
+    const bool may_be_joined = any_pair(starts, goals, [&graph](int first, int second) {
+      return graph.set_group[graph.set_of(first)] == graph.set_group[graph.set_of(second)];
+    });
+    if (may_be_joined || !starts.all_known || !goals.all_known)
+      return without_path(SameAspect::unknown, "No serial gates that are proved join the ends; others may.");
+    return without_path(SameAspect::no,
+                        same_sign
+                            ? "Proved: no serial gates within the region of the map join the ends."
+                            : "Proved: det A differs in sign, and no path through serial gates changes it.");
+  }
+
+  /// Empty-handed where a part of the path is not found.
+  PlannedPath follow(const std::vector<std::size_t>& gates, const PoseInAspect& start,
+                     const PoseInAspect& goal) {
+    PathBuilder builder(*map_.manipulator());
+    PoseInAspect at = start;
+    for (const std::size_t index : gates) {
+      const Neighbours& gate = planner_.parts_->graph->gates[index];
+      if (!go(builder, at, gate.segment.front())) return {};
+      const int next = gate.first == at.aspect ? gate.second : gate.first;
+      if (!pass(builder, gate, at.aspect, next)) return {};
+      at = {gate.segment.front(), next};
+    }
+    if (!go(builder, at, goal.pose)) return {};
+    return builder.take(gates.empty() ? "Every segment is proved free of singularities."
+                                      : "Every segment and every crossing is proved.");
+  }
+
+  bool go(PathBuilder& builder, const PoseInAspect& from, const Pose& to) {
+    const std::vector<Pose> poses = paths_.find(from.aspect, from.pose, to);
+    builder.go(poses, aspect_of(map_, from.aspect).mode);
+    return !poses.empty();
+  }
+
+  /// To where B_jj is nearly zero in either mode, and back.
+  bool pass(PathBuilder& builder, const Neighbours& gate, int from, int to) const {
+    const WorkingMode before = aspect_of(map_, from).mode, after = aspect_of(map_, to).mode;
+    std::vector<Pose> poses{gate.segment.front()};
+    for (std::size_t i = 0; i + 1 < gate.segment.size(); ++i) {
+      const double share = std::min(free_share(gate.segment[i], gate.segment[i + 1], before),
+                                    free_share(gate.segment[i], gate.segment[i + 1], after));
+      if (share > 0.0) poses.push_back(pose_between(gate.segment[i], gate.segment[i + 1], share));
+      if (share < 1.0) break;
+    }
+    builder.go(poses, before);
+    builder.cross(gate.leg, from, to);
+    std::reverse(poses.begin(), poses.end());
+    builder.go(poses, after);
+    return true;
+  }
+
+  /// How much of a segment is proved free.
+  double free_share(const Pose& from, const Pose& to, const WorkingMode& mode) const {
+    return paths_.certifier().prove_to_violation(from, to, mode, width_of_turning_points).free_until;
+  }
+
+  PathPlanner& planner_;
+  const AspectMap& map_;
+  AspectPaths& paths_;
+  const MapControl& control_;
+};
+
+PathPlanner::PathPlanner(std::shared_ptr<const AspectMap> map)
+    : parts_(std::make_unique<Parts>(std::move(map))) {}
+PathPlanner::~PathPlanner() = default;
+PathPlanner::PathPlanner(PathPlanner&&) noexcept = default;
+PathPlanner& PathPlanner::operator=(PathPlanner&&) noexcept = default;
+
+PlannedPath PathPlanner::plan(const PathEnd& from, const PathEnd& to, PathPolicy policy,
+                              const MapControl& control) {
+  return Search(*this, control).run(from, to, policy);
+}
+
+const AspectGraph* PathPlanner::graph(const MapControl& control) {
+  if (!parts_->graph) parts_->graph = compute_aspect_graph(*parts_->map, control);
+  return parts_->graph ? &*parts_->graph : nullptr;
+}
+
+const char* name(PathPolicy policy) noexcept { return policy == PathPolicy::stay ? "stay" : "serial"; }
+
+}  // namespace parallel_aspects

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_TOOLS_MAP_CHOICE_H
+#define PARALLEL_ASPECTS_TOOLS_MAP_CHOICE_H
+
+#include "parallel_aspects/aspects/aspect_map.h"
+#include "tools/subcommands.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects::tools {
+
+/// Which map a question is asked of, as text from the command line; empty where not given.
+struct MapChoice {
+  std::string resolution, slice, load_file;
+};
+
+/// `--resolution R`, `--slice "z=1"` and `--load FILE`, which fill `choice`.
+std::vector<Option> map_choice_options(MapChoice& choice);
+
+/// The map of that choice, from the file where it fits, else computed, with a progress bar on a terminal.
+/// Throws `Interrupted`, or `InvalidDescription` where it is refused.
+std::shared_ptr<const AspectMap> choose_map(const std::shared_ptr<const Manipulator>& manipulator,
+                                            const MapChoice& choice, const Surroundings& surroundings);
+
+}  // namespace parallel_aspects::tools
+
+#endif  // PARALLEL_ASPECTS_TOOLS_MAP_CHOICE_H

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/report/plan_report.h"
+
+#include "tools/command.h"
+#include "tools/report/bounds_report.h"
+#include "tools/report/text_table.h"
+
+namespace parallel_aspects::tools {
+namespace {
+
+using nlohmann::json;
+
+int code_of(SameAspect answer) {
+  switch (answer) {
+    case SameAspect::yes:
+      return exit_code::ok;
+    case SameAspect::no:
+      return exit_code::unsafe;
+    case SameAspect::unknown:
+      break;
+  }
+  return exit_code::unknown;
+}
+
+json json_point(const Manipulator& manipulator, const PathPoint& point) {
+  return {{"pose", json_pose(manipulator.task_space(), point.pose)},
+          {"working_mode", point.mode.signs()},
+          {"actuated", json_numbers(point.q)}};
+}
+
+json json_crossing(const Manipulator& manipulator, const PathCrossing& crossing) {
+  return {{"after_point", crossing.point},
+          {"leg", manipulator.leg(crossing.leg).name},
+          {"from_aspect", crossing.from},
+          {"to_aspect", crossing.to}};
+}
+
+/// What happens between a point and the one before.
+std::string remark(const Manipulator& manipulator, const PlannedPath& path, std::size_t point) {
+  for (const PathCrossing& crossing : path.crossings)
+    if (crossing.point + 1 == point)
+      return "leg '" + manipulator.leg(crossing.leg).name + "' changes its posture, aspect " +
+             std::to_string(crossing.from) + " to " + std::to_string(crossing.to);
+  return "";
+}
+
+std::string points_text(const Manipulator& manipulator, const PlannedPath& path) {
+  TextTable table({">point", "pose", "working mode", "actuated joints", ""});
+  for (std::size_t i = 0; i < path.points.size(); ++i)
+    table.add({std::to_string(i), to_string(manipulator.task_space(), path.points[i].pose),
+               to_string(path.points[i].mode), shown(path.points[i].q), remark(manipulator, path, i)});
+  return table.text();
+}
+
+std::string length_text(const Manipulator& manipulator, const PlannedPath& path) {
+  std::string text;
+  if (traits(manipulator.task_space()).translations > 0) text = shown(path.length) + " m";
+  if (traits(manipulator.task_space()).rotations > 0)
+    text += (text.empty() ? "" : ", turning by ") + shown(path.turned) + " rad";
+  return text;
+}
+
+}  // namespace
+
+Report report_path(const Manipulator& manipulator, const PlannedPath& path, PathPolicy policy) {
+  const bool has_path = path.answer == SameAspect::yes;
+  json object = {{"mechanism", manipulator.name()},
+                 {"policy", name(policy)},
+                 {"answer", name(path.answer)},
+                 {"proved", path.answer != SameAspect::unknown},
+                 {"reason", path.message},
+                 {"path", json::array()},
+                 {"crossings", json::array()},
+                 {"length", has_path ? json(path.length) : json()},
+                 {"turned", has_path ? json(path.turned) : json()}};
+  for (const PathPoint& point : path.points) object["path"].push_back(json_point(manipulator, point));
+  for (const PathCrossing& crossing : path.crossings)
+    object["crossings"].push_back(json_crossing(manipulator, crossing));
+  std::string text = manipulator.name() + ", a path: " + name(path.answer) + "\n" + path.message + "\n";
+  if (has_path)
+    text += counted(path.points.size(), "point") + ", " + counted(path.crossings.size(), "crossing") + ", " +
+            length_text(manipulator, path) + "\n\n" + points_text(manipulator, path);
+  const Report constraints = report_constraints(manipulator);
+  object.update(constraints.json);
+  return {object, text + '\n' + constraints.text, code_of(path.answer)};
+}
+
+}  // namespace parallel_aspects::tools

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/aspects/aspect_graph.h"
+#include "tools/arguments.h"
+#include "tools/map_choice.h"
+#include "tools/report/plan_report.h"
+#include "tools/subcommands.h"
+
+#include <memory>
+
+namespace parallel_aspects::tools {
+namespace {
+
+struct GraphArguments {
+  RobotChoice robot;
+  MapChoice map;
+  ConstraintArguments constraints;
+  bool dot = false;
+};
+
+Report report_of(const GraphArguments& arguments, const Surroundings& surroundings) {
+  const auto mechanism = load_robot(arguments.robot);
+  const auto manipulator = choose_constraints(mechanism->mapped_manipulator(), arguments.constraints);
+  const auto map = choose_map(manipulator, arguments.map, surroundings);
+  MapControl control;
+  control.cancelled = surroundings.interrupted;
+  const auto graph = compute_aspect_graph(*map, control);
+  if (!graph) throw Interrupted{};
+  Report report = report_graph(*map, *graph);
+  if (arguments.dot) report.text = graph_as_dot(*map, *graph);
+  return report;
+}
+
+}  // namespace
+
+Subcommand graph_subcommand() {
+  const auto arguments = std::make_shared<GraphArguments>();
+  std::vector<Option> options = robot_options(arguments->robot);
+  for (const Option& option : map_choice_options(arguments->map)) options.push_back(option);
+  for (const Option& option : constraint_options(arguments->constraints)) options.push_back(option);
+  return {"graph",
+          "Tell through which gates aspects are joined, and which are proved apart",
+          options,
+          [arguments](const Surroundings& surroundings) { return report_of(*arguments, surroundings); },
+          {{"--dot", "Print the graph for Graphviz", &arguments->dot}}};
+}
+
+}  // namespace parallel_aspects::tools
