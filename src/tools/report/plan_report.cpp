@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/report/plan_report.h"
 
+#include "model/task_space_traits.h"
 #include "tools/command.h"
 #include "tools/report/bounds_report.h"
 #include "tools/report/text_table.h"

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/motion/plan_path.h"
+
+#include "parallel_aspects/kinematics/inverse.h"
+
+#include <gtest/gtest.h>
+
+#include "support/robots.h"
+#include "support/sign_at.h"
+#include "support/slices.h"
+#include "support/thoroughness.h"
+#include <atomic>
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects {
+namespace {
+
+using test::Robot;
+
+std::shared_ptr<const AspectMap> map_of(const Robot& robot, std::optional<double> resolution = std::nullopt) {
+  MapOptions options;
+  options.resolution = resolution;
+  return test::map_of(robot, options);
+}
+
+/// A random inside leaf's middle.
+PathEnd random_end(const AspectMap& map, const Aspect& aspect, std::mt19937_64& random) {
+  PathEnd end;
+  end.mode = aspect.mode;
+  std::size_t wanted = random() % aspect.inside_leaves;
+  map.visit_inside_poses(aspect.id, [&](const Pose& pose, double) {
+    if (wanted-- == 0) end.pose = pose;
+  });
+  return end;
+}
+
+const Aspect& random_aspect(const AspectMap& map, std::mt19937_64& random) {
+  return map.aspects()[random() % map.aspects().size()];
+}
+
+bool is_at(const Pose& a, const Pose& b) {
+  return (a.position - b.position).norm() < 1e-12 && a.orientation.angularDistance(b.orientation) < 1e-7;
+}
+
+/// What the sampled poses of a path contradict.
+class Contradictions {
+ public:
+  Contradictions(const Manipulator& robot, const PlannedPath& path, int samples)
+      : robot_(robot), path_(path), sign_(sign_at_start()) {
+    EXPECT_NE(sign_, 0);
+    for (std::size_t i = 0; i + 1 < path.points.size(); ++i)
+      if (path.points[i].mode == path.points[i + 1].mode)
+        look_along(i, samples);
+      else
+        look_at_crossing(i);
+    check_actuated();
+  }
+
+ private:
+  int sign_at_start() const {
+    return test::sign_at(robot_, path_.points.front().pose, path_.points.front().mode).value_or(0);
+  }
+
+  void look_along(std::size_t i, int samples) const {
+    for (int k = 0; k <= samples; ++k) {
+      const Pose pose =
+          pose_between(path_.points[i].pose, path_.points[i + 1].pose, k / static_cast<double>(samples));
+      const auto sign = test::sign_at(robot_, pose, path_.points[i].mode);
+      ASSERT_EQ(sign.value_or(sign_), sign_) << "segment " << i << ", sample " << k << " of " << samples;
+    }
+  }
+
+  /// One leg changes its sign; of this leg alone B_jj is nearly zero.
+  void look_at_crossing(std::size_t i) const {
+    const PathPoint &before = path_.points[i], &after = path_.points[i + 1];
+    ASSERT_TRUE(is_at(before.pose, after.pose));
+    for (std::size_t j = 0; j < robot_.leg_count(); ++j) {
+      const Leg& leg = robot_.leg(j);
+      const double entry = std::sqrt(std::abs(squared_inverse_entry(leg, before.pose.transform(leg.anchor))));
+      const bool changes = before.mode.sign(j) != after.mode.sign(j);
+      if (changes) {
+        EXPECT_LT(entry, 1e-3 * leg.largest_entry()) << "leg " << j;
+      }
+    }
+    EXPECT_LT((before.q - after.q).norm(), 0.01);
+  }
+
+  /// Joint values are those of the poses but for whole turns, and no jump is between them.
+  void check_actuated() const {
+    for (const PathPoint& point : path_.points) {
+      const JointVector q = inverse(robot_, point.pose, point.mode).q;
+      for (std::size_t j = 0; j < robot_.leg_count(); ++j) {
+        const double difference = point.q[static_cast<Eigen::Index>(j)] - q[static_cast<Eigen::Index>(j)];
+        const double turns =
+            robot_.leg(j).actuated_by_angle() ? std::round(difference / (2.0 * EIGEN_PI)) : 0.0;
+        EXPECT_NEAR(difference, 2.0 * EIGEN_PI * turns, 1e-9);
+      }
+    }
+  }
+
+  const Manipulator& robot_;
+  const PlannedPath& path_;
+  int sign_;
+};
+
+void expect_no_contradiction(const AspectMap& map, const PathEnd& from, const PathEnd& to,
+                             const PlannedPath& path) {
+  ASSERT_GE(path.points.size(), 2U);
+  EXPECT_TRUE(is_at(path.points.front().pose, from.pose));
+  EXPECT_TRUE(is_at(path.points.back().pose, to.pose));
+  EXPECT_EQ(path.points.front().mode, from.mode.value_or(path.points.front().mode));
+  EXPECT_EQ(path.points.back().mode, to.mode.value_or(path.points.back().mode));
+  const Contradictions contradictions(*map.manipulator(), path, test::is_sanitized ? 50 : 400);
+}
+
+// Ten aspects in two sets: every pair of one set is joined, every other pair is refused with proof.
+TEST(PlanPath, JoinsEveryPairOfAspectsOfOneSetOfTheFiveBar) {
+  PathPlanner planner(map_of(test::five_bar()));
+  const auto map = map_of(test::five_bar());
+  for (const Aspect& first : map->aspects())
+    for (const Aspect& second : map->aspects()) {
+      const PathEnd from{first.deepest, first.mode}, to{second.deepest, second.mode};
+      const PlannedPath stay = planner.plan(from, to, PathPolicy::stay);
+      EXPECT_EQ(stay.answer, first.id == second.id ? SameAspect::yes : SameAspect::no) << stay.message;
+      const PlannedPath path = planner.plan(from, to, PathPolicy::serial);
+      const bool joined = first.determinant_sign == second.determinant_sign;
+      ASSERT_EQ(path.answer, joined ? SameAspect::yes : SameAspect::no) << path.message;
+      if (joined && first.id != second.id) expect_no_contradiction(*map, from, to, path);
+    }
+}
+
+struct Case {
+  const char* name;
+  Robot robot;
+  std::optional<double> resolution;
+  int pairs;
+};
+
+class PlanPathOf : public testing::TestWithParam<Case> {};
+
+TEST_P(PlanPathOf, NoSampleContradictsAPath) {
+  const auto map = map_of(GetParam().robot, GetParam().resolution);
+  PathPlanner planner(map);
+  int found = 0;
+  const int pairs = test::is_sanitized ? 5 : GetParam().pairs;
+  for (int i = 0; i < pairs; ++i) {
+    std::mt19937_64 random(static_cast<unsigned>(i));
+    const PathEnd from = random_end(*map, random_aspect(*map, random), random),
+                  to = random_end(*map, random_aspect(*map, random), random);
+    const PlannedPath path = planner.plan(from, to, PathPolicy::serial);
+    if (!path) continue;
+    SCOPED_TRACE("pair " + std::to_string(i));
+    expect_no_contradiction(*map, from, to, path);
+    ++found;
+  }
+  EXPECT_GE(4 * found, pairs) << "of " << pairs;
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, PlanPathOf,
+                         testing::Values(Case{"five_bar", test::five_bar(), std::nullopt, 200},
+                                         Case{"bipod", test::bipod(), std::nullopt, 50},
+                                         Case{"three_rpr", test::three_rpr(), 1.5, 40},
+                                         Case{"three_rrr", test::three_rrr(), 1.0, 8},
+                                         Case{"delta", test::delta(), 0.1, 12}),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+TEST(PlanPath, TakesTheShortestWorkingModeWhereNoneIsAskedFor) {
+  const auto map = map_of(test::five_bar());
+  PathPlanner planner(map);
+  const PathEnd from{Pose::planar(4.5, 8.0), {}}, to{Pose::planar(4.0, 6.0), {}};
+  const PlannedPath path = planner.plan(from, to, PathPolicy::stay);
+  ASSERT_TRUE(path) << path.message;
+  EXPECT_NEAR(path.length, std::hypot(0.5, 2.0), 1e-12);
+  for (const WorkingMode& mode : working_modes(*map->manipulator())) {
+    const PlannedPath in_mode = planner.plan({from.pose, mode}, {to.pose, mode}, PathPolicy::stay);
+    if (in_mode) {
+      EXPECT_GE(in_mode.length, path.length - 1e-12);
+    }
+  }
+}
+
+TEST(PlanPath, SaysWhyAnEndIsInNoAspect) {
+  PathPlanner planner(map_of(test::five_bar()));
+  const PlannedPath path =
+      planner.plan({Pose::planar(4.5, 8.0), {}}, {Pose::planar(40.0, 8.0), {}}, PathPolicy::serial);
+  EXPECT_EQ(path.answer, SameAspect::no);
+  EXPECT_NE(path.message.find("goal"), std::string::npos) << path.message;
+  EXPECT_NE(path.message.find("cannot reach"), std::string::npos) << path.message;
+}
+
+TEST(PlanPath, EndsWhereItIsCancelled) {
+  PathPlanner planner(map_of(test::five_bar()));
+  const std::atomic<bool> cancelled(true);
+  MapControl control;
+  control.cancelled = &cancelled;
+  const auto map = map_of(test::five_bar());
+  const Aspect &first = map->aspects()[0], &second = map->aspects()[2];
+  const PlannedPath path =
+      planner.plan({first.deepest, first.mode}, {second.deepest, second.mode}, PathPolicy::serial, control);
+  EXPECT_EQ(path.answer, SameAspect::unknown);
+}
+
+}  // namespace
+}  // namespace parallel_aspects
