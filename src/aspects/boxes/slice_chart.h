@@ -19,10 +19,11 @@
 namespace parallel_aspects {
 
 /// What the charts of slices have in common: legs, and rows of A from displacements. Points of planar robots,
-/// which have two coordinates, leave out the third. `squared_rod` is of the length in space; for a planar robot
-/// that is more than in the plane, but all slices of planar robots are in SE2, where it is not asked for.
+/// which have two coordinates, leave out the third.
 template <std::size_t Legs, std::size_t Coordinates, std::size_t Dimension = 3>
 class SliceLegs : public ChartLegs<SpatialLeg, Dimension> {
+  using Base = ChartLegs<SpatialLeg, Dimension>;
+
  public:
   static constexpr std::size_t leg_count = Legs, coordinate_count = Coordinates;
   template <class Scalar>
@@ -40,6 +41,16 @@ class SliceLegs : public ChartLegs<SpatialLeg, Dimension> {
     });
   }
 
+  /// Rows of planar robots hold what is in the plane. There the proximal point is as high as the base point.
+  template <class Scalar>
+  Scalar squared_rod(std::size_t j, const Displacement<Scalar>& d) const {
+    const Scalar in_space = Base::squared_rod(j, d);
+    if constexpr (Dimension == 3)
+      return in_space;
+    else
+      return in_space - square(this->scale(j, d) * d.from_base[2]);
+  }
+
   template <class Scalar>
   std::optional<LinkPoints<Scalar, Dimension>> link_points(std::size_t j, const Displacement<Scalar>& d,
                                                            const Scalar& entry, int sign) const {
@@ -50,8 +61,7 @@ class SliceLegs : public ChartLegs<SpatialLeg, Dimension> {
   }
 
  protected:
-  explicit SliceLegs(const Manipulator& manipulator)
-      : ChartLegs<SpatialLeg, Dimension>(manipulator), space_(manipulator.task_space()) {}
+  explicit SliceLegs(const Manipulator& manipulator) : Base(manipulator), space_(manipulator.task_space()) {}
 
  private:
   TaskSpace space_;
