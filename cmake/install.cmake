@@ -6,6 +6,9 @@ install(TARGETS parallel_aspects_core
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
         LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(TARGETS aspects RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+if(BUILD_SHARED_LIBS)  # else it is part of the command
+  install(TARGETS parallel_aspects_tools LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+endif()
 if(PARALLEL_ASPECTS_ROS)
   install(DIRECTORY include/parallel_aspects/ DESTINATION ${CATKIN_PACKAGE_INCLUDE_DESTINATION}
           FILES_MATCHING PATTERN "*.h")

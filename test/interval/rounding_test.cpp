@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// So that what is inline here has its assertions, however the library is built.
+#undef NDEBUG
 #include "aspects/boxes/box_classifier.h"
 #include "distance/leg_boundary.h"
 #include "interval/interval.h"
@@ -9,6 +11,7 @@
 #include <tbb/parallel_for.h>
 
 #include "support/robots.h"
+#include "support/thoroughness.h"
 #include <atomic>
 #include <cfenv>
 
@@ -43,8 +46,6 @@ TEST(Rounding, IsUpwardInEveryTaskThatHoldsAGuard) {
   EXPECT_EQ(wrong, 0);
 }
 
-#ifndef NDEBUG
-
 void prove_a_sign() { proved_determinant_sign(1, SquareArray<Interval>{}); }
 
 void enclose_a_rotation() { enclosed_rotation(Eigen::Quaterniond::Identity()); }
@@ -61,16 +62,19 @@ void classify_a_box() {
   classifier->classify(0, Box{2, {4.0, 8.0}, {4.1, 8.1}}, 1, Detail::states, states.data());
 }
 
-// What proves must not run without a guard: the assertion is there to be hit.
-TEST(RoundingDeathTest, ProofsWithoutAGuardEndTheProgram) {
-  EXPECT_DEATH(prove_a_sign(), "rounds_upward");
+// What proves must not run without a guard: the assertion is there to be hit. This test is built with
+// assertions.
+TEST(RoundingDeathTest, ProofsInHeadersWithoutAGuardEndTheProgram) {
   EXPECT_DEATH(enclose_a_rotation(), "rounds_upward");
+}
+
+TEST(RoundingDeathTest, ProofsWithoutAGuardEndTheProgram) {
+  if (!test::is_sanitized) GTEST_SKIP() << "the library has assertions where it has sanitizers";
+  EXPECT_DEATH(prove_a_sign(), "rounds_upward");
   EXPECT_DEATH(enclose_a_leg(), "rounds_upward");
   EXPECT_DEATH(collect_boundaries(), "rounds_upward");
   EXPECT_DEATH(classify_a_box(), "rounds_upward");
 }
-
-#endif
 
 }  // namespace
 }  // namespace parallel_aspects

@@ -26,17 +26,17 @@ std::optional<PrismaticActuation> rail_of(const Leg& leg) {
 }  // namespace
 
 T1Chart::T1Chart(const Manipulator& manipulator)
-    : leg_(manipulator.leg(0)),
+    : PlanarLegs(manipulator),
       rail_(rail_of(manipulator.leg(0))),
       rod_length_(toleranced_length(manipulator.leg(0).rod_length, manipulator.leg(0))) {
   const Spatial<Interval> anchor = toleranced_anchor(manipulator.leg(0));
-  offset_ = {anchor[0] - leg_.base().x, anchor[1] - leg_.base().y};
+  offset_ = {anchor[0] - leg(0).base().x, anchor[1] - leg(0).base().y};
 }
 
 std::optional<Box> T1Chart::reachable_positions() const {
   const RoundingUpward rounding;
   ReachableBox box(1);
-  box.restrict(0, -offset_.x, leg_.reach());
+  box.restrict(0, -offset_.x, leg(0).reach());
   if (rail_) {
     // No farther from the line of the actuated joint than its rod is long.
     const Eigen::Vector3d& direction = rail_->direction;
@@ -84,12 +84,10 @@ std::optional<Box> SE2Chart::reachable_positions() const {
   return box.box();
 }
 
-T3Chart::T3Chart(const Manipulator& manipulator) {
+T3Chart::T3Chart(const Manipulator& manipulator) : SpatialLegs(manipulator) {
   for (std::size_t j = 0; j < leg_count; ++j) {
-    const Leg& leg = manipulator.leg(j);
-    legs_.emplace_back(leg);
-    const Spatial<Interval> anchor = toleranced_anchor(leg);
-    for (std::size_t i = 0; i < 3; ++i) offsets_[j][i] = anchor[i] - legs_[j].base()[i];
+    const Spatial<Interval> anchor = toleranced_anchor(manipulator.leg(j));
+    for (std::size_t i = 0; i < 3; ++i) offsets_[j][i] = anchor[i] - leg(j).base()[i];
   }
 }
 
@@ -97,15 +95,12 @@ std::optional<Box> T3Chart::reachable_positions() const {
   const RoundingUpward rounding;
   ReachableBox box(3);
   for (std::size_t j = 0; j < leg_count; ++j)
-    for (std::size_t i = 0; i < 3; ++i) box.restrict(i, -offsets_[j][i], legs_[j].reach());
+    for (std::size_t i = 0; i < 3; ++i) box.restrict(i, -offsets_[j][i], leg(j).reach());
   return box.box();
 }
 
-SO3Chart::SO3Chart(const Manipulator& manipulator) {
-  for (std::size_t j = 0; j < leg_count; ++j) {
-    legs_.emplace_back(manipulator.leg(j));
-    anchors_[j] = toleranced_anchor(manipulator.leg(j));
-  }
+SO3Chart::SO3Chart(const Manipulator& manipulator) : SpatialLegs(manipulator) {
+  for (std::size_t j = 0; j < leg_count; ++j) anchors_[j] = toleranced_anchor(manipulator.leg(j));
 }
 
 }  // namespace parallel_aspects

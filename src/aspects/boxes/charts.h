@@ -2,18 +2,15 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_BOXES_CHARTS_H
 #define PARALLEL_ASPECTS_ASPECTS_BOXES_CHARTS_H
 
+#include "aspects/boxes/chart_legs.h"
 #include "aspects/boxes/quaternion_cube.h"
 #include "aspects/tree/pose_space.h"
 #include "interval/half_turns.h"
 #include "legs/leg_rows.h"
-#include "legs/planar_leg.h"
-#include "legs/spatial_leg.h"
 #include "parallel_aspects/aspects/box.h"
-#include "parallel_aspects/model/manipulator.h"
 
 #include <array>
 #include <optional>
-#include <vector>
 
 // A chart turns the map coordinates of one task space into the rows of A. Each has
 //  - leg_count, which is the number of degrees of freedom, and coordinate_count, of the map;
@@ -39,9 +36,9 @@
 namespace parallel_aspects {
 
 /// T1: x. The leg is in the x-y plane.
-class T1Chart {
+class T1Chart : public PlanarLegs {
  public:
-  static constexpr std::size_t leg_count = 1, coordinate_count = 1, point_dimension = 2;
+  static constexpr std::size_t leg_count = 1, coordinate_count = 1;
   template <class Scalar>
   using Placement = Scalar;
   template <class Scalar>
@@ -62,34 +59,7 @@ class T1Chart {
   template <class Scalar>
   LegRows<Scalar, leg_count> rows(std::size_t, const Displacement<Scalar>& d,
                                   const Placement<Scalar>&) const {
-    return leg_rows<TaskSpace::T1>(leg_.form(d));
-  }
-
-  template <class Scalar>
-  Scalar squared_rod(std::size_t, const Displacement<Scalar>& d) const {
-    return leg_.squared_rod(d);
-  }
-
-  template <class Scalar>
-  Scalar scale(std::size_t, const Displacement<Scalar>& d) const {
-    return leg_.scale(d);
-  }
-
-  template <class Scalar>
-  LimitFunctions<Scalar> limits(std::size_t, const Displacement<Scalar>& d, const Scalar& entry,
-                                int sign) const {
-    return leg_.limits(d, entry, sign);
-  }
-
-  template <class Scalar>
-  std::optional<LinkPoints<Scalar, point_dimension>> link_points(std::size_t, const Displacement<Scalar>& d,
-                                                                 const Scalar& entry, int sign) const {
-    return leg_.link_points(d, entry, sign);
-  }
-
-  template <class Scalar>
-  Point<Scalar, point_dimension> anchor(std::size_t, const Displacement<Scalar>& d) const {
-    return {d.x + Scalar(leg_.base().x), d.y + Scalar(leg_.base().y)};
+    return leg_rows<TaskSpace::T1>(leg(0).form(d));
   }
 
   template <class Scalar>
@@ -106,61 +76,17 @@ class T1Chart {
   std::optional<Box> reachable_positions() const;
 
  private:
-  PlanarLeg leg_;
   Planar<Interval> offset_;                 // d = position + offset
   std::optional<PrismaticActuation> rail_;  // bounds x even without limits
   Interval rod_length_;
-};
-
-/// What the charts of planar robots with several legs have in common.
-class PlanarLegs {
- public:
-  static constexpr std::size_t point_dimension = 2;
-  template <class Scalar>
-  using Displacement = Planar<Scalar>;
-
-  template <class Scalar>
-  Scalar squared_rod(std::size_t j, const Displacement<Scalar>& d) const {
-    return legs_[j].squared_rod(d);
-  }
-
-  template <class Scalar>
-  Scalar scale(std::size_t j, const Displacement<Scalar>& d) const {
-    return legs_[j].scale(d);
-  }
-
-  template <class Scalar>
-  LimitFunctions<Scalar> limits(std::size_t j, const Displacement<Scalar>& d, const Scalar& entry,
-                                int sign) const {
-    return legs_[j].limits(d, entry, sign);
-  }
-
-  template <class Scalar>
-  std::optional<LinkPoints<Scalar, point_dimension>> link_points(std::size_t j, const Displacement<Scalar>& d,
-                                                                 const Scalar& entry, int sign) const {
-    return legs_[j].link_points(d, entry, sign);
-  }
-
-  template <class Scalar>
-  Point<Scalar, point_dimension> anchor(std::size_t j, const Displacement<Scalar>& d) const {
-    return {d.x + Scalar(legs_[j].base().x), d.y + Scalar(legs_[j].base().y)};
-  }
-
- protected:
-  explicit PlanarLegs(const Manipulator& manipulator) {
-    for (const Leg& leg : manipulator.legs()) legs_.emplace_back(leg);
-  }
-
-  const PlanarLeg& leg(std::size_t j) const { return legs_[j]; }
-
- private:
-  std::vector<PlanarLeg> legs_;
 };
 
 /// T2: x, y.
 class T2Chart : public PlanarLegs {
  public:
   static constexpr std::size_t leg_count = 2, coordinate_count = 2;
+  template <class Scalar>
+  using Displacement = Planar<Scalar>;
   template <class Scalar>
   using Placement = Planar<Scalar>;
 
@@ -199,18 +125,21 @@ class T2Chart : public PlanarLegs {
   std::array<Planar<Interval>, leg_count> offsets_;  // d = position + offset
 };
 
+template <class Scalar>
+Planar<Scalar> turned_by(const Turn<Scalar>& turn, const Planar<Interval>& b) {
+  return {b.x * turn.cosine - b.y * turn.sine, b.x * turn.sine + b.y * turn.cosine};
+}
+
 /// SE2: x, y and phi / pi.
 class SE2Chart : public PlanarLegs {
  public:
   static constexpr std::size_t leg_count = 3, coordinate_count = 3;
   template <class Scalar>
+  using Displacement = Planar<Scalar>;
+  template <class Scalar>
   struct Placement {
     Planar<Scalar> position;
     Turn<Scalar> turn;
-
-    Planar<Scalar> turned(const Planar<Interval>& b) const {
-      return {b.x * turn.cosine - b.y * turn.sine, b.x * turn.sine + b.y * turn.cosine};
-    }
   };
 
   explicit SE2Chart(const Manipulator& manipulator);
@@ -222,7 +151,7 @@ class SE2Chart : public PlanarLegs {
 
   template <class Scalar>
   Displacement<Scalar> displacement(std::size_t j, const Placement<Scalar>& at) const {
-    const Planar<Scalar> b = at.turned(anchors_[j]);
+    const Planar<Scalar> b = turned_by(at.turn, anchors_[j]);
     const Planar<Interval>& base = leg(j).base();
     return {at.position.x + b.x - Scalar(base.x), at.position.y + b.y - Scalar(base.y)};
   }
@@ -230,7 +159,7 @@ class SE2Chart : public PlanarLegs {
   template <class Scalar>
   LegRows<Scalar, leg_count> rows(std::size_t j, const Displacement<Scalar>& d,
                                   const Placement<Scalar>& at) const {
-    return leg_rows<TaskSpace::SE2>(leg(j).form(d), at.turned(anchors_[j]));
+    return leg_rows<TaskSpace::SE2>(leg(j).form(d), turned_by(at.turn, anchors_[j]));
   }
 
   template <class Scalar>
@@ -241,7 +170,7 @@ class SE2Chart : public PlanarLegs {
   template <class Scalar>
   Point<Scalar, point_dimension> turned(const Point<Interval, point_dimension>& direction,
                                         const Placement<Scalar>& at) const {
-    const Planar<Scalar> result = at.turned({direction[0], direction[1]});
+    const Planar<Scalar> result = turned_by(at.turn, {direction[0], direction[1]});
     return {result.x, result.y};
   }
 
@@ -252,9 +181,9 @@ class SE2Chart : public PlanarLegs {
 };
 
 /// T3: x, y, z.
-class T3Chart {
+class T3Chart : public SpatialLegs {
  public:
-  static constexpr std::size_t leg_count = 3, coordinate_count = 3, point_dimension = 3;
+  static constexpr std::size_t leg_count = 3, coordinate_count = 3;
   template <class Scalar>
   using Placement = Spatial<Scalar>;
   template <class Scalar>
@@ -277,35 +206,7 @@ class T3Chart {
   template <class Scalar>
   LegRows<Scalar, leg_count> rows(std::size_t j, const Displacement<Scalar>& d,
                                   const Placement<Scalar>&) const {
-    return leg_rows<TaskSpace::T3>(legs_[j].form(d));
-  }
-
-  template <class Scalar>
-  Scalar squared_rod(std::size_t j, const Displacement<Scalar>& d) const {
-    return legs_[j].squared_rod(d);
-  }
-
-  template <class Scalar>
-  Scalar scale(std::size_t j, const Displacement<Scalar>& d) const {
-    return legs_[j].scale(d);
-  }
-
-  template <class Scalar>
-  LimitFunctions<Scalar> limits(std::size_t j, const Displacement<Scalar>& d, const Scalar& entry,
-                                int sign) const {
-    return legs_[j].limits(d, entry, sign);
-  }
-
-  template <class Scalar>
-  std::optional<LinkPoints<Scalar, point_dimension>> link_points(std::size_t j, const Displacement<Scalar>& d,
-                                                                 const Scalar& entry, int sign) const {
-    return legs_[j].link_points(d, entry, sign);
-  }
-
-  template <class Scalar>
-  Point<Scalar, point_dimension> anchor(std::size_t j, const Displacement<Scalar>& d) const {
-    const Spatial<Interval>& base = legs_[j].base();
-    return {d[0] + Scalar(base[0]), d[1] + Scalar(base[1]), d[2] + Scalar(base[2])};
+    return leg_rows<TaskSpace::T3>(leg(j).form(d));
   }
 
   template <class Scalar>
@@ -322,20 +223,17 @@ class T3Chart {
   std::optional<Box> reachable_positions() const;
 
  private:
-  std::vector<SpatialLeg> legs_;
   std::array<Spatial<Interval>, leg_count> offsets_;  // d = position + offset
 };
 
 /// SO3: three components of the quaternion over its largest.
-class SO3Chart {
+class SO3Chart : public SpatialLegs {
  public:
-  static constexpr std::size_t leg_count = 3, coordinate_count = 3, point_dimension = 3;
+  static constexpr std::size_t leg_count = 3, coordinate_count = 3;
   template <class Scalar>
   using Placement = RotationRows<Scalar>;
   template <class Scalar>
-  struct Displacement {
-    Spatial<Scalar> from_base, anchor;
-  };
+  using Displacement = AnchorDisplacement<Scalar>;
 
   explicit SO3Chart(const Manipulator& manipulator);
 
@@ -346,7 +244,7 @@ class SO3Chart {
 
   template <class Scalar>
   Displacement<Scalar> displacement(std::size_t j, const Placement<Scalar>& rotation) const {
-    const Spatial<Interval>&anchor = anchors_[j], &base = legs_[j].base();
+    const Spatial<Interval>&anchor = anchors_[j], &base = leg(j).base();
     Displacement<Scalar> d;
     for (std::size_t i = 0; i < 3; ++i) {
       d.anchor[i] = dot(anchor, rotation[i]);
@@ -358,36 +256,7 @@ class SO3Chart {
   template <class Scalar>
   LegRows<Scalar, leg_count> rows(std::size_t j, const Displacement<Scalar>& d,
                                   const Placement<Scalar>&) const {
-    return leg_rows<TaskSpace::SO3>(legs_[j].form(d.from_base), d.anchor);
-  }
-
-  template <class Scalar>
-  Scalar squared_rod(std::size_t j, const Displacement<Scalar>& d) const {
-    return legs_[j].squared_rod(d.from_base);
-  }
-
-  template <class Scalar>
-  Scalar scale(std::size_t j, const Displacement<Scalar>& d) const {
-    return legs_[j].scale(d.from_base);
-  }
-
-  template <class Scalar>
-  LimitFunctions<Scalar> limits(std::size_t j, const Displacement<Scalar>& d, const Scalar& entry,
-                                int sign) const {
-    return legs_[j].limits(d.from_base, entry, sign);
-  }
-
-  template <class Scalar>
-  std::optional<LinkPoints<Scalar, point_dimension>> link_points(std::size_t j, const Displacement<Scalar>& d,
-                                                                 const Scalar& entry, int sign) const {
-    return legs_[j].link_points(d.from_base, entry, sign);
-  }
-
-  template <class Scalar>
-  Point<Scalar, point_dimension> anchor(std::size_t j, const Displacement<Scalar>& d) const {
-    const Spatial<Interval>& base = legs_[j].base();
-    return {d.from_base[0] + Scalar(base[0]), d.from_base[1] + Scalar(base[1]),
-            d.from_base[2] + Scalar(base[2])};
+    return leg_rows<TaskSpace::SO3>(leg(j).form(d.from_base), d.anchor);
   }
 
   template <class Scalar>
@@ -405,7 +274,6 @@ class SO3Chart {
   std::optional<Box> reachable_positions() const { return Box{}; }
 
  private:
-  std::vector<SpatialLeg> legs_;
   std::array<Spatial<Interval>, leg_count> anchors_;
 };
 

@@ -19,11 +19,9 @@ class HeldJointChart : public PlanarLegs {
   struct Placement {
     Planar<Scalar> rod;
     Turn<Scalar> turn;
-
-    Planar<Scalar> turned(const Planar<Interval>& b) const {
-      return {b.x * turn.cosine - b.y * turn.sine, b.x * turn.sine + b.y * turn.cosine};
-    }
   };
+  template <class Scalar>
+  using Displacement = Planar<Scalar>;
 
   /// Of a slice that holds a joint, see `find_slice_problem`.
   HeldJointChart(const Manipulator& manipulator, const MapSlice& slice);
@@ -36,7 +34,7 @@ class HeldJointChart : public PlanarLegs {
   template <class Scalar>
   Displacement<Scalar> displacement(std::size_t j, const Placement<Scalar>& at) const {
     if (j == held_) return at.rod;
-    const Planar<Scalar> between = at.turned(from_held_anchor_[j]);
+    const Planar<Scalar> between = turned_by(at.turn, from_held_anchor_[j]);
     return {at.rod.x + (between.x + Scalar(from_base_[j].x)),
             at.rod.y + (between.y + Scalar(from_base_[j].y))};
   }
@@ -44,7 +42,8 @@ class HeldJointChart : public PlanarLegs {
   template <class Scalar>
   LegRows<Scalar, leg_count> rows(std::size_t j, const Displacement<Scalar>& d,
                                   const Placement<Scalar>& at) const {
-    return leg_rows<TaskSpace::SE2>(j == held_ ? held_leg_.form(d) : leg(j).form(d), at.turned(anchors_[j]));
+    return leg_rows<TaskSpace::SE2>(j == held_ ? held_leg_.form(d) : leg(j).form(d),
+                                    turned_by(at.turn, anchors_[j]));
   }
 
   template <class Scalar>
@@ -78,14 +77,14 @@ class HeldJointChart : public PlanarLegs {
 
   template <class Scalar>
   Point<Scalar, point_dimension> position(const Placement<Scalar>& at) const {
-    const Planar<Scalar> b = at.turned(anchors_[held_]);
+    const Planar<Scalar> b = turned_by(at.turn, anchors_[held_]);
     return {at.rod.x + (Scalar(held_leg_.center().x) - b.x), at.rod.y + (Scalar(held_leg_.center().y) - b.y)};
   }
 
   template <class Scalar>
   Point<Scalar, point_dimension> turned(const Point<Interval, point_dimension>& direction,
                                         const Placement<Scalar>& at) const {
-    const Planar<Scalar> result = at.turned({direction[0], direction[1]});
+    const Planar<Scalar> result = turned_by(at.turn, {direction[0], direction[1]});
     return {result.x, result.y};
   }
 

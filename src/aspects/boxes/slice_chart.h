@@ -2,42 +2,36 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_BOXES_SLICE_CHART_H
 #define PARALLEL_ASPECTS_ASPECTS_BOXES_SLICE_CHART_H
 
+#include "aspects/boxes/chart_legs.h"
 #include "aspects/boxes/quaternion_cube.h"
 #include "aspects/boxes/reachable_box.h"
 #include "interval/half_turns.h"
 #include "legs/leg_rows.h"
-#include "legs/spatial_leg.h"
 #include "legs/toleranced.h"
 #include "parallel_aspects/aspects/box.h"
 #include "parallel_aspects/aspects/map_slice.h"
-#include "parallel_aspects/model/manipulator.h"
 
 #include <array>
 #include <optional>
-#include <vector>
 
 // Charts of slices (see charts.h). Every leg is taken in space, whatever the task space.
 
 namespace parallel_aspects {
 
-/// An anchor seen from the leg's base point and from the operational point.
-template <class Scalar>
-struct SliceDisplacement {
-  Spatial<Scalar> from_base, anchor;
-};
-
 /// What the charts of slices have in common: legs, and rows of A from displacements. Points of planar robots,
 /// which have two coordinates, leave out the third.
 template <std::size_t Legs, std::size_t Coordinates, std::size_t Dimension = 3>
-class SliceLegs {
+class SliceLegs : public ChartLegs<SpatialLeg, Dimension> {
+  using Base = ChartLegs<SpatialLeg, Dimension>;
+
  public:
-  static constexpr std::size_t leg_count = Legs, coordinate_count = Coordinates, point_dimension = Dimension;
+  static constexpr std::size_t leg_count = Legs, coordinate_count = Coordinates;
   template <class Scalar>
-  using Displacement = SliceDisplacement<Scalar>;
+  using Displacement = AnchorDisplacement<Scalar>;
 
   template <class Scalar, class Placement>
   LegRows<Scalar, leg_count> rows(std::size_t j, const Displacement<Scalar>& d, const Placement&) const {
-    const SpatialLegForm<Scalar> form = legs_[j].form(d.from_base);
+    const SpatialLegForm<Scalar> form = this->leg(j).form(d.from_base);
     return with_task_space(space_, [&](auto constant) -> LegRows<Scalar, leg_count> {
       constexpr TaskSpace space = decltype(constant)::value;
       if constexpr (traits(space).degrees_of_freedom() == leg_count)
@@ -47,50 +41,30 @@ class SliceLegs {
     });
   }
 
-  /// Legs of planar robots have more of it out of the plane, but there all platforms turn.
+  /// Rows of planar robots hold what is in the plane. There the proximal point is as high as the base point.
   template <class Scalar>
   Scalar squared_rod(std::size_t j, const Displacement<Scalar>& d) const {
-    return legs_[j].squared_rod(d.from_base);
-  }
-
-  template <class Scalar>
-  Scalar scale(std::size_t j, const Displacement<Scalar>& d) const {
-    return legs_[j].scale(d.from_base);
-  }
-
-  template <class Scalar>
-  LimitFunctions<Scalar> limits(std::size_t j, const Displacement<Scalar>& d, const Scalar& entry,
-                                int sign) const {
-    return legs_[j].limits(d.from_base, entry, sign);
+    const Scalar in_space = Base::squared_rod(j, d);
+    if constexpr (Dimension == 3)
+      return in_space;
+    else
+      return in_space - square(this->scale(j, d) * d.from_base[2]);
   }
 
   template <class Scalar>
   std::optional<LinkPoints<Scalar, Dimension>> link_points(std::size_t j, const Displacement<Scalar>& d,
                                                            const Scalar& entry, int sign) const {
-    const auto points = legs_[j].link_points(d.from_base, entry, sign);
+    const auto points = this->leg(j).link_points(d.from_base, entry, sign);
     if (!points) return std::nullopt;
     return LinkPoints<Scalar, Dimension>{reduced<Dimension>(points->base), reduced<Dimension>(points->joint),
                                          reduced<Dimension>(points->anchor), points->length};
   }
 
-  template <class Scalar>
-  Point<Scalar, Dimension> anchor(std::size_t j, const Displacement<Scalar>& d) const {
-    const Spatial<Interval>& base = legs_[j].base();
-    Point<Scalar, Dimension> result;
-    for (std::size_t i = 0; i < Dimension; ++i) result[i] = d.from_base[i] + Scalar(base[i]);
-    return result;
-  }
-
  protected:
-  explicit SliceLegs(const Manipulator& manipulator) : space_(manipulator.task_space()) {
-    for (const Leg& leg : manipulator.legs()) legs_.emplace_back(leg);
-  }
-
-  const SpatialLeg& leg(std::size_t j) const { return legs_[j]; }
+  explicit SliceLegs(const Manipulator& manipulator) : Base(manipulator), space_(manipulator.task_space()) {}
 
  private:
   TaskSpace space_;
-  std::vector<SpatialLeg> legs_;
 };
 
 /// Free positions in the order of x, y and z, then the angle in half turns where there is one. An anchor that
@@ -124,9 +98,9 @@ class SliceChart : public SliceLegs<Legs, Coordinates, Dimension> {
   }
 
   template <class Scalar>
-  SliceDisplacement<Scalar> displacement(std::size_t j, const Placement<Scalar>& at) const {
+  AnchorDisplacement<Scalar> displacement(std::size_t j, const Placement<Scalar>& at) const {
     const Spatial<Interval>& base = this->leg(j).base();
-    SliceDisplacement<Scalar> d;
+    AnchorDisplacement<Scalar> d;
     for (std::size_t i = 0; i < 3; ++i) {
       d.anchor[i] = turned(anchors_[j], at, i);
       d.from_base[i] = at.position[i] + (d.anchor[i] - Scalar(base[i]));
@@ -220,8 +194,8 @@ class OrientationChart : public SliceLegs<6, 3> {
   }
 
   template <class Scalar>
-  SliceDisplacement<Scalar> displacement(std::size_t j, const Placement<Scalar>& rotation) const {
-    SliceDisplacement<Scalar> d;
+  AnchorDisplacement<Scalar> displacement(std::size_t j, const Placement<Scalar>& rotation) const {
+    AnchorDisplacement<Scalar> d;
     for (std::size_t i = 0; i < 3; ++i) {
       d.anchor[i] = dot(anchors_[j], rotation[i]);
       d.from_base[i] = d.anchor[i] + Scalar(offsets_[j][i]);

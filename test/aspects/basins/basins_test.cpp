@@ -146,7 +146,7 @@ class BasinsTest : public testing::TestWithParam<Planes> {
 };
 
 TEST_P(BasinsTest, BottlenecksAreThoseOfAGrid) {
-  constexpr int count = test::is_sanitized ? 100 : 700;
+  const int count = test::is_sanitized ? 100 : 700;
   const WorkingMode mode(map->manipulator()->leg_count());
   std::mt19937_64 random{7};
   for (const ParallelIndex index : {ParallelIndex::normalised, ParallelIndex::determinant}) {

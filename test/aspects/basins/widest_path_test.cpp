@@ -24,7 +24,7 @@ using Robot = std::shared_ptr<const Manipulator>;
 using Values = std::vector<float>;
 using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;  // of grid points
 
-constexpr int count = test::is_sanitized ? 200 : 2000;  // of grid points along each coordinate
+const int count = test::is_sanitized ? 200 : 2000;  // of grid points along each coordinate
 
 struct Planes {
   const char* name;

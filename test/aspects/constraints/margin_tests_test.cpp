@@ -16,6 +16,7 @@
 #include "support/index_at.h"
 #include "support/robots.h"
 #include "support/shipped.h"
+#include "support/slices.h"
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -143,6 +144,32 @@ TEST(Margins, DoNotDependOnTheOperationalPoint) {
       ++compared;
     }
   EXPECT_GT(compared, 10);
+}
+
+/// The same rods seen in the plane, but their ends are not in one plane.
+Robot with_slanted_rods(const Manipulator& robot) {
+  ManipulatorDescription description = robot.description();
+  for (Leg& leg : description.legs) {
+    leg.anchor.z() += 0.5 * leg.rod_length;
+    leg.rod_length *= std::sqrt(1.25);
+  }
+  return std::make_shared<const Manipulator>(description);
+}
+
+// A T2 index is of the rods as they are seen in the plane, whatever chart a box is in.
+TEST(Margins, OfSlicesMeasureSlantedRodsInThePlane) {
+  const Robot flat = five_bar_with_margin(0.5), slanted = with_slanted_rods(*flat);
+  for (const double y : {0.3, 0.9}) {
+    const auto options = [y](const Robot& robot) {
+      return test::options_of(test::slice_of(robot, {{"y", y}}), 0.01);
+    };
+    const auto of_flat = test::map_of(flat, options(flat)),
+               of_slanted = test::map_of(slanted, options(slanted));
+    ASSERT_EQ(of_flat->aspects().size(), of_slanted->aspects().size());
+    EXPECT_GT(of_flat->aspects().size(), 2U);
+    for (std::size_t i = 0; i < of_flat->aspects().size(); ++i)
+      EXPECT_NEAR(measures(*of_flat)[i], measures(*of_slanted)[i], 0.01) << "y = " << y;
+  }
 }
 
 TEST(Margins, OutOfTheirRangeAreRefused) {

@@ -159,7 +159,7 @@ class MapOfHeldJoint : public testing::TestWithParam<Slice> {};
 // Components of the grid that are too small to be told from chance are left out; each other one is a
 // component of the map with its area.
 TEST_P(MapOfHeldJoint, HasTheComponentsOfAGrid) {
-  constexpr int count = test::is_sanitized ? 150 : 400;
+  const int count = test::is_sanitized ? 150 : 400;
   const Robot robot = GetParam().make();
   const auto map = map_of(robot, GetParam().leg, GetParam().value);
   ASSERT_TRUE(map);
@@ -188,7 +188,7 @@ TEST_P(MapOfHeldJoint, HasTheComponentsOfAGrid) {
 
 // |det A| changes by a few percent from one cell of the grid to the next.
 TEST_P(MapOfHeldJoint, BottlenecksAreThoseOfAGrid) {
-  constexpr int count = test::is_sanitized ? 100 : 500;
+  const int count = test::is_sanitized ? 100 : 500;
   const Robot robot = GetParam().make();
   const MapSlice slice = *options_of(robot, GetParam().leg, GetParam().value).slice;
   const auto map = map_of(robot, GetParam().leg, GetParam().value);

@@ -26,7 +26,7 @@ using test::Robot;
 using test::slice_of;
 using test::upright;
 
-constexpr int looks = test::thinned(100000), least_inside = test::thinned(50);
+const int looks = test::thinned(100000), least_inside = test::thinned(50);
 
 struct Case {
   const char* name;

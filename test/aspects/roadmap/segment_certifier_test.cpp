@@ -22,7 +22,7 @@ namespace {
 
 using test::sign_in_doubles;
 
-constexpr int random_points = test::thinned(150), dense_points = test::thinned(500);
+const int random_points = test::thinned(150), dense_points = test::thinned(500);
 
 struct Case {
   const char* name;

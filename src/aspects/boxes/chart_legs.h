@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASPECTS_BOXES_CHART_LEGS_H
+#define PARALLEL_ASPECTS_ASPECTS_BOXES_CHART_LEGS_H
+
+#include "legs/planar_leg.h"
+#include "legs/spatial_leg.h"
+#include "parallel_aspects/model/manipulator.h"
+
+#include <optional>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// An anchor seen from the leg's base point and from the operational point.
+template <class Scalar>
+struct AnchorDisplacement {
+  Spatial<Scalar> from_base, anchor;
+};
+
+template <class Displacement>
+const Displacement& from_base(const Displacement& d) {
+  return d;
+}
+
+template <class Scalar>
+const Spatial<Scalar>& from_base(const AnchorDisplacement<Scalar>& d) {
+  return d.from_base;
+}
+
+/// The legs of a chart, and what every chart asks of them in the same way (see charts.h). A displacement is
+/// the vector from the leg's base point to its anchor, or holds it.
+template <class OneLeg, std::size_t Dimension>
+class ChartLegs {
+ public:
+  static constexpr std::size_t point_dimension = Dimension;
+
+  template <class Displacement>
+  auto squared_rod(std::size_t j, const Displacement& d) const {
+    return legs_[j].squared_rod(from_base(d));
+  }
+
+  template <class Displacement>
+  auto scale(std::size_t j, const Displacement& d) const {
+    return legs_[j].scale(from_base(d));
+  }
+
+  template <class Displacement, class Scalar>
+  LimitFunctions<Scalar> limits(std::size_t j, const Displacement& d, const Scalar& entry, int sign) const {
+    return legs_[j].limits(from_base(d), entry, sign);
+  }
+
+  template <class Displacement, class Scalar>
+  auto link_points(std::size_t j, const Displacement& d, const Scalar& entry, int sign) const {
+    return legs_[j].link_points(from_base(d), entry, sign);
+  }
+
+  template <class Displacement>
+  auto anchor(std::size_t j, const Displacement& d) const {
+    using Scalar = std::decay_t<decltype(from_base(d)[0])>;
+    Point<Scalar, Dimension> result;
+    for (std::size_t i = 0; i < Dimension; ++i) result[i] = from_base(d)[i] + Scalar(legs_[j].base()[i]);
+    return result;
+  }
+
+ protected:
+  explicit ChartLegs(const Manipulator& manipulator) {
+    for (const Leg& leg : manipulator.legs()) legs_.emplace_back(leg);
+  }
+
+  const OneLeg& leg(std::size_t j) const { return legs_[j]; }
+
+ private:
+  std::vector<OneLeg> legs_;
+};
+
+using PlanarLegs = ChartLegs<PlanarLeg, 2>;
+using SpatialLegs = ChartLegs<SpatialLeg, 3>;
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ASPECTS_BOXES_CHART_LEGS_H
