@@ -10,6 +10,7 @@
 #include "parallel_aspects/model/pose.h"
 
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -29,8 +30,9 @@ struct PathEnd {
   std::optional<WorkingMode> mode;  ///< by default any
 };
 
-/// A point of a path. From one to the next the pose runs as `pose_between` says, in the working mode of both;
-/// where the modes differ the pose is the same, and one leg changes its posture.
+/// A point of a path. From one to the next the pose runs as `pose_between` says, or, in a slice that holds an
+/// actuated joint, straight in direction and phi; in the working mode of both. Where the modes differ the
+/// pose is the same, and one leg changes its posture.
 struct PathPoint {
   Pose pose;         ///< in the task frame
   WorkingMode mode;  ///< in which it is reached
@@ -53,6 +55,11 @@ struct PlannedPath {
   double length = 0.0;                      ///< of the way of the operational point [m]
   double turned = 0.0;                      ///< of the rotation of the platform [rad]
 
+  /// Smallest parallel index and |det A| (unit as in `direct_determinant`) at 32 poses a segment: no bounds,
+  /// which the margins of the manipulator give. Infinite without a path.
+  double least_index = std::numeric_limits<double>::infinity();
+  double least_det_a = std::numeric_limits<double>::infinity();  ///< see above
+
   explicit operator bool() const noexcept { return answer == SameAspect::yes; }  ///< whether there is a path
 };
 
@@ -72,6 +79,9 @@ class PathPlanner {
   /// Looks for a path. Where an end leaves the mode open, the shortest that is found. `unknown` where
   /// cancelled.
   PlannedPath plan(const PathEnd& from, const PathEnd& to, PathPolicy policy, const MapControl& control = {});
+
+  /// The pose at t, 0 to 1, from a point of a path to the next in the same working mode.
+  Pose between(const Pose& from, const Pose& to, double t) const;
 
   /// The gates and sets that it plans with; nothing where cancelled.
   const AspectGraph* graph(const MapControl& control = {});

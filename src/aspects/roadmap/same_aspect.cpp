@@ -2,39 +2,12 @@
 #include "parallel_aspects/aspects/same_aspect.h"
 
 #include "aspects/roadmap/path_search.h"
-#include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/singularity/margins.h"
+#include "aspects/roadmap/violation_text.h"
 
 #include <utility>
 
 namespace parallel_aspects {
 namespace {
-
-/// Which constraint does not hold, with its numbers where it is a margin.
-std::string constraint_text(const Manipulator& manipulator, const PoseInMode& at, ConstraintKind failing) {
-  if (failing == ConstraintKind::margins) {
-    const std::string missed = missed_margins(manipulator, at.pose, inverse(manipulator, at.pose, at.mode).q);
-    if (!missed.empty()) return missed + " (constraint margins)";
-  }
-  return "the constraint " + std::string(name(failing)) + " does not hold there";
-}
-
-/// Why no aspect holds a configuration.
-std::string reason(const Manipulator& manipulator, const PoseInMode& at, const ConfigurationProof& proof) {
-  const std::string leg = proof.leg ? "leg '" + manipulator.leg(*proof.leg).name + "'" : "a leg";
-  switch (proof.proved_violation) {
-    case Violation::out_of_reach:
-      return leg + " cannot reach it";
-    case Violation::joint_limit:
-      return "the actuated joint of " + leg + " would be outside its limits (constraint actuated_limits)";
-    case Violation::constraint:
-      return constraint_text(manipulator, at, proof.failing.value_or(ConstraintKind::workspace));
-    case Violation::singularity:
-    case Violation::none:
-      break;
-  }
-  return "it is singular";
-}
 
 /// Whether `proof` answers the question already; so it does where the configuration lies in no aspect.
 bool is_answered(const Manipulator& manipulator, const PoseInMode& at, const ConfigurationProof& proof,
@@ -43,7 +16,8 @@ bool is_answered(const Manipulator& manipulator, const PoseInMode& at, const Con
   const bool proved = proof.proved_violation != Violation::none;
   comparison.answer = proved ? SameAspect::no : SameAspect::unknown;
   comparison.message =
-      proved ? "The " + which + " configuration lies in no aspect: " + reason(manipulator, at, proof) + "."
+      proved ? "The " + which +
+                   " configuration lies in no aspect: " + violation_text(manipulator, at, proof) + "."
              : "The " + which + " configuration is too close to a singularity or a limit to be determined.";
   comparison.failing = proof.failing;
   return true;

@@ -10,35 +10,33 @@
 
 namespace parallel_aspects {
 
-AspectPaths::AspectPaths(std::shared_ptr<const AspectMap> map)
-    : map_(std::move(map)), certifier_(map_->manipulator()) {}
+AspectPaths::AspectPaths(std::shared_ptr<const AspectMap> map) : map_(std::move(map)), segments_(map_) {}
 
-bool AspectPaths::is_free(const Pose& from, const Pose& to, const WorkingMode& mode) const {
-  return certifier_.prove(from, to, mode).verdict == SegmentVerdict::free;
+bool AspectPaths::is_free(const Pose& from, const Pose& to, const Aspect& aspect) const {
+  return segments_.is_free(from, to, aspect.mode, aspect.determinant_sign);
 }
 
 std::vector<Pose> AspectPaths::find(int aspect, const Pose& from, const Pose& to) {
   const Aspect& in = map_->aspects()[static_cast<std::size_t>(aspect - 1)];
-  if (is_free(from, to, in.mode)) return {from, to};
-  const std::vector<Pose> through_leaves =
-      proved(find_leaf_path(map_->contents(), aspect, from, to), in.mode);
-  return through_leaves.empty() ? find_in_roadmap(in, from, to) : shortened(through_leaves, in.mode);
+  if (is_free(from, to, in)) return {from, to};
+  const std::vector<Pose> through_leaves = proved(find_leaf_path(map_->contents(), aspect, from, to), in);
+  return through_leaves.empty() ? find_in_roadmap(in, from, to) : shortened(through_leaves, in);
 }
 
 /// The path where all of it is proved, empty otherwise.
-std::vector<Pose> AspectPaths::proved(const std::vector<Pose>& path, const WorkingMode& mode) const {
+std::vector<Pose> AspectPaths::proved(const std::vector<Pose>& path, const Aspect& aspect) const {
   for (std::size_t i = 0; i + 1 < path.size(); ++i)
-    if (!is_free(path[i], path[i + 1], mode)) return {};
+    if (!is_free(path[i], path[i + 1], aspect)) return {};
   return path;
 }
 
 /// Leaves out poses where the segment past them is proved, as many at once as doubling and halving finds.
-std::vector<Pose> AspectPaths::shortened(std::vector<Pose> path, const WorkingMode& mode) const {
+std::vector<Pose> AspectPaths::shortened(const std::vector<Pose>& path, const Aspect& aspect) const {
   std::vector<Pose> kept{path.front()};
   for (std::size_t at = 0; at + 1 < path.size();) {
     std::size_t good = at + 1, bad = path.size();
     for (std::size_t step = 2; at + step < path.size(); step *= 2) {
-      if (!is_free(path[at], path[at + step], mode)) {
+      if (!is_free(path[at], path[at + step], aspect)) {
         bad = at + step;
         break;
       }
@@ -46,7 +44,7 @@ std::vector<Pose> AspectPaths::shortened(std::vector<Pose> path, const WorkingMo
     }
     while (bad - good > 1) {
       const std::size_t middle = good + (bad - good) / 2;
-      (is_free(path[at], path[middle], mode) ? good : bad) = middle;
+      (is_free(path[at], path[middle], aspect) ? good : bad) = middle;
     }
     kept.push_back(path[good]);
     at = good;

@@ -2,9 +2,9 @@
 #ifndef PARALLEL_ASPECTS_MOTION_PLAN_ASPECT_PATHS_H
 #define PARALLEL_ASPECTS_MOTION_PLAN_ASPECT_PATHS_H
 
+#include "motion/plan/map_segments.h"
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"
-#include "parallel_aspects/aspects/segment_certifier.h"
 #include "parallel_aspects/model/pose.h"
 
 #include <map>
@@ -18,20 +18,20 @@ class AspectPaths {
  public:
   explicit AspectPaths(std::shared_ptr<const AspectMap> map);
 
-  const SegmentCertifier& certifier() const noexcept { return certifier_; }
+  const MapSegments& segments() const noexcept { return segments_; }
 
   /// Poses from one to the other, each segment between two proved free in the aspect's working mode; empty
   /// where none was found. Both must lie in the aspect.
   std::vector<Pose> find(int aspect, const Pose& from, const Pose& to);
 
  private:
-  bool is_free(const Pose& from, const Pose& to, const WorkingMode& mode) const;
-  std::vector<Pose> proved(const std::vector<Pose>& path, const WorkingMode& mode) const;
-  std::vector<Pose> shortened(std::vector<Pose> path, const WorkingMode& mode) const;
+  bool is_free(const Pose& from, const Pose& to, const Aspect& aspect) const;
+  std::vector<Pose> proved(const std::vector<Pose>& path, const Aspect& aspect) const;
+  std::vector<Pose> shortened(const std::vector<Pose>& path, const Aspect& aspect) const;
   std::vector<Pose> find_in_roadmap(const Aspect& aspect, const Pose& from, const Pose& to);
 
   std::shared_ptr<const AspectMap> map_;
-  SegmentCertifier certifier_;
+  MapSegments segments_;
   std::map<std::size_t, std::shared_ptr<const PoseRoadmap>> roadmaps_;  // by index of the working mode
 };
 

@@ -2,25 +2,32 @@
 #include "parallel_aspects/motion/plan_path.h"
 
 #include "aspects/map/map_contents.h"
+#include "aspects/roadmap/violation_text.h"
 #include "motion/plan/aspect_paths.h"
 #include "motion/plan/gate_route.h"
+#include "motion/plan/leaf_path.h"
 #include "motion/roadmap.h"
+#include "parallel_aspects/aspects/held_joint.h"
 #include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/kinematics/jacobians.h"
+#include "parallel_aspects/singularity/indices.h"
 
 #include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
 #include <utility>
 
 namespace parallel_aspects {
 namespace {
 
-constexpr double width_of_turning_points = 1e-9;  // of the segment that leads through B_jj = 0
-constexpr int steps_of_a_segment = 32;            // at which the actuated joints are looked at
+constexpr int steps_of_a_segment = 32;  // at which the actuated joints are looked at
 
 /// The aspects that hold an end, and what is known of the working modes in which none is found.
 struct EndAspects {
   std::vector<PoseInAspect> found;
-  bool all_known = true;  // of every other mode it is proved that no aspect holds the end
-  std::string reason;     // of one of these
+  bool all_known = true;          // of every other mode it is proved that no aspect holds the end
+  std::set<std::string> reasons;  // of these
 };
 
 PlannedPath without_path(SameAspect verdict, std::string message) {
@@ -31,26 +38,53 @@ PlannedPath without_path(SameAspect verdict, std::string message) {
 }
 
 PlannedPath not_in_aspect(const std::string& which, const EndAspects& end) {
-  const std::string text = "No aspect of the map is known to hold the " + which + ". " + end.reason;
-  return without_path(end.all_known ? SameAspect::no : SameAspect::unknown, text);
+  std::string text;
+  for (const std::string& reason : end.reasons) text += (text.empty() ? "" : "; ") + reason;
+  return without_path(end.all_known ? SameAspect::no : SameAspect::unknown,
+                      "No aspect of the map holds the " + which + ": " + text + ".");
 }
 
 const Aspect& aspect_of(const AspectMap& map, int id) {
   return map.aspects()[static_cast<std::size_t>(id - 1)];
 }
 
+bool is_in_slice(const AspectMap& map, const Pose& pose) {
+  const PoseSpace& space = map.contents().tree.space();
+  const Pose nearest = space.pose(space.position(pose));
+  return distance_between(*map.manipulator(), pose, nearest) < held_joint_tolerance;
+}
+
+/// What is known of an end in a working mode in which no aspect is found to hold it.
+void explain(const AspectMap& map, const SegmentCertifier& certifier, const PoseInMode& at,
+             LocationStatus status, EndAspects& end) {
+  const ConfigurationProof proof = certifier.prove(at.pose, at.mode);
+  const bool is_proved = proof.proved_violation != Violation::none;
+  end.all_known = end.all_known && is_proved;
+  if (is_proved)
+    end.reasons.insert(violation_text(*map.manipulator(), at, proof));
+  else if (status == LocationStatus::not_mapped)
+    end.reasons.insert("it lies outside the region of the map");
+  else
+    end.reasons.insert("in " + to_string(at.mode) +
+                       " it is closer to a singularity or a limit than the map can tell");
+}
+
 EndAspects find_aspects(const AspectMap& map, const SegmentCertifier& certifier, const PathEnd& end) {
   EndAspects result;
+  if (!is_in_slice(map, end.pose)) {
+    result.all_known = false;
+    result.reasons.insert("it does not lie in the slice");
+    return result;
+  }
   for (const WorkingMode& mode : map.contents().modes) {
     if (end.mode && mode != *end.mode) continue;
-    if (const Location location = map.locate(end.pose, mode)) {
+    const Location location = map.locate(end.pose, mode);
+    if (location)
       result.found.push_back({end.pose, location.aspect});
-      continue;
-    }
-    const AspectComparison why = same_aspect(certifier, {end.pose, mode}, {end.pose, mode});
-    result.all_known = result.all_known && why.answer == SameAspect::no;
-    if (result.reason.empty()) result.reason = why.message;
+    else
+      explain(map, certifier, {end.pose, mode}, location.status, result);
   }
+  if (result.found.empty() && result.reasons.empty()) result.reasons.insert("its working mode is not mapped");
   return result;
 }
 
@@ -71,7 +105,8 @@ bool any_pair(const EndAspects& starts, const EndAspects& goals, const Condition
 /// The path between poses in one working mode, and in another behind a crossing.
 class PathBuilder {
  public:
-  explicit PathBuilder(const Manipulator& manipulator) : robot_(manipulator) {}
+  PathBuilder(const Manipulator& manipulator, const MapSegments& segments)
+      : robot_(manipulator), segments_(segments) {}
 
   void go(const std::vector<Pose>& poses, const WorkingMode& mode) {
     for (const Pose& pose : poses) add(pose, mode);
@@ -91,6 +126,7 @@ class PathBuilder {
   void add(const Pose& pose, const WorkingMode& mode) {
     if (path_.points.empty()) {
       path_.points.push_back({pose, mode, inverse(robot_, pose, mode).q});
+      look_at(pose, path_.points.back().q);
       return;
     }
     const PathPoint last = path_.points.back();
@@ -99,15 +135,22 @@ class PathBuilder {
       return;
     JointVector q = last.q;
     for (int step = 1; step <= steps_of_a_segment; ++step) {
-      const Pose at = pose_between(last.pose, pose, static_cast<double>(step) / steps_of_a_segment);
+      const Pose at = segments_.between(last.pose, pose, static_cast<double>(step) / steps_of_a_segment);
       q += joint_change(robot_, q, inverse(robot_, at, mode).q);
+      look_at(at, q);
     }
     path_.length += (pose.position - last.pose.position).norm();
     path_.turned += pose.orientation.angularDistance(last.pose.orientation);
     path_.points.push_back({pose, mode, q});
   }
 
+  void look_at(const Pose& pose, const JointVector& q) {
+    path_.least_index = std::min(path_.least_index, parallel_index(robot_, pose, q));
+    path_.least_det_a = std::min(path_.least_det_a, std::abs(direct_determinant(robot_, pose, q)));
+  }
+
   const Manipulator& robot_;
+  const MapSegments& segments_;
   PlannedPath path_;
 };
 
@@ -128,8 +171,8 @@ class PathPlanner::Search {
       : planner_(planner), map_(*planner.parts_->map), paths_(planner.parts_->paths), control_(control) {}
 
   PlannedPath run(const PathEnd& from, const PathEnd& to, PathPolicy policy) {
-    const EndAspects starts = find_aspects(map_, paths_.certifier(), from),
-                     goals = find_aspects(map_, paths_.certifier(), to);
+    const EndAspects starts = find_aspects(map_, paths_.segments().certifier(), from),
+                     goals = find_aspects(map_, paths_.segments().certifier(), to);
     if (starts.found.empty()) return not_in_aspect("start", starts);
     if (goals.found.empty()) return not_in_aspect("goal", goals);
     PlannedPath found = stay(starts, goals);
@@ -190,7 +233,7 @@ class PathPlanner::Search {
   /// Empty-handed where a part of the path is not found.
   PlannedPath follow(const std::vector<std::size_t>& gates, const PoseInAspect& start,
                      const PoseInAspect& goal) {
-    PathBuilder builder(*map_.manipulator());
+    PathBuilder builder(*map_.manipulator(), paths_.segments());
     PoseInAspect at = start;
     for (const std::size_t index : gates) {
       const Neighbours& gate = planner_.parts_->graph->gates[index];
@@ -213,11 +256,14 @@ class PathPlanner::Search {
   /// To where B_jj is nearly zero in either mode, and back.
   bool pass(PathBuilder& builder, const Neighbours& gate, int from, int to) const {
     const WorkingMode before = aspect_of(map_, from).mode, after = aspect_of(map_, to).mode;
+    const int sign = aspect_of(map_, from).determinant_sign;
+    const MapSegments& segments = paths_.segments();
     std::vector<Pose> poses{gate.segment.front()};
     for (std::size_t i = 0; i + 1 < gate.segment.size(); ++i) {
-      const double share = std::min(free_share(gate.segment[i], gate.segment[i + 1], before),
-                                    free_share(gate.segment[i], gate.segment[i + 1], after));
-      if (share > 0.0) poses.push_back(pose_between(gate.segment[i], gate.segment[i + 1], share));
+      const Pose &start = gate.segment[i], &end = gate.segment[i + 1];
+      const double share = std::min(segments.free_share(start, end, before, sign),
+                                    segments.free_share(start, end, after, sign));
+      if (share > 0.0) poses.push_back(segments.between(start, end, share));
       if (share < 1.0) break;
     }
     builder.go(poses, before);
@@ -225,11 +271,6 @@ class PathPlanner::Search {
     std::reverse(poses.begin(), poses.end());
     builder.go(poses, after);
     return true;
-  }
-
-  /// How much of a segment is proved free.
-  double free_share(const Pose& from, const Pose& to, const WorkingMode& mode) const {
-    return paths_.certifier().prove_to_violation(from, to, mode, width_of_turning_points).free_until;
   }
 
   PathPlanner& planner_;
@@ -247,6 +288,10 @@ PathPlanner& PathPlanner::operator=(PathPlanner&&) noexcept = default;
 PlannedPath PathPlanner::plan(const PathEnd& from, const PathEnd& to, PathPolicy policy,
                               const MapControl& control) {
   return Search(*this, control).run(from, to, policy);
+}
+
+Pose PathPlanner::between(const Pose& from, const Pose& to, double t) const {
+  return parts_->paths.segments().between(from, to, t);
 }
 
 const AspectGraph* PathPlanner::graph(const MapControl& control) {

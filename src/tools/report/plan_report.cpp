@@ -73,14 +73,18 @@ Report report_path(const Manipulator& manipulator, const PlannedPath& path, Path
                  {"path", json::array()},
                  {"crossings", json::array()},
                  {"length", has_path ? json(path.length) : json()},
-                 {"turned", has_path ? json(path.turned) : json()}};
+                 {"turned", has_path ? json(path.turned) : json()},
+                 {"least_index", json_number(path.least_index)},
+                 {"least_det_a", json_number(path.least_det_a)}};
   for (const PathPoint& point : path.points) object["path"].push_back(json_point(manipulator, point));
   for (const PathCrossing& crossing : path.crossings)
     object["crossings"].push_back(json_crossing(manipulator, crossing));
   std::string text = manipulator.name() + ", a path: " + name(path.answer) + "\n" + path.message + "\n";
   if (has_path)
     text += counted(path.points.size(), "point") + ", " + counted(path.crossings.size(), "crossing") + ", " +
-            length_text(manipulator, path) + "\n\n" + points_text(manipulator, path);
+            length_text(manipulator, path) + "\nsmallest of 32 poses a segment: parallel index " +
+            shown(path.least_index) + ", |det A| " + shown(path.least_det_a) + " " +
+            determinant_unit(manipulator.task_space()) + "\n\n" + points_text(manipulator, path);
   const Report constraints = report_constraints(manipulator);
   object.update(constraints.json);
   return {object, text + '\n' + constraints.text, code_of(path.answer)};

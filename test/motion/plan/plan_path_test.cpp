@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/motion/plan_path.h"
 
+#include "parallel_aspects/aspects/held_joint.h"
 #include "parallel_aspects/kinematics/inverse.h"
 
 #include <gtest/gtest.h>
 
+#include "support/index_at.h"
 #include "support/robots.h"
 #include "support/sign_at.h"
 #include "support/slices.h"
@@ -180,6 +182,52 @@ TEST(PlanPath, TakesTheShortestWorkingModeWhereNoneIsAskedFor) {
       EXPECT_GE(in_mode.length, path.length - 1e-12);
     }
   }
+}
+
+/// The 3-RPR with struts 2 and 3 in [10, 40], whose first strut is held.
+std::shared_ptr<const AspectMap> map_of_held_strut(double least_det_a) {
+  ManipulatorDescription description = test::three_rpr()->description();
+  for (std::size_t j = 1; j < 3; ++j) description.legs[j].limits = JointLimits{10.0, 40.0};
+  const Robot robot = Manipulator(description).with_margins({0.0, 0.0, least_det_a});
+  MapOptions options;
+  options.slice = test::slice_of(robot, {{robot->leg(0).actuated_joint, 14.98}});
+  return test::map_of(robot, options);
+}
+
+Pose on_slice(const AspectMap& map, double x, double y, double phi) {
+  return circle_of_anchor(*map.manipulator(), *map.slice()->joint).nearest(Pose::planar(x, y, phi));
+}
+
+// The published example of a change of the assembly mode without a singularity: both ends have the same
+// values of the actuated joints.
+TEST(PlanPath, ChangesTheAssemblyModeOfThe3Rpr) {
+  const auto map = map_of_held_strut(20000.0);
+  const PathEnd from{on_slice(*map, 14.67394366, -3.01260312, 2.13290437), {}},
+      to{on_slice(*map, -5.49566082, -13.93549828, -0.04733137), {}};
+  PathPlanner planner(map);
+  const PlannedPath path = planner.plan(from, to, PathPolicy::stay);
+  ASSERT_TRUE(path) << path.message;
+  EXPECT_LT((path.points.front().q - path.points.back().q).norm(), 1e-4);
+  EXPECT_GE(path.least_det_a, 20000.0);
+  const Manipulator& robot = *map->manipulator();
+  const int samples = test::is_sanitized ? 100 : 2000;
+  for (std::size_t i = 0; i + 1 < path.points.size(); ++i)
+    for (int k = 0; k <= samples; ++k) {
+      const Pose pose =
+          planner.between(path.points[i].pose, path.points[i + 1].pose, k / static_cast<double>(samples));
+      const JointVector q = inverse(robot, pose, path.points[i].mode).q;
+      ASSERT_NEAR(q[0], 14.98, 1e-9);
+      const double determinant = static_cast<double>(test::IndexAt(robot, pose, q).determinant());
+      ASSERT_GE(determinant, 20000.0 * (1.0 - 1e-12)) << "segment " << i << ", sample " << k;
+    }
+}
+
+TEST(PlanPath, RefusesPosesBesideTheSlice) {
+  PathPlanner planner(map_of_held_strut(0.0));
+  const PlannedPath path = planner.plan({Pose::planar(14.0, -3.0, 2.1), {}},
+                                        {Pose::planar(-5.0, -13.9, 0.0), {}}, PathPolicy::stay);
+  EXPECT_EQ(path.answer, SameAspect::unknown);
+  EXPECT_NE(path.message.find("slice"), std::string::npos) << path.message;
 }
 
 TEST(PlanPath, SaysWhyAnEndIsInNoAspect) {

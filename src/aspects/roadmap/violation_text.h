@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASPECTS_ROADMAP_VIOLATION_TEXT_H
+#define PARALLEL_ASPECTS_ASPECTS_ROADMAP_VIOLATION_TEXT_H
+
+#include "parallel_aspects/aspects/same_aspect.h"
+#include "parallel_aspects/aspects/segment_certifier.h"
+
+#include <string>
+
+namespace parallel_aspects {
+
+/// Why no aspect holds a configuration of which that is proved: "leg 'leg_2' cannot reach it" and so on.
+std::string violation_text(const Manipulator& manipulator, const PoseInMode& at,
+                           const ConfigurationProof& proof);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ASPECTS_ROADMAP_VIOLATION_TEXT_H
