@@ -1,34 +1,50 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/map_choice.h"
 
+#include "parallel_aspects/aspects/held_joint.h"
 #include "parallel_aspects/aspects/map_file.h"
 #include "tools/arguments.h"
 #include "tools/computation.h"
+#include "tools/report/bounds_report.h"
 #include "tools/report/numbers.h"
 
+#include <cmath>
 #include <utility>
 
 namespace parallel_aspects::tools {
 
-std::vector<Option> map_choice_options(MapChoice& choice) {
-  return {
-      {"--resolution", "R",
-       "Longest edge of an undecided leaf of the base map [m or rad]; by default what suits the robot",
-       &choice.resolution},
-      {"--slice", "\"z=1\"",
-       "Stay in a line, plane or volume of poses: what is held, with its value [m or rad]; the rest is free",
-       &choice.slice},
-      {"--load", "FILE", "Take the map from this file if it is of this robot and these options",
-       &choice.load_file}};
+std::vector<Option> map_choice_options(MapChoice& choice, const std::string& slice_option) {
+  return {{"--resolution", "R",
+           "Longest edge of an undecided leaf of the base map [m or rad]; by default what suits the robot",
+           &choice.resolution},
+          {slice_option, "\"z=1\"",
+           "Stay in a line, plane or volume of poses: what is held, with its value [m or rad]; the rest is "
+           "free. In "
+           "SE2 an actuated joint may be held, such as \"strut_1_joint=15\"",
+           &choice.slice},
+          {"--load", "FILE", "Take the map from this file if it is of this robot and these options",
+           &choice.load_file}};
+}
+
+double put_onto_slice(const MapSlice& slice, const Manipulator& manipulator, const std::string& option,
+                      Pose& pose, Problems& problems) {
+  const AnchorCircle circle = circle_of_anchor(manipulator, *slice.joint);
+  const double distance = std::abs(circle.distance(pose));
+  if (!(distance <= held_joint_tolerance))
+    problems.push_back(option + " lies " + shown(distance) + " m from the slice " + to_string(slice) +
+                       "; give a pose within " + shown(held_joint_tolerance) + " m of it.");
+  pose = circle.nearest(pose);
+  return distance;
 }
 
 std::shared_ptr<const AspectMap> choose_map(const std::shared_ptr<const Manipulator>& manipulator,
-                                            const MapChoice& choice, const Surroundings& surroundings) {
+                                            const MapChoice& choice, const std::optional<MapSlice>& slice,
+                                            const Surroundings& surroundings) {
   Problems problems;
   MapOptions options;
   if (!choice.resolution.empty())
     options.resolution = parse_positive("--resolution", choice.resolution, problems);
-  if (!choice.slice.empty()) options.slice = parse_slice("--slice", *manipulator, choice.slice, problems);
+  options.slice = slice;
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
   if (!choice.load_file.empty()) {
     const MapResult loaded = load_map(manipulator, options, choice.load_file);

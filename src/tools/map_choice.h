@@ -3,9 +3,13 @@
 #define PARALLEL_ASPECTS_TOOLS_MAP_CHOICE_H
 
 #include "parallel_aspects/aspects/aspect_map.h"
+#include "parallel_aspects/aspects/map_slice.h"
+#include "parallel_aspects/model/pose.h"
+#include "parallel_aspects/model/problems.h"
 #include "tools/subcommands.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,13 +20,19 @@ struct MapChoice {
   std::string resolution, slice, load_file;
 };
 
-/// `--resolution R`, `--slice "z=1"` and `--load FILE`, which fill `choice`.
-std::vector<Option> map_choice_options(MapChoice& choice);
+/// `--resolution R`, `--slice "z=1"` by the name it is given, and `--load FILE`, which fill `choice`.
+std::vector<Option> map_choice_options(MapChoice& choice, const std::string& slice_option = "--slice");
+
+/// With a joint held, a pose that is typed in a few digits is put onto the slice; by how much it was moved
+/// [m].
+double put_onto_slice(const MapSlice& slice, const Manipulator& manipulator, const std::string& option,
+                      Pose& pose, Problems& problems);
 
 /// The map of that choice, from the file where it fits, else computed, with a progress bar on a terminal.
 /// Throws `Interrupted`, or `InvalidDescription` where it is refused.
 std::shared_ptr<const AspectMap> choose_map(const std::shared_ptr<const Manipulator>& manipulator,
-                                            const MapChoice& choice, const Surroundings& surroundings);
+                                            const MapChoice& choice, const std::optional<MapSlice>& slice,
+                                            const Surroundings& surroundings);
 
 }  // namespace parallel_aspects::tools
 

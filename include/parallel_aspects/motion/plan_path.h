@@ -5,6 +5,7 @@
 #include "parallel_aspects/aspects/aspect_graph.h"
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/map_control.h"
+#include "parallel_aspects/aspects/pose_roadmap.h"
 #include "parallel_aspects/aspects/same_aspect.h"
 #include "parallel_aspects/kinematics/working_mode.h"
 #include "parallel_aspects/model/pose.h"
@@ -91,6 +92,11 @@ class PathPlanner {
   struct Parts;
   std::unique_ptr<Parts> parts_;
 };
+
+/// Looks for the shortest path within one aspect over a roadmap, in every task space, with six degrees of
+/// freedom too. Where none is found that proves nothing, unless signs or limits do; then the answer is
+/// unknown.
+PlannedPath plan_in_roadmap(const PoseRoadmap& roadmap, const PathEnd& from, const PathEnd& to);
 
 /// "stay" or "serial".
 const char* name(PathPolicy policy) noexcept;

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <set>
 #include <string>
 #include <utility>
@@ -105,8 +106,11 @@ bool any_pair(const EndAspects& starts, const EndAspects& goals, const Condition
 /// The path between poses in one working mode, and in another behind a crossing.
 class PathBuilder {
  public:
-  PathBuilder(const Manipulator& manipulator, const MapSegments& segments)
-      : robot_(manipulator), segments_(segments) {}
+  /// `between(from, to, t)` is the pose on a segment.
+  using Between = std::function<Pose(const Pose&, const Pose&, double)>;
+
+  PathBuilder(const Manipulator& manipulator, Between between)
+      : robot_(manipulator), between_(std::move(between)) {}
 
   void go(const std::vector<Pose>& poses, const WorkingMode& mode) {
     for (const Pose& pose : poses) add(pose, mode);
@@ -135,7 +139,7 @@ class PathBuilder {
       return;
     JointVector q = last.q;
     for (int step = 1; step <= steps_of_a_segment; ++step) {
-      const Pose at = segments_.between(last.pose, pose, static_cast<double>(step) / steps_of_a_segment);
+      const Pose at = between_(last.pose, pose, static_cast<double>(step) / steps_of_a_segment);
       q += joint_change(robot_, q, inverse(robot_, at, mode).q);
       look_at(at, q);
     }
@@ -150,7 +154,7 @@ class PathBuilder {
   }
 
   const Manipulator& robot_;
-  const MapSegments& segments_;
+  Between between_;
   PlannedPath path_;
 };
 
@@ -233,7 +237,9 @@ class PathPlanner::Search {
   /// Empty-handed where a part of the path is not found.
   PlannedPath follow(const std::vector<std::size_t>& gates, const PoseInAspect& start,
                      const PoseInAspect& goal) {
-    PathBuilder builder(*map_.manipulator(), paths_.segments());
+    PathBuilder builder(*map_.manipulator(), [this](const Pose& from, const Pose& to, double t) {
+      return paths_.segments().between(from, to, t);
+    });
     PoseInAspect at = start;
     for (const std::size_t index : gates) {
       const Neighbours& gate = planner_.parts_->graph->gates[index];
@@ -297,6 +303,25 @@ Pose PathPlanner::between(const Pose& from, const Pose& to, double t) const {
 const AspectGraph* PathPlanner::graph(const MapControl& control) {
   if (!parts_->graph) parts_->graph = compute_aspect_graph(*parts_->map, control);
   return parts_->graph ? &*parts_->graph : nullptr;
+}
+
+PlannedPath plan_in_roadmap(const PoseRoadmap& roadmap, const PathEnd& from, const PathEnd& to) {
+  const Manipulator& robot = *roadmap.certifier().manipulator();
+  PlannedPath best = without_path(SameAspect::no, "");
+  for (const WorkingMode& mode : working_modes(robot)) {
+    if (from.mode.value_or(mode) != mode || to.mode.value_or(mode) != mode) continue;
+    const AspectComparison found = same_aspect(roadmap, {from.pose, mode}, {to.pose, mode});
+    if (found.answer == SameAspect::yes) {
+      PathBuilder builder(robot, pose_between);
+      builder.go(found.path, mode);
+      PlannedPath path = builder.take(found.message);
+      if (!best || path.length < best.length) best = std::move(path);
+    } else if (!best && (best.message.empty() || found.answer == SameAspect::unknown)) {
+      best = without_path(found.answer, found.message);
+    }
+  }
+  if (best.message.empty()) best.message = "The ends are in different working modes.";
+  return best;
 }
 
 const char* name(PathPolicy policy) noexcept { return policy == PathPolicy::stay ? "stay" : "serial"; }

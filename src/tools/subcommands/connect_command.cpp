@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/aspects/held_joint.h"
 #include "parallel_aspects/aspects/same_aspect.h"
 #include "tools/arguments.h"
+#include "tools/map_choice.h"
 #include "tools/report/basins_report.h"
 #include "tools/report/bounds_report.h"
 #include "tools/report/numbers.h"
@@ -37,26 +37,13 @@ struct Question {
   double moved = 0.0;  // onto the slice, at most [m]
 };
 
-/// With a joint held, a pose that is typed in a few digits is put onto the slice; by how much it was moved
-/// [m].
-double put_onto(const MapSlice& slice, const Manipulator& manipulator, const std::string& option, Pose& pose,
-                Problems& problems) {
-  const AnchorCircle circle = circle_of_anchor(manipulator, *slice.joint);
-  const double distance = std::abs(circle.distance(pose));
-  if (!(distance <= held_joint_tolerance))
-    problems.push_back(option + " lies " + shown(distance) + " m from the slice " + to_string(slice) +
-                       "; give a pose within " + shown(held_joint_tolerance) + " m of it.");
-  pose = circle.nearest(pose);
-  return distance;
-}
-
 void parse_slice_of_question(const ConnectArguments& arguments, const Manipulator& manipulator,
                              Question& question, Problems& problems) {
   if (arguments.slice.empty()) return;
   question.slice = parse_slice("--slice", manipulator, arguments.slice, problems);
   if (!problems.empty() || !question.slice->joint) return;
-  const double from = put_onto(*question.slice, manipulator, "--from", question.from, problems),
-               to = put_onto(*question.slice, manipulator, "--to", question.to, problems);
+  const double from = put_onto_slice(*question.slice, manipulator, "--from", question.from, problems),
+               to = put_onto_slice(*question.slice, manipulator, "--to", question.to, problems);
   question.moved = std::max(from, to);
 }
 

@@ -6,6 +6,8 @@
 #include "tools/subcommands.h"
 
 #include <memory>
+#include <optional>
+#include <utility>
 
 namespace parallel_aspects::tools {
 namespace {
@@ -20,7 +22,12 @@ struct GraphArguments {
 Report report_of(const GraphArguments& arguments, const Surroundings& surroundings) {
   const auto mechanism = load_robot(arguments.robot);
   const auto manipulator = choose_constraints(mechanism->mapped_manipulator(), arguments.constraints);
-  const auto map = choose_map(manipulator, arguments.map, surroundings);
+  Problems problems;
+  std::optional<MapSlice> slice;
+  if (!arguments.map.slice.empty())
+    slice = parse_slice("--slice", *manipulator, arguments.map.slice, problems);
+  if (!problems.empty()) throw InvalidDescription(std::move(problems));
+  const auto map = choose_map(manipulator, arguments.map, slice, surroundings);
   MapControl control;
   control.cancelled = surroundings.interrupted;
   const auto graph = compute_aspect_graph(*map, control);

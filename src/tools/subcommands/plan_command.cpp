@@ -5,7 +5,9 @@
 #include "tools/report/plan_report.h"
 #include "tools/subcommands.h"
 
+#include <algorithm>
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace parallel_aspects::tools {
@@ -23,6 +25,8 @@ struct PlanArguments {
 struct Question {
   PathEnd from, to;
   PathPolicy policy = PathPolicy::stay;
+  std::optional<MapSlice> slice;
+  double moved = 0.0;  // onto the slice, at most [m]
 };
 
 PathPolicy parse_policy(const std::string& text, Problems& problems) {
@@ -42,25 +46,68 @@ PathEnd parse_end(const std::string& option, const Manipulator& manipulator, con
   return end;
 }
 
+void parse_slice_of_question(const PlanArguments& arguments, const Manipulator& manipulator,
+                             Question& question, Problems& problems) {
+  if (arguments.map.slice.empty()) return;
+  question.slice = parse_slice("--hold", manipulator, arguments.map.slice, problems);
+  if (!problems.empty() || !question.slice->joint) return;
+  question.moved =
+      std::max(put_onto_slice(*question.slice, manipulator, "--from", question.from.pose, problems),
+               put_onto_slice(*question.slice, manipulator, "--to", question.to.pose, problems));
+}
+
 Question parse(const PlanArguments& arguments, const Manipulator& manipulator) {
   Problems problems;
-  const Question question{parse_end("--from", manipulator, arguments.from, arguments.from_mode, problems),
-                          parse_end("--to", manipulator, arguments.to, arguments.to_mode, problems),
-                          parse_policy(arguments.policy, problems)};
+  Question question;
+  question.from = parse_end("--from", manipulator, arguments.from, arguments.from_mode, problems);
+  question.to = parse_end("--to", manipulator, arguments.to, arguments.to_mode, problems);
+  question.policy = parse_policy(arguments.policy, problems);
+  parse_slice_of_question(arguments, manipulator, question, problems);
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
   return question;
+}
+
+/// With six degrees of freedom there is no map but a roadmap.
+PlannedPath plan_over_roadmap(const std::shared_ptr<const Manipulator>& manipulator,
+                              const PlanArguments& arguments, const Question& question,
+                              const Surroundings& surroundings) {
+  Problems problems;
+  RoadmapOptions options = parse_roadmap(arguments.roadmap, problems);
+  if (question.policy != PathPolicy::stay)
+    problems.emplace_back(
+        "--policy serial needs a map, and in SE3 there is none; leave it out, or give --hold.");
+  if (!arguments.map.resolution.empty() || !arguments.map.load_file.empty())
+    problems.emplace_back("--resolution and --load are for maps, and in SE3 there is none; leave them out.");
+  if (!problems.empty()) throw InvalidDescription(std::move(problems));
+  if (question.from.mode) options.modes = {*question.from.mode};
+  return plan_in_roadmap(*compute_roadmap(manipulator, options, surroundings), question.from, question.to);
+}
+
+PlannedPath plan_in_map(const std::shared_ptr<const Manipulator>& manipulator, const PlanArguments& arguments,
+                        const Question& question, const Surroundings& surroundings) {
+  if (!arguments.roadmap.samples.empty() || !arguments.roadmap.seed.empty())
+    throw InvalidDescription(
+        {"--samples and --seed are for roadmaps, in SE3 without --hold; leave them out."});
+  PathPlanner planner(choose_map(manipulator, arguments.map, question.slice, surroundings));
+  MapControl control;
+  control.cancelled = surroundings.interrupted;
+  PlannedPath path = planner.plan(question.from, question.to, question.policy, control);
+  if (is_cancelled(control)) throw Interrupted{};
+  return path;
 }
 
 Report report_of(const PlanArguments& arguments, const Surroundings& surroundings) {
   const auto mechanism = load_robot(arguments.robot);
   const auto manipulator = choose_constraints(mechanism->mapped_manipulator(), arguments.constraints);
   const Question question = parse(arguments, *manipulator);
-  PathPlanner planner(choose_map(manipulator, arguments.map, surroundings));
-  MapControl control;
-  control.cancelled = surroundings.interrupted;
-  const PlannedPath path = planner.plan(question.from, question.to, question.policy, control);
-  if (is_cancelled(control)) throw Interrupted{};
-  return report_path(*manipulator, path, question.policy);
+  const bool has_map = question.slice || manipulator->task_space() != TaskSpace::SE3;
+  const PlannedPath path =
+      (has_map ? plan_in_map : plan_over_roadmap)(manipulator, arguments, question, surroundings);
+  Report report = report_path(*manipulator, path, question.policy);
+  report.json["moved_onto_slice"] = question.slice ? nlohmann::json(question.moved) : nlohmann::json();
+  if (question.moved > 0.0)
+    report.text += "the ends are moved onto the slice, by at most " + shown(question.moved) + " m\n";
+  return report;
 }
 
 }  // namespace
@@ -78,7 +125,11 @@ Subcommand plan_subcommand() {
   options.push_back({"--policy", "stay|serial",
                      "stay: in one aspect, the default. serial: legs may change their posture on the way",
                      &arguments->policy});
-  for (const Option& option : map_choice_options(arguments->map)) options.push_back(option);
+  for (const Option& option : map_choice_options(arguments->map, "--hold")) options.push_back(option);
+  options.push_back({"--samples", "N", "With six degrees of freedom: poses of the roadmap, by default 1000",
+                     &arguments->roadmap.samples});
+  options.push_back({"--seed", "N", "With six degrees of freedom: seed of its poses, by default 1",
+                     &arguments->roadmap.seed});
   for (const Option& option : constraint_options(arguments->constraints)) options.push_back(option);
   return {"plan", "Plan a path that is proved, or prove that there is none", options,
           [arguments](const Surroundings& surroundings) { return report_of(*arguments, surroundings); }};
