@@ -9,6 +9,11 @@
 #include <utility>
 
 namespace parallel_aspects {
+namespace {
+
+constexpr int max_leaf_paths = 30;  // that are tried, of which a segment is not proved
+
+}  // namespace
 
 AspectPaths::AspectPaths(std::shared_ptr<const AspectMap> map) : map_(std::move(map)), segments_(map_) {}
 
@@ -19,15 +24,29 @@ bool AspectPaths::is_free(const Pose& from, const Pose& to, const Aspect& aspect
 std::vector<Pose> AspectPaths::find(int aspect, const Pose& from, const Pose& to) {
   const Aspect& in = map_->aspects()[static_cast<std::size_t>(aspect - 1)];
   if (is_free(from, to, in)) return {from, to};
-  const std::vector<Pose> through_leaves = proved(find_leaf_path(map_->contents(), aspect, from, to), in);
-  return through_leaves.empty() ? find_in_roadmap(in, from, to) : shortened(through_leaves, in);
+  for (const bool undecided : {false, true}) {
+    const std::vector<Pose> path = find_through_leaves(in, from, to, undecided);
+    if (!path.empty()) return shortened(path, in);
+  }
+  return find_in_roadmap(in, from, to);
 }
 
-/// The path where all of it is proved, empty otherwise.
-std::vector<Pose> AspectPaths::proved(const std::vector<Pose>& path, const Aspect& aspect) const {
-  for (std::size_t i = 0; i + 1 < path.size(); ++i)
-    if (!is_free(path[i], path[i + 1], aspect)) return {};
-  return path;
+/// Where a segment is not proved, the next path goes elsewhere.
+std::vector<Pose> AspectPaths::find_through_leaves(const Aspect& aspect, const Pose& from, const Pose& to,
+                                                   bool undecided) const {
+  LeafChoice choice{undecided};
+  for (int i = 0; i < max_leaf_paths; ++i) {
+    const std::vector<LeafStep> steps = find_leaf_path(map_->contents(), aspect.id, from, to, choice);
+    const std::size_t barred = choice.barred.size();
+    for (std::size_t k = 0; k + 1 < steps.size(); ++k)
+      if (!is_free(steps[k].pose, steps[k + 1].pose, aspect))
+        choice.barred.insert({steps[k].leaf, steps[k + 1].leaf});
+    if (choice.barred.size() > barred) continue;
+    std::vector<Pose> path;
+    for (const LeafStep& step : steps) path.push_back(step.pose);
+    return path;
+  }
+  return {};
 }
 
 /// Leaves out poses where the segment past them is proved, as many at once as doubling and halving finds.

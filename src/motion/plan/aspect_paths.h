@@ -26,7 +26,8 @@ class AspectPaths {
 
  private:
   bool is_free(const Pose& from, const Pose& to, const Aspect& aspect) const;
-  std::vector<Pose> proved(const std::vector<Pose>& path, const Aspect& aspect) const;
+  std::vector<Pose> find_through_leaves(const Aspect& aspect, const Pose& from, const Pose& to,
+                                        bool undecided) const;
   std::vector<Pose> shortened(const std::vector<Pose>& path, const Aspect& aspect) const;
   std::vector<Pose> find_in_roadmap(const Aspect& aspect, const Pose& from, const Pose& to);
 

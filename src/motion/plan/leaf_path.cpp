@@ -9,39 +9,46 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <optional>
 #include <queue>
 #include <unordered_map>
+#include <unordered_set>
 
 namespace parallel_aspects {
 namespace {
 
-// A path along the boundary counts as so many times longer, where a leaf is as small as the resolution.
-constexpr double cost_of_small_leaves = 3.0;
+// What a path counts in a leaf as small as the resolution, and more in an undecided one.
+constexpr double cost_of_small_leaves = 3.0, cost_of_undecided_leaves = 10.0;
 
+/// A*, by the distance to the goal. The goal is `no_node`, which the leaves near it lead to.
 class LeafSearch {
  public:
-  LeafSearch(const AspectMap::Contents& map, const Aspect& aspect, const Pose& from, const Pose& to)
-      : map_(map), aspect_(aspect), mode_(*mode_index(map, aspect.mode)), from_(from), to_(to) {}
+  LeafSearch(const AspectMap::Contents& map, const Aspect& aspect, const Pose& from, const Pose& to,
+             const LeafChoice& choice)
+      : map_(map),
+        aspect_(aspect),
+        mode_(*mode_index(map, aspect.mode)),
+        from_(from),
+        to_(to),
+        choice_(choice) {}
 
-  std::vector<Pose> run() {
-    const std::optional<NodeIndex> first = leaf_near(from_), last = leaf_near(to_);
-    if (!first || !last) return {};
-    last_ = *last;
-    reached_[*first] = {0.0, *first, from_};
-    open_.push({distance(from_, to_), *first});
+  std::vector<LeafStep> run() {
+    for (const NodeIndex leaf : leaves_near(to_)) last_.insert(leaf);
+    for (const NodeIndex leaf : leaves_near(from_))
+      if (!is_barred(no_node, leaf)) enter(leaf, no_node, nearest_in(leaf, from_), 0.0);
     while (!open_.empty()) {
       const NodeIndex leaf = open_.top().leaf;
-      if (leaf == last_) return path(*first);
+      if (leaf == no_node) return path();
       open_.pop();
-      if (!closed_.emplace(leaf, true).second) continue;
+      if (!closed_.insert(leaf).second) continue;
+      if (last_.count(leaf) > 0 && !is_barred(leaf, no_node))
+        enter(no_node, leaf, to_, reached_[leaf].cost + distance(reached_[leaf].at, to_));
       for (const NodeIndex next : neighbour_leaves(map_.tree, mode_, leaf)) reach(leaf, next);
     }
     return {};
   }
 
  private:
-  /// How a leaf was reached: through which pose of a face, and from which leaf.
+  /// How a leaf was reached: through which pose, and from which leaf.
   struct Entry {
     double cost = std::numeric_limits<double>::infinity();
     NodeIndex before = no_node;
@@ -54,62 +61,89 @@ class LeafSearch {
   };
 
   double distance(const Pose& a, const Pose& b) const { return distance_between(*map_.manipulator, a, b); }
+  bool is_barred(NodeIndex from, NodeIndex to) const { return choice_.barred.count({from, to}) > 0; }
+  bool is_inside(NodeIndex leaf) const { return map_.leaf_aspect(leaf, mode_) == aspect_.id; }
 
-  bool is_of_aspect(NodeIndex leaf) const { return map_.leaf_aspect(leaf, mode_) == aspect_.id; }
+  bool may_pass(NodeIndex leaf) const {
+    if (is_inside(leaf)) return true;
+    const LeafState state = map_.tree.state(leaf, mode_);
+    return choice_.undecided && state.is_undecided() && state.center_sign() == aspect_.determinant_sign;
+  }
 
-  std::optional<NodeIndex> leaf_near(const Pose& pose) const {
+  std::vector<NodeIndex> leaves_near(const Pose& pose) const {
     const MapPosition position = map_.tree.space().position(pose);
     const NearLeaves near = near_inside_leaves(map_.tree, mode_, aspect_.determinant_sign, position);
-    for (std::size_t i = 0; i < near.count; ++i)
-      if (is_of_aspect(near.items[i].leaf)) return near.items[i].leaf;
-    return std::nullopt;
+    std::vector<NodeIndex> result;
+    for (std::size_t i = 0; i < near.count; ++i) {
+      if (is_inside(near.items[i].leaf)) result.push_back(near.items[i].leaf);
+      if (near.items[i].squared_distance == 0.0 && !result.empty()) break;
+    }
+    return result;
   }
 
   double price(NodeIndex leaf) const {
+    if (!is_inside(leaf)) return cost_of_undecided_leaves;
     const double edge = map_.tree.space().longest_edge(map_.tree.box(leaf));
     return 1.0 + cost_of_small_leaves * std::min(1.0, map_.resolution / edge);
   }
 
+  void enter(NodeIndex leaf, NodeIndex before, const Pose& at, double cost) {
+    Entry& entry = reached_[leaf];
+    if (!(cost < entry.cost)) return;
+    entry = {cost, before, at};
+    open_.push({cost + distance(at, to_), leaf});
+  }
+
   void reach(NodeIndex leaf, NodeIndex next) {
-    if (!is_of_aspect(next) || closed_.count(next) > 0) return;
-    const Entry& entry = reached_[leaf];
-    const Entry here{entry.cost, entry.before, entry.at};
-    for (const SharedFace& face : shared_faces(map_.tree, leaf, next)) {
-      const Pose at = map_.tree.space().pose({face.root, nearest(face.box, here.at)});
-      const double cost = here.cost + price(leaf) * distance(here.at, at);
-      Entry& there = reached_[next];
-      if (cost >= there.cost) continue;
-      there = {cost, leaf, at};
-      open_.push({cost + distance(at, to_), next});
-    }
+    if (!may_pass(next) || closed_.count(next) > 0 || is_barred(leaf, next)) return;
+    const Entry here = reached_[leaf];
+    const auto go = [&](const Pose& at) {
+      enter(next, leaf, at, here.cost + price(next) * distance(here.at, at));
+    };
+    if (!is_inside(next)) return go(middle(next));
+    for (const SharedFace& face : shared_faces(map_.tree, leaf, next))
+      go(map_.tree.space().pose({face.root, nearest(face.box, here.at)}));
+  }
+
+  Pose middle(NodeIndex leaf) const {
+    return map_.tree.space().pose({map_.tree.place(leaf).root, map_.tree.box(leaf).middle()});
+  }
+
+  /// The pose itself where the leaf holds it.
+  Pose nearest_in(NodeIndex leaf, const Pose& pose) const {
+    const MapPosition position = map_.tree.space().position(pose);
+    const Box box = map_.tree.box(leaf);
+    return box.contains(position.point)
+               ? pose
+               : map_.tree.space().pose({position.root, box.nearest(position.point)});
   }
 
   /// Of a face, halfway from its middle to what is nearest to a pose: paths are straighter so, and keep off
   /// the edges.
   MapPoint nearest(const Box& face, const Pose& pose) const {
-    const MapPoint middle = face.middle();
     const MapPoint near = face.nearest(map_.tree.space().position(pose).point);
-    MapPoint point = middle;
-    for (std::size_t i = 0; i < face.dimension; ++i) point[i] = 0.5 * (middle[i] + near[i]);
+    MapPoint point = face.middle();
+    for (std::size_t i = 0; i < face.dimension; ++i) point[i] = 0.5 * (point[i] + near[i]);
     return point;
   }
 
-  std::vector<Pose> path(NodeIndex first) {
-    std::vector<Pose> poses{to_};
-    for (NodeIndex leaf = last_; leaf != first; leaf = reached_[leaf].before)
-      poses.push_back(reached_[leaf].at);
-    poses.push_back(from_);
-    std::reverse(poses.begin(), poses.end());
-    return poses;
+  std::vector<LeafStep> path() {
+    const NodeIndex last = reached_[no_node].before;
+    std::vector<LeafStep> steps{{to_, no_node}, {nearest_in(last, to_), last}};
+    for (NodeIndex leaf = last; leaf != no_node; leaf = reached_[leaf].before)
+      steps.push_back({reached_[leaf].at, leaf});
+    steps.push_back({from_, no_node});
+    std::reverse(steps.begin(), steps.end());
+    return steps;
   }
 
   const AspectMap::Contents& map_;
   const Aspect& aspect_;
   std::size_t mode_;
   const Pose &from_, &to_;
-  NodeIndex last_ = no_node;
+  const LeafChoice& choice_;
+  std::unordered_set<NodeIndex> last_, closed_;
   std::unordered_map<NodeIndex, Entry> reached_;
-  std::unordered_map<NodeIndex, bool> closed_;
   std::priority_queue<Open> open_;
 };
 
@@ -120,9 +154,9 @@ double distance_between(const Manipulator& manipulator, const Pose& from, const 
   return std::hypot((to.position - from.position).norm(), manipulator.characteristic_length() * angle);
 }
 
-std::vector<Pose> find_leaf_path(const AspectMap::Contents& map, int aspect, const Pose& from,
-                                 const Pose& to) {
-  return LeafSearch(map, map.aspects[static_cast<std::size_t>(aspect - 1)], from, to).run();
+std::vector<LeafStep> find_leaf_path(const AspectMap::Contents& map, int aspect, const Pose& from,
+                                     const Pose& to, const LeafChoice& choice) {
+  return LeafSearch(map, map.aspects[static_cast<std::size_t>(aspect - 1)], from, to, choice).run();
 }
 
 }  // namespace parallel_aspects

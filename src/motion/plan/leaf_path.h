@@ -6,6 +6,8 @@
 #include "parallel_aspects/model/pose.h"
 
 #include <cstddef>
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace parallel_aspects {
@@ -14,12 +16,27 @@ namespace parallel_aspects {
 /// rotation times the characteristic length [m].
 double distance_between(const Manipulator& manipulator, const Pose& from, const Pose& to);
 
-/// Poses from one to another through inside leaves of one aspect that share faces: the first, the middles of
-/// the faces and of small leaves on the way, and the last. Each lies in the same leaf as the next, but for
-/// the ends where they are in no inside leaf. Wide leaves are preferred, since little is near that ends the
-/// aspect. Empty where none of the leaves near the one end is connected with one near the other.
-std::vector<Pose> find_leaf_path(const AspectMap::Contents& map, int aspect, const Pose& from,
-                                 const Pose& to);
+/// A pose of a path through leaves, and the leaf that is entered there.
+struct LeafStep {
+  Pose pose;
+  NodeIndex leaf = no_node;
+};
+
+/// Which leaves a path may pass.
+struct LeafChoice {
+  bool undecided =
+      false;  ///< those with the aspect's sign at their middle too; what lies there is not proved
+
+  /// Not from the one to the other; an end of the path is `no_node`.
+  std::set<std::pair<NodeIndex, NodeIndex>> barred{};
+};
+
+/// Steps from one pose to another through leaves of one aspect that share faces: the first pose, a pose of
+/// each face or the middle of an undecided leaf, and the last, with `no_node`. Wide leaves are preferred,
+/// since little is near that ends the aspect. Empty where no leaf near the one end is connected with one near
+/// the other.
+std::vector<LeafStep> find_leaf_path(const AspectMap::Contents& map, int aspect, const Pose& from,
+                                     const Pose& to, const LeafChoice& choice);
 
 }  // namespace parallel_aspects
 
