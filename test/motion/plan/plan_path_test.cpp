@@ -166,7 +166,7 @@ INSTANTIATE_TEST_SUITE_P(Robots, PlanPathOf,
                                          Case{"bipod", test::bipod(), std::nullopt, 50},
                                          Case{"three_rpr", test::three_rpr(), 1.5, 40},
                                          Case{"three_rrr", test::three_rrr(), 1.0, 8},
-                                         Case{"delta", test::delta(), 0.1, 12}),
+                                         Case{"delta", test::delta(), 0.3, 8}),
                          [](const auto& info) { return std::string(info.param.name); });
 
 TEST(PlanPath, TakesTheShortestWorkingModeWhereNoneIsAskedFor) {
