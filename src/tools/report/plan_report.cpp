@@ -2,7 +2,6 @@
 #include "tools/report/plan_report.h"
 
 #include "model/task_space_traits.h"
-#include "tools/command.h"
 #include "tools/report/bounds_report.h"
 #include "tools/report/text_table.h"
 
@@ -10,18 +9,6 @@ namespace parallel_aspects::tools {
 namespace {
 
 using nlohmann::json;
-
-int code_of(SameAspect answer) {
-  switch (answer) {
-    case SameAspect::yes:
-      return exit_code::ok;
-    case SameAspect::no:
-      return exit_code::unsafe;
-    case SameAspect::unknown:
-      break;
-  }
-  return exit_code::unknown;
-}
 
 json json_point(const Manipulator& manipulator, const PathPoint& point) {
   return {{"pose", json_pose(manipulator.task_space(), point.pose)},
@@ -87,7 +74,7 @@ Report report_path(const Manipulator& manipulator, const PlannedPath& path, Path
             determinant_unit(manipulator.task_space()) + "\n\n" + points_text(manipulator, path);
   const Report constraints = report_constraints(manipulator);
   object.update(constraints.json);
-  return {object, text + '\n' + constraints.text, code_of(path.answer)};
+  return {object, text + '\n' + constraints.text};
 }
 
 }  // namespace parallel_aspects::tools

@@ -17,7 +17,7 @@ Report report_graph(const AspectMap& map, const AspectGraph& graph);
 /// those that are not proved are dashed, and those through det A = 0 red.
 std::string graph_as_dot(const AspectMap& map, const AspectGraph& graph);
 
-/// `aspects plan`: the path, or why there is none. The exit code is that of the answer.
+/// `aspects plan`: the path, or why there is none.
 Report report_path(const Manipulator& manipulator, const PlannedPath& path, PathPolicy policy);
 
 }  // namespace parallel_aspects::tools

@@ -96,6 +96,18 @@ PlannedPath plan_in_map(const std::shared_ptr<const Manipulator>& manipulator, c
   return path;
 }
 
+int code_of(SameAspect answer) {
+  switch (answer) {
+    case SameAspect::yes:
+      return exit_code::ok;
+    case SameAspect::no:
+      return exit_code::unsafe;
+    case SameAspect::unknown:
+      break;
+  }
+  return exit_code::unknown;
+}
+
 Report report_of(const PlanArguments& arguments, const Surroundings& surroundings) {
   const auto mechanism = load_robot(arguments.robot);
   const auto manipulator = choose_constraints(mechanism->mapped_manipulator(), arguments.constraints);
@@ -104,6 +116,7 @@ Report report_of(const PlanArguments& arguments, const Surroundings& surrounding
   const PlannedPath path =
       (has_map ? plan_in_map : plan_over_roadmap)(manipulator, arguments, question, surroundings);
   Report report = report_path(*manipulator, path, question.policy);
+  report.exit_code = code_of(path.answer);
   report.json["moved_onto_slice"] = question.slice ? nlohmann::json(question.moved) : nlohmann::json();
   if (question.moved > 0.0)
     report.text += "the ends are moved onto the slice, by at most " + shown(question.moved) + " m\n";
