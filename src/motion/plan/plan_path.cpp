@@ -259,7 +259,7 @@ class PathPlanner::Search {
     return !poses.empty();
   }
 
-  /// To where B_jj is nearly zero in either mode, and back.
+  /// To where B_jj is nearly zero in either mode, and back; false where not even the start of the way is proved.
   bool pass(PathBuilder& builder, const Neighbours& gate, int from, int to) const {
     const WorkingMode before = aspect_of(map_, from).mode, after = aspect_of(map_, to).mode;
     const int sign = aspect_of(map_, from).determinant_sign;
@@ -272,6 +272,7 @@ class PathPlanner::Search {
       if (share > 0.0) poses.push_back(segments.between(start, end, share));
       if (share < 1.0) break;
     }
+    if (poses.size() == 1) return false;
     builder.go(poses, before);
     builder.cross(gate.leg, from, to);
     std::reverse(poses.begin(), poses.end());
