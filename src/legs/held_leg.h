@@ -14,9 +14,9 @@ namespace parallel_aspects {
 /// A leg of the x-y plane whose actuated joint is held at q: c(q) and rho(q) are constants, so that the
 /// anchor runs on a circle about c. Must be made under a live `RoundingUpward`; not of an actuated elbow.
 ///
-/// B_jj = lever . u depends on the direction of u = p - c alone. As a function of it it has a slope where it
-/// vanishes, which B_jj^2 has not: so the sign of a branch is asked for as a limit is, and B_jj^2 is only
-/// said to be positive.
+/// B_jj = lever . u depends on the direction of u = p - c alone. It crosses zero with a slope that is not
+/// zero; B_jj^2 does not. So the condition that B_jj has the sign of a branch is tested like a joint limit,
+/// and B_jj^2 is only said to be positive.
 class HeldLeg {
  public:
   /// `serial_margin`: the least |B_jj| over its largest value; 0 for none.

@@ -21,7 +21,7 @@ Verdict either(Verdict a, Verdict b) noexcept;
 Verdict is_positive(const Interval& value) noexcept;
 
 /// Limits of an actuated joint as functions of the pose: within limits where all of `values`, or with `any`
-/// at least one, are positive. The limits themselves may be counted to either side.
+/// at least one, are positive. A value exactly at a limit may count as inside or outside.
 template <class Scalar>
 struct LimitFunctions {
   std::array<Scalar, 2> values;

@@ -53,7 +53,7 @@ class PlanarLeg {
   template <class Scalar>
   PlanarLegForm<Scalar> form(const Planar<Scalar>& d) const;
 
-  /// How much longer the direction of `form` is than u.
+  /// The positive factor k by which the direction of `form` is longer than u: it is k u.
   template <class Scalar>
   Scalar scale(const Planar<Scalar>& d) const {
     return type_ == LegType::revolute ? squared_norm(d) : Scalar(1.0);

@@ -52,7 +52,7 @@ class SpatialLeg {
   template <class Scalar>
   SpatialLegForm<Scalar> form(const Spatial<Scalar>& d) const;
 
-  /// How much longer the direction of `form` is than u.
+  /// The positive factor k by which the direction of `form` is longer than u: it is k u.
   template <class Scalar>
   Scalar scale(const Spatial<Scalar>& d) const {
     return type_ == LegType::revolute ? squared_norm(d) - square(dot(axis_, d)) : Scalar(1.0);

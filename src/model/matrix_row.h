@@ -10,7 +10,8 @@ namespace parallel_aspects {
 
 /// Writes the row of A of a leg: the moment b x u, as far as the platform turns, then u, as far as it moves
 /// away. b is the anchor seen from the operational point; it is not read where the platform does not turn.
-/// u = p - c may be up to a factor, or a part of a sum. Entries are numbers, or what encloses them.
+/// The row is linear in u = p - c: give a multiple of u, or one part of a sum. Entries: numbers or
+/// enclosures.
 template <TaskSpace space, class Arm, class Link, class Row>
 void write_row(const Arm& b, const Link& u, Row& row) {
   constexpr TaskSpaceTraits of = traits(space);

@@ -67,9 +67,10 @@ using LegSet = std::uint8_t;
 
 /// What is proved of a box in one working mode, fact by fact.
 struct BoxFacts {
-  LegSet legs = 0;         ///< all that there are
-  LegSet clear = 0;        ///< those with B_jj^2 positive on the whole box
-  LegSet unreachable = 0;  ///< those with B_jj^2 positive nowhere; where there is one nothing below is told
+  LegSet legs = 0;   ///< all that there are
+  LegSet clear = 0;  ///< those with B_jj^2 positive on the whole box
+  LegSet unreachable =
+      0;  ///< those with B_jj^2 positive nowhere; if not empty, the fields below are not filled in
   LegSet serial_margins = 0;  ///< those that keep the serial margin on the whole box; all where there is none
   bool within_limits = false;  ///< at every pose that all legs reach; of actuated joints and by all other
                                ///< constraints but serial margins

@@ -14,9 +14,9 @@
 namespace parallel_aspects {
 
 /// Where the components of one mode and sign could be connected, seen from all but the largest of them and
-/// those given up. Only components with an inside leaf count; whole parts of no such component are, like open
-/// leaves, on the path from one to another. Such a path passes from leaves that only the first is beside to
-/// one that another is beside, so the search ends there, and costs little where the components are small.
+/// those given up. Only components with an inside leaf count. A path between two of them may run through
+/// indeterminate leaves and through whole parts of no such component. The search starts beside the first one
+/// and ends at the first leaf that touches another, so it costs little where the components are small.
 class ContactSearch {
  public:
   ContactSearch(const PoseTree& tree, SignGraph& graph, const MapControl& control,

@@ -84,8 +84,8 @@ class SignGraph {
   /// The number of the component with the most leaves; `none` where there is none.
   std::uint32_t largest_component();
 
-  /// Calls `visit` with the leaves beside one through which what it holds of the set may go on, but for whole
-  /// parts beside whole parts: `visit_unknown_faces` gives those.
+  /// Calls `visit` with each neighbour leaf into which the set may continue from this one. Pairs of whole
+  /// parts are left to `visit_unknown_faces`.
   template <class Visitor>
   void visit_paths_on(const PoseTree& tree, NodeIndex node, const Visitor& visit) const {
     if (is_in_component(node)) return visit_indeterminate_leaves_beside(tree, node, visit);

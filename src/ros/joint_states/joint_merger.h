@@ -24,9 +24,9 @@ struct MergedJoints {
   JointVector uncertainty;  ///< how far each actuated joint may be from there [rad or m]
 };
 
-/// Makes configurations of messages that hold some of the actuated joints each. Values of several times are
-/// no configuration: it is that of the latest time before and after which a value of every actuated joint is
-/// known, and lies on the straight path between the two. An actuated joint may be off that path by as much as
+/// Makes configurations of messages that hold some of the actuated joints each. Values with different stamps
+/// are not one configuration. So all joints are interpolated, on a straight path, to the latest time that two
+/// samples of every joint bracket. An actuated joint may be off that path by as much as
 /// between two samples (by `path_bend` times an eighth of the larger of the last two differences of its
 /// steps), and by no more than lies within its velocity limit of both values.
 class JointMerger {

@@ -21,8 +21,8 @@ class SampleAge {
   /// A usable sample with this stamp came at `now`.
   void take(const ros::Time& stamp, const ros::Time& now);
 
-  /// The process runs. To be called more often than once in the timeout, for a longer pause is one of its
-  /// own.
+  /// The process runs. To be called more often than once in the timeout: a longer gap between calls is taken
+  /// to mean that this process was stopped.
   void beat(const ros::SteadyTime& wall);
 
   /// Looks at how long none came by the wall clock. As often as `beat`, which it includes.
