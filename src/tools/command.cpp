@@ -102,9 +102,10 @@ class Command {
   }
 
   bool json_ = false;
-  std::vector<Subcommand> subcommands_{setup_subcommand(),   map_subcommand(),      connect_subcommand(),
-                                       check_subcommand(),   describe_subcommand(), distance_subcommand(),
-                                       inverse_subcommand(), direct_subcommand(),   robots_subcommand()};
+  std::vector<Subcommand> subcommands_{setup_subcommand(),    map_subcommand(),     connect_subcommand(),
+                                       check_subcommand(),    choose_subcommand(),  describe_subcommand(),
+                                       distance_subcommand(), inverse_subcommand(), direct_subcommand(),
+                                       robots_subcommand()};
 };
 
 }  // namespace

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_TOOLS_REPORT_CHOICE_REPORT_H
+#define PARALLEL_ASPECTS_TOOLS_REPORT_CHOICE_REPORT_H
+
+#include "parallel_aspects/motion/choose_working_mode.h"
+#include "tools/report/report.h"
+
+namespace parallel_aspects::tools {
+
+/// `aspects choose --path`: in which working modes a path can be done, the best first.
+Report report_path_choice(const Manipulator& manipulator, const PathChoice& choice, Preference preference);
+
+}  // namespace parallel_aspects::tools
+
+#endif  // PARALLEL_ASPECTS_TOOLS_REPORT_CHOICE_REPORT_H

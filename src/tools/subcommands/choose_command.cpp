@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/motion/choose_working_mode.h"
+#include "tools/arguments.h"
+#include "tools/report/choice_report.h"
+#include "tools/subcommands.h"
+#include "tools/trajectory_file.h"
+
+#include <optional>
+#include <utility>
+
+namespace parallel_aspects::tools {
+namespace {
+
+struct ChooseArguments {
+  RobotChoice robot;
+  std::string path, preference;
+  ConstraintArguments constraints;
+};
+
+Preference parse_preference(const std::string& text) {
+  if (text.empty()) return Preference::clear;
+  const auto preference = preference_named(text);
+  if (!preference) throw InvalidDescription({"--prefer is '" + text + "'; give clear, travel or fast."});
+  return *preference;
+}
+
+/// Maps of one or two degrees of freedom are quick; aspects of others are told by the sign of det A alone.
+std::shared_ptr<const AspectMap> cheap_map(const std::shared_ptr<const Manipulator>& manipulator,
+                                           const Surroundings& surroundings) {
+  if (degrees_of_freedom(manipulator->task_space()) > 2) return nullptr;
+  MapControl control;
+  control.cancelled = surroundings.interrupted;
+  const MapResult result = compute_aspect_map(manipulator, {}, control);
+  if (result.status == MapStatus::cancelled) throw Interrupted{};
+  return result.map;
+}
+
+Report choose_for_path(const std::shared_ptr<const Manipulator>& manipulator,
+                       const ChooseArguments& arguments, const Surroundings& surroundings) {
+  PathChoiceOptions options;
+  options.preference = parse_preference(arguments.preference);
+  const auto waypoints = read_pose_waypoints(manipulator->task_space(), arguments.path);
+  Problems problems = problems_of(*manipulator, waypoints, options.preference);
+  if (!problems.empty()) throw InvalidDescription(std::move(problems));
+  const auto map = cheap_map(manipulator, surroundings);
+  options.map = map.get();
+  const PathChoice choice = choose_working_mode(SegmentCertifier(manipulator), waypoints, options);
+  return report_path_choice(*manipulator, choice, options.preference);
+}
+
+}  // namespace
+
+Subcommand choose_subcommand() {
+  const auto arguments = std::make_shared<ChooseArguments>();
+  std::vector<Option> options = robot_options(arguments->robot);
+  options.push_back({"--path", "FILE",
+                     "CSV with poses of the platform: a header such as time,x,y and a line for each waypoint "
+                     "[s, m, rad]",
+                     &arguments->path, true});
+  options.push_back({"--prefer", "clear",
+                     "Which working mode is best: clear, the farthest from singularities, which is the "
+                     "default; travel, the least travel of actuated joints; or fast",
+                     &arguments->preference});
+  for (const Option& option : constraint_options(arguments->constraints)) options.push_back(option);
+  return {"choose", "Tell in which working modes a tool path can be done, the best first", options,
+          [arguments](const Surroundings& surroundings) {
+            const auto mechanism = load_robot(arguments->robot);
+            const auto manipulator =
+                choose_constraints(mechanism->mapped_manipulator(), arguments->constraints);
+            return choose_for_path(manipulator, *arguments, surroundings);
+          }};
+}
+
+}  // namespace parallel_aspects::tools
