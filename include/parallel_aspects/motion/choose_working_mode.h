@@ -15,6 +15,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -91,6 +92,61 @@ Problems problems_of(const Manipulator& manipulator, const std::vector<PoseWaypo
 /// problems.
 PathChoice choose_working_mode(const SegmentCertifier& certifier, const std::vector<PoseWaypoint>& waypoints,
                                const PathChoiceOptions& options = {});
+
+/// What is known of a region in one working mode.
+struct ModeInRegion {
+  WorkingMode mode;  ///< one sign a leg
+
+  /// Safe: all of the region is proved to lie in one aspect. Unsafe: it is proved not to.
+  TrajectoryAnswer answer = TrajectoryAnswer::unknown;
+
+  std::string reason;        ///< a sentence
+  int determinant_sign = 0;  ///< of det A, where safe
+
+  /// Where safe: the least normalised parallel index in the region is proved to lie in this range.
+  IndexRange least_index;
+
+  /// Where unsafe: a pose of the region that lies in no aspect of this mode, or two whose det A differ in
+  /// sign. No path joins such two in this mode, and none leads to such a one.
+  std::vector<Pose> witnesses;
+
+  double undecided = 0.0;  ///< where unknown: how much of the region is not proved, of 1
+};
+
+/// In which working modes a region lies in one aspect.
+struct RegionChoice {
+  /// Safe: the region is t-connected, so that in some working mode every continuous path in it can be
+  /// followed. Unsafe: proved not to be.
+  TrajectoryAnswer answer = TrajectoryAnswer::unknown;
+
+  std::string reason;  ///< a sentence
+
+  /// Every working mode: those that hold the region first, the largest `least_index` before all.
+  std::vector<ModeInRegion> modes;
+
+  /// Where unsafe and found: two poses of the region that no path joins in any working mode, within the
+  /// region or not, as long as the working mode is kept.
+  std::optional<std::pair<Pose, Pose>> apart;
+};
+
+/// What region.
+struct RegionQuestion {
+  Box region;  ///< in the order of `coordinate_names` of the task space, or of the slice [m or rad]
+  std::optional<MapSlice> slice{};  ///< which holds the other coordinates; needed with six degrees of freedom
+};
+
+/// How much work is done for a region.
+struct RegionChoiceOptions {
+  std::size_t boxes = 200000;  ///< that are looked at, at most
+};
+
+/// Every reason why a region cannot be looked at: ranges that are empty, not finite or beyond half a turn;
+/// another number of coordinates; a slice that is refused; orientations that have no coordinates.
+Problems problems_of(const Manipulator& manipulator, const RegionQuestion& question);
+
+/// Divides the region into boxes until each is proved, in every working mode. There must be no problems.
+RegionChoice choose_working_mode(const std::shared_ptr<const Manipulator>& manipulator,
+                                 const RegionQuestion& question, const RegionChoiceOptions& options = {});
 
 /// "clear", "travel" or "fast".
 const char* name(Preference preference) noexcept;

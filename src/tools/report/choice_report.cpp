@@ -89,6 +89,37 @@ int code_of(TrajectoryAnswer answer) {
                                               : exit_code::unknown;
 }
 
+json json_poses(TaskSpace space, const std::vector<Pose>& poses) {
+  json array = json::array();
+  for (const Pose& pose : poses) array.push_back(json_pose(space, pose));
+  return array;
+}
+
+json json_mode(TaskSpace space, const ModeInRegion& mode) {
+  const bool safe = mode.answer == TrajectoryAnswer::safe;
+  return {{"working_mode", mode.mode.signs()},
+          {"answer", name(mode.answer)},
+          {"reason", mode.reason},
+          {"determinant_sign", mode.determinant_sign},
+          {"least_index",
+           safe ? json{{"lower", mode.least_index.lower}, {"upper", mode.least_index.upper}} : json()},
+          {"witnesses", json_poses(space, mode.witnesses)},
+          {"undecided", mode.undecided}};
+}
+
+std::string poses_text(TaskSpace space, const std::vector<Pose>& poses) {
+  std::string text;
+  for (const Pose& pose : poses) text += (text.empty() ? " (" : "; ") + to_string(space, pose);
+  return text.empty() ? "" : text + ")";
+}
+
+void add_row(TaskSpace space, const ModeInRegion& mode, TextTable& table) {
+  const bool safe = mode.answer == TrajectoryAnswer::safe;
+  table.add({to_string(mode.mode), name(mode.answer), shown_determinant_sign(mode.determinant_sign),
+             safe ? shown_bound(mode.least_index.lower, Side::below) : "-",
+             safe ? "" : mode.reason + poses_text(space, mode.witnesses)});
+}
+
 }  // namespace
 
 Report report_path_choice(const Manipulator& manipulator, const PathChoice& choice, Preference preference) {
@@ -111,6 +142,38 @@ Report report_path_choice(const Manipulator& manipulator, const PathChoice& choi
           manipulator.name() + ", can be done: " + name(choice.answer) + "\n" + choice.reason + "\n\n" +
               table.text() + '\n' + constraints.text,
           code_of(choice.answer)};
+}
+
+Report report_region_choice(const Manipulator& manipulator, const RegionQuestion& question,
+                            const RegionChoice& choice) {
+  const TaskSpace space = manipulator.task_space();
+  const std::vector<std::string> names =
+      question.slice ? coordinate_names(*question.slice) : coordinate_names(space);
+  json object = {{"mechanism", manipulator.name()},
+                 {"task_space", std::string(name(space))},
+                 {"region", json_box(names, question.region)},
+                 {"slice", question.slice ? json(to_string(*question.slice)) : json()},
+                 {"answer", name(choice.answer)},
+                 {"proved", choice.answer != TrajectoryAnswer::unknown},
+                 {"reason", choice.reason},
+                 {"apart", nullptr},
+                 {"modes", json::array()}};
+  TextTable table({"working mode", "in one aspect", "det A", ">index at least", "why not"});
+  for (const ModeInRegion& mode : choice.modes) {
+    object["modes"].push_back(json_mode(space, mode));
+    add_row(space, mode, table);
+  }
+  std::string text =
+      manipulator.name() + ", t-connected: " + name(choice.answer) + "\n" + choice.reason + "\n";
+  if (choice.apart) {
+    const std::vector<Pose> pair{choice.apart->first, choice.apart->second};
+    object["apart"] = json_poses(space, pair);
+    text += "joined in no working mode: " + to_string(space, pair[0]) + " and " + to_string(space, pair[1]) +
+            "\n";
+  }
+  const Report constraints = report_constraints(manipulator);
+  object.update(constraints.json);
+  return {object, text + '\n' + table.text() + '\n' + constraints.text, code_of(choice.answer)};
 }
 
 }  // namespace parallel_aspects::tools

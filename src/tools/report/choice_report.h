@@ -10,6 +10,10 @@ namespace parallel_aspects::tools {
 /// `aspects choose --path`: in which working modes a path can be done, the best first.
 Report report_path_choice(const Manipulator& manipulator, const PathChoice& choice, Preference preference);
 
+/// `aspects choose --region`: in which working modes a region lies in one aspect.
+Report report_region_choice(const Manipulator& manipulator, const RegionQuestion& question,
+                            const RegionChoice& choice);
+
 }  // namespace parallel_aspects::tools
 
 #endif  // PARALLEL_ASPECTS_TOOLS_REPORT_CHOICE_REPORT_H

@@ -13,7 +13,7 @@ namespace {
 
 struct ChooseArguments {
   RobotChoice robot;
-  std::string path, preference;
+  std::string path, preference, region, slice;
   ConstraintArguments constraints;
 };
 
@@ -48,6 +48,34 @@ Report choose_for_path(const std::shared_ptr<const Manipulator>& manipulator,
   return report_path_choice(*manipulator, choice, options.preference);
 }
 
+Report choose_for_region(const std::shared_ptr<const Manipulator>& manipulator,
+                         const ChooseArguments& arguments) {
+  if (!arguments.preference.empty())
+    throw InvalidDescription({"--prefer is of --path; leave it out with --region."});
+  Problems problems;
+  RegionQuestion question;
+  if (!arguments.slice.empty())
+    question.slice = parse_slice("--slice", *manipulator, arguments.slice, problems);
+  if (!problems.empty()) throw InvalidDescription(std::move(problems));
+  const auto names =
+      question.slice ? coordinate_names(*question.slice) : coordinate_names(manipulator->task_space());
+  if (names.size() <= max_map_dimension)
+    question.region = parse_region("--region", names, arguments.region, problems);
+  if (problems.empty()) problems = problems_of(*manipulator, question);
+  if (!problems.empty()) throw InvalidDescription(std::move(problems));
+  return report_region_choice(*manipulator, question, choose_working_mode(manipulator, question));
+}
+
+Report choose(const std::shared_ptr<const Manipulator>& manipulator, const ChooseArguments& arguments,
+              const Surroundings& surroundings) {
+  if (arguments.path.empty() == arguments.region.empty())
+    throw InvalidDescription({"Give one of --path, for a tool path, and --region, for a box of poses."});
+  if (!arguments.region.empty()) return choose_for_region(manipulator, arguments);
+  if (!arguments.slice.empty())
+    throw InvalidDescription({"--slice is of --region; leave it out with --path."});
+  return choose_for_path(manipulator, arguments, surroundings);
+}
+
 }  // namespace
 
 Subcommand choose_subcommand() {
@@ -56,18 +84,23 @@ Subcommand choose_subcommand() {
   options.push_back({"--path", "FILE",
                      "CSV with poses of the platform: a header such as time,x,y and a line for each waypoint "
                      "[s, m, rad]",
-                     &arguments->path, true});
+                     &arguments->path});
+  options.push_back({"--region", "\"x=-1:1 y=-1:1\"",
+                     "A box of poses: a lower and an upper end of each coordinate [m, rad]",
+                     &arguments->region});
+  options.push_back({"--slice", "\"roll=0 pitch=0 yaw=0\"",
+                     "Pose coordinates that are held in the region [m or rad]", &arguments->slice});
   options.push_back({"--prefer", "clear",
                      "Which working mode is best: clear, the farthest from singularities, which is the "
                      "default; travel, the least travel of actuated joints; or fast",
                      &arguments->preference});
   for (const Option& option : constraint_options(arguments->constraints)) options.push_back(option);
-  return {"choose", "Tell in which working modes a tool path can be done, the best first", options,
-          [arguments](const Surroundings& surroundings) {
+  return {"choose", "Tell in which working modes a tool path or a region can be done, the best first",
+          options, [arguments](const Surroundings& surroundings) {
             const auto mechanism = load_robot(arguments->robot);
             const auto manipulator =
                 choose_constraints(mechanism->mapped_manipulator(), arguments->constraints);
-            return choose_for_path(manipulator, *arguments, surroundings);
+            return choose(manipulator, *arguments, surroundings);
           }};
 }
 
