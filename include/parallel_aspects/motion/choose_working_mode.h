@@ -93,6 +93,46 @@ Problems problems_of(const Manipulator& manipulator, const std::vector<PoseWaypo
 PathChoice choose_working_mode(const SegmentCertifier& certifier, const std::vector<PoseWaypoint>& waypoints,
                                const PathChoiceOptions& options = {});
 
+/// A change of posture: the platform leaves a path, runs straight to a serial singularity of one leg, and
+/// straight back in the other working mode.
+///
+/// Proved, as of `Neighbours`: on the way there the legs reach within limits, B of no other leg is zero, and
+/// det A has the same sign in both modes, where B_jj = 0 too. Straight is meant in pose coordinates (of SO3
+/// in those of its charts); poses are those of the path to rounding.
+struct PostureChange {
+  double time = 0.0;     ///< of the path, where it is left and gone on with [s]
+  Pose pose;             ///< there
+  Pose singular;         ///< where B_jj = 0, in floating point
+  std::size_t leg = 0;   ///< j
+  WorkingMode from, to;  ///< which differ in that leg
+  double detour = 0.0;   ///< how far it is there and back [m], rotations by the characteristic length
+};
+
+/// Part of a path in one working mode.
+struct PathPiece {
+  WorkingMode mode;    ///< in which all of it is proved to be safe
+  double start = 0.0;  ///< [s]
+  double end = 0.0;    ///< [s]
+};
+
+/// How a path can be done with changes of posture.
+struct ChangingPath {
+  /// Safe: as the pieces and changes say. Unsafe: a pose of the path is proved to lie in no aspect. Unknown:
+  /// no changes were found, which proves nothing.
+  TrajectoryAnswer answer = TrajectoryAnswer::unknown;
+
+  std::string reason;                  ///< a sentence
+  std::vector<PathPiece> pieces;       ///< where safe; each begins where the one before ends
+  std::vector<PostureChange> changes;  ///< by rising time; several may be made at one pose
+};
+
+/// Looks for changes of posture that let all of a path be done: for as few as possible, and of those for the
+/// shortest detours, at stations along the path. Lifts of the path are a graph: its nodes are a working mode
+/// and a station; the path joins two of them where the piece between the stations is proved safe, and a
+/// change where one is proved. There must be no problems. With six degrees of freedom nothing is found.
+ChangingPath choose_posture_changes(const SegmentCertifier& certifier,
+                                    const std::vector<PoseWaypoint>& waypoints);
+
 /// What is known of a region in one working mode.
 struct ModeInRegion {
   WorkingMode mode;  ///< one sign a leg

@@ -89,6 +89,25 @@ int code_of(TrajectoryAnswer answer) {
                                               : exit_code::unknown;
 }
 
+json json_change(const Manipulator& manipulator, const PostureChange& change) {
+  const TaskSpace space = manipulator.task_space();
+  return {{"time", change.time},
+          {"pose", json_pose(space, change.pose)},
+          {"singular_pose", json_pose(space, change.singular)},
+          {"leg", manipulator.leg(change.leg).name},
+          {"from", change.from.signs()},
+          {"to", change.to.signs()},
+          {"detour", change.detour}};
+}
+
+std::string change_text(const Manipulator& manipulator, const PostureChange& change) {
+  const TaskSpace space = manipulator.task_space();
+  return "at " + shown(change.time) + " s from " + to_string(change.from) + " to " + to_string(change.to) +
+         ": leave the path at " + to_string(space, change.pose) + ", go straight to " +
+         to_string(space, change.singular) + ", where B_jj = 0 of leg '" + manipulator.leg(change.leg).name +
+         "', and back; " + shown_briefly(change.detour) + " m\n";
+}
+
 json json_poses(TaskSpace space, const std::vector<Pose>& poses) {
   json array = json::array();
   for (const Pose& pose : poses) array.push_back(json_pose(space, pose));
@@ -142,6 +161,27 @@ Report report_path_choice(const Manipulator& manipulator, const PathChoice& choi
           manipulator.name() + ", can be done: " + name(choice.answer) + "\n" + choice.reason + "\n\n" +
               table.text() + '\n' + constraints.text,
           code_of(choice.answer)};
+}
+
+void add_changes(const Manipulator& manipulator, const ChangingPath& path, Report& report) {
+  json object = {{"answer", name(path.answer)},
+                 {"proved", path.answer != TrajectoryAnswer::unknown},
+                 {"reason", path.reason},
+                 {"pieces", json::array()},
+                 {"changes", json::array()}};
+  report.text += "\nwith changes of posture: " + std::string(name(path.answer)) + "\n" + path.reason + "\n";
+  for (const PathPiece& piece : path.pieces) {
+    object["pieces"].push_back(
+        {{"working_mode", piece.mode.signs()}, {"start", piece.start}, {"end", piece.end}});
+    report.text +=
+        "from " + shown(piece.start) + " s to " + shown(piece.end) + " s in " + to_string(piece.mode) + "\n";
+  }
+  for (const PostureChange& change : path.changes) {
+    object["changes"].push_back(json_change(manipulator, change));
+    report.text += change_text(manipulator, change);
+  }
+  report.json["with_changes"] = std::move(object);
+  if (report.exit_code != exit_code::ok) report.exit_code = code_of(path.answer);
 }
 
 Report report_region_choice(const Manipulator& manipulator, const RegionQuestion& question,

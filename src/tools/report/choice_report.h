@@ -10,6 +10,9 @@ namespace parallel_aspects::tools {
 /// `aspects choose --path`: in which working modes a path can be done, the best first.
 Report report_path_choice(const Manipulator& manipulator, const PathChoice& choice, Preference preference);
 
+/// `aspects choose --path --changes`: adds how the path can be done with changes of posture.
+void add_changes(const Manipulator& manipulator, const ChangingPath& path, Report& report);
+
 /// `aspects choose --region`: in which working modes a region lies in one aspect.
 Report report_region_choice(const Manipulator& manipulator, const RegionQuestion& question,
                             const RegionChoice& choice);

@@ -14,6 +14,7 @@ namespace {
 struct ChooseArguments {
   RobotChoice robot;
   std::string path, preference, region, slice;
+  bool changes = false;
   ConstraintArguments constraints;
 };
 
@@ -44,14 +45,18 @@ Report choose_for_path(const std::shared_ptr<const Manipulator>& manipulator,
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
   const auto map = cheap_map(manipulator, surroundings);
   options.map = map.get();
-  const PathChoice choice = choose_working_mode(SegmentCertifier(manipulator), waypoints, options);
-  return report_path_choice(*manipulator, choice, options.preference);
+  const SegmentCertifier certifier(manipulator);
+  Report report = report_path_choice(*manipulator, choose_working_mode(certifier, waypoints, options),
+                                     options.preference);
+  if (arguments.changes) add_changes(*manipulator, choose_posture_changes(certifier, waypoints), report);
+  return report;
 }
 
 Report choose_for_region(const std::shared_ptr<const Manipulator>& manipulator,
                          const ChooseArguments& arguments) {
   if (!arguments.preference.empty())
     throw InvalidDescription({"--prefer is of --path; leave it out with --region."});
+  if (arguments.changes) throw InvalidDescription({"--changes is of --path; leave it out with --region."});
   Problems problems;
   RegionQuestion question;
   if (!arguments.slice.empty())
@@ -95,13 +100,17 @@ Subcommand choose_subcommand() {
                      "default; travel, the least travel of actuated joints; or fast",
                      &arguments->preference});
   for (const Option& option : constraint_options(arguments->constraints)) options.push_back(option);
-  return {"choose", "Tell in which working modes a tool path or a region can be done, the best first",
-          options, [arguments](const Surroundings& surroundings) {
+  return {"choose",
+          "Tell in which working modes a tool path or a region can be done, the best first",
+          options,
+          [arguments](const Surroundings& surroundings) {
             const auto mechanism = load_robot(arguments->robot);
             const auto manipulator =
                 choose_constraints(mechanism->mapped_manipulator(), arguments->constraints);
             return choose(manipulator, *arguments, surroundings);
-          }};
+          },
+          {{"--changes", "Let the robot change its posture at serial singularities beside the path",
+            &arguments->changes}}};
 }
 
 }  // namespace parallel_aspects::tools
