@@ -22,7 +22,7 @@ constexpr const char* description =
 constexpr const char* footer =
     "\nExit codes: 0 done, 1 the robot, a file or a number was refused, 2 the command line was not "
     "understood,\n"
-    "3 a question is open that only you can answer, or `check` proved that it is not safe, 4 `check` does "
+    "3 a question is open that only you can answer, or `check` or `choose` proved the answer no, 4 they do "
     "not "
     "know, 130 ended by Ctrl-C. Results go to the standard output, "
     "problems to the standard error, one a line.\n";

@@ -6,6 +6,8 @@
 #include "parallel_aspects/aspects/basins.h"
 #include "parallel_aspects/aspects/box.h"
 #include "parallel_aspects/aspects/map_slice.h"
+#include "parallel_aspects/aspects/pose_roadmap.h"
+#include "parallel_aspects/aspects/same_aspect.h"
 #include "parallel_aspects/aspects/segment_certifier.h"
 #include "parallel_aspects/kinematics/working_mode.h"
 #include "parallel_aspects/model/manipulator.h"
@@ -187,6 +189,25 @@ Problems problems_of(const Manipulator& manipulator, const RegionQuestion& quest
 /// Divides the region into boxes until each is proved, in every working mode. There must be no problems.
 RegionChoice choose_working_mode(const std::shared_ptr<const Manipulator>& manipulator,
                                  const RegionQuestion& question, const RegionChoiceOptions& options = {});
+
+/// Whether two poses lie in one aspect, and how clear the way is.
+struct Connection {
+  AspectComparison comparison;  ///< as of `same_aspect`
+
+  /// Of its path, where there is one; `time` counts segments.
+  std::optional<PathClearance> clearance;
+
+  Pose narrowest;  ///< of the path, where `clearance->measured` was measured
+};
+
+/// Asks, until one knows: what is proved of the two poses, the roadmap, and the map, which may be null.
+Connection connect_poses(const PoseRoadmap& roadmap, const AspectMap* map, const PoseInMode& first,
+                         const PoseInMode& second);
+
+/// What a map knows where neither poses nor roadmaps tell: sets an answer where it is yes or no. Yes comes
+/// without a path.
+void ask_map(const AspectMap& map, const PoseInMode& first, const PoseInMode& second,
+             AspectComparison& comparison);
 
 /// "clear", "travel" or "fast".
 const char* name(Preference preference) noexcept;

@@ -71,7 +71,7 @@ json json_mode(const Manipulator& manipulator, const ModeOnPath& mode) {
           {"least_time", safe ? json(mode.least_time) : json()}};
 }
 
-std::string shown_determinant_sign(int sign) { return sign == 0 ? "-" : shown_sign(sign); }
+std::string shown_determinant_sign(int sign) { return sign == 0 ? "" : shown_sign(sign); }
 
 void add_row(const ModeOnPath& mode, TextTable& table) {
   const bool safe = mode.clearance.has_value();
