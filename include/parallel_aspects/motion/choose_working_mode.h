@@ -81,7 +81,7 @@ struct PathChoice {
 struct PathChoiceOptions {
   Preference preference = Preference::clear;  ///< what is best
   TrajectoryCheckOptions check{};             ///< how each working mode is checked
-  int measures = 60;                          ///< poses at which distances are measured, at most
+  int measures = 200;                         ///< poses at which distances are measured, at most
   const AspectMap* map = nullptr;             ///< that tells aspects, of the same manipulator; null for none
 };
 

@@ -9,7 +9,7 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr int measures = 60;
+constexpr int measures = 400;
 
 bool is_separate(const AspectMap& map, int first, int second) {
   const std::vector<int>& unresolved = map.aspects()[static_cast<std::size_t>(first - 1)].unresolved_with;

@@ -34,7 +34,8 @@ struct Measured {
   double distance = 0.0;  // proved
 };
 
-/// Part of a segment of the path, and what is proved to be the least distance in it.
+/// Part of a segment of the path, and what is proved to be the least distance in it, where it is not
+/// negative.
 struct Piece {
   Measured from, to;
   double bound = 0.0;
@@ -56,7 +57,7 @@ class Clearance {
       last = next;
     }
     while (least_.measures < static_cast<std::size_t>(measures) && is_open(pieces_.top())) halve();
-    least_.lower = pieces_.top().bound;
+    least_.lower = std::max(0.0, pieces_.top().bound);
     return least_;
   }
 
@@ -80,7 +81,7 @@ class Clearance {
   void add(const Measured& from, const Measured& to) {
     const double motion = largest_motion(anchor_radius_, from.at.pose, to.at.pose);
     const double bound = 0.5 * (1.0 - rounding) * (from.distance + to.distance - motion);
-    pieces_.push({from, to, std::clamp(bound, 0.0, std::min(from.distance, to.distance))});
+    pieces_.push({from, to, std::min({bound, from.distance, to.distance})});
   }
 
   void halve() {

@@ -2,6 +2,7 @@
 //
 // ~choose_working_mode and ~connect of a node of the five-bar, against what the library answers.
 #include "parallel_aspects/motion/choose_working_mode.h"
+#include "ros/messages/conversions.h"
 #include "ros/monitor/five_bar_setup.h"
 #include "ros/node/node_client.h"
 
