@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/report/choice_report.h"
 
-#include "tools/command.h"
 #include "tools/report/bounds_report.h"
 #include "tools/report/text_table.h"
 
@@ -83,12 +82,6 @@ void add_row(const ModeOnPath& mode, TextTable& table) {
              safe ? "" : mode.check.reason});
 }
 
-int code_of(TrajectoryAnswer answer) {
-  return answer == TrajectoryAnswer::safe     ? exit_code::ok
-         : answer == TrajectoryAnswer::unsafe ? exit_code::unsafe
-                                              : exit_code::unknown;
-}
-
 json json_change(const Manipulator& manipulator, const PostureChange& change) {
   const TaskSpace space = manipulator.task_space();
   return {{"time", change.time},
@@ -157,10 +150,8 @@ Report report_path_choice(const Manipulator& manipulator, const PathChoice& choi
   }
   const Report constraints = report_constraints(manipulator);
   object.update(constraints.json);
-  return {object,
-          manipulator.name() + ", can be done: " + name(choice.answer) + "\n" + choice.reason + "\n\n" +
-              table.text() + '\n' + constraints.text,
-          code_of(choice.answer)};
+  return {object, manipulator.name() + ", can be done: " + name(choice.answer) + "\n" + choice.reason +
+                      "\n\n" + table.text() + '\n' + constraints.text};
 }
 
 void add_changes(const Manipulator& manipulator, const ChangingPath& path, Report& report) {
@@ -181,7 +172,6 @@ void add_changes(const Manipulator& manipulator, const ChangingPath& path, Repor
     report.text += change_text(manipulator, change);
   }
   report.json["with_changes"] = std::move(object);
-  if (report.exit_code != exit_code::ok) report.exit_code = code_of(path.answer);
 }
 
 Report report_region_choice(const Manipulator& manipulator, const RegionQuestion& question,
@@ -213,7 +203,7 @@ Report report_region_choice(const Manipulator& manipulator, const RegionQuestion
   }
   const Report constraints = report_constraints(manipulator);
   object.update(constraints.json);
-  return {object, text + '\n' + table.text() + '\n' + constraints.text, code_of(choice.answer)};
+  return {object, text + '\n' + table.text() + '\n' + constraints.text};
 }
 
 }  // namespace parallel_aspects::tools

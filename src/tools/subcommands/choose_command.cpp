@@ -25,6 +25,12 @@ Preference parse_preference(const std::string& text) {
   return *preference;
 }
 
+int code_of(TrajectoryAnswer answer) {
+  return answer == TrajectoryAnswer::safe     ? exit_code::ok
+         : answer == TrajectoryAnswer::unsafe ? exit_code::unsafe
+                                              : exit_code::unknown;
+}
+
 /// Maps of one or two degrees of freedom are quick; aspects of others are told by the sign of det A alone.
 std::shared_ptr<const AspectMap> cheap_map(const std::shared_ptr<const Manipulator>& manipulator,
                                            const Surroundings& surroundings) {
@@ -46,9 +52,13 @@ Report choose_for_path(const std::shared_ptr<const Manipulator>& manipulator,
   const auto map = cheap_map(manipulator, surroundings);
   options.map = map.get();
   const SegmentCertifier certifier(manipulator);
-  Report report = report_path_choice(*manipulator, choose_working_mode(certifier, waypoints, options),
-                                     options.preference);
-  if (arguments.changes) add_changes(*manipulator, choose_posture_changes(certifier, waypoints), report);
+  const PathChoice choice = choose_working_mode(certifier, waypoints, options);
+  Report report = report_path_choice(*manipulator, choice, options.preference);
+  report.exit_code = code_of(choice.answer);
+  if (!arguments.changes) return report;
+  const ChangingPath changed = choose_posture_changes(certifier, waypoints);
+  add_changes(*manipulator, changed, report);
+  if (choice.answer != TrajectoryAnswer::safe) report.exit_code = code_of(changed.answer);
   return report;
 }
 
@@ -68,7 +78,10 @@ Report choose_for_region(const std::shared_ptr<const Manipulator>& manipulator,
     question.region = parse_region("--region", names, arguments.region, problems);
   if (problems.empty()) problems = problems_of(*manipulator, question);
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
-  return report_region_choice(*manipulator, question, choose_working_mode(manipulator, question));
+  const RegionChoice choice = choose_working_mode(manipulator, question);
+  Report report = report_region_choice(*manipulator, question, choice);
+  report.exit_code = code_of(choice.answer);
+  return report;
 }
 
 Report choose(const std::shared_ptr<const Manipulator>& manipulator, const ChooseArguments& arguments,

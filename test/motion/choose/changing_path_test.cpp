@@ -3,13 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include "support/configuration_at.h"
+#include "support/path_samples.h"
 #include "support/pose_pairs.h"
 #include "support/shipped.h"
 #include "support/thoroughness.h"
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <iostream>
 #include <limits>
 #include <memory>
@@ -19,30 +18,10 @@
 namespace parallel_aspects {
 namespace {
 
-using Waypoints = std::vector<PoseWaypoint>;
+using test::path_text;
+using test::side;
+using test::Waypoints;
 using At = test::ConfigurationAt<long double>;
-
-std::string text(const Manipulator& robot, const Waypoints& waypoints) {
-  std::string result = robot.name();
-  for (const PoseWaypoint& waypoint : waypoints) {
-    result += "\n" + std::to_string(waypoint.time);
-    for (const double coordinate : pose_coordinates(robot.task_space(), waypoint.pose)) {
-      char digits[40];
-      std::snprintf(digits, sizeof digits, ", %.17g", coordinate);
-      result += digits;
-    }
-  }
-  return result;
-}
-
-Pose mixed(const Pose& from, const Pose& to, double share) {
-  Pose pose;
-  pose.position = (1.0 - share) * from.position + share * to.position;
-  const Eigen::Vector4d first = from.orientation.coeffs(), last = to.orientation.coeffs();
-  pose.orientation.coeffs() =
-      ((1.0 - share) * first + share * (first.dot(last) < 0.0 ? -last : last)).normalized();
-  return pose;
-}
 
 // Even in pose coordinates.
 Pose straight(TaskSpace space, const Pose& from, const Pose& to, double share) {
@@ -53,14 +32,9 @@ Pose straight(TaskSpace space, const Pose& from, const Pose& to, double share) {
 Pose pose_at(const Waypoints& path, double time) {
   std::size_t i = 1;
   while (i + 1 < path.size() && path[i].time < time) ++i;
-  return mixed(path[i - 1].pose, path[i].pose,
-               std::clamp((time - path[i - 1].time) / (path[i].time - path[i - 1].time), 0.0, 1.0));
-}
-
-// +1 or -1 by det A where every leg reaches; 0 where one does not.
-int side(const Manipulator& robot, const Pose& pose, const WorkingMode& mode) {
-  const At at(robot, pose, mode);
-  return !at.reaches() ? 0 : at.parallel() > 0 ? 1 : -1;
+  return test::mixed_pose(
+      path[i - 1].pose, path[i].pose,
+      std::clamp((time - path[i - 1].time) / (path[i].time - path[i - 1].time), 0.0, 1.0));
 }
 
 // Samples of every piece and of every way to a singularity lie on one side of det A = 0, and the way ends at
@@ -107,7 +81,7 @@ TEST_P(RandomPaths, WithChangesAreFeasibleByFormulasOfTheTest) {
     const auto from = pairs.reached(mode), to = pairs.reached(mode);
     if (!from || !to) continue;
     const Waypoints path{{0.0, *from}, {1.0, *to}};
-    SCOPED_TRACE(text(*robot, path));
+    SCOPED_TRACE(path_text(*robot, path));
     const ChangingPath found = choose_posture_changes(certifier, path);
     const bool safe = choose_working_mode(certifier, path).answer == TrajectoryAnswer::safe;
     if (safe) {

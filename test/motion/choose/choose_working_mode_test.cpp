@@ -3,13 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include "support/configuration_at.h"
+#include "support/path_samples.h"
 #include "support/pose_pairs.h"
 #include "support/shipped.h"
 #include "support/thoroughness.h"
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <iostream>
 #include <limits>
 #include <memory>
@@ -20,22 +19,10 @@
 namespace parallel_aspects {
 namespace {
 
-using Waypoints = std::vector<PoseWaypoint>;
+using test::path_text;
+using test::side;
+using test::Waypoints;
 using At = test::ConfigurationAt<long double>;
-
-// To be pasted into a file that `aspects choose --path` reads.
-std::string text(const Manipulator& robot, const Waypoints& waypoints) {
-  std::string result = robot.name();
-  for (const PoseWaypoint& waypoint : waypoints) {
-    result += "\n" + std::to_string(waypoint.time);
-    for (const double coordinate : pose_coordinates(robot.task_space(), waypoint.pose)) {
-      char digits[40];
-      std::snprintf(digits, sizeof digits, ", %.17g", coordinate);
-      result += digits;
-    }
-  }
-  return result;
-}
 
 // Poses at even times, by formulas of the test.
 std::vector<PoseWaypoint> dense(const Waypoints& waypoints, int count) {
@@ -44,20 +31,10 @@ std::vector<PoseWaypoint> dense(const Waypoints& waypoints, int count) {
     for (int k = 0; k <= count; ++k) {
       const double share = static_cast<double>(k) / count;
       const PoseWaypoint &from = waypoints[i - 1], &to = waypoints[i];
-      Pose pose;
-      pose.position = (1.0 - share) * from.pose.position + share * to.pose.position;
-      const Eigen::Vector4d first = from.pose.orientation.coeffs(), last = to.pose.orientation.coeffs();
-      pose.orientation.coeffs() =
-          ((1.0 - share) * first + share * (first.dot(last) < 0.0 ? -last : last)).normalized();
-      poses.push_back({(1.0 - share) * from.time + share * to.time, pose});
+      poses.push_back(
+          {(1.0 - share) * from.time + share * to.time, test::mixed_pose(from.pose, to.pose, share)});
     }
   return poses;
-}
-
-// The sign of det A where every leg reaches; 0 where one does not.
-int side(const Manipulator& robot, const Pose& pose, const WorkingMode& mode) {
-  const At at(robot, pose, mode);
-  return !at.reaches() ? 0 : at.parallel() > 0 ? 1 : -1;
 }
 
 // The first time that the path is seen to leave its aspect, with room for rounding; infinite where it is not.
@@ -106,12 +83,14 @@ class RandomToolPaths : public testing::TestWithParam<const char*> {
 
 TEST_P(RandomToolPaths, AreAnsweredInEveryWorkingModeAsBruteForceSays) {
   int safe = 0, unsafe = 0, unknown = 0, several = 0;
+  PathChoiceOptions options;
+  options.measures = 60;
   for (int i = 0; i < test::thinned(100); ++i) {
     const Waypoints waypoints = draw();
     if (waypoints.size() < 2) continue;
-    SCOPED_TRACE(text(*robot, waypoints));
+    SCOPED_TRACE(path_text(*robot, waypoints));
     const Waypoints samples = dense(waypoints, test::thinned(500));
-    const PathChoice choice = choose_working_mode(certifier, waypoints);
+    const PathChoice choice = choose_working_mode(certifier, waypoints, options);
     ASSERT_EQ(choice.modes.size(), working_modes(*robot).size());
     int safe_here = 0;
     for (const ModeOnPath& mode : choice.modes) {

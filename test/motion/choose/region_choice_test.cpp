@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/configuration_at.h"
+#include "support/path_samples.h"
 #include "support/pose_pairs.h"
 #include "support/shipped.h"
 #include "support/thoroughness.h"
@@ -20,6 +20,7 @@
 namespace parallel_aspects {
 namespace {
 
+using test::side;
 using At = test::ConfigurationAt<long double>;
 
 std::string text(const Manipulator& robot, const Box& region) {
@@ -36,12 +37,6 @@ Pose pose_at(const Manipulator& robot, const MapPoint& point) {
   PoseCoordinates coordinates(static_cast<Eigen::Index>(robot.leg_count()));
   for (std::size_t i = 0; i < robot.leg_count(); ++i) coordinates[static_cast<Eigen::Index>(i)] = point[i];
   return *pose_from_coordinates(robot.task_space(), coordinates);
-}
-
-// +1 or -1 by det A where every leg reaches; 0 where one does not.
-int side(const Manipulator& robot, const Pose& pose, const WorkingMode& mode) {
-  const At at(robot, pose, mode);
-  return !at.reaches() ? 0 : at.parallel() > 0 ? 1 : -1;
 }
 
 // A fine grid over a region, as one working mode sees it.
