@@ -5,6 +5,7 @@
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/basins.h"
 #include "parallel_aspects/aspects/box.h"
+#include "parallel_aspects/aspects/map_control.h"
 #include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"
 #include "parallel_aspects/aspects/same_aspect.h"
@@ -83,6 +84,7 @@ struct PathChoiceOptions {
   TrajectoryCheckOptions check{};             ///< how each working mode is checked
   int measures = 200;                         ///< poses at which distances are measured, at most
   const AspectMap* map = nullptr;             ///< that tells aspects, of the same manipulator; null for none
+  MapControl control{};  ///< where cancelled, the working modes that are left are unknown
 };
 
 /// Every reason why no working mode can be chosen: those of a trajectory besides its working mode, and a
@@ -180,6 +182,7 @@ struct RegionQuestion {
 /// How much work is done for a region.
 struct RegionChoiceOptions {
   std::size_t boxes = 200000;  ///< that are looked at, at most
+  MapControl control{};        ///< where cancelled, what is left is not proved
 };
 
 /// Every reason why a region cannot be looked at: ranges that are empty, not finite or beyond half a turn;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/motion/choose_working_mode.h"
+
 #include "motion/check/trajectory_survey.h"
 #include "motion/choose/path_clearance.h"
 #include "motion/choose/path_effort.h"
 #include "parallel_aspects/distance/boundary_distances.h"
 #include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/motion/choose_working_mode.h"
 
 #include <algorithm>
 #include <array>
@@ -88,6 +89,11 @@ class PathSurvey {
   ModeOnPath look_at(const WorkingMode& mode) {
     ModeOnPath result;
     result.mode = mode;
+    if (is_cancelled(options_.control)) {
+      result.check.free_until = waypoints_.front().time;
+      result.check.reason = "Not looked at: the question was cancelled.";
+      return result;
+    }
     result.determinant_sign = certifier_.prove(waypoints_.front().pose, mode).sign;
     if (options_.map != nullptr) result.aspect = options_.map->locate(waypoints_.front().pose, mode).aspect;
     result.check = reaches_start(manipulator_, waypoints_, mode)

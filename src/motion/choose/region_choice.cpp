@@ -167,7 +167,7 @@ RegionChoice choose_working_mode(const std::shared_ptr<const Manipulator>& manip
                                  const RegionQuestion& question, const RegionChoiceOptions& options) {
   RegionSurvey survey(*manipulator, question, angle_of(*manipulator, question));
   RegionChoice choice;
-  choice.modes = survey.run(options.boxes);
+  choice.modes = survey.run(options);
   std::stable_sort(choice.modes.begin(), choice.modes.end(), is_better);
   choice.answer = choice.modes.front().answer;
   if (choice.answer == TrajectoryAnswer::unsafe) choice.apart = find_apart(manipulator, survey, choice.modes);

@@ -72,11 +72,12 @@ RegionSurvey::RegionSurvey(const Manipulator& manipulator, const RegionQuestion&
       space_(space_of(manipulator, question, positions_of(region_, angle))),
       found_(modes_.size()) {}
 
-std::vector<ModeInRegion> RegionSurvey::run(std::size_t max_boxes) {
+std::vector<ModeInRegion> RegionSurvey::run(const RegionChoiceOptions& options) {
   const RoundingUpward rounding;
   const ModeSet all = modes_.size() == 64 ? ~ModeSet{0} : (ModeSet{1} << modes_.size()) - 1;
   parts_.push_back({region_, all, 0});
-  for (std::size_t looked = 0; !parts_.empty() && looked < max_boxes; ++looked) {
+  for (std::size_t looked = 0; !parts_.empty() && looked < options.boxes && !is_cancelled(options.control);
+       ++looked) {
     const Part part = parts_.front();
     parts_.pop_front();
     look_at(part);

@@ -23,8 +23,8 @@ class RegionSurvey {
   RegionSurvey(const Manipulator& manipulator, const RegionQuestion& question,
                std::optional<std::size_t> angle);
 
-  /// Looks at so many boxes at most. One for each working mode, by rising index. To be called once.
-  std::vector<ModeInRegion> run(std::size_t max_boxes);
+  /// One for each working mode, by rising index. To be called once.
+  std::vector<ModeInRegion> run(const RegionChoiceOptions& options);
 
   /// The corners of the region.
   std::vector<Pose> corners() const;

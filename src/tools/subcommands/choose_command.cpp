@@ -31,13 +31,18 @@ int code_of(TrajectoryAnswer answer) {
                                               : exit_code::unknown;
 }
 
+/// Ctrl-C ends a question early; nothing is printed then.
+MapControl control_of(const Surroundings& surroundings) {
+  MapControl control;
+  control.cancelled = surroundings.interrupted;
+  return control;
+}
+
 /// Maps of one or two degrees of freedom are quick; aspects of others are told by the sign of det A alone.
 std::shared_ptr<const AspectMap> cheap_map(const std::shared_ptr<const Manipulator>& manipulator,
                                            const Surroundings& surroundings) {
   if (degrees_of_freedom(manipulator->task_space()) > 2) return nullptr;
-  MapControl control;
-  control.cancelled = surroundings.interrupted;
-  const MapResult result = compute_aspect_map(manipulator, {}, control);
+  const MapResult result = compute_aspect_map(manipulator, {}, control_of(surroundings));
   if (result.status == MapStatus::cancelled) throw Interrupted{};
   return result.map;
 }
@@ -51,6 +56,7 @@ Report choose_for_path(const std::shared_ptr<const Manipulator>& manipulator,
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
   const auto map = cheap_map(manipulator, surroundings);
   options.map = map.get();
+  options.control = control_of(surroundings);
   const SegmentCertifier certifier(manipulator);
   const PathChoice choice = choose_working_mode(certifier, waypoints, options);
   Report report = report_path_choice(*manipulator, choice, options.preference);
@@ -63,7 +69,7 @@ Report choose_for_path(const std::shared_ptr<const Manipulator>& manipulator,
 }
 
 Report choose_for_region(const std::shared_ptr<const Manipulator>& manipulator,
-                         const ChooseArguments& arguments) {
+                         const ChooseArguments& arguments, const Surroundings& surroundings) {
   if (!arguments.preference.empty())
     throw InvalidDescription({"--prefer is of --path; leave it out with --region."});
   if (arguments.changes) throw InvalidDescription({"--changes is of --path; leave it out with --region."});
@@ -78,7 +84,9 @@ Report choose_for_region(const std::shared_ptr<const Manipulator>& manipulator,
     question.region = parse_region("--region", names, arguments.region, problems);
   if (problems.empty()) problems = problems_of(*manipulator, question);
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
-  const RegionChoice choice = choose_working_mode(manipulator, question);
+  RegionChoiceOptions options;
+  options.control = control_of(surroundings);
+  const RegionChoice choice = choose_working_mode(manipulator, question, options);
   Report report = report_region_choice(*manipulator, question, choice);
   report.exit_code = code_of(choice.answer);
   return report;
@@ -88,7 +96,7 @@ Report choose(const std::shared_ptr<const Manipulator>& manipulator, const Choos
               const Surroundings& surroundings) {
   if (arguments.path.empty() == arguments.region.empty())
     throw InvalidDescription({"Give one of --path, for a tool path, and --region, for a box of poses."});
-  if (!arguments.region.empty()) return choose_for_region(manipulator, arguments);
+  if (!arguments.region.empty()) return choose_for_region(manipulator, arguments, surroundings);
   if (!arguments.slice.empty())
     throw InvalidDescription({"--slice is of --region; leave it out with --path."});
   return choose_for_path(manipulator, arguments, surroundings);

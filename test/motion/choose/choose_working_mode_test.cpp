@@ -8,6 +8,7 @@
 #include "support/shipped.h"
 #include "support/thoroughness.h"
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <iostream>
 #include <limits>
@@ -210,6 +211,15 @@ TEST_F(FiveBarPath, AnAspectIsToldWhereThereIsAMap) {
     EXPECT_EQ(aspect.mode, mode.mode);
     EXPECT_EQ(aspect.determinant_sign, mode.determinant_sign);
   }
+}
+
+TEST_F(FiveBarPath, WhatIsCancelledIsUnknown) {
+  const std::atomic<bool> cancelled{true};
+  PathChoiceOptions options;
+  options.control.cancelled = &cancelled;
+  const PathChoice choice = choose_working_mode(certifier, path, options);
+  EXPECT_EQ(choice.answer, TrajectoryAnswer::unknown);
+  EXPECT_NE(choice.modes.front().check.reason.find("cancelled"), std::string::npos);
 }
 
 TEST_F(FiveBarPath, AStartOutOfReachRulesOutAModeAndNotTheQuestion) {

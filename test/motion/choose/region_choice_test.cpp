@@ -9,6 +9,7 @@
 #include "support/thoroughness.h"
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
@@ -225,7 +226,7 @@ TEST(RegionOfASlice, IsThatOfTheHeldOrientation) {
     const RegionQuestion question =
         with_slice(*robot, {{"roll", rpy[2]}, {"pitch", rpy[1]}, {"yaw", rpy[0]}}, region);
     ASSERT_TRUE(problems_of(*robot, question).empty());
-    for (const ModeInRegion& each : choose_working_mode(robot, question, {2000}).modes) {
+    for (const ModeInRegion& each : choose_working_mode(robot, question, {2000, {}}).modes) {
       if (each.answer != TrajectoryAnswer::safe) continue;
       ++found;
       for (int k = 0; k < 20; ++k) {
@@ -260,10 +261,21 @@ TEST(RegionProblems, AreSaidInOneSentenceEach) {
   EXPECT_EQ(count(eye, {3, {0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}}), 1U);
 }
 
+TEST(CancelledRegion, IsNotProved) {
+  const auto robot = test::shipped("five_bar")->manipulator()->with_constraints(ConstraintKinds{});
+  const std::atomic<bool> cancelled{true};
+  RegionChoiceOptions options;
+  options.control.cancelled = &cancelled;
+  const RegionChoice choice =
+      choose_working_mode(robot, RegionQuestion{{2, {3.0, 5.0}, {6.0, 8.0}}, {}}, options);
+  EXPECT_EQ(choice.answer, TrajectoryAnswer::unknown);
+  for (const ModeInRegion& mode : choice.modes) EXPECT_EQ(mode.undecided, 1.0);
+}
+
 TEST(RegionWithFewBoxes, SaysHowMuchIsNotProved) {
   const auto robot = test::shipped("five_bar")->manipulator()->with_constraints(ConstraintKinds{});
   const RegionChoice choice =
-      choose_working_mode(robot, RegionQuestion{{2, {2.0, 4.0}, {7.0, 9.0}}, {}}, RegionChoiceOptions{1});
+      choose_working_mode(robot, RegionQuestion{{2, {2.0, 4.0}, {7.0, 9.0}}, {}}, RegionChoiceOptions{1, {}});
   EXPECT_EQ(choice.answer, TrajectoryAnswer::unknown);
   for (const ModeInRegion& mode : choice.modes)
     if (mode.answer == TrajectoryAnswer::unknown) {
