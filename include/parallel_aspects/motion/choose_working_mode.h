@@ -104,12 +104,13 @@ PathChoice choose_working_mode(const SegmentCertifier& certifier, const std::vec
 /// det A has the same sign in both modes, where B_jj = 0 too. Straight is meant in pose coordinates (of SO3
 /// in those of its charts); poses are those of the path to rounding.
 struct PostureChange {
-  double time = 0.0;     ///< of the path, where it is left and gone on with [s]
-  Pose pose;             ///< there
-  Pose singular;         ///< where B_jj = 0, in floating point
-  std::size_t leg = 0;   ///< j
-  WorkingMode from, to;  ///< which differ in that leg
-  double detour = 0.0;   ///< how far it is there and back [m], rotations by the characteristic length
+  double time = 0.0;    ///< of the path, where it is left and gone on with [s]
+  Pose pose;            ///< there
+  Pose singular;        ///< where B_jj = 0, in floating point
+  std::size_t leg = 0;  ///< j
+  WorkingMode from;     ///< working mode before
+  WorkingMode to;       ///< and after, which differs in that leg
+  double detour = 0.0;  ///< how far it is there and back [m], rotations by the characteristic length
 };
 
 /// Part of a path in one working mode.
