@@ -19,6 +19,7 @@ bool is_separate(const AspectMap& map, int first, int second) {
 /// The poses of a path, a second apart.
 std::vector<PoseWaypoint> timed(const std::vector<Pose>& path) {
   std::vector<PoseWaypoint> waypoints;
+  waypoints.reserve(path.size());
   for (const Pose& pose : path) waypoints.push_back({static_cast<double>(waypoints.size()), pose});
   return waypoints;
 }
