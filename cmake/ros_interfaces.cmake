@@ -25,17 +25,22 @@ add_message_files(FILES
   AspectState.msg
   AspectSummary.msg
   AspectTransition.msg
+  ChangeOfPosture.msg
   Configuration.msg
   DistanceBounds.msg
   LastHazard.msg
   MapProgress.msg
   MetricDistance.msg
+  ModeChoice.msg
+  ModeConnection.msg
   RoadmapComponents.msg
   SingularityReport.msg
   SolvedConfiguration.msg
   Status.msg
 )
 add_service_files(FILES
+  ChooseWorkingMode.srv
+  Connect.srv
   GetCurrentAspect.srv
   GetSingularityDistance.srv
   GetWorkingMode.srv

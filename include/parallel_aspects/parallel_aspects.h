@@ -46,6 +46,7 @@ namespace parallel_aspects {}
 #include "parallel_aspects/model/vectors.h"
 #include "parallel_aspects/motion/check_joint_trajectory.h"
 #include "parallel_aspects/motion/check_trajectory.h"
+#include "parallel_aspects/motion/choose_working_mode.h"
 #include "parallel_aspects/motion/local_motion.h"
 #include "parallel_aspects/motion/plan_path.h"
 #include "parallel_aspects/motion/rehearsal.h"

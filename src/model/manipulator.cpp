@@ -14,6 +14,13 @@ namespace {
 // Directions come from URDF text with few digits and are normalised there; what is left is rounding.
 constexpr double direction_tolerance = 1e-9;
 
+/// No range; the speed stays limited.
+JointLimits without_range(const JointLimits& limits) {
+  JointLimits result;
+  result.velocity = limits.velocity;
+  return result;
+}
+
 class LegCheck {
  public:
   LegCheck(const Leg& leg, Problems& problems) : leg_(leg), problems_(problems) {
@@ -169,7 +176,7 @@ std::shared_ptr<const Manipulator> Manipulator::with_constraints(ConstraintKinds
   ManipulatorDescription description = description_;
   Constraints& constraints = description.constraints;
   if (!asked(ConstraintKind::actuated_limits))
-    for (Leg& leg : description.legs) leg.limits = {};
+    for (Leg& leg : description.legs) leg.limits = without_range(leg.limits);
   if (!asked(ConstraintKind::passive_limits)) {
     constraints.passive_limits.clear();
     constraints.passive_cones.clear();

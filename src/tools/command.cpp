@@ -22,8 +22,8 @@ constexpr const char* description =
 constexpr const char* footer =
     "\nExit codes: 0 done, 1 the robot, a file or a number was refused, 2 the command line was not "
     "understood,\n"
-    "3 a question is open that only you can answer, or `check` or `plan` proved that the answer is no, 4 "
-    "they do not "
+    "3 a question is open that only you can answer, or `check`, `choose` or `plan` proved that the answer is "
+    "no, 4 they do not "
     "know, 130 ended by Ctrl-C. Results go to the standard output, "
     "problems to the standard error, one a line.\n";
 
@@ -102,10 +102,10 @@ class Command {
   }
 
   bool json_ = false;
-  std::vector<Subcommand> subcommands_{setup_subcommand(),    map_subcommand(),      graph_subcommand(),
-                                       connect_subcommand(),  plan_subcommand(),     check_subcommand(),
-                                       describe_subcommand(), distance_subcommand(), inverse_subcommand(),
-                                       direct_subcommand(),   robots_subcommand()};
+  std::vector<Subcommand> subcommands_{setup_subcommand(),   map_subcommand(),      graph_subcommand(),
+                                       connect_subcommand(), plan_subcommand(),     check_subcommand(),
+                                       choose_subcommand(),  describe_subcommand(), distance_subcommand(),
+                                       inverse_subcommand(), direct_subcommand(),   robots_subcommand()};
 };
 
 }  // namespace

@@ -15,8 +15,8 @@ inline constexpr int ok = 0;
 inline constexpr int bad_input = 1;      ///< the robot, a file or a number was refused
 inline constexpr int bad_usage = 2;      ///< the command line was not understood
 inline constexpr int undecided = 3;      ///< a question is open that only the user can answer
-inline constexpr int unsafe = 3;         ///< `check` or `plan`: the answer is no, proved
-inline constexpr int unknown = 4;        ///< `check` or `plan`: neither yes nor no is proved
+inline constexpr int unsafe = 3;         ///< `check`, `choose`, `plan`: the answer is no, proved
+inline constexpr int unknown = 4;        ///< `check`, `choose`, `plan`: neither yes nor no is proved
 inline constexpr int interrupted = 130;  ///< by Ctrl-C
 }  // namespace exit_code
 

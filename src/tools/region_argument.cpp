@@ -10,8 +10,12 @@ namespace {
 
 std::string example(const std::vector<std::string>& names) {
   std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : " ") + name + "=-1:1";
-  return "\"" + text + "\"";
+  bool has_angle = false;
+  for (const std::string& name : names) {
+    text += (text.empty() ? "" : " ") + name + "=-1:1";
+    has_angle = has_angle || (name != "x" && name != "y" && name != "z");
+  }
+  return "\"" + text + (has_angle ? "\", in m and rad" : "\", in m");
 }
 
 class RegionReader {
@@ -27,7 +31,7 @@ class RegionReader {
     for (std::size_t i = 0; i < names_.size(); ++i)
       if (!given_[i])
         problems_.push_back(option_ + " does not say where " + names_[i] + " may be; give " +
-                            example(names_) + ", in m.");
+                            example(names_) + ".");
     return box;
   }
 
@@ -36,7 +40,7 @@ class RegionReader {
     const std::size_t equals = word.find('='), colon = word.find(':');
     const auto name = std::find(names_.begin(), names_.end(), word.substr(0, equals));
     if (equals == std::string::npos || colon == std::string::npos || colon < equals || name == names_.end())
-      return problems_.push_back(option_ + " has '" + word + "'; give " + example(names_) + ", in m.");
+      return problems_.push_back(option_ + " has '" + word + "'; give " + example(names_) + ".");
     const auto i = static_cast<std::size_t>(name - names_.begin());
     if (given_[i]) problems_.push_back(option_ + " names " + *name + " twice; give one range.");
     given_[i] = true;
@@ -47,7 +51,7 @@ class RegionReader {
     if (problems_.size() > known) return;
     if (!(range[0] < range[1]))
       problems_.push_back(option_ + " has '" + word + "', whose lower end is not below the upper; give " +
-                          example(names_) + ", in m.");
+                          example(names_) + ".");
     box.lower[i] = range[0];
     box.upper[i] = range[1];
   }

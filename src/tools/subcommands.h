@@ -47,6 +47,7 @@ struct Subcommand {
 
 Subcommand map_subcommand();
 Subcommand check_subcommand();
+Subcommand choose_subcommand();
 Subcommand connect_subcommand();
 Subcommand describe_subcommand();
 Subcommand distance_subcommand();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/aspects/same_aspect.h"
+#include "parallel_aspects/motion/choose_working_mode.h"
 #include "tools/arguments.h"
 #include "tools/map_choice.h"
 #include "tools/report/basins_report.h"
@@ -82,7 +83,7 @@ class Asking {
     const PoseInMode first{question_.from, mode}, second{question_.to, mode};
     AspectComparison found = same_aspect(certifier_, first, second);
     if (found.searched_sign != 0) found = same_aspect(*roadmap(mode), first, second);
-    if (found.searched_sign != 0 && has_map()) ask_map(mode, found);
+    if (found.searched_sign != 0 && has_map()) ask_map(map(), first, second, found);
     return found;
   }
 
@@ -122,15 +123,6 @@ class Asking {
     if (result.status == MapStatus::refused) throw InvalidDescription({result.message});
     map_ = result.map;
     return *map_;
-  }
-
-  void ask_map(const WorkingMode& mode, AspectComparison& found) {
-    const Location first = map().locate(question_.from, mode), second = map().locate(question_.to, mode);
-    if (first.status != LocationStatus::inside || second.status != LocationStatus::inside) return;
-    if (first.aspect == second.aspect)
-      found = {SameAspect::yes, "The map proves it: both are in the same connected set of boxes.", {}, 0};
-    else if (is_separate(first.aspect, second.aspect))
-      found = {SameAspect::no, "The map proves the two aspects separate.", {}, 0};
   }
 
   // Paths stay in the slice, so that roadmaps are of no use.

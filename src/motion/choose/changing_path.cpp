@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "model/number_text.h"
+#include "motion/choose/path_pieces.h"
+#include "motion/choose/posture_change.h"
+#include "parallel_aspects/motion/choose_working_mode.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <queue>
+#include <utility>
+
+namespace parallel_aspects {
+namespace {
+
+constexpr std::size_t first_pieces = 96;
+constexpr int max_halvings = 6;     // of a piece that no working mode is proved for
+constexpr int parts_of_piece = 60;  // of its proof
+constexpr std::size_t no_node = std::numeric_limits<std::size_t>::max();
+
+/// Fewer changes are better, then shorter detours [m].
+using Cost = std::pair<int, double>;
+
+/// Poses along the path, and which working modes each piece between two is proved for.
+class Stations {
+ public:
+  Stations(const SegmentCertifier& certifier, const std::vector<PoseWaypoint>& waypoints)
+      : certifier_(certifier), modes_(working_modes(*certifier.manipulator())) {
+    const std::vector<PoseWaypoint> stations = divided_path(waypoints, first_pieces);
+    add_station(stations.front());
+    for (std::size_t i = 1; i < stations.size() && !nowhere_; ++i) add_piece(stations[i], 0);
+  }
+
+  std::size_t count() const { return stations_.size(); }
+  const PoseWaypoint& at(std::size_t station) const { return stations_[station]; }
+
+  /// The sign of det A, where proved.
+  int sign(std::size_t station, std::size_t mode) const { return signs_[station][mode]; }
+
+  /// Whether the piece after a station is proved free.
+  bool is_free(std::size_t station, std::size_t mode) const { return free_[station][mode]; }
+
+  /// The time of a pose that is proved to lie in no aspect, if one was found.
+  const std::optional<double>& nowhere() const { return nowhere_; }
+
+ private:
+  void add_station(const PoseWaypoint& station) {
+    std::vector<int> signs;
+    bool violated = true;
+    for (const WorkingMode& mode : modes_) {
+      const ConfigurationProof proof = certifier_.prove(station.pose, mode);
+      signs.push_back(proof.sign);
+      violated = violated && proof.proved_violation != Violation::none;
+    }
+    stations_.push_back(station);
+    signs_.push_back(std::move(signs));
+    if (violated) nowhere_ = station.time;
+  }
+
+  /// From the last station.
+  void add_piece(const PoseWaypoint& to, int halvings) {
+    const PoseWaypoint from = stations_.back();
+    std::vector<bool> free;
+    for (const WorkingMode& mode : modes_)
+      free.push_back(certifier_.prove(from.pose, to.pose, mode, parts_of_piece).verdict ==
+                     SegmentVerdict::free);
+    const bool any = std::find(free.begin(), free.end(), true) != free.end();
+    if (any || halvings == max_halvings) {
+      free_.push_back(std::move(free));
+      return add_station(to);
+    }
+    add_piece(waypoint_between({from, to}, 0, 0.5), halvings + 1);
+    if (!nowhere_) add_piece(to, halvings + 1);
+  }
+
+  const SegmentCertifier& certifier_;
+  std::vector<WorkingMode> modes_;
+  std::vector<PoseWaypoint> stations_;
+  std::vector<std::vector<int>> signs_;  // by station and mode
+  std::vector<std::vector<bool>> free_;  // by piece and mode
+  std::optional<double> nowhere_;
+};
+
+/// Shortest paths from the first station to the last.
+class LiftGraph {
+ public:
+  LiftGraph(const Manipulator& manipulator, const Stations& stations)
+      : stations_(stations),
+        modes_(working_modes(manipulator)),
+        legs_(manipulator.leg_count()),
+        search_(manipulator),
+        costs_(stations.count() * modes_.size(), {std::numeric_limits<int>::max(), 0.0}),
+        from_(costs_.size(), no_node) {}
+
+  /// Nodes from the start to the end; empty where none was found.
+  std::vector<std::size_t> shortest() {
+    for (std::size_t mode = 0; mode < modes_.size(); ++mode)
+      if (stations_.sign(0, mode) != 0) relax(no_node, mode, {0, 0.0});
+    while (!open_.empty()) {
+      const auto [cost, node] = open_.top();
+      open_.pop();
+      if (cost != costs_[node]) continue;
+      if (station(node) + 1 == stations_.count()) return trace(node);
+      expand(node, cost);
+    }
+    return {};
+  }
+
+  std::size_t station(std::size_t node) const { return node / modes_.size(); }
+  const WorkingMode& mode(std::size_t node) const { return modes_[node % modes_.size()]; }
+  const PostureChange& change_to(std::size_t node) const { return changes_.at(node); }
+
+ private:
+  using Open = std::pair<Cost, std::size_t>;
+
+  void expand(std::size_t node, const Cost& cost) {
+    const std::size_t at = station(node), mode = node % modes_.size();
+    if (stations_.is_free(at, mode)) relax(node, node + modes_.size(), cost);
+    for (std::size_t leg = 0; leg < legs_; ++leg) expand_change(node, leg, cost);
+  }
+
+  void expand_change(std::size_t node, std::size_t leg, const Cost& cost) {
+    const std::size_t at = station(node), mode = node % modes_.size();
+    WorkingMode flipped = modes_[mode];
+    flipped.set_sign(leg, -flipped.sign(leg));
+    const auto other =
+        static_cast<std::size_t>(std::find(modes_.begin(), modes_.end(), flipped) - modes_.begin());
+    if (other == modes_.size() || stations_.sign(at, other) != stations_.sign(at, mode)) return;
+    const std::size_t next = at * modes_.size() + other;
+    if (costs_[next] <= Cost{cost.first + 1, cost.second}) return;
+    auto change = search_.find(stations_.at(at).pose, mode, leg, stations_.sign(at, mode));
+    if (!change) return;
+    change->time = stations_.at(at).time;
+    if (relax(node, next, {cost.first + 1, cost.second + change->detour})) changes_[next] = *change;
+  }
+
+  bool relax(std::size_t from, std::size_t to, const Cost& cost) {
+    if (costs_[to] <= cost) return false;
+    costs_[to] = cost;
+    from_[to] = from;
+    open_.push({cost, to});
+    return true;
+  }
+
+  std::vector<std::size_t> trace(std::size_t node) const {
+    std::vector<std::size_t> nodes;
+    for (; node != no_node; node = from_[node]) nodes.push_back(node);
+    std::reverse(nodes.begin(), nodes.end());
+    return nodes;
+  }
+
+  const Stations& stations_;
+  std::vector<WorkingMode> modes_;
+  std::size_t legs_;
+  PostureChangeSearch search_;
+  std::vector<Cost> costs_;                       // by node
+  std::vector<std::size_t> from_;                 // the node before
+  std::map<std::size_t, PostureChange> changes_;  // that lead to nodes
+  std::priority_queue<Open, std::vector<Open>, std::greater<>> open_;
+};
+
+ChangingPath path_of(const LiftGraph& graph, const Stations& stations,
+                     const std::vector<std::size_t>& nodes) {
+  ChangingPath result;
+  result.answer = TrajectoryAnswer::safe;
+  const auto time = [&](std::size_t node) { return stations.at(graph.station(node)).time; };
+  result.pieces.push_back({graph.mode(nodes.front()), time(nodes.front()), time(nodes.front())});
+  for (std::size_t i = 1; i < nodes.size(); ++i) {
+    result.pieces.back().end = time(nodes[i]);
+    if (graph.station(nodes[i]) != graph.station(nodes[i - 1])) continue;
+    result.changes.push_back(graph.change_to(nodes[i]));
+    result.pieces.push_back({graph.mode(nodes[i]), time(nodes[i]), time(nodes[i])});
+  }
+  result.reason = result.changes.empty()
+                      ? "Proved: all of the path can be done in one working mode."
+                      : "Proved: all of the path can be done with " + std::to_string(result.changes.size()) +
+                            (result.changes.size() == 1 ? " change" : " changes") + " of posture.";
+  return result;
+}
+
+}  // namespace
+
+ChangingPath choose_posture_changes(const SegmentCertifier& certifier,
+                                    const std::vector<PoseWaypoint>& waypoints) {
+  const Stations stations(certifier, waypoints);
+  if (stations.nowhere())
+    return {TrajectoryAnswer::unsafe,
+            "Proved: at " + number_text(*stations.nowhere(), 9) + " s the pose lies in no aspect.",
+            {},
+            {}};
+  LiftGraph graph(*certifier.manipulator(), stations);
+  const std::vector<std::size_t> nodes = graph.shortest();
+  if (!nodes.empty()) return path_of(graph, stations, nodes);
+  return {TrajectoryAnswer::unknown,
+          "No changes of posture were found that let all of the path be done, which proves nothing.",
+          {},
+          {}};
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/motion/choose_working_mode.h"
+
+#include "motion/check/trajectory_survey.h"
+#include "motion/choose/path_clearance.h"
+#include "motion/choose/path_effort.h"
+#include "parallel_aspects/distance/boundary_distances.h"
+#include "parallel_aspects/kinematics/inverse.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace parallel_aspects {
+namespace {
+
+constexpr std::array<Preference, 3> all_preferences{Preference::clear, Preference::travel, Preference::fast};
+
+bool all_finite(const std::vector<PoseWaypoint>& waypoints) {
+  return std::all_of(waypoints.begin(), waypoints.end(), [](const PoseWaypoint& waypoint) {
+    return std::isfinite(waypoint.time) && waypoint.pose.position.allFinite() &&
+           waypoint.pose.orientation.coeffs().allFinite();
+  });
+}
+
+bool reaches_start(const Manipulator& manipulator, const std::vector<PoseWaypoint>& waypoints,
+                   const WorkingMode& mode) {
+  return inverse(manipulator, waypoints.front().pose, mode).status != InverseStatus::out_of_reach;
+}
+
+bool has_velocity_limit(const Manipulator& manipulator) {
+  return std::any_of(manipulator.legs().begin(), manipulator.legs().end(),
+                     [](const Leg& leg) { return std::isfinite(leg.limits.velocity); });
+}
+
+/// Of a start that inverse kinematics says to be out of reach.
+TrajectoryCheck fail_at_start(const SegmentCertifier& certifier, const PoseWaypoint& start,
+                              const WorkingMode& mode) {
+  TrajectoryCheck check;
+  check.free_until = start.time;
+  const ConfigurationProof proof = certifier.prove(start.pose, mode);
+  if (proof.proved_violation == Violation::none) {
+    check.reason = "The start is too close to a singularity or a limit to be determined.";
+    return check;
+  }
+  check.answer = TrajectoryAnswer::unsafe;
+  check.violation =
+      TrajectoryViolation{proof.proved_violation, proof.leg, proof.failing, start.time, start.time};
+  check.reason = "Proved: " + violation_text(*certifier.manipulator(), *check.violation) + " at the start.";
+  return check;
+}
+
+/// Safe ones come first, then unknown ones.
+int rank(TrajectoryAnswer answer) {
+  return answer == TrajectoryAnswer::safe ? 0 : answer == TrajectoryAnswer::unknown ? 1 : 2;
+}
+
+/// Smaller is better.
+double cost(const ModeOnPath& mode, Preference preference) {
+  switch (preference) {
+    case Preference::clear:
+      return -mode.clearance->lower;
+    case Preference::travel:
+      return mode.total_travel();
+    case Preference::fast:
+      break;
+  }
+  return mode.least_time;
+}
+
+bool is_better(const ModeOnPath& a, const ModeOnPath& b, Preference preference) {
+  if (a.check.answer != b.check.answer) return rank(a.check.answer) < rank(b.check.answer);
+  if (a.check.answer != TrajectoryAnswer::safe) return a.check.free_until > b.check.free_until;
+  return cost(a, preference) < cost(b, preference);
+}
+
+class PathSurvey {
+ public:
+  PathSurvey(const SegmentCertifier& certifier, const std::vector<PoseWaypoint>& waypoints,
+             const PathChoiceOptions& options)
+      : certifier_(certifier),
+        manipulator_(*certifier.manipulator()),
+        waypoints_(waypoints),
+        options_(options),
+        meter_(certifier.manipulator()) {}
+
+  ModeOnPath look_at(const WorkingMode& mode) {
+    ModeOnPath result;
+    result.mode = mode;
+    if (is_cancelled(options_.control)) {
+      result.check.free_until = waypoints_.front().time;
+      result.check.reason = "Not looked at: the question was cancelled.";
+      return result;
+    }
+    result.determinant_sign = certifier_.prove(waypoints_.front().pose, mode).sign;
+    if (options_.map != nullptr) result.aspect = options_.map->locate(waypoints_.front().pose, mode).aspect;
+    result.check = reaches_start(manipulator_, waypoints_, mode)
+                       ? check_trajectory(certifier_, waypoints_, mode, options_.check)
+                       : fail_at_start(certifier_, waypoints_.front(), mode);
+    if (result.check.answer != TrajectoryAnswer::safe) return result;
+    result.clearance = measure_clearance(meter_, manipulator_, waypoints_, mode, options_.measures);
+    PathEffort effort = effort_of(manipulator_, waypoints_, mode);
+    result.travel = std::move(effort.travel);
+    result.least_time = effort.least_time;
+    return result;
+  }
+
+ private:
+  const SegmentCertifier& certifier_;
+  const Manipulator& manipulator_;
+  const std::vector<PoseWaypoint>& waypoints_;
+  const PathChoiceOptions& options_;
+  BoundaryDistanceMeter meter_;
+};
+
+/// `modes` are sorted.
+void conclude(PathChoice& choice) {
+  const auto count = [&](TrajectoryAnswer answer) {
+    return std::count_if(choice.modes.begin(), choice.modes.end(),
+                         [&](const ModeOnPath& mode) { return mode.check.answer == answer; });
+  };
+  const auto safe = count(TrajectoryAnswer::safe), unknown = count(TrajectoryAnswer::unknown);
+  choice.answer = safe > 0      ? TrajectoryAnswer::safe
+                  : unknown > 0 ? TrajectoryAnswer::unknown
+                                : TrajectoryAnswer::unsafe;
+  const std::string all = std::to_string(choice.modes.size());
+  if (safe > 0)
+    choice.reason = "Proved: all of the path can be done in " + std::to_string(safe) + " of " + all +
+                    " working modes, best in " + to_string(choice.modes.front().mode) + ".";
+  else if (unknown > 0)
+    choice.reason = "In no working mode is all of the path proved to be safe, but in " +
+                    std::to_string(unknown) + " of " + all + " it could be.";
+  else
+    choice.reason = "Proved: in none of the " + all + " working modes can all of the path be done.";
+}
+
+}  // namespace
+
+double ModeOnPath::total_travel() const noexcept {
+  return std::accumulate(travel.begin(), travel.end(), 0.0);
+}
+
+// A first pose out of reach is the last problem there is, and it rules out a working mode, not the path.
+Problems problems_of(const Manipulator& manipulator, const std::vector<PoseWaypoint>& waypoints,
+                     Preference preference) {
+  const WorkingMode mode = working_modes(manipulator).front();
+  Problems problems = problems_of(manipulator, waypoints, mode);
+  if (!problems.empty() && !waypoints.empty() && all_finite(waypoints) &&
+      !reaches_start(manipulator, waypoints, mode))
+    problems.pop_back();
+  if (preference == Preference::fast && !has_velocity_limit(manipulator))
+    problems.push_back("No actuated joint of '" + manipulator.name() +
+                       "' has a velocity limit, so that no time can be told; state them in the URDF, or "
+                       "prefer clear or travel.");
+  return problems;
+}
+
+PathChoice choose_working_mode(const SegmentCertifier& certifier, const std::vector<PoseWaypoint>& waypoints,
+                               const PathChoiceOptions& options) {
+  PathSurvey survey(certifier, waypoints, options);
+  PathChoice choice;
+  for (const WorkingMode& mode : working_modes(*certifier.manipulator()))
+    choice.modes.push_back(survey.look_at(mode));
+  std::stable_sort(choice.modes.begin(), choice.modes.end(), [&](const ModeOnPath& a, const ModeOnPath& b) {
+    return is_better(a, b, options.preference);
+  });
+  conclude(choice);
+  return choice;
+}
+
+const char* name(Preference preference) noexcept {
+  switch (preference) {
+    case Preference::clear:
+      return "clear";
+    case Preference::travel:
+      return "travel";
+    case Preference::fast:
+      break;
+  }
+  return "fast";
+}
+
+std::optional<Preference> preference_named(const std::string& name) {
+  for (const Preference preference : all_preferences)
+    if (name == parallel_aspects::name(preference)) return preference;
+  return std::nullopt;
+}
+
+}  // namespace parallel_aspects

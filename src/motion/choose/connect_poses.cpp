@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "motion/choose/path_clearance.h"
+#include "motion/choose/path_pieces.h"
+#include "parallel_aspects/motion/choose_working_mode.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace parallel_aspects {
+namespace {
+
+constexpr int measures = 400;
+
+bool is_separate(const AspectMap& map, int first, int second) {
+  const std::vector<int>& unresolved = map.aspects()[static_cast<std::size_t>(first - 1)].unresolved_with;
+  return std::find(unresolved.begin(), unresolved.end(), second) == unresolved.end();
+}
+
+/// The poses of a path, a second apart.
+std::vector<PoseWaypoint> timed(const std::vector<Pose>& path) {
+  std::vector<PoseWaypoint> waypoints;
+  waypoints.reserve(path.size());
+  for (const Pose& pose : path) waypoints.push_back({static_cast<double>(waypoints.size()), pose});
+  return waypoints;
+}
+
+Pose pose_at(const std::vector<PoseWaypoint>& waypoints, double time) {
+  const auto segment = std::min(static_cast<std::size_t>(time), waypoints.size() - 2);
+  return waypoint_between(waypoints, segment, time - static_cast<double>(segment)).pose;
+}
+
+}  // namespace
+
+void ask_map(const AspectMap& map, const PoseInMode& first, const PoseInMode& second,
+             AspectComparison& comparison) {
+  const Location start = map.locate(first.pose, first.mode), end = map.locate(second.pose, second.mode);
+  if (!start || !end) return;
+  if (start.aspect == end.aspect)
+    comparison = {SameAspect::yes, "The map proves it: both are in the same connected set of boxes.", {}, 0};
+  else if (is_separate(map, start.aspect, end.aspect))
+    comparison = {SameAspect::no, "The map proves the two aspects separate.", {}, 0};
+}
+
+Connection connect_poses(const PoseRoadmap& roadmap, const AspectMap* map, const PoseInMode& first,
+                         const PoseInMode& second) {
+  Connection result;
+  result.comparison = same_aspect(roadmap, first, second);
+  if (result.comparison.searched_sign != 0 && map != nullptr) ask_map(*map, first, second, result.comparison);
+  if (result.comparison.path.size() < 2) return result;
+  const std::vector<PoseWaypoint> path = timed(result.comparison.path);
+  BoundaryDistanceMeter meter(roadmap.certifier().manipulator());
+  result.clearance = measure_clearance(meter, *roadmap.certifier().manipulator(), path, first.mode, measures);
+  result.narrowest = pose_at(path, result.clearance->time);
+  return result;
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros/node/choice_queries.h"
+
+#include "ros/messages/choice_messages.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace parallel_aspects {
+namespace {
+
+Status invalid(std::string message) { return make_status(Status::INVALID_REQUEST, std::move(message)); }
+
+/// What belongs to the other kind of question; empty where nothing does.
+std::string foreign_field(const ChooseWorkingMode::Request& request) {
+  if (request.kind == ChooseWorkingMode::Request::PATH) {
+    if (!request.coordinates.empty() || !request.lower.empty() || !request.upper.empty())
+      return "A path has no ranges; leave coordinates, lower and upper empty, or ask with kind 1 (region).";
+    return "";
+  }
+  if (!request.poses.empty() || !request.times.empty() || !request.prefer.empty() || request.changes)
+    return "A region has no path; leave poses, times, prefer and changes empty, or ask with kind 0 (path).";
+  return "";
+}
+
+/// The working modes that are asked for; empty where one of them does not exist.
+std::vector<WorkingMode> modes_of(const Manipulator& manipulator, const std::vector<std::int8_t>& signs) {
+  const std::vector<WorkingMode> all = working_modes(manipulator);
+  if (std::all_of(signs.begin(), signs.end(), [](std::int8_t sign) { return sign == 0; })) return all;
+  const auto mode = WorkingMode::from_signs({signs.begin(), signs.end()});
+  return mode && std::find(all.begin(), all.end(), *mode) != all.end() ? std::vector<WorkingMode>{*mode}
+                                                                       : std::vector<WorkingMode>{};
+}
+
+}  // namespace
+
+ChoiceQueries::ChoiceQueries(std::shared_ptr<const Manipulator> manipulator, const MapWorker& worker,
+                             PoseTransformer to_base)
+    : manipulator_(std::move(manipulator)),
+      worker_(worker),
+      to_base_(std::move(to_base)),
+      certifier_(manipulator_) {}
+
+ChooseWorkingMode::Response ChoiceQueries::answer(const ChooseWorkingMode::Request& request) const {
+  ChooseWorkingMode::Response response;
+  response.answer = response.answer_with_changes = ModeChoice::UNKNOWN;
+  const std::string foreign = foreign_field(request);
+  if (request.kind > ChooseWorkingMode::Request::REGION)
+    response.status = invalid("kind must be 0 (path) or 1 (region).");
+  else if (!foreign.empty())
+    response.status = invalid(foreign);
+  else
+    response.status = request.kind == ChooseWorkingMode::Request::PATH ? choose_for_path(request, response)
+                                                                       : choose_for_region(request, response);
+  return response;
+}
+
+Status ChoiceQueries::choose_for_path(const ChooseWorkingMode::Request& request,
+                                      ChooseWorkingMode::Response& response) const {
+  PathChoiceOptions options;
+  const auto preference = request.prefer.empty() ? Preference::clear : preference_named(request.prefer);
+  if (!preference) return invalid("prefer must be clear, travel or fast, or empty for clear.");
+  options.preference = *preference;
+  std::vector<PoseWaypoint> waypoints;
+  Status status = read_path(request, waypoints);
+  if (status.code != Status::OK) return status;
+  const Problems problems = problems_of(*manipulator_, waypoints, *preference);
+  if (!problems.empty()) return invalid(problems.front());
+  const auto map = worker_.map();
+  options.map = map.get();
+  write_choice(choose_working_mode(certifier_, waypoints, options), response);
+  if (request.changes) write_changes(*manipulator_, choose_posture_changes(certifier_, waypoints), response);
+  return status;
+}
+
+Status ChoiceQueries::choose_for_region(const ChooseWorkingMode::Request& request,
+                                        ChooseWorkingMode::Response& response) const {
+  Problems problems;
+  const RegionQuestion question = region_of(*manipulator_, request, problems);
+  if (problems.empty()) problems = problems_of(*manipulator_, question);
+  if (!problems.empty()) return invalid(problems.front());
+  write_choice(*manipulator_, choose_working_mode(manipulator_, question), response);
+  return {};
+}
+
+Status ChoiceQueries::read_path(const ChooseWorkingMode::Request& request,
+                                std::vector<PoseWaypoint>& waypoints) const {
+  if (!request.times.empty() && request.times.size() != request.poses.size())
+    return invalid("times must be empty, or have an entry for each of poses.");
+  Status status;
+  for (std::size_t i = 0; i < request.poses.size(); ++i) {
+    geometry_msgs::PoseStamped message;
+    message.header = request.header;
+    message.pose = request.poses[i];
+    Pose pose;
+    const Status read = read_pose(message, "Pose " + std::to_string(i + 1), pose);
+    if (read.code != Status::OK) return read;
+    if (status.message.empty()) status = read;
+    waypoints.push_back({request.times.empty() ? static_cast<double>(i) : request.times[i], pose});
+  }
+  return status;
+}
+
+Status ChoiceQueries::read_pose(const geometry_msgs::PoseStamped& message, const std::string& which,
+                                Pose& pose) const {
+  std::string failure;
+  const auto in_base = to_base_(message, failure);
+  if (!in_base) return make_status(Status::NO_TRANSFORM, std::move(failure));
+  const auto found = pose_from_base(*manipulator_, *in_base);
+  if (!found)
+    return invalid(which + " must be finite, and its quaternion of unit length where the platform turns.");
+  pose = *found;
+  const double off = distance_off_task_space(*manipulator_, *in_base);
+  if (!(off > 1e-6 * manipulator_->size())) return {};
+  return make_status(Status::OK,
+                     which + " is " + std::to_string(off) +
+                         " m off the motions of the platform; the answer is about its projection.");
+}
+
+// One for all questions: the same question gets the same answer.
+std::shared_ptr<const PoseRoadmap> ChoiceQueries::roadmap() const {
+  if (const auto known = worker_.known().roadmap) return known;
+  const std::lock_guard<std::mutex> lock(roadmap_mutex_);
+  if (!roadmap_) roadmap_ = compute_pose_roadmap(manipulator_).roadmap;
+  return roadmap_;
+}
+
+Connect::Response ChoiceQueries::answer(const Connect::Request& request) const {
+  Connect::Response response;
+  const std::vector<WorkingMode> modes = modes_of(*manipulator_, request.working_mode);
+  if (modes.empty()) {
+    response.status =
+        invalid("working_mode must have a sign, 1 or -1, for each leg that has two, or be empty.");
+    return response;
+  }
+  Pose start, goal;
+  response.status = read_pose(request.start, "start", start);
+  if (response.status.code != Status::OK) return response;
+  const Status read = read_pose(request.goal, "goal", goal);
+  if (read.code != Status::OK || response.status.message.empty()) response.status = read;
+  if (read.code != Status::OK) return response;
+  const auto known = roadmap();
+  if (!known) {
+    response.status =
+        make_status(Status::FAILED, "The legs leave the positions unbounded; limit the actuated joints.");
+    return response;
+  }
+  const auto map = worker_.map();
+  for (const WorkingMode& mode : modes)
+    response.answers.push_back(connection_message(
+        *manipulator_, mode, connect_poses(*known, map.get(), {start, mode}, {goal, mode})));
+  return response;
+}
+
+}  // namespace parallel_aspects
