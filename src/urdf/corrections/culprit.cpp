@@ -38,6 +38,7 @@ class Search {
   std::optional<std::string> run() {
     if (auto message = other_base()) return message;
     if (auto message = CorrectionSearch(tree_, resolved_, true, files_, attempt_).of_frames()) return message;
+    if (auto message = CorrectionSearch(tree_, resolved_, true, files_, attempt_).of_chains()) return message;
     if (is_one_type())
       if (auto message = other_type(ClosureType::point)) return message;
     const Eigen::VectorXd& values = assembled_.assembly ? assembled_.assembly->values : assembled_.closest;

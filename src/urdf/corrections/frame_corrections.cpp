@@ -3,6 +3,7 @@
 
 #include "urdf/closing/assembly.h"
 #include "urdf/corrections/anchors.h"
+#include "urdf/corrections/tree_changes.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -20,23 +21,6 @@ constexpr std::size_t max_open = 12;  // links that a closure may lack
 
 bool contains(const Links& links, std::size_t link) {
   return std::find(links.begin(), links.end(), link) != links.end();
-}
-
-// Fixed to `parent` by a joint that stays as it is; those nearer to the root come first again.
-void hang(Tree& tree, std::size_t joint, std::size_t parent) {
-  tree.joints[joint].parent = parent;
-  std::vector<bool> placed(tree.links.size(), false);
-  placed.front() = true;
-  std::vector<TreeJoint> joints;
-  while (joints.size() < tree.joints.size())
-    for (const TreeJoint& next : tree.joints) {
-      if (!placed[next.parent] || placed[next.child]) continue;
-      placed[next.child] = true;
-      tree.joint_above[next.child] = joints.size();
-      if (next.variable) tree.movable[*next.variable] = joints.size();
-      joints.push_back(next);
-    }
-  tree.joints = std::move(joints);
 }
 
 class FrameCorrections {

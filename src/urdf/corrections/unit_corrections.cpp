@@ -4,8 +4,11 @@
 #include "model/number_text.h"
 #include "urdf/corrections/correction_text.h"
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +18,10 @@ namespace {
 constexpr double out_of_scale = 30.0;   // of limits in mm against the robot in m, at least
 constexpr double metres = 1e-3;         // in a millimetre
 constexpr double widest_robot = 100.0;  // [m]; wider ones are taken for such in millimetres
+
+constexpr double most_radians = 6.9;  // that somebody writes for an angle
+constexpr double same_angle = 1e-6;   // [rad]
+constexpr int max_half_degrees = 2 * 360;
 
 std::string number(double value) { return number_text(value, 6); }
 
@@ -69,6 +76,65 @@ Correction metres_for_lengths(const Tree& tree, double size, const SourceNames& 
           }};
 }
 
+// The degrees, in halves, that an angle read as radians came of; small ones may be radians.
+std::optional<double> degrees_of(double radians) {
+  if (std::abs(radians) < same_angle) return 0.0;
+  for (int halves = -max_half_degrees; halves <= max_half_degrees; ++halves) {
+    const double degrees = 0.5 * halves;
+    if (std::abs(degrees) > most_radians &&
+        std::abs(std::remainder(degrees - radians, 2.0 * EIGEN_PI)) < same_angle)
+      return degrees;
+  }
+  return std::nullopt;
+}
+
+// Nothing where some are not, or all are zero. One rotation has two sets of angles.
+std::optional<Eigen::Vector3d> as_if_in_degrees(const Eigen::Vector3d& angles) {
+  const Eigen::Vector3d others(angles.x() + EIGEN_PI, EIGEN_PI - angles.y(), angles.z() + EIGEN_PI);
+  for (const Eigen::Vector3d& radians : {angles, others}) {
+    Eigen::Vector3d degrees = Eigen::Vector3d::Zero();
+    bool all = true;
+    for (Eigen::Index k = 0; k < 3; ++k) {
+      const auto found = degrees_of(std::remainder(radians[k], 2.0 * EIGEN_PI));
+      all = all && found;
+      degrees[k] = found.value_or(0.0);
+    }
+    if (all && !degrees.isZero(0.0)) return degrees;
+  }
+  return std::nullopt;
+}
+
+struct Turned {
+  std::size_t joint;        // of the tree
+  Eigen::Vector3d degrees;  // roll, pitch and yaw that were read as radians
+};
+
+// One for all, as who writes degrees does so throughout.
+Correction radians_for_angles(const Tree& tree, const std::vector<Turned>& all, const SourceNames& files) {
+  std::string names, remedy;
+  for (const Turned& turned : all) {
+    const std::string name = "joint '" + tree.joints[turned.joint].name + "'";
+    names += (names.empty() ? "" : ", ") + name + " by rpy " + in_brackets(turned.degrees);
+    remedy += (remedy.empty() ? "write rpy=\"" : " and write rpy=\"") +
+              as_attribute(turned.degrees * EIGEN_PI / 180.0) + "\" in the origin of " + name;
+  }
+  const bool is_one = all.size() == 1;
+  return {is_one ? "joint '" + tree.joints[all.front().joint].name + "'" : "angles",
+          files.urdf + " turns the origin of " + names + " rad, as if in degrees", remedy, true,
+          [all](Tree& changed, ResolvedConfig&) {
+            for (const Turned& turned : all)
+              changed.joints[turned.joint].origin.linear() = rotation_of(turned.degrees * EIGEN_PI / 180.0);
+          }};
+}
+
+std::vector<Turned> turned_in_degrees(const Tree& tree, const LoopJoints& loops) {
+  std::vector<Turned> turned;
+  for (const std::size_t joint : loops.all())
+    if (const auto degrees = as_if_in_degrees(roll_pitch_yaw(tree.joints[joint].origin.linear())))
+      turned.push_back({joint, *degrees});
+  return turned;
+}
+
 }  // namespace
 
 Corrections unit_corrections(const Tree& tree, const LoopJoints& loops, double size,
@@ -77,6 +143,8 @@ Corrections unit_corrections(const Tree& tree, const LoopJoints& loops, double s
   const std::vector<std::size_t> slides = slides_of_millimetres(tree, loops, size);
   if (!slides.empty()) found.push_back(metres_for_limits(tree, slides, size, files));
   if (size > widest_robot) found.push_back(metres_for_lengths(tree, size, files));
+  const std::vector<Turned> turned = turned_in_degrees(tree, loops);
+  if (!turned.empty()) found.push_back(radians_for_angles(tree, turned, files));
   return found;
 }
 
