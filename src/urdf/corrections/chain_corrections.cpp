@@ -249,15 +249,32 @@ std::optional<std::vector<std::size_t>> passive_chain(const Tree& tree, const Re
   return joints.empty() ? std::nullopt : std::optional<std::vector<std::size_t>>(joints);
 }
 
+std::vector<JointMotion> motions_of(const Tree& tree, const std::vector<LegJoint>& part) {
+  std::vector<JointMotion> motions;
+  for (const LegJoint& joint : part) motions.push_back(tree.joint_of(joint.variable).motion);
+  return motions;
+}
+
+// Whether another part is like it: then it is a leg whose actuated joint is not listed.
+bool is_like_a_leg(const Tree& tree, const std::vector<std::vector<LegJoint>>& parts, std::size_t part) {
+  for (std::size_t other = 0; other < parts.size(); ++other)
+    if (other != part && motions_of(tree, parts[other]) == motions_of(tree, parts[part])) return true;
+  return false;
+}
+
 }  // namespace
 
 Corrections chain_corrections(const Tree& tree, const ResolvedConfig& resolved, const ClosureSystem& system,
                               const SourceNames& files) {
   Corrections found;
-  for (const std::vector<LegJoint>& part : joints_by_leg(system, resolved.actuated_joints, files))
-    if (const auto joints = passive_chain(tree, resolved, part))
-      for (Correction& correction : ChainCorrections(tree, files, *joints).find())
-        found.push_back(std::move(correction));
+  const auto parts = joints_by_leg(system, resolved.actuated_joints, files);
+  const std::size_t platform = body_of(tree, resolved.actuated_joints.platform_link);
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const auto joints = passive_chain(tree, resolved, parts[k]);
+    if (!joints || (tree.joints[joints->back()].child != platform && is_like_a_leg(tree, parts, k))) continue;
+    for (Correction& correction : ChainCorrections(tree, files, *joints).find())
+      found.push_back(std::move(correction));
+  }
   return found;
 }
 

@@ -21,18 +21,10 @@ std::string sentence(const Description& robot) {
   return problems.empty() ? "" : problems.front();
 }
 
-// With all remedies of one sentence together, or each of several alone.
 void expect_remedies_work(const Description& robot, const std::string& said) {
-  const std::vector<std::string> remedies = test::remedies(said);
-  EXPECT_FALSE(remedies.empty()) << said;
-  Description all = robot;
-  const bool alone = said.find("each of these corrections alone") != std::string::npos;
-  for (const std::string& remedy : remedies) {
-    all = test::corrected(alone ? robot : all, remedy);
-    if (alone || remedy == remedies.back()) {
-      EXPECT_EQ(test::refusal(all.urdf, all.config), Problems{}) << said;
-    }
-  }
+  const std::vector<Description> corrected = test::followed(robot, said);
+  EXPECT_FALSE(corrected.empty()) << said;
+  for (const Description& one : corrected) EXPECT_EQ(test::refusal(one.urdf, one.config), Problems{}) << said;
 }
 
 Description on_link(const std::string& robot, const std::string& frame, const std::string& parent,
