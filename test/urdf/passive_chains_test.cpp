@@ -325,9 +325,11 @@ TEST(PassiveChain, IsAnArmThatTheToolOfAFiveBarHangsOn) {
   for (const char* wrist : {"fixed", "continuous"}) {
     robot.urdf = replaced(robot.urdf, "name=\"tool_joint\" type=\"fixed\"",
                           "name=\"tool_joint\" type=\"" + std::string(wrist) + "\"");
-    for (const Description& after : corrected(robot, TaskSpace::T2))
-      for (const Leg& leg : test::load(after)->manipulator()->legs())
+    for (const Description& after : corrected(robot, TaskSpace::T2)) {
+      const auto mechanism = test::load(after);
+      for (const Leg& leg : mechanism->manipulator()->legs())
         EXPECT_NEAR(leg.rod_length, leg.name == "leg_1" ? 5.0 : 8.0, 1e-9);
+    }
   }
 }
 

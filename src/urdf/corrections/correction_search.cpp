@@ -106,6 +106,10 @@ std::optional<std::string> CorrectionSearch::of_frames() {
   return std::nullopt;
 }
 
+std::optional<std::string> CorrectionSearch::of_point() {
+  return working_of(point_corrections(*tree_, resolved_, system_, files_));
+}
+
 std::optional<std::string> CorrectionSearch::of_chains() {
   return working_of(chain_corrections(*tree_, resolved_, system_, files_));
 }

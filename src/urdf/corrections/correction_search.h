@@ -31,6 +31,9 @@ class CorrectionSearch {
   /// Those of what closures hold: a message if any works. It lists those of joints that work as well, first.
   std::optional<std::string> of_frames();
 
+  /// Those of a closure that holds another place of the platform than its operational point.
+  std::optional<std::string> of_point();
+
   /// Those of chains between base and platform that no actuated joint is in.
   std::optional<std::string> of_chains();
 

@@ -52,6 +52,7 @@ class Search {
     if (auto message = other_closing_link()) return message;
     if (assembled_.assembly)
       if (auto message = other_operational_point()) return message;
+    if (auto message = CorrectionSearch(tree_, resolved_, true, files_, attempt_).of_point()) return message;
     CorrectionSearch both(tree_, resolved_, true, files_, attempt_);
     if (auto message = both.of_frames_and_actuation()) return message;
     if (!is_known && !mobility_fits())

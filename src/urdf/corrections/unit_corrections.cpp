@@ -15,9 +15,10 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr double out_of_scale = 30.0;   // of limits in mm against the robot in m, at least
-constexpr double metres = 1e-3;         // in a millimetre
-constexpr double widest_robot = 100.0;  // [m]; wider ones are taken for such in millimetres
+constexpr double out_of_scale = 30.0;                   // of limits in mm against the robot in m, at least
+constexpr double shortest_that_is_meant = 1.0 / 150.0;  // of slides of a robot that loads, of its size
+constexpr double millimetre = 1e-3;                     // [m]
+constexpr double widest_robot = 100.0;                  // [m]; wider ones are taken for such in millimetres
 
 constexpr double most_radians = 6.9;  // that somebody writes for an angle
 constexpr double same_angle = 1e-6;   // [rad]
@@ -25,21 +26,35 @@ constexpr int max_half_degrees = 2 * 360;
 
 std::string number(double value) { return number_text(value, 6); }
 
-bool is_far(const JointLimits& limits, double size) {
+// The farther of two limits, or nothing where there are none.
+std::optional<double> farther_limit(const JointLimits& limits) {
   const double lower = std::abs(limits.lower), upper = std::abs(limits.upper);
-  return std::isfinite(lower) && std::isfinite(upper) && std::max(lower, upper) > out_of_scale * size;
+  return std::isfinite(lower) && std::isfinite(upper) ? std::optional<double>(std::max(lower, upper))
+                                                      : std::nullopt;
 }
 
-std::vector<std::size_t> slides_of_millimetres(const Tree& tree, const LoopJoints& loops, double size) {
+// In millimetres where the robot is in metres, or the other way round.
+enum class Unit { millimetres, kilometres };
+
+bool is_in(Unit unit, const JointLimits& limits, double size, double shortest) {
+  const auto farther = farther_limit(limits);
+  if (!farther || *farther == 0.0) return false;
+  return unit == Unit::millimetres ? *farther > out_of_scale * size : *farther < shortest * size;
+}
+
+std::vector<std::size_t> slides_in(Unit unit, const Tree& tree, const LoopJoints& loops, double size,
+                                   double shortest) {
   std::vector<std::size_t> slides;
   for (const std::size_t joint : loops.all())
-    if (tree.joints[joint].motion == JointMotion::prismatic && is_far(tree.joints[joint].limits, size))
+    if (tree.joints[joint].motion == JointMotion::prismatic &&
+        is_in(unit, tree.joints[joint].limits, size, shortest))
       slides.push_back(joint);
   return slides;
 }
 
-Correction metres_for_limits(const Tree& tree, const std::vector<std::size_t>& slides, double size,
+Correction metres_for_limits(Unit unit, const Tree& tree, const std::vector<std::size_t>& slides, double size,
                              const SourceNames& files) {
+  const double metres = unit == Unit::millimetres ? millimetre : 1.0 / millimetre;
   std::string names, remedy;
   for (const std::size_t joint : slides) {
     const JointLimits& limits = tree.joints[joint].limits;
@@ -50,8 +65,8 @@ Correction metres_for_limits(const Tree& tree, const std::vector<std::size_t>& s
   }
   return {"limits of " + names,
           files.urdf + " is " + number_text(size, 3) + " m wide, but has limits of slides, " + names +
-              ", as if in millimetres",
-          remedy, true, [slides](Tree& changed, ResolvedConfig&) {
+              (unit == Unit::millimetres ? ", as if in millimetres" : ", as if divided by 1000"),
+          remedy, true, [slides, metres](Tree& changed, ResolvedConfig&) {
             for (const std::size_t joint : slides) {
               JointLimits& limits = changed.joints[joint].limits;
               limits.lower *= metres;
@@ -68,11 +83,11 @@ Correction metres_for_lengths(const Tree& tree, double size, const SourceNames& 
   const bool is_one = lengths.size() == 1;
   const std::string element = is_one ? "joint '" + lengths.front()->name + "'" : "lengths";
   return {element, files.urdf + " is " + number_text(size, 3) + " m wide, as if in millimetres",
-          is_one ? "write xyz=\"" + as_attribute(metres * lengths.front()->origin.translation()) +
+          is_one ? "write xyz=\"" + as_attribute(millimetre * lengths.front()->origin.translation()) +
                        "\" in the origin of " + element
                  : "write a thousandth of each xyz in the origins of its joints",
           true, [](Tree& changed, ResolvedConfig&) {
-            for (TreeJoint& joint : changed.joints) joint.origin.translation() *= metres;
+            for (TreeJoint& joint : changed.joints) joint.origin.translation() *= millimetre;
           }};
 }
 
@@ -135,23 +150,32 @@ std::vector<Turned> turned_in_degrees(const Tree& tree, const LoopJoints& loops)
   return turned;
 }
 
-}  // namespace
-
-Corrections unit_corrections(const Tree& tree, const LoopJoints& loops, double size,
-                             const SourceNames& files) {
+// `shortest`: of the slides, of the size of the robot.
+Corrections all_corrections(const Tree& tree, const LoopJoints& loops, double size, const SourceNames& files,
+                            double shortest) {
   Corrections found;
-  const std::vector<std::size_t> slides = slides_of_millimetres(tree, loops, size);
-  if (!slides.empty()) found.push_back(metres_for_limits(tree, slides, size, files));
+  for (const Unit unit : {Unit::millimetres, Unit::kilometres}) {
+    if (unit == Unit::kilometres && size > widest_robot) continue;
+    const std::vector<std::size_t> slides = slides_in(unit, tree, loops, size, shortest);
+    if (!slides.empty()) found.push_back(metres_for_limits(unit, tree, slides, size, files));
+  }
   if (size > widest_robot) found.push_back(metres_for_lengths(tree, size, files));
   const std::vector<Turned> turned = turned_in_degrees(tree, loops);
   if (!turned.empty()) found.push_back(radians_for_angles(tree, turned, files));
   return found;
 }
 
+}  // namespace
+
+Corrections unit_corrections(const Tree& tree, const LoopJoints& loops, double size,
+                             const SourceNames& files) {
+  return all_corrections(tree, loops, size, files, 1.0 / out_of_scale);
+}
+
 std::vector<std::string> unit_notes(const Tree& tree, const LoopJoints& loops, double size,
                                     const SourceNames& files) {
   std::vector<std::string> notes;
-  for (const Correction& correction : unit_corrections(tree, loops, size, files))
+  for (const Correction& correction : all_corrections(tree, loops, size, files, shortest_that_is_meant))
     notes.push_back(correction.fault + "; if so, " + correction.remedy + ".");
   return notes;
 }
