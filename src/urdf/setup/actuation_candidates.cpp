@@ -171,14 +171,17 @@ class Combiner {
 JointEvidence find_joint_evidence(const LoopSource& source) {
   const auto count = static_cast<std::size_t>(source.tree.variables());
   const DescribedActuation described = described_actuation(source);
-  JointEvidence evidence{std::vector<bool>(count, false), std::vector<StatedEffort>(count),
-                         std::string(described.element)};
+  JointEvidence evidence{
+      std::vector<bool>(count, false), std::vector<StatedEffort>(count), std::string(described.element), {}};
   const auto variable = [&](const std::string& name) {
     const auto joint = source.tree.joint_named(name);
     return joint ? source.tree.joints[*joint].variable : std::nullopt;
   };
   for (const std::string& name : described.joints)
-    if (const auto joint = variable(name)) evidence.stated[*joint] = true;
+    if (const auto joint = variable(name))
+      evidence.stated[*joint] = true;
+    else
+      evidence.unknown.push_back(name);
   for (const auto* joint = source.robot.FirstChildElement("joint"); joint != nullptr;
        joint = joint->NextSiblingElement("joint"))
     if (const auto found = variable(attribute(joint, "name")))

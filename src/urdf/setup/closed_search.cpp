@@ -226,7 +226,32 @@ class ClosedSearch {
     if (equals.empty()) return false;
     if (equals.size() > 1) ask_for_actuated_joints(equals);
     result_.draft.others.push_back({"actuated_joints", equals.front(), others});
+    add_other_points(platform);
     return true;
+  }
+
+  // Links of the platform beside the one that was taken: those whose names say so as well, and where none
+  // does all that no closure holds.
+  void add_other_points(const Platform& platform) {
+    if (!subject_.answers.operational_point.empty()) return;
+    const std::string taken = result_.draft.operational_point.values.front();
+    const bool is_guess = operational_point_likeness(taken) == 0;
+    std::vector<SetupCandidate> others;
+    for (const std::size_t link : platform.links) {
+      const std::string& name = link_name(link);
+      if (name == taken || others.size() == max_others || is_late()) continue;
+      if (is_guess ? is_closed(link) : operational_point_likeness(name) == 0) continue;
+      SetupDraft draft = result_.draft;
+      draft.operational_point.values = {name};
+      if (loads(draft)) others.push_back({{name}, "on the same body"});
+    }
+    result_.draft.others.push_back({"operational_point", result_.draft.operational_point, others});
+  }
+
+  bool is_closed(std::size_t link) const {
+    return std::any_of(closures_.begin(), closures_.end(), [link](const Closure& closure) {
+      return closure.frames[0].link == link || closure.frames[1].link == link;
+    });
   }
 
   // So that the loader says why it does not.
@@ -365,6 +390,10 @@ class ClosedSearch {
   bool loads(const ActuationCandidate& actuation) const {
     SetupDraft draft = result_.draft;
     draft.actuated_joints = described(actuation);
+    return loads(draft);
+  }
+
+  bool loads(const SetupDraft& draft) const {
     Problems unused;
     return loaded(draft, unused) != nullptr;
   }

@@ -22,6 +22,7 @@ constexpr double distinct = 3.0;  // the second nearest is so many times farther
 
 constexpr std::size_t max_hubs = 4;
 constexpr std::size_t max_orders = 24;  // of ends that nothing tells apart
+constexpr std::size_t max_shared = 3;   // anchors in which two chains meet each
 
 class EndFinder {
  public:
@@ -51,7 +52,9 @@ class EndFinder {
     if (terminal_.empty()) return {};
     for (const Body& hub : hubs_first()) {
       split(hub);
-      add_first(by_position(), by_names());
+      const auto shared = by_names(true);
+      add_first(by_position(), shared ? shared : by_names(false));
+      if (shared) add_first(std::nullopt, by_names(false));
     }
     return result_.pairings;
   }
@@ -73,6 +76,7 @@ class EndFinder {
     split(hubs_first().front());
     add_in_one_point();
     add_orders();
+    add_shared_orders();
     return result_.pairings;
   }
 
@@ -260,8 +264,9 @@ class EndFinder {
     return is_told ? std::optional<std::size_t>(best) : std::nullopt;
   }
 
-  // Every tip has one anchor whose name is more like its own than any other, and the other way round.
-  std::optional<Pairing> by_names() const {
+  // Every tip has one anchor whose name is more like its own than any other, and the other way round; or
+  // where anchors are shared by several, as two legs meet in one joint, every tip has one.
+  std::optional<Pairing> by_names(bool shared) const {
     std::vector<std::size_t> all;
     for (const auto& tips : tips_) all.insert(all.end(), tips.begin(), tips.end());
     if (all.empty() || anchors_.size() < 2) return std::nullopt;
@@ -270,9 +275,10 @@ class EndFinder {
     std::set<std::size_t> taken;
     for (const auto& tips : tips_) {
       const auto pair = likest(tips, likeness);
-      if (!pair || !taken.insert(pair->one).second) continue;
+      if (!pair || (!taken.insert(pair->one).second && !shared)) continue;
       pairing.pairs.push_back(*pair);
     }
+    if (shared && (pairing.pairs.size() < tips_.size() || taken.size() == tips_.size())) return std::nullopt;
     // A chain that ends elsewhere, as the finger of a gripper, is left open where all anchors but some are
     // taken.
     const bool all_tips = pairing.pairs.size() == tips_.size();
@@ -325,6 +331,44 @@ class EndFinder {
     std::vector<std::size_t> chosen;
     extend(chosen, orders);
     add(std::move(orders));
+  }
+
+  // Where two chains meet in each anchor, of which one may carry the platform there: neighbours in the file
+  // share one, in each order of the anchors, beginning with the first chain or with the second.
+  void add_shared_orders() {
+    const std::size_t count = anchors_.size();
+    if (count < 2 || count > max_shared || tips_.size() <= count) return;
+    const auto carrier = carried_anchor();
+    if (tips_.size() + (carrier ? 1 : 0) != 2 * count) return;
+    EqualPairings orders;
+    std::vector<std::size_t> order = anchors_;
+    std::sort(order.begin(), order.end());
+    do {
+      for (const std::size_t first : {0, 1}) add_shared(order, first, carrier, orders);
+    } while (std::next_permutation(order.begin(), order.end()));
+    add(std::move(orders));
+  }
+
+  // The chain that carries the platform is the first where there is one.
+  void add_shared(const std::vector<std::size_t>& order, std::size_t first,
+                  std::optional<std::size_t> carrier, EqualPairings& orders) const {
+    Pairing pairing{{}, "two neighbours in one joint, for whose order nothing else speaks"};
+    const std::size_t carried = carrier ? 1 : 0;
+    const auto anchor_of = [&](std::size_t chain) { return order[(chain + first) / 2 % order.size()]; };
+    if (carrier && anchor_of(0) != *carrier) return;
+    for (std::size_t k = 0; k < tips_.size(); ++k)
+      pairing.pairs.push_back({anchor_of(k + carried), tips_[k].front(), ""});
+    orders.push_back(pairing);
+  }
+
+  // That in the place of the joint that carries the body of the anchors on a chain.
+  std::optional<std::size_t> carried_anchor() const {
+    const auto above = tree_.joint_above[bodies_.links(bodies_.of(anchors_.front())).front()];
+    for (const std::size_t anchor : anchors_)
+      if (above && tree_.joints[*above].motion == JointMotion::revolute &&
+          in_one_place(anchor, tree_.joints[*above].child))
+        return anchor;
+    return std::nullopt;
   }
 
   void extend(std::vector<std::size_t>& chosen, EqualPairings& orders) {

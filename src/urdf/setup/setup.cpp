@@ -39,6 +39,7 @@ class Setup {
         subject_{tree,     bodies_, evidence_, urdf_text, source.files.urdf, source.files.config,
                  answers_, control} {
     result_.robot = tree.name;
+    note_unknown_joints();
   }
 
   SetupResult find() {
@@ -56,6 +57,18 @@ class Setup {
   }
 
  private:
+  // What is stated of joints that are not there, or do not move, speaks for none.
+  void note_unknown_joints() {
+    for (const std::string& name : evidence_.unknown) {
+      const bool is_fixed = tree_.joint_named(name).has_value();
+      Problems unused;
+      result_.notes.push_back(
+          source_.files.urdf + " has a " + evidence_.stated_in + " of joint '" + name + "', " +
+          (is_fixed ? "which is fixed; it counts for nothing."
+                    : "but no such joint" + suggestion(name, movable_joints(tree_), unused)));
+    }
+  }
+
   void problem(const std::string& option, const std::string& kind, const std::string& name,
                const std::vector<std::string>& known) {
     result_.problems.push_back(option + " names " + kind + " '" + name + "', but " + source_.files.urdf +
@@ -99,10 +112,12 @@ class Setup {
     result_.question = found.question;
     if (!found.mechanism) {
       refuse(found);
+      result_.problems.insert(result_.problems.end(), result_.notes.begin(), result_.notes.end());
       return;
     }
     SetupDraft& draft = found.draft;
     draft.task_space = found.mechanism->manipulator()->task_space();
+    draft.notes = result_.notes;
     for (const auto& [key, candidate] :
          {std::pair<const char*, const SetupCandidate*>{"base_link", &draft.base_link},
           {"closures", &draft.closures},
@@ -208,11 +223,12 @@ class Setup {
   }
 
   // Where nothing was tried, each end with what may be the platform.
-  static std::vector<EndPair> first_pairs(const OpenEnds& ends) {
+  std::vector<EndPair> first_pairs(const OpenEnds& ends) const {
     if (!ends.pairings.empty()) return ends.pairings.front().front().pairs;
     std::vector<EndPair> pairs;
     for (const std::size_t link : ends.links)
-      if (ends.platform && link != *ends.platform) pairs.push_back({*ends.platform, link, ""});
+      if (ends.platform && bodies_.of(link) != bodies_.of(*ends.platform))
+        pairs.push_back({*ends.platform, link, ""});
     return pairs;
   }
 

@@ -60,7 +60,8 @@ struct SetupResult {
   std::shared_ptr<const Mechanism> mechanism;  ///< what `config` makes of the URDF
   std::optional<SetupQuestion> question;
   Problems problems;
-  bool cut_short = false;  ///< by the deadline, or since there are too many combinations
+  std::vector<std::string> notes;  ///< on the URDF, a sentence each
+  bool cut_short = false;          ///< by the deadline, or since there are too many combinations
 };
 
 /// Looks for base, loop closures, platform and actuated joints of the URDF, and tries what it finds with

@@ -84,6 +84,7 @@ class Writer {
     single("base_link", "Link that carries the base; poses are given in its frame", draft_.base_link);
     single("operational_point", "Link whose origin is the operational point", draft_.operational_point);
     explain("actuated_joints", "Actuated joints, one a leg", draft_.actuated_joints);
+    for (const std::string& note : draft_.notes) comment(indent, note);
     entry("actuated_joints", yaml(draft_.actuated_joints.values));
     write_task_space();
     write_closures();

@@ -19,7 +19,7 @@ struct SetupDraft {
   std::string closure_type;         ///< of all of them
   std::vector<SetupChoice> others;  ///< what else would do, by key
   std::optional<TaskSpace> task_space;
-  std::vector<std::string> notes;  ///< of the loader
+  std::vector<std::string> notes;  ///< on the URDF
 };
 
 /// As commented YAML.
