@@ -8,6 +8,7 @@
 #include "urdf/setup/name_words.h"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <set>
@@ -278,11 +279,24 @@ class EndFinder {
       if (!pair || (!taken.insert(pair->one).second && !shared)) continue;
       pairing.pairs.push_back(*pair);
     }
-    if (shared && (pairing.pairs.size() < tips_.size() || taken.size() == tips_.size())) return std::nullopt;
+    if (shared && !meets_in_pairs(pairing)) return std::nullopt;
     // A chain that ends elsewhere, as the finger of a gripper, is left open where all anchors but some are
     // taken.
     const bool all_tips = pairing.pairs.size() == tips_.size();
     return all_tips || pairing.pairs.size() > 1 ? std::optional<Pairing>(pairing) : std::nullopt;
+  }
+
+  // Whether every tip has an anchor, and each anchor two of them, but for one in which the chain ends that
+  // carries the platform.
+  bool meets_in_pairs(const Pairing& pairing) const {
+    std::map<std::size_t, int> counts;
+    for (const EndPair& pair : pairing.pairs) ++counts[pair.one];
+    const auto with = [&](int count) {
+      return static_cast<std::size_t>(std::count_if(counts.begin(), counts.end(),
+                                                    [&](const auto& each) { return each.second == count; }));
+    };
+    return pairing.pairs.size() == tips_.size() && with(2) > 0 && with(1) <= 1 &&
+           with(1) + with(2) == counts.size();
   }
 
   std::optional<EndPair> likest(const std::vector<std::size_t>& tips, const EndLikeness& likeness) const {

@@ -128,7 +128,12 @@ INSTANTIATE_TEST_SUITE_P(
         Found{"hung_five_bar", TaskSpace::T2, "table", "tool", {"drive1", "drive2"}},
         Found{"guided_plunger", TaskSpace::T1, "housing", "plunger", {"crank_shaft"}},
         Found{"gripping_five_bar", TaskSpace::T2, "BaseTable", "Hand", {"LeftShoulder", "RightShoulder"}},
-        Found{"clamping_five_bar", TaskSpace::T2, "BaseTable", "Hand", {"LeftShoulder", "RightShoulder"}}));
+        Found{"clamping_five_bar", TaskSpace::T2, "BaseTable", "Hand", {"LeftShoulder", "RightShoulder"}},
+        Found{"octahedral_hexapod",
+              TaskSpace::SE3,
+              "base",
+              "platform",
+              {"piston_a_1", "piston_a_2", "piston_b_1", "piston_b_2", "piston_c_1", "piston_c_2"}}));
 
 std::string urdf_of(const std::string& name) {
   return test::source_file("test/data/setup/" + name + ".urdf");
@@ -162,6 +167,101 @@ Pairs closures_found(const SetupResult& result) {
       for (const std::string& pair : choice.taken.values)
         pairs.insert({pair.substr(0, pair.find('=')), pair.substr(pair.find('=') + 1)});
   return pairs;
+}
+
+// The corners have other words than the legs.
+std::string with_named_corners(std::string hexapod) {
+  for (const auto& [corner, name] :
+       {std::pair{"corner_a", "pin_left"}, {"corner_b", "pin_right"}, {"corner_c", "pin_back"}})
+    hexapod = test::replaced(hexapod, corner, name);
+  return hexapod;
+}
+
+// Two legs meet in each corner; the first leg carries the platform in one.
+TEST(Setup, FindsAllLegsThatMeetInPairs) {
+  const Pairs all{{"corner_a", "rod_a_2_end"},
+                  {"corner_b", "rod_b_1_end"},
+                  {"corner_b", "rod_b_2_end"},
+                  {"corner_c", "rod_c_1_end"},
+                  {"corner_c", "rod_c_2_end"}};
+  EXPECT_EQ(closures_found(set_up_text(urdf_of("octahedral_hexapod"))), all);
+}
+
+TEST(Setup, AsksWhichNeighboursMeetWhereNoNamesTell) {
+  const std::string urdf = with_named_corners(urdf_of("octahedral_hexapod"));
+  const SetupResult result = set_up_text(urdf);
+  EXPECT_FALSE(result.mechanism);
+  ASSERT_TRUE(result.question) << listed(result.problems);
+  EXPECT_EQ(result.question->candidates.size(), 4U);
+  for (const SetupCandidate& candidate : result.question->candidates) {
+    EXPECT_EQ(candidate.values.size(), 5U);
+    const SetupResult answered = set_up_text(urdf, with_closures(candidate.values));
+    ASSERT_TRUE(answered.mechanism) << listed(answered.problems);
+    EXPECT_EQ(answered.mechanism->manipulator()->task_space(), TaskSpace::SE3);
+  }
+}
+
+// "platform_bravo" and "rod_bravo_tip".
+TEST(Setup, TakesWordsThatCountForNumbers) {
+  for (const std::string robot : {"three_rrr", "delta", "stewart"}) {
+    std::string urdf = test::source_file("urdf/" + robot + ".urdf");
+    for (const auto& [number, word] : {std::pair{"1", "alpha"},
+                                       {"2", "bravo"},
+                                       {"3", "charlie"},
+                                       {"4", "delta"},
+                                       {"5", "echo"},
+                                       {"6", "golf"}})
+      for (const std::string after : {"_", "\""})
+        if (const std::string old = "_" + std::string(number) + after; urdf.find(old) != std::string::npos)
+          urdf = test::replaced(urdf, old, "_" + std::string(word) + after);
+    const SetupResult result = set_up_text(urdf);
+    ASSERT_TRUE(result.mechanism) << robot << listed(result.problems);
+    EXPECT_EQ(result.mechanism->manipulator()->task_space(),
+              test::shipped(robot)->manipulator()->task_space());
+    EXPECT_EQ(closures_found(result).count(
+                  robot == "delta"     ? std::set<std::string>{"platform_bravo_left", "rod_bravo_left_tip"}
+                  : robot == "stewart" ? std::set<std::string>{"platform_bravo", "piston_bravo_tip"}
+                                       : std::set<std::string>{"platform_bravo", "rod_bravo_tip"}),
+              1U)
+        << robot;
+  }
+}
+
+// That of another joint is found, and the unknown name is said.
+TEST(Setup, SaysThatATransmissionNamesNoJoint) {
+  std::string transmissions;
+  for (const std::string joint : {"crank_1_joint", "crank_2_jiont", "crank_3_joint"})
+    transmissions += "<transmission name=\"of_" + joint + "\"><joint name=\"" + joint + "\"/></transmission>";
+  const std::string urdf =
+      test::replaced(test::source_file("urdf/three_rrr.urdf"), "</robot>", transmissions + "</robot>");
+  const SetupResult result = set_up_text(urdf);
+  const std::string note =
+      "robot.urdf has a <transmission> of joint 'crank_2_jiont', but no such joint; did you mean "
+      "'crank_2_joint'?";
+  EXPECT_EQ(result.notes, Strings{note});
+  ASSERT_TRUE(result.mechanism) << listed(result.problems);
+  EXPECT_EQ(actuated_joints(*result.mechanism), (Strings{"crank_1_joint", "crank_2_joint", "crank_3_joint"}));
+  EXPECT_NE(result.config.find("of joint 'crank_2_jiont'"), std::string::npos) << result.config;
+}
+
+// Of the body of the platform, a link whose name tells nothing may be meant too.
+TEST(Setup, ListsOtherOperationalPoints) {
+  const std::string pin = R"(<link name="LINK"/><joint name="LINK" type="fixed"><parent link="platform"/>)"
+                          R"(<child link="LINK"/><origin xyz="0.01 0 0"/></joint></robot>)";
+  std::string urdf = test::source_file("urdf/three_rrr.urdf");
+  for (const std::string link : {"gripper_tcp", "screw_hole"})
+    urdf = test::replaced(urdf, "</robot>", test::replaced(pin, "LINK", link));
+  const SetupResult result = set_up_text(urdf);
+  ASSERT_TRUE(result.mechanism) << listed(result.problems);
+  for (const SetupChoice& choice : result.choices) {
+    if (choice.key != "operational_point") continue;
+    EXPECT_EQ(choice.taken.values, Strings{"gripper_tcp"});
+    Strings others;
+    for (const SetupCandidate& other : choice.others) others.push_back(other.values.front());
+    EXPECT_EQ(others.front(), "platform");
+    EXPECT_EQ(std::count(others.begin(), others.end(), "screw_hole"), 0);
+  }
+  EXPECT_NE(result.config.find("Would load too: platform"), std::string::npos) << result.config;
 }
 
 std::string without_numbers(std::string wrist) {
