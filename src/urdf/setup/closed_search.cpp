@@ -83,7 +83,7 @@ class ClosedSearch {
   }
 
   bool is_late() const {
-    return subject_.control.cancelled() || std::chrono::steady_clock::now() > subject_.control.deadline;
+    return subject_.control.cancelled() || ProcessorClock::now() > subject_.control.deadline;
   }
 
   bool stopped() {

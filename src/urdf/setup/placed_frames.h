@@ -17,6 +17,9 @@ struct PlacedFrame {
   Eigen::Vector3d xyz = Eigen::Vector3d::Zero();  ///< in the frame of the link [m]
 };
 
+/// The text for a place [m].
+std::string placed_name(const std::string& link, const Eigen::Vector3d& xyz);
+
 /// Nothing where the text is not written so, as the name of a link.
 std::optional<PlacedFrame> placed_frame(const std::string& text);
 

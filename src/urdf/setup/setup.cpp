@@ -8,6 +8,7 @@
 #include "urdf/setup/open_ends.h"
 #include "urdf/setup/options.h"
 #include "urdf/setup/placed_frames.h"
+#include "urdf/setup/wrist_notes.h"
 
 #include <tinyxml2.h>
 #include <yaml-cpp/yaml.h>
@@ -117,6 +118,9 @@ class Setup {
     }
     SetupDraft& draft = found.draft;
     draft.task_space = found.mechanism->manipulator()->task_space();
+    for (const std::string& note :
+         wrist_notes(tree_, bodies_, *found.mechanism, draft.closures.values, source_.files.urdf))
+      result_.notes.push_back(note);
     draft.notes = result_.notes;
     for (const auto& [key, candidate] :
          {std::pair<const char*, const SetupCandidate*>{"base_link", &draft.base_link},
@@ -142,7 +146,7 @@ class Setup {
     Problems reasons = found.problems;
     try {
       const LoadSearch search{[this] {
-        if (subject_.control.cancelled() || std::chrono::steady_clock::now() > subject_.control.deadline)
+        if (subject_.control.cancelled() || ProcessorClock::now() > subject_.control.deadline)
           throw OutOfTime{};
       }};
       load_mechanism(subject_.urdf_text, subject_.urdf_name, config_text(*found.tried), config, "", search);

@@ -4,9 +4,9 @@
 
 #include "parallel_aspects/model/problems.h"
 #include "parallel_aspects/urdf/mechanism.h"
+#include "urdf/setup/processor_clock.h"
 
 #include <array>
-#include <chrono>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -48,7 +48,7 @@ struct SetupQuestion {
 
 /// When to give up, and what for. Both are looked at before each attempt to assemble the mechanism.
 struct SetupControl {
-  std::chrono::steady_clock::time_point deadline;
+  ProcessorClock::time_point deadline;
   std::function<bool()> cancelled = [] { return false; };
 };
 

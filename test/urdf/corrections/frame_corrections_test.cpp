@@ -270,6 +270,37 @@ TEST(FrameCorrection, IsTwoClosuresThatAreCrossed) {
   expect_remedies_work(legs, said);
 }
 
+// A second stage before the piston of each of these legs.
+Description with_telescopes(const std::string& legs) {
+  Description robot = shipped_text("three_rpr");
+  for (const char leg : legs) {
+    const std::string drive = std::string("drive_") + leg, stage = std::string("stage_") + leg;
+    const std::string above = "<parent link=\"" + drive + "\"/>\n    <child link=\"bar_" + leg + "\"/>";
+    robot.urdf = replaced(robot.urdf, above, replaced(above, drive, stage));
+    robot.urdf = replaced(robot.urdf, "</robot>",
+                          "<link name=\"" + stage + "\"/><joint name=\"" + stage +
+                              "\" type=\"prismatic\"><parent link=\"" + drive + "\"/><child link=\"" + stage +
+                              "\"/><axis xyz=\"1 0 0\"/><limit lower=\"0\" upper=\"2\"/></joint></robot>");
+  }
+  return robot;
+}
+
+TEST(JointCorrection, IsASecondSlideInSeries) {
+  for (const std::string legs : {"1", "2", "123"}) {
+    const Description robot = with_telescopes(legs);
+    const std::string said = sentence(robot);
+    std::vector<std::string> expected;
+    for (const char leg : legs)
+      expected.push_back(std::string("write type=\"fixed\" for joint 'stage_") + leg + "'");
+    EXPECT_EQ(test::remedies(said), expected) << said;
+    EXPECT_NE(said.find("joint 'stage_" + legs.substr(0, 1) + "' in series with 'strut_" + legs.substr(0, 1) +
+                        "_joint'"),
+              std::string::npos)
+        << said;
+    expect_remedies_work(robot, said);
+  }
+}
+
 // At the base, at the start of a rod, and at a crank.
 TEST(FrameCorrection, IsAClosureOfAnotherLinkOfAFiveBar) {
   for (const auto& [frames, wrong, right] :

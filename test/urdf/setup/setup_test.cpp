@@ -23,7 +23,7 @@ namespace {
 using Strings = std::vector<std::string>;
 
 // Long enough for sanitizers on a busy machine; the searches take milliseconds.
-SetupControl patient() { return {std::chrono::steady_clock::now() + std::chrono::minutes(5)}; }
+SetupControl patient() { return {ProcessorClock::now() + std::chrono::minutes(5)}; }
 
 SetupResult set_up_text(const std::string& urdf, const SetupAnswers& answers = {}) {
   return set_up(urdf, "robot.urdf", "robot.yaml", answers, patient());
@@ -244,6 +244,35 @@ TEST(Setup, SaysThatATransmissionNamesNoJoint) {
   EXPECT_NE(result.config.find("of joint 'crank_2_jiont'"), std::string::npos) << result.config;
 }
 
+// A tool behind a wrist on the first rod of a five-bar: the only open end of that chain.
+TEST(Setup, NotesAWristThatIsInALoop) {
+  const std::string quill =
+      R"(<link name="spindle"/><joint name="quill" type="prismatic"><parent link="tool"/>)"
+      R"(<child link="spindle"/><axis xyz="0 0 1"/><limit lower="-1" upper="1"/></joint>)";
+  const auto yaw = [](const std::string& parent) {
+    return R"(<link name="gripper"/><joint name="yaw" type="continuous"><parent link=")" + parent +
+           R"("/><child link="gripper"/><origin xyz="0 0 -0.1"/><axis xyz="0 0 1"/></joint>)";
+  };
+  const std::string five_bar = test::source_file("urdf/five_bar.urdf");
+  for (const auto& [joints, first] :
+       {std::pair{yaw("tool"), "yaw"}, std::pair{quill + yaw("spindle"), "quill"}}) {
+    const std::string urdf = test::replaced(five_bar, "</robot>", joints + "</robot>");
+    const SetupResult result = set_up_text(urdf);
+    ASSERT_TRUE(result.mechanism) << listed(result.problems);
+    ASSERT_EQ(result.notes.size(), 1U);
+    EXPECT_EQ(result.notes.front(),
+              "Joint '" + std::string(first) +
+                  "' of robot.urdf is in a loop and turns there without moving anything "
+                  "else; where it is a wrist behind the platform, close the loop before "
+                  "it, by --closures tool=closing_2.");
+    const SetupResult before = set_up_text(urdf, with_closures({"tool=closing_2"}));
+    ASSERT_TRUE(before.mechanism) << listed(before.problems);
+    EXPECT_EQ(before.notes, Strings{});
+    EXPECT_EQ(before.mechanism->idle_degrees_of_freedom(), 0);
+  }
+  EXPECT_EQ(set_up_text(five_bar).notes, Strings{});
+}
+
 // Of the body of the platform, a link whose name tells nothing may be meant too.
 TEST(Setup, ListsOtherOperationalPoints) {
   const std::string pin = R"(<link name="LINK"/><joint name="LINK" type="fixed"><parent link="platform"/>)"
@@ -355,7 +384,7 @@ TEST(Setup, OffersTheLengthOfOtherRods) {
 
 // Also where time did not suffice to try them.
 TEST(Setup, OffersEachWayToCloseOnce) {
-  const SetupControl none{std::chrono::steady_clock::now()};
+  const SetupControl none{ProcessorClock::now()};
   const SetupResult result = set_up(urdf_of("hung_three_rrr"), "robot.urdf", "robot.yaml", {}, none);
   ASSERT_TRUE(result.question) << listed(result.problems);
   std::set<std::set<std::string>> once;
@@ -424,7 +453,7 @@ TEST(Setup, SaysWhyAnswersDoNotFit) {
 }
 
 TEST(Setup, SaysThatTimeDidNotSufficeForAnAnswer) {
-  const SetupControl none{std::chrono::steady_clock::now()};
+  const SetupControl none{ProcessorClock::now()};
   const SetupResult result = set_up(urdf_of("guided_plunger"), "robot.urdf", "robot.yaml",
                                     with_closures({"plunger=small_end"}), none);
   ASSERT_EQ(result.problems.size(), 1U);
@@ -498,7 +527,7 @@ TEST(Setup, RefusesAnswersThatNameNothing) {
 }
 
 TEST(Setup, EndsWithTheTimeThatItIsGiven) {
-  const SetupControl none{std::chrono::steady_clock::now()};
+  const SetupControl none{ProcessorClock::now()};
   const SetupResult result =
       set_up(test::source_file("urdf/stewart.urdf"), "robot.urdf", "robot.yaml", {}, none);
   EXPECT_TRUE(result.cut_short);
