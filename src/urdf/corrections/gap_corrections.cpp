@@ -91,34 +91,51 @@ class GapCorrections {
   // Those on its parent, where others of them are like each other but for a sign or a turn of the parent:
   // where one more of such a pattern is.
   void add_of_pattern() {
+    const std::vector<Eigen::Isometry3d> others = beside();
+    for (const Eigen::Isometry3d& one : others)
+      for (Eigen::Index k = 0; k < 3; ++k) add_like(one, with_sign(one.translation(), k), others);
+    for (std::size_t k = 0; k < others.size(); ++k)
+      for (std::size_t other = 0; other < others.size(); ++other) {
+        if (k == other) continue;
+        add_turned(others[k].linear() * others[other].linear().transpose(), others[k], others);
+        const Matrix3d turn =
+            Eigen::Quaterniond::FromTwoVectors(others[other].translation(), others[k].translation())
+                .toRotationMatrix();
+        for (const Eigen::Isometry3d& turned : others) add_like(turned, turn * turned.translation(), others);
+      }
+  }
+
+  // The siblings on its parent.
+  std::vector<Eigen::Isometry3d> beside() const {
     std::vector<Eigen::Isometry3d> others;
     for (const std::size_t sibling : loops_.siblings(index_))
       if (tree_.joints[sibling].parent == tree_.joints[index_].parent)
         others.push_back(tree_.joints[sibling].origin);
-    for (const Eigen::Isometry3d& one : others)
-      for (Eigen::Index k = 0; k < 3; ++k) add_like(one, with_sign(one.translation(), k));
-    for (std::size_t k = 0; k < others.size(); ++k)
-      for (std::size_t other = 0; other < others.size(); ++other) {
-        if (k == other) continue;
-        add_turned(others[k].linear() * others[other].linear().transpose(), others[k]);
-        const Matrix3d turn =
-            Eigen::Quaterniond::FromTwoVectors(others[other].translation(), others[k].translation())
-                .toRotationMatrix();
-        for (const Eigen::Isometry3d& turned : others) add_like(turned, turn * turned.translation());
-      }
+    return others;
   }
 
-  void add_turned(const Matrix3d& turn, const Eigen::Isometry3d& other) {
-    const bool is_at_place = (place_ - turn * other.translation()).norm() < rank_tolerance * place_.norm() ||
-                             (place_.isZero(0.0) && other.translation().isZero(0.0));
-    if (is_at_place) add_angles(roll_pitch_yaw(turn * other.linear()), pattern);
+  static bool any_is_like(const Eigen::Isometry3d& one, const std::vector<Eigen::Isometry3d>& others) {
+    return std::any_of(others.begin(), others.end(),
+                       [&](const Eigen::Isometry3d& other) { return one.isApprox(other, rank_tolerance); });
+  }
+
+  // About the origin of the parent, by what turns one of the others into another.
+  void add_turned(const Matrix3d& turn, const Eigen::Isometry3d& other,
+                  const std::vector<Eigen::Isometry3d>& others) {
+    const Eigen::Isometry3d turned = Eigen::Isometry3d(turn) * other;
+    const bool is_at_place = (place_ - turned.translation()).norm() <= rank_tolerance * place_.norm();
+    if (is_at_place && !any_is_like(turned, others)) add_angles(roll_pitch_yaw(turned.linear()), pattern);
   }
 
   // A place of a frame that is turned as this one.
-  void add_like(const Eigen::Isometry3d& other, const Vector3d& place) {
+  void add_like(Eigen::Isometry3d other, const Vector3d& place,
+                const std::vector<Eigen::Isometry3d>& others) {
     const bool is_turned_alike =
         (other.linear() - tree_.joints[index_].origin.linear()).norm() < rank_tolerance;
-    if (is_turned_alike && (place - place_).norm() > rank_tolerance * place.norm()) add_place(place, pattern);
+    other.translation() = place;
+    if (is_turned_alike && (place - place_).norm() > rank_tolerance * place.norm() &&
+        !any_is_like(other, others))
+      add_place(place, pattern);
   }
 
   // Of frames, as those of a leg on the base and on the platform.
