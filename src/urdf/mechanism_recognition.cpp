@@ -9,6 +9,7 @@
 #include "urdf/recognition/passive_chain.h"
 #include "urdf/recognition/passive_limits.h"
 #include "urdf/recognition/platform_motion.h"
+#include "urdf/recognition/rod_pairs.h"
 #include "urdf/symmetrizing.h"
 #include "urdf/trial_poses.h"
 
@@ -72,11 +73,25 @@ class Recogniser {
     if (problems.empty()) problems = of_motion;
     if (!motion || !problems.empty()) return nullptr;
     const auto legs = recognise_legs(found.legs, system, assembly.values, *motion, problems);
+    if (!problems.empty()) explain_turning(found.legs, system, *motion, problems);
     check_task_space(*motion, problems);
     if (!problems.empty()) return nullptr;
     auto contents = build(system, assembly, *motion, legs, passive, problems);
     if (contents) close_trial_poses(*contents, files_, problems);
     return problems.empty() ? std::move(contents) : nullptr;
+  }
+
+  // Legs with rods in pairs are to hold the orientation; where they do not, their joints meet in no point,
+  // but that is not what is wrong.
+  void explain_turning(const std::vector<LegChains>& legs, const ClosureSystem& system,
+                       const PlatformMotion& motion, Problems& problems) const {
+    if (motion.space != TaskSpace::T3 || !motion.point_platform) return;
+    if (const auto reason = reason_to_turn(legs, system.size()))
+      problems = {
+          files_.urdf +
+          " lets the platform turn while it moves, since rods in pairs hold its orientation only where "
+          "they are parallelograms: " +
+          *reason + "."};
   }
 
   // Where the platform does not move as the actuated joints ask, a chain that couples coordinates is a leg

@@ -184,11 +184,15 @@ TEST(FrameCorrection, IsAFixedElbow) {
   }
 }
 
+std::string with_origin_in(std::string urdf, const std::string& joint, const std::string& origin) {
+  const std::size_t at = urdf.find("<origin", urdf.find("<joint name=\"" + joint + "\""));
+  return urdf.replace(at, urdf.find("/>", at) - at, "<origin " + origin);
+}
+
 // The origin of a joint of the Delta.
 Description with_origin(const std::string& joint, const std::string& origin) {
   Description robot = shipped_text("delta");
-  const std::size_t at = robot.urdf.find("<origin", robot.urdf.find("<joint name=\"" + joint + "\""));
-  robot.urdf.replace(at, robot.urdf.find("/>", at) - at, "<origin " + origin);
+  robot.urdf = with_origin_in(robot.urdf, joint, origin);
   return robot;
 }
 
@@ -242,6 +246,27 @@ TEST(FrameCorrection, IsBesideThePatternOfTheOthers) {
     EXPECT_TRUE(has_remedy(said, "write " + remedy)) << said;
     expect_remedies_work(robot, said);
   }
+}
+
+// Where no single correction is known, the pair that is no parallelogram is, or that all are.
+TEST(RodPairs, AreNamedWhereTheyLetThePlatformTurn) {
+  Description robot = with_origin("platform_2_left_joint", "xyz=\"0.045 0.07 0\"");
+  robot.urdf = with_origin_in(robot.urdf, "platform_3_right_joint", "xyz=\"0.06 -0.05 0\"");
+  std::string said = sentence(robot);
+  EXPECT_EQ(
+      said.rfind("robot.urdf lets the platform turn while it moves, since rods in pairs hold its "
+                 "orientation only where they are parallelograms: the rods from 'rod_2_left_pitch_joint' "
+                 "to 'platform_2_left - rod_2_left_tip' and from 'rod_2_right_pitch_joint' to "
+                 "'platform_2_right - rod_2_right_tip' are 0.8 and 0.8 m long, and their ends 0.1 and "
+                 "0.12 m apart; ",
+                 0),
+      0U)
+      << said;
+  robot = with_origin("platform_2_direction_joint", "rpy=\"0 0 2.5\"");
+  robot.urdf = with_origin_in(robot.urdf, "platform_3_direction_joint", "rpy=\"0 0 -1.7\"");
+  said = sentence(robot);
+  EXPECT_NE(said.find("the pairs are parallelograms, but turned against each other"), std::string::npos)
+      << said;
 }
 
 std::string exchanged(std::string text, const std::string& one, const std::string& other) {
