@@ -107,10 +107,9 @@ class Recogniser {
       }
       const std::string names = joint_names_of(one.chains.front());
       if (!moves)
-        problems.push_back(
-            files_.config + " actuates none of the joints " + names +
-            ", which make one leg; add one of them to actuated_joints, or take the leg out of the "
-            "URDF.");
+        problems.push_back(files_.config + " actuates none of the joints " + names +
+                           ", which make one leg; add one of them to " + files_.key("actuated_joints") +
+                           ", or take the leg out of the URDF.");
       else
         problems.push_back(files_.urdf +
                            " joins the platform to the base by a chain without actuated joint, " + names +
@@ -237,7 +236,8 @@ class Recogniser {
       notes.push_back(files_.urdf + " lets actuated joint '" + leg.leg.actuated_joint + "' move by only " +
                       number(range) + (leg.leg.actuated_by_angle() ? " rad" : " m") +
                       ", which leaves next to nothing for a map; widen its limits, or fix the joint and take "
-                      "it out of actuated_joints.");
+                      "it out of " +
+                      files_.key("actuated_joints") + ".");
     }
     return notes;
   }

@@ -227,7 +227,7 @@ class FrameCorrections {
       add({"closure '" + closure.name + "'",
            "no closure of " + files_.config + " joins link " + quoted(loose) + ", which ends a chain of " +
                files_.urdf + ", to link " + quoted(other),
-           "add " + frames + " to mechanism.closures", false,
+           "add " + frames + " to " + files_.full_key("closures"), false,
            [closure](Tree&, ResolvedConfig& resolved) { resolved.closures.push_back(closure); }});
     }
   }

@@ -239,13 +239,12 @@ class ActuationCorrections {
     if (std::any_of(choice.begin(), choice.end(),
                     [this](std::size_t variable) { return tree_.joint_of(variable).mimics; }))
       return;
-    std::string names;
-    for (const std::size_t variable : choice)
-      names += (names.empty() ? "" : ", ") + tree_.joint_of(variable).name;
-    const std::string remedy = "write actuated_joints: [" + names + "]";
+    std::vector<std::string> names;
+    for (const std::size_t variable : choice) names.push_back(tree_.joint_of(variable).name);
+    const std::string remedy = "write " + files_.entry("actuated_joints", names);
     found_.push_back(
-        {like_others ? "actuated_joints" : remedy, files_.config + " " + fault + " in actuated_joints",
-         remedy, like_others,
+        {like_others ? "actuated_joints" : remedy,
+         files_.config + " " + fault + " in " + files_.key("actuated_joints"), remedy, like_others,
          [choice](Tree&, ResolvedConfig& resolved) { resolved.actuated_joints.variables = choice; }});
   }
 

@@ -130,12 +130,12 @@ class Combiner {
     count(chosen == with_effort_, effort_is_meant() ? weight_effort : weight_effort_by_habit,
           "they alone have effort limits above zero");
     count(all(chosen, [&](std::size_t joint) { return says_drive(joint_name(joint)); }), weight_name,
-          "their names tell of drives");
+          "their names tell of actuated joints");
     count(std::any_of(chosen.begin(), chosen.end(),
                       [&](std::size_t joint) { return says_passive(joint_name(joint)); }),
           weight_passive, "");
     count(all(chosen, [&](std::size_t joint) { return at_base(joint); }), weight_at_base,
-          "they are next to the base, where drives usually are");
+          "they are next to the base, where actuated joints usually are");
     count(all(chosen,
               [&](std::size_t joint) { return tree_.joint_of(joint).motion == JointMotion::prismatic; }),
           weight_slide, "they are slides, which are seldom passive");

@@ -362,12 +362,13 @@ class ClosedSearch {
   std::shared_ptr<const Mechanism> loaded(const SetupDraft& draft, Problems& problems) const {
     LoadSearch search;
     search.looks_for_remedies = false;
+    search.as_options = true;
     search.checkpoint = [this] {
       if (is_late()) throw OutOfTime{};
     };
     try {
-      return load_mechanism(subject_.urdf_text, subject_.urdf_name, config_text(draft), subject_.config_name,
-                            "", search);
+      return load_mechanism(subject_.urdf_text, subject_.urdf_name, config_text(draft), name_of_choice, "",
+                            search);
     } catch (const InvalidDescription& invalid) {
       problems = invalid.problems();
     } catch (const OutOfTime&) {

@@ -13,7 +13,6 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr int digits = 12;
 constexpr double same_place = 1e-6;  // [m]
 
 std::vector<std::vector<std::size_t>> joints_below(const Tree& tree) {
@@ -31,11 +30,6 @@ std::optional<Eigen::Vector3d> far_end(const Tree& tree, const std::vector<std::
 }
 
 }  // namespace
-
-std::string placed_name(const std::string& link, const Eigen::Vector3d& xyz) {
-  return link + "@" + number_text(xyz.x(), digits) + ":" + number_text(xyz.y(), digits) + ":" +
-         number_text(xyz.z(), digits);
-}
 
 std::optional<PlacedFrame> placed_frame(const std::string& text) {
   const std::size_t at = text.rfind('@');

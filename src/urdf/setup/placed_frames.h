@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_URDF_SETUP_PLACED_FRAMES_H
 #define PARALLEL_ASPECTS_URDF_SETUP_PLACED_FRAMES_H
 
+#include "urdf/description/command_options.h"
 #include "urdf/description/tree.h"
 
 #include <Eigen/Core>
@@ -16,9 +17,6 @@ struct PlacedFrame {
   std::string link;
   Eigen::Vector3d xyz = Eigen::Vector3d::Zero();  ///< in the frame of the link [m]
 };
-
-/// The text for a place [m].
-std::string placed_name(const std::string& link, const Eigen::Vector3d& xyz);
 
 /// Nothing where the text is not written so, as the name of a link.
 std::optional<PlacedFrame> placed_frame(const std::string& text);

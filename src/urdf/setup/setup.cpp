@@ -142,14 +142,16 @@ class Setup {
   void refuse(const ClosedResult& found) {
     result_.problems = found.problems;
     if (!found.tried) return;
-    const std::string config = subject_.config_name;
     Problems reasons = found.problems;
     try {
-      const LoadSearch search{[this] {
+      LoadSearch search;
+      search.as_options = true;
+      search.checkpoint = [this] {
         if (subject_.control.cancelled() || ProcessorClock::now() > subject_.control.deadline)
           throw OutOfTime{};
-      }};
-      load_mechanism(subject_.urdf_text, subject_.urdf_name, config_text(*found.tried), config, "", search);
+      };
+      load_mechanism(subject_.urdf_text, subject_.urdf_name, config_text(*found.tried), name_of_choice, "",
+                     search);
     } catch (const InvalidDescription& invalid) {
       reasons = invalid.problems();
     } catch (const OutOfTime&) {
@@ -157,8 +159,7 @@ class Setup {
     result_.problems.clear();
     for (const std::string& reason : reasons)
       result_.problems.push_back(source_.files.urdf + " makes no robot that is treated with " +
-                                 options_for(*found.tried) +
-                                 ", which was tried first: " + said_of_options(reason, config));
+                                 options_for(*found.tried) + ", which was tried first: " + reason);
   }
 
   SetupResult asked_closures() {

@@ -2,8 +2,7 @@
 #include "urdf/setup/wrist_notes.h"
 
 #include "parallel_aspects/model/constraints.h"
-#include "urdf/setup/options.h"
-#include "urdf/setup/placed_frames.h"
+#include "urdf/description/command_options.h"
 
 #include <array>
 #include <optional>

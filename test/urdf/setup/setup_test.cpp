@@ -2,9 +2,9 @@
 // What is found in bare URDFs: the shipped robots, and robots as others write them.
 #include "urdf/setup/setup.h"
 
+#include "urdf/description/source_names.h"
 #include "urdf/load_search.h"
 #include "urdf/setup/name_words.h"
-#include "urdf/setup/options.h"
 
 #include <gtest/gtest.h>
 
@@ -424,17 +424,17 @@ TEST(Setup, RefusesInTheWordsOfItsOptions) {
       << listed(four_bar.problems);
 }
 
+// Of a turntable, of an operational point on a wrist and of missing actuated joints.
 TEST(SetupOptions, StandForTheKeysOfTheLoader) {
-  EXPECT_EQ(
-      said_of_options("a.yaml has base_link 'base_link', but joint 'x' moves all loops; write base_link: "
-                      "column and actuated_joints: [a, b].",
-                      "a.yaml"),
-      "this choice has --base 'base_link', but joint 'x' moves all loops; write --base column and "
-      "--actuated 'a b'.");
-  EXPECT_EQ(said_of_options("a.yaml has operational_point 'p'; write operational_point: q.", "a.yaml"),
-            "this choice has --platform 'p'; write --platform q.");
-  EXPECT_EQ(said_of_options("list more actuated_joints, or correct closures that hold too little.", "a.yaml"),
-            "list more --actuated, or correct closures that hold too little.");
+  const SourceNames file{"robot.urdf", "a.yaml"}, options{"robot.urdf", "this choice", true};
+  EXPECT_EQ(file.entry("base_link", "column"), "base_link: column");
+  EXPECT_EQ(options.entry("base_link", "column"), "--base column");
+  EXPECT_EQ(file.entry("actuated_joints", Strings{"a", "b"}), "actuated_joints: [a, b]");
+  EXPECT_EQ(options.entry("actuated_joints", Strings{"a", "b"}), "--actuated 'a b'");
+  EXPECT_EQ(file.full_key("operational_point"), "mechanism.operational_point");
+  EXPECT_EQ(options.full_key("operational_point"), "--platform");
+  EXPECT_EQ(options.key("closures"), "--closures");
+  EXPECT_EQ(options.key("task_space"), "task_space");
 }
 
 // The fault is in the answer, not in the closures, which are found.
