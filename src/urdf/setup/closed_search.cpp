@@ -5,6 +5,7 @@
 #include "urdf/closing/planar_layers.h"
 #include "urdf/load_search.h"
 #include "urdf/setup/freedom.h"
+#include "urdf/setup/leg_choices.h"
 #include "urdf/setup/name_words.h"
 
 #include <algorithm>
@@ -124,7 +125,7 @@ class ClosedSearch {
       if (!answer.empty() && bodies_.of(*tree_.link_named(answer)) != body) continue;
       const std::vector<GraphPart> parts = graph_.parts_between(base_, body);
       if (parts.size() < min_parts || parts.size() > max_parts) continue;
-      Platform platform{body, links_of(body), leg_choices(parts), 0};
+      Platform platform{body, links_of(body), leg_choices(tree_, parts), 0};
       platform.likeness = operational_point_likeness(link_name(platform.links.front()));
       if (!platform.legs.empty()) result.push_back(platform);
     }
@@ -143,34 +144,6 @@ class ClosedSearch {
     std::stable_sort(links.begin(), links.end(),
                      [&](std::size_t one, std::size_t other) { return likeness(one) > likeness(other); });
     return links;
-  }
-
-  // All parts; and all but one chain, which is passive where the others move the platform: that which it
-  // hangs on in the tree, or one that is unlike the others, which are alike.
-  std::vector<std::vector<GraphPart>> leg_choices(const std::vector<GraphPart>& parts) const {
-    std::vector<std::vector<GraphPart>> choices;
-    if (is_actuation_count(parts.size())) choices.push_back(parts);
-    for (const bool closed : {false, true})
-      for (std::size_t k = 0; k < parts.size(); ++k) {
-        std::vector<GraphPart> others = parts;
-        others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
-        const bool fits = parts[k].closed == closed && is_actuation_count(others.size());
-        if (fits && (!closed || stands_out(parts[k], others))) choices.push_back(std::move(others));
-      }
-    return choices;
-  }
-
-  bool stands_out(const GraphPart& part, const std::vector<GraphPart>& others) const {
-    const auto motions = motions_of(others.front());
-    return others.size() > 1 && motions_of(part) != motions &&
-           std::all_of(others.begin(), others.end(),
-                       [&](const GraphPart& other) { return motions_of(other) == motions; });
-  }
-
-  std::vector<JointMotion> motions_of(const GraphPart& part) const {
-    std::vector<JointMotion> motions;
-    for (const std::size_t joint : part.variables) motions.push_back(tree_.joint_of(joint).motion);
-    return motions;
   }
 
   std::vector<ActuationCandidate> actuations(const std::vector<GraphPart>& legs) const {

@@ -6,9 +6,9 @@
 #include "urdf/setup/end_likeness.h"
 #include "urdf/setup/left_open.h"
 #include "urdf/setup/name_words.h"
+#include "urdf/setup/shared_ends.h"
 
 #include <algorithm>
-#include <map>
 #include <numeric>
 #include <optional>
 #include <set>
@@ -23,7 +23,6 @@ constexpr double distinct = 3.0;  // the second nearest is so many times farther
 
 constexpr std::size_t max_hubs = 4;
 constexpr std::size_t max_orders = 24;  // of ends that nothing tells apart
-constexpr std::size_t max_shared = 3;   // anchors in which two chains meet each
 
 class EndFinder {
  public:
@@ -77,7 +76,7 @@ class EndFinder {
     split(hubs_first().front());
     add_in_one_point();
     add_orders();
-    add_shared_orders();
+    add(shared_orders(anchors_, tips_, carried_anchor()));
     return result_.pairings;
   }
 
@@ -279,24 +278,11 @@ class EndFinder {
       if (!pair || (!taken.insert(pair->one).second && !shared)) continue;
       pairing.pairs.push_back(*pair);
     }
-    if (shared && !meets_in_pairs(pairing)) return std::nullopt;
+    if (shared && !meets_in_pairs(pairing, tips_.size())) return std::nullopt;
     // A chain that ends elsewhere, as the finger of a gripper, is left open where all anchors but some are
     // taken.
     const bool all_tips = pairing.pairs.size() == tips_.size();
     return all_tips || pairing.pairs.size() > 1 ? std::optional<Pairing>(pairing) : std::nullopt;
-  }
-
-  // Whether every tip has an anchor, and each anchor two of them, but for one in which the chain ends that
-  // carries the platform.
-  bool meets_in_pairs(const Pairing& pairing) const {
-    std::map<std::size_t, int> counts;
-    for (const EndPair& pair : pairing.pairs) ++counts[pair.one];
-    const auto with = [&](int count) {
-      return static_cast<std::size_t>(std::count_if(counts.begin(), counts.end(),
-                                                    [&](const auto& each) { return each.second == count; }));
-    };
-    return pairing.pairs.size() == tips_.size() && with(2) > 0 && with(1) <= 1 &&
-           with(1) + with(2) == counts.size();
   }
 
   std::optional<EndPair> likest(const std::vector<std::size_t>& tips, const EndLikeness& likeness) const {
@@ -347,36 +333,9 @@ class EndFinder {
     add(std::move(orders));
   }
 
-  // Where two chains meet in each anchor, of which one may carry the platform there: neighbours in the file
-  // share one, in each order of the anchors, beginning with the first chain or with the second.
-  void add_shared_orders() {
-    const std::size_t count = anchors_.size();
-    if (count < 2 || count > max_shared || tips_.size() <= count) return;
-    const auto carrier = carried_anchor();
-    if (tips_.size() + (carrier ? 1 : 0) != 2 * count) return;
-    EqualPairings orders;
-    std::vector<std::size_t> order = anchors_;
-    std::sort(order.begin(), order.end());
-    do {
-      for (const std::size_t first : {0, 1}) add_shared(order, first, carrier, orders);
-    } while (std::next_permutation(order.begin(), order.end()));
-    add(std::move(orders));
-  }
-
-  // The chain that carries the platform is the first where there is one.
-  void add_shared(const std::vector<std::size_t>& order, std::size_t first,
-                  std::optional<std::size_t> carrier, EqualPairings& orders) const {
-    Pairing pairing{{}, "two neighbours in one joint, for whose order nothing else speaks"};
-    const std::size_t carried = carrier ? 1 : 0;
-    const auto anchor_of = [&](std::size_t chain) { return order[(chain + first) / 2 % order.size()]; };
-    if (carrier && anchor_of(0) != *carrier) return;
-    for (std::size_t k = 0; k < tips_.size(); ++k)
-      pairing.pairs.push_back({anchor_of(k + carried), tips_[k].front(), ""});
-    orders.push_back(pairing);
-  }
-
   // That in the place of the joint that carries the body of the anchors on a chain.
   std::optional<std::size_t> carried_anchor() const {
+    if (anchors_.empty()) return std::nullopt;
     const auto above = tree_.joint_above[bodies_.links(bodies_.of(anchors_.front())).front()];
     for (const std::size_t anchor : anchors_)
       if (above && tree_.joints[*above].motion == JointMotion::revolute &&
