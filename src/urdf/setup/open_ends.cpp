@@ -48,8 +48,7 @@ class EndFinder {
 
   // By what positions and names tell.
   std::vector<EqualPairings> evident() {
-    result_.pairings.clear();
-    if (terminal_.empty()) return {};
+    if (!begin()) return {};
     for (const Body& hub : hubs_first()) {
       split(hub);
       const auto shared = by_names(true);
@@ -61,9 +60,7 @@ class EndFinder {
 
   // Where there is no other way.
   std::vector<EqualPairings> forced() {
-    result_.pairings.clear();
-    if (terminal_.empty()) return {};
-    split(hubs_first().front());
+    if (!begin()) return {};
     if (tips_.size() == 1 && anchors_.size() == 1)
       add({Pairing{{{anchors_[0], tips_[0].front(), ""}}, "they are the only open ends"}});
     return result_.pairings;
@@ -71,10 +68,8 @@ class EndFinder {
 
   // All others that are tried.
   std::vector<EqualPairings> others() {
-    result_.pairings.clear();
-    if (terminal_.empty()) return {};
-    split(hubs_first().front());
-    add_in_one_point();
+    if (!begin()) return {};
+    add(in_one_point(anchors_, tips_));
     add_orders();
     add(shared_orders(anchors_, tips_, carried_anchor()));
     return result_.pairings;
@@ -98,6 +93,13 @@ class EndFinder {
   }
 
  private:
+  // With the likeliest hub; whether there are chains.
+  bool begin() {
+    result_.pairings.clear();
+    if (!terminal_.empty()) split(hubs_first().front());
+    return !terminal_.empty();
+  }
+
   // Of the links of a body that have one origin, the first.
   std::size_t place(std::size_t link) const {
     const std::vector<std::size_t>& links = bodies_.links(bodies_.of(link));
@@ -313,17 +315,6 @@ class EndFinder {
     if (!pairings.empty()) result_.pairings.push_back(std::move(pairings));
   }
 
-  // Legs that have no common body meet in one point.
-  void add_in_one_point() {
-    if (anchors_.size() != 1 || tips_.size() < 2) return;
-    Pairing pairing{{}, "each is the only open end of its chain"};
-    for (const auto& tips : tips_) {
-      if (tips.size() != 1) return;
-      pairing.pairs.push_back({anchors_.front(), tips.front(), ""});
-    }
-    add({pairing});
-  }
-
   // Each order of the anchors, where there are few.
   void add_orders() {
     if (anchors_.size() < tips_.size() || tips_.empty() || anchors_.size() == 1) return;
@@ -399,15 +390,6 @@ OpenEnds find_open_ends(const Tree& tree, const Bodies& bodies) {
   add(without_named.others());
   found.cut_short = without_named.cut_short();
   return found;
-}
-
-std::vector<Closure> closures_of(const Tree& tree, const Pairing& pairing) {
-  std::vector<Closure> closures;
-  for (const EndPair& pair : pairing.pairs)
-    closures.push_back({tree.links[pair.one] + " - " + tree.links[pair.other],
-                        {LinkFrame{pair.one}, LinkFrame{pair.other}},
-                        ClosureType::automatic});
-  return closures;
 }
 
 }  // namespace parallel_aspects

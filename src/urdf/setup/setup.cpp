@@ -6,7 +6,6 @@
 #include "urdf/reading/tree_reader.h"
 #include "urdf/setup/closed_search.h"
 #include "urdf/setup/open_ends.h"
-#include "urdf/setup/options.h"
 #include "urdf/setup/placed_frames.h"
 #include "urdf/setup/wrist_notes.h"
 
@@ -24,6 +23,16 @@ std::vector<std::string> movable_joints(const Tree& tree) {
   std::vector<std::string> names;
   for (const std::size_t joint : tree.movable) names.push_back(tree.joints[joint].name);
   return names;
+}
+
+// Of open type.
+std::vector<Closure> closures_of(const Tree& tree, const Pairing& pairing) {
+  std::vector<Closure> closures;
+  for (const EndPair& pair : pairing.pairs)
+    closures.push_back({tree.links[pair.one] + " - " + tree.links[pair.other],
+                        {LinkFrame{pair.one}, LinkFrame{pair.other}},
+                        ClosureType::automatic});
+  return closures;
 }
 
 struct OutOfTime {};

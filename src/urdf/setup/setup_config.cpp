@@ -2,12 +2,14 @@
 #include "urdf/setup/setup_config.h"
 
 #include "model/number_text.h"
+#include "urdf/description/command_options.h"
 #include "urdf/setup/placed_frames.h"
 
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
 #include <sstream>
+#include <utility>
 
 namespace parallel_aspects {
 namespace {
@@ -143,5 +145,16 @@ class Writer {
 }  // namespace
 
 std::string config_text(const SetupDraft& draft) { return Writer(draft).text(); }
+
+std::string options_for(const SetupDraft& draft) {
+  std::string text;
+  for (const auto& [key, candidate] :
+       {std::pair<const char*, const SetupCandidate*>{"closures", &draft.closures},
+        {"base_link", &draft.base_link},
+        {"operational_point", &draft.operational_point},
+        {"actuated_joints", &draft.actuated_joints}})
+    if (!candidate->values.empty()) text += (text.empty() ? "" : " ") + option_for(key, candidate->values);
+  return text;
+}
 
 }  // namespace parallel_aspects

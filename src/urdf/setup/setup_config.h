@@ -25,6 +25,9 @@ struct SetupDraft {
 /// As commented YAML.
 std::string config_text(const SetupDraft& draft);
 
+/// The options of `aspects setup` that ask for what it says.
+std::string options_for(const SetupDraft& draft);
+
 }  // namespace parallel_aspects
 
 #endif  // PARALLEL_ASPECTS_URDF_SETUP_SETUP_CONFIG_H

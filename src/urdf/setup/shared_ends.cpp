@@ -21,6 +21,17 @@ bool meets_in_pairs(const Pairing& pairing, std::size_t chains) {
   return pairing.pairs.size() == chains && with(2) > 0 && with(1) <= 1 && with(1) + with(2) == counts.size();
 }
 
+EqualPairings in_one_point(const std::vector<std::size_t>& anchors,
+                           const std::vector<std::vector<std::size_t>>& tips) {
+  if (anchors.size() != 1 || tips.size() < 2) return {};
+  Pairing pairing{{}, "each is the only open end of its chain"};
+  for (const auto& ends : tips) {
+    if (ends.size() != 1) return {};
+    pairing.pairs.push_back({anchors.front(), ends.front(), ""});
+  }
+  return {pairing};
+}
+
 EqualPairings shared_orders(std::vector<std::size_t> anchors,
                             const std::vector<std::vector<std::size_t>>& tips,
                             std::optional<std::size_t> carried) {

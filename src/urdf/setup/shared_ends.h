@@ -14,6 +14,10 @@ namespace parallel_aspects {
 /// a platform, but for one in which the chain ends that carries the platform.
 bool meets_in_pairs(const Pairing& pairing, std::size_t chains);
 
+/// Where legs have no common body, all meet in the one anchor there is.
+EqualPairings in_one_point(const std::vector<std::size_t>& anchors,
+                           const std::vector<std::vector<std::size_t>>& tips);
+
 /// Where two chains meet in each anchor, and no more tells: neighbours in the file share one, in each order
 /// of the anchors, beginning with the first chain or with the second. `tips`: of each chain, what may be its
 /// end; `carried`: the anchor at which a further chain, the first, carries the platform. None for many
