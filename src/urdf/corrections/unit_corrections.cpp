@@ -105,11 +105,12 @@ std::optional<double> degrees_of(double radians) {
 
 // Nothing where some are not, or all are zero. One rotation has two sets of angles.
 std::optional<Eigen::Vector3d> as_if_in_degrees(const Eigen::Vector3d& angles) {
+  if (angles.norm() < same_angle) return std::nullopt;
   const Eigen::Vector3d others(angles.x() + EIGEN_PI, EIGEN_PI - angles.y(), angles.z() + EIGEN_PI);
   for (const Eigen::Vector3d& radians : {angles, others}) {
     Eigen::Vector3d degrees = Eigen::Vector3d::Zero();
     bool all = true;
-    for (Eigen::Index k = 0; k < 3; ++k) {
+    for (Eigen::Index k = 0; k < 3 && all; ++k) {
       const auto found = degrees_of(std::remainder(radians[k], 2.0 * EIGEN_PI));
       all = all && found;
       degrees[k] = found.value_or(0.0);
