@@ -133,7 +133,7 @@ SharedMechanism load_mechanism(const std::string& urdf_text, const std::string& 
                                const std::string& frame_prefix, const LoadSearch& search) {
   Problems problems;
   std::vector<std::string> notes;
-  const SourceNames files{urdf_name, config_name};
+  const SourceNames files{urdf_name, config_name, search.as_options};
   MechanismConfig config = read_mechanism_config(config_text, config_name, problems);
   config.frame_prefix = frame_prefix;
   auto tree = read_tree(urdf_text, urdf_name, problems, notes);

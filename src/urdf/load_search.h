@@ -15,6 +15,8 @@ struct LoadSearch {
   std::function<void()> checkpoint = [] {};
   /// Whether a refusal names what would correct the description, which takes most of its time.
   bool looks_for_remedies = true;
+  /// Whether messages speak of the YAML as of options of a command; see `SourceNames`.
+  bool as_options = false;
 };
 
 /// `load_mechanism` for those who load many, of which most are refused.

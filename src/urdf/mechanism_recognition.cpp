@@ -9,6 +9,7 @@
 #include "urdf/recognition/passive_chain.h"
 #include "urdf/recognition/passive_limits.h"
 #include "urdf/recognition/platform_motion.h"
+#include "urdf/recognition/rod_pairs.h"
 #include "urdf/symmetrizing.h"
 #include "urdf/trial_poses.h"
 
@@ -72,11 +73,25 @@ class Recogniser {
     if (problems.empty()) problems = of_motion;
     if (!motion || !problems.empty()) return nullptr;
     const auto legs = recognise_legs(found.legs, system, assembly.values, *motion, problems);
+    if (!problems.empty()) explain_turning(found.legs, system, *motion, problems);
     check_task_space(*motion, problems);
     if (!problems.empty()) return nullptr;
     auto contents = build(system, assembly, *motion, legs, passive, problems);
     if (contents) close_trial_poses(*contents, files_, problems);
     return problems.empty() ? std::move(contents) : nullptr;
+  }
+
+  // Legs with rods in pairs are to hold the orientation; where they do not, their joints meet in no point,
+  // but that is not what is wrong.
+  void explain_turning(const std::vector<LegChains>& legs, const ClosureSystem& system,
+                       const PlatformMotion& motion, Problems& problems) const {
+    if (motion.space != TaskSpace::T3 || !motion.point_platform) return;
+    if (const auto reason = reason_to_turn(legs, system.size()))
+      problems = {
+          files_.urdf +
+          " lets the platform turn while it moves, since rods in pairs hold its orientation only where "
+          "they are parallelograms: " +
+          *reason + "."};
   }
 
   // Where the platform does not move as the actuated joints ask, a chain that couples coordinates is a leg
@@ -92,10 +107,9 @@ class Recogniser {
       }
       const std::string names = joint_names_of(one.chains.front());
       if (!moves)
-        problems.push_back(
-            files_.config + " actuates none of the joints " + names +
-            ", which make one leg; add one of them to actuated_joints, or take the leg out of the "
-            "URDF.");
+        problems.push_back(files_.config + " actuates none of the joints " + names +
+                           ", which make one leg; add one of them to " + files_.key("actuated_joints") +
+                           ", or take the leg out of the URDF.");
       else
         problems.push_back(files_.urdf +
                            " joins the platform to the base by a chain without actuated joint, " + names +
@@ -222,7 +236,8 @@ class Recogniser {
       notes.push_back(files_.urdf + " lets actuated joint '" + leg.leg.actuated_joint + "' move by only " +
                       number(range) + (leg.leg.actuated_by_angle() ? " rad" : " m") +
                       ", which leaves next to nothing for a map; widen its limits, or fix the joint and take "
-                      "it out of actuated_joints.");
+                      "it out of " +
+                      files_.key("actuated_joints") + ".");
     }
     return notes;
   }

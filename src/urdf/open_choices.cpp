@@ -3,6 +3,7 @@
 
 #include "urdf/closing/actuation_choices.h"
 #include "urdf/closing/assembly.h"
+#include "urdf/description/command_options.h"
 
 #include <algorithm>
 #include <array>
@@ -210,19 +211,22 @@ class OpenChoices {
 
   // With the first of the two origins, as the YAML has it.
   std::nullptr_t refuse_both(double size, Problems& problems) const {
-    std::string remedy;
-    for (const Closure& closure : turned_at(resolved_.closures, true))
-      remedy += (remedy.empty() ? "" : ", ") + ("{frames: [" + written(closure.frames[0])) + ", " +
-                written(closure.frames[1]) + "]}";
+    std::vector<std::string> pairs;
+    for (const Closure& closure : turned_at(resolved_.closures, true)) {
+      const std::string one = written(closure.frames[0]), other = written(closure.frames[1]);
+      pairs.push_back(files_.as_options ? one + "=" + other : "{frames: [" + one + ", " + other + "]}");
+    }
     problems = {files_.urdf + " holds " + offsets(resolved_.closures, *tree_, size) +
                 ", and is a manipulator with a joint at either origin; say in " + files_.config +
-                " which is meant, as by mechanism.closures: [" + remedy + "]."};
+                " which is meant, as by " + (files_.as_options ? "" : "mechanism.") +
+                files_.entry("closures", pairs) + "."};
     return nullptr;
   }
 
   std::string written(const LinkFrame& frame) const {
     const std::string& link = tree_->links[frame.link];
     if (frame.in_link.isApprox(Eigen::Isometry3d::Identity())) return link;
+    if (files_.as_options) return placed_name(link, frame.in_link.translation());
     const Eigen::Vector3d zyx = frame.in_link.linear().eulerAngles(2, 1, 0);
     return "{link: " + link + ", xyz: " + triple(frame.in_link.translation(), yaml_digits) +
            ", rpy: " + triple(zyx.reverse(), yaml_digits) + "}";
@@ -313,8 +317,9 @@ class OpenActuation {
 
   std::string wrong_number() const {
     return files_.config + " lists " + std::to_string(resolved_.actuated_joints.variables.size()) +
-           " joints in mechanism.actuated_joints; a fully parallel robot in T1 has one actuated joint, in T2 "
-           "two, in SE2, T3 or SO3 three, in SE3 six.";
+           " joints in " + files_.full_key("actuated_joints") +
+           "; a fully parallel robot in T1 has one actuated joint, in T2 two, in SE2, T3 or SO3 three, in "
+           "SE3 six.";
   }
 
   std::string refusal() const {
@@ -322,7 +327,7 @@ class OpenActuation {
     std::string fitting;
     for (const Choice& choice : working_)
       fitting += (fitting.empty() ? "" : " and ") + joint_list(*tree_, choice);
-    return files_.config + " does not say mechanism.actuated_joints, and " +
+    return files_.config + " does not say " + files_.full_key("actuated_joints") + ", and " +
            std::to_string(described.size()) + " joints " + resolved_.actuation_origin + ", " +
            quoted_joints(*tree_, described) + "; " +
            (working_.empty() ? "no choice of one, two, three or six of them was found to make a manipulator"

@@ -42,13 +42,18 @@ TEST(Culprit, IsAFourBar) {
 // Two legs of a five-bar hold a platform that can only slide; one alone would be a robot in T1.
 TEST(Culprit, IsASliderThatTwoLegsHold) {
   Description robot = culprit("held_slider");
-  const Problems expected{
-      "robot.urdf is a linkage of one degree of freedom, whose operational_point 'stage' moves on slide 'h0' "
-      "and is held by several legs; of those only a platform on a slide, which one leg moves (T1), is "
-      "treated."};
-  EXPECT_EQ(refusal(robot), expected);
+  EXPECT_EQ(
+      refusal(robot),
+      Problems{"robot.urdf joins the platform to the base by the chain of 'h0', without actuated joint, "
+               "which lets the platform move in fewer ways than the actuated joints need; add <link "
+               "name=\"carrier_y\"/><joint name=\"carrier_y\" type=\"prismatic\"><parent "
+               "link=\"base\"/><child link=\"carrier_y\"/><axis xyz=\"0 1 0\"/></joint> and write "
+               "<parent link=\"carrier_y\"/> for joint 'h0', which makes it a robot in T2."});
   robot.config = replaced(robot.config, "[q1, q3]", "[q1]");
-  EXPECT_EQ(refusal(robot), expected);
+  EXPECT_EQ(refusal(robot), Problems{"robot.urdf is a linkage of one degree of freedom, whose "
+                                     "operational_point 'stage' moves on slide 'h0' and is held by several "
+                                     "legs; of those only a platform on a slide, which one leg moves (T1), "
+                                     "is treated."});
   robot.config = replaced(robot.config, ", {type: revolute, frames: [stage, rodB_end]}", "");
   EXPECT_EQ(test::load(robot)->manipulator()->task_space(), TaskSpace::T1);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/aspects/aspect_map.h"
+#include "urdf/corrections/faulty_robots.h"
 
 #include <gtest/gtest.h>
 
@@ -290,14 +291,82 @@ TEST(PassiveChain, IsRefusedWhereItCouplesCoordinates) {
       "<link name=\"turret\"/>" + moving_joint("turn", "base_link", "turret", "0 0 1", "xyz=\"4 -3 0\"") +
           slide("reach", "turret", "hand", "0 1 0"),
       "{frames: [tool, hand], type: point}");
-  const Problems expected{
-      "robot.urdf joins the platform to the base by a chain without actuated joint, 'turn', 'reach', that "
-      "has the "
-      "slide 'reach' after a joint that turns it; write it as slides along fixed directions first, then "
-      "revolute "
-      "joints about different axes, three of them orthogonal one to the next, or one ball joint."};
-  EXPECT_EQ(test::refusal(polar.urdf, polar.config), expected);
+  const Problems problems = test::refusal(polar.urdf, polar.config);
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_EQ(problems[0],
+            "robot.urdf joins the platform to the base by the chain of 'turn', 'reach', without actuated "
+            "joint, which is an arm whose own reach would bound the robot; write type=\"prismatic\" and "
+            "<axis xyz=\"1 0 0\"/> without <limit> for joint 'turn', which makes it a robot in T2.");
+  EXPECT_EQ(test::followed(polar, problems[0]).size(), 1U);
+  for (const Description& slides : test::followed(polar, problems[0]))
+    EXPECT_TRUE(any_note(*test::load(slides), takes_nothing));
   EXPECT_EQ(test::load(five_bar_on_slides("", ""))->mobility(), 2);
+}
+
+// A platform that hangs on an arm, and one on too few slides: each remedy is followed to the letter.
+std::vector<Description> corrected(const Description& robot, TaskSpace space) {
+  const Problems problems = test::refusal(robot.urdf, robot.config);
+  EXPECT_EQ(problems.size(), 1U);
+  const std::string said = problems.empty() ? "" : problems.front();
+  EXPECT_EQ(said.rfind("robot.urdf joins the platform to the base by the chain of 'p1'", 0), 0U) << said;
+  const std::vector<Description> after = test::followed(robot, said);
+  EXPECT_EQ(after.size(), 1U) << said;
+  for (const Description& one : after) EXPECT_EQ(test::load(one)->manipulator()->task_space(), space) << said;
+  return after;
+}
+
+std::string turning(const std::string& name, const std::string& parent, const std::string& child,
+                    const std::string& origin) {
+  return "<link name=\"" + child + "\"/>" + moving_joint(name, parent, child, "0 0 1", origin);
+}
+
+TEST(PassiveChain, IsAnArmThatTheToolOfAFiveBarHangsOn) {
+  Description robot = chain_text("five_bar_on_an_arm");
+  for (const char* wrist : {"fixed", "continuous"}) {
+    robot.urdf = replaced(robot.urdf, "name=\"tool_joint\" type=\"fixed\"",
+                          "name=\"tool_joint\" type=\"" + std::string(wrist) + "\"");
+    for (const Description& after : corrected(robot, TaskSpace::T2)) {
+      const auto mechanism = test::load(after);
+      for (const Leg& leg : mechanism->manipulator()->legs())
+        EXPECT_NEAR(leg.rod_length, leg.name == "leg_1" ? 5.0 : 8.0, 1e-9);
+    }
+  }
+}
+
+// The platform of a 3-RRR, whose chain of two slides and a yaw is made another.
+Description hung_on(const std::string& joints) {
+  Description robot = chain_text("three_rrr_on_slides");
+  const std::size_t start = robot.urdf.find("<link name=\"carriage_x\"/>");
+  const std::size_t end = robot.urdf.find("</joint>", robot.urdf.find("name=\"world_yaw\"")) + 8;
+  EXPECT_LT(start, end);
+  EXPECT_LT(end, robot.urdf.size());
+  robot.urdf.replace(start, end - start, joints);
+  return robot;
+}
+
+TEST(PassiveChain, IsAnArmThatAPlatformHangsOn) {
+  const auto shipped = test::shipped("three_rrr");
+  for (const std::string& joints :
+       {turning("p1", "base_link", "upper", "") + turning("p2", "upper", "platform", "xyz=\"4 0 0\""),
+        turning("p1", "base_link", "upper", "") + turning("p2", "upper", "lower", "xyz=\"4 0 0\"") +
+            turning("p3", "lower", "platform", "xyz=\"4 0 0\""),
+        slide("p1", "base_link", "upper", "1 0 0") + slide("p2", "upper", "platform", "0 1 0"),
+        slide("p1", "base_link", "upper", "1 0 0") + turning("p2", "upper", "platform", ""),
+        slide("p1", "base_link", "platform", "0 1 0"), turning("p1", "base_link", "platform", "")})
+    for (const Description& after : corrected(hung_on(joints), TaskSpace::SE2))
+      expect_same_legs(*test::load(after), *shipped, 1e-9);
+}
+
+// Without its slide along x.
+TEST(PassiveChain, IsOfTooFewSlidesForADelta) {
+  Description robot = chain_text("delta_on_slides");
+  const std::size_t start = robot.urdf.find("<link name=\"carriage_x\"/>");
+  const std::size_t end = robot.urdf.find("<link name=\"carriage_y\"/>");
+  robot.urdf.erase(start, end - start);
+  robot.urdf = replaced(robot.urdf, "<parent link=\"carriage_x\"/>", "<parent link=\"base_link\"/>");
+  robot.urdf = replaced(robot.urdf, "\"slide_y\"", "\"p1\"");
+  for (const Description& after : corrected(robot, TaskSpace::T3))
+    expect_same_legs(*test::load(after), *test::shipped("delta"), 1e-9);
 }
 
 // A closure that ends on the chain, and not on the platform that the chain carries.

@@ -2,7 +2,7 @@
 #include "tools/report/setup_report.h"
 
 #include "tools/report/reports.h"
-#include "urdf/setup/options.h"
+#include "urdf/description/command_options.h"
 
 namespace parallel_aspects::tools {
 namespace {
@@ -43,6 +43,7 @@ json json_result(const std::string& status, const SetupResult& result) {
   return {{"status", status},
           {"robot", result.robot},
           {"choices", json_choices(result)},
+          {"notes", result.notes},
           {"cut_short", result.cut_short}};
 }
 
@@ -61,6 +62,7 @@ std::string choices_text(const SetupResult& result) {
     for (const SetupCandidate& other : choice.others)
       text += "    would load too: " + joined(other.values, " ") + " (" + other.reason + ")\n";
   }
+  for (const std::string& note : result.notes) text += "note: " + note + "\n";
   return text;
 }
 
@@ -76,6 +78,7 @@ Report report_question(const SetupResult& result, const std::string& urdf_file) 
   for (std::size_t k = 0; k < question.candidates.size(); ++k)
     text += "  " + std::to_string(k + 1) + ". " + joined(question.candidates[k].values, " ") + " (" +
             question.candidates[k].reason + ")\n";
+  for (const std::string& note : result.notes) text += "note: " + note + "\n";
   if (result.cut_short) text += std::string(cut_short) + "\n";
   const std::vector<std::string>& example =
       question.candidates.empty() ? question.example : question.candidates.front().values;

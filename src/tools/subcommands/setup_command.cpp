@@ -98,7 +98,7 @@ SetupResult found(const std::string& urdf_file, const std::string& config_file, 
   const auto text = read_text_file(urdf_file, problems);
   if (!text) throw InvalidDescription(problems);
   for (;;) {
-    SetupControl control{std::chrono::steady_clock::now() + time_to_search};
+    SetupControl control{ProcessorClock::now() + time_to_search};
     control.cancelled = [&] { return surroundings.interrupted != nullptr && *surroundings.interrupted; };
     SetupResult result = set_up(*text, urdf_file, config_file, answers, control);
     if (control.cancelled()) throw Interrupted{};

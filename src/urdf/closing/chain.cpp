@@ -56,7 +56,7 @@ class LegFinder {
 
   FoundLegs find() {
     if (base_ == platform_) {
-      problem("lets " + operational_point_text(system_.tree(), actuated_joints_.platform_link) +
+      problem("lets " + operational_point_text(system_.tree(), actuated_joints_.platform_link, files_) +
               " be fixed to the base link; name a link of the moving platform.");
       return {};
     }
@@ -201,7 +201,7 @@ class LegFinder {
     if (found.size() > 1) {
       problem("actuates " + std::to_string(found.size()) + " of the joints " + joints_of(part) +
               ", which share links between the base and the link of " +
-              operational_point_text(system_.tree(), actuated_joints_.platform_link) +
+              operational_point_text(system_.tree(), actuated_joints_.platform_link, files_) +
               "; a fully parallel robot has one actuated joint a leg, and its operational point on the body "
               "that all legs share.");
       return;
@@ -266,9 +266,8 @@ class LegFinder {
     for (std::size_t j = 0; j < actuated_joints_.variables.size(); ++j)
       if (std::none_of(legs.begin(), legs.end(), [j](const LegChains& leg) { return leg.actuation == j; }))
         problem("actuates joint '" + system_.tree().joint_of(actuated_joints_.variables[j]).name +
-                "', which is in no chain between the base and the platform; take it out of actuated_joints, "
-                "or add the "
-                "closure of its leg.");
+                "', which is in no chain between the base and the platform; take it out of " +
+                files_.key("actuated_joints") + ", or add the closure of its leg.");
   }
 
   // In a planar mechanism neighbouring pivots of a leg must not share an axis. (In space they may meet in a
@@ -300,7 +299,7 @@ class LegFinder {
 
   void check_last_length(const Pivot& pivot) {
     if (pivot.kind != PivotKind::revolute || !on_axis(pivot, operational_point_)) return;
-    problem("has " + operational_point_text(system_.tree(), actuated_joints_.platform_link) +
+    problem("has " + operational_point_text(system_.tree(), actuated_joints_.platform_link, files_) +
             " on the axis of joint '" + pivot.name +
             "', so that the last link of the leg has length zero; move it, or lengthen the link in " +
             files_.urdf + ".");
@@ -329,15 +328,16 @@ class LegFinder {
 
 }  // namespace
 
-std::string operational_point_text(const Tree& tree, std::size_t platform_link) {
+std::string operational_point_text(const Tree& tree, std::size_t platform_link, const SourceNames& files) {
   const std::string& name = tree.links[platform_link];
   const auto above = tree.joint_above[platform_link];
   const bool is_made = name == unnamed_operational_point && above && tree.joints[*above].name == name;
-  if (!is_made) return "operational_point '" + name + "'";
+  if (!is_made) return files.key("operational_point") + " '" + name + "'";
   std::string xyz;
   for (Eigen::Index k = 0; k < 3; ++k)
     xyz += (k == 0 ? "" : ", ") + number_text(tree.joints[*above].origin.translation()[k]);
-  return "operational_point {link: " + tree.links[tree.joints[*above].parent] + ", xyz: [" + xyz + "]}";
+  return files.key("operational_point") + " {link: " + tree.links[tree.joints[*above].parent] + ", xyz: [" +
+         xyz + "]}";
 }
 
 std::string names_of(const Chain& chain) {

@@ -67,9 +67,9 @@ struct AssembledMechanism {
 /// Link and joint that are made for an operational point that is a frame without a name.
 inline constexpr const char* unnamed_operational_point = "operational_point";
 
-/// The operational point for messages: "operational_point 'LINK'", or as it is written where it is a frame
-/// without a name.
-std::string operational_point_text(const Tree& tree, std::size_t platform_link);
+/// The operational point for messages: "operational_point 'LINK'", with its key as `files` have it, or as it
+/// is written where it is a frame without a name.
+std::string operational_point_text(const Tree& tree, std::size_t platform_link, const SourceNames& files);
 
 /// "'a', 'b'" for messages.
 std::string names_of(const Chain& chain);

@@ -39,15 +39,15 @@ class EndsOfLoops {
     const auto below = way_in(base, platform), after = way_in(platform, base);
     if (!below || !after) return wrong_;  // the loops are elsewhere
     if (!below->passed.empty()) {
-      add(files_.config + " has base_link '" + tree_.links[base] + "', but " + listed(below->passed) +
-              " moves all loops of " + files_.urdf,
-          "base_link: " + tree_.links[below->link], below->passed);
+      add(files_.config + " has " + files_.key("base_link") + " '" + tree_.links[base] + "', but " +
+              listed(below->passed) + " moves all loops of " + files_.urdf,
+          files_.entry("base_link", tree_.links[below->link]), below->passed);
       wrong_.base = below->link;
     }
     if (!after->passed.empty()) {
-      add(files_.config + " has " + operational_point_text(tree_, platform) + ", which " +
+      add(files_.config + " has " + operational_point_text(tree_, platform, files_) + ", which " +
               listed(after->passed) + " moves against all loops of " + files_.urdf,
-          "operational_point: " + tree_.links[after->link], after->passed);
+          files_.entry("operational_point", tree_.links[after->link]), after->passed);
       wrong_.actuated_joints.platform_link = after->link;
     }
     if (wrong_.found.empty()) find_outside();
@@ -99,11 +99,11 @@ class EndsOfLoops {
   std::string quoted(std::size_t joint) const { return "'" + tree_.joint_of(joint).name + "'"; }
 
   // Where one of these is actuated, it is so no longer.
-  void add(const std::string& fault, const std::string& key, const Variables& passed) {
+  void add(const std::string& fault, const std::string& remedy, const Variables& passed) {
     const bool any = std::any_of(passed.begin(), passed.end(), [this](std::size_t joint) {
       return std::find(actuated_.begin(), actuated_.end(), joint) != actuated_.end();
     });
-    wrong_.found.push_back({fault, "write " + key + (any ? " and " + without(passed) : "")});
+    wrong_.found.push_back({fault, "write " + remedy + (any ? " and " + without(passed) : "")});
     for (const std::size_t joint : passed) leave_out(joint);
   }
 
@@ -132,11 +132,11 @@ class EndsOfLoops {
 
   // The actuated joints but these, as the YAML has them.
   std::string without(const Variables& joints) const {
-    std::string text;
+    std::vector<std::string> kept;
     for (const std::size_t joint : actuated_)
       if (std::find(joints.begin(), joints.end(), joint) == joints.end())
-        text += (text.empty() ? "" : ", ") + tree_.joint_of(joint).name;
-    return "actuated_joints: [" + text + "]";
+        kept.push_back(tree_.joint_of(joint).name);
+    return files_.entry("actuated_joints", kept);
   }
 
   const Tree& tree_;

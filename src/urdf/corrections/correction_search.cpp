@@ -3,6 +3,7 @@
 
 #include "urdf/closing/actuation_choices.h"
 #include "urdf/closing/assembly.h"
+#include "urdf/corrections/chain_corrections.h"
 #include "urdf/corrections/frame_corrections.h"
 #include "urdf/corrections/gap_corrections.h"
 #include "urdf/corrections/joint_corrections.h"
@@ -89,7 +90,9 @@ void CorrectionSearch::collect() {
   if (resolved_.actuation_origin.empty())
     append(corrections_, actuation_corrections(*tree_, resolved_, system_, files_));
   append(corrections_, unit_corrections(*tree_, loops_, system_.size(), files_));
+  append(corrections_, series_corrections(*tree_, resolved_, loops_, files_));
   append(corrections_, closure_corrections(resolved_, files_));
+  append(corrections_, exchanged_ends(*tree_, resolved_, files_));
   for (const std::size_t joint : suspects()) {
     const bool is_fixed = tree_->joints[joint].motion == JointMotion::fixed;
     if (is_fixed) append(corrections_, gap_corrections(*tree_, loops_, joint, files_));
@@ -102,6 +105,14 @@ std::optional<std::string> CorrectionSearch::of_frames() {
   for (const Corrections& kind : frame_corrections(*tree_, resolved_, system_, files_))
     if (working_of(kind)) return with_rivals();
   return std::nullopt;
+}
+
+std::optional<std::string> CorrectionSearch::of_point() {
+  return working_of(point_corrections(*tree_, resolved_, system_, files_));
+}
+
+std::optional<std::string> CorrectionSearch::of_chains() {
+  return working_of(chain_corrections(*tree_, resolved_, system_, files_));
 }
 
 // Into a loop, where they were in none before.

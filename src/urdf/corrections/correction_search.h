@@ -31,7 +31,13 @@ class CorrectionSearch {
   /// Those of what closures hold: a message if any works. It lists those of joints that work as well, first.
   std::optional<std::string> of_frames();
 
-  /// The same, each together with one of the actuated joints.
+  /// Those of a closure that holds another place of the platform than its operational point.
+  std::optional<std::string> of_point();
+
+  /// Those of chains between base and platform that no actuated joint is in.
+  std::optional<std::string> of_chains();
+
+  /// Those of frames, each together with one of the actuated joints.
   std::optional<std::string> of_frames_and_actuation();
 
   /// Those that make an element like others of its kind: a message if any works.

@@ -26,6 +26,8 @@ std::string as_attribute(const Eigen::Vector3d& vector) { return listed(vector, 
 
 std::string in_brackets(const Eigen::Vector3d& vector) { return "(" + listed(vector, ", ") + ")"; }
 
+std::string as_list(const Eigen::Vector3d& vector) { return "[" + listed(vector, ", ") + "]"; }
+
 Eigen::Vector3d roll_pitch_yaw(const Eigen::Matrix3d& rotation) {
   const double level = std::hypot(rotation(0, 0), rotation(1, 0));
   return {std::atan2(rotation(2, 1), rotation(2, 2)), std::atan2(-rotation(2, 0), level),

@@ -14,6 +14,9 @@ std::string as_attribute(const Eigen::Vector3d& vector);
 /// "(1, 0, 0)", for messages.
 std::string in_brackets(const Eigen::Vector3d& vector);
 
+/// "[1, 0, 0]", as a YAML has it.
+std::string as_list(const Eigen::Vector3d& vector);
+
 /// The rpy of a rotation, as a URDF has it [rad].
 Eigen::Vector3d roll_pitch_yaw(const Eigen::Matrix3d& rotation);
 

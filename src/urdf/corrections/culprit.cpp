@@ -38,6 +38,7 @@ class Search {
   std::optional<std::string> run() {
     if (auto message = other_base()) return message;
     if (auto message = CorrectionSearch(tree_, resolved_, true, files_, attempt_).of_frames()) return message;
+    if (auto message = CorrectionSearch(tree_, resolved_, true, files_, attempt_).of_chains()) return message;
     if (is_one_type())
       if (auto message = other_type(ClosureType::point)) return message;
     const Eigen::VectorXd& values = assembled_.assembly ? assembled_.assembly->values : assembled_.closest;
@@ -51,6 +52,7 @@ class Search {
     if (auto message = other_closing_link()) return message;
     if (assembled_.assembly)
       if (auto message = other_operational_point()) return message;
+    if (auto message = CorrectionSearch(tree_, resolved_, true, files_, attempt_).of_point()) return message;
     CorrectionSearch both(tree_, resolved_, true, files_, attempt_);
     if (auto message = both.of_frames_and_actuation()) return message;
     if (!is_known && !mobility_fits())
@@ -107,7 +109,7 @@ class Search {
 
   std::size_t platform() const { return resolved_.actuated_joints.platform_link; }
 
-  std::string operational_point() const { return operational_point_text(*tree_, platform()); }
+  std::string operational_point() const { return operational_point_text(*tree_, platform(), files_); }
 
   // Where most of the actuated joints are fixed to, and else the root.
   std::optional<std::string> other_base() {
@@ -139,8 +141,9 @@ class Search {
     changed.base = base;
     const auto space = tried(tree_, changed);
     if (!space) return std::nullopt;
-    return files_.config + " has base_link '" + tree_->links[resolved_.base] + "', " + reason +
-           "; write base_link: " + tree_->links[base] + ", which makes it a robot in " + *space + ".";
+    return files_.config + " has " + files_.key("base_link") + " '" + tree_->links[resolved_.base] + "', " +
+           reason + "; write " + files_.entry("base_link", tree_->links[base]) +
+           ", which makes it a robot in " + *space + ".";
   }
 
   // One closure elsewhere, where all others hold a leg to the platform.
@@ -217,8 +220,8 @@ class Search {
       if (!space) continue;
       const std::string& name = tree_->links[link];
       return files_.config + " has " + operational_point() + ", but the legs of " + files_.urdf +
-             " meet in link '" + name + "', as those of a robot in " + *space +
-             "; write operational_point: " + name + ".";
+             " meet in link '" + name + "', as those of a robot in " + *space + "; write " +
+             files_.entry("operational_point", name) + ".";
     }
     return std::nullopt;
   }
@@ -246,7 +249,7 @@ class Search {
     if (!space) return std::nullopt;
     return files_.config + " closes loops of " + files_.urdf +
            " by types that do not fit its joints; write type: " + std::string(name(type)) + " for " + names +
-           " in mechanism.closures, which makes it a robot in " + *space + ".";
+           " in " + files_.full_key("closures") + ", which makes it a robot in " + *space + ".";
   }
 
   std::optional<std::string> tried(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& changed) {

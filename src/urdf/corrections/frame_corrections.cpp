@@ -3,6 +3,8 @@
 
 #include "urdf/closing/assembly.h"
 #include "urdf/corrections/anchors.h"
+#include "urdf/corrections/correction_text.h"
+#include "urdf/corrections/tree_changes.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -22,23 +24,6 @@ bool contains(const Links& links, std::size_t link) {
   return std::find(links.begin(), links.end(), link) != links.end();
 }
 
-// Fixed to `parent` by a joint that stays as it is; those nearer to the root come first again.
-void hang(Tree& tree, std::size_t joint, std::size_t parent) {
-  tree.joints[joint].parent = parent;
-  std::vector<bool> placed(tree.links.size(), false);
-  placed.front() = true;
-  std::vector<TreeJoint> joints;
-  while (joints.size() < tree.joints.size())
-    for (const TreeJoint& next : tree.joints) {
-      if (!placed[next.parent] || placed[next.child]) continue;
-      placed[next.child] = true;
-      tree.joint_above[next.child] = joints.size();
-      if (next.variable) tree.movable[*next.variable] = joints.size();
-      joints.push_back(next);
-    }
-  tree.joints = std::move(joints);
-}
-
 class FrameCorrections {
  public:
   FrameCorrections(const Tree& tree, const ResolvedConfig& resolved, const ClosureSystem& system,
@@ -55,6 +40,13 @@ class FrameCorrections {
     find_open_frames();
   }
 
+  // The operational point in the place of the start of its body.
+  Corrections find_at_point() {
+    for_point_ = true;
+    exchange_links(true, false);
+    return std::move(found_.back());
+  }
+
   // A link that a movable joint carries is seldom a frame of its own.
   std::vector<Corrections> find() {
     exchange_links(true, true);
@@ -65,6 +57,7 @@ class FrameCorrections {
     exchange_links(false, true);
     exchange_links(false, false);
     add_closures(false);
+    add_far_ends();
     return std::move(found_);
   }
 
@@ -131,6 +124,22 @@ class FrameCorrections {
       if (contains(loose_, body_of(tree_, loose)) && is_frame(loose) == of_frames) add_closures_of(loose);
   }
 
+  // In the place of a frame: the operational point too, where its body is in no loop.
+  Links open_at(const LinkFrame& frame) const {
+    Links links = open_;
+    const std::size_t point = resolved_.actuated_joints.platform_link;
+    if (for_point_) return is_closed(point) || frame.link != platform_ ? Links{} : Links{point};
+    if (!is_closed(point) && !is_platform_in_loop()) links.push_back(point);
+    return links;
+  }
+
+  bool is_platform_in_loop() const {
+    return std::any_of(tree_.joints.begin(), tree_.joints.end(), [this](const TreeJoint& joint) {
+      return joint.variable && system_.in_loop()[*joint.variable] &&
+             (joint.child == platform_ || body_of(tree_, joint.parent) == platform_);
+    });
+  }
+
   // What stays loose is no leg.
   void exchange_link(std::size_t index, std::size_t end, bool for_frames) {
     const Closure& closure = resolved_.closures[index];
@@ -138,7 +147,7 @@ class FrameCorrections {
     const Closure* other = other_with(frame);
     const std::size_t body = body_of(tree_, frame.link);
     if (!frame.in_link.isApprox(Eigen::Isometry3d::Identity())) return;
-    for (const std::size_t link : open_) {
+    for (const std::size_t link : open_at(frame)) {
       const std::size_t new_body = body_of(tree_, link);
       const bool is_meant = contains(loose_, new_body) || new_body == body || new_body == platform_;
       if (!is_meant || is_frame(link) != for_frames ||
@@ -153,6 +162,41 @@ class FrameCorrections {
              resolved.closures[index].frames[end] = {link, Eigen::Isometry3d::Identity()};
            }});
     }
+  }
+
+  // Of links that a closure holds where they begin, at their joint: as far as those of other closures are
+  // held, or as other links reach.
+  void add_far_ends() {
+    start_kind();
+    for (std::size_t k = 0; k < resolved_.closures.size(); ++k)
+      for (const std::size_t end : {0, 1}) {
+        const LinkFrame& frame = resolved_.closures[k].frames[end];
+        const bool is_start = frame.in_link.isApprox(Eigen::Isometry3d::Identity()) &&
+                              !is_frame(frame.link) && !is_parent_[frame.link];
+        if (!is_start || frame.link == platform_) continue;
+        for (const Closure& closure : resolved_.closures) add_far_end(k, end, closure.frames[end].in_link);
+        for (const bool of_platform : {false, true})
+          for (const TreeJoint& joint : tree_.joints)
+            if (!joint.variable && !is_parent_[joint.child] &&
+                (body_of(tree_, joint.child) == platform_) == of_platform)
+              add_far_end(k, end, joint.origin);
+      }
+  }
+
+  void add_far_end(std::size_t index, std::size_t end, const Eigen::Isometry3d& place) {
+    if (place.translation().isZero(0.0)) return;
+    const Closure& closure = resolved_.closures[index];
+    const std::size_t link = closure.frames[end].link;
+    const std::string element = "closure '" + closure.name + "'";
+    add({element,
+         files_.config + " has " + element + " at the start of link " + quoted(link) + ", where joint '" +
+             tree_.joints[*tree_.joint_above[link]].name + "' is, and not at its far end, which has no link",
+         "write {link: " + tree_.links[link] + ", xyz: " + as_list(place.translation()) +
+             "} or where else that is in the place of " + quoted(link) + " in " + element,
+         false,
+         [index, end, translation = Eigen::Vector3d(place.translation())](Tree&, ResolvedConfig& resolved) {
+           resolved.closures[index].frames[end].in_link.translation() = translation;
+         }});
   }
 
   // The type that most closures have.
@@ -183,7 +227,7 @@ class FrameCorrections {
       add({"closure '" + closure.name + "'",
            "no closure of " + files_.config + " joins link " + quoted(loose) + ", which ends a chain of " +
                files_.urdf + ", to link " + quoted(other),
-           "add " + frames + " to mechanism.closures", false,
+           "add " + frames + " to " + files_.full_key("closures"), false,
            [closure](Tree&, ResolvedConfig& resolved) { resolved.closures.push_back(closure); }});
     }
   }
@@ -242,6 +286,7 @@ class FrameCorrections {
   const SourceNames& files_;
   std::size_t platform_;  // body
   bool may_share_;
+  bool for_point_ = false;       // whether the operational point alone is to be a frame
   std::vector<bool> is_parent_;  // by link
   Links loose_;                  // bodies
   Links open_;                   // links
@@ -253,6 +298,11 @@ class FrameCorrections {
 std::vector<Corrections> frame_corrections(const Tree& tree, const ResolvedConfig& resolved,
                                            const ClosureSystem& system, const SourceNames& files) {
   return FrameCorrections(tree, resolved, system, files).find();
+}
+
+Corrections point_corrections(const Tree& tree, const ResolvedConfig& resolved, const ClosureSystem& system,
+                              const SourceNames& files) {
+  return FrameCorrections(tree, resolved, system, files).find_at_point();
 }
 
 }  // namespace parallel_aspects

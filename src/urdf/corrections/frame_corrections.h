@@ -14,6 +14,10 @@ namespace parallel_aspects {
 std::vector<Corrections> frame_corrections(const Tree& tree, const ResolvedConfig& resolved,
                                            const ClosureSystem& system, const SourceNames& files);
 
+/// Of a closure that holds the start of the body that the operational point is on: that point in its place.
+Corrections point_corrections(const Tree& tree, const ResolvedConfig& resolved, const ClosureSystem& system,
+                              const SourceNames& files);
+
 }  // namespace parallel_aspects
 
 #endif  // PARALLEL_ASPECTS_URDF_CORRECTIONS_FRAME_CORRECTIONS_H

@@ -4,6 +4,8 @@
 #include "urdf/closing/assembly.h"
 #include "urdf/corrections/correction_text.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -11,7 +13,10 @@
 namespace parallel_aspects {
 namespace {
 
+using Eigen::Matrix3d;
 using Eigen::Vector3d;
+
+constexpr const char* pattern = ", beside the pattern of the others on its parent";
 
 constexpr double out_of_scale = 30.0;  // of a length in mm against the others in m, at least
 
@@ -31,6 +36,8 @@ class GapCorrections {
     add_units();
     for (Eigen::Index k = 0; k < 3; ++k)
       if (std::abs(place_[k]) > rank_tolerance * place_.norm()) add_place(with_sign(place_, k));
+    add_of_pattern();
+    add_other_angles();
     if (angles_.norm() < rank_tolerance) return std::move(found_);
     add_angles(Vector3d::Zero());
     for (Eigen::Index k = 0; k < 3; ++k) {
@@ -79,6 +86,67 @@ class GapCorrections {
                  const Vector3d angles = roll_pitch_yaw(tree_.joints[sibling].origin.linear());
                  add_angles(angles, reason + in_brackets(angles), like_others);
                });
+  }
+
+  // Those on its parent, where others of them are like each other but for a sign or a turn of the parent:
+  // where one more of such a pattern is.
+  void add_of_pattern() {
+    const std::vector<Eigen::Isometry3d> others = beside();
+    for (const Eigen::Isometry3d& one : others)
+      for (Eigen::Index k = 0; k < 3; ++k) add_like(one, with_sign(one.translation(), k), others);
+    for (std::size_t k = 0; k < others.size(); ++k)
+      for (std::size_t other = 0; other < others.size(); ++other) {
+        if (k == other) continue;
+        add_turned(others[k].linear() * others[other].linear().transpose(), others[k], others);
+        const Matrix3d turn =
+            Eigen::Quaterniond::FromTwoVectors(others[other].translation(), others[k].translation())
+                .toRotationMatrix();
+        for (const Eigen::Isometry3d& turned : others) add_like(turned, turn * turned.translation(), others);
+      }
+  }
+
+  // The siblings on its parent.
+  std::vector<Eigen::Isometry3d> beside() const {
+    std::vector<Eigen::Isometry3d> others;
+    for (const std::size_t sibling : loops_.siblings(index_))
+      if (tree_.joints[sibling].parent == tree_.joints[index_].parent)
+        others.push_back(tree_.joints[sibling].origin);
+    return others;
+  }
+
+  static bool any_is_like(const Eigen::Isometry3d& one, const std::vector<Eigen::Isometry3d>& others) {
+    return std::any_of(others.begin(), others.end(),
+                       [&](const Eigen::Isometry3d& other) { return one.isApprox(other, rank_tolerance); });
+  }
+
+  // About the origin of the parent, by what turns one of the others into another.
+  void add_turned(const Matrix3d& turn, const Eigen::Isometry3d& other,
+                  const std::vector<Eigen::Isometry3d>& others) {
+    const Eigen::Isometry3d turned = Eigen::Isometry3d(turn) * other;
+    const bool is_at_place = (place_ - turned.translation()).norm() <= rank_tolerance * place_.norm();
+    if (is_at_place && !any_is_like(turned, others)) add_angles(roll_pitch_yaw(turned.linear()), pattern);
+  }
+
+  // A place of a frame that is turned as this one.
+  void add_like(Eigen::Isometry3d other, const Vector3d& place,
+                const std::vector<Eigen::Isometry3d>& others) {
+    const bool is_turned_alike =
+        (other.linear() - tree_.joints[index_].origin.linear()).norm() < rank_tolerance;
+    other.translation() = place;
+    if (is_turned_alike && (place - place_).norm() > rank_tolerance * place.norm() &&
+        !any_is_like(other, others))
+      add_place(place, pattern);
+  }
+
+  // Of frames, as those of a leg on the base and on the platform.
+  void add_other_angles() {
+    if (tree_.joints[index_].motion != JointMotion::fixed) return;
+    for (const std::size_t joint : loops_.all())
+      if (joint != index_ && tree_.joints[joint].motion == JointMotion::fixed &&
+          !loops_.same_direction(index_, joint))
+        add_angles(roll_pitch_yaw(tree_.joints[joint].origin.linear()),
+                   ", where that of joint '" + tree_.joints[joint].name + "' has " +
+                       in_brackets(roll_pitch_yaw(tree_.joints[joint].origin.linear())));
   }
 
   // Where it is the one that stands out.

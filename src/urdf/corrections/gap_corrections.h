@@ -8,7 +8,8 @@
 namespace parallel_aspects {
 
 /// Of the origin of a joint: the place or the rotation of its siblings first, then a coordinate of the other
-/// sign, millimetres, an rpy of the other sign or without one of its angles.
+/// sign, millimetres, a place or an rpy that the frames beside it make a pattern with, the rpy of another
+/// frame, one of the other sign or without one of its angles.
 Corrections gap_corrections(const Tree& tree, const LoopJoints& loops, std::size_t joint,
                             const SourceNames& files);
 

@@ -2,9 +2,11 @@
 #include "urdf/corrections/joint_corrections.h"
 
 #include "urdf/closing/assembly.h"
+#include "urdf/corrections/anchors.h"
 #include "urdf/corrections/correction_text.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace parallel_aspects {
@@ -151,7 +153,52 @@ class JointCorrections {
   Corrections found_;
 };
 
+// The slide that carries this one, or that it carries, along the same direction.
+std::optional<std::size_t> slide_in_series(const Tree& tree, std::size_t joint) {
+  const Poses poses = link_poses(tree, 0, Eigen::VectorXd::Zero(tree.variables()));
+  const auto axis = [&](std::size_t of) -> Vector3d {
+    return poses[tree.joints[of].child].linear() * tree.joints[of].axis;
+  };
+  const TreeJoint& slide = tree.joints[joint];
+  for (std::size_t other = 0; other < tree.joints.size(); ++other) {
+    const TreeJoint& one = tree.joints[other];
+    const bool is_next = body_of(tree, slide.parent) == one.child || body_of(tree, one.parent) == slide.child;
+    if (one.motion == JointMotion::prismatic && is_next &&
+        axis(joint).cross(axis(other)).norm() < rank_tolerance)
+      return other;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
+
+Corrections series_corrections(const Tree& tree, const ResolvedConfig& resolved, const LoopJoints& loops,
+                               const SourceNames& files) {
+  std::vector<std::size_t> passive;
+  std::string names, remedy;
+  for (const std::size_t joint : loops.all()) {
+    const auto& actuated = resolved.actuated_joints.variables;
+    const auto is_actuated = [&](std::size_t of) {
+      return std::find(actuated.begin(), actuated.end(), *tree.joints[of].variable) != actuated.end();
+    };
+    if (tree.joints[joint].motion != JointMotion::prismatic || is_actuated(joint)) continue;
+    const auto other = slide_in_series(tree, joint);
+    if (!other || !is_actuated(*other)) continue;
+    const std::string name = "joint '" + tree.joints[joint].name + "'";
+    passive.push_back(joint);
+    names += (names.empty() ? "" : ", ") + name + " in series with '" + tree.joints[*other].name + "'";
+    remedy += (remedy.empty() ? "write type=\"fixed\" for " : " and write type=\"fixed\" for ") + name;
+  }
+  if (passive.empty()) return {};
+  const bool is_one = passive.size() == 1;
+  return {{is_one ? "joint '" + tree.joints[passive.front()].name + "'" : "slides in series",
+           files.urdf + " lets " + names +
+               " slide along the same direction, and only one of each two is actuated",
+           remedy, true, [passive](Tree& changed, ResolvedConfig& config) {
+             for (const std::size_t joint : passive)
+               set_motion(changed, config, joint, {JointMotion::fixed, changed.joints[joint].axis});
+           }}};
+}
 
 Corrections joint_corrections(const Tree& tree, const ResolvedConfig& resolved, const LoopJoints& loops,
                               std::size_t joint, const SourceNames& files) {

@@ -12,6 +12,11 @@ namespace parallel_aspects {
 Corrections joint_corrections(const Tree& tree, const ResolvedConfig& resolved, const LoopJoints& loops,
                               std::size_t joint, const SourceNames& files);
 
+/// Passive slides next to another one along the same direction, as of a telescope of which one stage is
+/// actuated: all of them fixed.
+Corrections series_corrections(const Tree& tree, const ResolvedConfig& resolved, const LoopJoints& loops,
+                               const SourceNames& files);
+
 }  // namespace parallel_aspects
 
 #endif  // PARALLEL_ASPECTS_URDF_CORRECTIONS_JOINT_CORRECTIONS_H

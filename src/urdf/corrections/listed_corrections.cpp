@@ -5,6 +5,7 @@
 #include "urdf/closing/assembly.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <utility>
 
@@ -74,6 +75,71 @@ class ClosureCorrections {
 
   const std::vector<Closure>& closures_;
   const SourceNames& files_;
+  Corrections found_;
+};
+
+// Ends of closures that are exchanged: those of two, and those of two legs with two closures each.
+class ExchangedEnds {
+ public:
+  ExchangedEnds(const Tree& tree, const ResolvedConfig& resolved, const SourceNames& files)
+      : tree_(tree), closures_(resolved.closures), files_(files) {}
+
+  Corrections find() {
+    for (std::size_t k = 0; k < closures_.size(); ++k)
+      for (std::size_t other = 0; other < k; ++other)
+        if (may_exchange(k, other)) add({{other, k}});
+    if (closures_.size() > max_in_two_legs) return std::move(found_);
+    const std::size_t single = found_.size();
+    for (std::size_t k = 0; k < single; ++k)
+      for (std::size_t other = 0; other < k; ++other)
+        if (are_apart(pairs_[k], pairs_[other])) add({pairs_[other], pairs_[k]});
+    return std::move(found_);
+  }
+
+ private:
+  using Pair = std::array<std::size_t, 2>;
+
+  static bool are_apart(const Pair& one, const Pair& other) {
+    return one[0] != other[0] && one[0] != other[1] && one[1] != other[0] && one[1] != other[1];
+  }
+
+  // A place beside a link stays there.
+  bool may_exchange(std::size_t one, std::size_t other) const {
+    const auto is_link = [this](std::size_t k) {
+      return closures_[k].frames[1].in_link.isApprox(Eigen::Isometry3d::Identity());
+    };
+    return is_link(one) && is_link(other) && end_of(one) != end_of(other);
+  }
+
+  void add(const std::vector<Pair>& pairs) {
+    std::string names, remedy;
+    for (const Pair& pair : pairs)
+      for (const std::size_t k : pair) {
+        const std::size_t other = k == pair[0] ? pair[1] : pair[0];
+        const std::string name = "closure '" + closures_[k].name + "'";
+        names += (names.empty() ? "" : ", ") + name;
+        remedy += (remedy.empty() ? "write link '" : " and write link '") + end_of(other) +
+                  "' in the place of '" + end_of(k) + "' in " + name;
+      }
+    if (pairs.size() == 1) pairs_.push_back(pairs.front());
+    found_.push_back({names, files_.config + " has the ends of " + names + " crossed", remedy, false,
+                      [pairs](Tree&, ResolvedConfig& resolved) {
+                        for (const Pair& pair : pairs)
+                          std::swap(resolved.closures[pair[0]].frames[1],
+                                    resolved.closures[pair[1]].frames[1]);
+                      }});
+  }
+
+  const std::string& end_of(std::size_t closure) const {
+    return tree_.links[closures_[closure].frames[1].link];
+  }
+
+  static constexpr std::size_t max_in_two_legs = 6;
+
+  const Tree& tree_;
+  const std::vector<Closure>& closures_;
+  const SourceNames& files_;
+  std::vector<Pair> pairs_;
   Corrections found_;
 };
 
@@ -173,13 +239,12 @@ class ActuationCorrections {
     if (std::any_of(choice.begin(), choice.end(),
                     [this](std::size_t variable) { return tree_.joint_of(variable).mimics; }))
       return;
-    std::string names;
-    for (const std::size_t variable : choice)
-      names += (names.empty() ? "" : ", ") + tree_.joint_of(variable).name;
-    const std::string remedy = "write actuated_joints: [" + names + "]";
+    std::vector<std::string> names;
+    for (const std::size_t variable : choice) names.push_back(tree_.joint_of(variable).name);
+    const std::string remedy = "write " + files_.entry("actuated_joints", names);
     found_.push_back(
-        {like_others ? "actuated_joints" : remedy, files_.config + " " + fault + " in actuated_joints",
-         remedy, like_others,
+        {like_others ? "actuated_joints" : remedy,
+         files_.config + " " + fault + " in " + files_.key("actuated_joints"), remedy, like_others,
          [choice](Tree&, ResolvedConfig& resolved) { resolved.actuated_joints.variables = choice; }});
   }
 
@@ -195,6 +260,10 @@ class ActuationCorrections {
 
 Corrections closure_corrections(const ResolvedConfig& resolved, const SourceNames& files) {
   return ClosureCorrections(resolved, files).find();
+}
+
+Corrections exchanged_ends(const Tree& tree, const ResolvedConfig& resolved, const SourceNames& files) {
+  return ExchangedEnds(tree, resolved, files).find();
 }
 
 Corrections actuation_corrections(const Tree& tree, const ResolvedConfig& resolved,

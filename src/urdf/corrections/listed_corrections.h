@@ -9,6 +9,9 @@ namespace parallel_aspects {
 /// Of the closures: another type of one, or one less where two are the same.
 Corrections closure_corrections(const ResolvedConfig& resolved, const SourceNames& files);
 
+/// Second frames of closures that are in one another's place.
+Corrections exchanged_ends(const Tree& tree, const ResolvedConfig& resolved, const SourceNames& files);
+
 /// Of the list of actuated joints: one of a leg that has none, one less of a leg that has several, or both.
 Corrections actuation_corrections(const Tree& tree, const ResolvedConfig& resolved,
                                   const ClosureSystem& system, const SourceNames& files);

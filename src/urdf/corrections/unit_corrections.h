@@ -10,7 +10,8 @@
 
 namespace parallel_aspects {
 
-/// Where all slides have limits far beyond the robot, or all lengths are far beyond a robot's: millimetres.
+/// Where slides have limits far beyond the robot, or all lengths are far beyond a robot's: millimetres. Where
+/// origins are turned by angles that are whole or half degrees, read as radians: degrees.
 /// `size`: of the robot [m].
 Corrections unit_corrections(const Tree& tree, const LoopJoints& loops, double size,
                              const SourceNames& files);

@@ -94,10 +94,8 @@ class MotionFinder {
     const Eigen::Index angular = rank(free_twists.topRows(3)), linear = rank(free_twists.bottomRows(3));
     point_may_spin_ = angular > 0 && linear == 0 && (count == 2 || count == 3);
     if (linear > 0 || (angular > 0 && !point_may_spin_))
-      return refuse(
-          numbers +
-          ", and the platform still moves with the actuated joints locked; list more actuated_joints, or "
-          "correct closures that hold too little.");
+      return refuse(numbers + ", and the platform still moves with the actuated joints locked; list more " +
+                    files_.key("actuated_joints") + ", or correct closures that hold too little.");
     return true;
   }
 
@@ -129,7 +127,7 @@ class MotionFinder {
     if (count == 3 && rank(linear()) == 3) return translations(true);
     if (count == 6 && rank(twists_) == 6) return all_motions();
     return refuse(
-        "names " + operational_point_text(system_.tree(), actuated_joints_.platform_link) +
+        "names " + operational_point_text(system_.tree(), actuated_joints_.platform_link, files_) +
         ", which moves in none of the task spaces T1 (1 actuated joint), T2 (2 actuated joints), SE2, "
         "T3, SO3 (3 actuated joints) or SE3 (6 actuated joints), but with " +
         std::to_string(rank(angular())) + " rotations and " + std::to_string(rank(linear())) +

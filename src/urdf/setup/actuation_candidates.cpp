@@ -130,12 +130,12 @@ class Combiner {
     count(chosen == with_effort_, effort_is_meant() ? weight_effort : weight_effort_by_habit,
           "they alone have effort limits above zero");
     count(all(chosen, [&](std::size_t joint) { return says_drive(joint_name(joint)); }), weight_name,
-          "their names tell of drives");
+          "their names tell of actuated joints");
     count(std::any_of(chosen.begin(), chosen.end(),
                       [&](std::size_t joint) { return says_passive(joint_name(joint)); }),
           weight_passive, "");
     count(all(chosen, [&](std::size_t joint) { return at_base(joint); }), weight_at_base,
-          "they are next to the base, where drives usually are");
+          "they are next to the base, where actuated joints usually are");
     count(all(chosen,
               [&](std::size_t joint) { return tree_.joint_of(joint).motion == JointMotion::prismatic; }),
           weight_slide, "they are slides, which are seldom passive");
@@ -171,14 +171,17 @@ class Combiner {
 JointEvidence find_joint_evidence(const LoopSource& source) {
   const auto count = static_cast<std::size_t>(source.tree.variables());
   const DescribedActuation described = described_actuation(source);
-  JointEvidence evidence{std::vector<bool>(count, false), std::vector<StatedEffort>(count),
-                         std::string(described.element)};
+  JointEvidence evidence{
+      std::vector<bool>(count, false), std::vector<StatedEffort>(count), std::string(described.element), {}};
   const auto variable = [&](const std::string& name) {
     const auto joint = source.tree.joint_named(name);
     return joint ? source.tree.joints[*joint].variable : std::nullopt;
   };
   for (const std::string& name : described.joints)
-    if (const auto joint = variable(name)) evidence.stated[*joint] = true;
+    if (const auto joint = variable(name))
+      evidence.stated[*joint] = true;
+    else
+      evidence.unknown.push_back(name);
   for (const auto* joint = source.robot.FirstChildElement("joint"); joint != nullptr;
        joint = joint->NextSiblingElement("joint"))
     if (const auto found = variable(attribute(joint, "name")))

@@ -19,6 +19,7 @@ struct JointEvidence {
   std::vector<bool> stated;  ///< by what `stated_in` names, as <transmission>
   std::vector<StatedEffort> efforts;
   std::string stated_in;
+  std::vector<std::string> unknown;  ///< names in what `stated_in` names that no joint has, or a fixed one
 };
 
 JointEvidence find_joint_evidence(const LoopSource& source);

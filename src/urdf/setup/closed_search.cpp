@@ -5,6 +5,7 @@
 #include "urdf/closing/planar_layers.h"
 #include "urdf/load_search.h"
 #include "urdf/setup/freedom.h"
+#include "urdf/setup/leg_choices.h"
 #include "urdf/setup/name_words.h"
 
 #include <algorithm>
@@ -83,7 +84,7 @@ class ClosedSearch {
   }
 
   bool is_late() const {
-    return subject_.control.cancelled() || std::chrono::steady_clock::now() > subject_.control.deadline;
+    return subject_.control.cancelled() || ProcessorClock::now() > subject_.control.deadline;
   }
 
   bool stopped() {
@@ -124,7 +125,7 @@ class ClosedSearch {
       if (!answer.empty() && bodies_.of(*tree_.link_named(answer)) != body) continue;
       const std::vector<GraphPart> parts = graph_.parts_between(base_, body);
       if (parts.size() < min_parts || parts.size() > max_parts) continue;
-      Platform platform{body, links_of(body), leg_choices(parts), 0};
+      Platform platform{body, links_of(body), leg_choices(tree_, parts), 0};
       platform.likeness = operational_point_likeness(link_name(platform.links.front()));
       if (!platform.legs.empty()) result.push_back(platform);
     }
@@ -143,34 +144,6 @@ class ClosedSearch {
     std::stable_sort(links.begin(), links.end(),
                      [&](std::size_t one, std::size_t other) { return likeness(one) > likeness(other); });
     return links;
-  }
-
-  // All parts; and all but one chain, which is passive where the others move the platform: that which it
-  // hangs on in the tree, or one that is unlike the others, which are alike.
-  std::vector<std::vector<GraphPart>> leg_choices(const std::vector<GraphPart>& parts) const {
-    std::vector<std::vector<GraphPart>> choices;
-    if (is_actuation_count(parts.size())) choices.push_back(parts);
-    for (const bool closed : {false, true})
-      for (std::size_t k = 0; k < parts.size(); ++k) {
-        std::vector<GraphPart> others = parts;
-        others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
-        const bool fits = parts[k].closed == closed && is_actuation_count(others.size());
-        if (fits && (!closed || stands_out(parts[k], others))) choices.push_back(std::move(others));
-      }
-    return choices;
-  }
-
-  bool stands_out(const GraphPart& part, const std::vector<GraphPart>& others) const {
-    const auto motions = motions_of(others.front());
-    return others.size() > 1 && motions_of(part) != motions &&
-           std::all_of(others.begin(), others.end(),
-                       [&](const GraphPart& other) { return motions_of(other) == motions; });
-  }
-
-  std::vector<JointMotion> motions_of(const GraphPart& part) const {
-    std::vector<JointMotion> motions;
-    for (const std::size_t joint : part.variables) motions.push_back(tree_.joint_of(joint).motion);
-    return motions;
   }
 
   std::vector<ActuationCandidate> actuations(const std::vector<GraphPart>& legs) const {
@@ -226,7 +199,32 @@ class ClosedSearch {
     if (equals.empty()) return false;
     if (equals.size() > 1) ask_for_actuated_joints(equals);
     result_.draft.others.push_back({"actuated_joints", equals.front(), others});
+    add_other_points(platform);
     return true;
+  }
+
+  // Links of the platform beside the one that was taken: those whose names say so as well, and where none
+  // does all that no closure holds.
+  void add_other_points(const Platform& platform) {
+    if (!subject_.answers.operational_point.empty()) return;
+    const std::string taken = result_.draft.operational_point.values.front();
+    const bool is_guess = operational_point_likeness(taken) == 0;
+    std::vector<SetupCandidate> others;
+    for (const std::size_t link : platform.links) {
+      const std::string& name = link_name(link);
+      if (name == taken || others.size() == max_others || is_late()) continue;
+      if (is_guess ? is_closed(link) : operational_point_likeness(name) == 0) continue;
+      SetupDraft draft = result_.draft;
+      draft.operational_point.values = {name};
+      if (loads(draft)) others.push_back({{name}, "on the same body"});
+    }
+    result_.draft.others.push_back({"operational_point", result_.draft.operational_point, others});
+  }
+
+  bool is_closed(std::size_t link) const {
+    return std::any_of(closures_.begin(), closures_.end(), [link](const Closure& closure) {
+      return closure.frames[0].link == link || closure.frames[1].link == link;
+    });
   }
 
   // So that the loader says why it does not.
@@ -337,12 +335,13 @@ class ClosedSearch {
   std::shared_ptr<const Mechanism> loaded(const SetupDraft& draft, Problems& problems) const {
     LoadSearch search;
     search.looks_for_remedies = false;
+    search.as_options = true;
     search.checkpoint = [this] {
       if (is_late()) throw OutOfTime{};
     };
     try {
-      return load_mechanism(subject_.urdf_text, subject_.urdf_name, config_text(draft), subject_.config_name,
-                            "", search);
+      return load_mechanism(subject_.urdf_text, subject_.urdf_name, config_text(draft), name_of_choice, "",
+                            search);
     } catch (const InvalidDescription& invalid) {
       problems = invalid.problems();
     } catch (const OutOfTime&) {
@@ -365,6 +364,10 @@ class ClosedSearch {
   bool loads(const ActuationCandidate& actuation) const {
     SetupDraft draft = result_.draft;
     draft.actuated_joints = described(actuation);
+    return loads(draft);
+  }
+
+  bool loads(const SetupDraft& draft) const {
     Problems unused;
     return loaded(draft, unused) != nullptr;
   }

@@ -36,6 +36,9 @@ struct ClosedResult {
   bool cut_short = false;
 };
 
+/// What is tried, for messages that name it: no file has it.
+inline constexpr const char* name_of_choice = "this choice";
+
 /// Looks for base, platform and actuated joints with these closures, and tries them. `described` is what
 /// stands in the YAML for them: nothing where the URDF describes them.
 ClosedResult search_closed(const SetupSubject& subject, const std::vector<Closure>& closures,

@@ -44,6 +44,21 @@ std::set<std::string> common_words(const Tree& tree, const std::vector<std::size
   return common;
 }
 
+// The words of a name in whose place another of the names has another one, and the same ones elsewhere.
+std::set<std::string> counting_words(const Tree& tree, std::size_t link,
+                                     const std::vector<std::size_t>& links) {
+  const Strings words = words_of(tree.links[link]);
+  std::set<std::string> counting;
+  for (const std::size_t other : links) {
+    const Strings others = words_of(tree.links[other]);
+    if (others.size() != words.size()) continue;
+    const auto differ = std::mismatch(words.begin(), words.end(), others.begin());
+    if (differ.first != words.end() && std::equal(differ.first + 1, words.end(), differ.second + 1))
+      counting.insert(*differ.first);
+  }
+  return counting;
+}
+
 }  // namespace
 
 EndLikeness::EndLikeness(const Tree& tree, const std::vector<std::size_t>& tips,
@@ -52,6 +67,7 @@ EndLikeness::EndLikeness(const Tree& tree, const std::vector<std::size_t>& tips,
     std::map<std::string, std::vector<std::size_t>> alike;
     for (const std::size_t link : *links) alike[role_of(tree.links[link])].push_back(link);
     const std::set<std::string> common = common_words(tree, *links);
+    for (const std::size_t link : *links) counters_[link] = counting_words(tree, link, *links);
     for (const auto& [role, members] : alike)
       for (const std::size_t link : members) words_[link] = telling_words(tree, link, members, common);
   }
@@ -59,8 +75,12 @@ EndLikeness::EndLikeness(const Tree& tree, const std::vector<std::size_t>& tips,
 
 int EndLikeness::between(std::size_t one, std::size_t other) const {
   int likeness = 0;
+  const auto counts = [&](const std::string& word) {
+    return is_index(word) || is_side(word) ||
+           (counters_.at(one).count(word) > 0 && counters_.at(other).count(word) > 0);
+  };
   for (const std::string& word : words_.at(one))
-    if (words_.at(other).count(word) > 0) likeness += is_index(word) || is_side(word) ? 3 : 1;
+    if (words_.at(other).count(word) > 0) likeness += counts(word) ? 3 : 1;
   return likeness;
 }
 

@@ -11,8 +11,9 @@
 
 namespace parallel_aspects {
 
-/// Words that tell the ends apart: an index weighs more than any other word. What all have does not tell, nor
-/// does an index that all names of one form have, as the 3 of ball_1_3 and ball_2_3.
+/// Words that tell the ends apart: an index weighs more than any other word, and so does a word that counts
+/// links of one form, as that of platform_alpha and platform_bravo, on both sides. What all have does not
+/// tell, nor does an index that all names of one form have, as the 3 of ball_1_3 and ball_2_3.
 class EndLikeness {
  public:
   EndLikeness(const Tree& tree, const std::vector<std::size_t>& tips,
@@ -22,7 +23,7 @@ class EndLikeness {
   int between(std::size_t one, std::size_t other) const;
 
  private:
-  std::map<std::size_t, std::set<std::string>> words_;
+  std::map<std::size_t, std::set<std::string>> words_, counters_;
 };
 
 }  // namespace parallel_aspects

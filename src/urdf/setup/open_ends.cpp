@@ -6,6 +6,7 @@
 #include "urdf/setup/end_likeness.h"
 #include "urdf/setup/left_open.h"
 #include "urdf/setup/name_words.h"
+#include "urdf/setup/shared_ends.h"
 
 #include <algorithm>
 #include <numeric>
@@ -47,20 +48,19 @@ class EndFinder {
 
   // By what positions and names tell.
   std::vector<EqualPairings> evident() {
-    result_.pairings.clear();
-    if (terminal_.empty()) return {};
+    if (!begin()) return {};
     for (const Body& hub : hubs_first()) {
       split(hub);
-      add_first(by_position(), by_names());
+      const auto shared = by_names(true);
+      add_first(by_position(), shared ? shared : by_names(false));
+      if (shared) add_first(std::nullopt, by_names(false));
     }
     return result_.pairings;
   }
 
   // Where there is no other way.
   std::vector<EqualPairings> forced() {
-    result_.pairings.clear();
-    if (terminal_.empty()) return {};
-    split(hubs_first().front());
+    if (!begin()) return {};
     if (tips_.size() == 1 && anchors_.size() == 1)
       add({Pairing{{{anchors_[0], tips_[0].front(), ""}}, "they are the only open ends"}});
     return result_.pairings;
@@ -68,11 +68,10 @@ class EndFinder {
 
   // All others that are tried.
   std::vector<EqualPairings> others() {
-    result_.pairings.clear();
-    if (terminal_.empty()) return {};
-    split(hubs_first().front());
-    add_in_one_point();
+    if (!begin()) return {};
+    add(in_one_point(anchors_, tips_));
     add_orders();
+    add(shared_orders(anchors_, tips_, carried_anchor()));
     return result_.pairings;
   }
 
@@ -94,6 +93,13 @@ class EndFinder {
   }
 
  private:
+  // With the likeliest hub; whether there are chains.
+  bool begin() {
+    result_.pairings.clear();
+    if (!terminal_.empty()) split(hubs_first().front());
+    return !terminal_.empty();
+  }
+
   // Of the links of a body that have one origin, the first.
   std::size_t place(std::size_t link) const {
     const std::vector<std::size_t>& links = bodies_.links(bodies_.of(link));
@@ -260,8 +266,9 @@ class EndFinder {
     return is_told ? std::optional<std::size_t>(best) : std::nullopt;
   }
 
-  // Every tip has one anchor whose name is more like its own than any other, and the other way round.
-  std::optional<Pairing> by_names() const {
+  // Every tip has one anchor whose name is more like its own than any other, and the other way round; or
+  // where anchors are shared by several, as two legs meet in one joint, every tip has one.
+  std::optional<Pairing> by_names(bool shared) const {
     std::vector<std::size_t> all;
     for (const auto& tips : tips_) all.insert(all.end(), tips.begin(), tips.end());
     if (all.empty() || anchors_.size() < 2) return std::nullopt;
@@ -270,9 +277,10 @@ class EndFinder {
     std::set<std::size_t> taken;
     for (const auto& tips : tips_) {
       const auto pair = likest(tips, likeness);
-      if (!pair || !taken.insert(pair->one).second) continue;
+      if (!pair || (!taken.insert(pair->one).second && !shared)) continue;
       pairing.pairs.push_back(*pair);
     }
+    if (shared && !meets_in_pairs(pairing, tips_.size())) return std::nullopt;
     // A chain that ends elsewhere, as the finger of a gripper, is left open where all anchors but some are
     // taken.
     const bool all_tips = pairing.pairs.size() == tips_.size();
@@ -307,17 +315,6 @@ class EndFinder {
     if (!pairings.empty()) result_.pairings.push_back(std::move(pairings));
   }
 
-  // Legs that have no common body meet in one point.
-  void add_in_one_point() {
-    if (anchors_.size() != 1 || tips_.size() < 2) return;
-    Pairing pairing{{}, "each is the only open end of its chain"};
-    for (const auto& tips : tips_) {
-      if (tips.size() != 1) return;
-      pairing.pairs.push_back({anchors_.front(), tips.front(), ""});
-    }
-    add({pairing});
-  }
-
   // Each order of the anchors, where there are few.
   void add_orders() {
     if (anchors_.size() < tips_.size() || tips_.empty() || anchors_.size() == 1) return;
@@ -325,6 +322,17 @@ class EndFinder {
     std::vector<std::size_t> chosen;
     extend(chosen, orders);
     add(std::move(orders));
+  }
+
+  // That in the place of the joint that carries the body of the anchors on a chain.
+  std::optional<std::size_t> carried_anchor() const {
+    if (anchors_.empty()) return std::nullopt;
+    const auto above = tree_.joint_above[bodies_.links(bodies_.of(anchors_.front())).front()];
+    for (const std::size_t anchor : anchors_)
+      if (above && tree_.joints[*above].motion == JointMotion::revolute &&
+          in_one_place(anchor, tree_.joints[*above].child))
+        return anchor;
+    return std::nullopt;
   }
 
   void extend(std::vector<std::size_t>& chosen, EqualPairings& orders) {
@@ -382,15 +390,6 @@ OpenEnds find_open_ends(const Tree& tree, const Bodies& bodies) {
   add(without_named.others());
   found.cut_short = without_named.cut_short();
   return found;
-}
-
-std::vector<Closure> closures_of(const Tree& tree, const Pairing& pairing) {
-  std::vector<Closure> closures;
-  for (const EndPair& pair : pairing.pairs)
-    closures.push_back({tree.links[pair.one] + " - " + tree.links[pair.other],
-                        {LinkFrame{pair.one}, LinkFrame{pair.other}},
-                        ClosureType::automatic});
-  return closures;
 }
 
 }  // namespace parallel_aspects

@@ -41,9 +41,6 @@ struct OpenEnds {
 /// leave without a pairing that loads is closed by them.
 OpenEnds find_open_ends(const Tree& tree, const Bodies& bodies);
 
-/// Closures of open type.
-std::vector<Closure> closures_of(const Tree& tree, const Pairing& pairing);
-
 }  // namespace parallel_aspects
 
 #endif  // PARALLEL_ASPECTS_URDF_SETUP_OPEN_ENDS_H

@@ -13,13 +13,7 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr int digits = 12;
 constexpr double same_place = 1e-6;  // [m]
-
-std::string placed_name(const std::string& link, const Eigen::Vector3d& xyz) {
-  return link + "@" + number_text(xyz.x(), digits) + ":" + number_text(xyz.y(), digits) + ":" +
-         number_text(xyz.z(), digits);
-}
 
 std::vector<std::vector<std::size_t>> joints_below(const Tree& tree) {
   std::vector<std::vector<std::size_t>> below(tree.links.size());

@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_URDF_SETUP_PLACED_FRAMES_H
 #define PARALLEL_ASPECTS_URDF_SETUP_PLACED_FRAMES_H
 
+#include "urdf/description/command_options.h"
 #include "urdf/description/tree.h"
 
 #include <Eigen/Core>

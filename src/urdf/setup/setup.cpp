@@ -6,8 +6,8 @@
 #include "urdf/reading/tree_reader.h"
 #include "urdf/setup/closed_search.h"
 #include "urdf/setup/open_ends.h"
-#include "urdf/setup/options.h"
 #include "urdf/setup/placed_frames.h"
+#include "urdf/setup/wrist_notes.h"
 
 #include <tinyxml2.h>
 #include <yaml-cpp/yaml.h>
@@ -25,6 +25,16 @@ std::vector<std::string> movable_joints(const Tree& tree) {
   return names;
 }
 
+// Of open type.
+std::vector<Closure> closures_of(const Tree& tree, const Pairing& pairing) {
+  std::vector<Closure> closures;
+  for (const EndPair& pair : pairing.pairs)
+    closures.push_back({tree.links[pair.one] + " - " + tree.links[pair.other],
+                        {LinkFrame{pair.one}, LinkFrame{pair.other}},
+                        ClosureType::automatic});
+  return closures;
+}
+
 struct OutOfTime {};
 
 class Setup {
@@ -39,6 +49,7 @@ class Setup {
         subject_{tree,     bodies_, evidence_, urdf_text, source.files.urdf, source.files.config,
                  answers_, control} {
     result_.robot = tree.name;
+    note_unknown_joints();
   }
 
   SetupResult find() {
@@ -56,6 +67,18 @@ class Setup {
   }
 
  private:
+  // What is stated of joints that are not there, or do not move, speaks for none.
+  void note_unknown_joints() {
+    for (const std::string& name : evidence_.unknown) {
+      const bool is_fixed = tree_.joint_named(name).has_value();
+      Problems unused;
+      result_.notes.push_back(
+          source_.files.urdf + " has a " + evidence_.stated_in + " of joint '" + name + "', " +
+          (is_fixed ? "which is fixed; it counts for nothing."
+                    : "but no such joint" + suggestion(name, movable_joints(tree_), unused)));
+    }
+  }
+
   void problem(const std::string& option, const std::string& kind, const std::string& name,
                const std::vector<std::string>& known) {
     result_.problems.push_back(option + " names " + kind + " '" + name + "', but " + source_.files.urdf +
@@ -99,10 +122,15 @@ class Setup {
     result_.question = found.question;
     if (!found.mechanism) {
       refuse(found);
+      result_.problems.insert(result_.problems.end(), result_.notes.begin(), result_.notes.end());
       return;
     }
     SetupDraft& draft = found.draft;
     draft.task_space = found.mechanism->manipulator()->task_space();
+    for (const std::string& note :
+         wrist_notes(tree_, bodies_, *found.mechanism, draft.closures.values, source_.files.urdf))
+      result_.notes.push_back(note);
+    draft.notes = result_.notes;
     for (const auto& [key, candidate] :
          {std::pair<const char*, const SetupCandidate*>{"base_link", &draft.base_link},
           {"closures", &draft.closures},
@@ -123,14 +151,16 @@ class Setup {
   void refuse(const ClosedResult& found) {
     result_.problems = found.problems;
     if (!found.tried) return;
-    const std::string config = subject_.config_name;
     Problems reasons = found.problems;
     try {
-      const LoadSearch search{[this] {
-        if (subject_.control.cancelled() || std::chrono::steady_clock::now() > subject_.control.deadline)
+      LoadSearch search;
+      search.as_options = true;
+      search.checkpoint = [this] {
+        if (subject_.control.cancelled() || ProcessorClock::now() > subject_.control.deadline)
           throw OutOfTime{};
-      }};
-      load_mechanism(subject_.urdf_text, subject_.urdf_name, config_text(*found.tried), config, "", search);
+      };
+      load_mechanism(subject_.urdf_text, subject_.urdf_name, config_text(*found.tried), name_of_choice, "",
+                     search);
     } catch (const InvalidDescription& invalid) {
       reasons = invalid.problems();
     } catch (const OutOfTime&) {
@@ -138,8 +168,7 @@ class Setup {
     result_.problems.clear();
     for (const std::string& reason : reasons)
       result_.problems.push_back(source_.files.urdf + " makes no robot that is treated with " +
-                                 options_for(*found.tried) +
-                                 ", which was tried first: " + said_of_options(reason, config));
+                                 options_for(*found.tried) + ", which was tried first: " + reason);
   }
 
   SetupResult asked_closures() {
@@ -208,11 +237,12 @@ class Setup {
   }
 
   // Where nothing was tried, each end with what may be the platform.
-  static std::vector<EndPair> first_pairs(const OpenEnds& ends) {
+  std::vector<EndPair> first_pairs(const OpenEnds& ends) const {
     if (!ends.pairings.empty()) return ends.pairings.front().front().pairs;
     std::vector<EndPair> pairs;
     for (const std::size_t link : ends.links)
-      if (ends.platform && link != *ends.platform) pairs.push_back({*ends.platform, link, ""});
+      if (ends.platform && bodies_.of(link) != bodies_.of(*ends.platform))
+        pairs.push_back({*ends.platform, link, ""});
     return pairs;
   }
 

@@ -4,9 +4,9 @@
 
 #include "parallel_aspects/model/problems.h"
 #include "parallel_aspects/urdf/mechanism.h"
+#include "urdf/setup/processor_clock.h"
 
 #include <array>
-#include <chrono>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -48,7 +48,7 @@ struct SetupQuestion {
 
 /// When to give up, and what for. Both are looked at before each attempt to assemble the mechanism.
 struct SetupControl {
-  std::chrono::steady_clock::time_point deadline;
+  ProcessorClock::time_point deadline;
   std::function<bool()> cancelled = [] { return false; };
 };
 
@@ -60,7 +60,8 @@ struct SetupResult {
   std::shared_ptr<const Mechanism> mechanism;  ///< what `config` makes of the URDF
   std::optional<SetupQuestion> question;
   Problems problems;
-  bool cut_short = false;  ///< by the deadline, or since there are too many combinations
+  std::vector<std::string> notes;  ///< on the URDF, a sentence each
+  bool cut_short = false;          ///< by the deadline, or since there are too many combinations
 };
 
 /// Looks for base, loop closures, platform and actuated joints of the URDF, and tries what it finds with

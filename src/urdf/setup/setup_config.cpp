@@ -2,12 +2,14 @@
 #include "urdf/setup/setup_config.h"
 
 #include "model/number_text.h"
+#include "urdf/description/command_options.h"
 #include "urdf/setup/placed_frames.h"
 
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
 #include <sstream>
+#include <utility>
 
 namespace parallel_aspects {
 namespace {
@@ -84,6 +86,7 @@ class Writer {
     single("base_link", "Link that carries the base; poses are given in its frame", draft_.base_link);
     single("operational_point", "Link whose origin is the operational point", draft_.operational_point);
     explain("actuated_joints", "Actuated joints, one a leg", draft_.actuated_joints);
+    for (const std::string& note : draft_.notes) comment(indent, note);
     entry("actuated_joints", yaml(draft_.actuated_joints.values));
     write_task_space();
     write_closures();
@@ -142,5 +145,16 @@ class Writer {
 }  // namespace
 
 std::string config_text(const SetupDraft& draft) { return Writer(draft).text(); }
+
+std::string options_for(const SetupDraft& draft) {
+  std::string text;
+  for (const auto& [key, candidate] :
+       {std::pair<const char*, const SetupCandidate*>{"closures", &draft.closures},
+        {"base_link", &draft.base_link},
+        {"operational_point", &draft.operational_point},
+        {"actuated_joints", &draft.actuated_joints}})
+    if (!candidate->values.empty()) text += (text.empty() ? "" : " ") + option_for(key, candidate->values);
+  return text;
+}
 
 }  // namespace parallel_aspects

@@ -19,11 +19,14 @@ struct SetupDraft {
   std::string closure_type;         ///< of all of them
   std::vector<SetupChoice> others;  ///< what else would do, by key
   std::optional<TaskSpace> task_space;
-  std::vector<std::string> notes;  ///< of the loader
+  std::vector<std::string> notes;  ///< on the URDF
 };
 
 /// As commented YAML.
 std::string config_text(const SetupDraft& draft);
+
+/// The options of `aspects setup` that ask for what it says.
+std::string options_for(const SetupDraft& draft);
 
 }  // namespace parallel_aspects
 

@@ -43,18 +43,14 @@ Outcome outcome(const FaultyRobot& robot, const Problems& problems, std::string&
                ? not_found
                : wrong;
   const bool alone = said.find("each of these corrections alone") != std::string::npos;
-  Description all = robot.text;
-  for (const std::string& remedy : remedies) {
-    const Description one = test::corrected(robot.text, remedy);
-    if (alone && !loads(one)) return wrong;
-    all = test::corrected(all, remedy);
-  }
+  const std::vector<Description> corrected = test::followed(robot.text, said);
+  if (!std::all_of(corrected.begin(), corrected.end(), loads)) return wrong;
   const auto count = std::count_if(remedies.begin(), remedies.end(),
                                    [&](const std::string& remedy) { return is_of(remedy, robot); });
   const bool is_open = said.find("there may be others") != std::string::npos;
   if (alone && count == 0) return is_open ? not_found : wrong;
   if (alone) return listed;
-  return count == static_cast<std::ptrdiff_t>(remedies.size()) && loads(all) ? named : wrong;
+  return count == static_cast<std::ptrdiff_t>(remedies.size()) ? named : wrong;
 }
 
 void print(const std::string& robot, const std::map<std::string, Counts>& table) {

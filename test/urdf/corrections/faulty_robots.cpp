@@ -4,6 +4,7 @@
 #include <tinyxml2.h>
 #include <yaml-cpp/yaml.h>
 
+#include <algorithm>
 #include <functional>
 #include <regex>
 #include <sstream>
@@ -282,7 +283,13 @@ std::string with_joint(const std::string& urdf, const std::string& remedy) {
     const std::string type = quoted(remedy, "type=\"([^\"]+)\""),
                       axis = quoted(remedy, "<axis xyz=\"([^\"]+)\"/>");
     const std::string parent = quoted(remedy, "<parent link=\"([^\"]+)\"/>");
+    const std::string carried = quoted(remedy, "<child link=\"([^\"]+)\"/>");
     if (!parent.empty()) child(joint, "parent")->SetAttribute("link", parent.c_str());
+    if (!carried.empty()) child(joint, "child")->SetAttribute("link", carried.c_str());
+    if (remedy.find("without <limit>") != std::string::npos) joint->DeleteChild(child(joint, "limit"));
+    for (const std::string key : {"lower", "upper"})
+      if (const std::string value = quoted(remedy, key + "=\"([^\"]+)\""); !value.empty())
+        child(joint, "limit")->SetAttribute(key.c_str(), value.c_str());
     if (!type.empty()) joint->SetAttribute("type", type.c_str());
     if (!axis.empty()) child(joint, "axis")->SetAttribute("xyz", axis.c_str());
   });
@@ -312,12 +319,14 @@ std::vector<FaultyRobot> faulty_robots(const std::string& robot) { return Faults
 
 std::vector<std::string> remedies(const std::string& message) {
   const std::regex remedy(
-      "write ((type=\"[^\"]+\")?( and )?(<axis xyz=\"[^\"]+\"/>)? for joint '[^']+'"
+      "write ((type=\"[^\"]+\")?( and )?(<axis xyz=\"[^\"]+\"/>)?( without <limit>)? for joint '[^']+'"
+      "|lower=\"[^\"]+\" upper=\"[^\"]+\" for joint '[^']+'|<child link=\"[^\"]+\"/> for joint '[^']+'"
       "|(xyz|rpy)=\"[^\"]+\" in the origin of joint '[^']+'|type: \\w+ for closure '[^']+'"
       "|<parent link=\"[^\"]+\"/> for joint '[^']+'|link '[^']+' in the place of '[^']+' in closure '[^']+'"
       "|(operational_point|base_link): \\w+( and actuated_joints: \\[[^\\]]+\\])?"
       "|actuated_joints: \\[[^\\]]+\\])|add \\{frames: \\[[^\\]]+\\], type: \\w+\\} to "
-      "mechanism.closures|leave out one entry of closure '[^']+'");
+      "mechanism.closures|leave out one entry of closure '[^']+'|add <link name=\"[^\"]+\"/><joint "
+      ".*?</joint>");
   std::vector<std::string> found;
   for (std::sregex_iterator at(message.begin(), message.end(), remedy), end; at != end; ++at)
     found.push_back(at->str());
@@ -326,7 +335,9 @@ std::vector<std::string> remedies(const std::string& message) {
 
 Description corrected(Description text, const std::string& remedy) {
   const YAML::Node yaml = YAML::Load(text.config);
-  if (remedy.find("in the place of") != std::string::npos) {
+  if (remedy.find("add <") == 0) {
+    text.urdf = replaced(text.urdf, "</robot>", remedy.substr(4) + "</robot>");
+  } else if (remedy.find("in the place of") != std::string::npos) {
     YAML::Node frames = closure_named(yaml, quoted(remedy, "closure '([^']+)'"))["frames"];
     const std::string old = quoted(remedy, "place of '([^']+)'");
     for (std::size_t end = 0; end < 2; ++end)
@@ -361,6 +372,20 @@ Description corrected(Description text, const std::string& remedy) {
     text.urdf = with_joint(text.urdf, remedy);
   }
   return text;
+}
+
+std::vector<Description> followed(const Description& text, const std::string& message) {
+  const std::string alternatives = "; or ";
+  std::vector<Description> result;
+  for (std::size_t start = 0; start < message.size();) {
+    const std::size_t end = std::min(message.find(alternatives, start), message.size());
+    const std::vector<std::string> all = remedies(message.substr(start, end - start));
+    Description one = text;
+    for (const std::string& remedy : all) one = corrected(one, remedy);
+    if (!all.empty()) result.push_back(one);
+    start = end + alternatives.size();
+  }
+  return result;
 }
 
 }  // namespace parallel_aspects::test

@@ -24,6 +24,10 @@ std::vector<std::string> remedies(const std::string& message);
 /// The description after a remedy. Throws where the remedy is not understood.
 Description corrected(Description text, const std::string& remedy);
 
+/// The descriptions after what a message says, one for each of the corrections that it lists, or the one
+/// after all that it says; none where it has no remedy.
+std::vector<Description> followed(const Description& text, const std::string& message);
+
 }  // namespace parallel_aspects::test
 
 #endif  // PARALLEL_ASPECTS_TEST_URDF_CORRECTIONS_FAULTY_ROBOTS_H

@@ -6,7 +6,9 @@
 
 #include "support/descriptions.h"
 #include <algorithm>
+#include <array>
 #include <string>
+#include <vector>
 
 namespace parallel_aspects {
 namespace {
@@ -21,18 +23,10 @@ std::string sentence(const Description& robot) {
   return problems.empty() ? "" : problems.front();
 }
 
-// With all remedies of one sentence together, or each of several alone.
 void expect_remedies_work(const Description& robot, const std::string& said) {
-  const std::vector<std::string> remedies = test::remedies(said);
-  EXPECT_FALSE(remedies.empty()) << said;
-  Description all = robot;
-  const bool alone = said.find("each of these corrections alone") != std::string::npos;
-  for (const std::string& remedy : remedies) {
-    all = test::corrected(alone ? robot : all, remedy);
-    if (alone || remedy == remedies.back()) {
-      EXPECT_EQ(test::refusal(all.urdf, all.config), Problems{}) << said;
-    }
-  }
+  const std::vector<Description> corrected = test::followed(robot, said);
+  EXPECT_FALSE(corrected.empty()) << said;
+  for (const Description& one : corrected) EXPECT_EQ(test::refusal(one.urdf, one.config), Problems{}) << said;
 }
 
 Description on_link(const std::string& robot, const std::string& frame, const std::string& parent,
@@ -190,21 +184,223 @@ TEST(FrameCorrection, IsAFixedElbow) {
   }
 }
 
+std::string with_origin_in(std::string urdf, const std::string& joint, const std::string& origin) {
+  const std::size_t at = urdf.find("<origin", urdf.find("<joint name=\"" + joint + "\""));
+  return urdf.replace(at, urdf.find("/>", at) - at, "<origin " + origin);
+}
+
+// The origin of a joint of the Delta.
+Description with_origin(const std::string& joint, const std::string& origin) {
+  Description robot = shipped_text("delta");
+  robot.urdf = with_origin_in(robot.urdf, joint, origin);
+  return robot;
+}
+
+// That of one leg is turned by degrees, on the platform or on the base.
+TEST(FrameCorrection, IsAnAngleInDegrees) {
+  for (const auto& [joint, degrees, radians] :
+       {std::array{"platform_2_direction_joint", "120", "2.09439510239"},
+        {"platform_3_direction_joint", "-120", "-2.09439510239"},
+        {"leg_2_joint", "120", "2.09439510239"}}) {
+    const Description robot = with_origin(joint, "rpy=\"0 0 " + std::string(degrees) + "\"");
+    const std::string said = sentence(robot);
+    EXPECT_EQ(said, "robot.urdf turns the origin of joint '" + std::string(joint) + "' by rpy (0, 0, " +
+                        degrees + ") rad, as if in degrees; write rpy=\"0 0 " + radians +
+                        "\" in the origin of joint '" + joint + "', which makes it a robot in T3.");
+    expect_remedies_work(robot, said);
+  }
+}
+
+// Also of a robot that loads with them.
+TEST(FrameCorrection, NotesAnglesInDegrees) {
+  Description robot = shipped_text("stewart");
+  const std::size_t at =
+      robot.urdf.find("<origin", robot.urdf.find("<joint name=\"platform_3_direction_joint\""));
+  robot.urdf.replace(at, robot.urdf.find("/>", at) - at, "<origin rpy=\"0 0 60\"");
+  const auto mechanism = test::load(robot);
+  const auto& notes = mechanism->notes();
+  EXPECT_EQ(std::count(notes.begin(), notes.end(),
+                       "robot.urdf turns the origin of joint 'platform_3_direction_joint' by rpy (0, 0, 60) "
+                       "rad, as if in degrees; if so, write rpy=\"0 0 1.0471975512\" in the origin of joint "
+                       "'platform_3_direction_joint'."),
+            1);
+}
+
+bool has_remedy(const std::string& said, const std::string& remedy) {
+  const std::vector<std::string> all = test::remedies(said);
+  return std::find(all.begin(), all.end(), remedy) != all.end();
+}
+
+// A frame of the platform of one leg that is turned or moved: what would do as well may be named beside it.
+TEST(FrameCorrection, IsBesideThePatternOfTheOthers) {
+  const std::string turned = "rpy=\"0 0 2.09439510239\" in the origin of joint 'platform_2_direction_joint'",
+                    moved = "xyz=\"0.045 0.05 0\" in the origin of joint 'platform_2_left_joint'";
+  for (const auto& [joint, origin, remedy] :
+       {std::array<std::string, 3>{"platform_2_direction_joint", "rpy=\"0 0 2.5\"", turned},
+        {"platform_2_direction_joint", "rpy=\"0 0 0\"", turned},
+        {"platform_2_left_joint", "xyz=\"0.045 0.07 0\"", moved},
+        {"platform_2_left_joint", "xyz=\"0.07 0.05 0\"", moved},
+        {"platform_2_left_joint", "xyz=\"0.045 0.05 0.03\"", moved}}) {
+    const Description robot = with_origin(joint, origin);
+    const std::string said = sentence(robot);
+    EXPECT_TRUE(has_remedy(said, "write " + remedy)) << said;
+    expect_remedies_work(robot, said);
+  }
+}
+
+// Where no single correction is known, the pair that is no parallelogram is, or that all are.
+TEST(RodPairs, AreNamedWhereTheyLetThePlatformTurn) {
+  Description robot = with_origin("platform_2_left_joint", "xyz=\"0.045 0.07 0\"");
+  robot.urdf = with_origin_in(robot.urdf, "platform_3_right_joint", "xyz=\"0.06 -0.05 0\"");
+  std::string said = sentence(robot);
+  EXPECT_EQ(
+      said.rfind("robot.urdf lets the platform turn while it moves, since rods in pairs hold its "
+                 "orientation only where they are parallelograms: the rods from 'rod_2_left_pitch_joint' "
+                 "to 'platform_2_left - rod_2_left_tip' and from 'rod_2_right_pitch_joint' to "
+                 "'platform_2_right - rod_2_right_tip' are 0.8 and 0.8 m long, and their ends 0.1 and "
+                 "0.12 m apart; ",
+                 0),
+      0U)
+      << said;
+  robot = with_origin("platform_2_direction_joint", "rpy=\"0 0 2.5\"");
+  robot.urdf = with_origin_in(robot.urdf, "platform_3_direction_joint", "rpy=\"0 0 -1.7\"");
+  said = sentence(robot);
+  EXPECT_NE(said.find("the pairs are parallelograms, but turned against each other"), std::string::npos)
+      << said;
+}
+
+std::string exchanged(std::string text, const std::string& one, const std::string& other) {
+  return replaced(replaced(replaced(text, one, "@"), other, one), "@", other);
+}
+
+// Of one leg, of two, and all of two.
+TEST(FrameCorrection, IsTwoClosuresThatAreCrossed) {
+  for (const std::string other :
+       {"rod_2_right_tip", "rod_3_left_tip", "rod_3_right_tip", "rod_1_right_tip"}) {
+    Description robot = shipped_text("delta");
+    robot.config = exchanged(robot.config, "rod_2_left_tip", other);
+    const std::string said = sentence(robot);
+    EXPECT_EQ(said.rfind("robot.yaml has the ends of closure '", 0), 0U) << said;
+    EXPECT_EQ(test::remedies(said).size(), 2U) << said;
+    expect_remedies_work(robot, said);
+  }
+  Description legs = shipped_text("delta");
+  legs.config = exchanged(exchanged(legs.config, "rod_2_left_tip", "rod_3_left_tip"), "rod_2_right_tip",
+                          "rod_3_right_tip");
+  const std::string said = sentence(legs);
+  EXPECT_TRUE(has_remedy(said,
+                         "write link 'rod_2_right_tip' in the place of 'rod_3_right_tip' in closure "
+                         "'platform_2_right - rod_3_right_tip'"))
+      << said;
+  expect_remedies_work(legs, said);
+}
+
+// A second stage before the piston of each of these legs.
+Description with_telescopes(const std::string& legs) {
+  Description robot = shipped_text("three_rpr");
+  for (const char leg : legs) {
+    const std::string drive = std::string("drive_") + leg, stage = std::string("stage_") + leg;
+    const std::string above = "<parent link=\"" + drive + "\"/>\n    <child link=\"bar_" + leg + "\"/>";
+    robot.urdf = replaced(robot.urdf, above, replaced(above, drive, stage));
+    robot.urdf = replaced(robot.urdf, "</robot>",
+                          "<link name=\"" + stage + "\"/><joint name=\"" + stage +
+                              "\" type=\"prismatic\"><parent link=\"" + drive + "\"/><child link=\"" + stage +
+                              "\"/><axis xyz=\"1 0 0\"/><limit lower=\"0\" upper=\"2\"/></joint></robot>");
+  }
+  return robot;
+}
+
+TEST(JointCorrection, IsASecondSlideInSeries) {
+  for (const std::string legs : {"1", "2", "123"}) {
+    const Description robot = with_telescopes(legs);
+    const std::string said = sentence(robot);
+    std::vector<std::string> expected;
+    for (const char leg : legs)
+      expected.push_back(std::string("write type=\"fixed\" for joint 'stage_") + leg + "'");
+    EXPECT_EQ(test::remedies(said), expected) << said;
+    EXPECT_NE(said.find("joint 'stage_" + legs.substr(0, 1) + "' in series with 'strut_" + legs.substr(0, 1) +
+                        "_joint'"),
+              std::string::npos)
+        << said;
+    expect_remedies_work(robot, said);
+  }
+}
+
+// At the base, at the start of a rod, and at a crank.
+TEST(FrameCorrection, IsAClosureOfAnotherLinkOfAFiveBar) {
+  for (const auto& [frames, wrong, right] :
+       {std::array<std::string, 3>{"base_link, closing_2", "base_link", "tool"},
+        {"tool, base_link", "base_link", "closing_2"},
+        {"tool, rod_2", "rod_2", "closing_2"},
+        {"rod_1, closing_2", "rod_1", "tool"},
+        {"crank_1, closing_2", "crank_1", "tool"}}) {
+    Description robot = shipped_text("five_bar");
+    robot.config = replaced(robot.config, "[tool, closing_2]", "[" + frames + "]");
+    const std::string said = sentence(robot);
+    EXPECT_EQ(test::remedies(said),
+              std::vector<std::string>{"write link '" + right + "' in the place of '" + wrong +
+                                       "' in closure '" + replaced(frames, ",", " -") + "'"})
+        << said;
+    expect_remedies_work(robot, said);
+  }
+}
+
+// It has no link of its own there.
+TEST(FrameCorrection, IsTheFarEndOfARod) {
+  Description robot{test::source_file("test/data/chains/three_rrr_on_slides.urdf"),
+                    test::source_file("test/data/chains/three_rrr_on_slides.yaml")};
+  robot.config = replaced(robot.config, "{link: rod_2, xyz: [10, 0, 0]}", "rod_2");
+  EXPECT_EQ(sentence(robot),
+            "robot.yaml has closure 'platform - rod_2' at the start of link 'rod_2', where joint "
+            "'elbow_2_joint' is, and not at its far end, which has no link; write {link: rod_2, xyz: [10, 0, "
+            "0]} or where else that is in the place of 'rod_2' in closure 'platform - rod_2', which makes it "
+            "a robot in SE2.");
+  robot.config = replaced(robot.config, "}, rod_2]", "}, {link: rod_2, xyz: [10, 0, 0]}]");
+  EXPECT_EQ(test::refusal(robot.urdf, robot.config), Problems{});
+}
+
 bool has_note(const Description& robot, const std::string& note) {
   const auto notes = test::load(robot)->notes();
   return std::count(notes.begin(), notes.end(), note) == 1;
 }
 
-std::string in_millimetres(std::string urdf, const std::string& joint) {
+std::string with_limits_times(double factor, std::string urdf, const std::string& joint) {
   const auto scale = [&](const std::string& key) {
     const std::size_t at =
         urdf.find(key + "=\"", urdf.find("<joint name=\"" + joint + "\"")) + key.size() + 2;
     const std::size_t end = urdf.find('"', at);
-    urdf.replace(at, end - at, std::to_string(1000.0 * std::stod(urdf.substr(at, end - at))));
+    urdf.replace(at, end - at, std::to_string(factor * std::stod(urdf.substr(at, end - at))));
   };
   scale("lower");
   scale("upper");
   return urdf;
+}
+
+std::string in_millimetres(const std::string& urdf, const std::string& joint) {
+  return with_limits_times(1000.0, urdf, joint);
+}
+
+TEST(Units, OfLimitsAreNotAThousandthOfMetres) {
+  for (const int count : {1, 6}) {
+    Description robot = shipped_text("stewart");
+    for (int k = 1; k <= count; ++k)
+      robot.urdf = with_limits_times(1e-3, robot.urdf, "strut_" + std::to_string(k) + "_joint");
+    const std::string said = sentence(robot);
+    EXPECT_EQ(said.rfind("robot.urdf is 2.35 m wide, but has limits of slides, 'strut_1_joint'", 0), 0U)
+        << said;
+    EXPECT_NE(
+        said.find(", as if divided by 1000; write lower=\"1.1\" upper=\"1.9\" for joint 'strut_1_joint'"),
+        std::string::npos)
+        << said;
+    EXPECT_EQ(test::remedies(said).size(), static_cast<std::size_t>(count));
+    expect_remedies_work(robot, said);
+  }
+  Description robot = shipped_text("three_prr");
+  robot.urdf = with_limits_times(1e-3, robot.urdf, "slider_1_joint");
+  EXPECT_TRUE(
+      has_note(robot,
+               "robot.urdf is 1.39 m wide, but has limits of slides, 'slider_1_joint', as if divided by "
+               "1000; if so, write lower=\"-1.2\" upper=\"1.2\" for joint 'slider_1_joint'."));
 }
 
 TEST(Units, OfLimitsAreMetres) {

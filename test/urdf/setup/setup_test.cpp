@@ -2,9 +2,9 @@
 // What is found in bare URDFs: the shipped robots, and robots as others write them.
 #include "urdf/setup/setup.h"
 
+#include "urdf/description/source_names.h"
 #include "urdf/load_search.h"
 #include "urdf/setup/name_words.h"
-#include "urdf/setup/options.h"
 
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ namespace {
 using Strings = std::vector<std::string>;
 
 // Long enough for sanitizers on a busy machine; the searches take milliseconds.
-SetupControl patient() { return {std::chrono::steady_clock::now() + std::chrono::minutes(5)}; }
+SetupControl patient() { return {ProcessorClock::now() + std::chrono::minutes(5)}; }
 
 SetupResult set_up_text(const std::string& urdf, const SetupAnswers& answers = {}) {
   return set_up(urdf, "robot.urdf", "robot.yaml", answers, patient());
@@ -128,7 +128,12 @@ INSTANTIATE_TEST_SUITE_P(
         Found{"hung_five_bar", TaskSpace::T2, "table", "tool", {"drive1", "drive2"}},
         Found{"guided_plunger", TaskSpace::T1, "housing", "plunger", {"crank_shaft"}},
         Found{"gripping_five_bar", TaskSpace::T2, "BaseTable", "Hand", {"LeftShoulder", "RightShoulder"}},
-        Found{"clamping_five_bar", TaskSpace::T2, "BaseTable", "Hand", {"LeftShoulder", "RightShoulder"}}));
+        Found{"clamping_five_bar", TaskSpace::T2, "BaseTable", "Hand", {"LeftShoulder", "RightShoulder"}},
+        Found{"octahedral_hexapod",
+              TaskSpace::SE3,
+              "base",
+              "platform",
+              {"piston_a_1", "piston_a_2", "piston_b_1", "piston_b_2", "piston_c_1", "piston_c_2"}}));
 
 std::string urdf_of(const std::string& name) {
   return test::source_file("test/data/setup/" + name + ".urdf");
@@ -162,6 +167,130 @@ Pairs closures_found(const SetupResult& result) {
       for (const std::string& pair : choice.taken.values)
         pairs.insert({pair.substr(0, pair.find('=')), pair.substr(pair.find('=') + 1)});
   return pairs;
+}
+
+// The corners have other words than the legs.
+std::string with_named_corners(std::string hexapod) {
+  for (const auto& [corner, name] :
+       {std::pair{"corner_a", "pin_left"}, {"corner_b", "pin_right"}, {"corner_c", "pin_back"}})
+    hexapod = test::replaced(hexapod, corner, name);
+  return hexapod;
+}
+
+// Two legs meet in each corner; the first leg carries the platform in one.
+TEST(Setup, FindsAllLegsThatMeetInPairs) {
+  const Pairs all{{"corner_a", "rod_a_2_end"},
+                  {"corner_b", "rod_b_1_end"},
+                  {"corner_b", "rod_b_2_end"},
+                  {"corner_c", "rod_c_1_end"},
+                  {"corner_c", "rod_c_2_end"}};
+  EXPECT_EQ(closures_found(set_up_text(urdf_of("octahedral_hexapod"))), all);
+}
+
+TEST(Setup, AsksWhichNeighboursMeetWhereNoNamesTell) {
+  const std::string urdf = with_named_corners(urdf_of("octahedral_hexapod"));
+  const SetupResult result = set_up_text(urdf);
+  EXPECT_FALSE(result.mechanism);
+  ASSERT_TRUE(result.question) << listed(result.problems);
+  EXPECT_EQ(result.question->candidates.size(), 4U);
+  for (const SetupCandidate& candidate : result.question->candidates) {
+    EXPECT_EQ(candidate.values.size(), 5U);
+    const SetupResult answered = set_up_text(urdf, with_closures(candidate.values));
+    ASSERT_TRUE(answered.mechanism) << listed(answered.problems);
+    EXPECT_EQ(answered.mechanism->manipulator()->task_space(), TaskSpace::SE3);
+  }
+}
+
+// "platform_bravo" and "rod_bravo_tip".
+TEST(Setup, TakesWordsThatCountForNumbers) {
+  for (const std::string robot : {"three_rrr", "delta", "stewart"}) {
+    std::string urdf = test::source_file("urdf/" + robot + ".urdf");
+    for (const auto& [number, word] : {std::pair{"1", "alpha"},
+                                       {"2", "bravo"},
+                                       {"3", "charlie"},
+                                       {"4", "delta"},
+                                       {"5", "echo"},
+                                       {"6", "golf"}})
+      for (const std::string after : {"_", "\""})
+        if (const std::string old = "_" + std::string(number) + after; urdf.find(old) != std::string::npos)
+          urdf = test::replaced(urdf, old, "_" + std::string(word) + after);
+    const SetupResult result = set_up_text(urdf);
+    ASSERT_TRUE(result.mechanism) << robot << listed(result.problems);
+    EXPECT_EQ(result.mechanism->manipulator()->task_space(),
+              test::shipped(robot)->manipulator()->task_space());
+    EXPECT_EQ(closures_found(result).count(
+                  robot == "delta"     ? std::set<std::string>{"platform_bravo_left", "rod_bravo_left_tip"}
+                  : robot == "stewart" ? std::set<std::string>{"platform_bravo", "piston_bravo_tip"}
+                                       : std::set<std::string>{"platform_bravo", "rod_bravo_tip"}),
+              1U)
+        << robot;
+  }
+}
+
+// That of another joint is found, and the unknown name is said.
+TEST(Setup, SaysThatATransmissionNamesNoJoint) {
+  std::string transmissions;
+  for (const std::string joint : {"crank_1_joint", "crank_2_jiont", "crank_3_joint"})
+    transmissions += "<transmission name=\"of_" + joint + "\"><joint name=\"" + joint + "\"/></transmission>";
+  const std::string urdf =
+      test::replaced(test::source_file("urdf/three_rrr.urdf"), "</robot>", transmissions + "</robot>");
+  const SetupResult result = set_up_text(urdf);
+  const std::string note =
+      "robot.urdf has a <transmission> of joint 'crank_2_jiont', but no such joint; did you mean "
+      "'crank_2_joint'?";
+  EXPECT_EQ(result.notes, Strings{note});
+  ASSERT_TRUE(result.mechanism) << listed(result.problems);
+  EXPECT_EQ(actuated_joints(*result.mechanism), (Strings{"crank_1_joint", "crank_2_joint", "crank_3_joint"}));
+  EXPECT_NE(result.config.find("of joint 'crank_2_jiont'"), std::string::npos) << result.config;
+}
+
+// A tool behind a wrist on the first rod of a five-bar: the only open end of that chain.
+TEST(Setup, NotesAWristThatIsInALoop) {
+  const std::string quill =
+      R"(<link name="spindle"/><joint name="quill" type="prismatic"><parent link="tool"/>)"
+      R"(<child link="spindle"/><axis xyz="0 0 1"/><limit lower="-1" upper="1"/></joint>)";
+  const auto yaw = [](const std::string& parent) {
+    return R"(<link name="gripper"/><joint name="yaw" type="continuous"><parent link=")" + parent +
+           R"("/><child link="gripper"/><origin xyz="0 0 -0.1"/><axis xyz="0 0 1"/></joint>)";
+  };
+  const std::string five_bar = test::source_file("urdf/five_bar.urdf");
+  for (const auto& [joints, first] :
+       {std::pair{yaw("tool"), "yaw"}, std::pair{quill + yaw("spindle"), "quill"}}) {
+    const std::string urdf = test::replaced(five_bar, "</robot>", joints + "</robot>");
+    const SetupResult result = set_up_text(urdf);
+    ASSERT_TRUE(result.mechanism) << listed(result.problems);
+    ASSERT_EQ(result.notes.size(), 1U);
+    EXPECT_EQ(result.notes.front(),
+              "Joint '" + std::string(first) +
+                  "' of robot.urdf is in a loop and turns there without moving anything "
+                  "else; where it is a wrist behind the platform, close the loop before "
+                  "it, by --closures tool=closing_2.");
+    const SetupResult before = set_up_text(urdf, with_closures({"tool=closing_2"}));
+    ASSERT_TRUE(before.mechanism) << listed(before.problems);
+    EXPECT_EQ(before.notes, Strings{});
+    EXPECT_EQ(before.mechanism->idle_degrees_of_freedom(), 0);
+  }
+  EXPECT_EQ(set_up_text(five_bar).notes, Strings{});
+}
+
+// Of the body of the platform, a link whose name tells nothing may be meant too.
+TEST(Setup, ListsOtherOperationalPoints) {
+  const std::string pin = R"(<link name="LINK"/><joint name="LINK" type="fixed"><parent link="platform"/>)"
+                          R"(<child link="LINK"/><origin xyz="0.01 0 0"/></joint></robot>)";
+  std::string urdf = test::source_file("urdf/three_rrr.urdf");
+  for (const std::string link : {"gripper_tcp", "screw_hole"})
+    urdf = test::replaced(urdf, "</robot>", test::replaced(pin, "LINK", link));
+  const SetupResult result = set_up_text(urdf);
+  ASSERT_TRUE(result.mechanism) << listed(result.problems);
+  for (const SetupChoice& choice : result.choices) {
+    if (choice.key != "operational_point") continue;
+    EXPECT_EQ(choice.taken.values, Strings{"gripper_tcp"});
+    Strings others;
+    for (const SetupCandidate& other : choice.others) others.push_back(other.values.front());
+    EXPECT_EQ(others.front(), "platform");
+    EXPECT_EQ(std::count(others.begin(), others.end(), "screw_hole"), 0);
+  }
+  EXPECT_NE(result.config.find("Would load too: platform"), std::string::npos) << result.config;
 }
 
 std::string without_numbers(std::string wrist) {
@@ -255,7 +384,7 @@ TEST(Setup, OffersTheLengthOfOtherRods) {
 
 // Also where time did not suffice to try them.
 TEST(Setup, OffersEachWayToCloseOnce) {
-  const SetupControl none{std::chrono::steady_clock::now()};
+  const SetupControl none{ProcessorClock::now()};
   const SetupResult result = set_up(urdf_of("hung_three_rrr"), "robot.urdf", "robot.yaml", {}, none);
   ASSERT_TRUE(result.question) << listed(result.problems);
   std::set<std::set<std::string>> once;
@@ -295,17 +424,17 @@ TEST(Setup, RefusesInTheWordsOfItsOptions) {
       << listed(four_bar.problems);
 }
 
+// Of a turntable, of an operational point on a wrist and of missing actuated joints.
 TEST(SetupOptions, StandForTheKeysOfTheLoader) {
-  EXPECT_EQ(
-      said_of_options("a.yaml has base_link 'base_link', but joint 'x' moves all loops; write base_link: "
-                      "column and actuated_joints: [a, b].",
-                      "a.yaml"),
-      "this choice has --base 'base_link', but joint 'x' moves all loops; write --base column and "
-      "--actuated 'a b'.");
-  EXPECT_EQ(said_of_options("a.yaml has operational_point 'p'; write operational_point: q.", "a.yaml"),
-            "this choice has --platform 'p'; write --platform q.");
-  EXPECT_EQ(said_of_options("list more actuated_joints, or correct closures that hold too little.", "a.yaml"),
-            "list more --actuated, or correct closures that hold too little.");
+  const SourceNames file{"robot.urdf", "a.yaml"}, options{"robot.urdf", "this choice", true};
+  EXPECT_EQ(file.entry("base_link", "column"), "base_link: column");
+  EXPECT_EQ(options.entry("base_link", "column"), "--base column");
+  EXPECT_EQ(file.entry("actuated_joints", Strings{"a", "b"}), "actuated_joints: [a, b]");
+  EXPECT_EQ(options.entry("actuated_joints", Strings{"a", "b"}), "--actuated 'a b'");
+  EXPECT_EQ(file.full_key("operational_point"), "mechanism.operational_point");
+  EXPECT_EQ(options.full_key("operational_point"), "--platform");
+  EXPECT_EQ(options.key("closures"), "--closures");
+  EXPECT_EQ(options.key("task_space"), "task_space");
 }
 
 // The fault is in the answer, not in the closures, which are found.
@@ -324,7 +453,7 @@ TEST(Setup, SaysWhyAnswersDoNotFit) {
 }
 
 TEST(Setup, SaysThatTimeDidNotSufficeForAnAnswer) {
-  const SetupControl none{std::chrono::steady_clock::now()};
+  const SetupControl none{ProcessorClock::now()};
   const SetupResult result = set_up(urdf_of("guided_plunger"), "robot.urdf", "robot.yaml",
                                     with_closures({"plunger=small_end"}), none);
   ASSERT_EQ(result.problems.size(), 1U);
@@ -398,7 +527,7 @@ TEST(Setup, RefusesAnswersThatNameNothing) {
 }
 
 TEST(Setup, EndsWithTheTimeThatItIsGiven) {
-  const SetupControl none{std::chrono::steady_clock::now()};
+  const SetupControl none{ProcessorClock::now()};
   const SetupResult result =
       set_up(test::source_file("urdf/stewart.urdf"), "robot.urdf", "robot.yaml", {}, none);
   EXPECT_TRUE(result.cut_short);

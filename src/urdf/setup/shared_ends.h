@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_URDF_SETUP_SHARED_ENDS_H
+#define PARALLEL_ASPECTS_URDF_SETUP_SHARED_ENDS_H
+
+#include "urdf/setup/open_ends.h"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// Whether all of so many chains have an anchor, and each anchor two of them, as two legs meet in a corner of
+/// a platform, but for one in which the chain ends that carries the platform.
+bool meets_in_pairs(const Pairing& pairing, std::size_t chains);
+
+/// Where legs have no common body, all meet in the one anchor there is.
+EqualPairings in_one_point(const std::vector<std::size_t>& anchors,
+                           const std::vector<std::vector<std::size_t>>& tips);
+
+/// Where two chains meet in each anchor, and no more tells: neighbours in the file share one, in each order
+/// of the anchors, beginning with the first chain or with the second. `tips`: of each chain, what may be its
+/// end; `carried`: the anchor at which a further chain, the first, carries the platform. None for many
+/// anchors.
+EqualPairings shared_orders(std::vector<std::size_t> anchors,
+                            const std::vector<std::vector<std::size_t>>& tips,
+                            std::optional<std::size_t> carried);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_URDF_SETUP_SHARED_ENDS_H
