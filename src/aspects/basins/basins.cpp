@@ -47,6 +47,7 @@ class SignBasins {
   /// Inside leaves are as large as the proof of their sign lets them be: bounds of the index want smaller
   /// ones. Where it is small, they need not be as near to each other.
   void divide_coarse() {
+    cells_.bound_all();
     std::vector<NodeIndex> cells = cells_.all();
     double largest = 0.0;
     for (const NodeIndex cell : cells) largest = std::max(largest, cells_.lower(cell));
@@ -70,6 +71,7 @@ class SignBasins {
         places.push_back(i);
       }
     if (pairs.empty() && detail == BasinDetail::depths) return {};
+    cells_.bound_all();
     const Merging merging = merge(cells_, edges_of(cells_, PathBound::upper), pairs);
     for (std::size_t i = 0; i < pairs.size(); ++i)
       basins.bottlenecks[places[i]] = {0.0, merging.pair_levels[i]};

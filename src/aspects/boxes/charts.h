@@ -19,7 +19,8 @@
 //  - leg_count, which is the number of degrees of freedom, and coordinate_count, of the map;
 //  - Placement<Scalar>: the pose as its legs need it, made by place(root, coordinates) once for all legs;
 //  - displacement(j, placement): d = p - base point of leg j;
-//  - rows(j, displacement, placement);
+//  - rows(j, displacement, placement), and rows_of(j, form of the leg, displacement, placement);
+//  - is_near_axis(j, displacement) and rod_on_arc(j, displacement, turn, sign of B_jj): see SpatialLeg;
 //  - squared_rod(j, displacement) and scale(j, displacement): see PlanarLeg; the first is asked for only
 //  where
 //    the platform does not turn;
@@ -60,9 +61,21 @@ class T1Chart {
   }
 
   template <class Scalar>
-  LegRows<Scalar, leg_count> rows(std::size_t, const Displacement<Scalar>& d,
-                                  const Placement<Scalar>&) const {
-    return leg_rows<TaskSpace::T1>(leg_.form(d));
+  LegRows<Scalar, leg_count> rows(std::size_t j, const Displacement<Scalar>& d,
+                                  const Placement<Scalar>& at) const {
+    return rows_of(j, leg_.form(d), d, at);
+  }
+
+  template <class Scalar>
+  LegRows<Scalar, leg_count> rows_of(std::size_t, const PlanarLegForm<Scalar>& form,
+                                     const Displacement<Scalar>&, const Placement<Scalar>&) const {
+    return leg_rows<TaskSpace::T1>(form);
+  }
+
+  bool is_near_axis(std::size_t, const Displacement<Interval>& d) const { return leg_.is_near_axis(d); }
+  std::optional<RodOnArc<PlanarLegForm>> rod_on_arc(std::size_t, const Displacement<Interval>& d,
+                                                    const Turn<Interval>& turn, int sign) const {
+    return leg_.rod_on_arc(d, turn, sign);
   }
 
   template <class Scalar>
@@ -118,6 +131,12 @@ class PlanarLegs {
   static constexpr std::size_t point_dimension = 2;
   template <class Scalar>
   using Displacement = Planar<Scalar>;
+
+  bool is_near_axis(std::size_t j, const Displacement<Interval>& d) const { return legs_[j].is_near_axis(d); }
+  std::optional<RodOnArc<PlanarLegForm>> rod_on_arc(std::size_t j, const Displacement<Interval>& d,
+                                                    const Turn<Interval>& turn, int sign) const {
+    return legs_[j].rod_on_arc(d, turn, sign);
+  }
 
   template <class Scalar>
   Scalar squared_rod(std::size_t j, const Displacement<Scalar>& d) const {
@@ -178,8 +197,14 @@ class T2Chart : public PlanarLegs {
 
   template <class Scalar>
   LegRows<Scalar, leg_count> rows(std::size_t j, const Displacement<Scalar>& d,
-                                  const Placement<Scalar>&) const {
-    return leg_rows<TaskSpace::T2>(leg(j).form(d));
+                                  const Placement<Scalar>& at) const {
+    return rows_of(j, leg(j).form(d), d, at);
+  }
+
+  template <class Scalar>
+  LegRows<Scalar, leg_count> rows_of(std::size_t, const PlanarLegForm<Scalar>& form,
+                                     const Displacement<Scalar>&, const Placement<Scalar>&) const {
+    return leg_rows<TaskSpace::T2>(form);
   }
 
   template <class Scalar>
@@ -230,7 +255,13 @@ class SE2Chart : public PlanarLegs {
   template <class Scalar>
   LegRows<Scalar, leg_count> rows(std::size_t j, const Displacement<Scalar>& d,
                                   const Placement<Scalar>& at) const {
-    return leg_rows<TaskSpace::SE2>(leg(j).form(d), at.turned(anchors_[j]));
+    return rows_of(j, leg(j).form(d), d, at);
+  }
+
+  template <class Scalar>
+  LegRows<Scalar, leg_count> rows_of(std::size_t j, const PlanarLegForm<Scalar>& form,
+                                     const Displacement<Scalar>&, const Placement<Scalar>& at) const {
+    return leg_rows<TaskSpace::SE2>(form, at.turned(anchors_[j]));
   }
 
   template <class Scalar>
@@ -276,8 +307,20 @@ class T3Chart {
 
   template <class Scalar>
   LegRows<Scalar, leg_count> rows(std::size_t j, const Displacement<Scalar>& d,
-                                  const Placement<Scalar>&) const {
-    return leg_rows<TaskSpace::T3>(legs_[j].form(d));
+                                  const Placement<Scalar>& at) const {
+    return rows_of(j, legs_[j].form(d), d, at);
+  }
+
+  template <class Scalar>
+  LegRows<Scalar, leg_count> rows_of(std::size_t, const SpatialLegForm<Scalar>& form,
+                                     const Displacement<Scalar>&, const Placement<Scalar>&) const {
+    return leg_rows<TaskSpace::T3>(form);
+  }
+
+  bool is_near_axis(std::size_t j, const Displacement<Interval>& d) const { return legs_[j].is_near_axis(d); }
+  std::optional<RodOnArc<SpatialLegForm>> rod_on_arc(std::size_t j, const Displacement<Interval>& d,
+                                                     const Turn<Interval>& turn, int sign) const {
+    return legs_[j].rod_on_arc(d, turn, sign);
   }
 
   template <class Scalar>
@@ -357,8 +400,22 @@ class SO3Chart {
 
   template <class Scalar>
   LegRows<Scalar, leg_count> rows(std::size_t j, const Displacement<Scalar>& d,
-                                  const Placement<Scalar>&) const {
-    return leg_rows<TaskSpace::SO3>(legs_[j].form(d.from_base), d.anchor);
+                                  const Placement<Scalar>& at) const {
+    return rows_of(j, legs_[j].form(d.from_base), d, at);
+  }
+
+  template <class Scalar>
+  LegRows<Scalar, leg_count> rows_of(std::size_t, const SpatialLegForm<Scalar>& form,
+                                     const Displacement<Scalar>& d, const Placement<Scalar>&) const {
+    return leg_rows<TaskSpace::SO3>(form, d.anchor);
+  }
+
+  bool is_near_axis(std::size_t j, const Displacement<Interval>& d) const {
+    return legs_[j].is_near_axis(d.from_base);
+  }
+  std::optional<RodOnArc<SpatialLegForm>> rod_on_arc(std::size_t j, const Displacement<Interval>& d,
+                                                     const Turn<Interval>& turn, int sign) const {
+    return legs_[j].rod_on_arc(d.from_base, turn, sign);
   }
 
   template <class Scalar>

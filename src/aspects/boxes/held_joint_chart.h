@@ -44,7 +44,17 @@ class HeldJointChart : public PlanarLegs {
   template <class Scalar>
   LegRows<Scalar, leg_count> rows(std::size_t j, const Displacement<Scalar>& d,
                                   const Placement<Scalar>& at) const {
-    return leg_rows<TaskSpace::SE2>(j == held_ ? held_leg_.form(d) : leg(j).form(d), at.turned(anchors_[j]));
+    return rows_of(j, j == held_ ? held_leg_.form(d) : leg(j).form(d), d, at);
+  }
+
+  template <class Scalar>
+  LegRows<Scalar, leg_count> rows_of(std::size_t j, const PlanarLegForm<Scalar>& form,
+                                     const Displacement<Scalar>&, const Placement<Scalar>& at) const {
+    return leg_rows<TaskSpace::SE2>(form, at.turned(anchors_[j]));
+  }
+
+  bool is_near_axis(std::size_t j, const Displacement<Interval>& d) const {
+    return j != held_ && PlanarLegs::is_near_axis(j, d);
   }
 
   template <class Scalar>

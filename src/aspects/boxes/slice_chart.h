@@ -36,8 +36,13 @@ class SliceLegs {
   using Displacement = SliceDisplacement<Scalar>;
 
   template <class Scalar, class Placement>
-  LegRows<Scalar, leg_count> rows(std::size_t j, const Displacement<Scalar>& d, const Placement&) const {
-    const SpatialLegForm<Scalar> form = legs_[j].form(d.from_base);
+  LegRows<Scalar, leg_count> rows(std::size_t j, const Displacement<Scalar>& d, const Placement& at) const {
+    return rows_of(j, legs_[j].form(d.from_base), d, at);
+  }
+
+  template <class Scalar, class Placement>
+  LegRows<Scalar, leg_count> rows_of(std::size_t, const SpatialLegForm<Scalar>& form,
+                                     const Displacement<Scalar>& d, const Placement&) const {
     return with_task_space(space_, [&](auto constant) -> LegRows<Scalar, leg_count> {
       constexpr TaskSpace space = decltype(constant)::value;
       if constexpr (traits(space).degrees_of_freedom() == leg_count)
@@ -45,6 +50,14 @@ class SliceLegs {
       else
         return {};  // not this robot's
     });
+  }
+
+  bool is_near_axis(std::size_t j, const Displacement<Interval>& d) const {
+    return legs_[j].is_near_axis(d.from_base);
+  }
+  std::optional<RodOnArc<SpatialLegForm>> rod_on_arc(std::size_t j, const Displacement<Interval>& d,
+                                                     const Turn<Interval>& turn, int sign) const {
+    return legs_[j].rod_on_arc(d.from_base, turn, sign);
   }
 
   /// Legs of planar robots have more of it out of the plane, but there all platforms turn.
