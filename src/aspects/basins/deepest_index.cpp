@@ -45,7 +45,10 @@ DeepestIndex::DeepestIndex(IndexCells& cells, ParallelIndex index, const MapCont
                         static_cast<std::size_t>(precision(cells).share_of_nodes *
                                                  static_cast<double>(cells.tree().node_count()))) {
   for (const CellOwner& owner : owners_.all())
-    if (owner.is_inside) lower_[*owner.aspects.begin()] = 0.0;
+    if (owner.is_inside) {
+      lower_[*owner.aspects.begin()] = 0.0;
+      upper_[*owner.aspects.begin()] = std::numeric_limits<double>::infinity();
+    }
 }
 
 void DeepestIndex::search() {
@@ -53,17 +56,23 @@ void DeepestIndex::search() {
   for (int round = 0; round < precision(cells_).rounds && !is_cancelled(control_); ++round) {
     if (round > 0) owners_.find();
     search_once();
-    if (!has_halved_groups_) break;
+    take_in_bounds();
+    if (!has_halved_groups_ || evaluations_ >= most_evaluations_) break;
   }
 }
 
 std::map<int, IndexRange> DeepestIndex::ranges() const {
   std::map<int, IndexRange> ranges;
-  for (const auto& [id, lower] : lower_) ranges[id] = {lower, 0.0};
-  for (std::size_t owner = 0; owner < progress_.size(); ++owner)
-    for (const int id : owners_.all()[owner].aspects)
-      ranges[id].upper = std::max(ranges[id].upper, progress_[owner].upper);
+  for (const auto& [id, lower] : lower_) ranges[id] = {lower, upper_.at(id)};
   return ranges;
+}
+
+/// Those of every round hold.
+void DeepestIndex::take_in_bounds() {
+  std::map<int, double> upper;
+  for (std::size_t owner = 0; owner < progress_.size(); ++owner)
+    for (const int id : owners_.all()[owner].aspects) upper[id] = std::max(upper[id], progress_[owner].upper);
+  for (const auto& [id, bound] : upper) upper_[id] = std::min(upper_.at(id), bound);
 }
 
 /// From the highest of some cells of each aspect.
@@ -77,16 +86,15 @@ void DeepestIndex::climb_everywhere() {
     double highest = -1.0;
     for (std::size_t i = 0; i < std::min(starts, cells.size()); ++i) {
       const NodeIndex cell = cells[i * cells.size() / std::min(starts, cells.size())];
-      const MapPosition middle{cells_.tree().place(cell).root, cells_.tree().box(cell).middle()};
-      const double index = cells_.at(middle).lower;
-      if (index > highest) std::tie(best, highest) = std::make_pair(middle, index);
+      const double index = cells_.at(middle(cell)).lower;
+      if (index > highest) std::tie(best, highest) = std::make_pair(middle(cell), index);
     }
-    raise(aspect, climb(aspect, best, highest));
+    climb(aspect, best, highest);
   }
 }
 
 /// By steps along the coordinates, halved where none leads higher, within inside cells of the aspect.
-double DeepestIndex::climb(int aspect, MapPosition at, double highest) const {
+void DeepestIndex::climb(int aspect, MapPosition at, double highest) {
   const PoseTree& tree = cells_.tree();
   for (double step = first_step; step > last_step;) {
     bool is_higher = false;
@@ -101,7 +109,7 @@ double DeepestIndex::climb(int aspect, MapPosition at, double highest) const {
       }
     if (!is_higher) step *= 0.5;
   }
-  return highest;
+  raise(aspect, highest, at);
 }
 
 void DeepestIndex::search_once() {
@@ -120,7 +128,7 @@ void DeepestIndex::start() {
   queue_ = {};
   progress_.assign(owners_.all().size(), {});
   for (RootIndex root = 0; root < cells_.tree().root_count(); ++root)
-    if (owners_.within(root) != 0) queue_.emplace(std::numeric_limits<double>::infinity(), root);
+    if (owners_.within(root) != 0) queue_.emplace(cells_.upper(root, IndexCells::Effort::little), root);
 }
 
 /// Of these, the owners that are bounded precisely enough by the highest upper bound that is left.
@@ -157,7 +165,8 @@ bool DeepestIndex::is_lowered(double upper, NodeIndex node) {
   if (cells_.effort(node) == IndexCells::Effort::more) return false;
   ++evaluations_;
   const double lowered = cells_.upper(node, IndexCells::Effort::more);
-  if (cells_.is_cell(node) && cells_.is_inside(node)) raise(cells_.aspect(node), cells_.lower(node));
+  if (cells_.is_cell(node) && cells_.is_inside(node))
+    raise(cells_.aspect(node), cells_.lower(node), middle(node));
   if (lowered < upper) queue_.emplace(lowered, node);
   return lowered < upper;
 }
@@ -197,23 +206,29 @@ void DeepestIndex::open_cell(double upper, NodeIndex cell) {
 }
 
 void DeepestIndex::look_at_middle(NodeIndex cell, std::size_t owner) {
-  const IndexRange range = cells_.at({cells_.tree().place(cell).root, cells_.tree().box(cell).middle()});
+  const IndexRange range = cells_.at(middle(cell));
   ++evaluations_;
   progress_[owner].reached = std::max(progress_[owner].reached, range.lower);
-  if (cells_.is_inside(cell)) raise(cells_.aspect(cell), range.lower);
+  if (cells_.is_inside(cell)) raise(cells_.aspect(cell), range.lower, middle(cell));
 }
 
 void DeepestIndex::halve(double upper, NodeIndex cell) {
   const std::vector<NodeIndex> children = cells_.divide({cell});
   evaluations_ += children.size();
   for (const NodeIndex found : owners_.take_in(cell, children))
-    raise(cells_.aspect(found), cells_.lower(found));
+    raise(cells_.aspect(found), cells_.lower(found), middle(found));
   for (const NodeIndex child : children)
     queue_.emplace(std::min(upper, cells_.upper(child, IndexCells::Effort::little)), child);
 }
 
-void DeepestIndex::raise(int aspect, double lower) {
-  if (aspect != 0) lower_[aspect] = std::max(lower_[aspect], lower);
+void DeepestIndex::raise(int aspect, double lower, const MapPosition& at) {
+  if (aspect == 0 || !(lower > lower_.at(aspect))) return;
+  lower_[aspect] = lower;
+  witnesses_[aspect] = at;
+}
+
+MapPosition DeepestIndex::middle(NodeIndex node) const {
+  return {cells_.tree().place(node).root, cells_.tree().box(node).middle()};
 }
 
 /// Undecided cells are bounded where they make the bound of no aspect loose or, with three coordinates, where

@@ -28,6 +28,8 @@ class DeepestIndex {
 
   /// The largest index in each aspect, by id.
   std::map<int, IndexRange> ranges() const;
+  /// A position in each where the index is no less than the lower end, by id; none where that is 0.
+  const std::map<int, MapPosition>& witnesses() const noexcept { return witnesses_; }
 
  private:
   using Queue = std::priority_queue<std::pair<double, NodeIndex>>;
@@ -42,8 +44,9 @@ class DeepestIndex {
   };
 
   void climb_everywhere();
-  double climb(int aspect, MapPosition at, double highest) const;
+  void climb(int aspect, MapPosition at, double highest);
   void search_once();
+  void take_in_bounds();
   void start();
   void close(double upper, std::uint64_t among);
   void close_rest();
@@ -54,14 +57,16 @@ class DeepestIndex {
   void open_cell(double upper, NodeIndex cell);
   void look_at_middle(NodeIndex cell, std::size_t owner);
   void halve(double upper, NodeIndex cell);
-  void raise(int aspect, double lower);
+  void raise(int aspect, double lower, const MapPosition& at);
+  MapPosition middle(NodeIndex node) const;
   double enough(std::size_t owner) const;
 
   IndexCells& cells_;
   CellOwners owners_;
   double absolute_;
   const MapControl& control_;
-  std::map<int, double> lower_;  // by id
+  std::map<int, double> lower_, upper_;  // by id
+  std::map<int, MapPosition> witnesses_;
   std::vector<Progress> progress_;
   Queue queue_;
   std::size_t evaluations_ = 0, most_evaluations_;
