@@ -13,10 +13,6 @@ PlanarLeg::PlanarLeg(const Leg& leg) : type_(leg.kind().type) {
   std::visit([this, &leg](const auto& actuation) { set(actuation, leg); }, leg.actuation);
 }
 
-bool PlanarLeg::is_near_axis(const Planar<Interval>& d) const {
-  return type_ == LegType::revolute && is_loose(scale(d));
-}
-
 std::optional<RodOnArc<PlanarLegForm>> PlanarLeg::rod_on_arc(const Planar<Interval>& d,
                                                              const Turn<Interval>& turn, int sign) const {
   const Planar<Interval> u{d.x - crank_ * turn.cosine, d.y - crank_ * turn.sine};

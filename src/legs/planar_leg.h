@@ -66,7 +66,6 @@ class PlanarLeg {
   Scalar squared_rod(const Planar<Scalar>& d) const;
 
   /// See SpatialLeg; angles are from x here.
-  bool is_near_axis(const Planar<Interval>& d) const;
   std::optional<RodOnArc<PlanarLegForm>> rod_on_arc(const Planar<Interval>& d, const Turn<Interval>& turn,
                                                     int sign) const;
 

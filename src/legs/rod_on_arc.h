@@ -13,9 +13,6 @@ struct RodOnArc {
   Interval squared_length;  ///< of u, closer than that of the form
 };
 
-/// Whether a number that scales a row is known so loosely that the row's direction is, too.
-inline bool is_loose(const Interval& scale) noexcept { return scale.lower() < 0.25 * scale.upper(); }
-
 inline bool are_apart(const Interval& a, const Interval& b) noexcept {
   return a.upper() < b.lower() || b.upper() < a.lower();
 }

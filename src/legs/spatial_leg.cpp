@@ -17,10 +17,6 @@ SpatialLeg::SpatialLeg(const Leg& leg)
   std::visit([this, &leg](const auto& actuation) { set(actuation, leg); }, leg.actuation);
 }
 
-bool SpatialLeg::is_near_axis(const Spatial<Interval>& d) const {
-  return type_ == LegType::revolute && is_loose(scale(d));
-}
-
 // |B_jj| turned, with  turned = axis x d,  is what u has along turned.
 std::optional<RodOnArc<SpatialLegForm>> SpatialLeg::rod_on_arc(const Spatial<Interval>& d,
                                                                const Turn<Interval>& turn, int sign) const {

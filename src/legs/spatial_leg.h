@@ -64,10 +64,6 @@ class SpatialLeg {
   template <class Scalar>
   Scalar squared_rod(const Spatial<Scalar>& d) const;
 
-  /// Whether a crank may turn far while the anchor is at d, so near to its axis that `form` tells little of
-  /// u.
-  bool is_near_axis(const Spatial<Interval>& d) const;
-
   /// u of a crank at these angles. Nothing where the rod has another length there, or
   /// B_jj another sign.
   std::optional<RodOnArc<SpatialLegForm>> rod_on_arc(const Spatial<Interval>& d, const Turn<Interval>& turn,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/basins/aspect_links.h"
 
+#include "aspects/tree/face_traversal.h"
 #include "aspects/tree/neighbour_leaves.h"
 
 #include <algorithm>
@@ -27,9 +28,15 @@ NodeIndex as_node(int id) { return static_cast<NodeIndex>(id); }
 AspectLinks::AspectLinks(const IndexCells& cells, std::vector<std::pair<int, int>> pairs,
                          const MapControl& control)
     : cells_(cells), pairs_(std::move(pairs)), control_(control) {
-  for (const NodeIndex cell : cells.all())
-    if (cells.aspect(cell) != 0) cells_of_[cells.aspect(cell)].push_back(cell);
-  clusters_ = DisjointSets(cells_of_.empty() ? 0 : as_node(cells_of_.rbegin()->first) + 1);
+  const auto add = [this](NodeIndex cell) {
+    if (cells_.aspect(cell) != 0) rims_[cells_.aspect(cell)].insert(cell);
+  };
+  visit_faces(cells.tree(), 0, [&](NodeIndex a, NodeIndex b) {
+    if (cells.aspect(a) == cells.aspect(b)) return;
+    add(a);
+    add(b);
+  });
+  clusters_ = DisjointSets(rims_.empty() ? 0 : as_node(rims_.rbegin()->first) + 1);
 }
 
 std::vector<double> AspectLinks::levels() {
@@ -47,7 +54,7 @@ std::vector<double> AspectLinks::levels() {
 std::vector<int> AspectLinks::smallest_open_cluster() {
   std::map<NodeIndex, std::vector<int>> members;
   std::map<NodeIndex, std::size_t> sizes;
-  for (const auto& [id, cells] : cells_of_) {
+  for (const auto& [id, cells] : rims_) {
     members[clusters_.find(as_node(id))].push_back(id);
     sizes[clusters_.find(as_node(id))] += cells.size();
   }
@@ -65,26 +72,31 @@ std::vector<int> AspectLinks::smallest_open_cluster() {
 void AspectLinks::link_once(const std::vector<int>& cluster) {
   constexpr auto little = IndexCells::Effort::little, more = IndexCells::Effort::more;
   const NodeIndex start = clusters_.find(as_node(cluster.front()));
+  const auto is_at_start = [&](NodeIndex cell) {
+    return cells_.aspect(cell) != 0 && clusters_.find(as_node(cells_.aspect(cell))) == start;
+  };
   std::priority_queue<Reached> queue;
   std::vector<bool> is_done(cells_.tree().node_count(), false);
   for (const int id : cluster)
-    for (const NodeIndex cell : cells_of_[id]) queue.push({cells_.upper(cell, little), cell, id});
+    for (const NodeIndex cell : rims_[id]) queue.push({cells_.upper(cell, little), cell, id});
   while (!queue.empty() && !is_cancelled(control_)) {
     const Reached top = queue.top();
     queue.pop();
     if (is_done[top.cell] || !(top.level > 0.0)) continue;
-    if (const double closer = cells_.upper(top.cell, more); closer < top.level) {
+    // Where the search sets out the next cell bounds it as well.
+    const bool sets_out = is_at_start(top.cell);
+    if (const double closer = sets_out ? top.level : cells_.upper(top.cell, more); closer < top.level) {
       queue.push({closer, top.cell, top.from});
       continue;
     }
     is_done[top.cell] = true;
-    const int aspect = cells_.aspect(top.cell);
-    if (aspect != 0 && clusters_.find(as_node(aspect)) != start) {
+    if (const int aspect = cells_.aspect(top.cell); aspect != 0 && !sets_out) {
       links_.push_back({as_node(top.from), as_node(aspect), top.level});
       return clusters_.unite(as_node(top.from), as_node(aspect));
     }
     for (const NodeIndex next : neighbour_leaves(cells_.tree(), 0, top.cell))
-      if (!is_done[next]) queue.push({std::min(top.level, cells_.upper(next, little)), next, top.from});
+      if (!is_done[next] && !is_at_start(next))
+        queue.push({std::min(top.level, cells_.upper(next, little)), next, top.from});
   }
   sealed_.insert(start);
 }

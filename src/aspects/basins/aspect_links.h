@@ -37,10 +37,10 @@ class AspectLinks {
   const IndexCells& cells_;
   std::vector<std::pair<int, int>> pairs_;
   const MapControl& control_;
-  std::map<int, std::vector<NodeIndex>> cells_of_;  // by id
-  DisjointSets clusters_;                           // of ids
-  std::set<NodeIndex> sealed_;                      // clusters that nothing leads out of
-  std::vector<CellEdge> links_;                     // between ids in place of cells
+  std::map<int, std::set<NodeIndex>> rims_;  // by id: cells that share a face with others
+  DisjointSets clusters_;                    // of ids
+  std::set<NodeIndex> sealed_;               // clusters that nothing leads out of
+  std::vector<CellEdge> links_;              // between ids in place of cells
 };
 
 }  // namespace parallel_aspects

@@ -24,7 +24,7 @@ struct Precision {
 constexpr Precision curves{0.01, 0.05, 0.002, 3000, 2000, 3, 0.5, 20000};
 // With three coordinates undecided cells lie along surfaces: far more boxes than these would be needed to
 // bound the index there as precisely.
-constexpr Precision surfaces{0.05, 0.05, 0.01, 1000, 2000, 1, 0.125, 10000};
+constexpr Precision surfaces{0.05, 0.05, 0.01, 10000, 20000, 1, 0.5, 10000};
 
 // Climbs for poses that the bounds from below are those of.
 constexpr std::size_t starts = 100;

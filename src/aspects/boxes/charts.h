@@ -20,7 +20,7 @@
 //  - Placement<Scalar>: the pose as its legs need it, made by place(root, coordinates) once for all legs;
 //  - displacement(j, placement): d = p - base point of leg j;
 //  - rows(j, displacement, placement), and rows_of(j, form of the leg, displacement, placement);
-//  - is_near_axis(j, displacement) and rod_on_arc(j, displacement, turn, sign of B_jj): see SpatialLeg;
+//  - rod_on_arc(j, displacement, turn, sign of B_jj): see SpatialLeg; asked for cranks alone;
 //  - squared_rod(j, displacement) and scale(j, displacement): see PlanarLeg; the first is asked for only
 //  where
 //    the platform does not turn;
@@ -72,7 +72,6 @@ class T1Chart {
     return leg_rows<TaskSpace::T1>(form);
   }
 
-  bool is_near_axis(std::size_t, const Displacement<Interval>& d) const { return leg_.is_near_axis(d); }
   std::optional<RodOnArc<PlanarLegForm>> rod_on_arc(std::size_t, const Displacement<Interval>& d,
                                                     const Turn<Interval>& turn, int sign) const {
     return leg_.rod_on_arc(d, turn, sign);
@@ -132,7 +131,6 @@ class PlanarLegs {
   template <class Scalar>
   using Displacement = Planar<Scalar>;
 
-  bool is_near_axis(std::size_t j, const Displacement<Interval>& d) const { return legs_[j].is_near_axis(d); }
   std::optional<RodOnArc<PlanarLegForm>> rod_on_arc(std::size_t j, const Displacement<Interval>& d,
                                                     const Turn<Interval>& turn, int sign) const {
     return legs_[j].rod_on_arc(d, turn, sign);
@@ -317,7 +315,6 @@ class T3Chart {
     return leg_rows<TaskSpace::T3>(form);
   }
 
-  bool is_near_axis(std::size_t j, const Displacement<Interval>& d) const { return legs_[j].is_near_axis(d); }
   std::optional<RodOnArc<SpatialLegForm>> rod_on_arc(std::size_t j, const Displacement<Interval>& d,
                                                      const Turn<Interval>& turn, int sign) const {
     return legs_[j].rod_on_arc(d, turn, sign);
@@ -410,9 +407,6 @@ class SO3Chart {
     return leg_rows<TaskSpace::SO3>(form, d.anchor);
   }
 
-  bool is_near_axis(std::size_t j, const Displacement<Interval>& d) const {
-    return legs_[j].is_near_axis(d.from_base);
-  }
   std::optional<RodOnArc<SpatialLegForm>> rod_on_arc(std::size_t j, const Displacement<Interval>& d,
                                                      const Turn<Interval>& turn, int sign) const {
     return legs_[j].rod_on_arc(d.from_base, turn, sign);

@@ -53,10 +53,6 @@ class HeldJointChart : public PlanarLegs {
     return leg_rows<TaskSpace::SE2>(form, at.turned(anchors_[j]));
   }
 
-  bool is_near_axis(std::size_t j, const Displacement<Interval>& d) const {
-    return j != held_ && PlanarLegs::is_near_axis(j, d);
-  }
-
   template <class Scalar>
   Scalar squared_rod(std::size_t j, const Displacement<Scalar>& d) const {
     return j == held_ ? squared_norm(d) : PlanarLegs::squared_rod(j, d);

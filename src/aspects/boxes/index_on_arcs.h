@@ -42,6 +42,8 @@ class IndexOnArcs {
 
  private:
   static constexpr int arcs_of_half = 32;  // a power of two, so that their ends are exact
+  // Boxes farther off come to tell enough of the row when they are halved.
+  static constexpr double near_axis = 0.05;
   using Legs = EvaluatedLegs<Chart, Interval>;
   using Row = parallel_aspects::Row<Interval, leg_count>;
 
@@ -60,9 +62,12 @@ class IndexOnArcs {
     }
   };
 
+  /// Only cranks have a scale that is not 1: the square of the anchor's distance from the axis.
   std::optional<std::size_t> leg_near_axis() const noexcept {
-    for (std::size_t j = 0; j < leg_count; ++j)
-      if (box_.at().chart.is_near_axis(j, box_.displacement(j))) return j;
+    for (std::size_t j = 0; j < leg_count; ++j) {
+      const Interval scale = box_.at().chart.scale(j, box_.displacement(j));
+      if (scale.lower() < near_axis * scale.upper()) return j;
+    }
     return std::nullopt;
   }
 

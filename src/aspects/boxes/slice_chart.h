@@ -52,9 +52,6 @@ class SliceLegs {
     });
   }
 
-  bool is_near_axis(std::size_t j, const Displacement<Interval>& d) const {
-    return legs_[j].is_near_axis(d.from_base);
-  }
   std::optional<RodOnArc<SpatialLegForm>> rod_on_arc(std::size_t j, const Displacement<Interval>& d,
                                                      const Turn<Interval>& turn, int sign) const {
     return legs_[j].rod_on_arc(d.from_base, turn, sign);
