@@ -83,14 +83,12 @@ void AspectLinks::link_once(const std::vector<int>& cluster) {
     const Reached top = queue.top();
     queue.pop();
     if (is_done[top.cell] || !(top.level > 0.0)) continue;
-    // Where the search sets out the next cell bounds it as well.
-    const bool sets_out = is_at_start(top.cell);
-    if (const double closer = sets_out ? top.level : cells_.upper(top.cell, more); closer < top.level) {
+    if (const double closer = cells_.upper(top.cell, more); closer < top.level) {
       queue.push({closer, top.cell, top.from});
       continue;
     }
     is_done[top.cell] = true;
-    if (const int aspect = cells_.aspect(top.cell); aspect != 0 && !sets_out) {
+    if (const int aspect = cells_.aspect(top.cell); aspect != 0 && !is_at_start(top.cell)) {
       links_.push_back({as_node(top.from), as_node(aspect), top.level});
       return clusters_.unite(as_node(top.from), as_node(aspect));
     }

@@ -27,7 +27,7 @@ constexpr Precision curves{0.01, 0.05, 0.002, 3000, 2000, 3, 0.5, 20000};
 constexpr Precision surfaces{0.05, 0.05, 0.01, 10000, 20000, 1, 0.5, 10000};
 
 // Climbs for poses that the bounds from below are those of.
-constexpr std::size_t starts = 100;
+constexpr std::size_t starts = 300;
 constexpr double first_step = 1.0 / 16.0, last_step = 1.0 / 65536.0;  // as a share of a root
 
 const Precision& precision(const IndexCells& cells) {
@@ -116,7 +116,7 @@ void DeepestIndex::search_once() {
   start();
   while (!queue_.empty() && evaluations_ < most_evaluations_ && !is_cancelled(control_)) {
     const auto [upper, node] = queue_.top();
-    close(upper, owners_.within(node));
+    close(upper, node);
     queue_.pop();
     if (matters(node) && !is_lowered(upper, node)) open(upper, node);
   }
@@ -131,13 +131,17 @@ void DeepestIndex::start() {
     if (owners_.within(root) != 0) queue_.emplace(cells_.upper(root, IndexCells::Effort::little), root);
 }
 
-/// Of these, the owners that are bounded precisely enough by the highest upper bound that is left.
-void DeepestIndex::close(double upper, std::uint64_t among) {
+/// Owners of a node that are bounded precisely enough by the highest upper bound that is left.
+void DeepestIndex::close(double upper, NodeIndex node) {
+  const auto close_one = [this, upper](std::size_t owner) {
+    Progress& progress = progress_[owner];
+    if (!progress.is_open || upper > enough(owner)) return;
+    progress.is_open = false;
+    progress.upper = upper;
+  };
+  if (cells_.is_cell(node) && owners_.of(node) != CellOwners::none) return close_one(owners_.of(node));
   for (std::size_t owner = 0; owner < progress_.size(); ++owner)
-    if ((among & CellOwners::bit(owner)) != 0 && progress_[owner].is_open && upper <= enough(owner)) {
-      progress_[owner].is_open = false;
-      progress_[owner].upper = upper;
-    }
+    if ((owners_.within(node) & CellOwners::bit(owner)) != 0) close_one(owner);
 }
 
 /// By what is left of each.

@@ -8,7 +8,6 @@
 #include "parallel_aspects/aspects/map_control.h"
 
 #include <cstddef>
-#include <cstdint>
 #include <map>
 #include <queue>
 #include <utility>
@@ -48,7 +47,7 @@ class DeepestIndex {
   void search_once();
   void take_in_bounds();
   void start();
-  void close(double upper, std::uint64_t among);
+  void close(double upper, NodeIndex node);
   void close_rest();
   bool matters(NodeIndex node) const;
   bool is_lowered(double upper, NodeIndex node);

@@ -32,11 +32,7 @@ class IndexOnArcs {
   double largest(ParallelIndex kind, int sign) const noexcept {
     if (!leg_) return every_index(kind).upper();
     double largest = 0.0;
-    for (int i = -arcs_of_half; i < arcs_of_half; ++i) {
-      const Interval half_turns(static_cast<double>(i) / arcs_of_half,
-                                static_cast<double>(i + 1) / arcs_of_half);
-      largest = std::max(largest, largest_on(turn_of_half_turns(half_turns), kind, sign));
-    }
+    for (const Turn<Interval>& arc : arcs()) largest = std::max(largest, largest_on(arc, kind, sign));
     return largest;
   }
 
@@ -61,6 +57,19 @@ class IndexOnArcs {
       return legs.turned(direction);
     }
   };
+
+  using Arcs = std::array<Turn<Interval>, std::size_t{2 * arcs_of_half}>;
+
+  static const Arcs& arcs() noexcept {
+    static const Arcs all = [] {
+      Arcs arcs;
+      for (int i = -arcs_of_half; i < arcs_of_half; ++i)
+        arcs[static_cast<std::size_t>(i + arcs_of_half)] = turn_of_half_turns(
+            {static_cast<double>(i) / arcs_of_half, static_cast<double>(i + 1) / arcs_of_half});
+      return arcs;
+    }();
+    return all;
+  }
 
   /// Only cranks have a scale that is not 1: the square of the anchor's distance from the axis.
   std::optional<std::size_t> leg_near_axis() const noexcept {
