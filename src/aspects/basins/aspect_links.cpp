@@ -29,10 +29,10 @@ AspectLinks::AspectLinks(const IndexCells& cells, std::vector<std::pair<int, int
                          const MapControl& control)
     : cells_(cells), pairs_(std::move(pairs)), control_(control) {
   const auto add = [this](NodeIndex cell) {
-    if (cells_.aspect(cell) != 0) rims_[cells_.aspect(cell)].insert(cell);
+    if (known_aspect(cell) != 0) rims_[known_aspect(cell)].insert(cell);
   };
   visit_faces(cells.tree(), 0, [&](NodeIndex a, NodeIndex b) {
-    if (cells.aspect(a) == cells.aspect(b)) return;
+    if (known_aspect(a) == known_aspect(b)) return;
     add(a);
     add(b);
   });
@@ -73,7 +73,7 @@ void AspectLinks::link_once(const std::vector<int>& cluster) {
   constexpr auto little = IndexCells::Effort::little, more = IndexCells::Effort::more;
   const NodeIndex start = clusters_.find(as_node(cluster.front()));
   const auto is_at_start = [&](NodeIndex cell) {
-    return cells_.aspect(cell) != 0 && clusters_.find(as_node(cells_.aspect(cell))) == start;
+    return known_aspect(cell) != 0 && clusters_.find(as_node(known_aspect(cell))) == start;
   };
   std::priority_queue<Reached> queue;
   std::vector<bool> is_done(cells_.tree().node_count(), false);
@@ -88,7 +88,7 @@ void AspectLinks::link_once(const std::vector<int>& cluster) {
       continue;
     }
     is_done[top.cell] = true;
-    if (const int aspect = cells_.aspect(top.cell); aspect != 0 && !is_at_start(top.cell)) {
+    if (const int aspect = known_aspect(top.cell); aspect != 0 && !is_at_start(top.cell)) {
       links_.push_back({as_node(top.from), as_node(aspect), top.level});
       return clusters_.unite(as_node(top.from), as_node(aspect));
     }

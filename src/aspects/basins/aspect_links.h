@@ -31,6 +31,8 @@ class AspectLinks {
   std::vector<double> levels();
 
  private:
+  /// Of inside cells alone: paths between components begin and end in these.
+  int known_aspect(NodeIndex cell) const { return cells_.is_inside(cell) ? cells_.aspect(cell) : 0; }
   std::vector<int> smallest_open_cluster();
   void link_once(const std::vector<int>& cluster);
 
