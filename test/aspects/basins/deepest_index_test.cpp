@@ -37,6 +37,7 @@ class DeepestIndexTest : public testing::TestWithParam<Subject> {
     MapOptions options;
     if (!GetParam().held.empty()) options.slice = test::slice_of(robot, GetParam().held);
     if (GetParam().resolution > 0.0) options.resolution = GetParam().resolution;
+    if (test::is_sanitized) options.modes = {WorkingMode(robot->leg_count())};
     const MapResult result = compute_aspect_map(robot, options);
     ASSERT_TRUE(result.map) << result.message;
     map = result.map;
