@@ -13,6 +13,14 @@ PlanarLeg::PlanarLeg(const Leg& leg) : type_(leg.kind().type) {
   std::visit([this, &leg](const auto& actuation) { set(actuation, leg); }, leg.actuation);
 }
 
+std::optional<RodOnArc<PlanarLegForm>> PlanarLeg::rod_on_arc(const Planar<Interval>& d,
+                                                             const Turn<Interval>& turn, int sign) const {
+  const Planar<Interval> u{d.x - crank_ * turn.cosine, d.y - crank_ * turn.sine};
+  const Interval entry = Interval(sense_) * (u.y * d.x - u.x * d.y);
+  if (are_apart(squared_norm(u), squared_rod_) || has_sign(entry, -sign)) return std::nullopt;
+  return RodOnArc<PlanarLegForm>{{0.0, u, {0.0, 0.0}}, squared_rod_};
+}
+
 void PlanarLeg::set_base(const Leg& leg) {
   const std::array<Interval, 3> base = toleranced_base(leg);
   base_ = {base[0], base[1]};
@@ -27,7 +35,8 @@ void PlanarLeg::set_two_links(const Interval& squared_first, const Interval& squ
 }
 
 void PlanarLeg::set(const RevoluteActuation& actuation, const Leg& leg) {
-  const Interval squared_crank = square(toleranced_length(actuation.radius, leg));
+  crank_ = toleranced_length(actuation.radius, leg);
+  const Interval squared_crank = square(crank_);
   // Anchor and crank tip move in parallel planes; what is left of the rod in the plane.
   rod_ = toleranced_length(leg.rod_length, leg);
   squared_rod_ = square(rod_) - squared_height_;

@@ -3,10 +3,12 @@
 #define PARALLEL_ASPECTS_LEGS_PLANAR_LEG_H
 
 #include "interval/dual.h"
+#include "interval/half_turns.h"
 #include "interval/interval.h"
 #include "interval/scalar_range.h"
 #include "legs/limit_verdict.h"
 #include "legs/link_points.h"
+#include "legs/rod_on_arc.h"
 #include "parallel_aspects/model/leg.h"
 
 #include <optional>
@@ -63,6 +65,10 @@ class PlanarLeg {
   template <class Scalar>
   Scalar squared_rod(const Planar<Scalar>& d) const;
 
+  /// See SpatialLeg; angles are from x here.
+  std::optional<RodOnArc<PlanarLegForm>> rod_on_arc(const Planar<Interval>& d, const Turn<Interval>& turn,
+                                                    int sign) const;
+
   /// Limits of the joint value of branch `sign`, where |B_jj| is `entry`.
   template <class Scalar>
   LimitFunctions<Scalar> limits(const Planar<Scalar>& d, const Scalar& entry, int sign) const;
@@ -98,13 +104,13 @@ class PlanarLeg {
   LegType type_;
   double reach_ = 0.0;
   Planar<Interval> base_;
-  Interval squared_height_;                      // of the anchor over the base point, out of the plane
-  Interval squared_longest_, squared_shortest_;  // two links stretched, folded
-  Interval rod_;                                 // in space
-  Interval squared_rod_, half_difference_;       // rod in the plane; (rod^2 - crank^2) / 2
-  Interval half_sum_;                            // (inner^2 + outer^2) / 2 of an elbow
-  Planar<Interval> direction_;                   // of an actuated prismatic joint
-  double sense_ = 1.0;                           // of turning about z, or of a strut or elbow
+  Interval squared_height_;                         // of the anchor over the base point, out of the plane
+  Interval squared_longest_, squared_shortest_;     // two links stretched, folded
+  Interval rod_;                                    // in space
+  Interval crank_, squared_rod_, half_difference_;  // rod in the plane; (rod^2 - crank^2) / 2
+  Interval half_sum_;                               // (inner^2 + outer^2) / 2 of an elbow
+  Planar<Interval> direction_;                      // of an actuated prismatic joint
+  double sense_ = 1.0;                              // of turning about z, or of a strut or elbow
   AngleLimits angle_limits_;
   LengthLimits length_limits_;
 };

@@ -17,6 +17,17 @@ SpatialLeg::SpatialLeg(const Leg& leg)
   std::visit([this, &leg](const auto& actuation) { set(actuation, leg); }, leg.actuation);
 }
 
+// |B_jj| turned, with  turned = axis x d,  is what u has along turned.
+std::optional<RodOnArc<SpatialLegForm>> SpatialLeg::rod_on_arc(const Spatial<Interval>& d,
+                                                               const Turn<Interval>& turn, int sign) const {
+  Spatial<Interval> u;
+  for (std::size_t i = 0; i < 3; ++i)
+    u[i] = d[i] - crank_ * (zero_direction_[i] * turn.cosine + side_direction_[i] * turn.sine);
+  if (are_apart(squared_norm(u), squared_rod_) || has_sign(dot(u, cross(axis_, d)), -sign))
+    return std::nullopt;
+  return RodOnArc<SpatialLegForm>{{0.0, u, {0.0, 0.0, 0.0}}, squared_rod_};
+}
+
 void SpatialLeg::set(const RevoluteActuation& actuation, const Leg& leg) {
   axis_ = enclosed(actuation.axis);
   zero_direction_ = enclosed(actuation.zero_direction);
@@ -27,6 +38,7 @@ void SpatialLeg::set(const RevoluteActuation& actuation, const Leg& leg) {
   squared_rod_ = square(rod);
   squared_longest_ = square(crank + rod);
   squared_shortest_ = square(crank - rod);
+  crank_ = crank;
   squared_crank_ = square(crank);
   half_difference_ = Interval(0.5) * (square(rod) - squared_crank_);
   angle_limits_ = AngleLimits(leg.limits, 0.0, 1.0);

@@ -3,10 +3,12 @@
 #define PARALLEL_ASPECTS_LEGS_SPATIAL_LEG_H
 
 #include "interval/dual.h"
+#include "interval/half_turns.h"
 #include "interval/interval.h"
 #include "interval/scalar_range.h"
 #include "legs/limit_verdict.h"
 #include "legs/link_points.h"
+#include "legs/rod_on_arc.h"
 #include "parallel_aspects/model/leg.h"
 
 #include <array>
@@ -62,6 +64,11 @@ class SpatialLeg {
   template <class Scalar>
   Scalar squared_rod(const Spatial<Scalar>& d) const;
 
+  /// u of a crank at these angles. Nothing where the rod has another length there, or
+  /// B_jj another sign.
+  std::optional<RodOnArc<SpatialLegForm>> rod_on_arc(const Spatial<Interval>& d, const Turn<Interval>& turn,
+                                                     int sign) const;
+
   /// Limits of the joint value of branch `sign`, where |B_jj| is `entry`.
   template <class Scalar>
   LimitFunctions<Scalar> limits(const Spatial<Scalar>& d, const Scalar& entry, int sign) const;
@@ -92,7 +99,8 @@ class SpatialLeg {
   Spatial<Interval> axis_, zero_direction_,
       side_direction_;                           // axis is the direction of an actuated prismatic joint
   Interval squared_longest_, squared_shortest_;  // two links stretched, folded
-  Interval squared_crank_, half_difference_;     // (rod^2 - crank^2) / 2
+  Interval crank_;
+  Interval squared_crank_, half_difference_;  // (rod^2 - crank^2) / 2
   Interval rod_, squared_rod_;
   Interval half_sum_;   // (inner^2 + outer^2) / 2 of an elbow
   double sense_ = 1.0;  // of a strut or elbow

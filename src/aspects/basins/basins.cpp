@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/aspects/basins.h"
 
+#include "aspects/basins/aspect_links.h"
 #include "aspects/basins/deepest_index.h"
 #include "aspects/basins/index_cells.h"
 #include "aspects/basins/merge_tree.h"
+#include "aspects/basins/mode_images.h"
 
 #include <tbb/parallel_for.h>
 
@@ -40,13 +42,17 @@ class SignBasins {
     deepest.search();
     if (is_cancelled(control_)) return {};
     for (const auto& [id, range] : deepest.ranges()) basins.deepest[static_cast<std::size_t>(id - 1)] = range;
-    return merge_all(detail, basins);
+    bound_pairs(basins);
+    if (detail == BasinDetail::depths) return {};
+    cells_.bound_all();
+    return basins_of(merge(cells_, edges_of(cells_, PathBound::upper)), basins);
   }
 
  private:
   /// Inside leaves are as large as the proof of their sign lets them be: bounds of the index want smaller
   /// ones. Where it is small, they need not be as near to each other.
   void divide_coarse() {
+    cells_.bound_all();
     std::vector<NodeIndex> cells = cells_.all();
     double largest = 0.0;
     for (const NodeIndex cell : cells) largest = std::max(largest, cells_.lower(cell));
@@ -61,7 +67,8 @@ class SignBasins {
     }
   }
 
-  std::vector<Basin> merge_all(BasinDetail detail, MapBasins& basins) const {
+  /// The largest index that could join the aspects of each unresolved pair.
+  void bound_pairs(MapBasins& basins) const {
     std::vector<std::pair<int, int>> pairs;
     std::vector<std::size_t> places;
     for (std::size_t i = 0; i < map_.unresolved().size(); ++i)
@@ -69,11 +76,12 @@ class SignBasins {
         pairs.push_back(map_.unresolved()[i]);
         places.push_back(i);
       }
-    if (pairs.empty() && detail == BasinDetail::depths) return {};
-    const Merging merging = merge(cells_, edges_of(cells_, PathBound::upper), pairs);
+    if (pairs.empty()) return;
+    const std::vector<double> levels = AspectLinks(cells_, pairs, control_).levels();
+    const auto deepest = [&](int id) { return basins.deepest[static_cast<std::size_t>(id - 1)].upper; };
     for (std::size_t i = 0; i < pairs.size(); ++i)
-      basins.bottlenecks[places[i]] = {0.0, merging.pair_levels[i]};
-    return detail == BasinDetail::basins ? basins_of(merging.merges, basins) : std::vector<Basin>();
+      basins.bottlenecks[places[i]] = {
+          0.0, std::min({levels[i], deepest(pairs[i].first), deepest(pairs[i].second)})};
   }
 
   std::vector<Basin> basins_of(const std::vector<PeakMerge>& merges, const MapBasins& depths) const {
@@ -146,22 +154,46 @@ void append(std::vector<Basin> more, std::vector<Basin>& basins) {
   }
 }
 
+std::vector<ModeImage> all_by_themselves(std::size_t modes) {
+  std::vector<ModeImage> images(modes);
+  for (std::size_t mode = 0; mode < modes; ++mode) images[mode].representative = mode;
+  return images;
+}
+
+/// An index is the same at the image of a pose.
+void copy_to_image(const AspectMap& map, const ModeImage& image, MapBasins& basins) {
+  for (const auto& [from, to] : image.aspects)
+    basins.deepest[static_cast<std::size_t>(to - 1)] = basins.deepest[static_cast<std::size_t>(from - 1)];
+  const auto& pairs = map.unresolved();
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const auto a = image.aspects.find(pairs[i].first), b = image.aspects.find(pairs[i].second);
+    if (a == image.aspects.end() || b == image.aspects.end()) continue;
+    const std::pair<int, int> ids = std::minmax(a->second, b->second);
+    const auto place = std::find(pairs.begin(), pairs.end(), ids);
+    basins.bottlenecks[static_cast<std::size_t>(place - pairs.begin())] = basins.bottlenecks[i];
+  }
+}
+
 }  // namespace
 
 std::optional<MapBasins> find_basins(const AspectMap& map, ParallelIndex index, BasinDetail detail,
                                      const MapControl& control) {
-  const std::size_t signs = 2 * map.contents().modes.size();
-  std::vector<std::vector<Basin>> found(signs);  // by mode, positive before negative
+  const std::size_t modes = map.contents().modes.size();
+  // Basins have poses, of which no images are made.
+  const std::vector<ModeImage> images =
+      detail == BasinDetail::depths ? find_mode_images(map.contents()) : all_by_themselves(modes);
+  std::vector<std::vector<Basin>> found(2 * modes);  // by mode, positive before negative
   MapBasins basins;
   basins.index = index;
   basins.deepest.assign(map.aspects().size(), {0.0, 0.0});
   basins.bottlenecks.assign(map.unresolved().size(), {0.0, 0.0});
   // Each writes to what belongs to its own aspects.
-  tbb::parallel_for(std::size_t{0}, signs, [&](std::size_t i) {
-    if (!is_cancelled(control))
+  tbb::parallel_for(std::size_t{0}, 2 * modes, [&](std::size_t i) {
+    if (!is_cancelled(control) && images[i / 2].representative == i / 2)
       found[i] = SignBasins(map, i / 2, i % 2 == 0 ? 1 : -1, index, control).find(detail, basins);
   });
   if (is_cancelled(control)) return std::nullopt;
+  for (const ModeImage& image : images) copy_to_image(map, image, basins);
   for (std::vector<Basin>& each : found) append(std::move(each), basins.basins);
   return basins;
 }

@@ -1,148 +1,250 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/basins/deepest_index.h"
 
-#include "aspects/components/disjoint_sets.h"
-#include "aspects/tree/face_traversal.h"
-#include "aspects/tree/neighbour_leaves.h"
-
 #include <algorithm>
 #include <limits>
-#include <unordered_map>
-#include <utility>
+#include <tuple>
 
 namespace parallel_aspects {
 namespace {
 
-constexpr double finest = 0.01;         // gap of the bounds within an aspect, as a share of the upper one
-constexpr double fine_enough = 0.05;    // likewise where undecided cells count
-constexpr double least_gap = 0.001;     // or this, of the normalised index
-constexpr std::size_t halvings = 3000;  // for each aspect
-constexpr std::size_t boxes_of_group = 20000;  // that are halved into, for each group and round
-constexpr int max_rounds = 3;                  // since groups fall apart when they are halved
+/// When an owner of cells is bounded precisely enough, or has taken too much work.
+struct Precision {
+  double inside;         // gap of the bounds in the inside cells of an aspect, as a share of the upper one
+  double undecided;      // likewise in undecided cells
+  double absolute;       // or this, of the normalised index
+  std::size_t halvings;  // of inside cells, for each aspect
+  std::size_t halvings_of_undecided;  // for each owner of undecided cells and round
+  int rounds;                         // since groups fall apart when they are halved
+  // Of enclosures, as a share of the number of nodes; whatever that, as many as the second.
+  double share_of_nodes;
+  std::size_t always;
+};
+
+constexpr Precision curves{0.01, 0.05, 0.002, 3000, 2000, 3, 0.5, 20000};
 // With three coordinates undecided cells lie along surfaces: far more boxes than these would be needed to
-// bound the index there, so they are taken as they are.
-constexpr std::size_t largest_dimension_of_groups = 2;
+// bound the index there as precisely.
+constexpr Precision surfaces{0.05, 0.05, 0.01, 10000, 20000, 1, 0.5, 10000};
+
+// Climbs for poses that the bounds from below are those of.
+constexpr std::size_t starts = 300;
+constexpr double first_step = 1.0 / 16.0, last_step = 1.0 / 65536.0;  // as a share of a root
+
+const Precision& precision(const IndexCells& cells) {
+  return cells.tree().dimension() <= 2 ? curves : surfaces;
+}
 
 }  // namespace
 
 DeepestIndex::DeepestIndex(IndexCells& cells, ParallelIndex index, const MapControl& control)
-    : cells_(cells), absolute_(index == ParallelIndex::normalised ? least_gap : 0.0), control_(control) {
-  for (const NodeIndex cell : cells_.all())
-    if (cells_.aspect(cell) != 0) put(cell);
+    : cells_(cells),
+      owners_(cells),
+      absolute_(index == ParallelIndex::normalised ? precision(cells).absolute : 0.0),
+      control_(control),
+      most_evaluations_(precision(cells).always +
+                        static_cast<std::size_t>(precision(cells).share_of_nodes *
+                                                 static_cast<double>(cells.tree().node_count()))) {
+  for (const CellOwner& owner : owners_.all())
+    if (owner.is_inside) {
+      lower_[*owner.aspects.begin()] = 0.0;
+      upper_[*owner.aspects.begin()] = std::numeric_limits<double>::infinity();
+    }
 }
 
 void DeepestIndex::search() {
-  halve_aspects();
-  const int rounds = cells_.tree().dimension() <= largest_dimension_of_groups ? max_rounds : 0;
-  if (rounds == 0) find_groups();
-  for (int round = 0; round < rounds && !is_cancelled(control_); ++round) {
-    find_groups();
-    const bool any = halve_groups();
-    halve_aspects();
-    if (!any) break;
+  climb_everywhere();
+  for (int round = 0; round < precision(cells_).rounds && !is_cancelled(control_); ++round) {
+    if (round > 0) owners_.find();
+    search_once();
+    take_in_bounds();
+    if (!has_halved_groups_ || evaluations_ >= most_evaluations_) break;
   }
 }
 
 std::map<int, IndexRange> DeepestIndex::ranges() const {
   std::map<int, IndexRange> ranges;
-  for (const auto& [id, aspect] : aspects_) ranges[id] = {aspect.lower, upper(aspect.cells)};
-  for (const Group& group : groups_)
-    for (const int id : group.aspects) ranges[id].upper = std::max(ranges[id].upper, upper(group.cells));
+  for (const auto& [id, lower] : lower_) ranges[id] = {lower, upper_.at(id)};
   return ranges;
 }
 
-void DeepestIndex::put(NodeIndex cell) {
-  InAspect& aspect =
-      aspects_.try_emplace(cells_.aspect(cell), InAspect{Queue(ByUpper{&cells_}), 0.0}).first->second;
-  aspect.cells.push(cell);
-  aspect.lower = std::max(aspect.lower, cells_.lower(cell));
+/// Those of every round hold.
+void DeepestIndex::take_in_bounds() {
+  std::map<int, double> upper;
+  for (std::size_t owner = 0; owner < progress_.size(); ++owner)
+    for (const int id : owners_.all()[owner].aspects) upper[id] = std::max(upper[id], progress_[owner].upper);
+  for (const auto& [id, bound] : upper) upper_[id] = std::min(upper_.at(id), bound);
 }
 
-void DeepestIndex::halve_aspects() {
-  for (auto& [id, aspect] : aspects_)
-    for (std::size_t i = 0; i < halvings && !aspect.cells.empty() && !is_cancelled(control_); ++i) {
-      const NodeIndex top = aspect.cells.top();
-      if (cells_.upper(top) - aspect.lower <= finest * cells_.upper(top) || !cells_.can_be_halved(top)) break;
-      aspect.cells.pop();
-      for (const NodeIndex child : cells_.divide({top})) put(child);
+/// From the highest of some cells of each aspect.
+void DeepestIndex::climb_everywhere() {
+  std::map<int, std::vector<NodeIndex>> inside;
+  for (const NodeIndex cell : cells_.all())
+    if (cells_.is_inside(cell)) inside[cells_.aspect(cell)].push_back(cell);
+  for (const auto& [aspect, cells] : inside) {
+    if (aspect == 0 || is_cancelled(control_)) continue;
+    MapPosition best;
+    double highest = -1.0;
+    for (std::size_t i = 0; i < std::min(starts, cells.size()); ++i) {
+      const NodeIndex cell = cells[i * cells.size() / std::min(starts, cells.size())];
+      const double index = cells_.at(middle(cell)).lower;
+      if (index > highest) std::tie(best, highest) = std::make_pair(middle(cell), index);
     }
-}
-
-/// Cells of no known aspect that are connected through others such.
-void DeepestIndex::find_groups() {
-  groups_.clear();
-  DisjointSets sets(cells_.tree().node_count());
-  std::vector<std::pair<NodeIndex, int>> touching;  // a cell of no known aspect, and an aspect
-  visit_faces(cells_.tree(), 0, [&](NodeIndex a, NodeIndex b) {
-    if (cells_.aspect(a) == 0 && cells_.aspect(b) == 0) return sets.unite(a, b);
-    if (cells_.aspect(a) == 0) touching.emplace_back(a, cells_.aspect(b));
-    if (cells_.aspect(b) == 0) touching.emplace_back(b, cells_.aspect(a));
-  });
-  std::unordered_map<NodeIndex, std::size_t> place;  // of a group, by the cell that stands for it
-  for (const auto& [cell, aspect] : touching) {
-    const auto [known, is_new] = place.try_emplace(sets.find(cell), groups_.size());
-    if (is_new) groups_.push_back({Queue(ByUpper{&cells_}), {}});
-    groups_[known->second].aspects.insert(aspect);
-  }
-  for (const NodeIndex cell : cells_.all()) {
-    if (cells_.aspect(cell) != 0) continue;
-    const auto known = place.find(sets.find(cell));
-    if (known != place.end()) groups_[known->second].cells.push(cell);
+    climb(aspect, best, highest);
   }
 }
 
-/// Whether there was something to halve.
-bool DeepestIndex::halve_groups() {
-  bool any = false;
-  for (Group& group : groups_) {
-    any = any || upper(group.cells) > enough(group);
-    halve(group);
+/// By steps along the coordinates, halved where none leads higher, within inside cells of the aspect.
+void DeepestIndex::climb(int aspect, MapPosition at, double highest) {
+  const PoseTree& tree = cells_.tree();
+  for (double step = first_step; step > last_step;) {
+    bool is_higher = false;
+    for (std::size_t axis = 0; axis < tree.dimension(); ++axis)
+      for (const double sign : {1.0, -1.0}) {
+        MapPosition next = at;
+        next.point[axis] += sign * step * tree.box(at.root).width(axis);
+        const auto cell = tree.leaf_at(next, 0);
+        if (!cell || !cells_.is_inside(*cell) || cells_.aspect(*cell) != aspect) continue;
+        const double index = cells_.at(next).lower;
+        if (index > highest) std::tie(at, highest, is_higher) = std::make_tuple(next, index, true);
+      }
+    if (!is_higher) step *= 0.5;
   }
-  return any;
+  raise(aspect, highest, at);
 }
 
-void DeepestIndex::halve(Group& group) {
-  const std::size_t most = boxes_of_group / cells_.tree().children_per_node();
-  for (std::size_t i = 0; i < most && !is_cancelled(control_); ++i) {
-    while (!group.cells.empty() && cells_.aspect(group.cells.top()) != 0) group.cells.pop();
-    if (upper(group.cells) <= enough(group)) return;
-    const NodeIndex top = group.cells.top();
-    if (!cells_.can_be_halved(top)) return;
-    group.cells.pop();
-    for (const NodeIndex child : cells_.divide({top})) put(child, group);
+void DeepestIndex::search_once() {
+  start();
+  while (!queue_.empty() && evaluations_ < most_evaluations_ && !is_cancelled(control_)) {
+    const auto [upper, node] = queue_.top();
+    close(upper, node);
+    queue_.pop();
+    if (matters(node) && !is_lowered(upper, node)) open(upper, node);
+  }
+  close_rest();
+}
+
+void DeepestIndex::start() {
+  has_halved_groups_ = false;
+  queue_ = {};
+  progress_.assign(owners_.all().size(), {});
+  for (RootIndex root = 0; root < cells_.tree().root_count(); ++root)
+    if (owners_.within(root) != 0) queue_.emplace(cells_.upper(root, IndexCells::Effort::little), root);
+}
+
+/// Owners of a node that are bounded precisely enough by the highest upper bound that is left.
+void DeepestIndex::close(double upper, NodeIndex node) {
+  const auto close_one = [this, upper](std::size_t owner) {
+    Progress& progress = progress_[owner];
+    if (!progress.is_open || upper > enough(owner)) return;
+    progress.is_open = false;
+    progress.upper = upper;
+  };
+  if (cells_.is_cell(node) && owners_.of(node) != CellOwners::none) return close_one(owners_.of(node));
+  for (std::size_t owner = 0; owner < progress_.size(); ++owner)
+    if ((owners_.within(node) & CellOwners::bit(owner)) != 0) close_one(owner);
+}
+
+/// By what is left of each.
+void DeepestIndex::close_rest() {
+  for (; !queue_.empty(); queue_.pop()) {
+    const auto [upper, node] = queue_.top();
+    const std::uint64_t within = owners_.within(node);
+    for (std::size_t owner = 0; owner < progress_.size(); ++owner)
+      if (progress_[owner].is_open && (within & CellOwners::bit(owner)) != 0)
+        progress_[owner].upper = std::max(progress_[owner].upper, upper);
   }
 }
 
-/// Up to where no upper bound of the group makes that of one of its aspects loose.
-double DeepestIndex::enough(const Group& group) const {
+bool DeepestIndex::matters(NodeIndex node) const {
+  if (cells_.is_cell(node))
+    return owners_.of(node) != CellOwners::none && progress_[owners_.of(node)].is_open;
+  const std::uint64_t within = owners_.within(node);
+  for (std::size_t owner = 0; owner < progress_.size(); ++owner)
+    if (progress_[owner].is_open && (within & CellOwners::bit(owner)) != 0) return true;
+  return false;
+}
+
+/// Whether more effort shows that the node has its place farther behind.
+bool DeepestIndex::is_lowered(double upper, NodeIndex node) {
+  if (cells_.effort(node) == IndexCells::Effort::more) return false;
+  ++evaluations_;
+  const double lowered = cells_.upper(node, IndexCells::Effort::more);
+  if (cells_.is_cell(node) && cells_.is_inside(node))
+    raise(cells_.aspect(node), cells_.lower(node), middle(node));
+  if (lowered < upper) queue_.emplace(lowered, node);
+  return lowered < upper;
+}
+
+void DeepestIndex::open(double upper, NodeIndex node) {
+  if (cells_.is_cell(node))
+    open_cell(upper, node);
+  else
+    open_children(upper, node);
+}
+
+void DeepestIndex::open_children(double upper, NodeIndex node) {
+  const NodeIndex first = cells_.tree().first_child(node);
+  for (NodeIndex child = first; child < first + cells_.tree().children_per_node(); ++child) {
+    if (owners_.within(child) == 0) continue;
+    ++evaluations_;
+    queue_.emplace(std::min(upper, cells_.upper(child, IndexCells::Effort::little)), child);
+  }
+}
+
+/// Its middle may show that it need not be halved.
+void DeepestIndex::open_cell(double upper, NodeIndex cell) {
+  const std::size_t owner = owners_.of(cell);
+  const bool is_inside = owners_.all()[owner].is_inside;
+  const Precision& wanted = precision(cells_);
+  Progress& progress = progress_[owner];
+  look_at_middle(cell, owner);
+  if (upper <= enough(owner) || !cells_.can_be_halved(cell) ||
+      progress.halved >= (is_inside ? wanted.halvings : wanted.halvings_of_undecided)) {
+    progress.is_open = false;
+    progress.upper = upper;
+    return;
+  }
+  ++progress.halved;
+  has_halved_groups_ = has_halved_groups_ || !is_inside;
+  halve(upper, cell);
+}
+
+void DeepestIndex::look_at_middle(NodeIndex cell, std::size_t owner) {
+  const IndexRange range = cells_.at(middle(cell));
+  ++evaluations_;
+  progress_[owner].reached = std::max(progress_[owner].reached, range.lower);
+  if (cells_.is_inside(cell)) raise(cells_.aspect(cell), range.lower, middle(cell));
+}
+
+void DeepestIndex::halve(double upper, NodeIndex cell) {
+  const std::vector<NodeIndex> children = cells_.divide({cell});
+  evaluations_ += children.size();
+  for (const NodeIndex found : owners_.take_in(cell, children))
+    raise(cells_.aspect(found), cells_.lower(found), middle(found));
+  for (const NodeIndex child : children)
+    queue_.emplace(std::min(upper, cells_.upper(child, IndexCells::Effort::little)), child);
+}
+
+void DeepestIndex::raise(int aspect, double lower, const MapPosition& at) {
+  if (aspect == 0 || !(lower > lower_.at(aspect))) return;
+  lower_[aspect] = lower;
+  witnesses_[aspect] = at;
+}
+
+MapPosition DeepestIndex::middle(NodeIndex node) const {
+  return {cells_.tree().place(node).root, cells_.tree().box(node).middle()};
+}
+
+/// Undecided cells are bounded where they make the bound of no aspect loose or, with three coordinates, where
+/// the index is nearly as high in them.
+double DeepestIndex::enough(std::size_t owner) const {
+  const CellOwner& cells = owners_.all()[owner];
+  const Precision& wanted = precision(cells_);
+  const double share = cells.is_inside ? wanted.inside : wanted.undecided;
+  const auto above = [&](double lower) { return std::max(lower / (1.0 - share), lower + absolute_); };
   double least = std::numeric_limits<double>::infinity();
-  for (const int id : group.aspects) {
-    const double lower = aspects_.at(id).lower;
-    least = std::min(least, std::max(lower / (1.0 - fine_enough), lower + absolute_));
-  }
-  return least;
-}
-
-void DeepestIndex::put(NodeIndex child, Group& group) {
-  if (cells_.is_inside(child)) spread_aspect(child);
-  if (cells_.aspect(child) == 0) group.cells.push(child);
-}
-
-/// A cell that is inside belongs to the aspect of every cell that it shares part of a face with.
-void DeepestIndex::spread_aspect(NodeIndex inside) {
-  std::vector<NodeIndex> open{inside};
-  while (!open.empty()) {
-    const NodeIndex cell = open.back();
-    open.pop_back();
-    const std::vector<NodeIndex> near = neighbour_leaves(cells_.tree(), 0, cell);
-    const auto known =
-        std::find_if(near.begin(), near.end(), [this](NodeIndex each) { return cells_.aspect(each) != 0; });
-    if (cells_.aspect(cell) != 0 || known == near.end()) continue;
-    cells_.set_aspect(cell, cells_.aspect(*known));
-    put(cell);
-    for (const NodeIndex next : near)
-      if (cells_.is_inside(next) && cells_.aspect(next) == 0) open.push_back(next);
-  }
+  for (const int id : cells.aspects) least = std::min(least, above(lower_.at(id)));
+  return wanted.rounds > 1 || cells.is_inside ? least : std::max(least, above(progress_[owner].reached));
 }
 
 }  // namespace parallel_aspects

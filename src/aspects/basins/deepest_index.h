@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_BASINS_DEEPEST_INDEX_H
 #define PARALLEL_ASPECTS_ASPECTS_BASINS_DEEPEST_INDEX_H
 
+#include "aspects/basins/cell_owners.h"
 #include "aspects/basins/index_cells.h"
 #include "parallel_aspects/aspects/basins.h"
 #include "parallel_aspects/aspects/map_control.h"
@@ -9,16 +10,15 @@
 #include <cstddef>
 #include <map>
 #include <queue>
-#include <set>
+#include <utility>
 #include <vector>
 
 namespace parallel_aspects {
 
-/// Looks for the largest index in each aspect of one working mode and sign of det A, best first: of the cells
-/// that may hold it the one with the highest upper bound is halved.
-///
-/// An aspect lies in its own cells and in *groups* of cells of no known aspect, undecided ones, that are
-/// connected with it. What is inside such a group and shares a face with the aspect is found to belong to it.
+/// Looks for the largest index in each aspect of one working mode and sign of det A by branch and bound, for
+/// all of them at once: of the nodes of the tree that may hold one the one with the highest upper bound is
+/// opened, from the roots down to cells, which are halved. What is left when an owner of cells is bounded
+/// precisely enough, or has taken too much work, bounds it.
 class DeepestIndex {
  public:
   DeepestIndex(IndexCells& cells, ParallelIndex index, const MapControl& control);
@@ -27,38 +27,49 @@ class DeepestIndex {
 
   /// The largest index in each aspect, by id.
   std::map<int, IndexRange> ranges() const;
+  /// A position in each where the index is no less than the lower end, by id; none where that is 0.
+  const std::map<int, MapPosition>& witnesses() const noexcept { return witnesses_; }
 
  private:
-  struct ByUpper {
-    const IndexCells* cells;
-    bool operator()(NodeIndex a, NodeIndex b) const { return cells->upper(a) < cells->upper(b); }
-  };
-  using Queue = std::priority_queue<NodeIndex, std::vector<NodeIndex>, ByUpper>;
+  using Queue = std::priority_queue<std::pair<double, NodeIndex>>;
 
-  struct InAspect {
-    Queue cells;
-    double lower = 0.0;
-  };
-  struct Group {
-    Queue cells;
-    std::set<int> aspects;
+  /// How far the search for one owner has come.
+  struct Progress {
+    bool is_open = true;
+    double upper = 0.0;  // where not open
+    double reached =
+        0.0;  // by a pose that all legs reach in one of its cells, which may be of another aspect
+    std::size_t halved = 0;
   };
 
-  void put(NodeIndex cell);
-  void halve_aspects();
-  bool halve_groups();
-  void find_groups();
-  void halve(Group& group);
-  void put(NodeIndex child, Group& group);
-  void spread_aspect(NodeIndex inside);
-  double enough(const Group& group) const;
-  double upper(const Queue& queue) const { return queue.empty() ? 0.0 : cells_.upper(queue.top()); }
+  void climb_everywhere();
+  void climb(int aspect, MapPosition at, double highest);
+  void search_once();
+  void take_in_bounds();
+  void start();
+  void close(double upper, NodeIndex node);
+  void close_rest();
+  bool matters(NodeIndex node) const;
+  bool is_lowered(double upper, NodeIndex node);
+  void open(double upper, NodeIndex node);
+  void open_children(double upper, NodeIndex node);
+  void open_cell(double upper, NodeIndex cell);
+  void look_at_middle(NodeIndex cell, std::size_t owner);
+  void halve(double upper, NodeIndex cell);
+  void raise(int aspect, double lower, const MapPosition& at);
+  MapPosition middle(NodeIndex node) const;
+  double enough(std::size_t owner) const;
 
   IndexCells& cells_;
+  CellOwners owners_;
   double absolute_;
   const MapControl& control_;
-  std::map<int, InAspect> aspects_;
-  std::vector<Group> groups_;
+  std::map<int, double> lower_, upper_;  // by id
+  std::map<int, MapPosition> witnesses_;
+  std::vector<Progress> progress_;
+  Queue queue_;
+  std::size_t evaluations_ = 0, most_evaluations_;
+  bool has_halved_groups_ = false;
 };
 
 }  // namespace parallel_aspects

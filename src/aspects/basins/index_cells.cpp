@@ -11,7 +11,10 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr double close_enough = 0.02;  // bounds of the index in a cell, as a share of the upper one
+constexpr double close_enough = 0.02;   // bounds of the index in a cell, as a share of the upper one
+constexpr double close_at_pose = 1e-9;  // likewise, at one pose
+constexpr double any_gap = 1.0;         // likewise
+constexpr std::size_t grain = 64;       // cells that are not worth another thread
 
 }  // namespace
 
@@ -20,7 +23,6 @@ IndexCells::IndexCells(const AspectMap::Contents& map, std::size_t mode, int sig
   aspects_.assign(tree_.node_count(), 0);
   for (RootIndex root = 0; root < tree_.root_count(); ++root) copy(root, root);
   bounds_.resize(tree_.node_count());
-  bound(all());
 }
 
 /// The other sign is left out.
@@ -48,22 +50,26 @@ std::vector<NodeIndex> IndexCells::all() const {
 IndexRange IndexCells::at(const MapPosition& position) const {
   const RoundingUpward rounding;
   const Box box{tree_.dimension(), position.point, position.point};
-  const Interval range = map_.classifier->enclose_index(position.root, box, mode_, index_, 0.0);
+  const Interval range =
+      map_.classifier->enclose_index(position.root, box, mode_, sign_, index_, close_at_pose);
   return {range.lower(), range.upper()};
 }
 
-/// Of an undecided one the upper bound alone counts.
-void IndexCells::bound(NodeIndex node) {
-  const bool inside = is_inside(node);
-  const Interval range = map_.classifier->enclose_index(tree_.place(node).root, tree_.box(node), mode_,
-                                                        index_, inside ? close_enough : 1.0);
-  bounds_[node] = {inside ? range.lower() : 0.0, range.upper()};
+const IndexCells::Bounds& IndexCells::bounds(NodeIndex node, Effort effort) const {
+  Bounds& known = bounds_[node];
+  if (known.effort >= effort) return known;
+  const RoundingUpward rounding;
+  const Interval range =
+      map_.classifier->enclose_index(tree_.place(node).root, tree_.box(node), mode_, sign_, index_,
+                                     effort == Effort::more ? close_enough : any_gap);
+  known = {is_inside(node) ? range.lower() : 0.0, range.upper(), effort};
+  return known;
 }
 
-void IndexCells::bound(const std::vector<NodeIndex>& nodes) {
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, nodes.size()), [&](const auto& range) {
-    const RoundingUpward rounding;
-    for (std::size_t i = range.begin(); i < range.end(); ++i) bound(nodes[i]);
+void IndexCells::bound_all() const {
+  const std::vector<NodeIndex> cells = all();
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, cells.size(), grain), [&](const auto& range) {
+    for (std::size_t i = range.begin(); i < range.end(); ++i) bounds(cells[i], usual_effort(cells[i]));
   });
 }
 
@@ -75,11 +81,11 @@ std::vector<NodeIndex> IndexCells::divide(const std::vector<NodeIndex>& cells) {
     for (NodeIndex rank = 0; rank < tree_.children_per_node(); ++rank) children.push_back(first + rank);
   }
   bounds_.resize(tree_.node_count());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, children.size()), [&](const auto& range) {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, children.size(), grain), [&](const auto& range) {
     const RoundingUpward rounding;
     for (std::size_t i = range.begin(); i < range.end(); ++i) {
       if (tree_.state(children[i], 0).is_pending()) classify(children[i]);
-      if (is_cell(children[i])) bound(children[i]);
+      if (is_cell(children[i])) bounds(children[i], usual_effort(children[i]));
     }
   });
   const auto is_none = [this](NodeIndex child) { return !is_cell(child); };

@@ -5,7 +5,6 @@
 #include "aspects/tree/face_traversal.h"
 
 #include <algorithm>
-#include <iterator>
 
 namespace parallel_aspects {
 namespace {
@@ -13,16 +12,13 @@ namespace {
 /// Cells that are joined, as edges are added.
 class Clusters {
  public:
-  Clusters(const IndexCells& cells, const std::vector<std::pair<int, int>>& pairs)
-      : cells_(cells), pairs_(pairs), sets_(cells.tree().node_count()), peaks_(cells.tree().node_count()) {
-    aspects_.resize(peaks_.size());
+  explicit Clusters(const IndexCells& cells)
+      : cells_(cells), sets_(cells.tree().node_count()), peaks_(cells.tree().node_count()) {
     largest_.assign(peaks_.size(), 0.0);
     for (NodeIndex node = 0; node < peaks_.size(); ++node) {
       peaks_[node] = node;
       if (cells.is_cell(node)) largest_[node] = cells.upper(node);
-      if (cells.is_cell(node) && cells.aspect(node) != 0) aspects_[node] = {cells.aspect(node)};
     }
-    merging_.pair_levels.assign(pairs.size(), 0.0);
   }
 
   void add(const CellEdge& edge) {
@@ -31,46 +27,22 @@ class Clusters {
     const bool a_is_lower = cells_.lower(peaks_[a]) <= cells_.lower(peaks_[b]);
     const NodeIndex lower = peaks_[a_is_lower ? a : b], higher = peaks_[a_is_lower ? b : a];
     if (cells_.lower(lower) > edge.level)
-      merging_.merges.push_back({lower, higher, edge.level, largest_[a_is_lower ? a : b]});
+      merges_.push_back({lower, higher, edge.level, largest_[a_is_lower ? a : b]});
     const double largest = std::max(largest_[a], largest_[b]);
-    std::vector<int> both = aspects_[a];
-    if (aspects_[a] != aspects_[b]) {
-      answer_pairs(aspects_[a], aspects_[b], edge.level);
-      both.clear();
-      std::set_union(aspects_[a].begin(), aspects_[a].end(), aspects_[b].begin(), aspects_[b].end(),
-                     std::back_inserter(both));
-    }
-    aspects_[a].clear();
-    aspects_[b].clear();
     sets_.unite(a, b);
     const NodeIndex joined = sets_.find(a);
     peaks_[joined] = higher;
     largest_[joined] = largest;
-    aspects_[joined] = std::move(both);
   }
 
-  Merging take() { return std::move(merging_); }
+  std::vector<PeakMerge> take() { return std::move(merges_); }
 
  private:
-  void answer_pairs(const std::vector<int>& one, const std::vector<int>& other, double level) {
-    const auto has = [](const std::vector<int>& ids, int id) {
-      return std::binary_search(ids.begin(), ids.end(), id);
-    };
-    for (std::size_t i = 0; i < pairs_.size(); ++i) {
-      const auto [a, b] = pairs_[i];
-      if (merging_.pair_levels[i] == 0.0 &&
-          ((has(one, a) && has(other, b)) || (has(one, b) && has(other, a))))
-        merging_.pair_levels[i] = level;
-    }
-  }
-
   const IndexCells& cells_;
-  const std::vector<std::pair<int, int>>& pairs_;
   DisjointSets sets_;
-  std::vector<NodeIndex> peaks_;           // by the cell that stands for its set
-  std::vector<double> largest_;            // likewise; upper bound
-  std::vector<std::vector<int>> aspects_;  // likewise; ids, sorted
-  Merging merging_;
+  std::vector<NodeIndex> peaks_;  // by the cell that stands for its set
+  std::vector<double> largest_;   // likewise; upper bound
+  std::vector<PeakMerge> merges_;
 };
 
 }  // namespace
@@ -89,9 +61,8 @@ std::vector<CellEdge> edges_of(const IndexCells& cells, PathBound bound) {
   return edges;
 }
 
-Merging merge(const IndexCells& cells, const std::vector<CellEdge>& edges,
-              const std::vector<std::pair<int, int>>& aspect_pairs) {
-  Clusters clusters(cells, aspect_pairs);
+std::vector<PeakMerge> merge(const IndexCells& cells, const std::vector<CellEdge>& edges) {
+  Clusters clusters(cells);
   for (const CellEdge& edge : edges) clusters.add(edge);
   return clusters.take();
 }

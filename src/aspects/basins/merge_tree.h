@@ -31,17 +31,11 @@ struct PeakMerge {
   double largest;  ///< of the upper bounds in the set: no index in it is higher
 };
 
-/// What happens as edges are added by falling level.
-struct Merging {
-  std::vector<PeakMerge> merges;    ///< those alone whose peaks are both above the level
-  std::vector<double> pair_levels;  ///< where the two aspects of each pair are joined first; 0 where never
-};
+/// What happens as edges are added by falling level: the merges whose peaks are both above it. `edges` by
+/// upper bounds; a peak is the cell with the highest lower bound.
+std::vector<PeakMerge> merge(const IndexCells& cells, const std::vector<CellEdge>& edges);
 
-/// `edges` by upper bounds; a peak is the cell with the highest lower bound.
-Merging merge(const IndexCells& cells, const std::vector<CellEdge>& edges,
-              const std::vector<std::pair<int, int>>& aspect_pairs);
-
-/// The level at which each pair of cells is joined; 0 where they never are. `edges` by falling level.
+/// The level at which each pair of nodes is joined; 0 where they never are. `edges` by falling level.
 std::vector<double> levels_of_joining(std::size_t node_count, const std::vector<CellEdge>& edges,
                                       const std::vector<std::pair<NodeIndex, NodeIndex>>& pairs);
 

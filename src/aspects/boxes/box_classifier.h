@@ -115,11 +115,11 @@ class BoxClassifier {
   /// In double precision, proving nothing; none where a leg does not reach the position.
   virtual Conditions conditions(const MapPosition& position, std::size_t mode, int sign) const noexcept = 0;
 
-  /// What the index is in one mode at every pose of the box that all legs reach, whatever the constraints.
-  /// More work is done where less of it leaves the bounds farther apart than this share of the upper one. A
-  /// live `RoundingUpward` is required.
-  virtual Interval enclose_index(RootIndex root, const Box& box, std::size_t mode, ParallelIndex index,
-                                 double share) const noexcept = 0;
+  /// What the index is in one mode at every pose of the box that all legs reach, whatever the constraints,
+  /// and 0 for poses where det A has another sign. More work is done where less of it leaves the bounds
+  /// farther apart than this share of the upper one. A live `RoundingUpward` is required.
+  virtual Interval enclose_index(RootIndex root, const Box& box, std::size_t mode, int sign,
+                                 ParallelIndex index, double share) const noexcept = 0;
 
   /// Writes kinds[i] for each mode i in `modes`: the constraints, limits of actuated joints among them, that
   /// are neither proved to hold in all of the box nor to fail in all of it. A live `RoundingUpward` is

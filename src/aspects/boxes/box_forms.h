@@ -72,16 +72,16 @@ class BoxForms : public BoxStage<Chart, BoxForms<Chart>> {
     return together;
   }
 
-  /// At every pose of the box that all legs reach; intervals know more where squares are not positive.
-  Interval index(ParallelIndex kind, const Signs& signs) const {
+  /// See BoxIntervals, which know more where squares are not positive.
+  Interval index(ParallelIndex kind, const Signs& signs, int sign) const {
     const auto& margins = at().tests.margins();
     const Form squares = kind == ParallelIndex::normalised ? margins.squared_norms(*legs_, signs)
                                                            : margins.squared_scales(*legs_);
     const double least = squares.range().lower();
     if (!(least > 0.0)) return {0.0, std::numeric_limits<double>::infinity()};
     const Form norms = square_root(squares, least);
-    return absolute(
-        (legs_->determinant(signs) * reciprocal(norms, square_root(Interval(least)).lower())).range());
+    return of_sign(
+        (legs_->determinant(signs) * reciprocal(norms, square_root(Interval(least)).lower())).range(), sign);
   }
 
   /// Of det A on the whole box, whose range is known to be in `determinant`; 0 where it is not proved.

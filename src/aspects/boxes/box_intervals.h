@@ -15,6 +15,15 @@
 
 namespace parallel_aspects {
 
+inline Interval every_index(ParallelIndex kind) noexcept {
+  return {0.0, kind == ParallelIndex::normalised ? 1.0 : std::numeric_limits<double>::infinity()};
+}
+
+/// The size of a determinant that has this sign, and 0 of others.
+inline Interval of_sign(const Interval& determinant, int sign) noexcept {
+  return not_negative_part(sign > 0 ? determinant : -determinant);
+}
+
 /// The first stage (see box_stage.h): a box by intervals.
 template <class Chart>
 class BoxIntervals : public BoxStage<Chart, BoxIntervals<Chart>> {
@@ -40,18 +49,19 @@ class BoxIntervals : public BoxStage<Chart, BoxIntervals<Chart>> {
   const auto& displacement(std::size_t j) const noexcept { return placed_.legs[j].displacement; }
   Constraints& constraints() const noexcept { return constraints_; }
   const EvaluatedLegs<Chart, Interval>& legs() const noexcept { return *legs_; }
+  const auto& placement() const noexcept { return placed_.placement; }
 
   Interval determinant(const Signs& signs) const { return legs_->determinant(signs); }
 
-  /// At every pose of the box that all legs reach.
-  Interval index(ParallelIndex kind, const Signs& signs) const {
+  /// At every pose of the box that all legs reach; 0 where det A has another sign.
+  Interval index(ParallelIndex kind, const Signs& signs, int sign) const {
     const auto& margins = at_.tests.margins();
     const bool normalised = kind == ParallelIndex::normalised;
-    const Interval all(0.0, normalised ? 1.0 : std::numeric_limits<double>::infinity());
+    const Interval all = every_index(kind);
     const Interval squares =
         normalised ? margins.squared_norms(*legs_, signs) : margins.squared_scales(*legs_);
     if (!squares.positive()) return all;
-    return intersection(all, absolute(determinant(signs)) * reciprocal(square_root(squares)));
+    return intersection(all, of_sign(determinant(signs), sign) * reciprocal(square_root(squares)));
   }
 
   Verdict parallel_margins_by_squares(const Signs& signs) const {

@@ -4,6 +4,7 @@
 
 #include "aspects/boxes/box_classifier.h"
 #include "aspects/boxes/box_slopes.h"
+#include "aspects/boxes/index_on_arcs.h"
 #include "aspects/boxes/wedge_proof.h"
 
 #include <algorithm>
@@ -94,14 +95,21 @@ class ChartClassifier final : public BoxClassifier {
     return Slopes(forms).conditions(signs_[mode], sign);
   }
 
-  Interval enclose_index(RootIndex root, const Box& box, std::size_t mode, ParallelIndex index,
+  Interval enclose_index(RootIndex root, const Box& box, std::size_t mode, int sign, ParallelIndex index,
                          double share) const noexcept override {
     const Intervals intervals(at(root, box));
     if (intervals.reachable_nowhere()) return Interval(0.0);
-    const Interval range = intervals.index(index, signs_[mode]);
-    if (range.upper() - range.lower() <= share * range.upper()) return range;
+    const auto is_enough = [share](const Interval& range) {
+      return range.upper() - range.lower() <= share * range.upper();
+    };
+    const Interval range = intervals.index(index, signs_[mode], sign);
+    if (is_enough(range)) return range;
     const Forms forms(intervals);
-    return forms.reachable_nowhere() ? Interval(0.0) : intersection(range, forms.index(index, signs_[mode]));
+    if (forms.reachable_nowhere()) return Interval(0.0);
+    const Interval closer = intersection(range, forms.index(index, signs_[mode], sign));
+    if (is_enough(closer)) return closer;
+    const double most = IndexOnArcs<Chart>(intervals, signs_[mode]).largest(index, sign);
+    return most < closer.upper() ? Interval(std::min(closer.lower(), most), most) : closer;
   }
 
   void find_unknown_constraints(RootIndex root, const Box& box, ModeSet modes,

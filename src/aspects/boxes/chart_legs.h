@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_BOXES_CHART_LEGS_H
 #define PARALLEL_ASPECTS_ASPECTS_BOXES_CHART_LEGS_H
 
+#include "interval/half_turns.h"
 #include "legs/planar_leg.h"
 #include "legs/spatial_leg.h"
 #include "parallel_aspects/model/manipulator.h"
@@ -33,6 +34,16 @@ template <class OneLeg, std::size_t Dimension>
 class ChartLegs {
  public:
   static constexpr std::size_t point_dimension = Dimension;
+
+  template <class Displacement>
+  auto form(std::size_t j, const Displacement& d) const {
+    return legs_[j].form(from_base(d));
+  }
+
+  template <class Displacement>
+  auto rod_on_arc(std::size_t j, const Displacement& d, const Turn<Interval>& turn, int sign) const {
+    return legs_[j].rod_on_arc(from_base(d), turn, sign);
+  }
 
   template <class Displacement>
   auto squared_rod(std::size_t j, const Displacement& d) const {

@@ -16,7 +16,8 @@
 //  - leg_count, which is the number of degrees of freedom, and coordinate_count, of the map;
 //  - Placement<Scalar>: the pose as its legs need it, made by place(root, coordinates) once for all legs;
 //  - displacement(j, placement): d = p - base point of leg j;
-//  - rows(j, displacement, placement);
+//  - form(j, displacement) of leg j, and rows(j, form, displacement, placement) of A;
+//  - rod_on_arc(j, displacement, turn, sign of B_jj): see SpatialLeg; asked for cranks alone;
 //  - squared_rod(j, displacement) and scale(j, displacement): see PlanarLeg; the first is asked for only
 //  where
 //    the platform does not turn;
@@ -57,9 +58,9 @@ class T1Chart : public PlanarLegs {
   }
 
   template <class Scalar>
-  LegRows<Scalar, leg_count> rows(std::size_t, const Displacement<Scalar>& d,
+  LegRows<Scalar, leg_count> rows(std::size_t, const PlanarLegForm<Scalar>& form, const Displacement<Scalar>&,
                                   const Placement<Scalar>&) const {
-    return leg_rows<TaskSpace::T1>(leg(0).form(d));
+    return leg_rows<TaskSpace::T1>(form);
   }
 
   template <class Scalar>
@@ -103,9 +104,9 @@ class T2Chart : public PlanarLegs {
   }
 
   template <class Scalar>
-  LegRows<Scalar, leg_count> rows(std::size_t j, const Displacement<Scalar>& d,
+  LegRows<Scalar, leg_count> rows(std::size_t, const PlanarLegForm<Scalar>& form, const Displacement<Scalar>&,
                                   const Placement<Scalar>&) const {
-    return leg_rows<TaskSpace::T2>(leg(j).form(d));
+    return leg_rows<TaskSpace::T2>(form);
   }
 
   template <class Scalar>
@@ -157,9 +158,9 @@ class SE2Chart : public PlanarLegs {
   }
 
   template <class Scalar>
-  LegRows<Scalar, leg_count> rows(std::size_t j, const Displacement<Scalar>& d,
-                                  const Placement<Scalar>& at) const {
-    return leg_rows<TaskSpace::SE2>(leg(j).form(d), turned_by(at.turn, anchors_[j]));
+  LegRows<Scalar, leg_count> rows(std::size_t j, const PlanarLegForm<Scalar>& form,
+                                  const Displacement<Scalar>&, const Placement<Scalar>& at) const {
+    return leg_rows<TaskSpace::SE2>(form, turned_by(at.turn, anchors_[j]));
   }
 
   template <class Scalar>
@@ -204,9 +205,9 @@ class T3Chart : public SpatialLegs {
   }
 
   template <class Scalar>
-  LegRows<Scalar, leg_count> rows(std::size_t j, const Displacement<Scalar>& d,
-                                  const Placement<Scalar>&) const {
-    return leg_rows<TaskSpace::T3>(leg(j).form(d));
+  LegRows<Scalar, leg_count> rows(std::size_t, const SpatialLegForm<Scalar>& form,
+                                  const Displacement<Scalar>&, const Placement<Scalar>&) const {
+    return leg_rows<TaskSpace::T3>(form);
   }
 
   template <class Scalar>
@@ -254,9 +255,9 @@ class SO3Chart : public SpatialLegs {
   }
 
   template <class Scalar>
-  LegRows<Scalar, leg_count> rows(std::size_t j, const Displacement<Scalar>& d,
-                                  const Placement<Scalar>&) const {
-    return leg_rows<TaskSpace::SO3>(leg(j).form(d.from_base), d.anchor);
+  LegRows<Scalar, leg_count> rows(std::size_t, const SpatialLegForm<Scalar>& form,
+                                  const Displacement<Scalar>& d, const Placement<Scalar>&) const {
+    return leg_rows<TaskSpace::SO3>(form, d.anchor);
   }
 
   template <class Scalar>

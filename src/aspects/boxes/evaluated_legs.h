@@ -30,7 +30,7 @@ struct PlacedLegs {
       : placement(chart.place(root, at)) {
     for (std::size_t j = 0; j < leg_count; ++j) {
       legs[j].displacement = chart.displacement(j, placement);
-      legs[j].rows = chart.rows(j, legs[j].displacement, placement);
+      legs[j].rows = chart.rows(j, chart.form(j, legs[j].displacement), legs[j].displacement, placement);
     }
   }
 

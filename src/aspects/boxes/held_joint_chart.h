@@ -40,10 +40,14 @@ class HeldJointChart : public PlanarLegs {
   }
 
   template <class Scalar>
-  LegRows<Scalar, leg_count> rows(std::size_t j, const Displacement<Scalar>& d,
-                                  const Placement<Scalar>& at) const {
-    return leg_rows<TaskSpace::SE2>(j == held_ ? held_leg_.form(d) : leg(j).form(d),
-                                    turned_by(at.turn, anchors_[j]));
+  PlanarLegForm<Scalar> form(std::size_t j, const Displacement<Scalar>& d) const {
+    return j == held_ ? held_leg_.form(d) : PlanarLegs::form(j, d);
+  }
+
+  template <class Scalar>
+  LegRows<Scalar, leg_count> rows(std::size_t j, const PlanarLegForm<Scalar>& form,
+                                  const Displacement<Scalar>&, const Placement<Scalar>& at) const {
+    return leg_rows<TaskSpace::SE2>(form, turned_by(at.turn, anchors_[j]));
   }
 
   template <class Scalar>

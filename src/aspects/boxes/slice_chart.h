@@ -30,8 +30,8 @@ class SliceLegs : public ChartLegs<SpatialLeg, Dimension> {
   using Displacement = AnchorDisplacement<Scalar>;
 
   template <class Scalar, class Placement>
-  LegRows<Scalar, leg_count> rows(std::size_t j, const Displacement<Scalar>& d, const Placement&) const {
-    const SpatialLegForm<Scalar> form = this->leg(j).form(d.from_base);
+  LegRows<Scalar, leg_count> rows(std::size_t, const SpatialLegForm<Scalar>& form,
+                                  const Displacement<Scalar>& d, const Placement&) const {
     return with_task_space(space_, [&](auto constant) -> LegRows<Scalar, leg_count> {
       constexpr TaskSpace space = decltype(constant)::value;
       if constexpr (traits(space).degrees_of_freedom() == leg_count)
@@ -49,6 +49,14 @@ class SliceLegs : public ChartLegs<SpatialLeg, Dimension> {
       return in_space;
     else
       return in_space - square(this->scale(j, d) * d.from_base[2]);
+  }
+
+  auto rod_on_arc(std::size_t j, const Displacement<Interval>& d, const Turn<Interval>& turn,
+                  int sign) const {
+    auto rod = Base::rod_on_arc(j, d, turn, sign);
+    if constexpr (Dimension == 2)
+      if (rod) rod->squared_length = rod->squared_length - square(d.from_base[2]);
+    return rod;
   }
 
   template <class Scalar>

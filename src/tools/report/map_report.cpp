@@ -3,6 +3,7 @@
 #include "tools/report/basins_report.h"
 #include "tools/report/bounds_report.h"
 #include "tools/report/reports.h"
+#include "tools/report/slice_report.h"
 #include "tools/report/text_table.h"
 
 #include <algorithm>
@@ -32,20 +33,6 @@ json json_aspect(const AspectMap& map, const Aspect& aspect) {
           {"unresolved_with", aspect.unresolved_with}};
 }
 
-/// What is held and what is free; null where all poses are mapped.
-json json_slice(const AspectMap& map) {
-  if (!map.slice()) return nullptr;
-  json held = json::object();
-  for (const HeldCoordinate& each : map.slice()->held_coordinates) held[each.name] = json_number(each.value);
-  const bool freely = map.slice()->rotation == MapSlice::Rotation::freely;
-  json axis = nullptr;
-  if (map.slice()->rotation == MapSlice::Rotation::about_axis)
-    axis = {map.slice()->axis.x(), map.slice()->axis.y(), map.slice()->axis.z()};
-  return {{"held", held},
-          {"axis", axis},
-          {"free", freely ? std::vector<std::string>{"roll", "pitch", "yaw"} : map.coordinates()}};
-}
-
 /// Null where the map was loaded.
 json json_symmetry(const AspectMap& map) {
   if (!map.symmetry_use()) return nullptr;
@@ -56,7 +43,7 @@ json json_map(const AspectMap& map) {
   const TaskSpace space = map.manipulator()->task_space();
   json object = {{"mechanism", map.manipulator()->name()},
                  {"task_space", std::string(name(space))},
-                 {"slice", json_slice(map)},
+                 {"slice", json_slice(map.slice())},
                  {"region", json_box(map.coordinates(), map.region())},
                  {"resolution", json_number(map.resolution())},
                  {"seconds", json_number(map.seconds())},

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/singularity/indices.h"
 #include "tools/report/bounds_report.h"
 #include "tools/report/reports.h"
 #include "tools/report/text_table.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace parallel_aspects::tools {
 namespace {
@@ -12,6 +15,18 @@ using nlohmann::json;
 
 double largest_share(const RoadmapSide& side) {
   return static_cast<double>(side.component_sizes.front()) / static_cast<double>(side.poses.size());
+}
+
+/// The largest parallel index of a sample, by component.
+std::vector<double> largest_indices(const PoseRoadmap& roadmap, const RoadmapSide& side) {
+  const Manipulator& manipulator = *roadmap.certifier().manipulator();
+  std::vector<double> largest(side.component_sizes.size(), 0.0);
+  for (std::size_t i = 0; i < side.poses.size(); ++i) {
+    const Pose& pose = roadmap.poses()[side.poses[i]];
+    double& known = largest[side.component[i]];
+    known = std::max(known, parallel_index(manipulator, pose, inverse(manipulator, pose, side.mode).q));
+  }
+  return largest;
 }
 
 json json_roadmap(const PoseRoadmap& roadmap) {
@@ -29,6 +44,7 @@ json json_roadmap(const PoseRoadmap& roadmap) {
                                {"det_a_sign", side.determinant_sign},
                                {"samples", side.poses.size()},
                                {"component_sizes", side.component_sizes},
+                               {"largest_indices", largest_indices(roadmap, side)},
                                {"largest_share", json_number(largest_share(side))}});
   return object;
 }
@@ -41,10 +57,12 @@ std::size_t mode_count(const PoseRoadmap& roadmap) {
 }
 
 std::string side_table(const PoseRoadmap& roadmap) {
-  TextTable table({"working mode", "det A", ">samples", ">components, at most", ">share of the largest [%]"});
+  TextTable table({"working mode", "det A", ">samples", ">components, at most", ">share of the largest [%]",
+                   ">its largest index"});
   for (const RoadmapSide& side : roadmap.sides())
     table.add({to_string(side.mode), shown_sign(side.determinant_sign), std::to_string(side.poses.size()),
-               std::to_string(side.component_sizes.size()), shown_briefly(100.0 * largest_share(side))});
+               std::to_string(side.component_sizes.size()), shown_briefly(100.0 * largest_share(side)),
+               shown_briefly(largest_indices(roadmap, side).front())});
   return table.text();
 }
 
@@ -59,7 +77,8 @@ std::string roadmap_text(const PoseRoadmap& roadmap) {
   text += side_table(roadmap);
   text += "\nThe samples lie in at most " + counted(roadmap.component_count(), "aspect") +
           ": segments proved free of singularities join them.\n"
-          "More samples can only join more of these; aspects that no sample meets are not seen.\n";
+          "More samples can only join more of these; aspects that no sample meets are not seen. Indices are "
+          "those of samples, so that larger ones may be near by.\n";
   return text;
 }
 

@@ -7,6 +7,7 @@
 #include "tools/report/bounds_report.h"
 #include "tools/report/numbers.h"
 #include "tools/report/reports.h"
+#include "tools/report/slice_report.h"
 #include "tools/report/text_table.h"
 #include "tools/subcommands.h"
 
@@ -214,7 +215,7 @@ namespace {
 /// That the answers are of a slice, and what was done to the poses.
 void add_slice(const Question& question, Report& report) {
   if (!question.slice) return;
-  report.json["slice"] = to_string(*question.slice);
+  report.json["slice"] = json_slice(question.slice);
   report.json["moved_onto_slice"] = question.moved;
   report.text += "\nslice " + to_string(*question.slice) +
                  ": aspects of the slice, of which two may be joined outside of it\n";
@@ -234,7 +235,7 @@ Subcommand connect_subcommand() {
       {"--mode", "\"(+,-)\"", "Working mode, as signs of B_jj; by default every one", &arguments->mode});
   options.push_back({"--slice", "\"phi=0\"",
                      "Ask within a slice: held pose coordinates, or in SE2 an actuated joint, with the value "
-                     "[m or rad]; its map answers",
+                     "[m or rad]; its map answers. Poses are (x, y, phi) whatever is held",
                      &arguments->slice});
   options.push_back({"--samples", "N",
                      "Poses of the roadmap that is asked where the straight way is not free",

@@ -9,12 +9,14 @@
 #include <gtest/gtest.h>
 
 #include "support/clearance_at.h"
+#include "support/configuration_at.h"
 #include "support/constrained_robots.h"
 #include "support/robots.h"
 #include "support/shipped.h"
 #include "support/sign_at.h"
 #include "support/slices.h"
 #include "support/thoroughness.h"
+#include <cmath>
 #include <optional>
 #include <random>
 #include <string>
@@ -104,6 +106,39 @@ TEST(ConstrainedRoadmap, SegmentsThatLeaveTheWorkspaceAreNeverProved) {
   if (test::is_sanitized) return;
   EXPECT_GT(proved, 5);
   EXPECT_GT(refused, 50);
+}
+
+// Along every segment of a roadmap with six degrees of freedom, by formulas of the test, at poses that the
+// proof did not choose.
+TEST(ConstrainedRoadmap, SegmentsKeepTheMargins) {
+  const Margins margins{0.02, 0.0, 0.0};
+  const Robot robot = stewart()->with_margins(margins);
+  RoadmapOptions options;
+  options.samples = test::is_sanitized ? 60 : 400;
+  options.largest_rotation = 0.6;
+  const RoadmapResult result = compute_pose_roadmap(robot, options);
+  ASSERT_TRUE(result.roadmap) << result.message;
+  std::mt19937_64 random{31};
+  int segments = 0, near = 0;
+  for (const RoadmapSide& side : result.roadmap->sides())
+    for (std::size_t a = 0; a < side.poses.size(); ++a)
+      for (const std::uint32_t b : side.links[a]) {
+        if (b < a) continue;
+        ++segments;
+        const Pose &from = result.roadmap->poses()[side.poses[a]],
+                   &to = result.roadmap->poses()[side.poses[b]];
+        for (int n = 0; n < 30; ++n) {
+          const Pose pose = pose_between(from, to, test::uniform(random, 0.0, 1.0));
+          const auto index =
+              static_cast<double>(test::ConfigurationAt<long double>(*robot, pose, side.mode).parallel());
+          EXPECT_GE(index * side.determinant_sign, margins.parallel - 1e-12)
+              << to_string(TaskSpace::SE3, from) << " to " << to_string(TaskSpace::SE3, to);
+          near += std::abs(index) < 2.0 * margins.parallel;
+        }
+      }
+  EXPECT_GT(segments, test::is_sanitized ? 10 : 100);
+  if (test::is_sanitized) return;
+  EXPECT_GT(near, 10);
 }
 
 /// How far a configuration is from breaking each constraint, by a second way.

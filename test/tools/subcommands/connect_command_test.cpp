@@ -46,6 +46,8 @@ TEST_F(RoadmapCommand, MapOfAStewartPlatformIsARoadmap) {
     EXPECT_EQ(side.at("samples"), sum);
     EXPECT_NEAR(side.at("largest_share").get<double>() * static_cast<double>(sum),
                 side.at("component_sizes")[0].get<double>(), 1e-9);
+    ASSERT_EQ(side.at("largest_indices").size(), side.at("component_sizes").size());
+    for (const json& index : side.at("largest_indices")) EXPECT_TRUE(index > 0.0 && index <= 1.0) << index;
     samples += sum;
     components += side.at("component_sizes").size();
   }
@@ -135,7 +137,8 @@ TEST_F(RoadmapCommand, ConnectsWithinSlices) {
         {"connect", "three_rpr", "--from", from, "--to", goal, "--slice", slice, "--index", "det_a"});
   };
   const json same = ask(to, "strut_1_joint=14.98");
-  EXPECT_EQ(same.at("slice"), "strut_1_joint = 14.98 m");
+  EXPECT_EQ(same.at("slice").at("held").at("strut_1_joint"), 14.98);
+  EXPECT_EQ(same.at("slice").at("free"), (std::vector<std::string>{"direction", "phi"}));
   EXPECT_GT(same.at("moved_onto_slice"), 0.0);
   EXPECT_LT(same.at("moved_onto_slice"), 1e-6);
   EXPECT_EQ(same.at("answers")[0].at("same_aspect"), "yes");

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASPECTS_BASINS_ASPECT_LINKS_H
+#define PARALLEL_ASPECTS_ASPECTS_BASINS_ASPECT_LINKS_H
+
+#include "aspects/basins/index_cells.h"
+#include "aspects/basins/merge_tree.h"
+#include "aspects/components/disjoint_sets.h"
+#include "aspects/tree/pose_tree.h"
+#include "parallel_aspects/aspects/map_control.h"
+
+#include <cstddef>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// The largest index that a path between two aspects could keep, from above.
+///
+/// Of all paths through cells of no known aspect, by the least upper bound of the index along each: these
+/// link the aspects to a graph, in which every path from one to another has an image that is no worse. The
+/// best path of that graph is one in its maximum spanning tree. The tree grows from the smaller aspects, each
+/// by the best link that leaves it (Boruvka), so that the cells of the largest are hardly looked at.
+class AspectLinks {
+ public:
+  /// Pairs of ids. The cells must know which aspects they belong to, and outlive this.
+  AspectLinks(const IndexCells& cells, std::vector<std::pair<int, int>> pairs, const MapControl& control);
+
+  /// By pair; 0 where nothing links the two.
+  std::vector<double> levels();
+
+ private:
+  /// Of inside cells alone: paths between components begin and end in these.
+  int known_aspect(NodeIndex cell) const { return cells_.is_inside(cell) ? cells_.aspect(cell) : 0; }
+  std::vector<int> smallest_open_cluster();
+  void link_once(const std::vector<int>& cluster);
+
+  const IndexCells& cells_;
+  std::vector<std::pair<int, int>> pairs_;
+  const MapControl& control_;
+  std::map<int, std::set<NodeIndex>> rims_;  // by id: cells that share a face with others
+  DisjointSets clusters_;                    // of ids
+  std::set<NodeIndex> sealed_;               // clusters that nothing leads out of
+  std::vector<CellEdge> links_;              // between ids in place of cells
+};
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ASPECTS_BASINS_ASPECT_LINKS_H
