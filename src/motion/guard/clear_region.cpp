@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "motion/guard/clear_region.h"
+
+#include "distance/leg_boundary.h"
+#include "distance/mode_determinant.h"
+#include "model/task_space_traits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace parallel_aspects {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+template <TaskSpace space>
+class ClearRegionIn final : public ClearRegion {
+ public:
+  using Chart = LocalChart<space>;
+  static constexpr std::size_t size = Chart::size, dimension = Chart::dimension;
+  static constexpr std::size_t turns = Chart::turns, moves = Chart::moves;
+  using Form = QuadraticForm<size, FormDomain::ball>;
+  using Boundary = LegBoundary<dimension>;
+
+  explicit ClearRegionIn(std::shared_ptr<const Manipulator> manipulator)
+      : manipulator_(std::move(manipulator)),
+        chart_(*manipulator_),
+        boundaries_(made(*manipulator_)),
+        determinant_(chart_, *manipulator_) {
+    if constexpr (turns == 0) return;
+    const Eigen::Matrix3d& factor = chart_.metric().half_turns;
+    if constexpr (turns == 1) {
+      half_turn_ = std::abs(factor(2, 2));
+      arm_ = 1.0 / half_turn_;
+    } else {  // Frobenius norms are at least the spectral ones
+      half_turn_ = factor.norm();
+      arm_ = factor.inverse().norm();
+    }
+  }
+
+  bool usable() const noexcept override { return chart_.metric().usable; }
+
+  void move_to(const Pose& pose, const WorkingMode& mode) noexcept override {
+    mode_ = mode;
+    chart_.move_to(pose);
+    determinant_.set_mode(mode);
+    sign_ = determinant_.proved_sign(std::array<Interval, size>{});
+  }
+
+  MetricSpeed speed_of(const TaskVector& twist) const noexcept override {
+    MetricSpeed speed;
+    const Coordinates<size> rate = chart_.rate_of(twist);
+    speed.rate = Eigen::Map<const Eigen::Matrix<double, static_cast<int>(size), 1>>(rate.data());
+    if constexpr (turns > 0) speed.turn = twist.head(static_cast<Eigen::Index>(turns)).norm();
+    if constexpr (moves > 0) speed.slide = twist.tail(static_cast<Eigen::Index>(moves)).norm();
+    // The centroid goes round the operational point, at a distance that stays.
+    const double centroid = std::max(speed.slide + speed.turn * chart_.center_at_pose().norm() * (moves > 0),
+                                     speed.rate.head(static_cast<Eigen::Index>(moves)).norm());
+    const double turning = speed.rate.tail(static_cast<Eigen::Index>(turns)).norm();
+    speed.path = std::sqrt(centroid * centroid + turning * turning);
+    return speed;
+  }
+
+  ClearHalfSpaces find(Hazard hazard, double radius) const noexcept override {
+    assert_rounding_upward();
+    ClearHalfSpaces found;
+    switch (hazard) {
+      case Hazard::parallel_singularity:
+        add_parallel(radius, found);
+        break;
+      case Hazard::serial_singularity:
+        for (const Boundary& boundary : boundaries_.serial) add(boundary, radius, found);
+        break;
+      case Hazard::limit:
+        for (const Boundary& boundary : boundaries_.limits) add(boundary, radius, found);
+        break;
+    }
+    return found;
+  }
+
+  // SE2: with half turns a, a', D = 2 arm |sin(a - a')| and |r - r'| = 2 arm |sin a - sin a'|, so their ratio
+  // is at least cos((a - a') / 2) >= cos a for the larger one. Else, with v the vector parts of quaternions,
+  // those between two poses are (w v' - w' v - v x v'), which is off v' - v by (1 - w + |v| + V^2 / W)
+  // |v' - v| at most where |v|, |v'| <= V, W^2 = 1 - V^2.
+  double distortion(double radius) const noexcept override {
+    if constexpr (turns == 0) return 0.0;
+    const double v = 0.5 * half_turn_ * radius;
+    if (!(v < 0.5)) return 1.0;
+    const double w = std::sqrt(1.0 - v * v);
+    if constexpr (turns == 1) return v * v;
+    return std::min(1.0, half_turn_ * arm_ * (v + v * v + v * v / w));
+  }
+
+  // The centroid turns about the operational point; the rate of v is (w omega + omega x v) / 2, less than
+  // |omega| (|v| + |v|^2) / 2 from omega / 2. In SE2 sin is within its argument's cube over 6.
+  double bend(double angle) const noexcept override {
+    if constexpr (turns == 0) return 0.0;
+    const double squared = angle * angle;
+    const double centroid = moves > 0 ? chart_.center_at_pose().norm() * squared : 0.0;
+    if constexpr (turns == 1) return centroid + arm_ * squared * angle / 24.0;
+    return centroid + arm_ * squared * (0.5 + 0.25 * angle);
+  }
+
+ private:
+  using Arm = typename Chart::template Vector<Form>;
+
+  static LegBoundaries<dimension> made(const Manipulator& manipulator) {
+    const RoundingUpward rounding;
+    return leg_boundaries<dimension>(manipulator);
+  }
+
+  static std::array<Form, size> ball(double radius) noexcept {
+    std::array<Form, size> y;
+    for (std::size_t i = 0; i < size; ++i) y[i] = Form::coordinate(0.0, radius, i);
+    return y;
+  }
+
+  void add_parallel(double radius, ClearHalfSpaces& found) const noexcept {
+    const Form value = determinant_.in_ball(radius);
+    add(sign_ < 0 ? -value : value, radius, {}, found);
+    if (sign_ == 0) found.list[found.count - 1].clearance = -infinite;
+  }
+
+  void add(const Boundary& boundary, double radius, ClearHalfSpaces& found) const noexcept {
+    if (boundary.branch != 0 && boundary.branch != mode_.sign(boundary.leg)) return;
+    const auto& here = chart_.displacement_at_origin(boundary.leg);
+    const double turning = turns > 0 ? chart_.turning(boundary.leg) : 0.0;
+    const double travel = std::sqrt((moves > 0 ? 1.0 : 0.0) + turning * turning) * radius;
+    const Interval distance = boundary.signed_distance(here);
+    if (distance.lower() > travel || -distance.upper() > travel) return;
+    if (boundary.sided) {
+      const Interval side = Interval(static_cast<double>(mode_.sign(boundary.leg))) * boundary.side(here);
+      if (side.upper() + travel < 0.0) return;
+    }
+    const std::array<Form, size> y = ball(radius);
+    Arm arm;
+    if constexpr (turns > 0) arm = chart_.arm(boundary.leg, chart_.rotation(y.data() + moves));
+    const Form value = boundary.signed_distance(chart_.displacement(boundary.leg, arm, y));
+    add(distance.upper() < 0.0 ? -value : value, radius, {{}, 0.0, boundary.leg, boundary.end}, found);
+    if (!distance.positive() && !distance.negative()) found.list[found.count - 1].clearance = -infinite;
+  }
+
+  // Where the value, which encloses a function that vanishes at the hazard, is positive.
+  static void add(const Form& value, double radius, ClearHalfSpace half_space,
+                  ClearHalfSpaces& found) noexcept {
+    if (found.count == ClearHalfSpaces::most) {  // what is not looked at is not clear
+      found.list[found.count - 1].clearance = -infinite;
+      return;
+    }
+    Cell<size> cell;
+    cell.half_width.fill(radius);
+    const LinearModel<size> model(value.linear(), cell);
+    const double least = -(model.error - model.below_at_origin), length = model.gradient_length;
+    half_space.normal = TaskVector::Zero(static_cast<Eigen::Index>(size));
+    half_space.clearance = least > 0.0 ? infinite : -infinite;
+    if (length > 0.0) {
+      half_space.clearance = least / length;
+      for (std::size_t i = 0; i < size; ++i)
+        half_space.normal[static_cast<Eigen::Index>(i)] = model.gradient[i] / length;
+    }
+    found.list[found.count++] = half_space;
+  }
+
+  std::shared_ptr<const Manipulator> manipulator_;
+  Chart chart_;
+  LegBoundaries<dimension> boundaries_;
+  ModeDeterminant<space> determinant_;
+  WorkingMode mode_;
+  int sign_ = 0;
+  double half_turn_ = 0.0;  // |v| is at most half of this times |y| [1/m]
+  double arm_ = 0.0;        // |y| changes by this for each radian at most [m]
+};
+
+}  // namespace
+
+std::unique_ptr<ClearRegion> make_clear_region(std::shared_ptr<const Manipulator> manipulator) {
+  const TaskSpace task_space = manipulator->task_space();
+  return with_task_space(task_space, [&](auto constant) -> std::unique_ptr<ClearRegion> {
+    return std::make_unique<ClearRegionIn<decltype(constant)::value>>(std::move(manipulator));
+  });
+}
+
+}  // namespace parallel_aspects
