@@ -27,6 +27,7 @@ add_message_files(FILES
   AspectTransition.msg
   Configuration.msg
   DistanceBounds.msg
+  GuardState.msg
   LastHazard.msg
   MapProgress.msg
   MetricDistance.msg

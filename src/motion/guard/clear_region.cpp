@@ -54,13 +54,17 @@ class ClearRegionIn final : public ClearRegion {
     const Coordinates<size> rate = chart_.rate_of(twist);
     speed.rate = Eigen::Map<const Eigen::Matrix<double, static_cast<int>(size), 1>>(rate.data());
     if constexpr (turns > 0) speed.turn = twist.head(static_cast<Eigen::Index>(turns)).norm();
-    if constexpr (moves > 0) speed.slide = twist.tail(static_cast<Eigen::Index>(moves)).norm();
+    const double slide = twist.tail(static_cast<Eigen::Index>(moves)).norm();
     // The centroid goes round the operational point, at a distance that stays.
-    const double centroid = std::max(speed.slide + speed.turn * chart_.center_at_pose().norm() * (moves > 0),
+    const double centroid = std::max(slide + speed.turn * centroid_arm(),
                                      speed.rate.head(static_cast<Eigen::Index>(moves)).norm());
     const double turning = speed.rate.tail(static_cast<Eigen::Index>(turns)).norm();
     speed.path = std::sqrt(centroid * centroid + turning * turning);
     return speed;
+  }
+
+  double speed_at_most(double turn, double slide) const noexcept override {
+    return slide + turn * (centroid_arm() + arm_);
   }
 
   ClearHalfSpaces find(Hazard hazard, double radius) const noexcept override {
@@ -98,12 +102,14 @@ class ClearRegionIn final : public ClearRegion {
   double bend(double angle) const noexcept override {
     if constexpr (turns == 0) return 0.0;
     const double squared = angle * angle;
-    const double centroid = moves > 0 ? chart_.center_at_pose().norm() * squared : 0.0;
+    const double centroid = centroid_arm() * squared;
     if constexpr (turns == 1) return centroid + arm_ * squared * angle / 24.0;
     return centroid + arm_ * squared * (0.5 + 0.25 * angle);
   }
 
  private:
+  double centroid_arm() const noexcept { return moves > 0 ? chart_.center_at_pose().norm() : 0.0; }
+
   using Arm = typename Chart::template Vector<Form>;
 
   static LegBoundaries<dimension> made(const Manipulator& manipulator) {

@@ -29,10 +29,11 @@ struct ClearHalfSpaces {
 
 /// How a twist moves the platform in the metric of distances.
 struct MetricSpeed {
-  TaskVector rate;     ///< of the coordinates y, at the pose [m/s]
-  double path = 0.0;   ///< no path of this twist is longer in a second, wherever it leads [m/s]
-  double turn = 0.0;   ///< of the platform [rad/s]
-  double slide = 0.0;  ///< of the operational point [m/s]
+  TaskVector rate;        ///< of the coordinates y, at the pose [m/s]
+  double path = 0.0;      ///< no path of this twist is longer in a second, wherever it leads [m/s]
+  double turn = 0.0;      ///< of the platform [rad/s]
+  double off = 0.0;       ///< `rate` and `path` may be off by this [m/s]
+  double turn_off = 0.0;  ///< `turn` may be off by this [rad/s]
 };
 
 /// What is proved to be clear of hazards about one pose, by one enclosure over a ball: half spaces in the
@@ -48,6 +49,9 @@ class ClearRegion {
   virtual void move_to(const Pose& pose, const WorkingMode& mode) noexcept = 0;
 
   virtual MetricSpeed speed_of(const TaskVector& twist) const noexcept = 0;
+
+  /// No twist that turns and slides so fast has a longer rate [m/s].
+  virtual double speed_at_most(double turn, double slide) const noexcept = 0;
 
   /// Half spaces that together hold what is clear of the hazard within `radius`; none where all is.
   virtual ClearHalfSpaces find(Hazard hazard, double radius) const noexcept = 0;

@@ -11,8 +11,23 @@ bool IssuedMotion::issue(double time, const TaskVector& twist, double brake) noe
   const bool stands = twist.isZero(0.0);
   // A robot that is told to stop again and again needs no list of it.
   if (stands && count_ > 0 && at(count_ - 1).twist.isZero(0.0)) return true;
+  if (merge(time, twist, brake)) return true;
   if (count_ == most) return false;
-  commands_[(first_ + count_++) % most] = {time, brake, twist};
+  commands_[(first_ + count_++) % most] = {time, brake, 0.0, 0.0, twist};
+  return true;
+}
+
+// As many a time as are kept at the highest rate, with some to spare. The first of a series stands for it.
+bool IssuedMotion::merge(double time, const TaskVector& twist, double brake) noexcept {
+  if (count_ == 0) return false;
+  Command& last = commands_[(first_ + count_ - 1) % most];
+  const double grain = std::max(latency_ + oldest_sample_, last.brake) / 32.0;
+  const TaskVector off = twist - last.twist;
+  if (off.isZero(0.0)) return true;
+  if (!(time < last.time + grain) || last.twist.isZero(0.0) || twist.isZero(0.0)) return false;
+  last.turn_off = std::max(last.turn_off, off.head(turns_).norm());
+  last.slide_off = std::max(last.slide_off, off.tail(off.size() - turns_).norm());
+  last.brake = std::max(last.brake, brake);
   return true;
 }
 
@@ -31,7 +46,8 @@ void IssuedMotion::pending(double seen, double now, Pending& result) const noexc
     if (!is_last && end + latency_ + at(i).brake < seen) continue;
     const double left = is_last ? end - begin : std::min(end - begin, end + latency_ - seen);
     const bool may_begin_yet = begin + latency_ >= seen;
-    result.list[result.count++] = {at(i).twist, std::max(0.0, left), at(i).brake, may_begin_yet};
+    result.list[result.count++] = {at(i).twist,         at(i).turn_off, at(i).slide_off,
+                                   std::max(0.0, left), at(i).brake,    may_begin_yet};
   }
 }
 

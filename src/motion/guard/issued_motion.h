@@ -11,7 +11,9 @@ namespace parallel_aspects {
 
 /// A command that was issued, as far as the robot may still be about to carry it out.
 struct PendingMotion {
-  TaskVector twist;    ///< (w, v) [rad/s and m/s]
+  TaskVector twist;    ///< (w, v) [rad/s and m/s]; others that were merged with it are off it by these
+  double turn_off;     ///< [rad/s]
+  double slide_off;    ///< [m/s]
   double seconds;      ///< for which it may still be followed, beyond what delays that differ make of it [s]
   double brake;        ///< how long the robot takes to stop from it [s]
   bool may_begin_yet;  ///< whether the robot may still have followed the one before when it was seen
@@ -22,12 +24,13 @@ class IssuedMotion {
  public:
   static constexpr std::size_t most = 128;  ///< that are kept
 
-  /// Samples of the robot are no older than `oldest_sample` [s] when they are asked about.
-  IssuedMotion(double latency, double oldest_sample) noexcept
-      : latency_(latency), oldest_sample_(oldest_sample) {}
+  /// Samples of the robot are no older than `oldest_sample` [s] when they are asked about. `turns`: how many
+  /// entries of a twist, at its beginning, are rotational.
+  IssuedMotion(double latency, double oldest_sample, std::size_t turns) noexcept
+      : latency_(latency), oldest_sample_(oldest_sample), turns_(static_cast<Eigen::Index>(turns)) {}
 
-  /// A command from `time` on, until the next. False where there are too many; then the one before is kept
-  /// as if it went on.
+  /// A command from `time` on, until the next. Those that follow quickly are merged into one. False where
+  /// there are too many; then the one before is kept as if it went on.
   bool issue(double time, const TaskVector& twist, double brake) noexcept;
 
   void forget() noexcept { count_ = 0; }
@@ -42,14 +45,17 @@ class IssuedMotion {
 
  private:
   struct Command {
-    double time, brake;
+    double time, brake, turn_off, slide_off;
     TaskVector twist;
   };
+
+  bool merge(double time, const TaskVector& twist, double brake) noexcept;
 
   void drop_before(double time) noexcept;
   const Command& at(std::size_t i) const noexcept { return commands_[(first_ + i) % most]; }
 
   double latency_, oldest_sample_;
+  Eigen::Index turns_;
   std::array<Command, most> commands_;
   std::size_t first_ = 0, count_ = 0;
 };

@@ -93,7 +93,7 @@ class MotionGuard::Core {
       : manipulator_(std::move(manipulator)),
         options_(options),
         region_(make_clear_region(manipulator_)),
-        issued_(options.latency, options.sample_age) {}
+        issued_(options.latency, options.sample_age, traits(manipulator_->task_space()).rotations) {}
 
   const Manipulator& manipulator() const noexcept { return *manipulator_; }
 
@@ -141,6 +141,12 @@ class MotionGuard::Core {
     MetricSpeed speed;
     double seconds = 0.0, brake = 0.0;
     bool may_begin_yet = false;
+  };
+
+  // Speeds in one direction, 0 or more; of commands that were merged there are several.
+  struct SpeedRange {
+    double least, most;
+    double range() const noexcept { return most - least; }
   };
 
   // What is about to happen, the commands before the new one and that.
@@ -209,8 +215,10 @@ class MotionGuard::Core {
     prospect_.spread = state.spread;
     for (std::size_t i = 0; i < pending_.count; ++i) {
       const PendingMotion& motion = pending_.list[i];
-      prospect_.before[i] = {region_->speed_of(motion.twist), motion.seconds, motion.brake,
-                             motion.may_begin_yet};
+      MetricSpeed speed = region_->speed_of(motion.twist);
+      speed.turn_off = motion.turn_off;
+      speed.off = region_->speed_at_most(motion.turn_off, motion.slide_off);
+      prospect_.before[i] = {speed, motion.seconds, motion.brake, motion.may_begin_yet};
     }
     prospect_.command = {region_->speed_of(twist), options_.period + calm * options_.latency,
                          braking_time(twist), true};
@@ -219,27 +227,30 @@ class MotionGuard::Core {
   // How far earlier commands may still go, by the speed that `of` finds in each [m, or rad].
   template <class Of>
   double pending_travel(const Of& of) const noexcept {
-    double travel = 0.0, before = 0.0;
+    double travel = 0.0, least_before = 0.0;
     for (std::size_t i = 0; i < prospect_.count; ++i) {
       const Motion& motion = prospect_.before[i];
-      const double speed = of(motion.speed);
-      travel += speed * motion.seconds;
+      const SpeedRange speed = of(motion.speed);
+      travel += speed.most * motion.seconds;
       // Delays that differ may let a faster command begin sooner or end later than a slower one.
-      if (motion.may_begin_yet) travel += positive_part(speed - before) * options_.latency;
+      if (motion.may_begin_yet)
+        travel += (positive_part(speed.most - least_before) + speed.range()) * options_.latency;
+      double lost = speed.range();
       if (i + 1 < prospect_.count)
-        travel += 0.5 * positive_part(speed - of(prospect_.before[i + 1].speed)) * motion.brake;
-      before = speed;
+        lost += positive_part(speed.most - of(prospect_.before[i + 1].speed).least);
+      travel += 0.5 * lost * motion.brake;
+      least_before = speed.least;
     }
     return travel;
   }
 
   template <class Of>
   StoppingMotion stopping(const Of& of) const noexcept {
-    StoppingMotion motion{of(prospect_.command.speed), prospect_.command.seconds, prospect_.command.brake,
-                          0.0, 0.0};
+    StoppingMotion motion{of(prospect_.command.speed).most, prospect_.command.seconds,
+                          prospect_.command.brake, 0.0, 0.0};
     if (prospect_.count == 0) return motion;
     const Motion& last = prospect_.before[prospect_.count - 1];
-    motion.last = of(last.speed);
+    motion.last = of(last.speed).most;
     motion.last_brake = last.brake;
     return motion;
   }
@@ -252,8 +263,12 @@ class MotionGuard::Core {
            (1.0 + relative_rounding);
   }
 
-  static double path_of(const MetricSpeed& speed) noexcept { return speed.path; }
-  static double turn_of(const MetricSpeed& speed) noexcept { return speed.turn; }
+  static SpeedRange path_of(const MetricSpeed& speed) noexcept {
+    return {positive_part(speed.path - speed.off), speed.path + speed.off};
+  }
+  static SpeedRange turn_of(const MetricSpeed& speed) noexcept {
+    return {positive_part(speed.turn - speed.turn_off), speed.turn + speed.turn_off};
+  }
 
   // First by the proved distance alone; then by what is proved to be clear about the robot.
   Verdict judge(Hazard hazard, double stop, double distance, const JointVector& q,
@@ -300,7 +315,8 @@ class MotionGuard::Core {
   void judge_half_space(const ClearHalfSpace& half_space, double spare, double stop, bool known_outside,
                         Verdict& verdict) const noexcept {
     const auto towards = [&](const MetricSpeed& speed) {
-      return positive_part(-half_space.normal.dot(speed.rate));
+      const double along = -half_space.normal.dot(speed.rate);
+      return SpeedRange{positive_part(along - speed.off), positive_part(along + speed.off)};
     };
     const double room = spare - pending_travel(towards);
     if (spare >= stop || known_outside) {
