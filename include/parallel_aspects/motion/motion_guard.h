@@ -28,8 +28,8 @@ struct GuardOptions {
   double linear_deceleration = 1.0;   ///< of the operational point, at least, while it brakes [m/s^2]
   double angular_deceleration = 1.0;  ///< of the platform, at least, while it brakes [rad/s^2]
 
-  /// After something has scaled a command down, the scale rises from 0 to 1 in no less than this [s]; 0 for
-  /// at once.
+  /// After something has scaled a command down, the scale rises by a factor of e in no less than this [s],
+  /// and as fast as from a twentieth where it is less; 0 for at once.
   double recovery = 0.2;
 
   /// How far the robot must stay from each hazard, by `Hazard` [m, root mean square over the anchors]. With

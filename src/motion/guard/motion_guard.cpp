@@ -33,8 +33,13 @@ constexpr double calm = 3.0;
 // pass in part, so that the scale is continuous.
 constexpr double clearly_away = 0.05;
 
-// Parts of the command over whose reach enclosures are tried.
-constexpr std::array<double, 4> reaches{1.0, 0.3, 0.1, 0.03};
+// Parts of a command over whose reach enclosures are made at first, and the least later; then about the part
+// that was last proved, so that it changes continuously and the time is short.
+constexpr std::array<double, 4> first_reaches{1.0, 0.3, 0.1, 0.03};
+constexpr double least_reach = 0.03;
+
+// The scale rises as from here at least.
+constexpr double least_rise = 0.05;
 
 double positive_part(double value) noexcept { return std::max(0.0, value); }
 
@@ -131,6 +136,7 @@ class MotionGuard::Core {
     issued_.forget();
     scale_ = 1.0;
     time_ = infinite;
+    reaches_.fill(0.0);
   }
 
   void set_stop(const std::array<double, hazard_count>& stop) noexcept { options_.stop = stop; }
@@ -272,17 +278,21 @@ class MotionGuard::Core {
 
   // First by the proved distance alone; then by what is proved to be clear about the robot.
   Verdict judge(Hazard hazard, double stop, double distance, const JointVector& q,
-                const JointVector& rates) const noexcept {
+                const JointVector& rates) noexcept {
     Verdict best;
     const double known = distance - prospect_.spread;
     best.scale = stopping(path_of).largest_scale((known - stop) - pending_travel(path_of));
     bool inside = known < stop;
-    for (const double reach : reaches) {
+    double& proved = reaches_[static_cast<std::size_t>(hazard)];
+    const std::array<double, 4> later{std::min(1.0, std::max(least_reach, 2.0 * proved)),
+                                      std::max(least_reach, 0.5 * proved), 0.0, 0.0};
+    for (const double reach : proved > 0.0 ? later : first_reaches) {
       if (reach <= best.scale) break;
-      Verdict verdict = judge_within(hazard, reach, stop, known >= stop, q, rates);
+      const Verdict verdict = judge_within(hazard, reach, stop, known >= stop, q, rates);
       inside = inside && verdict.inside;
       if (verdict.scale > best.scale) best = verdict;
     }
+    proved = std::max(least_reach, best.scale);
     best.inside = inside;
     best.escape = best.escape && best.scale > 0.0;
     return best;
@@ -351,7 +361,8 @@ class MotionGuard::Core {
     const double since = time - time_;
     time_ = time;
     const bool limited = options_.recovery > 0.0 && since >= 0.0 && std::isfinite(since);
-    const double most = limited ? std::min(1.0, scale_ + since / options_.recovery) : 1.0;
+    const double most =
+        limited ? std::min(1.0, scale_ + std::max(scale_, least_rise) * since / options_.recovery) : 1.0;
     if (result.scale > most) {
       result.scale = most;
       if (result.reason == GuardReason::none || result.reason == GuardReason::joint_velocity)
@@ -375,8 +386,9 @@ class MotionGuard::Core {
   IssuedMotion issued_;
   IssuedMotion::Pending pending_;
   Prospect prospect_;
-  double scale_ = 1.0;      // of the last command
-  double time_ = infinite;  // of it
+  std::array<double, hazard_count> reaches_{};  // what was last proved, by `Hazard`; 0 for nothing yet
+  double scale_ = 1.0;                          // of the last command
+  double time_ = infinite;                      // of it
 };
 
 MotionGuard::MotionGuard(std::shared_ptr<const Manipulator> manipulator, const GuardOptions& options) {
