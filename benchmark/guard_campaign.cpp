@@ -15,7 +15,7 @@ namespace parallel_aspects {
 namespace {
 
 struct Row {
-  int runs = 0, lost = 0, below = 0, stopped = 0, turns = 0;
+  int runs = 0, below = 0, turns = 0, inside = 0, deeper = 0, left = 0;
   double over = std::numeric_limits<double>::infinity();
   std::vector<double> ends, times;
 };
@@ -34,6 +34,22 @@ TaskVector random_aside(const Manipulator& robot, const TaskVector& towards, tes
   return aside;
 }
 
+// From below the threshold, first further in, then out.
+void leave(test::GuardLoop& loop, const test::GuardStart& start, Hazard hazard, const GuardOptions& options,
+           Row& row) {
+  const double stop = options.stop[static_cast<std::size_t>(hazard)];
+  const auto inside = test::pose_before(loop, start, hazard, 0.6 * stop);
+  if (!inside) return;
+  const TaskVector none =
+      TaskVector::Zero(test::distance_to(loop.measure(*inside, start.mode), hazard).direction.size());
+  const test::GuardRun in = loop.push(*inside, start.mode, hazard, 5.0 * stop, 0.2, options.latency, none, 1);
+  const test::GuardRun out =
+      loop.push(*inside, start.mode, hazard, 5.0 * stop, 3.0, options.latency, none, 1, -1.0);
+  ++row.inside;
+  row.deeper += in.lost || in.least_gain < -1e-3 * stop;
+  row.left += !out.lost && out.last > stop;
+}
+
 Row push(const std::shared_ptr<const Manipulator>& robot, Hazard hazard, int runs, std::uint64_t seed) {
   const GuardOptions options = test::guard_options_for(*robot);
   test::GuardLoop loop(robot, options);
@@ -49,12 +65,12 @@ Row push(const std::shared_ptr<const Manipulator>& robot, Hazard hazard, int run
     const test::GuardRun run = loop.push(start->pose, start->mode, hazard, 0.2 * robot->size(), 3.0,
                                          delays[i % 3], aside, seed + static_cast<std::uint64_t>(i));
     ++row.runs;
-    row.lost += run.lost;
-    row.below += run.over < 0.0;
+    row.below += run.lost || run.over < 0.0;
     row.over = std::min(row.over, run.over);
     row.turns = std::max(row.turns, run.turns);
     row.ends.push_back(run.pushed / options.stop[0]);
     row.times.insert(row.times.end(), run.times.begin(), run.times.end());
+    leave(loop, *start, hazard, options, row);
   }
   row.over /= options.stop[0];
   return row;
@@ -62,13 +78,13 @@ Row push(const std::shared_ptr<const Manipulator>& robot, Hazard hazard, int run
 
 void print(const std::string& name, Hazard hazard, const Row& row) {
   if (row.runs == 0) {
-    std::printf("| %s | %s | 0 | | | | | | |\n", name.c_str(), parallel_aspects::name(hazard));
+    std::printf("| %s | %s | 0 | | | | | | | | |\n", name.c_str(), parallel_aspects::name(hazard));
     return;
   }
-  std::printf("| %s | %s | %d | %d | %.3f | %.2f | %d | %.1f | %.1f |\n", name.c_str(),
-              parallel_aspects::name(hazard), row.runs, row.below + row.lost, row.over,
-              quantile(row.ends, 0.5), row.turns, 1e6 * quantile(row.times, 0.5),
-              1e6 * quantile(row.times, 0.999));
+  std::printf("| %s | %s | %d | %d | %.3f | %.2f | %d | %d / %d | %d | %.1f | %.1f |\n", name.c_str(),
+              parallel_aspects::name(hazard), row.runs, row.below, row.over, quantile(row.ends, 0.5),
+              row.turns, row.left, row.inside, row.deeper, 1e6 * quantile(row.times, 0.5),
+              1e6 * quantile(row.times, 0.99));
   std::fflush(stdout);
 }
 

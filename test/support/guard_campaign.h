@@ -143,6 +143,7 @@ struct GuardRun {
   double over = std::numeric_limits<double>::infinity();    ///< least distance over its threshold, any hazard
   double pushed = std::numeric_limits<double>::infinity();  ///< of the hazard that it was pushed into
   double last = 0.0;                                        ///< distance of that hazard at the end
+  double least_gain = std::numeric_limits<double>::infinity();  ///< of that distance since the start, ever
   int turns = 0;              ///< how often the scale turned back by more than a tenth, while it was pushed
   std::vector<double> times;  ///< of calls [s]
 };
@@ -187,6 +188,7 @@ class GuardLoop {
     BoundaryDistances measured = meter_.measure(start, mode);
     ProvedDistances proved = proved_of(measured, start, mode), next = proved;
     TaskVector towards = distance_to(measured, hazard).direction;
+    const double first = distance_to(measured, hazard).upper;
     const int steps = static_cast<int>(seconds / guard_step);
     for (int i = 0; i < steps; ++i) {
       const double time = i * guard_step;
@@ -195,6 +197,7 @@ class GuardLoop {
         measured = meter_.measure(platform.pose(), mode);
         next = proved_of(measured, platform.pose(), mode);
         judge(measured, hazard, run);
+        run.least_gain = std::min(run.least_gain, distance_to(measured, hazard).upper - first);
         const TaskVector& direction = distance_to(measured, hazard).direction;
         if (direction.size() > 0 && direction.allFinite()) towards = direction;
       }
@@ -240,6 +243,23 @@ struct GuardStart {
   Pose pose;
   WorkingMode mode;
 };
+
+/// A pose on the way to the hazard, at about this distance from it and reached; nothing where there is none.
+inline std::optional<Pose> pose_before(GuardLoop& loop, const GuardStart& start, Hazard hazard,
+                                       double distance) {
+  Pose pose = start.pose;
+  for (int i = 0; i < 20; ++i) {
+    const BoundaryDistances here = loop.measure(pose, start.mode);
+    const BoundaryDistance& nearest = distance_to(here, hazard);
+    if (!here || !std::isfinite(nearest.upper)) return std::nullopt;
+    if (std::abs(nearest.upper - distance) < 0.05 * distance) return pose;
+    if (nearest.upper < distance) return std::nullopt;
+    pose = pose_between(pose, nearest.witness, 1.0 - distance / nearest.upper);
+  }
+  return std::nullopt;
+}
+
+/// Drawn at random.
 inline std::optional<GuardStart> draw_start(PosePairs& random, GuardLoop& loop, Hazard hazard,
                                             const GuardOptions& options) {
   for (int i = 0; i < 300; ++i) {

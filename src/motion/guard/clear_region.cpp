@@ -84,6 +84,25 @@ class ClearRegionIn final : public ClearRegion {
     return found;
   }
 
+  bool is_ahead_clear(Hazard hazard, const TaskVector& ahead, double radius) noexcept override {
+    if constexpr (size > 3) return false;
+    assert_rounding_upward();
+    Coordinates<size> direction{};
+    for (std::size_t i = 0; i < size; ++i) direction[i] = ahead[static_cast<Eigen::Index>(i)];
+    determinant_.point_cells_to(direction);
+    int boxes = most_boxes;
+    switch (hazard) {
+      case Hazard::parallel_singularity:
+        return sign_ != 0 && is_clear(ahead_of(direction, radius), radius, boxes,
+                                      [&](const Cell<size>& cell) { return has_sign(cell, radius); });
+      case Hazard::serial_singularity:
+        return is_clear_of(boundaries_.serial, ahead_of(direction, radius), radius, boxes);
+      case Hazard::limit:
+        break;
+    }
+    return is_clear_of(boundaries_.limits, ahead_of(direction, radius), radius, boxes);
+  }
+
   // SE2: with half turns a, a', D = 2 arm |sin(a - a')| and |r - r'| = 2 arm |sin a - sin a'|, so their ratio
   // is at least cos((a - a') / 2) >= cos a for the larger one. Else, with v the vector parts of quaternions,
   // those between two poses are (w v' - w' v - v x v'), which is off v' - v by (1 - w + |v| + V^2 / W)
@@ -108,9 +127,72 @@ class ClearRegionIn final : public ClearRegion {
   }
 
  private:
-  double centroid_arm() const noexcept { return moves > 0 ? chart_.center_at_pose().norm() : 0.0; }
+  static constexpr int most_boxes = 24;
 
-  using Arm = typename Chart::template Vector<Form>;
+  // The half of a ball that is ahead, and a little more for rounding. Its first axis is the direction or the
+  // opposite, by the reflection of the determinant's cells.
+  static Cell<size> ahead_of(const Coordinates<size>& direction, double radius) noexcept {
+    constexpr double rounding = 1e-9;
+    Cell<size> cell;
+    cell.half_width.fill(radius * (1.0 + rounding));
+    cell.half_width[0] = radius * (0.5 + rounding);
+    cell.center[0] = direction[0] > 0.0 ? -0.5 * radius : 0.5 * radius;
+    return cell;
+  }
+
+  // Halves the cell until each part in the ball is clear, or the boxes are used up.
+  template <class IsClear>
+  bool is_clear(const Cell<size>& cell, double radius, int& boxes, const IsClear& clear) const noexcept {
+    if (cell.least_length() > radius * (1.0 + 1e-9)) return true;
+    if (--boxes < 0) return false;
+    if (clear(cell)) return true;
+    for (const Cell<size>& half : cell.halves(cell.widest()))
+      if (!is_clear(half, radius, boxes, clear)) return false;
+    return true;
+  }
+
+  bool has_sign(const Cell<size>& cell, double radius) const noexcept {
+    typename ModeDeterminant<space>::OverCell over;
+    const double within = radius * (1.0 + 1e-9);
+    if (!determinant_.over(cell, within, over)) return true;  // no leg reaches there
+    const Interval range = range_in_ball(over.determinant, cell, within);
+    return sign_ > 0 ? range.positive() : range.negative();
+  }
+
+  bool is_clear_of(const std::vector<Boundary>& boundaries, const Cell<size>& ahead, double radius,
+                   int& boxes) const noexcept {
+    return std::all_of(boundaries.begin(), boundaries.end(), [&](const Boundary& boundary) {
+      if (is_elsewhere(boundary, radius)) return true;
+      return is_clear(ahead, radius, boxes, [&](const Cell<size>& cell) {
+        using Over = QuadraticForm<size>;
+        const std::array<Over, size> y = determinant_.reflected(cell.template forms<Over>());
+        const Interval range = range_in_ball(distance_at(boundary, y).linear(), cell, radius * (1.0 + 1e-9));
+        return range.positive() || range.negative();
+      });
+    });
+  }
+
+  template <class Scalar>
+  Scalar distance_at(const Boundary& boundary, const std::array<Scalar, size>& y) const noexcept {
+    typename Chart::template Vector<Scalar> arm;
+    if constexpr (turns > 0) arm = chart_.arm(boundary.leg, chart_.rotation(y.data() + moves));
+    return boundary.signed_distance(chart_.displacement(boundary.leg, arm, y));
+  }
+
+  // Whether no pose of the boundary is in the ball, by how far an anchor can move.
+  bool is_elsewhere(const Boundary& boundary, double radius) const noexcept {
+    if (boundary.branch != 0 && boundary.branch != mode_.sign(boundary.leg)) return true;
+    const auto& here = chart_.displacement_at_origin(boundary.leg);
+    const double turning = turns > 0 ? chart_.turning(boundary.leg) : 0.0;
+    const double travel = std::sqrt((moves > 0 ? 1.0 : 0.0) + turning * turning) * radius;
+    const Interval distance = boundary.signed_distance(here);
+    if (distance.lower() > travel || -distance.upper() > travel) return true;
+    if (!boundary.sided) return false;
+    const Interval side = Interval(static_cast<double>(mode_.sign(boundary.leg))) * boundary.side(here);
+    return side.upper() + travel < 0.0;
+  }
+
+  double centroid_arm() const noexcept { return moves > 0 ? chart_.center_at_pose().norm() : 0.0; }
 
   static LegBoundaries<dimension> made(const Manipulator& manipulator) {
     const RoundingUpward rounding;
@@ -130,22 +212,11 @@ class ClearRegionIn final : public ClearRegion {
   }
 
   void add(const Boundary& boundary, double radius, ClearHalfSpaces& found) const noexcept {
-    if (boundary.branch != 0 && boundary.branch != mode_.sign(boundary.leg)) return;
-    const auto& here = chart_.displacement_at_origin(boundary.leg);
-    const double turning = turns > 0 ? chart_.turning(boundary.leg) : 0.0;
-    const double travel = std::sqrt((moves > 0 ? 1.0 : 0.0) + turning * turning) * radius;
-    const Interval distance = boundary.signed_distance(here);
-    if (distance.lower() > travel || -distance.upper() > travel) return;
-    if (boundary.sided) {
-      const Interval side = Interval(static_cast<double>(mode_.sign(boundary.leg))) * boundary.side(here);
-      if (side.upper() + travel < 0.0) return;
-    }
-    const std::array<Form, size> y = ball(radius);
-    Arm arm;
-    if constexpr (turns > 0) arm = chart_.arm(boundary.leg, chart_.rotation(y.data() + moves));
-    const Form value = boundary.signed_distance(chart_.displacement(boundary.leg, arm, y));
-    add(distance.upper() < 0.0 ? -value : value, radius, {{}, 0.0, boundary.leg, boundary.end}, found);
-    if (!distance.positive() && !distance.negative()) found.list[found.count - 1].clearance = -infinite;
+    if (is_elsewhere(boundary, radius)) return;
+    const Interval here = boundary.signed_distance(chart_.displacement_at_origin(boundary.leg));
+    const Form value = distance_at(boundary, ball(radius));
+    add(here.upper() < 0.0 ? -value : value, radius, {{}, 0.0, boundary.leg, boundary.end}, found);
+    if (!here.positive() && !here.negative()) found.list[found.count - 1].clearance = -infinite;
   }
 
   // Where the value, which encloses a function that vanishes at the hazard, is positive.

@@ -56,6 +56,10 @@ class ClearRegion {
   /// Half spaces that together hold what is clear of the hazard within `radius`; none where all is.
   virtual ClearHalfSpaces find(Hazard hazard, double radius) const noexcept = 0;
 
+  /// Whether no pose of the hazard with |y| <= radius has ahead . y >= 0, where that is proved by few boxes;
+  /// never with six degrees of freedom. `ahead` is of unit length.
+  virtual bool is_ahead_clear(Hazard hazard, const TaskVector& ahead, double radius) noexcept = 0;
+
   /// Poses with |y|, |y'| <= radius are at least (1 - distortion) |y - y'| apart. At most 1.
   virtual double distortion(double radius) const noexcept = 0;
 

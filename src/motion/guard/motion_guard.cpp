@@ -38,6 +38,9 @@ constexpr double clearly_away = 0.05;
 constexpr std::array<double, 4> first_reaches{1.0, 0.3, 0.1, 0.03};
 constexpr double least_reach = 0.03;
 
+// How much more than the distance that is proved is looked at for a way out.
+constexpr double nearly = 0.1;
+
 // The scale rises as from here at least.
 constexpr double least_rise = 0.05;
 
@@ -169,6 +172,13 @@ class MotionGuard::Core {
     bool inside = false, escape = false;
   };
 
+  // What one hazard is judged by.
+  struct Vicinity {
+    Hazard hazard;
+    double stop, known;  // distances: the threshold, and what is proved
+    const JointVector &q, &rates;
+  };
+
   double braking_time(const TaskVector& twist) const noexcept {
     const TaskSpaceTraits& space = traits(manipulator_->task_space());
     const auto turns = static_cast<Eigen::Index>(space.rotations);
@@ -282,24 +292,61 @@ class MotionGuard::Core {
     Verdict best;
     const double known = distance - prospect_.spread;
     best.scale = stopping(path_of).largest_scale((known - stop) - pending_travel(path_of));
-    bool inside = known < stop;
+    best.inside = known < stop;
     double& proved = reaches_[static_cast<std::size_t>(hazard)];
     const std::array<double, 4> later{std::min(1.0, std::max(least_reach, 2.0 * proved)),
                                       std::max(least_reach, 0.5 * proved), 0.0, 0.0};
-    for (const double reach : proved > 0.0 ? later : first_reaches) {
-      if (reach <= best.scale) break;
-      const Verdict verdict = judge_within(hazard, reach, stop, known >= stop, q, rates);
-      inside = inside && verdict.inside;
-      if (verdict.scale > best.scale) best = verdict;
-    }
+    const std::array<double, 4>& reaches = proved > 0.0 ? later : first_reaches;
+    const Vicinity vicinity{hazard, stop, known, q, rates};
+    for (const double reach : reaches) look_about(vicinity, reach, best);
+    if (best.inside)
+      for (const double reach : reaches) look_for_escape(vicinity, reach, best);
     proved = std::max(least_reach, best.scale);
-    best.inside = inside;
     best.escape = best.escape && best.scale > 0.0;
     return best;
   }
 
-  Verdict judge_within(Hazard hazard, double reach, double stop, bool known_outside, const JointVector& q,
-                       const JointVector& rates) const noexcept {
+  void look_about(const Vicinity& vicinity, double reach, Verdict& best) const noexcept {
+    if (reach <= best.scale) return;
+    const bool is_outside = vicinity.known >= vicinity.stop;
+    const Verdict verdict = judge_within(vicinity, reach, vicinity.stop, is_outside);
+    const bool inside = best.inside && verdict.inside;
+    if (verdict.scale > best.scale) best = verdict;
+    best.inside = inside;
+  }
+
+  // Below the threshold what is clear of a smaller ball suffices, as long as the hazard is in it; or half of
+  // it, ahead.
+  void look_for_escape(const Vicinity& vicinity, double reach, Verdict& best) const noexcept {
+    if (reach <= best.scale) return;
+    const double path = travel_up_to(reach, path_of);
+    const double nearer = positive_part(vicinity.known) * (1.0 + nearly) + path;
+    if (nearer < vicinity.stop) {
+      const Verdict verdict = judge_within(vicinity, reach, nearer, false);
+      if (verdict.escape && verdict.scale > best.scale) best = verdict;
+    }
+    if (reach <= best.scale || !is_ahead_clear(vicinity, nearer + path)) return;
+    best.scale = reach;
+    best.inside = best.escape = true;
+  }
+
+  // Whether no pose of the hazard within `radius` is ahead of the robot: then going there increases the
+  // distance from all of them. Earlier commands may go aside by less than is left.
+  bool is_ahead_clear(const Vicinity& vicinity, double radius) const noexcept {
+    const TaskVector& rate = prospect_.command.speed.rate;
+    const TaskVector ahead = rate / rate.norm();
+    const auto aside = [&](const MetricSpeed& speed) {
+      const double away = (speed.rate - positive_part(speed.rate.dot(ahead)) * ahead).norm();
+      return SpeedRange{positive_part(away - speed.off), away + speed.off};
+    };
+    const double kept = 1.0 - region_->distortion(radius);
+    const double left = kept * (vicinity.known - region_->bend(travel_up_to(1.0, turn_of)));
+    if (!(pending_travel(aside) + stopping(aside).travel(0.0) < left)) return false;
+    return region_->is_ahead_clear(vicinity.hazard, ahead, radius * (1.0 + relative_rounding));
+  }
+
+  Verdict judge_within(const Vicinity& vicinity, double reach, double stop,
+                       bool known_outside) const noexcept {
     Verdict verdict;
     verdict.inside = true;
     const double radius =
@@ -307,17 +354,17 @@ class MotionGuard::Core {
     const double kept = 1.0 - region_->distortion(radius);
     if (!(kept > 0.0)) return verdict;
     const double bend = region_->bend(travel_up_to(reach, turn_of));
-    const ClearHalfSpaces clear = region_->find(hazard, radius);
+    const ClearHalfSpaces clear = region_->find(vicinity.hazard, radius);
     verdict.scale = reach;
     verdict.inside = false;
     for (std::size_t k = 0; k < clear.count; ++k) {
       const ClearHalfSpace& half_space = clear.list[k];
-      if (hazard == Hazard::limit && is_beyond(half_space, q)) continue;
+      if (vicinity.hazard == Hazard::limit && is_beyond(half_space, vicinity.q)) continue;
       const double spare =
           half_space.clearance - bend - prospect_.spread / kept - slack() - relative_rounding * radius;
       judge_half_space(half_space, spare, stop / kept, known_outside, verdict);
     }
-    if (hazard == Hazard::limit) turn_back(q, rates, verdict);
+    if (vicinity.hazard == Hazard::limit) turn_back(vicinity.q, vicinity.rates, verdict);
     return verdict;
   }
 
