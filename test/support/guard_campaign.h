@@ -133,7 +133,8 @@ inline GuardOptions guard_options_for(const Manipulator& robot) {
   options.period = 0.004;
   options.linear_deceleration = 2.0 * robot.size();
   options.angular_deceleration = 4.0;
-  options.stop.fill(0.02 * robot.size());
+  // With six degrees of freedom the distances that are proved are far less than those that there are.
+  options.stop.fill((robot.leg_count() > 3 ? 0.005 : 0.02) * robot.size());
   return options;
 }
 

@@ -27,15 +27,14 @@ double StoppingMotion::travel(double scale) const noexcept {
 }
 
 double StoppingMotion::largest_scale(double room) const noexcept {
+  if (!(travel(0.0) <= room)) return 0.0;  // travel is convex in the scale
   if (travel(1.0) <= room) return 1.0;
-  if (!(speed > 0.0)) return 0.0;
   const double same = last / speed;  // the scale that goes on as before
   const double bend = 0.5 * speed * brake;
   double scale = larger_root(bend, speed * seconds, room);
   if (!(scale >= same)) {
     const double slope = speed * (seconds - 0.5 * last_brake), rest = room - 0.5 * last * last_brake;
-    // Where the travel falls with the scale all along, the largest is where that ends.
-    scale = std::min(same, bend > 0.0 || slope > 0.0 ? larger_root(bend, slope, rest) : same);
+    scale = std::min(same, larger_root(bend, slope, rest));
   }
   scale = std::min(1.0, scale * (1.0 - rounding));
   return scale > 0.0 && travel(scale) <= room * (1.0 + rounding) ? scale : 0.0;

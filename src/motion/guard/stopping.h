@@ -19,8 +19,8 @@ struct StoppingMotion {
   /// [m]
   double travel(double scale) const noexcept;
 
-  /// The largest scale up to 1 that travels no more than `room` [m], by up to a billionth less; 0 where none
-  /// does.
+  /// The largest scale up to 1 that travels no more than `room` [m], by up to a billionth less, as all
+  /// smaller ones do; 0 where none does.
   double largest_scale(double room) const noexcept;
 };
 

@@ -53,8 +53,8 @@ TEST(StoppingMotion, LargestScaleIsThatOfATry) {
                                 i % 5 == 0 ? 0.0 : uniform(random), uniform(random)};
     const double room = uniform(random) - 0.1;
     double best = 0.0;
-    for (int k = 1; k <= tries; ++k)
-      if (motion.travel(static_cast<double>(k) / tries) <= room) best = static_cast<double>(k) / tries;
+    for (int k = 0; k <= tries && motion.travel(static_cast<double>(k) / tries) <= room; ++k)
+      best = static_cast<double>(k) / tries;
     const double found = motion.largest_scale(room);
     EXPECT_NEAR(found, best, 1.5 / tries)
         << "{" << motion.speed << ", " << motion.seconds << ", " << motion.brake << ", " << motion.last
