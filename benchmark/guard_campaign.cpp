@@ -31,6 +31,8 @@ TaskVector random_aside(const Manipulator& robot, const TaskVector& towards, tes
   TaskVector aside = TaskVector::Zero(static_cast<Eigen::Index>(robot.leg_count()));
   if (towards.size() == 0) return aside;
   for (Eigen::Index i = 0; i < aside.size(); ++i) aside[i] = share * random.uniform(-1.0, 1.0);
+  aside.head(static_cast<Eigen::Index>(rotational_degrees_of_freedom(robot.task_space()))) /=
+      robot.characteristic_length();
   return aside;
 }
 

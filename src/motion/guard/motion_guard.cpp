@@ -170,6 +170,7 @@ class MotionGuard::Core {
   struct Verdict {
     double scale = 0.0;
     bool inside = false, escape = false;
+    bool nearer = false;  // the command goes towards a half space that the robot is too near to
   };
 
   // What one hazard is judged by.
@@ -310,9 +311,10 @@ class MotionGuard::Core {
     if (reach <= best.scale) return;
     const bool is_outside = vicinity.known >= vicinity.stop;
     const Verdict verdict = judge_within(vicinity, reach, vicinity.stop, is_outside);
-    const bool inside = best.inside && verdict.inside;
+    const bool inside = best.inside && verdict.inside, nearer = best.nearer || verdict.nearer;
     if (verdict.scale > best.scale) best = verdict;
     best.inside = inside;
+    best.nearer = nearer;
   }
 
   // Below the threshold what is clear of a smaller ball suffices, as long as the hazard is in it; or half of
@@ -320,12 +322,13 @@ class MotionGuard::Core {
   void look_for_escape(const Vicinity& vicinity, double reach, Verdict& best) const noexcept {
     if (reach <= best.scale) return;
     const double path = travel_up_to(reach, path_of);
-    const double nearer = positive_part(vicinity.known) * (1.0 + nearly) + path;
-    if (nearer < vicinity.stop) {
-      const Verdict verdict = judge_within(vicinity, reach, nearer, false);
+    const double least = positive_part(vicinity.known) * (1.0 + nearly) + path;
+    if (least < vicinity.stop) {
+      const Verdict verdict = judge_within(vicinity, reach, least, false);
       if (verdict.escape && verdict.scale > best.scale) best = verdict;
+      best.nearer = best.nearer || verdict.nearer;
     }
-    if (reach <= best.scale || !is_ahead_clear(vicinity, nearer + path)) return;
+    if (reach <= best.scale || best.nearer || !is_ahead_clear(vicinity, least + path)) return;
     best.scale = reach;
     best.inside = best.escape = true;
   }
@@ -384,6 +387,7 @@ class MotionGuard::Core {
     verdict.inside = verdict.escape = true;
     const TaskVector& rate = prospect_.command.speed.rate;
     const double away = half_space.normal.dot(rate) / (clearly_away * rate.norm());
+    verdict.nearer = verdict.nearer || (spare > 0.0 && away < 0.0);
     const bool clears = room - stopping(towards).travel(0.0) > 0.0;
     verdict.scale = std::min(verdict.scale, clears ? positive_part(away) : 0.0);
   }
