@@ -2,10 +2,12 @@
 #include "motion/guard/issued_motion.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace parallel_aspects {
 
 bool IssuedMotion::issue(double time, const TaskVector& twist, double brake) noexcept {
+  if (!std::isfinite(time)) return false;
   if (count_ > 0 && time < at(count_ - 1).time) forget();  // time began anew
   drop_before(time - oldest_sample_);
   const bool stands = twist.isZero(0.0);

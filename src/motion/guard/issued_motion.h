@@ -30,7 +30,7 @@ class IssuedMotion {
       : latency_(latency), oldest_sample_(oldest_sample), turns_(static_cast<Eigen::Index>(turns)) {}
 
   /// A command from `time` on, until the next. Those that follow quickly are merged into one. False where
-  /// there are too many; then the one before is kept as if it went on.
+  /// there are too many, or the time is none; then the one before is kept as if it went on.
   bool issue(double time, const TaskVector& twist, double brake) noexcept;
 
   void forget() noexcept { count_ = 0; }
