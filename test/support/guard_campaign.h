@@ -262,8 +262,8 @@ inline std::optional<Pose> pose_before(GuardLoop& loop, const GuardStart& start,
 
 /// Drawn at random.
 inline std::optional<GuardStart> draw_start(PosePairs& random, GuardLoop& loop, Hazard hazard,
-                                            const GuardOptions& options) {
-  for (int i = 0; i < 300; ++i) {
+                                            const GuardOptions& options, int tries = 300) {
+  for (int i = 0; i < tries; ++i) {
     const WorkingMode mode = random.mode();
     const auto pose = random.reached(mode);
     if (!pose) continue;

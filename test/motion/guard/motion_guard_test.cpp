@@ -188,7 +188,7 @@ TEST_P(GuardCampaign, StaysOutAndDoesNotChatter) {
   for (std::size_t h = 0; h < hazard_count; ++h)
     for (int i = 0; i < runs; ++i) {
       const Hazard hazard = static_cast<Hazard>(h);
-      const auto start = test::draw_start(random, loop, hazard, options);
+      const auto start = test::draw_start(random, loop, hazard, options, test::thinned(300));
       if (!start) break;
       const TaskVector none = TaskVector::Zero(static_cast<Eigen::Index>(robot->leg_count()));
       const test::GuardRun run = loop.push(start->pose, start->mode, hazard, 0.2 * robot->size(), seconds,
