@@ -174,6 +174,44 @@ TEST(GuardBeyondLimits, LetsTheJointComeBack) {
   EXPECT_EQ(back.reason, GuardReason::escape);
 }
 
+// By the kinematics alone: all poses that are nearer than the threshold are reached, with det A of one sign.
+TEST(GuardAgainstBruteForce, NoSingularityIsNearerThanTheThreshold) {
+  const auto robot = test::shipped("five_bar")->manipulator();
+  const GuardOptions options = test::guard_options_for(*robot);
+  BoundaryDistanceMeter meter(robot);
+  test::GuardLoop loop(robot, options);
+  test::PosePairs random(robot, 17);
+  for (int run = 0; run < test::thinned(20); ++run) {
+    const auto start = test::draw_start(random, loop, Hazard::parallel_singularity, options);
+    ASSERT_TRUE(start);
+    const int sign = test::sign_in_doubles(*robot, start->pose, start->mode);
+    test::LatePlatform platform(TaskSpace::T2, start->pose, options,
+                                random.uniform(0.0, 1.0) * options.latency, 1);
+    MotionGuard guard(robot, options);
+    ProvedDistances proved;
+    const double heading = random.uniform(-EIGEN_PI, EIGEN_PI);
+    for (int i = 0; i < 750; ++i) {
+      const double time = i * test::guard_step;
+      const Pose pose = platform.pose();
+      if (i % 10 == 0) proved = test::proved_of(meter.measure(pose, start->mode), pose, start->mode);
+      // Straight, and later round a curve along what stops it.
+      const double angle = heading + (i > 300 ? 0.01 * (i - 300) : 0.0);
+      const TaskVector twist = 0.3 * robot->size() * vector(std::cos(angle), std::sin(angle));
+      platform.command(
+          time, guard.guard(test::tracked_at(*robot, pose, start->mode, time), proved, twist, time).twist);
+      platform.move(time, time + test::guard_step);
+      for (int k = 0; i % 5 == 0 && k < 72; ++k) {
+        const double r = options.stop[0] * (0.999 - 0.333 * (k % 3)), at = k * EIGEN_PI / 36.0;
+        const Pose near = displaced(TaskSpace::T2, pose, r * vector(std::cos(at), std::sin(at)));
+        ASSERT_EQ(test::sign_in_doubles(*robot, near, start->mode), sign)
+            << "run " << run << ", step " << i << ": " << to_string(TaskSpace::T2, near) << " in "
+            << to_string(start->mode) << " from " << to_string(TaskSpace::T2, start->pose) << ", heading "
+            << heading;
+      }
+    }
+  }
+}
+
 // Each robot that has the hazard is pushed into it, by commands that are late by various times.
 class GuardCampaign : public testing::TestWithParam<std::string> {};
 
