@@ -127,7 +127,7 @@ class ClearRegionIn final : public ClearRegion {
   }
 
  private:
-  static constexpr int most_boxes = 24;
+  static constexpr int most_boxes = turns > 0 ? 24 : 10;
 
   // The half of a ball that is ahead, and a little more for rounding. Its first axis is the direction or the
   // opposite, by the reflection of the determinant's cells.

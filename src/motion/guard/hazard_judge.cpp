@@ -124,14 +124,16 @@ HazardVerdict HazardJudge::judge(Hazard hazard, double stop, double distance, co
   best.scale = stopping(path_of).largest_scale((known - stop) - pending_travel(path_of));
   best.inside = known < stop;
   double& proved = reaches_[static_cast<std::size_t>(hazard)];
-  const std::array<double, 4> later{std::min(1.0, std::max(least_reach, 2.0 * proved)),
-                                    std::max(least_reach, 0.5 * proved), 0.0, 0.0};
+  // Where nothing was proved before, the least alone is tried.
+  const double first = std::clamp(2.0 * proved, least_reach, 1.0),
+               second = std::max(least_reach, 0.5 * proved);
+  const std::array<double, 4> later{first, second < first ? second : 0.0, 0.0, 0.0};
   const std::array<double, 4>& reaches = proved > 0.0 ? later : first_reaches;
   const Vicinity vicinity{hazard, stop, known, q, rates};
   for (const double reach : reaches) look_about(vicinity, reach, best);
   if (best.inside)
     for (const double reach : reaches) look_for_escape(vicinity, reach, best);
-  proved = std::max(least_reach, best.scale);
+  proved = std::max(0.5 * least_reach, best.scale);
   best.escape = best.escape && best.scale > 0.0;
   return best;
 }
