@@ -28,6 +28,7 @@ add_message_files(FILES
   ChangeOfPosture.msg
   Configuration.msg
   DistanceBounds.msg
+  GuardState.msg
   LastHazard.msg
   MapProgress.msg
   MetricDistance.msg

@@ -109,6 +109,23 @@ TaskVector LocalChart<space>::direction_to(const Coordinates<size>& y) const noe
   return twist;
 }
 
+template <TaskSpace space>
+Coordinates<LocalChart<space>::size> LocalChart<space>::rate_of(const TaskVector& twist) const noexcept {
+  Eigen::Vector3d rate = Eigen::Vector3d::Zero(), velocity = Eigen::Vector3d::Zero();
+  if constexpr (turns == 1) rate.z() = twist[0];
+  if constexpr (turns == 3) rate = twist.head<3>();
+  for (std::size_t i = 0; i < moves; ++i)
+    velocity[static_cast<Eigen::Index>(i)] = twist[static_cast<Eigen::Index>(turns + i)];
+  const Eigen::Vector3d move = velocity + rate.cross(center_at_pose_);
+  Eigen::Vector3d turn = Eigen::Vector3d::Zero();
+  if constexpr (turns == 1) turn.z() = rate.z() / (2.0 * half_turns_at_pose_(2, 2));
+  if constexpr (turns == 3) turn = half_turns_at_pose_.inverse() * (0.5 * rate);
+  Coordinates<size> result{};
+  for (std::size_t i = 0; i < moves; ++i) result[i] = move[static_cast<Eigen::Index>(i)];
+  for (std::size_t i = 0; i < turns; ++i) result[moves + i] = turn[static_cast<Eigen::Index>(3 - turns + i)];
+  return result;
+}
+
 template class LocalChart<TaskSpace::T1>;
 template class LocalChart<TaskSpace::T2>;
 template class LocalChart<TaskSpace::SE2>;

@@ -52,6 +52,13 @@ class LocalChart {
   /// The twist (w, v) with which the ray towards `y` starts, a metre of the ray.
   TaskVector direction_to(const Coordinates<size>& y) const noexcept;
 
+  /// How the coordinates change at the origin for a twist (w, v), in floating point: the inverse of
+  /// `direction_to`.
+  Coordinates<size> rate_of(const TaskVector& twist) const noexcept;
+
+  /// From the operational point to the centroid of the anchors, in floating point, task frame [m].
+  const Eigen::Vector3d& center_at_pose() const noexcept { return center_at_pose_; }
+
   /// The rotation of these coordinates.
   template <class Scalar>
   Rotation<Scalar> rotation(const Scalar* turn) const noexcept;

@@ -120,6 +120,12 @@ class ModeDeterminant {
 
   /// The sign of det A wherever |y| <= radius and every leg reaches, where it is proved; else 0.
   int proved_sign_in_ball(double radius) const noexcept {
+    const Interval value = in_ball(radius).range();
+    return value.positive() ? 1 : value.negative() ? -1 : 0;
+  }
+
+  /// Encloses det A wherever |y| <= radius and every leg reaches.
+  QuadraticForm<size, FormDomain::ball> in_ball(double radius) const noexcept {
     using Form = QuadraticForm<size, FormDomain::ball>;
     std::array<Form, size> coordinates;
     for (std::size_t i = 0; i < size; ++i) coordinates[i] = Form::coordinate(0.0, radius, i);
@@ -132,8 +138,7 @@ class ModeDeterminant {
                     range.positive() ? square_root(legs[j].squared_entry, range.lower())
                                      : root_from_zero(legs[j].squared_entry, range.upper()));
     }
-    const Interval value = determinant_of(rows).range();
-    return value.positive() ? 1 : value.negative() ? -1 : 0;
+    return determinant_of(rows);
   }
 
   /// Cells are boxes of coordinates whose first axis points to `y`, by a reflection.

@@ -4,6 +4,7 @@
 #include "model/coefficients.h"
 #include "model/task_space_traits.h"
 #include "parallel_aspects/kinematics/jacobians.h"
+#include "parallel_aspects/motion/escape_direction.h"
 #include "ros/messages/hazard_messages.h"
 
 #include <algorithm>
@@ -271,8 +272,8 @@ AspectSummary summary_message(const Manipulator& manipulator, const Aspect& aspe
   return message;
 }
 
-MetricDistance distance_message(const Manipulator& manipulator, const BoundaryDistance& distance,
-                                bool of_leg) {
+MetricDistance distance_message(const Manipulator& manipulator, const SolvedPose& solved,
+                                const BoundaryDistance& distance, bool of_leg) {
   MetricDistance message;
   message.status = status_of(distance.status);
   const bool available = distance.status != DistanceStatus::unavailable;
@@ -284,6 +285,10 @@ MetricDistance distance_message(const Manipulator& manipulator, const BoundaryDi
   message.joint_positions = to_vector(distance.witness_q);
   message.joint_displacements = to_vector(distance.joint_displacement);
   message.direction = to_vector(distance.direction);
+  if (const auto escape = escape_direction(manipulator, solved.pose, solved.q, distance)) {
+    message.escape_twist = to_vector(escape->twist);
+    message.escape_joint_velocities = to_vector(escape->joint_rate);
+  }
   if (!of_leg) return message;
   message.leg = manipulator.leg(distance.leg).name;
   message.joint = manipulator.leg(distance.leg).actuated_joint;
@@ -296,9 +301,9 @@ SingularityReport report_message(const Manipulator& manipulator, const SolvedPos
   const SingularityIndices indices = singularity_indices(manipulator, solved.pose, solved.q);
   SingularityReport message;
   message.configuration = solved_message(manipulator, solved, map, stamp);
-  message.parallel_distance = distance_message(manipulator, distances.parallel, false);
-  message.serial_distance = distance_message(manipulator, distances.serial, true);
-  message.limit_distance = distance_message(manipulator, distances.actuated_limit, true);
+  message.parallel_distance = distance_message(manipulator, solved, distances.parallel, false);
+  message.serial_distance = distance_message(manipulator, solved, distances.serial, true);
+  message.limit_distance = distance_message(manipulator, solved, distances.actuated_limit, true);
   if (!message.limit_distance.leg.empty()) message.limit_distance.limit = name(distances.actuated_limit.end);
   message.determinant = indices.determinant;
   message.determinant_unit = std::string(traits(manipulator.task_space()).determinant_unit);

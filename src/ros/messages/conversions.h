@@ -75,9 +75,10 @@ std::int64_t count_at_most(const AspectMap& map) noexcept;
 
 AspectSummary summary_message(const Manipulator& manipulator, const Aspect& aspect);
 
-/// `of_leg`: whether the boundary is one leg's, as serial singularities and limits are.
-MetricDistance distance_message(const Manipulator& manipulator, const BoundaryDistance& distance,
-                                bool of_leg);
+/// What the distance of the configuration at `solved` is. `of_leg`: whether the boundary is one leg's, as
+/// serial singularities and limits are.
+MetricDistance distance_message(const Manipulator& manipulator, const SolvedPose& solved,
+                                const BoundaryDistance& distance, bool of_leg);
 
 SingularityReport report_message(const Manipulator& manipulator, const SolvedPose& solved,
                                  const BoundaryDistances& distances, const AspectMap* map,

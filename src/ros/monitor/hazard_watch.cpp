@@ -2,9 +2,12 @@
 #include "ros/monitor/hazard_watch.h"
 
 #include "parallel_aspects/model/anchor_distance.h"
+#include "parallel_aspects/motion/escape_direction.h"
 #include "ros/messages/hazard_messages.h"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -67,6 +70,27 @@ void HazardWatch::judge(const TrackedState& tracked, double residual, const ros:
   state.reason = reason_of(findings_.threshold);
   state.last_hazard = hazard_message(memory_.reported(), epoch);
   state.residual = residual;
+  show_escape(tracked, state);
+}
+
+void HazardWatch::show_escape(const TrackedState& tracked, AspectState& state) const {
+  if (!measured_ || !(measured_->mode == tracked.mode)) return;
+  const TaskVector& towards = measured_->towards[static_cast<std::size_t>(findings_.threshold.hazard)];
+  if (towards.size() == 0) return;
+  const JointVector rates = joint_velocities(*manipulator_, tracked.pose, tracked.q, -towards);
+  state.escape_twist.resize(static_cast<std::size_t>(towards.size()));
+  std::transform(towards.data(), towards.data() + towards.size(), state.escape_twist.begin(),
+                 std::negate<double>());
+  if (rates.allFinite()) state.escape_joint_velocities.assign(rates.data(), rates.data() + rates.size());
+}
+
+ProvedDistances HazardWatch::proved() const noexcept {
+  ProvedDistances proved;
+  if (!measured_) return proved;
+  proved.pose = measured_->pose;
+  proved.mode = measured_->mode;
+  for (std::size_t i = 0; i < hazard_count; ++i) proved.lower[i] = measured_->bounds[i].lower;
+  return proved;
 }
 
 void HazardWatch::lose(const ros::Time& epoch, AspectState& state) {

@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ROS_MONITOR_HAZARD_WATCH_H
 #define PARALLEL_ASPECTS_ROS_MONITOR_HAZARD_WATCH_H
 
+#include "parallel_aspects/motion/motion_guard.h"
 #include "parallel_aspects/tracking/approach_speed.h"
 #include "parallel_aspects/tracking/hazard_memory.h"
 #include "parallel_aspects/tracking/thresholds.h"
@@ -30,6 +31,7 @@ struct MeasuredHazards {
   WorkingMode mode;
   std::array<DistanceBounds, hazard_count> bounds;  ///< by `Hazard`
   double stand_off = 0.0;                           ///< as in AspectState
+  std::array<TaskVector, hazard_count> towards{};   ///< as `BoundaryDistance::direction`; empty where none
 };
 
 /// Bounds the distances between two measurements by the motion since, and compares them with the thresholds.
@@ -58,8 +60,12 @@ class HazardWatch {
 
   const MonitorFindings& findings() const noexcept { return findings_; }
 
+  /// What was last measured, as far as it is of use; not numbers where nothing was.
+  ProvedDistances proved() const noexcept;
+
  private:
   void bound_distances(const TrackedState& tracked);
+  void show_escape(const TrackedState& tracked, AspectState& state) const;
 
   std::shared_ptr<const Manipulator> manipulator_;
   std::optional<MeasuredHazards> measured_;

@@ -34,7 +34,9 @@ RobotMonitor::RobotMonitor(std::shared_ptr<const Mechanism> mechanism, const Nod
                           "Nothing has arrived on " + topic + " yet; " + names_.expectation() + ".")),
       age_(options.joint_states_timeout),
       publishers_(ros::Duration(options.joint_states_timeout)),
-      hazards_(mechanism->manipulator(), thresholds_of(options.thresholds)) {}
+      hazards_(mechanism->manipulator(), thresholds_of(options.thresholds)) {
+  if (options.guard.enabled) guard_.emplace(mechanism->manipulator(), options);
+}
 
 MonitorUpdate RobotMonitor::update(const sensor_msgs::JointState& message, const ros::Time& now,
                                    const std::string& publisher) {
@@ -182,12 +184,14 @@ void RobotMonitor::fill_tracked(const ros::Time& stamp, MonitorUpdate& update) {
   }
   update.state = state_message(manipulator, tracked, stamp);
   hazards_.judge(tracked, residual_.compared > 0 ? residual_.excess : not_a_number, epoch_, *update.state);
+  if (guard_) update.state->guard = guard_->state();
   update.tracked = tracked;
 }
 
 AspectState RobotMonitor::lost_state(const Status& status, const ros::Time& stamp) {
   AspectState state = unknown_state(*mechanism_->manipulator(), status, stamp);
   hazards_.lose(epoch_, state);
+  if (guard_) state.guard = guard_->state();
   return state;
 }
 
@@ -220,7 +224,8 @@ void RobotMonitor::measure(const TrackedState& tracked, const JointVector& bend,
       tracked.pose,
       tracked.mode,
       {bounds_of(found.parallel), bounds_of(found.serial), bounds_of(found.actuated_limit)},
-      not_a_number};
+      not_a_number,
+      {found.parallel.direction, found.serial.direction, found.actuated_limit.direction}};
   if (std::isfinite(found.parallel.upper))
     measured.stand_off = stand_off_.along_path(tracked.pose, found.parallel.witness, tracked.mode, bend);
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -340,6 +345,7 @@ MonitorFindings RobotMonitor::findings() const {
 void RobotMonitor::set_thresholds(const DistanceThresholds::Options& thresholds) {
   const std::lock_guard<std::mutex> lock(mutex_);
   hazards_.set_thresholds(thresholds);
+  if (guard_) guard_->set_thresholds(thresholds);
 }
 
 MonitorCounts RobotMonitor::counts() const {
@@ -348,6 +354,22 @@ MonitorCounts RobotMonitor::counts() const {
   counts.lost = publishers_.lost();
   counts.counted = publishers_.counted();
   return counts;
+}
+
+GuardedCommand RobotMonitor::guard(const geometry_msgs::TwistStamped& command, const TurnedTwist& turned,
+                                   const ros::Time& now, const ros::SteadyTime& wall) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return guard_->guard(command, turned, known_to_guard(now), now, wall);
+}
+
+KnownToGuard RobotMonitor::known_to_guard(const ros::Time& now) const {
+  return {tracker_.state(), hazards_.proved(), status_at(now), epoch_};
+}
+
+std::optional<GuardedCommand> RobotMonitor::expire_command(const ros::Time& now,
+                                                           const ros::SteadyTime& wall) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return guard_->expire(known_to_guard(now), now, wall);
 }
 
 void RobotMonitor::set_map(std::shared_ptr<const AspectMap> map) {
@@ -361,6 +383,7 @@ void RobotMonitor::forget() {
   publishers_.forget_claims();
   tracker_.stop();
   hazards_.forget();
+  if (guard_) guard_->forget();
   merger_.forget();
   not_started_ = {};
   age_.forget();

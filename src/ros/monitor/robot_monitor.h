@@ -15,6 +15,7 @@
 #include "ros/messages/conversions.h"
 #include "ros/monitor/hazard_watch.h"
 #include "ros/monitor/sample_age.h"
+#include "ros/monitor/velocity_guard.h"
 #include "ros/parameters/node_options.h"
 
 #include <parallel_aspects/AspectState.h>
@@ -88,6 +89,14 @@ class RobotMonitor {
   /// one thread. The assembly modes that remain, where their number has changed.
   std::optional<AssemblyCandidates> work();
 
+  /// Scales a velocity, where the guard is on; `turned`: the command in the base frame, or why not.
+  GuardedCommand guard(const geometry_msgs::TwistStamped& command, const TurnedTwist& turned,
+                       const ros::Time& now, const ros::SteadyTime& wall);
+
+  /// Zero, when the last command has become old; nothing while it has not, or that was said. Where the guard
+  /// is on. To be called again and again.
+  std::optional<GuardedCommand> expire_command(const ros::Time& now, const ros::SteadyTime& wall);
+
   CurrentConfiguration current(const ros::Time& now) const;
   MonitorFindings findings() const;
   MonitorCounts counts() const;
@@ -115,6 +124,7 @@ class RobotMonitor {
   JointVector uncertainty_to_report() const;
   Status status_of_tracker() const;
   Status status_at(const ros::Time& now) const;
+  KnownToGuard known_to_guard(const ros::Time& now) const;
   std::string overdue_joints(const ros::Time& now) const;
   template <class Start>
   Status start_by(const ros::Time& now, const StatedSigns& stated, const Start& start);
@@ -158,7 +168,8 @@ class RobotMonitor {
   PublisherWatch publishers_;
 
   HazardWatch hazards_;
-  Eigen::VectorXd readings_;  // of all joints, from the last usable sample
+  std::optional<VelocityGuard> guard_;  // where it is on
+  Eigen::VectorXd readings_;            // of all joints, from the last usable sample
   PassiveResidual residual_;
   std::size_t reported_candidates_ = 0;
 };

@@ -70,6 +70,7 @@ RobotServer::RobotServer(const ros::NodeHandle& nh, const ros::NodeHandle& priva
   for (const std::string& note : setup_.mechanism->notes()) ROS_INFO_STREAM(note);
   advertise();
   subscribe();
+  if (setup_.options.guard.enabled) start_guard();
   accept_reconfiguration();
   state_.publish(
       unknown_state(*setup_.mechanism->manipulator(), monitor_.current(ros::Time::now()).status, {}));
@@ -86,6 +87,7 @@ RobotServer::~RobotServer() {
   log_timer_.stop();
   stopping_ = true;
   subscriber_.shutdown();
+  command_subscriber_.shutdown();
   if (compute_map_) compute_map_->shutdown();
   tracking_spinner_.stop();
   service_spinner_.stop();
@@ -128,6 +130,46 @@ void RobotServer::subscribe() {
     log_.write();
     for (const std::string& message : frame_watch_.news(ros::WallTime::now())) ROS_WARN_STREAM(message);
   });
+}
+
+// In the thread of joint_states, for what a command may do depends on the last of these.
+void RobotServer::start_guard() {
+  guarded_velocity_ = tracking_nh_.advertise<geometry_msgs::TwistStamped>("guarded_velocity", 10);
+  guarded_joint_velocities_ =
+      tracking_nh_.advertise<std_msgs::Float64MultiArray>("guarded_joint_velocities", 10);
+  command_subscriber_ = tracking_nh_.subscribe("velocity_command", 1, &RobotServer::on_velocity_command, this,
+                                               ros::TransportHints().tcpNoDelay());
+  command_timer_ = tracking_nh_.createSteadyTimer(
+      ros::WallDuration(setup_.options.guard.command_timeout / 4.0), [this](const ros::SteadyTimerEvent&) {
+        if (const auto zero = monitor_.expire_command(ros::Time::now(), ros::SteadyTime::now()))
+          publish_guarded(*zero);
+      });
+}
+
+void RobotServer::on_velocity_command(const geometry_msgs::TwistStamped& command) {
+  publish_guarded(monitor_.guard(command, turned(command), ros::Time::now(), ros::SteadyTime::now()));
+}
+
+void RobotServer::publish_guarded(const GuardedCommand& command) {
+  guarded_velocity_.publish(command.twist);
+  guarded_joint_velocities_.publish(command.joint_velocities);
+  if (!command.warning.empty()) log_.warn(command.warning);
+}
+
+// By the last transform that is known, for there is no time to wait for another.
+TurnedTwist RobotServer::turned(const geometry_msgs::TwistStamped& command) const {
+  const std::string& base = setup_.mechanism->manipulator()->base_frame();
+  const std::string& frame = command.header.frame_id;
+  if (frame.empty() || frame == base) return turned_twist(command.twist, Eigen::Matrix3d::Identity());
+  try {
+    const geometry_msgs::Quaternion q = tf_.lookupTransform(base, frame, ros::Time(0)).transform.rotation;
+    return turned_twist(command.twist, Eigen::Quaterniond(q.w, q.x, q.y, q.z).toRotationMatrix());
+  } catch (const std::runtime_error& failure) {
+    TurnedTwist unknown;
+    unknown.fault =
+        "tf does not connect " + shortened(frame) + " with " + base + ": " + shortened(failure.what());
+    return unknown;
+  }
 }
 
 void RobotServer::accept_reconfiguration() {

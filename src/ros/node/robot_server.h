@@ -54,8 +54,12 @@ class RobotServer {
   void accept_reconfiguration();
   template <typename Service, typename Answers>
   void serve(const std::string& name, const Answers& answers);
+  void start_guard();
 
   void on_joint_states(const ros::MessageEvent<const sensor_msgs::JointState>& event);
+  void on_velocity_command(const geometry_msgs::TwistStamped& command);
+  void publish_guarded(const GuardedCommand& command);
+  TurnedTwist turned(const geometry_msgs::TwistStamped& command) const;
   void publish_robot(const TrackedState& tracked, const ros::Time& stamp);
   void on_tf(const Transforms& event);
   void on_tf_static(const Transforms& event);
@@ -85,6 +89,7 @@ class RobotServer {
 
   RobotMonitor monitor_;
   Display display_;
+  ros::Publisher guarded_velocity_, guarded_joint_velocities_;  // where the guard is on
   ros::Publisher state_, transitions_, joint_states_, candidates_, map_progress_;
   MapWorker worker_;
   Queries queries_;
@@ -98,7 +103,8 @@ class RobotServer {
   std::unique_ptr<Reconfiguration> reconfiguration_;
   std::vector<ros::ServiceServer> services_;
   ros::Subscriber subscriber_, tf_subscriber_, tf_static_subscriber_;
-  ros::SteadyTimer age_timer_;
+  ros::Subscriber command_subscriber_;
+  ros::SteadyTimer age_timer_, command_timer_;
   ros::WallTimer display_timer_, diagnostics_timer_, log_timer_, work_timer_, stand_off_timer_,
       silence_timer_;
   std::atomic<bool> stopping_{false};

@@ -124,6 +124,15 @@ ThresholdParameters thresholds_from(ParameterReader reader) {
   return thresholds;
 }
 
+GuardParameters guard_from(ParameterReader reader) {
+  GuardParameters guard;
+  reader.read_all("enabled", guard.enabled, "latency", guard.latency, "command_timeout",
+                  guard.command_timeout, "sample_age", guard.sample_age, "linear_deceleration",
+                  guard.linear_deceleration, "angular_deceleration", guard.angular_deceleration, "recovery",
+                  guard.recovery, "reference_point", guard.reference_point);
+  return guard;
+}
+
 double rate_from(ParameterReader reader, double rate) {
   reader.read_all("rate", rate);
   return rate;
@@ -189,6 +198,7 @@ NodeOptions options_from(const XmlRpcValue& parameters, const std::string& prefi
   options.tracking = tracker_options_from(reader.group("tracking"), options.joint_states_timeout);
   options.passive = passive_options_from(reader.group("passive"));
   options.thresholds = thresholds_from(reader.group("thresholds"));
+  options.guard = guard_from(reader.group("guard"));
   options.distance_rate = rate_from(reader.group("distance"), options.distance_rate);
   options.state_decimation = decimation_from(reader.group("state"));
   options.completed_decimation = decimation_from(reader.group("completed"));

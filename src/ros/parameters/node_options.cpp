@@ -83,6 +83,25 @@ void check_thresholds(const ThresholdParameters& given, const std::string& group
   checks.require(within(given.hysteresis, 0.0, 10.0), group + "hysteresis", "must be 0 to 10.");
 }
 
+void check_guard(const GuardParameters& guard, TaskSpace space, Checks& checks) {
+  checks.require(within(guard.latency, 0.0, 1.0), "guard/latency", "must be 0 to 1 [s].");
+  checks.require(within(guard.command_timeout, 0.001, 1.0), "guard/command_timeout",
+                 "must be 0.001 to 1 [s].");
+  checks.require(within(guard.sample_age, 0.001, 1.0), "guard/sample_age", "must be 0.001 to 1 [s].");
+  checks.require(within(guard.recovery, 0.0, 60.0), "guard/recovery", "must be 0 to 60 [s].");
+  const std::vector<double>& point = guard.reference_point;
+  checks.require(point.size() == 3 && within(point[0], -1e6, 1e6) && within(point[1], -1e6, 1e6) &&
+                     within(point[2], -1e6, 1e6),
+                 "guard/reference_point", "must be a list of three numbers, in the platform frame [m].");
+  if (!guard.enabled) return;
+  checks.require(!has_translation(space) || within(guard.linear_deceleration, 1e-6, 1e6),
+                 "guard/linear_deceleration",
+                 "must be a positive number [m/s^2]: what the platform brakes with, at least.");
+  checks.require(!has_rotation(space) || within(guard.angular_deceleration, 1e-6, 1e6),
+                 "guard/angular_deceleration",
+                 "must be a positive number [rad/s^2]: what the platform brakes with, at least.");
+}
+
 void check_tracking(const TrackerOptions& tracking, const PassiveOptions& passive, Checks& checks) {
   checks.require(within(tracking.hysteresis, 0.0, 0.5), "tracking/hysteresis", "must be 0 to 0.5.");
   checks.require(
@@ -130,6 +149,7 @@ Problems problems_of(const NodeOptions& options, const Manipulator& manipulator,
   check_start(options.start, manipulator.task_space(), checks);
   check_tracking(options.tracking, options.passive, checks);
   check_thresholds(options.thresholds, "thresholds/", checks);
+  check_guard(options.guard, manipulator.task_space(), checks);
   checks.require(within(options.distance_rate, 0.1, 1000.0), "distance/rate", "must be 0.1 to 1000 [Hz].");
   checks.require(within(options.joint_states_timeout, 0.001, 3600.0), "joint_states_timeout",
                  "must be a positive number, 0.001 to 3600 [s].");

@@ -39,6 +39,19 @@ struct ThresholdParameters {
   double hysteresis = 0.1;  ///< a level is left above its threshold times 1 plus this, 0 to 10
 };
 
+/// How commanded velocities are guarded.
+struct GuardParameters {
+  bool enabled = false;
+  double latency = 0.02;          ///< from when a command is published until the robot follows it [s], 0 to 1
+  double command_timeout = 0.05;  ///< age at which a command gives zero [s], 0.001 to 1
+  double sample_age = 0.05;       ///< age at which a joint sample gives zero [s], 0.001 to 1
+  double linear_deceleration = 0.0;   ///< of the operational point, at least [m/s^2]; must be stated
+  double angular_deceleration = 0.0;  ///< of the platform, at least [rad/s^2]; must be stated if it turns
+  double recovery = 0.2;              ///< in which the scale rises from 0 to 1 [s], 0 to 60
+  /// The point whose velocity is commanded, in the platform frame [m].
+  std::vector<double> reference_point{0.0, 0.0, 0.0};
+};
+
 /// What the thresholds of each hazard are.
 DistanceThresholds::Options thresholds_of(const ThresholdParameters& parameters);
 
@@ -51,6 +64,7 @@ struct NodeOptions {
   TrackerOptions tracking;
   PassiveOptions passive;
   ThresholdParameters thresholds;
+  GuardParameters guard;
   double distance_rate = 50.0;        ///< how often distances are measured [Hz], 0.1 to 1000
   double joint_states_timeout = 0.5;  ///< age at which the last sample is stale [s], 0.001 to 3600
   /// Of messages with some of the actuated joints: two values of an actuated joint are no farther apart [s],

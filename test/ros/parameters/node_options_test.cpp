@@ -47,6 +47,28 @@ TEST(OptionsFrom, TheLongestIntervalIsTheTimeoutUnlessItIsStated) {
   EXPECT_TRUE(problems_of(options, *test::five_bar(), "/node/").empty());
 }
 
+TEST(OptionsFrom, AGuardNeedsItsDecelerations) {
+  XmlRpcValue parameters;
+  parameters["guard"]["enabled"] = true;
+  parameters["guard"]["latency"] = 0.03;
+  Problems problems;
+  NodeOptions options = options_from(parameters, "/node/", problems);
+  EXPECT_TRUE(problems.empty());
+  EXPECT_EQ(options.guard.latency, 0.03);
+  EXPECT_TRUE(mention(problems_of(options, *test::five_bar(), "/node/"), "/node/guard/linear_deceleration"));
+  EXPECT_FALSE(mention(problems_of(options, *test::five_bar(), "/node/"), "angular_deceleration"));
+  EXPECT_TRUE(
+      mention(problems_of(options, *test::agile_eye(), "/node/"), "/node/guard/angular_deceleration"));
+  EXPECT_FALSE(mention(problems_of(options, *test::agile_eye(), "/node/"), "linear_deceleration"));
+  options.guard.linear_deceleration = 2.0;
+  EXPECT_TRUE(problems_of(options, *test::five_bar(), "/node/").empty());
+  options.guard.command_timeout = not_a_number;
+  options.guard.reference_point = {0.0, 1.0};
+  EXPECT_EQ(problems_of(options, *test::five_bar(), "/node/").size(), 2U);
+  options = NodeOptions();
+  EXPECT_TRUE(problems_of(options, *test::agile_eye(), "/node/").empty());
+}
+
 TEST(OptionsFrom, ReadsEveryParameter) {
   XmlRpcValue parameters;
   parameters["map"]["resolution"] = 0.25;

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "motion/guard/issued_motion.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace parallel_aspects {
+
+bool IssuedMotion::issue(double time, const TaskVector& twist, double brake) noexcept {
+  if (!std::isfinite(time)) return false;
+  if (count_ > 0 && time < at(count_ - 1).time) forget();  // time began anew
+  drop_before(time - oldest_sample_);
+  const bool stands = twist.isZero(0.0);
+  // A robot that is told to stop again and again needs no list of it.
+  if (stands && count_ > 0 && at(count_ - 1).twist.isZero(0.0)) return true;
+  if (merge(time, twist, brake)) return true;
+  if (count_ == most) return false;
+  commands_[(first_ + count_++) % most] = {time, brake, 0.0, 0.0, twist};
+  return true;
+}
+
+// As many a time as are kept at the highest rate, with some to spare. The first of a series stands for it.
+bool IssuedMotion::merge(double time, const TaskVector& twist, double brake) noexcept {
+  if (count_ == 0) return false;
+  Command& last = commands_[(first_ + count_ - 1) % most];
+  const double grain = std::max(latency_ + oldest_sample_, last.brake) / 32.0;
+  const TaskVector off = twist - last.twist;
+  if (off.isZero(0.0)) return true;
+  if (!(time < last.time + grain) || last.twist.isZero(0.0) || twist.isZero(0.0)) return false;
+  last.turn_off = std::max(last.turn_off, off.head(turns_).norm());
+  last.slide_off = std::max(last.slide_off, off.tail(off.size() - turns_).norm());
+  last.brake = std::max(last.brake, brake);
+  return true;
+}
+
+void IssuedMotion::drop_before(double time) noexcept {
+  while (count_ > 1 && at(1).time + latency_ + at(0).brake < time) {
+    first_ = (first_ + 1) % most;
+    --count_;
+  }
+}
+
+void IssuedMotion::pending(double seen, double now, Pending& result) const noexcept {
+  result.count = 0;
+  for (std::size_t i = 0; i < count_; ++i) {
+    const bool is_last = i + 1 == count_;
+    const double begin = at(i).time, end = is_last ? now : at(i + 1).time;
+    if (!is_last && end + latency_ + at(i).brake < seen) continue;
+    const double left = is_last ? end - begin : std::min(end - begin, end + latency_ - seen);
+    const bool may_begin_yet = begin + latency_ >= seen;
+    result.list[result.count++] = {at(i).twist,         at(i).turn_off, at(i).slide_off,
+                                   std::max(0.0, left), at(i).brake,    may_begin_yet};
+  }
+}
+
+}  // namespace parallel_aspects
