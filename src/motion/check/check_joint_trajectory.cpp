@@ -2,8 +2,9 @@
 #include "parallel_aspects/motion/check_joint_trajectory.h"
 
 #include "interval/path_form.h"
-#include "model/number_text.h"
+#include "motion/check/check_text.h"
 #include "motion/check/joint_path.h"
+#include "motion/check/segment_times.h"
 #include "motion/check/start_assembly.h"
 #include "motion/check/trajectory_survey.h"
 #include "motion/check/unassembled.h"
@@ -22,14 +23,7 @@ constexpr double narrow_piece = 0x1p-20;  // that is still tried to be proved fr
 constexpr double shortest_piece = 0x1p-36;
 constexpr double longest_probe = 0x1p-6;
 
-// Where times are compared with a proof, rounding must not shorten the bracket.
-constexpr double time_rounding = 0x1p-50;
-
 using JointRanges = std::array<Interval, max_legs>;
-
-double farthest(const Interval& values, double value) {
-  return std::max({0.0, values.upper() - value, value - values.lower()});
-}
 
 /// Follows the platform piece by piece, each of which is proved.
 class JointCheck {
@@ -39,19 +33,18 @@ class JointCheck {
       : certifier_(certifier),
         manipulator_(*certifier.manipulator()),
         poses_(manipulator_),
-        waypoints_(waypoints),
+        times_(waypoints),
         options_(options),
         survey_(manipulator_, check_) {}
 
   TrajectoryCheck run(const TrajectoryStart& start) {
-    check_.free_until = waypoints_.front().time;
-    StartAssembly assembly = find_start(manipulator_, poses_, waypoints_.front().q, start);
+    check_.free_until = times_.from(0).time;
+    StartAssembly assembly = find_start(manipulator_, poses_, times_.from(0).q, start);
     check_.reason = assembly.problem;
     if (!assembly.problem.empty()) return check_;
     at_ = assembly.point;
     begin();
-    const std::size_t segments = std::max<std::size_t>(waypoints_.size() - 1, 1);
-    for (std::size_t i = 0; i < segments && outcome_ == Outcome::open; ++i) pass(i);
+    for (std::size_t i = 0; i < times_.count() && outcome_ == Outcome::open; ++i) pass(i);
     conclude();
     return check_;
   }
@@ -59,18 +52,6 @@ class JointCheck {
  private:
   enum class Outcome { open, violated, lost, stretched, cut_short };
   enum class Piece { taken, not_followed, not_free };
-
-  const JointWaypoint& end_of(std::size_t i) const {
-    return waypoints_[std::min(i + 1, waypoints_.size() - 1)];
-  }
-
-  double time_at(std::size_t i, double share) const {
-    return waypoints_[i].time + share * (end_of(i).time - waypoints_[i].time);
-  }
-
-  double rounding_of(std::size_t i) const {
-    return time_rounding * std::max(std::abs(waypoints_[i].time), std::abs(end_of(i).time));
-  }
 
   void begin() {
     const RoundingUpward upward;
@@ -83,14 +64,14 @@ class JointCheck {
     }
     JointRanges q;
     for (std::size_t j = 0; j < manipulator_.leg_count(); ++j)
-      q[j] = Interval(waypoints_.front().q[static_cast<Eigen::Index>(j)]);
+      q[j] = Interval(times_.from(0).q[static_cast<Eigen::Index>(j)]);
     if (outcome_ == Outcome::open) look_for_violation(q, check_.free_until);
     survey_.add(check_.free_until, at_.pose, at_.q);
   }
 
   void pass(std::size_t i) {
     const RoundingUpward upward;
-    const JointPath path(waypoints_[i], end_of(i));
+    const JointPath path(times_.from(i), times_.to(i));
     double share = 0.0;
     for (int parts = 0; share < 1.0 && outcome_ == Outcome::open; ++parts) {
       if (parts == options_.max_parts) outcome_ = Outcome::cut_short;
@@ -114,8 +95,7 @@ class JointCheck {
     outcome_ = Outcome::lost;
     for (double ahead = shortest_piece; share + ahead < 1.0; ahead *= 2.0) {
       if (!proved_unassembled(manipulator_, ranges_at(path, share + ahead))) continue;
-      const double time = time_at(i, share + ahead) + rounding_of(i);
-      return violate(Violation::singularity, {}, {}, std::min(end_of(i).time, time));
+      return violate(Violation::singularity, {}, {}, times_.after(i, share + ahead));
     }
   }
 
@@ -135,7 +115,7 @@ class JointCheck {
       const Interval first = path.value(j, begin), last = path.value(j, end);
       target[k] = 0.5 * (last.lower() + last.upper());
       const double bent = path.bend(j, begin, end);
-      bend[k] = bent + std::max(farthest(first, at_.q[k]), farthest(last, target[k]));
+      bend[k] = bent + std::max(magnitude(first - Interval(at_.q[k])), magnitude(last - Interval(target[k])));
       range[j] = Interval(std::min(first.lower(), last.lower()), std::max(first.upper(), last.upper())) +
                  Interval(-bent, bent);
     }
@@ -153,7 +133,7 @@ class JointCheck {
       const JointLimits& limits = manipulator_.leg(j).limits;
       if (has_limits() && !(range[j].lower() >= limits.lower && range[j].upper() <= limits.upper))
         return false;
-      const double change = farthest(range[j], at_.q[static_cast<Eigen::Index>(j)]);
+      const double change = magnitude(range[j] - Interval(at_.q[static_cast<Eigen::Index>(j)]));
       if (poses_.entry_sign(at_, j, radius, change) != mode_.sign(j)) return false;
     }
     return !has_others() || around(radius).free;
@@ -177,12 +157,11 @@ class JointCheck {
 
   void arrive(std::size_t i, const JointPath& path, double share) {
     if (is_free_) {
-      check_.free_until =
-          share >= 1.0 ? end_of(i).time : std::max(waypoints_[i].time, time_at(i, share) - rounding_of(i));
-      survey_.add(time_at(i, share), at_.pose, at_.q);
+      check_.free_until = times_.before(i, share);
+      survey_.add(times_.at(i, share), at_.pose, at_.q);
       return;
     }
-    look_for_violation(ranges_at(path, share), std::min(end_of(i).time, time_at(i, share) + rounding_of(i)));
+    look_for_violation(ranges_at(path, share), times_.after(i, share));
   }
 
   /// Here, where the joints are within `q`.
@@ -191,7 +170,7 @@ class JointCheck {
     TaskVector change(at_.q.size());
     for (std::size_t j = 0; j < legs; ++j) {
       const auto k = static_cast<Eigen::Index>(j);
-      change[k] = farthest(q[j], at_.q[k]);
+      change[k] = magnitude(q[j] - Interval(at_.q[k]));
       const JointLimits& limits = manipulator_.leg(j).limits;
       if (has_limits() && (q[j].upper() < limits.lower || q[j].lower() > limits.upper))
         return violate(Violation::joint_limit, j, ConstraintKind::actuated_limits, time);
@@ -216,7 +195,6 @@ class JointCheck {
   }
 
   void conclude() {
-    const std::string free = "Proved free until " + number_text(check_.free_until, 9) + " s; just after it ";
     check_.answer = outcome_ == Outcome::violated           ? TrajectoryAnswer::unsafe
                     : outcome_ == Outcome::open && is_free_ ? TrajectoryAnswer::safe
                                                             : TrajectoryAnswer::unknown;
@@ -227,15 +205,15 @@ class JointCheck {
     else if (outcome_ == Outcome::stretched)
       check_.reason = "A leg is stretched or folded at the start (B_jj = 0), or too near to it.";
     else if (outcome_ == Outcome::lost && is_free_)
-      check_.reason = free + "it comes too near to det A = 0 to be followed.";
+      check_.reason = undecided_text(check_.free_until, "it comes too near to det A = 0 to be followed");
     else
-      check_.reason = free + "it comes too near to a singularity or a limit to be determined.";
+      check_.reason = undecided_text(check_.free_until, near_something_text());
   }
 
   const SegmentCertifier& certifier_;
   const Manipulator& manipulator_;
   PoseCertifier poses_;
-  const std::vector<JointWaypoint>& waypoints_;
+  SegmentTimes<JointWaypoint> times_;
   const TrajectoryCheckOptions& options_;
   TrajectoryCheck check_;
   TrajectorySurvey survey_;
@@ -245,8 +223,6 @@ class JointCheck {
   bool is_free_ = true;            // proved up to here
   Outcome outcome_ = Outcome::open;
 };
-
-std::string numbered(std::size_t index) { return "Waypoint " + std::to_string(index + 1); }
 
 bool is_usable(const JointVector& values, Eigen::Index legs, bool required) {
   return values.size() == 0 ? !required : values.size() == legs && values.allFinite();
@@ -269,11 +245,10 @@ Problems problems_of(const Manipulator& manipulator, const std::vector<JointWayp
   if (waypoints.empty()) return {"The trajectory has no waypoint; give one or more."};
   Problems problems;
   const auto legs = static_cast<Eigen::Index>(manipulator.leg_count());
-  for (std::size_t i = 0; i < waypoints.size(); ++i) check_numbers(waypoints[i], numbered(i), legs, problems);
+  for (std::size_t i = 0; i < waypoints.size(); ++i)
+    check_numbers(waypoints[i], waypoint_text(i), legs, problems);
   if (!problems.empty()) return problems;
-  for (std::size_t i = 1; i < waypoints.size(); ++i)
-    if (!(waypoints[i].time > waypoints[i - 1].time))
-      problems.push_back(numbered(i) + " is not later than the one before; times must rise.");
+  require_rising_times(waypoints, problems);
   if (manipulator.tolerance() > 0.0)
     problems.emplace_back(
         "Trajectories of actuated joints are not checked within a tolerance; leave it out.");
@@ -286,10 +261,8 @@ TrajectoryCheck check_trajectory(const SegmentCertifier& certifier,
                                  const std::vector<JointWaypoint>& waypoints, const TrajectoryStart& start,
                                  const TrajectoryCheckOptions& options) {
   const Problems problems = problems_of(*certifier.manipulator(), waypoints, start);
-  if (problems.empty()) return JointCheck(certifier, waypoints, options).run(start);
-  TrajectoryCheck check;
-  check.reason = problems.front();
-  return check;
+  if (!problems.empty()) return refused(problems);
+  return JointCheck(certifier, waypoints, options).run(start);
 }
 
 }  // namespace parallel_aspects

@@ -24,15 +24,6 @@ class TrajectorySurvey {
   JointVector last_;  // empty before the first sample
 };
 
-/// The reason of a trajectory that is safe, a sentence.
-std::string safe_text();
-
-/// The reason of one that is not.
-std::string unsafe_text(const Manipulator& manipulator, const TrajectoryViolation& violation);
-
-/// A sentence without its dot: what is violated, by which leg or constraint.
-std::string violation_text(const Manipulator& manipulator, const TrajectoryViolation& violation);
-
 }  // namespace parallel_aspects
 
 #endif  // PARALLEL_ASPECTS_MOTION_CHECK_TRAJECTORY_SURVEY_H
