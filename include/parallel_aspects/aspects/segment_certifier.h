@@ -84,9 +84,9 @@ class SegmentCertifier {
 
   /// The same over all of the segment, both poses in the task space, and where it is blocked as near as it
   /// can to the first violation: `witness` and `free_until` are at most `width` apart unless the parts are
-  /// used up. Where `from` is violated itself, both are 0.
+  /// used up. Where the start is violated itself, both are there. It starts at t = `begin`, 0 to 1.
   SegmentProof prove_to_violation(const Pose& from, const Pose& to, const WorkingMode& mode, double width,
-                                  int max_parts = 2000) const noexcept;
+                                  int max_parts = 2000, double begin = 0.0) const noexcept;
 
   /// What is proved of every pose of the task space that is at most so far from this one: by `displacement`
   /// of the operational point [m] and by `angle` [rad].

@@ -43,6 +43,17 @@ struct TrajectoryViolation {
   double before = 0.0;                       ///< proved to be violated here or earlier [s]
 };
 
+/// A singularity that is passed, and where the trajectory goes on behind it. Passed an odd number of times
+/// within the bracket.
+struct TrajectoryCrossing {
+  Violation kind = Violation::singularity;  ///< or `out_of_reach`: B_jj = 0
+  std::optional<std::size_t> leg;           ///< whose B_jj vanishes
+  double after = 0.0;                       ///< later than this [s]
+  double before = 0.0;                      ///< passed by this time [s]
+  std::optional<WorkingMode> mode;          ///< that it goes on in; nothing where it is not followed further
+  int determinant_sign = 0;                 ///< of det A that it goes on with; 0 where that is not known
+};
+
 /// The least value that was met, of samples.
 struct SampledLeast {
   double value = std::numeric_limits<double>::infinity();  ///< infinite where nothing was sampled
@@ -62,6 +73,9 @@ struct TrajectoryCheck {
   std::string reason;                                   ///< a sentence
   double free_until = 0.0;                              ///< proved free from the start to here [s]
   std::optional<TrajectoryViolation> violation;         ///< where unsafe: the first
+  std::vector<TrajectoryCrossing> crossings;            ///< of singularities, proved, up to `followed_until`
+  double followed_until = 0.0;                          ///< none up to here but in those brackets [s]
+  std::string not_followed;                             ///< why not to the end, a sentence; else empty
   SampledLeast parallel_index;                          ///< by `parallel_index`, up to `free_until`
   SampledLeast serial_index;                            ///< by `serial_indices`, up to `free_until`
   std::vector<SampledSpeed> speeds;                     ///< of each actuated joint, up to `free_until`

@@ -82,8 +82,9 @@ class SegmentCertifier::Evaluation {
   }
 
   /// Part by part from a start with this sign of det A, as long as the parts may be.
-  SegmentProof march(int sign, int max_parts) {
+  SegmentProof march(int sign, int max_parts, double begin = 0.0) {
     SegmentProof proof;
+    proof.free_until = begin;
     double step = first_step;
     while (proof.verdict == SegmentVerdict::undecided && proof.parts < max_parts && step >= shortest_step) {
       // Towards a singularity parts become ever shorter; whether one lies ahead shows at single points.
@@ -303,15 +304,21 @@ SegmentProof SegmentCertifier::prove_start(const Pose& from, const Pose& to, con
 }
 
 SegmentProof SegmentCertifier::prove_to_violation(const Pose& from, const Pose& to, const WorkingMode& mode,
-                                                  double width, int max_parts) const noexcept {
-  const ConfigurationProof start = prove(from, mode);
-  if (start.proved_violation != Violation::none)
+                                                  double width, int max_parts, double begin) const noexcept {
+  ConfigurationProof start = prove(from, mode);
+  if (begin <= 0.0 && start.proved_violation != Violation::none)
     return {SegmentVerdict::blocked, start.proved_violation, 0.0, 0.0, 0, start};
-  if (start.sign == 0 || !is_usable(to, longest_length)) return {};
+  if (!parts_->usable || !is_usable(from, longest_length) || !is_usable(to, longest_length) ||
+      mode.leg_count() != parts_->legs.size())
+    return {};
   const RoundingUpward rounding;
   const PoseSegment segment(from, to);
   Evaluation evaluation(*this, segment, mode);
-  SegmentProof proof = evaluation.march(start.sign, max_parts / 2);
+  if (begin > 0.0) start = evaluation.at(begin);
+  if (start.proved_violation != Violation::none)
+    return {SegmentVerdict::blocked, start.proved_violation, begin, begin, 0, start};
+  if (start.sign == 0) return {SegmentVerdict::undecided, Violation::none, begin};
+  SegmentProof proof = evaluation.march(start.sign, max_parts / 2, begin);
   if (proof.verdict != SegmentVerdict::free)
     evaluation.approach_violation(start.sign, width, max_parts, proof);
   return proof;

@@ -38,9 +38,9 @@ class JointCheck {
         survey_(manipulator_, check_) {}
 
   TrajectoryCheck run(const TrajectoryStart& start) {
-    check_.free_until = times_.from(0).time;
+    proved_ = check_.free_until = check_.followed_until = times_.from(0).time;
     StartAssembly assembly = find_start(manipulator_, poses_, times_.from(0).q, start);
-    check_.reason = assembly.problem;
+    check_.reason = check_.not_followed = assembly.problem;
     if (!assembly.problem.empty()) return check_;
     at_ = assembly.point;
     begin();
@@ -50,7 +50,7 @@ class JointCheck {
   }
 
  private:
-  enum class Outcome { open, violated, lost, stretched, cut_short };
+  enum class Outcome { open, folded, lost, stretched, cut_short };
   enum class Piece { taken, not_followed, not_free };
 
   void begin() {
@@ -65,8 +65,8 @@ class JointCheck {
     JointRanges q;
     for (std::size_t j = 0; j < manipulator_.leg_count(); ++j)
       q[j] = Interval(times_.from(0).q[static_cast<Eigen::Index>(j)]);
-    if (outcome_ == Outcome::open) look_for_violation(q, check_.free_until);
-    survey_.add(check_.free_until, at_.pose, at_.q);
+    if (outcome_ == Outcome::open) look_for_violation(q, proved_);
+    survey_.add(proved_, at_.pose, at_.q);
   }
 
   void pass(std::size_t i) {
@@ -95,6 +95,7 @@ class JointCheck {
     outcome_ = Outcome::lost;
     for (double ahead = shortest_piece; share + ahead < 1.0; ahead *= 2.0) {
       if (!proved_unassembled(manipulator_, ranges_at(path, share + ahead))) continue;
+      outcome_ = Outcome::folded;
       return violate(Violation::singularity, {}, {}, times_.after(i, share + ahead));
     }
   }
@@ -139,14 +140,16 @@ class JointCheck {
     return !has_others() || around(radius).free;
   }
 
+  /// Constraints are of no interest once the trajectory is proved not to be safe.
   bool has_others() const {
     ConstraintKinds kinds = manipulator_.constraint_kinds();
     kinds[static_cast<std::size_t>(ConstraintKind::actuated_limits)] = false;
-    return kinds.any();
+    return !check_.violation && kinds.any();
   }
 
   bool has_limits() const {
-    return manipulator_.constraint_kinds()[static_cast<std::size_t>(ConstraintKind::actuated_limits)];
+    return !check_.violation &&
+           manipulator_.constraint_kinds()[static_cast<std::size_t>(ConstraintKind::actuated_limits)];
   }
 
   NeighbourhoodProof around(double radius) const {
@@ -156,12 +159,11 @@ class JointCheck {
   }
 
   void arrive(std::size_t i, const JointPath& path, double share) {
-    if (is_free_) {
-      check_.free_until = times_.before(i, share);
-      survey_.add(times_.at(i, share), at_.pose, at_.q);
-      return;
-    }
-    look_for_violation(ranges_at(path, share), times_.after(i, share));
+    if (!is_free_) return look_for_violation(ranges_at(path, share), times_.after(i, share));
+    proved_ = times_.before(i, share);
+    if (check_.violation) return;
+    check_.free_until = proved_;
+    survey_.add(times_.at(i, share), at_.pose, at_.q);
   }
 
   /// Here, where the joints are within `q`.
@@ -183,31 +185,51 @@ class JointCheck {
       if (sign == -mode_.sign(j)) return violate(Violation::out_of_reach, j, {}, time);
       if (sign == 0) return;
     }
+    if (!has_others()) return;
     const NeighbourhoodProof proof = around(ball.radius);
     if (proof.proved_violation == Violation::constraint)
       violate(Violation::constraint, proof.leg, proof.failing, time);
   }
 
+  /// Notes what is violated by this time, and goes on behind it.
   void violate(Violation kind, std::optional<std::size_t> leg, std::optional<ConstraintKind> constraint,
                double time) {
-    check_.violation = TrajectoryViolation{kind, leg, constraint, check_.free_until, time};
-    outcome_ = Outcome::violated;
+    if (!check_.violation) check_.violation = TrajectoryViolation{kind, leg, constraint, proved_, time};
+    if (is_crossing(kind)) cross(kind, leg, time);
+    is_free_ = outcome_ == Outcome::open;
+  }
+
+  void cross(Violation kind, std::optional<std::size_t> leg, double time) {
+    TrajectoryCrossing crossing{kind, leg, proved_, time, {}, 0};
+    if (leg) {
+      mode_.set_sign(*leg, -mode_.sign(*leg));
+      crossing.mode = mode_;
+      crossing.determinant_sign = poses_.determinant_sign(at_);
+    }
+    check_.crossings.push_back(crossing);
   }
 
   void conclude() {
-    check_.answer = outcome_ == Outcome::violated           ? TrajectoryAnswer::unsafe
-                    : outcome_ == Outcome::open && is_free_ ? TrajectoryAnswer::safe
-                                                            : TrajectoryAnswer::unknown;
-    if (check_.answer == TrajectoryAnswer::safe)
-      check_.reason = safe_text();
-    else if (outcome_ == Outcome::violated)
-      check_.reason = unsafe_text(manipulator_, *check_.violation);
-    else if (outcome_ == Outcome::stretched)
-      check_.reason = "A leg is stretched or folded at the start (B_jj = 0), or too near to it.";
-    else if (outcome_ == Outcome::lost && is_free_)
-      check_.reason = undecided_text(check_.free_until, "it comes too near to det A = 0 to be followed");
-    else
-      check_.reason = undecided_text(check_.free_until, near_something_text());
+    check_.followed_until = proved_;
+    const bool to_the_end = outcome_ == Outcome::open && is_free_;
+    check_.answer = check_.violation ? TrajectoryAnswer::unsafe
+                    : to_the_end     ? TrajectoryAnswer::safe
+                                     : TrajectoryAnswer::unknown;
+    if (!to_the_end) check_.not_followed = not_followed_text(proved_, why_not_further());
+    check_.reason = check_.violation ? unsafe_text(manipulator_, *check_.violation)
+                    : to_the_end     ? safe_text()
+                    : outcome_ == Outcome::stretched
+                        ? "A leg is stretched or folded at the start (B_jj = 0), or too near to it."
+                        : undecided_text(check_.free_until, why_not_further());
+  }
+
+  std::string why_not_further() const {
+    if (outcome_ == Outcome::stretched)
+      return "a leg is stretched or folded (B_jj = 0), or too near to it, already at the start";
+    if (outcome_ == Outcome::folded)
+      return "det A vanishes, and behind it the actuated joints do not tell where the platform goes";
+    if (outcome_ == Outcome::lost && is_free_) return "it comes too near to det A = 0 to be followed";
+    return near_something_text();
   }
 
   const SegmentCertifier& certifier_;
@@ -220,6 +242,7 @@ class JointCheck {
   CertifiedPoint at_;
   WorkingMode mode_;
   double length_ = longest_piece;  // of the next piece
+  double proved_ = 0.0;            // no crossing that is not noted up to here [s]
   bool is_free_ = true;            // proved up to here
   Outcome outcome_ = Outcome::open;
 };

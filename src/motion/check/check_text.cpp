@@ -35,9 +35,15 @@ std::string undecided_text(double free_until, const std::string& why) {
   return "Proved free until " + number_text(free_until, 9) + " s; just after it " + why + ".";
 }
 
+std::string not_followed_text(double followed_until, const std::string& why) {
+  return "Not followed further than " + number_text(followed_until, 9) + " s, since there " + why + ".";
+}
+
 std::string near_something_text() { return "it comes too near to a singularity or a limit to be determined"; }
 
 std::string waypoint_text(std::size_t index) { return "Waypoint " + std::to_string(index + 1); }
+
+bool is_crossing(Violation kind) { return kind == Violation::singularity || kind == Violation::out_of_reach; }
 
 TrajectoryCheck refused(const Problems& problems) {
   TrajectoryCheck check;

@@ -21,11 +21,17 @@ std::string unsafe_text(const Manipulator& manipulator, const TrajectoryViolatio
 /// The reason of one that cannot be decided after it was proved free until a time: "it comes too near ...".
 std::string undecided_text(double free_until, const std::string& why);
 
+/// Why a trajectory is not followed to its end.
+std::string not_followed_text(double followed_until, const std::string& why);
+
 /// Why, where it is not known what it comes near to.
 std::string near_something_text();
 
 /// A sentence without its dot: what is violated, by which leg or constraint.
 std::string violation_text(const Manipulator& manipulator, const TrajectoryViolation& violation);
+
+/// Whether crossing a singularity is what is violated.
+bool is_crossing(Violation kind);
 
 /// Of what cannot be checked: unknown, with the first problem as its reason. There must be one.
 TrajectoryCheck refused(const Problems& problems);

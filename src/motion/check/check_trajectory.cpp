@@ -40,7 +40,9 @@ class PoseCheck {
     check_.free_until = times_.from(0).time;
     check_.answer = TrajectoryAnswer::safe;
     for (std::size_t i = 0; i < times_.count() && check_.answer == TrajectoryAnswer::safe; ++i) pass(i);
+    check_.followed_until = std::max(check_.free_until, check_.followed_until);
     if (check_.answer == TrajectoryAnswer::safe) check_.reason = safe_text();
+    if (check_.answer == TrajectoryAnswer::unknown) check_.not_followed = check_.reason;
     return check_;
   }
 
@@ -51,14 +53,51 @@ class PoseCheck {
     sample(i, proof.free_until);
     check_.free_until = times_.before(i, proof.free_until);
     if (proof.verdict == SegmentVerdict::undecided) leave_open();
-    if (proof.verdict == SegmentVerdict::blocked) block(proof, times_.after(i, proof.witness));
+    if (proof.verdict == SegmentVerdict::blocked) block(i, proof);
   }
 
-  void block(const SegmentProof& proof, double before) {
+  void block(std::size_t i, const SegmentProof& proof) {
     check_.answer = TrajectoryAnswer::unsafe;
     check_.violation = TrajectoryViolation{proof.violation, proof.at_witness.leg, proof.at_witness.failing,
-                                           check_.free_until, before};
+                                           check_.free_until, times_.after(i, proof.witness)};
     check_.reason = unsafe_text(manipulator_, *check_.violation);
+    if (!is_crossing(proof.violation)) return follow(i, proof.free_until);
+    if (cross(i, proof)) follow(i, proof.witness);
+  }
+
+  /// What comes after the first violation: by the legs alone, without constraints.
+  void follow(std::size_t first, double share) {
+    const SegmentCertifier legs(manipulator_.with_constraints({}));
+    for (std::size_t i = first; i < times_.count(); ++i) {
+      SegmentProof proof;
+      for (proof.witness = share; proof.verdict != SegmentVerdict::free;) {
+        proof = legs.prove_to_violation(times_.from(i).pose, times_.to(i).pose, mode_, options_.bracket,
+                                        options_.max_parts, proof.witness);
+        check_.followed_until = times_.before(i, proof.free_until);
+        if (proof.verdict == SegmentVerdict::undecided) {
+          check_.not_followed = not_followed_text(check_.followed_until, near_something_text());
+          return;
+        }
+        if (proof.verdict == SegmentVerdict::blocked && !cross(i, proof)) return;
+      }
+      share = 0.0;
+    }
+  }
+
+  /// Notes a crossing; false where the trajectory is not followed behind it.
+  bool cross(std::size_t i, const SegmentProof& proof) {
+    TrajectoryCrossing crossing{proof.violation,
+                                proof.at_witness.leg,
+                                times_.before(i, proof.free_until),
+                                times_.after(i, proof.witness),
+                                {},
+                                proof.at_witness.sign};
+    const bool goes_on = proof.violation == Violation::singularity;
+    if (goes_on) crossing.mode = mode_;
+    if (!goes_on) check_.not_followed = not_followed_text(crossing.after, "a leg cannot reach the poses");
+    check_.followed_until = crossing.after;
+    check_.crossings.push_back(crossing);
+    return goes_on;
   }
 
   void leave_open() {

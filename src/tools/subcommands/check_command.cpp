@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "model/number_text.h"
 #include "parallel_aspects/motion/check_joint_trajectory.h"
 #include "tools/arguments.h"
 #include "tools/report/bounds_report.h"
@@ -45,8 +46,13 @@ json json_violation(const Manipulator& manipulator, const TrajectoryViolation& v
           {"before", violation.before}};
 }
 
-bool is_crossing(const TrajectoryViolation& violation) {
-  return violation.kind == Violation::singularity || violation.kind == Violation::out_of_reach;
+json json_crossing(const Manipulator& manipulator, const TrajectoryCrossing& crossing) {
+  return {{"kind", name_of(crossing.kind)},
+          {"leg", crossing.leg ? json(manipulator.leg(*crossing.leg).name) : json()},
+          {"after", crossing.after},
+          {"before", crossing.before},
+          {"working_mode", crossing.mode ? json(crossing.mode->signs()) : json()},
+          {"det_a_sign", crossing.determinant_sign != 0 ? json(crossing.determinant_sign) : json()}};
 }
 
 json json_least(const SampledLeast& least) {
@@ -77,11 +83,13 @@ json json_check(const Manipulator& manipulator, const TrajectoryCheck& check) {
                  {"free_until", check.free_until},
                  {"first_violation", nullptr},
                  {"crossings", json::array()},
+                 {"followed_until", check.followed_until},
+                 {"not_followed", check.not_followed.empty() ? json() : json(check.not_followed)},
                  {"least_index", {{"parallel", json_least(check.parallel_index)}, {"serial", serial}}},
                  {"speeds", json_speeds(manipulator, check)}};
   if (check.violation) object["first_violation"] = json_violation(manipulator, *check.violation);
-  if (check.violation && is_crossing(*check.violation))
-    object["crossings"].push_back(object["first_violation"]);
+  for (const TrajectoryCrossing& crossing : check.crossings)
+    object["crossings"].push_back(json_crossing(manipulator, crossing));
   return object;
 }
 
@@ -98,11 +106,24 @@ std::string sampled_text(const Manipulator& manipulator, const TrajectoryCheck& 
   return table.text();
 }
 
+std::string crossings_text(const Manipulator& manipulator, const TrajectoryCheck& check) {
+  if (check.crossings.empty()) return "";
+  TextTable table({"crossing of", ">after [s]", ">before [s]", "goes on in", "det A"});
+  for (const TrajectoryCrossing& crossing : check.crossings)
+    table.add({crossing.leg ? "B_jj = 0 of '" + manipulator.leg(*crossing.leg).name + "'" : "det A = 0",
+               number_text(crossing.after, 9), number_text(crossing.before, 9),
+               crossing.mode ? to_string(*crossing.mode) : "-",
+               crossing.determinant_sign > 0   ? "+"
+               : crossing.determinant_sign < 0 ? "-"
+                                               : "?"});
+  return '\n' + table.text() + check.not_followed + (check.not_followed.empty() ? "" : "\n");
+}
+
 std::string check_text(const Manipulator& manipulator, const TrajectoryCheck& check) {
   std::string text = manipulator.name() + ", safe: " + name(check.answer) + "\n" + check.reason + "\n";
   const std::string fast = exceeded_speeds(manipulator, check);
   if (!fast.empty()) text += "Faster than its velocity limit: " + fast + ".\n";
-  return text + '\n' + sampled_text(manipulator, check);
+  return text + crossings_text(manipulator, check) + '\n' + sampled_text(manipulator, check);
 }
 
 int code_of(TrajectoryAnswer answer) {

@@ -220,6 +220,46 @@ Seen watch(const Manipulator& robot, const Waypoints& waypoints, const Pose& sta
   return {};
 }
 
+bool in_a_bracket(const TrajectoryCheck& check, Number time) {
+  return std::any_of(check.crossings.begin(), check.crossings.end(), [time](const TrajectoryCrossing& each) {
+    return each.after <= time && time <= each.before;
+  });
+}
+
+// Changed by each crossing of the leg, and by nothing else.
+Number expected_sign(const TrajectoryCheck& check, std::size_t leg, Number time) {
+  Number sign = 1;
+  for (const TrajectoryCrossing& each : check.crossings)
+    if (each.leg == leg && each.before < time) sign = -sign;
+  return sign;
+}
+
+// The signs of B_jj and of det A at every sample up to where the trajectory was followed.
+void compare_crossings(const TrajectoryCheck& check, const Manipulator& robot, const Waypoints& waypoints,
+                       const Pose& start, int samples) {
+  Platform platform(robot, start);
+  std::vector<Number> entries;
+  Number determinant = 0;
+  for (std::size_t i = 0; i + 1 < waypoints.size(); ++i)
+    for (int k = 0; k <= samples; ++k) {
+      const JointWaypoint &from = waypoints[i], &to = waypoints[i + 1];
+      const double length = to.time - from.time, time = from.time + length * k / samples;
+      if (time > check.followed_until) return;
+      const double before = from.time + length * std::max(0, k - 1) / samples;
+      const Numbers q = values_at(from, to, time);
+      if (!advance(platform, from, to, before, time, 10)) return;
+      if (entries.empty()) determinant = platform.determinant(q);
+      EXPECT_GT(platform.determinant(q) * determinant, 0) << time;
+      for (std::size_t j = 0; j < robot.leg_count(); ++j) {
+        const Number entry = platform.entry(j, q[static_cast<Eigen::Index>(j)]);
+        if (entries.size() < robot.leg_count()) entries.push_back(entry);
+        if (!in_a_bracket(check, time)) {
+          EXPECT_GT(entry * entries[j] * expected_sign(check, j, time), 0) << time << " leg " << j;
+        }
+      }
+    }
+}
+
 class RandomJoints : public testing::TestWithParam<const char*> {
  protected:
   JointVector noise(const JointVector& scale, double share) {
@@ -277,6 +317,7 @@ std::string text(const Manipulator& robot, const Waypoints& waypoints, const Pos
 
 TEST_P(RandomJoints, AreAnsweredAsNewtonsMethodInExtendedPrecisionSees) {
   int answers[3] = {0, 0, 0}, seen_at[2] = {0, 0}, tight = 0;
+  std::size_t crossings = 0;
   const int samples = test::thinned(300);
   for (int i = 0; i < test::thinned(70); ++i) {
     const WorkingMode mode = pairs.mode();
@@ -288,6 +329,8 @@ TEST_P(RandomJoints, AreAnsweredAsNewtonsMethodInExtendedPrecisionSees) {
     const Seen seen = watch(*robot, waypoints, *start, samples);
     const double interval = 2.0 / samples;
     compare(check, seen);
+    compare_crossings(check, *robot, waypoints, *start, samples);
+    crossings += check.crossings.size();
     if (check.answer == TrajectoryAnswer::safe) {
       EXPECT_EQ(std::min(seen.violation, seen.lost), never);
     }
@@ -302,7 +345,7 @@ TEST_P(RandomJoints, AreAnsweredAsNewtonsMethodInExtendedPrecisionSees) {
   }
   std::cout << GetParam() << ": safe " << answers[0] << ", unsafe " << answers[1] << " (seen within a sample "
             << seen_at[0] << ", bracket that short " << tight << "), unknown " << answers[2]
-            << " (violated or lost " << seen_at[1] << ")\n";
+            << " (violated or lost " << seen_at[1] << "), crossings " << crossings << '\n';
   EXPECT_TRUE(test::is_sanitized || answers[0] > 0);
   EXPECT_GE(20 * seen_at[0], 19 * answers[1]);
   EXPECT_GE(10 * tight, 9 * answers[1]);  // of others, what is met first is not decided

@@ -42,6 +42,22 @@ class Truth {
                         : at.squared_serial();
   }
 
+  // Whether every leg reaches and det A has the sign that the crossings leave it, at samples up to where the
+  // trajectory was followed. Where they do not, the time.
+  double first_wrong_sign(const TrajectoryCheck& check, double interval) const {
+    for (double time = waypoints_.front().time; time < check.followed_until; time += interval) {
+      long double sign = sign_;
+      bool is_open = false;
+      for (const TrajectoryCrossing& each : check.crossings) {
+        if (each.before < time) sign = -sign;
+        is_open = is_open || (each.after <= time && time <= each.before);
+      }
+      const At at(robot_, pose(time), mode_);
+      if (!is_open && !(at.reaches() && sign * at.parallel() > 0)) return time;
+    }
+    return std::numeric_limits<double>::infinity();
+  }
+
   // Of samples at even times; infinite where there is none.
   double first_violation(double interval) const {
     for (double time = waypoints_.front().time; time < waypoints_.back().time; time += interval)
@@ -73,6 +89,7 @@ class Truth {
 
 struct Tally {
   int safe = 0, unsafe = 0, unknown = 0;
+  std::size_t crossings = 0;
 };
 
 class RandomPaths : public testing::TestWithParam<const char*> {
@@ -138,6 +155,8 @@ TEST_P(RandomPaths, AreAnsweredAsDenseSamplesInExtendedPrecisionSay) {
     const TrajectoryCheck check = check_trajectory(certifier, waypoints, mode);
     const Truth truth(*robot, waypoints, mode);
     const double interval = (waypoints.back().time - waypoints.front().time) / test::thinned(1000);
+    EXPECT_EQ(truth.first_wrong_sign(check, interval), std::numeric_limits<double>::infinity());
+    tally.crossings += check.crossings.size();
     if (check.answer == TrajectoryAnswer::safe) {
       EXPECT_EQ(truth.first_violation(interval), std::numeric_limits<double>::infinity());
     }
@@ -150,7 +169,7 @@ TEST_P(RandomPaths, AreAnsweredAsDenseSamplesInExtendedPrecisionSay) {
                                                   : tally.unknown);
   }
   std::cout << GetParam() << ": safe " << tally.safe << ", unsafe " << tally.unsafe << ", unknown "
-            << tally.unknown << '\n';
+            << tally.unknown << ", crossings " << tally.crossings << '\n';
   EXPECT_GT(tally.safe, 0);
   if (robot->name() != "agile_eye") {
     EXPECT_GT(tally.unsafe, 0);
