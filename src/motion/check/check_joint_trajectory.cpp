@@ -5,6 +5,7 @@
 #include "motion/check/check_text.h"
 #include "motion/check/joint_path.h"
 #include "motion/check/segment_times.h"
+#include "motion/check/speed_search.h"
 #include "motion/check/start_assembly.h"
 #include "motion/check/trajectory_survey.h"
 #include "motion/check/unassembled.h"
@@ -18,7 +19,6 @@ namespace parallel_aspects {
 namespace {
 
 // Shares of the time between two waypoints.
-constexpr double longest_piece = 0x1p-3;  // so that there are some samples
 constexpr double narrow_piece = 0x1p-20;  // that is still tried to be proved free
 constexpr double shortest_piece = 0x1p-36;
 constexpr double longest_probe = 0x1p-6;
@@ -35,7 +35,9 @@ class JointCheck {
         poses_(manipulator_),
         times_(waypoints),
         options_(options),
-        survey_(manipulator_, check_) {}
+        survey_(manipulator_, options.keep_samples, check_),
+        longest_piece_(std::min(1.0, static_cast<double>(times_.count()) / std::max(1, options.samples))),
+        length_(longest_piece_) {}
 
   TrajectoryCheck run(const TrajectoryStart& start) {
     proved_ = check_.free_until = check_.followed_until = times_.from(0).time;
@@ -62,17 +64,18 @@ class JointCheck {
       if (sign == 0) outcome_ = Outcome::stretched;
       mode_.set_sign(j, sign < 0 ? -1 : 1);
     }
+    if (outcome_ == Outcome::open) check_.mode = mode_;
     JointRanges q;
     for (std::size_t j = 0; j < manipulator_.leg_count(); ++j)
       q[j] = Interval(times_.from(0).q[static_cast<Eigen::Index>(j)]);
     if (outcome_ == Outcome::open) look_for_violation(q, proved_);
-    survey_.add(proved_, at_.pose, at_.q);
+    survey_.add(proved_, at_.pose, at_.q, 0.0);
   }
 
   void pass(std::size_t i) {
     const RoundingUpward upward;
     const JointPath path(times_.from(i), times_.to(i));
-    double share = 0.0;
+    double share = 0.0, free = 0.0;
     for (int parts = 0; share < 1.0 && outcome_ == Outcome::open; ++parts) {
       if (parts == options_.max_parts) outcome_ = Outcome::cut_short;
       const double end = 1.0 - share <= length_ ? 1.0 : share + length_;
@@ -80,7 +83,8 @@ class JointCheck {
       if (piece == Piece::taken) {
         share = end;
         arrive(i, path, share);
-        length_ = std::min(2.0 * length_, is_free_ ? longest_piece : longest_probe);
+        if (!check_.violation && is_free_) free = share;
+        length_ = std::min(2.0 * length_, is_free_ ? longest_piece_ : longest_probe);
       } else if (piece == Piece::not_free && length_ <= narrow_piece) {
         is_free_ = false;
       } else {
@@ -88,6 +92,21 @@ class JointCheck {
         if (length_ < shortest_piece) lose(i, path, share);
       }
     }
+    measure_speeds(i, path, free);
+  }
+
+  void measure_speeds(std::size_t i, const JointPath& path, double until) {
+    SpeedSearch(check_.speeds)
+        .pass(times_.from(i).time, times_.to(i).time - times_.from(i).time, until,
+              [&](double begin, double end) {
+                SpeedBounds bounds;
+                for (std::size_t j = 0; j < manipulator_.leg_count(); ++j) {
+                  const Interval speed = absolute(path.slope(j, Interval(begin, end)));
+                  bounds.least[j] = speed.lower();
+                  bounds.most[j] = speed.upper();
+                }
+                return std::optional(bounds);
+              });
   }
 
   /// Where no pose goes with the joints a little later, the platform has met det A = 0 before.
@@ -124,6 +143,7 @@ class JointCheck {
     if (!way.step(1.0)) return Piece::not_followed;
     if (is_free_ && !is_free(range, way.radius())) return Piece::not_free;
     at_ = way.at();
+    radius_ += way.radius();
     return Piece::taken;
   }
 
@@ -163,7 +183,8 @@ class JointCheck {
     proved_ = times_.before(i, share);
     if (check_.violation) return;
     check_.free_until = proved_;
-    survey_.add(times_.at(i, share), at_.pose, at_.q);
+    survey_.add(times_.at(i, share), at_.pose, at_.q, radius_);
+    radius_ = 0.0;
   }
 
   /// Here, where the joints are within `q`.
@@ -241,9 +262,11 @@ class JointCheck {
   TrajectorySurvey survey_;
   CertifiedPoint at_;
   WorkingMode mode_;
-  double length_ = longest_piece;  // of the next piece
-  double proved_ = 0.0;            // no crossing that is not noted up to here [s]
-  bool is_free_ = true;            // proved up to here
+  double longest_piece_;  // so that there are enough samples
+  double length_;         // of the next piece
+  double radius_ = 0.0;   // of balls that hold all poses since the last sample, together
+  double proved_ = 0.0;   // no crossing that is not noted up to here [s]
+  bool is_free_ = true;   // proved up to here
   Outcome outcome_ = Outcome::open;
 };
 

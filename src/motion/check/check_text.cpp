@@ -55,10 +55,12 @@ std::string exceeded_speeds(const Manipulator& manipulator, const TrajectoryChec
   std::string text;
   for (std::size_t j = 0; j < check.speeds.size(); ++j) {
     const Leg& leg = manipulator.leg(j);
-    if (!(check.speeds[j].value > leg.limits.velocity)) continue;
+    const FastestMotion& speed = check.speeds[j];
+    const bool exceeds = speed.value > leg.limits.velocity;
+    if (speed.bound <= leg.limits.velocity) continue;
     text += (text.empty() ? "" : ", ") + std::string("'") + leg.actuated_joint + "' at " +
-            number_text(check.speeds[j].value) + (leg.actuated_by_angle() ? " rad/s" : " m/s") + ", limit " +
-            number_text(leg.limits.velocity);
+            (exceeds ? "" : "up to ") + number_text(exceeds ? speed.value : speed.bound) +
+            (leg.actuated_by_angle() ? " rad/s" : " m/s") + ", limit " + number_text(leg.limits.velocity);
   }
   return text;
 }

@@ -3,8 +3,10 @@
 
 #include "motion/check/check_text.h"
 #include "motion/check/segment_times.h"
+#include "motion/check/speed_search.h"
 #include "motion/check/trajectory_survey.h"
 #include "parallel_aspects/kinematics/inverse.h"
+#include "tracking/pose_certifier.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,6 +26,9 @@ std::string unreached(const Manipulator& manipulator, const Pose& pose, const Wo
          "' in working mode " + to_string(mode) + "; start from a pose that it reaches.";
 }
 
+// Of poses in floating point, over the size of the robot: with much room.
+constexpr double sample_rounding = 0x1p-40;
+
 /// Goes from segment to segment for as long as they are free.
 class PoseCheck {
  public:
@@ -34,11 +39,13 @@ class PoseCheck {
         times_(waypoints),
         mode_(mode),
         options_(options),
-        survey_(manipulator_, check_) {}
+        survey_(manipulator_, options.keep_samples, check_),
+        distances_(manipulator_) {}
 
   TrajectoryCheck run() {
     check_.free_until = times_.from(0).time;
     check_.answer = TrajectoryAnswer::safe;
+    check_.mode = mode_;
     for (std::size_t i = 0; i < times_.count() && check_.answer == TrajectoryAnswer::safe; ++i) pass(i);
     check_.followed_until = std::max(check_.free_until, check_.followed_until);
     if (check_.answer == TrajectoryAnswer::safe) check_.reason = safe_text();
@@ -106,14 +113,29 @@ class PoseCheck {
   }
 
   void sample(std::size_t i, double until) {
-    const auto segments = static_cast<int>(times_.count() + 1);
-    const int count = std::max(2, options_.samples / segments + 1);
-    for (int k = 0; k <= count; ++k) {
+    const Pose &from = times_.from(i).pose, &to = times_.to(i).pose;
+    const int count = std::max(1, options_.samples / static_cast<int>(times_.count()) + 1);
+    for (int k = i == 0 ? 0 : 1; k <= count; ++k) {
       const double share = until * k / count;
-      const Pose pose = pose_between(times_.from(i).pose, times_.to(i).pose, share);
+      const Pose pose = pose_between(from, to, share);
       const InverseSolution solution = inverse(manipulator_, pose, mode_);
-      if (solution.status != InverseStatus::out_of_reach) survey_.add(times_.at(i, share), pose, solution.q);
+      if (solution.status == InverseStatus::out_of_reach) continue;
+      survey_.add(times_.at(i, share), pose, solution.q, radius_to(pose));
     }
+    SpeedSearch(check_.speeds)
+        .pass(times_.from(i).time, times_.to(i).time - times_.from(i).time, until,
+              [&](double begin, double end) { return certifier_.joint_speeds(from, to, mode_, begin, end); });
+  }
+
+  /// At least how far poses between the last sample and this one are from either: positions run straight and
+  /// orientations turn about one axis. Samples are off the path by their rounding.
+  double radius_to(const Pose& pose) {
+    if (!options_.keep_samples) return 0.0;
+    const RoundingUpward upward;
+    const double radius = check_.samples.empty() ? 0.0
+                                                 : distances_.distance(check_.samples.back().pose, pose) +
+                                                       sample_rounding * manipulator_.size();
+    return radius;
   }
 
   const SegmentCertifier& certifier_;
@@ -123,6 +145,7 @@ class PoseCheck {
   const TrajectoryCheckOptions& options_;
   TrajectoryCheck check_;
   TrajectorySurvey survey_;
+  PoseCertifier distances_;
 };
 
 }  // namespace

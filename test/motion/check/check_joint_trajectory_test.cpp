@@ -260,6 +260,27 @@ void compare_crossings(const TrajectoryCheck& check, const Manipulator& robot, c
     }
 }
 
+// By differences of samples, which are mean speeds.
+void compare_speeds(const TrajectoryCheck& check, const Waypoints& waypoints, int samples) {
+  if (check.speeds.empty()) return;
+  std::vector<Number> fastest(check.speeds.size(), 0);
+  for (std::size_t i = 0; i + 1 < waypoints.size(); ++i) {
+    const JointWaypoint &from = waypoints[i], &to = waypoints[i + 1];
+    const Number step = (Number(to.time) - from.time) / samples;
+    for (int k = 1; k <= samples && from.time + step * k <= check.free_until; ++k) {
+      const Numbers change =
+          values_at(from, to, from.time + step * k) - values_at(from, to, from.time + step * (k - 1));
+      for (std::size_t j = 0; j < fastest.size(); ++j)
+        fastest[j] = std::max(fastest[j], std::abs(change[static_cast<Eigen::Index>(j)]) / step);
+    }
+  }
+  for (std::size_t j = 0; j < fastest.size(); ++j) {
+    EXPECT_GE(check.speeds[j].bound * (1 + 1e-12), fastest[j]) << j;
+    EXPECT_LE(check.speeds[j].value, check.speeds[j].bound) << j;
+    EXPECT_GE(check.speeds[j].value * 1.002, fastest[j]) << j;
+  }
+}
+
 class RandomJoints : public testing::TestWithParam<const char*> {
  protected:
   JointVector noise(const JointVector& scale, double share) {
@@ -330,6 +351,7 @@ TEST_P(RandomJoints, AreAnsweredAsNewtonsMethodInExtendedPrecisionSees) {
     const double interval = 2.0 / samples;
     compare(check, seen);
     compare_crossings(check, *robot, waypoints, *start, samples);
+    compare_speeds(check, waypoints, samples);
     crossings += check.crossings.size();
     if (check.answer == TrajectoryAnswer::safe) {
       EXPECT_EQ(std::min(seen.violation, seen.lost), never);

@@ -210,6 +210,7 @@ TEST_F(FiveBarPaths, IndicesAndSpeedsAreSampledOnTheWay) {
   EXPECT_GT(found.serial_index.value, 0.0);
   ASSERT_EQ(found.speeds.size(), 2U);
   EXPECT_GT(found.speeds[0].value, 0.1);
+  EXPECT_LE(found.speeds[0].bound, 1.01 * found.speeds[0].value);
 }
 
 TEST_F(FiveBarPaths, BadInputIsSaidInOneSentenceEach) {
