@@ -3,6 +3,7 @@
 
 #include "interval/path_form.h"
 #include "motion/check/check_text.h"
+#include "motion/check/fold.h"
 #include "motion/check/joint_path.h"
 #include "motion/check/segment_times.h"
 #include "motion/check/speed_search.h"
@@ -109,14 +110,33 @@ class JointCheck {
               });
   }
 
-  /// Where no pose goes with the joints a little later, the platform has met det A = 0 before.
+  /// The platform may be near a fold of the solutions; in spaces without rotation it is enough that no pose
+  /// goes with the joints a little later.
   void lose(std::size_t i, const JointPath& path, double share) {
     outcome_ = Outcome::lost;
-    for (double ahead = shortest_piece; share + ahead < 1.0; ahead *= 2.0) {
-      if (!proved_unassembled(manipulator_, ranges_at(path, share + ahead))) continue;
-      outcome_ = Outcome::folded;
-      return violate(Violation::singularity, {}, {}, times_.after(i, share + ahead));
+    std::optional<double> met = fold_after(path, share);
+    for (double ahead = shortest_piece; !met && share + ahead < 1.0; ahead *= 2.0)
+      if (proved_unassembled(manipulator_, ranges_at(path, share + ahead))) met = share + ahead;
+    if (!met) return;
+    outcome_ = Outcome::folded;
+    violate(Violation::singularity, {}, {}, times_.after(i, *met));
+  }
+
+  std::optional<double> fold_after(const JointPath& path, double share) const {
+    const CertifiedBall ball = ball_of(ranges_at(path, share));
+    if (!ball.certified) return std::nullopt;
+    return FoldProof(manipulator_, poses_, path).latest(at_, ball.radius, 0.0, share);
+  }
+
+  /// Of all solutions near `at_` for joints within `q`.
+  CertifiedBall ball_of(const JointRanges& q) const {
+    const TaskVector still = TaskVector::Zero(at_.q.size());
+    TaskVector change = still;
+    for (std::size_t j = 0; j < manipulator_.leg_count(); ++j) {
+      const auto k = static_cast<Eigen::Index>(j);
+      change[k] = magnitude(q[j] - Interval(at_.q[k]));
     }
+    return poses_.ball(at_, still, change, 0.0, 0.0);
   }
 
   JointRanges ranges_at(const JointPath& path, double share) const {
@@ -190,19 +210,16 @@ class JointCheck {
   /// Here, where the joints are within `q`.
   void look_for_violation(const JointRanges& q, double time) {
     const std::size_t legs = manipulator_.leg_count();
-    TaskVector change(at_.q.size());
     for (std::size_t j = 0; j < legs; ++j) {
-      const auto k = static_cast<Eigen::Index>(j);
-      change[k] = magnitude(q[j] - Interval(at_.q[k]));
       const JointLimits& limits = manipulator_.leg(j).limits;
       if (has_limits() && (q[j].upper() < limits.lower || q[j].lower() > limits.upper))
         return violate(Violation::joint_limit, j, ConstraintKind::actuated_limits, time);
     }
-    const TaskVector still = TaskVector::Zero(at_.q.size());
-    const CertifiedBall ball = poses_.ball(at_, still, change, 0.0, 0.0);
+    const CertifiedBall ball = ball_of(q);
     if (!ball.certified) return;
     for (std::size_t j = 0; j < legs; ++j) {
-      const int sign = poses_.entry_sign(at_, j, ball.radius, change[static_cast<Eigen::Index>(j)]);
+      const double change = magnitude(q[j] - Interval(at_.q[static_cast<Eigen::Index>(j)]));
+      const int sign = poses_.entry_sign(at_, j, ball.radius, change);
       if (sign == -mode_.sign(j)) return violate(Violation::out_of_reach, j, {}, time);
       if (sign == 0) return;
     }

@@ -6,6 +6,8 @@
 #include "parallel_aspects/model/manipulator.h"
 #include "tracking/pose_certifier.h"
 
+#include <Eigen/Core>
+
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -44,9 +46,9 @@ class FoldProof {
   /// The path and the certifier must outlive it. Needs a live `RoundingUpward`, as all of it does.
   FoldProof(const Manipulator& manipulator, const PoseCertifier& poses, const JointPath& path) noexcept;
 
-  /// `latest` of the theorem, about as small as it can be shown; nothing where it is not proved. The platform
-  /// was followed from `earliest` to `share`, where `at` is certified.
-  std::optional<double> latest(const CertifiedPoint& at, double earliest, double share) const noexcept;
+  /// `latest` of the theorem; nothing where it is not proved. The platform was followed from `earliest` to
+  /// `share`, where it is within `off` of `at`, in the metric of `PoseCertifier::distance`.
+  std::optional<double> latest(const CertifiedPoint& at, double off, double earliest, double share) noexcept;
 
  private:
   static constexpr int most = max_legs + 1;
@@ -58,10 +60,10 @@ class FoldProof {
   struct Point {
     Pose pose;
     double share = 0.0;
-    Matrix inverse;        // C
-    Vector tangent;        // d
-    double defect = 0.0;   // g
-    double residual = 0.0; // eta
+    Matrix inverse;            // C
+    Vector tangent;            // d
+    double defect = 0.0;       // g
+    double residual = 0.0;     // eta
     LegBounds rod{}, entry{};  // at least |u_j| and |B_jj|
   };
 
@@ -71,19 +73,20 @@ class FoldProof {
   };
 
   struct System {
-    Eigen::Matrix<Interval, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, most, most> matrix;
-    LegVector residual;
+    std::array<std::array<Interval, most>, most> matrix;  // DH(0)
+    std::array<Interval, most> residual;                  // H(0, 0)
   };
 
+  double find_scale(const CertifiedPoint& at, double share) const noexcept;
+  Interval middle_of(std::size_t leg, double share, double& q) const noexcept;
   System enclose(Point& point) const noexcept;
+  bool evaluate(Point& point) const noexcept;
   bool prepare(Point& point, const Vector& onward) const noexcept;
-  Vector newton_step(const Point& point) const noexcept;
   Point moved(const Point& point, const Vector& step) const noexcept;
-  bool find_scale(const CertifiedPoint& at, double share) noexcept;
   double lipschitz(const Point& point, double radius) const noexcept;
   std::optional<Arc> arc(const Point& point, double length) const noexcept;
-  std::optional<Point> next(const Point& point, double length) const noexcept;
-  int determinant_sign(const Point& point, double radius) const noexcept;
+  std::optional<Point> next(const Point& point, double length, double radius) const noexcept;
+  int determinant_sign(const Point& point) const noexcept;
   double distance(const Point& a, const Point& b) const noexcept;
 
   TaskSpace space_;
@@ -91,7 +94,7 @@ class FoldProof {
   const JointPath& path_;
   std::size_t size_, rotational_;
   double length_, robot_size_;
-  mutable double scale_ = 1.0;
+  double scale_ = 0.0;  // of z, over that of s
   std::array<LegForm, max_legs> legs_;
   LegBounds lever_{}, bend_{};
 };
