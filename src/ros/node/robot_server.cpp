@@ -53,6 +53,8 @@ RobotServer::RobotServer(const ros::NodeHandle& nh, const ros::NodeHandle& priva
           setup_.mechanism->manipulator(), monitor_, worker_,
           [this](const auto& pose, std::string& message) { return to_base(pose, message); },
           setup_.options.read_only),
+      checks_(setup_.mechanism->mapped_manipulator(), monitor_,
+              [this](const auto& pose, std::string& message) { return to_base(pose, message); }),
       frame_watch_(setup_.options.frame_prefix + "/", setup_.mechanism->link_names()),
       diagnostics_(on_queue(nh, service_queue_), service_nh_, *setup_.mechanism->manipulator(), monitor_,
                    worker_, frame_watch_),
@@ -92,11 +94,12 @@ RobotServer::~RobotServer() {
 }
 
 void RobotServer::advertise() {
-  serve<GetWorkingMode>("get_working_mode");
-  serve<GetCurrentAspect>("get_current_aspect");
-  serve<GetSingularityDistance>("get_singularity_distance");
-  serve<ListAspects>("list_aspects");
-  serve<SetAssemblyMode>("set_assembly_mode");
+  serve<GetWorkingMode>("get_working_mode", queries_);
+  serve<GetCurrentAspect>("get_current_aspect", queries_);
+  serve<GetSingularityDistance>("get_singularity_distance", queries_);
+  serve<ListAspects>("list_aspects", queries_);
+  serve<SetAssemblyMode>("set_assembly_mode", queries_);
+  serve<CheckTrajectory>("check_trajectory", checks_);
   compute_map_ = std::make_unique<ComputeMapServer>(
       goals_.server_handle(), "compute_map",
       [this](const ComputeMapGoalConstPtr& goal) { on_compute_map(goal); }, false);
@@ -137,12 +140,13 @@ void RobotServer::accept_reconfiguration() {
 }
 
 // A service that was reached returns true: what became of the request is in the response.
-template <typename Service>
-void RobotServer::serve(const std::string& name) {
+template <typename Service, typename Answers>
+void RobotServer::serve(const std::string& name, const Answers& answers) {
   using Request = typename Service::Request;
   using Response = typename Service::Response;
-  const boost::function<bool(Request&, Response&)> callback = [this](Request& request, Response& response) {
-    response = queries_.answer(request);
+  const boost::function<bool(Request&, Response&)> callback = [&answers](Request& request,
+                                                                         Response& response) {
+    response = answers.answer(request);
     return true;
   };
   services_.push_back(service_nh_.advertiseService(name, callback));

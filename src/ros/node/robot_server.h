@@ -6,6 +6,7 @@
 #include "ros/monitor/frame_watch.h"
 #include "ros/monitor/map_worker.h"
 #include "ros/monitor/robot_monitor.h"
+#include "ros/node/check_queries.h"
 #include "ros/node/checked_goals.h"
 #include "ros/node/diagnostics.h"
 #include "ros/node/guarded_queue.h"
@@ -51,8 +52,8 @@ class RobotServer {
   void advertise();
   void subscribe();
   void accept_reconfiguration();
-  template <typename Service>
-  void serve(const std::string& name);
+  template <typename Service, typename Answers>
+  void serve(const std::string& name, const Answers& answers);
 
   void on_joint_states(const ros::MessageEvent<const sensor_msgs::JointState>& event);
   void publish_robot(const TrackedState& tracked, const ros::Time& stamp);
@@ -87,6 +88,7 @@ class RobotServer {
   ros::Publisher state_, transitions_, joint_states_, candidates_, map_progress_;
   MapWorker worker_;
   Queries queries_;
+  CheckQueries checks_;
   FrameWatch frame_watch_;
   Diagnostics diagnostics_;
   LogQueue log_;                    // what the threads of joint_states have to say
