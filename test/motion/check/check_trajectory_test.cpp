@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <iostream>
 #include <limits>
 #include <memory>
@@ -87,6 +88,12 @@ class Truth {
   long double sign_ = 1;
 };
 
+// Of each robot.
+int trajectories() {
+  const char* wanted = std::getenv("CHECKED_TRAJECTORIES");
+  return wanted != nullptr ? static_cast<int>(std::strtoul(wanted, nullptr, 10)) : test::thinned(300);
+}
+
 struct Tally {
   int safe = 0, unsafe = 0, unknown = 0;
   std::size_t crossings = 0;
@@ -147,7 +154,7 @@ void compare_violation(const TrajectoryCheck& check, const Truth& truth, double 
 
 TEST_P(RandomPaths, AreAnsweredAsDenseSamplesInExtendedPrecisionSay) {
   Tally tally;
-  for (int i = 0; i < test::thinned(300); ++i) {
+  for (int i = 0; i < trajectories(); ++i) {
     const WorkingMode mode = pairs.mode();
     const Waypoints waypoints = draw(mode);
     if (waypoints.size() < 2) continue;
