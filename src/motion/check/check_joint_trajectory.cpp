@@ -223,10 +223,19 @@ class JointCheck {
       if (sign == -mode_.sign(j)) return violate(Violation::out_of_reach, j, {}, time);
       if (sign == 0) return;
     }
+    if (check_.violation) return leave_crossing(time);
     if (!has_others()) return;
     const NeighbourhoodProof proof = around(ball.radius);
     if (proof.proved_violation == Violation::constraint)
       violate(Violation::constraint, proof.leg, proof.failing, time);
+  }
+
+  /// All signs are proved again, and are those of the mode: what was not proved since the last crossing is
+  /// part of its bracket.
+  void leave_crossing(double time) {
+    if (check_.crossings.empty() || check_.crossings.back().before < proved_) return;
+    check_.crossings.back().before = proved_ = time;
+    is_free_ = true;
   }
 
   /// Notes what is violated by this time, and goes on behind it.
@@ -239,6 +248,8 @@ class JointCheck {
 
   void cross(Violation kind, std::optional<std::size_t> leg, double time) {
     TrajectoryCrossing crossing{kind, leg, proved_, time, {}, 0};
+    for (const TrajectoryCrossing& each : check_.crossings)  // B_jj has its sign of that time there
+      if (leg && each.leg == leg) crossing.after = std::max(crossing.after, each.before);
     if (leg) {
       mode_.set_sign(*leg, -mode_.sign(*leg));
       crossing.mode = mode_;

@@ -249,30 +249,37 @@ Number expected_sign(const TrajectoryCheck& check, std::size_t leg, Number time)
   return sign;
 }
 
-// The signs of B_jj and of det A at every sample up to where the trajectory was followed.
-void compare_crossings(const TrajectoryCheck& check, const Manipulator& robot, const Waypoints& waypoints,
-                       const Pose& start, int samples) {
+// The signs of B_jj and of det A at every sample up to where the trajectory was followed. How often one of
+// B_jj changes.
+std::size_t compare_crossings(const TrajectoryCheck& check, const Manipulator& robot,
+                              const Waypoints& waypoints, const Pose& start, int samples) {
   Platform platform(robot, start);
   std::vector<Number> entries;
+  std::vector<Number> last;
+  std::size_t changes = 0;
   Number determinant = 0;
   for (std::size_t i = 0; i + 1 < waypoints.size(); ++i)
     for (int k = 0; k <= samples; ++k) {
       const JointWaypoint &from = waypoints[i], &to = waypoints[i + 1];
       const double length = to.time - from.time, time = from.time + length * k / samples;
-      if (time > check.followed_until) return;
+      if (time > check.followed_until) return changes;
       const double before = from.time + length * std::max(0, k - 1) / samples;
       const Numbers q = values_at(from, to, time);
-      if (!advance(platform, from, to, before, time, 10)) return;
+      if (!advance(platform, from, to, before, time, 10)) return changes;
       if (entries.empty()) determinant = platform.determinant(q);
       EXPECT_GT(platform.determinant(q) * determinant, 0) << time;
       for (std::size_t j = 0; j < robot.leg_count(); ++j) {
         const Number entry = platform.entry(j, q[static_cast<Eigen::Index>(j)]);
         if (entries.size() < robot.leg_count()) entries.push_back(entry);
+        if (last.size() < robot.leg_count()) last.push_back(entry);
+        if (last[j] * entry < 0) ++changes;
+        last[j] = entry;
         if (!in_a_bracket(check, time)) {
           EXPECT_GT(entry * entries[j] * expected_sign(check, j, time), 0) << time << " leg " << j;
         }
       }
     }
+  return changes;
 }
 
 // By differences of samples, which are mean speeds.
@@ -353,7 +360,7 @@ std::string text(const Manipulator& robot, const Waypoints& waypoints, const Pos
 
 TEST_P(RandomJoints, AreAnsweredAsNewtonsMethodInExtendedPrecisionSees) {
   int answers[3] = {0, 0, 0}, seen_at[2] = {0, 0}, tight = 0;
-  std::size_t crossings = 0;
+  std::size_t crossings = 0, changes = 0;
   const bool is_se3 = robot->task_space() == TaskSpace::SE3;
   const int samples = is_se3 ? 60 : test::thinned(300);
   for (int i = 0; i < trajectories(70, is_se3); ++i) {
@@ -363,12 +370,15 @@ TEST_P(RandomJoints, AreAnsweredAsNewtonsMethodInExtendedPrecisionSees) {
     const Waypoints waypoints = draw(*start, mode, i % 3);
     SCOPED_TRACE(text(*robot, waypoints, *start));
     const TrajectoryCheck check = check_trajectory(certifier, waypoints, {*start, 0});
-    const Seen seen = watch(*robot, waypoints, *start, samples);
+    Seen seen = watch(*robot, waypoints, *start, samples);
+    // Newton's method may slip to another assembly mode where steps are too long.
+    if (std::min(seen.violation, seen.lost) < check.free_until)
+      seen = watch(*robot, waypoints, *start, 30 * samples);
     const double interval = 2.0 / samples;
     compare(check, seen);
-    compare_crossings(check, *robot, waypoints, *start, samples);
+    changes += compare_crossings(check, *robot, waypoints, *start, samples);
     compare_speeds(check, waypoints, samples);
-    crossings += check.crossings.size();
+    for (const TrajectoryCrossing& each : check.crossings) crossings += each.leg ? 1 : 0;
     if (check.answer == TrajectoryAnswer::safe) {
       EXPECT_EQ(std::min(seen.violation, seen.lost), never);
     }
@@ -383,10 +393,12 @@ TEST_P(RandomJoints, AreAnsweredAsNewtonsMethodInExtendedPrecisionSees) {
   }
   std::cout << GetParam() << ": safe " << answers[0] << ", unsafe " << answers[1] << " (seen within a sample "
             << seen_at[0] << ", bracket that short " << tight << "), unknown " << answers[2]
-            << " (violated or lost " << seen_at[1] << "), crossings " << crossings << '\n';
+            << " (violated or lost " << seen_at[1] << "), changes of B_jj " << crossings << " (sampled "
+            << changes << ")\n";
   EXPECT_TRUE(test::is_sanitized || is_se3 || answers[0] > 0);
   EXPECT_GE(20 * seen_at[0], 19 * answers[1]);
-  EXPECT_GE(10 * tight, 9 * answers[1]);  // of others, what is met first is not decided
+  EXPECT_LE(20 * crossings, 22 * changes + 100);  // samples miss short pairs
+  EXPECT_GE(10 * tight, 9 * answers[1]);          // of others, what is met first is not decided
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, RandomJoints,
