@@ -47,7 +47,7 @@ class PoseCheck {
     check_.answer = TrajectoryAnswer::safe;
     check_.mode = mode_;
     for (std::size_t i = 0; i < times_.count() && check_.answer == TrajectoryAnswer::safe; ++i) pass(i);
-    check_.followed_until = std::max(check_.free_until, check_.followed_until);
+    if (!check_.violation) check_.followed_until = check_.free_until;
     if (check_.answer == TrajectoryAnswer::safe) check_.reason = safe_text();
     if (check_.answer == TrajectoryAnswer::unknown) check_.not_followed = check_.reason;
     return check_;
