@@ -17,6 +17,7 @@ find_package(catkin REQUIRED COMPONENTS
   tf2_geometry_msgs
   tf2_msgs
   tf2_ros
+  trajectory_msgs
   visualization_msgs
 )
 
@@ -38,10 +39,12 @@ add_message_files(FILES
   SingularityReport.msg
   SolvedConfiguration.msg
   Status.msg
+  TrajectoryEvent.msg
 )
 add_service_files(FILES
   ChooseWorkingMode.srv
   Connect.srv
+  CheckTrajectory.srv
   GetCurrentAspect.srv
   GetSingularityDistance.srv
   GetWorkingMode.srv
@@ -56,7 +59,7 @@ generate_dynamic_reconfigure_options(
   cfg/Display.cfg
   cfg/Thresholds.cfg
 )
-generate_messages(DEPENDENCIES actionlib_msgs geometry_msgs std_msgs)
+generate_messages(DEPENDENCIES actionlib_msgs geometry_msgs std_msgs trajectory_msgs)
 
 catkin_package(
   INCLUDE_DIRS include
@@ -77,6 +80,7 @@ catkin_package(
     tf2_geometry_msgs
     tf2_msgs
     tf2_ros
+    trajectory_msgs
     visualization_msgs
   DEPENDS EIGEN3
 )

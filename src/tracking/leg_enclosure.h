@@ -4,10 +4,12 @@
 
 #include "interval/interval.h"
 #include "interval/rotation_rows.h"
+#include "model/matrix_row.h"
 #include "parallel_aspects/model/leg.h"
 #include "parallel_aspects/model/pose.h"
 
 #include <array>
+#include <cstddef>
 
 namespace parallel_aspects {
 
@@ -20,6 +22,14 @@ struct LegEnclosure {
   Interval half_residual;     ///< f_j / 2 [m^2]
   Interval inverse_diagonal;  ///< B_jj
 };
+
+/// A row of A with moments over the characteristic length: of numbers, or what encloses them.
+template <class Scalar, class Vector>
+void write_homogenised_row(TaskSpace space, const Vector& b, const Vector& u, const Scalar& over_length,
+                           std::array<Scalar, max_legs>& row) {
+  write_row(space, b, u, row);
+  for (std::size_t i = 0; i < rotational_degrees_of_freedom(space); ++i) row[i] = row[i] * over_length;
+}
 
 /// A leg prepared for many evaluations: c(q) = fixed + cos q first + sin q second for an actuated revolute
 /// joint, and fixed + q first for a prismatic one. Sine and cosine of the C library are trusted to within

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tracking/pose_certifier.h"
 
-#include "model/matrix_row.h"
-
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -51,14 +49,6 @@ void invert(std::size_t size, const SquareArray<double>& matrix, SquareArray<dou
     default:
       return invert<6>(matrix, inverse);
   }
-}
-
-// A row of A with moments over the characteristic length.
-template <class Scalar, class Vector>
-void write_homogenised_row(TaskSpace space, const Vector& b, const Vector& u, const Scalar& over_length,
-                           std::array<Scalar, max_legs>& row) {
-  write_row(space, b, u, row);
-  for (std::size_t i = 0; i < rotational_degrees_of_freedom(space); ++i) row[i] = row[i] * over_length;
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"
 
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -57,6 +58,12 @@ struct SegmentProof {
   ConfigurationProof at_witness{};  ///< where `prove_to_violation` says blocked: what is proved at `witness`
 };
 
+/// What is proved of how fast actuated joints move, in rad or m over t; one entry a leg.
+struct SpeedBounds {
+  std::array<double, max_legs> least{};  ///< nowhere slower
+  std::array<double, max_legs> most{};   ///< nowhere faster
+};
+
 /// Proves segments of poses (see `PoseSegment`) free of singularities within one working mode, in every task
 /// space, by interval arithmetic with outward rounding: parts of the segment are enclosed to the second order
 /// and A is preconditioned by its inverse at the middle of the part. Immutable; may be used from any number
@@ -84,9 +91,14 @@ class SegmentCertifier {
 
   /// The same over all of the segment, both poses in the task space, and where it is blocked as near as it
   /// can to the first violation: `witness` and `free_until` are at most `width` apart unless the parts are
-  /// used up. Where `from` is violated itself, both are 0.
+  /// used up. Where the start is violated itself, both are there. It starts at t = `begin`, 0 to 1.
   SegmentProof prove_to_violation(const Pose& from, const Pose& to, const WorkingMode& mode, double width,
-                                  int max_parts = 2000) const noexcept;
+                                  int max_parts = 2000, double begin = 0.0) const noexcept;
+
+  /// Bounds of |dq/dt| over the part from `begin` < `end` of a segment. Nothing where the part is not proved
+  /// to be within reach and constraints, or is too long for that.
+  std::optional<SpeedBounds> joint_speeds(const Pose& from, const Pose& to, const WorkingMode& mode,
+                                          double begin, double end) const noexcept;
 
   /// What is proved of every pose of the task space that is at most so far from this one: by `displacement`
   /// of the operational point [m] and by `angle` [rad].

@@ -43,6 +43,17 @@ struct TrajectoryViolation {
   double before = 0.0;                       ///< proved to be violated here or earlier [s]
 };
 
+/// A singularity that is passed, and where the trajectory goes on behind it. Passed an odd number of times
+/// within the bracket.
+struct TrajectoryCrossing {
+  Violation kind = Violation::singularity;  ///< or `out_of_reach`: B_jj = 0
+  std::optional<std::size_t> leg;           ///< whose B_jj vanishes
+  double after = 0.0;                       ///< later than this [s]
+  double before = 0.0;                      ///< passed by this time [s]
+  std::optional<WorkingMode> mode;          ///< that it goes on in; nothing where it is not followed further
+  int determinant_sign = 0;                 ///< of det A that it goes on with; 0 where that is not known
+};
+
 /// The least value that was met, of samples.
 struct SampledLeast {
   double value = std::numeric_limits<double>::infinity();  ///< infinite where nothing was sampled
@@ -50,28 +61,47 @@ struct SampledLeast {
   std::size_t leg = 0;                                     ///< whose it is, of a value by leg
 };
 
-/// The fastest motion of an actuated joint, of samples.
-struct SampledSpeed {
-  double value = 0.0;  ///< mean between two samples [rad/s or m/s]; the joint is at least once as fast
-  double time = 0.0;   ///< at the later of the two [s]
+/// The fastest motion of an actuated joint over all of the continuous time.
+struct FastestMotion {
+  double value = 0.0;  ///< proved: it is at least once as fast [rad/s or m/s]
+  double bound = 0.0;  ///< proved: it is never faster; infinite where that is not known
+  double time = 0.0;   ///< about when it is as fast as `value` [s]
+};
+
+/// One time of a trajectory, in floating point.
+struct TrajectorySample {
+  double time = 0.0;            ///< [s]
+  Pose pose;                    ///< in the task frame
+  JointVector q;                ///< [rad or m]
+  double parallel_index = 0.0;  ///< by `parallel_index`
+  TaskVector serial_indices;    ///< by `serial_indices`
+  /// Between two samples the platform is no farther from either pose than these differ, as RMS over the
+  /// anchors [m]. Proved.
+  double travel = 0.0;
 };
 
 /// What is known of a trajectory.
 struct TrajectoryCheck {
   TrajectoryAnswer answer = TrajectoryAnswer::unknown;  ///< of all of its continuous time
   std::string reason;                                   ///< a sentence
+  std::optional<WorkingMode> mode;                      ///< at the start, where it is known
   double free_until = 0.0;                              ///< proved free from the start to here [s]
   std::optional<TrajectoryViolation> violation;         ///< where unsafe: the first
+  std::vector<TrajectoryCrossing> crossings;            ///< of singularities, proved, up to `followed_until`
+  double followed_until = 0.0;                          ///< none up to here but in those brackets [s]
+  std::string not_followed;                             ///< why not to the end, a sentence; else empty
   SampledLeast parallel_index;                          ///< by `parallel_index`, up to `free_until`
   SampledLeast serial_index;                            ///< by `serial_indices`, up to `free_until`
-  std::vector<SampledSpeed> speeds;                     ///< of each actuated joint, up to `free_until`
+  std::vector<FastestMotion> speeds;                    ///< of each actuated joint, up to `free_until`
+  std::vector<TrajectorySample> samples;  ///< up to `free_until`, at rising times; empty unless asked for
 };
 
 /// How a trajectory is checked.
 struct TrajectoryCheckOptions {
-  double bracket = 1e-6;  ///< width of that of the first violation, over the time between two waypoints
-  int max_parts = 4000;   ///< of the time between two waypoints that are tried to be proved
-  int samples = 200;      ///< of indices and speeds, at least
+  double bracket = 1e-6;      ///< width of that of the first violation, over the time between two waypoints
+  int max_parts = 4000;       ///< of the time between two waypoints that are tried to be proved
+  int samples = 200;          ///< of indices, at least
+  bool keep_samples = false;  ///< whether the result has them
 };
 
 /// Every reason why poses cannot be checked, a message each: no waypoint, numbers that are not finite, times
@@ -85,7 +115,8 @@ TrajectoryCheck check_trajectory(const SegmentCertifier& certifier,
                                  const std::vector<PoseWaypoint>& waypoints, const WorkingMode& mode,
                                  const TrajectoryCheckOptions& options = {});
 
-/// Which actuated joints were faster than their velocity limits, with both numbers; empty where none was.
+/// Which actuated joints are faster than their velocity limits, with both numbers, or may be; empty where
+/// all are proved to keep them.
 std::string exceeded_speeds(const Manipulator& manipulator, const TrajectoryCheck& check);
 
 }  // namespace parallel_aspects

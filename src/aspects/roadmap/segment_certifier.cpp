@@ -81,9 +81,28 @@ class SegmentCertifier::Evaluation {
     return {free, found_.proved_violation, found_.failing, found_.leg};
   }
 
+  /// u.dp = B dq, where u and p are known by their enclosures and dp/dt by their slopes.
+  std::optional<SpeedBounds> speeds(double begin, double end) {
+    if (!legs_are_free(begin, end)) return std::nullopt;
+    const double middle = std::clamp(0.5 * (begin + end), begin, end);
+    const Interval length(PathForm::parameter(begin, middle, end).slope);
+    SpeedBounds bounds;
+    for (std::size_t j = 0; j < parts_.legs.size(); ++j) {
+      Interval rise(0.0);
+      for (std::size_t i = 0; i < 3; ++i) rise += rods_[j][i].range * displacements_[j][i].slope;
+      const Interval entry = parts_.legs[j].scale(displacements_[j]).range * entries_[j].range * length;
+      if (!entry.positive()) return std::nullopt;
+      const Interval speed = absolute(rise) * reciprocal(entry);
+      bounds.least[j] = speed.lower();
+      bounds.most[j] = speed.upper();
+    }
+    return bounds;
+  }
+
   /// Part by part from a start with this sign of det A, as long as the parts may be.
-  SegmentProof march(int sign, int max_parts) {
+  SegmentProof march(int sign, int max_parts, double begin = 0.0) {
     SegmentProof proof;
+    proof.free_until = begin;
     double step = first_step;
     while (proof.verdict == SegmentVerdict::undecided && proof.parts < max_parts && step >= shortest_step) {
       // Towards a singularity parts become ever shorter; whether one lies ahead shows at single points.
@@ -303,18 +322,35 @@ SegmentProof SegmentCertifier::prove_start(const Pose& from, const Pose& to, con
 }
 
 SegmentProof SegmentCertifier::prove_to_violation(const Pose& from, const Pose& to, const WorkingMode& mode,
-                                                  double width, int max_parts) const noexcept {
-  const ConfigurationProof start = prove(from, mode);
-  if (start.proved_violation != Violation::none)
+                                                  double width, int max_parts, double begin) const noexcept {
+  ConfigurationProof start = prove(from, mode);
+  if (begin <= 0.0 && start.proved_violation != Violation::none)
     return {SegmentVerdict::blocked, start.proved_violation, 0.0, 0.0, 0, start};
-  if (start.sign == 0 || !is_usable(to, longest_length)) return {};
+  if (!parts_->usable || !is_usable(from, longest_length) || !is_usable(to, longest_length) ||
+      mode.leg_count() != parts_->legs.size())
+    return {};
   const RoundingUpward rounding;
   const PoseSegment segment(from, to);
   Evaluation evaluation(*this, segment, mode);
-  SegmentProof proof = evaluation.march(start.sign, max_parts / 2);
+  if (begin > 0.0) start = evaluation.at(begin);
+  if (start.proved_violation != Violation::none)
+    return {SegmentVerdict::blocked, start.proved_violation, begin, begin, 0, start};
+  if (start.sign == 0) return {SegmentVerdict::undecided, Violation::none, begin};
+  SegmentProof proof = evaluation.march(start.sign, max_parts / 2, begin);
   if (proof.verdict != SegmentVerdict::free)
     evaluation.approach_violation(start.sign, width, max_parts, proof);
   return proof;
+}
+
+std::optional<SpeedBounds> SegmentCertifier::joint_speeds(const Pose& from, const Pose& to,
+                                                          const WorkingMode& mode, double begin,
+                                                          double end) const noexcept {
+  if (!parts_->usable || !is_usable(from, longest_length) || !is_usable(to, longest_length) ||
+      mode.leg_count() != parts_->legs.size() || !(begin < end))
+    return std::nullopt;
+  const RoundingUpward rounding;
+  const PoseSegment segment(from, to);
+  return Evaluation(*this, segment, mode).speeds(begin, end);
 }
 
 // A rotation by an angle changes no entry of a rotation matrix by more than that angle.

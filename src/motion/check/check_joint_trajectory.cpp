@@ -2,8 +2,11 @@
 #include "parallel_aspects/motion/check_joint_trajectory.h"
 
 #include "interval/path_form.h"
-#include "model/number_text.h"
+#include "motion/check/check_text.h"
+#include "motion/check/fold.h"
 #include "motion/check/joint_path.h"
+#include "motion/check/segment_times.h"
+#include "motion/check/speed_search.h"
 #include "motion/check/start_assembly.h"
 #include "motion/check/trajectory_survey.h"
 #include "motion/check/unassembled.h"
@@ -17,19 +20,11 @@ namespace parallel_aspects {
 namespace {
 
 // Shares of the time between two waypoints.
-constexpr double longest_piece = 0x1p-3;  // so that there are some samples
 constexpr double narrow_piece = 0x1p-20;  // that is still tried to be proved free
 constexpr double shortest_piece = 0x1p-36;
 constexpr double longest_probe = 0x1p-6;
 
-// Where times are compared with a proof, rounding must not shorten the bracket.
-constexpr double time_rounding = 0x1p-50;
-
 using JointRanges = std::array<Interval, max_legs>;
-
-double farthest(const Interval& values, double value) {
-  return std::max({0.0, values.upper() - value, value - values.lower()});
-}
 
 /// Follows the platform piece by piece, each of which is proved.
 class JointCheck {
@@ -39,38 +34,27 @@ class JointCheck {
       : certifier_(certifier),
         manipulator_(*certifier.manipulator()),
         poses_(manipulator_),
-        waypoints_(waypoints),
+        times_(waypoints),
         options_(options),
-        survey_(manipulator_, check_) {}
+        survey_(manipulator_, options.keep_samples, check_),
+        longest_piece_(std::min(1.0, static_cast<double>(times_.count()) / std::max(1, options.samples))),
+        length_(longest_piece_) {}
 
   TrajectoryCheck run(const TrajectoryStart& start) {
-    check_.free_until = waypoints_.front().time;
-    StartAssembly assembly = find_start(manipulator_, poses_, waypoints_.front().q, start);
-    check_.reason = assembly.problem;
+    proved_ = check_.free_until = check_.followed_until = times_.from(0).time;
+    StartAssembly assembly = find_start(manipulator_, poses_, times_.from(0).q, start);
+    check_.reason = check_.not_followed = assembly.problem;
     if (!assembly.problem.empty()) return check_;
     at_ = assembly.point;
     begin();
-    const std::size_t segments = std::max<std::size_t>(waypoints_.size() - 1, 1);
-    for (std::size_t i = 0; i < segments && outcome_ == Outcome::open; ++i) pass(i);
+    for (std::size_t i = 0; i < times_.count() && outcome_ == Outcome::open; ++i) pass(i);
     conclude();
     return check_;
   }
 
  private:
-  enum class Outcome { open, violated, lost, stretched, cut_short };
+  enum class Outcome { open, folded, lost, stretched, cut_short };
   enum class Piece { taken, not_followed, not_free };
-
-  const JointWaypoint& end_of(std::size_t i) const {
-    return waypoints_[std::min(i + 1, waypoints_.size() - 1)];
-  }
-
-  double time_at(std::size_t i, double share) const {
-    return waypoints_[i].time + share * (end_of(i).time - waypoints_[i].time);
-  }
-
-  double rounding_of(std::size_t i) const {
-    return time_rounding * std::max(std::abs(waypoints_[i].time), std::abs(end_of(i).time));
-  }
 
   void begin() {
     const RoundingUpward upward;
@@ -81,17 +65,18 @@ class JointCheck {
       if (sign == 0) outcome_ = Outcome::stretched;
       mode_.set_sign(j, sign < 0 ? -1 : 1);
     }
+    if (outcome_ == Outcome::open) check_.mode = mode_;
     JointRanges q;
     for (std::size_t j = 0; j < manipulator_.leg_count(); ++j)
-      q[j] = Interval(waypoints_.front().q[static_cast<Eigen::Index>(j)]);
-    if (outcome_ == Outcome::open) look_for_violation(q, check_.free_until);
-    survey_.add(check_.free_until, at_.pose, at_.q);
+      q[j] = Interval(times_.from(0).q[static_cast<Eigen::Index>(j)]);
+    if (outcome_ == Outcome::open) look_for_violation(q, proved_);
+    survey_.add(proved_, at_.pose, at_.q, 0.0);
   }
 
   void pass(std::size_t i) {
     const RoundingUpward upward;
-    const JointPath path(waypoints_[i], end_of(i));
-    double share = 0.0;
+    const JointPath path(times_.from(i), times_.to(i));
+    double share = 0.0, free = 0.0;
     for (int parts = 0; share < 1.0 && outcome_ == Outcome::open; ++parts) {
       if (parts == options_.max_parts) outcome_ = Outcome::cut_short;
       const double end = 1.0 - share <= length_ ? 1.0 : share + length_;
@@ -99,7 +84,8 @@ class JointCheck {
       if (piece == Piece::taken) {
         share = end;
         arrive(i, path, share);
-        length_ = std::min(2.0 * length_, is_free_ ? longest_piece : longest_probe);
+        if (!check_.violation && is_free_) free = share;
+        length_ = std::min(2.0 * length_, is_free_ ? longest_piece_ : longest_probe);
       } else if (piece == Piece::not_free && length_ <= narrow_piece) {
         is_free_ = false;
       } else {
@@ -107,16 +93,50 @@ class JointCheck {
         if (length_ < shortest_piece) lose(i, path, share);
       }
     }
+    measure_speeds(i, path, free);
   }
 
-  /// Where no pose goes with the joints a little later, the platform has met det A = 0 before.
+  void measure_speeds(std::size_t i, const JointPath& path, double until) {
+    SpeedSearch(check_.speeds)
+        .pass(times_.from(i).time, times_.to(i).time - times_.from(i).time, until,
+              [&](double begin, double end) {
+                SpeedBounds bounds;
+                for (std::size_t j = 0; j < manipulator_.leg_count(); ++j) {
+                  const Interval speed = absolute(path.slope(j, Interval(begin, end)));
+                  bounds.least[j] = speed.lower();
+                  bounds.most[j] = speed.upper();
+                }
+                return std::optional(bounds);
+              });
+  }
+
+  /// The platform may be near a fold of the solutions; in spaces without rotation it is enough that no pose
+  /// goes with the joints a little later.
   void lose(std::size_t i, const JointPath& path, double share) {
     outcome_ = Outcome::lost;
-    for (double ahead = shortest_piece; share + ahead < 1.0; ahead *= 2.0) {
-      if (!proved_unassembled(manipulator_, ranges_at(path, share + ahead))) continue;
-      const double time = time_at(i, share + ahead) + rounding_of(i);
-      return violate(Violation::singularity, {}, {}, std::min(end_of(i).time, time));
+    std::optional<double> met = fold_after(path, share);
+    for (double ahead = shortest_piece; !met && share + ahead < 1.0; ahead *= 2.0)
+      if (proved_unassembled(manipulator_, ranges_at(path, share + ahead))) met = share + ahead;
+    if (!met) return;
+    outcome_ = Outcome::folded;
+    violate(Violation::singularity, {}, {}, times_.after(i, *met));
+  }
+
+  std::optional<double> fold_after(const JointPath& path, double share) const {
+    const CertifiedBall ball = ball_of(ranges_at(path, share));
+    if (!ball.certified) return std::nullopt;
+    return FoldProof(manipulator_, poses_, path).latest(at_, ball.radius, 0.0, share);
+  }
+
+  /// Of all solutions near `at_` for joints within `q`.
+  CertifiedBall ball_of(const JointRanges& q) const {
+    const TaskVector still = TaskVector::Zero(at_.q.size());
+    TaskVector change = still;
+    for (std::size_t j = 0; j < manipulator_.leg_count(); ++j) {
+      const auto k = static_cast<Eigen::Index>(j);
+      change[k] = magnitude(q[j] - Interval(at_.q[k]));
     }
+    return poses_.ball(at_, still, change, 0.0, 0.0);
   }
 
   JointRanges ranges_at(const JointPath& path, double share) const {
@@ -135,7 +155,7 @@ class JointCheck {
       const Interval first = path.value(j, begin), last = path.value(j, end);
       target[k] = 0.5 * (last.lower() + last.upper());
       const double bent = path.bend(j, begin, end);
-      bend[k] = bent + std::max(farthest(first, at_.q[k]), farthest(last, target[k]));
+      bend[k] = bent + std::max(magnitude(first - Interval(at_.q[k])), magnitude(last - Interval(target[k])));
       range[j] = Interval(std::min(first.lower(), last.lower()), std::max(first.upper(), last.upper())) +
                  Interval(-bent, bent);
     }
@@ -143,6 +163,7 @@ class JointCheck {
     if (!way.step(1.0)) return Piece::not_followed;
     if (is_free_ && !is_free(range, way.radius())) return Piece::not_free;
     at_ = way.at();
+    radius_ += way.radius();
     return Piece::taken;
   }
 
@@ -153,20 +174,22 @@ class JointCheck {
       const JointLimits& limits = manipulator_.leg(j).limits;
       if (has_limits() && !(range[j].lower() >= limits.lower && range[j].upper() <= limits.upper))
         return false;
-      const double change = farthest(range[j], at_.q[static_cast<Eigen::Index>(j)]);
+      const double change = magnitude(range[j] - Interval(at_.q[static_cast<Eigen::Index>(j)]));
       if (poses_.entry_sign(at_, j, radius, change) != mode_.sign(j)) return false;
     }
     return !has_others() || around(radius).free;
   }
 
+  /// Constraints are of no interest once the trajectory is proved not to be safe.
   bool has_others() const {
     ConstraintKinds kinds = manipulator_.constraint_kinds();
     kinds[static_cast<std::size_t>(ConstraintKind::actuated_limits)] = false;
-    return kinds.any();
+    return !check_.violation && kinds.any();
   }
 
   bool has_limits() const {
-    return manipulator_.constraint_kinds()[static_cast<std::size_t>(ConstraintKind::actuated_limits)];
+    return !check_.violation &&
+           manipulator_.constraint_kinds()[static_cast<std::size_t>(ConstraintKind::actuated_limits)];
   }
 
   NeighbourhoodProof around(double radius) const {
@@ -176,77 +199,104 @@ class JointCheck {
   }
 
   void arrive(std::size_t i, const JointPath& path, double share) {
-    if (is_free_) {
-      check_.free_until =
-          share >= 1.0 ? end_of(i).time : std::max(waypoints_[i].time, time_at(i, share) - rounding_of(i));
-      survey_.add(time_at(i, share), at_.pose, at_.q);
-      return;
-    }
-    look_for_violation(ranges_at(path, share), std::min(end_of(i).time, time_at(i, share) + rounding_of(i)));
+    if (!is_free_) return look_for_violation(ranges_at(path, share), times_.after(i, share));
+    proved_ = times_.before(i, share);
+    if (check_.violation) return;
+    check_.free_until = proved_;
+    survey_.add(times_.at(i, share), at_.pose, at_.q, radius_);
+    radius_ = 0.0;
   }
 
   /// Here, where the joints are within `q`.
   void look_for_violation(const JointRanges& q, double time) {
     const std::size_t legs = manipulator_.leg_count();
-    TaskVector change(at_.q.size());
     for (std::size_t j = 0; j < legs; ++j) {
-      const auto k = static_cast<Eigen::Index>(j);
-      change[k] = farthest(q[j], at_.q[k]);
       const JointLimits& limits = manipulator_.leg(j).limits;
       if (has_limits() && (q[j].upper() < limits.lower || q[j].lower() > limits.upper))
         return violate(Violation::joint_limit, j, ConstraintKind::actuated_limits, time);
     }
-    const TaskVector still = TaskVector::Zero(at_.q.size());
-    const CertifiedBall ball = poses_.ball(at_, still, change, 0.0, 0.0);
+    const CertifiedBall ball = ball_of(q);
     if (!ball.certified) return;
     for (std::size_t j = 0; j < legs; ++j) {
-      const int sign = poses_.entry_sign(at_, j, ball.radius, change[static_cast<Eigen::Index>(j)]);
+      const double change = magnitude(q[j] - Interval(at_.q[static_cast<Eigen::Index>(j)]));
+      const int sign = poses_.entry_sign(at_, j, ball.radius, change);
       if (sign == -mode_.sign(j)) return violate(Violation::out_of_reach, j, {}, time);
       if (sign == 0) return;
     }
+    if (check_.violation) return leave_crossing(time);
+    if (!has_others()) return;
     const NeighbourhoodProof proof = around(ball.radius);
     if (proof.proved_violation == Violation::constraint)
       violate(Violation::constraint, proof.leg, proof.failing, time);
   }
 
+  /// All signs are proved again, and are those of the mode: what was not proved since the last crossing is
+  /// part of its bracket.
+  void leave_crossing(double time) {
+    if (check_.crossings.empty() || check_.crossings.back().before < proved_) return;
+    check_.crossings.back().before = proved_ = time;
+    is_free_ = true;
+  }
+
+  /// Notes what is violated by this time, and goes on behind it.
   void violate(Violation kind, std::optional<std::size_t> leg, std::optional<ConstraintKind> constraint,
                double time) {
-    check_.violation = TrajectoryViolation{kind, leg, constraint, check_.free_until, time};
-    outcome_ = Outcome::violated;
+    if (!check_.violation) check_.violation = TrajectoryViolation{kind, leg, constraint, proved_, time};
+    if (is_crossing(kind)) cross(kind, leg, time);
+    is_free_ = outcome_ == Outcome::open;
+  }
+
+  void cross(Violation kind, std::optional<std::size_t> leg, double time) {
+    TrajectoryCrossing crossing{kind, leg, proved_, time, {}, 0};
+    for (const TrajectoryCrossing& each : check_.crossings)  // B_jj has its sign of that time there
+      if (leg && each.leg == leg) crossing.after = std::max(crossing.after, each.before);
+    if (leg) {
+      mode_.set_sign(*leg, -mode_.sign(*leg));
+      crossing.mode = mode_;
+      crossing.determinant_sign = poses_.determinant_sign(at_);
+    }
+    check_.crossings.push_back(crossing);
   }
 
   void conclude() {
-    const std::string free = "Proved free until " + number_text(check_.free_until, 9) + " s; just after it ";
-    check_.answer = outcome_ == Outcome::violated           ? TrajectoryAnswer::unsafe
-                    : outcome_ == Outcome::open && is_free_ ? TrajectoryAnswer::safe
-                                                            : TrajectoryAnswer::unknown;
-    if (check_.answer == TrajectoryAnswer::safe)
-      check_.reason = safe_text();
-    else if (outcome_ == Outcome::violated)
-      check_.reason = unsafe_text(manipulator_, *check_.violation);
-    else if (outcome_ == Outcome::stretched)
-      check_.reason = "A leg is stretched or folded at the start (B_jj = 0), or too near to it.";
-    else if (outcome_ == Outcome::lost && is_free_)
-      check_.reason = free + "it comes too near to det A = 0 to be followed.";
-    else
-      check_.reason = free + "it comes too near to a singularity or a limit to be determined.";
+    check_.followed_until = proved_;
+    const bool to_the_end = outcome_ == Outcome::open && is_free_;
+    check_.answer = check_.violation ? TrajectoryAnswer::unsafe
+                    : to_the_end     ? TrajectoryAnswer::safe
+                                     : TrajectoryAnswer::unknown;
+    if (!to_the_end) check_.not_followed = not_followed_text(proved_, why_not_further());
+    check_.reason = check_.violation ? unsafe_text(manipulator_, *check_.violation)
+                    : to_the_end     ? safe_text()
+                    : outcome_ == Outcome::stretched
+                        ? "A leg is stretched or folded at the start (B_jj = 0), or too near to it."
+                        : undecided_text(check_.free_until, why_not_further());
+  }
+
+  std::string why_not_further() const {
+    if (outcome_ == Outcome::stretched)
+      return "a leg is stretched or folded (B_jj = 0), or too near to it, already at the start";
+    if (outcome_ == Outcome::folded)
+      return "det A vanishes, and behind it the actuated joints do not tell where the platform goes";
+    if (outcome_ == Outcome::lost && is_free_) return "it comes too near to det A = 0 to be followed";
+    return near_something_text();
   }
 
   const SegmentCertifier& certifier_;
   const Manipulator& manipulator_;
   PoseCertifier poses_;
-  const std::vector<JointWaypoint>& waypoints_;
+  SegmentTimes<JointWaypoint> times_;
   const TrajectoryCheckOptions& options_;
   TrajectoryCheck check_;
   TrajectorySurvey survey_;
   CertifiedPoint at_;
   WorkingMode mode_;
-  double length_ = longest_piece;  // of the next piece
-  bool is_free_ = true;            // proved up to here
+  double longest_piece_;  // so that there are enough samples
+  double length_;         // of the next piece
+  double radius_ = 0.0;   // of balls that hold all poses since the last sample, together
+  double proved_ = 0.0;   // no crossing that is not noted up to here [s]
+  bool is_free_ = true;   // proved up to here
   Outcome outcome_ = Outcome::open;
 };
-
-std::string numbered(std::size_t index) { return "Waypoint " + std::to_string(index + 1); }
 
 bool is_usable(const JointVector& values, Eigen::Index legs, bool required) {
   return values.size() == 0 ? !required : values.size() == legs && values.allFinite();
@@ -269,11 +319,10 @@ Problems problems_of(const Manipulator& manipulator, const std::vector<JointWayp
   if (waypoints.empty()) return {"The trajectory has no waypoint; give one or more."};
   Problems problems;
   const auto legs = static_cast<Eigen::Index>(manipulator.leg_count());
-  for (std::size_t i = 0; i < waypoints.size(); ++i) check_numbers(waypoints[i], numbered(i), legs, problems);
+  for (std::size_t i = 0; i < waypoints.size(); ++i)
+    check_numbers(waypoints[i], waypoint_text(i), legs, problems);
   if (!problems.empty()) return problems;
-  for (std::size_t i = 1; i < waypoints.size(); ++i)
-    if (!(waypoints[i].time > waypoints[i - 1].time))
-      problems.push_back(numbered(i) + " is not later than the one before; times must rise.");
+  require_rising_times(waypoints, problems);
   if (manipulator.tolerance() > 0.0)
     problems.emplace_back(
         "Trajectories of actuated joints are not checked within a tolerance; leave it out.");
@@ -286,10 +335,8 @@ TrajectoryCheck check_trajectory(const SegmentCertifier& certifier,
                                  const std::vector<JointWaypoint>& waypoints, const TrajectoryStart& start,
                                  const TrajectoryCheckOptions& options) {
   const Problems problems = problems_of(*certifier.manipulator(), waypoints, start);
-  if (problems.empty()) return JointCheck(certifier, waypoints, options).run(start);
-  TrajectoryCheck check;
-  check.reason = problems.front();
-  return check;
+  if (!problems.empty()) return refused(problems);
+  return JointCheck(certifier, waypoints, options).run(start);
 }
 
 }  // namespace parallel_aspects

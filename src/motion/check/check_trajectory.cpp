@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/motion/check_trajectory.h"
 
-#include "model/number_text.h"
+#include "motion/check/check_text.h"
+#include "motion/check/segment_times.h"
+#include "motion/check/speed_search.h"
 #include "motion/check/trajectory_survey.h"
 #include "parallel_aspects/kinematics/inverse.h"
+#include "tracking/pose_certifier.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace parallel_aspects {
 namespace {
-
-std::string numbered(std::size_t index) { return "Waypoint " + std::to_string(index + 1); }
 
 bool is_finite(const PoseWaypoint& waypoint) {
   return std::isfinite(waypoint.time) && waypoint.pose.position.allFinite() &&
@@ -25,8 +26,8 @@ std::string unreached(const Manipulator& manipulator, const Pose& pose, const Wo
          "' in working mode " + to_string(mode) + "; start from a pose that it reaches.";
 }
 
-/// Where times are compared with a proof, rounding must not shorten the bracket.
-constexpr double time_rounding = 0x1p-50;
+// Of poses in floating point, over the size of the robot: with much room.
+constexpr double sample_rounding = 0x1p-40;
 
 /// Goes from segment to segment for as long as they are free.
 class PoseCheck {
@@ -35,74 +36,116 @@ class PoseCheck {
             const WorkingMode& mode, const TrajectoryCheckOptions& options)
       : certifier_(certifier),
         manipulator_(*certifier.manipulator()),
-        waypoints_(waypoints),
+        times_(waypoints),
         mode_(mode),
         options_(options),
-        survey_(manipulator_, check_) {}
+        survey_(manipulator_, options.keep_samples, check_),
+        distances_(manipulator_) {}
 
   TrajectoryCheck run() {
-    check_.free_until = waypoints_.front().time;
+    check_.free_until = times_.from(0).time;
     check_.answer = TrajectoryAnswer::safe;
-    const std::size_t segments = std::max<std::size_t>(waypoints_.size() - 1, 1);
-    for (std::size_t i = 0; i < segments && check_.answer == TrajectoryAnswer::safe; ++i) pass(i);
+    check_.mode = mode_;
+    for (std::size_t i = 0; i < times_.count() && check_.answer == TrajectoryAnswer::safe; ++i) pass(i);
+    if (!check_.violation) check_.followed_until = check_.free_until;
     if (check_.answer == TrajectoryAnswer::safe) check_.reason = safe_text();
+    if (check_.answer == TrajectoryAnswer::unknown) check_.not_followed = check_.reason;
     return check_;
   }
 
  private:
-  const PoseWaypoint& end_of(std::size_t i) const {
-    return waypoints_[std::min(i + 1, waypoints_.size() - 1)];
-  }
-
-  // A trajectory of one waypoint is a segment of no length.
   void pass(std::size_t i) {
-    const SegmentProof proof = certifier_.prove_to_violation(waypoints_[i].pose, end_of(i).pose, mode_,
+    const SegmentProof proof = certifier_.prove_to_violation(times_.from(i).pose, times_.to(i).pose, mode_,
                                                              options_.bracket, options_.max_parts);
     sample(i, proof.free_until);
-    const double rounding = time_rounding * std::max(std::abs(waypoints_[i].time), std::abs(end_of(i).time));
-    check_.free_until = proof.verdict == SegmentVerdict::free
-                            ? end_of(i).time
-                            : std::max(waypoints_[i].time, time_at(i, proof.free_until) - rounding);
+    check_.free_until = times_.before(i, proof.free_until);
     if (proof.verdict == SegmentVerdict::undecided) leave_open();
-    if (proof.verdict == SegmentVerdict::blocked)
-      block(proof, std::min(end_of(i).time, time_at(i, proof.witness) + rounding));
+    if (proof.verdict == SegmentVerdict::blocked) block(i, proof);
   }
 
-  double time_at(std::size_t i, double share) const {
-    return waypoints_[i].time + share * (end_of(i).time - waypoints_[i].time);
-  }
-
-  void block(const SegmentProof& proof, double before) {
+  void block(std::size_t i, const SegmentProof& proof) {
     check_.answer = TrajectoryAnswer::unsafe;
     check_.violation = TrajectoryViolation{proof.violation, proof.at_witness.leg, proof.at_witness.failing,
-                                           check_.free_until, before};
+                                           check_.free_until, times_.after(i, proof.witness)};
     check_.reason = unsafe_text(manipulator_, *check_.violation);
+    if (!is_crossing(proof.violation)) return follow(i, proof.free_until);
+    if (cross(i, proof)) follow(i, proof.witness);
+  }
+
+  /// What comes after the first violation: by the legs alone, without constraints.
+  void follow(std::size_t first, double share) {
+    const SegmentCertifier legs(manipulator_.with_constraints({}));
+    for (std::size_t i = first; i < times_.count(); ++i) {
+      SegmentProof proof;
+      for (proof.witness = share; proof.verdict != SegmentVerdict::free;) {
+        proof = legs.prove_to_violation(times_.from(i).pose, times_.to(i).pose, mode_, options_.bracket,
+                                        options_.max_parts, proof.witness);
+        check_.followed_until = times_.before(i, proof.free_until);
+        if (proof.verdict == SegmentVerdict::undecided) {
+          check_.not_followed = not_followed_text(check_.followed_until, near_something_text());
+          return;
+        }
+        if (proof.verdict == SegmentVerdict::blocked && !cross(i, proof)) return;
+      }
+      share = 0.0;
+    }
+  }
+
+  /// Notes a crossing; false where the trajectory is not followed behind it.
+  bool cross(std::size_t i, const SegmentProof& proof) {
+    TrajectoryCrossing crossing{proof.violation,
+                                proof.at_witness.leg,
+                                times_.before(i, proof.free_until),
+                                times_.after(i, proof.witness),
+                                {},
+                                proof.at_witness.sign};
+    const bool goes_on = proof.violation == Violation::singularity;
+    if (goes_on) crossing.mode = mode_;
+    if (!goes_on) check_.not_followed = not_followed_text(crossing.after, "a leg cannot reach the poses");
+    check_.followed_until = crossing.after;
+    check_.crossings.push_back(crossing);
+    return goes_on;
   }
 
   void leave_open() {
     check_.answer = TrajectoryAnswer::unknown;
-    check_.reason = "Proved free until " + number_text(check_.free_until, 9) +
-                    " s; just after it comes too near to a singularity or a limit to be determined.";
+    check_.reason = undecided_text(check_.free_until, near_something_text());
   }
 
   void sample(std::size_t i, double until) {
-    const auto segments = static_cast<int>(waypoints_.size());
-    const int count = std::max(2, options_.samples / segments + 1);
-    for (int k = 0; k <= count; ++k) {
+    const Pose &from = times_.from(i).pose, &to = times_.to(i).pose;
+    const int count = std::max(1, options_.samples / static_cast<int>(times_.count()) + 1);
+    for (int k = i == 0 ? 0 : 1; k <= count; ++k) {
       const double share = until * k / count;
-      const Pose pose = pose_between(waypoints_[i].pose, end_of(i).pose, share);
+      const Pose pose = pose_between(from, to, share);
       const InverseSolution solution = inverse(manipulator_, pose, mode_);
-      if (solution.status != InverseStatus::out_of_reach) survey_.add(time_at(i, share), pose, solution.q);
+      if (solution.status == InverseStatus::out_of_reach) continue;
+      survey_.add(times_.at(i, share), pose, solution.q, radius_to(pose));
     }
+    SpeedSearch(check_.speeds)
+        .pass(times_.from(i).time, times_.to(i).time - times_.from(i).time, until,
+              [&](double begin, double end) { return certifier_.joint_speeds(from, to, mode_, begin, end); });
+  }
+
+  /// At least how far poses between the last sample and this one are from either: positions run straight and
+  /// orientations turn about one axis. Samples are off the path by their rounding.
+  double radius_to(const Pose& pose) {
+    if (!options_.keep_samples) return 0.0;
+    const RoundingUpward upward;
+    const double radius = check_.samples.empty() ? 0.0
+                                                 : distances_.distance(check_.samples.back().pose, pose) +
+                                                       sample_rounding * manipulator_.size();
+    return radius;
   }
 
   const SegmentCertifier& certifier_;
   const Manipulator& manipulator_;
-  const std::vector<PoseWaypoint>& waypoints_;
+  SegmentTimes<PoseWaypoint> times_;
   const WorkingMode& mode_;
   const TrajectoryCheckOptions& options_;
   TrajectoryCheck check_;
   TrajectorySurvey survey_;
+  PoseCertifier distances_;
 };
 
 }  // namespace
@@ -128,11 +171,9 @@ Problems problems_of(const Manipulator& manipulator, const std::vector<PoseWaypo
   Problems problems;
   for (std::size_t i = 0; i < waypoints.size(); ++i)
     if (!is_finite(waypoints[i]))
-      problems.push_back(numbered(i) + " has a number that is not finite; correct it.");
+      problems.push_back(waypoint_text(i) + " has a number that is not finite; correct it.");
   if (!problems.empty()) return problems;
-  for (std::size_t i = 1; i < waypoints.size(); ++i)
-    if (!(waypoints[i].time > waypoints[i - 1].time))
-      problems.push_back(numbered(i) + " is not later than the one before; times must rise.");
+  require_rising_times(waypoints, problems);
   const std::string start = unreached(manipulator, waypoints.front().pose, mode);
   if (!start.empty()) problems.push_back(start);
   return problems;
@@ -142,10 +183,8 @@ TrajectoryCheck check_trajectory(const SegmentCertifier& certifier,
                                  const std::vector<PoseWaypoint>& waypoints, const WorkingMode& mode,
                                  const TrajectoryCheckOptions& options) {
   const Problems problems = problems_of(*certifier.manipulator(), waypoints, mode);
-  if (problems.empty()) return PoseCheck(certifier, waypoints, mode, options).run();
-  TrajectoryCheck check;
-  check.reason = problems.front();
-  return check;
+  if (!problems.empty()) return refused(problems);
+  return PoseCheck(certifier, waypoints, mode, options).run();
 }
 
 }  // namespace parallel_aspects

@@ -58,13 +58,25 @@ Interval JointPath::value(std::size_t leg, double s) const noexcept {
   return sum;
 }
 
+// About the middle of the range, so that it is tight to the second order.
+Interval JointPath::slope(std::size_t leg, const Interval& s) const noexcept {
+  const Interval middle(0.5 * (s.lower() + s.upper()));
+  Interval sum(0.0);
+  for (std::size_t k = 6; k-- > 1;) sum = sum * middle + times(static_cast<double>(k), coefficients_[leg][k]);
+  return sum + second(leg, s) * (s - middle);
+}
+
+Interval JointPath::second(std::size_t leg, const Interval& s) const noexcept {
+  Interval sum(0.0);
+  for (std::size_t k = 6; k-- > 2;)
+    sum = sum * s + times(static_cast<double>(k * (k - 1)), coefficients_[leg][k]);
+  return sum;
+}
+
 // The chord of a function whose second derivative is at most m is off by at most m h^2 / 8.
 double JointPath::bend(std::size_t leg, double begin, double end) const noexcept {
-  const Interval s(begin, end), length = Interval(end) - Interval(begin);
-  Interval second(0.0);
-  for (std::size_t k = 6; k-- > 2;)
-    second = second * s + times(static_cast<double>(k * (k - 1)), coefficients_[leg][k]);
-  return (Interval(0.125 * magnitude(second)) * square(length)).upper();
+  const Interval length = Interval(end) - Interval(begin);
+  return (Interval(0.125 * magnitude(second(leg, Interval(begin, end)))) * square(length)).upper();
 }
 
 }  // namespace parallel_aspects

@@ -18,6 +18,12 @@ class JointPath {
   /// Encloses the value of a joint at s [rad or m].
   Interval value(std::size_t leg, double s) const noexcept;
 
+  /// Encloses its derivative over a range of s [rad or m].
+  Interval slope(std::size_t leg, const Interval& s) const noexcept;
+
+  /// Encloses its second derivative over a range of s [rad or m].
+  Interval second(std::size_t leg, const Interval& s) const noexcept;
+
   /// At least how far a joint is from its chord between two s [rad or m].
   double bend(std::size_t leg, double begin, double end) const noexcept;
 

@@ -6,32 +6,23 @@
 
 namespace parallel_aspects {
 
-/// Gathers indices and speeds of a trajectory from samples of it; proves nothing.
+/// Gathers indices of a trajectory from samples of it, and those where they are asked for.
 class TrajectorySurvey {
  public:
   /// Both must outlive it.
-  TrajectorySurvey(const Manipulator& manipulator, TrajectoryCheck& check);
+  TrajectorySurvey(const Manipulator& manipulator, bool keep_samples, TrajectoryCheck& check);
 
-  /// The next sample; times must not fall, and `q` must assemble with the pose.
-  void add(double time, const Pose& pose, const JointVector& q);
+  /// The next sample; times must not fall, and `q` must assemble with the pose. Since the last one the
+  /// platform was no farther from either than `radius`, in the metric of `PoseCertifier::distance` [m].
+  void add(double time, const Pose& pose, const JointVector& q, double radius);
 
  private:
-  void add_speeds(double time, const JointVector& q);
-
   const Manipulator& manipulator_;
+  bool keep_samples_;
   TrajectoryCheck& check_;
-  double last_time_ = 0.0;
-  JointVector last_;  // empty before the first sample
+  double lever_ = 0.0;  // at least the RMS displacement of the anchors over that metric
+  double travel_ = 0.0;
 };
-
-/// The reason of a trajectory that is safe, a sentence.
-std::string safe_text();
-
-/// The reason of one that is not.
-std::string unsafe_text(const Manipulator& manipulator, const TrajectoryViolation& violation);
-
-/// A sentence without its dot: what is violated, by which leg or constraint.
-std::string violation_text(const Manipulator& manipulator, const TrajectoryViolation& violation);
 
 }  // namespace parallel_aspects
 

@@ -2,35 +2,30 @@
 #include "motion/check/unassembled.h"
 
 #include "interval/path_form.h"
+#include "legs/link_points.h"
+#include "legs/spatial_leg.h"
 #include "tracking/leg_enclosure.h"
 
-#include <algorithm>
 #include <cstddef>
 
 namespace parallel_aspects {
 namespace {
 
-using Point = std::array<Interval, 3>;
-
 /// Where a leg keeps the operational point: |X - center|^2 = squared_radius.
 struct Sphere {
-  Point center;
+  IntervalVector center;
   Interval squared_radius;
 };
-
-Interval dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-Point difference(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
 /// Seen from the origin, the anchor is off the proximal point by u = -center. What `q` is off its middle
 /// moves the center at most with the speed of the proximal point, and changes rho^2 at most as 2 B_jj does.
 Sphere sphere_of(const Leg& leg, const Interval& q) {
   const LegForm form(leg);
   const double middle = 0.5 * (q.lower() + q.upper());
-  const double off = std::max(q.upper() - middle, middle - q.lower());
+  const double off = magnitude(q - Interval(middle));
   const LegEnclosure at = form.enclose(Pose{}, nullptr, middle);
   const double moved = form.point_speed() * off;
-  const Interval squared_distance = square(at.u[0]) + square(at.u[1]) + square(at.u[2]);
+  const Interval squared_distance = squared_norm(at.u);
   const double rod = square_root(squared_distance).upper() + moved;
   const double grown = 2.0 * off * (magnitude(at.inverse_diagonal) + form.joint_curvature(rod) * off);
   Sphere sphere;
@@ -51,12 +46,12 @@ Sphere section(Sphere sphere, std::size_t moved) {
 /// Of the center of another sphere from the first, e, and of e.Y for a common point that is Y from the first
 /// center.
 struct Direction {
-  Point e;
+  IntervalVector e;
   Interval product;
 };
 
 Direction direction(const Sphere& first, const Sphere& other) {
-  const Point e = difference(other.center, first.center);
+  const IntervalVector e = other.center - first.center;
   return {e, Interval(0.5) * (dot(e, e) + first.squared_radius - other.squared_radius)};
 }
 

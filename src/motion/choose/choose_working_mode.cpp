@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/motion/choose_working_mode.h"
 
-#include "motion/check/trajectory_survey.h"
+#include "motion/check/check_text.h"
 #include "motion/choose/path_clearance.h"
 #include "motion/choose/path_effort.h"
 #include "parallel_aspects/distance/boundary_distances.h"

@@ -149,18 +149,18 @@ ModeInRegion RegionSurvey::conclude(std::size_t mode) const {
   } else {
     result.answer = TrajectoryAnswer::safe;
     result.determinant_sign = found.with_sign[0] ? 1 : -1;
-    result.least_index = least_index(mode);
+    result.least_index = least_index(mode, result.determinant_sign);
     result.reason = "Proved: all of the region lies in one aspect.";
   }
   return result;
 }
 
 // Always in the box that may hold the least: its lower bound is that of all.
-IndexRange RegionSurvey::least_index(std::size_t mode) const {
+IndexRange RegionSurvey::least_index(std::size_t mode, int sign) const {
   IndexRange range{0.0, std::numeric_limits<double>::infinity()};
   std::priority_queue<Bounded> boxes;
   const auto bound = [&](const Box& box) {
-    return classifier_->enclose_index(0, box, mode, ParallelIndex::normalised, index_share);
+    return classifier_->enclose_index(0, box, mode, sign, ParallelIndex::normalised, index_share);
   };
   const auto add = [&](const Box& box) {
     range.upper = std::min(range.upper, bound(point_box(box)).upper());

@@ -57,7 +57,7 @@ class RegionSurvey {
   void leave_open(const Part& part);
   std::size_t longest_edge(const Box& box) const;
   ModeInRegion conclude(std::size_t mode) const;
-  IndexRange least_index(std::size_t mode) const;
+  IndexRange least_index(std::size_t mode, int sign) const;
   Pose pose(const MapPoint& point) const { return space_->pose({0, point}); }
 
   std::vector<WorkingMode> modes_;

@@ -55,6 +55,8 @@ RobotServer::RobotServer(const ros::NodeHandle& nh, const ros::NodeHandle& priva
           setup_.options.read_only),
       choices_(setup_.mechanism->mapped_manipulator(), worker_,
                [this](const auto& pose, std::string& message) { return to_base(pose, message); }),
+      checks_(setup_.mechanism->mapped_manipulator(), monitor_,
+              [this](const auto& pose, std::string& message) { return to_base(pose, message); }),
       frame_watch_(setup_.options.frame_prefix + "/", setup_.mechanism->link_names()),
       diagnostics_(on_queue(nh, service_queue_), service_nh_, *setup_.mechanism->manipulator(), monitor_,
                    worker_, frame_watch_),
@@ -103,6 +105,7 @@ void RobotServer::advertise() {
   serve<SetAssemblyMode>("set_assembly_mode", queries_);
   serve<ChooseWorkingMode>("choose_working_mode", choices_);
   serve<Connect>("connect", choices_);
+  serve<CheckTrajectory>("check_trajectory", checks_);
   compute_map_ = std::make_unique<ComputeMapServer>(
       goals_.server_handle(), "compute_map",
       [this](const ComputeMapGoalConstPtr& goal) { on_compute_map(goal); }, false);

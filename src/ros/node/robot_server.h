@@ -6,6 +6,7 @@
 #include "ros/monitor/frame_watch.h"
 #include "ros/monitor/map_worker.h"
 #include "ros/monitor/robot_monitor.h"
+#include "ros/node/check_queries.h"
 #include "ros/node/checked_goals.h"
 #include "ros/node/choice_queries.h"
 #include "ros/node/diagnostics.h"
@@ -94,6 +95,7 @@ class RobotServer {
   MapWorker worker_;
   Queries queries_;
   ChoiceQueries choices_;
+  CheckQueries checks_;
   FrameWatch frame_watch_;
   Diagnostics diagnostics_;
   LogQueue log_;                    // what the threads of joint_states have to say

@@ -3,6 +3,7 @@
 
 #include "tools/report/bounds_report.h"
 #include "tools/report/text_table.h"
+#include "tools/report/violation_report.h"
 
 #include <string>
 
@@ -10,30 +11,6 @@ namespace parallel_aspects::tools {
 namespace {
 
 using nlohmann::json;
-
-const char* name_of(Violation kind) {
-  switch (kind) {
-    case Violation::singularity:
-      return "parallel_singularity";
-    case Violation::out_of_reach:
-      return "serial_singularity";
-    case Violation::joint_limit:
-      return "actuated_limit";
-    case Violation::constraint:
-      return "constraint";
-    case Violation::none:
-      break;
-  }
-  return "none";
-}
-
-json json_violation(const Manipulator& manipulator, const TrajectoryViolation& violation) {
-  return {{"kind", name_of(violation.kind)},
-          {"leg", violation.leg ? json(manipulator.leg(*violation.leg).name) : json()},
-          {"constraint", violation.constraint ? json(name(*violation.constraint)) : json()},
-          {"after", violation.after},
-          {"before", violation.before}};
-}
 
 json json_clearance(const Manipulator& manipulator, const PathClearance& clearance) {
   return {{"proved", json_number(clearance.lower)},

@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "model/number_text.h"
 #include "parallel_aspects/motion/check_joint_trajectory.h"
 #include "tools/arguments.h"
+#include "tools/output_file.h"
 #include "tools/report/bounds_report.h"
+#include "tools/report/check_drawing.h"
+#include "tools/report/check_table.h"
+#include "tools/report/numbers.h"
 #include "tools/report/reports.h"
 #include "tools/report/text_table.h"
+#include "tools/report/violation_report.h"
 #include "tools/subcommands.h"
 #include "tools/trajectory_file.h"
 
+#include <array>
 #include <optional>
 #include <utility>
 
@@ -18,35 +25,17 @@ using nlohmann::json;
 struct CheckArguments {
   RobotChoice robot;
   std::string path, mode, trajectory, start_pose, start_sign;
+  std::string csv_file, picture_file, distances;
   ConstraintArguments constraints;
 };
 
-const char* name_of(Violation kind) {
-  switch (kind) {
-    case Violation::singularity:
-      return "parallel_singularity";
-    case Violation::out_of_reach:
-      return "serial_singularity";
-    case Violation::joint_limit:
-      return "actuated_limit";
-    case Violation::constraint:
-      return "constraint";
-    case Violation::none:
-      break;
-  }
-  return "none";
-}
-
-json json_violation(const Manipulator& manipulator, const TrajectoryViolation& violation) {
-  return {{"kind", name_of(violation.kind)},
-          {"leg", violation.leg ? json(manipulator.leg(*violation.leg).name) : json()},
-          {"constraint", violation.constraint ? json(name(*violation.constraint)) : json()},
-          {"after", violation.after},
-          {"before", violation.before}};
-}
-
-bool is_crossing(const TrajectoryViolation& violation) {
-  return violation.kind == Violation::singularity || violation.kind == Violation::out_of_reach;
+json json_crossing(const Manipulator& manipulator, const TrajectoryCrossing& crossing) {
+  return {{"kind", name_of(crossing.kind)},
+          {"leg", crossing.leg ? json(manipulator.leg(*crossing.leg).name) : json()},
+          {"after", crossing.after},
+          {"before", crossing.before},
+          {"working_mode", crossing.mode ? json(crossing.mode->signs()) : json()},
+          {"det_a_sign", crossing.determinant_sign != 0 ? json(crossing.determinant_sign) : json()}};
 }
 
 json json_least(const SampledLeast& least) {
@@ -57,11 +46,15 @@ json json_speeds(const Manipulator& manipulator, const TrajectoryCheck& check) {
   json speeds = json::array();
   for (std::size_t j = 0; j < check.speeds.size(); ++j) {
     const double limit = manipulator.leg(j).limits.velocity;
+    const FastestMotion& speed = check.speeds[j];
     speeds.push_back({{"joint", manipulator.leg(j).actuated_joint},
-                      {"fastest", check.speeds[j].value},
-                      {"time", check.speeds[j].time},
+                      {"fastest", speed.value},
+                      {"never_faster", json_number(speed.bound)},
+                      {"time", speed.time},
                       {"limit", json_number(limit)},
-                      {"exceeded", check.speeds[j].value > limit}});
+                      {"exceeded", speed.value > limit    ? "yes"
+                                   : speed.bound <= limit ? "no"
+                                                          : "unknown"}});
   }
   return speeds;
 }
@@ -77,32 +70,48 @@ json json_check(const Manipulator& manipulator, const TrajectoryCheck& check) {
                  {"free_until", check.free_until},
                  {"first_violation", nullptr},
                  {"crossings", json::array()},
+                 {"followed_until", check.followed_until},
+                 {"not_followed", check.not_followed.empty() ? json() : json(check.not_followed)},
                  {"least_index", {{"parallel", json_least(check.parallel_index)}, {"serial", serial}}},
                  {"speeds", json_speeds(manipulator, check)}};
   if (check.violation) object["first_violation"] = json_violation(manipulator, *check.violation);
-  if (check.violation && is_crossing(*check.violation))
-    object["crossings"].push_back(object["first_violation"]);
+  for (const TrajectoryCrossing& crossing : check.crossings)
+    object["crossings"].push_back(json_crossing(manipulator, crossing));
   return object;
 }
 
-std::string sampled_text(const Manipulator& manipulator, const TrajectoryCheck& check) {
-  TextTable table({"sampled", ">least or fastest", ">at [s]", ">limit"});
+std::string values_text(const Manipulator& manipulator, const TrajectoryCheck& check) {
+  TextTable table(
+      {"up to " + number_text(check.free_until, 9) + " s", ">least or fastest", ">at [s]", ">limit"});
   table.add({"parallel index", shown(check.parallel_index.value), shown(check.parallel_index.time), "-"});
   table.add({"serial index, leg '" + manipulator.leg(check.serial_index.leg).name + "'",
              shown(check.serial_index.value), shown(check.serial_index.time), "-"});
   for (std::size_t j = 0; j < check.speeds.size(); ++j) {
     const Leg& leg = manipulator.leg(j);
     table.add({"speed of '" + leg.actuated_joint + "' [" + joint_unit(leg) + "/s]",
-               shown(check.speeds[j].value), shown(check.speeds[j].time), shown(leg.limits.velocity)});
+               shown(check.speeds[j].bound), shown(check.speeds[j].time), shown(leg.limits.velocity)});
   }
   return table.text();
+}
+
+std::string crossings_text(const Manipulator& manipulator, const TrajectoryCheck& check) {
+  if (check.crossings.empty()) return "";
+  TextTable table({"crossing of", ">after [s]", ">before [s]", "goes on in", "det A"});
+  for (const TrajectoryCrossing& crossing : check.crossings)
+    table.add({crossing.leg ? "B_jj = 0 of '" + manipulator.leg(*crossing.leg).name + "'" : "det A = 0",
+               number_text(crossing.after, 9), number_text(crossing.before, 9),
+               crossing.mode ? to_string(*crossing.mode) : "-",
+               crossing.determinant_sign > 0   ? "+"
+               : crossing.determinant_sign < 0 ? "-"
+                                               : "?"});
+  return '\n' + table.text() + check.not_followed + (check.not_followed.empty() ? "" : "\n");
 }
 
 std::string check_text(const Manipulator& manipulator, const TrajectoryCheck& check) {
   std::string text = manipulator.name() + ", safe: " + name(check.answer) + "\n" + check.reason + "\n";
   const std::string fast = exceeded_speeds(manipulator, check);
-  if (!fast.empty()) text += "Faster than its velocity limit: " + fast + ".\n";
-  return text + '\n' + sampled_text(manipulator, check);
+  if (!fast.empty()) text += "Faster than the velocity limit, or perhaps: " + fast + ".\n";
+  return text + crossings_text(manipulator, check) + '\n' + values_text(manipulator, check);
 }
 
 int code_of(TrajectoryAnswer answer) {
@@ -119,6 +128,13 @@ Report report_check(const Manipulator& manipulator, const TrajectoryCheck& check
   return report;
 }
 
+TrajectoryCheckOptions options_of(const CheckArguments& arguments) {
+  TrajectoryCheckOptions options;
+  options.keep_samples =
+      !arguments.csv_file.empty() || !arguments.picture_file.empty() || !arguments.distances.empty();
+  return options;
+}
+
 TrajectoryCheck check_path(const std::shared_ptr<const Manipulator>& manipulator,
                            const CheckArguments& arguments) {
   Problems problems;
@@ -129,7 +145,7 @@ TrajectoryCheck check_path(const std::shared_ptr<const Manipulator>& manipulator
   const auto waypoints = read_pose_waypoints(manipulator->task_space(), arguments.path);
   problems = problems_of(*manipulator, waypoints, *mode);
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
-  return check_trajectory(SegmentCertifier(manipulator), waypoints, *mode);
+  return check_trajectory(SegmentCertifier(manipulator), waypoints, *mode, options_of(arguments));
 }
 
 TrajectoryStart parse_start(const Manipulator& manipulator, const CheckArguments& arguments) {
@@ -155,7 +171,7 @@ TrajectoryCheck check_joints(const std::shared_ptr<const Manipulator>& manipulat
   const auto waypoints = read_joint_waypoints(*manipulator, arguments.trajectory);
   Problems problems = problems_of(*manipulator, waypoints, start);
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
-  return check_trajectory(SegmentCertifier(manipulator), waypoints, start);
+  return check_trajectory(SegmentCertifier(manipulator), waypoints, start, options_of(arguments));
 }
 
 TrajectoryCheck check(const std::shared_ptr<const Manipulator>& manipulator,
@@ -163,6 +179,37 @@ TrajectoryCheck check(const std::shared_ptr<const Manipulator>& manipulator,
   if (arguments.path.empty() == arguments.trajectory.empty())
     throw InvalidDescription({"Give one of --path, for poses, and --trajectory, for actuated joints."});
   return arguments.path.empty() ? check_joints(manipulator, arguments) : check_path(manipulator, arguments);
+}
+
+void add_distances(const TrajectoryCheck& check, const std::vector<SampleDistances>& distances,
+                   Report& report) {
+  if (distances.empty()) return;
+  const std::array<double, 3> least = least_distances(check, distances);
+  report.text += "\nProved at every time up to " + number_text(check.free_until, 9) + " s: at least";
+  for (std::size_t k = 0; k < least.size(); ++k) {
+    report.json["least_distance"][distance_names[k]] = json_number(least[k]);
+    report.text += std::string(k == 0 ? " " : ", ") + distance_names[k] + " " + shown(least[k]) + " m";
+  }
+  report.text += ".\n";
+}
+
+Report run(const CheckArguments& arguments) {
+  Problems problems;
+  check_output_file("--csv", arguments.csv_file, problems);
+  check_output_file("--picture", arguments.picture_file, problems);
+  const unsigned points =
+      arguments.distances.empty() ? 0 : parse_count("--distances", arguments.distances, 10000, problems);
+  const auto mechanism = load_robot(arguments.robot, std::move(problems));
+  const auto manipulator = choose_constraints(mechanism->mapped_manipulator(), arguments.constraints);
+  const TrajectoryCheck result = check(manipulator, arguments);
+  Report report = report_check(*manipulator, result);
+  const std::vector<SampleDistances> distances = distances_on(manipulator, result, points);
+  add_distances(result, distances, report);
+  if (!arguments.csv_file.empty())
+    write_output_file("Table", arguments.csv_file, check_csv(*manipulator, result, distances));
+  if (!arguments.picture_file.empty())
+    write_output_file("Picture", arguments.picture_file, draw_check(*manipulator, result, distances));
+  return report;
 }
 
 }  // namespace
@@ -185,13 +232,16 @@ Subcommand check_subcommand() {
        "About where the platform is at the start, where actuated joints have several assembly modes",
        &arguments->start_pose});
   options.push_back({"--start-sign", "+", "Or the sign of det A there", &arguments->start_sign});
+  options.push_back(
+      {"--csv", "FILE", "Write time, pose, joints and indices of every sample as CSV", &arguments->csv_file});
+  options.push_back(
+      {"--picture", "FILE", "Draw indices and distances over time as SVG", &arguments->picture_file});
+  options.push_back({"--distances", "N",
+                     "Measure the distances to singularities and limits at so many times, for all three",
+                     &arguments->distances});
   for (const Option& option : constraint_options(arguments->constraints)) options.push_back(option);
-  return {
-      "check", "Tell whether a trajectory is safe at every time", options, [arguments](const Surroundings&) {
-        const auto mechanism = load_robot(arguments->robot);
-        const auto manipulator = choose_constraints(mechanism->mapped_manipulator(), arguments->constraints);
-        return report_check(*manipulator, check(manipulator, *arguments));
-      }};
+  return {"check", "Tell whether a trajectory is safe at every time", options,
+          [arguments](const Surroundings&) { return run(*arguments); }};
 }
 
 }  // namespace parallel_aspects::tools

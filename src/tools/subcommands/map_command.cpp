@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "aspects/file/whole_file.h"
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/map_file.h"
 #include "parallel_aspects/model/constraints.h"
 #include "parallel_aspects/model/problems.h"
 #include "tools/arguments.h"
 #include "tools/computation.h"
+#include "tools/output_file.h"
 #include "tools/report/basins_drawing.h"
 #include "tools/report/basins_report.h"
 #include "tools/report/map_drawing.h"
@@ -14,9 +14,7 @@
 #include "tools/subcommands.h"
 #include "tools/subcommands/unlimited_count.h"
 
-#include <filesystem>
 #include <optional>
-#include <unistd.h>
 #include <utility>
 
 namespace parallel_aspects::tools {
@@ -97,18 +95,6 @@ std::optional<Box> find_region(const MapArguments& arguments, const MapSection& 
   return region && slice ? region_of_slice(*region, *slice, section.file, problems) : region;
 }
 
-/// A long computation is not to be lost to a folder that is not there, or a file that cannot be replaced.
-void check_file(const std::string& option, const std::string& file, Problems& problems) {
-  if (file.empty()) return;
-  const std::filesystem::path folder = std::filesystem::path(file).parent_path();
-  if (access(folder.empty() ? "." : folder.c_str(), W_OK | X_OK) != 0)
-    problems.push_back(option + " is '" + file +
-                       "', which is in no folder that can be written to; give another.");
-  else if (std::error_code error;
-           std::filesystem::exists(file, error) && !std::filesystem::is_regular_file(file, error))
-    problems.push_back(option + " is '" + file + "', which is not a regular file; give another.");
-}
-
 void refuse_options_of_boxes(const MapArguments& arguments, Problems& problems) {
   const auto refuse = [&problems](bool is_given, const std::string& options, const std::string& remedy) {
     if (is_given)
@@ -186,13 +172,6 @@ void save(const AspectMap& map, const MapArguments& arguments) {
   if (!result.saved) throw InvalidDescription({result.message});
 }
 
-void write_picture(const std::string& file, const std::string& svg) {
-  const std::string problem = replace_file(file, Bytes(svg.begin(), svg.end()));
-  if (!problem.empty())
-    throw InvalidDescription({"Picture '" + file + "' is not written, since " + problem +
-                              "; give a file in a folder that can be written to and has room."});
-}
-
 MapBasins basins_of(const AspectMap& map, const MapArguments& arguments, const Surroundings& surroundings) {
   MapControl control;
   control.cancelled = surroundings.interrupted;
@@ -208,11 +187,12 @@ Report load_or_compute(const std::shared_ptr<const Manipulator>& manipulator, co
   const bool loaded = map != nullptr;
   if (!loaded) map = compute(manipulator, options, surroundings);
   save(*map, arguments);
-  if (!arguments.picture_file.empty()) write_picture(arguments.picture_file, draw_map(*map));
+  if (!arguments.picture_file.empty()) write_output_file("Picture", arguments.picture_file, draw_map(*map));
   const MapBasins basins = basins_of(*map, arguments, surroundings);
   Report report = report_map(*map, {loaded, arguments.all_aspects, arguments.verbose, &basins});
   if (arguments.persistence) add_persistence(*map, basins, report);
-  if (!arguments.basins_file.empty()) write_picture(arguments.basins_file, draw_basins(*map, basins));
+  if (!arguments.basins_file.empty())
+    write_output_file("Picture", arguments.basins_file, draw_basins(*map, basins));
   add_count_without_limits(*map, options, surroundings, report);
   if (arguments.neighbours) {
     MapControl control;
@@ -268,9 +248,9 @@ Report report_of(MapArguments arguments, const Surroundings& surroundings) {
   arguments.index = parse_index(arguments.index_text, problems);
   const MapSection section = load_map_section(arguments.robot, problems);
   MapOptions map_options = parse_options(arguments, section.config, problems);
-  check_file("--save", arguments.save_file, problems);
-  check_file("--picture", arguments.picture_file, problems);
-  check_file("--persistence-picture", arguments.basins_file, problems);
+  check_output_file("--save", arguments.save_file, problems);
+  check_output_file("--picture", arguments.picture_file, problems);
+  check_output_file("--persistence-picture", arguments.basins_file, problems);
   const auto mechanism = load_robot(arguments.robot, std::move(problems));
   const auto manipulator = choose_constraints(mechanism->mapped_manipulator(), arguments.constraints);
   if (manipulator->task_space() == TaskSpace::SE3 && arguments.slice.empty())

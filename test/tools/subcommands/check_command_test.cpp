@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -72,6 +73,36 @@ TEST_F(CheckCommand, UnsafePathHasAnExitCodeAndTheTime) {
   const Outcome text = check_path("t,x,y\n0,4.5,8\n2,-30,8\n");
   EXPECT_EQ(text.code, exit_code::unsafe);
   EXPECT_NE(text.output.find("safe: no"), std::string::npos) << text.output;
+}
+
+TEST_F(CheckCommand, SamplesAreWrittenAsATableAndAPicture) {
+  const std::string csv = (folder_ / "out.csv").string(), svg = (folder_ / "out.svg").string();
+  const Outcome outcome =
+      check_path("t,x,y\n0,4.5,8\n1,4.6,8\n",
+                 {"--csv", csv.c_str(), "--picture", svg.c_str(), "--distances", "5", "--json"});
+  ASSERT_EQ(outcome.code, exit_code::ok) << outcome.messages;
+  const double least = json::parse(outcome.output).at("least_distance").at("parallel_distance").get<double>();
+  EXPECT_GT(least, 0.1);
+  std::ifstream table(csv), picture(svg);
+  std::string line;
+  std::getline(table, line);
+  EXPECT_EQ(line.rfind("time,x,y,", 0), 0U) << line;
+  int lines = 0, measured = 0;
+  while (std::getline(table, line)) {
+    ++lines;
+    std::istringstream cells(line);
+    std::vector<std::string> row;
+    for (std::string cell; std::getline(cells, cell, ',');) row.push_back(cell);
+    ASSERT_EQ(row.size(), 12U) << line;
+    measured += row[8] == "1" ? 1 : 0;
+    EXPECT_GE(std::stod(row[9]), least) << line;
+  }
+  EXPECT_GE(lines, 200);
+  EXPECT_EQ(measured, 5);
+  std::getline(picture, line);
+  EXPECT_EQ(line.rfind("<svg", 0), 0U) << line;
+  EXPECT_EQ(check_path("t,x,y\n0,4.5,8\n", {"--csv", "/no/such/folder/a.csv"}).code, exit_code::bad_input);
+  EXPECT_EQ(check_path("t,x,y\n0,4.5,8\n", {"--distances", "few"}).code, exit_code::bad_input);
 }
 
 TEST_F(CheckCommand, MarginsAreChecked) {

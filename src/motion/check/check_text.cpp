@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "motion/check/check_text.h"
+
+#include "model/number_text.h"
+
+namespace parallel_aspects {
+
+std::string violation_text(const Manipulator& manipulator, const TrajectoryViolation& violation) {
+  const std::string leg = violation.leg ? "leg '" + manipulator.leg(*violation.leg).name + "'" : "a leg";
+  switch (violation.kind) {
+    case Violation::out_of_reach:
+      return leg + " gets stretched or folded (B_jj = 0) or cannot reach";
+    case Violation::joint_limit:
+      return "the actuated joint of " + leg + " leaves its limits (constraint actuated_limits)";
+    case Violation::constraint:
+      return "the constraint " + std::string(name(violation.constraint.value_or(ConstraintKind::workspace))) +
+             " is violated";
+    case Violation::singularity:
+    case Violation::none:
+      break;
+  }
+  return "det A vanishes";
+}
+
+std::string safe_text() {
+  return "Proved: no singularity is met, every leg reaches and all constraints hold, at every time.";
+}
+
+std::string unsafe_text(const Manipulator& manipulator, const TrajectoryViolation& violation) {
+  return "Proved: " + violation_text(manipulator, violation) + " between " + number_text(violation.after, 9) +
+         " s and " + number_text(violation.before, 9) + " s.";
+}
+
+std::string undecided_text(double free_until, const std::string& why) {
+  return "Proved free until " + number_text(free_until, 9) + " s; just after it " + why + ".";
+}
+
+std::string not_followed_text(double followed_until, const std::string& why) {
+  return "Not followed further than " + number_text(followed_until, 9) + " s, since there " + why + ".";
+}
+
+std::string near_something_text() { return "it comes too near to a singularity or a limit to be determined"; }
+
+std::string waypoint_text(std::size_t index) { return "Waypoint " + std::to_string(index + 1); }
+
+bool is_crossing(Violation kind) { return kind == Violation::singularity || kind == Violation::out_of_reach; }
+
+TrajectoryCheck refused(const Problems& problems) {
+  TrajectoryCheck check;
+  check.reason = problems.front();
+  return check;
+}
+
+std::string exceeded_speeds(const Manipulator& manipulator, const TrajectoryCheck& check) {
+  std::string text;
+  for (std::size_t j = 0; j < check.speeds.size(); ++j) {
+    const Leg& leg = manipulator.leg(j);
+    const FastestMotion& speed = check.speeds[j];
+    const bool exceeds = speed.value > leg.limits.velocity;
+    if (speed.bound <= leg.limits.velocity) continue;
+    text += (text.empty() ? "" : ", ") + std::string("'") + leg.actuated_joint + "' at " +
+            (exceeds ? "" : "up to ") + number_text(exceeds ? speed.value : speed.bound) +
+            (leg.actuated_by_angle() ? " rad/s" : " m/s") + ", limit " + number_text(leg.limits.velocity);
+  }
+  return text;
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/report/check_drawing.h"
+
+#include "model/number_text.h"
+#include "tools/report/svg.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+
+namespace parallel_aspects::tools {
+namespace {
+
+using svg::number;
+using svg::text_at;
+
+// Lengths on the page [px].
+constexpr double left = 70.0, width = 640.0, top = 66.0, height = 180.0, gap = 50.0;
+
+constexpr std::array<const char*, 3> colors{"#1f77b4", "#d62728", "#2ca02c"};
+
+/// A panel of curves over time, from 0 to the largest value.
+class Panel {
+ public:
+  Panel(const TrajectoryCheck& check, double y, double largest)
+      : check_(check), y_(y), largest_(largest > 0.0 ? largest : 1.0) {
+    begin_ = check.samples.front().time;
+    end_ = std::max({check.samples.back().time, check.followed_until, begin_ + 1e-12});
+    if (check.violation) end_ = std::max(end_, check.violation->before);
+    for (const TrajectoryCrossing& crossing : check.crossings) end_ = std::max(end_, crossing.before);
+  }
+
+  std::string frame(const std::string& title) const {
+    std::string text = "<rect x=\"" + number(left) + "\" y=\"" + number(y_) + "\" width=\"" + number(width) +
+                       "\" height=\"" + number(height) + "\" fill=\"none\" stroke=\"#888888\"/>\n";
+    text += text_at(left, y_ - 6.0, "start", title);
+    text += text_at(left - 6.0, y_ + 10.0, "end", number_text(largest_, 3));
+    text += text_at(left - 6.0, y_ + height, "end", "0");
+    text += text_at(left, y_ + height + 14.0, "start", number_text(begin_) + " s");
+    text += text_at(left + width, y_ + height + 14.0, "end", number_text(end_) + " s");
+    for (const TrajectoryCrossing& crossing : check_.crossings) text += line_at(crossing.before);
+    return text;
+  }
+
+  std::string curve(const std::string& color, const std::function<double(std::size_t)>& value) const {
+    std::string points;
+    for (std::size_t i = 0; i < check_.samples.size(); ++i) {
+      const double share = std::clamp(value(i) / largest_, 0.0, 1.0);
+      if (std::isfinite(share))
+        points += number(x(check_.samples[i].time)) + "," + number(y_ + (1.0 - share) * height) + " ";
+    }
+    return "<polyline fill=\"none\" stroke=\"" + color + "\" points=\"" + points + "\"/>\n";
+  }
+
+ private:
+  double x(double time) const { return left + width * (time - begin_) / (end_ - begin_); }
+
+  std::string line_at(double time) const {
+    return "<line x1=\"" + number(x(time)) + "\" y1=\"" + number(y_) + "\" x2=\"" + number(x(time)) +
+           "\" y2=\"" + number(y_ + height) + "\" stroke=\"#000000\" stroke-dasharray=\"4 3\"/>\n";
+  }
+
+  const TrajectoryCheck& check_;
+  double y_, largest_, begin_ = 0.0, end_ = 1.0;
+};
+
+std::string draw_indices(const TrajectoryCheck& check, double y) {
+  const Panel panel(check, y, 1.0);
+  return panel.frame("least index: parallel blue, serial red") + panel.curve(colors[0], [&](std::size_t i) {
+    return check.samples[i].parallel_index;
+  }) + panel.curve(colors[1], [&](std::size_t i) { return check.samples[i].serial_indices.minCoeff(); });
+}
+
+std::string draw_distances(const TrajectoryCheck& check, const std::vector<SampleDistances>& distances,
+                           double y) {
+  double largest = 0.0;
+  for (const SampleDistances& each : distances)
+    for (const double value : each.lower)
+      if (std::isfinite(value)) largest = std::max(largest, value);
+  const Panel panel(check, y, largest);
+  std::string text =
+      panel.frame("proved distance [m]: to parallel singularities blue, serial red, limits green");
+  for (std::size_t k = 0; k < colors.size(); ++k)
+    text += panel.curve(colors[k], [&](std::size_t i) { return distances[i].lower[k]; });
+  return text;
+}
+
+}  // namespace
+
+std::string draw_check(const Manipulator& manipulator, const TrajectoryCheck& check,
+                       const std::vector<SampleDistances>& distances) {
+  const double below = top + height + gap;
+  std::string picture = svg::start(left + width + 30.0, (distances.empty() ? top : below) + height + gap);
+  picture += text_at(10.0, 18.0, "start", manipulator.name() + ", safe: " + name(check.answer), 14.0);
+  picture += text_at(10.0, 34.0, "start", check.reason);
+  if (!check.samples.empty()) picture += draw_indices(check, top);
+  if (!distances.empty()) picture += draw_distances(check, distances, below);
+  return picture + "</svg>\n";
+}
+
+}  // namespace parallel_aspects::tools
