@@ -259,7 +259,8 @@ class PathPlanner::Search {
     return !poses.empty();
   }
 
-  /// To where B_jj is nearly zero in either mode, and back; false where not even the start of the way is proved.
+  /// To where B_jj is nearly zero in either mode, and back; false where not even the start of the way is
+  /// proved.
   bool pass(PathBuilder& builder, const Neighbours& gate, int from, int to) const {
     const WorkingMode before = aspect_of(map_, from).mode, after = aspect_of(map_, to).mode;
     const int sign = aspect_of(map_, from).determinant_sign;

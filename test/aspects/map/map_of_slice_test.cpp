@@ -103,8 +103,7 @@ int the_one_aspect_of(const AspectMap& map, const WorkingMode& mode,
 }
 
 // Of eight working modes.
-const std::size_t flooded_modes = test::is_sanitized ? 2 : 8,
-                      aspects_in_them = test::is_sanitized ? 8 : 27;
+const std::size_t flooded_modes = test::is_sanitized ? 2 : 8, aspects_in_them = test::is_sanitized ? 8 : 27;
 
 // The robot and the slice of Caro, Chablat, Goldsztejn, Ishii and Jermann, Artificial Intelligence 211, 2014.
 TEST(MapOfSlice, ThreeRrrWithFrozenOrientationAgreesWithFloodFill) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/report/check_drawing.h"
+#include "tools/drawing/check_drawing.h"
 
 #include "model/number_text.h"
-#include "tools/report/svg.h"
+#include "tools/drawing/svg.h"
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/report/basins_drawing.h"
+#include "tools/drawing/basins_drawing.h"
 
+#include "tools/drawing/svg.h"
 #include "tools/report/basins_report.h"
 #include "tools/report/reports.h"
-#include "tools/report/svg.h"
 
 #include <algorithm>
 #include <array>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/report/map_drawing.h"
+#include "tools/drawing/map_drawing.h"
 
 #include "model/number_text.h"
 #include "parallel_aspects/aspects/held_joint.h"
+#include "tools/drawing/svg.h"
 #include "tools/report/reports.h"
-#include "tools/report/svg.h"
 
 #include <algorithm>
 #include <array>

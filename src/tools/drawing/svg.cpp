@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/report/svg.h"
+#include "tools/drawing/svg.h"
 
 #include "model/number_text.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_TOOLS_REPORT_CHECK_DRAWING_H
-#define PARALLEL_ASPECTS_TOOLS_REPORT_CHECK_DRAWING_H
+#ifndef PARALLEL_ASPECTS_TOOLS_DRAWING_CHECK_DRAWING_H
+#define PARALLEL_ASPECTS_TOOLS_DRAWING_CHECK_DRAWING_H
 
 #include "tools/report/check_table.h"
 
@@ -16,4 +16,4 @@ std::string draw_check(const Manipulator& manipulator, const TrajectoryCheck& ch
 
 }  // namespace parallel_aspects::tools
 
-#endif  // PARALLEL_ASPECTS_TOOLS_REPORT_CHECK_DRAWING_H
+#endif  // PARALLEL_ASPECTS_TOOLS_DRAWING_CHECK_DRAWING_H

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_TOOLS_REPORT_BASINS_DRAWING_H
-#define PARALLEL_ASPECTS_TOOLS_REPORT_BASINS_DRAWING_H
+#ifndef PARALLEL_ASPECTS_TOOLS_DRAWING_BASINS_DRAWING_H
+#define PARALLEL_ASPECTS_TOOLS_DRAWING_BASINS_DRAWING_H
 
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/basins.h"
@@ -15,4 +15,4 @@ std::string draw_basins(const AspectMap& map, const MapBasins& basins);
 
 }  // namespace parallel_aspects::tools
 
-#endif  // PARALLEL_ASPECTS_TOOLS_REPORT_BASINS_DRAWING_H
+#endif  // PARALLEL_ASPECTS_TOOLS_DRAWING_BASINS_DRAWING_H

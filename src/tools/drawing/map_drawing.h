@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_TOOLS_REPORT_MAP_DRAWING_H
-#define PARALLEL_ASPECTS_TOOLS_REPORT_MAP_DRAWING_H
+#ifndef PARALLEL_ASPECTS_TOOLS_DRAWING_MAP_DRAWING_H
+#define PARALLEL_ASPECTS_TOOLS_DRAWING_MAP_DRAWING_H
 
 #include "parallel_aspects/aspects/aspect_map.h"
 
@@ -14,4 +14,4 @@ std::string draw_map(const AspectMap& map);
 
 }  // namespace parallel_aspects::tools
 
-#endif  // PARALLEL_ASPECTS_TOOLS_REPORT_MAP_DRAWING_H
+#endif  // PARALLEL_ASPECTS_TOOLS_DRAWING_MAP_DRAWING_H

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_TOOLS_REPORT_SVG_H
-#define PARALLEL_ASPECTS_TOOLS_REPORT_SVG_H
+#ifndef PARALLEL_ASPECTS_TOOLS_DRAWING_SVG_H
+#define PARALLEL_ASPECTS_TOOLS_DRAWING_SVG_H
 
 #include <string>
 
@@ -21,4 +21,4 @@ std::string text_at(double x, double y, const std::string& anchor, const std::st
 
 }  // namespace parallel_aspects::tools::svg
 
-#endif  // PARALLEL_ASPECTS_TOOLS_REPORT_SVG_H
+#endif  // PARALLEL_ASPECTS_TOOLS_DRAWING_SVG_H
