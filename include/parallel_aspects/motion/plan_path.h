@@ -44,7 +44,8 @@ struct PathPoint {
 struct PathCrossing {
   std::size_t point = 0;  ///< index of the last point before it
   std::size_t leg = 0;    ///< whose B_jj is zero
-  int from = 0, to = 0;   ///< ids of the aspects
+  int from = 0;           ///< id of the aspect before it
+  int to = 0;             ///< id of the aspect behind it
 };
 
 /// A path, or why there is none.
@@ -74,8 +75,8 @@ class PathPlanner {
   /// The map is not null. Gates are looked for with the first question that needs them.
   explicit PathPlanner(std::shared_ptr<const AspectMap> map);
   ~PathPlanner();
-  PathPlanner(PathPlanner&&) noexcept;
-  PathPlanner& operator=(PathPlanner&&) noexcept;
+  PathPlanner(PathPlanner&&) noexcept;  ///< leaves an object that can only be destroyed or assigned
+  PathPlanner& operator=(PathPlanner&&) noexcept;  ///< likewise
 
   /// Looks for a path. Where an end leaves the mode open, the shortest that is found. `unknown` where
   /// cancelled.
