@@ -167,7 +167,7 @@ INSTANTIATE_TEST_SUITE_P(Robots, PlanPathOf,
                                          Case{"three_rpr", test::three_rpr(), 1.5, 40},
                                          Case{"three_rrr", test::three_rrr(), 1.0, 8},
                                          Case{"delta", test::delta(), 0.3, 8}),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& each) { return std::string(each.param.name); });
 
 TEST(PlanPath, TakesTheShortestWorkingModeWhereNoneIsAskedFor) {
   const auto map = map_of(test::five_bar());
