@@ -40,7 +40,8 @@ struct AspectGraph {
 };
 
 /// Finds the gates and joins the aspects. Sets with different signs of det A are different; of others that is
-/// proved by the leaves in which B_jj = 0 is not excluded. Nothing where cancelled.
+/// proved by the leaves in which B_jj = 0 is not excluded, of a map of all working modes without a serial
+/// margin. Nothing where cancelled.
 std::optional<AspectGraph> compute_aspect_graph(const AspectMap& map, const MapControl& control = {});
 
 }  // namespace parallel_aspects

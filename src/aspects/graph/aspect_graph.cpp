@@ -86,8 +86,12 @@ std::vector<std::size_t> groups(const std::vector<AspectSet>& sets, const MayJoi
   return group;
 }
 
-/// A serial margin keeps leaves out that gates lead through, so that they prove nothing then.
-bool leaves_exclude(const AspectMap& map) { return map.manipulator()->constraints().margins.serial == 0.0; }
+/// A path may go through every working mode, and through what a serial margin shuts out: where the map does
+/// not have all of that, its leaves prove nothing.
+bool leaves_exclude(const AspectMap& map) {
+  return map.contents().modes.size() == working_modes(*map.manipulator()).size() &&
+         map.manipulator()->constraints().margins.serial == 0.0;
+}
 
 std::size_t count_of_sign(const std::vector<AspectSet>& sets, int sign) {
   return static_cast<std::size_t>(std::count_if(

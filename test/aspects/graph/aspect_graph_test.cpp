@@ -202,6 +202,17 @@ TEST(AspectGraph, SetsOfOneSignAreNotProvedApartUnderASerialMargin) {
   }
 }
 
+// What joins the aspects of some working modes may lead through others.
+TEST(AspectGraph, SetsOfOneSignAreNotProvedApartWhereModesAreLeftOut) {
+  MapOptions options;
+  options.modes = {*WorkingMode::from_signs({1, 1}), *WorkingMode::from_signs({-1, -1})};
+  const auto map = test::map_of(test::five_bar(), options);
+  const auto graph = compute_aspect_graph(*map);
+  ASSERT_TRUE(graph);
+  EXPECT_GT(graph->sets.size(), 2U);
+  EXPECT_EQ(graph->proved_set_count, 2U);
+}
+
 TEST(AspectGraph, EndsWhereItIsCancelled) {
   const auto map = whole_map(test::five_bar());
   const std::atomic<bool> cancelled(true);
