@@ -2,6 +2,7 @@
 #include "parallel_aspects/motion/plan_path.h"
 
 #include "aspects/map/map_contents.h"
+#include "aspects/map/map_location.h"
 #include "aspects/roadmap/violation_text.h"
 #include "motion/plan/aspect_paths.h"
 #include "motion/plan/gate_route.h"
@@ -63,6 +64,8 @@ void explain(const AspectMap& map, const SegmentCertifier& certifier, const Pose
   end.all_known = end.all_known && is_proved;
   if (is_proved)
     end.reasons.insert(violation_text(*map.manipulator(), at, proof));
+  else if (!mode_index(map.contents(), at.mode))
+    end.reasons.insert("the working mode " + to_string(at.mode) + " is not mapped");
   else if (status == LocationStatus::not_mapped)
     end.reasons.insert("it lies outside the region of the map");
   else
@@ -77,7 +80,7 @@ EndAspects find_aspects(const AspectMap& map, const SegmentCertifier& certifier,
     result.reasons.insert("it does not lie in the slice");
     return result;
   }
-  for (const WorkingMode& mode : map.contents().modes) {
+  for (const WorkingMode& mode : working_modes(*map.manipulator())) {
     if (end.mode && mode != *end.mode) continue;
     const Location location = map.locate(end.pose, mode);
     if (location)
@@ -85,7 +88,6 @@ EndAspects find_aspects(const AspectMap& map, const SegmentCertifier& certifier,
     else
       explain(map, certifier, {end.pose, mode}, location.status, result);
   }
-  if (result.found.empty() && result.reasons.empty()) result.reasons.insert("its working mode is not mapped");
   return result;
 }
 

@@ -239,6 +239,19 @@ TEST(PlanPath, SaysWhyAnEndIsInNoAspect) {
   EXPECT_NE(path.message.find("cannot reach"), std::string::npos) << path.message;
 }
 
+TEST(PlanPath, ProvesNothingOfWorkingModesThatAreNotMapped) {
+  MapOptions options;
+  options.modes = {*WorkingMode::from_signs({1, 1})};
+  PathPlanner planner(test::map_of(test::five_bar(), options));
+  const Pose from = Pose::planar(4.5, 8.0), to = Pose::planar(4.5, -8.0);
+  for (const PathPolicy policy : {PathPolicy::stay, PathPolicy::serial}) {
+    EXPECT_EQ(planner.plan({from, {}}, {to, {}}, policy).answer, SameAspect::unknown);
+    const PlannedPath path = planner.plan({from, *WorkingMode::from_signs({1, -1})}, {to, {}}, policy);
+    EXPECT_EQ(path.answer, SameAspect::unknown);
+    EXPECT_NE(path.message.find("(+,-) is not mapped"), std::string::npos) << path.message;
+  }
+}
+
 TEST(PlanPath, EndsWhereItIsCancelled) {
   PathPlanner planner(map_of(test::five_bar()));
   const std::atomic<bool> cancelled(true);
