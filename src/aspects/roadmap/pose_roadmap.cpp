@@ -125,6 +125,14 @@ std::vector<RoadmapSide> find_sides(const SegmentCertifier& certifier, const std
   });
 }
 
+/// What leaves nothing most often.
+std::string what_may_help(const Manipulator& manipulator) {
+  std::string text;
+  if (manipulator.constraints().margins.any()) text += "smaller margins, ";
+  if (manipulator.tolerance() > 0.0) text += "a smaller tolerance, ";
+  return text;
+}
+
 }  // namespace
 
 PoseRoadmap::PoseRoadmap(SegmentCertifier certifier, std::vector<Pose> poses, std::vector<RoadmapSide> sides,
@@ -163,10 +171,10 @@ RoadmapResult compute_pose_roadmap(std::shared_ptr<const Manipulator> manipulato
   std::vector<RoadmapSide> sides = find_sides(certifier, poses, *manipulator, options, control);
   if (is_cancelled(control)) return {MapStatus::cancelled, "The computation was cancelled.", nullptr};
   if (sides.empty())
-    return refused(
-        "No pose was found that '" + manipulator->name() +
-        "' reaches away from singularities and within its constraints; give another region, or check limits, "
-        "lengths and the workspace.");
+    return refused("No pose was found that '" + manipulator->name() +
+                   "' reaches away from singularities and within its constraints; give " +
+                   what_may_help(*manipulator) +
+                   "another region, or check limits, lengths and the workspace.");
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return {MapStatus::complete, "",
           std::make_shared<const PoseRoadmap>(std::move(certifier), std::move(poses), std::move(sides),

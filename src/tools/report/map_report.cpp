@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "model/coefficients.h"
+#include "model/number_text.h"
 #include "tools/report/basins_report.h"
 #include "tools/report/bounds_report.h"
 #include "tools/report/reports.h"
@@ -64,11 +65,16 @@ json json_map(const AspectMap& map) {
   return object;
 }
 
-std::string pose_text(TaskSpace space, const Pose& pose) {
+bool holds_joint(const AspectMap& map) { return map.slice() && map.slice()->joint; }
+
+/// Where a joint is held, with as many digits as put the pose back onto the slice.
+std::string pose_text(const AspectMap& map, const Pose& pose) {
+  constexpr int digits_on_slice = 10;
   std::string text;
-  const PoseCoordinates coordinates = pose_coordinates(space, pose);
+  const PoseCoordinates coordinates = pose_coordinates(map.manipulator()->task_space(), pose);
   for (const double coordinate : coefficients_of(coordinates))
-    text += (text.empty() ? "(" : ", ") + shown_briefly(coordinate);
+    text += (text.empty() ? "(" : ", ") +
+            (holds_joint(map) ? number_text(coordinate, digits_on_slice) : shown_briefly(coordinate));
   return text + ")";
 }
 
@@ -102,7 +108,7 @@ std::string aspect_table(const AspectMap& map, const std::vector<Aspect>& aspect
   std::vector<std::string> titles{">id",       "working mode", "det A",   ">measure [" + map.unit() + "]",
                                   ">at least", ">at most",     ">leaves", "deepest pose",
                                   ">clearance"};
-  if (bounded) titles.insert(titles.end() - 2, "bounds");
+  if (bounded) titles.insert(titles.end() - 2, holds_joint(map) ? "bounds of direction and phi" : "bounds");
   if (basins != nullptr)
     titles.emplace_back(basins->index == ParallelIndex::normalised ? "largest index" : "largest |det A|");
   TextTable table(titles);
@@ -114,7 +120,7 @@ std::string aspect_table(const AspectMap& map, const std::vector<Aspect>& aspect
                                    shown(aspect.measure_lower),
                                    shown(aspect.measure_upper),
                                    std::to_string(aspect.inside_leaves),
-                                   pose_text(map.manipulator()->task_space(), aspect.deepest),
+                                   pose_text(map, aspect.deepest),
                                    shown_briefly(aspect.deepest_clearance)};
     if (bounded) cells.insert(cells.end() - 2, bounds_text(aspect.bounds));
     if (basins != nullptr)

@@ -187,8 +187,9 @@ std::string answers_text(const Manipulator& manipulator, const Pose& from, const
     table.add({to_string(answer.mode), name(answer.comparison.answer), answer.comparison.message});
     if (answer.comparison.path.size() > 2) paths += path_text(space, answer);
     if (answer.bottleneck)
-      paths +=
-          "\nin " + to_string(answer.mode) + " " + bottleneck_text(answer.index, *answer.bottleneck) + "\n";
+      paths += "\nin " + to_string(answer.mode) +
+               (answer.bottleneck->status == BottleneckStatus::found ? " " : ": ") +
+               bottleneck_text(answer.index, *answer.bottleneck) + "\n";
   }
   return manipulator.name() + ", from " + to_string(space, from) + " to " + to_string(space, to) + "\n\n" +
          table.text() + paths;

@@ -7,6 +7,7 @@
 #include "support/command_run.h"
 #include <atomic>
 #include <map>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -192,6 +193,25 @@ TEST_F(RoadmapCommand, InterruptedCommandsSayNothing) {
   const Outcome outcome = run({"map", "hexa"}, &interrupted);
   EXPECT_EQ(outcome.code, exit_code::interrupted);
   EXPECT_EQ(outcome.output, "");
+}
+
+// With a joint held, few digits would put it beside the slice.
+TEST_F(RoadmapCommand, TakesAPoseThatTheMapOfASlicePrinted) {
+  const std::string printed = run({"map", "three_rpr", "--slice", "strut_1_joint=14.98"}).output;
+  EXPECT_NE(printed.find("bounds of direction and phi"), std::string::npos) << printed;
+  std::smatch found;
+  ASSERT_TRUE(std::regex_search(printed, found, std::regex("\\((-?[0-9.e-]+, -?[0-9.e-]+, -?[0-9.e-]+)\\)")))
+      << printed;
+  const std::string pose = found[1];
+  const json answer = run_json({"connect", "three_rpr", "--slice", "strut_1_joint=14.98", "--from",
+                                pose.c_str(), "--to", pose.c_str()});
+  EXPECT_EQ(answer.at("answers")[0].at("same_aspect"), "yes");
+}
+
+TEST_F(RoadmapCommand, NamesMarginAndToleranceWhereNoPoseKeepsThem) {
+  const std::string messages =
+      run({"map", "stewart", "--margin", "parallel=0.99", "--samples", "20"}).messages;
+  EXPECT_NE(messages.find("smaller margins"), std::string::npos) << messages;
 }
 
 }  // namespace
