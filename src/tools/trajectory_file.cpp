@@ -6,6 +6,7 @@
 #include "urdf/description/text_file.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <sstream>
@@ -67,7 +68,8 @@ std::string text_of(const std::string& file) {
   Problems problems;
   const std::optional<std::string> text = read_text_file(file, problems);
   if (!text) throw InvalidDescription(std::move(problems));
-  return *text;
+  const std::string byte_order_mark = "\xEF\xBB\xBF";  // of spreadsheets
+  return text->rfind(byte_order_mark, 0) == 0 ? text->substr(byte_order_mark.size()) : *text;
 }
 
 /// A column each, once, and no other.
@@ -95,6 +97,18 @@ std::vector<std::vector<double>> read_columns(const std::string& file, const Tab
   return rows;
 }
 
+/// From one waypoint to the next the platform turns the short way, so that a longer turn is not what would be
+/// looked at. Quaternions have no such doubt.
+void require_short_turns(TaskSpace space, const std::string& file,
+                         const std::vector<std::vector<double>>& rows, Problems& problems) {
+  if (space != TaskSpace::SE2) return;
+  for (std::size_t i = 0; i + 1 < rows.size(); ++i)
+    if (!(std::abs(rows[i + 1].back() - rows[i].back()) < EIGEN_PI))
+      problems.push_back(file + ", waypoint " + std::to_string(i + 2) +
+                         ", turns phi by half a turn or more, which would be taken the short way round; give "
+                         "waypoints in between.");
+}
+
 }  // namespace
 
 std::vector<PoseWaypoint> read_pose_waypoints(TaskSpace space, const std::string& file) {
@@ -103,7 +117,9 @@ std::vector<PoseWaypoint> read_pose_waypoints(TaskSpace space, const std::string
   std::vector<PoseWaypoint> waypoints;
   Problems problems;
   const Table table = table_of(file, text_of(file), problems);
-  for (const std::vector<double>& row : read_columns(file, table, needed, problems)) {
+  const auto rows = read_columns(file, table, needed, problems);
+  require_short_turns(space, file, rows, problems);
+  for (const std::vector<double>& row : rows) {
     const auto pose = pose_from_coordinates(
         space, Eigen::Map<const Eigen::VectorXd>(row.data() + 1, static_cast<Eigen::Index>(row.size() - 1)));
     if (!pose)

@@ -13,10 +13,15 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-/// Messages end with a line of three dashes.
-std::string first_message(std::string text) {
-  if (text.rfind("---", 0) == 0) text.erase(0, 3);
-  return text.substr(0, text.find("\n---"));
+/// The one message of a text; messages end with a line of three dashes.
+YAML::Node only_message(const std::string& file, const std::string& text, Problems& problems) {
+  std::vector<YAML::Node> messages;
+  for (const YAML::Node& message : YAML::LoadAll(text))
+    if (!message.IsNull()) messages.push_back(message);
+  if (messages.size() > 1)
+    problems.push_back(file + " holds " + std::to_string(messages.size()) +
+                       " messages, and each is a trajectory of its own; give a file with one.");
+  return messages.empty() ? YAML::Node() : messages.front();
 }
 
 /// Reads one message.
@@ -99,7 +104,7 @@ class MessageReader {
 std::vector<JointWaypoint> waypoints_of_message(const Manipulator& manipulator, const std::string& file,
                                                 const std::string& text, Problems& problems) {
   try {
-    return MessageReader(manipulator, file, problems).read(YAML::Load(first_message(text)));
+    return MessageReader(manipulator, file, problems).read(only_message(file, text, problems));
   } catch (const YAML::Exception& error) {
     problems.push_back(file + " is not the YAML of a message: " + error.what() + ".");
     return {};

@@ -115,9 +115,9 @@ TrajectoryCheck check_trajectory(const SegmentCertifier& certifier,
                                  const std::vector<PoseWaypoint>& waypoints, const WorkingMode& mode,
                                  const TrajectoryCheckOptions& options = {});
 
-/// Which actuated joints are faster than their velocity limits, with both numbers, or may be; empty where
-/// all are proved to keep them.
-std::string exceeded_speeds(const Manipulator& manipulator, const TrajectoryCheck& check);
+/// Which actuated joints are proved to be faster than their velocity limits, or else which may be, with both
+/// numbers; empty where there is none. Both are empty where all are proved to keep them.
+std::string exceeded_speeds(const Manipulator& manipulator, const TrajectoryCheck& check, bool proved);
 
 }  // namespace parallel_aspects
 

@@ -51,13 +51,13 @@ TrajectoryCheck refused(const Problems& problems) {
   return check;
 }
 
-std::string exceeded_speeds(const Manipulator& manipulator, const TrajectoryCheck& check) {
+std::string exceeded_speeds(const Manipulator& manipulator, const TrajectoryCheck& check, bool proved) {
   std::string text;
   for (std::size_t j = 0; j < check.speeds.size(); ++j) {
     const Leg& leg = manipulator.leg(j);
     const FastestMotion& speed = check.speeds[j];
     const bool exceeds = speed.value > leg.limits.velocity;
-    if (speed.bound <= leg.limits.velocity) continue;
+    if (speed.bound <= leg.limits.velocity || exceeds != proved) continue;
     text += (text.empty() ? "" : ", ") + std::string("'") + leg.actuated_joint + "' at " +
             (exceeds ? "" : "up to ") + number_text(exceeds ? speed.value : speed.bound) +
             (leg.actuated_by_angle() ? " rad/s" : " m/s") + ", limit " + number_text(leg.limits.velocity);

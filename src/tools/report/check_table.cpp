@@ -29,7 +29,7 @@ void carry(const TrajectorySample& from, const SampleDistances& known, const Tra
 void add(std::string& line, const std::string& cell) { line += (line.empty() ? "" : ",") + cell; }
 
 void add(std::string& line, const Eigen::Ref<const Eigen::VectorXd>& values) {
-  for (const double value : values) add(line, number_text(value, 12));
+  for (Eigen::Index i = 0; i < values.size(); ++i) add(line, number_text(values[i], 12));
 }
 
 std::string header(const Manipulator& manipulator, bool has_distances) {

@@ -109,19 +109,24 @@ std::string crossings_text(const Manipulator& manipulator, const TrajectoryCheck
 
 std::string check_text(const Manipulator& manipulator, const TrajectoryCheck& check) {
   std::string text = manipulator.name() + ", safe: " + name(check.answer) + "\n" + check.reason + "\n";
-  const std::string fast = exceeded_speeds(manipulator, check);
-  if (!fast.empty()) text += "Faster than the velocity limit, or perhaps: " + fast + ".\n";
+  const std::string fast = exceeded_speeds(manipulator, check, true),
+                    perhaps_fast = exceeded_speeds(manipulator, check, false);
+  if (!fast.empty()) text += "Too fast: joint " + fast + ".\n";
+  if (!perhaps_fast.empty()) text += "Not proved to be slow enough: joint " + perhaps_fast + ".\n";
   return text + crossings_text(manipulator, check) + '\n' + values_text(manipulator, check);
 }
 
-int code_of(TrajectoryAnswer answer) {
-  return answer == TrajectoryAnswer::safe     ? exit_code::ok
-         : answer == TrajectoryAnswer::unsafe ? exit_code::unsafe
-                                              : exit_code::unknown;
+/// Velocity limits count as well.
+int code_of(const Manipulator& manipulator, const TrajectoryCheck& check) {
+  if (check.answer == TrajectoryAnswer::unsafe || !exceeded_speeds(manipulator, check, true).empty())
+    return exit_code::unsafe;
+  const bool proved =
+      check.answer == TrajectoryAnswer::safe && exceeded_speeds(manipulator, check, false).empty();
+  return proved ? exit_code::ok : exit_code::unknown;
 }
 
 Report report_check(const Manipulator& manipulator, const TrajectoryCheck& check) {
-  Report report{json_check(manipulator, check), check_text(manipulator, check), code_of(check.answer)};
+  Report report{json_check(manipulator, check), check_text(manipulator, check), code_of(manipulator, check)};
   const Report constraints = report_constraints(manipulator);
   report.json.update(constraints.json);
   report.text += '\n' + constraints.text;

@@ -173,6 +173,7 @@ TEST_F(CheckCommand, MessagesAreReadAsRostopicPrintsThem) {
                                      names + point("0", "velocities: [0.0]\n    "),
                                      names + point("soon", still),
                                      names + point("0", still) + point("0", still),
+                                     names + point("0", still) + "---\n" + names + point("0", still),
                                      "joint_names: [a, b]\npoints: []\n",
                                      "joint_names: [\n",
                                      "joint_names: 3\n"};
@@ -193,6 +194,27 @@ TEST_F(CheckCommand, OptionsThatDoNotGoTogetherAreRefused) {
 
 TEST_F(CheckCommand, IsListedInTheHelp) {
   EXPECT_NE(run({"--help"}).output.find("  check "), std::string::npos);
+}
+
+// The short way round is not what the file asks for.
+TEST_F(CheckCommand, TurnsOfHalfATurnOrMoreNeedWaypointsInBetween) {
+  for (const char* const phi : {"6.283185307179586", "-3.2", "3.1415926535897932"}) {
+    const std::string name = file(std::string("time,x,y,phi\n0,-1,-3,0\n1,-1,-3,") + phi + "\n");
+    const Outcome outcome = run({"check", "three_rrr", "--path", name.c_str(), "--mode", "(-,+,-)"});
+    EXPECT_EQ(outcome.code, exit_code::bad_input) << phi;
+    EXPECT_NE(outcome.messages.find("waypoint 2, turns phi"), std::string::npos) << outcome.messages;
+  }
+}
+
+TEST_F(CheckCommand, ATrajectoryThatIsTooFastIsNotSafe) {
+  const Outcome outcome = check_path("t,x,y\n0,4.5,8\n0.001,4.6,8\n");
+  EXPECT_EQ(outcome.code, exit_code::unsafe);
+  EXPECT_NE(outcome.output.find("Too fast: joint '"), std::string::npos) << outcome.output;
+}
+
+// As spreadsheets write it.
+TEST_F(CheckCommand, AByteOrderMarkIsNoPartOfAName) {
+  EXPECT_EQ(check_path("\xEF\xBB\xBFtime,x,y\n0,4.5,8\n1,4.6,8\n").code, exit_code::ok);
 }
 
 }  // namespace
