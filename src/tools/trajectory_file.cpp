@@ -101,9 +101,10 @@ std::vector<std::vector<double>> read_columns(const std::string& file, const Tab
 /// looked at. Quaternions have no such doubt.
 void require_short_turns(TaskSpace space, const std::string& file,
                          const std::vector<std::vector<double>>& rows, Problems& problems) {
+  constexpr double half_turn = EIGEN_PI;
   if (space != TaskSpace::SE2) return;
   for (std::size_t i = 0; i + 1 < rows.size(); ++i)
-    if (!(std::abs(rows[i + 1].back() - rows[i].back()) < EIGEN_PI))
+    if (!(std::abs(rows[i + 1].back() - rows[i].back()) < half_turn))
       problems.push_back(file + ", waypoint " + std::to_string(i + 2) +
                          ", turns phi by half a turn or more, which would be taken the short way round; give "
                          "waypoints in between.");
