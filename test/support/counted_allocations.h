@@ -13,20 +13,6 @@ std::atomic<long> allocations{0};
 }  // namespace
 
 // Everything that asks for memory comes to malloc and its like, operator new included.
-#if defined(__SANITIZE_ADDRESS__)
-extern "C" int __sanitizer_install_malloc_and_free_hooks(void (*malloc_hook)(const volatile void*,
-                                                                             std::size_t),
-                                                         void (*free_hook)(const volatile void*));
-
-namespace {
-
-const bool counting = [] {
-  return __sanitizer_install_malloc_and_free_hooks([](const volatile void*, std::size_t) { ++allocations; },
-                                                   [](const volatile void*) {}) != 0;
-}();
-
-}  // namespace
-#else
 extern "C" {
 
 void* __libc_malloc(std::size_t size) noexcept;
@@ -61,6 +47,5 @@ namespace {
 const bool counting = true;
 
 }  // namespace
-#endif
 
 #endif  // PARALLEL_ASPECTS_TEST_SUPPORT_COUNTED_ALLOCATIONS_H
