@@ -51,6 +51,7 @@ class FrameCorrections {
   std::vector<Corrections> find() {
     exchange_links(true, true);
     exchange_parents(true);
+    add_missing_closures();
     exchange_links(true, false);
     add_closures(true);
     exchange_parents(false);
@@ -122,6 +123,21 @@ class FrameCorrections {
     start_kind();
     for (const std::size_t loose : open_)
       if (contains(loose_, body_of(tree_, loose)) && is_frame(loose) == of_frames) add_closures_of(loose);
+  }
+
+  // Where a chain ends in a frame and the platform has one that no closure has either, one closure is
+  // missing: nothing that is written must be changed.
+  void add_missing_closures() {
+    start_kind();
+    for (const std::size_t loose : open_)
+      if (contains(loose_, body_of(tree_, loose)) && is_frame(loose) && has_open_frame_of_platform())
+        add_closures_of(loose);
+  }
+
+  bool has_open_frame_of_platform() const {
+    return std::any_of(open_.begin(), open_.end(), [this](std::size_t link) {
+      return is_frame(link) && body_of(tree_, link) == platform_;
+    });
   }
 
   // In the place of a frame: the operational point too, where its body is in no loop.

@@ -127,6 +127,22 @@ TEST(FrameCorrection, IsAClosureThatIsMissing) {
   expect_remedies_work(robot, said);
 }
 
+// Nothing that is written must be changed: to exchange the rod's end with that of its neighbour would load as
+// well, but with another geometry.
+TEST(FrameCorrection, IsAClosureThatIsMissingBeforeItIsAWrongLink) {
+  for (const std::string closure : {"1b", "2a", "2b", "3a", "3b"}) {
+    Description robot{test::source_file("test/data/culprits/delta_in_pairs.urdf"),
+                      test::source_file("test/data/culprits/delta_in_pairs.yaml")};
+    robot.config = replaced(
+        robot.config, "    - {type: point, frames: [rodend_" + closure + ", ball_" + closure + "]}\n", "");
+    const std::string said = sentence(robot);
+    EXPECT_NE(said.find("add {frames: [ball_" + closure + ", rodend_" + closure + "]"), std::string::npos)
+        << said;
+    EXPECT_EQ(said.find("in the place of"), std::string::npos) << said;
+    expect_remedies_work(robot, said);
+  }
+}
+
 // Either may be meant: the joint to be fixed, or the frame to be on another link.
 TEST(FrameCorrection, IsListedAfterAJointThatIsOneTooMany) {
   for (const std::string leg : {"2", "3"}) {
