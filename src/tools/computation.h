@@ -12,13 +12,19 @@
 
 namespace parallel_aspects::tools {
 
+/// Ctrl-C ends a question early; nothing is printed then.
+inline MapControl control_of(const Surroundings& surroundings) {
+  MapControl control;
+  control.cancelled = surroundings.interrupted;
+  return control;
+}
+
 /// What `compute(const MapControl&)` results in when complete, with a progress bar where messages go to a
 /// terminal. Throws Interrupted at Ctrl-C, and InvalidDescription with the message where it refuses.
 template <class Compute>
 auto completed(const Surroundings& surroundings, const Compute& compute) {
   std::optional<ProgressBar> bar;
-  MapControl control;
-  control.cancelled = surroundings.interrupted;
+  MapControl control = control_of(surroundings);
   if (surroundings.messages_on_terminal) {
     bar.emplace(surroundings.messages);
     control.progress = [&bar](double share) { bar->show(share); };

@@ -8,6 +8,7 @@
 #include "tools/report/bounds_report.h"
 #include "tools/report/numbers.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -26,6 +27,8 @@ std::vector<Option> map_choice_options(MapChoice& choice, const std::string& sli
            &choice.load_file}};
 }
 
+namespace {
+
 double put_onto_slice(const MapSlice& slice, const Manipulator& manipulator, const std::string& option,
                       Pose& pose, Problems& problems) {
   const AnchorCircle circle = circle_of_anchor(manipulator, *slice.joint);
@@ -35,6 +38,19 @@ double put_onto_slice(const MapSlice& slice, const Manipulator& manipulator, con
                        "; give a pose within " + shown(held_joint_tolerance) + " m of it.");
   pose = circle.nearest(pose);
   return distance;
+}
+
+}  // namespace
+
+std::optional<MapSlice> parse_slice_with_ends(const std::string& option, const Manipulator& manipulator,
+                                              const std::string& text, Pose& from, Pose& to, double& moved,
+                                              Problems& problems) {
+  if (text.empty()) return std::nullopt;
+  const MapSlice slice = parse_slice(option, manipulator, text, problems);
+  if (problems.empty() && slice.joint)
+    moved = std::max(put_onto_slice(slice, manipulator, "--from", from, problems),
+                     put_onto_slice(slice, manipulator, "--to", to, problems));
+  return slice;
 }
 
 std::shared_ptr<const AspectMap> choose_map(const std::shared_ptr<const Manipulator>& manipulator,

@@ -23,10 +23,11 @@ struct MapChoice {
 /// `--resolution R`, `--slice "z=1"` by the name it is given, and `--load FILE`, which fill `choice`.
 std::vector<Option> map_choice_options(MapChoice& choice, const std::string& slice_option = "--slice");
 
-/// With a joint held, a pose that is typed in a few digits is put onto the slice; by how much it was moved
-/// [m].
-double put_onto_slice(const MapSlice& slice, const Manipulator& manipulator, const std::string& option,
-                      Pose& pose, Problems& problems);
+/// The slice that `option` names; nothing for an empty text. With a joint held, the poses of `--from` and
+/// `--to`, typed in a few digits, are put onto it, and `moved` says by how much at most [m].
+std::optional<MapSlice> parse_slice_with_ends(const std::string& option, const Manipulator& manipulator,
+                                              const std::string& text, Pose& from, Pose& to, double& moved,
+                                              Problems& problems);
 
 /// The map of that choice, from the file where it fits, else computed, with a progress bar on a terminal.
 /// Throws `Interrupted`, or `InvalidDescription` where it is refused.

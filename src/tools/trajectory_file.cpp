@@ -98,7 +98,7 @@ std::vector<std::vector<double>> read_columns(const std::string& file, const Tab
 }
 
 /// From one waypoint to the next the platform turns the short way, so that a longer turn is not what would be
-/// looked at. Quaternions have no such doubt.
+/// looked at. Quaternions have no such ambiguity.
 void require_short_turns(TaskSpace space, const std::string& file,
                          const std::vector<std::vector<double>>& rows, Problems& problems) {
   constexpr double half_turn = EIGEN_PI;
@@ -111,6 +111,13 @@ void require_short_turns(TaskSpace space, const std::string& file,
 }
 
 }  // namespace
+
+Option path_option(std::string& file) {
+  return {
+      "--path", "FILE",
+      "CSV with poses of the platform: a header such as time,x,y and a line for each waypoint [s, m, rad]",
+      &file};
+}
 
 std::vector<PoseWaypoint> read_pose_waypoints(TaskSpace space, const std::string& file) {
   Names needed{"time"};

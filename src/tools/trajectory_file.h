@@ -4,11 +4,15 @@
 
 #include "parallel_aspects/model/task_space.h"
 #include "parallel_aspects/motion/check_joint_trajectory.h"
+#include "tools/subcommands.h"
 
 #include <string>
 #include <vector>
 
 namespace parallel_aspects::tools {
+
+/// `--path FILE`, which fills `file`.
+Option path_option(std::string& file);
 
 /// The poses of a CSV file: a header with `t` or `time` [s] and the coordinates of the task space [m or rad]
 /// in any order, then a line for each waypoint. Throws `InvalidDescription` with every problem.

@@ -104,7 +104,7 @@ class MotionGuard {
   GuardedMotion guard_joints(const TrackedState& state, const ProvedDistances& proved,
                              const JointVector& velocities, double time) noexcept;
 
-  /// The robot is told to stop, for a reason that the guard does not know.
+  /// The robot has to stop, for a reason that the guard does not know.
   GuardedMotion halt(double time, GuardReason reason = GuardReason::unknown_state) noexcept;
 
   /// Nothing is being carried out: the robot stands still, or time began anew.

@@ -6,6 +6,7 @@
 #include "interval/interval.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace parallel_aspects {
 namespace {
@@ -42,6 +43,11 @@ Location locate(const AspectMap::Contents& map, std::size_t mode, const MapPosit
   if (state.is_inside()) return {LocationStatus::inside, map.leaf_aspect(*leaf, mode)};
   if (!state.is_undecided()) return {LocationStatus::outside, 0};
   return locate_by_proof(map, mode, position);
+}
+
+bool may_be_one(const AspectMap& map, int first, int second) {
+  const std::vector<int>& unresolved = map.aspects()[static_cast<std::size_t>(first - 1)].unresolved_with;
+  return first == second || std::find(unresolved.begin(), unresolved.end(), second) != unresolved.end();
 }
 
 }  // namespace parallel_aspects

@@ -16,6 +16,9 @@ std::optional<std::size_t> mode_index(const AspectMap::Contents& map, const Work
 /// See AspectMap::locate. Neither allocates nor throws.
 Location locate(const AspectMap::Contents& map, std::size_t mode, const MapPosition& position) noexcept;
 
+/// Whether two aspects, by their ids, are one or not yet proved to be two.
+bool may_be_one(const AspectMap& map, int first, int second);
+
 }  // namespace parallel_aspects
 
 #endif  // PARALLEL_ASPECTS_ASPECTS_MAP_MAP_LOCATION_H

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "aspects/map/map_location.h"
 #include "motion/choose/path_clearance.h"
 #include "motion/choose/path_pieces.h"
 #include "parallel_aspects/motion/choose_working_mode.h"
@@ -10,11 +11,6 @@ namespace parallel_aspects {
 namespace {
 
 constexpr int measures = 400;
-
-bool is_separate(const AspectMap& map, int first, int second) {
-  const std::vector<int>& unresolved = map.aspects()[static_cast<std::size_t>(first - 1)].unresolved_with;
-  return std::find(unresolved.begin(), unresolved.end(), second) == unresolved.end();
-}
 
 /// The poses of a path, a second apart.
 std::vector<PoseWaypoint> timed(const std::vector<Pose>& path) {
@@ -37,7 +33,7 @@ void ask_map(const AspectMap& map, const PoseInMode& first, const PoseInMode& se
   if (!start || !end) return;
   if (start.aspect == end.aspect)
     comparison = {SameAspect::yes, "The map proves it: both are in the same connected set of boxes.", {}, 0};
-  else if (is_separate(map, start.aspect, end.aspect))
+  else if (!may_be_one(map, start.aspect, end.aspect))
     comparison = {SameAspect::no, "The map proves the two aspects separate.", {}, 0};
 }
 

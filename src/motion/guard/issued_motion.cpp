@@ -11,7 +11,7 @@ bool IssuedMotion::issue(double time, const TaskVector& twist, double brake) noe
   if (count_ > 0 && time < at(count_ - 1).time) forget();  // time began anew
   drop_before(time - oldest_sample_);
   const bool stands = twist.isZero(0.0);
-  // A robot that is told to stop again and again needs no list of it.
+  // Commands to stop that follow each other need no list of them.
   if (stands && count_ > 0 && at(count_ - 1).twist.isZero(0.0)) return true;
   if (merge(time, twist, brake)) return true;
   if (count_ == most) return false;

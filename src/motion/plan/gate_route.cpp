@@ -4,6 +4,7 @@
 #include "motion/plan/leaf_path.h"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <queue>
 #include <utility>

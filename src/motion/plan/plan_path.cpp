@@ -91,11 +91,6 @@ EndAspects find_aspects(const AspectMap& map, const SegmentCertifier& certifier,
   return result;
 }
 
-bool may_be_one(const AspectMap& map, int first, int second) {
-  const std::vector<int>& unresolved = aspect_of(map, first).unresolved_with;
-  return first == second || std::find(unresolved.begin(), unresolved.end(), second) != unresolved.end();
-}
-
 /// Whether some pair of ends fulfils a condition on two aspects.
 template <class Condition>
 bool any_pair(const EndAspects& starts, const EndAspects& goals, const Condition& condition) {

@@ -222,10 +222,7 @@ Report run(const CheckArguments& arguments) {
 Subcommand check_subcommand() {
   const auto arguments = std::make_shared<CheckArguments>();
   std::vector<Option> options = robot_options(arguments->robot);
-  options.push_back({"--path", "FILE",
-                     "CSV with poses of the platform: a header such as time,x,y and a line for each waypoint "
-                     "[s, m, rad]",
-                     &arguments->path});
+  options.push_back(path_option(arguments->path));
   options.push_back({"--mode", "\"(+,-)\"", "Working mode of the poses, as signs of B_jj", &arguments->mode});
   options.push_back(
       {"--trajectory", "FILE",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/motion/choose_working_mode.h"
 #include "tools/arguments.h"
+#include "tools/computation.h"
 #include "tools/report/choice_report.h"
 #include "tools/subcommands.h"
 #include "tools/trajectory_file.h"
@@ -31,14 +32,8 @@ int code_of(TrajectoryAnswer answer) {
                                               : exit_code::unknown;
 }
 
-/// Ctrl-C ends a question early; nothing is printed then.
-MapControl control_of(const Surroundings& surroundings) {
-  MapControl control;
-  control.cancelled = surroundings.interrupted;
-  return control;
-}
-
-/// Maps of one or two degrees of freedom are quick; aspects of others are told by the sign of det A alone.
+/// Maps of one or two degrees of freedom are quick; aspects of others are distinguished by the sign of det A
+/// alone.
 std::shared_ptr<const AspectMap> cheap_map(const std::shared_ptr<const Manipulator>& manipulator,
                                            const Surroundings& surroundings) {
   if (degrees_of_freedom(manipulator->task_space()) > 2) return nullptr;
@@ -107,10 +102,7 @@ Report choose(const std::shared_ptr<const Manipulator>& manipulator, const Choos
 Subcommand choose_subcommand() {
   const auto arguments = std::make_shared<ChooseArguments>();
   std::vector<Option> options = robot_options(arguments->robot);
-  options.push_back({"--path", "FILE",
-                     "CSV with poses of the platform: a header such as time,x,y and a line for each waypoint "
-                     "[s, m, rad]",
-                     &arguments->path});
+  options.push_back(path_option(arguments->path));
   options.push_back({"--region", "\"x=-1:1 y=-1:1\"",
                      "A box of poses: a lower and an upper end of each coordinate [m, rad]",
                      &arguments->region});

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "aspects/map/map_location.h"
 #include "parallel_aspects/aspects/same_aspect.h"
 #include "parallel_aspects/motion/choose_working_mode.h"
 #include "tools/arguments.h"
+#include "tools/computation.h"
 #include "tools/map_choice.h"
 #include "tools/report/basins_report.h"
 #include "tools/report/bounds_report.h"
@@ -11,7 +13,6 @@
 #include "tools/report/text_table.h"
 #include "tools/subcommands.h"
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -39,16 +40,6 @@ struct Question {
   double moved = 0.0;  // onto the slice, at most [m]
 };
 
-void parse_slice_of_question(const ConnectArguments& arguments, const Manipulator& manipulator,
-                             Question& question, Problems& problems) {
-  if (arguments.slice.empty()) return;
-  question.slice = parse_slice("--slice", manipulator, arguments.slice, problems);
-  if (!problems.empty() || !question.slice->joint) return;
-  const double from = put_onto_slice(*question.slice, manipulator, "--from", question.from, problems),
-               to = put_onto_slice(*question.slice, manipulator, "--to", question.to, problems);
-  question.moved = std::max(from, to);
-}
-
 Question parse(const ConnectArguments& arguments, const Manipulator& manipulator) {
   Problems problems;
   Question question;
@@ -62,7 +53,8 @@ Question parse(const ConnectArguments& arguments, const Manipulator& manipulator
       question.modes = {*mode};
   if (!arguments.resolution.empty())
     question.resolution = parse_positive("--resolution", arguments.resolution, problems);
-  parse_slice_of_question(arguments, manipulator, question, problems);
+  question.slice = parse_slice_with_ends("--slice", manipulator, arguments.slice, question.from, question.to,
+                                         question.moved, problems);
   if (question.resolution && !question.slice && manipulator.task_space() == TaskSpace::SE3)
     problems.emplace_back("--resolution is that of a map of boxes, and in SE3 there is none; leave it out.");
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
@@ -91,10 +83,8 @@ class Asking {
   /// Of two poses that are not proved to lie in different aspects; nothing without a map.
   std::optional<Bottleneck> bottleneck(const WorkingMode& mode, SameAspect answer) {
     if (answer == SameAspect::no || !has_map()) return std::nullopt;
-    MapControl control;
-    control.cancelled = surroundings_.interrupted;
-    const Bottleneck found =
-        find_bottleneck(map(), mode, question_.from, question_.to, question_.index, {}, control);
+    const Bottleneck found = find_bottleneck(map(), mode, question_.from, question_.to, question_.index, {},
+                                             control_of(surroundings_));
     if (found.status == BottleneckStatus::cancelled) throw Interrupted{};
     return found;
   }
@@ -117,9 +107,7 @@ class Asking {
     options.resolution = question_.resolution;
     options.slice = question_.slice;
     options.modes = question_.modes;
-    MapControl control;
-    control.cancelled = surroundings_.interrupted;
-    const MapResult result = compute_aspect_map(manipulator_, options, control);
+    const MapResult result = compute_aspect_map(manipulator_, options, control_of(surroundings_));
     if (result.status == MapStatus::cancelled) throw Interrupted{};
     if (result.status == MapStatus::refused) throw InvalidDescription({result.message});
     map_ = result.map;
@@ -142,14 +130,9 @@ class Asking {
               0};
     if (first.aspect == second.aspect)
       return {SameAspect::yes, "The map of the slice proves it, by a path within the slice.", {}, 0};
-    if (is_separate(first.aspect, second.aspect))
+    if (!may_be_one(map(), first.aspect, second.aspect))
       return {SameAspect::no, "The map proves them separate within the slice.", {}, 0};
     return {SameAspect::unknown, "The map of the slice neither joins them nor proves them separate.", {}, 0};
-  }
-
-  bool is_separate(int first, int second) {
-    const std::vector<int>& unresolved = map().aspects()[static_cast<std::size_t>(first - 1)].unresolved_with;
-    return std::find(unresolved.begin(), unresolved.end(), second) == unresolved.end();
   }
 
   std::shared_ptr<const Manipulator> manipulator_;

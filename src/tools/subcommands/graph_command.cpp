@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/aspects/aspect_graph.h"
 #include "tools/arguments.h"
+#include "tools/computation.h"
 #include "tools/map_choice.h"
 #include "tools/report/plan_report.h"
 #include "tools/subcommands.h"
@@ -28,9 +29,7 @@ Report report_of(const GraphArguments& arguments, const Surroundings& surroundin
     slice = parse_slice("--slice", *manipulator, arguments.map.slice, problems);
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
   const auto map = choose_map(manipulator, arguments.map, slice, surroundings);
-  MapControl control;
-  control.cancelled = surroundings.interrupted;
-  const auto graph = compute_aspect_graph(*map, control);
+  const auto graph = compute_aspect_graph(*map, control_of(surroundings));
   if (!graph) throw Interrupted{};
   Report report = report_graph(*map, *graph);
   if (arguments.dot) report.text = graph_as_dot(*map, *graph);

@@ -173,10 +173,9 @@ void save(const AspectMap& map, const MapArguments& arguments) {
 }
 
 MapBasins basins_of(const AspectMap& map, const MapArguments& arguments, const Surroundings& surroundings) {
-  MapControl control;
-  control.cancelled = surroundings.interrupted;
-  const auto basins = find_basins(
-      map, arguments.index, arguments.wants_basins() ? BasinDetail::basins : BasinDetail::depths, control);
+  const auto basins =
+      find_basins(map, arguments.index, arguments.wants_basins() ? BasinDetail::basins : BasinDetail::depths,
+                  control_of(surroundings));
   if (!basins) throw Interrupted{};
   return *basins;
 }
@@ -194,11 +193,7 @@ Report load_or_compute(const std::shared_ptr<const Manipulator>& manipulator, co
   if (!arguments.basins_file.empty())
     write_output_file("Picture", arguments.basins_file, draw_basins(*map, basins));
   add_count_without_limits(*map, options, surroundings, report);
-  if (arguments.neighbours) {
-    MapControl control;
-    control.cancelled = surroundings.interrupted;
-    add_neighbours(*map, find_neighbours(*map, control), report);
-  }
+  if (arguments.neighbours) add_neighbours(*map, find_neighbours(*map, control_of(surroundings)), report);
   return report;
 }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/motion/plan_path.h"
 #include "tools/arguments.h"
+#include "tools/computation.h"
 #include "tools/map_choice.h"
 #include "tools/report/plan_report.h"
 #include "tools/subcommands.h"
 
-#include <algorithm>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -46,23 +46,14 @@ PathEnd parse_end(const std::string& option, const Manipulator& manipulator, con
   return end;
 }
 
-void parse_slice_of_question(const PlanArguments& arguments, const Manipulator& manipulator,
-                             Question& question, Problems& problems) {
-  if (arguments.map.slice.empty()) return;
-  question.slice = parse_slice("--hold", manipulator, arguments.map.slice, problems);
-  if (!problems.empty() || !question.slice->joint) return;
-  question.moved =
-      std::max(put_onto_slice(*question.slice, manipulator, "--from", question.from.pose, problems),
-               put_onto_slice(*question.slice, manipulator, "--to", question.to.pose, problems));
-}
-
 Question parse(const PlanArguments& arguments, const Manipulator& manipulator) {
   Problems problems;
   Question question;
   question.from = parse_end("--from", manipulator, arguments.from, arguments.from_mode, problems);
   question.to = parse_end("--to", manipulator, arguments.to, arguments.to_mode, problems);
   question.policy = parse_policy(arguments.policy, problems);
-  parse_slice_of_question(arguments, manipulator, question, problems);
+  question.slice = parse_slice_with_ends("--hold", manipulator, arguments.map.slice, question.from.pose,
+                                         question.to.pose, question.moved, problems);
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
   return question;
 }
@@ -89,8 +80,7 @@ PlannedPath plan_in_map(const std::shared_ptr<const Manipulator>& manipulator, c
     throw InvalidDescription(
         {"--samples and --seed are for roadmaps, in SE3 without --hold; leave them out."});
   PathPlanner planner(choose_map(manipulator, arguments.map, question.slice, surroundings));
-  MapControl control;
-  control.cancelled = surroundings.interrupted;
+  const MapControl control = control_of(surroundings);
   PlannedPath path = planner.plan(question.from, question.to, question.policy, control);
   if (is_cancelled(control)) throw Interrupted{};
   return path;
