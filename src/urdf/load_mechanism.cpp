@@ -27,8 +27,6 @@ namespace {
 
 constexpr std::size_t max_closures = 36;  // six for each leg of a hexapod
 
-std::string number(double value) { return number_text(value, 3); }
-
 void check_closures(const std::vector<Closure>& closures, const SourceNames& files, Problems& problems) {
   if (closures.size() > max_closures)
     problems.push_back(files.config + " and " + files.urdf + " describe " + std::to_string(closures.size()) +
@@ -114,10 +112,10 @@ ResolvedConfig resolved_names(const Tree& tree, const MechanismConfig& config, c
 void take_tolerance(double share, const SourceNames& files, Mechanism::Contents& contents) {
   if (share == 0.0) return;
   contents.mapped_manipulator = contents.mapped_manipulator->with_tolerance(share);
-  contents.notes.push_back("By mechanism.tolerance: " + number(share) + " of " + files.config +
+  contents.notes.push_back("By mechanism.tolerance: " + number_text(share, 3) + " of " + files.config +
                            " maps hold for every robot whose points and lengths are within " +
-                           number(contents.mapped_manipulator->tolerance()) + " m of those of " + files.urdf +
-                           ".");
+                           number_text(contents.mapped_manipulator->tolerance(), 3) + " m of those of " +
+                           files.urdf + ".");
 }
 
 }  // namespace

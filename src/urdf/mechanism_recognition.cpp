@@ -23,8 +23,6 @@
 namespace parallel_aspects {
 namespace {
 
-std::string number(double value) { return number_text(value, 3); }
-
 class Recogniser {
  public:
   Recogniser(std::shared_ptr<const Tree> tree, const MechanismConfig& config, const ResolvedConfig& resolved,
@@ -144,10 +142,11 @@ class Recogniser {
                          "' are farther apart than numbers go; check the lengths of its loop.");
     else if (gap > closing_tolerance * system.size())
       problems.push_back(cannot + "the frames of closure '" + closure + "' come no nearer than " +
-                         number(gap) + " m; check the lengths, the joint limits and the frames of its loop.");
+                         number_text(gap, 3) +
+                         " m; check the lengths, the joint limits and the frames of its loop.");
     else
       problems.push_back(cannot + "the frames of the closures meet, but their directions stay " +
-                         number(error) +
+                         number_text(error, 3) +
                          " rad apart; check the axes of the frames and the types of the closures.");
   }
 
@@ -234,7 +233,7 @@ class Recogniser {
       const double range = leg.leg.limits.upper - leg.leg.limits.lower;
       if (range > locked_range) continue;
       notes.push_back(files_.urdf + " lets actuated joint '" + leg.leg.actuated_joint + "' move by only " +
-                      number(range) + (leg.leg.actuated_by_angle() ? " rad" : " m") +
+                      number_text(range, 3) + (leg.leg.actuated_by_angle() ? " rad" : " m") +
                       ", which leaves next to nothing for a map; widen its limits, or fix the joint and take "
                       "it out of " +
                       files_.key("actuated_joints") + ".");

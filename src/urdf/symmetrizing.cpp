@@ -11,10 +11,8 @@
 namespace parallel_aspects {
 namespace {
 
-std::string number(double value) { return number_text(value, 2); }
-
 std::string moved(const MovedNumber& most, const std::string& what, const std::string& unit) {
-  return what + " by at most " + number(most.amount) + " " + unit +
+  return what + " by at most " + number_text(most.amount, 2) + " " + unit +
          (most.what.empty() ? "" : " (" + most.what + ")");
 }
 
@@ -67,7 +65,7 @@ void symmetrize_legs(Mechanism::Contents& contents, std::optional<double> tolera
   const Manipulator& robot = *contents.manipulator;
   const TaskSpace space = robot.task_space();
   SymmetricLegs found = nearest_symmetric_legs(space, robot.legs(), robot.size(), *tolerance);
-  const std::string asked = "mechanism.symmetrize: " + number(*tolerance) + " of " + files.config;
+  const std::string asked = "mechanism.symmetrize: " + number_text(*tolerance, 2) + " of " + files.config;
   if (found.motions.empty()) {
     contents.notes.push_back("No motion that permutes the axes of coordinates takes the robot of " +
                              files.urdf + " onto itself within " + asked +

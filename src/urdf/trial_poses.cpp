@@ -20,8 +20,6 @@ constexpr int trials = 60;
 constexpr double trial_tolerance = 1e-3;
 constexpr double exact_closure = 1e-11;  // over the size
 
-std::string number(double value) { return number_text(value, 3); }
-
 void scale_translations(const Manipulator& manipulator, TaskVector& step) {
   const auto angles = static_cast<Eigen::Index>(rotational_degrees_of_freedom(manipulator.task_space()));
   step.tail(step.size() - angles) *= 0.5 * manipulator.size();
@@ -39,7 +37,7 @@ Pose trial_pose(const Mechanism::Contents& contents, double spread, std::mt19937
 std::string open_at(const Manipulator& manipulator, const Pose& pose, double gap, const SourceNames& files) {
   return files.urdf + " was recognised as " + std::string(name(manipulator.task_space())) +
          " with distance legs, but at " + to_string(manipulator.task_space(), pose) +
-         " its loops stay open by " + number(gap) +
+         " its loops stay open by " + number_text(gap, 3) +
          " m; its legs do more than keep a distance, which is not supported.";
 }
 
@@ -65,7 +63,7 @@ void close_trial_poses(Mechanism::Contents& contents, const SourceNames& files, 
   }
   if (worst < exact_closure) return;
   contents.accepted_residual = 3.0 * worst;
-  contents.notes.push_back(files.urdf + " closes its loops only to within " + number(worst * size) +
+  contents.notes.push_back(files.urdf + " closes its loops only to within " + number_text(worst * size, 3) +
                            " m, as with rounded angles; the robot is taken as the ideal one nearest to it.");
 }
 

@@ -7,7 +7,7 @@ namespace parallel_aspects {
 namespace {
 
 /// The segment from `from` to `to` in one working mode.
-struct Segment {
+struct SegmentInMode {
   const BoxClassifier& classifier;
   std::size_t dimension;
   std::size_t mode;
@@ -56,8 +56,8 @@ int proved_sign(const BoxClassifier& classifier, std::size_t dimension, std::siz
 
 bool segment_is_free(const BoxClassifier& classifier, std::size_t dimension, std::size_t mode, int sign,
                      const MapPosition& from, const MapPoint& to, int max_halvings) noexcept {
-  return Segment{classifier, dimension, mode, sign, from.root, from.point, to, max_halvings}.is_free(0.0, 1.0,
-                                                                                                     0);
+  return SegmentInMode{classifier, dimension, mode, sign, from.root, from.point, to, max_halvings}.is_free(
+      0.0, 1.0, 0);
 }
 
 }  // namespace parallel_aspects

@@ -17,13 +17,6 @@ std::string numbers(std::initializer_list<double> values) {
 
 std::string numbers(const Eigen::Vector3d& v) { return numbers({v.x(), v.y(), v.z()}); }
 
-// A name stays in its line.
-std::string printable(std::string text) {
-  for (char& character : text)
-    if (std::iscntrl(static_cast<unsigned char>(character)) != 0) character = '?';
-  return text;
-}
-
 std::string line(const PassiveLimit& limit) {
   return "passive joint '" + printable(limit.joint) + "' of leg " + std::to_string(limit.leg + 1) +
          ", angle " + std::to_string(static_cast<int>(limit.angle)) +
@@ -50,6 +43,12 @@ std::string lines(const SelfCollision& collision) {
 }
 
 }  // namespace
+
+std::string printable(std::string text) {
+  for (char& character : text)
+    if (std::iscntrl(static_cast<unsigned char>(character)) != 0) character = '?';
+  return text;
+}
 
 std::string constraint_key(const Constraints& constraints) {
   std::string key;

@@ -8,6 +8,9 @@
 
 namespace parallel_aspects {
 
+/// A name that stays in its line: control characters become "?".
+std::string printable(std::string text);
+
 /// The part of a `map_key` that tells the constraints: every number of them with all its digits, a line each;
 /// empty where there are none.
 std::string constraint_key(const Constraints& constraints);

@@ -5,7 +5,6 @@
 #include "model/coefficients.h"
 #include "model/number_text.h"
 
-#include <cctype>
 #include <cstddef>
 #include <initializer_list>
 #include <set>
@@ -14,14 +13,7 @@
 namespace parallel_aspects {
 namespace {
 
-std::string number(double value) { return number_text(value, exact_digits); }
-
-// A name stays in its line.
-std::string printable(std::string text) {
-  for (char& character : text)
-    if (std::iscntrl(static_cast<unsigned char>(character)) != 0) character = '?';
-  return text;
-}
+std::string exact(double value) { return number_text(value, exact_digits); }
 
 /// The lines of one leg.
 class LegLines {
@@ -40,7 +32,7 @@ class LegLines {
  private:
   void values(const char* what, std::initializer_list<double> items) {
     text_ += start_ + what;
-    for (const double each : items) text_ += " " + number(each);
+    for (const double each : items) text_ += " " + exact(each);
     text_ += "\n";
   }
   void point(const char* what, const Eigen::Vector3d& at) { values(what, {at.x(), at.y(), at.z()}); }
@@ -78,9 +70,9 @@ std::string map_key(const Manipulator& manipulator, const Box& region, double re
   for (std::size_t j = 0; j < manipulator.leg_count(); ++j) key += LegLines(manipulator.leg(j), j).text();
   key += constraint_key(manipulator.constraints());
   for (std::size_t i = 0; i < region.dimension; ++i)
-    key += "region along coordinate " + std::to_string(i + 1) + " from " + number(region.lower[i]) + " to " +
-           number(region.upper[i]) + "\n";
-  key += "resolution " + number(resolution) + " after " + std::to_string(depth) + " halvings\n";
+    key += "region along coordinate " + std::to_string(i + 1) + " from " + exact(region.lower[i]) + " to " +
+           exact(region.upper[i]) + "\n";
+  key += "resolution " + exact(resolution) + " after " + std::to_string(depth) + " halvings\n";
   key += "contested leaves halved " + std::to_string(deepest_level - depth) + " times more\n";
   return key;
 }
@@ -89,14 +81,14 @@ std::string coverage_key(const std::optional<MapSlice>& slice, const std::vector
   std::string key = "slice:";
   if (slice) {
     const Eigen::Vector4d orientation = slice->held.orientation.coeffs();
-    for (const double each : coefficients_of(slice->held.position)) key += " " + number(each);
-    for (const double each : coefficients_of(orientation)) key += " " + number(each);
-    for (const double each : coefficients_of(slice->axis)) key += " " + number(each);
+    for (const double each : coefficients_of(slice->held.position)) key += " " + exact(each);
+    for (const double each : coefficients_of(orientation)) key += " " + exact(each);
+    for (const double each : coefficients_of(slice->axis)) key += " " + exact(each);
     for (const bool each : slice->moves) key += each ? " free" : " held";
     key +=
         " rotation " + std::to_string(static_cast<int>(slice->rotation)) + " " + printable(slice->angle_name);
     if (slice->joint)
-      key += " joint of leg " + std::to_string(slice->joint->leg + 1) + " at " + number(slice->joint->value);
+      key += " joint of leg " + std::to_string(slice->joint->leg + 1) + " at " + exact(slice->joint->value);
   } else {
     key += " all poses";
   }

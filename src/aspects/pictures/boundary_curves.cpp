@@ -40,7 +40,7 @@ struct Vertex {
   Vector2d point;
   Values values;
 };
-using Polygon = std::vector<Vertex>;
+using VertexPolygon = std::vector<Vertex>;
 
 Vertex between(const Vertex& a, const Vertex& b, Eigen::Index function) {
   const double t = a.values[function] / (a.values[function] - b.values[function]);
@@ -48,8 +48,8 @@ Vertex between(const Vertex& a, const Vertex& b, Eigen::Index function) {
 }
 
 // What is left of a convex polygon where sign * function >= 0 (Sutherland and Hodgman).
-Polygon clipped(const Polygon& polygon, Eigen::Index function, double sign) {
-  Polygon kept;
+VertexPolygon clipped(const VertexPolygon& polygon, Eigen::Index function, double sign) {
+  VertexPolygon kept;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vertex &here = polygon[i], &next = polygon[(i + 1) % polygon.size()];
     const double a = sign * here.values[function], b = sign * next.values[function];
@@ -59,7 +59,7 @@ Polygon clipped(const Polygon& polygon, Eigen::Index function, double sign) {
   return kept;
 }
 
-Vector2d middle_of(const Polygon& polygon) {
+Vector2d middle_of(const VertexPolygon& polygon) {
   Vector2d sum = Vector2d::Zero();
   for (const Vertex& vertex : polygon) sum += vertex.point;
   return sum / static_cast<double>(polygon.size());
@@ -126,7 +126,7 @@ class Tracer {
     fill_until(below.size() - 1);
   }
 
-  bool crosses_nothing(const Polygon& cell) const {
+  bool crosses_nothing(const VertexPolygon& cell) const {
     const double sign = cell.front().values[0];
     return std::all_of(cell.begin(), cell.end(), [&](const Vertex& vertex) {
       return slice_.holds(vertex.point) && sign * vertex.values[0] > 0.0 &&
@@ -138,7 +138,7 @@ class Tracer {
   void trace_in(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& d) {
     for (const Vertex& corner : {a, b, c, d})
       if (!slice_.holds(corner.point)) return;
-    for (const Polygon& triangle : {Polygon{a, b, c}, Polygon{a, c, d}})
+    for (const VertexPolygon& triangle : {VertexPolygon{a, b, c}, VertexPolygon{a, c, d}})
       for (const double sign : {1.0, -1.0}) add_part(triangle, sign, (b.point - a.point).norm());
   }
 
@@ -173,8 +173,8 @@ class Tracer {
   }
 
   // The part of a triangle in the mode and sign of det A: a sliver, and those of its sides that bound it.
-  void add_part(const Polygon& triangle, double sign, double width) {
-    Polygon part = clipped(triangle, 0, sign);
+  void add_part(const VertexPolygon& triangle, double sign, double width) {
+    VertexPolygon part = clipped(triangle, 0, sign);
     for (std::size_t k = 1; k < functions_.size(); ++k)
       part = clipped(part, static_cast<Eigen::Index>(k), 1.0);
     if (part.size() < 3) return;

@@ -13,7 +13,7 @@ constexpr std::size_t tries_to_attach = 24, tries_to_join = 3;
 constexpr std::size_t max_explored = 400;
 constexpr double share_kept = 0.9;  // of a way that ends at a singularity or a limit
 constexpr double shortest_path = 1e-3;
-constexpr int max_parts = 100;
+constexpr int max_parts_of_a_segment = 100;
 
 }  // namespace
 
@@ -49,7 +49,8 @@ std::vector<PathSearch::Vertex> PathSearch::nearest(const AnchorPoint& point, st
 
 bool PathSearch::link(Vertex a, Vertex b) {
   if (joined(a, b)) return true;
-  if (roadmap_.certifier().prove(poses_[a], poses_[b], mode_, max_parts).verdict != SegmentVerdict::free)
+  if (roadmap_.certifier().prove(poses_[a], poses_[b], mode_, max_parts_of_a_segment).verdict !=
+      SegmentVerdict::free)
     return false;
   links_[a].push_back(b);
   links_[b].push_back(a);
@@ -72,7 +73,7 @@ void PathSearch::explore(Vertex from, Vertex to) {
     if (!target) continue;
     const AnchorPoint point = anchor_point(*certifier.manipulator(), *target);
     const Vertex near = nearest(point, 1, from, true).front();
-    const SegmentProof proof = certifier.prove_start(poses_[near], *target, mode_, max_parts);
+    const SegmentProof proof = certifier.prove_start(poses_[near], *target, mode_, max_parts_of_a_segment);
     const double kept = proof.verdict == SegmentVerdict::free ? 1.0 : share_kept * proof.free_until;
     if (kept < shortest_path) continue;
     const Vertex reached = add(pose_between(poses_[near], *target, kept));
@@ -101,10 +102,10 @@ std::vector<Pose> PathSearch::shortened(const std::vector<Vertex>& vertices) con
   std::vector<Pose> path{poses_[vertices.front()]};
   for (std::size_t at = 0; at + 1 < vertices.size();) {
     std::size_t next = vertices.size() - 1;
-    while (
-        next > at + 1 &&
-        roadmap_.certifier().prove(poses_[vertices[at]], poses_[vertices[next]], mode_, max_parts).verdict !=
-            SegmentVerdict::free)
+    while (next > at + 1 &&
+           roadmap_.certifier()
+                   .prove(poses_[vertices[at]], poses_[vertices[next]], mode_, max_parts_of_a_segment)
+                   .verdict != SegmentVerdict::free)
       --next;
     path.push_back(poses_[vertices[next]]);
     at = next;

@@ -16,7 +16,7 @@ namespace parallel_aspects {
 namespace {
 
 constexpr std::size_t batch_size = 64;
-constexpr int max_parts = 400;
+constexpr int max_parts_of_an_edge = 400;
 constexpr std::size_t max_bridging_rounds = 10;
 constexpr std::size_t bridges_tried = 12;  // of each component in a round
 
@@ -91,7 +91,8 @@ class SideGrowth {
     tbb::parallel_for(std::size_t{0}, batch.size(), [&](std::size_t i) {
       if (is_cancelled(control_)) return;
       const Pose &from = pose(batch[i].a), &to = pose(batch[i].b);
-      proved[i] = ground_.certifier.prove(from, to, side_.mode, max_parts).verdict == SegmentVerdict::free;
+      proved[i] =
+          ground_.certifier.prove(from, to, side_.mode, max_parts_of_an_edge).verdict == SegmentVerdict::free;
     });
     for (std::size_t i = 0; i < batch.size(); ++i)
       if (proved[i] != 0) unite(batch[i]);

@@ -1,19 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kinematics/direct/direct_t1.h"
 
+#include "kinematics/direct/tangency.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace parallel_aspects {
-namespace {
-
-// A line that misses its sphere by so little, in squares relative to the robot, touches it but for rounding.
-constexpr double tangent = 1e-14;
-
-// Half chords shorter than this, relative to the robot, are so close to det A = 0 that rounding shows.
-constexpr double short_chord = 1e-6;
-
-}  // namespace
 
 DirectResult direct_t1(const Manipulator& manipulator, const JointVector& q) {
   const Leg& leg = manipulator.leg(0);
@@ -21,7 +14,7 @@ DirectResult direct_t1(const Manipulator& manipulator, const JointVector& q) {
   const double size = manipulator.size();
   const double squared_half_chord = leg.squared_distance(q[0]) - center.tail<2>().squaredNorm();
   DirectResult result{DirectStatus::solved, {}};
-  if (!(squared_half_chord >= -tangent * size * size)) return result;
+  if (!(squared_half_chord >= -tangency_tolerance * size * size)) return result;
   const double half_chord = std::sqrt(std::max(0.0, squared_half_chord));
   for (const double sign : {1.0, -1.0}) {
     AssemblyMode mode;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kinematics/direct/direct_t2.h"
 
+#include "kinematics/direct/tangency.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -16,13 +18,6 @@ struct Circle {
 
 // Two centers closer than this, relative to the robot, are taken as one.
 constexpr double same_center = 1e-13;
-
-// Circles that miss each other by so little, in squares relative to the robot, touch but for rounding.
-constexpr double tangent = 1e-14;
-
-// Half chords shorter than this, relative to the robot, are so close to det A = 0 that rounding of the order
-// 1e-16 in their square shows in the pose at 1e-10 or more.
-constexpr double short_chord = 1e-6;
 
 Circle circle(const Leg& leg, double q) {
   const Eigen::Vector3d center = leg.proximal_point(q) - leg.anchor;
@@ -52,7 +47,7 @@ DirectResult direct_t2(const Manipulator& manipulator, const JointVector& q) {
   const double along = 0.5 * (distance * distance + first.squared_radius - second.squared_radius) / distance;
   const double squared_half_chord = first.squared_radius - along * along;
   DirectResult result{DirectStatus::solved, {}};
-  if (!(squared_half_chord >= -tangent * size * size)) return result;
+  if (!(squared_half_chord >= -tangency_tolerance * size * size)) return result;
 
   const double half_chord = std::sqrt(std::max(0.0, squared_half_chord));
   const bool near_singular = half_chord < short_chord * size;

@@ -2,6 +2,7 @@
 #include "kinematics/direct/direct_t3.h"
 
 #include "kinematics/direct/locked_legs.h"
+#include "kinematics/direct/tangency.h"
 
 #include <Eigen/Geometry>
 
@@ -21,9 +22,6 @@ using Spheres = std::array<Sphere, 3>;
 
 // Centers this close to one line, relative to the robot, are taken to be on it.
 constexpr double collinear = 1e-13;
-
-// Spheres that miss a common point by so little, in squares relative to the robot, touch but for rounding.
-constexpr double tangent = 1e-14;
 
 // Spheres that miss a common circle by less than this, relative to the robot, are taken to share it.
 constexpr double same_circle = 1e-12;
@@ -81,7 +79,7 @@ DirectResult direct_t3(const Manipulator& manipulator, const JointVector& q) {
   const Eigen::Vector3d foot = (r2 * third.cross(normal) + r3 * normal.cross(second)) / squared_normal;
   const double squared_height = all[0].squared_radius - foot.squaredNorm();
   DirectResult result{DirectStatus::solved, {}};
-  if (!(squared_height >= -tangent * size * size)) return result;
+  if (!(squared_height >= -tangency_tolerance * size * size)) return result;
   const double share = std::sqrt(std::max(0.0, squared_height) / squared_normal);
   for (const double sign : {1.0, -1.0}) {
     AssemblyMode mode;

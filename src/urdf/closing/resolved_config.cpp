@@ -39,9 +39,9 @@ bool are_same(const Closure& one, const Closure& other) {
          ((are_same(a[0], b[0]) && are_same(a[1], b[1])) || (are_same(a[0], b[1]) && are_same(a[1], b[0])));
 }
 
-class Resolver {
+class NameResolver {
  public:
-  Resolver(const LoopSource& source, Problems& problems, std::vector<std::string>& notes)
+  NameResolver(const LoopSource& source, Problems& problems, std::vector<std::string>& notes)
       : source_(source), tree_(source.tree), files_(source.files), problems_(problems), notes_(notes) {}
 
   ResolvedConfig resolve(const MechanismConfig& config) {
@@ -196,7 +196,7 @@ class Resolver {
 
 ResolvedConfig resolve_config(const MechanismConfig& config, const LoopSource& source, Problems& problems,
                               std::vector<std::string>& notes) {
-  return Resolver(source, problems, notes).resolve(config);
+  return NameResolver(source, problems, notes).resolve(config);
 }
 
 std::vector<std::string> leave_out_repeated(std::vector<Closure>& closures, const SourceNames& files) {

@@ -27,9 +27,9 @@ std::optional<LinkName> link_named(const std::string& word) {
   return std::nullopt;
 }
 
-class Reader {
+class ConstraintsReader {
  public:
-  Reader(const std::string& file, Problems& problems) : yaml_(file, problems) {}
+  ConstraintsReader(const std::string& file, Problems& problems) : yaml_(file, problems) {}
 
   ConstraintsConfig read(const YAML::Node& node) {
     ConstraintsConfig config;
@@ -243,9 +243,9 @@ class Reader {
 };
 
 /// Points become vectors, with what the plane lacks zero.
-class Resolver {
+class ConstraintsResolver {
  public:
-  Resolver(const ConstrainedRobot& robot, const std::string& file, Problems& problems)
+  ConstraintsResolver(const ConstrainedRobot& robot, const std::string& file, Problems& problems)
       : robot_(robot),
         planar_(is_planar(robot.space)),
         directions_(directions(robot.space)),
@@ -326,13 +326,13 @@ const std::vector<std::string>& constraint_keys() {
 
 ConstraintsConfig read_constraints_config(const YAML::Node& node, const std::string& file,
                                           Problems& problems) {
-  return Reader(file, problems).read(node);
+  return ConstraintsReader(file, problems).read(node);
 }
 
 Constraints resolve_constraints(const ConstraintsConfig& config, const ConstrainedRobot& robot,
                                 const std::string& file, Problems& problems) {
   const std::size_t before = problems.size();
-  Resolver resolver(robot, file, problems);
+  ConstraintsResolver resolver(robot, file, problems);
   Constraints constraints;
   constraints.thickness = config.thickness;
   constraints.self_collision = config.self_collision;

@@ -13,9 +13,9 @@
 namespace parallel_aspects {
 namespace {
 
-class Reader {
+class MapReader {
  public:
-  Reader(const std::string& file, Problems& problems) : yaml_(file, problems) {}
+  MapReader(const std::string& file, Problems& problems) : yaml_(file, problems) {}
 
   MapConfig read(const YAML::Node& node) {
     MapConfig config;
@@ -83,7 +83,7 @@ MapConfig read_map_config(const std::string& text, const std::string& file, Prob
   try {
     const YAML::Node root = yaml_document(text);
     if (!root.IsMap() || !root["map"].IsDefined()) return {};
-    return Reader(file, problems).read(root["map"]);
+    return MapReader(file, problems).read(root["map"]);
   } catch (const YAML::Exception&) {
     return {};
   }

@@ -46,9 +46,9 @@ const std::vector<std::string>& top_keys() {
   return keys;
 }
 
-class Reader {
+class MechanismReader {
  public:
-  Reader(const std::string& file, Problems& problems)
+  MechanismReader(const std::string& file, Problems& problems)
       : file_(file), problems_(problems), yaml_(file, problems) {}
 
   MechanismConfig read(const YAML::Node& root) {
@@ -232,7 +232,7 @@ std::string problem_with_yaml(const std::string& text, const YAML::Exception& er
 
 MechanismConfig read_mechanism_config(const std::string& text, const std::string& file, Problems& problems) {
   try {
-    return Reader(file, problems).read(yaml_document(text));
+    return MechanismReader(file, problems).read(yaml_document(text));
   } catch (const YAML::Exception& error) {
     problems.push_back(file + problem_with_yaml(text, error));
     return {};

@@ -45,12 +45,6 @@ double angle_between(const Vector3d& one, const Vector3d& other) {
   return std::atan2(one.cross(other).norm(), std::abs(one.dot(other)));
 }
 
-std::string number(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g", value);
-  return text.data();
-}
-
 // To six decimals, which is far inside of what is accepted.
 std::string triple(const Vector3d& vector) {
   std::string text;
@@ -170,7 +164,7 @@ class MisfitFinder {
     origin.translation() += poses_[joint.parent].linear().transpose() * miss.shift;
     found_.push_back(
         {quoted(*miss.axis),
-         files_.urdf + " puts the axis of " + quoted(*miss.axis) + " " + number(miss.shift.norm()) +
+         files_.urdf + " puts the axis of " + quoted(*miss.axis) + " " + number_text(miss.shift.norm(), 3) +
              " m beside the point that the axes of the other joints meet in" + consequence,
          "write xyz=\"" + triple(origin.translation()) + "\" in the origin of " + quoted(*miss.axis), true,
          with_origin(miss.axis->joint, origin)});
@@ -187,7 +181,7 @@ class MisfitFinder {
 
   std::string fault(const Misfit& misfit, const std::string& from) const {
     return "turns the axis of " + quoted(*misfit.axis) + " " +
-           number(angle_between(misfit.axis->direction, misfit.direction)) + " rad away from " + from;
+           number_text(angle_between(misfit.axis->direction, misfit.direction), 3) + " rad away from " + from;
   }
 
   void add_turned_axes(const std::vector<Misfit>& misfits, const std::string& from) {

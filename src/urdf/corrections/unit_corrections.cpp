@@ -24,8 +24,6 @@ constexpr double most_radians = 6.9;  // that somebody writes for an angle
 constexpr double same_angle = 1e-6;   // [rad]
 constexpr int max_half_degrees = 2 * 360;
 
-std::string number(double value) { return number_text(value, 6); }
-
 // The farther of two limits, or nothing where there are none.
 std::optional<double> farther_limit(const JointLimits& limits) {
   const double lower = std::abs(limits.lower), upper = std::abs(limits.upper);
@@ -59,9 +57,9 @@ Correction metres_for_limits(Unit unit, const Tree& tree, const std::vector<std:
   for (const std::size_t joint : slides) {
     const JointLimits& limits = tree.joints[joint].limits;
     names += (names.empty() ? "'" : ", '") + tree.joints[joint].name + "'";
-    remedy += (remedy.empty() ? "write lower=\"" : " and write lower=\"") + number(metres * limits.lower) +
-              "\" upper=\"" + number(metres * limits.upper) + "\" for joint '" + tree.joints[joint].name +
-              "'";
+    remedy += (remedy.empty() ? "write lower=\"" : " and write lower=\"") +
+              number_text(metres * limits.lower) + "\" upper=\"" + number_text(metres * limits.upper) +
+              "\" for joint '" + tree.joints[joint].name + "'";
   }
   return {"limits of " + names,
           files.urdf + " is " + number_text(size, 3) + " m wide, but has limits of slides, " + names +

@@ -3,6 +3,7 @@
 
 #include "model/linear_algebra.h"
 #include "parallel_aspects/model/constraints.h"
+#include "urdf/recognition/direction_tolerance.h"
 #include "urdf/recognition/leg_rounding.h"
 
 #include <Eigen/Cholesky>
@@ -17,9 +18,6 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-
-// Wide enough for angles rounded to four digits, as in rpy="1.57075 0 0".
-constexpr double direction_tolerance = 5e-4;
 
 // Of the assembled configuration, over the size of the robot.
 constexpr double rounding = 1e-14;

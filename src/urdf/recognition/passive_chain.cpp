@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/recognition/passive_chain.h"
 
+#include "urdf/recognition/direction_tolerance.h"
 #include "urdf/recognition/leg_rounding.h"
 
 #include <algorithm>
@@ -13,9 +14,6 @@ namespace parallel_aspects {
 namespace {
 
 using Eigen::Vector3d;
-
-// Wide enough for angles rounded to four digits, as in rpy="1.57075 0 0".
-constexpr double direction_tolerance = 5e-4;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 

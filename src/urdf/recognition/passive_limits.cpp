@@ -13,7 +13,7 @@ namespace {
 using Eigen::Vector3d;
 
 // Of a rod that spins about its own axis.
-constexpr double direction_tolerance = 1e-6;
+constexpr double spin_tolerance = 1e-6;
 
 double direction_of(const Vector3d& vector) { return std::atan2(vector.y(), vector.x()); }
 
@@ -87,7 +87,7 @@ class Search {
   void add_cones(BallJointCone cone, const Eigen::Matrix3d& axes, const Chain& group, double sense,
                  const Vector3d& rod) {
     const bool spins = group.size() == 3 && group.back().kind == PivotKind::revolute &&
-                       group.back().axis.cross(rod.normalized()).norm() < direction_tolerance;
+                       group.back().axis.cross(rod.normalized()).norm() < spin_tolerance;
     if (group.size() != 2 && !spins) return;
     const auto first = universal_axis(group[0], sense), second = universal_axis(group[1], sense);
     if (!first || !second || (!first->limits.limited() && !second->limits.limited())) return;

@@ -32,14 +32,12 @@ struct RodPair {
   }
 };
 
-std::string number(double value) { return number_text(value, 4); }
-
 std::string text_of(const RodPair& pair) {
   return "the rods from '" + pair.one.front().name + "' to '" + pair.one.back().name + "' and from '" +
          pair.other.front().name + "' to '" + pair.other.back().name + "' are " +
-         number(RodPair::length(pair.one)) + " and " + number(RodPair::length(pair.other)) +
-         " m long, and their ends " + number(pair.apart_at_start()) + " and " + number(pair.apart_at_end()) +
-         " m apart";
+         number_text(RodPair::length(pair.one), 4) + " and " + number_text(RodPair::length(pair.other), 4) +
+         " m long, and their ends " + number_text(pair.apart_at_start(), 4) + " and " +
+         number_text(pair.apart_at_end(), 4) + " m apart";
 }
 
 }  // namespace

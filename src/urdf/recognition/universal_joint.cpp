@@ -16,10 +16,10 @@ constexpr double quarter_turn = 0.5 * EIGEN_PI;
 constexpr double angle_tolerance = 5e-4;
 
 // Axes that miss a right angle by more would make the cones wrong in more than the last digits.
-constexpr double direction_tolerance = 1e-6;
+constexpr double perpendicular_tolerance = 1e-6;
 
 bool are_perpendicular(const Vector3d& a, const Vector3d& b) {
-  return std::abs(a.dot(b)) < direction_tolerance;
+  return std::abs(a.dot(b)) < perpendicular_tolerance;
 }
 
 /// The range of an angle that is `now` and grows with the joint value.
