@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/kinematics/inverse.h"
 
+#include "model/angles.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 namespace parallel_aspects {
 namespace {
-
-constexpr double turn = 2.0 * EIGEN_PI;
 
 double square(double x) { return x * x; }
 
@@ -51,15 +51,15 @@ double value(const ElbowActuation& actuation, const Leg&, const Eigen::Vector3d&
   const double cosine =
       0.5 * (d.squaredNorm() - square(actuation.inner_length) - square(actuation.outer_length));
   const double angle = std::atan2(-actuation.sense * entry, cosine);
-  return std::remainder(actuation.sense * (angle - actuation.angle_at_zero), turn);
+  return std::remainder(actuation.sense * (angle - actuation.angle_at_zero), full_turn);
 }
 
 // The turn of `angle` that is inside the limits, or else the angle itself.
 double turned_into(const JointLimits& limits, double angle) {
   if (limits.contain(angle) || !limits.limited()) return angle;
   const double candidate = std::isfinite(limits.lower)
-                               ? angle + turn * std::ceil((limits.lower - angle) / turn)
-                               : angle + turn * std::floor((limits.upper - angle) / turn);
+                               ? angle + full_turn * std::ceil((limits.lower - angle) / full_turn)
+                               : angle + full_turn * std::floor((limits.upper - angle) / full_turn);
   return limits.contain(candidate) ? candidate : angle;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/model/constraints.h"
 
+#include "model/angles.h"
 #include "model/number_text.h"
 #include "model/task_space_traits.h"
 
@@ -9,8 +10,6 @@
 
 namespace parallel_aspects {
 namespace {
-
-constexpr double half_turn = EIGEN_PI;
 
 bool is_width(double value) { return std::isfinite(value) && value >= 0.0; }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/shipped_robots.h"
 
+#include "tools/report/numbers.h"
 #include "urdf/description/text_file.h"
 
 #include <algorithm>
@@ -33,18 +34,12 @@ std::vector<fs::path> usual_folders() {
           PARALLEL_ASPECTS_SOURCE_DIR};
 }
 
-std::string joined(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
-
 RobotChoice shipped_files(const std::string& name) {
   const fs::path share = share_folder();
   const std::vector<std::string> known = shipped_robots(share);
   if (std::find(known.begin(), known.end(), name) == known.end())
-    throw InvalidDescription({"There is no shipped robot '" + name + "'; take one of: " + joined(known) +
-                              "; or give --urdf FILE and --config FILE."});
+    throw InvalidDescription({"There is no shipped robot '" + name + "'; take one of: " +
+                              joined(known, ", ") + "; or give --urdf FILE and --config FILE."});
   return {name, urdf_path(share, name).string(), (config_folder(share) / (name + ".yaml")).string()};
 }
 

@@ -32,12 +32,6 @@ Names split(std::string line) {
   return names;
 }
 
-std::string joined(const Names& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ",") + name;
-  return text;
-}
-
 std::ptrdiff_t place(const Names& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) - names.begin();
 }
@@ -74,7 +68,7 @@ std::string text_of(const std::string& file) {
 
 /// A column each, once, and no other.
 void require_columns(const std::string& file, const Names& given, const Names& needed, Problems& problems) {
-  const std::string all = "; the columns are " + joined(needed) + ".";
+  const std::string all = "; the columns are " + joined(needed, ",") + ".";
   for (const std::string& name : needed)
     if (std::count(given.begin(), given.end(), name) != 1)
       problems.push_back(file + " does not have the column '" + name + "' once" + all);

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/tracking/joint_samples.h"
 
+#include "model/angles.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace parallel_aspects {
 namespace {
 
-constexpr double turn = 2.0 * EIGEN_PI;
-
-double nearest_turn(double last, double angle) { return angle + turn * std::round((last - angle) / turn); }
+double nearest_turn(double last, double angle) {
+  return angle + full_turn * std::round((last - angle) / full_turn);
+}
 
 // The value inside the limits that is a whole number of turns away and closest to `wanted`; the angle itself
 // where there is none.
@@ -18,7 +20,7 @@ double turned_inside(const JointLimits& limits, double wanted, double angle) {
   if (limits.contain(near)) return near;
   const double end = near < limits.lower ? limits.lower : limits.upper;
   const double at_end = nearest_turn(end, angle);
-  for (const double value : {at_end, at_end - turn, at_end + turn})
+  for (const double value : {at_end, at_end - full_turn, at_end + full_turn})
     if (limits.contain(value)) return value;
   return angle;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/aspects/joint_projection.h"
 
+#include "model/angles.h"
 #include "parallel_aspects/kinematics/inverse.h"
 
 #include <algorithm>
@@ -13,7 +14,6 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double turn = 2.0 * EIGEN_PI;
 constexpr double longest_edge = 0.25;    // of an image, where it can be had [rad]
 constexpr double longest_segment = 0.5;  // likewise
 constexpr int max_splits = 2;
@@ -78,7 +78,7 @@ void add_copies(const Polygon& polygon, const JointWindow& window, TriangleCorne
   for (int kx = -x_turns; kx <= x_turns; ++kx)
     for (int ky = -y_turns; ky <= y_turns; ++ky) {
       Polygon copy = polygon;
-      for (Vector2d& corner : copy) corner += turn * Vector2d(kx, ky);
+      for (Vector2d& corner : copy) corner += full_turn * Vector2d(kx, ky);
       for (const int axis : {0, 1}) {
         copy = clipped(copy, axis, window.upper[axis], 1.0);
         copy = clipped(copy, axis, window.lower[axis], -1.0);
@@ -92,7 +92,7 @@ void add_copies(const Polygon& polygon, const JointWindow& window, TriangleCorne
 Vector2d JointWindow::wrapped(const Vector2d& q) const noexcept {
   Vector2d inside = q;
   for (const int i : {0, 1})
-    if (turns[static_cast<std::size_t>(i)]) inside[i] = std::remainder(q[i], turn);
+    if (turns[static_cast<std::size_t>(i)]) inside[i] = std::remainder(q[i], full_turn);
   return inside;
 }
 
@@ -115,7 +115,7 @@ Vector2d JointProjection::joint_values(const Vector2d& point, const WorkingMode&
 Vector2d JointProjection::near(const Vector2d& reference, Vector2d q) const {
   for (const int i : {0, 1})
     if (window_.turns[static_cast<std::size_t>(i)])
-      q[i] = reference[i] + std::remainder(q[i] - reference[i], turn);
+      q[i] = reference[i] + std::remainder(q[i] - reference[i], full_turn);
   return q;
 }
 
@@ -124,7 +124,7 @@ double JointProjection::span(const Vector2d& from, const Vector2d& to) const {
   Vector2d result = (to - from).cwiseAbs();
   for (const int i : {0, 1})
     if (!map_->manipulator()->leg(static_cast<std::size_t>(i)).actuated_by_angle())
-      result[i] *= turn / (window_.upper[i] - window_.lower[i]);
+      result[i] *= full_turn / (window_.upper[i] - window_.lower[i]);
   return result.maxCoeff();
 }
 
@@ -143,8 +143,8 @@ void JointProjection::find_window() {
     const Leg& leg = map_->manipulator()->leg(static_cast<std::size_t>(i));
     if (!leg.actuated_by_angle() || leg.limits.limited()) continue;
     window_.turns[static_cast<std::size_t>(i)] = true;
-    window_.lower[i] = -0.5 * turn;
-    window_.upper[i] = 0.5 * turn;
+    window_.lower[i] = -0.5 * full_turn;
+    window_.upper[i] = 0.5 * full_turn;
   }
 }
 
@@ -171,7 +171,7 @@ void JointProjection::add_image(const std::vector<Vector2d>& polygon, const Work
   }
   // An image that still spans a large part of a turn cannot be unwrapped safely; it is smaller than can be
   // seen.
-  if (longest < 0.25 * turn) add_copies(enlarged(image), window_, corners);
+  if (longest < 0.25 * full_turn) add_copies(enlarged(image), window_, corners);
 }
 
 std::vector<BoundarySegment> JointProjection::images(const std::vector<BoundarySegment>& segments,

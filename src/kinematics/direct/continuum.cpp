@@ -17,7 +17,7 @@ namespace {
 constexpr double singular = 1e-6;
 
 // A pose that assembles, relative to the scale.
-constexpr double assembled = 1e-12;
+constexpr double assembled_residual = 1e-12;
 
 // Singular values below this, relative to the largest, belong to motions that A nearly does not feel.
 constexpr double null_motion = 1e-3;
@@ -40,7 +40,7 @@ double distance(const Manipulator& manipulator, const Pose& a, const Pose& b) {
 }
 
 bool is_singular_solution(const Manipulator& manipulator, const Pose& pose, const JointVector& q) {
-  return relative_residual(manipulator, pose, q, assembly_scale(manipulator, q)) < assembled &&
+  return relative_residual(manipulator, pose, q, assembly_scale(manipulator, q)) < assembled_residual &&
          smallest_singular_value_bound(manipulator, pose, q) < singular;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kinematics/direct/trigonometric_roots.h"
 
+#include "model/angles.h"
+
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -9,8 +11,6 @@
 
 namespace parallel_aspects {
 namespace {
-
-constexpr double pi = EIGEN_PI;
 
 // Half an arc that is not split any further [rad]; a double root is known to no more than half the digits.
 constexpr double shortest_arc = 1e-8;
@@ -23,9 +23,9 @@ class RootIsolation {
   std::vector<double> roots() {
     // An uneven start, so that the symmetric poses that people like do not fall on ends of arcs.
     constexpr int arcs = 8;
-    constexpr double start = -pi + 0.1234567;
-    for (int i = 0; i < arcs; ++i) search(start + 2.0 * pi * i / arcs, start + 2.0 * pi * (i + 1) / arcs);
-    for (double& root : roots_) root = std::remainder(root, 2.0 * pi);
+    constexpr double start = -half_turn + 0.1234567;
+    for (int i = 0; i < arcs; ++i) search(start + full_turn * i / arcs, start + full_turn * (i + 1) / arcs);
+    for (double& root : roots_) root = std::remainder(root, full_turn);
     return roots_;
   }
 
@@ -81,7 +81,7 @@ TrigonometricPolynomial TrigonometricPolynomial::interpolated(const std::functio
   constexpr std::size_t samples = 2 * degree + 2;
   TrigonometricPolynomial f;
   for (std::size_t i = 0; i < samples; ++i) {
-    const double t = 2.0 * pi * static_cast<double>(i) / samples;
+    const double t = full_turn * static_cast<double>(i) / samples;
     const double value = function(t) / samples;
     for (std::size_t k = 0; k <= degree; ++k) {
       f.cosine[k] += (k == 0 ? 1.0 : 2.0) * value * std::cos(static_cast<double>(k) * t);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/joint_states/joint_sample.h"
 
+#include "ros/messages/not_a_number.h"
 #include "urdf/description/nearest_name.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace parallel_aspects {
@@ -14,8 +14,6 @@ namespace {
 // Beyond this, angles are no longer exact to a ten-millionth of a degree; no actuated joint gets there [rad
 // or m].
 constexpr double largest_position = 1e6;
-
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 JointSample invalid(std::string message) { return {SampleStatus::invalid, std::move(message), {}, {}, {}}; }
 

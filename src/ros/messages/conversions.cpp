@@ -6,16 +6,14 @@
 #include "parallel_aspects/kinematics/jacobians.h"
 #include "parallel_aspects/motion/escape_direction.h"
 #include "ros/messages/hazard_messages.h"
+#include "ros/messages/not_a_number.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace parallel_aspects {
 namespace {
-
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 int sign_of(double value) { return value > 0.0 ? 1 : value < 0.0 ? -1 : 0; }
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/messages/hazard_messages.h"
 
+#include "ros/messages/not_a_number.h"
+
 #include <parallel_aspects/AspectState.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 
 namespace parallel_aspects {
 namespace {
@@ -15,8 +16,6 @@ static_assert(static_cast<std::uint8_t>(ThresholdLevel::clear) == AspectState::C
 static_assert(static_cast<std::uint8_t>(ThresholdLevel::warn) == AspectState::WARN);
 static_assert(static_cast<std::uint8_t>(ThresholdLevel::stop) == AspectState::STOP);
 static_assert(static_cast<std::uint8_t>(ThresholdLevel::unknown) == AspectState::UNKNOWN);
-
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 std::uint8_t kind_of(const std::optional<ProvedHazard>& last) {
   if (!last) return LastHazard::NONE;

@@ -3,19 +3,15 @@
 
 #include "model/number_text.h"
 #include "ros/messages/hazard_messages.h"
+#include "ros/messages/not_a_number.h"
 #include "ros/monitor/state_messages.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace parallel_aspects {
-namespace {
-
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-
-}  // namespace
+namespace {}  // namespace
 
 RobotMonitor::RobotMonitor(std::shared_ptr<const Mechanism> mechanism, const NodeOptions& options,
                            const std::string& topic)

@@ -19,7 +19,8 @@ using svg::number;
 using svg::text_at;
 
 // Lengths on the page [px].
-constexpr double left = 190.0, width = 480.0, top = 66.0, row_height = 13.0, bar_height = 8.0, bottom = 30.0;
+constexpr double bars_left = 190.0, bars_width = 480.0, first_row = 66.0, row_height = 13.0, bar_height = 8.0,
+                 bottom = 30.0;
 
 // Shorter bars, as a share of the longest, are counted and not drawn.
 constexpr double least_share = 0.02;
@@ -34,13 +35,13 @@ class BasinsDrawing {
   }
 
   std::string text() const {
-    const double height = top + static_cast<double>(count_) * row_height + bottom;
-    std::string picture = svg::start(left + width + 30.0, height);
+    const double height = first_row + static_cast<double>(count_) * row_height + bottom;
+    std::string picture = svg::start(bars_left + bars_width + 30.0, height);
     picture += text_at(10.0, 18.0, "start", map_.manipulator()->name() + ": basins of its aspects", 14.0);
     picture += text_at(10.0, 34.0, "start", caption());
     picture += text_at(10.0, 50.0, "start",
                        "det A > 0: blue; det A < 0: red; light: between the proved bounds of an end");
-    picture += scale(top - 4.0, height - bottom + 4.0);
+    picture += scale(first_row - 4.0, height - bottom + 4.0);
     for (std::size_t i = 0; i < rows_.size(); ++i)
       if (rows_[i]) picture += row(basins_.basins[i], *rows_[i]);
     return picture + "</svg>\n";
@@ -55,8 +56,8 @@ class BasinsDrawing {
            (left_out == 0 ? "" : "; " + counted(left_out, "shorter one") + " not drawn");
   }
 
-  double x(double index) const { return left + (largest_ > 0.0 ? width * index / largest_ : 0.0); }
-  static double y(std::size_t row) { return top + static_cast<double>(row) * row_height; }
+  double x(double index) const { return bars_left + (largest_ > 0.0 ? bars_width * index / largest_ : 0.0); }
+  static double y(std::size_t row) { return first_row + static_cast<double>(row) * row_height; }
 
   std::string scale(double from, double to) const {
     std::string picture;
@@ -75,7 +76,7 @@ class BasinsDrawing {
     const IndexRange start = basin.deeper ? basin.saddle : IndexRange{0.0, 0.0};
     std::string picture =
         bar(start.lower, basin.depth.upper, row, light) + bar(start.upper, basin.depth.lower, row, dark) +
-        text_at(left - 6.0, y(row) + bar_height, "end",
+        text_at(bars_left - 6.0, y(row) + bar_height, "end",
                 "aspect " + std::to_string(basin.aspect) + " " + to_string(aspect.mode), 9.0);
     if (basin.deeper && rows_[*basin.deeper])
       picture += "<path stroke=\"" + dark + "\" d=\"M" + number(x(start.upper)) + " " +

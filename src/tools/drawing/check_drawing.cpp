@@ -16,7 +16,8 @@ using svg::number;
 using svg::text_at;
 
 // Lengths on the page [px].
-constexpr double left = 70.0, width = 640.0, top = 66.0, height = 180.0, gap = 50.0;
+constexpr double chart_left = 70.0, chart_width = 640.0, first_chart = 66.0, chart_height = 180.0,
+                 chart_gap = 50.0;
 
 constexpr std::array<const char*, 3> colors{"#1f77b4", "#d62728", "#2ca02c"};
 
@@ -32,13 +33,14 @@ class Panel {
   }
 
   std::string frame(const std::string& title) const {
-    std::string text = "<rect x=\"" + number(left) + "\" y=\"" + number(y_) + "\" width=\"" + number(width) +
-                       "\" height=\"" + number(height) + "\" fill=\"none\" stroke=\"#888888\"/>\n";
-    text += text_at(left, y_ - 6.0, "start", title);
-    text += text_at(left - 6.0, y_ + 10.0, "end", number_text(largest_, 3));
-    text += text_at(left - 6.0, y_ + height, "end", "0");
-    text += text_at(left, y_ + height + 14.0, "start", number_text(begin_) + " s");
-    text += text_at(left + width, y_ + height + 14.0, "end", number_text(end_) + " s");
+    std::string text = "<rect x=\"" + number(chart_left) + "\" y=\"" + number(y_) + "\" width=\"" +
+                       number(chart_width) + "\" height=\"" + number(chart_height) +
+                       "\" fill=\"none\" stroke=\"#888888\"/>\n";
+    text += text_at(chart_left, y_ - 6.0, "start", title);
+    text += text_at(chart_left - 6.0, y_ + 10.0, "end", number_text(largest_, 3));
+    text += text_at(chart_left - 6.0, y_ + chart_height, "end", "0");
+    text += text_at(chart_left, y_ + chart_height + 14.0, "start", number_text(begin_) + " s");
+    text += text_at(chart_left + chart_width, y_ + chart_height + 14.0, "end", number_text(end_) + " s");
     for (const TrajectoryCrossing& crossing : check_.crossings) text += line_at(crossing.before);
     return text;
   }
@@ -48,17 +50,17 @@ class Panel {
     for (std::size_t i = 0; i < check_.samples.size(); ++i) {
       const double share = std::clamp(value(i) / largest_, 0.0, 1.0);
       if (std::isfinite(share))
-        points += number(x(check_.samples[i].time)) + "," + number(y_ + (1.0 - share) * height) + " ";
+        points += number(x(check_.samples[i].time)) + "," + number(y_ + (1.0 - share) * chart_height) + " ";
     }
     return "<polyline fill=\"none\" stroke=\"" + color + "\" points=\"" + points + "\"/>\n";
   }
 
  private:
-  double x(double time) const { return left + width * (time - begin_) / (end_ - begin_); }
+  double x(double time) const { return chart_left + chart_width * (time - begin_) / (end_ - begin_); }
 
   std::string line_at(double time) const {
     return "<line x1=\"" + number(x(time)) + "\" y1=\"" + number(y_) + "\" x2=\"" + number(x(time)) +
-           "\" y2=\"" + number(y_ + height) + "\" stroke=\"#000000\" stroke-dasharray=\"4 3\"/>\n";
+           "\" y2=\"" + number(y_ + chart_height) + "\" stroke=\"#000000\" stroke-dasharray=\"4 3\"/>\n";
   }
 
   const TrajectoryCheck& check_;
@@ -90,11 +92,12 @@ std::string draw_distances(const TrajectoryCheck& check, const std::vector<Sampl
 
 std::string draw_check(const Manipulator& manipulator, const TrajectoryCheck& check,
                        const std::vector<SampleDistances>& distances) {
-  const double below = top + height + gap;
-  std::string picture = svg::start(left + width + 30.0, (distances.empty() ? top : below) + height + gap);
+  const double below = first_chart + chart_height + chart_gap;
+  std::string picture = svg::start(chart_left + chart_width + 30.0,
+                                   (distances.empty() ? first_chart : below) + chart_height + chart_gap);
   picture += text_at(10.0, 18.0, "start", manipulator.name() + ", safe: " + name(check.answer), 14.0);
   picture += text_at(10.0, 34.0, "start", check.reason);
-  if (!check.samples.empty()) picture += draw_indices(check, top);
+  if (!check.samples.empty()) picture += draw_indices(check, first_chart);
   if (!distances.empty()) picture += draw_distances(check, distances, below);
   return picture + "</svg>\n";
 }

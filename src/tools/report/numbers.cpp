@@ -30,13 +30,13 @@ std::vector<std::string> words(std::string text) {
   return result;
 }
 
-std::string joined(const std::vector<std::string>& names) {
+}  // namespace
+
+std::string joined(const std::vector<std::string>& words, const std::string& between) {
   std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : " ") + name;
+  for (const std::string& word : words) text += (text.empty() ? "" : between) + word;
   return text;
 }
-
-}  // namespace
 
 std::vector<std::string> words_of_list(std::string text) {
   static const std::regex around_equals("\\s*=\\s*");
@@ -65,7 +65,7 @@ std::vector<double> parse_numbers(const std::string& option, const std::string& 
   const std::vector<std::string> given = words(text);
   if (given.size() != names.size())
     problems.push_back(option + " has " + counted(given.size(), "number") + ", but needs " +
-                       std::to_string(names.size()) + ": \"" + joined(names) + "\".");
+                       std::to_string(names.size()) + ": \"" + joined(names, " ") + "\".");
   std::vector<double> values;
   for (const std::string& word : given) {
     const std::optional<double> value = finite_number(word);

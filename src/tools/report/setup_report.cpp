@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/report/setup_report.h"
 
+#include "tools/report/numbers.h"
 #include "tools/report/reports.h"
 #include "urdf/description/command_options.h"
 
@@ -10,12 +11,6 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* cut_short = "The search was cut short, so that there may be other candidates.";
-
-std::string joined(const std::vector<std::string>& values, const std::string& between) {
-  std::string text;
-  for (const std::string& value : values) text += (text.empty() ? "" : between) + value;
-  return text;
-}
 
 json json_candidate(const std::string& key, const SetupCandidate& candidate) {
   return {{"values", candidate.values},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/config/constraints_config.h"
 
+#include "model/angles.h"
 #include "model/number_text.h"
 #include "urdf/description/yaml_values.h"
 
@@ -17,7 +18,6 @@ const char* const link_help = "write names such as crank_1 or rod_2";
 
 const char* const leg_help = "give its number, counted from 1 in the order of mechanism.actuated_joints";
 constexpr double max_leg_number = 6.0;
-constexpr double half_turn = EIGEN_PI;
 
 /// "crank_2" as a link; the number of a leg has one digit, since no robot has more than six.
 std::optional<LinkName> link_named(const std::string& word) {

@@ -14,7 +14,7 @@ namespace {
 
 using Choice = std::vector<std::size_t>;
 
-bool contains(const Choice& choice, std::size_t variable) {
+bool has_variable(const Choice& choice, std::size_t variable) {
   return std::find(choice.begin(), choice.end(), variable) != choice.end();
 }
 
@@ -154,7 +154,7 @@ class ActuationCorrections {
     std::map<std::size_t, std::size_t> counts;
     for (const auto& leg : legs_)
       for (const LegJoint& joint : leg)
-        if (contains(listed_, joint.variable)) ++counts[joint.depth];
+        if (has_variable(listed_, joint.variable)) ++counts[joint.depth];
     for (const auto& [depth, count] : counts)
       if (count > counts[usual_depth_]) usual_depth_ = depth;
   }
@@ -176,7 +176,7 @@ class ActuationCorrections {
   std::vector<LegJoint> listed_of(const std::vector<LegJoint>& leg) const {
     std::vector<LegJoint> listed;
     for (const LegJoint& joint : leg)
-      if (contains(listed_, joint.variable)) listed.push_back(joint);
+      if (has_variable(listed_, joint.variable)) listed.push_back(joint);
     return listed;
   }
 

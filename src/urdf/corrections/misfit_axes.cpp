@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/corrections/misfit_axes.h"
 
+#include "model/number_text.h"
 #include "urdf/closing/assembly.h"
 #include "urdf/corrections/correction_text.h"
 
