@@ -5,8 +5,8 @@
 namespace parallel_aspects {
 
 // In radians, rounded to the nearest double.
-inline constexpr double half_turn = 3.141592653589793238462643383279502884;
-inline constexpr double full_turn = 2.0 * half_turn;
+inline constexpr double pi = 3.141592653589793238462643383279502884;
+inline constexpr double full_turn = 2.0 * pi;
 
 }  // namespace parallel_aspects
 

@@ -121,7 +121,7 @@ class Check {
         (is_planar(space_) && cone.axis.z() != 0.0))
       problem(which + " has an axis that is not a unit vector" +
               (is_planar(space_) ? " of the plane; give one." : "; normalise it."));
-    if (!(cone.angle > 0.0 && cone.angle < half_turn))
+    if (!(cone.angle > 0.0 && cone.angle < pi))
       problem(
           which + " has an angle of " + std::to_string(cone.angle) +
           " rad; give the angle from its axis to its surface, above 0 and below pi, or leave the cone out "

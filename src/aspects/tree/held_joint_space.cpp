@@ -15,7 +15,7 @@ constexpr std::size_t direction = 0, angle = 1;  // coordinates
 
 Gluing ends_of(std::uint8_t axis) { return {{0, axis, true}, {0, axis, false}, {0, 1, 2}, {}}; }
 
-double half_turns(double y, double x) { return std::remainder(std::atan2(y, x), full_turn) / half_turn; }
+double half_turns(double y, double x) { return std::remainder(std::atan2(y, x), full_turn) / pi; }
 
 class HeldJointSpace final : public PoseSpace {
  public:
@@ -33,35 +33,33 @@ class HeldJointSpace final : public PoseSpace {
     const Eigen::Vector2d rod = circle_.rod(pose);
     result.point[direction] = half_turns(rod.y(), rod.x());
     result.point[angle] =
-        std::remainder(2.0 * std::atan2(pose.orientation.z(), pose.orientation.w()), full_turn) / half_turn;
+        std::remainder(2.0 * std::atan2(pose.orientation.z(), pose.orientation.w()), full_turn) / pi;
     return result;
   }
 
   Pose pose(const MapPosition& position) const noexcept override {
-    return circle_.pose(half_turn * position.point[direction], half_turn * position.point[angle]);
+    return circle_.pose(pi * position.point[direction], pi * position.point[angle]);
   }
 
   Box shown(const Box& box) const noexcept override {
     Box result = box;
     for (std::size_t i = 0; i < box.dimension; ++i) {
-      result.lower[i] *= half_turn;
-      result.upper[i] *= half_turn;
+      result.lower[i] *= pi;
+      result.upper[i] *= pi;
     }
     return result;
   }
 
-  double measure(const Box& box) const noexcept override { return half_turn * half_turn * box.measure(); }
+  double measure(const Box& box) const noexcept override { return pi * pi * box.measure(); }
 
   double longest_edge(const Box& box) const noexcept override {
-    return half_turn * std::max(box.width(direction), box.width(angle));
+    return pi * std::max(box.width(direction), box.width(angle));
   }
 
   bool is_periodic(std::size_t) const noexcept override { return true; }
 
   // Along the circle of the anchor, not as the operational point moves.
-  MapPoint weights() const noexcept override {
-    return {half_turn * circle_.radius, half_turn * length_, 1.0};
-  }
+  MapPoint weights() const noexcept override { return {pi * circle_.radius, pi * length_, 1.0}; }
 
  private:
   AnchorCircle circle_;

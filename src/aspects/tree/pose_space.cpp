@@ -52,33 +52,32 @@ class PlanarMotions final : public PoseSpace {
 
   MapPosition position(const Pose& pose) const noexcept override {
     const double half_angle = std::atan2(pose.orientation.z(), pose.orientation.w());
-    return {0,
-            {pose.position.x(), pose.position.y(), std::remainder(2.0 * half_angle, full_turn) / half_turn}};
+    return {0, {pose.position.x(), pose.position.y(), std::remainder(2.0 * half_angle, full_turn) / pi}};
   }
 
   Pose pose(const MapPosition& position) const noexcept override {
     Pose result;
     result.position.head<2>() << position.point[0], position.point[1];
-    result.orientation = Eigen::AngleAxisd(half_turn * position.point[2], Eigen::Vector3d::UnitZ());
+    result.orientation = Eigen::AngleAxisd(pi * position.point[2], Eigen::Vector3d::UnitZ());
     return result;
   }
 
   Box shown(const Box& box) const noexcept override {
     Box result = box;
-    result.lower[2] *= half_turn;
-    result.upper[2] *= half_turn;
+    result.lower[2] *= pi;
+    result.upper[2] *= pi;
     return result;
   }
 
-  double measure(const Box& box) const noexcept override { return half_turn * box.measure(); }
+  double measure(const Box& box) const noexcept override { return pi * box.measure(); }
 
   double longest_edge(const Box& box) const noexcept override {
-    return std::max({box.width(0), box.width(1), half_turn * box.width(2)});
+    return std::max({box.width(0), box.width(1), pi * box.width(2)});
   }
 
   bool is_periodic(std::size_t i) const noexcept override { return i == 2; }
 
-  MapPoint weights() const noexcept override { return {1.0, 1.0, half_turn * length_}; }
+  MapPoint weights() const noexcept override { return {1.0, 1.0, pi * length_}; }
 
  private:
   double length_;

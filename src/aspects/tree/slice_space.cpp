@@ -65,8 +65,7 @@ class Slice final : public PoseSpace {
     std::size_t next = 0;
     for (std::size_t i = 0; i < 3; ++i)
       if (slice_.moves[i]) result.point[next++] = pose.position[static_cast<Eigen::Index>(i)];
-    if (turns(slice_))
-      result.point[next] = std::remainder(2.0 * std::atan2(along, turn.w()), full_turn) / half_turn;
+    if (turns(slice_)) result.point[next] = std::remainder(2.0 * std::atan2(along, turn.w()), full_turn) / pi;
     return result;
   }
 
@@ -76,28 +75,27 @@ class Slice final : public PoseSpace {
     for (std::size_t i = 0; i < 3; ++i)
       if (slice_.moves[i]) result.position[static_cast<Eigen::Index>(i)] = position.point[next++];
     if (turns(slice_))
-      result.orientation =
-          Eigen::AngleAxisd(half_turn * position.point[next], axis_) * slice_.held.orientation;
+      result.orientation = Eigen::AngleAxisd(pi * position.point[next], axis_) * slice_.held.orientation;
     return result;
   }
 
   Box shown(const Box& box) const noexcept override {
     Box result = box;
     if (turns(slice_)) {
-      result.lower[angle()] *= half_turn;
-      result.upper[angle()] *= half_turn;
+      result.lower[angle()] *= pi;
+      result.upper[angle()] *= pi;
     }
     return result;
   }
 
   double measure(const Box& box) const noexcept override {
-    return turns(slice_) ? half_turn * box.measure() : box.measure();
+    return turns(slice_) ? pi * box.measure() : box.measure();
   }
 
   double longest_edge(const Box& box) const noexcept override {
     double longest = 0.0;
     for (std::size_t i = 0; i < dimension(); ++i)
-      longest = std::max(longest, is_periodic(i) ? half_turn * box.width(i) : box.width(i));
+      longest = std::max(longest, is_periodic(i) ? pi * box.width(i) : box.width(i));
     return longest;
   }
 
@@ -105,7 +103,7 @@ class Slice final : public PoseSpace {
 
   MapPoint weights() const noexcept override {
     MapPoint result{1.0, 1.0, 1.0};
-    if (turns(slice_)) result[angle()] = slice_.free_positions() == 0 ? half_turn : half_turn * length_;
+    if (turns(slice_)) result[angle()] = slice_.free_positions() == 0 ? pi : pi * length_;
     return result;
   }
 

@@ -23,7 +23,7 @@ class RootIsolation {
   std::vector<double> roots() {
     // An uneven start, so that the symmetric poses that people like do not fall on ends of arcs.
     constexpr int arcs = 8;
-    constexpr double start = -half_turn + 0.1234567;
+    constexpr double start = -pi + 0.1234567;
     for (int i = 0; i < arcs; ++i) search(start + full_turn * i / arcs, start + full_turn * (i + 1) / arcs);
     for (double& root : roots_) root = std::remainder(root, full_turn);
     return roots_;

@@ -117,7 +117,7 @@ class ConstraintsReader {
 
   bool read_angle(const YAML::Node& node, const std::string& where, double& angle) {
     if (!yaml_.number(node, where, angle)) return false;
-    if (angle > 0.0 && angle < half_turn) return true;
+    if (angle > 0.0 && angle < pi) return true;
     yaml_.problem("has a " + where +
                   " that is not above 0 and below pi; give half the opening of the cone in rad, or leave the "
                   "cone out where the joint lets the rod point everywhere.");

@@ -20,7 +20,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 // Of the assembled configuration, over the size of the robot.
-constexpr double rounding = 1e-14;
+constexpr double rounding_share = 1e-14;
 
 double distance_to_axis(const Vector3d& point, const Pivot& pivot) {
   return (point - pivot.point).cross(pivot.axis).norm();
@@ -251,7 +251,7 @@ class LegBuilder {
   // Into the plane of a planar robot; what rounding left of a zero becomes zero.
   Vector3d flat(Vector3d vector) const {
     if (is_planar(motion_.space)) vector.z() = 0.0;
-    const double zero = rounding * setting_.size;
+    const double zero = rounding_share * setting_.size;
     return vector.unaryExpr([zero](double entry) { return std::abs(entry) < zero ? 0.0 : entry; });
   }
   Vector3d point(const Vector3d& in_base) const { return flat(to_task_ * in_base); }
