@@ -10,10 +10,12 @@
 #include "parallel_aspects/motion/plan_path.h"
 #include "parallel_aspects/ompl/aspect_validity.h"
 #include "parallel_aspects/ompl/pose_state_space.h"
+#include "parallel_aspects/singularity/indices.h"
 
 #include "support/pose_pairs.h"
 #include "support/shipped.h"
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -41,6 +43,7 @@ using Clock = std::chrono::steady_clock;
 using Robot = std::shared_ptr<const Manipulator>;
 
 constexpr int looks_at_a_motion = 2000;  // for singularities that a path passes unseen
+constexpr double touching = 1e-6;        // of the parallel index, found by search along a motion
 
 struct Question {
   ModeAndSign side;
@@ -52,7 +55,7 @@ struct Answer {
   bool found = false;
   double milliseconds = 0.0;
   double length = 0.0;   // [m], rotations times the characteristic length; [rad] in SO3
-  bool crosses = false;  // a pose of it has another sign of det A, or is out of reach
+  bool crosses = false;  // a pose of it is singular, or out of reach
 };
 
 double quantile(std::vector<double> values, double share) {
@@ -102,14 +105,62 @@ ob::SpaceInformationPtr sampled_information(const Robot& robot, const ModeAndSig
   return information;
 }
 
-bool crosses(const Manipulator& robot, const Question& question, const og::PathGeometric& path) {
-  const ob::StateSpacePtr& space = path.getSpaceInformation()->getStateSpace();
-  ob::ScopedState<> state(space);
-  for (unsigned k = 0; k + 1 < path.getStateCount(); ++k)
+/// One motion of a path, as OMPL interpolates it.
+class Motion {
+ public:
+  Motion(const Manipulator& robot, const Question& question, const og::PathGeometric& path, unsigned k)
+      : robot_(robot),
+        side_(question.side),
+        space_(path.getSpaceInformation()->getStateSpace()),
+        from_(path.getState(k)),
+        to_(path.getState(k + 1)),
+        state_(space_) {}
+
+  /// Whether some pose is out of reach, or has another sign of det A, or det A touches zero there.
+  bool crosses() {
+    std::array<double, 3> last{1.0, 1.0, 1.0};
     for (int i = 0; i <= looks_at_a_motion; ++i) {
-      space->interpolate(path.getState(k), path.getState(k + 1), i / double{looks_at_a_motion}, state.get());
-      if (!is_valid(robot, pose_of(robot.task_space(), *state), question.side)) return true;
+      last = {last[1], last[2], index(i * step)};
+      if (last[2] < 0.0) return true;
+      if (last[1] <= last[0] && last[1] <= last[2] && least_between((i - 2) * step, i * step) < touching)
+        return true;
     }
+    return false;
+  }
+
+ private:
+  static constexpr double step = 1.0 / looks_at_a_motion;
+
+  /// The parallel index, or a negative number where the state is not valid.
+  double index(double t) {
+    space_->interpolate(from_, to_, std::clamp(t, 0.0, 1.0), state_.get());
+    const Pose pose = pose_of(robot_.task_space(), *state_);
+    if (!is_valid(robot_, pose, side_)) return -1.0;
+    return parallel_index(robot_, pose, inverse(robot_, pose, side_.mode).q);
+  }
+
+  /// By thirds.
+  double least_between(double begin, double end) {
+    for (int i = 0; i < 80; ++i) {
+      const double third = (end - begin) / 3.0;
+      if (index(begin + third) < index(end - third))
+        end -= third;
+      else
+        begin += third;
+    }
+    return index(begin);
+  }
+
+  const Manipulator& robot_;
+  const ModeAndSign side_;
+  const ob::StateSpacePtr space_;
+  const ob::State *from_, *to_;
+  ob::ScopedState<> state_;
+};
+
+bool crosses(const Manipulator& robot, const Question& question, const og::PathGeometric& path) {
+  for (unsigned k = 0; k + 1 < path.getStateCount(); ++k)
+    if (Motion(robot, question, path, k).crosses()) return true;
   return false;
 }
 
