@@ -43,7 +43,7 @@ using Clock = std::chrono::steady_clock;
 using Robot = std::shared_ptr<const Manipulator>;
 
 constexpr int looks_at_a_motion = 2000;  // for singularities that a path passes unseen
-constexpr double touching = 1e-6;        // of the parallel index, found by search along a motion
+constexpr double touching = 1e-10;       // of the parallel index, found by search along a motion
 
 struct Question {
   ModeAndSign side;
