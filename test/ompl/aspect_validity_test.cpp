@@ -45,6 +45,11 @@ class Ground {
       if (const auto pose = pairs_.reached(side_.mode); pose && is_valid(*pose)) return *pose;
   }
 
+  Pose pose_near(const Pose& from) {
+    while (true)
+      if (const auto pose = pairs_.nearby(from, side_.mode); pose && is_valid(*pose)) return *pose;
+  }
+
   State state(const Pose& pose) const {
     State result(information);
     set_pose(robot->task_space(), pose, *result);
@@ -201,7 +206,9 @@ TEST(AspectSpaceInformation, PathsStayInTheirMode) {
     for (int i = 0; i < (test::is_sanitized ? 2 : 10); ++i) {
       og::SimpleSetup setup(ground.information);
       setup.setPlanner(std::make_shared<og::RRTConnect>(ground.information));
-      setup.setStartAndGoalStates(ground.state(ground.pose_of_side()), ground.state(ground.pose_of_side()));
+      const Pose start = ground.pose_of_side();
+      const Pose goal = i % 2 == 0 ? ground.pose_near(start) : ground.pose_of_side();
+      setup.setStartAndGoalStates(ground.state(start), ground.state(goal));
       if (setup.solve(0.3) != ob::PlannerStatus::EXACT_SOLUTION) continue;
       setup.simplifySolution(0.1);
       og::PathGeometric& path = setup.getSolutionPath();

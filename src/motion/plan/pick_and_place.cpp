@@ -21,6 +21,8 @@ PickAndPlace none(std::string reason) {
   return result;
 }
 
+PickAndPlace cancelled() { return none("it was cancelled before one was found."); }
+
 bool has_more_constraints(const Manipulator& robot) {
   ConstraintKinds kinds = robot.constraint_kinds();
   kinds[index_of(ConstraintKind::actuated_limits)] = false;
@@ -50,11 +52,12 @@ class Planner {
     const Location location = map_.locate(start, mode);
     if (location.status != LocationStatus::inside) return none("the map does not locate the start.");
     const AspectGraph* graph = paths_.graph(control_);
-    if (graph == nullptr) return none("cancelled.");
+    if (graph == nullptr) return cancelled();
     const Aspect& home = aspect(location.aspect);
     std::vector<Candidate> candidates;
     for (const int other : graph->sets[graph->set_of(home.id)].aspects)
       if (other != home.id && !is_cancelled(control_)) add(start, home, aspect(other), candidates);
+    if (is_cancelled(control_)) return cancelled();
     if (candidates.empty())
       return none("no serial gate leads from aspect " + std::to_string(home.id) +
                   " to a place that it does not hold.");
