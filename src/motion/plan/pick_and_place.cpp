@@ -2,6 +2,7 @@
 #include "motion/plan/pick_and_place.h"
 
 #include "motion/plan/joint_corners.h"
+#include "motion/roadmap.h"
 #include "parallel_aspects/aspects/aspect_graph.h"
 #include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/singularity/indices.h"
@@ -23,12 +24,6 @@ PickAndPlace none(std::string reason) {
 
 PickAndPlace cancelled() { return none("it was cancelled before one was found."); }
 
-bool has_more_constraints(const Manipulator& robot) {
-  ConstraintKinds kinds = robot.constraint_kinds();
-  kinds[index_of(ConstraintKind::actuated_limits)] = false;
-  return kinds.any();
-}
-
 /// A task, and the ways to it and back.
 struct Candidate {
   PickAndPlace task;
@@ -47,7 +42,7 @@ class Planner {
       : map_(*map), robot_(*map->manipulator()), paths_(map), accepts_(accepts), control_(control) {}
 
   PickAndPlace plan(const Pose& start, const WorkingMode& mode) {
-    if (has_more_constraints(robot_))
+    if (!straight_motions_are_allowed(robot_))
       return none("straight motions of actuated joints are not proved to keep the constraints.");
     const Location location = map_.locate(start, mode);
     if (location.status != LocationStatus::inside) return none("the map does not locate the start.");
