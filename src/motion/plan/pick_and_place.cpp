@@ -22,7 +22,7 @@ PickAndPlace none(std::string reason) {
   return result;
 }
 
-PickAndPlace cancelled() { return none("it was cancelled before one was found."); }
+PickAndPlace cancelled() { return none("none was found in time."); }
 
 /// A task, and the ways to it and back.
 struct Candidate {
