@@ -11,6 +11,7 @@
 #include "support/shipped.h"
 #include "support/thoroughness.h"
 #include <algorithm>
+#include <atomic>
 #include <memory>
 #include <string>
 #include <vector>
@@ -128,10 +129,41 @@ TEST(PickAndPlace, ChangesTheWorkingModeOfThe3Rrr) {
   expect_done(start, task_of(start));
 }
 
+TEST(PickAndPlace, ChangesTheWorkingModeOfThe3Prr) {
+  if (test::is_sanitized) GTEST_SKIP() << "takes long there";
+  const Start start = start_of("three_prr");
+  expect_done(start, task_of(start));
+}
+
 TEST(PickAndPlace, SaysWhyThereIsNone) {
   const PickAndPlace task = task_of(start_of("bipod"));
   EXPECT_FALSE(task);
   EXPECT_EQ(task.reason.find("No pick and place: no serial gate leads from aspect "), 0U) << task.reason;
+}
+
+TEST(PickAndPlace, IsRefusedWhereNoRoundIsAccepted) {
+  const Start start = start_of("five_bar");
+  int asked = 0;
+  const PickAndPlace task =
+      plan_pick_and_place(start.map, start.pose, start.mode, [&](const std::vector<JointVector>&) {
+        ++asked;
+        return false;
+      });
+  EXPECT_FALSE(task);
+  EXPECT_GT(asked, 1);
+  EXPECT_EQ(task.reason,
+            "No pick and place: every one that was planned comes too close to a singularity to be followed.");
+}
+
+TEST(PickAndPlace, EndsWhereItIsCancelled) {
+  const Start start = start_of("five_bar");
+  const std::atomic<bool> cancelled{true};
+  MapControl control;
+  control.cancelled = &cancelled;
+  const auto accepts = [](const std::vector<JointVector>&) { return true; };
+  const PickAndPlace task = plan_pick_and_place(start.map, start.pose, start.mode, accepts, control);
+  EXPECT_FALSE(task);
+  EXPECT_EQ(task.reason, "No pick and place: none was found in time.");
 }
 
 }  // namespace
