@@ -9,7 +9,6 @@
 #include "support/pose_pairs.h"
 #include "support/shipped.h"
 #include "support/sign_at.h"
-#include "support/thoroughness.h"
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -113,7 +112,7 @@ TEST(AspectValidityChecker, AgreesWithPlainArithmetic) {
 }
 
 TEST(CertifiedMotionValidator, AgreesWithDensePoses) {
-  const int count = test::is_sanitized ? 20 : 200;
+  constexpr int count = 200;
   for (const std::string& name : one_of_each_space) {
     Ground ground(name);
     int free = 0, blocked = 0, undecided = 0;
@@ -203,7 +202,7 @@ TEST(AspectSpaceInformation, PathsStayInTheirMode) {
   for (const std::string& name : one_of_each_space) {
     Ground ground(name);
     int solved = 0;
-    for (int i = 0; i < (test::is_sanitized ? 2 : 10); ++i) {
+    for (int i = 0; i < 10; ++i) {
       og::SimpleSetup setup(ground.information);
       setup.setPlanner(std::make_shared<og::RRTConnect>(ground.information));
       const Pose start = ground.pose_of_side();
