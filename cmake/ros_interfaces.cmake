@@ -63,7 +63,7 @@ generate_messages(DEPENDENCIES actionlib_msgs geometry_msgs std_msgs trajectory_
 
 catkin_package(
   INCLUDE_DIRS include
-  LIBRARIES parallel_aspects_core parallel_aspects_ros
+  LIBRARIES ${optional_catkin_libraries} parallel_aspects_core parallel_aspects_ros
   CATKIN_DEPENDS
     actionlib
     actionlib_msgs
@@ -82,5 +82,5 @@ catkin_package(
     tf2_ros
     trajectory_msgs
     visualization_msgs
-  DEPENDS EIGEN3
+  DEPENDS EIGEN3 ${optional_catkin_dependencies}
 )

@@ -34,6 +34,12 @@ JointVector joint_change(const Manipulator& manipulator, const JointVector& from
   return change;
 }
 
+bool straight_motions_are_allowed(const Manipulator& manipulator) {
+  ConstraintKinds kinds = manipulator.constraint_kinds();
+  kinds[index_of(ConstraintKind::actuated_limits)] = false;
+  return kinds.none();
+}
+
 int steps_of_one_sample() noexcept { return TrackerOptions().max_steps / 2; }
 
 bool straight_motion_exists(const Manipulator& manipulator, const Place& from, const JointVector& change,

@@ -23,6 +23,10 @@ struct Place {
 /// path.
 JointVector joint_change(const Manipulator& manipulator, const JointVector& from, const JointVector& to);
 
+/// Whether straight motions of actuated joints between poses that are allowed stay allowed: there are no
+/// constraints besides limits of actuated joints.
+bool straight_motions_are_allowed(const Manipulator& manipulator);
+
 /// Half of the steps that a tracker takes for one sample, as its options are by default: it follows a motion
 /// that is proved in as many, however few samples there are on it.
 int steps_of_one_sample() noexcept;

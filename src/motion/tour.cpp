@@ -37,7 +37,7 @@ class Planner {
   explicit Planner(const AspectMap& map) : map_(map), robot_(*map.manipulator()) {}
 
   Tour plan(const Pose& start, const WorkingMode& mode) {
-    if (has_more_constraints()) return {};
+    if (!straight_motions_are_allowed(robot_)) return {};
     const InverseSolution solution = inverse(robot_, start, mode);
     const Location location = map_.locate(start, mode);
     if (solution.status != InverseStatus::solved || location.status != LocationStatus::inside) return {};
@@ -48,12 +48,6 @@ class Planner {
   }
 
  private:
-  bool has_more_constraints() const {
-    ConstraintKinds kinds = robot_.constraint_kinds();
-    kinds[index_of(ConstraintKind::actuated_limits)] = false;
-    return kinds.any();
-  }
-
   // Goes everywhere from here that was not yet visited, and comes back to `entry`.
   void visit(int aspect, std::size_t entry) {
     visited_.insert(aspect);

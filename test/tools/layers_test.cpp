@@ -56,6 +56,7 @@ const Strings rooms{"model",
                     "tools/drawing",
                     "tools",
                     "tools/subcommands",
+                    "ompl",
                     "ros/parameters",
                     "ros/messages",
                     "ros/joint_states",
@@ -69,6 +70,9 @@ constexpr std::size_t max_public_headers = 60;
 
 bool starts_with(const std::string& text, const std::string& start) { return text.rfind(start, 0) == 0; }
 
+// Layers that a build may leave out, so that none but themselves may include them.
+const Strings optional_layers{"ompl"};
+
 std::string layer_of(const std::string& room) { return room.substr(0, room.find('/')); }
 
 // What a layer below ros/ may include besides the standard library and lower rooms.
@@ -78,7 +82,16 @@ const Strings& libraries(const std::string& layer) {
   static const Strings urdf{"Eigen/",          "urdf_parser/", "urdf_model/", "urdf_world/",
                             "urdf_exception/", "yaml-cpp/",    "tinyxml2.h",  "console_bridge/"};
   static const Strings tools{"Eigen/", "nlohmann/", "unistd.h", "yaml-cpp/"};
-  return layer == "aspects" ? aspects : layer == "urdf" ? urdf : layer == "tools" ? tools : eigen;
+  static const Strings ompl{"Eigen/", "ompl/"};
+  return layer == "aspects" ? aspects
+         : layer == "urdf"  ? urdf
+         : layer == "tools" ? tools
+         : layer == "ompl"  ? ompl
+                            : eigen;
+}
+
+bool is_optional(const std::string& layer) {
+  return std::find(optional_layers.begin(), optional_layers.end(), layer) != optional_layers.end();
 }
 
 std::ptrdiff_t height(const std::string& room) {
@@ -116,8 +129,9 @@ bool is_standard(const std::string& header) { return header.find_first_of("./") 
 
 bool is_allowed(const fs::path& root, const std::string& room, const std::string& header) {
   const std::string other = room_of_include(root, header);
-  if (!other.empty()) return height(other) <= height(room);
   const std::string layer = layer_of(room);
+  if (!other.empty())
+    return height(other) <= height(room) && (layer_of(other) == layer || !is_optional(layer_of(other)));
   const Strings& allowed = libraries(layer);
   return layer == "ros" || is_standard(header) ||
          std::any_of(allowed.begin(), allowed.end(),
@@ -312,6 +326,15 @@ TEST_F(PlantedTree, RosBelowRosIsFound) {
   EXPECT_EQ(violations_in(root_).size(), 4U);
 }
 
+TEST_F(PlantedTree, OptionalLayersAreIncludedByNoOther) {
+  plant("src/ompl/a.h", "#include <ompl/base/State.h>");
+  plant("src/ompl/b.cpp", "#include \"ompl/a.h\"\n#include \"parallel_aspects/model/leg.h\"");
+  EXPECT_EQ(violations_in(root_), Strings());
+  plant("src/ros/node/a.cpp", "#include \"ompl/a.h\"");
+  plant("src/tools/a.cpp", "#include <ompl/base/State.h>");
+  EXPECT_EQ(violations_in(root_).size(), 2U);
+}
+
 TEST_F(PlantedTree, StraySourcesAreFound) {
   EXPECT_EQ(strays_in(root_), Strings());
   plant("src/a.cpp", "");
@@ -395,7 +418,10 @@ TEST(Layers, PublicHeadersAreFewAndIncludeNoPrivateOnes) {
 TEST(Layers, TheUmbrellaHeaderIncludesEveryPublicOne) {
   const fs::path umbrella = here / "include/parallel_aspects/parallel_aspects.h";
   const Strings included = includes_of(umbrella);
-  EXPECT_EQ(included.size() + 1, sources_in(here / "include").size());
+  std::size_t count = 1 + included.size();
+  for (const std::string& layer : optional_layers)
+    count += sources_in(here / "include" / "parallel_aspects" / layer).size();
+  EXPECT_EQ(count, sources_in(here / "include").size());
   for (const std::string& header : included) EXPECT_TRUE(fs::exists(here / "include" / header)) << header;
 }
 

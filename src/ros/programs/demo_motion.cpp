@@ -3,10 +3,12 @@
 // Plays joint_states of the actuated joints, for any robot that aspect_node serves. It begins with a local
 // motion about the start pose, which needs no map. Once the node's map is complete, it plans a tour through
 // every aspect that can be reached without crossing det A = 0, and goes over to it at the end of a round.
-// Parameters: ~server (name of that node), ~duration of one round of the tour [s], ~local_duration of one
-// round of the local motion [s], ~loop (until shut down; or until one tour is over, or one local round where
-// there is no tour), ~patience: no tour of a map that took longer than this, as it is computed again here
-// [s].
+// Last comes a pick and place that the aspect of the start cannot do, with the reason in the log. Parameters:
+// ~server (name of that node), ~duration of one round of the tour [s], ~local_duration of one round of the
+// local motion [s], ~task_duration of the pick and place [s], ~loop (until shut down; or until tour and task
+// are over, or one local round where there are none), ~patience: no tour of a map that took longer than this,
+// as it is computed again here [s].
+#include "motion/plan/pick_and_place.h"
 #include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/kinematics/jacobians.h"
 #include "parallel_aspects/motion/local_motion.h"
@@ -25,9 +27,13 @@
 #include <cmath>
 #include <cstdlib>
 #include <future>
+#include <iterator>
+#include <memory>
 #include <optional>
 #include <sensor_msgs/JointState.h>
+#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace parallel_aspects {
@@ -44,13 +50,16 @@ struct Start {
 
 struct DemoOptions {
   std::string server;
-  double duration, local_duration, patience;
+  double duration, local_duration, task_duration, patience;
   bool loop;
 };
 
 DemoOptions options_from(const ros::NodeHandle& private_nh) {
-  return {private_nh.param<std::string>("server", "aspect_node"), private_nh.param("duration", 60.0),
-          private_nh.param("local_duration", 20.0), private_nh.param("patience", 60.0),
+  return {private_nh.param<std::string>("server", "aspect_node"),
+          private_nh.param("duration", 60.0),
+          private_nh.param("local_duration", 20.0),
+          private_nh.param("task_duration", 20.0),
+          private_nh.param("patience", 60.0),
           private_nh.param("loop", true)};
 }
 
@@ -123,56 +132,99 @@ std::string text(const std::vector<int>& aspects) {
   return result;
 }
 
-// Plans the tour on a thread of its own, once the node has its map.
-class TourPlanner {
+// A motion, and what is said when it begins.
+struct Act {
+  SampledMotion motion;
+  std::string text;
+};
+
+// Plans the acts that need a map on a thread of its own, once the node has its own.
+class ActPlanner {
  public:
-  TourPlanner(ros::NodeHandle nh, NodeSetup setup, LocalMotion local, const DemoOptions& options)
-      : setup_(std::move(setup)), local_(std::move(local)), options_(options) {
-    subscriber_ = nh.subscribe(options.server + "/map_progress", 10, &TourPlanner::on_progress, this);
+  ActPlanner(ros::NodeHandle nh, NodeSetup setup, LocalMotion local, const DemoOptions& options)
+      : nh_(std::move(nh)), setup_(std::move(setup)), local_(std::move(local)), options_(options) {
+    subscriber_ = nh_.subscribe(options.server + "/map_progress", 10, &ActPlanner::on_progress, this);
   }
-  ~TourPlanner() { cancelled_ = true; }
+  ~ActPlanner() { cancelled_ = too_late_ = true; }
 
-  // Whether it is known what comes of the tour.
-  bool ready() const {
-    return refused_ ||
-           (tour_.valid() && tour_.wait_for(std::chrono::seconds(0)) == std::future_status::ready);
+  // Whether no more acts come than can be taken.
+  bool is_done() const { return is_done_; }
+
+  // Those that were planned since the last time.
+  std::vector<Act> take() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return std::exchange(acts_, {});
   }
-
-  // No samples where there is none; only once `ready`, and only once.
-  SampledMotion take() { return refused_ ? SampledMotion{} : tour_.get(); }
 
  private:
   void on_progress(const MapProgress::ConstPtr& progress) {
-    if (refused_ || tour_.valid() || progress->state == MapProgress::COMPUTING) return;
-    refused_ = progress->state != MapProgress::COMPLETE || progress->seconds > options_.patience;
-    if (!refused_) tour_ = std::async(std::launch::async, [this] { return plan(); });
+    if (is_done_ || thread_.valid() || progress->state == MapProgress::COMPUTING) return;
+    is_done_ = progress->state != MapProgress::COMPLETE || progress->seconds > options_.patience;
+    if (is_done_) return;
+    const ros::WallDuration patience(options_.patience);
+    timer_ = nh_.createWallTimer(
+        patience, [this](const ros::WallTimerEvent&) { too_late_ = true; }, true);
+    thread_ = std::async(std::launch::async, [this] {
+      plan();
+      is_done_ = true;
+    });
   }
 
-  SampledMotion plan() const {
+  void plan() {
     MapControl control;
     control.cancelled = &cancelled_;
     const auto map =
         compute_aspect_map(setup_.mechanism->mapped_manipulator(), setup_.options.map, control).map;
-    if (!map) return {};
-    const Tour tour = plan_tour(*map, local_.start.pose, local_.start.mode);
-    if (tour.joint_values.size() < 2) return {};
-    SampledMotion motion = local_.rehearsal.slow_enough(tour.joint_values, options_.duration);
-    if (motion.samples.empty())
-      ROS_WARN("There is no tour: a tracker with the options of the node does not follow it at any speed.");
-    else
-      ROS_INFO_STREAM("The motion visits aspects " << text(tour.aspects) << ", in "
-                                                   << interval * static_cast<double>(motion.samples.size())
-                                                   << " s.");
-    return motion;
+    if (!map) return;
+    add(tour(*map));
+    add(task(map));
   }
 
+  void add(Act act) {
+    if (act.motion.samples.empty()) {
+      if (!act.text.empty()) ROS_INFO_STREAM(act.text);
+      return;
+    }
+    const std::lock_guard<std::mutex> lock(mutex_);
+    acts_.push_back(std::move(act));
+  }
+
+  Act tour(const AspectMap& map) const {
+    const Tour tour = plan_tour(map, local_.start.pose, local_.start.mode);
+    if (tour.joint_values.size() < 2) return {};
+    SampledMotion motion = local_.rehearsal.slow_enough(tour.joint_values, options_.duration);
+    if (motion.samples.empty()) {
+      ROS_WARN("There is no tour: a tracker with the options of the node does not follow it at any speed.");
+      return {};
+    }
+    const double seconds = interval * static_cast<double>(motion.samples.size());
+    std::ostringstream said;
+    said << "The motion visits aspects " << text(tour.aspects) << ", in " << seconds << " s.";
+    return {std::move(motion), said.str()};
+  }
+
+  Act task(const std::shared_ptr<const AspectMap>& map) const {
+    MapControl control;
+    control.cancelled = &too_late_;
+    SampledMotion motion;
+    const auto accepts = [&](const std::vector<JointVector>& corners) {
+      motion = local_.rehearsal.slow_enough(corners, options_.task_duration);
+      return !motion.samples.empty();
+    };
+    PickAndPlace task = plan_pick_and_place(map, local_.start.pose, local_.start.mode, accepts, control);
+    return {std::move(motion), std::move(task.reason)};
+  }
+
+  ros::NodeHandle nh_;
   const NodeSetup setup_;
   const LocalMotion local_;
   const DemoOptions options_;
-  std::atomic<bool> cancelled_{false};
-  bool refused_ = false;
-  std::future<SampledMotion> tour_;
+  std::atomic<bool> cancelled_{false}, too_late_{false}, is_done_{false};
+  std::mutex mutex_;
+  std::vector<Act> acts_;
+  ros::WallTimer timer_;
   ros::Subscriber subscriber_;
+  std::future<void> thread_;  // waits for its end first
 };
 
 // Publishes one motion after the other. Every sample is sent, with stamps at even times: what was rehearsed
@@ -227,17 +279,25 @@ bool wait_for_server(const std::string& server, const ros::Publisher& publisher)
   return false;
 }
 
-// The local motion until the tour is planned, then the tour.
-void play_all(SampledMotion motion, TourPlanner& planner, bool loop, Player& player) {
-  bool known = false;
+void play(Act& act, Player& player) {
+  if (!act.text.empty()) ROS_INFO_STREAM(act.text);
+  act.text.clear();  // said once
+  player.play(act.motion);
+}
+
+// The local motion until there are others; then these, in their order, or each once.
+void play_all(SampledMotion local, ActPlanner& planner, bool loop, Player& player) {
+  std::vector<Act> acts{{std::move(local), ""}};
+  bool any_planned = false;
   while (ros::ok()) {
-    if (!known && planner.ready()) {
-      known = true;
-      SampledMotion tour = planner.take();
-      if (!tour.samples.empty()) motion = std::move(tour);
-    }
-    player.play(motion);
-    if (known && !loop) return;
+    const bool is_last = planner.is_done();
+    std::vector<Act> planned = planner.take();
+    if (is_last && !loop && any_planned && planned.empty()) return;
+    if (!planned.empty() && (!loop || !any_planned)) acts.clear();
+    any_planned = any_planned || !planned.empty();
+    std::move(planned.begin(), planned.end(), std::back_inserter(acts));
+    for (Act& act : acts) play(act, player);
+    if (is_last && !loop) return;
   }
 }
 
@@ -253,7 +313,7 @@ int run(ros::NodeHandle nh, const ros::NodeHandle& private_nh) {
   }
   const ros::Publisher publisher = nh.advertise<sensor_msgs::JointState>("joint_states", 1000);
   if (!wait_for_server(options.server, publisher)) return EXIT_FAILURE;
-  TourPlanner planner(nh, setup, *local, options);
+  ActPlanner planner(nh, setup, *local, options);
   Player player(*setup.mechanism->manipulator(), publisher);
   play_all(local->motion, planner, options.loop, player);
   return EXIT_SUCCESS;
