@@ -36,7 +36,7 @@ struct Platform {
 class ClosedSearch {
  public:
   ClosedSearch(const SetupSubject& subject, const std::vector<Closure>& closures,
-               const SetupCandidate& described)
+               const SetupCandidate& described, bool adds_closures)
       : subject_(subject),
         tree_(subject.tree),
         bodies_(subject.bodies),
@@ -47,6 +47,7 @@ class ClosedSearch {
     result_.draft.robot = subject.tree.name;
     result_.draft.urdf_name = subject.urdf_name;
     result_.draft.closures = described;
+    result_.draft.adds_closures = adds_closures;
   }
 
   ClosedResult find() {
@@ -83,9 +84,7 @@ class ClosedSearch {
     return "the closures" + pairs;
   }
 
-  bool is_late() const {
-    return subject_.control.cancelled() || ProcessorClock::now() > subject_.control.deadline;
-  }
+  bool is_late() const { return subject_.control.is_over(); }
 
   bool stopped() {
     result_.cut_short = result_.cut_short || is_late();
@@ -387,8 +386,8 @@ class ClosedSearch {
 }  // namespace
 
 ClosedResult search_closed(const SetupSubject& subject, const std::vector<Closure>& closures,
-                           const SetupCandidate& described) {
-  return ClosedSearch(subject, closures, described).find();
+                           const SetupCandidate& described, bool adds_closures) {
+  return ClosedSearch(subject, closures, described, adds_closures).find();
 }
 
 }  // namespace parallel_aspects

@@ -35,6 +35,8 @@ std::vector<Closure> closures_of(const Tree& tree, const Pairing& pairing) {
   return closures;
 }
 
+constexpr std::size_t crowd = 4;  // of closures in one place, with the leg that carries it five legs
+
 struct OutOfTime {};
 
 class Setup {
@@ -44,6 +46,7 @@ class Setup {
       : tree_(tree),
         source_(source),
         answers_(answers),
+        control_(control),
         bodies_(tree),
         evidence_(find_joint_evidence(source)),
         subject_{tree,     bodies_, evidence_, urdf_text, source.files.urdf, source.files.config,
@@ -55,12 +58,11 @@ class Setup {
   SetupResult find() {
     check_answers();
     if (!result_.problems.empty()) return result_;
-    if (!answers_.closures.empty()) return asked_closures();
     const FoundLoops described = find_described_loops(source_, result_.problems);
+    if (!answers_.closures.empty()) return asked_closures(described.loops.closures);
     if (!result_.problems.empty()) return result_;
     if (!described.loops.closures.empty()) {
-      take(search_closed(subject_, described.loops.closures,
-                         {{}, "the URDF describes them by " + std::string(described.dialect)}));
+      described_closures(described);
       return result_;
     }
     return open_ends();
@@ -156,8 +158,7 @@ class Setup {
       LoadSearch search;
       search.as_options = true;
       search.checkpoint = [this] {
-        if (subject_.control.cancelled() || ProcessorClock::now() > subject_.control.deadline)
-          throw OutOfTime{};
+        if (subject_.control.is_over()) throw OutOfTime{};
       };
       load_mechanism(subject_.urdf_text, subject_.urdf_name, config_text(*found.tried), name_of_choice, "",
                      search);
@@ -171,12 +172,50 @@ class Setup {
                                  options_for(*found.tried) + ", which was tried first: " + reason);
   }
 
-  SetupResult asked_closures() {
+  // In half of the time, so that the other half is for what would correct them.
+  void described_closures(const FoundLoops& loops) {
+    SetupControl control = control_;
+    control.deadline -= (control_.deadline - ProcessorClock::now()) / 2;
+    if (control.latest != std::chrono::steady_clock::time_point::max())
+      control.latest -= (control_.latest - std::chrono::steady_clock::now()) / 2;
+    const SetupSubject subject{
+        tree_,    bodies_, evidence_, subject_.urdf_text, subject_.urdf_name, subject_.config_name,
+        answers_, control};
+    take(search_closed(subject, loops.loops.closures,
+                       {{}, "the URDF describes them by " + std::string(loops.dialect)}));
+  }
+
+  // Beside those that the URDF describes, or in their place.
+  SetupResult asked_closures(const std::vector<Closure>& in_urdf) {
+    result_.problems.clear();
     Pairing asked{{}, "as asked for"};
     for (const auto& pair : answers_.closures)
       asked.pairs.push_back({*tree_.link_named(pair[0]), *tree_.link_named(pair[1]), ""});
-    take(search_closed(subject_, closures_of(tree_, asked), described(asked)));
+    const std::vector<Closure> added = closures_of(tree_, asked);
+    const auto replaced = std::count_if(in_urdf.begin(), in_urdf.end(), [&](const Closure& one) {
+      return std::any_of(added.begin(), added.end(),
+                         [&](const Closure& other) { return join_the_same(one, other); });
+    });
+    if (replaced > 0 && replaced < static_cast<std::ptrdiff_t>(in_urdf.size())) {
+      result_.problems = {"--closures has some of the loops that " + source_.files.urdf +
+                          " closes itself, and not all; write all loops, or only those that it leaves open."};
+      return result_;
+    }
+    const bool adds = replaced == 0 && !in_urdf.empty();
+    std::vector<Closure> closures = adds ? in_urdf : std::vector<Closure>{};
+    closures.insert(closures.end(), added.begin(), added.end());
+    SetupCandidate candidate = described(asked);
+    if (adds) candidate.reason += ", beside those that the URDF describes";
+    take(search_closed(subject_, closures, candidate, adds));
     return result_;
+  }
+
+  bool join_the_same(const Closure& one, const Closure& other) const {
+    const auto body = [this](const Closure& closure, std::size_t end) {
+      return bodies_.of(closure.frames[end].link);
+    };
+    return (body(one, 0) == body(other, 0) && body(one, 1) == body(other, 1)) ||
+           (body(one, 0) == body(other, 1) && body(one, 1) == body(other, 0));
   }
 
   SetupCandidate described(const Pairing& pairing) const {
@@ -188,6 +227,10 @@ class Setup {
 
   SetupResult open_ends() {
     const OpenEnds ends = find_open_ends(tree_, bodies_);
+    if (const auto crowded = crowded_link(ends)) {
+      ask_for_places(*crowded, ends);
+      return result_;
+    }
     std::optional<ClosedResult> first;
     for (const EqualPairings& equals : ends.pairings) {
       if (try_equals(equals, ends, first)) return result_;
@@ -202,6 +245,33 @@ class Setup {
     else
       refuse_ends(*first, ends);
     return result_;
+  }
+
+  // Which so many chains end at that each needs a place of its own there, where nothing else speaks for ends.
+  std::optional<std::size_t> crowded_link(const OpenEnds& ends) const {
+    if (ends.pairings.empty() || ends.pairings.front().size() != 1) return std::nullopt;
+    const std::vector<EndPair>& pairs = ends.pairings.front().front().pairs;
+    const auto share = [&](std::size_t link) {
+      return std::all_of(pairs.begin(), pairs.end(),
+                         [link](const EndPair& pair) { return pair.one == link || pair.other == link; });
+    };
+    if (pairs.size() < crowd) return std::nullopt;
+    for (const std::size_t link : {pairs.front().one, pairs.front().other})
+      if (share(link)) return link;
+    return std::nullopt;
+  }
+
+  void ask_for_places(std::size_t link, const OpenEnds& ends) {
+    SetupQuestion question{"closures", "", {}, {}};
+    for (const EndPair& pair : ends.pairings.front().front().pairs)
+      question.example.push_back(tree_.links[link] +
+                                 "@X:Y:Z=" + tree_.links[pair.one == link ? pair.other : pair.one]);
+    question.text = source_.files.urdf + " does not tell where its loops are closed; " +
+                    std::to_string(question.example.size()) + " chains end at link '" + tree_.links[link] +
+                    "', which has no frames for them: give the place of each in the frame of '" +
+                    tree_.links[link] +
+                    "' as X:Y:Z [m]; ends that are in no loop, as fingers, are left out of --closures";
+    result_.question = question;
   }
 
   // Whether the ends that most speaks for make a robot once one element is corrected: then that is at fault,
@@ -330,6 +400,7 @@ class Setup {
   const Tree& tree_;
   const LoopSource& source_;
   const SetupAnswers& answers_;
+  const SetupControl& control_;
   Bodies bodies_;
   JointEvidence evidence_;
   SetupSubject subject_;

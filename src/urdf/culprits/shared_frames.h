@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_URDF_CORRECTIONS_SHARED_FRAMES_H
-#define PARALLEL_ASPECTS_URDF_CORRECTIONS_SHARED_FRAMES_H
+#ifndef PARALLEL_ASPECTS_URDF_CULPRITS_SHARED_FRAMES_H
+#define PARALLEL_ASPECTS_URDF_CULPRITS_SHARED_FRAMES_H
 
 #include "urdf/description/closure.h"
 #include "urdf/description/tree.h"
@@ -16,4 +16,4 @@ std::vector<std::string> shared_frame_notes(const Tree& tree, const std::vector<
 
 }  // namespace parallel_aspects
 
-#endif  // PARALLEL_ASPECTS_URDF_CORRECTIONS_SHARED_FRAMES_H
+#endif  // PARALLEL_ASPECTS_URDF_CULPRITS_SHARED_FRAMES_H

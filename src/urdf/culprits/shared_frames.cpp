@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "urdf/corrections/shared_frames.h"
+#include "urdf/culprits/shared_frames.h"
 
 #include "urdf/corrections/anchors.h"
 
