@@ -66,19 +66,23 @@ class ClosedSearch {
  private:
   // Where nothing was tried to the end.
   std::string reason_for_none() const {
-    if (result_.cut_short)
-      return subject_.urdf_name + " could not be tried with " + closures() +
-             " in the time there is; say more with --platform and --actuated.";
+    if (result_.cut_short) return not_in_time();
     return subject_.urdf_name + " has no link between which and the base link '" +
            result_.draft.base_link.values.front() + "' " + closures() +
            " make one, two, three or six legs; name other loops with --closures, or another base with "
            "--base.";
   }
 
+  std::string not_in_time() const {
+    return subject_.urdf_name + " could not be tried with " + closures() +
+           " in the time there is; say more with --platform and --actuated.";
+  }
+
   const std::string& link_name(std::size_t link) const { return tree_.links[link]; }
 
   // "the closures a=b c=d", for messages.
   std::string closures() const {
+    if (result_.draft.closures.values.empty()) return "the closures that it describes";
     std::string pairs;
     for (const std::string& pair : result_.draft.closures.values) pairs += " " + pair;
     return "the closures" + pairs;
@@ -352,10 +356,11 @@ class ClosedSearch {
     if (stopped()) return false;
     Problems problems;
     result_.mechanism = loaded(result_.draft, problems);
-    if (!result_.mechanism && !result_.tried && !problems.empty()) {
+    if (!result_.mechanism && !result_.tried) {
       result_.tried = result_.draft;
       result_.problems = problems;
     }
+    if (!result_.mechanism && result_.problems.empty()) result_.problems = {not_in_time()};
     return result_.mechanism != nullptr;
   }
 
