@@ -189,16 +189,18 @@ SharedMechanism load_mechanism(const std::string& urdf_text, const std::string& 
   check_closures(resolved.closures, files, problems);
   if (!problems.empty()) throw InvalidDescription(problems);
   for (const std::string& note : leave_out_repeated(resolved.closures, files)) notes.push_back(note);
-  for (const std::string& note : shared_frame_notes(*tree, resolved.closures)) notes.push_back(note);
   for (const std::string& note :
        join_layers(*tree, resolved.actuated_joints.platform_link, files, resolved.closures))
     notes.push_back(note);
   const auto open_tree = std::make_shared<const Tree>(std::move(*tree));
   auto contents = recognise(open_tree, config, resolved, files, search);
   const ClosureSystem loops = loops_of(open_tree, resolved);
+  for (const std::string& note : shared_frame_notes(*open_tree, resolved, loops.size()))
+    notes.push_back(note);
   if (const auto note = joints_left_out(loops, files)) notes.push_back(*note);
   for (const std::string& note :
-       unit_notes(*open_tree, LoopJoints(*open_tree, resolved.closures, loops.size()), loops.size(), files))
+       unit_notes(*open_tree, resolved, LoopJoints(*open_tree, resolved.closures, loops.size()), loops.size(),
+                  files))
     notes.push_back(note);
   Problems of_constraints;
   add_stated_constraints(config.constraints, config.symmetrize, files, *contents, of_constraints);

@@ -210,12 +210,20 @@ class FrameCorrections {
          file_of_closures(resolved_, files_) + " has " + element + " at the start of link " + quoted(link) +
              ", where joint '" + tree_.joints[*tree_.joint_above[link]].name +
              "' is, and not at its far end, which has no link",
-         "write {link: " + tree_.links[link] + ", xyz: " + as_list(place.translation()) +
-             "} or where else that is in the place of " + quoted(link) + " in " + element,
-         false,
+         far_end_text(closure, end, place.translation()), false,
          [index, end, translation = Eigen::Vector3d(place.translation())](Tree&, ResolvedConfig& resolved) {
            resolved.closures[index].frames[end].in_link.translation() = translation;
          }});
+  }
+
+  // A joint of SDF is placed in its child.
+  std::string far_end_text(const Closure& closure, std::size_t end, const Eigen::Vector3d& place) const {
+    const std::string& link = tree_.links[closure.frames[end].link];
+    if (resolved_.closure_dialect == "<gazebo><joint>" && end == 1)
+      return "write <pose>" + as_attribute(place) +
+             " 0 0 0</pose>, or where else that is, in <gazebo><joint> '" + closure.name + "'";
+    return "write {link: " + link + ", xyz: " + as_list(place) + "} or where else that is in the place of '" +
+           link + "' in closure '" + closure.name + "'";
   }
 
   // The type that most closures have.

@@ -29,6 +29,9 @@ class EndGaps {
   /// `resolved` were put together, whether all meet. `changed`: placed at zero.
   bool allow(const Tree& tree, const ResolvedConfig& changed) const;
 
+  /// Whether ends that are apart at zero were put together.
+  bool are_to_meet() const noexcept { return are_to_meet_; }
+
  private:
   std::vector<double> before_;
   bool are_to_meet_ = false;

@@ -91,7 +91,7 @@ std::vector<std::size_t> CorrectionSearch::suspects() const {
 void CorrectionSearch::collect() {
   if (resolved_.actuation_origin.empty())
     append(corrections_, actuation_corrections(*tree_, resolved_, system_, files_));
-  append(corrections_, unit_corrections(*tree_, loops_, system_.size(), files_));
+  append(corrections_, unit_corrections(*tree_, resolved_, loops_, system_.size(), files_));
   append(corrections_, series_corrections(*tree_, resolved_, loops_, files_));
   append(corrections_, closure_corrections(resolved_, files_));
   append(corrections_, exchanged_ends(*tree_, resolved_, files_));

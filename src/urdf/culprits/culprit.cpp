@@ -58,7 +58,7 @@ class Search {
     if (auto message = CorrectionSearch(tree_, resolved_, true, files_, attempt_).of_point()) return message;
     CorrectionSearch both(tree_, resolved_, true, files_, attempt_);
     if (auto message = both.of_frames_and_actuation()) return message;
-    if (!is_known && !mobility_fits())
+    if (!is_known && (gaps_.are_to_meet() || !mobility_fits()))
       if (auto message = corrections.others()) return message;
     if (auto message = other_types()) return message;
     return one_degree_of_freedom();
@@ -336,12 +336,13 @@ std::optional<std::string> culprit_of_gaps(const std::shared_ptr<const Tree>& tr
   if (!together) return std::nullopt;
   if (auto message = Search(tree, *together, files, attempt).run()) return message;
   for (Closure& closure : together->closures) closure.at_zero.reset();
-  const auto space = files.as_options ? std::nullopt : attempt(tree, *together);
-  if (!space) return std::nullopt;
+  if (files.as_options || !attempt(tree, *together)) return std::nullopt;
   return file_of_closures(resolved, files) + " has ends of closures apart while all joints are zero, " +
-         end_gaps_text(*tree, resolved) + ", and holds them so; write " +
-         closures_entry(*tree, together->closures) + " in " + files.config +
-         ", which holds them together and makes it a robot in " + *space + ".";
+         end_gaps_text(*tree, resolved) +
+         ", and holds them so; correct the origins of the joints in their loops, or, if these are right and "
+         "the "
+         "ends are to meet elsewhere, write " +
+         closures_entry(*tree, together->closures) + " in " + files.config + ".";
 }
 
 }  // namespace

@@ -430,9 +430,11 @@ SetupResult set_up(const std::string& urdf_text, const std::string& urdf_name, c
   const SourceNames files{urdf_name, config_name};
   const LoopSource source{*document.FirstChildElement("robot"), no_config, *tree, files};
   const auto find = [&] { return Setup(*tree, source, answers, control, urdf_text).find(); };
-  const SetupResult found = find();
+  SetupResult found = find();
   const bool asks_for_places = found.question && found.question->candidates.empty();
-  return asks_for_places && add_far_ends(*tree) ? find() : found;
+  if (!asks_for_places || !add_far_ends(*tree)) return found;
+  SetupResult with_places = find();
+  return with_places.problems.empty() ? with_places : found;
 }
 
 }  // namespace parallel_aspects
