@@ -66,19 +66,31 @@ class MissingJoints {
 
   Corrections find() {
     for (const Joints& leg : legs_)
-      if (const Joints* usual = usual_of(leg.size() + 1))
+      if (const Joints* usual = usual_of(leg))
         for (std::size_t k = 0; k < usual->size(); ++k)
           if (are_alike(tree_, without(*usual, k), leg) && !is_actuated((*usual)[k])) add(leg, *usual, k);
     return std::move(found_);
   }
 
  private:
-  // A leg of so many joints that another one is like.
-  const Joints* usual_of(std::size_t size) const {
+  // Fixed ones and frames, too, that a leg begins with or carries.
+  std::size_t all_joints_of(const Joints& leg) const {
+    const auto is_carried = [&](const TreeJoint& joint) {
+      for (auto above = tree_.joint_above[joint.child]; above;
+           above = tree_.joint_above[tree_.joints[*above].parent])
+        if (*above == leg.front()) return true;
+      return false;
+    };
+    return static_cast<std::size_t>(std::count_if(tree_.joints.begin(), tree_.joints.end(), is_carried));
+  }
+
+  // A leg of one joint more that another one is like. With as many, one is fixed that is to move.
+  const Joints* usual_of(const Joints& lacking) const {
+    if (lacking.empty()) return nullptr;
     for (const Joints& leg : legs_)
-      if (leg.size() == size && std::count_if(legs_.begin(), legs_.end(), [&](const Joints& other) {
-                                  return are_alike(tree_, leg, other);
-                                }) >= 2)
+      if (leg.size() == lacking.size() + 1 && all_joints_of(leg) == all_joints_of(lacking) + 1 &&
+          std::count_if(legs_.begin(), legs_.end(),
+                        [&](const Joints& other) { return are_alike(tree_, leg, other); }) >= 2)
         return &leg;
     return nullptr;
   }

@@ -56,7 +56,10 @@ class ClosedSearch {
                                  " move; name frames at the two ends of each loop with --closures.");
       return result_;
     }
-    for (const Platform& platform : platforms())
+    const std::vector<Platform> all = platforms();
+    lacks_leg_ = lacks_a_stated_leg();
+    if (lacks_leg_ && !all.empty() && load_once(all.front(), stated())) return result_;
+    for (const Platform& platform : all)
       for (const std::vector<GraphPart>& legs : platform.legs)
         if (try_legs(platform, legs)) return result_;
     if (result_.problems.empty()) result_.problems.push_back(reason_for_none());
@@ -158,6 +161,33 @@ class ClosedSearch {
     return {asked};
   }
 
+  // All that the URDF states.
+  ActuationCandidate stated() const {
+    ActuationCandidate candidate{{}, 0, "they have a " + subject_.evidence.stated_in, false};
+    for (std::size_t joint = 0; joint < subject_.evidence.stated.size(); ++joint)
+      if (subject_.evidence.stated[joint]) candidate.variables.push_back(joint);
+    return candidate;
+  }
+
+  // Whether one of the joints that are stated to be actuated starts a chain that no closure holds, and there
+  // are as many as a robot has: then a closure is missing, and no other joint is actuated in its place. What
+  // is on the platform, as a gripper, is no leg.
+  bool lacks_a_stated_leg() const {
+    const std::vector<std::size_t> joints = stated().variables;
+    const std::vector<bool>& in_loop = graph_.in_loop();
+    if (!subject_.answers.actuated_joints.empty() || !is_actuation_count(joints.size())) return false;
+    const auto is_loose = [&](std::size_t joint) {
+      return !in_loop[joint] && bodies_.of(tree_.joint_of(joint).parent) == base_;
+    };
+    return std::any_of(joints.begin(), joints.end(), is_loose) &&
+           std::any_of(joints.begin(), joints.end(), [&](std::size_t joint) { return in_loop[joint]; });
+  }
+
+  bool are_stated(const ActuationCandidate& candidate) const {
+    return std::all_of(candidate.variables.begin(), candidate.variables.end(),
+                       [this](std::size_t joint) { return subject_.evidence.stated[joint]; });
+  }
+
   // Whether each leg has one of the joints that are asked for.
   bool answers_fit(const std::vector<GraphPart>& legs) const {
     const auto& names = subject_.answers.actuated_joints;
@@ -188,6 +218,7 @@ class ClosedSearch {
     int weight = 0;
     for (std::size_t k = 0; k < candidates.size() && others.size() < max_others; ++k) {
       const ActuationCandidate& candidate = candidates[k];
+      if (lacks_leg_ && !are_stated(candidate)) continue;
       if (equals.empty()) {
         if (stopped()) return false;
         if (!try_links(platform, candidate, k < max_with_all_types)) continue;
@@ -384,7 +415,8 @@ class ClosedSearch {
   std::map<std::string, Freedom> freedoms_;  // under closures of this type
   std::size_t base_ = 0;                     // body
   std::size_t joints_in_loops_ = 0;
-  std::size_t legs_ = 0;  // of what is being tried
+  std::size_t legs_ = 0;    // of what is being tried
+  bool lacks_leg_ = false;  // one with a joint that is stated to be actuated
   ClosedResult result_;
 };
 
