@@ -328,7 +328,8 @@ class Search {
   std::size_t work_ = 0;
 };
 
-// Of closures whose ends are apart at zero: first what puts them together, then that they are together.
+// Of closures whose ends are apart at zero: first what puts them together, then that they are together. Of
+// welds, which turn at one of the two, is asked elsewhere.
 std::optional<std::string> culprit_of_gaps(const std::shared_ptr<const Tree>& tree,
                                            const ResolvedConfig& resolved, const SourceNames& files,
                                            const Attempt& attempt) {
@@ -336,7 +337,9 @@ std::optional<std::string> culprit_of_gaps(const std::shared_ptr<const Tree>& tr
   if (!together) return std::nullopt;
   if (auto message = Search(tree, *together, files, attempt).run()) return message;
   for (Closure& closure : together->closures) closure.at_zero.reset();
-  if (files.as_options || !attempt(tree, *together)) return std::nullopt;
+  const bool any_joint = std::any_of(resolved.closures.begin(), resolved.closures.end(),
+                                     [](const Closure& closure) { return closure.weld == Weld::none; });
+  if (files.as_options || !any_joint || !attempt(tree, *together)) return std::nullopt;
   return file_of_closures(resolved, files) + " has ends of closures apart while all joints are zero, " +
          end_gaps_text(*tree, resolved) +
          ", and holds them so; correct the origins of the joints in their loops, or, if these are right and "
