@@ -106,7 +106,7 @@ void note_ends(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& re
       file_of_closures(resolved, files) + " has ends of closures apart while all joints are zero, " + apart +
       ", and they are held so, as by simulators" +
       (any_lengths ? ", with legs of " + lengths_of(*contents.manipulator) : "") + "; if they are to meet, " +
-      (meant ? "write " + closures_entry(*tree, together->closures) + " in " + files.config +
+      (meant ? "write " + closures_entry(*tree, together->closures) + " under mechanism in " + files.config +
                    (any_lengths ? ", with legs of " + lengths_of(*meant->manipulator) : "")
              : "correct the origins of the joints in their loops") +
       ".");

@@ -345,7 +345,7 @@ std::optional<std::string> culprit_of_gaps(const std::shared_ptr<const Tree>& tr
          ", and holds them so; correct the origins of the joints in their loops, or, if these are right and "
          "the "
          "ends are to meet elsewhere, write " +
-         closures_entry(*tree, together->closures) + " in " + files.config + ".";
+         closures_entry(*tree, together->closures) + " under mechanism in " + files.config + ".";
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/setup/closed_search.h"
 
-#include "urdf/closing/actuation_choices.h"
 #include "urdf/closing/planar_layers.h"
 #include "urdf/load_search.h"
 #include "urdf/setup/freedom.h"
@@ -42,8 +41,7 @@ class ClosedSearch {
         bodies_(subject.bodies),
         closures_(closures),
         graph_(subject.tree, subject.bodies, closures) {
-    const std::vector<bool>& in_loop = graph_.in_loop();
-    joints_in_loops_ = static_cast<std::size_t>(std::count(in_loop.begin(), in_loop.end(), true));
+    for (const bool joint : graph_.in_loop()) joints_in_loops_ += joint ? 1 : 0;
     result_.draft.robot = subject.tree.name;
     result_.draft.urdf_name = subject.urdf_name;
     result_.draft.closures = described;
@@ -57,8 +55,10 @@ class ClosedSearch {
       return result_;
     }
     const std::vector<Platform> all = platforms();
-    lacks_leg_ = lacks_a_stated_leg();
-    if (lacks_leg_ && !all.empty() && load_once(all.front(), stated())) return result_;
+    const ActuationCandidate stated = stated_actuation(subject_.evidence);
+    lacks_leg_ = subject_.answers.actuated_joints.empty() &&
+                 lacks_a_leg(stated, tree_, bodies_, base_, graph_.in_loop());
+    if (lacks_leg_ && !all.empty() && load_once(all.front(), stated)) return result_;
     for (const Platform& platform : all)
       for (const std::vector<GraphPart>& legs : platform.legs)
         if (try_legs(platform, legs)) return result_;
@@ -80,17 +80,15 @@ class ClosedSearch {
     return subject_.urdf_name + " could not be tried with " + closures() +
            " in the time there is; say more with --platform and --actuated.";
   }
-
   const std::string& link_name(std::size_t link) const { return tree_.links[link]; }
 
   // "the closures a=b c=d", for messages.
   std::string closures() const {
     if (result_.draft.closures.values.empty()) return "the closures that it describes";
-    std::string pairs;
-    for (const std::string& pair : result_.draft.closures.values) pairs += " " + pair;
-    return "the closures" + pairs;
+    std::string text = "the closures";
+    for (const std::string& pair : result_.draft.closures.values) text += " " + pair;
+    return text;
   }
-
   bool is_late() const { return subject_.control.is_over(); }
 
   bool stopped() {
@@ -155,37 +153,9 @@ class ClosedSearch {
   std::vector<ActuationCandidate> actuations(const std::vector<GraphPart>& legs) const {
     const auto& names = subject_.answers.actuated_joints;
     if (names.empty()) return actuation_candidates(tree_, legs, subject_.evidence);
-    ActuationCandidate asked{{}, 0, "as asked for"};
-    for (const std::string& joint : names)
-      asked.variables.push_back(*tree_.joints[*tree_.joint_named(joint)].variable);
-    return {asked};
-  }
-
-  // All that the URDF states.
-  ActuationCandidate stated() const {
-    ActuationCandidate candidate{{}, 0, "they have a " + subject_.evidence.stated_in, false};
-    for (std::size_t joint = 0; joint < subject_.evidence.stated.size(); ++joint)
-      if (subject_.evidence.stated[joint]) candidate.variables.push_back(joint);
-    return candidate;
-  }
-
-  // Whether one of the joints that are stated to be actuated starts a chain that no closure holds, and there
-  // are as many as a robot has: then a closure is missing, and no other joint is actuated in its place. What
-  // is on the platform, as a gripper, is no leg.
-  bool lacks_a_stated_leg() const {
-    const std::vector<std::size_t> joints = stated().variables;
-    const std::vector<bool>& in_loop = graph_.in_loop();
-    if (!subject_.answers.actuated_joints.empty() || !is_actuation_count(joints.size())) return false;
-    const auto is_loose = [&](std::size_t joint) {
-      return !in_loop[joint] && bodies_.of(tree_.joint_of(joint).parent) == base_;
-    };
-    return std::any_of(joints.begin(), joints.end(), is_loose) &&
-           std::any_of(joints.begin(), joints.end(), [&](std::size_t joint) { return in_loop[joint]; });
-  }
-
-  bool are_stated(const ActuationCandidate& candidate) const {
-    return std::all_of(candidate.variables.begin(), candidate.variables.end(),
-                       [this](std::size_t joint) { return subject_.evidence.stated[joint]; });
+    std::vector<std::size_t> asked;
+    for (const std::string& joint : names) asked.push_back(*tree_.joints[*tree_.joint_named(joint)].variable);
+    return {{asked, 0, "as asked for"}};
   }
 
   // Whether each leg has one of the joints that are asked for.
@@ -218,7 +188,7 @@ class ClosedSearch {
     int weight = 0;
     for (std::size_t k = 0; k < candidates.size() && others.size() < max_others; ++k) {
       const ActuationCandidate& candidate = candidates[k];
-      if (lacks_leg_ && !are_stated(candidate)) continue;
+      if (lacks_leg_ && !is_stated(candidate, subject_.evidence)) continue;
       if (equals.empty()) {
         if (stopped()) return false;
         if (!try_links(platform, candidate, k < max_with_all_types)) continue;
@@ -401,7 +371,6 @@ class ClosedSearch {
     draft.actuated_joints = described(actuation);
     return loads(draft);
   }
-
   bool loads(const SetupDraft& draft) const {
     Problems unused;
     return loaded(draft, unused) != nullptr;

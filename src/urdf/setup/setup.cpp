@@ -7,6 +7,7 @@
 #include "urdf/setup/closed_search.h"
 #include "urdf/setup/open_ends.h"
 #include "urdf/setup/placed_frames.h"
+#include "urdf/setup/shared_ends.h"
 #include "urdf/setup/wrist_notes.h"
 
 #include <tinyxml2.h>
@@ -34,8 +35,6 @@ std::vector<Closure> closures_of(const Tree& tree, const Pairing& pairing) {
                         ClosureType::automatic});
   return closures;
 }
-
-constexpr std::size_t crowd = 4;  // of closures in one place, with the leg that carries it five legs
 
 struct OutOfTime {};
 
@@ -192,11 +191,8 @@ class Setup {
     for (const auto& pair : answers_.closures)
       asked.pairs.push_back({*tree_.link_named(pair[0]), *tree_.link_named(pair[1]), ""});
     const std::vector<Closure> added = closures_of(tree_, asked);
-    const auto replaced = std::count_if(in_urdf.begin(), in_urdf.end(), [&](const Closure& one) {
-      return std::any_of(added.begin(), added.end(),
-                         [&](const Closure& other) { return join_the_same(one, other); });
-    });
-    if (replaced > 0 && replaced < static_cast<std::ptrdiff_t>(in_urdf.size())) {
+    const std::size_t replaced = closed_again(bodies_, in_urdf, added);
+    if (replaced > 0 && replaced < in_urdf.size()) {
       result_.problems = {"--closures has some of the loops that " + source_.files.urdf +
                           " closes itself, and not all; write all loops, or only those that it leaves open."};
       return result_;
@@ -210,14 +206,6 @@ class Setup {
     return result_;
   }
 
-  bool join_the_same(const Closure& one, const Closure& other) const {
-    const auto body = [this](const Closure& closure, std::size_t end) {
-      return bodies_.of(closure.frames[end].link);
-    };
-    return (body(one, 0) == body(other, 0) && body(one, 1) == body(other, 1)) ||
-           (body(one, 0) == body(other, 1) && body(one, 1) == body(other, 0));
-  }
-
   SetupCandidate described(const Pairing& pairing) const {
     SetupCandidate candidate{{}, pairing.reason};
     for (const EndPair& pair : pairing.pairs)
@@ -227,10 +215,8 @@ class Setup {
 
   SetupResult open_ends() {
     const OpenEnds ends = find_open_ends(tree_, bodies_);
-    if (const auto crowded = crowded_link(ends)) {
-      ask_for_places(*crowded, ends);
-      return result_;
-    }
+    result_.question = question_of_places(tree_, ends, source_.files.urdf);
+    if (result_.question) return result_;
     std::optional<ClosedResult> first;
     for (const EqualPairings& equals : ends.pairings) {
       if (try_equals(equals, ends, first)) return result_;
@@ -245,33 +231,6 @@ class Setup {
     else
       refuse_ends(*first, ends);
     return result_;
-  }
-
-  // Which so many chains end at that each needs a place of its own there, where nothing else speaks for ends.
-  std::optional<std::size_t> crowded_link(const OpenEnds& ends) const {
-    if (ends.pairings.empty() || ends.pairings.front().size() != 1) return std::nullopt;
-    const std::vector<EndPair>& pairs = ends.pairings.front().front().pairs;
-    const auto share = [&](std::size_t link) {
-      return std::all_of(pairs.begin(), pairs.end(),
-                         [link](const EndPair& pair) { return pair.one == link || pair.other == link; });
-    };
-    if (pairs.size() < crowd) return std::nullopt;
-    for (const std::size_t link : {pairs.front().one, pairs.front().other})
-      if (share(link)) return link;
-    return std::nullopt;
-  }
-
-  void ask_for_places(std::size_t link, const OpenEnds& ends) {
-    SetupQuestion question{"closures", "", {}, {}};
-    for (const EndPair& pair : ends.pairings.front().front().pairs)
-      question.example.push_back(tree_.links[link] +
-                                 "@X:Y:Z=" + tree_.links[pair.one == link ? pair.other : pair.one]);
-    question.text = source_.files.urdf + " does not tell where its loops are closed; " +
-                    std::to_string(question.example.size()) + " chains end at link '" + tree_.links[link] +
-                    "', which has no frames for them: give the place of each in the frame of '" +
-                    tree_.links[link] +
-                    "' as X:Y:Z [m]; ends that are in no loop, as fingers, are left out of --closures";
-    result_.question = question;
   }
 
   // Whether the ends that most speaks for make a robot once one element is corrected: then that is at fault,

@@ -113,8 +113,8 @@ TEST(ClosureAtZero, HoldsEndsApartThatItSaysWithTheListThatPutsThemTogether) {
       << said;
   EXPECT_NE(said.find("with legs of 0.438193, 0.438193, 0.438193 m"), std::string::npos) << said;
   EXPECT_NE(said.find("with legs of 0.4, 0.4, 0.4 m"), std::string::npos) << said;
-  const Description meant =
-      with_closures(robot("low_delta"), matched(said, "write (closures: \\[.*\\}\\]) in robot.yaml"));
+  const Description meant = with_closures(
+      robot("low_delta"), matched(said, "write (closures: \\[.*\\}\\]) under mechanism in robot.yaml"));
   EXPECT_EQ(doubts(meant), std::vector<std::string>{});
   for (const Leg& leg : test::load(meant)->manipulator()->legs()) EXPECT_NEAR(leg.rod_length, 0.4, 1e-9);
 }
@@ -126,7 +126,7 @@ TEST(ClosureAtZero, HoldsTheToolOfAFiveBarBesideItsRod) {
   five_bar.config = replaced(five_bar.config, "point: tool", "point: tip");
   const std::string said = only_doubt(five_bar);
   const Description meant =
-      with_closures(five_bar, matched(said, "write (closures: \\[.*\\}\\]) in robot.yaml"));
+      with_closures(five_bar, matched(said, "write (closures: \\[.*\\}\\]) under mechanism in robot.yaml"));
   for (const Leg& leg : test::load(meant)->manipulator()->legs()) EXPECT_NEAR(leg.rod_length, 0.12, 1e-9);
 }
 
@@ -328,7 +328,8 @@ TEST_P(FaultAtZero, IsNotCorrectedIntoAnotherRobot) {
       ++counts["not found"];
       continue;
     }
-    if (const std::string closures = matched(said, "write (closures: \\[.*\\}\\]) in"); !closures.empty()) {
+    if (const std::string closures = matched(said, "write (closures: \\[.*\\}\\]) under mechanism in");
+        !closures.empty()) {
       EXPECT_TRUE(refusal(with_closures(text, closures)).empty()) << kind << " of " << joint << ": " << said;
       if (std::getenv("CORRECTIONS_VERBOSE") != nullptr)
         std::cout << kind << " of " << joint << ": " << said << '\n';
