@@ -138,6 +138,11 @@ std::unique_ptr<Mechanism::Contents> recognise(const std::shared_ptr<const Tree>
   }
   if (!search.looks_for_remedies) throw InvalidDescription(problems);
   if (const auto culprit = find_culprit(tree, resolved, files, attempt)) throw InvalidDescription({*culprit});
+  if (with_ends_together(*tree, resolved))
+    problems.push_back(
+        file_of_closures(resolved, files) + " has ends of closures apart while all joints are zero, " +
+        end_gaps_text(*tree, resolved) +
+        ", and they are held so; correct the origins of the joints in their loops, if they are to meet.");
   throw InvalidDescription(problems);
 }
 

@@ -175,19 +175,25 @@ std::optional<ResolvedConfig> with_ends_together(const Tree& tree, const Resolve
 EndGaps::EndGaps(const Tree& tree, const ResolvedConfig& resolved) {
   ResolvedConfig placed = resolved;
   place_at_zero(tree, placed.closures);
+  for (const Closure& closure : resolved.closures)
+    joins_ends_.push_back(joins_ends(tree, resolved.closures, closure));
   before_ = end_gaps(tree, placed.closures);
   const double meet = tolerance(tree, placed);
   are_to_meet_ = widest(before_) > meet && widest(end_gaps(tree, resolved.closures)) <= meet;
 }
 
 bool EndGaps::allow(const Tree& tree, const ResolvedConfig& changed) const {
-  const std::vector<double> after = end_gaps(tree, changed.closures);
+  std::vector<double> after = end_gaps(tree, changed.closures);
+  for (std::size_t k = 0; after.size() == joins_ends_.size() && k < after.size(); ++k)
+    if (joins_ends_[k] && changed.closures[k].frames[1].in_link.translation().isZero())
+      after[k] = changed.closures[k].frames[0].in_link.translation().norm();
   if (widest(after) == 0.0) return true;
   const double meet = tolerance(tree, changed);
-  if (are_to_meet_ || after.size() != before_.size()) return widest(after) <= meet;
-  for (std::size_t k = 0; k < after.size(); ++k)
-    if (after[k] > meet && std::abs(after[k] - before_[k]) > meet) return false;
-  return true;
+  if (widest(after) <= meet) return true;
+  if (are_to_meet_ || after.size() != before_.size() || after.size() < 2) return false;
+  const auto is_usual = [&](double gap) { return std::abs(gap - before_.front()) <= meet; };
+  return std::all_of(before_.begin(), before_.end(), is_usual) &&
+         std::all_of(after.begin(), after.end(), is_usual);
 }
 
 std::string closures_entry(const Tree& tree, const std::vector<Closure>& closures) {

@@ -25,14 +25,15 @@ class EndGaps {
  public:
   EndGaps(const Tree& tree, const ResolvedConfig& resolved);
 
-  /// Whether ends that meet are still together, and others meet or are as far apart as before; where those of
-  /// `resolved` were put together, whether all meet. `changed`: placed at zero.
+  /// Whether all ends meet, or all are as far apart as all were before, as where a platform is drawn too low;
+  /// where those of `resolved` were put together, whether all meet. `changed`: placed at zero.
   bool allow(const Tree& tree, const ResolvedConfig& changed) const;
 
   /// Whether ends that are apart at zero were put together.
   bool are_to_meet() const noexcept { return are_to_meet_; }
 
  private:
+  std::vector<bool> joins_ends_;  // of each closure, as described; an end that is changed still is one
   std::vector<double> before_;
   bool are_to_meet_ = false;
 };

@@ -130,6 +130,17 @@ TEST(ClosureAtZero, HoldsTheToolOfAFiveBarBesideItsRod) {
   for (const Leg& leg : test::load(meant)->manipulator()->legs()) EXPECT_NEAR(leg.rod_length, 0.12, 1e-9);
 }
 
+// Two coordinates are wrong at once, which is no correction that is tried.
+TEST(ClosureAtZero, SaysWhichEndsAreApartWhereNoCorrectionIsFound) {
+  Description delta = robot("delta");
+  delta.urdf = replaced(delta.urdf, "xyz=\"-0.07 0.1212435565 0\"", "xyz=\"0.01 -0.4 0.3\"");
+  const Problems problems = refusal(delta);
+  const std::string said = problems.empty() ? doubts(delta).front() : problems.back();
+  EXPECT_NE(said.find("'rod_end_2' and 'ball_2' by "), std::string::npos) << said;
+  EXPECT_NE(said.find(" m (closure 'closure_2'), and "), std::string::npos) << said;
+  EXPECT_NE(said.find("correct the origins of the joints in their loops"), std::string::npos) << said;
+}
+
 // What tells so is the place of the ends, or the numbers in their names.
 TEST(ClosureAtZero, IsNotedWhereItsEndsAreCrossed) {
   for (const std::string name : {"delta", "low_delta"}) {
@@ -346,7 +357,8 @@ TEST_P(FaultAtZero, IsNotCorrectedIntoAnotherRobot) {
     std::cout << GetParam() << ' ' << outcome << ' ' << count << '\n';
 }
 
-INSTANTIATE_TEST_SUITE_P(Robots, FaultAtZero, ::testing::Values("five_bar", "delta", "three_rrr", "hexapod"));
+INSTANTIATE_TEST_SUITE_P(Robots, FaultAtZero,
+                         ::testing::Values("five_bar", "delta", "low_delta", "three_rrr", "hexapod"));
 
 }  // namespace
 }  // namespace parallel_aspects
