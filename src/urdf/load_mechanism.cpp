@@ -138,7 +138,7 @@ std::unique_ptr<Mechanism::Contents> recognise(const std::shared_ptr<const Tree>
   }
   if (!search.looks_for_remedies) throw InvalidDescription(problems);
   if (const auto culprit = find_culprit(tree, resolved, files, attempt)) throw InvalidDescription({*culprit});
-  if (with_ends_together(*tree, resolved))
+  if (!are_all_welds(resolved.closures) && with_ends_together(*tree, resolved))
     problems.push_back(
         file_of_closures(resolved, files) + " has ends of closures apart while all joints are zero, " +
         end_gaps_text(*tree, resolved) +

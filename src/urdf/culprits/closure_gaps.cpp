@@ -172,6 +172,11 @@ std::optional<ResolvedConfig> with_ends_together(const Tree& tree, const Resolve
   return together;
 }
 
+bool are_all_welds(const std::vector<Closure>& closures) {
+  return std::all_of(closures.begin(), closures.end(),
+                     [](const Closure& closure) { return closure.weld != Weld::none; });
+}
+
 EndGaps::EndGaps(const Tree& tree, const ResolvedConfig& resolved) {
   ResolvedConfig placed = resolved;
   place_at_zero(tree, placed.closures);

@@ -20,6 +20,9 @@ namespace parallel_aspects {
 /// of the two fixed to what carries it.
 std::optional<ResolvedConfig> with_ends_together(const Tree& tree, const ResolvedConfig& resolved);
 
+/// Whether all closures are welds, which turn at one end or the other: of these is asked elsewhere.
+bool are_all_welds(const std::vector<Closure>& closures);
+
 /// Which changes of a description may be what it needs, as far as the ends of its closures tell.
 class EndGaps {
  public:

@@ -328,8 +328,7 @@ class Search {
   std::size_t work_ = 0;
 };
 
-// Of closures whose ends are apart at zero: first what puts them together, then that they are together. Of
-// welds, which turn at one of the two, is asked elsewhere.
+// Of closures whose ends are apart at zero: first what puts them together, then that they are together.
 std::optional<std::string> culprit_of_gaps(const std::shared_ptr<const Tree>& tree,
                                            const ResolvedConfig& resolved, const SourceNames& files,
                                            const Attempt& attempt) {
@@ -337,9 +336,7 @@ std::optional<std::string> culprit_of_gaps(const std::shared_ptr<const Tree>& tr
   if (!together) return std::nullopt;
   if (auto message = Search(tree, *together, files, attempt).run()) return message;
   for (Closure& closure : together->closures) closure.at_zero.reset();
-  const bool any_joint = std::any_of(resolved.closures.begin(), resolved.closures.end(),
-                                     [](const Closure& closure) { return closure.weld == Weld::none; });
-  if (files.as_options || !any_joint || !attempt(tree, *together)) return std::nullopt;
+  if (files.as_options || are_all_welds(resolved.closures) || !attempt(tree, *together)) return std::nullopt;
   return file_of_closures(resolved, files) + " has ends of closures apart while all joints are zero, " +
          end_gaps_text(*tree, resolved) +
          ", and holds them so; correct the origins of the joints in their loops, or, if these are right and "
