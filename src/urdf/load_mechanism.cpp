@@ -4,9 +4,10 @@
 #include "urdf/closing/planar_layers.h"
 #include "urdf/closing/resolved_config.h"
 #include "urdf/config/mechanism_config.h"
-#include "urdf/corrections/culprit.h"
-#include "urdf/corrections/shared_frames.h"
 #include "urdf/corrections/unit_corrections.h"
+#include "urdf/culprits/closure_gaps.h"
+#include "urdf/culprits/culprit.h"
+#include "urdf/culprits/shared_frames.h"
 #include "urdf/description/yaml_document.h"
 #include "urdf/load_search.h"
 #include "urdf/mechanism_contents.h"
@@ -19,6 +20,8 @@
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <optional>
 #include <utility>
 
@@ -69,6 +72,44 @@ void check_ends(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& r
   throw InvalidDescription(problems.empty() ? wrong.problems() : problems);
 }
 
+// Spherical robots have angles.
+bool has_lengths(const Mechanism::Contents& contents) {
+  return contents.manipulator->task_space() != TaskSpace::SO3;
+}
+
+// Of the legs, at the joint value zero where they change.
+std::string lengths_of(const Manipulator& manipulator) {
+  std::string text;
+  for (const Leg& leg : manipulator.legs())
+    text += (text.empty() ? "" : ", ") + number_text(std::sqrt(leg.squared_distance(0.0)));
+  return text + " m";
+}
+
+// What loads may not be what is meant.
+using RecogniseIn = std::function<std::unique_ptr<Mechanism::Contents>(const std::shared_ptr<const Tree>&,
+                                                                       const ResolvedConfig&, Problems&)>;
+void note_ends(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,
+               const SourceNames& files, const RecogniseIn& recognise, const Attempt& attempt,
+               Mechanism::Contents& contents) {
+  const std::vector<std::string> crossed = crossed_ends_notes(tree, resolved, files, attempt);
+  contents.notes.insert(contents.notes.end(), crossed.begin(), crossed.end());
+  auto together = with_ends_together(*tree, resolved);
+  const std::string apart = together ? end_gaps_text(*tree, resolved) : "";
+  if (!together || !crossed.empty()) return;
+  for (Closure& closure : together->closures) closure.at_zero.reset();
+  Problems ignored;
+  const auto meant = recognise(tree, *together, ignored);
+  const bool any_lengths = meant && has_lengths(contents) && has_lengths(*meant);
+  contents.notes.push_back(
+      file_of_closures(resolved, files) + " has ends of closures apart while all joints are zero, " + apart +
+      ", and they are held so, as by simulators" +
+      (any_lengths ? ", with legs of " + lengths_of(*contents.manipulator) : "") + "; if they are to meet, " +
+      (meant ? "write " + closures_entry(*tree, together->closures) + " under mechanism in " + files.config +
+                   (any_lengths ? ", with legs of " + lengths_of(*meant->manipulator) : "")
+             : "correct the origins of the joints in their loops") +
+      ".");
+}
+
 // Throws where there is none.
 std::unique_ptr<Mechanism::Contents> recognise(const std::shared_ptr<const Tree>& tree,
                                                const MechanismConfig& config, const ResolvedConfig& resolved,
@@ -82,14 +123,24 @@ std::unique_ptr<Mechanism::Contents> recognise(const std::shared_ptr<const Tree>
   };
   const Attempt attempt = [&](const auto& changed_tree, const ResolvedConfig& changed) {
     Problems ignored;
-    const auto contents = recognise_in(changed_tree, changed, ignored);
+    ResolvedConfig placed = changed;
+    place_at_zero(*changed_tree, placed.closures);
+    const auto contents = recognise_in(changed_tree, placed, ignored);
     return contents ? std::optional<std::string>(name(contents->manipulator->task_space())) : std::nullopt;
   };
   check_ends(tree, resolved, files, search, attempt);
   Problems problems;
-  if (auto contents = recognise_in(tree, resolved, problems)) return contents;
+  if (auto contents = recognise_in(tree, resolved, problems)) {
+    if (search.looks_for_remedies) note_ends(tree, resolved, files, recognise_in, attempt, *contents);
+    return contents;
+  }
   if (!search.looks_for_remedies) throw InvalidDescription(problems);
   if (const auto culprit = find_culprit(tree, resolved, files, attempt)) throw InvalidDescription({*culprit});
+  if (!are_all_welds(resolved.closures) && with_ends_together(*tree, resolved))
+    problems.push_back(
+        file_of_closures(resolved, files) + " has ends of closures apart while all joints are zero, " +
+        end_gaps_text(*tree, resolved) +
+        ", and they are held so; correct the origins of the joints in their loops, if they are to meet.");
   throw InvalidDescription(problems);
 }
 
@@ -141,16 +192,18 @@ SharedMechanism load_mechanism(const std::string& urdf_text, const std::string& 
   check_closures(resolved.closures, files, problems);
   if (!problems.empty()) throw InvalidDescription(problems);
   for (const std::string& note : leave_out_repeated(resolved.closures, files)) notes.push_back(note);
-  for (const std::string& note : shared_frame_notes(*tree, resolved.closures)) notes.push_back(note);
   for (const std::string& note :
        join_layers(*tree, resolved.actuated_joints.platform_link, files, resolved.closures))
     notes.push_back(note);
   const auto open_tree = std::make_shared<const Tree>(std::move(*tree));
   auto contents = recognise(open_tree, config, resolved, files, search);
   const ClosureSystem loops = loops_of(open_tree, resolved);
+  for (const std::string& note : shared_frame_notes(*open_tree, resolved, loops.size()))
+    notes.push_back(note);
   if (const auto note = joints_left_out(loops, files)) notes.push_back(*note);
   for (const std::string& note :
-       unit_notes(*open_tree, LoopJoints(*open_tree, resolved.closures, loops.size()), loops.size(), files))
+       unit_notes(*open_tree, resolved, LoopJoints(*open_tree, resolved.closures, loops.size()), loops.size(),
+                  files))
     notes.push_back(note);
   Problems of_constraints;
   add_stated_constraints(config.constraints, config.symmetrize, files, *contents, of_constraints);

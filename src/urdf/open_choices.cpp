@@ -16,8 +16,9 @@ namespace {
 
 using Contents = std::unique_ptr<Mechanism::Contents>;
 
-// Of these all combinations of two types are tried.
+// Of these all combinations of two types are tried, where so few joints move that an attempt is short.
 constexpr std::size_t max_mixed_closures = 5;
+constexpr std::ptrdiff_t max_joints_of_mixed = 24;
 
 bool is_open(const Closure& closure) { return closure.type == ClosureType::automatic; }
 
@@ -135,11 +136,17 @@ class OpenChoices {
       taken = name(type);
       if (Contents contents = recognise(with_type(closures, type), problems)) return contents;
     }
+    if (joints_in_loops(closures) > max_joints_of_mixed) return nullptr;
     for (const std::vector<Closure>& mixed : mixtures(closures)) {
       taken = listed_types(closures, mixed);
       if (Contents contents = recognise(mixed, problems)) return contents;
     }
     return nullptr;
+  }
+
+  std::ptrdiff_t joints_in_loops(const std::vector<Closure>& closures) const {
+    const ClosureSystem system(tree_, resolved_.base, with_type(closures, ClosureType::point));
+    return std::count(system.in_loop().begin(), system.in_loop().end(), true);
   }
 
   Contents find_types(const std::vector<Closure>& closures, Problems& problems) const {

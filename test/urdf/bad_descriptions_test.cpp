@@ -67,7 +67,8 @@ TEST(BadDescriptions, AreReportedAllAtOnce) {
   const Problems problems = problems_of("<robot/>", "robot.urdf", "mechanism: {colour: red}", "robot.yaml");
   const Problems expected{
       "robot.yaml has an unknown key 'colour' under mechanism; there are 'name', 'base_link', "
-      "'operational_point', 'actuated_joints', 'task_space', 'symmetrize', 'tolerance', 'closures'.",
+      "'operational_point', 'actuated_joints', 'task_space', 'symmetrize', 'tolerance', 'closures', "
+      "'added_closures'.",
       "robot.yaml does not say mechanism.operational_point; name the link whose origin is the operational "
       "point of the "
       "platform.",

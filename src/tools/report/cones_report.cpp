@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/report/cones_report.h"
 
+#include <algorithm>
+#include <map>
+#include <set>
 #include <string>
+#include <tuple>
+#include <vector>
 
 namespace parallel_aspects::tools {
 namespace {
@@ -14,30 +19,100 @@ std::string holder(const Manipulator& manipulator, const BallJointCone& cone) {
 
 constexpr std::size_t max_lines = 24;
 
-/// `joint` is empty for a cone that stands for no joint limit.
-void add(const Manipulator& manipulator, const BallJointCone& cone, const std::string& joint,
-         Report& report) {
-  const std::string leg = manipulator.leg(cone.leg).name, fixed_in = holder(manipulator, cone);
-  nlohmann::json object{{"leg", leg},           {"end", name(cone.end)},
-                        {"fixed_in", fixed_in}, {"axis", {cone.axis.x(), cone.axis.y(), cone.axis.z()}},
-                        {"angle", cone.angle},  {"joint", nullptr}};
-  if (!joint.empty()) object["joint"] = joint;
-  report.json.push_back(object);
-  report.text += "cone: the rod of " + leg + " is at most " + shown(cone.angle) + " rad from (" +
-                 shown(cone.axis.x()) + ", " + shown(cone.axis.y()) + ", " + shown(cone.axis.z()) +
-                 ") of the " + fixed_in + (joint.empty() ? "" : ", for a limit of " + joint) + "\n";
-}
+/// A cone, and the joint for whose limit it stands; empty where for none.
+struct StatedCone {
+  const BallJointCone& cone;
+  std::string joint;
+};
+
+/// "2.37 rad from the base", and whether for limits: what one line may say of several.
+using Kind = std::tuple<std::string, std::string, bool>;
+
+class ConesReport {
+ public:
+  explicit ConesReport(const Manipulator& manipulator) : manipulator_(manipulator) {
+    for (const BallJointCone& cone : manipulator.constraints().cones) cones_.push_back({cone, ""});
+    for (const PassiveCone& limit : manipulator.constraints().passive_cones)
+      cones_.push_back({limit.cone, limit.joint});
+  }
+
+  nlohmann::json json() const {
+    nlohmann::json array = nlohmann::json::array();
+    for (const auto& [cone, joint] : cones_) {
+      nlohmann::json object{{"leg", leg_of(cone)},
+                            {"end", name(cone.end)},
+                            {"fixed_in", holder(manipulator_, cone)},
+                            {"axis", {cone.axis.x(), cone.axis.y(), cone.axis.z()}},
+                            {"angle", cone.angle},
+                            {"joint", nullptr}};
+      if (!joint.empty()) object["joint"] = joint;
+      array.push_back(object);
+    }
+    return array;
+  }
+
+  std::string lines() const {
+    std::string text;
+    for (const StatedCone& one : cones_) text += line(one);
+    return text;
+  }
+
+  /// One line for all of a kind.
+  std::string text() const {
+    std::map<Kind, std::vector<const StatedCone*>> kinds;
+    for (const StatedCone& one : cones_) kinds[kind_of(one)].push_back(&one);
+    if (kinds.size() > max_lines)
+      return "cones: " + std::to_string(cones_.size()) + " bound the rods; --verbose lists them\n";
+    std::string text;
+    for (const auto& [kind, cones] : kinds)
+      text += cones.size() == 1 ? line(*cones.front()) : line(kind, cones);
+    return text;
+  }
+
+ private:
+  const std::string& leg_of(const BallJointCone& cone) const { return manipulator_.leg(cone.leg).name; }
+
+  Kind kind_of(const StatedCone& one) const {
+    return {shown(one.cone.angle), holder(manipulator_, one.cone), one.joint.empty()};
+  }
+
+  std::string line(const StatedCone& one) const {
+    const Eigen::Vector3d& axis = one.cone.axis;
+    return "cone: the rod of " + leg_of(one.cone) + " is at most " + shown(one.cone.angle) + " rad from (" +
+           shown(axis.x()) + ", " + shown(axis.y()) + ", " + shown(axis.z()) + ") of the " +
+           holder(manipulator_, one.cone) + (one.joint.empty() ? "" : ", for a limit of " + one.joint) + "\n";
+  }
+
+  std::string line(const Kind& kind, const std::vector<const StatedCone*>& cones) const {
+    std::set<std::string> joints;
+    std::vector<std::string> legs;
+    std::string names;
+    for (const StatedCone* one : cones) {
+      joints.insert(one->joint);
+      const std::string& leg = leg_of(one->cone);
+      if (std::find(legs.begin(), legs.end(), leg) != legs.end()) continue;
+      legs.push_back(leg);
+      names += (names.empty() ? "" : ", ") + leg;
+    }
+    const auto& [angle, fixed_in, is_stated] = kind;
+    return "cones: the " + std::string(legs.size() == 1 ? "rod of " : "rods of ") + names +
+           (legs.size() == 1 ? " is" : " are") + " at most " + angle + " rad from " +
+           std::to_string(cones.size()) + " axes of the " + fixed_in +
+           (is_stated ? ""
+                      : ", for limits of " + std::to_string(joints.size()) +
+                            (joints.size() == 1 ? " joint" : " joints")) +
+           "; --verbose lists them\n";
+  }
+
+  const Manipulator& manipulator_;
+  std::vector<StatedCone> cones_;
+};
 
 }  // namespace
 
 Report report_cones(const Manipulator& manipulator, bool verbose) {
-  Report report{nlohmann::json::array(), ""};
-  for (const BallJointCone& cone : manipulator.constraints().cones) add(manipulator, cone, "", report);
-  for (const PassiveCone& limit : manipulator.constraints().passive_cones)
-    add(manipulator, limit.cone, limit.joint, report);
-  if (report.json.size() > max_lines && !verbose)
-    report.text = "cones: " + std::to_string(report.json.size()) + " bound the rods; --verbose lists them\n";
-  return report;
+  const ConesReport report(manipulator);
+  return {report.json(), verbose ? report.lines() : report.text()};
 }
 
 }  // namespace parallel_aspects::tools

@@ -8,7 +8,7 @@
 namespace parallel_aspects::tools {
 
 /// The cones that the rods of a manipulator must stay in, those of universal joints among them: a list, and
-/// a line each, or one for all where they are many and it is not `verbose`.
+/// a line each, or where it is not `verbose` one for all of the same angle.
 Report report_cones(const Manipulator& manipulator, bool verbose);
 
 }  // namespace parallel_aspects::tools

@@ -49,11 +49,12 @@ std::string ranges_text(const Manipulator& manipulator, const Eigen::AlignedBox3
 
 }  // namespace
 
-std::string workspace_text(const std::shared_ptr<const Manipulator>& manipulator) {
+std::string workspace_text(const std::shared_ptr<const Manipulator>& manipulator, const Pose& home) {
   PoseSampler sampler(manipulator, seed, std::nullopt, EIGEN_PI);
   if (!sampler.is_bounded())
     return "workspace: not bounded by the legs; limit the actuated joints, or give a workspace or a region\n";
-  const ReachedPoses reached = reached_poses(*manipulator, sampler);
+  ReachedPoses reached = reached_poses(*manipulator, sampler);
+  if (reached.count > 0 && is_reached(*manipulator, home)) reached.positions.extend(home.position);
   const std::string share =
       std::to_string(reached.count) + " of " + std::to_string(samples) + " random poses";
   if (reached.count == 0 || directions(manipulator->task_space()) == 0)

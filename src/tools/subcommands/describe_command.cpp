@@ -226,7 +226,8 @@ std::string mechanism_text(const Mechanism& mechanism, bool verbose) {
                      counted(manipulator.leg_count(), "leg") + "\n";
   text += "base link " + manipulator.base_frame() + ", operational point at the origin of " +
           mechanism.platform_link() + size_text(manipulator) + "\n";
-  text += frame_text(manipulator) + home_text(mechanism) + workspace_text(mechanism.manipulator()) + "\n";
+  text += frame_text(manipulator) + home_text(mechanism) +
+          workspace_text(mechanism.manipulator(), mechanism.assembled().pose) + "\n";
   text += leg_table(manipulator);
   text += "\nworking modes, as signs of B_jj:" + modes_text(manipulator) + "\n";
   text += joints_text(mechanism) + margins_text(mechanism) + report_cones(manipulator, verbose).text;

@@ -17,8 +17,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Of ten seconds; the rest is for the attempt to assemble that is under way when the time is up.
-constexpr std::chrono::seconds time_to_search{8};
+// Of ten seconds; the rest is for the attempt to assemble that is under way when the time is up. The clock on
+// the wall counts where other programs have the processor.
+constexpr std::chrono::seconds time_to_search{8}, time_to_wait{9};
 
 struct SetupArguments {
   std::string urdf, output, base, platform, actuated, closures;
@@ -99,6 +100,7 @@ SetupResult found(const std::string& urdf_file, const std::string& config_file, 
   if (!text) throw InvalidDescription(problems);
   for (;;) {
     SetupControl control{ProcessorClock::now() + time_to_search};
+    control.latest = std::chrono::steady_clock::now() + time_to_wait;
     control.cancelled = [&] { return surroundings.interrupted != nullptr && *surroundings.interrupted; };
     SetupResult result = set_up(*text, urdf_file, config_file, answers, control);
     if (control.cancelled()) throw Interrupted{};
@@ -160,21 +162,23 @@ Report describe_bare(const std::string& urdf_file, const Surroundings& surroundi
 
 Subcommand setup_subcommand() {
   const auto arguments = std::make_shared<SetupArguments>();
-  return {"setup",
-          "Find base, loop closures, platform and actuated joints of a URDF, and write the YAML",
-          {{"URDF", "", "URDF of the robot", &arguments->urdf, true},
-           {"-o", "FILE", "YAML to write; by default NAME.yaml in the present folder for NAME.urdf",
-            &arguments->output},
-           {"--closures", "PAIRS",
-            "What is held together, as \"tool=rod_2_tip\" or \"tool=rod_2@0.4:0:0\" [m], where known",
-            &arguments->closures},
-           {"--actuated", "JOINTS", "Actuated joints, one a leg, such as \"motor_1 motor_2\", where known",
-            &arguments->actuated},
-           {"--platform", "LINK", "Link whose origin is the operational point, where known",
-            &arguments->platform},
-           {"--base", "LINK", "Link that carries the base, where known", &arguments->base}},
-          [arguments](const Surroundings& surroundings) { return run(*arguments, surroundings); },
-          {{"--replace", "Replace the YAML where it exists", &arguments->replace}}};
+  return {
+      "setup",
+      "Find base, loop closures, platform and actuated joints of a URDF, and write the YAML",
+      {{"URDF", "", "URDF of the robot", &arguments->urdf, true},
+       {"-o", "FILE", "YAML to write; by default NAME.yaml in the present folder for NAME.urdf",
+        &arguments->output},
+       {"--closures", "PAIRS",
+        "What is held together, as \"tool=rod_2_tip\" or \"tool=rod_2@0.4:0:0\" [m], where known; added to "
+        "what the URDF closes",
+        &arguments->closures},
+       {"--actuated", "JOINTS", "Actuated joints, one a leg, such as \"motor_1 motor_2\", where known",
+        &arguments->actuated},
+       {"--platform", "LINK", "Link whose origin is the operational point, where known",
+        &arguments->platform},
+       {"--base", "LINK", "Link that carries the base, where known", &arguments->base}},
+      [arguments](const Surroundings& surroundings) { return run(*arguments, surroundings); },
+      {{"--replace", "Replace the YAML where it exists", &arguments->replace}}};
 }
 
 }  // namespace parallel_aspects::tools

@@ -305,9 +305,32 @@ class LegFinder {
             files_.urdf + ".");
   }
 
+  // The link of a closure that is held where the joint is that carries it.
+  std::optional<std::string> closed_at_its_joint(const Pivot& one, const Pivot& other) const {
+    if (one.variable.has_value() == other.variable.has_value()) return std::nullopt;
+    const Pivot &joint = one.variable ? one : other, &closed = one.variable ? other : one;
+    const std::size_t carried = system_.tree().joint_of(*joint.variable).child;
+    for (const Closure& closure : system_.closures())
+      for (const LinkFrame& frame : closure.frames)
+        if (closure.name == closed.name && frame.link == carried && frame.in_link.translation().isZero())
+          return system_.tree().links[carried];
+    return std::nullopt;
+  }
+
   void check_length(const Pivot& one, const Pivot& other) {
     if (one.kind != PivotKind::revolute || other.kind == PivotKind::prismatic || !on_axis(one, other.point))
       return;
+    if (const auto link = closed_at_its_joint(one, other)) {
+      const std::string place =
+          files_.as_options ? *link + "@X:Y:Z in the place of " + *link + " with --closures"
+                            : "{link: " + *link + ", xyz: [X, Y, Z]} in the place of " + *link + " in it";
+      problems_.push_back(files_.urdf + " has joint '" + (one.variable ? one : other).name +
+                          "' where closure '" + (one.variable ? other : one).name + "' holds link '" + *link +
+                          "', at its origin, so that the rod between them has length zero; give the far end "
+                          "of the rod: write " +
+                          place + ", or the <pose> of a <gazebo><joint>.");
+      return;
+    }
     problems_.push_back(
         files_.urdf + " puts '" + one.name + "' and '" + other.name +
         "' on one axis, so that the link between them has length zero; give it a positive length.");

@@ -50,9 +50,11 @@ class NameResolver {
     if (!config.operational_point.link.empty())
       result_.actuated_joints.platform_link =
           link("mechanism.operational_point", config.operational_point.link);
-    for (std::size_t k = 0; k < config.closures.size(); ++k) add_closure(k, config.closures[k]);
+    for (std::size_t k = 0; k < config.closures.size(); ++k) add_closure("closures", k, config.closures[k]);
     std::vector<std::string> actuated_joints = config.actuated_joints;
-    const bool loops_are_read = config.lists_closures || describe_loops();
+    const bool loops_are_read = config.lists_closures || describe_loops(!config.added_closures.empty());
+    for (std::size_t k = 0; k < config.added_closures.size(); ++k)
+      add_closure("added_closures", k, config.added_closures[k]);
     if (!config.lists_actuated_joints && loops_are_read) describe_actuated_joints(actuated_joints);
     for (const std::string& joint : actuated_joints) add_actuated_joint(joint, actuated_joints);
     return result_;
@@ -68,9 +70,14 @@ class NameResolver {
         reach_ += joint.origin.translation().norm();
     check_distance("mechanism.operational_point", point);
     if (!point.name.empty()) frame_names_.push_back(point.name);
-    for (std::size_t k = 0; k < config.closures.size(); ++k)
-      for (const ConfiguredFrame& frame : config.closures[k].frames) {
-        const std::string key = "mechanism.closures[" + std::to_string(k) + "].frames";
+    check_closures("mechanism.closures", config.closures);
+    check_closures("mechanism.added_closures", config.added_closures);
+  }
+
+  void check_closures(const std::string& list, const std::vector<ConfiguredClosure>& closures) {
+    for (std::size_t k = 0; k < closures.size(); ++k)
+      for (const ConfiguredFrame& frame : closures[k].frames) {
+        const std::string key = list + "[" + std::to_string(k) + "].frames";
         check_distance(key, frame);
         if (!frame.name.empty()) check_name(key, frame.name);
       }
@@ -102,8 +109,8 @@ class NameResolver {
     return 0;
   }
 
-  void add_closure(std::size_t index, const ConfiguredClosure& configured) {
-    const std::string key = "mechanism.closures[" + std::to_string(index) + "].frames";
+  void add_closure(const std::string& list, std::size_t index, const ConfiguredClosure& configured) {
+    const std::string key = "mechanism." + list + "[" + std::to_string(index) + "].frames";
     Closure closure;
     closure.name = configured.frames[0].label() + " - " + configured.frames[1].label();
     closure.type = configured.type;
@@ -116,10 +123,11 @@ class NameResolver {
   }
 
   // Whether what is said of loops and actuated joints could be read.
-  bool describe_loops() {
+  bool describe_loops(bool any_added) {
     const std::size_t before = problems_.size();
     const FoundLoops found = find_described_loops(source_, problems_);
     if (problems_.size() > before) return false;
+    if (found.loops.closures.empty() && any_added) return true;
     if (found.loops.closures.empty()) {
       if (is_serial_arm(tree_)) {
         problems_.push_back(files_.urdf + " is a serial arm, one chain of " +
@@ -132,6 +140,7 @@ class NameResolver {
       return true;
     }
     result_.closures = found.loops.closures;
+    result_.closure_dialect = found.dialect;
     notes_.push_back("The closures are those that " + std::string(found.dialect) + " describes, " +
                      std::to_string(result_.closures.size()) + " in all.");
     described_joints_ = found.loops.actuated_joints;
@@ -193,6 +202,11 @@ class NameResolver {
 };
 
 }  // namespace
+
+const std::string& file_of_closures(const ResolvedConfig& resolved, const SourceNames& files) {
+  const bool in_config = resolved.closure_dialect.empty() || resolved.closure_dialect == "closed_loop";
+  return in_config ? files.config : files.urdf;
+}
 
 ResolvedConfig resolve_config(const MechanismConfig& config, const LoopSource& source, Problems& problems,
                               std::vector<std::string>& notes) {

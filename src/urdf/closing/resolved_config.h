@@ -19,9 +19,13 @@ struct ResolvedConfig {
   std::size_t base = 0;  ///< link
   ActuatedJoints actuated_joints;
   std::vector<Closure> closures;
+  std::string closure_dialect;  ///< in which closures are described, if they are; those added come last
   /// Where the actuated joints are described, if not in a list of the YAML; they may be too many then.
   std::string actuation_origin;
 };
+
+/// The name of the file that describes the closures.
+const std::string& file_of_closures(const ResolvedConfig& resolved, const SourceNames& files);
 
 /// Looks up the names of `config` in the tree. Closures that the YAML does not list come from the dialects of
 /// `source`; actuated joints that it does not list come from there too, or else from `<ros2_control>` and

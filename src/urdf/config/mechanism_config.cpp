@@ -21,8 +21,8 @@ constexpr double max_tolerance = 0.1;
 
 const std::vector<std::string>& mechanism_keys() {
   static const std::vector<std::string> keys{
-      "name",       "base_link",  "operational_point", "actuated_joints",
-      "task_space", "symmetrize", "tolerance",         "closures"};
+      "name",       "base_link", "operational_point", "actuated_joints", "task_space",
+      "symmetrize", "tolerance", "closures",          "added_closures"};
   return keys;
 }
 
@@ -77,7 +77,13 @@ class MechanismReader {
     read_task_space(mechanism["task_space"], config);
     read_symmetrize(mechanism["symmetrize"], config);
     read_tolerance(mechanism["tolerance"], config);
-    read_closures(mechanism["closures"], config);
+    read_closures(mechanism["closures"], "mechanism.closures", config.closures);
+    config.lists_closures = !is_empty(mechanism["closures"]);
+    read_closures(mechanism["added_closures"], "mechanism.added_closures", config.added_closures);
+    if (config.lists_closures && !config.added_closures.empty())
+      problem(
+          "has mechanism.closures and mechanism.added_closures; write all under closures, or leave out "
+          "closures, to add some to those that the URDF describes.");
     config.constraints = read_constraints_config(root["constraints"], file_, problems_);
     return config;
   }
@@ -156,21 +162,24 @@ class MechanismReader {
           "give a share of the robot's size such as 1.0e-4, or leave it out.");
   }
 
-  void read_closures(const YAML::Node& node, MechanismConfig& config) {
-    config.lists_closures = node.IsDefined() && !(node.IsSequence() && node.size() == 0);
+  static bool is_empty(const YAML::Node& node) {
+    return !node.IsDefined() || (node.IsSequence() && node.size() == 0);
+  }
+
+  void read_closures(const YAML::Node& node, const std::string& where,
+                     std::vector<ConfiguredClosure>& closures) {
     if (!node.IsDefined()) return;
     if (!node.IsSequence()) {
-      problem(
-          "has a mechanism.closures that is not a list; write one entry {frames: [link, link], type: point} "
-          "for each "
-          "loop.");
+      problem("has a " + where +
+              " that is not a list; write one entry {frames: [link, link], type: point} for each loop.");
       return;
     }
     for (std::size_t k = 0; k < node.size(); ++k)
-      read_closure(node[k], "mechanism.closures[" + std::to_string(k) + "]", config);
+      read_closure(node[k], where + "[" + std::to_string(k) + "]", closures);
   }
 
-  void read_closure(const YAML::Node& node, const std::string& where, MechanismConfig& config) {
+  void read_closure(const YAML::Node& node, const std::string& where,
+                    std::vector<ConfiguredClosure>& closures) {
     if (!node.IsMap()) {
       problem("has a " + where + " that is not a map; write {frames: [link, link], type: point}.");
       return;
@@ -188,7 +197,7 @@ class MechanismReader {
       good = read_frame(yaml_, frames[k], where + ".frames[" + std::to_string(k) + "]", closure.frames[k]) &&
              good;
     good = read_type(node["type"], where + ".type", closure.type) && good;
-    if (good) config.closures.push_back(closure);
+    if (good) closures.push_back(closure);
   }
 
   bool read_type(const YAML::Node& node, const std::string& where, ClosureType& type) {

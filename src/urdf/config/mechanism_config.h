@@ -31,7 +31,8 @@ struct MechanismConfig {
   bool lists_actuated_joints = false;  ///< otherwise the URDF may say them
   std::optional<TaskSpace> task_space;
   std::vector<ConfiguredClosure> closures;
-  bool lists_closures = false;  ///< otherwise the URDF or the rest of the file may say them
+  bool lists_closures = false;                    ///< otherwise the URDF or the rest of the file may say them
+  std::vector<ConfiguredClosure> added_closures;  ///< besides those that the URDF says
   ConstraintsConfig constraints;
   std::optional<double> symmetrize;  ///< tolerance, in sizes of the robot and rad; none: off
   double tolerance = 0.0;            ///< of the robot as it is built, in sizes of it

@@ -5,6 +5,7 @@
 #include "urdf/corrections/anchors.h"
 #include "urdf/corrections/correction_text.h"
 #include "urdf/corrections/tree_changes.h"
+#include "urdf/description/command_options.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -172,7 +173,8 @@ class FrameCorrections {
       const std::string element = "closure '" + closure.name + "'";
       const std::string why = other != nullptr ? ", which closure '" + other->name + "' has, too"
                                                : ", while no closure has link " + quoted(link);
-      add({element, files_.config + " names link " + quoted(frame.link) + " in " + element + why,
+      add({element,
+           file_of_closures(resolved_, files_) + " names link " + quoted(frame.link) + " in " + element + why,
            "write link " + quoted(link) + " in the place of " + quoted(frame.link) + " in " + element, false,
            [index, end, link](Tree&, ResolvedConfig& resolved) {
              resolved.closures[index].frames[end] = {link, Eigen::Isometry3d::Identity()};
@@ -205,14 +207,23 @@ class FrameCorrections {
     const std::size_t link = closure.frames[end].link;
     const std::string element = "closure '" + closure.name + "'";
     add({element,
-         files_.config + " has " + element + " at the start of link " + quoted(link) + ", where joint '" +
-             tree_.joints[*tree_.joint_above[link]].name + "' is, and not at its far end, which has no link",
-         "write {link: " + tree_.links[link] + ", xyz: " + as_list(place.translation()) +
-             "} or where else that is in the place of " + quoted(link) + " in " + element,
-         false,
+         file_of_closures(resolved_, files_) + " has " + element + " at the start of link " + quoted(link) +
+             ", where joint '" + tree_.joints[*tree_.joint_above[link]].name +
+             "' is, and not at its far end, which has no link",
+         far_end_text(closure, end, place.translation()), false,
          [index, end, translation = Eigen::Vector3d(place.translation())](Tree&, ResolvedConfig& resolved) {
            resolved.closures[index].frames[end].in_link.translation() = translation;
          }});
+  }
+
+  // A joint of SDF is placed in its child.
+  std::string far_end_text(const Closure& closure, std::size_t end, const Eigen::Vector3d& place) const {
+    const std::string& link = tree_.links[closure.frames[end].link];
+    if (resolved_.closure_dialect == "<gazebo><joint>" && end == 1)
+      return "write <pose>" + as_attribute(place) +
+             " 0 0 0</pose>, or where else that is, in <gazebo><joint> '" + closure.name + "'";
+    return "write {link: " + link + ", xyz: " + as_list(place) + "} or where else that is in the place of '" +
+           link + "' in closure '" + closure.name + "'";
   }
 
   // The type that most closures have.
@@ -241,11 +252,19 @@ class FrameCorrections {
           usual_type(),
           Weld::none};
       add({"closure '" + closure.name + "'",
-           "no closure of " + files_.config + " joins link " + quoted(loose) + ", which ends a chain of " +
-               files_.urdf + ", to link " + quoted(other),
-           "add " + frames + " to " + files_.full_key("closures"), false,
+           "no closure of " + file_of_closures(resolved_, files_) + " joins link " + quoted(loose) +
+               ", which ends a chain of " + files_.urdf + ", to link " + quoted(other),
+           added_text(other, loose, frames), false,
            [closure](Tree&, ResolvedConfig& resolved) { resolved.closures.push_back(closure); }});
     }
+  }
+
+  // Those of the YAML take the place of those that the URDF describes, to which options add theirs.
+  std::string added_text(std::size_t one, std::size_t other, const std::string& frames) const {
+    const bool described = !resolved_.closure_dialect.empty();
+    const std::string pair = shell_word(tree_.links[one] + "=" + tree_.links[other]);
+    if (files_.as_options) return described ? "add --closures " + pair : "add " + pair + " to --closures";
+    return "add " + frames + " to mechanism." + (described ? "added_closures" : "closures");
   }
 
   // Of frames that are not on the platform though they should, or on one point of it; else where chains are

@@ -30,7 +30,9 @@ bool are_same(const Closure& one, const Closure& other) {
 class ClosureCorrections {
  public:
   ClosureCorrections(const ResolvedConfig& resolved, const SourceNames& files)
-      : closures_(resolved.closures), files_(files) {}
+      : closures_(resolved.closures),
+        file_(file_of_closures(resolved, files)),
+        is_gazebo_joint_(resolved.closure_dialect == "<gazebo><joint>") {}
 
   Corrections find() {
     for (std::size_t k = 0; k < closures_.size(); ++k)
@@ -48,8 +50,8 @@ class ClosureCorrections {
  private:
   void add_without(std::size_t index) {
     const std::string element = "closure '" + closures_[index].name + "'";
-    found_.push_back({element, files_.config + " has " + element + " twice",
-                      "leave out one entry of " + element, true, [index](Tree&, ResolvedConfig& resolved) {
+    found_.push_back({element, file_ + " has " + element + " twice", "leave out one entry of " + element,
+                      true, [index](Tree&, ResolvedConfig& resolved) {
                         resolved.closures.erase(resolved.closures.begin() +
                                                 static_cast<std::ptrdiff_t>(index));
                       }});
@@ -67,14 +69,22 @@ class ClosureCorrections {
         have_others || closure.type == ClosureType::fixed;  // which makes one link of two
     found_.push_back(
         {element,
-         files_.config + " has type " + std::string(name(closure.type)) + " for " + element +
-             (have_others ? ", where others have type " + std::string(name(type)) : ""),
-         "write type: " + std::string(name(type)) + " for " + element, like_others,
+         file_ + " has type " + written(closure.type) + " for " + element +
+             (have_others ? ", where others have type " + written(type) : ""),
+         "write type" + (is_gazebo_joint_ ? "=\"" + written(type) + "\"" : ": " + written(type)) + " for " +
+             element,
+         like_others,
          [index, type](Tree&, ResolvedConfig& resolved) { resolved.closures[index].type = type; }});
   }
 
+  // A joint of SDF has other words.
+  std::string written(ClosureType type) const {
+    return is_gazebo_joint_ && type == ClosureType::point ? "ball" : std::string(name(type));
+  }
+
   const std::vector<Closure>& closures_;
-  const SourceNames& files_;
+  const std::string& file_;
+  bool is_gazebo_joint_;
   Corrections found_;
 };
 
@@ -82,7 +92,7 @@ class ClosureCorrections {
 class ExchangedEnds {
  public:
   ExchangedEnds(const Tree& tree, const ResolvedConfig& resolved, const SourceNames& files)
-      : tree_(tree), closures_(resolved.closures), files_(files) {}
+      : tree_(tree), resolved_(resolved), closures_(resolved.closures), files_(files) {}
 
   Corrections find() {
     for (std::size_t k = 0; k < closures_.size(); ++k)
@@ -121,9 +131,15 @@ class ExchangedEnds {
         remedy += (remedy.empty() ? "write link '" : " and write link '") + end_of(other) +
                   "' in the place of '" + end_of(k) + "' in " + name;
       }
+    if (resolved_.closure_dialect == "closing frames") {  // which are their names
+      remedy.clear();
+      for (const Pair& pair : pairs)
+        remedy += (remedy.empty() ? "exchange the names of links '" : " and of '") + end_of(pair[0]) +
+                  "' and '" + end_of(pair[1]) + "'";
+    }
     if (pairs.size() == 1) pairs_.push_back(pairs.front());
-    found_.push_back({names, files_.config + " has the ends of " + names + " crossed", remedy, false,
-                      [pairs](Tree&, ResolvedConfig& resolved) {
+    found_.push_back({names, file_of_closures(resolved_, files_) + " has the ends of " + names + " crossed",
+                      remedy, false, [pairs](Tree&, ResolvedConfig& resolved) {
                         for (const Pair& pair : pairs)
                           std::swap(resolved.closures[pair[0]].frames[1],
                                     resolved.closures[pair[1]].frames[1]);
@@ -137,6 +153,7 @@ class ExchangedEnds {
   static constexpr std::size_t max_in_two_legs = 6;
 
   const Tree& tree_;
+  const ResolvedConfig& resolved_;
   const std::vector<Closure>& closures_;
   const SourceNames& files_;
   std::vector<Pair> pairs_;

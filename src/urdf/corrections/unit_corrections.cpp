@@ -10,6 +10,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace parallel_aspects {
@@ -149,9 +150,33 @@ std::vector<Turned> turned_in_degrees(const Tree& tree, const LoopJoints& loops)
   return turned;
 }
 
+// Of a frame beside its link. What a URDF writes has other words.
+Corrections radians_for_closures(const Tree& tree, const ResolvedConfig& resolved, const SourceNames& files) {
+  Corrections found;
+  if (!resolved.closure_dialect.empty()) return found;
+  for (std::size_t k = 0; k < resolved.closures.size(); ++k)
+    for (const std::size_t end : {0, 1}) {
+      const Closure& closure = resolved.closures[k];
+      const LinkFrame& frame = closure.frames[end];
+      const auto degrees = as_if_in_degrees(roll_pitch_yaw(frame.in_link.linear()));
+      if (!degrees) continue;
+      const std::string element = "closure '" + closure.name + "'";
+      const Eigen::Vector3d radians = *degrees * EIGEN_PI / 180.0;
+      found.push_back(
+          {element,
+           files.config + " turns the frame in link '" + tree.links[frame.link] + "' of " + element +
+               " by rpy " + in_brackets(*degrees) + " rad, as if in degrees",
+           "write rpy: " + as_list(radians) + " in link '" + tree.links[frame.link] + "' of " + element, true,
+           [k, end, radians](Tree&, ResolvedConfig& changed) {
+             changed.closures[k].frames[end].in_link.linear() = rotation_of(radians);
+           }});
+    }
+  return found;
+}
+
 // `shortest`: of the slides, of the size of the robot.
-Corrections all_corrections(const Tree& tree, const LoopJoints& loops, double size, const SourceNames& files,
-                            double shortest) {
+Corrections all_corrections(const Tree& tree, const ResolvedConfig& resolved, const LoopJoints& loops,
+                            double size, const SourceNames& files, double shortest) {
   Corrections found;
   for (const Unit unit : {Unit::millimetres, Unit::kilometres}) {
     if (unit == Unit::kilometres && size > widest_robot) continue;
@@ -161,20 +186,23 @@ Corrections all_corrections(const Tree& tree, const LoopJoints& loops, double si
   if (size > widest_robot) found.push_back(metres_for_lengths(tree, size, files));
   const std::vector<Turned> turned = turned_in_degrees(tree, loops);
   if (!turned.empty()) found.push_back(radians_for_angles(tree, turned, files));
+  for (Correction& correction : radians_for_closures(tree, resolved, files))
+    found.push_back(std::move(correction));
   return found;
 }
 
 }  // namespace
 
-Corrections unit_corrections(const Tree& tree, const LoopJoints& loops, double size,
-                             const SourceNames& files) {
-  return all_corrections(tree, loops, size, files, 1.0 / out_of_scale);
+Corrections unit_corrections(const Tree& tree, const ResolvedConfig& resolved, const LoopJoints& loops,
+                             double size, const SourceNames& files) {
+  return all_corrections(tree, resolved, loops, size, files, 1.0 / out_of_scale);
 }
 
-std::vector<std::string> unit_notes(const Tree& tree, const LoopJoints& loops, double size,
-                                    const SourceNames& files) {
+std::vector<std::string> unit_notes(const Tree& tree, const ResolvedConfig& resolved, const LoopJoints& loops,
+                                    double size, const SourceNames& files) {
   std::vector<std::string> notes;
-  for (const Correction& correction : all_corrections(tree, loops, size, files, shortest_that_is_meant))
+  for (const Correction& correction :
+       all_corrections(tree, resolved, loops, size, files, shortest_that_is_meant))
     notes.push_back(correction.fault + "; if so, " + correction.remedy + ".");
   return notes;
 }

@@ -12,13 +12,13 @@ namespace parallel_aspects {
 
 /// Where slides have limits far beyond the robot, or all lengths are far beyond a robot's: millimetres. Where
 /// origins are turned by angles that are whole or half degrees, read as radians: degrees.
-/// `size`: of the robot [m].
-Corrections unit_corrections(const Tree& tree, const LoopJoints& loops, double size,
-                             const SourceNames& files);
+/// The same of the frames of closures that the YAML lists. `size`: of the robot [m].
+Corrections unit_corrections(const Tree& tree, const ResolvedConfig& resolved, const LoopJoints& loops,
+                             double size, const SourceNames& files);
 
 /// The same of a robot that loads as it is, as notes.
-std::vector<std::string> unit_notes(const Tree& tree, const LoopJoints& loops, double size,
-                                    const SourceNames& files);
+std::vector<std::string> unit_notes(const Tree& tree, const ResolvedConfig& resolved, const LoopJoints& loops,
+                                    double size, const SourceNames& files);
 
 }  // namespace parallel_aspects
 

@@ -128,6 +128,17 @@ std::optional<ClosureType> closure_type_named(std::string_view text) noexcept {
   return std::nullopt;
 }
 
+void place_at_zero(const Tree& tree, std::vector<Closure>& closures) {
+  const auto is_given_at_zero = [](const Closure& closure) { return closure.at_zero.has_value(); };
+  if (std::none_of(closures.begin(), closures.end(), is_given_at_zero)) return;
+  const Poses poses = link_poses(tree, 0, Eigen::VectorXd::Zero(tree.variables()));
+  for (Closure& closure : closures) {
+    if (!closure.at_zero) continue;
+    const Eigen::Isometry3d second = placed(poses, closure.frames[1]);
+    closure.frames[0].in_link = poses[closure.frames[0].link].inverse() * second * *closure.at_zero;
+  }
+}
+
 ClosureSystem::ClosureSystem(std::shared_ptr<const Tree> tree, std::size_t base,
                              std::vector<Closure> closures)
     : tree_(std::move(tree)),

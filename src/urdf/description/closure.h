@@ -51,7 +51,13 @@ struct Closure {
   std::array<LinkFrame, 2> frames;
   ClosureType type = ClosureType::automatic;
   Weld weld = Weld::none;
+  /// The first frame in the second while all joints are zero, where the description gives the second alone,
+  /// as simulators take a joint: then the first follows from the tree.
+  std::optional<Eigen::Isometry3d> at_zero = std::nullopt;
 };
+
+/// Where the tree has the first frames of closures that are given at zero.
+void place_at_zero(const Tree& tree, std::vector<Closure>& closures);
 
 /// The equations of all closures, in the frame of the base.
 class ClosureSystem {

@@ -95,7 +95,7 @@ Poses poses_at_zero(const Tree& tree) { return link_poses(tree, 0, Eigen::Vector
 Closure closed_at_zero(const Poses& poses, const std::string& name, std::size_t parent,
                        const LinkFrame& child, ClosureType type) {
   const LinkFrame in_parent{parent, poses[parent].inverse() * poses[child.link] * child.in_link};
-  return {name, {in_parent, child}, type};
+  return {name, {in_parent, child}, type, Weld::none, Eigen::Isometry3d::Identity()};
 }
 
 }  // namespace parallel_aspects

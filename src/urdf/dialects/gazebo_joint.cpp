@@ -63,8 +63,12 @@ class JointReader {
   // In the frame of the root link.
   Isometry3d frame_named(const std::string& name, const Isometry3d& otherwise) {
     if (name.empty()) return otherwise;
-    if (name == "__model__" || name == "world") return Isometry3d::Identity();
+    if (name == "__model__" || name == "world") {
+      is_beside_child_ = true;
+      return Isometry3d::Identity();
+    }
     const auto link = described_link(source_, name, where_, problems_);
+    is_beside_child_ = is_beside_child_ || name != child_text(joint_, "child");
     return link ? poses_[*link] : otherwise;
   }
 
@@ -105,8 +109,10 @@ class JointReader {
     if (type == ClosureType::universal) {
       turned.in_link.linear() =
           in_child.linear() * axes_with_z(second) * axes_with_z(Vector3d::UnitX()).transpose();
+      result.at_zero = turned.in_link.inverse() * result.frames[1].in_link;
       result.frames[1] = turned;
     }
+    if (is_beside_child_) result.at_zero.reset();
     return result;
   }
 
@@ -116,6 +122,7 @@ class JointReader {
   Problems& problems_;
   std::string where_;
   std::size_t earlier_problems_;
+  bool is_beside_child_ = false;  // whether the place or the axis is in the frame of anything else
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/setup/actuation_candidates.h"
 
+#include "urdf/closing/actuation_choices.h"
 #include "urdf/description/xml_values.h"
 #include "urdf/setup/name_words.h"
 
@@ -192,6 +193,29 @@ JointEvidence find_joint_evidence(const LoopSource& source) {
 std::vector<ActuationCandidate> actuation_candidates(const Tree& tree, const std::vector<GraphPart>& legs,
                                                      const JointEvidence& evidence) {
   return Combiner(tree, legs, evidence).find();
+}
+
+ActuationCandidate stated_actuation(const JointEvidence& evidence) {
+  ActuationCandidate candidate{{}, 0, "they have a " + evidence.stated_in, false};
+  for (std::size_t joint = 0; joint < evidence.stated.size(); ++joint)
+    if (evidence.stated[joint]) candidate.variables.push_back(joint);
+  return candidate;
+}
+
+bool is_stated(const ActuationCandidate& candidate, const JointEvidence& evidence) {
+  return std::all_of(candidate.variables.begin(), candidate.variables.end(),
+                     [&](std::size_t joint) { return evidence.stated[joint]; });
+}
+
+bool lacks_a_leg(const ActuationCandidate& stated, const Tree& tree, const Bodies& bodies, std::size_t base,
+                 const std::vector<bool>& in_loop) {
+  const Variables& joints = stated.variables;
+  if (!is_actuation_count(joints.size())) return false;
+  const auto is_loose = [&](std::size_t joint) {
+    return !in_loop[joint] && bodies.of(tree.joint_of(joint).parent) == base;
+  };
+  return std::any_of(joints.begin(), joints.end(), is_loose) &&
+         std::any_of(joints.begin(), joints.end(), [&](std::size_t joint) { return in_loop[joint]; });
 }
 
 }  // namespace parallel_aspects

@@ -5,6 +5,7 @@
 #include "urdf/dialects/closure_dialects.h"
 #include "urdf/setup/body_graph.h"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,18 @@ struct ActuationCandidate {
 /// are no others.
 std::vector<ActuationCandidate> actuation_candidates(const Tree& tree, const std::vector<GraphPart>& legs,
                                                      const JointEvidence& evidence);
+
+/// All that the URDF states.
+ActuationCandidate stated_actuation(const JointEvidence& evidence);
+
+/// Whether all of its joints are stated.
+bool is_stated(const ActuationCandidate& candidate, const JointEvidence& evidence);
+
+/// Whether one of these joints starts a chain on the body `base` that no closure holds while others are in
+/// loops, and there are as many as a robot has: then a closure is missing, and no other joint is actuated in
+/// its place. What is on the platform, as a gripper, is no leg.
+bool lacks_a_leg(const ActuationCandidate& stated, const Tree& tree, const Bodies& bodies, std::size_t base,
+                 const std::vector<bool>& in_loop);
 
 }  // namespace parallel_aspects
 

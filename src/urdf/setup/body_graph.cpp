@@ -131,4 +131,15 @@ std::vector<GraphPart> BodyGraph::parts_between(std::size_t base, std::size_t pl
   return parts;
 }
 
+std::size_t closed_again(const Bodies& bodies, const std::vector<Closure>& closures,
+                         const std::vector<Closure>& others) {
+  const auto pair_of = [&](const Closure& closure) {
+    return std::minmax({bodies.of(closure.frames[0].link), bodies.of(closure.frames[1].link)});
+  };
+  return static_cast<std::size_t>(std::count_if(closures.begin(), closures.end(), [&](const Closure& one) {
+    return std::any_of(others.begin(), others.end(),
+                       [&](const Closure& other) { return pair_of(one) == pair_of(other); });
+  }));
+}
+
 }  // namespace parallel_aspects

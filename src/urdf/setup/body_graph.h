@@ -24,6 +24,10 @@ class Bodies {
   std::vector<std::vector<std::size_t>> links_;  // by body, the first nearest to the root
 };
 
+/// How many of these closures hold two bodies together that one of the others does.
+std::size_t closed_again(const Bodies& bodies, const std::vector<Closure>& closures,
+                         const std::vector<Closure>& others);
+
 /// What is between base and platform, apart from everything else.
 struct GraphPart {
   std::vector<std::size_t> variables;  ///< joints that a loop moves, those nearest to the base first

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/setup/closed_search.h"
 
-#include "urdf/closing/actuation_choices.h"
 #include "urdf/closing/planar_layers.h"
 #include "urdf/load_search.h"
 #include "urdf/setup/freedom.h"
@@ -36,17 +35,17 @@ struct Platform {
 class ClosedSearch {
  public:
   ClosedSearch(const SetupSubject& subject, const std::vector<Closure>& closures,
-               const SetupCandidate& described)
+               const SetupCandidate& described, bool adds_closures)
       : subject_(subject),
         tree_(subject.tree),
         bodies_(subject.bodies),
         closures_(closures),
         graph_(subject.tree, subject.bodies, closures) {
-    const std::vector<bool>& in_loop = graph_.in_loop();
-    joints_in_loops_ = static_cast<std::size_t>(std::count(in_loop.begin(), in_loop.end(), true));
+    for (const bool joint : graph_.in_loop()) joints_in_loops_ += joint ? 1 : 0;
     result_.draft.robot = subject.tree.name;
     result_.draft.urdf_name = subject.urdf_name;
     result_.draft.closures = described;
+    result_.draft.adds_closures = adds_closures;
   }
 
   ClosedResult find() {
@@ -55,7 +54,12 @@ class ClosedSearch {
                                  " move; name frames at the two ends of each loop with --closures.");
       return result_;
     }
-    for (const Platform& platform : platforms())
+    const std::vector<Platform> all = platforms();
+    const ActuationCandidate stated = stated_actuation(subject_.evidence);
+    lacks_leg_ = subject_.answers.actuated_joints.empty() &&
+                 lacks_a_leg(stated, tree_, bodies_, base_, graph_.in_loop());
+    if (lacks_leg_ && !all.empty() && load_once(all.front(), stated)) return result_;
+    for (const Platform& platform : all)
       for (const std::vector<GraphPart>& legs : platform.legs)
         if (try_legs(platform, legs)) return result_;
     if (result_.problems.empty()) result_.problems.push_back(reason_for_none());
@@ -65,27 +69,27 @@ class ClosedSearch {
  private:
   // Where nothing was tried to the end.
   std::string reason_for_none() const {
-    if (result_.cut_short)
-      return subject_.urdf_name + " could not be tried with " + closures() +
-             " in the time there is; say more with --platform and --actuated.";
+    if (result_.cut_short) return not_in_time();
     return subject_.urdf_name + " has no link between which and the base link '" +
            result_.draft.base_link.values.front() + "' " + closures() +
            " make one, two, three or six legs; name other loops with --closures, or another base with "
            "--base.";
   }
 
+  std::string not_in_time() const {
+    return subject_.urdf_name + " could not be tried with " + closures() +
+           " in the time there is; say more with --platform and --actuated.";
+  }
   const std::string& link_name(std::size_t link) const { return tree_.links[link]; }
 
   // "the closures a=b c=d", for messages.
   std::string closures() const {
-    std::string pairs;
-    for (const std::string& pair : result_.draft.closures.values) pairs += " " + pair;
-    return "the closures" + pairs;
+    if (result_.draft.closures.values.empty()) return "the closures that it describes";
+    std::string text = "the closures";
+    for (const std::string& pair : result_.draft.closures.values) text += " " + pair;
+    return text;
   }
-
-  bool is_late() const {
-    return subject_.control.cancelled() || ProcessorClock::now() > subject_.control.deadline;
-  }
+  bool is_late() const { return subject_.control.is_over(); }
 
   bool stopped() {
     result_.cut_short = result_.cut_short || is_late();
@@ -149,10 +153,9 @@ class ClosedSearch {
   std::vector<ActuationCandidate> actuations(const std::vector<GraphPart>& legs) const {
     const auto& names = subject_.answers.actuated_joints;
     if (names.empty()) return actuation_candidates(tree_, legs, subject_.evidence);
-    ActuationCandidate asked{{}, 0, "as asked for"};
-    for (const std::string& joint : names)
-      asked.variables.push_back(*tree_.joints[*tree_.joint_named(joint)].variable);
-    return {asked};
+    std::vector<std::size_t> asked;
+    for (const std::string& joint : names) asked.push_back(*tree_.joints[*tree_.joint_named(joint)].variable);
+    return {{asked, 0, "as asked for"}};
   }
 
   // Whether each leg has one of the joints that are asked for.
@@ -185,6 +188,7 @@ class ClosedSearch {
     int weight = 0;
     for (std::size_t k = 0; k < candidates.size() && others.size() < max_others; ++k) {
       const ActuationCandidate& candidate = candidates[k];
+      if (lacks_leg_ && !is_stated(candidate, subject_.evidence)) continue;
       if (equals.empty()) {
         if (stopped()) return false;
         if (!try_links(platform, candidate, k < max_with_all_types)) continue;
@@ -353,10 +357,11 @@ class ClosedSearch {
     if (stopped()) return false;
     Problems problems;
     result_.mechanism = loaded(result_.draft, problems);
-    if (!result_.mechanism && !result_.tried && !problems.empty()) {
+    if (!result_.mechanism && !result_.tried) {
       result_.tried = result_.draft;
       result_.problems = problems;
     }
+    if (!result_.mechanism && result_.problems.empty()) result_.problems = {not_in_time()};
     return result_.mechanism != nullptr;
   }
 
@@ -366,7 +371,6 @@ class ClosedSearch {
     draft.actuated_joints = described(actuation);
     return loads(draft);
   }
-
   bool loads(const SetupDraft& draft) const {
     Problems unused;
     return loaded(draft, unused) != nullptr;
@@ -380,15 +384,16 @@ class ClosedSearch {
   std::map<std::string, Freedom> freedoms_;  // under closures of this type
   std::size_t base_ = 0;                     // body
   std::size_t joints_in_loops_ = 0;
-  std::size_t legs_ = 0;  // of what is being tried
+  std::size_t legs_ = 0;    // of what is being tried
+  bool lacks_leg_ = false;  // one with a joint that is stated to be actuated
   ClosedResult result_;
 };
 
 }  // namespace
 
 ClosedResult search_closed(const SetupSubject& subject, const std::vector<Closure>& closures,
-                           const SetupCandidate& described) {
-  return ClosedSearch(subject, closures, described).find();
+                           const SetupCandidate& described, bool adds_closures) {
+  return ClosedSearch(subject, closures, described, adds_closures).find();
 }
 
 }  // namespace parallel_aspects

@@ -42,7 +42,7 @@ inline constexpr const char* name_of_choice = "this choice";
 /// Looks for base, platform and actuated joints with these closures, and tries them. `described` is what
 /// stands in the YAML for them: nothing where the URDF describes them.
 ClosedResult search_closed(const SetupSubject& subject, const std::vector<Closure>& closures,
-                           const SetupCandidate& described);
+                           const SetupCandidate& described, bool adds_closures = false);
 
 }  // namespace parallel_aspects
 

@@ -7,6 +7,7 @@
 #include "urdf/setup/closed_search.h"
 #include "urdf/setup/open_ends.h"
 #include "urdf/setup/placed_frames.h"
+#include "urdf/setup/shared_ends.h"
 #include "urdf/setup/wrist_notes.h"
 
 #include <tinyxml2.h>
@@ -44,6 +45,7 @@ class Setup {
       : tree_(tree),
         source_(source),
         answers_(answers),
+        control_(control),
         bodies_(tree),
         evidence_(find_joint_evidence(source)),
         subject_{tree,     bodies_, evidence_, urdf_text, source.files.urdf, source.files.config,
@@ -55,12 +57,11 @@ class Setup {
   SetupResult find() {
     check_answers();
     if (!result_.problems.empty()) return result_;
-    if (!answers_.closures.empty()) return asked_closures();
     const FoundLoops described = find_described_loops(source_, result_.problems);
+    if (!answers_.closures.empty()) return asked_closures(described.loops.closures);
     if (!result_.problems.empty()) return result_;
     if (!described.loops.closures.empty()) {
-      take(search_closed(subject_, described.loops.closures,
-                         {{}, "the URDF describes them by " + std::string(described.dialect)}));
+      described_closures(described);
       return result_;
     }
     return open_ends();
@@ -156,8 +157,7 @@ class Setup {
       LoadSearch search;
       search.as_options = true;
       search.checkpoint = [this] {
-        if (subject_.control.cancelled() || ProcessorClock::now() > subject_.control.deadline)
-          throw OutOfTime{};
+        if (subject_.control.is_over()) throw OutOfTime{};
       };
       load_mechanism(subject_.urdf_text, subject_.urdf_name, config_text(*found.tried), name_of_choice, "",
                      search);
@@ -171,11 +171,38 @@ class Setup {
                                  options_for(*found.tried) + ", which was tried first: " + reason);
   }
 
-  SetupResult asked_closures() {
+  // In half of the time, so that the other half is for what would correct them.
+  void described_closures(const FoundLoops& loops) {
+    SetupControl control = control_;
+    control.deadline -= (control_.deadline - ProcessorClock::now()) / 2;
+    if (control.latest != std::chrono::steady_clock::time_point::max())
+      control.latest -= (control_.latest - std::chrono::steady_clock::now()) / 2;
+    const SetupSubject subject{
+        tree_,    bodies_, evidence_, subject_.urdf_text, subject_.urdf_name, subject_.config_name,
+        answers_, control};
+    take(search_closed(subject, loops.loops.closures,
+                       {{}, "the URDF describes them by " + std::string(loops.dialect)}));
+  }
+
+  // Beside those that the URDF describes, or in their place.
+  SetupResult asked_closures(const std::vector<Closure>& in_urdf) {
+    result_.problems.clear();
     Pairing asked{{}, "as asked for"};
     for (const auto& pair : answers_.closures)
       asked.pairs.push_back({*tree_.link_named(pair[0]), *tree_.link_named(pair[1]), ""});
-    take(search_closed(subject_, closures_of(tree_, asked), described(asked)));
+    const std::vector<Closure> added = closures_of(tree_, asked);
+    const std::size_t replaced = closed_again(bodies_, in_urdf, added);
+    if (replaced > 0 && replaced < in_urdf.size()) {
+      result_.problems = {"--closures has some of the loops that " + source_.files.urdf +
+                          " closes itself, and not all; write all loops, or only those that it leaves open."};
+      return result_;
+    }
+    const bool adds = replaced == 0 && !in_urdf.empty();
+    std::vector<Closure> closures = adds ? in_urdf : std::vector<Closure>{};
+    closures.insert(closures.end(), added.begin(), added.end());
+    SetupCandidate candidate = described(asked);
+    if (adds) candidate.reason += ", beside those that the URDF describes";
+    take(search_closed(subject_, closures, candidate, adds));
     return result_;
   }
 
@@ -188,6 +215,8 @@ class Setup {
 
   SetupResult open_ends() {
     const OpenEnds ends = find_open_ends(tree_, bodies_);
+    result_.question = question_of_places(tree_, ends, source_.files.urdf);
+    if (result_.question) return result_;
     std::optional<ClosedResult> first;
     for (const EqualPairings& equals : ends.pairings) {
       if (try_equals(equals, ends, first)) return result_;
@@ -330,6 +359,7 @@ class Setup {
   const Tree& tree_;
   const LoopSource& source_;
   const SetupAnswers& answers_;
+  const SetupControl& control_;
   Bodies bodies_;
   JointEvidence evidence_;
   SetupSubject subject_;
@@ -359,9 +389,11 @@ SetupResult set_up(const std::string& urdf_text, const std::string& urdf_name, c
   const SourceNames files{urdf_name, config_name};
   const LoopSource source{*document.FirstChildElement("robot"), no_config, *tree, files};
   const auto find = [&] { return Setup(*tree, source, answers, control, urdf_text).find(); };
-  const SetupResult found = find();
+  SetupResult found = find();
   const bool asks_for_places = found.question && found.question->candidates.empty();
-  return asks_for_places && add_far_ends(*tree) ? find() : found;
+  if (!asks_for_places || !add_far_ends(*tree)) return found;
+  SetupResult with_places = find();
+  return with_places.problems.empty() ? with_places : found;
 }
 
 }  // namespace parallel_aspects

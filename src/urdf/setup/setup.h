@@ -7,6 +7,7 @@
 #include "urdf/setup/processor_clock.h"
 
 #include <array>
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -16,7 +17,8 @@
 namespace parallel_aspects {
 
 /// What the user knows; what is empty is to be found. A link that closes a loop or is the operational point
-/// may be a place in the frame of a link, "rod_2@0.4:0:0" [m].
+/// may be a place in the frame of a link, "rod_2@0.4:0:0" [m]. Closures are added to those that the URDF
+/// describes, unless they close the same loops.
 struct SetupAnswers {
   std::string base_link;
   std::string operational_point;
@@ -46,10 +48,16 @@ struct SetupQuestion {
   std::vector<std::string> example;  ///< where there are none: what an answer looks like
 };
 
-/// When to give up, and what for. Both are looked at before each attempt to assemble the mechanism.
+/// When to give up, and what for. All are looked at before each attempt to assemble the mechanism.
 struct SetupControl {
   ProcessorClock::time_point deadline;
   std::function<bool()> cancelled = [] { return false; };
+  /// By the clock on the wall, for those who wait while other programs have the processor.
+  std::chrono::steady_clock::time_point latest = std::chrono::steady_clock::time_point::max();
+
+  bool is_over() const {
+    return cancelled() || ProcessorClock::now() > deadline || std::chrono::steady_clock::now() > latest;
+  }
 };
 
 /// What a bare URDF came to: a mechanism, a question, or problems.

@@ -129,7 +129,7 @@ class Writer {
     if (!draft_.closures.values.empty())
       comment(indent, "Their type is the first under which the mobility is the number of actuated joints.");
     if (draft_.closures.values.empty()) return;
-    text_ += indent + "closures:\n";
+    text_ += indent + (draft_.adds_closures ? "added_closures" : "closures") + ":\n";
     for (const std::string& pair : draft_.closures.values) {
       const std::size_t middle = pair.find('=');
       text_ += indent + indent + "- {frames: [" + yaml_frame(pair.substr(0, middle)) + ", " +

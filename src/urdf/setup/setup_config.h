@@ -16,6 +16,7 @@ struct SetupDraft {
   std::string urdf_name;
   SetupCandidate base_link, operational_point, actuated_joints;
   SetupCandidate closures;          ///< empty where the URDF describes them
+  bool adds_closures = false;       ///< to those that the URDF describes
   std::string closure_type;         ///< of all of them
   std::vector<SetupChoice> others;  ///< what else would do, by key
   std::optional<TaskSpace> task_space;

@@ -8,6 +8,19 @@ namespace parallel_aspects {
 namespace {
 
 constexpr std::size_t max_anchors = 3;  // in which two chains meet each
+constexpr std::size_t crowd = 4;        // of closures in one place, with the leg that carries it five legs
+
+bool all_hold(const std::vector<EndPair>& pairs, std::size_t link) {
+  return std::all_of(pairs.begin(), pairs.end(),
+                     [link](const EndPair& pair) { return pair.one == link || pair.other == link; });
+}
+
+std::optional<std::size_t> crowded_link(const std::vector<EndPair>& pairs) {
+  if (pairs.size() < crowd) return std::nullopt;
+  for (const std::size_t link : {pairs.front().one, pairs.front().other})
+    if (all_hold(pairs, link)) return link;
+  return std::nullopt;
+}
 
 }  // namespace
 
@@ -50,6 +63,26 @@ EqualPairings shared_orders(std::vector<std::size_t> anchors,
     }
   } while (std::next_permutation(anchors.begin(), anchors.end()));
   return orders;
+}
+
+std::optional<SetupQuestion> question_of_places(const Tree& tree, const OpenEnds& ends,
+                                                const std::string& urdf_name) {
+  if (ends.pairings.empty() || ends.pairings.front().size() != 1) return std::nullopt;
+  const std::vector<EndPair>& pairs = ends.pairings.front().front().pairs;
+  const auto link = crowded_link(pairs);
+  if (!link) return std::nullopt;
+  const std::string& name = tree.links[*link];
+  SetupQuestion question{
+      "closures",
+      urdf_name + " does not tell where its loops are closed; " + std::to_string(pairs.size()) +
+          " chains end at link '" + name +
+          "', which has no frames for them: give the place of each in the frame of '" + name +
+          "' as X:Y:Z [m]; ends that are in no loop, as fingers, are left out of --closures",
+      {},
+      {}};
+  for (const EndPair& pair : pairs)
+    question.example.push_back(name + "@X:Y:Z=" + tree.links[pair.one == *link ? pair.other : pair.one]);
+  return question;
 }
 
 }  // namespace parallel_aspects

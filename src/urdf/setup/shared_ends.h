@@ -3,9 +3,11 @@
 #define PARALLEL_ASPECTS_URDF_SETUP_SHARED_ENDS_H
 
 #include "urdf/setup/open_ends.h"
+#include "urdf/setup/setup.h"
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace parallel_aspects {
@@ -25,6 +27,11 @@ EqualPairings in_one_point(const std::vector<std::size_t>& anchors,
 EqualPairings shared_orders(std::vector<std::size_t> anchors,
                             const std::vector<std::vector<std::size_t>>& tips,
                             std::optional<std::size_t> carried);
+
+/// For the places of chains, where the first way to close the loops holds so many of them, five legs or more,
+/// at one link that each needs a place of its own there; else nothing.
+std::optional<SetupQuestion> question_of_places(const Tree& tree, const OpenEnds& ends,
+                                                const std::string& urdf_name);
 
 }  // namespace parallel_aspects
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "urdf/corrections/correction_search.h"
+#include "urdf/culprits/correction_search.h"
 
 #include "urdf/closing/actuation_choices.h"
 #include "urdf/closing/assembly.h"
@@ -8,6 +8,7 @@
 #include "urdf/corrections/gap_corrections.h"
 #include "urdf/corrections/joint_corrections.h"
 #include "urdf/corrections/listed_corrections.h"
+#include "urdf/corrections/missing_joints.h"
 #include "urdf/corrections/unit_corrections.h"
 #include "urdf/recognition/platform_motion.h"
 
@@ -55,7 +56,8 @@ CorrectionSearch::CorrectionSearch(std::shared_ptr<const Tree> tree, const Resol
       files_(files),
       attempt_(attempt),
       system_(tree_, resolved.base, typed(resolved.closures)),
-      loops_(*tree_, resolved.closures, system_.size()) {
+      loops_(*tree_, resolved.closures, system_.size()),
+      gaps_(*tree_, resolved) {
   if (!closes) open_loops_ = open_loops();
   collect();
 }
@@ -89,7 +91,7 @@ std::vector<std::size_t> CorrectionSearch::suspects() const {
 void CorrectionSearch::collect() {
   if (resolved_.actuation_origin.empty())
     append(corrections_, actuation_corrections(*tree_, resolved_, system_, files_));
-  append(corrections_, unit_corrections(*tree_, loops_, system_.size(), files_));
+  append(corrections_, unit_corrections(*tree_, resolved_, loops_, system_.size(), files_));
   append(corrections_, series_corrections(*tree_, resolved_, loops_, files_));
   append(corrections_, closure_corrections(resolved_, files_));
   append(corrections_, exchanged_ends(*tree_, resolved_, files_));
@@ -109,6 +111,10 @@ std::optional<std::string> CorrectionSearch::of_frames() {
 
 std::optional<std::string> CorrectionSearch::of_point() {
   return working_of(point_corrections(*tree_, resolved_, system_, files_));
+}
+
+std::optional<std::string> CorrectionSearch::of_missing_joints() {
+  return working_of(missing_joint_corrections(*tree_, resolved_, system_, files_));
 }
 
 std::optional<std::string> CorrectionSearch::of_chains() {
@@ -192,7 +198,8 @@ void CorrectionSearch::try_one(const Correction& correction) {
   auto tree = std::make_shared<Tree>(*tree_);
   ResolvedConfig config = resolved_;
   correction.apply(*tree, config);
-  if (!closes_and_moves(tree, config)) return;
+  place_at_zero(*tree, config.closures);
+  if (!gaps_.allow(*tree, config) || !closes_and_moves(tree, config)) return;
   ++attempts_;
   if (const auto space = attempt_(tree, config)) working_.push_back({correction, *space});
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "urdf/corrections/culprit.h"
+#include "urdf/culprits/culprit.h"
 
 #include "urdf/closing/assembly.h"
 #include "urdf/corrections/anchors.h"
-#include "urdf/corrections/correction_search.h"
 #include "urdf/corrections/misfit_axes.h"
+#include "urdf/culprits/correction_search.h"
 
 #include <algorithm>
 #include <utility>
@@ -31,12 +31,15 @@ class Search {
         resolved_(resolved),
         files_(files),
         attempt_(attempt),
+        gaps_(*tree, resolved),
         system_(tree, resolved.base, typed(resolved.closures)),
         assembled_(
             assemble(system_, resolved.actuated_joints.variables, resolved.actuated_joints.platform_link)) {}
 
   std::optional<std::string> run() {
     if (auto message = other_base()) return message;
+    if (auto message = CorrectionSearch(tree_, resolved_, true, files_, attempt_).of_missing_joints())
+      return message;
     if (auto message = CorrectionSearch(tree_, resolved_, true, files_, attempt_).of_frames()) return message;
     if (auto message = CorrectionSearch(tree_, resolved_, true, files_, attempt_).of_chains()) return message;
     if (is_one_type())
@@ -55,7 +58,7 @@ class Search {
     if (auto message = CorrectionSearch(tree_, resolved_, true, files_, attempt_).of_point()) return message;
     CorrectionSearch both(tree_, resolved_, true, files_, attempt_);
     if (auto message = both.of_frames_and_actuation()) return message;
-    if (!is_known && !mobility_fits())
+    if (!is_known && (gaps_.are_to_meet() || !mobility_fits()))
       if (auto message = corrections.others()) return message;
     if (auto message = other_types()) return message;
     return one_degree_of_freedom();
@@ -261,7 +264,10 @@ class Search {
                            return closure.type == ClosureType::automatic;
                          });
     work_ += joints * joints * (is_open ? choices_of_types : 1);
-    return work_ > max_work ? std::nullopt : attempt_(tree, changed);
+    if (work_ > max_work) return std::nullopt;
+    ResolvedConfig placed = changed;
+    place_at_zero(*tree, placed.closures);
+    return gaps_.allow(*tree, placed) ? attempt_(tree, placed) : std::nullopt;
   }
 
   // That carries the platform on the base, in a loop with a slide.
@@ -316,16 +322,35 @@ class Search {
   const ResolvedConfig& resolved_;
   const SourceNames& files_;
   const Attempt& attempt_;
+  EndGaps gaps_;
   ClosureSystem system_;
   AssemblyResult assembled_;
   std::size_t work_ = 0;
 };
+
+// Of closures whose ends are apart at zero: first what puts them together, then that they are together.
+std::optional<std::string> culprit_of_gaps(const std::shared_ptr<const Tree>& tree,
+                                           const ResolvedConfig& resolved, const SourceNames& files,
+                                           const Attempt& attempt) {
+  auto together = with_ends_together(*tree, resolved);
+  if (!together) return std::nullopt;
+  if (auto message = Search(tree, *together, files, attempt).run()) return message;
+  for (Closure& closure : together->closures) closure.at_zero.reset();
+  if (files.as_options || are_all_welds(resolved.closures) || !attempt(tree, *together)) return std::nullopt;
+  return file_of_closures(resolved, files) + " has ends of closures apart while all joints are zero, " +
+         end_gaps_text(*tree, resolved) +
+         ", and holds them so; correct the origins of the joints in their loops, or, if these are right and "
+         "the "
+         "ends are to meet elsewhere, write " +
+         closures_entry(*tree, together->closures) + " under mechanism in " + files.config + ".";
+}
 
 }  // namespace
 
 std::optional<std::string> find_culprit(const std::shared_ptr<const Tree>& tree,
                                         const ResolvedConfig& resolved, const SourceNames& files,
                                         const Attempt& attempt) {
+  if (auto message = culprit_of_gaps(tree, resolved, files, attempt)) return message;
   return Search(tree, resolved, files, attempt).run();
 }
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_URDF_CORRECTIONS_CORRECTION_SEARCH_H
-#define PARALLEL_ASPECTS_URDF_CORRECTIONS_CORRECTION_SEARCH_H
+#ifndef PARALLEL_ASPECTS_URDF_CULPRITS_CORRECTION_SEARCH_H
+#define PARALLEL_ASPECTS_URDF_CULPRITS_CORRECTION_SEARCH_H
 
 #include "urdf/closing/assembly.h"
-#include "urdf/corrections/attempt.h"
 #include "urdf/corrections/correction.h"
 #include "urdf/corrections/loop_joints.h"
+#include "urdf/culprits/attempt.h"
+#include "urdf/culprits/closure_gaps.h"
 
 #include <cstddef>
 #include <memory>
@@ -33,6 +34,9 @@ class CorrectionSearch {
 
   /// Those of a closure that holds another place of the platform than its operational point.
   std::optional<std::string> of_point();
+
+  /// Those of legs that lack a joint.
+  std::optional<std::string> of_missing_joints();
 
   /// Those of chains between base and platform that no actuated joint is in.
   std::optional<std::string> of_chains();
@@ -73,6 +77,7 @@ class CorrectionSearch {
   const Attempt& attempt_;
   ClosureSystem system_;
   LoopJoints loops_;
+  EndGaps gaps_;
   std::vector<std::size_t> open_loops_;  // closures that cannot be closed even without the others
   Corrections corrections_;
   std::vector<Working> working_;
@@ -82,4 +87,4 @@ class CorrectionSearch {
 
 }  // namespace parallel_aspects
 
-#endif  // PARALLEL_ASPECTS_URDF_CORRECTIONS_CORRECTION_SEARCH_H
+#endif  // PARALLEL_ASPECTS_URDF_CULPRITS_CORRECTION_SEARCH_H

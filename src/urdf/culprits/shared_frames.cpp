@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "urdf/corrections/shared_frames.h"
+#include "urdf/culprits/shared_frames.h"
 
 #include "urdf/corrections/anchors.h"
 
@@ -37,9 +37,7 @@ bool are_numbered_alike(const Tree& tree, std::size_t one, std::size_t other) {
          without_digits(tree.links[one]) == without_digits(tree.links[other]);
 }
 
-}  // namespace
-
-std::vector<std::string> shared_frame_notes(const Tree& tree, const std::vector<Closure>& closures) {
+std::vector<std::string> notes_of_numbers(const Tree& tree, const std::vector<Closure>& closures) {
   std::vector<std::string> notes;
   for (std::size_t link = 0; link < tree.links.size(); ++link) {
     const auto own_frames = closures_at(link, closures);
@@ -53,6 +51,42 @@ std::vector<std::string> shared_frame_notes(const Tree& tree, const std::vector<
         break;
       }
   }
+  return notes;
+}
+
+bool is_free_frame(const Tree& tree, const ResolvedConfig& resolved, std::size_t link, std::size_t body) {
+  const auto joint = tree.joint_above[link];
+  return joint && !tree.joints[*joint].variable && body_of(tree, link) == body && !has_child(tree, link) &&
+         link != resolved.actuated_joints.platform_link && closures_at(link, resolved.closures) == 0 &&
+         !tree.joints[*joint].origin.translation().isZero();
+}
+
+// Of the body of the platform.
+std::vector<std::string> notes_of_shared_joints(const Tree& tree, const ResolvedConfig& resolved) {
+  std::vector<std::string> notes;
+  const std::size_t body = body_of(tree, resolved.actuated_joints.platform_link);
+  const auto joint = tree.joint_above[body];
+  for (const Closure& closure : resolved.closures)
+    for (const LinkFrame& frame : closure.frames)
+      for (std::size_t other = 0; joint && other < tree.links.size(); ++other)
+        if (frame.link == body && frame.in_link.translation().isZero() &&
+            is_free_frame(tree, resolved, other, body)) {
+          const std::string link = "'" + tree.links[body] + "'", free = "'" + tree.links[other] + "'";
+          notes.push_back("Closure '" + closure.name + "' holds link " + link + " where its joint '" +
+                          tree.joints[*joint].name + "' is, so that two legs share a place, and " + free +
+                          " of the same body is in no closure; if that is meant, write link " + free +
+                          " in the place of " + link + " in closure '" + closure.name + "'.");
+          break;
+        }
+  return notes;
+}
+
+}  // namespace
+
+std::vector<std::string> shared_frame_notes(const Tree& tree, const ResolvedConfig& resolved, double size) {
+  std::vector<std::string> notes = notes_of_numbers(tree, resolved.closures);
+  if (!legs_share_anchors(tree, resolved, size)) return notes;
+  for (const std::string& note : notes_of_shared_joints(tree, resolved)) notes.push_back(note);
   return notes;
 }
 

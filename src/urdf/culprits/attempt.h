@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_URDF_CORRECTIONS_ATTEMPT_H
-#define PARALLEL_ASPECTS_URDF_CORRECTIONS_ATTEMPT_H
+#ifndef PARALLEL_ASPECTS_URDF_CULPRITS_ATTEMPT_H
+#define PARALLEL_ASPECTS_URDF_CULPRITS_ATTEMPT_H
 
 #include "urdf/closing/resolved_config.h"
 #include "urdf/description/tree.h"
@@ -18,4 +18,4 @@ using Attempt =
 
 }  // namespace parallel_aspects
 
-#endif  // PARALLEL_ASPECTS_URDF_CORRECTIONS_ATTEMPT_H
+#endif  // PARALLEL_ASPECTS_URDF_CULPRITS_ATTEMPT_H

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_URDF_CORRECTIONS_CULPRIT_H
-#define PARALLEL_ASPECTS_URDF_CORRECTIONS_CULPRIT_H
+#ifndef PARALLEL_ASPECTS_URDF_CULPRITS_CULPRIT_H
+#define PARALLEL_ASPECTS_URDF_CULPRITS_CULPRIT_H
 
 #include "parallel_aspects/model/problems.h"
 #include "urdf/closing/ends_of_loops.h"
 #include "urdf/closing/resolved_config.h"
-#include "urdf/corrections/attempt.h"
+#include "urdf/culprits/attempt.h"
 #include "urdf/description/tree.h"
 
 #include <memory>
@@ -28,4 +28,4 @@ Problems find_culprit_of_ends(const std::shared_ptr<const Tree>& tree, const Res
 
 }  // namespace parallel_aspects
 
-#endif  // PARALLEL_ASPECTS_URDF_CORRECTIONS_CULPRIT_H
+#endif  // PARALLEL_ASPECTS_URDF_CULPRITS_CULPRIT_H

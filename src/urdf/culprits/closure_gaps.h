@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Simulators hold together what coincides while all joints are zero. Where that is not what the two links of
+// a closure are there for, a robot loads that nobody means.
+#ifndef PARALLEL_ASPECTS_URDF_CULPRITS_CLOSURE_GAPS_H
+#define PARALLEL_ASPECTS_URDF_CULPRITS_CLOSURE_GAPS_H
+
+#include "urdf/closing/resolved_config.h"
+#include "urdf/culprits/attempt.h"
+#include "urdf/description/source_names.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// The same closures with the origins of their ends together, and given by these, where any are apart while
+/// all joints are zero. An end is a link that is there for a closure alone: without children, and the first
+/// of the two fixed to what carries it.
+std::optional<ResolvedConfig> with_ends_together(const Tree& tree, const ResolvedConfig& resolved);
+
+/// Whether all closures are welds, which turn at one end or the other: of these is asked elsewhere.
+bool are_all_welds(const std::vector<Closure>& closures);
+
+/// Which changes of a description may be what it needs, as far as the ends of its closures tell.
+class EndGaps {
+ public:
+  EndGaps(const Tree& tree, const ResolvedConfig& resolved);
+
+  /// Whether all ends meet, or all are as far apart as all were before, as where a platform is drawn too low;
+  /// where those of `resolved` were put together, whether all meet. `changed`: placed at zero.
+  bool allow(const Tree& tree, const ResolvedConfig& changed) const;
+
+  /// Whether ends that are apart at zero were put together.
+  bool are_to_meet() const noexcept { return are_to_meet_; }
+
+ private:
+  std::vector<bool> joins_ends_;  // of each closure, as described; an end that is changed still is one
+  std::vector<double> before_;
+  bool are_to_meet_ = false;
+};
+
+/// "closures: [{frames: [a, b], type: point}]", as the YAML has them.
+std::string closures_entry(const Tree& tree, const std::vector<Closure>& closures);
+
+/// "'a' and 'b' by 0.05 m (closure 'c')" of all ends that are apart.
+std::string end_gaps_text(const Tree& tree, const ResolvedConfig& resolved);
+
+/// Closures of a robot that loads whose ends are exchanged, as their names say, or the places of their ends
+/// while all joints are zero.
+std::vector<std::string> crossed_ends_notes(const std::shared_ptr<const Tree>& tree,
+                                            const ResolvedConfig& resolved, const SourceNames& files,
+                                            const Attempt& attempt);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_URDF_CULPRITS_CLOSURE_GAPS_H
