@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/motion/time_path.h"
+
+#include "parallel_aspects/aspects/pose_roadmap.h"
+#include "parallel_aspects/kinematics/inverse.h"
+
+#include <gtest/gtest.h>
+
+#include "support/robots.h"
+#include "support/slices.h"
+#include "support/thoroughness.h"
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <iostream>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects {
+namespace {
+
+using test::Robot;
+using Waypoints = std::vector<JointWaypoint>;
+
+/// The robot with velocity limits: 2 rad/s, or half its size in a second.
+Robot with_speeds(const Robot& robot) {
+  ManipulatorDescription description = robot->description();
+  for (Leg& leg : description.legs) leg.limits.velocity = leg.actuated_by_angle() ? 2.0 : 0.5 * robot->size();
+  return std::make_shared<const Manipulator>(description);
+}
+
+JointVector speeds_of(const Manipulator& robot) {
+  JointVector speeds(static_cast<Eigen::Index>(robot.leg_count()));
+  for (std::size_t j = 0; j < robot.leg_count(); ++j)
+    speeds[static_cast<Eigen::Index>(j)] = robot.leg(j).limits.velocity;
+  return speeds;
+}
+
+JointVector accelerations_of(const Manipulator& robot) { return 5.0 * speeds_of(robot); }
+
+/// What joint_trajectory_controller runs between two points with velocities, by Hermite's basis.
+struct Motion {
+  JointVector q, velocity, acceleration;
+};
+
+Motion between(const JointWaypoint& from, const JointWaypoint& to, double s) {
+  const double duration = to.time - from.time;
+  const JointVector v0 = from.velocity * duration, v1 = to.velocity * duration;
+  const double s2 = s * s, s3 = s2 * s;
+  Motion motion;
+  motion.q = (2.0 * s3 - 3.0 * s2 + 1.0) * from.q + (s3 - 2.0 * s2 + s) * v0 + (3.0 * s2 - 2.0 * s3) * to.q +
+             (s3 - s2) * v1;
+  motion.velocity = ((6.0 * s2 - 6.0 * s) * (from.q - to.q) + (3.0 * s2 - 4.0 * s + 1.0) * v0 +
+                     (3.0 * s2 - 2.0 * s) * v1) /
+                    duration;
+  motion.acceleration =
+      ((12.0 * s - 6.0) * (from.q - to.q) + (6.0 * s - 4.0) * v0 + (6.0 * s - 2.0) * v1) /
+      (duration * duration);
+  return motion;
+}
+
+void expect_within_limits(const Manipulator& robot, const Waypoints& waypoints) {
+  const JointVector speeds = speeds_of(robot), accelerations = accelerations_of(robot);
+  double fastest = 0.0, sharpest = 0.0;
+  for (std::size_t i = 0; i + 1 < waypoints.size(); ++i) {
+    ASSERT_LT(waypoints[i].time, waypoints[i + 1].time);
+    for (int k = 0; k <= 20; ++k) {
+      const Motion motion = between(waypoints[i], waypoints[i + 1], k / 20.0);
+      fastest = std::max(fastest, motion.velocity.cwiseAbs().cwiseQuotient(speeds).maxCoeff());
+      sharpest = std::max(sharpest, motion.acceleration.cwiseAbs().cwiseQuotient(accelerations).maxCoeff());
+    }
+  }
+  EXPECT_LE(fastest, 1.0);
+  EXPECT_LE(sharpest, 1.0);
+}
+
+/// The least time in which the curve of the joints between two stops is passed, found anew: over the length
+/// of the arc, by bisection at each of many points.
+class LeastTime {
+ public:
+  LeastTime(const Manipulator& robot, const Waypoints& waypoints, std::size_t first, std::size_t last)
+      : speeds_(speeds_of(robot)), accelerations_(accelerations_of(robot)) {
+    const int parts = std::max(4, static_cast<int>(8000 / (last - first)));
+    double length = 0.0;
+    JointVector at = waypoints[first].q;
+    for (std::size_t i = first; i < last; ++i)
+      for (int k = 0; k < parts; ++k) {
+        const Motion motion = between(waypoints[i], waypoints[i + 1], (k + 0.5) / parts);
+        const double speed = motion.velocity.norm();
+        length += (motion.q - at).norm();
+        at = motion.q;
+        const JointVector tangent = motion.velocity / speed;
+        points_.push_back(
+            {length, tangent,
+             (motion.acceleration - tangent * tangent.dot(motion.acceleration)) / (speed * speed)});
+      }
+  }
+
+  double seconds() const {
+    std::vector<double> most(points_.size(), 0.0), taken(points_.size(), 0.0);
+    for (std::size_t i = points_.size() - 1; i-- > 0;) most[i] = highest(i, most[i + 1]);
+    double time = 0.0;
+    taken[0] = std::min(most[0], 2.0 * points_[0].length * range(0, 0.0).second);
+    time += 2.0 * points_[0].length / std::sqrt(taken[0]);
+    for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
+      taken[i + 1] = std::min(most[i + 1], taken[i] + 2.0 * step(i) * range(i, taken[i]).second);
+      if (i + 2 == points_.size()) taken[i + 1] = 0.0;
+      time += 2.0 * step(i) / (std::sqrt(taken[i]) + std::sqrt(taken[i + 1]));
+    }
+    return time;
+  }
+
+ private:
+  struct Point {
+    double length;
+    JointVector tangent, curvature;
+  };
+
+  double step(std::size_t i) const { return points_[i + 1].length - points_[i].length; }
+
+  std::pair<double, double> range(std::size_t i, double x) const {
+    double least = -std::numeric_limits<double>::infinity(), most = -least;
+    for (Eigen::Index j = 0; j < speeds_.size(); ++j) {
+      const double bent = points_[i].curvature[j] * x, factor = points_[i].tangent[j];
+      const double one = (-accelerations_[j] - bent) / factor, other = (accelerations_[j] - bent) / factor;
+      if (factor == 0.0) continue;
+      least = std::max(least, std::min(one, other));
+      most = std::min(most, std::max(one, other));
+    }
+    return {least, most};
+  }
+
+  double highest(std::size_t i, double next) const {
+    double low = 0.0, high = std::numeric_limits<double>::infinity();
+    for (Eigen::Index j = 0; j < speeds_.size(); ++j)
+      high = std::min(high, std::pow(speeds_[j] / std::abs(points_[i].tangent[j]), 2.0));
+    for (int k = 0; k < 60; ++k) {
+      const double x = k == 0 ? high : 0.5 * (low + high);
+      const auto [least, most] = range(i, x);
+      (least <= most && x + 2.0 * step(i) * least <= next ? low : high) = x;
+      if (low == high) break;
+    }
+    return low;
+  }
+
+  JointVector speeds_, accelerations_;
+  std::vector<Point> points_;
+};
+
+/// Between all waypoints at rest.
+double least_time(const Manipulator& robot, const Waypoints& waypoints) {
+  double seconds = 0.0;
+  for (std::size_t first = 0, i = 1; i < waypoints.size(); ++i) {
+    if (!waypoints[i].velocity.isZero(0.0)) continue;
+    seconds += LeastTime(robot, waypoints, first, i).seconds();
+    first = i;
+  }
+  return seconds;
+}
+
+void expect_good(const Manipulator& robot, const PlannedPath& path, const TimedPath& timed) {
+  ASSERT_TRUE(timed) << timed.message;
+  EXPECT_EQ(timed.check.answer, TrajectoryAnswer::safe) << timed.check.reason;
+  EXPECT_EQ(timed.check.crossings.size(), path.crossings.size());
+  const Waypoints& waypoints = timed.waypoints;
+  EXPECT_LT((waypoints.front().q - path.points.front().q).norm(), 1e-12);
+  EXPECT_LT((waypoints.back().q - path.points.back().q).norm(), 1e-9);
+  EXPECT_TRUE(waypoints.front().velocity.isZero(0.0) && waypoints.back().velocity.isZero(0.0));
+  EXPECT_EQ(timed.seconds, waypoints.back().time);
+  expect_within_limits(robot, waypoints);
+  if (waypoints.size() < 3) return;
+  const double least = least_time(robot, waypoints);
+  EXPECT_LE(timed.seconds, 1.02 * least);
+  EXPECT_GE(timed.seconds, 0.98 * least);
+}
+
+/// A random inside leaf's middle.
+PathEnd random_end(const AspectMap& map, const Aspect& aspect, std::mt19937_64& random) {
+  PathEnd end;
+  end.mode = aspect.mode;
+  std::size_t wanted = random() % aspect.inside_leaves;
+  map.visit_inside_poses(aspect.id, [&](const Pose& pose, double) {
+    if (wanted-- == 0) end.pose = pose;
+  });
+  return end;
+}
+
+struct Case {
+  const char* name;
+  Robot robot;
+  std::optional<double> resolution;
+  int pairs;
+};
+
+class TimePathOf : public testing::TestWithParam<Case> {};
+
+TEST_P(TimePathOf, KeepsLimitsInNearlyTheLeastTime) {
+  const Robot robot = with_speeds(GetParam().robot);
+  MapOptions options;
+  options.resolution = GetParam().resolution;
+  const auto map = test::map_of(robot, options);
+  PathPlanner planner(map);
+  const SegmentCertifier certifier(robot);
+  const auto pose_on = [&planner](const Pose& a, const Pose& b, double t) { return planner.between(a, b, t); };
+  int found = 0;
+  for (int i = 0; i < test::thinned(GetParam().pairs); ++i) {
+    std::mt19937_64 random(static_cast<unsigned>(i));
+    const auto& aspects = map->aspects();
+    const PathEnd from = random_end(*map, aspects[random() % aspects.size()], random),
+                  to = random_end(*map, aspects[random() % aspects.size()], random);
+    const PlannedPath path = planner.plan(from, to, PathPolicy::serial);
+    if (!path) continue;
+    SCOPED_TRACE("pair " + std::to_string(i));
+    const auto begin = std::chrono::steady_clock::now();
+    const TimedPath timed = time_path(certifier, path, pose_on, accelerations_of(*robot));
+    if (std::getenv("TIME_PATH_SHOWN") != nullptr)
+      std::cout << i << ": " << path.points.size() << " points, " << path.crossings.size() << " crossings, "
+                << timed.rounded << " rounded, " << timed.stops << " stops, " << timed.waypoints.size()
+                << " waypoints, " << timed.seconds << " s, least "
+                << (timed ? least_time(*robot, timed.waypoints) : 0.0) << " s, took "
+                << std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() << " s, "
+                << timed.message << '\n';
+    expect_good(*robot, path, timed);
+    ++found;
+  }
+  EXPECT_GT(found, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, TimePathOf,
+                         testing::Values(Case{"five_bar", test::five_bar(), std::nullopt, 60},
+                                         Case{"bipod", test::bipod(), std::nullopt, 20},
+                                         Case{"three_rpr", test::three_rpr(), 1.5, 20},
+                                         Case{"three_rrr", test::three_rrr(), 1.0, 10},
+                                         Case{"delta", test::delta(), 0.3, 10}),
+                         [](const auto& each) { return std::string(each.param.name); });
+
+}  // namespace
+}  // namespace parallel_aspects
