@@ -6,10 +6,6 @@ namespace {
 
 constexpr double shortest_chord = 0.02;  // of their mean; values nearer than that tell no direction
 
-double chord(const JointVector& from, const JointVector& to, const JointVector& limits) {
-  return (to - from).cwiseQuotient(limits).norm();
-}
-
 double length_of(const std::vector<JointVector>& values, const JointVector& limits) {
   double length = 0.0;
   for (std::size_t i = 1; i < values.size(); ++i) length += chord(values[i - 1], values[i], limits);
@@ -72,6 +68,10 @@ std::vector<JointVector> slopes(const JointCurve& curve) {
 }
 
 }  // namespace
+
+double chord(const JointVector& from, const JointVector& to, const JointVector& velocity_limits) {
+  return (to - from).cwiseQuotient(velocity_limits).norm();
+}
 
 JointCurve spline_through(const std::vector<JointVector>& values, const JointVector& velocity_limits) {
   JointCurve curve = knots_of(values, velocity_limits);

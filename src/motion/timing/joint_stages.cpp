@@ -3,11 +3,14 @@
 
 #include "motion/plan/leaf_path.h"
 #include "motion/roadmap.h"
+#include "motion/timing/joint_curve.h"
 #include "parallel_aspects/kinematics/inverse.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <utility>
 
 namespace parallel_aspects {
@@ -16,14 +19,23 @@ namespace {
 constexpr int chords_of_a_blend = 16;        // that are proved
 constexpr int halvings = 4;                  // of a blend that is not proved
 constexpr std::size_t fewest_samples = 12;   // of a segment, or of a blend
+constexpr int most_halvings = 12;            // of a step between two samples
+constexpr double longest_chord = 3.0;        // between two samples, over the mean
 constexpr double sharpest_corner = -0.9;     // cosine; where a path turns back, it stops anyway
 
 }  // namespace
 
+JointVector velocity_limits(const Manipulator& robot) {
+  JointVector speeds(static_cast<Eigen::Index>(robot.leg_count()));
+  for (std::size_t j = 0; j < robot.leg_count(); ++j)
+    speeds[static_cast<Eigen::Index>(j)] = robot.leg(j).limits.velocity;
+  return speeds;
+}
+
 /// Follows the path and notes the joints.
 class JointStages::Sampler {
  public:
-  Sampler(const JointStages& path, std::size_t count) : path_(path), last_(path.path_.points.front().q) {
+  Sampler(const JointStages& path, std::size_t count) : path_(path) {
     double total = 0.0;
     for (std::size_t i = 0; i + 1 < path_.nodes_.size(); ++i) total += path_.length(i);
     for (std::size_t i = 0; i + 1 < path_.nodes_.size(); ++i)
@@ -31,54 +43,82 @@ class JointStages::Sampler {
                                                      static_cast<double>(count) * path_.length(i) / total))));
   }
 
-  std::vector<std::vector<JointVector>> run() {
-    stages_.push_back({last_});
-    for (std::size_t i = 0; i + 1 < path_.nodes_.size(); ++i) {
-      follow(i);
-      if (i + 2 < path_.nodes_.size()) turn(i + 1);
+  /// Twice: where the joints turn out to go far between two samples, more are taken.
+  Stages run() {
+    pass();
+    double length = 0.0, samples = 0.0;
+    for (const auto& stage : stages_) {
+      for (std::size_t i = 1; i < stage.size(); ++i) length += chord(stage[i - 1], stage[i], path_.speeds_);
+      samples += static_cast<double>(stage.size());
     }
+    longest_ = longest_chord * length / samples;
+    pass();
     return std::move(stages_);
   }
 
  private:
-  void note(const Pose& pose, const WorkingMode& mode) {
-    last_ += joint_change(path_.robot_, last_, inverse(path_.robot_, pose, mode).q);
+  using PoseAt = std::function<Pose(double)>;
+
+  void pass() {
+    last_ = path_.path_.points.front().q;
+    stages_ = {{last_}};
+    for (std::size_t i = 0; i + 1 < path_.nodes_.size(); ++i) {
+      follow(i);
+      if (i + 2 < path_.nodes_.size()) turn(i + 1);
+    }
+  }
+
+  /// Goes on to t = `end`, in halves where that is far.
+  void go(const PoseAt& pose_at, double begin, double end, const WorkingMode& mode, int halvings) {
+    const JointVector change = joint_change(path_.robot_, last_, inverse(path_.robot_, pose_at(end), mode).q);
+    if (halvings > 0 && chord(last_, last_ + change, path_.speeds_) > longest_) {
+      const double middle = 0.5 * (begin + end);
+      go(pose_at, begin, middle, mode, halvings - 1);
+      return go(pose_at, middle, end, mode, halvings - 1);
+    }
+    last_ += change;
     stages_.back().push_back(last_);
+  }
+
+  void go(const PoseAt& pose_at, std::size_t steps, const WorkingMode& mode) {
+    const auto whole = static_cast<double>(steps);
+    go(pose_at, 0.0, 0.0, mode, 0);
+    for (std::size_t k = 0; k < steps; ++k)
+      go(pose_at, static_cast<double>(k) / whole, static_cast<double>(k + 1) / whole, mode, most_halvings);
   }
 
   /// Toward a gate and away from it B_jj goes as the root of the way, and so does the joint that passes: the
   /// samples lie such that its steps are about even, one of them across the gate.
   void follow(std::size_t i) {
     const Node &from = path_.nodes_[i], &to = path_.nodes_[i + 1];
-    const double begin = from.radius, end = path_.length(i) - to.radius;
-    const auto steps = static_cast<double>(counts_[i]);
-    for (std::size_t k = 0; k <= counts_[i]; ++k) {
-      const double share = static_cast<double>(k) / steps, before = 1.0 - share + 0.5 / steps,
-                   behind = share + 0.5 / steps, whole = 1.0 + 0.5 / steps;
-      double gone = share;
+    const double begin = from.radius, length = path_.length(i) - to.radius - begin;
+    const double half = 0.5 / static_cast<double>(counts_[i]);
+    const auto pose_at = [&](double t) {
+      double gone = t;
       if (from.is_gate && to.is_gate)
-        gone = 0.5 - 0.5 * std::cos(EIGEN_PI * (share + 0.5 / steps) / (1.0 + 1.0 / steps));
+        gone = 0.5 - 0.5 * std::cos(EIGEN_PI * (t + half) / (1.0 + 2.0 * half));
       else if (to.is_gate)
-        gone = 1.0 - before * before / (whole * whole);
+        gone = 1.0 - std::pow((1.0 - t + half) / (1.0 + half), 2.0);
       else if (from.is_gate)
-        gone = behind * behind / (whole * whole);
-      note(path_.on_segment(i, begin + gone * (end - begin)), from.mode);
-    }
+        gone = std::pow((t + half) / (1.0 + half), 2.0);
+      return path_.on_segment(i, begin + gone * length);
+    };
+    go(pose_at, counts_[i], from.mode);
   }
 
   void turn(std::size_t i) {
     const Node& node = path_.nodes_[i];
     if (node.is_gate) return;
     if (node.radius == 0.0) return stages_.push_back({last_});
-    const std::size_t steps = std::max(counts_[i - 1], counts_[i]);
-    for (std::size_t k = 1; k < steps; ++k)
-      note(path_.on_blend(i, node.radius, static_cast<double>(k) / static_cast<double>(steps)), node.mode);
+    const auto pose_at = [&](double t) { return path_.on_blend(i, node.radius, t); };
+    go(pose_at, std::max(counts_[i - 1], counts_[i]), node.mode);
   }
 
   const JointStages& path_;
   JointVector last_;
   std::vector<std::size_t> counts_;  // of each segment
-  std::vector<std::vector<JointVector>> stages_;
+  Stages stages_;
+  double longest_ = std::numeric_limits<double>::infinity();  // chord that is not halved
 };
 
 JointStages::JointStages(const SegmentCertifier& certifier, const PlannedPath& path, PoseBetween between,
@@ -86,7 +126,8 @@ JointStages::JointStages(const SegmentCertifier& certifier, const PlannedPath& p
     : certifier_(certifier),
       robot_(*certifier.manipulator()),
       path_(path),
-      between_(std::move(between)) {
+      between_(std::move(between)),
+      speeds_(velocity_limits(robot_)) {
   for (const PathPoint& point : path.points) {
     const bool changes = !nodes_.empty() && nodes_.back().mode != point.mode;
     if (changes) {
@@ -105,7 +146,7 @@ JointStages::JointStages(const SegmentCertifier& certifier, const PlannedPath& p
   }
 }
 
-std::vector<std::vector<JointVector>> JointStages::sample(std::size_t count) const {
+JointStages::Stages JointStages::sample(std::size_t count) const {
   if (nodes_.size() < 2) return {{path_.points.front().q}};
   return Sampler(*this, count).run();
 }

@@ -11,17 +11,22 @@
 
 namespace parallel_aspects {
 
+/// Those of the actuated joints, one a leg [rad/s or m/s].
+JointVector velocity_limits(const Manipulator& robot);
+
 /// How the actuated joints go along a planned path: one stage from each stop to the next, in each of which
 /// they move smoothly. Corners are rounded where what takes their place is proved, others are stops. Through
 /// a serial gate the joint that passes goes on, while the pose turns back.
 class JointStages {
  public:
+  using Stages = std::vector<std::vector<JointVector>>;
+
   /// Looks which corners can be rounded, by blends that begin at most this share of a segment before them; 0
   /// for none. The certifier and the path must outlive it.
   JointStages(const SegmentCertifier& certifier, const PlannedPath& path, PoseBetween between, double share);
 
   /// Values of the joints along each stage; about `count` of all stages.
-  std::vector<std::vector<JointVector>> sample(std::size_t count) const;
+  Stages sample(std::size_t count) const;
 
   std::size_t rounded() const noexcept { return rounded_; }  ///< how many corners are
   std::size_t stops() const noexcept { return stops_; }      ///< how many are not
@@ -47,6 +52,7 @@ class JointStages {
   const Manipulator& robot_;
   const PlannedPath& path_;
   PoseBetween between_;
+  JointVector speeds_;  // limits
   std::vector<Node> nodes_;
   std::size_t rounded_ = 0, stops_ = 0;
 };

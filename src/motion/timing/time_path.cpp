@@ -23,10 +23,7 @@ class Attempt {
  public:
   Attempt(const SegmentCertifier& certifier, const PlannedPath& path, const JointVector& acceleration)
       : certifier_(certifier), path_(path) {
-    const Manipulator& robot = *certifier.manipulator();
-    limits_ = {acceleration, acceleration};
-    for (std::size_t j = 0; j < robot.leg_count(); ++j)
-      limits_.velocity[static_cast<Eigen::Index>(j)] = allowed_speed * robot.leg(j).limits.velocity;
+    limits_ = {allowed_speed * velocity_limits(*certifier.manipulator()), acceleration};
   }
 
   /// Whether it is proved, and not for the samples much slower than it could be.
