@@ -28,9 +28,11 @@ bool have_velocities(const Waypoints& waypoints) {
 std::string yaml_of(const JointWaypoint& waypoint) {
   constexpr std::int64_t second = 1'000'000'000;
   const auto nanoseconds = static_cast<std::int64_t>(std::llround(waypoint.time * 1e9));
-  return "  - positions: [" + joined(waypoint.q, ", ") + "]\n    velocities: [" + joined(waypoint.velocity, ", ") +
+  return "  - positions: [" + joined(waypoint.q, ", ") + "]\n    velocities: [" +
+         joined(waypoint.velocity, ", ") +
          "]\n    accelerations: []\n    effort: []\n    time_from_start:\n      secs: " +
-         std::to_string(nanoseconds / second) + "\n      nsecs: " + std::to_string(nanoseconds % second) + "\n";
+         std::to_string(nanoseconds / second) + "\n      nsecs: " + std::to_string(nanoseconds % second) +
+         "\n";
 }
 
 }  // namespace

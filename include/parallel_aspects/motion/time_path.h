@@ -24,11 +24,11 @@ struct TimedPath {
   /// the joints run as cubics. Times are whole nanoseconds. Empty where there is none that is proved.
   std::vector<JointWaypoint> waypoints;
 
-  double seconds = 0.0;       ///< of all of it
-  std::size_t rounded = 0;    ///< corners of the path that are rounded
-  std::size_t stops = 0;      ///< corners at which it stops
-  TrajectoryCheck check;      ///< what is proved of the waypoints
-  std::string message;        ///< what was done, or why there is none; a sentence
+  double seconds = 0.0;     ///< of all of it
+  std::size_t rounded = 0;  ///< corners of the path that are rounded
+  std::size_t stops = 0;    ///< corners at which it stops
+  TrajectoryCheck check;    ///< what is proved of the waypoints
+  std::string message;      ///< what was done, or why there is none; a sentence
 
   explicit operator bool() const noexcept { return !waypoints.empty(); }  ///< whether there is one
 };

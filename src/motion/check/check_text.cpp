@@ -27,7 +27,8 @@ std::string safe_text() {
 }
 
 std::string passed_text() {
-  return "Proved: det A does not vanish, every leg reaches and all limits hold, at every time; legs pass serial "
+  return "Proved: det A does not vanish, every leg reaches and all limits hold, at every time; legs pass "
+         "serial "
          "singularities, as listed.";
 }
 

@@ -107,10 +107,10 @@ std::vector<double> fastest_profile(const JointCurve& curve, const MotionLimits&
   const std::size_t knots = curve.size();
   std::vector<double> reachable(knots, 0.0);  // from which the end can be reached
   for (std::size_t i = knots - 1; i-- > 1;)
-    reachable[i] = Stretch(curve, limits, slower[i], i)
-                       .highest(highest_at(curve.slope[i],
-                                           limits.velocity / std::max(slower[i - 1], slower[i])),
-                                reachable[i + 1]);
+    reachable[i] =
+        Stretch(curve, limits, slower[i], i)
+            .highest(highest_at(curve.slope[i], limits.velocity / std::max(slower[i - 1], slower[i])),
+                     reachable[i + 1]);
   std::vector<double> profile(knots, 0.0);
   for (std::size_t i = 0; i + 2 < knots; ++i) {
     const double most = Stretch(curve, limits, slower[i], i).range(profile[i], reachable[i + 1]).most.value;

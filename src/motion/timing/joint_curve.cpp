@@ -42,8 +42,8 @@ std::vector<JointVector> second_derivatives(const JointCurve& curve) {
   for (std::size_t i = 1; i + 1 < knots; ++i) {
     const double before = curve.parameter[i] - curve.parameter[i - 1],
                  after = curve.parameter[i + 1] - curve.parameter[i];
-    const JointVector bend =
-        6.0 * ((curve.value[i + 1] - curve.value[i]) / after - (curve.value[i] - curve.value[i - 1]) / before);
+    const JointVector bend = 6.0 * ((curve.value[i + 1] - curve.value[i]) / after -
+                                    (curve.value[i] - curve.value[i - 1]) / before);
     const double pivot = 2.0 * (before + after) + before * factor[i - 1];
     // second[i] = held[i] + factor[i] second[i + 1]; held is kept in `second`.
     const JointVector held = (bend - before * second[i - 1]) / pivot;

@@ -28,8 +28,9 @@ struct JointCurve {
 /// The time from one to the other at velocity limits, as the root of the sum of squares over the joints [s].
 double chord(const JointVector& from, const JointVector& to, const JointVector& velocity_limits);
 
-/// The cubic spline through values, at least one. Its parameter is the sum of chords. So it is regular wherever the joints move, at a serial singularity too, where the pose is
-/// not. Values that are too near to the one before to tell a direction are left out, not the first and last.
+/// The cubic spline through values, at least one. Its parameter is the sum of chords. So it is regular
+/// wherever the joints move, at a serial singularity too, where the pose is not. Values that are too near to
+/// the one before to tell a direction are left out, not the first and last.
 JointCurve spline_through(const std::vector<JointVector>& values, const JointVector& velocity_limits);
 
 }  // namespace parallel_aspects

@@ -16,12 +16,12 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr int chords_of_a_blend = 16;        // that are proved
-constexpr int halvings = 4;                  // of a blend that is not proved
-constexpr std::size_t fewest_samples = 12;   // of a segment, or of a blend
-constexpr int most_halvings = 12;            // of a step between two samples
-constexpr double longest_chord = 3.0;        // between two samples, over the mean
-constexpr double sharpest_corner = -0.9;     // cosine; where a path turns back, it stops anyway
+constexpr int chords_of_a_blend = 16;       // that are proved
+constexpr int halvings = 4;                 // of a blend that is not proved
+constexpr std::size_t fewest_samples = 12;  // of a segment, or of a blend
+constexpr int most_halvings = 12;           // of a step between two samples
+constexpr double longest_chord = 3.0;       // between two samples, over the mean
+constexpr double sharpest_corner = -0.9;    // cosine; where a path turns back, it stops anyway
 
 }  // namespace
 
@@ -163,8 +163,9 @@ Pose JointStages::on_segment(std::size_t segment, double distance) const {
 /// segments, so that its curvature vanishes at both ends.
 Pose JointStages::on_blend(std::size_t node, double radius, double t) const {
   const double before = length(node - 1);
-  std::array<Pose, 5> points{on_segment(node - 1, before - radius), on_segment(node - 1, before - 0.5 * radius),
-                             nodes_[node].pose, on_segment(node, 0.5 * radius), on_segment(node, radius)};
+  std::array<Pose, 5> points{on_segment(node - 1, before - radius),
+                             on_segment(node - 1, before - 0.5 * radius), nodes_[node].pose,
+                             on_segment(node, 0.5 * radius), on_segment(node, radius)};
   for (std::size_t left = points.size() - 1; left > 0; --left)
     for (std::size_t k = 0; k < left; ++k) points[k] = between_(points[k], points[k + 1], t);
   return points.front();
@@ -173,10 +174,8 @@ Pose JointStages::on_blend(std::size_t node, double radius, double t) const {
 bool JointStages::is_sharp(std::size_t node, double radius) const {
   const WorkingMode& mode = nodes_[node].mode;
   const JointVector at = inverse(robot_, nodes_[node].pose, mode).q;
-  const JointVector before =
-      joint_change(robot_, inverse(robot_, on_blend(node, radius, 0.0), mode).q, at);
-  const JointVector behind =
-      joint_change(robot_, at, inverse(robot_, on_blend(node, radius, 1.0), mode).q);
+  const JointVector before = joint_change(robot_, inverse(robot_, on_blend(node, radius, 0.0), mode).q, at);
+  const JointVector behind = joint_change(robot_, at, inverse(robot_, on_blend(node, radius, 1.0), mode).q);
   return !(before.dot(behind) > sharpest_corner * before.norm() * behind.norm());
 }
 

@@ -114,8 +114,8 @@ TimedPath time_path(const SegmentCertifier& certifier, const PlannedPath& path, 
     if (best || stages.rounded() == 0) break;
   }
   if (!best)
-    return without_time(attempt.timed(), "No trajectory along the path is proved: " +
-                                             attempt.timed().check.reason);
+    return without_time(attempt.timed(),
+                        "No trajectory along the path is proved: " + attempt.timed().check.reason);
   best.message = "Proved at every time" + corner_text(best) + ".";
   return best;
 }

@@ -33,7 +33,8 @@ JointWaypoint waypoint_at(const JointCurve& curve, const std::vector<double>& pr
 double fastest(double v0, double v1, double a0, double a1, double duration) {
   double most = std::max(std::abs(v0), std::abs(v1));
   const double share = a0 / (a0 - a1);
-  if (a0 != a1 && share > 0.0 && share < 1.0) most = std::max(most, std::abs(v0 + 0.5 * a0 * share * duration));
+  if (a0 != a1 && share > 0.0 && share < 1.0)
+    most = std::max(most, std::abs(v0 + 0.5 * a0 * share * duration));
   return most;
 }
 
