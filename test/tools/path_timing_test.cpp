@@ -8,6 +8,7 @@
 
 #include "support/command_run.h"
 #include "support/robots.h"
+#include <cmath>
 #include <fstream>
 #include <random>
 #include <string>
@@ -30,7 +31,7 @@ std::vector<JointWaypoint> random_waypoints(unsigned seed) {
   std::uniform_real_distribution<double> any(-10.0, 10.0);
   std::vector<JointWaypoint> waypoints;
   for (int i = 0; i < 50; ++i) {
-    const auto nanoseconds = static_cast<double>(1000000000 * i / 7 + static_cast<int>(random() % 1000));
+    const double nanoseconds = std::floor(1e9 / 7.0 * i) + static_cast<double>(random() % 1000);
     JointVector q(2), velocity(2);
     q << any(random), any(random) * 1e-9;
     velocity << any(random), 0.0;
@@ -64,15 +65,16 @@ class PlannedTrajectory : public test::CommandTest {};
 
 // Through a serial gate, to be read back, and to be safe where such gates may be passed.
 TEST_F(PlannedTrajectory, IsSafeWhereItIsCheckedAgain) {
-  for (const std::string& name : {"gate.csv", "gate.yaml"}) {
+  for (const char* name : {"gate.csv", "gate.yaml"}) {
     const std::string file = file_named(name);
-    const json plan = run_json({"plan", "five_bar", "--from", "4.5 8", "--from-mode", "(+,+)", "--to", "4.5 -8",
-                                "--to-mode", "(-,+)", "--policy", "serial", "--trajectory", file.c_str()});
+    const json plan =
+        run_json({"plan", "five_bar", "--from", "4.5 8", "--from-mode", "(+,+)", "--to", "4.5 -8",
+                  "--to-mode", "(-,+)", "--policy", "serial", "--trajectory", file.c_str()});
     EXPECT_EQ(plan.at("answer"), "yes");
     const double seconds = plan.at("seconds");
     EXPECT_GT(seconds, 0.5);
-    std::vector<const char*> check{"check",        "five_bar",     "--trajectory", file.c_str(),
-                                   "--start-pose", "4.5 8", "--json"};
+    std::vector<const char*> check{"check",        "five_bar", "--trajectory", file.c_str(),
+                                   "--start-pose", "4.5 8",    "--json"};
     const Outcome refused = run(check);
     EXPECT_EQ(refused.code, exit_code::unsafe) << refused.messages;
     check.insert(check.end() - 1, {"--policy", "serial"});
@@ -88,8 +90,8 @@ TEST_F(PlannedTrajectory, IsSafeWhereItIsCheckedAgain) {
 
 TEST_F(PlannedTrajectory, IsTimedByTheLimitsThatAreAskedFor) {
   const std::string file = file_named("slow.csv");
-  std::vector<const char*> question{"plan",         "five_bar",   "--from",         "4.5 8", "--to", "4 6",
-                                    "--trajectory", file.c_str(), "--acceleration", "1 1"};
+  std::vector<const char*> question{"plan", "five_bar",     "--from",     "4.5 8",          "--to",
+                                    "4 6",  "--trajectory", file.c_str(), "--acceleration", "1 1"};
   const double slow = run_json(question).at("seconds");
   question.back() = "100 100";
   const double fast = run_json(question).at("seconds");
@@ -105,13 +107,12 @@ struct Bad {
 
 TEST_F(PlannedTrajectory, SaysWhatIsWrongBeforeAnythingStarts) {
   const std::string good = file_named("bad.csv"), none = testing::TempDir() + "no_such_folder/x.csv";
-  const std::vector<Bad> all{
-      {{"--acceleration", "1 1"}, "--acceleration is for --trajectory"},
-      {{"--trajectory", "x.bag"}, "ends in .csv or .yaml"},
-      {{"--trajectory", none.c_str()}, "no_such_folder"},
-      {{"--trajectory", good.c_str(), "--acceleration", "1"}, "--acceleration"},
-      {{"--trajectory", good.c_str(), "--acceleration", "1 0"}, "positive and finite"},
-      {{"--trajectory", good.c_str(), "--acceleration", "1 inf"}, "--acceleration"}};
+  const std::vector<Bad> all{{{"--acceleration", "1 1"}, "--acceleration is for --trajectory"},
+                             {{"--trajectory", "x.bag"}, "ends in .csv or .yaml"},
+                             {{"--trajectory", none.c_str()}, "no_such_folder"},
+                             {{"--trajectory", good.c_str(), "--acceleration", "1"}, "--acceleration"},
+                             {{"--trajectory", good.c_str(), "--acceleration", "1 0"}, "positive and finite"},
+                             {{"--trajectory", good.c_str(), "--acceleration", "1 inf"}, "--acceleration"}};
   for (const Bad& bad : all) {
     std::vector<const char*> question{"plan", "five_bar", "--from", "4.5 8", "--to", "4 6"};
     question.insert(question.end(), bad.options.begin(), bad.options.end());
@@ -130,7 +131,7 @@ std::string text_of(const std::string& path) {
 std::string without(std::string text, const std::string& begin, const std::string& end) {
   const std::size_t from = text.find(begin);
   EXPECT_NE(from, std::string::npos);
-  const std::size_t to = text.find(end, from);
+  const std::size_t to = text.find(end, from + begin.size());
   return text.erase(from, to - from + end.size());
 }
 
@@ -139,15 +140,16 @@ TEST_F(PlannedTrajectory, NeedsLimitsOfTheRobot) {
                     config = file_named("robot.yaml"), file = file_named("robot.csv");
   const std::string yaml = text_of(source + "/config/robots/five_bar.yaml"),
                     model = text_of(source + "/urdf/five_bar.urdf");
-  const std::vector<const char*> question{"plan",   "--urdf", urdf.c_str(),   "--config",  config.c_str(),
-                                          "--from", "4.5 8",  "--to",         "4 6",       "--trajectory",
-                                          file.c_str()};
+  const std::vector<const char*> question{"plan",         "--urdf",       urdf.c_str(), "--config",
+                                          config.c_str(), "--from",       "4.5 8",      "--to",
+                                          "4 6",          "--trajectory", file.c_str()};
   write(urdf, model);
   write(config, without(yaml, "motion:", "]\n"));
   EXPECT_NE(run(question).messages.find("write motion.acceleration into " + config), std::string::npos);
   write(config, yaml);
   write(urdf, without(model, " velocity=\"2", "\""));
-  EXPECT_NE(run(question).messages.find("has no velocity limit"), std::string::npos) << run(question).messages;
+  EXPECT_NE(run(question).messages.find("has no velocity limit"), std::string::npos)
+      << run(question).messages;
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <parallel_aspects/PlanPathActionGoal.h>
 
 #include <actionlib_msgs/GoalID.h>
-
 #include <algorithm>
 
 namespace parallel_aspects {
@@ -19,8 +18,7 @@ template <class ActionGoal>
 CheckedGoals<ActionGoal>::CheckedGoals(const ros::NodeHandle& nh, const std::string& action)
     : nh_(nh), action_(nh.resolveName(action)) {
   pass_on<ActionGoal>(
-      action_ + "/goal", goals_out_, goals_,
-      [](ActionGoal & goal) -> auto& { return goal.goal_id.stamp; });
+      action_ + "/goal", goals_out_, goals_, [](ActionGoal & goal) -> auto& { return goal.goal_id.stamp; });
   pass_on<actionlib_msgs::GoalID>(
       action_ + "/cancel", cancels_out_, cancels_,
       [](actionlib_msgs::GoalID & goal) -> auto& { return goal.stamp; });
@@ -35,8 +33,8 @@ ros::NodeHandle CheckedGoals<ActionGoal>::server_handle() const {
 
 template <class ActionGoal>
 template <class Message, class StampOf>
-void CheckedGoals<ActionGoal>::pass_on(const std::string& topic, ros::Publisher& publisher, ros::Subscriber& subscriber,
-                           const StampOf& stamp_of) {
+void CheckedGoals<ActionGoal>::pass_on(const std::string& topic, ros::Publisher& publisher,
+                                       ros::Subscriber& subscriber, const StampOf& stamp_of) {
   publisher = nh_.advertise<Message>(passed_on(topic), 50);
   const boost::function<void(const boost::shared_ptr<const Message>&)> callback =
       [&publisher, stamp_of](const boost::shared_ptr<const Message>& heard) {

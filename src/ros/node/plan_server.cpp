@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/node/plan_server.h"
 
+#include "parallel_aspects/kinematics/jacobians.h"
 #include "ros/messages/configurations.h"
 #include "ros/messages/conversions.h"
 #include "ros/messages/plan_messages.h"
@@ -91,8 +92,9 @@ Status PlanServer::read_end(const Configuration& configuration, const std::strin
   const std::string fault = fault_of(*manipulator_, configuration);
   if (!fault.empty()) return invalid(which + ": " + fault);
   if (configuration.kind == Configuration::JOINTS || configuration.determinant_sign != 0)
-    return invalid(which + " is stated by joints or the sign of det A; give kind 0 (now) or 1 (pose), and "
-                           "working_mode if one is meant.");
+    return invalid(which +
+                   " is stated by joints or the sign of det A; give kind 0 (now) or 1 (pose), and "
+                   "working_mode if one is meant.");
   if (configuration.kind == Configuration::NOW) return read_now(end);
   const std::vector<int> signs(configuration.working_mode.begin(), configuration.working_mode.end());
   if (std::any_of(signs.begin(), signs.end(), [](int sign) { return sign != 0; }))

@@ -99,7 +99,7 @@ class RobotServer {
   CheckQueries checks_;
   FrameWatch frame_watch_;
   Diagnostics diagnostics_;
-  LogQueue log_;                    // what the threads of joint_states have to say
+  LogQueue log_;  // what the threads of joint_states have to say
   CheckedGoals<ComputeMapActionGoal> goals_;
   Decimation thinned_, completed_;  // of joint_states_: state, and what is drawn from it
   std::unique_ptr<ComputeMapServer> compute_map_;

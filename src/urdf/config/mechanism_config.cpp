@@ -26,10 +26,11 @@ const std::vector<std::string>& mechanism_keys() {
   return keys;
 }
 
-// What a robot's file may say; all but the first two is for the node.
+// What a robot's file may say; all but the first two is for others.
 const std::vector<std::string>& top_keys() {
   static const std::vector<std::string> keys{"mechanism",
                                              "constraints",
+                                             "motion",
                                              "map",
                                              "start",
                                              "tracking",

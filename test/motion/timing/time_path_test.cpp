@@ -305,6 +305,46 @@ TEST(TimePath, IsTheTrapezoidOfASingleJoint) {
   EXPECT_LE(timed.seconds, 1.01 * least);
 }
 
+/// The five-bar whose joints have just the room that a trajectory needs, and this much more [rad].
+Robot with_room(const Robot& robot, const Waypoints& waypoints, double more) {
+  ManipulatorDescription description = robot->description();
+  for (std::size_t j = 0; j < robot->leg_count(); ++j) {
+    JointLimits& limits = description.legs[j].limits;
+    limits.lower = std::numeric_limits<double>::infinity();
+    limits.upper = -limits.lower;
+    for (std::size_t i = 0; i + 1 < waypoints.size(); ++i)
+      for (int k = 0; k <= 100; ++k) {
+        const double q = between(waypoints[i], waypoints[i + 1], k / 100.0).q[static_cast<Eigen::Index>(j)];
+        limits.lower = std::min(limits.lower, q - more);
+        limits.upper = std::max(limits.upper, q + more);
+      }
+  }
+  return std::make_shared<const Manipulator>(description);
+}
+
+// Where one leg passes B_jj = 0 the joint of the other turns back: if it passes its limit, then there.
+TEST(TimePath, KeepsJointLimitsWhereALegPassesAGate) {
+  const Robot robot = with_speeds(test::five_bar());
+  PathPlanner planner(test::map_of(robot, {}));
+  const PathEnd from{Pose::planar(4.5, 8.0), WorkingMode::from_signs({1, 1})},
+      to{Pose::planar(4.5, -8.0), WorkingMode::from_signs({-1, 1})};
+  const PlannedPath path = planner.plan(from, to, PathPolicy::serial);
+  const TimedPath timed = time_path(SegmentCertifier(robot), path, pose_between, accelerations_of(*robot));
+  expect_good(*robot, path, timed);
+  TrajectoryStart start;
+  start.pose = from.pose;
+  TrajectoryCheckOptions options;
+  EXPECT_EQ(check_trajectory(SegmentCertifier(robot), timed.waypoints, start, options).answer,
+            TrajectoryAnswer::unsafe);
+  options.pass_serial = true;
+  for (const double more : {1e-4, -1e-4, -1e-7}) {
+    const SegmentCertifier certifier(with_room(robot, timed.waypoints, more));
+    EXPECT_EQ(check_trajectory(certifier, timed.waypoints, start, options).answer == TrajectoryAnswer::safe,
+              more > 0.0)
+        << more;
+  }
+}
+
 TEST(TimePath, IsOneWaypointWhereNothingMoves) {
   const Robot robot = with_speeds(test::five_bar());
   const TimedPath timed = time_path(SegmentCertifier(robot), path_of(robot, {Pose::planar(4.5, 8.0)}),

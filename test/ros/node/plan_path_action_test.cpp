@@ -65,7 +65,8 @@ class PlanPathAsked : public testing::Test {
 
   static void wait_for_map(const std::string& node) {
     const Recorder<MapProgress> progress(node + "/map_progress");
-    EXPECT_TRUE(eventually([&] { return progress.last() && progress.last()->state == MapProgress::COMPLETE; }));
+    EXPECT_TRUE(
+        eventually([&] { return progress.last() && progress.last()->state == MapProgress::COMPLETE; }));
   }
 
   static void expect_refused(const PlanPathGoal& goal, std::uint8_t code, const std::string& words,
@@ -176,8 +177,8 @@ TEST_F(PlanPathAsked, NeedsVelocityLimitsForATrajectoryAlone) {
   EXPECT_EQ(ask(goal, "/unlimited/aspect_node").result.answer, Result::YES);
 }
 
-// Cancelled with its first feedback, that is while it is planned. A goal may be done before that arrives; where
-// it is not, it ends as cancelled, and the next is answered.
+// Cancelled with its first feedback, that is while it is planned. A goal may be done before that arrives;
+// where it is not, it ends as cancelled, and the next is answered.
 TEST_F(PlanPathAsked, CanBeCancelledHalfWay) {
   wait_for_map("/aspect_node");
   Client client("/aspect_node/plan_path", true);

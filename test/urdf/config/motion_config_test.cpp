@@ -26,10 +26,11 @@ TEST(MotionConfig, IsEmptyWhereNothingIsStated) {
 }
 
 TEST(MotionConfig, SaysWhatIsWrong) {
-  for (const char* text :
-       {"motion: 3", "motion: {acceleration: 3}", "motion: {acceleration: [1]}", "motion: {acceleration: [1, 2, 3]}",
-        "motion: {acceleration: [1, 0]}", "motion: {acceleration: [1, -2]}", "motion: {acceleration: [1, .inf]}",
-        "motion: {acceleration: [1, .nan]}", "motion: {acceleration: [1, fast]}", "motion: {speed: [1, 1]}"}) {
+  for (const char* text : {"motion: 3", "motion: {acceleration: 3}", "motion: {acceleration: [1]}",
+                           "motion: {acceleration: [1, 2, 3]}", "motion: {acceleration: [1, 0]}",
+                           "motion: {acceleration: [1, -2]}", "motion: {acceleration: [1, .inf]}",
+                           "motion: {acceleration: [1, .nan]}", "motion: {acceleration: [1, fast]}",
+                           "motion: {speed: [1, 1]}"}) {
     Problems problems;
     EXPECT_EQ(read_motion_config(text, "robot.yaml", 2, problems).acceleration.size(), 0) << text;
     ASSERT_EQ(problems.size(), 1U) << text;
