@@ -12,7 +12,8 @@ namespace parallel_aspects::tools {
 namespace {
 
 bool ends_with(const std::string& text, const std::string& ending) {
-  return text.size() >= ending.size() && text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
+  return text.size() >= ending.size() &&
+         text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
 }
 
 JointVector parse_acceleration(const std::string& text, const Manipulator& manipulator, Problems& problems) {

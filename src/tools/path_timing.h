@@ -3,9 +3,9 @@
 #define PARALLEL_ASPECTS_TOOLS_PATH_TIMING_H
 
 #include "parallel_aspects/motion/time_path.h"
-#include "tools/subcommands.h"
 #include "tools/report/report.h"
 #include "tools/shipped_robots.h"
+#include "tools/subcommands.h"
 
 #include <optional>
 #include <string>

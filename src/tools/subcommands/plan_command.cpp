@@ -67,9 +67,8 @@ struct Plan {
 };
 
 /// With six degrees of freedom there is no map but a roadmap.
-Plan plan_over_roadmap(const std::shared_ptr<const Manipulator>& manipulator,
-                              const PlanArguments& arguments, const Question& question,
-                              const Surroundings& surroundings) {
+Plan plan_over_roadmap(const std::shared_ptr<const Manipulator>& manipulator, const PlanArguments& arguments,
+                       const Question& question, const Surroundings& surroundings) {
   Problems problems;
   RoadmapOptions options = parse_roadmap(arguments.roadmap, problems);
   if (question.policy != PathPolicy::stay)
@@ -83,7 +82,7 @@ Plan plan_over_roadmap(const std::shared_ptr<const Manipulator>& manipulator,
 }
 
 Plan plan_in_map(const std::shared_ptr<const Manipulator>& manipulator, const PlanArguments& arguments,
-                        const Question& question, const Surroundings& surroundings) {
+                 const Question& question, const Surroundings& surroundings) {
   if (!arguments.roadmap.samples.empty() || !arguments.roadmap.seed.empty())
     throw InvalidDescription(
         {"--samples and --seed are for roadmaps, in SE3 without --hold; leave them out."});
