@@ -166,7 +166,7 @@ TEST_F(PlanPathAsked, RefusesWhatItCannotBeAsked) {
 }
 
 TEST_F(PlanPathAsked, NeedsAMap) {
-  expect_refused(in_one_aspect(), Status::MAP_NOT_READY, "not there yet", "/slow_node");
+  expect_refused(in_one_aspect(), Status::MAP_NOT_READY, "not there yet", "/slow/aspect_node");
 }
 
 TEST_F(PlanPathAsked, NeedsVelocityLimitsForATrajectoryAlone) {
