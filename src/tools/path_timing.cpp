@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/path_timing.h"
 
+#include "tools/command.h"
 #include "tools/output_file.h"
 #include "tools/report/numbers.h"
 #include "tools/report/text_table.h"
@@ -31,7 +32,7 @@ std::vector<Option> timing_options(TimingArguments& arguments) {
            "rostopic publishes. `check --trajectory` reads both",
            &arguments.trajectory_file},
           {"--acceleration", "\"10 10\"",
-           "Acceleration limits of the actuated joints for it [rad/s^2 or m/s^2]; by default those of "
+           "Acceleration limits of the actuated joints [rad/s^2 or m/s^2]; by default those of "
            "motion.acceleration in the YAML",
            &arguments.acceleration}};
 }
@@ -39,24 +40,23 @@ std::vector<Option> timing_options(TimingArguments& arguments) {
 std::optional<JointVector> parse_timing(const TimingArguments& arguments, const RobotChoice& robot,
                                         const Manipulator& manipulator, Problems& problems) {
   const std::string& file = arguments.trajectory_file;
-  if (file.empty() && !arguments.acceleration.empty())
-    problems.emplace_back("--acceleration is for --trajectory; give that as well, or leave it out.");
-  if (file.empty()) return std::nullopt;
-  if (!ends_with(file, ".csv") && !ends_with(file, ".yaml"))
+  const std::size_t known = problems.size();
+  if (!file.empty() && !ends_with(file, ".csv") && !ends_with(file, ".yaml"))
     problems.push_back("--trajectory names '" + file + "'; give a file that ends in .csv or .yaml.");
   check_output_file("--trajectory", file, problems);
-  const std::size_t known = problems.size();
   const MotionSection section = load_motion_section(robot, manipulator.leg_count(), problems);
   const JointVector acceleration = arguments.acceleration.empty()
                                        ? section.config.acceleration
                                        : parse_acceleration(arguments.acceleration, manipulator, problems);
   if (problems.size() > known) return std::nullopt;
+  Problems missing = problems_of(manipulator, acceleration);
+  if (missing.empty()) return acceleration;
   if (acceleration.size() == 0)
-    problems.push_back("--trajectory needs acceleration limits; write motion.acceleration into " +
-                       section.file + ", or give --acceleration.");
-  else
-    for (const std::string& problem : problems_of(manipulator, acceleration)) problems.push_back(problem);
-  return acceleration;
+    missing = {"--trajectory needs acceleration limits; write motion.acceleration into " + section.file +
+               ", or give --acceleration."};
+  if (!file.empty() || !arguments.acceleration.empty())
+    problems.insert(problems.end(), missing.begin(), missing.end());
+  return std::nullopt;
 }
 
 void report_timing(const Manipulator& manipulator, const TimingArguments& arguments, const TimedPath& timed,
@@ -67,8 +67,10 @@ void report_timing(const Manipulator& manipulator, const TimingArguments& argume
                                {"corners_rounded", timed.rounded},
                                {"stops", timed.stops}};
   report.text += "\nin time: " + (timed ? shown(timed.seconds) + " s. " : "no. ") + timed.message + '\n';
-  if (!timed) return;
   const std::string& file = arguments.trajectory_file;
+  if (file.empty()) return;
+  if (!timed) report.exit_code = exit_code::unknown;
+  if (!timed) return;
   write_output_file("Trajectory", file,
                     ends_with(file, ".csv") ? trajectory_csv(manipulator, timed.waypoints)
                                             : trajectory_yaml(manipulator, timed.waypoints));

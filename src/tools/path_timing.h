@@ -21,12 +21,14 @@ struct TimingArguments {
 /// The options for them.
 std::vector<Option> timing_options(TimingArguments& arguments);
 
-/// The acceleration limits, of the option or else of the YAML of the robot; nothing where no trajectory is
-/// asked for. What keeps paths from being timed, and files from being written, is added to `problems`.
+/// The acceleration limits, of the option or else of the YAML of the robot; nothing where paths cannot be
+/// timed. Where either option is given, what keeps them from that is added to `problems`, and so is what
+/// keeps the file from being written.
 std::optional<JointVector> parse_timing(const TimingArguments& arguments, const RobotChoice& robot,
                                         const Manipulator& manipulator, Problems& problems);
 
-/// Writes the trajectory, where there is one, and adds to the report what is known of it.
+/// Adds to the report what is known of the path in time, and writes it where that is asked for: unknown where
+/// there is none then.
 void report_timing(const Manipulator& manipulator, const TimingArguments& arguments, const TimedPath& timed,
                    Report& report);
 

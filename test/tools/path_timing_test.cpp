@@ -96,8 +96,14 @@ TEST_F(PlannedTrajectory, IsTimedByTheLimitsThatAreAskedFor) {
   question.back() = "100 100";
   const double fast = run_json(question).at("seconds");
   EXPECT_LT(2.0 * fast, slow);
+  question[6] = "--acceleration";
+  question[7] = "100 100";
+  question.resize(8);
+  EXPECT_EQ(run_json(question).at("seconds"), fast);
   question.resize(6);
-  EXPECT_TRUE(run_json(question).at("seconds").is_null());
+  const double configured = run_json(question).at("seconds");
+  EXPECT_LT(configured, slow);
+  EXPECT_GT(configured, fast);
 }
 
 struct Bad {
@@ -107,7 +113,7 @@ struct Bad {
 
 TEST_F(PlannedTrajectory, SaysWhatIsWrongBeforeAnythingStarts) {
   const std::string good = file_named("bad.csv"), none = testing::TempDir() + "no_such_folder/x.csv";
-  const std::vector<Bad> all{{{"--acceleration", "1 1"}, "--acceleration is for --trajectory"},
+  const std::vector<Bad> all{{{"--acceleration", "1"}, "--acceleration"},
                              {{"--trajectory", "x.bag"}, "ends in .csv or .yaml"},
                              {{"--trajectory", none.c_str()}, "no_such_folder"},
                              {{"--trajectory", good.c_str(), "--acceleration", "1"}, "--acceleration"},
@@ -140,9 +146,8 @@ TEST_F(PlannedTrajectory, NeedsLimitsOfTheRobot) {
                     config = file_named("robot.yaml"), file = file_named("robot.csv");
   const std::string yaml = text_of(source + "/config/robots/five_bar.yaml"),
                     model = text_of(source + "/urdf/five_bar.urdf");
-  const std::vector<const char*> question{"plan",         "--urdf",       urdf.c_str(), "--config",
-                                          config.c_str(), "--from",       "4.5 8",      "--to",
-                                          "4 6",          "--trajectory", file.c_str()};
+  std::vector<const char*> question{"plan",  "--urdf", urdf.c_str(), "--config",     config.c_str(), "--from",
+                                    "4.5 8", "--to",   "4 6",        "--trajectory", file.c_str()};
   write(urdf, model);
   write(config, without(yaml, "motion:", "]\n"));
   EXPECT_NE(run(question).messages.find("write motion.acceleration into " + config), std::string::npos);
@@ -150,6 +155,8 @@ TEST_F(PlannedTrajectory, NeedsLimitsOfTheRobot) {
   write(urdf, without(model, " velocity=\"2", "\""));
   EXPECT_NE(run(question).messages.find("has no velocity limit"), std::string::npos)
       << run(question).messages;
+  question.resize(question.size() - 2);  // without a trajectory it is planned all the same
+  EXPECT_TRUE(run_json(question).at("seconds").is_null());
 }
 
 }  // namespace

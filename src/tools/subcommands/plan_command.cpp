@@ -107,7 +107,7 @@ int code_of(SameAspect answer) {
   return exit_code::unknown;
 }
 
-/// Adds the path in time, where that is asked for.
+/// Adds the path in time, where the limits for that are known.
 void add_timing(const std::shared_ptr<const Manipulator>& manipulator, const PlanArguments& arguments,
                 const Plan& plan, const std::optional<JointVector>& acceleration,
                 const Surroundings& surroundings, Report& report) {
@@ -118,7 +118,6 @@ void add_timing(const std::shared_ptr<const Manipulator>& manipulator, const Pla
       time_path(SegmentCertifier(manipulator), plan.path, plan.between, *acceleration, control);
   if (is_cancelled(control)) throw Interrupted{};
   report_timing(*manipulator, arguments.timing, timed, report);
-  if (!timed) report.exit_code = exit_code::unknown;
 }
 
 Report report_of(const PlanArguments& arguments, const Surroundings& surroundings) {
