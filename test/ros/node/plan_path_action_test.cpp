@@ -109,9 +109,23 @@ TEST_F(PlanPathAsked, PlansThroughAGateAndPublishesIt) {
   EXPECT_EQ(markers.last()->markers.size(), 4U);  // delete, line, ends, gates
 }
 
-// What was planned within one aspect is safe for the service that checks trajectories.
+// What was planned is safe for the service that checks trajectories; through a gate, where it may pass that.
 TEST_F(PlanPathAsked, PlansWhatIsSafe) {
   wait_for_map("/aspect_node");
+  const Answer through = ask(through_a_gate());
+  CheckTrajectory::Request passing;
+  passing.trajectory = through.result.trajectory;
+  passing.start = at_pose(4.5, 8.0, "");
+  EXPECT_EQ(test::call<CheckTrajectory>("check_trajectory", passing).answer, CheckTrajectory::Response::NO);
+  passing.pass_serial = 1;
+  const auto passed = test::call<CheckTrajectory>("check_trajectory", passing);
+  EXPECT_EQ(passed.answer, CheckTrajectory::Response::YES) << passed.reason << passed.status.message;
+  EXPECT_EQ(passed.crossings.size(), 1U);
+  passing.poses.resize(1);
+  passing.times.resize(1);
+  passing.trajectory.points.clear();
+  EXPECT_EQ(test::call<CheckTrajectory>("check_trajectory", passing).status.code, Status::INVALID_REQUEST);
+
   const Answer answer = ask(in_one_aspect());
   ASSERT_EQ(answer.result.answer, Result::YES) << answer.result.reason;
   CheckTrajectory::Request request;
