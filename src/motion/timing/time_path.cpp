@@ -29,18 +29,10 @@ class Attempt {
   /// Whether it is proved, and not for the samples much slower than it could be.
   bool run(const JointStages& stages, std::size_t samples) {
     timed_ = {};
-    double lost = 0.0;
-    for (const std::vector<JointVector>& stage : stages.sample(samples)) {
-      const double begin = timed_.waypoints.empty() ? 0.0 : timed_.waypoints.back().time;
-      const TimedCurve curve = timed_curve(spline_through(stage, limits_.velocity), limits_, begin);
-      lost += curve.loss * (curve.waypoints.back().time - begin);
-      const bool joins = !timed_.waypoints.empty();
-      timed_.waypoints.insert(timed_.waypoints.end(), curve.waypoints.begin() + (joins ? 1 : 0),
-                              curve.waypoints.end());
-    }
-    timed_.seconds = timed_.waypoints.back().time;
     timed_.rounded = stages.rounded();
     timed_.stops = stages.stops();
+    const double lost = append(stages.sample(samples));
+    timed_.seconds = timed_.waypoints.back().time;
     check();
     return is_safe() && lost <= small_loss * timed_.seconds;
   }
@@ -49,6 +41,21 @@ class Attempt {
   bool is_safe() const noexcept { return timed_.check.answer == TrajectoryAnswer::safe; }
 
  private:
+  /// How much time is lost for want of samples [s].
+  double append(const JointStages::Stages& stages) {
+    double lost = 0.0;
+    keeps_limits_ = true;
+    std::vector<JointWaypoint>& all = timed_.waypoints;
+    for (const std::vector<JointVector>& stage : stages) {
+      const double begin = all.empty() ? 0.0 : all.back().time;
+      const TimedCurve curve = timed_curve(spline_through(stage, limits_.velocity), limits_, begin);
+      keeps_limits_ = keeps_limits_ && curve.keeps_limits;
+      lost += curve.loss * (curve.waypoints.back().time - begin);
+      all.insert(all.end(), curve.waypoints.begin() + (all.empty() ? 0 : 1), curve.waypoints.end());
+    }
+    return lost;
+  }
+
   void check() {
     TrajectoryStart start;
     start.pose = path_.points.front().pose;
@@ -56,15 +63,18 @@ class Attempt {
     options.pass_serial = !path_.crossings.empty();
     timed_.check = check_trajectory(certifier_, timed_.waypoints, start, options);
     const Manipulator& robot = *certifier_.manipulator();
-    if (is_safe() && !(exceeded_speeds(robot, timed_.check, true).empty() &&
-                       exceeded_speeds(robot, timed_.check, false).empty()))
-      timed_.check.answer = TrajectoryAnswer::unknown;
+    const std::string fast =
+        exceeded_speeds(robot, timed_.check, true) + exceeded_speeds(robot, timed_.check, false);
+    if (!is_safe() || (keeps_limits_ && fast.empty())) return;
+    timed_.check.answer = TrajectoryAnswer::unknown;
+    timed_.check.reason = "No samples of it were found that keep the limits of the joints.";
   }
 
   const SegmentCertifier& certifier_;
   const PlannedPath& path_;
   MotionLimits limits_;
   TimedPath timed_;
+  bool keeps_limits_ = true;
 };
 
 std::string corner_text(const TimedPath& timed) {

@@ -77,20 +77,19 @@ TimedCurve timed_curve(const JointCurve& curve, const MotionLimits& limits, doub
   std::vector<double> slower(curve.size() - 1, 1.0 + rounding);
   TimedCurve timed;
   for (int pass = 0; pass < passes; ++pass) {
-    timed = {waypoints_of(curve, fastest_profile(curve, limits, slower), begin), 0.0};
-    bool keeps_limits = true;
+    timed = {waypoints_of(curve, fastest_profile(curve, limits, slower), begin), true, 0.0};
     const bool is_even = pass + 2 >= passes;  // where nothing else does, all of it is slower
     double most = 1.0;
     for (std::size_t i = 0; i < slower.size(); ++i) {
       const JointWaypoint &from = timed.waypoints[i], &to = timed.waypoints[i + 1];
       const double more = excess(from, to, limits);
       timed.loss += (slower[i] - 1.0) * (to.time - from.time);
-      keeps_limits = keeps_limits && more <= 1.0;
+      timed.keeps_limits = timed.keeps_limits && more <= 1.0;
       most = std::max(most, more);
       if (more > 1.0) slower[i] *= more * (1.0 + rounding);
     }
     timed.loss /= std::max(timed.waypoints.back().time - begin, 1e-9);
-    if (keeps_limits) break;
+    if (timed.keeps_limits) break;
     if (is_even)
       for (double& each : slower) each = std::max(each, most * (1.0 + rounding));
   }

@@ -12,6 +12,7 @@ namespace parallel_aspects {
 /// A curve of the joints in time, from rest to rest.
 struct TimedCurve {
   std::vector<JointWaypoint> waypoints;  ///< its knots, with velocities
+  bool keeps_limits = false;             ///< whether the cubics between them do
   double loss = 0.0;  ///< about the share of the time by which it is slower since its knots are not denser
 };
 
