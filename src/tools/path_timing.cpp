@@ -20,7 +20,9 @@ bool ends_with(const std::string& text, const std::string& ending) {
 JointVector parse_acceleration(const std::string& text, const Manipulator& manipulator, Problems& problems) {
   std::vector<std::string> names;
   for (const Leg& leg : manipulator.legs()) names.push_back(leg.actuated_joint);
+  const std::size_t known = problems.size();
   const std::vector<double> values = parse_numbers("--acceleration", text, names, problems);
+  if (problems.size() > known) return {};  // there may be more of them than a vector of joints holds
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 

@@ -113,12 +113,14 @@ struct Bad {
 
 TEST_F(PlannedTrajectory, SaysWhatIsWrongBeforeAnythingStarts) {
   const std::string good = file_named("bad.csv"), none = testing::TempDir() + "no_such_folder/x.csv";
-  const std::vector<Bad> all{{{"--acceleration", "1"}, "--acceleration"},
-                             {{"--trajectory", "x.bag"}, "ends in .csv or .yaml"},
-                             {{"--trajectory", none.c_str()}, "no_such_folder"},
-                             {{"--trajectory", good.c_str(), "--acceleration", "1"}, "--acceleration"},
-                             {{"--trajectory", good.c_str(), "--acceleration", "1 0"}, "positive and finite"},
-                             {{"--trajectory", good.c_str(), "--acceleration", "1 inf"}, "--acceleration"}};
+  const std::vector<Bad> all{
+      {{"--acceleration", "1"}, "--acceleration"},
+      {{"--acceleration", "1 1 1 1 1 1 1 1 1 1 1 1 1 1"}, "has 14 numbers, but needs 2"},
+      {{"--trajectory", "x.bag"}, "ends in .csv or .yaml"},
+      {{"--trajectory", none.c_str()}, "no_such_folder"},
+      {{"--trajectory", good.c_str(), "--acceleration", "1"}, "--acceleration"},
+      {{"--trajectory", good.c_str(), "--acceleration", "1 0"}, "positive and finite"},
+      {{"--trajectory", good.c_str(), "--acceleration", "1 inf"}, "--acceleration"}};
   for (const Bad& bad : all) {
     std::vector<const char*> question{"plan", "five_bar", "--from", "4.5 8", "--to", "4 6"};
     question.insert(question.end(), bad.options.begin(), bad.options.end());
