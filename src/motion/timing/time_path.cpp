@@ -82,6 +82,13 @@ std::string corner_text(const TimedPath& timed) {
   return ", " + std::to_string(timed.rounded) + " corners rounded, a stop at " + std::to_string(timed.stops);
 }
 
+/// Where legs pass gates these are not proved.
+bool has_further_constraints(const Manipulator& robot) {
+  ConstraintKinds kinds = robot.constraint_kinds();
+  kinds[static_cast<std::size_t>(ConstraintKind::actuated_limits)] = false;
+  return kinds.any();
+}
+
 TimedPath without_time(const TimedPath& tried, std::string message) {
   TimedPath timed;
   timed.check = tried.check;
@@ -110,6 +117,11 @@ Problems problems_of(const Manipulator& manipulator, const JointVector& accelera
 TimedPath time_path(const SegmentCertifier& certifier, const PlannedPath& path, const PoseBetween& between,
                     const JointVector& acceleration, const MapControl& control) {
   if (path.points.empty()) return without_time({}, "There is no path to be timed.");
+  if (!path.crossings.empty() && has_further_constraints(*certifier.manipulator()))
+    return without_time(
+        {},
+        "A trajectory through a gate is proved without further constraints than limits of the "
+        "actuated joints only; leave them out, or stay in one aspect.");
   Attempt attempt(certifier, path, acceleration);
   TimedPath best;
   for (const double share : {blend_share, 0.0}) {

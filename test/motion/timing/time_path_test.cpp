@@ -365,6 +365,18 @@ TEST(TimePath, EndsWhereItIsCancelled) {
   EXPECT_EQ(timed.message, "Cancelled.");
 }
 
+TEST(TimePath, SaysWhyGatesAndFurtherConstraintsDoNotGoTogether) {
+  const Robot robot = with_speeds(test::five_bar())->with_margins({0.01, 0.0, 0.0});
+  PathPlanner planner(test::map_of(robot, {}));
+  const PlannedPath path =
+      planner.plan({Pose::planar(4.5, 8.0), WorkingMode::from_signs({1, 1})},
+                   {Pose::planar(4.5, -8.0), WorkingMode::from_signs({-1, 1})}, PathPolicy::serial);
+  ASSERT_EQ(path.crossings.size(), 1U) << path.message;
+  const TimedPath timed = time_path(SegmentCertifier(robot), path, pose_between, accelerations_of(*robot));
+  EXPECT_FALSE(timed);
+  EXPECT_NE(timed.message.find("further constraints"), std::string::npos) << timed.message;
+}
+
 // What is not proved is not returned: a segment that a caller made up, through det A = 0.
 TEST(TimePath, RefusesAPathThatIsNotFree) {
   const Robot robot = with_speeds(test::five_bar());
