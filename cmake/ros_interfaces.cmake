@@ -8,6 +8,7 @@ find_package(catkin REQUIRED COMPONENTS
   dynamic_reconfigure
   geometry_msgs
   message_generation
+  nav_msgs
   nodelet
   pluginlib
   roscpp
@@ -54,12 +55,13 @@ add_service_files(FILES
 )
 add_action_files(FILES
   ComputeMap.action
+  PlanPath.action
 )
 generate_dynamic_reconfigure_options(
   cfg/Display.cfg
   cfg/Thresholds.cfg
 )
-generate_messages(DEPENDENCIES actionlib_msgs geometry_msgs std_msgs trajectory_msgs)
+generate_messages(DEPENDENCIES actionlib_msgs geometry_msgs nav_msgs std_msgs trajectory_msgs)
 
 catkin_package(
   INCLUDE_DIRS include
@@ -71,6 +73,7 @@ catkin_package(
     dynamic_reconfigure
     geometry_msgs
     message_runtime
+    nav_msgs
     nodelet
     pluginlib
     roscpp

@@ -52,6 +52,7 @@ namespace parallel_aspects {}
 #include "parallel_aspects/motion/motion_guard.h"
 #include "parallel_aspects/motion/plan_path.h"
 #include "parallel_aspects/motion/rehearsal.h"
+#include "parallel_aspects/motion/time_path.h"
 #include "parallel_aspects/motion/tour.h"
 #include "parallel_aspects/singularity/indices.h"
 #include "parallel_aspects/singularity/margins.h"

@@ -95,14 +95,30 @@ std::vector<std::string> shipped_robots(const fs::path& share) {
   return names;
 }
 
+namespace {
+
+/// Where the YAML of the robot stands, and its text; empty where `load_robot` tells what is wrong.
+std::string config_text(const RobotChoice& choice, std::string& file) {
+  if (!problems_of(choice).empty()) return "";
+  file = choice.config_file;
+  if (!choice.name.empty()) file = (config_folder(share_folder()) / (choice.name + ".yaml")).string();
+  Problems reported_by_load_robot;
+  return read_text_file(file, reported_by_load_robot).value_or("");
+}
+
+}  // namespace
+
 MapSection load_map_section(const RobotChoice& choice, Problems& problems) {
   MapSection section;
-  if (!problems_of(choice).empty()) return section;
-  section.file = choice.config_file;
-  if (!choice.name.empty()) section.file = (config_folder(share_folder()) / (choice.name + ".yaml")).string();
-  Problems reported_by_load_robot;
-  if (const auto text = read_text_file(section.file, reported_by_load_robot))
-    section.config = read_map_config(*text, section.file, problems);
+  const std::string text = config_text(choice, section.file);
+  section.config = read_map_config(text, section.file, problems);
+  return section;
+}
+
+MotionSection load_motion_section(const RobotChoice& choice, std::size_t joints, Problems& problems) {
+  MotionSection section;
+  const std::string text = config_text(choice, section.file);
+  section.config = read_motion_config(text, section.file, joints, problems);
   return section;
 }
 

@@ -5,6 +5,7 @@
 #include "parallel_aspects/model/problems.h"
 #include "parallel_aspects/urdf/mechanism.h"
 #include "urdf/config/map_config.h"
+#include "urdf/config/motion_config.h"
 
 #include <filesystem>
 #include <memory>
@@ -42,6 +43,15 @@ struct MapSection {
 /// The section `map` of the YAML of the robot. What is wrong with it is added to `problems`; of a choice or
 /// files of no use `load_robot` tells.
 MapSection load_map_section(const RobotChoice& choice, Problems& problems);
+
+/// What the drives of a robot can do, as its files say.
+struct MotionSection {
+  MotionConfig config;
+  std::string file;  ///< that it stands in
+};
+
+/// The section `motion`, likewise, of a robot with so many actuated joints.
+MotionSection load_motion_section(const RobotChoice& choice, std::size_t joints, Problems& problems);
 
 }  // namespace parallel_aspects::tools
 

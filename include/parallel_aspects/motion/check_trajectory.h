@@ -102,6 +102,11 @@ struct TrajectoryCheckOptions {
   int max_parts = 4000;       ///< of the time between two waypoints that are tried to be proved
   int samples = 200;          ///< of indices, at least
   bool keep_samples = false;  ///< whether the result has them
+
+  /// Of actuated joints: whether legs may pass B_jj = 0, which is then no violation but only one of the
+  /// `crossings`; det A keeps its sign. Not where there are other constraints than limits of actuated joints,
+  /// since those are proved of one working mode at a time.
+  bool pass_serial = false;
 };
 
 /// Every reason why poses cannot be checked, a message each: no waypoint, numbers that are not finite, times

@@ -84,7 +84,7 @@ class JointCheck {
       if (piece == Piece::taken) {
         share = end;
         arrive(i, path, share);
-        if (!check_.violation && is_free_) free = share;
+        if (!check_.violation && (is_free_ || passes_serial())) free = share;
         length_ = std::min(2.0 * length_, is_free_ ? longest_piece_ : longest_probe);
       } else if (piece == Piece::not_free && length_ <= narrow_piece) {
         is_free_ = false;
@@ -162,6 +162,7 @@ class JointCheck {
     Continuation way(poses_, at_, target, bend);
     if (!way.step(1.0)) return Piece::not_followed;
     if (is_free_ && !is_free(range, way.radius())) return Piece::not_free;
+    if (!is_free_) keeps_limits_ = keeps_limits_ && within_limits(range);
     at_ = way.at();
     radius_ += way.radius();
     return Piece::taken;
@@ -170,15 +171,25 @@ class JointCheck {
   /// Of all that the platform and the joints can be in this piece. By the joints as well, B_jj is known to
   /// the first order; by the pose alone it would be a square root.
   bool is_free(const JointRanges& range, double radius) const {
+    if (!within_limits(range)) return false;
     for (std::size_t j = 0; j < manipulator_.leg_count(); ++j) {
-      const JointLimits& limits = manipulator_.leg(j).limits;
-      if (has_limits() && !(range[j].lower() >= limits.lower && range[j].upper() <= limits.upper))
-        return false;
       const double change = magnitude(range[j] - Interval(at_.q[static_cast<Eigen::Index>(j)]));
       if (poses_.entry_sign(at_, j, radius, change) != mode_.sign(j)) return false;
     }
     return !has_others() || around(radius).free;
   }
+
+  bool within_limits(const JointRanges& range) const {
+    if (!has_limits()) return true;
+    for (std::size_t j = 0; j < manipulator_.leg_count(); ++j) {
+      const JointLimits& limits = manipulator_.leg(j).limits;
+      if (!(range[j].lower() >= limits.lower && range[j].upper() <= limits.upper)) return false;
+    }
+    return true;
+  }
+
+  /// Whether B_jj = 0 is no violation.
+  bool passes_serial() const { return options_.pass_serial && !has_others(); }
 
   /// Constraints are of no interest once the trajectory is proved not to be safe.
   bool has_others() const {
@@ -201,7 +212,7 @@ class JointCheck {
   void arrive(std::size_t i, const JointPath& path, double share) {
     if (!is_free_) return look_for_violation(ranges_at(path, share), times_.after(i, share));
     proved_ = times_.before(i, share);
-    if (check_.violation) return;
+    if (check_.violation || !keeps_limits_) return;
     check_.free_until = proved_;
     survey_.add(times_.at(i, share), at_.pose, at_.q, radius_);
     radius_ = 0.0;
@@ -223,7 +234,7 @@ class JointCheck {
       if (sign == -mode_.sign(j)) return violate(Violation::out_of_reach, j, {}, time);
       if (sign == 0) return;
     }
-    if (check_.violation) return leave_crossing(time);
+    if (check_.violation || passes_serial()) return leave_crossing(time);
     if (!has_others()) return;
     const NeighbourhoodProof proof = around(ball.radius);
     if (proof.proved_violation == Violation::constraint)
@@ -241,7 +252,9 @@ class JointCheck {
   /// Notes what is violated by this time, and goes on behind it.
   void violate(Violation kind, std::optional<std::size_t> leg, std::optional<ConstraintKind> constraint,
                double time) {
-    if (!check_.violation) check_.violation = TrajectoryViolation{kind, leg, constraint, proved_, time};
+    const bool may_pass = kind == Violation::out_of_reach && passes_serial();
+    if (!check_.violation && !may_pass)
+      check_.violation = TrajectoryViolation{kind, leg, constraint, proved_, time};
     if (is_crossing(kind)) cross(kind, leg, time);
     is_free_ = outcome_ == Outcome::open;
   }
@@ -260,13 +273,13 @@ class JointCheck {
 
   void conclude() {
     check_.followed_until = proved_;
-    const bool to_the_end = outcome_ == Outcome::open && is_free_;
+    const bool to_the_end = outcome_ == Outcome::open && is_free_ && keeps_limits_;
     check_.answer = check_.violation ? TrajectoryAnswer::unsafe
                     : to_the_end     ? TrajectoryAnswer::safe
                                      : TrajectoryAnswer::unknown;
     if (!to_the_end) check_.not_followed = not_followed_text(proved_, why_not_further());
     check_.reason = check_.violation ? unsafe_text(manipulator_, *check_.violation)
-                    : to_the_end     ? safe_text()
+                    : to_the_end     ? (check_.crossings.empty() ? safe_text() : passed_text())
                     : outcome_ == Outcome::stretched
                         ? "A leg is stretched or folded at the start (B_jj = 0), or too near to it."
                         : undecided_text(check_.free_until, why_not_further());
@@ -290,11 +303,12 @@ class JointCheck {
   TrajectorySurvey survey_;
   CertifiedPoint at_;
   WorkingMode mode_;
-  double longest_piece_;  // so that there are enough samples
-  double length_;         // of the next piece
-  double radius_ = 0.0;   // of balls that hold all poses since the last sample, together
-  double proved_ = 0.0;   // no crossing that is not noted up to here [s]
-  bool is_free_ = true;   // proved up to here
+  double longest_piece_;      // so that there are enough samples
+  double length_;             // of the next piece
+  double radius_ = 0.0;       // of balls that hold all poses since the last sample, together
+  double proved_ = 0.0;       // no crossing that is not noted up to here [s]
+  bool is_free_ = true;       // proved up to here
+  bool keeps_limits_ = true;  // proved where it is not free but no violation either
   Outcome outcome_ = Outcome::open;
 };
 

@@ -26,6 +26,12 @@ std::string safe_text() {
   return "Proved: no singularity is met, every leg reaches and all constraints hold, at every time.";
 }
 
+std::string passed_text() {
+  return "Proved: det A does not vanish, every leg reaches and all limits hold, at every time; legs pass "
+         "serial "
+         "singularities, as listed.";
+}
+
 std::string unsafe_text(const Manipulator& manipulator, const TrajectoryViolation& violation) {
   return "Proved: " + violation_text(manipulator, violation) + " between " + number_text(violation.after, 9) +
          " s and " + number_text(violation.before, 9) + " s.";

@@ -15,6 +15,9 @@ std::string waypoint_text(std::size_t index);
 /// The reason of a trajectory that is safe, a sentence.
 std::string safe_text();
 
+/// The same where legs passed serial singularities, as they were allowed to.
+std::string passed_text();
+
 /// The reason of one that is not.
 std::string unsafe_text(const Manipulator& manipulator, const TrajectoryViolation& violation);
 

@@ -113,9 +113,10 @@ CheckQueries::CheckQueries(std::shared_ptr<const Manipulator> manipulator, const
 CheckTrajectory::Response CheckQueries::answer(const CheckTrajectory::Request& request) const {
   const Question question = read(request);
   if (question.status.code == Status::OK)
-    return response_of(*manipulator_, question.poses.empty()
-                                          ? check_trajectory(certifier_, question.joints, question.start)
-                                          : check_trajectory(certifier_, question.poses, question.mode));
+    return response_of(*manipulator_,
+                       question.poses.empty()
+                           ? check_trajectory(certifier_, question.joints, question.start, question.options)
+                           : check_trajectory(certifier_, question.poses, question.mode));
   CheckTrajectory::Response response;
   response.status = question.status;
   response.reason = question.status.message;
@@ -125,6 +126,7 @@ CheckTrajectory::Response CheckQueries::answer(const CheckTrajectory::Request& r
 CheckQueries::Question CheckQueries::read(const CheckTrajectory::Request& request) const {
   Question question;
   question.status = make_status(Status::OK);
+  question.options.pass_serial = request.pass_serial;
   const bool has_joints = !request.trajectory.points.empty(), has_poses = !request.poses.empty();
   if (has_joints == has_poses)
     question.status = refused("Give one of trajectory, with points of the actuated joints, and poses.");
@@ -132,6 +134,9 @@ CheckQueries::Question CheckQueries::read(const CheckTrajectory::Request& reques
     question.status = refused("start.kind is none of NOW, POSE and JOINTS; give one of them.");
   else if (!request.start.joint_names.empty() || !request.start.joint_positions.empty())
     question.status = refused("start has joint values, but the trajectory tells them; leave them out.");
+  else if (has_poses && request.pass_serial)
+    question.status =
+        refused("pass_serial is for actuated joints, since poses end at B_jj = 0; leave it out.");
   else if (has_joints)
     read_joints(request, question);
   else

@@ -30,6 +30,7 @@ class CheckQueries {
     TrajectoryStart start;
     std::vector<PoseWaypoint> poses;
     WorkingMode mode;
+    TrajectoryCheckOptions options;
   };
 
   Question read(const CheckTrajectory::Request& request) const;

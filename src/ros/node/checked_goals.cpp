@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/node/checked_goals.h"
 
+#include <parallel_aspects/ComputeMapActionGoal.h>
+#include <parallel_aspects/PlanPathActionGoal.h>
+
+#include <actionlib_msgs/GoalID.h>
 #include <algorithm>
 
 namespace parallel_aspects {
@@ -10,25 +14,27 @@ std::string passed_on(const std::string& topic) { return topic + "_checked"; }
 
 }  // namespace
 
-CheckedGoals::CheckedGoals(const ros::NodeHandle& nh, const std::string& action)
+template <class ActionGoal>
+CheckedGoals<ActionGoal>::CheckedGoals(const ros::NodeHandle& nh, const std::string& action)
     : nh_(nh), action_(nh.resolveName(action)) {
-  pass_on<ComputeMapActionGoal>(
-      action_ + "/goal", goals_out_, goals_,
-      [](ComputeMapActionGoal & goal) -> auto& { return goal.goal_id.stamp; });
+  pass_on<ActionGoal>(
+      action_ + "/goal", goals_out_, goals_, [](ActionGoal & goal) -> auto& { return goal.goal_id.stamp; });
   pass_on<actionlib_msgs::GoalID>(
       action_ + "/cancel", cancels_out_, cancels_,
       [](actionlib_msgs::GoalID & goal) -> auto& { return goal.stamp; });
 }
 
-ros::NodeHandle CheckedGoals::server_handle() const {
+template <class ActionGoal>
+ros::NodeHandle CheckedGoals<ActionGoal>::server_handle() const {
   ros::M_string names;
   for (const std::string& topic : {action_ + "/goal", action_ + "/cancel"}) names[topic] = passed_on(topic);
   return ros::NodeHandle(nh_, "", names);
 }
 
+template <class ActionGoal>
 template <class Message, class StampOf>
-void CheckedGoals::pass_on(const std::string& topic, ros::Publisher& publisher, ros::Subscriber& subscriber,
-                           const StampOf& stamp_of) {
+void CheckedGoals<ActionGoal>::pass_on(const std::string& topic, ros::Publisher& publisher,
+                                       ros::Subscriber& subscriber, const StampOf& stamp_of) {
   publisher = nh_.advertise<Message>(passed_on(topic), 50);
   const boost::function<void(const boost::shared_ptr<const Message>&)> callback =
       [&publisher, stamp_of](const boost::shared_ptr<const Message>& heard) {
@@ -39,5 +45,8 @@ void CheckedGoals::pass_on(const std::string& topic, ros::Publisher& publisher, 
       };
   subscriber = nh_.subscribe<Message>(topic, 50, callback);
 }
+
+template class CheckedGoals<ComputeMapActionGoal>;
+template class CheckedGoals<PlanPathActionGoal>;
 
 }  // namespace parallel_aspects

@@ -2,20 +2,23 @@
 #ifndef PARALLEL_ASPECTS_ROS_NODE_CHECKED_GOALS_H
 #define PARALLEL_ASPECTS_ROS_NODE_CHECKED_GOALS_H
 
-#include <parallel_aspects/ComputeMapAction.h>
-
 #include <ros/node_handle.h>
 #include <ros/publisher.h>
 #include <ros/subscriber.h>
 
+#include <chrono>
 #include <string>
 
 namespace parallel_aspects {
 
+/// Actionlib's client in Python loses an answer that comes before it has noted its goal.
+constexpr std::chrono::milliseconds before_refusal{200};
+
 /// Hears the goals and cancellations of an action and passes them on to its server; what is stamped ahead of
 /// the clock is passed on as of now. Actionlib would take such a cancellation for one of every goal to come,
 /// such a goal for newer than all that come after it, and throw, also on a thread of its own, when it looks
-/// whether the end of time is over.
+/// whether the end of time is over. `ActionGoal`: the message of its goals.
+template <class ActionGoal>
 class CheckedGoals {
  public:
   /// `nh`: where the action is, and whose queue it is served from.

@@ -29,6 +29,11 @@ namespace parallel_aspects {
 using PoseTransformer = std::function<std::optional<geometry_msgs::Pose>(const geometry_msgs::PoseStamped&,
                                                                          std::string& message)>;
 
+/// The pose that a message means, in any frame; the status says what keeps it from being used, or by how much
+/// it had to be projected. `which` names it for people.
+Status read_pose(const Manipulator& manipulator, const PoseTransformer& to_base,
+                 const geometry_msgs::PoseStamped& message, const std::string& which, Pose& pose);
+
 /// Answers the services. May be called from any number of threads.
 class Queries {
  public:

@@ -15,9 +15,6 @@
 namespace parallel_aspects {
 namespace {
 
-// Actionlib's client in Python loses an answer that comes before it has noted its goal.
-constexpr std::chrono::milliseconds before_refusal{200};
-
 const ros::WallDuration until_silence(5.0);  // after the start, if nothing has arrived
 
 // For messages: a name or a reason may be as long as whoever asks likes.
@@ -91,6 +88,7 @@ RobotServer::~RobotServer() {
   subscriber_.shutdown();
   command_subscriber_.shutdown();
   if (compute_map_) compute_map_->shutdown();
+  if (plan_path_) plan_path_->shutdown();
   tracking_spinner_.stop();
   service_spinner_.stop();
   work_spinner_.stop();
@@ -110,6 +108,9 @@ void RobotServer::advertise() {
       goals_.server_handle(), "compute_map",
       [this](const ComputeMapGoalConstPtr& goal) { on_compute_map(goal); }, false);
   compute_map_->start();
+  plan_path_ = std::make_unique<PlanServer>(
+      service_nh_, setup_, monitor_, worker_,
+      [this](const auto& pose, std::string& message) { return to_base(pose, message); });
 }
 
 void RobotServer::subscribe() {

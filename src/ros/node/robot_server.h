@@ -12,6 +12,7 @@
 #include "ros/node/diagnostics.h"
 #include "ros/node/guarded_queue.h"
 #include "ros/node/log_queue.h"
+#include "ros/node/plan_server.h"
 #include "ros/node/queries.h"
 #include "ros/parameters/load_options.h"
 #include "ros/parameters/reconfiguration.h"
@@ -98,10 +99,11 @@ class RobotServer {
   CheckQueries checks_;
   FrameWatch frame_watch_;
   Diagnostics diagnostics_;
-  LogQueue log_;                    // what the threads of joint_states have to say
-  CheckedGoals goals_;              // of the action
+  LogQueue log_;  // what the threads of joint_states have to say
+  CheckedGoals<ComputeMapActionGoal> goals_;
   Decimation thinned_, completed_;  // of joint_states_: state, and what is drawn from it
   std::unique_ptr<ComputeMapServer> compute_map_;
+  std::unique_ptr<PlanServer> plan_path_;
   std::unique_ptr<Reconfiguration> reconfiguration_;
   std::vector<ros::ServiceServer> services_;
   ros::Subscriber subscriber_, tf_subscriber_, tf_static_subscriber_;

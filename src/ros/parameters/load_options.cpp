@@ -2,6 +2,7 @@
 #include "ros/parameters/load_options.h"
 
 #include "ros/parameters/parameter_reader.h"
+#include "urdf/config/motion_config.h"
 
 #include <ros/param.h>
 #include <yaml-cpp/yaml.h>
@@ -176,6 +177,16 @@ SharedMechanism mechanism_from(const ros::NodeHandle& nh, const XmlRpcValue& par
                         frame_prefix);
 }
 
+// As in the YAML of a robot.
+JointVector acceleration_from(const XmlRpcValue& parameters, const std::string& prefix, std::size_t joints,
+                              Problems& problems) {
+  if (!parameters.hasMember("motion")) return {};
+  XmlRpcValue document;
+  document["motion"] = parameters["motion"];
+  return read_motion_config(yaml_text(document), prefix.substr(0, prefix.size() - 1), joints, problems)
+      .acceleration;
+}
+
 void append(const Problems& found, Problems& problems) {
   problems.insert(problems.end(), found.begin(), found.end());
 }
@@ -206,7 +217,7 @@ NodeOptions options_from(const XmlRpcValue& parameters, const std::string& prefi
   reader.read("tf_timeout", options.tf_timeout);
   reader.read("read_only", options.read_only);
   reader.read("frame_prefix", options.frame_prefix);
-  for (const char* read_elsewhere : {"mechanism", "constraints", "diagnostic_period"})
+  for (const char* read_elsewhere : {"mechanism", "constraints", "motion", "diagnostic_period"})
     reader.raw(read_elsewhere);
   reader.report_unknown_keys();
   return options;
@@ -221,6 +232,7 @@ NodeSetup load_setup(const ros::NodeHandle& nh, const ros::NodeHandle& private_n
   try {
     NodeSetup setup{mechanism_from(nh, parameters, prefix, options.frame_prefix), std::move(options)};
     const Manipulator& manipulator = *setup.mechanism->manipulator();
+    setup.options.acceleration = acceleration_from(parameters, prefix, manipulator.leg_count(), problems);
     append(problems_of(setup.options, manipulator, prefix), problems);
     if (setup.options.frame_prefix.empty()) setup.options.frame_prefix = manipulator.name();
     if (problems.empty()) return setup;

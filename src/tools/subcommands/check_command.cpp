@@ -24,7 +24,7 @@ using nlohmann::json;
 
 struct CheckArguments {
   RobotChoice robot;
-  std::string path, mode, trajectory, start_pose, start_sign;
+  std::string path, mode, trajectory, start_pose, start_sign, policy;
   std::string csv_file, picture_file, distances;
   ConstraintArguments constraints;
 };
@@ -135,6 +135,7 @@ Report report_check(const Manipulator& manipulator, const TrajectoryCheck& check
 
 TrajectoryCheckOptions options_of(const CheckArguments& arguments) {
   TrajectoryCheckOptions options;
+  options.pass_serial = arguments.policy == "serial";
   options.keep_samples =
       !arguments.csv_file.empty() || !arguments.picture_file.empty() || !arguments.distances.empty();
   return options;
@@ -145,6 +146,8 @@ TrajectoryCheck check_path(const std::shared_ptr<const Manipulator>& manipulator
   Problems problems;
   if (arguments.mode.empty() || !arguments.start_pose.empty() || !arguments.start_sign.empty())
     throw InvalidDescription({"--path needs --mode, and no start of actuated joints; correct the options."});
+  if (!arguments.policy.empty())
+    throw InvalidDescription({"--policy is of --trajectory, since poses end at B_jj = 0; leave it out."});
   const auto mode = parse_mode("--mode", *manipulator, arguments.mode, problems);
   if (!mode) throw InvalidDescription(std::move(problems));
   const auto waypoints = read_pose_waypoints(manipulator->task_space(), arguments.path);
@@ -158,6 +161,9 @@ TrajectoryStart parse_start(const Manipulator& manipulator, const CheckArguments
   TrajectoryStart start;
   if (!arguments.start_pose.empty())
     start.pose = parse_pose("--start-pose", manipulator.task_space(), arguments.start_pose, problems);
+  if (!arguments.policy.empty() && arguments.policy != "stay" && arguments.policy != "serial")
+    problems.push_back("--policy is '" + arguments.policy +
+                       "'; give stay, to refuse every singularity, or serial, to let legs pass B_jj = 0.");
   if (!arguments.start_sign.empty() && arguments.start_sign != "+" && arguments.start_sign != "-")
     problems.push_back("--start-sign is '" + arguments.start_sign + "'; give + or -, the sign of det A.");
   if (start.pose && !arguments.start_sign.empty())
@@ -233,6 +239,10 @@ Subcommand check_subcommand() {
       {"--start-pose", "\"x y\"",
        "About where the platform is at the start, where actuated joints have several assembly modes",
        &arguments->start_pose});
+  options.push_back({"--policy", "stay|serial",
+                     "Of joints. stay: every singularity is a violation, the default. serial: legs may pass "
+                     "B_jj = 0, as `plan` has them",
+                     &arguments->policy});
   options.push_back({"--start-sign", "+", "Or the sign of det A there", &arguments->start_sign});
   options.push_back(
       {"--csv", "FILE", "Write time, pose, joints and indices of every sample as CSV", &arguments->csv_file});

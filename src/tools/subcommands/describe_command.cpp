@@ -242,12 +242,13 @@ Report report_mechanism(const Mechanism& mechanism, bool verbose) {
 
 namespace {
 
-// What `map` refuses is refused here, too.
+// What `map` and `plan` refuse is refused here, too.
 std::shared_ptr<const Mechanism> load_checked(const RobotChoice& robot) {
   Problems problems;
   const MapSection section = load_map_section(robot, problems);
   auto mechanism = load_robot(robot, problems);
   resolve_region(section.config, mechanism->manipulator()->task_space(), section.file, problems);
+  load_motion_section(robot, mechanism->manipulator()->leg_count(), problems);
   if (!problems.empty()) throw InvalidDescription(problems);
   return mechanism;
 }

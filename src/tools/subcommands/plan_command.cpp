@@ -3,6 +3,7 @@
 #include "tools/arguments.h"
 #include "tools/computation.h"
 #include "tools/map_choice.h"
+#include "tools/path_timing.h"
 #include "tools/report/plan_report.h"
 #include "tools/subcommands.h"
 
@@ -19,6 +20,7 @@ struct PlanArguments {
   MapChoice map;
   RoadmapArguments roadmap;
   ConstraintArguments constraints;
+  TimingArguments timing;
 };
 
 /// What is asked, with every number understood.
@@ -58,10 +60,15 @@ Question parse(const PlanArguments& arguments, const Manipulator& manipulator) {
   return question;
 }
 
+/// A path, and how the pose runs between two of its points.
+struct Plan {
+  PlannedPath path;
+  PoseBetween between = pose_between;
+};
+
 /// With six degrees of freedom there is no map but a roadmap.
-PlannedPath plan_over_roadmap(const std::shared_ptr<const Manipulator>& manipulator,
-                              const PlanArguments& arguments, const Question& question,
-                              const Surroundings& surroundings) {
+Plan plan_over_roadmap(const std::shared_ptr<const Manipulator>& manipulator, const PlanArguments& arguments,
+                       const Question& question, const Surroundings& surroundings) {
   Problems problems;
   RoadmapOptions options = parse_roadmap(arguments.roadmap, problems);
   if (question.policy != PathPolicy::stay)
@@ -71,19 +78,21 @@ PlannedPath plan_over_roadmap(const std::shared_ptr<const Manipulator>& manipula
     problems.emplace_back("--resolution and --load are for maps, and in SE3 there is none; leave them out.");
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
   if (question.from.mode) options.modes = {*question.from.mode};
-  return plan_in_roadmap(*compute_roadmap(manipulator, options, surroundings), question.from, question.to);
+  return {plan_in_roadmap(*compute_roadmap(manipulator, options, surroundings), question.from, question.to)};
 }
 
-PlannedPath plan_in_map(const std::shared_ptr<const Manipulator>& manipulator, const PlanArguments& arguments,
-                        const Question& question, const Surroundings& surroundings) {
+Plan plan_in_map(const std::shared_ptr<const Manipulator>& manipulator, const PlanArguments& arguments,
+                 const Question& question, const Surroundings& surroundings) {
   if (!arguments.roadmap.samples.empty() || !arguments.roadmap.seed.empty())
     throw InvalidDescription(
         {"--samples and --seed are for roadmaps, in SE3 without --hold; leave them out."});
-  PathPlanner planner(choose_map(manipulator, arguments.map, question.slice, surroundings));
+  const auto planner =
+      std::make_shared<PathPlanner>(choose_map(manipulator, arguments.map, question.slice, surroundings));
   const MapControl control = control_of(surroundings);
-  PlannedPath path = planner.plan(question.from, question.to, question.policy, control);
+  PlannedPath path = planner->plan(question.from, question.to, question.policy, control);
   if (is_cancelled(control)) throw Interrupted{};
-  return path;
+  return {std::move(path),
+          [planner](const Pose& from, const Pose& to, double t) { return planner->between(from, to, t); }};
 }
 
 int code_of(SameAspect answer) {
@@ -98,18 +107,35 @@ int code_of(SameAspect answer) {
   return exit_code::unknown;
 }
 
+/// Adds the path in time, where the limits for that are known.
+void add_timing(const std::shared_ptr<const Manipulator>& manipulator, const PlanArguments& arguments,
+                const Plan& plan, const std::optional<JointVector>& acceleration,
+                const Surroundings& surroundings, Report& report) {
+  report.json["seconds"] = nullptr;
+  if (!acceleration || !plan.path) return;
+  const MapControl control = control_of(surroundings);
+  const TimedPath timed =
+      time_path(SegmentCertifier(manipulator), plan.path, plan.between, *acceleration, control);
+  if (is_cancelled(control)) throw Interrupted{};
+  report_timing(*manipulator, arguments.timing, timed, report);
+}
+
 Report report_of(const PlanArguments& arguments, const Surroundings& surroundings) {
   const auto mechanism = load_robot(arguments.robot);
   const auto manipulator = choose_constraints(mechanism->mapped_manipulator(), arguments.constraints);
   const Question question = parse(arguments, *manipulator);
+  Problems problems;
+  const auto acceleration = parse_timing(arguments.timing, arguments.robot, *manipulator, problems);
+  if (!problems.empty()) throw InvalidDescription(std::move(problems));
   const bool has_map = question.slice || manipulator->task_space() != TaskSpace::SE3;
-  const PlannedPath path =
+  const Plan plan =
       (has_map ? plan_in_map : plan_over_roadmap)(manipulator, arguments, question, surroundings);
-  Report report = report_path(*manipulator, path, question.policy);
-  report.exit_code = code_of(path.answer);
+  Report report = report_path(*manipulator, plan.path, question.policy);
+  report.exit_code = code_of(plan.path.answer);
   report.json["moved_onto_slice"] = question.slice ? nlohmann::json(question.moved) : nlohmann::json();
   if (question.moved > 0.0)
     report.text += "the ends are moved onto the slice, by at most " + shown(question.moved) + " m\n";
+  add_timing(manipulator, arguments, plan, acceleration, surroundings, report);
   return report;
 }
 
@@ -133,6 +159,7 @@ Subcommand plan_subcommand() {
                      &arguments->roadmap.samples});
   options.push_back({"--seed", "N", "With six degrees of freedom: seed of its poses, by default 1",
                      &arguments->roadmap.seed});
+  for (const Option& option : timing_options(arguments->timing)) options.push_back(option);
   for (const Option& option : constraint_options(arguments->constraints)) options.push_back(option);
   return {"plan", "Plan a path that is proved, or prove that there is none", options,
           [arguments](const Surroundings& surroundings) { return report_of(*arguments, surroundings); }};

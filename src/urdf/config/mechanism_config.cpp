@@ -26,23 +26,13 @@ const std::vector<std::string>& mechanism_keys() {
   return keys;
 }
 
-// What a robot's file may say; all but the first two is for the node.
+// What a robot's file may say; all but the first two is for others.
 const std::vector<std::string>& top_keys() {
-  static const std::vector<std::string> keys{"mechanism",
-                                             "constraints",
-                                             "map",
-                                             "start",
-                                             "tracking",
-                                             "passive",
-                                             "distance",
-                                             "thresholds",
-                                             "state",
-                                             "completed",
-                                             "joint_states_timeout",
-                                             "tf_timeout",
-                                             "frame_prefix",
-                                             "display",
-                                             "diagnostic_period"};
+  static const std::vector<std::string> keys{
+      "mechanism",  "constraints",  "motion",    "map",
+      "start",      "tracking",     "passive",   "distance",
+      "thresholds", "state",        "completed", "joint_states_timeout",
+      "tf_timeout", "frame_prefix", "display",   "diagnostic_period"};
   return keys;
 }
 

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros/node/plan_server.h"
+
+#include "parallel_aspects/kinematics/jacobians.h"
+#include "ros/messages/configurations.h"
+#include "ros/messages/conversions.h"
+#include "ros/messages/plan_messages.h"
+#include "ros/pictures/path_picture.h"
+
+#include <algorithm>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace parallel_aspects {
+namespace {
+
+Status invalid(std::string message) { return make_status(Status::INVALID_REQUEST, std::move(message)); }
+
+bool is_ok(const Status& status) { return status.code == Status::OK; }
+
+}  // namespace
+
+PlanServer::PlanServer(const ros::NodeHandle& nh, const NodeSetup& setup, const RobotMonitor& monitor,
+                       const MapWorker& worker, PoseTransformer to_base)
+    : setup_(setup),
+      manipulator_(setup.mechanism->mapped_manipulator()),
+      monitor_(monitor),
+      worker_(worker),
+      to_base_(std::move(to_base)),
+      certifier_(manipulator_),
+      goals_(nh, "plan_path") {
+  ros::NodeHandle handle = nh;
+  path_ = handle.advertise<nav_msgs::Path>("planned_path", 1, true);
+  trajectory_ = handle.advertise<trajectory_msgs::JointTrajectory>("planned_trajectory", 1, true);
+  markers_ = handle.advertise<visualization_msgs::MarkerArray>("planned_path_markers", 1, true);
+  server_ = std::make_unique<Server>(
+      goals_.server_handle(), "plan_path", [this](const PlanPathGoalConstPtr& goal) { on_goal(goal); },
+      false);
+  server_->registerPreemptCallback([this] { cancelled_ = true; });
+  server_->start();
+}
+
+void PlanServer::shutdown() {
+  stopping_ = true;
+  cancelled_ = true;
+  server_->shutdown();
+}
+
+void PlanServer::on_goal(const PlanPathGoalConstPtr& goal) {
+  cancelled_ = false;
+  if (stopping_ || server_->isPreemptRequested()) cancelled_ = true;
+  PlanPathResult result;
+  Question question;
+  result.status = read(*goal, question);
+  result.reason = result.status.message;
+  if (is_ok(result.status)) return finish(plan(question), question, result);
+  std::this_thread::sleep_for(before_refusal);
+  server_->setAborted(result, result.status.message);
+}
+
+Status PlanServer::read(const PlanPathGoal& goal, Question& question) const {
+  if (goal.policy > PlanPathGoal::SERIAL) return invalid("policy must be 0 (stay) or 1 (serial).");
+  question.policy = goal.policy == PlanPathGoal::SERIAL ? PathPolicy::serial : PathPolicy::stay;
+  question.timed = !goal.path_only;
+  const bool mapped = has_map(manipulator_->task_space());
+  if (!mapped && question.policy == PathPolicy::serial)
+    return invalid("policy 1 (serial) needs a map, and with six degrees of freedom there is none; give 0.");
+  Status status = question.timed ? read_limits() : Status();
+  if (is_ok(status)) status = read_end(goal.start, "start", question.from);
+  if (is_ok(status)) status = read_end(goal.goal, "goal", question.to);
+  if (!is_ok(status)) return status;
+  question.known = worker_.known();
+  if (mapped ? question.known.map == nullptr : question.known.roadmap == nullptr)
+    return make_status(Status::MAP_NOT_READY,
+                       "Paths are planned in the map, which is not there yet: " + worker_.progress().message);
+  return status;
+}
+
+Status PlanServer::read_limits() const {
+  const JointVector& acceleration = setup_.options.acceleration;
+  if (acceleration.size() == 0)
+    return invalid(
+        "No acceleration limits are stated; set the parameter ~motion/acceleration and reload, or ask with "
+        "path_only.");
+  const Problems problems = problems_of(*manipulator_, acceleration);
+  return problems.empty() ? Status() : invalid(problems.front() + " Or ask with path_only.");
+}
+
+Status PlanServer::read_end(const Configuration& configuration, const std::string& which,
+                            PathEnd& end) const {
+  const std::string fault = fault_of(*manipulator_, configuration);
+  if (!fault.empty()) return invalid(which + ": " + fault);
+  if (configuration.kind == Configuration::JOINTS || configuration.determinant_sign != 0)
+    return invalid(which +
+                   " is stated by joints or the sign of det A; give kind 0 (now) or 1 (pose), and "
+                   "working_mode if one is meant.");
+  if (configuration.kind == Configuration::NOW) return read_now(end);
+  const std::vector<int> signs(configuration.working_mode.begin(), configuration.working_mode.end());
+  if (std::any_of(signs.begin(), signs.end(), [](int sign) { return sign != 0; }))
+    end.mode = WorkingMode::from_signs(signs);
+  return read_pose(*manipulator_, to_base_, configuration.pose, which, end.pose);
+}
+
+Status PlanServer::read_now(PathEnd& end) const {
+  const CurrentConfiguration current = monitor_.current(ros::Time::now());
+  if (!is_ok(current.status)) return current.status;
+  end.pose = current.solved.pose;
+  end.mode = working_mode(*manipulator_, current.solved.pose, current.solved.q);
+  if (end.mode) return {};
+  return invalid("A leg of the robot is stretched or folded now; move it out of B_jj = 0.");
+}
+
+MapControl PlanServer::control(const std::string& doing) {
+  MapControl control;
+  control.cancelled = &cancelled_;
+  control.progress = [this, doing](double share) {
+    PlanPathFeedback feedback;
+    feedback.progress = share;
+    feedback.message = doing;
+    server_->publishFeedback(feedback);
+  };
+  return control;
+}
+
+PlanServer::Plan PlanServer::plan(const Question& question) {
+  const MapControl steps = control("Looking for gates and a path.");
+  steps.progress(0.0);
+  if (question.known.roadmap) return {plan_in_roadmap(*question.known.roadmap, question.from, question.to)};
+  if (question.known.map != map_) {
+    map_ = question.known.map;
+    planner_ = std::make_shared<PathPlanner>(map_);
+  }
+  return {planner_->plan(question.from, question.to, question.policy, steps),
+          [planner = planner_](const Pose& from, const Pose& to, double t) {
+            return planner->between(from, to, t);
+          }};
+}
+
+void PlanServer::finish(const Plan& plan, const Question& question, PlanPathResult result) {
+  TimedPath timed;
+  if (plan.path && question.timed && !cancelled_) {
+    const MapControl steps = control("Timing the path.");
+    steps.progress(0.0);
+    timed = time_path(certifier_, plan.path, plan.between, setup_.options.acceleration, steps);
+  }
+  if (cancelled_) {
+    result.status = make_status(Status::CANCELLED, "Planning was cancelled.");
+    result.reason = result.status.message;
+    if (server_->isPreemptRequested()) return server_->setPreempted(result, result.status.message);
+    return server_->setAborted(result, result.status.message);
+  }
+  write_path(*manipulator_, plan.path, result);
+  write_timing(*manipulator_, timed, result);
+  if (plan.path) publish(plan, result);
+  server_->setSucceeded(result, result.reason);
+}
+
+/// The trajectory even where there is none, so that that of another path does not stay.
+void PlanServer::publish(const Plan& plan, const PlanPathResult& result) {
+  path_.publish(result.path);
+  markers_.publish(path_markers(*manipulator_, plan.path, plan.between, setup_.options.display.radius));
+  trajectory_.publish(result.trajectory);
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros/pictures/path_picture.h"
+
+#include "ros/messages/conversions.h"
+#include "ros/pictures/picture_parts.h"
+
+#include <string>
+
+namespace parallel_aspects {
+namespace {
+
+using visualization_msgs::Marker;
+
+constexpr int steps_of_a_segment = 20;
+constexpr double line_width = 0.006, ball_width = 0.025;  // of the size of what is drawn
+
+class PathDrawing {
+ public:
+  PathDrawing(const Manipulator& manipulator, double radius)
+      : robot_(manipulator),
+        only_turns_(!has_translation(manipulator.task_space())),
+        radius_(radius),
+        size_(only_turns_ ? 2.0 * radius : manipulator.size()) {
+    array_.markers.resize(1);
+    array_.markers.front().action = Marker::DELETEALL;
+  }
+
+  geometry_msgs::Point point(const Pose& pose) const {
+    const Eigen::Isometry3d platform = platform_in_base(robot_, pose);
+    const Eigen::Vector3d at =
+        platform * (only_turns_ ? Eigen::Vector3d(0.0, 0.0, radius_) : Eigen::Vector3d::Zero().eval());
+    geometry_msgs::Point message;
+    message.x = at.x();
+    message.y = at.y();
+    message.z = at.z();
+    return message;
+  }
+
+  Marker& add(const std::string& group, int type, double width, const std_msgs::ColorRGBA& color) {
+    Marker marker;
+    marker.header.frame_id = robot_.base_frame();
+    marker.ns = "planned_path/" + group;
+    marker.type = type;
+    marker.pose.orientation.w = 1.0;
+    marker.scale.x = marker.scale.y = marker.scale.z = width * size_;
+    marker.color = color;
+    array_.markers.push_back(marker);
+    return array_.markers.back();
+  }
+
+  visualization_msgs::MarkerArray take() { return std::move(array_); }
+
+ private:
+  const Manipulator& robot_;
+  bool only_turns_;
+  double radius_, size_;
+  visualization_msgs::MarkerArray array_;
+};
+
+}  // namespace
+
+visualization_msgs::MarkerArray path_markers(const Manipulator& manipulator, const PlannedPath& path,
+                                             const PoseBetween& between, double radius) {
+  PathDrawing drawing(manipulator, radius);
+  Marker& line = drawing.add("line", Marker::LINE_STRIP, line_width, ink());
+  line.points.push_back(drawing.point(path.points.front().pose));
+  for (std::size_t i = 0; i + 1 < path.points.size(); ++i)
+    for (int step = 1; step <= steps_of_a_segment; ++step)
+      line.points.push_back(
+          drawing.point(between(path.points[i].pose, path.points[i + 1].pose,
+                                static_cast<double>(step) / static_cast<double>(steps_of_a_segment))));
+  drawing.add("ends", Marker::SPHERE_LIST, ball_width, ink()).points = {
+      drawing.point(path.points.front().pose), drawing.point(path.points.back().pose)};
+  if (path.crossings.empty()) return drawing.take();
+  Marker& gates = drawing.add("gates", Marker::SPHERE_LIST, ball_width, color_of(BoundaryKind::serial));
+  for (const PathCrossing& crossing : path.crossings)
+    gates.points.push_back(drawing.point(path.points[crossing.point].pose));
+  return drawing.take();
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ROS_PICTURES_PATH_PICTURE_H
+#define PARALLEL_ASPECTS_ROS_PICTURES_PATH_PICTURE_H
+
+#include "parallel_aspects/motion/time_path.h"
+
+#include <visualization_msgs/MarkerArray.h>
+
+namespace parallel_aspects {
+
+/// A path as a line that the operational point draws, in the base frame, with a ball at its start, its goal
+/// and each crossing of a gate; where the platform only turns, the end of its z axis draws it, at `radius`
+/// [m]. It begins by deleting whatever its topic drew before. The path has one point or more.
+visualization_msgs::MarkerArray path_markers(const Manipulator& manipulator, const PlannedPath& path,
+                                             const PoseBetween& between, double radius);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ROS_PICTURES_PATH_PICTURE_H
