@@ -79,16 +79,20 @@ class Platform {
         position_(pose.position.cast<Number>()),
         turn_(pose.orientation.toRotationMatrix().cast<Number>()) {}
 
-  // False where Newton's method goes far or does not converge.
+  // False where Newton's method goes far or does not converge, or where the slopes change by so much that it
+  // may have slipped to another assembly mode: those meet where the slopes are singular.
   bool follow(const Numbers& q) {
     Number moved = 0;
+    const Matrix before = slopes(q);
     for (int i = 0; i < 30; ++i) {
       const Numbers off = residuals(q, Numbers::Zero(n_));
       const Numbers step = -(slopes(q).partialPivLu().solve(off));
       if (!step.allFinite()) return false;
       moved += step.norm();
       place(step, position_, turn_);
-      if (step.norm() < 1e-15L * robot_.get().size()) return moved < 0.003L * robot_.get().size();
+      if (step.norm() < 1e-15L * robot_.get().size())
+        return moved < 0.003L * robot_.get().size() &&
+               (before.partialPivLu().solve(slopes(q)) - Matrix::Identity(n_, n_)).norm() < 0.5L;
     }
     return false;
   }
@@ -201,6 +205,8 @@ bool has_violation(const Manipulator& robot, const Platform& platform, const Num
   return platform.determinant(q) * determinant < 0;
 }
 
+constexpr int halvings = 24;  // of a step, as near as a fold can be followed
+
 // Halves what is too far for Newton's method.
 bool advance(Platform& platform, const JointWaypoint& from, const JointWaypoint& to, Number begin, Number end,
              int depth) {
@@ -224,7 +230,7 @@ Seen watch(const Manipulator& robot, const Waypoints& waypoints, const Pose& sta
       const double time = from.time + (to.time - from.time) * k / samples;
       const Numbers q = values_at(from, to, time);
       const double before = from.time + (to.time - from.time) * std::max(0, k - 1) / samples;
-      if (!advance(platform, from, to, before, time, 10)) return {never, time};
+      if (!advance(platform, from, to, before, time, halvings)) return {never, time};
       if (entries.empty()) {
         determinant = platform.determinant(q);
         for (std::size_t j = 0; j < robot.leg_count(); ++j)
@@ -265,7 +271,7 @@ std::size_t compare_crossings(const TrajectoryCheck& check, const Manipulator& r
       if (time > check.followed_until) return changes;
       const double before = from.time + length * std::max(0, k - 1) / samples;
       const Numbers q = values_at(from, to, time);
-      if (!advance(platform, from, to, before, time, 10)) return changes;
+      if (!advance(platform, from, to, before, time, halvings)) return changes;
       if (entries.empty()) determinant = platform.determinant(q);
       EXPECT_GT(platform.determinant(q) * determinant, 0) << time;
       for (std::size_t j = 0; j < robot.leg_count(); ++j) {
