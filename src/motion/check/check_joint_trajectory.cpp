@@ -47,18 +47,27 @@ class JointCheck {
 
   TrajectoryCheck run(const TrajectoryStart& start) {
     proved_ = check_.free_until = check_.followed_until = times_.from(0).time;
-    StartAssembly assembly = find_start(manipulator_, poses_, times_.from(0).q, start);
-    check_.reason = check_.not_followed = assembly.problem;
-    if (!assembly.problem.empty()) return check_;
+    const StartAssembly assembly = find_start(manipulator_, poses_, times_.from(0).q, start);
+    if (!assembly.problem.empty()) {
+      TrajectoryCheck check = refused({assembly.problem});
+      check.possible_starts = assembly.possible;
+      return check;
+    }
     at_ = assembly.point;
     begin();
-    for (std::size_t i = 0; i < times_.count() && outcome_ == Outcome::open; ++i) pass(i);
+    for (std::size_t i = 0; i < times_.count() && outcome_ == Outcome::open; ++i) {
+      if (is_cancelled(options_.control))
+        outcome_ = Outcome::cancelled;
+      else
+        pass(i);
+      times_.report(i, options_.control);
+    }
     conclude();
     return check_;
   }
 
  private:
-  enum class Outcome { open, folded, lost, stretched, cut_short };
+  enum class Outcome { open, folded, lost, stretched, cut_short, cancelled };
   enum class Piece { taken, not_followed, not_free };
 
   void begin() {
@@ -292,6 +301,7 @@ class JointCheck {
   }
 
   std::string why_not_further() const {
+    if (outcome_ == Outcome::cancelled) return "the check was cancelled";
     if (outcome_ == Outcome::stretched)
       return "a leg is stretched or folded (B_jj = 0), or too near to it, already at the start";
     if (outcome_ == Outcome::folded)
@@ -319,15 +329,16 @@ class JointCheck {
 };
 
 bool is_usable(const JointVector& values, Eigen::Index legs, bool required) {
-  return values.size() == 0 ? !required : values.size() == legs && values.allFinite();
+  if (values.size() == 0) return !required;
+  return values.size() == legs && values.allFinite() && is_usable_number(values.cwiseAbs().maxCoeff());
 }
 
 void check_numbers(const JointWaypoint& waypoint, const std::string& which, Eigen::Index legs,
                    Problems& problems) {
-  if (!std::isfinite(waypoint.time) || !is_usable(waypoint.q, legs, true) ||
+  if (!is_usable_number(waypoint.time) || !is_usable(waypoint.q, legs, true) ||
       !is_usable(waypoint.velocity, legs, false) || !is_usable(waypoint.acceleration, legs, false))
     problems.push_back(which + " needs " + std::to_string(legs) +
-                       " finite joint values, and as many velocities and accelerations or none.");
+                       " finite joint values up to 1e12, and as many velocities and accelerations or none.");
   else if (waypoint.acceleration.size() > 0 && waypoint.velocity.size() == 0)
     problems.push_back(which + " has accelerations but no velocities; give both.");
 }
