@@ -145,6 +145,7 @@ struct GuardRun {
   double pushed = std::numeric_limits<double>::infinity();  ///< of the hazard that it was pushed into
   double last = 0.0;                                        ///< distance of that hazard at the end
   double least_gain = std::numeric_limits<double>::infinity();  ///< of that distance since the start, ever
+  int halts = 0;                                                ///< calls that gave zero
   int turns = 0;              ///< how often the scale turned back by more than a tenth, while it was pushed
   std::vector<double> times;  ///< of calls [s]
 };
@@ -209,6 +210,7 @@ class GuardLoop {
       const GuardedMotion motion = guard_.guard(state, proved, sense * speed * (towards + aside), time);
       run.times.push_back(thread_seconds() - before);
       turns.add(motion.scale);
+      run.halts += motion.scale == 0.0 ? 1 : 0;
       platform.command(time, motion.twist);
       platform.move(time, time + guard_step);
     }

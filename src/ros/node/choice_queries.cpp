@@ -93,28 +93,12 @@ Status ChoiceQueries::read_path(const ChooseWorkingMode::Request& request,
     message.header = request.header;
     message.pose = request.poses[i];
     Pose pose;
-    const Status read = read_pose(message, "Pose " + std::to_string(i + 1), pose);
+    const Status read = read_pose(*manipulator_, to_base_, message, "Pose " + std::to_string(i + 1), pose);
     if (read.code != Status::OK) return read;
     if (status.message.empty()) status = read;
     waypoints.push_back({request.times.empty() ? static_cast<double>(i) : request.times[i], pose});
   }
   return status;
-}
-
-Status ChoiceQueries::read_pose(const geometry_msgs::PoseStamped& message, const std::string& which,
-                                Pose& pose) const {
-  std::string failure;
-  const auto in_base = to_base_(message, failure);
-  if (!in_base) return make_status(Status::NO_TRANSFORM, std::move(failure));
-  const auto found = pose_from_base(*manipulator_, *in_base);
-  if (!found)
-    return invalid(which + " must be finite, and its quaternion of unit length where the platform turns.");
-  pose = *found;
-  const double off = distance_off_task_space(*manipulator_, *in_base);
-  if (!(off > 1e-6 * manipulator_->size())) return {};
-  return make_status(Status::OK,
-                     which + " is " + std::to_string(off) +
-                         " m off the motions of the platform; the answer is about its projection.");
 }
 
 // One for all questions: the same question gets the same answer.
@@ -134,9 +118,9 @@ Connect::Response ChoiceQueries::answer(const Connect::Request& request) const {
     return response;
   }
   Pose start, goal;
-  response.status = read_pose(request.start, "start", start);
+  response.status = read_pose(*manipulator_, to_base_, request.start, "start", start);
   if (response.status.code != Status::OK) return response;
-  const Status read = read_pose(request.goal, "goal", goal);
+  const Status read = read_pose(*manipulator_, to_base_, request.goal, "goal", goal);
   if (read.code != Status::OK || response.status.message.empty()) response.status = read;
   if (read.code != Status::OK) return response;
   const auto known = roadmap();

@@ -35,7 +35,6 @@ class ChoiceQueries {
   Status choose_for_region(const ChooseWorkingMode::Request& request,
                            ChooseWorkingMode::Response& response) const;
   Status read_path(const ChooseWorkingMode::Request& request, std::vector<PoseWaypoint>& waypoints) const;
-  Status read_pose(const geometry_msgs::PoseStamped& message, const std::string& which, Pose& pose) const;
   std::shared_ptr<const PoseRoadmap> roadmap() const;
 
   std::shared_ptr<const Manipulator> manipulator_;

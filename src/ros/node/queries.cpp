@@ -93,19 +93,12 @@ ConfigurationAnswer Queries::resolve_now() const {
 }
 
 ConfigurationAnswer Queries::resolve_pose(const Configuration& configuration) const {
-  std::string message;
-  const auto in_base = to_base_(configuration.pose, message);
-  if (!in_base) return refusal(Status::NO_TRANSFORM, std::move(message));
-  const auto pose = pose_from_base(*manipulator_, *in_base);
-  if (!pose)
-    return refusal(Status::INVALID_REQUEST,
-                   "The pose must be finite, and its quaternion of unit length where the platform turns.");
-  ConfigurationAnswer answer = configurations_at_pose(*manipulator_, *pose, configuration.working_mode);
+  Pose pose;
+  const Status read = read_pose(*manipulator_, to_base_, configuration.pose, "The pose", pose);
+  if (read.code != Status::OK) return refusal(read.code, read.message);
+  ConfigurationAnswer answer = configurations_at_pose(*manipulator_, pose, configuration.working_mode);
   answer.stamp = ros::Time::now();
-  const double off = distance_off_task_space(*manipulator_, *in_base);
-  if (answer.status.code == Status::OK && off > 1e-6 * manipulator_->size())
-    answer.status.message = "The pose is " + std::to_string(off) +
-                            " m off the motions of the platform; the answer is about its projection.";
+  if (answer.status.code == Status::OK && !read.message.empty()) answer.status.message = read.message;
   return answer;
 }
 
