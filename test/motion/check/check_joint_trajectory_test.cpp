@@ -426,6 +426,12 @@ TEST_F(FiveBarJoints, AnAmbiguousStartIsSaid) {
   const Waypoints waypoints{{0.0, joints(4.5, 8.0), {}, {}}, {1.0, joints(4.6, 8.0), {}, {}}};
   const TrajectoryCheck ambiguous = check_trajectory(certifier, waypoints, {});
   EXPECT_EQ(ambiguous.answer, TrajectoryAnswer::unknown);
+  EXPECT_TRUE(ambiguous.refused);
+  ASSERT_EQ(ambiguous.possible_starts.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(telling_sign(ambiguous.possible_starts, i), ambiguous.possible_starts[i].determinant_sign);
+    EXPECT_FALSE(check_trajectory(certifier, waypoints, {ambiguous.possible_starts[i].pose, 0}).refused);
+  }
   EXPECT_NE(ambiguous.reason.find("2 assembly modes"), std::string::npos) << ambiguous.reason;
   EXPECT_EQ(check_trajectory(certifier, waypoints, {pose, 0}).answer, TrajectoryAnswer::safe);
   EXPECT_EQ(check_trajectory(certifier, waypoints, {{}, 1}).answer, TrajectoryAnswer::safe);
