@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "support/configuration_at.h"
+#include "support/constrained_robots.h"
 #include "support/pose_pairs.h"
 #include "support/shipped.h"
 #include "support/thoroughness.h"
@@ -253,7 +254,7 @@ TEST_F(FiveBarPaths, AStartBelowAMarginIsRefusedWithByHowMuch) {
   constraints.margins.parallel = 0.99;
   ConstraintKinds margins;
   margins[index_of(ConstraintKind::margins)] = true;
-  const auto guarded = robot->with_constraints(constraints)->with_constraints(margins);
+  const auto guarded = test::with(robot, constraints)->with_constraints(margins);
   const Waypoints waypoints{{0.0, Pose::planar(4.5, 8.0)}, {1.0, Pose::planar(4.6, 8.0)}};
   const TrajectoryCheck found = check_trajectory(SegmentCertifier(guarded), waypoints, mode);
   EXPECT_TRUE(found.refused);

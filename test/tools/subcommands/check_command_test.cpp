@@ -106,8 +106,8 @@ TEST_F(CheckCommand, SamplesAreWrittenAsATableAndAPicture) {
 }
 
 TEST_F(CheckCommand, MarginsAreChecked) {
-  const std::string path = "t,x,y\n0,4.5,8\n1,4.6,8\n";
-  const Outcome outcome = check_path(path, {"--margin", "parallel=0.999", "--json"});
+  const std::string path = "t,x,y\n0,4.5,8\n1,4.5,30\n";
+  const Outcome outcome = check_path(path, {"--margin", "parallel=0.5", "--json"});
   ASSERT_EQ(outcome.code, exit_code::unsafe) << outcome.messages;
   const json result = json::parse(outcome.output);
   EXPECT_EQ(result.at("first_violation").at("constraint"), "margins");
