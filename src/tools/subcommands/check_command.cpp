@@ -154,8 +154,12 @@ TrajectoryCheckOptions options_of(const CheckArguments& arguments, const MapCont
 TrajectoryCheck check_path(const std::shared_ptr<const Manipulator>& manipulator,
                            const CheckArguments& arguments, const MapControl& control) {
   Problems problems;
-  if (arguments.mode.empty() || !arguments.start_pose.empty() || !arguments.start_sign.empty())
-    throw InvalidDescription({"--path needs --mode, and no start of actuated joints; correct the options."});
+  if (!arguments.start_pose.empty() || !arguments.start_sign.empty())
+    throw InvalidDescription({"--start-pose and --start-sign are of --trajectory; leave them out."});
+  if (arguments.mode.empty())
+    throw InvalidDescription(
+        {"--path needs the working mode of the poses; give --mode, one of those that `aspects choose " +
+         manipulator->name() + " --path " + arguments.path + "` finds."});
   const auto mode = parse_mode("--mode", *manipulator, arguments.mode, problems);
   if (!mode) throw InvalidDescription(std::move(problems));
   const auto waypoints = read_pose_waypoints(manipulator->task_space(), arguments.path);
