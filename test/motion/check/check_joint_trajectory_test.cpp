@@ -81,7 +81,7 @@ class Platform {
 
   // False where Newton's method goes far or does not converge, or where the slopes change by so much that it
   // may have slipped to another assembly mode: those meet where the slopes are singular.
-  bool follow(const Numbers& q) {
+  bool follow(const Numbers& q, Number most_change = 0.5L) {
     Number moved = 0;
     const Matrix before = slopes(q);
     for (int i = 0; i < 30; ++i) {
@@ -92,7 +92,7 @@ class Platform {
       place(step, position_, turn_);
       if (step.norm() < 1e-15L * robot_.get().size())
         return moved < 0.003L * robot_.get().size() &&
-               (before.partialPivLu().solve(slopes(q)) - Matrix::Identity(n_, n_)).norm() < 0.5L;
+               (before.partialPivLu().solve(slopes(q)) - Matrix::Identity(n_, n_)).norm() < most_change;
     }
     return false;
   }
@@ -220,8 +220,14 @@ bool advance(Platform& platform, const JointWaypoint& from, const JointWaypoint&
          advance(platform, from, to, middle, end, depth - 1);
 }
 
+// At the start only the rounding of the pose is taken away, whatever that changes next to det A = 0.
+bool begin(Platform& platform, const JointWaypoint& first) {
+  return platform.follow(first.q.cast<Number>(), 1e9L);
+}
+
 Seen watch(const Manipulator& robot, const Waypoints& waypoints, const Pose& start, int samples) {
   Platform platform(robot, start);
+  if (!begin(platform, waypoints.front())) return {};  // too near to det A = 0 to say anything
   std::vector<Number> entries;
   Number determinant = 0;
   for (std::size_t i = 0; i + 1 < waypoints.size(); ++i)
@@ -264,6 +270,7 @@ std::size_t compare_crossings(const TrajectoryCheck& check, const Manipulator& r
   std::vector<Number> last;
   std::size_t changes = 0;
   Number determinant = 0;
+  if (!begin(platform, waypoints.front())) return changes;
   for (std::size_t i = 0; i + 1 < waypoints.size(); ++i)
     for (int k = 0; k <= samples; ++k) {
       const JointWaypoint &from = waypoints[i], &to = waypoints[i + 1];
