@@ -19,17 +19,36 @@ inline MapControl control_of(const Surroundings& surroundings) {
   return control;
 }
 
+/// A computation that Ctrl-C ends, with a progress bar where messages go to a terminal. The bar is gone with
+/// the object.
+class ShownComputation {
+ public:
+  explicit ShownComputation(const Surroundings& surroundings) : control_(control_of(surroundings)) {
+    if (!surroundings.messages_on_terminal) return;
+    bar_.emplace(surroundings.messages);
+    control_.progress = [this](double share) { bar_->show(share); };
+  }
+  ShownComputation(const ShownComputation&) = delete;
+  ShownComputation& operator=(const ShownComputation&) = delete;
+
+  const MapControl& control() const { return control_; }
+
+  /// Throws Interrupted where it was ended.
+  void require_complete() const {
+    if (is_cancelled(control_)) throw Interrupted{};
+  }
+
+ private:
+  MapControl control_;
+  std::optional<ProgressBar> bar_;
+};
+
 /// What `compute(const MapControl&)` results in when complete, with a progress bar where messages go to a
 /// terminal. Throws Interrupted at Ctrl-C, and InvalidDescription with the message where it refuses.
 template <class Compute>
 auto completed(const Surroundings& surroundings, const Compute& compute) {
-  std::optional<ProgressBar> bar;
-  MapControl control = control_of(surroundings);
-  if (surroundings.messages_on_terminal) {
-    bar.emplace(surroundings.messages);
-    control.progress = [&bar](double share) { bar->show(share); };
-  }
-  auto result = compute(control);
+  const ShownComputation shown(surroundings);
+  auto result = compute(shown.control());
   if (result.status == MapStatus::cancelled) throw Interrupted{};
   if (result.status == MapStatus::refused) throw InvalidDescription({result.message});
   return result;

@@ -16,6 +16,7 @@
 #include <limits>
 #include <optional>
 #include <random>
+#include <variant>
 #include <vector>
 
 namespace parallel_aspects::test {
@@ -102,6 +103,27 @@ inline const BoundaryDistance& distance_to(const BoundaryDistances& distances, H
                                                 : distances.actuated_limit;
 }
 
+/// A pose near this one where a leg of the Agile Eye is stretched or folded: its anchor on the axis of its
+/// actuated joint. B_jj only touches zero there, so the meter finds no such pose.
+inline void add_touching_witness(const Manipulator& robot, const Pose& pose, BoundaryDistance& serial) {
+  if (robot.task_space() != TaskSpace::SO3 || serial.status != DistanceStatus::no_witness) return;
+  for (const Leg& leg : robot.legs())
+    for (const double side : {1.0, -1.0}) {
+      const auto* crank = std::get_if<RevoluteActuation>(&leg.actuation);
+      if (crank == nullptr) continue;
+      const Eigen::AngleAxisd turn(
+          Eigen::Quaterniond::FromTwoVectors(pose.transform(leg.anchor), side * crank->axis));
+      const TaskVector twist = turn.angle() * turn.axis();
+      const Pose there = displaced(robot.task_space(), pose, twist);
+      const double distance = anchor_distance(robot, pose, there);
+      if (!(squared_inverse_entry(leg, there.transform(leg.anchor)) < 1e-9) || !(distance < serial.upper))
+        continue;
+      serial.upper = distance;
+      serial.witness = there;
+      serial.direction = twist / distance;
+    }
+}
+
 inline ProvedDistances proved_of(const BoundaryDistances& distances, const Pose& pose,
                                  const WorkingMode& mode) {
   ProvedDistances proved{pose, mode, {}};
@@ -145,6 +167,7 @@ struct GuardRun {
   double pushed = std::numeric_limits<double>::infinity();  ///< of the hazard that it was pushed into
   double last = 0.0;                                        ///< distance of that hazard at the end
   double least_gain = std::numeric_limits<double>::infinity();  ///< of that distance since the start, ever
+  int halts = 0;                                                ///< calls that gave zero
   int turns = 0;              ///< how often the scale turned back by more than a tenth, while it was pushed
   std::vector<double> times;  ///< of calls [s]
 };
@@ -186,7 +209,7 @@ class GuardLoop {
     TurnCount turns;
     LatePlatform platform(robot_->task_space(), start, options_, delay, seed);
     guard_.forget();
-    BoundaryDistances measured = meter_.measure(start, mode);
+    BoundaryDistances measured = measure(start, mode);
     ProvedDistances proved = proved_of(measured, start, mode), next = proved;
     TaskVector towards = distance_to(measured, hazard).direction;
     const double first = distance_to(measured, hazard).upper;
@@ -195,7 +218,7 @@ class GuardLoop {
       const double time = i * guard_step;
       if (i % 10 == 0) {
         proved = next;
-        measured = meter_.measure(platform.pose(), mode);
+        measured = measure(platform.pose(), mode);
         next = proved_of(measured, platform.pose(), mode);
         judge(measured, hazard, run);
         run.least_gain = std::min(run.least_gain, distance_to(measured, hazard).upper - first);
@@ -209,6 +232,7 @@ class GuardLoop {
       const GuardedMotion motion = guard_.guard(state, proved, sense * speed * (towards + aside), time);
       run.times.push_back(thread_seconds() - before);
       turns.add(motion.scale);
+      run.halts += motion.scale == 0.0 ? 1 : 0;
       platform.command(time, motion.twist);
       platform.move(time, time + guard_step);
     }
@@ -219,7 +243,11 @@ class GuardLoop {
   }
 
   const Pose& end() const { return end_; }
-  BoundaryDistances measure(const Pose& pose, const WorkingMode& mode) { return meter_.measure(pose, mode); }
+  BoundaryDistances measure(const Pose& pose, const WorkingMode& mode) {
+    BoundaryDistances found = meter_.measure(pose, mode);
+    add_touching_witness(*robot_, pose, found.serial);
+    return found;
+  }
 
  private:
   void judge(const BoundaryDistances& measured, Hazard hazard, GuardRun& run) const {

@@ -4,6 +4,7 @@
 
 #include "parallel_aspects/motion/check_trajectory.h"
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -23,17 +24,28 @@ struct TrajectoryStart {
   int determinant_sign = 0;  ///< of det A, +1 or -1; 0 where it is not stated
 };
 
+/// How far actuated joints may be off those that a stated start asks for: this angle, or this share of the
+/// robot's size.
+inline constexpr double start_tolerance = 0.01;
+
+/// Whether a joint of that leg that is `off` its start [rad or m] is within the tolerance; not so where it is
+/// not a number.
+bool is_near_start(const Manipulator& manipulator, std::size_t leg, double off) noexcept;
+
+/// The sign of det A that alone tells one of several starts from the others; 0 where there is none.
+int telling_sign(const std::vector<PossibleStart>& starts, std::size_t which) noexcept;
+
 /// Every reason why actuated joints cannot be checked, a message each: no waypoint, numbers that are not
-/// finite or not one a leg, times that do not rise, accelerations without velocities, a start pose that does
-/// not belong to the first waypoint: some joint value is off by more than 0.01 rad, or of the robot's size.
+/// finite, beyond 10^12 or not one a leg, times that do not rise by a nanosecond, accelerations without
+/// velocities, a start pose that is off the first waypoint by more than `start_tolerance`.
 Problems problems_of(const Manipulator& manipulator, const std::vector<JointWaypoint>& waypoints,
                      const TrajectoryStart& start);
 
 /// Checks a trajectory of the actuated joints, between waypoints as the joint_trajectory_controller of
 /// ros_controllers runs: a quintic where both have velocities and accelerations, a cubic where both have
 /// velocities, else straight. The platform is followed from the start by certified continuation. A leg that
-/// passes through B_jj = 0 is a violation. Unknown, with the reason, where there are `problems_of` or where
-/// the assembly mode at the start is ambiguous.
+/// passes through B_jj = 0 is a violation. Refused, with the reason, where there are `problems_of`, where the
+/// assembly mode at the start is not known, and where it is below a margin.
 TrajectoryCheck check_trajectory(const SegmentCertifier& certifier,
                                  const std::vector<JointWaypoint>& waypoints, const TrajectoryStart& start,
                                  const TrajectoryCheckOptions& options = {});

@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_MOTION_CHECK_TRAJECTORY_H
 #define PARALLEL_ASPECTS_MOTION_CHECK_TRAJECTORY_H
 
+#include "parallel_aspects/aspects/map_control.h"
 #include "parallel_aspects/aspects/segment_certifier.h"
 #include "parallel_aspects/kinematics/working_mode.h"
 #include "parallel_aspects/model/constraints.h"
@@ -80,10 +81,18 @@ struct TrajectorySample {
   double travel = 0.0;
 };
 
+/// An assembly mode that a trajectory of the actuated joints may start in.
+struct PossibleStart {
+  Pose pose;                 ///< in the task frame
+  int determinant_sign = 0;  ///< of det A, +1 or -1; 0 where that is not proved
+};
+
 /// What is known of a trajectory.
 struct TrajectoryCheck {
   TrajectoryAnswer answer = TrajectoryAnswer::unknown;  ///< of all of its continuous time
   std::string reason;                                   ///< a sentence
+  bool refused = false;                                 ///< it was not checked; `reason` says what to correct
+  std::vector<PossibleStart> possible_starts;           ///< those to choose from, where refused for that
   std::optional<WorkingMode> mode;                      ///< at the start, where it is known
   double free_until = 0.0;                              ///< proved free from the start to here [s]
   std::optional<TrajectoryViolation> violation;         ///< where unsafe: the first
@@ -102,6 +111,7 @@ struct TrajectoryCheckOptions {
   int max_parts = 4000;       ///< of the time between two waypoints that are tried to be proved
   int samples = 200;          ///< of indices, at least
   bool keep_samples = false;  ///< whether the result has them
+  MapControl control{};       ///< where cancelled, what is left is not proved
 
   /// Of actuated joints: whether legs may pass B_jj = 0, which is then no violation but only one of the
   /// `crossings`; det A keeps its sign. Not where there are other constraints than limits of actuated joints,
@@ -109,13 +119,14 @@ struct TrajectoryCheckOptions {
   bool pass_serial = false;
 };
 
-/// Every reason why poses cannot be checked, a message each: no waypoint, numbers that are not finite, times
-/// that do not rise, a working mode that the robot does not have, a first pose out of reach.
+/// Every reason why poses cannot be checked, a message each: no waypoint, numbers that are not finite or
+/// beyond 10^12, times that do not rise by a nanosecond, a working mode that the robot does not have, a first
+/// pose out of reach or below a margin.
 Problems problems_of(const Manipulator& manipulator, const std::vector<PoseWaypoint>& waypoints,
                      const WorkingMode& mode);
 
 /// Checks a path of the platform in one working mode: between waypoints it runs as `pose_between`, at even
-/// parameter in time. Unknown, with the first problem as its reason, where there are `problems_of`.
+/// parameter in time. Refused, with the first problem as its reason, where there are `problems_of`.
 TrajectoryCheck check_trajectory(const SegmentCertifier& certifier,
                                  const std::vector<PoseWaypoint>& waypoints, const WorkingMode& mode,
                                  const TrajectoryCheckOptions& options = {});

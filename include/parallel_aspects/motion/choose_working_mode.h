@@ -135,8 +135,10 @@ struct ChangingPath {
 /// shortest detours, at stations along the path. Lifts of the path are a graph: its nodes are a working mode
 /// and a station; the path joins two of them where the piece between the stations is proved safe, and a
 /// change where one is proved. There must be no problems. With six degrees of freedom nothing is found.
+/// Where cancelled, unknown.
 ChangingPath choose_posture_changes(const SegmentCertifier& certifier,
-                                    const std::vector<PoseWaypoint>& waypoints);
+                                    const std::vector<PoseWaypoint>& waypoints,
+                                    const MapControl& control = {});
 
 /// What is known of a region in one working mode.
 struct ModeInRegion {

@@ -24,6 +24,11 @@ constexpr double narrow_piece = 0x1p-20;  // that is still tried to be proved fr
 constexpr double shortest_piece = 0x1p-36;
 constexpr double longest_probe = 0x1p-6;
 
+// A fold is looked for where pieces become as short as this, and again each time that they are so much
+// shorter still: to follow the platform up to one takes the more pieces the worse it is conditioned.
+constexpr double first_look = 0x1p-12;
+constexpr double next_look = 0x1p-4;
+
 using JointRanges = std::array<Interval, max_legs>;
 
 /// Follows the platform piece by piece, each of which is proved.
@@ -42,18 +47,27 @@ class JointCheck {
 
   TrajectoryCheck run(const TrajectoryStart& start) {
     proved_ = check_.free_until = check_.followed_until = times_.from(0).time;
-    StartAssembly assembly = find_start(manipulator_, poses_, times_.from(0).q, start);
-    check_.reason = check_.not_followed = assembly.problem;
-    if (!assembly.problem.empty()) return check_;
+    const StartAssembly assembly = find_start(manipulator_, poses_, times_.from(0).q, start);
+    if (!assembly.problem.empty()) {
+      TrajectoryCheck check = refused({assembly.problem});
+      check.possible_starts = assembly.possible;
+      return check;
+    }
     at_ = assembly.point;
     begin();
-    for (std::size_t i = 0; i < times_.count() && outcome_ == Outcome::open; ++i) pass(i);
+    for (std::size_t i = 0; i < times_.count() && outcome_ == Outcome::open; ++i) {
+      if (is_cancelled(options_.control))
+        outcome_ = Outcome::cancelled;
+      else
+        pass(i);
+      times_.report(i, options_.control);
+    }
     conclude();
     return check_;
   }
 
  private:
-  enum class Outcome { open, folded, lost, stretched, cut_short };
+  enum class Outcome { open, folded, lost, stretched, cut_short, cancelled };
   enum class Piece { taken, not_followed, not_free };
 
   void begin() {
@@ -77,6 +91,7 @@ class JointCheck {
     const RoundingUpward upward;
     const JointPath path(times_.from(i), times_.to(i));
     double share = 0.0, free = 0.0;
+    look_ = first_look;
     for (int parts = 0; share < 1.0 && outcome_ == Outcome::open; ++parts) {
       if (parts == options_.max_parts) outcome_ = Outcome::cut_short;
       const double end = 1.0 - share <= length_ ? 1.0 : share + length_;
@@ -90,9 +105,13 @@ class JointCheck {
         is_free_ = false;
       } else {
         length_ *= 0.5;
-        if (length_ < shortest_piece) lose(i, path, share);
+        if (length_ < shortest_piece)
+          outcome_ = Outcome::lost;
+        else if (piece == Piece::not_followed && length_ <= look_)
+          look_for_fold(i, path, share);
       }
     }
+    if (outcome_ == Outcome::lost || outcome_ == Outcome::cut_short) lose(i, path, share);
     measure_speeds(i, path, free);
   }
 
@@ -110,22 +129,31 @@ class JointCheck {
               });
   }
 
-  /// The platform may be near a fold of the solutions; in spaces without rotation it is enough that no pose
-  /// goes with the joints a little later.
-  void lose(std::size_t i, const JointPath& path, double share) {
-    outcome_ = Outcome::lost;
-    std::optional<double> met = fold_after(path, share);
-    for (double ahead = shortest_piece; !met && share + ahead < 1.0; ahead *= 2.0)
-      if (proved_unassembled(manipulator_, ranges_at(path, share + ahead))) met = share + ahead;
-    if (!met) return;
-    outcome_ = Outcome::folded;
-    violate(Violation::singularity, {}, {}, times_.after(i, *met));
+  /// Ends here where the fold is near enough.
+  void look_for_fold(std::size_t i, const JointPath& path, double share) {
+    look_ = next_look * length_;
+    const std::optional<double> met = fold_after(path, share, std::min(1.0, share + options_.bracket));
+    if (met) fold(times_.after(i, *met));
   }
 
-  std::optional<double> fold_after(const JointPath& path, double share) const {
+  /// The platform may be near a fold of the solutions, however far it is; in spaces without rotation it is
+  /// enough that no pose goes with the joints a little later.
+  void lose(std::size_t i, const JointPath& path, double share) {
+    std::optional<double> met = fold_after(path, share, 1.0);
+    for (double ahead = shortest_piece; !met && share + ahead < 1.0; ahead *= 2.0)
+      if (proved_unassembled(manipulator_, ranges_at(path, share + ahead))) met = share + ahead;
+    if (met) fold(times_.after(i, *met));
+  }
+
+  void fold(double time) {
+    outcome_ = Outcome::folded;
+    violate(Violation::singularity, {}, {}, time);
+  }
+
+  std::optional<double> fold_after(const JointPath& path, double share, double until) const {
     const CertifiedBall ball = ball_of(ranges_at(path, share));
     if (!ball.certified) return std::nullopt;
-    return FoldProof(manipulator_, poses_, path).latest(at_, ball.radius, 0.0, share);
+    return FoldProof(manipulator_, poses_, path).latest(at_, ball.radius, 0.0, share, until);
   }
 
   /// Of all solutions near `at_` for joints within `q`.
@@ -286,6 +314,7 @@ class JointCheck {
   }
 
   std::string why_not_further() const {
+    if (outcome_ == Outcome::cancelled) return "the check was cancelled";
     if (outcome_ == Outcome::stretched)
       return "a leg is stretched or folded (B_jj = 0), or too near to it, already at the start";
     if (outcome_ == Outcome::folded)
@@ -305,6 +334,7 @@ class JointCheck {
   WorkingMode mode_;
   double longest_piece_;      // so that there are enough samples
   double length_;             // of the next piece
+  double look_ = 0.0;         // for a fold, where pieces are as short as this
   double radius_ = 0.0;       // of balls that hold all poses since the last sample, together
   double proved_ = 0.0;       // no crossing that is not noted up to here [s]
   bool is_free_ = true;       // proved up to here
@@ -313,15 +343,16 @@ class JointCheck {
 };
 
 bool is_usable(const JointVector& values, Eigen::Index legs, bool required) {
-  return values.size() == 0 ? !required : values.size() == legs && values.allFinite();
+  if (values.size() == 0) return !required;
+  return values.size() == legs && values.allFinite() && is_usable_number(values.cwiseAbs().maxCoeff());
 }
 
 void check_numbers(const JointWaypoint& waypoint, const std::string& which, Eigen::Index legs,
                    Problems& problems) {
-  if (!std::isfinite(waypoint.time) || !is_usable(waypoint.q, legs, true) ||
+  if (!is_usable_number(waypoint.time) || !is_usable(waypoint.q, legs, true) ||
       !is_usable(waypoint.velocity, legs, false) || !is_usable(waypoint.acceleration, legs, false))
     problems.push_back(which + " needs " + std::to_string(legs) +
-                       " finite joint values, and as many velocities and accelerations or none.");
+                       " finite joint values up to 1e12, and as many velocities and accelerations or none.");
   else if (waypoint.acceleration.size() > 0 && waypoint.velocity.size() == 0)
     problems.push_back(which + " has accelerations but no velocities; give both.");
 }

@@ -2,8 +2,17 @@
 #include "motion/check/check_text.h"
 
 #include "model/number_text.h"
+#include "parallel_aspects/singularity/margins.h"
+
+#include <cmath>
 
 namespace parallel_aspects {
+namespace {
+
+// Of times, lengths and angles; products of a few of them are finite [s, m, rad].
+constexpr double largest_number = 1e12;
+
+}  // namespace
 
 std::string violation_text(const Manipulator& manipulator, const TrajectoryViolation& violation) {
   const std::string leg = violation.leg ? "leg '" + manipulator.leg(*violation.leg).name + "'" : "a leg";
@@ -28,13 +37,34 @@ std::string safe_text() {
 
 std::string passed_text() {
   return "Proved: det A does not vanish, every leg reaches and all limits hold, at every time; legs pass "
-         "serial "
-         "singularities, as listed.";
+         "serial singularities, as listed.";
+}
+
+std::array<std::string, 2> bracket_text(double after, double before) {
+  constexpr int fewest_digits = 9, most_digits = 17;
+  std::array<std::string, 2> text;
+  for (int digits = fewest_digits; digits <= most_digits && text[0] == text[1]; ++digits)
+    text = {number_text(after, digits), number_text(before, digits)};
+  return after == before ? std::array{number_text(after, fewest_digits), number_text(before, fewest_digits)}
+                         : text;
 }
 
 std::string unsafe_text(const Manipulator& manipulator, const TrajectoryViolation& violation) {
-  return "Proved: " + violation_text(manipulator, violation) + " between " + number_text(violation.after, 9) +
-         " s and " + number_text(violation.before, 9) + " s.";
+  const std::string what = "Proved: " + violation_text(manipulator, violation);
+  const auto [after, before] = bracket_text(violation.after, violation.before);
+  return after == before ? what + " at " + before + " s."
+                         : what + " between " + after + " s and " + before + " s.";
+}
+
+bool is_usable_number(double value) noexcept { return std::abs(value) <= largest_number; }
+
+std::string missed_at_start(const Manipulator& manipulator, const Pose& pose, const JointVector& q) {
+  const bool asked = manipulator.constraints().margins.any() &&
+                     manipulator.constraint_kinds()[index_of(ConstraintKind::margins)];
+  const std::string missed = asked ? missed_margins(manipulator, pose, q) : "";
+  return missed.empty() ? ""
+                        : "The start does not keep the margins: " + missed +
+                              "; start farther from singularities, or lower the margin.";
 }
 
 std::string undecided_text(double free_until, const std::string& why) {
@@ -54,6 +84,7 @@ bool is_crossing(Violation kind) { return kind == Violation::singularity || kind
 TrajectoryCheck refused(const Problems& problems) {
   TrajectoryCheck check;
   check.reason = problems.front();
+  check.refused = true;
   return check;
 }
 

@@ -4,8 +4,10 @@
 
 #include "parallel_aspects/motion/check_trajectory.h"
 
+#include <array>
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace parallel_aspects {
 
@@ -37,6 +39,18 @@ std::string violation_text(const Manipulator& manipulator, const TrajectoryViola
 bool is_crossing(Violation kind);
 
 /// Of what cannot be checked: unknown, with the first problem as its reason. There must be one.
+/// Both ends of a bracket of times, in so many digits that they differ if the numbers do.
+std::array<std::string, 2> bracket_text(double after, double before);
+
+/// Neither infinite nor so large that arithmetic with it could be.
+bool is_usable_number(double value) noexcept;
+
+/// Every reason why poses are no trajectory, whatever the robot is.
+Problems waypoint_problems(const std::vector<PoseWaypoint>& waypoints);
+
+/// Of a start that is below a margin; empty where it keeps all.
+std::string missed_at_start(const Manipulator& manipulator, const Pose& pose, const JointVector& q);
+
 TrajectoryCheck refused(const Problems& problems);
 
 }  // namespace parallel_aspects

@@ -14,14 +14,14 @@
 namespace parallel_aspects {
 namespace {
 
-bool is_finite(const PoseWaypoint& waypoint) {
-  return std::isfinite(waypoint.time) && waypoint.pose.position.allFinite() &&
-         waypoint.pose.orientation.coeffs().allFinite();
+bool is_usable(const PoseWaypoint& waypoint) {
+  return is_usable_number(waypoint.time) && is_usable_number(waypoint.pose.position.cwiseAbs().maxCoeff()) &&
+         waypoint.pose.position.allFinite() && waypoint.pose.orientation.coeffs().allFinite();
 }
 
-std::string unreached(const Manipulator& manipulator, const Pose& pose, const WorkingMode& mode) {
+std::string start_problem(const Manipulator& manipulator, const Pose& pose, const WorkingMode& mode) {
   const InverseSolution solution = inverse(manipulator, pose, mode);
-  if (solution.status != InverseStatus::out_of_reach) return "";
+  if (solution.status != InverseStatus::out_of_reach) return missed_at_start(manipulator, pose, solution.q);
   return "The first pose is out of reach of leg '" + manipulator.leg(solution.leg).name +
          "' in working mode " + to_string(mode) + "; start from a pose that it reaches.";
 }
@@ -46,7 +46,13 @@ class PoseCheck {
     check_.free_until = times_.from(0).time;
     check_.answer = TrajectoryAnswer::safe;
     check_.mode = mode_;
-    for (std::size_t i = 0; i < times_.count() && check_.answer == TrajectoryAnswer::safe; ++i) pass(i);
+    for (std::size_t i = 0; i < times_.count() && check_.answer == TrajectoryAnswer::safe; ++i) {
+      if (is_cancelled(options_.control))
+        leave_open("the check was cancelled");
+      else
+        pass(i);
+      times_.report(i, options_.control);
+    }
     if (!check_.violation) check_.followed_until = check_.free_until;
     if (check_.answer == TrajectoryAnswer::safe) check_.reason = safe_text();
     if (check_.answer == TrajectoryAnswer::unknown) check_.not_followed = check_.reason;
@@ -59,7 +65,7 @@ class PoseCheck {
                                                              options_.bracket, options_.max_parts);
     sample(i, proof.free_until);
     check_.free_until = times_.before(i, proof.free_until);
-    if (proof.verdict == SegmentVerdict::undecided) leave_open();
+    if (proof.verdict == SegmentVerdict::undecided) leave_open(near_something_text());
     if (proof.verdict == SegmentVerdict::blocked) block(i, proof);
   }
 
@@ -107,9 +113,9 @@ class PoseCheck {
     return goes_on;
   }
 
-  void leave_open() {
+  void leave_open(const std::string& why) {
     check_.answer = TrajectoryAnswer::unknown;
-    check_.reason = undecided_text(check_.free_until, near_something_text());
+    check_.reason = undecided_text(check_.free_until, why);
   }
 
   void sample(std::size_t i, double until) {
@@ -162,19 +168,24 @@ const char* name(TrajectoryAnswer answer) noexcept {
   return "unknown";
 }
 
+Problems waypoint_problems(const std::vector<PoseWaypoint>& waypoints) {
+  if (waypoints.empty()) return {"The trajectory has no waypoint; give one or more."};
+  Problems problems;
+  for (std::size_t i = 0; i < waypoints.size(); ++i)
+    if (!is_usable(waypoints[i]))
+      problems.push_back(waypoint_text(i) + " has a number that is not finite or beyond 1e12; correct it.");
+  if (problems.empty()) require_rising_times(waypoints, problems);
+  return problems;
+}
+
 Problems problems_of(const Manipulator& manipulator, const std::vector<PoseWaypoint>& waypoints,
                      const WorkingMode& mode) {
-  if (waypoints.empty()) return {"The trajectory has no waypoint; give one or more."};
   const std::vector<WorkingMode> modes = working_modes(manipulator);
   if (std::find(modes.begin(), modes.end(), mode) == modes.end())
     return {"'" + manipulator.name() + "' has no working mode " + to_string(mode) + "."};
-  Problems problems;
-  for (std::size_t i = 0; i < waypoints.size(); ++i)
-    if (!is_finite(waypoints[i]))
-      problems.push_back(waypoint_text(i) + " has a number that is not finite; correct it.");
+  Problems problems = waypoint_problems(waypoints);
   if (!problems.empty()) return problems;
-  require_rising_times(waypoints, problems);
-  const std::string start = unreached(manipulator, waypoints.front().pose, mode);
+  const std::string start = start_problem(manipulator, waypoints.front().pose, mode);
   if (!start.empty()) problems.push_back(start);
   return problems;
 }

@@ -13,7 +13,7 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr int most_arcs = 200;
+constexpr int most_arcs = 2000;
 constexpr int most_halvings = 12;
 
 // Of the first arc, over the size of the robot; they grow as far as they can be proved.
@@ -229,31 +229,38 @@ std::optional<FoldProof::Point> FoldProof::next(const Point& point, double lengt
   return there;
 }
 
-/// Of the solution of the curve at the point; 0 where it is not proved.
-int FoldProof::determinant_sign(const Point& point) const noexcept {
+/// Of the solution of the curve at the point; 0 where it is not proved. D exp has a positive determinant, so
+/// that of DF has the sign of det A; the rows of DF change with the pose by D^2 F, and with the joints.
+int FoldProof::determinant_sign(Point point) const noexcept {
   const std::optional<Arc> still = arc(point, 0.0);
   if (!still) return 0;
-  CertifiedPoint near;
-  near.pose = point.pose;
-  near.q.resize(static_cast<Eigen::Index>(size_));
-  for (std::size_t j = 0; j < size_; ++j) middle_of(j, point.share, near.q[static_cast<Eigen::Index>(j)]);
-  if (!poses_.evaluate(near)) return 0;
-  const TaskVector none = TaskVector::Zero(near.q.size());
-  TaskVector change = none;
+  const System system = enclose(point);
   const Interval shares = Interval(point.share) + Interval(-still->drift, still->drift);
+  SquareArray<Interval> matrix;
   for (std::size_t j = 0; j < size_; ++j) {
-    double q = 0.0;
-    const Interval slack = middle_of(j, point.share, q);
-    change[static_cast<Eigen::Index>(j)] =
-        magnitude(slack) + magnitude(path_.slope(j, shares)) * still->drift;
+    const double moved = legs_[j].point_speed() * magnitude(path_.slope(j, shares)) * still->drift;
+    const double rod = point.rod[j] + lever_[j] * still->radius + moved;
+    const double off = (lever_[j] * lever_[j] + rod * bend_[j]) * still->radius + lever_[j] * moved;
+    for (std::size_t k = 0; k < size_; ++k) matrix[j][k] = system.matrix[j][k] + Interval(-off, off);
   }
-  const CertifiedBall ball = poses_.ball(near, none, change, 0.0, 0.0);
-  if (!ball.certified || !(poses_.distance(near.pose, point.pose) + still->radius <= ball.radius)) return 0;
-  return poses_.determinant_sign(near);
+  return proved_determinant_sign(size_, matrix);
 }
 
-std::optional<double> FoldProof::latest(const CertifiedPoint& at, double off, double earliest,
-                                        double share) noexcept {
+/// The longest arc that can be proved, of the length at most, and becomes that long; it stays behind
+/// `earliest`. Also where it leads.
+std::optional<FoldProof::Onward> FoldProof::go_on(const Point& point, double earliest,
+                                                  double& length) const noexcept {
+  for (int i = 0; i < most_halvings; ++i, length *= 0.5) {
+    const std::optional<Arc> here = arc(point, length);
+    if (!here || !(point.share - here->drift > earliest)) continue;
+    const std::optional<Point> there = next(point, length, here->radius);
+    if (there) return Onward{*here, *there};
+  }
+  return std::nullopt;
+}
+
+std::optional<double> FoldProof::latest(const CertifiedPoint& at, double off, double earliest, double share,
+                                        double until) noexcept {
   const int start = poses_.determinant_sign(at);
   scale_ = find_scale(at, share);
   if (start == 0 || !(scale_ > 0.0) || !std::isfinite(scale_)) return std::nullopt;
@@ -263,20 +270,13 @@ std::optional<double> FoldProof::latest(const CertifiedPoint& at, double off, do
   if (!prepare(point, Vector::Unit(static_cast<Eigen::Index>(size_ + 1), static_cast<Eigen::Index>(size_))))
     return std::nullopt;
   double length = std::max(2.0 * off, first_length * robot_size_), latest = share;
-  for (int arcs = 0; arcs < most_arcs; ++arcs) {
-    std::optional<Arc> here;
-    std::optional<Point> there;
-    for (int i = 0; i < most_halvings && !there; ++i, length *= there ? 1.0 : 0.5) {
-      here = arc(point, length);
-      if (here) there = next(point, length, here->radius);
-    }
-    if (!there || (arcs == 0 && !(off <= std::min(length, here->radius)))) return std::nullopt;
-    if (!(point.share - here->drift > earliest)) return std::nullopt;
-    latest = std::max(latest, point.share + here->drift);
-    if (!(latest <= 1.0)) return std::nullopt;
-    point = *there;
+  for (int arcs = 0; arcs < most_arcs; ++arcs, length *= 2.0) {
+    const std::optional<Onward> onward = go_on(point, earliest, length);
+    if (!onward || (arcs == 0 && !(off <= std::min(length, onward->arc.radius)))) return std::nullopt;
+    latest = std::max(latest, point.share + onward->arc.drift);
+    if (!(latest <= until)) return std::nullopt;
+    point = onward->end;
     if (determinant_sign(point) == -start) return latest;
-    length *= 2.0;
   }
   return std::nullopt;
 }

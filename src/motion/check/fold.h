@@ -46,9 +46,11 @@ class FoldProof {
   /// The path and the certifier must outlive it. Needs a live `RoundingUpward`, as all of it does.
   FoldProof(const Manipulator& manipulator, const PoseCertifier& poses, const JointPath& path) noexcept;
 
-  /// `latest` of the theorem; nothing where it is not proved. The platform was followed from `earliest` to
-  /// `share`, where it is within `off` of `at`, in the metric of `PoseCertifier::distance`.
-  std::optional<double> latest(const CertifiedPoint& at, double off, double earliest, double share) noexcept;
+  /// `latest` of the theorem, which is looked for up to `until`; nothing where it is not proved. The platform
+  /// was followed from `earliest` to `share`, where it is within `off` of `at`, in the metric of
+  /// `PoseCertifier::distance`.
+  std::optional<double> latest(const CertifiedPoint& at, double off, double earliest, double share,
+                               double until) noexcept;
 
  private:
   static constexpr int most = max_legs + 1;
@@ -72,6 +74,11 @@ class FoldProof {
     double drift = 0.0;   // at least |s - s_k| on it
   };
 
+  struct Onward {
+    Arc arc;
+    Point end;
+  };
+
   struct System {
     std::array<std::array<Interval, most>, most> matrix;  // DH(0)
     std::array<Interval, most> residual;                  // H(0, 0)
@@ -86,7 +93,8 @@ class FoldProof {
   double lipschitz(const Point& point, double radius) const noexcept;
   std::optional<Arc> arc(const Point& point, double length) const noexcept;
   std::optional<Point> next(const Point& point, double length, double radius) const noexcept;
-  int determinant_sign(const Point& point) const noexcept;
+  std::optional<Onward> go_on(const Point& point, double earliest, double& length) const noexcept;
+  int determinant_sign(Point point) const noexcept;
   double distance(const Point& a, const Point& b) const noexcept;
 
   TaskSpace space_;

@@ -3,6 +3,7 @@
 #define PARALLEL_ASPECTS_MOTION_CHECK_SEGMENT_TIMES_H
 
 #include "motion/check/check_text.h"
+#include "parallel_aspects/aspects/map_control.h"
 #include "parallel_aspects/model/problems.h"
 
 #include <algorithm>
@@ -12,12 +13,16 @@
 
 namespace parallel_aspects {
 
+/// Waypoints are no closer than this, so that speeds are finite [s].
+constexpr double shortest_time = 1e-9;
+
 /// A message for each waypoint that is not later than the one before.
 template <class Waypoint>
 void require_rising_times(const std::vector<Waypoint>& waypoints, Problems& problems) {
   for (std::size_t i = 1; i < waypoints.size(); ++i)
-    if (!(waypoints[i].time > waypoints[i - 1].time))
-      problems.push_back(waypoint_text(i) + " is not later than the one before; times must rise.");
+    if (!(waypoints[i].time - waypoints[i - 1].time >= 0.99 * shortest_time))
+      problems.push_back(waypoint_text(i) +
+                         " is not later than the one before; times must rise, by a nanosecond at least.");
 }
 
 /// The segments between waypoints, and times on them by the share of a segment that is gone. A trajectory of
@@ -30,6 +35,13 @@ class SegmentTimes {
   std::size_t count() const { return std::max<std::size_t>(waypoints_.size() - 1, 1); }
   const Waypoint& from(std::size_t i) const { return waypoints_[i]; }
   const Waypoint& to(std::size_t i) const { return waypoints_[std::min(i + 1, waypoints_.size() - 1)]; }
+
+  /// That segment i is done; some hundred times at most.
+  void report(std::size_t i, const MapControl& control) const {
+    const std::size_t stride = 1 + count() / 256;
+    if (control.progress && i % stride == 0)
+      control.progress(static_cast<double>(i) / static_cast<double>(count()));
+  }
 
   double at(std::size_t i, double share) const { return from(i).time + share * (to(i).time - from(i).time); }
 

@@ -2,8 +2,10 @@
 #include "motion/check/start_assembly.h"
 
 #include "model/number_text.h"
+#include "motion/check/check_text.h"
 #include "parallel_aspects/kinematics/inverse.h"
 #include "tracking/candidates.h"
+#include "tracking/continuation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,54 +15,87 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr double fitting_angle = 0.01;  // [rad]
 constexpr double full_turn = 2.0 * static_cast<double>(EIGEN_PI);
-constexpr double fitting_share = 0.01;  // of the robot's size
+constexpr int most_steps = 1000;  // from the stated pose to the first waypoint
 
-/// How far the joint value of a leg is from the nearest one that the pose asks for, modulo whole turns.
+/// How far the nearest joint value that the pose asks for is off `q`, modulo whole turns; infinite where the
+/// leg does not reach.
 double misfit(const Leg& leg, const Pose& pose, double q) {
   double least = std::numeric_limits<double>::infinity();
   for (const int sign : {1, -1}) {
     if (!leg.has_branch(sign)) continue;
     const double off = joint_value(leg, pose.transform(leg.anchor), sign) - q;
-    least = std::min(least, std::abs(leg.actuated_by_angle() ? std::remainder(off, full_turn) : off));
+    const double turned = leg.actuated_by_angle() ? std::remainder(off, full_turn) : off;
+    if (std::abs(turned) < std::abs(least)) least = turned;
   }
   return least;
 }
 
-std::string ambiguity(const Manipulator& manipulator, const Candidates& candidates,
-                      const std::vector<std::size_t>& possible) {
-  std::string text = "The first waypoint has " + std::to_string(possible.size()) + " assembly modes (";
-  for (std::size_t i = 0; i < possible.size(); ++i)
-    text += (i == 0 ? "" : "; ") + to_string(manipulator.task_space(), candidates[possible[i]].point.pose);
-  return text + "); state the start pose.";
+/// From the stated pose the platform is followed to the first waypoint, so that no other assembly mode is
+/// taken.
+bool follow_to_start(const Manipulator& manipulator, const PoseCertifier& certifier, const Pose& pose,
+                     const JointVector& q, CertifiedPoint& point) {
+  JointVector at = q;
+  for (std::size_t j = 0; j < manipulator.leg_count(); ++j) {
+    const auto k = static_cast<Eigen::Index>(j);
+    at[k] += misfit(manipulator.leg(j), pose, q[k]);
+  }
+  CertifiedPoint from;
+  if (!at.allFinite() || !certify_solution(certifier, pose, at, from)) return false;
+  Continuation way(certifier, from, q);
+  if (way.run(most_steps) != ContinuationStatus::finished) return false;
+  point = way.at();
+  return true;
+}
+
+std::string problem_of(const Candidates& candidates, const std::vector<std::size_t>& possible) {
+  if (possible.empty())
+    return "The robot is not found to assemble at the first waypoint; correct its joint values.";
+  if (possible.size() > 1)
+    return "The first waypoint has " + std::to_string(possible.size()) + " assembly modes; state which.";
+  if (candidates.complete() && candidates[possible.front()].followed) return "";
+  return "The first waypoint is too near to det A = 0 to know the assembly mode; state the start pose.";
 }
 
 }  // namespace
+
+bool is_near_start(const Manipulator& manipulator, std::size_t leg, double off) noexcept {
+  const double unit = manipulator.leg(leg).actuated_by_angle() ? 1.0 : manipulator.size();
+  return std::abs(off) <= start_tolerance * unit;
+}
+
+int telling_sign(const std::vector<PossibleStart>& starts, std::size_t which) noexcept {
+  const int sign = starts[which].determinant_sign;
+  const auto fitting = std::count_if(starts.begin(), starts.end(), [sign](const PossibleStart& each) {
+    return each.determinant_sign != -sign;
+  });
+  return fitting == 1 ? sign : 0;
+}
 
 StartAssembly find_start(const Manipulator& manipulator, const PoseCertifier& certifier, const JointVector& q,
                          const TrajectoryStart& start) {
   StartAssembly found;
   if (start.pose) {
-    if (!certify_solution(certifier, *start.pose, q, found.point))
-      found.problem = "No direct solution is proved near the start pose: it is too near to det A = 0.";
-    return found;
+    if (!follow_to_start(manipulator, certifier, *start.pose, q, found.point))
+      found.problem =
+          "The first waypoint is not proved to belong to the start pose: it is too near to det A = 0; start "
+          "farther from it.";
+  } else {
+    Candidates candidates;
+    candidates.find(manipulator, certifier, q);
+    std::vector<std::size_t> possible;
+    for (std::size_t i = 0; i < candidates.size(); ++i)
+      if (start.determinant_sign == 0 || candidates[i].determinant_sign != -start.determinant_sign)
+        possible.push_back(i);
+    found.problem = problem_of(candidates, possible);
+    if (found.problem.empty()) found.point = candidates[possible.front()].point;
+    for (const std::size_t i : possible)
+      found.possible.push_back({candidates[i].point.pose, candidates[i].determinant_sign});
   }
-  Candidates candidates;
-  candidates.find(manipulator, certifier, q);
-  std::vector<std::size_t> possible;
-  for (std::size_t i = 0; i < candidates.size(); ++i)
-    if (start.determinant_sign == 0 || candidates[i].determinant_sign != -start.determinant_sign)
-      possible.push_back(i);
-  if (possible.size() > 1)
-    found.problem = ambiguity(manipulator, candidates, possible);
-  else if (possible.empty())
-    found.problem = "The robot is not found to assemble at the first waypoint.";
-  else if (!candidates.complete() || !candidates[possible.front()].followed)
-    found.problem =
-        "The first waypoint is too near to det A = 0 to know the assembly mode; state the start pose.";
-  else
-    found.point = candidates[possible.front()].point;
+  if (found.problem.empty()) {
+    found.problem = missed_at_start(manipulator, found.point.pose, q);
+    found.possible.clear();
+  }
   return found;
 }
 
@@ -71,9 +106,10 @@ std::string start_misfit(const Manipulator& manipulator, const JointVector& q, c
   for (std::size_t j = 0; j < manipulator.leg_count(); ++j) {
     const Leg& leg = manipulator.leg(j);
     const double off = misfit(leg, *start.pose, q[static_cast<Eigen::Index>(j)]);
-    if (!(off <= (leg.actuated_by_angle() ? fitting_angle : fitting_share * manipulator.size())))
+    if (!is_near_start(manipulator, j, off))
       return "The start pose does not fit the first waypoint: joint '" + leg.actuated_joint + "' is off by " +
-             number_text(off) + (leg.actuated_by_angle() ? " rad" : " m") + "; correct one of the two.";
+             number_text(std::abs(off)) + (leg.actuated_by_angle() ? " rad" : " m") +
+             "; correct one of the two.";
   }
   return "";
 }

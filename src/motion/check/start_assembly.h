@@ -12,7 +12,8 @@ namespace parallel_aspects {
 /// Where the platform is at the start of a trajectory of the actuated joints.
 struct StartAssembly {
   CertifiedPoint point;
-  std::string problem;  ///< a sentence; empty where the point is certified
+  std::string problem;                  ///< a sentence; empty where the point is certified
+  std::vector<PossibleStart> possible;  ///< those that are to be chosen from
 };
 
 StartAssembly find_start(const Manipulator& manipulator, const PoseCertifier& certifier, const JointVector& q,

@@ -21,14 +21,24 @@ constexpr std::size_t no_node = std::numeric_limits<std::size_t>::max();
 /// Fewer changes are better, then shorter detours [m].
 using Cost = std::pair<int, double>;
 
+using Path = std::vector<PoseWaypoint>;
+
 /// Poses along the path, and which working modes each piece between two is proved for.
 class Stations {
  public:
-  Stations(const SegmentCertifier& certifier, const std::vector<PoseWaypoint>& waypoints)
-      : certifier_(certifier), modes_(working_modes(*certifier.manipulator())) {
-    const std::vector<PoseWaypoint> stations = divided_path(waypoints, first_pieces);
-    add_station(stations.front());
-    for (std::size_t i = 1; i < stations.size() && !nowhere_; ++i) add_piece(stations[i], 0);
+  Stations(const SegmentCertifier& certifier, const std::vector<PoseWaypoint>& waypoints,
+           const MapControl& control)
+      : certifier_(certifier), control_(control), modes_(working_modes(*certifier.manipulator())) {
+    const Path path = divided_path(waypoints, first_pieces);
+    const std::size_t segments = path.size() - 1, stride = 1 + segments / (2 * first_pieces);
+    add_station(path.front());
+    for (std::size_t i = 0; i < segments && !nowhere_ && !is_cancelled(control_); i += stride) {
+      const std::size_t end = std::min(i + stride, segments);
+      add_piece({path.begin() + static_cast<std::ptrdiff_t>(i),
+                 path.begin() + static_cast<std::ptrdiff_t>(end) + 1},
+                0);
+      if (control_.progress) control_.progress(static_cast<double>(end) / static_cast<double>(segments));
+    }
   }
 
   std::size_t count() const { return stations_.size(); }
@@ -57,23 +67,41 @@ class Stations {
     if (violated) nowhere_ = station.time;
   }
 
-  /// From the last station.
-  void add_piece(const PoseWaypoint& to, int halvings) {
-    const PoseWaypoint from = stations_.back();
+  bool is_proved(const Path& piece, const WorkingMode& mode) const {
+    for (std::size_t i = 0; i + 1 < piece.size(); ++i)
+      if (is_cancelled(control_) ||
+          certifier_.prove(piece[i].pose, piece[i + 1].pose, mode, parts_of_piece).verdict !=
+              SegmentVerdict::free)
+        return false;
+    return true;
+  }
+
+  /// From the last station. Halved at a waypoint, or within its only segment.
+  void add_piece(const Path& piece, int halvings) {
     std::vector<bool> free;
-    for (const WorkingMode& mode : modes_)
-      free.push_back(certifier_.prove(from.pose, to.pose, mode, parts_of_piece).verdict ==
-                     SegmentVerdict::free);
+    for (const WorkingMode& mode : modes_) free.push_back(is_proved(piece, mode));
     const bool any = std::find(free.begin(), free.end(), true) != free.end();
-    if (any || halvings == max_halvings) {
+    if (any || halvings == max_halvings || is_cancelled(control_)) {
       free_.push_back(std::move(free));
-      return add_station(to);
+      return add_station(piece.back());
     }
-    add_piece(waypoint_between({from, to}, 0, 0.5), halvings + 1);
-    if (!nowhere_) add_piece(to, halvings + 1);
+    const auto [first, second] = halves(piece);
+    const int more = piece.size() == 2 ? 1 : 0;
+    add_piece(first, halvings + more);
+    if (!nowhere_) add_piece(second, halvings + more);
+  }
+
+  static std::pair<Path, Path> halves(const Path& piece) {
+    if (piece.size() == 2) {
+      const PoseWaypoint middle = waypoint_between(piece, 0, 0.5);
+      return {{piece.front(), middle}, {middle, piece.back()}};
+    }
+    const auto middle = piece.begin() + static_cast<std::ptrdiff_t>(piece.size() / 2);
+    return {{piece.begin(), middle + 1}, {middle, piece.end()}};
   }
 
   const SegmentCertifier& certifier_;
+  const MapControl& control_;
   std::vector<WorkingMode> modes_;
   std::vector<PoseWaypoint> stations_;
   std::vector<std::vector<int>> signs_;  // by station and mode
@@ -84,8 +112,9 @@ class Stations {
 /// Shortest paths from the first station to the last.
 class LiftGraph {
  public:
-  LiftGraph(const Manipulator& manipulator, const Stations& stations)
+  LiftGraph(const Manipulator& manipulator, const Stations& stations, const MapControl& control)
       : stations_(stations),
+        control_(control),
         modes_(working_modes(manipulator)),
         legs_(manipulator.leg_count()),
         search_(manipulator),
@@ -96,7 +125,7 @@ class LiftGraph {
   std::vector<std::size_t> shortest() {
     for (std::size_t mode = 0; mode < modes_.size(); ++mode)
       if (stations_.sign(0, mode) != 0) relax(no_node, mode, {0, 0.0});
-    while (!open_.empty()) {
+    while (!open_.empty() && !is_cancelled(control_)) {
       const auto [cost, node] = open_.top();
       open_.pop();
       if (cost != costs_[node]) continue;
@@ -150,6 +179,7 @@ class LiftGraph {
   }
 
   const Stations& stations_;
+  const MapControl& control_;
   std::vector<WorkingMode> modes_;
   std::size_t legs_;
   PostureChangeSearch search_;
@@ -181,16 +211,18 @@ ChangingPath path_of(const LiftGraph& graph, const Stations& stations,
 }  // namespace
 
 ChangingPath choose_posture_changes(const SegmentCertifier& certifier,
-                                    const std::vector<PoseWaypoint>& waypoints) {
-  const Stations stations(certifier, waypoints);
+                                    const std::vector<PoseWaypoint>& waypoints, const MapControl& control) {
+  const Stations stations(certifier, waypoints, control);
   if (stations.nowhere())
     return {TrajectoryAnswer::unsafe,
             "Proved: at " + number_text(*stations.nowhere(), 9) + " s the pose lies in no aspect.",
             {},
             {}};
-  LiftGraph graph(*certifier.manipulator(), stations);
+  LiftGraph graph(*certifier.manipulator(), stations, control);
   const std::vector<std::size_t> nodes = graph.shortest();
   if (!nodes.empty()) return path_of(graph, stations, nodes);
+  if (is_cancelled(control))
+    return {TrajectoryAnswer::unknown, "The search for changes of posture was cancelled.", {}, {}};
   return {TrajectoryAnswer::unknown,
           "No changes of posture were found that let all of the path be done, which proves nothing.",
           {},

@@ -5,7 +5,6 @@
 #include "motion/choose/path_clearance.h"
 #include "motion/choose/path_effort.h"
 #include "parallel_aspects/distance/boundary_distances.h"
-#include "parallel_aspects/kinematics/inverse.h"
 
 #include <algorithm>
 #include <array>
@@ -18,24 +17,12 @@ namespace {
 
 constexpr std::array<Preference, 3> all_preferences{Preference::clear, Preference::travel, Preference::fast};
 
-bool all_finite(const std::vector<PoseWaypoint>& waypoints) {
-  return std::all_of(waypoints.begin(), waypoints.end(), [](const PoseWaypoint& waypoint) {
-    return std::isfinite(waypoint.time) && waypoint.pose.position.allFinite() &&
-           waypoint.pose.orientation.coeffs().allFinite();
-  });
-}
-
-bool reaches_start(const Manipulator& manipulator, const std::vector<PoseWaypoint>& waypoints,
-                   const WorkingMode& mode) {
-  return inverse(manipulator, waypoints.front().pose, mode).status != InverseStatus::out_of_reach;
-}
-
 bool has_velocity_limit(const Manipulator& manipulator) {
   return std::any_of(manipulator.legs().begin(), manipulator.legs().end(),
                      [](const Leg& leg) { return std::isfinite(leg.limits.velocity); });
 }
 
-/// Of a start that inverse kinematics says to be out of reach.
+/// Of a start that floating-point arithmetic says to be out of reach, or below a margin.
 TrajectoryCheck fail_at_start(const SegmentCertifier& certifier, const PoseWaypoint& start,
                               const WorkingMode& mode) {
   TrajectoryCheck check;
@@ -79,11 +66,12 @@ bool is_better(const ModeOnPath& a, const ModeOnPath& b, Preference preference) 
 class PathSurvey {
  public:
   PathSurvey(const SegmentCertifier& certifier, const std::vector<PoseWaypoint>& waypoints,
-             const PathChoiceOptions& options)
+             const PathChoiceOptions& options, std::size_t modes)
       : certifier_(certifier),
         manipulator_(*certifier.manipulator()),
         waypoints_(waypoints),
         options_(options),
+        modes_(modes),
         meter_(certifier.manipulator()) {}
 
   ModeOnPath look_at(const WorkingMode& mode) {
@@ -96,11 +84,14 @@ class PathSurvey {
     }
     result.determinant_sign = certifier_.prove(waypoints_.front().pose, mode).sign;
     if (options_.map != nullptr) result.aspect = options_.map->locate(waypoints_.front().pose, mode).aspect;
-    result.check = reaches_start(manipulator_, waypoints_, mode)
-                       ? check_trajectory(certifier_, waypoints_, mode, options_.check)
-                       : fail_at_start(certifier_, waypoints_.front(), mode);
+    TrajectoryCheckOptions check = options_.check;
+    check.control = control_of_check();
+    result.check = check_trajectory(certifier_, waypoints_, mode, check);
+    if (result.check.refused) result.check = fail_at_start(certifier_, waypoints_.front(), mode);
+    ++done_;
     if (result.check.answer != TrajectoryAnswer::safe) return result;
-    result.clearance = measure_clearance(meter_, manipulator_, waypoints_, mode, options_.measures);
+    result.clearance =
+        measure_clearance(meter_, manipulator_, waypoints_, mode, options_.measures, options_.control);
     PathEffort effort = effort_of(manipulator_, waypoints_, mode);
     result.travel = std::move(effort.travel);
     result.least_time = effort.least_time;
@@ -108,10 +99,22 @@ class PathSurvey {
   }
 
  private:
+  /// Of the check of one working mode, as part of all.
+  MapControl control_of_check() const {
+    MapControl control;
+    control.cancelled = options_.control.cancelled;
+    if (options_.control.progress)
+      control.progress = [this](double share) {
+        options_.control.progress((static_cast<double>(done_) + share) / static_cast<double>(modes_));
+      };
+    return control;
+  }
+
   const SegmentCertifier& certifier_;
   const Manipulator& manipulator_;
   const std::vector<PoseWaypoint>& waypoints_;
   const PathChoiceOptions& options_;
+  std::size_t modes_, done_ = 0;
   BoundaryDistanceMeter meter_;
 };
 
@@ -142,14 +145,10 @@ double ModeOnPath::total_travel() const noexcept {
   return std::accumulate(travel.begin(), travel.end(), 0.0);
 }
 
-// A first pose out of reach is the last problem there is, and it rules out a working mode, not the path.
+// A start that is out of reach or below a margin rules out a working mode, not the path.
 Problems problems_of(const Manipulator& manipulator, const std::vector<PoseWaypoint>& waypoints,
                      Preference preference) {
-  const WorkingMode mode = working_modes(manipulator).front();
-  Problems problems = problems_of(manipulator, waypoints, mode);
-  if (!problems.empty() && !waypoints.empty() && all_finite(waypoints) &&
-      !reaches_start(manipulator, waypoints, mode))
-    problems.pop_back();
+  Problems problems = waypoint_problems(waypoints);
   if (preference == Preference::fast && !has_velocity_limit(manipulator))
     problems.push_back("No actuated joint of '" + manipulator.name() +
                        "' has a velocity limit, so that no time can be told; state them in the URDF, or "
@@ -159,10 +158,10 @@ Problems problems_of(const Manipulator& manipulator, const std::vector<PoseWaypo
 
 PathChoice choose_working_mode(const SegmentCertifier& certifier, const std::vector<PoseWaypoint>& waypoints,
                                const PathChoiceOptions& options) {
-  PathSurvey survey(certifier, waypoints, options);
+  const std::vector<WorkingMode> modes = working_modes(*certifier.manipulator());
+  PathSurvey survey(certifier, waypoints, options, modes.size());
   PathChoice choice;
-  for (const WorkingMode& mode : working_modes(*certifier.manipulator()))
-    choice.modes.push_back(survey.look_at(mode));
+  for (const WorkingMode& mode : modes) choice.modes.push_back(survey.look_at(mode));
   std::stable_sort(choice.modes.begin(), choice.modes.end(), [&](const ModeOnPath& a, const ModeOnPath& b) {
     return is_better(a, b, options.preference);
   });

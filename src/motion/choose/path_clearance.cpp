@@ -29,13 +29,18 @@ double radius_of_anchors(const Manipulator& manipulator) {
   return std::sqrt(sum / static_cast<double>(manipulator.leg_count()));
 }
 
+/// A pose of the path: a share of the way from one waypoint to the next.
+struct Place {
+  std::size_t segment = 0;
+  double share = 0.0;
+};
+
 struct Measured {
-  PoseWaypoint at;
+  Place place;
   double distance = 0.0;  // proved
 };
 
-/// Part of a segment of the path, and what is proved to be the least distance in it, where it is not
-/// negative.
+/// Part of the path, and what is proved to be the least distance in it, where it is not negative.
 struct Piece {
   Measured from, to;
   double bound = 0.0;
@@ -43,20 +48,55 @@ struct Piece {
   bool operator<(const Piece& other) const { return bound > other.bound; }  // the nearest comes first
 };
 
+/// How far the platform moves along the path, at least.
+class PathLengths {
+ public:
+  PathLengths(const Manipulator& manipulator, const std::vector<PoseWaypoint>& waypoints) : sums_{0.0} {
+    const double radius = radius_of_anchors(manipulator);
+    for (std::size_t i = 0; i + 1 < waypoints.size(); ++i)
+      sums_.push_back(sums_.back() + largest_motion(radius, waypoints[i].pose, waypoints[i + 1].pose));
+  }
+
+  /// Within one segment its share; over several all of them, with what sums of so many are off by.
+  double between(const Place& from, const Place& to) const {
+    if (from.segment == to.segment) return (to.share - from.share) * of(from.segment) + slack();
+    return at(to) - at(from) + slack();
+  }
+
+  /// In the middle of a segment, or at the waypoint nearest to half of the length.
+  Place middle(const Place& from, const Place& to) const {
+    const std::size_t last = to.share > 0.0 ? to.segment : to.segment - 1;
+    if (last == from.segment) return {last, 0.5 * (from.share + (to.segment == last ? to.share : 1.0))};
+    const double half = 0.5 * (at(from) + at(to));
+    const auto found = std::lower_bound(sums_.begin(), sums_.end(), half) - sums_.begin();
+    return {std::clamp(static_cast<std::size_t>(found), from.segment + 1, last), 0.0};
+  }
+
+  /// The last waypoint.
+  Place end() const { return {sums_.size() - 1, 0.0}; }
+
+ private:
+  double of(std::size_t segment) const {
+    return segment + 1 < sums_.size() ? sums_[segment + 1] - sums_[segment] : 0.0;
+  }
+  double at(const Place& place) const { return sums_[place.segment] + place.share * of(place.segment); }
+  double slack() const { return 0x1p-50 * static_cast<double>(sums_.size()) * sums_.back(); }
+
+  std::vector<double> sums_;  // to each waypoint
+};
+
 class Clearance {
  public:
-  Clearance(BoundaryDistanceMeter& meter, const Manipulator& manipulator, const WorkingMode& mode)
-      : meter_(meter), mode_(mode), anchor_radius_(radius_of_anchors(manipulator)) {}
+  Clearance(BoundaryDistanceMeter& meter, const Manipulator& manipulator,
+            const std::vector<PoseWaypoint>& waypoints, const WorkingMode& mode)
+      : meter_(meter), waypoints_(waypoints), mode_(mode), lengths_(manipulator, waypoints) {}
 
-  PathClearance run(const std::vector<PoseWaypoint>& waypoints, int measures) {
-    Measured last = measure(waypoints.front());
-    if (waypoints.size() == 1) add(last, last);
-    for (std::size_t i = 1; i < waypoints.size(); ++i) {
-      const Measured next = measure(waypoints[i]);
-      add(last, next);
-      last = next;
-    }
-    while (least_.measures < static_cast<std::size_t>(measures) && is_open(pieces_.top())) halve();
+  PathClearance run(int measures, const MapControl& control) {
+    const Measured first = measure({});
+    add(first, waypoints_.size() == 1 ? first : measure(lengths_.end()));
+    while (least_.measures < static_cast<std::size_t>(measures) && is_open(pieces_.top()) &&
+           !is_cancelled(control))
+      halve();
     least_.lower = std::max(0.0, pieces_.top().bound);
     return least_;
   }
@@ -64,7 +104,13 @@ class Clearance {
  private:
   bool is_open(const Piece& piece) const { return piece.bound < (1.0 - aimed_gap) * least_.measured; }
 
-  Measured measure(const PoseWaypoint& at) {
+  PoseWaypoint waypoint(const Place& place) const {
+    return place.share > 0.0 ? waypoint_between(waypoints_, place.segment, place.share)
+                             : waypoints_[place.segment];
+  }
+
+  Measured measure(const Place& place) {
+    const PoseWaypoint at = waypoint(place);
     const BoundaryDistances found = meter_.measure(at.pose, mode_);
     const bool serial = found.serial.lower < found.parallel.lower;
     const BoundaryDistance& nearest = serial ? found.serial : found.parallel;
@@ -75,11 +121,11 @@ class Clearance {
       least_.serial = serial;
       least_.leg = serial ? nearest.leg : 0;
     }
-    return {at, nearest.lower};
+    return {place, nearest.lower};
   }
 
   void add(const Measured& from, const Measured& to) {
-    const double motion = largest_motion(anchor_radius_, from.at.pose, to.at.pose);
+    const double motion = lengths_.between(from.place, to.place);
     const double bound = 0.5 * (1.0 - rounding) * (from.distance + to.distance - motion);
     pieces_.push({from, to, std::min({bound, from.distance, to.distance})});
   }
@@ -87,14 +133,15 @@ class Clearance {
   void halve() {
     const Piece piece = pieces_.top();
     pieces_.pop();
-    const Measured middle = measure(waypoint_between({piece.from.at, piece.to.at}, 0, 0.5));
+    const Measured middle = measure(lengths_.middle(piece.from.place, piece.to.place));
     add(piece.from, middle);
     add(middle, piece.to);
   }
 
   BoundaryDistanceMeter& meter_;
+  const std::vector<PoseWaypoint>& waypoints_;
   const WorkingMode& mode_;
-  double anchor_radius_;
+  PathLengths lengths_;
   PathClearance least_;
   std::priority_queue<Piece> pieces_;
 };
@@ -103,8 +150,8 @@ class Clearance {
 
 PathClearance measure_clearance(BoundaryDistanceMeter& meter, const Manipulator& manipulator,
                                 const std::vector<PoseWaypoint>& waypoints, const WorkingMode& mode,
-                                int measures) {
-  return Clearance(meter, manipulator, mode).run(waypoints, measures);
+                                int measures, const MapControl& control) {
+  return Clearance(meter, manipulator, waypoints, mode).run(measures, control);
 }
 
 }  // namespace parallel_aspects

@@ -17,8 +17,13 @@ constexpr double relative_rounding = 1e-9, rounding_of_size = 1e-12;
 
 // A command is followed for this many latencies longer than is needed, as far as its scale is concerned. The
 // speed then falls with the distance so gently that a robot that answers late, by up to the latency, does not
-// oscillate: v(t) = d(t) / T with d'(t) = -v(t - latency) is monotone for T >= e latency.
-constexpr double calm = 3.0;
+// oscillate: v(t) = d(t) / T with d'(t) = -v(t - latency) is monotone for T >= e latency. The rest is for
+// distances that come late, and for commands that are merged.
+constexpr double calm = 5.0;
+
+// Its braking counts so many times, so that the robot never needs all of its deceleration to follow the speed
+// that the distance allows. Else one call takes all of the room, and the next ones get none until it stands.
+constexpr double calm_braking = 2.0;
 
 // Cosine of the angle between a command and the fastest way out, from which on it passes whole; smaller ones
 // pass in part, so that the scale is continuous.
@@ -67,7 +72,7 @@ void HazardJudge::look_ahead(const TrackedState& state, const IssuedMotion& issu
     prospect_.before[i] = {speed, motion.seconds, motion.brake, motion.may_begin_yet};
   }
   prospect_.command = {region_->speed_of(twist), options_.period + calm * options_.latency,
-                       braking_time(twist), true};
+                       calm_braking * braking_time(twist), true};
 }
 
 // How far earlier commands may still go, by the speed that `of` finds in each [m, or rad].

@@ -2,18 +2,20 @@
 #include "ros/node/check_queries.h"
 
 #include "model/number_text.h"
+#include "motion/check/sample_distances.h"
 #include "parallel_aspects/kinematics/jacobians.h"
 #include "parallel_aspects/model/anchor_distance.h"
 #include "ros/joint_states/joint_sample.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
 namespace parallel_aspects {
 namespace {
 
-constexpr double fitting_angle = 0.01;  // [rad]
-constexpr double fitting_share = 0.01;  // of the robot's size
+constexpr std::size_t most_distances = 1000;  // each takes up to some milliseconds
 
 std::uint8_t kind_of(Violation violation) {
   switch (violation) {
@@ -99,6 +101,41 @@ JointVector values_of(const Manipulator& manipulator, const std::vector<std::str
   return {};
 }
 
+/// As the command has it: what is not an actuated joint is not followed.
+std::string unknown_joint(const Manipulator& manipulator, const std::vector<std::string>& names) {
+  for (const std::string& name : names)
+    if (std::none_of(manipulator.legs().begin(), manipulator.legs().end(),
+                     [&name](const Leg& leg) { return leg.actuated_joint == name; }))
+      return "The trajectory has the unknown joint '" + name + "'; name the actuated joints only.";
+  return "";
+}
+
+/// The fields that state one of the starts each.
+std::string start_fields(const Manipulator& manipulator, const std::vector<PossibleStart>& starts) {
+  std::string text;
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    const int sign = telling_sign(starts, i);
+    text += (i == 0 ? " Give start.kind 1 with start.pose at " : ", or at ") +
+            to_string(manipulator.task_space(), starts[i].pose);
+    if (sign != 0) text += " (the same as start.kind 2 with determinant_sign " + std::to_string(sign) + ")";
+  }
+  return text + (starts.empty() ? "" : "; poses in the task frame.");
+}
+
+void fill_distances(const TrajectoryCheck& check, const std::vector<SampleDistances>& distances,
+                    CheckTrajectory::Response& response) {
+  if (distances.empty()) return;
+  for (std::size_t i = 0; i < distances.size(); ++i) {
+    if (!distances[i].measured) continue;
+    response.distance_times.push_back(check.samples[i].time);
+    response.parallel_distances.push_back(distances[i].lower[0]);
+    response.serial_distances.push_back(distances[i].lower[1]);
+    response.limit_distances.push_back(distances[i].lower[2]);
+  }
+  const std::array<double, 3> least = least_distances(check, distances);
+  response.least_distances.assign(least.begin(), least.end());
+}
+
 std::string first_of(const Problems& problems) { return problems.empty() ? "" : problems.front(); }
 
 }  // namespace
@@ -111,25 +148,41 @@ CheckQueries::CheckQueries(std::shared_ptr<const Manipulator> manipulator, const
       to_base_(std::move(to_base)) {}
 
 CheckTrajectory::Response CheckQueries::answer(const CheckTrajectory::Request& request) const {
-  const Question question = read(request);
-  if (question.status.code == Status::OK)
-    return response_of(*manipulator_,
-                       question.poses.empty()
-                           ? check_trajectory(certifier_, question.joints, question.start, question.options)
-                           : check_trajectory(certifier_, question.poses, question.mode));
+  Question question = read(request);
   CheckTrajectory::Response response;
+  if (question.status.code == Status::OK) {
+    const TrajectoryCheck result = check(question);
+    response = response_of(*manipulator_, result);
+    response.status.message = question.status.message;
+    if (!result.refused) {
+      fill_distances(result, distances_on(manipulator_, result, question.distances), response);
+      return response;
+    }
+    question.status = refused(result.reason + start_fields(*manipulator_, result.possible_starts));
+  }
+  response = {};
   response.status = question.status;
   response.reason = question.status.message;
   return response;
+}
+
+TrajectoryCheck CheckQueries::check(const Question& question) const {
+  return question.poses.empty() ? check_trajectory(certifier_, question.joints, question.start, question.options)
+                                : check_trajectory(certifier_, question.poses, question.mode, question.options);
 }
 
 CheckQueries::Question CheckQueries::read(const CheckTrajectory::Request& request) const {
   Question question;
   question.status = make_status(Status::OK);
   question.options.pass_serial = request.pass_serial;
+  question.options.keep_samples = request.distances > 0;
+  question.distances = request.distances;
   const bool has_joints = !request.trajectory.points.empty(), has_poses = !request.poses.empty();
   if (has_joints == has_poses)
     question.status = refused("Give one of trajectory, with points of the actuated joints, and poses.");
+  else if (request.distances > most_distances)
+    question.status =
+        refused("distances is " + std::to_string(request.distances) + "; give a number of times up to 1000.");
   else if (request.start.kind > Configuration::JOINTS)
     question.status = refused("start.kind is none of NOW, POSE and JOINTS; give one of them.");
   else if (!request.start.joint_names.empty() || !request.start.joint_positions.empty())
@@ -142,16 +195,14 @@ CheckQueries::Question CheckQueries::read(const CheckTrajectory::Request& reques
   else
     read_poses(request, question);
   if (question.status.code != Status::OK) return question;
-  const std::string problem =
-      first_of(has_joints ? problems_of(*manipulator_, question.joints, question.start)
-                          : problems_of(*manipulator_, question.poses, question.mode));
-  if (!problem.empty()) question.status = refused(problem);
   return question;
 }
 
 void CheckQueries::read_joints(const CheckTrajectory::Request& request, Question& question) const {
   const trajectory_msgs::JointTrajectory& message = request.trajectory;
-  for (std::size_t i = 0; i < message.points.size(); ++i) {
+  const std::string unknown = unknown_joint(*manipulator_, message.joint_names);
+  if (!unknown.empty()) question.status = refused(unknown);
+  for (std::size_t i = 0; i < message.points.size() && unknown.empty(); ++i) {
     const trajectory_msgs::JointTrajectoryPoint& point = message.points[i];
     const std::string which = "Waypoint " + std::to_string(i + 1);
     const auto read = [&](const std::vector<double>& values) {
@@ -161,13 +212,15 @@ void CheckQueries::read_joints(const CheckTrajectory::Request& request, Question
                                read(point.accelerations)});
     if (question.status.code != Status::OK) return;
   }
+  if (question.status.code != Status::OK) return;
   const std::string problem = first_of(problems_of(*manipulator_, question.joints, {}));
   if (!problem.empty())
     question.status = refused(problem);
   else if (request.start.kind == Configuration::NOW)
     start_joints_now(question);
   else if (request.start.kind == Configuration::POSE)
-    question.start.pose = pose_of(request.start.pose, question.status);
+    question.status =
+        read_pose(*manipulator_, to_base_, request.start.pose, "start.pose", question.start.pose.emplace());
   else
     question.start.determinant_sign = request.start.determinant_sign;
 }
@@ -181,25 +234,12 @@ void CheckQueries::start_joints_now(Question& question) const {
     const Leg& leg = manipulator_->leg(j);
     const auto k = static_cast<Eigen::Index>(j);
     const double off = std::abs(question.joints.front().q[k] - current.solved.q[k]);
-    if (!(off <= (leg.actuated_by_angle() ? fitting_angle : fitting_share * manipulator_->size())))
+    if (!is_near_start(*manipulator_, j, off))
       question.status = refused("The trajectory does not start where the robot is: joint '" +
                                 leg.actuated_joint + "' is at " + number_text(current.solved.q[k]) +
                                 (leg.actuated_by_angle() ? " rad, " : " m, ") + number_text(off) +
                                 " off; start it there, or state another start.");
   }
-}
-
-std::optional<Pose> CheckQueries::pose_of(const geometry_msgs::PoseStamped& message, Status& status) const {
-  std::string problem;
-  const auto in_base = to_base_(message, problem);
-  if (!in_base) {
-    status = make_status(Status::NO_TRANSFORM, problem);
-    return std::nullopt;
-  }
-  const auto pose = pose_from_base(*manipulator_, *in_base);
-  if (!pose)
-    status = refused("A pose must be finite, and its quaternion of unit length where the platform turns.");
-  return pose;
 }
 
 void CheckQueries::read_poses(const CheckTrajectory::Request& request, Question& question) const {
@@ -209,9 +249,12 @@ void CheckQueries::read_poses(const CheckTrajectory::Request& request, Question&
     return;
   }
   for (std::size_t i = 0; i < request.poses.size(); ++i) {
-    const auto pose = pose_of(request.poses[i], question.status);
-    if (!pose) return;
-    question.poses.push_back({request.times[i], *pose});
+    Pose pose;
+    const Status read =
+        read_pose(*manipulator_, to_base_, request.poses[i], "Pose " + std::to_string(i + 1), pose);
+    if (read.code != Status::OK || question.status.message.empty()) question.status = read;
+    if (read.code != Status::OK) return;
+    question.poses.push_back({request.times[i], pose});
   }
   if (request.start.kind == Configuration::NOW) return start_poses_now(question);
   const std::vector<int> signs(request.start.working_mode.begin(), request.start.working_mode.end());
@@ -230,7 +273,7 @@ void CheckQueries::start_poses_now(Question& question) const {
   if (current.status.code != Status::OK) return;
   const double off = anchor_distance(*manipulator_, current.solved.pose, question.poses.front().pose);
   const auto mode = working_mode(*manipulator_, current.solved.pose, current.solved.q);
-  if (!(off <= fitting_share * manipulator_->size()))
+  if (!(off <= start_tolerance * manipulator_->size()))
     question.status = refused("The poses do not start where the robot is: the first is " + number_text(off) +
                               " m off; start there, or state another start.");
   else if (!mode)

@@ -8,6 +8,7 @@
 
 #include <parallel_aspects/CheckTrajectory.h>
 
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
@@ -31,14 +32,15 @@ class CheckQueries {
     std::vector<PoseWaypoint> poses;
     WorkingMode mode;
     TrajectoryCheckOptions options;
+    std::size_t distances = 0;  ///< at how many times
   };
 
+  TrajectoryCheck check(const Question& question) const;
   Question read(const CheckTrajectory::Request& request) const;
   void read_joints(const CheckTrajectory::Request& request, Question& question) const;
   void read_poses(const CheckTrajectory::Request& request, Question& question) const;
   void start_joints_now(Question& question) const;
   void start_poses_now(Question& question) const;
-  std::optional<Pose> pose_of(const geometry_msgs::PoseStamped& message, Status& status) const;
 
   std::shared_ptr<const Manipulator> manipulator_;
   SegmentCertifier certifier_;

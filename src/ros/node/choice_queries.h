@@ -6,7 +6,7 @@
 #include "parallel_aspects/aspects/segment_certifier.h"
 #include "parallel_aspects/motion/check_trajectory.h"
 #include "ros/monitor/map_worker.h"
-#include "ros/node/queries.h"
+#include "ros/node/pose_reading.h"
 
 #include <parallel_aspects/ChooseWorkingMode.h>
 #include <parallel_aspects/Connect.h>

@@ -7,7 +7,7 @@
 #include "ros/monitor/map_worker.h"
 #include "ros/monitor/robot_monitor.h"
 #include "ros/node/checked_goals.h"
-#include "ros/node/queries.h"
+#include "ros/node/pose_reading.h"
 #include "ros/parameters/load_options.h"
 
 #include <parallel_aspects/PlanPathAction.h>

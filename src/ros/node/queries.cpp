@@ -93,19 +93,12 @@ ConfigurationAnswer Queries::resolve_now() const {
 }
 
 ConfigurationAnswer Queries::resolve_pose(const Configuration& configuration) const {
-  std::string message;
-  const auto in_base = to_base_(configuration.pose, message);
-  if (!in_base) return refusal(Status::NO_TRANSFORM, std::move(message));
-  const auto pose = pose_from_base(*manipulator_, *in_base);
-  if (!pose)
-    return refusal(Status::INVALID_REQUEST,
-                   "The pose must be finite, and its quaternion of unit length where the platform turns.");
-  ConfigurationAnswer answer = configurations_at_pose(*manipulator_, *pose, configuration.working_mode);
+  Pose pose;
+  const Status read = read_pose(*manipulator_, to_base_, configuration.pose, "The pose", pose);
+  if (read.code != Status::OK) return refusal(read.code, read.message);
+  ConfigurationAnswer answer = configurations_at_pose(*manipulator_, pose, configuration.working_mode);
   answer.stamp = ros::Time::now();
-  const double off = distance_off_task_space(*manipulator_, *in_base);
-  if (answer.status.code == Status::OK && off > 1e-6 * manipulator_->size())
-    answer.status.message = "The pose is " + std::to_string(off) +
-                            " m off the motions of the platform; the answer is about its projection.";
+  if (answer.status.code == Status::OK && !read.message.empty()) answer.status.message = read.message;
   return answer;
 }
 
@@ -236,24 +229,6 @@ SetAssemblyMode::Response Queries::answer(const SetAssemblyMode::Request& reques
   response.status = now.status;
   response.solutions = solutions(now, worker_.known());
   return response;
-}
-
-Status read_pose(const Manipulator& manipulator, const PoseTransformer& to_base,
-                 const geometry_msgs::PoseStamped& message, const std::string& which, Pose& pose) {
-  std::string failure;
-  const auto in_base = to_base(message, failure);
-  if (!in_base) return make_status(Status::NO_TRANSFORM, std::move(failure));
-  const auto found = pose_from_base(manipulator, *in_base);
-  if (!found)
-    return make_status(Status::INVALID_REQUEST, which +
-                                                    " must be finite, and its quaternion of unit length "
-                                                    "where the platform turns.");
-  pose = *found;
-  const double off = distance_off_task_space(manipulator, *in_base);
-  if (!(off > 1e-6 * manipulator.size())) return {};
-  return make_status(Status::OK,
-                     which + " is " + std::to_string(off) +
-                         " m off the motions of the platform; the answer is about its projection.");
 }
 
 }  // namespace parallel_aspects

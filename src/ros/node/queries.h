@@ -7,6 +7,7 @@
 #include "ros/messages/conversions.h"
 #include "ros/monitor/map_worker.h"
 #include "ros/monitor/robot_monitor.h"
+#include "ros/node/pose_reading.h"
 
 #include <parallel_aspects/Configuration.h>
 #include <parallel_aspects/GetCurrentAspect.h>
@@ -15,8 +16,6 @@
 #include <parallel_aspects/ListAspects.h>
 #include <parallel_aspects/SetAssemblyMode.h>
 
-#include <functional>
-#include <geometry_msgs/PoseStamped.h>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -24,15 +23,6 @@
 #include <vector>
 
 namespace parallel_aspects {
-
-/// Brings a pose into the base frame; nothing, and a message, where tf cannot.
-using PoseTransformer = std::function<std::optional<geometry_msgs::Pose>(const geometry_msgs::PoseStamped&,
-                                                                         std::string& message)>;
-
-/// The pose that a message means, in any frame; the status says what keeps it from being used, or by how much
-/// it had to be projected. `which` names it for people.
-Status read_pose(const Manipulator& manipulator, const PoseTransformer& to_base,
-                 const geometry_msgs::PoseStamped& message, const std::string& which, Pose& pose);
 
 /// Answers the services. May be called from any number of threads.
 class Queries {

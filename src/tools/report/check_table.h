@@ -2,34 +2,17 @@
 #ifndef PARALLEL_ASPECTS_TOOLS_REPORT_CHECK_TABLE_H
 #define PARALLEL_ASPECTS_TOOLS_REPORT_CHECK_TABLE_H
 
-#include "parallel_aspects/motion/check_trajectory.h"
+#include "motion/check/sample_distances.h"
 
 #include <array>
-#include <cstddef>
-#include <memory>
 #include <string>
 #include <vector>
 
 namespace parallel_aspects::tools {
 
-/// How far a sample of a trajectory is at least from parallel singularities, serial ones and limits of the
-/// actuated joints, as `BoundaryDistanceMeter` measures it, proved [m].
-struct SampleDistances {
-  bool measured = false;  ///< here; else by how far the robot moves to where it was
-  std::array<double, 3> lower{};
-};
-
 /// The names of the three, as columns.
 inline constexpr std::array<const char*, 3> distance_names{"parallel_distance", "serial_distance",
                                                            "limit_distance"};
-
-/// Of every sample of a check, measured at `points` of them, evenly by time; none for no points.
-std::vector<SampleDistances> distances_on(const std::shared_ptr<const Manipulator>& manipulator,
-                                          const TrajectoryCheck& check, std::size_t points);
-
-/// The least that is proved over all of the continuous time up to `free_until`.
-std::array<double, 3> least_distances(const TrajectoryCheck& check,
-                                      const std::vector<SampleDistances>& distances);
 
 /// The samples as CSV: time, pose, actuated joints, indices, and the distances where there are any.
 std::string check_csv(const Manipulator& manipulator, const TrajectoryCheck& check,

@@ -64,6 +64,15 @@ nlohmann::json json_indices(const SingularityIndices& indices) {
 
 std::string shown(double value) { return with_digits(value, 6); }
 
+std::string pose_argument(TaskSpace space, const Pose& pose) {
+  const PoseCoordinates coordinates = pose_coordinates(space, pose);
+  std::string text;
+  constexpr double noise = 1e-12;
+  for (Eigen::Index k = 0; k < coordinates.size(); ++k)
+    text += (k == 0 ? "" : " ") + shown(std::abs(coordinates[k]) < noise ? 0.0 : coordinates[k]);
+  return text;
+}
+
 std::string shown_briefly(double value) { return with_digits(value, 4); }
 
 std::string shown_bound(double value, Side side) {

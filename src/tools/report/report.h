@@ -51,6 +51,9 @@ std::string shown_bound(double value, Side side);
 /// Several numbers, separated by ", ".
 std::string shown(const TaskVector& values);
 
+/// A pose as options such as --pose take it.
+std::string pose_argument(TaskSpace space, const Pose& pose);
+
 /// "+" or "-".
 std::string shown_sign(double value);
 

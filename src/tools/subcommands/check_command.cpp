@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "model/number_text.h"
+#include "motion/check/check_text.h"
 #include "parallel_aspects/motion/check_joint_trajectory.h"
 #include "tools/arguments.h"
+#include "tools/computation.h"
 #include "tools/drawing/check_drawing.h"
 #include "tools/output_file.h"
 #include "tools/report/bounds_report.h"
@@ -13,7 +15,9 @@
 #include "tools/subcommands.h"
 #include "tools/trajectory_file.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -80,16 +84,21 @@ json json_check(const Manipulator& manipulator, const TrajectoryCheck& check) {
   return object;
 }
 
+/// What is infinite was not sampled, or is not limited.
+std::string finite_or_dash(double value) { return std::isfinite(value) ? shown(value) : "-"; }
+
 std::string values_text(const Manipulator& manipulator, const TrajectoryCheck& check) {
   TextTable table(
       {"up to " + number_text(check.free_until, 9) + " s", ">least or fastest", ">at [s]", ">limit"});
-  table.add({"parallel index", shown(check.parallel_index.value), shown(check.parallel_index.time), "-"});
+  table.add(
+      {"parallel index", finite_or_dash(check.parallel_index.value), shown(check.parallel_index.time), "-"});
   table.add({"serial index, leg '" + manipulator.leg(check.serial_index.leg).name + "'",
-             shown(check.serial_index.value), shown(check.serial_index.time), "-"});
+             finite_or_dash(check.serial_index.value), shown(check.serial_index.time), "-"});
   for (std::size_t j = 0; j < check.speeds.size(); ++j) {
     const Leg& leg = manipulator.leg(j);
     table.add({"speed of '" + leg.actuated_joint + "' [" + joint_unit(leg) + "/s]",
-               shown(check.speeds[j].bound), shown(check.speeds[j].time), shown(leg.limits.velocity)});
+               finite_or_dash(check.speeds[j].bound), shown(check.speeds[j].time),
+               finite_or_dash(leg.limits.velocity)});
   }
   return table.text();
 }
@@ -97,13 +106,14 @@ std::string values_text(const Manipulator& manipulator, const TrajectoryCheck& c
 std::string crossings_text(const Manipulator& manipulator, const TrajectoryCheck& check) {
   if (check.crossings.empty()) return "";
   TextTable table({"crossing of", ">after [s]", ">before [s]", "goes on in", "det A"});
-  for (const TrajectoryCrossing& crossing : check.crossings)
+  for (const TrajectoryCrossing& crossing : check.crossings) {
+    const auto [after, before] = bracket_text(crossing.after, crossing.before);
     table.add({crossing.leg ? "B_jj = 0 of '" + manipulator.leg(*crossing.leg).name + "'" : "det A = 0",
-               number_text(crossing.after, 9), number_text(crossing.before, 9),
-               crossing.mode ? to_string(*crossing.mode) : "-",
+               after, before, crossing.mode ? to_string(*crossing.mode) : "-",
                crossing.determinant_sign > 0   ? "+"
                : crossing.determinant_sign < 0 ? "-"
                                                : "?"});
+  }
   return '\n' + table.text() + check.not_followed + (check.not_followed.empty() ? "" : "\n");
 }
 
@@ -133,19 +143,24 @@ Report report_check(const Manipulator& manipulator, const TrajectoryCheck& check
   return report;
 }
 
-TrajectoryCheckOptions options_of(const CheckArguments& arguments) {
+TrajectoryCheckOptions options_of(const CheckArguments& arguments, const MapControl& control) {
   TrajectoryCheckOptions options;
   options.pass_serial = arguments.policy == "serial";
+  options.control = control;
   options.keep_samples =
       !arguments.csv_file.empty() || !arguments.picture_file.empty() || !arguments.distances.empty();
   return options;
 }
 
 TrajectoryCheck check_path(const std::shared_ptr<const Manipulator>& manipulator,
-                           const CheckArguments& arguments) {
+                           const CheckArguments& arguments, const MapControl& control) {
   Problems problems;
-  if (arguments.mode.empty() || !arguments.start_pose.empty() || !arguments.start_sign.empty())
-    throw InvalidDescription({"--path needs --mode, and no start of actuated joints; correct the options."});
+  if (!arguments.start_pose.empty() || !arguments.start_sign.empty())
+    throw InvalidDescription({"--start-pose and --start-sign are of --trajectory; leave them out."});
+  if (arguments.mode.empty())
+    throw InvalidDescription(
+        {"--path needs the working mode of the poses; give --mode, one of those that `aspects choose " +
+         manipulator->name() + " --path " + arguments.path + "` finds."});
   if (!arguments.policy.empty())
     throw InvalidDescription({"--policy is of --trajectory, since poses end at B_jj = 0; leave it out."});
   const auto mode = parse_mode("--mode", *manipulator, arguments.mode, problems);
@@ -153,7 +168,7 @@ TrajectoryCheck check_path(const std::shared_ptr<const Manipulator>& manipulator
   const auto waypoints = read_pose_waypoints(manipulator->task_space(), arguments.path);
   problems = problems_of(*manipulator, waypoints, *mode);
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
-  return check_trajectory(SegmentCertifier(manipulator), waypoints, *mode, options_of(arguments));
+  return check_trajectory(SegmentCertifier(manipulator), waypoints, *mode, options_of(arguments, control));
 }
 
 TrajectoryStart parse_start(const Manipulator& manipulator, const CheckArguments& arguments) {
@@ -173,8 +188,22 @@ TrajectoryStart parse_start(const Manipulator& manipulator, const CheckArguments
   return start;
 }
 
+/// The options that state one of the starts each.
+std::string start_options(const Manipulator& manipulator, const std::vector<PossibleStart>& starts) {
+  constexpr std::size_t most = 8;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, starts.size()); ++i) {
+    const int sign = telling_sign(starts, i);
+    text += (i == 0 ? " Give --start-pose \"" : ", or --start-pose \"") +
+            pose_argument(manipulator.task_space(), starts[i].pose) + "\"";
+    if (sign != 0) text += std::string(" (the same as --start-sign ") + (sign > 0 ? "+" : "-") + ")";
+  }
+  if (starts.size() > most) text += ", or one of " + std::to_string(starts.size() - most) + " more";
+  return text + (starts.empty() ? "" : ".");
+}
+
 TrajectoryCheck check_joints(const std::shared_ptr<const Manipulator>& manipulator,
-                             const CheckArguments& arguments) {
+                             const CheckArguments& arguments, const MapControl& control) {
   if (!arguments.mode.empty())
     throw InvalidDescription(
         {"--mode is of --path; the start of actuated joints tells theirs, leave it out."});
@@ -182,14 +211,21 @@ TrajectoryCheck check_joints(const std::shared_ptr<const Manipulator>& manipulat
   const auto waypoints = read_joint_waypoints(*manipulator, arguments.trajectory);
   Problems problems = problems_of(*manipulator, waypoints, start);
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
-  return check_trajectory(SegmentCertifier(manipulator), waypoints, start, options_of(arguments));
+  return check_trajectory(SegmentCertifier(manipulator), waypoints, start, options_of(arguments, control));
 }
 
-TrajectoryCheck check(const std::shared_ptr<const Manipulator>& manipulator,
-                      const CheckArguments& arguments) {
+TrajectoryCheck check(const std::shared_ptr<const Manipulator>& manipulator, const CheckArguments& arguments,
+                      const Surroundings& surroundings) {
+  const ShownComputation shown(surroundings);
   if (arguments.path.empty() == arguments.trajectory.empty())
     throw InvalidDescription({"Give one of --path, for poses, and --trajectory, for actuated joints."});
-  return arguments.path.empty() ? check_joints(manipulator, arguments) : check_path(manipulator, arguments);
+  const TrajectoryCheck result = arguments.path.empty()
+                                     ? check_joints(manipulator, arguments, shown.control())
+                                     : check_path(manipulator, arguments, shown.control());
+  shown.require_complete();
+  if (result.refused)
+    throw InvalidDescription({result.reason + start_options(*manipulator, result.possible_starts)});
+  return result;
 }
 
 void add_distances(const TrajectoryCheck& check, const std::vector<SampleDistances>& distances,
@@ -204,7 +240,7 @@ void add_distances(const TrajectoryCheck& check, const std::vector<SampleDistanc
   report.text += ".\n";
 }
 
-Report run(const CheckArguments& arguments) {
+Report run(const CheckArguments& arguments, const Surroundings& surroundings) {
   Problems problems;
   check_output_file("--csv", arguments.csv_file, problems);
   check_output_file("--picture", arguments.picture_file, problems);
@@ -212,7 +248,7 @@ Report run(const CheckArguments& arguments) {
       arguments.distances.empty() ? 0 : parse_count("--distances", arguments.distances, 10000, problems);
   const auto mechanism = load_robot(arguments.robot, std::move(problems));
   const auto manipulator = choose_constraints(mechanism->mapped_manipulator(), arguments.constraints);
-  const TrajectoryCheck result = check(manipulator, arguments);
+  const TrajectoryCheck result = check(manipulator, arguments, surroundings);
   Report report = report_check(*manipulator, result);
   const std::vector<SampleDistances> distances = distances_on(manipulator, result, points);
   add_distances(result, distances, report);
@@ -232,8 +268,8 @@ Subcommand check_subcommand() {
   options.push_back({"--mode", "\"(+,-)\"", "Working mode of the poses, as signs of B_jj", &arguments->mode});
   options.push_back(
       {"--trajectory", "FILE",
-       "CSV with values of the actuated joints: a header of time and their names, NAME/velocity and "
-       "NAME/acceleration where known",
+       "Values of the actuated joints: a trajectory_msgs/JointTrajectory in YAML, as rostopic prints it; or "
+       "CSV with a header of time and their names, NAME/velocity and NAME/acceleration where known",
        &arguments->trajectory});
   options.push_back(
       {"--start-pose", "\"x y\"",
@@ -253,7 +289,7 @@ Subcommand check_subcommand() {
                      &arguments->distances});
   for (const Option& option : constraint_options(arguments->constraints)) options.push_back(option);
   return {"check", "Tell whether a trajectory is safe at every time", options,
-          [arguments](const Surroundings&) { return run(*arguments); }};
+          [arguments](const Surroundings& surroundings) { return run(*arguments, surroundings); }};
 }
 
 }  // namespace parallel_aspects::tools

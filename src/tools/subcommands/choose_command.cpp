@@ -51,13 +51,16 @@ Report choose_for_path(const std::shared_ptr<const Manipulator>& manipulator,
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
   const auto map = cheap_map(manipulator, surroundings);
   options.map = map.get();
-  options.control = control_of(surroundings);
+  const ShownComputation shown(surroundings);
+  options.control = shown.control();
   const SegmentCertifier certifier(manipulator);
   const PathChoice choice = choose_working_mode(certifier, waypoints, options);
+  shown.require_complete();
   Report report = report_path_choice(*manipulator, choice, options.preference);
   report.exit_code = code_of(choice.answer);
   if (!arguments.changes) return report;
-  const ChangingPath changed = choose_posture_changes(certifier, waypoints);
+  const ChangingPath changed = choose_posture_changes(certifier, waypoints, shown.control());
+  shown.require_complete();
   add_changes(*manipulator, changed, report);
   if (choice.answer != TrajectoryAnswer::safe) report.exit_code = code_of(changed.answer);
   return report;

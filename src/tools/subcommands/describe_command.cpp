@@ -192,15 +192,14 @@ std::string frame_text(const Manipulator& manipulator) {
 std::string home_text(const Mechanism& mechanism) {
   const TaskSpace space = mechanism.manipulator()->task_space();
   const AssembledConfiguration home = mechanism.assembled();
-  std::string named, numbers;
+  std::string named;
   const PoseCoordinates coordinates = pose_coordinates(space, home.pose).unaryExpr(&without_noise);
-  for (Eigen::Index k = 0; k < coordinates.size(); ++k) {
+  for (Eigen::Index k = 0; k < coordinates.size(); ++k)
     named += (k == 0 ? "" : ", ") + coordinate_names(space)[static_cast<std::size_t>(k)] + ' ' +
              shown(coordinates[k]);
-    numbers += (k == 0 ? "" : " ") + shown(coordinates[k]);
-  }
   const TaskVector q = home.q.unaryExpr(&without_noise);
-  return "home pose: " + named + " (--pose \"" + numbers + "\"), at the joint values " + shown(q) + "\n";
+  return "home pose: " + named + " (--pose \"" + pose_argument(space, home.pose) +
+         "\"), at the joint values " + shown(q) + "\n";
 }
 
 // Those in force, and what the home pose lacks of them.

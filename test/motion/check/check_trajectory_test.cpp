@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/motion/check_trajectory.h"
 
+#include "motion/check/check_text.h"
+
 #include <gtest/gtest.h>
 
 #include "support/configuration_at.h"
+#include "support/constrained_robots.h"
 #include "support/pose_pairs.h"
 #include "support/shipped.h"
 #include "support/thoroughness.h"
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -233,8 +238,42 @@ TEST_F(FiveBarPaths, BadInputIsSaidInOneSentenceEach) {
   EXPECT_EQ(problems_of(*robot, {good, {2.0, Pose::planar(nan, 0.0)}}, mode).size(), 1U);
   EXPECT_EQ(problems_of(*robot, {good}, WorkingMode(3)).size(), 1U);
   EXPECT_EQ(problems_of(*robot, {{0.0, Pose::planar(4.5, 90.0)}, later}, mode).size(), 1U);
+  for (const double huge : {1e300, -1e308, 2e12}) {
+    EXPECT_EQ(problems_of(*robot, {good, {2.0, Pose::planar(huge, 0.0)}}, mode).size(), 1U);
+    EXPECT_EQ(problems_of(*robot, {{-std::abs(huge), good.pose}, {std::abs(huge), good.pose}}, mode).size(),
+              2U);
+  }
+  EXPECT_EQ(problems_of(*robot, {good, {1e-12, later.pose}}, mode).size(), 1U);
   EXPECT_EQ(check({}).answer, TrajectoryAnswer::unknown);
+  EXPECT_TRUE(check({}).refused);
   EXPECT_NE(check({}).reason, "");
+}
+
+TEST_F(FiveBarPaths, AStartBelowAMarginIsRefusedWithByHowMuch) {
+  Constraints constraints;
+  constraints.margins.parallel = 0.99;
+  ConstraintKinds margins;
+  margins[index_of(ConstraintKind::margins)] = true;
+  const auto guarded = test::with(robot, constraints)->with_constraints(margins);
+  const Waypoints waypoints{{0.0, Pose::planar(4.5, 8.0)}, {1.0, Pose::planar(4.6, 8.0)}};
+  const TrajectoryCheck found = check_trajectory(SegmentCertifier(guarded), waypoints, mode);
+  EXPECT_TRUE(found.refused);
+  EXPECT_NE(found.reason.find("below the margin 0.99"), std::string::npos) << found.reason;
+}
+
+TEST_F(FiveBarPaths, BothEndsOfABracketDiffer) {
+  const std::array<std::string, 2> close = bracket_text(4.875683006, 4.875683006 + 1e-14);
+  EXPECT_NE(close[0], close[1]);
+  EXPECT_EQ(bracket_text(1.0, 2.0)[0], "1");
+  EXPECT_EQ(bracket_text(0.5, 0.5)[1], "0.5");
+}
+
+TEST_F(FiveBarPaths, WhatIsCancelledIsUnknown) {
+  const std::atomic<bool> cancelled{true};
+  TrajectoryCheckOptions options;
+  options.control.cancelled = &cancelled;
+  const Waypoints waypoints{{0.0, Pose::planar(4.5, 8.0)}, {1.0, Pose::planar(4.6, 8.0)}};
+  EXPECT_EQ(check_trajectory(certifier, waypoints, mode, options).answer, TrajectoryAnswer::unknown);
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ class Folds : public testing::TestWithParam<const char*> {
     const TaskVector rounding = TaskVector::Constant(from.q.size(), 1e-12);
     const CertifiedBall ball = poses.ball(way.at(), still, rounding, 0.0, 0.0);
     if (!ball.certified) return std::nullopt;
-    return FoldProof(*robot, poses, path).latest(way.at(), ball.radius, 0.0, share);
+    return FoldProof(*robot, poses, path).latest(way.at(), ball.radius, 0.0, share, 1.0);
   }
 };
 

@@ -8,6 +8,7 @@
 #include "support/shipped.h"
 #include "support/thoroughness.h"
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <iostream>
 #include <limits>
@@ -143,6 +144,46 @@ TEST(PathOfTheFiveBar, IsChangedWhereTheWayToTheFoldedLegIsShortest) {
   EXPECT_GE(change.detour, shortest - 1e-3);
   EXPECT_LE(change.detour, 1.05 * shortest);
   EXPECT_NEAR(change.time, where, 0.05);
+}
+
+// As many poses as a controller records: what is looked at does not grow with them.
+TEST(PathOfManyPoses, IsChosenAsThatOfFew) {
+  const auto robot = test::shipped("five_bar")->manipulator();
+  const SegmentCertifier certifier(robot);
+  const auto circle = [](int poses) {
+    Waypoints path;
+    for (int i = 0; i < poses; ++i) {
+      const double angle = 2.0 * EIGEN_PI * i / (poses - 1);
+      path.push_back({1.0 * i / (poses - 1), Pose::planar(4.5 + std::cos(angle), 6.5 + std::sin(angle))});
+    }
+    return path;
+  };
+  const Waypoints many = circle(test::thinned(20000));
+  const PathChoice few_found = choose_working_mode(certifier, circle(400)),
+                   found = choose_working_mode(certifier, many);
+  ASSERT_EQ(found.answer, TrajectoryAnswer::safe);
+  EXPECT_EQ(found.modes.front().mode, few_found.modes.front().mode);
+  ASSERT_TRUE(found.modes.front().clearance);
+  EXPECT_LE(found.modes.front().clearance->measures, 201U);
+  const double measured = few_found.modes.front().clearance->measured;
+  EXPECT_GE(found.modes.front().clearance->lower, 0.9 * measured);
+  EXPECT_LE(found.modes.front().clearance->lower, 1.01 * measured);
+  EXPECT_EQ(choose_posture_changes(certifier, many).answer, TrajectoryAnswer::safe);
+  std::atomic<bool> cancelled{true};
+  EXPECT_EQ(choose_posture_changes(certifier, many, {{}, &cancelled}).answer, TrajectoryAnswer::unknown);
+  cancelled = false;
+  double share = 0.0;
+  PathChoiceOptions options;
+  options.control = {[&](double done) {
+                       EXPECT_GE(done, share);
+                       share = done;
+                       cancelled = done > 0.3;
+                     },
+                     &cancelled};
+  EXPECT_EQ(choose_working_mode(certifier, many, options).modes.back().check.answer,
+            TrajectoryAnswer::unknown);
+  EXPECT_GT(share, 0.3);
+  EXPECT_LT(share, 0.5);
 }
 
 TEST(PathWithoutALift, IsNotGuessed) {

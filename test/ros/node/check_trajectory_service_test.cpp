@@ -131,6 +131,48 @@ TEST_F(CheckService, BadQuestionsAreRefusedWithASentence) {
   EXPECT_EQ(code(bad), Status::NO_JOINT_STATES);
 }
 
+TEST_F(CheckService, AnAmbiguousStartNamesFieldsThatWork) {
+  Request request = through({joints(4.5, 8.0), joints(4.6, 8.0)});
+  request.start = Configuration();
+  request.start.kind = Configuration::JOINTS;
+  const Response ambiguous = ask(request);
+  EXPECT_EQ(ambiguous.status.code, Status::INVALID_REQUEST);
+  EXPECT_NE(ambiguous.status.message.find("2 assembly modes; state which. Give start.kind 1"),
+            std::string::npos)
+      << ambiguous.status.message;
+  EXPECT_NE(ambiguous.status.message.find("start.kind 2 with determinant_sign 1"), std::string::npos)
+      << ambiguous.status.message;
+  request.start.determinant_sign = 1;
+  EXPECT_EQ(ask(request).answer, Response::YES);
+}
+
+TEST_F(CheckService, UnknownJointsAreNamed) {
+  Request request = through({joints(4.5, 8.0), joints(4.6, 8.0)});
+  request.trajectory.joint_names.emplace_back("gripper");
+  for (auto& point : request.trajectory.points) point.positions.push_back(0.0);
+  const Response response = ask(request);
+  EXPECT_EQ(response.status.code, Status::INVALID_REQUEST);
+  EXPECT_NE(response.status.message.find("unknown joint 'gripper'"), std::string::npos)
+      << response.status.message;
+}
+
+TEST_F(CheckService, MeasuresDistancesAtStatedPoints) {
+  Request request = through({joints(4.5, 8.0), joints(4.6, 8.0)});
+  EXPECT_TRUE(ask(request).distance_times.empty());
+  request.distances = 5;
+  const Response response = ask(request);
+  ASSERT_EQ(response.distance_times.size(), 5U) << response.status.message;
+  EXPECT_EQ(response.distance_times.front(), 0.0);
+  EXPECT_EQ(response.distance_times.back(), 1.0);
+  ASSERT_EQ(response.least_distances.size(), 3U);
+  for (const double distance : response.parallel_distances) {
+    EXPECT_GT(distance, 0.0);
+    EXPECT_GE(distance, response.least_distances[0]);
+  }
+  request.distances = 1001;
+  EXPECT_EQ(ask(request).status.code, Status::INVALID_REQUEST);
+}
+
 TEST_F(CheckService, StartsWhereTheRobotIs) {
   ros::NodeHandle nh;
   const ros::Publisher publisher = nh.advertise<sensor_msgs::JointState>("joint_states", 100);

@@ -106,8 +106,8 @@ TEST_F(CheckCommand, SamplesAreWrittenAsATableAndAPicture) {
 }
 
 TEST_F(CheckCommand, MarginsAreChecked) {
-  const std::string path = "t,x,y\n0,4.5,8\n1,4.6,8\n";
-  const Outcome outcome = check_path(path, {"--margin", "parallel=0.999", "--json"});
+  const std::string path = "t,x,y\n0,4.5,8\n1,4.5,30\n";
+  const Outcome outcome = check_path(path, {"--margin", "parallel=0.5", "--json"});
   ASSERT_EQ(outcome.code, exit_code::unsafe) << outcome.messages;
   const json result = json::parse(outcome.output);
   EXPECT_EQ(result.at("first_violation").at("constraint"), "margins");
@@ -138,10 +138,23 @@ TEST_F(CheckCommand, JointsAreFollowedFromTheStart) {
   const std::string name = file("t," + joints + "\n0," + row(start) + "2," + row(end));
   const std::vector<const char*> arguments{"check", "five_bar", "--trajectory", name.c_str(), "--json"};
   const Outcome ambiguous = run(arguments);
-  EXPECT_EQ(ambiguous.code, exit_code::unknown) << ambiguous.messages;
-  EXPECT_NE(json::parse(ambiguous.output).at("reason").get<std::string>().find("assembly modes"),
-            std::string::npos);
+  EXPECT_EQ(ambiguous.code, exit_code::bad_input);
+  EXPECT_EQ(test::line_count(ambiguous.messages), 1U);
+  EXPECT_NE(ambiguous.messages.find("2 assembly modes; state which."), std::string::npos)
+      << ambiguous.messages;
   std::vector<const char*> stated = arguments;
+  for (const std::string option :
+       {"--start-pose \"", "--start-sign "}) {  // as the sentence says, to the letter
+    const std::size_t at = ambiguous.messages.find(option);
+    ASSERT_NE(at, std::string::npos) << ambiguous.messages;
+    const std::size_t from = at + option.size();
+    const std::string value =
+        ambiguous.messages.substr(from, ambiguous.messages.find_first_of("\")", from) - from);
+    stated.insert(stated.end(), {option.substr(0, 12).c_str(), value.c_str()});
+    const Outcome followed = run(stated);
+    EXPECT_TRUE(followed.code == exit_code::ok || followed.code == exit_code::unsafe) << followed.messages;
+    stated = arguments;
+  }
   stated.insert(stated.end(), {"--start-pose", "4.5 8"});
   const Outcome safe = run(stated);
   EXPECT_EQ(safe.code, exit_code::ok) << safe.output << safe.messages;
@@ -149,6 +162,15 @@ TEST_F(CheckCommand, JointsAreFollowedFromTheStart) {
   EXPECT_EQ(run(stated).code, exit_code::bad_input);
   file("t,shoulder\n0,1\n");
   EXPECT_EQ(run(arguments).code, exit_code::bad_input);
+}
+
+TEST_F(CheckCommand, AStartBelowAMarginIsRefusedBeforeAnythingStarts) {
+  const Outcome outcome = check_path("t,x,y\n0,4.5,8\n1,4.6,8\n", {"--margin", "parallel=0.99"});
+  EXPECT_EQ(outcome.code, exit_code::bad_input);
+  EXPECT_EQ(outcome.output, "");
+  EXPECT_EQ(test::line_count(outcome.messages), 1U) << outcome.messages;
+  EXPECT_NE(outcome.messages.find("does not keep the margins: the parallel index is 0."), std::string::npos)
+      << outcome.messages;
 }
 
 TEST_F(CheckCommand, MessagesAreReadAsRostopicPrintsThem) {

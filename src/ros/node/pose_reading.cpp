@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros/node/pose_reading.h"
+
+#include "ros/messages/conversions.h"
+
+#include <utility>
+
+namespace parallel_aspects {
+
+Status read_pose(const Manipulator& manipulator, const PoseTransformer& to_base,
+                 const geometry_msgs::PoseStamped& message, const std::string& which, Pose& pose) {
+  std::string failure;
+  const auto in_base = to_base(message, failure);
+  if (!in_base) return make_status(Status::NO_TRANSFORM, std::move(failure));
+  const auto found = pose_from_base(manipulator, *in_base);
+  if (!found)
+    return make_status(Status::INVALID_REQUEST, which +
+                                                    " must be finite, and its quaternion of unit length "
+                                                    "where the platform turns.");
+  pose = *found;
+  const double off = distance_off_task_space(manipulator, *in_base);
+  if (!(off > 1e-6 * manipulator.size())) return {};
+  return make_status(Status::OK,
+                     which + " is " + std::to_string(off) +
+                         " m off the motions of the platform; the answer is about its projection.");
+}
+
+}  // namespace parallel_aspects
