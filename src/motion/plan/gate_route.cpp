@@ -25,8 +25,8 @@ class RouteSearch {
     for (std::size_t i = 0; i < graph.gates.size(); ++i) {
       const Neighbours& gate = graph.gates[i];
       if (!gate.proved || gate.crossing != Crossing::serial) continue;
-      add({{gate.segment.front(), gate.first}, Kind::gate, i});
-      add({{gate.segment.front(), gate.second}, Kind::gate, i});
+      add({{gate.crossings.front().segment.front(), gate.first}, Kind::gate, i});
+      add({{gate.crossings.front().segment.front(), gate.second}, Kind::gate, i});
     }
     for (std::size_t i = 0; i < goals.size(); ++i) add({goals[i], Kind::goal, i});
   }

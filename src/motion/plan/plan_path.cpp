@@ -240,10 +240,10 @@ class PathPlanner::Search {
     PoseInAspect at = start;
     for (const std::size_t index : gates) {
       const Neighbours& gate = planner_.parts_->graph->gates[index];
-      if (!go(builder, at, gate.segment.front())) return {};
+      if (!go(builder, at, gate.crossings.front().segment.front())) return {};
       const int next = gate.first == at.aspect ? gate.second : gate.first;
       if (!pass(builder, gate, at.aspect, next)) return {};
-      at = {gate.segment.front(), next};
+      at = {gate.crossings.front().segment.front(), next};
     }
     if (!go(builder, at, goal.pose)) return {};
     return builder.take(gates.empty() ? "Every segment is proved free of singularities."
@@ -262,9 +262,9 @@ class PathPlanner::Search {
     const WorkingMode before = aspect_of(map_, from).mode, after = aspect_of(map_, to).mode;
     const int sign = aspect_of(map_, from).determinant_sign;
     const MapSegments& segments = paths_.segments();
-    std::vector<Pose> poses{gate.segment.front()};
-    for (std::size_t i = 0; i + 1 < gate.segment.size(); ++i) {
-      const Pose &start = gate.segment[i], &end = gate.segment[i + 1];
+    std::vector<Pose> poses{gate.crossings.front().segment.front()};
+    for (std::size_t i = 0; i + 1 < gate.crossings.front().segment.size(); ++i) {
+      const Pose &start = gate.crossings.front().segment[i], &end = gate.crossings.front().segment[i + 1];
       const double share = std::min(segments.free_share(start, end, before, sign),
                                     segments.free_share(start, end, after, sign));
       if (share > 0.0) poses.push_back(segments.between(start, end, share));

@@ -32,8 +32,12 @@ TEST_F(GraphCommand, HasTheTwoSetsOfTheFiveBar) {
   }
   for (const json& gate : graph.at("gates")) {
     EXPECT_EQ(gate.at("leg").is_null(), gate.at("crossing") == "parallel");
-    if (gate.at("proved").get<bool>()) {
-      EXPECT_GE(gate.at("segment").size(), 2U);
+    EXPECT_EQ(gate.at("proved").get<bool>(), !gate.at("crossings").empty());
+    double before = 1.0;
+    for (const json& crossing : gate.at("crossings")) {
+      EXPECT_GE(crossing.at("segment").size(), 2U);
+      EXPECT_LE(crossing.at("index").get<double>(), before);
+      before = crossing.at("index");
     }
   }
 }
