@@ -9,9 +9,9 @@
 #include "support/pose_pairs.h"
 #include "support/shipped.h"
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <functional>
 #include <limits>
 #include <map>
@@ -21,11 +21,14 @@
 namespace parallel_aspects {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+/// Of the processor, so that other work on the machine counts nothing.
+class Stopwatch {
+ public:
+  double seconds() const { return static_cast<double>(std::clock() - start_) / CLOCKS_PER_SEC; }
 
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
+ private:
+  std::clock_t start_ = std::clock();
+};
 
 double quantile(std::vector<double> values, double share) {
   if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
@@ -35,7 +38,7 @@ double quantile(std::vector<double> values, double share) {
 
 struct Row {
   int pairs = 0, none = 0, unknown = 0, contradicted = 0;
-  std::vector<double> seconds, lengths;  // of all questions; of the paths, by the distance of their ends
+  std::vector<double> seconds, lengths;  // of the paths; the latter over the distance of their ends
   std::map<std::string, int> reasons;    // why unknown
 };
 
@@ -66,14 +69,15 @@ Row ask(const std::shared_ptr<const Manipulator>& robot, const Plan& plan, bool 
   for (int i = 0; i < pairs; ++i) {
     const WorkingMode first = random.mode(), second = one_mode ? first : random.mode();
     const PathEnd from{random.reached(first).value(), first}, to{random.reached(second).value(), second};
-    const auto start = Clock::now();
+    const Stopwatch stopwatch;
     const PlannedPath path = plan(from, to);
-    row.seconds.push_back(seconds_since(start));
+    const double seconds = stopwatch.seconds();
     ++row.pairs;
     row.none += path.answer == SameAspect::no;
     row.unknown += path.answer == SameAspect::unknown;
     if (path.answer == SameAspect::unknown) ++row.reasons[path.message];
     if (!path) continue;
+    row.seconds.push_back(seconds);
     row.lengths.push_back((path.length + robot->characteristic_length() * path.turned) /
                           std::hypot((to.pose.position - from.pose.position).norm(),
                                      robot->characteristic_length() *
@@ -94,28 +98,27 @@ void print(const std::string& robot, PathPolicy policy, const Row& row) {
 
 void plan_in_maps(const std::string& name, const std::shared_ptr<const Manipulator>& robot, int pairs,
                   int samples) {
-  auto start = Clock::now();
+  const Stopwatch of_map;
   PathPlanner planner(compute_aspect_map(robot).map);
-  const double map_seconds = seconds_since(start);
-  start = Clock::now();
+  const double map_seconds = of_map.seconds();
+  const Stopwatch of_graph;
   planner.graph();
-  std::fprintf(stderr, "%s: map %.2f s, graph %.2f s\n", name.c_str(), map_seconds, seconds_since(start));
+  std::fprintf(stderr, "%s: map %.2f s, graph %.2f s\n", name.c_str(), map_seconds, of_graph.seconds());
   for (const PathPolicy policy : {PathPolicy::stay, PathPolicy::serial})
     print(name, policy,
           ask(
-              robot,
-              [&](const PathEnd& from, const PathEnd& to) { return planner.plan(from, to, policy); },
+              robot, [&](const PathEnd& from, const PathEnd& to) { return planner.plan(from, to, policy); },
               policy == PathPolicy::stay, pairs, samples));
 }
 
 void plan_in_roadmaps(const std::string& name, const std::shared_ptr<const Manipulator>& robot, int pairs,
                       int samples) {
   const auto roadmap = compute_pose_roadmap(robot).roadmap;
-  print(name, PathPolicy::stay,
-        ask(
-            robot,
-            [&](const PathEnd& from, const PathEnd& to) { return plan_in_roadmap(*roadmap, from, to); }, true,
-            pairs, samples));
+  print(
+      name, PathPolicy::stay,
+      ask(
+          robot, [&](const PathEnd& from, const PathEnd& to) { return plan_in_roadmap(*roadmap, from, to); },
+          true, pairs, samples));
 }
 
 int run(int pairs, int samples, const std::vector<std::string>& robots) {
