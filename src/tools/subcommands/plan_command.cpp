@@ -30,11 +30,13 @@ struct Question {
 };
 
 PathPolicy parse_policy(const std::string& text, Problems& problems) {
-  if (text == "serial") return PathPolicy::serial;
-  if (!text.empty() && text != "stay")
-    problems.push_back("--policy is '" + text +
-                       "'; give stay, to stay in one aspect, or serial, to pass serial "
-                       "singularities.");
+  for (const PathPolicy policy : {PathPolicy::stay, PathPolicy::serial, PathPolicy::any})
+    if (text == name(policy)) return policy;
+  if (!text.empty())
+    problems.push_back(
+        "--policy is '" + text +
+        "'; give stay, to stay in one aspect, serial, to pass serial singularities, or any, to "
+        "pass parallel ones too.");
   return PathPolicy::stay;
 }
 
@@ -66,7 +68,7 @@ PlannedPath plan_over_roadmap(const std::shared_ptr<const Manipulator>& manipula
   RoadmapOptions options = parse_roadmap(arguments.roadmap, problems);
   if (question.policy != PathPolicy::stay)
     problems.emplace_back(
-        "--policy serial needs a map, and in SE3 there is none; leave it out, or give --hold.");
+        "--policy serial and any need a map, and in SE3 there is none; leave it out, or give --hold.");
   if (!arguments.map.resolution.empty() || !arguments.map.load_file.empty())
     problems.emplace_back("--resolution and --load are for maps, and in SE3 there is none; leave them out.");
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
@@ -125,8 +127,10 @@ Subcommand plan_subcommand() {
                      "Working mode at the start, as signs of B_jj; by default any", &arguments->from_mode});
   options.push_back(
       {"--to-mode", "\"(+,-)\"", "Working mode at the goal; by default any", &arguments->to_mode});
-  options.push_back({"--policy", "stay|serial",
-                     "stay: in one aspect, the default. serial: legs may change their posture on the way",
+  options.push_back({"--policy", "stay|serial|any",
+                     "stay: in one aspect, the default. serial: legs may change their posture on the way. "
+                     "any: through det A = 0 too, where control of the platform is lost; each such place is "
+                     "told",
                      &arguments->policy});
   for (const Option& option : map_choice_options(arguments->map, "--hold")) options.push_back(option);
   options.push_back({"--samples", "N", "With six degrees of freedom: poses of the roadmap, by default 1000",

@@ -134,6 +134,42 @@ TEST(PlanPath, JoinsEveryPairOfAspectsOfOneSetOfTheFiveBar) {
     }
 }
 
+/// How often det A changes its sign between the points of a parallel crossing, straight in T2.
+int changes_of_sign(const Manipulator& robot, const PlannedPath& path, const PathCrossing& crossing) {
+  const PathPoint &from = path.points[crossing.point], &to = path.points[crossing.behind];
+  int changes = 0;
+  double before = 0.0;
+  for (int k = 0; k <= 2000; ++k) {
+    Pose pose = from.pose;
+    pose.position += k / 2000.0 * (to.pose.position - from.pose.position);
+    const JointVector q = inverse(robot, pose, from.mode).q;
+    const double now = static_cast<double>(test::IndexAt(robot, pose, q).signed_determinant());
+    changes += before * now < 0.0;
+    before = now;
+  }
+  return changes;
+}
+
+// Sets of different signs are joined through det A = 0 alone, which every path of these crosses once.
+TEST(PlanPath, TellsWhereControlIsLost) {
+  const auto map = map_of(test::five_bar());
+  PathPlanner planner(map);
+  for (const Aspect& first : map->aspects())
+    for (const Aspect& second : map->aspects()) {
+      const PlannedPath path =
+          planner.plan({first.deepest, first.mode}, {second.deepest, second.mode}, PathPolicy::any);
+      ASSERT_TRUE(path) << first.id << " to " << second.id << ": " << path.message;
+      int lost = 0;
+      for (const PathCrossing& crossing : path.crossings) {
+        if (crossing.kind == Crossing::serial) continue;
+        ++lost;
+        EXPECT_EQ(changes_of_sign(*map->manipulator(), path, crossing), 1);
+        EXPECT_EQ(path.points[crossing.point].mode, path.points[crossing.behind].mode);
+      }
+      EXPECT_EQ(lost, first.determinant_sign == second.determinant_sign ? 0 : 1);
+    }
+}
+
 struct Case {
   const char* name;
   Robot robot;
