@@ -18,13 +18,13 @@ constexpr double cost_of_crossing = 0.1;
 // What it counts as that control of the platform is lost.
 constexpr double cost_of_lost_control = 100.0;
 
-/// Dijkstra over the places where a gate or an end lies in an aspect: ways lead from a start or from behind a
-/// gate to a goal or to before a gate.
+/// A*, by the distance to the goal as the crow flies, over the places where a gate or an end lies in an
+/// aspect: ways lead from a start or from behind a gate to a goal or to before a gate.
 class RouteSearch {
  public:
   RouteSearch(const AspectMap& map, const AspectGraph& graph, const std::vector<PoseInAspect>& starts,
               const std::vector<PoseInAspect>& goals, PathPolicy policy, const BarredWays& barred)
-      : robot_(*map.manipulator()), barred_(barred), ends_in_aspect_(map.aspects().size()) {
+      : robot_(*map.manipulator()), goals_(goals), barred_(barred), ends_in_aspect_(map.aspects().size()) {
     for (std::size_t i = 0; i < starts.size(); ++i) add({starts[i], Kind::start, {i, 0}});
     for (std::size_t i = 0; i < graph.gates.size(); ++i)
       if (may_pass(graph.gates[i].crossing, policy)) add_gate(map, graph.gates[i], i);
@@ -35,11 +35,11 @@ class RouteSearch {
     for (std::size_t i = 0; i < places_.size(); ++i)
       if (places_[i].kind == Kind::start) reach(i, i, 0.0);
     while (!open_.empty()) {
-      const auto [cost, at] = open_.top();
+      const std::size_t at = open_.top().second;
       open_.pop();
-      if (cost > cost_[at]) continue;
       if (places_[at].kind == Kind::goal) return route(at);
-      expand(at, cost);
+      if (!done_[at]) expand(at, cost_[at]);
+      done_[at] = true;
     }
     return std::nullopt;
   }
@@ -92,6 +92,11 @@ class RouteSearch {
     places_.push_back(place);
     cost_.push_back(infinite);
     before_.push_back(0);
+    done_.push_back(false);
+    double nearest = infinite;
+    for (const PoseInAspect& goal : goals_)
+      nearest = std::min(nearest, distance_between(robot_, place.at.pose, goal.pose));
+    to_goal_.push_back(nearest);
   }
 
   void expand(std::size_t at, double cost) {
@@ -106,7 +111,7 @@ class RouteSearch {
     if (!(cost < cost_[place])) return;
     cost_[place] = cost;
     before_[place] = before;
-    open_.push({cost, place});
+    open_.push({cost + to_goal_[place], place});
   }
 
   GateRoute route(std::size_t goal) const {
@@ -125,10 +130,12 @@ class RouteSearch {
   }
 
   const Manipulator& robot_;
+  const std::vector<PoseInAspect>& goals_;
   const BarredWays& barred_;
   std::vector<std::vector<std::size_t>> ends_in_aspect_;  // where ways end, by id - 1
   std::vector<Place> places_;
-  std::vector<double> cost_;
+  std::vector<double> cost_, to_goal_;
+  std::vector<bool> done_;
   std::vector<std::size_t> before_;
   using Open = std::pair<double, std::size_t>;
   std::priority_queue<Open, std::vector<Open>, std::greater<>> open_;

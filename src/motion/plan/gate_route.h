@@ -18,7 +18,8 @@ namespace parallel_aspects {
 /// A pose in an aspect.
 struct PoseInAspect {
   Pose pose;
-  int aspect = 0;  // id
+  int aspect = 0;            // id
+  std::vector<Pose> lead{};  // of an end that another pose leads into: from that pose to this one
 };
 
 /// One crossing of one gate, by index in their lists.

@@ -2,6 +2,7 @@
 #include "motion/plan/leaf_path.h"
 
 #include "aspects/map/map_location.h"
+#include "aspects/tree/face_traversal.h"
 #include "aspects/tree/near_leaves.h"
 #include "aspects/tree/neighbour_leaves.h"
 
@@ -16,18 +17,19 @@ namespace parallel_aspects {
 namespace {
 
 // What a path counts in a leaf as small as the resolution, and more in an undecided one.
-constexpr double cost_of_small_leaves = 3.0, cost_of_undecided_leaves = 10.0;
+constexpr double cost_of_small_leaves = 3.0, cost_of_undecided_leaves = 6.0;
 
 // What the distance to the goal counts, more than a path could cost at least: then far fewer leaves are
 // looked at, and the path is shortened anyway.
-constexpr double greed = 3.0;
+constexpr double greed = 10.0;
 
 /// A* from middle to middle. The goal is `no_node`, which the leaves near it lead to.
 class LeafSearch {
  public:
-  LeafSearch(const AspectMap::Contents& map, const Aspect& aspect, const Pose& from, const Pose& to,
-             const LeafChoice& choice)
+  LeafSearch(const AspectMap::Contents& map, FaceComponents& components, const Aspect& aspect,
+             const Pose& from, const Pose& to, const LeafChoice& choice)
       : map_(map),
+        components_(components),
         aspect_(aspect),
         mode_(*mode_index(map, aspect.mode)),
         from_(from),
@@ -37,7 +39,7 @@ class LeafSearch {
   std::vector<LeafStep> run() {
     for (const NodeIndex leaf : leaves_near(to_)) last_.insert(leaf);
     for (const NodeIndex leaf : leaves_near(from_))
-      if (!is_barred(no_node, leaf)) enter(leaf, no_node, distance(from_, middle(leaf)));
+      if (!is_barred(no_node, leaf) && may_lead_on(leaf)) enter(leaf, no_node, distance(from_, middle(leaf)));
     while (!open_.empty()) {
       const NodeIndex leaf = open_.top().leaf;
       if (leaf == no_node) return path();
@@ -68,6 +70,13 @@ class LeafSearch {
   bool is_barred(NodeIndex from, NodeIndex to) const {
     return !choice_.barred.empty() && choice_.barred.count({from, to}) > 0;
   }
+  /// Saves a search of all that is connected where the goal is not.
+  bool may_lead_on(NodeIndex leaf) {
+    return choice_.undecided || std::any_of(last_.begin(), last_.end(), [&](NodeIndex last) {
+             return components_.are_connected(leaf, last);
+           });
+  }
+
   bool is_inside(NodeIndex leaf) const { return map_.leaf_aspect(leaf, mode_) == aspect_.id; }
 
   bool may_pass(NodeIndex leaf) const {
@@ -165,6 +174,7 @@ class LeafSearch {
   }
 
   const AspectMap::Contents& map_;
+  FaceComponents& components_;
   const Aspect& aspect_;
   std::size_t mode_;
   const Pose &from_, &to_;
@@ -181,9 +191,17 @@ double distance_between(const Manipulator& manipulator, const Pose& from, const 
   return std::hypot((to.position - from.position).norm(), manipulator.characteristic_length() * angle);
 }
 
-std::vector<LeafStep> find_leaf_path(const AspectMap::Contents& map, int aspect, const Pose& from,
-                                     const Pose& to, const LeafChoice& choice) {
-  return LeafSearch(map, map.aspects[static_cast<std::size_t>(aspect - 1)], from, to, choice).run();
+FaceComponents::FaceComponents(const AspectMap::Contents& map, std::size_t mode)
+    : sets_(map.tree.node_count()) {
+  visit_faces(map.tree, mode, [&](NodeIndex a, NodeIndex b) {
+    if (map.tree.state(a, mode).is_inside() && map.tree.state(b, mode).is_inside()) sets_.unite(a, b);
+  });
+}
+
+std::vector<LeafStep> find_leaf_path(const AspectMap::Contents& map, FaceComponents& components, int aspect,
+                                     const Pose& from, const Pose& to, const LeafChoice& choice) {
+  return LeafSearch(map, components, map.aspects[static_cast<std::size_t>(aspect - 1)], from, to, choice)
+      .run();
 }
 
 }  // namespace parallel_aspects

@@ -7,6 +7,7 @@
 #include "motion/plan/aspect_paths.h"
 #include "motion/plan/gate_route.h"
 #include "motion/plan/leaf_path.h"
+#include "motion/plan/way_in.h"
 #include "motion/roadmap.h"
 #include "parallel_aspects/aspects/held_joint.h"
 #include "parallel_aspects/kinematics/inverse.h"
@@ -74,7 +75,17 @@ void explain(const AspectMap& map, const SegmentCertifier& certifier, const Pose
                        " it is closer to a singularity or a limit than the map can tell");
 }
 
-EndAspects find_aspects(const AspectMap& map, const SegmentCertifier& certifier, const PathEnd& end) {
+/// Where the map itself cannot tell, a proved way into an aspect does.
+PoseInAspect find_lead(const AspectMap& map, const MapSegments& segments, const PoseInMode& at) {
+  const int sign = segments.certifier().prove(at.pose, at.mode).sign;
+  if (sign == 0) return {};
+  WayIn way = find_way_in(map, segments, at.pose, at.mode, sign);
+  if (way.aspect == 0) return {};
+  const Pose last = way.poses.back();
+  return {last, way.aspect, std::move(way.poses)};
+}
+
+EndAspects find_aspects(const AspectMap& map, const MapSegments& segments, const PathEnd& end) {
   EndAspects result;
   if (!is_in_slice(map, end.pose)) {
     result.all_known = false;
@@ -84,10 +95,17 @@ EndAspects find_aspects(const AspectMap& map, const SegmentCertifier& certifier,
   for (const WorkingMode& mode : working_modes(*map.manipulator())) {
     if (end.mode && mode != *end.mode) continue;
     const Location location = map.locate(end.pose, mode);
-    if (location)
+    if (location) {
       result.found.push_back({end.pose, location.aspect});
+      continue;
+    }
+    const PoseInAspect led = location.status == LocationStatus::undecided
+                                 ? find_lead(map, segments, {end.pose, mode})
+                                 : PoseInAspect{};
+    if (led.aspect != 0)
+      result.found.push_back(led);
     else
-      explain(map, certifier, {end.pose, mode}, location.status, result);
+      explain(map, segments.certifier(), {end.pose, mode}, location.status, result);
   }
   return result;
 }
@@ -182,8 +200,8 @@ class PathPlanner::Search {
       : planner_(planner), map_(*planner.parts_->map), paths_(planner.parts_->paths), control_(control) {}
 
   PlannedPath run(const PathEnd& from, const PathEnd& to, PathPolicy policy) {
-    const EndAspects starts = find_aspects(map_, paths_.segments().certifier(), from),
-                     goals = find_aspects(map_, paths_.segments().certifier(), to);
+    const EndAspects starts = find_aspects(map_, paths_.segments(), from),
+                     goals = find_aspects(map_, paths_.segments(), to);
     if (starts.found.empty()) return not_in_aspect("start", starts);
     if (goals.found.empty()) return not_in_aspect("goal", goals);
     PlannedPath found = stay(starts, goals);
@@ -259,6 +277,7 @@ class PathPlanner::Search {
       return paths_.segments().between(from, to, t);
     });
     PoseInAspect at = start;
+    builder.go(start.lead, aspect_of(map_, start.aspect).mode);
     for (std::size_t i = 0; i < route.steps.size(); ++i) {
       const Neighbours& gate = planner_.parts_->graph->gates[route.steps[i].gate];
       std::vector<Pose> segment = gate.crossings[route.steps[i].crossing].segment;
@@ -278,6 +297,7 @@ class PathPlanner::Search {
       barred.insert(route.ways.back());
       return {};
     }
+    builder.go({goal.lead.rbegin(), goal.lead.rend()}, aspect_of(map_, goal.aspect).mode);
     return builder.take(route.steps.empty() ? "Every segment is proved free of singularities."
                                             : "Every segment and every crossing is proved.");
   }

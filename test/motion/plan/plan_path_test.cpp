@@ -205,6 +205,33 @@ INSTANTIATE_TEST_SUITE_P(Robots, PlanPathOf,
                                          Case{"delta", test::delta(), 0.3, 8}),
                          [](const auto& each) { return std::string(each.param.name); });
 
+// Ends so near to a boundary that the map alone cannot tell their aspect: proved segments lead away from it.
+TEST(PlanPath, BeginsWhereTheMapIsUndecided) {
+  const auto map = map_of(test::three_rrr(), 2.0);
+  PathPlanner planner(map);
+  std::mt19937_64 random(7);
+  int undecided = 0, found = 0;
+  for (int i = 0; i < (test::is_sanitized ? 500 : 4000); ++i) {
+    const Box& region = map->region();
+    const Pose pose = Pose::planar(test::uniform(random, region.lower[0], region.upper[0]),
+                                   test::uniform(random, region.lower[1], region.upper[1]),
+                                   test::uniform(random, -3.14, 3.14));
+    const Aspect& aspect = random_aspect(*map, random);
+    if (map->locate(pose, aspect.mode).status != LocationStatus::undecided ||
+        test::sign_at(*map->manipulator(), pose, aspect.mode).value_or(0) != aspect.determinant_sign)
+      continue;
+    ++undecided;
+    const PathEnd from{pose, aspect.mode}, to{aspect.deepest, aspect.mode};
+    const PlannedPath path = planner.plan(from, to, PathPolicy::stay);
+    if (!path) continue;
+    SCOPED_TRACE("pose " + std::to_string(i));
+    expect_no_contradiction(*map, from, to, path);
+    ++found;
+  }
+  EXPECT_GT(undecided, 0);
+  EXPECT_GE(3 * found, undecided) << "of " << undecided;
+}
+
 TEST(PlanPath, TakesTheShortestWorkingModeWhereNoneIsAskedFor) {
   const auto map = map_of(test::five_bar());
   PathPlanner planner(map);
