@@ -207,15 +207,16 @@ INSTANTIATE_TEST_SUITE_P(Robots, PlanPathOf,
 
 // Ends so near to a boundary that the map alone cannot tell their aspect: proved segments lead away from it.
 TEST(PlanPath, BeginsWhereTheMapIsUndecided) {
-  const auto map = map_of(test::three_rrr(), 2.0);
+  const auto map = map_of(test::delta(), 0.2);
   PathPlanner planner(map);
   std::mt19937_64 random(7);
   int undecided = 0, found = 0;
   for (int i = 0; i < (test::is_sanitized ? 500 : 4000); ++i) {
     const Box& region = map->region();
-    const Pose pose = Pose::planar(test::uniform(random, region.lower[0], region.upper[0]),
-                                   test::uniform(random, region.lower[1], region.upper[1]),
-                                   test::uniform(random, -3.14, 3.14));
+    Pose pose;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      pose.position[static_cast<Eigen::Index>(axis)] =
+          test::uniform(random, region.lower[axis], region.upper[axis]);
     const Aspect& aspect = random_aspect(*map, random);
     if (map->locate(pose, aspect.mode).status != LocationStatus::undecided ||
         test::sign_at(*map->manipulator(), pose, aspect.mode).value_or(0) != aspect.determinant_sign)
