@@ -29,27 +29,46 @@ std::vector<Option> map_choice_options(MapChoice& choice, const std::string& sli
 
 namespace {
 
-double put_onto_slice(const MapSlice& slice, const Manipulator& manipulator, const std::string& option,
-                      Pose& pose, Problems& problems) {
-  const AnchorCircle circle = circle_of_anchor(manipulator, *slice.joint);
-  const double distance = std::abs(circle.distance(pose));
+Pose nearest_of(const MapSlice& slice, const Manipulator& manipulator, const Pose& pose) {
+  if (slice.joint) return circle_of_anchor(manipulator, *slice.joint).nearest(pose);
+  Pose nearest = pose;
+  for (std::size_t i = 0; i < slice.moves.size(); ++i)
+    if (!slice.moves[i])
+      nearest.position[static_cast<Eigen::Index>(i)] = slice.held.position[static_cast<Eigen::Index>(i)];
+  if (slice.rotation == MapSlice::Rotation::none) nearest.orientation = slice.held.orientation;
+  return nearest;
+}
+
+double distance_to(const MapSlice& slice, const Manipulator& manipulator, const Pose& pose) {
+  if (slice.joint) return std::abs(circle_of_anchor(manipulator, *slice.joint).distance(pose));
+  const Pose nearest = nearest_of(slice, manipulator, pose);
+  return std::hypot(
+      (pose.position - nearest.position).norm(),
+      manipulator.characteristic_length() * pose.orientation.angularDistance(nearest.orientation));
+}
+
+double put_onto_slice(const MapSlice& slice, const Manipulator& manipulator, const NamedPose& end,
+                      Problems& problems) {
+  const Pose nearest = nearest_of(slice, manipulator, *end.pose);
+  const double distance = distance_to(slice, manipulator, *end.pose);
   if (!(distance <= held_joint_tolerance))
-    problems.push_back(option + " lies " + shown(distance) + " m from the slice " + to_string(slice) +
-                       "; give a pose within " + shown(held_joint_tolerance) + " m of it.");
-  pose = circle.nearest(pose);
+    problems.push_back(end.option + " lies " + shown(distance) + " m from the slice " + to_string(slice) +
+                       "; give a pose within " + shown(held_joint_tolerance) + " m of it. The nearest is " +
+                       to_string(manipulator.task_space(), nearest) + ".");
+  if (distance > 0.0) *end.pose = nearest;
   return distance;
 }
 
 }  // namespace
 
 std::optional<MapSlice> parse_slice_with_ends(const std::string& option, const Manipulator& manipulator,
-                                              const std::string& text, Pose& from, Pose& to, double& moved,
-                                              Problems& problems) {
+                                              const std::string& text, const std::vector<NamedPose>& ends,
+                                              double& moved, Problems& problems) {
   if (text.empty()) return std::nullopt;
   const MapSlice slice = parse_slice(option, manipulator, text, problems);
-  if (problems.empty() && slice.joint)
-    moved = std::max(put_onto_slice(slice, manipulator, "--from", from, problems),
-                     put_onto_slice(slice, manipulator, "--to", to, problems));
+  if (problems.empty())
+    for (const NamedPose& end : ends)
+      moved = std::max(moved, put_onto_slice(slice, manipulator, end, problems));
   return slice;
 }
 

@@ -23,11 +23,18 @@ struct MapChoice {
 /// `--resolution R`, `--slice "z=1"` by the name it is given, and `--load FILE`, which fill `choice`.
 std::vector<Option> map_choice_options(MapChoice& choice, const std::string& slice_option = "--slice");
 
-/// The slice that `option` names; nothing for an empty text. With a joint held, the poses of `--from` and
-/// `--to`, typed in a few digits, are put onto it, and `moved` says by how much at most [m].
+/// A pose, and the option that gives it.
+struct NamedPose {
+  std::string option;
+  Pose* pose;
+};
+
+/// The slice that `option` names; nothing for an empty text. The ends, typed in a few digits, are put onto
+/// it, and `moved` says by how much at most [m]; where that is much, they are refused and the nearest pose is
+/// told.
 std::optional<MapSlice> parse_slice_with_ends(const std::string& option, const Manipulator& manipulator,
-                                              const std::string& text, Pose& from, Pose& to, double& moved,
-                                              Problems& problems);
+                                              const std::string& text, const std::vector<NamedPose>& ends,
+                                              double& moved, Problems& problems);
 
 /// The map of that choice, from the file where it fits, else computed, with a progress bar on a terminal.
 /// Throws `Interrupted`, or `InvalidDescription` where it is refused.

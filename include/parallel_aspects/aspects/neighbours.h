@@ -16,6 +16,19 @@ enum class Crossing {
   parallel,  ///< det A = 0, whose sign changes; the working mode stays
 };
 
+/// A proved place where two aspects touch.
+struct GateCrossing {
+  /// The segment: its two ends, or three poses where it goes through a glued face of the space of poses. A
+  /// serial one begins in both aspects, a parallel one in that with positive det A.
+  std::vector<Pose> segment;
+
+  Pose pose;  ///< in the middle of the segment
+
+  /// How far from other singularities it is: of a serial one the parallel index where it begins, of a
+  /// parallel one the serial index there. From 0 to 1, no bound.
+  double index = 0.0;
+};
+
 /// Two aspects that touch, or that may.
 ///
 /// Proved of a serial crossing: there is a segment of poses from one that lies in both aspects, in the one's
@@ -37,16 +50,16 @@ struct Neighbours {
   Crossing crossing = Crossing::parallel;  ///< what is between them
   std::size_t leg = 0;                     ///< whose B_jj is zero, where serial
   bool proved = false;                     ///< whether it is, as said above
-  Pose pose;                               ///< in the leaf where they touch, on the segment where proved
+  Pose pose;  ///< in the leaf where they touch; where proved, that of the first crossing
 
-  /// Where proved, the segment: its two ends, or three poses where it goes through a glued face of the space
-  /// of poses. A serial one begins in both aspects, a parallel one in that with positive det A.
-  std::vector<Pose> segment;
+  /// Where proved, the best crossings of those that were tried, spread over where the aspects touch: the one
+  /// with the largest index first.
+  std::vector<GateCrossing> crossings;
 };
 
-/// Pairs of aspects that touch, by rising ids, across glued faces of the space of poses too. All undecided
-/// leaves are looked at; where a working mode has more than 20,000, even shares of about so many, until one
-/// shows nothing new. Of pairs that are not listed nothing is claimed. Empty where cancelled.
+/// Pairs of aspects that touch, by rising ids, across glued faces of the space of poses too. They are looked
+/// for in undecided leaves from which undecided leaves lead to both, in up to a few hundred for each two
+/// aspects. Of pairs that are not listed nothing is claimed. Empty where cancelled.
 std::vector<Neighbours> find_neighbours(const AspectMap& map, const MapControl& control = {});
 
 /// "serial" or "parallel".

@@ -23,6 +23,7 @@ namespace parallel_aspects {
 enum class PathPolicy {
   stay,    ///< nothing: it stays in one aspect
   serial,  ///< serial singularities, where a leg changes its posture; the platform is under control all along
+  any,     ///< parallel singularities, too, where control of the platform is lost; no more than it takes
 };
 
 /// Where a path begins or ends.
@@ -32,20 +33,23 @@ struct PathEnd {
 };
 
 /// A point of a path. From one to the next the pose runs as `pose_between` says, or, in a slice that holds an
-/// actuated joint, straight in direction and phi; in the working mode of both. Where the modes differ the
-/// pose is the same, and one leg changes its posture.
+/// actuated joint, straight in direction and phi; in the working mode of both. At a serial crossing the two
+/// points have one pose, and one leg changes its posture. Through a parallel one the pose runs straight in
+/// the coordinates of the map: in SE2 in x, y and phi.
 struct PathPoint {
   Pose pose;         ///< in the task frame
   WorkingMode mode;  ///< in which it is reached
   JointVector q;     ///< actuated joints there [rad or m]; of angles the nearest to those before
 };
 
-/// Where a path changes its working mode.
+/// Where a path goes from one aspect into another.
 struct PathCrossing {
-  std::size_t point = 0;  ///< index of the last point before it
-  std::size_t leg = 0;    ///< whose B_jj is zero
-  int from = 0;           ///< id of the aspect before it
-  int to = 0;             ///< id of the aspect behind it
+  Crossing kind = Crossing::serial;  ///< through a parallel one control of the platform is lost
+  std::size_t point = 0;             ///< index of the last point before it
+  std::size_t behind = 0;            ///< index of the first point behind it
+  std::size_t leg = 0;               ///< whose B_jj is zero, where serial
+  int from = 0;                      ///< id of the aspect before it
+  int to = 0;                        ///< id of the aspect behind it
 };
 
 /// A path, or why there is none.
@@ -68,8 +72,9 @@ struct PlannedPath {
 /// Plans paths in the region of one map. Every path is a theorem: each segment between two points is proved
 /// free of singularities and within limits in its working mode. A crossing is proved as `Neighbours` says:
 /// between the two points with one pose, the platform goes on along the segment to where B_jj is zero and
-/// comes back, and the two points are as close to there as the segment is proved in either mode. That there
-/// is no path is proved by the sign of det A or by the leaves of the map.
+/// comes back, and the two points are as close to there as the segment is proved in either mode. Through a
+/// parallel crossing, det A is proved to vanish exactly once. That there is no path is proved by the sign of
+/// det A or by the leaves of the map; not where any crossing is allowed.
 class PathPlanner {
  public:
   /// The map is not null. Gates are looked for with the first question that needs them.
@@ -82,7 +87,7 @@ class PathPlanner {
   /// cancelled.
   PlannedPath plan(const PathEnd& from, const PathEnd& to, PathPolicy policy, const MapControl& control = {});
 
-  /// The pose at t, 0 to 1, from a point of a path to the next in the same working mode.
+  /// The pose at t, 0 to 1, from a point of a path to the next, but through a parallel crossing.
   Pose between(const Pose& from, const Pose& to, double t) const;
 
   /// The gates and sets that it plans with; nothing where cancelled.
@@ -99,7 +104,7 @@ class PathPlanner {
 /// unknown.
 PlannedPath plan_in_roadmap(const PoseRoadmap& roadmap, const PathEnd& from, const PathEnd& to);
 
-/// "stay" or "serial".
+/// "stay", "serial" or "any".
 const char* name(PathPolicy policy) noexcept;
 
 }  // namespace parallel_aspects

@@ -103,7 +103,8 @@ std::vector<std::size_t> find_groups(const AspectMap& map, const std::vector<Asp
   if (!leaves_exclude(map)) return groups(sets, [](int, int) { return true; });
   std::array<std::vector<int>, 2> labels;
   for (const int sign : {1, -1})
-    if (count_of_sign(sets, sign) > 1) labels[sign > 0] = possibly_joined(map.contents(), sign, control);
+    if (count_of_sign(sets, sign) > 1)
+      labels[sign > 0] = possibly_joined(map.contents(), sets, sign, control);
   return groups(sets, [&](int one, int other) {
     const auto& of_sign = labels[map.aspects()[index_of_aspect(one)].determinant_sign > 0];
     return of_sign[index_of_aspect(one)] == of_sign[index_of_aspect(other)];

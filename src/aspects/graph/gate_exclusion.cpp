@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 namespace parallel_aspects {
 namespace {
@@ -15,18 +16,55 @@ namespace {
 class Exclusion {
  public:
   Exclusion(const AspectMap::Contents& map, int sign, const MapControl& control)
-      : map_(map), sign_(sign), control_(control), sets_(map.tree.node_count() * map.modes.size()) {}
+      : map_(map),
+        sign_(sign),
+        control_(control),
+        sets_(map.tree.node_count() * map.modes.size()),
+        leaf_of_(map.aspects.size(), none) {}
 
-  std::vector<int> run() {
+  std::vector<int> run(const std::vector<AspectSet>& sets) {
     const RoundingUpward rounding;
-    for (std::size_t mode = 0; mode < map_.modes.size(); ++mode) {
-      unite_neighbours(mode);
+    unite_aspects();
+    unite_sets(sets);
+    for (std::size_t mode = 0; mode < map_.modes.size(); ++mode) unite_neighbours(mode);
+    all_one_ = are_all_one();
+    for (std::size_t mode = 0; mode < map_.modes.size(); ++mode)
       for (std::size_t leg = 0; leg < map_.modes[mode].leg_count(); ++leg) unite_across(mode, leg);
-    }
     return labels();
   }
 
  private:
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+  void unite_aspects() {
+    for (NodeIndex node = 0; node < map_.tree.node_count(); ++node)
+      for (std::size_t mode = 0; mode < map_.modes.size(); ++mode) {
+        if (!map_.tree.state(node, mode).is_inside(sign_)) continue;
+        std::uint32_t& first = leaf_of_[static_cast<std::size_t>(map_.leaf_aspect(node, mode) - 1)];
+        if (first == none) first = item(node, mode);
+        sets_.unite(first, item(node, mode));
+      }
+  }
+
+  void unite_sets(const std::vector<AspectSet>& sets) {
+    for (const AspectSet& set : sets) {
+      if (set.determinant_sign != sign_) continue;
+      for (const int id : set.aspects) sets_.unite(leaf_of(set.aspects.front()), leaf_of(id));
+    }
+  }
+
+  std::uint32_t leaf_of(int aspect) const { return leaf_of_[static_cast<std::size_t>(aspect - 1)]; }
+
+  bool are_all_one() {
+    std::uint32_t one = none;
+    for (const std::uint32_t leaf : leaf_of_) {
+      if (leaf == none) continue;
+      if (one == none) one = sets_.find(leaf);
+      if (sets_.find(leaf) != one) return false;
+    }
+    return true;
+  }
+
   std::uint32_t item(NodeIndex node, std::size_t mode) const {
     return static_cast<std::uint32_t>(node * map_.modes.size() + mode);
   }
@@ -62,7 +100,7 @@ class Exclusion {
   };
 
   void descend(NodeIndex node, Side here, Side there, std::size_t leg) {
-    if (is_cancelled(control_)) return;
+    if (all_one_ || is_cancelled(control_)) return;
     const bool here_divided = is_divided(here), there_divided = is_divided(there);
     if (!here_divided && !may_change(here)) return;
     if (!there_divided && !may_change(there)) return;
@@ -86,7 +124,9 @@ class Exclusion {
     const BoxFacts facts = map_.classifier->facts(map_.tree.place(node).root, map_.tree.box(node), here.mode);
     const bool is_excluded =
         facts.unreachable != 0 || is_clear(facts, leg) || facts.determinant_sign == -sign_;
-    if (!is_excluded) sets_.unite(item(here.node, here.mode), item(there.node, there.mode));
+    if (is_excluded) return;
+    sets_.unite(item(here.node, here.mode), item(there.node, there.mode));
+    all_one_ = are_all_one();
   }
 
   /// Whether B_jj of the leg is proved not to vanish; of a leg whose joint is held the facts say nothing.
@@ -96,13 +136,9 @@ class Exclusion {
   }
 
   std::vector<int> labels() {
-    std::vector<int> result(map_.aspects.size(), -1);
-    for (NodeIndex node = 0; node < map_.tree.node_count(); ++node)
-      for (std::size_t mode = 0; mode < map_.modes.size(); ++mode) {
-        if (!map_.tree.state(node, mode).is_inside(sign_)) continue;
-        const auto aspect = static_cast<std::size_t>(map_.leaf_aspect(node, mode) - 1);
-        if (result[aspect] < 0) result[aspect] = static_cast<int>(sets_.find(item(node, mode)));
-      }
+    std::vector<int> result;
+    for (const std::uint32_t leaf : leaf_of_)
+      result.push_back(leaf == none ? -1 : static_cast<int>(sets_.find(leaf)));
     return result;
   }
 
@@ -110,12 +146,15 @@ class Exclusion {
   int sign_;
   const MapControl& control_;
   DisjointSets sets_;
+  std::vector<std::uint32_t> leaf_of_;  // by id - 1, one leaf of each aspect with this sign
+  bool all_one_ = false;                // nothing is left to tell apart
 };
 
 }  // namespace
 
-std::vector<int> possibly_joined(const AspectMap::Contents& map, int sign, const MapControl& control) {
-  return Exclusion(map, sign, control).run();
+std::vector<int> possibly_joined(const AspectMap::Contents& map, const std::vector<AspectSet>& sets, int sign,
+                                 const MapControl& control) {
+  return Exclusion(map, sign, control).run(sets);
 }
 
 }  // namespace parallel_aspects

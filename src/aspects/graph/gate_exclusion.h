@@ -3,6 +3,7 @@
 #define PARALLEL_ASPECTS_ASPECTS_GRAPH_GATE_EXCLUSION_H
 
 #include "aspects/map/map_contents.h"
+#include "parallel_aspects/aspects/aspect_graph.h"
 #include "parallel_aspects/aspects/map_control.h"
 
 #include <vector>
@@ -16,8 +17,10 @@ namespace parallel_aspects {
 /// Such a path is, at every moment, in a leaf of its working mode that is proved neither outside nor to have
 /// the other sign; and where it changes sides of B_jj = 0, in a leaf of either mode where B_jj^2 > 0 is not
 /// proved. So all leaves that may hold a part of one path are united: neighbours of one mode, and leaves of
-/// two modes that share poses where B_jj may vanish.
-std::vector<int> possibly_joined(const AspectMap::Contents& map, int sign, const MapControl& control);
+/// two modes that share poses where B_jj may vanish. Aspects of one of the `sets`, which are joined, have one
+/// label; the search ends where all have.
+std::vector<int> possibly_joined(const AspectMap::Contents& map, const std::vector<AspectSet>& sets, int sign,
+                                 const MapControl& control);
 
 }  // namespace parallel_aspects
 

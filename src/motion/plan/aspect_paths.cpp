@@ -2,8 +2,8 @@
 #include "motion/plan/aspect_paths.h"
 
 #include "aspects/map/map_contents.h"
+#include "aspects/map/map_location.h"
 #include "aspects/roadmap/path_search.h"
-#include "motion/plan/leaf_path.h"
 
 #include <algorithm>
 #include <utility>
@@ -33,10 +33,13 @@ std::vector<Pose> AspectPaths::find(int aspect, const Pose& from, const Pose& to
 
 /// Where a segment is not proved, the next path goes elsewhere.
 std::vector<Pose> AspectPaths::find_through_leaves(const Aspect& aspect, const Pose& from, const Pose& to,
-                                                   bool undecided) const {
+                                                   bool undecided) {
   LeafChoice choice{undecided};
+  const std::size_t mode = *mode_index(map_->contents(), aspect.mode);
+  FaceComponents& components = components_.try_emplace(mode, map_->contents(), mode).first->second;
   for (int i = 0; i < max_leaf_paths; ++i) {
-    const std::vector<LeafStep> steps = find_leaf_path(map_->contents(), aspect.id, from, to, choice);
+    const std::vector<LeafStep> steps =
+        find_leaf_path(map_->contents(), components, aspect.id, from, to, choice);
     const std::size_t barred = choice.barred.size();
     for (std::size_t k = 0; k + 1 < steps.size(); ++k)
       if (!is_free(steps[k].pose, steps[k + 1].pose, aspect))

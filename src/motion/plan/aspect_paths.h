@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_MOTION_PLAN_ASPECT_PATHS_H
 #define PARALLEL_ASPECTS_MOTION_PLAN_ASPECT_PATHS_H
 
+#include "motion/plan/leaf_path.h"
 #include "motion/plan/map_segments.h"
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"
@@ -27,12 +28,13 @@ class AspectPaths {
  private:
   bool is_free(const Pose& from, const Pose& to, const Aspect& aspect) const;
   std::vector<Pose> find_through_leaves(const Aspect& aspect, const Pose& from, const Pose& to,
-                                        bool undecided) const;
+                                        bool undecided);
   std::vector<Pose> shortened(const std::vector<Pose>& path, const Aspect& aspect) const;
   std::vector<Pose> find_in_roadmap(const Aspect& aspect, const Pose& from, const Pose& to);
 
   std::shared_ptr<const AspectMap> map_;
   MapSegments segments_;
+  std::map<std::size_t, FaceComponents> components_;                    // by index of the mode in the map
   std::map<std::size_t, std::shared_ptr<const PoseRoadmap>> roadmaps_;  // by index of the working mode
 };
 

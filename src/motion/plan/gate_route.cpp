@@ -15,83 +15,127 @@ namespace {
 // What a change of the working mode counts as, of the size of the robot.
 constexpr double cost_of_crossing = 0.1;
 
-/// Dijkstra over the places where a gate or an end lies in an aspect.
+// What it counts as that control of the platform is lost.
+constexpr double cost_of_lost_control = 100.0;
+
+/// A*, by the distance to the goal as the crow flies, over the places where a gate or an end lies in an
+/// aspect: ways lead from a start or from behind a gate to a goal or to before a gate.
 class RouteSearch {
  public:
   RouteSearch(const AspectMap& map, const AspectGraph& graph, const std::vector<PoseInAspect>& starts,
-              const std::vector<PoseInAspect>& goals)
-      : robot_(*map.manipulator()) {
-    for (std::size_t i = 0; i < starts.size(); ++i) add({starts[i], Kind::start, i});
-    for (std::size_t i = 0; i < graph.gates.size(); ++i) {
-      const Neighbours& gate = graph.gates[i];
-      if (!gate.proved || gate.crossing != Crossing::serial) continue;
-      add({{gate.segment.front(), gate.first}, Kind::gate, i});
-      add({{gate.segment.front(), gate.second}, Kind::gate, i});
-    }
-    for (std::size_t i = 0; i < goals.size(); ++i) add({goals[i], Kind::goal, i});
+              const std::vector<PoseInAspect>& goals, PathPolicy policy, const BarredWays& barred)
+      : robot_(*map.manipulator()), goals_(goals), barred_(barred), ends_in_aspect_(map.aspects().size()) {
+    for (std::size_t i = 0; i < starts.size(); ++i) add({starts[i], Kind::start, {i, 0}});
+    for (std::size_t i = 0; i < graph.gates.size(); ++i)
+      if (may_pass(graph.gates[i].crossing, policy)) add_gate(map, graph.gates[i], i);
+    for (std::size_t i = 0; i < goals.size(); ++i) add({goals[i], Kind::goal, {i, 0}});
   }
 
   std::optional<GateRoute> run() {
     for (std::size_t i = 0; i < places_.size(); ++i)
       if (places_[i].kind == Kind::start) reach(i, i, 0.0);
     while (!open_.empty()) {
-      const auto [cost, at] = open_.top();
+      const std::size_t at = open_.top().second;
       open_.pop();
-      if (cost > cost_[at]) continue;
       if (places_[at].kind == Kind::goal) return route(at);
-      for (std::size_t to = 0; to < places_.size(); ++to)
-        if (to != at) reach(to, at, cost + step(at, to));
+      if (!done_[at]) expand(at, cost_[at]);
+      done_[at] = true;
     }
     return std::nullopt;
   }
 
  private:
-  enum class Kind { start, gate, goal };
+  enum class Kind { start, before_gate, behind_gate, goal };
   struct Place {
     PoseInAspect at;
     Kind kind;
-    std::size_t index;
+    GateStep step;              // of a start or a goal, its index
+    std::size_t beyond = 0;     // of a place before a gate, that behind it
+    double cost_of_gate = 0.0;  // likewise
   };
   static constexpr double infinite = std::numeric_limits<double>::infinity();
 
+  static bool may_pass(Crossing crossing, PathPolicy policy) {
+    switch (policy) {
+      case PathPolicy::stay:
+        return false;
+      case PathPolicy::serial:
+        return crossing == Crossing::serial;
+      case PathPolicy::any:
+        break;
+    }
+    return true;
+  }
+
+  /// A place in either aspect for each crossing.
+  void add_gate(const AspectMap& map, const Neighbours& gate, std::size_t index) {
+    const bool serial = gate.crossing == Crossing::serial;
+    const bool first_is_positive =
+        map.aspects()[static_cast<std::size_t>(gate.first - 1)].determinant_sign > 0;
+    for (std::size_t i = 0; i < gate.crossings.size(); ++i) {
+      const std::vector<Pose>& segment = gate.crossings[i].segment;
+      const Pose &positive = segment.front(), &negative = serial ? segment.front() : segment.back();
+      const double cost = (serial ? cost_of_crossing : cost_of_lost_control) * robot_.size();
+      const PoseInAspect one{first_is_positive ? positive : negative, gate.first},
+          other{first_is_positive ? negative : positive, gate.second};
+      const std::size_t next = places_.size();
+      add({one, Kind::before_gate, {index, i}, next + 3, cost});
+      add({one, Kind::behind_gate, {index, i}});
+      add({other, Kind::before_gate, {index, i}, next + 1, cost});
+      add({other, Kind::behind_gate, {index, i}});
+    }
+  }
+
   void add(const Place& place) {
+    if (place.kind == Kind::before_gate || place.kind == Kind::goal)
+      ends_in_aspect_[static_cast<std::size_t>(place.at.aspect - 1)].push_back(places_.size());
     places_.push_back(place);
     cost_.push_back(infinite);
     before_.push_back(0);
+    done_.push_back(false);
+    double nearest = infinite;
+    for (const PoseInAspect& goal : goals_)
+      nearest = std::min(nearest, distance_between(robot_, place.at.pose, goal.pose));
+    to_goal_.push_back(nearest);
   }
 
-  double step(std::size_t from, std::size_t to) const {
-    const Place &a = places_[from], &b = places_[to];
-    if (a.kind == Kind::gate && b.kind == Kind::gate && a.index == b.index)
-      return cost_of_crossing * robot_.size();
-    if (a.at.aspect != b.at.aspect) return infinite;
-    return distance_between(robot_, a.at.pose, b.at.pose);
+  void expand(std::size_t at, double cost) {
+    const Place& here = places_[at];
+    if (here.kind == Kind::before_gate) return reach(here.beyond, at, cost + here.cost_of_gate);
+    for (const std::size_t to : ends_in_aspect_[static_cast<std::size_t>(here.at.aspect - 1)])
+      if (barred_.count({at, to}) == 0)
+        reach(to, at, cost + distance_between(robot_, here.at.pose, places_[to].at.pose));
   }
 
   void reach(std::size_t place, std::size_t before, double cost) {
     if (!(cost < cost_[place])) return;
     cost_[place] = cost;
     before_[place] = before;
-    open_.push({cost, place});
+    open_.push({cost + to_goal_[place], place});
   }
 
   GateRoute route(std::size_t goal) const {
     GateRoute result;
-    result.goal = places_[goal].index;
+    result.goal = places_[goal].step.gate;
     std::size_t at = goal;
-    for (; places_[at].kind != Kind::start; at = before_[at]) {
-      const Place &here = places_[at], &before = places_[before_[at]];
-      if (here.kind == Kind::gate && before.kind == Kind::gate && here.index == before.index)
-        result.gates.push_back(here.index);
-    }
-    result.start = places_[at].index;
-    std::reverse(result.gates.begin(), result.gates.end());
+    for (; places_[at].kind != Kind::start; at = before_[at])
+      if (places_[at].kind == Kind::behind_gate)
+        result.steps.push_back(places_[at].step);
+      else
+        result.ways.emplace_back(before_[at], at);
+    result.start = places_[at].step.gate;
+    std::reverse(result.steps.begin(), result.steps.end());
+    std::reverse(result.ways.begin(), result.ways.end());
     return result;
   }
 
   const Manipulator& robot_;
+  const std::vector<PoseInAspect>& goals_;
+  const BarredWays& barred_;
+  std::vector<std::vector<std::size_t>> ends_in_aspect_;  // where ways end, by id - 1
   std::vector<Place> places_;
-  std::vector<double> cost_;
+  std::vector<double> cost_, to_goal_;
+  std::vector<bool> done_;
   std::vector<std::size_t> before_;
   using Open = std::pair<double, std::size_t>;
   std::priority_queue<Open, std::vector<Open>, std::greater<>> open_;
@@ -101,8 +145,9 @@ class RouteSearch {
 
 std::optional<GateRoute> find_gate_route(const AspectMap& map, const AspectGraph& graph,
                                          const std::vector<PoseInAspect>& starts,
-                                         const std::vector<PoseInAspect>& goals) {
-  return RouteSearch(map, graph, starts, goals).run();
+                                         const std::vector<PoseInAspect>& goals, PathPolicy policy,
+                                         const BarredWays& barred) {
+  return RouteSearch(map, graph, starts, goals, policy, barred).run();
 }
 
 }  // namespace parallel_aspects

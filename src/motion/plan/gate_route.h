@@ -5,9 +5,12 @@
 #include "parallel_aspects/aspects/aspect_graph.h"
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/model/pose.h"
+#include "parallel_aspects/motion/plan_path.h"
 
 #include <cstddef>
 #include <optional>
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace parallel_aspects {
@@ -15,20 +18,35 @@ namespace parallel_aspects {
 /// A pose in an aspect.
 struct PoseInAspect {
   Pose pose;
-  int aspect = 0;  // id
+  int aspect = 0;            // id
+  std::vector<Pose> lead{};  // of an end that another pose leads into: from that pose to this one
+};
+
+/// One crossing of one gate, by index in their lists.
+struct GateStep {
+  std::size_t gate = 0, crossing = 0;
 };
 
 /// Through which gates to go, and where to begin and to end, by index in lists of either.
 struct GateRoute {
   std::size_t start = 0, goal = 0;
-  std::vector<std::size_t> gates;
+  std::vector<GateStep> steps;
+
+  /// The ways within one aspect: to the first gate, from each to the next, and from the last one. Places are
+  /// numbered by the search.
+  std::vector<std::pair<std::size_t, std::size_t>> ways;
 };
 
-/// The proved serial gates from one of the starts to one of the goals, such that the way is short as the crow
-/// flies and changes the working mode no more often than that is worth; nothing where there is none.
+/// Ways within one aspect that were tried in vain.
+using BarredWays = std::set<std::pair<std::size_t, std::size_t>>;
+
+/// The proved gates from one of the starts to one of the goals, such that the way is short as the crow flies
+/// and changes the working mode, or loses control of the platform, no more often than that is worth; nothing
+/// where there is none.
 std::optional<GateRoute> find_gate_route(const AspectMap& map, const AspectGraph& graph,
                                          const std::vector<PoseInAspect>& starts,
-                                         const std::vector<PoseInAspect>& goals);
+                                         const std::vector<PoseInAspect>& goals, PathPolicy policy,
+                                         const BarredWays& barred);
 
 }  // namespace parallel_aspects
 

@@ -2,6 +2,7 @@
 #include "motion/plan/leaf_path.h"
 
 #include "aspects/map/map_location.h"
+#include "aspects/tree/face_traversal.h"
 #include "aspects/tree/near_leaves.h"
 #include "aspects/tree/neighbour_leaves.h"
 
@@ -16,14 +17,19 @@ namespace parallel_aspects {
 namespace {
 
 // What a path counts in a leaf as small as the resolution, and more in an undecided one.
-constexpr double cost_of_small_leaves = 3.0, cost_of_undecided_leaves = 10.0;
+constexpr double cost_of_small_leaves = 3.0, cost_of_undecided_leaves = 6.0;
 
-/// A*, by the distance to the goal. The goal is `no_node`, which the leaves near it lead to.
+// What the distance to the goal counts, more than a path could cost at least: then far fewer leaves are
+// looked at, and the path is shortened anyway.
+constexpr double greed = 10.0;
+
+/// A* from middle to middle. The goal is `no_node`, which the leaves near it lead to.
 class LeafSearch {
  public:
-  LeafSearch(const AspectMap::Contents& map, const Aspect& aspect, const Pose& from, const Pose& to,
-             const LeafChoice& choice)
+  LeafSearch(const AspectMap::Contents& map, FaceComponents& components, const Aspect& aspect,
+             const Pose& from, const Pose& to, const LeafChoice& choice)
       : map_(map),
+        components_(components),
         aspect_(aspect),
         mode_(*mode_index(map, aspect.mode)),
         from_(from),
@@ -33,25 +39,26 @@ class LeafSearch {
   std::vector<LeafStep> run() {
     for (const NodeIndex leaf : leaves_near(to_)) last_.insert(leaf);
     for (const NodeIndex leaf : leaves_near(from_))
-      if (!is_barred(no_node, leaf)) enter(leaf, no_node, nearest_in(leaf, from_), 0.0);
+      if (!is_barred(no_node, leaf) && may_lead_on(leaf)) enter(leaf, no_node, distance(from_, middle(leaf)));
     while (!open_.empty()) {
       const NodeIndex leaf = open_.top().leaf;
       if (leaf == no_node) return path();
       open_.pop();
-      if (!closed_.insert(leaf).second) continue;
-      if (last_.count(leaf) > 0 && !is_barred(leaf, no_node))
-        enter(no_node, leaf, to_, reached_[leaf].cost + distance(reached_[leaf].at, to_));
-      for (const NodeIndex next : neighbour_leaves(map_.tree, mode_, leaf)) reach(leaf, next);
+      Entry& here = reached_[leaf];
+      if (here.closed) continue;
+      here.closed = true;
+      expand(leaf, here);
     }
     return {};
   }
 
  private:
-  /// How a leaf was reached: through which pose, and from which leaf.
+  /// How a leaf was reached.
   struct Entry {
     double cost = std::numeric_limits<double>::infinity();
     NodeIndex before = no_node;
-    Pose at;
+    bool closed = false;
+    Pose middle;
   };
   struct Open {
     double bound;
@@ -60,7 +67,16 @@ class LeafSearch {
   };
 
   double distance(const Pose& a, const Pose& b) const { return distance_between(*map_.manipulator, a, b); }
-  bool is_barred(NodeIndex from, NodeIndex to) const { return choice_.barred.count({from, to}) > 0; }
+  bool is_barred(NodeIndex from, NodeIndex to) const {
+    return !choice_.barred.empty() && choice_.barred.count({from, to}) > 0;
+  }
+  /// Saves a search of all that is connected where the goal is not.
+  bool may_lead_on(NodeIndex leaf) {
+    return choice_.undecided || std::any_of(last_.begin(), last_.end(), [&](NodeIndex last) {
+             return components_.are_connected(leaf, last);
+           });
+  }
+
   bool is_inside(NodeIndex leaf) const { return map_.leaf_aspect(leaf, mode_) == aspect_.id; }
 
   bool may_pass(NodeIndex leaf) const {
@@ -86,22 +102,27 @@ class LeafSearch {
     return 1.0 + cost_of_small_leaves * std::min(1.0, map_.resolution / edge);
   }
 
-  void enter(NodeIndex leaf, NodeIndex before, const Pose& at, double cost) {
-    Entry& entry = reached_[leaf];
+  void enter(NodeIndex leaf, NodeIndex before, double cost) {
+    const auto [item, is_new] = reached_.try_emplace(leaf);
+    Entry& entry = item->second;
+    if (is_new) entry.middle = leaf == no_node ? to_ : middle(leaf);
     if (!(cost < entry.cost)) return;
-    entry = {cost, before, at};
-    open_.push({cost + distance(at, to_), leaf});
+    entry.cost = cost;
+    entry.before = before;
+    open_.push({cost + greed * distance(entry.middle, to_), leaf});
   }
 
-  void reach(NodeIndex leaf, NodeIndex next) {
-    if (!may_pass(next) || closed_.count(next) > 0 || is_barred(leaf, next)) return;
-    const Entry here = reached_[leaf];
-    const auto go = [&](const Pose& at) {
-      enter(next, leaf, at, here.cost + price(next) * distance(here.at, at));
-    };
-    if (!is_inside(next)) return go(middle(next));
-    for (const SharedFace& face : shared_faces(map_.tree, leaf, next))
-      go(map_.tree.space().pose({face.root, nearest(face.box, here.at)}));
+  void expand(NodeIndex leaf, const Entry& here) {
+    const Pose at = here.middle;
+    const double cost = here.cost;
+    if (last_.count(leaf) > 0 && !is_barred(leaf, no_node)) enter(no_node, leaf, cost + distance(at, to_));
+    for (const NodeIndex next : neighbour_leaves(map_.tree, mode_, leaf)) {
+      if (!may_pass(next) || is_barred(leaf, next)) continue;
+      const auto known = reached_.find(next);
+      if (known != reached_.end() && known->second.closed) continue;
+      const Pose& there = known != reached_.end() ? known->second.middle : middle(next);
+      enter(next, leaf, cost + price(next) * distance(at, there));
+    }
   }
 
   Pose middle(NodeIndex leaf) const {
@@ -126,22 +147,39 @@ class LeafSearch {
     return point;
   }
 
-  std::vector<LeafStep> path() {
-    const NodeIndex last = reached_[no_node].before;
-    std::vector<LeafStep> steps{{to_, no_node}, {nearest_in(last, to_), last}};
-    for (NodeIndex leaf = last; leaf != no_node; leaf = reached_[leaf].before)
-      steps.push_back({reached_[leaf].at, leaf});
-    steps.push_back({from_, no_node});
-    std::reverse(steps.begin(), steps.end());
+  /// Through a pose of each face, or the middle of an undecided leaf.
+  Pose entrance(const Pose& from, NodeIndex leaf, NodeIndex next) const {
+    if (!is_inside(next)) return middle(next);
+    Pose nearest_pose = middle(next);
+    double least = std::numeric_limits<double>::infinity();
+    for (const SharedFace& face : shared_faces(map_.tree, leaf, next)) {
+      const Pose pose = map_.tree.space().pose({face.root, nearest(face.box, from)});
+      const double length = distance(from, pose);
+      if (length < least) least = length, nearest_pose = pose;
+    }
+    return nearest_pose;
+  }
+
+  std::vector<LeafStep> path() const {
+    std::vector<NodeIndex> leaves;
+    for (NodeIndex leaf = reached_.at(no_node).before; leaf != no_node; leaf = reached_.at(leaf).before)
+      leaves.push_back(leaf);
+    std::reverse(leaves.begin(), leaves.end());
+    std::vector<LeafStep> steps{{from_, no_node}, {nearest_in(leaves.front(), from_), leaves.front()}};
+    for (std::size_t i = 1; i < leaves.size(); ++i)
+      steps.push_back({entrance(steps.back().pose, leaves[i - 1], leaves[i]), leaves[i]});
+    steps.push_back({nearest_in(leaves.back(), to_), leaves.back()});
+    steps.push_back({to_, no_node});
     return steps;
   }
 
   const AspectMap::Contents& map_;
+  FaceComponents& components_;
   const Aspect& aspect_;
   std::size_t mode_;
   const Pose &from_, &to_;
   const LeafChoice& choice_;
-  std::unordered_set<NodeIndex> last_, closed_;
+  std::unordered_set<NodeIndex> last_;
   std::unordered_map<NodeIndex, Entry> reached_;
   std::priority_queue<Open> open_;
 };
@@ -153,9 +191,17 @@ double distance_between(const Manipulator& manipulator, const Pose& from, const 
   return std::hypot((to.position - from.position).norm(), manipulator.characteristic_length() * angle);
 }
 
-std::vector<LeafStep> find_leaf_path(const AspectMap::Contents& map, int aspect, const Pose& from,
-                                     const Pose& to, const LeafChoice& choice) {
-  return LeafSearch(map, map.aspects[static_cast<std::size_t>(aspect - 1)], from, to, choice).run();
+FaceComponents::FaceComponents(const AspectMap::Contents& map, std::size_t mode)
+    : sets_(map.tree.node_count()) {
+  visit_faces(map.tree, mode, [&](NodeIndex a, NodeIndex b) {
+    if (map.tree.state(a, mode).is_inside() && map.tree.state(b, mode).is_inside()) sets_.unite(a, b);
+  });
+}
+
+std::vector<LeafStep> find_leaf_path(const AspectMap::Contents& map, FaceComponents& components, int aspect,
+                                     const Pose& from, const Pose& to, const LeafChoice& choice) {
+  return LeafSearch(map, components, map.aspects[static_cast<std::size_t>(aspect - 1)], from, to, choice)
+      .run();
 }
 
 }  // namespace parallel_aspects

@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_MOTION_PLAN_LEAF_PATH_H
 #define PARALLEL_ASPECTS_MOTION_PLAN_LEAF_PATH_H
 
+#include "aspects/components/disjoint_sets.h"
 #include "aspects/map/map_contents.h"
 #include "parallel_aspects/model/pose.h"
 
@@ -31,12 +32,23 @@ struct LeafChoice {
   std::set<std::pair<NodeIndex, NodeIndex>> barred{};
 };
 
+/// Which inside leaves of one working mode faces between inside leaves connect.
+class FaceComponents {
+ public:
+  FaceComponents(const AspectMap::Contents& map, std::size_t mode);
+
+  bool are_connected(NodeIndex a, NodeIndex b) { return sets_.find(a) == sets_.find(b); }
+
+ private:
+  DisjointSets sets_;
+};
+
 /// Steps from one pose to another through leaves of one aspect that share faces: the first pose, a pose of
 /// each face or the middle of an undecided leaf, and the last, with `no_node`. Wide leaves are preferred,
 /// since little is near that ends the aspect. Empty where no leaf near the one end is connected with one near
-/// the other.
-std::vector<LeafStep> find_leaf_path(const AspectMap::Contents& map, int aspect, const Pose& from,
-                                     const Pose& to, const LeafChoice& choice);
+/// the other. `components` are those of the aspect's working mode.
+std::vector<LeafStep> find_leaf_path(const AspectMap::Contents& map, FaceComponents& components, int aspect,
+                                     const Pose& from, const Pose& to, const LeafChoice& choice);
 
 }  // namespace parallel_aspects
 

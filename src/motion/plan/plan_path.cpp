@@ -7,6 +7,7 @@
 #include "motion/plan/aspect_paths.h"
 #include "motion/plan/gate_route.h"
 #include "motion/plan/leaf_path.h"
+#include "motion/plan/way_in.h"
 #include "motion/roadmap.h"
 #include "parallel_aspects/aspects/held_joint.h"
 #include "parallel_aspects/kinematics/inverse.h"
@@ -24,6 +25,7 @@ namespace parallel_aspects {
 namespace {
 
 constexpr int steps_of_a_segment = 32;  // at which the actuated joints are looked at
+constexpr int max_routes = 10;          // that are followed, of which a way is not found
 
 /// The aspects that hold an end, and what is known of the working modes in which none is found.
 struct EndAspects {
@@ -73,7 +75,17 @@ void explain(const AspectMap& map, const SegmentCertifier& certifier, const Pose
                        " it is closer to a singularity or a limit than the map can tell");
 }
 
-EndAspects find_aspects(const AspectMap& map, const SegmentCertifier& certifier, const PathEnd& end) {
+/// Where the map itself cannot tell, a proved way into an aspect does.
+PoseInAspect find_lead(const AspectMap& map, const MapSegments& segments, const PoseInMode& at) {
+  const int sign = segments.certifier().prove(at.pose, at.mode).sign;
+  if (sign == 0) return {};
+  WayIn way = find_way_in(map, segments, at.pose, at.mode, sign);
+  if (way.aspect == 0) return {};
+  const Pose last = way.poses.back();
+  return {last, way.aspect, std::move(way.poses)};
+}
+
+EndAspects find_aspects(const AspectMap& map, const MapSegments& segments, const PathEnd& end) {
   EndAspects result;
   if (!is_in_slice(map, end.pose)) {
     result.all_known = false;
@@ -83,10 +95,17 @@ EndAspects find_aspects(const AspectMap& map, const SegmentCertifier& certifier,
   for (const WorkingMode& mode : working_modes(*map.manipulator())) {
     if (end.mode && mode != *end.mode) continue;
     const Location location = map.locate(end.pose, mode);
-    if (location)
+    if (location) {
       result.found.push_back({end.pose, location.aspect});
+      continue;
+    }
+    const PoseInAspect led = location.status == LocationStatus::undecided
+                                 ? find_lead(map, segments, {end.pose, mode})
+                                 : PoseInAspect{};
+    if (led.aspect != 0)
+      result.found.push_back(led);
     else
-      explain(map, certifier, {end.pose, mode}, location.status, result);
+      explain(map, segments.certifier(), {end.pose, mode}, location.status, result);
   }
   return result;
 }
@@ -113,8 +132,17 @@ class PathBuilder {
     for (const Pose& pose : poses) add(pose, mode);
   }
 
-  void cross(std::size_t leg, int from, int to) {
-    path_.crossings.push_back({path_.points.size() - 1, leg, from, to});
+  /// Between the last point and the next one, in the other working mode.
+  void cross_serial(std::size_t leg, int from, int to) {
+    const std::size_t point = path_.points.size() - 1;
+    path_.crossings.push_back({Crossing::serial, point, point + 1, leg, from, to});
+  }
+
+  /// From the last point through these.
+  void cross_parallel(const std::vector<Pose>& poses, const WorkingMode& mode, int from, int to) {
+    const std::size_t point = path_.points.size() - 1;
+    go(poses, mode);
+    path_.crossings.push_back({Crossing::parallel, point, path_.points.size() - 1, 0, from, to});
   }
 
   PlannedPath take(std::string message) {
@@ -172,12 +200,12 @@ class PathPlanner::Search {
       : planner_(planner), map_(*planner.parts_->map), paths_(planner.parts_->paths), control_(control) {}
 
   PlannedPath run(const PathEnd& from, const PathEnd& to, PathPolicy policy) {
-    const EndAspects starts = find_aspects(map_, paths_.segments().certifier(), from),
-                     goals = find_aspects(map_, paths_.segments().certifier(), to);
+    const EndAspects starts = find_aspects(map_, paths_.segments(), from),
+                     goals = find_aspects(map_, paths_.segments(), to);
     if (starts.found.empty()) return not_in_aspect("start", starts);
     if (goals.found.empty()) return not_in_aspect("goal", goals);
     PlannedPath found = stay(starts, goals);
-    return found || policy == PathPolicy::stay ? found : pass_gates(starts, goals);
+    return found || policy == PathPolicy::stay ? found : pass_gates(starts, goals, policy);
   }
 
  private:
@@ -185,11 +213,14 @@ class PathPlanner::Search {
     PlannedPath best =
         without_path(SameAspect::unknown, "The ends lie in one aspect, but no path was found.");
     bool any_common = false;
+    GateRoute direct;
+    direct.ways.emplace_back();
     for (const PoseInAspect& start : starts.found)
       for (const PoseInAspect& goal : goals.found) {
         if (start.aspect != goal.aspect) continue;
         any_common = true;
-        PlannedPath path = follow({}, start, goal);
+        BarredWays barred;
+        PlannedPath path = follow(direct, start, goal, barred);
         if (path && (!best || path.length < best.length)) best = std::move(path);
       }
     return any_common ? best : no_common_aspect(starts, goals);
@@ -205,14 +236,22 @@ class PathPlanner::Search {
                         "sign of det A, or the map proves them apart.");
   }
 
-  PlannedPath pass_gates(const EndAspects& starts, const EndAspects& goals) {
+  PlannedPath pass_gates(const EndAspects& starts, const EndAspects& goals, PathPolicy policy) {
     const AspectGraph* graph = planner_.graph(control_);
     if (graph == nullptr) return without_path(SameAspect::unknown, "Cancelled.");
-    if (const auto route = find_gate_route(map_, *graph, starts.found, goals.found)) {
-      PlannedPath path = follow(route->gates, starts.found[route->start], goals.found[route->goal]);
+    BarredWays barred;
+    bool has_route = false;
+    for (int i = 0; i < max_routes && !is_cancelled(control_); ++i) {
+      const auto route = find_gate_route(map_, *graph, starts.found, goals.found, policy, barred);
+      if (!route) break;
+      has_route = true;
+      PlannedPath path = follow(*route, starts.found[route->start], goals.found[route->goal], barred);
       if (path) return path;
-      return without_path(SameAspect::unknown, "The ends are proved to be joined, but no path was found.");
     }
+    if (has_route)
+      return without_path(SameAspect::unknown, "The ends are proved to be joined, but no path was found.");
+    if (policy == PathPolicy::any)
+      return without_path(SameAspect::unknown, "No gates that are proved join the ends; others may.");
     return no_route(*graph, starts, goals);
   }
 
@@ -231,23 +270,36 @@ class PathPlanner::Search {
                             : "Proved: det A differs in sign, and no path through serial gates changes it.");
   }
 
-  /// Empty-handed where a part of the path is not found.
-  PlannedPath follow(const std::vector<std::size_t>& gates, const PoseInAspect& start,
-                     const PoseInAspect& goal) {
+  /// Empty-handed where a part of the path is not found; that way is barred then.
+  PlannedPath follow(const GateRoute& route, const PoseInAspect& start, const PoseInAspect& goal,
+                     BarredWays& barred) {
     PathBuilder builder(*map_.manipulator(), [this](const Pose& from, const Pose& to, double t) {
       return paths_.segments().between(from, to, t);
     });
     PoseInAspect at = start;
-    for (const std::size_t index : gates) {
-      const Neighbours& gate = planner_.parts_->graph->gates[index];
-      if (!go(builder, at, gate.segment.front())) return {};
+    builder.go(start.lead, aspect_of(map_, start.aspect).mode);
+    for (std::size_t i = 0; i < route.steps.size(); ++i) {
+      const Neighbours& gate = planner_.parts_->graph->gates[route.steps[i].gate];
+      std::vector<Pose> segment = gate.crossings[route.steps[i].crossing].segment;
       const int next = gate.first == at.aspect ? gate.second : gate.first;
-      if (!pass(builder, gate, at.aspect, next)) return {};
-      at = {gate.segment.front(), next};
+      const bool serial = gate.crossing == Crossing::serial;
+      if (!serial && aspect_of(map_, at.aspect).determinant_sign < 0)
+        std::reverse(segment.begin(), segment.end());
+      if (!go(builder, at, segment.front()) ||
+          (serial && !pass_serial(builder, gate.leg, segment, at.aspect, next))) {
+        barred.insert(route.ways[i]);
+        return {};
+      }
+      if (!serial) builder.cross_parallel(segment, aspect_of(map_, at.aspect).mode, at.aspect, next);
+      at = {serial ? segment.front() : segment.back(), next};
     }
-    if (!go(builder, at, goal.pose)) return {};
-    return builder.take(gates.empty() ? "Every segment is proved free of singularities."
-                                      : "Every segment and every crossing is proved.");
+    if (!go(builder, at, goal.pose)) {
+      barred.insert(route.ways.back());
+      return {};
+    }
+    builder.go({goal.lead.rbegin(), goal.lead.rend()}, aspect_of(map_, goal.aspect).mode);
+    return builder.take(route.steps.empty() ? "Every segment is proved free of singularities."
+                                            : "Every segment and every crossing is proved.");
   }
 
   bool go(PathBuilder& builder, const PoseInAspect& from, const Pose& to) {
@@ -258,13 +310,14 @@ class PathPlanner::Search {
 
   /// To where B_jj is nearly zero in either mode, and back; false where not even the start of the way is
   /// proved.
-  bool pass(PathBuilder& builder, const Neighbours& gate, int from, int to) const {
+  bool pass_serial(PathBuilder& builder, std::size_t leg, const std::vector<Pose>& segment, int from,
+                   int to) const {
     const WorkingMode before = aspect_of(map_, from).mode, after = aspect_of(map_, to).mode;
     const int sign = aspect_of(map_, from).determinant_sign;
     const MapSegments& segments = paths_.segments();
-    std::vector<Pose> poses{gate.segment.front()};
-    for (std::size_t i = 0; i + 1 < gate.segment.size(); ++i) {
-      const Pose &start = gate.segment[i], &end = gate.segment[i + 1];
+    std::vector<Pose> poses{segment.front()};
+    for (std::size_t i = 0; i + 1 < segment.size(); ++i) {
+      const Pose &start = segment[i], &end = segment[i + 1];
       const double share = std::min(segments.free_share(start, end, before, sign),
                                     segments.free_share(start, end, after, sign));
       if (share > 0.0) poses.push_back(segments.between(start, end, share));
@@ -272,7 +325,7 @@ class PathPlanner::Search {
     }
     if (poses.size() == 1) return false;
     builder.go(poses, before);
-    builder.cross(gate.leg, from, to);
+    builder.cross_serial(leg, from, to);
     std::reverse(poses.begin(), poses.end());
     builder.go(poses, after);
     return true;
@@ -323,6 +376,16 @@ PlannedPath plan_in_roadmap(const PoseRoadmap& roadmap, const PathEnd& from, con
   return best;
 }
 
-const char* name(PathPolicy policy) noexcept { return policy == PathPolicy::stay ? "stay" : "serial"; }
+const char* name(PathPolicy policy) noexcept {
+  switch (policy) {
+    case PathPolicy::stay:
+      return "stay";
+    case PathPolicy::serial:
+      return "serial";
+    case PathPolicy::any:
+      break;
+  }
+  return "any";
+}
 
 }  // namespace parallel_aspects

@@ -96,6 +96,11 @@ TimedPath without_time(const TimedPath& tried, std::string message) {
   return timed;
 }
 
+bool loses_control(const PlannedPath& path) {
+  return std::any_of(path.crossings.begin(), path.crossings.end(),
+                     [](const PathCrossing& crossing) { return crossing.kind == Crossing::parallel; });
+}
+
 }  // namespace
 
 Problems problems_of(const Manipulator& manipulator, const JointVector& acceleration) {
@@ -117,6 +122,8 @@ Problems problems_of(const Manipulator& manipulator, const JointVector& accelera
 TimedPath time_path(const SegmentCertifier& certifier, const PlannedPath& path, const PoseBetween& between,
                     const JointVector& acceleration, const MapControl& control) {
   if (path.points.empty()) return without_time({}, "There is no path to be timed.");
+  if (loses_control(path))
+    return without_time({}, "The path passes det A = 0, where the actuated joints do not hold the platform.");
   if (!path.crossings.empty() && has_further_constraints(*certifier.manipulator()))
     return without_time(
         {},

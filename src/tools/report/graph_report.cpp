@@ -29,6 +29,14 @@ json json_aspect(const Aspect& aspect, const AspectGraph& graph) {
           {"set", graph.set_of(aspect.id) + 1}};
 }
 
+json json_gate_crossing(TaskSpace space, const GateCrossing& crossing) {
+  json object = {{"pose", json_pose(space, crossing.pose)},
+                 {"index", json_number(crossing.index)},
+                 {"segment", json::array()}};
+  for (const Pose& pose : crossing.segment) object["segment"].push_back(json_pose(space, pose));
+  return object;
+}
+
 json json_gate(const AspectMap& map, const Neighbours& gate) {
   const Manipulator& robot = *map.manipulator();
   json object = {{"aspects", {gate.first, gate.second}},
@@ -36,8 +44,9 @@ json json_gate(const AspectMap& map, const Neighbours& gate) {
                  {"leg", gate.crossing == Crossing::serial ? json(robot.leg(gate.leg).name) : json(nullptr)},
                  {"proved", gate.proved},
                  {"pose", json_pose(robot.task_space(), gate.pose)},
-                 {"segment", json::array()}};
-  for (const Pose& pose : gate.segment) object["segment"].push_back(json_pose(robot.task_space(), pose));
+                 {"crossings", json::array()}};
+  for (const GateCrossing& crossing : gate.crossings)
+    object["crossings"].push_back(json_gate_crossing(robot.task_space(), crossing));
   return object;
 }
 

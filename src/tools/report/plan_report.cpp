@@ -17,8 +17,12 @@ json json_point(const Manipulator& manipulator, const PathPoint& point) {
 }
 
 json json_crossing(const Manipulator& manipulator, const PathCrossing& crossing) {
+  const bool serial = crossing.kind == Crossing::serial;
   return {{"after_point", crossing.point},
-          {"leg", manipulator.leg(crossing.leg).name},
+          {"before_point", crossing.behind},
+          {"crossing", name(crossing.kind)},
+          {"control_lost", !serial},
+          {"leg", serial ? json(manipulator.leg(crossing.leg).name) : json(nullptr)},
           {"from_aspect", crossing.from},
           {"to_aspect", crossing.to}};
 }
@@ -26,9 +30,11 @@ json json_crossing(const Manipulator& manipulator, const PathCrossing& crossing)
 /// What happens between a point and the one before.
 std::string remark(const Manipulator& manipulator, const PlannedPath& path, std::size_t point) {
   for (const PathCrossing& crossing : path.crossings)
-    if (crossing.point + 1 == point)
-      return "leg '" + manipulator.leg(crossing.leg).name + "' changes its posture, aspect " +
-             std::to_string(crossing.from) + " to " + std::to_string(crossing.to);
+    if (crossing.behind == point)
+      return (crossing.kind == Crossing::parallel
+                  ? "det A = 0, control of the platform is lost"
+                  : "leg '" + manipulator.leg(crossing.leg).name + "' changes its posture") +
+             ", aspect " + std::to_string(crossing.from) + " to " + std::to_string(crossing.to);
   return "";
 }
 

@@ -53,8 +53,9 @@ Question parse(const ConnectArguments& arguments, const Manipulator& manipulator
       question.modes = {*mode};
   if (!arguments.resolution.empty())
     question.resolution = parse_positive("--resolution", arguments.resolution, problems);
-  question.slice = parse_slice_with_ends("--slice", manipulator, arguments.slice, question.from, question.to,
-                                         question.moved, problems);
+  question.slice =
+      parse_slice_with_ends("--slice", manipulator, arguments.slice,
+                            {{"--from", &question.from}, {"--to", &question.to}}, question.moved, problems);
   if (question.resolution && !question.slice && manipulator.task_space() == TaskSpace::SE3)
     problems.emplace_back("--resolution is that of a map of boxes, and in SE3 there is none; leave it out.");
   if (!problems.empty()) throw InvalidDescription(std::move(problems));

@@ -3,6 +3,7 @@
 #include "tools/arguments.h"
 #include "tools/computation.h"
 #include "tools/map_choice.h"
+#include "tools/path_ends.h"
 #include "tools/path_timing.h"
 #include "tools/report/plan_report.h"
 #include "tools/subcommands.h"
@@ -10,13 +11,15 @@
 #include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace parallel_aspects::tools {
 namespace {
 
 struct PlanArguments {
   RobotChoice robot;
-  std::string from, to, from_mode, to_mode, policy;
+  PathEndArguments from, to;
+  std::string policy;
   MapChoice map;
   RoadmapArguments roadmap;
   ConstraintArguments constraints;
@@ -32,30 +35,27 @@ struct Question {
 };
 
 PathPolicy parse_policy(const std::string& text, Problems& problems) {
-  if (text == "serial") return PathPolicy::serial;
-  if (!text.empty() && text != "stay")
-    problems.push_back("--policy is '" + text +
-                       "'; give stay, to stay in one aspect, or serial, to pass serial "
-                       "singularities.");
+  for (const PathPolicy policy : {PathPolicy::stay, PathPolicy::serial, PathPolicy::any})
+    if (text == name(policy)) return policy;
+  if (!text.empty())
+    problems.push_back(
+        "--policy is '" + text +
+        "'; give stay, to stay in one aspect, serial, to pass serial singularities, or any, to "
+        "pass parallel ones too.");
   return PathPolicy::stay;
-}
-
-PathEnd parse_end(const std::string& option, const Manipulator& manipulator, const std::string& pose,
-                  const std::string& mode, Problems& problems) {
-  PathEnd end;
-  end.pose = parse_pose(option, manipulator.task_space(), pose, problems);
-  if (!mode.empty()) end.mode = parse_mode(option + "-mode", manipulator, mode, problems);
-  return end;
 }
 
 Question parse(const PlanArguments& arguments, const Manipulator& manipulator) {
   Problems problems;
   Question question;
-  question.from = parse_end("--from", manipulator, arguments.from, arguments.from_mode, problems);
-  question.to = parse_end("--to", manipulator, arguments.to, arguments.to_mode, problems);
+  question.from = parse_path_end("--from", manipulator, arguments.from, problems);
+  question.to = parse_path_end("--to", manipulator, arguments.to, problems);
   question.policy = parse_policy(arguments.policy, problems);
-  question.slice = parse_slice_with_ends("--hold", manipulator, arguments.map.slice, question.from.pose,
-                                         question.to.pose, question.moved, problems);
+  std::vector<NamedPose> poses;  // an aspect's lie in the slice
+  if (arguments.from.aspect.empty()) poses.push_back({"--from", &question.from.pose});
+  if (arguments.to.aspect.empty()) poses.push_back({"--to", &question.to.pose});
+  question.slice =
+      parse_slice_with_ends("--hold", manipulator, arguments.map.slice, poses, question.moved, problems);
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
   return question;
 }
@@ -73,9 +73,12 @@ Plan plan_over_roadmap(const std::shared_ptr<const Manipulator>& manipulator, co
   RoadmapOptions options = parse_roadmap(arguments.roadmap, problems);
   if (question.policy != PathPolicy::stay)
     problems.emplace_back(
-        "--policy serial needs a map, and in SE3 there is none; leave it out, or give --hold.");
+        "--policy serial and any need a map, and in SE3 there is none; leave it out, or give --hold.");
   if (!arguments.map.resolution.empty() || !arguments.map.load_file.empty())
     problems.emplace_back("--resolution and --load are for maps, and in SE3 there is none; leave them out.");
+  if (!arguments.from.aspect.empty() || !arguments.to.aspect.empty())
+    problems.emplace_back(
+        "--from-aspect and --to-aspect are for maps, and in SE3 there is none; give poses.");
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
   if (question.from.mode) options.modes = {*question.from.mode};
   return {plan_in_roadmap(*compute_roadmap(manipulator, options, surroundings), question.from, question.to)};
@@ -86,13 +89,18 @@ Plan plan_in_map(const std::shared_ptr<const Manipulator>& manipulator, const Pl
   if (!arguments.roadmap.samples.empty() || !arguments.roadmap.seed.empty())
     throw InvalidDescription(
         {"--samples and --seed are for roadmaps, in SE3 without --hold; leave them out."});
-  const auto planner =
-      std::make_shared<PathPlanner>(choose_map(manipulator, arguments.map, question.slice, surroundings));
+  const auto map = choose_map(manipulator, arguments.map, question.slice, surroundings);
+  Problems problems;
+  PathEnd from = question.from, to = question.to;
+  place_in_aspect("--from", *map, arguments.from, from, problems);
+  place_in_aspect("--to", *map, arguments.to, to, problems);
+  if (!problems.empty()) throw InvalidDescription(std::move(problems));
+  const auto planner = std::make_shared<PathPlanner>(map);
   const MapControl control = control_of(surroundings);
-  PlannedPath path = planner->plan(question.from, question.to, question.policy, control);
+  PlannedPath path = planner->plan(from, to, question.policy, control);
   if (is_cancelled(control)) throw Interrupted{};
   return {std::move(path),
-          [planner](const Pose& from, const Pose& to, double t) { return planner->between(from, to, t); }};
+          [planner](const Pose& a, const Pose& b, double t) { return planner->between(a, b, t); }};
 }
 
 int code_of(SameAspect answer) {
@@ -144,15 +152,12 @@ Report report_of(const PlanArguments& arguments, const Surroundings& surrounding
 Subcommand plan_subcommand() {
   const auto arguments = std::make_shared<PlanArguments>();
   std::vector<Option> options = robot_options(arguments->robot);
-  options.push_back(
-      {"--from", "\"x y\"", "Where the path begins: a pose, quoted; lengths [m]", &arguments->from, true});
-  options.push_back({"--to", "\"x y\"", "Where it ends", &arguments->to, true});
-  options.push_back({"--from-mode", "\"(+,-)\"",
-                     "Working mode at the start, as signs of B_jj; by default any", &arguments->from_mode});
-  options.push_back(
-      {"--to-mode", "\"(+,-)\"", "Working mode at the goal; by default any", &arguments->to_mode});
-  options.push_back({"--policy", "stay|serial",
-                     "stay: in one aspect, the default. serial: legs may change their posture on the way",
+  for (const Option& option : path_end_options("--from", arguments->from)) options.push_back(option);
+  for (const Option& option : path_end_options("--to", arguments->to)) options.push_back(option);
+  options.push_back({"--policy", "stay|serial|any",
+                     "stay: in one aspect, the default. serial: legs may change their posture on the way. "
+                     "any: through det A = 0 too, where control of the platform is lost; each such place is "
+                     "told",
                      &arguments->policy});
   for (const Option& option : map_choice_options(arguments->map, "--hold")) options.push_back(option);
   options.push_back({"--samples", "N", "With six degrees of freedom: poses of the roadmap, by default 1000",

@@ -10,11 +10,13 @@
 #include "support/robots.h"
 #include "support/shipped.h"
 #include "support/thoroughness.h"
+#include <algorithm>
 #include <atomic>
 #include <functional>
 #include <map>
 #include <ostream>
 #include <set>
+#include <string>
 #include <tuple>
 
 namespace parallel_aspects {
@@ -226,6 +228,50 @@ TEST(Neighbours, PosesAreCloseToWhatVanishes) {
     }
   }
   EXPECT_GT(proved, 27U);
+}
+
+/// The sign of det A; 0 where a leg does not reach.
+int sign_of(const Manipulator& robot, const Pose& pose, const WorkingMode& mode) {
+  const InverseSolution solution = inverse(robot, pose, mode);
+  if (solution.status != InverseStatus::solved) return 0;
+  return direct_determinant(robot, pose, solution.q) > 0.0 ? 1 : -1;
+}
+
+void expect_crossing(const AspectMap& map, const Neighbours& gate, const GateCrossing& crossing) {
+  const Manipulator& robot = *map.manipulator();
+  const Aspect &one = map.aspects()[static_cast<std::size_t>(gate.first - 1)],
+               &other = map.aspects()[static_cast<std::size_t>(gate.second - 1)];
+  const Pose &first = crossing.segment.front(), &last = crossing.segment.back();
+  if (gate.crossing == Crossing::parallel) {
+    EXPECT_EQ(sign_of(robot, first, one.mode), 1);
+    EXPECT_EQ(sign_of(robot, last, one.mode), -1);
+    return;
+  }
+  const Leg& leg = robot.leg(gate.leg);
+  EXPECT_EQ(sign_of(robot, first, one.mode), one.determinant_sign);
+  EXPECT_EQ(sign_of(robot, first, other.mode), one.determinant_sign);
+  EXPECT_LT(squared_inverse_entry(leg, last.transform(leg.anchor)), 0.0);
+}
+
+// Several of a gate, the one that is farthest from other singularities first, and not all in one place.
+TEST(Neighbours, CrossingsAreSpreadOverTheirGate) {
+  const auto map = compute_aspect_map(test::five_bar()).map;
+  const double size = map->manipulator()->size();
+  std::size_t wide = 0, gates = 0;
+  for (const Neighbours& gate : find_neighbours(*map)) {
+    EXPECT_EQ(gate.proved, !gate.crossings.empty());
+    if (!gate.proved) continue;
+    double farthest = 0.0;
+    for (const GateCrossing& crossing : gate.crossings) {
+      SCOPED_TRACE(std::to_string(gate.first) + "-" + std::to_string(gate.second));
+      expect_crossing(*map, gate, crossing);
+      EXPECT_LE(crossing.index, gate.crossings.front().index);
+      farthest = std::max(farthest, (crossing.pose.position - gate.pose.position).norm());
+    }
+    ++gates;
+    wide += farthest > 0.1 * size;
+  }
+  EXPECT_GT(2 * wide, gates) << "of " << gates;
 }
 
 /// A 3-RPR with a platform like its base: det A = 0 wherever the platform is parallel to the base, that is in

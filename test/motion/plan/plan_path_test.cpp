@@ -134,6 +134,42 @@ TEST(PlanPath, JoinsEveryPairOfAspectsOfOneSetOfTheFiveBar) {
     }
 }
 
+/// How often det A changes its sign between the points of a parallel crossing, straight in T2.
+int changes_of_sign(const Manipulator& robot, const PlannedPath& path, const PathCrossing& crossing) {
+  const PathPoint &from = path.points[crossing.point], &to = path.points[crossing.behind];
+  int changes = 0;
+  double before = 0.0;
+  for (int k = 0; k <= 2000; ++k) {
+    Pose pose = from.pose;
+    pose.position += k / 2000.0 * (to.pose.position - from.pose.position);
+    const JointVector q = inverse(robot, pose, from.mode).q;
+    const double now = static_cast<double>(test::IndexAt(robot, pose, q).signed_determinant());
+    changes += before * now < 0.0;
+    before = now;
+  }
+  return changes;
+}
+
+// Sets of different signs are joined through det A = 0 alone, which every path of these crosses once.
+TEST(PlanPath, TellsWhereControlIsLost) {
+  const auto map = map_of(test::five_bar());
+  PathPlanner planner(map);
+  for (const Aspect& first : map->aspects())
+    for (const Aspect& second : map->aspects()) {
+      const PlannedPath path =
+          planner.plan({first.deepest, first.mode}, {second.deepest, second.mode}, PathPolicy::any);
+      ASSERT_TRUE(path) << first.id << " to " << second.id << ": " << path.message;
+      int lost = 0;
+      for (const PathCrossing& crossing : path.crossings) {
+        if (crossing.kind == Crossing::serial) continue;
+        ++lost;
+        EXPECT_EQ(changes_of_sign(*map->manipulator(), path, crossing), 1);
+        EXPECT_EQ(path.points[crossing.point].mode, path.points[crossing.behind].mode);
+      }
+      EXPECT_EQ(lost, first.determinant_sign == second.determinant_sign ? 0 : 1);
+    }
+}
+
 struct Case {
   const char* name;
   Robot robot;
@@ -168,6 +204,34 @@ INSTANTIATE_TEST_SUITE_P(Robots, PlanPathOf,
                                          Case{"three_rrr", test::three_rrr(), 1.0, 8},
                                          Case{"delta", test::delta(), 0.3, 8}),
                          [](const auto& each) { return std::string(each.param.name); });
+
+// Ends so near to a boundary that the map alone cannot tell their aspect: proved segments lead away from it.
+TEST(PlanPath, BeginsWhereTheMapIsUndecided) {
+  const auto map = map_of(test::delta(), 0.2);
+  PathPlanner planner(map);
+  std::mt19937_64 random(7);
+  int undecided = 0, found = 0;
+  for (int i = 0; i < (test::is_sanitized ? 500 : 4000); ++i) {
+    const Box& region = map->region();
+    Pose pose;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      pose.position[static_cast<Eigen::Index>(axis)] =
+          test::uniform(random, region.lower[axis], region.upper[axis]);
+    const Aspect& aspect = random_aspect(*map, random);
+    if (map->locate(pose, aspect.mode).status != LocationStatus::undecided ||
+        test::sign_at(*map->manipulator(), pose, aspect.mode).value_or(0) != aspect.determinant_sign)
+      continue;
+    ++undecided;
+    const PathEnd from{pose, aspect.mode}, to{aspect.deepest, aspect.mode};
+    const PlannedPath path = planner.plan(from, to, PathPolicy::stay);
+    if (!path) continue;
+    SCOPED_TRACE("pose " + std::to_string(i));
+    expect_no_contradiction(*map, from, to, path);
+    ++found;
+  }
+  EXPECT_GT(undecided, 0);
+  EXPECT_GE(3 * found, undecided) << "of " << undecided;
+}
 
 TEST(PlanPath, TakesTheShortestWorkingModeWhereNoneIsAskedFor) {
   const auto map = map_of(test::five_bar());

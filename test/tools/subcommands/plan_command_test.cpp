@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "support/command_run.h"
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -32,8 +34,12 @@ TEST_F(GraphCommand, HasTheTwoSetsOfTheFiveBar) {
   }
   for (const json& gate : graph.at("gates")) {
     EXPECT_EQ(gate.at("leg").is_null(), gate.at("crossing") == "parallel");
-    if (gate.at("proved").get<bool>()) {
-      EXPECT_GE(gate.at("segment").size(), 2U);
+    EXPECT_EQ(gate.at("proved").get<bool>(), !gate.at("crossings").empty());
+    double before = 1.0;
+    for (const json& crossing : gate.at("crossings")) {
+      EXPECT_GE(crossing.at("segment").size(), 2U);
+      EXPECT_LE(crossing.at("index").get<double>(), before);
+      before = crossing.at("index");
     }
   }
 }
@@ -44,6 +50,25 @@ TEST_F(GraphCommand, IsDrawnByGraphviz) {
   EXPECT_EQ(outcome.output.rfind("graph aspects {", 0), 0U) << outcome.output;
   EXPECT_NE(outcome.output.find("cluster_2"), std::string::npos);
   EXPECT_NE(outcome.output.find("label=\"leg 1\""), std::string::npos);
+}
+
+// A circle for each aspect and a line for each gate, beside those of the legend.
+TEST_F(GraphCommand, IsDrawnAsSvg) {
+  const std::string file = testing::TempDir() + "aspects_graph_test.svg";
+  const json graph = run_json({"graph", "five_bar", "--picture", file.c_str()});
+  std::ifstream stream(file);
+  const std::string svg{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  const auto count = [&svg](const std::string& what) {
+    std::size_t found = 0;
+    for (std::size_t at = svg.find(what); at != std::string::npos; at = svg.find(what, at + 1)) ++found;
+    return found;
+  };
+  EXPECT_EQ(svg.rfind("<svg", 0), 0U);
+  EXPECT_EQ(count("<circle"), graph.at("aspects").size());
+  EXPECT_EQ(count("<line"), graph.at("gates").size() + 4);
+  const Outcome nowhere = run({"graph", "five_bar", "--picture", "/nowhere/graph.svg"});
+  EXPECT_EQ(nowhere.code, exit_code::bad_input);
+  EXPECT_NE(nowhere.messages.find("--picture"), std::string::npos) << nowhere.messages;
 }
 
 TEST_F(PlanCommand, PassesAGateWhereThatIsAllowed) {
@@ -106,6 +131,55 @@ TEST_F(PlanCommand, NamesWhatIsWrong) {
                      "serial"})
                 .find("--policy serial"),
             std::string::npos);
+}
+
+// An assembly mode of actuated values is told by a pose near it; an aspect by its number.
+TEST_F(PlanCommand, TakesActuatedValuesAndAspects) {
+  const json pose = run_json({"plan", "five_bar", "--from", "4.5 8", "--from-mode", "(+,+)", "--to", "4 6"});
+  const json actuated = pose.at("path")[0].at("actuated");
+  const std::string joints =
+      std::to_string(actuated[0].get<double>()) + " " + std::to_string(actuated[1].get<double>());
+  const json again =
+      run_json({"plan", "five_bar", "--from-joints", joints.c_str(), "--from", "4.5 7", "--to", "4 6"});
+  EXPECT_EQ(again.at("answer"), "yes");
+  EXPECT_NEAR(again.at("path")[0].at("pose").at("y").get<double>(), 8.0, 1e-4);
+  const Outcome several = run({"plan", "five_bar", "--from-joints", joints.c_str(), "--to", "4 6"});
+  EXPECT_EQ(several.code, exit_code::bad_input);
+  EXPECT_NE(several.messages.find("several poses"), std::string::npos) << several.messages;
+  const json aspects =
+      run_json({"plan", "five_bar", "--from-aspect", "1", "--to-aspect", "3", "--policy", "serial"});
+  EXPECT_EQ(aspects.at("answer"), "yes");
+  const Outcome none = run({"plan", "five_bar", "--from-aspect", "11", "--to", "4 6"});
+  EXPECT_EQ(none.code, exit_code::bad_input);
+  EXPECT_NE(none.messages.find("the aspects 1 to 10"), std::string::npos) << none.messages;
+}
+
+TEST_F(PlanCommand, AsksForAnEndAndRefusesTwo) {
+  const Outcome none = run({"plan", "five_bar", "--to", "4 6"});
+  EXPECT_EQ(none.code, exit_code::bad_input);
+  EXPECT_NE(none.messages.find("Give --from, a pose"), std::string::npos) << none.messages;
+  const Outcome two = run({"plan", "five_bar", "--from-aspect", "1", "--from", "4 6", "--to", "4 6"});
+  EXPECT_EQ(two.code, exit_code::bad_input);
+}
+
+TEST_F(PlanCommand, NamesTheNearestPoseOfTheSlice) {
+  const Outcome outcome =
+      run({"plan", "delta", "--hold", "z=-0.6", "--from", "0 0 -0.7", "--to", "0.1 0 -0.6"});
+  EXPECT_EQ(outcome.code, exit_code::bad_input);
+  EXPECT_NE(outcome.messages.find("--from lies 0.1 m from the slice"), std::string::npos) << outcome.messages;
+  EXPECT_NE(outcome.messages.find("The nearest is x 0, y 0, z -0.6."), std::string::npos) << outcome.messages;
+}
+
+TEST_F(PlanCommand, TellsWhereControlIsLost) {
+  const json path =
+      run_json({"plan", "five_bar", "--from-aspect", "1", "--to-aspect", "2", "--policy", "any"});
+  EXPECT_EQ(path.at("answer"), "yes");
+  int lost = 0;
+  for (const json& crossing : path.at("crossings")) {
+    lost += crossing.at("control_lost").get<bool>();
+    EXPECT_EQ(crossing.at("leg").is_null(), crossing.at("crossing") == "parallel");
+  }
+  EXPECT_EQ(lost, 1);
 }
 
 }  // namespace

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "aspects/map/gate_leaves.h"
+
+#include "aspects/map/map_location.h"
+#include "aspects/tree/face_traversal.h"
+
+#include <tbb/parallel_for.h>
+
+#include <map>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+namespace parallel_aspects {
+namespace {
+
+/// From the leaves that share a face with an undecided one, step by step over faces between such leaves.
+class NearestOfMode {
+ public:
+  NearestOfMode(const AspectMap::Contents& map, std::size_t mode, const MapControl& control)
+      : map_(map), mode_(mode), control_(control), first_(map.tree.node_count() + 1) {
+    visit([this](NodeIndex from, NodeIndex) { ++first_[from + 1]; });
+    for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
+    neighbours_.resize(first_.back());
+    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+    visit([&](NodeIndex from, NodeIndex to) { neighbours_[next[from]++] = to; });
+  }
+
+  std::vector<int> run(int sign) const {
+    std::vector<int> nearest(map_.tree.node_count());
+    std::vector<NodeIndex> open;
+    for (NodeIndex node = 0; node < map_.tree.node_count(); ++node)
+      if (map_.tree.state(node, mode_).is_inside(sign)) {
+        nearest[node] = map_.leaf_aspect(node, mode_);
+        open.push_back(node);
+      }
+    for (std::size_t at = 0; at < open.size(); ++at)
+      for (std::size_t i = first_[open[at]]; i < first_[open[at] + 1]; ++i) {
+        const NodeIndex next = neighbours_[i];
+        if (nearest[next] != 0 || !map_.tree.state(next, mode_).may_be(sign)) continue;
+        nearest[next] = nearest[open[at]];
+        open.push_back(next);
+      }
+    return nearest;
+  }
+
+ private:
+  /// Every step onto an undecided leaf.
+  template <class Visit>
+  void visit(const Visit& visit) const {
+    visit_faces(
+        map_.tree, mode_,
+        [&](NodeIndex a, NodeIndex b) {
+          if (map_.tree.state(b, mode_).is_undecided()) visit(a, b);
+          if (map_.tree.state(a, mode_).is_undecided()) visit(b, a);
+        },
+        control_);
+  }
+
+  const AspectMap::Contents& map_;
+  std::size_t mode_;
+  const MapControl& control_;
+  std::vector<std::size_t> first_;  // by leaf, where its neighbours begin
+  std::vector<NodeIndex> neighbours_;
+};
+
+/// Collects the leaves of one working mode.
+class ModeLeaves {
+ public:
+  ModeLeaves(const AspectMap::Contents& map, const NearestAspects& nearest, std::size_t mode)
+      : map_(map), nearest_(nearest), mode_(mode) {
+    for (std::size_t leg = 0; leg < map.modes[mode].leg_count(); ++leg) others_.push_back(flipped(leg));
+  }
+
+  std::vector<GateLeaves> run() {
+    for (NodeIndex node = 0; node < map_.tree.node_count(); ++node)
+      if (map_.tree.state(node, mode_).is_undecided()) add(node);
+    std::vector<GateLeaves> result;
+    for (auto& [key, leaves] : leaves_) {
+      const auto [crossing, leg, sign, one, other] = key;
+      result.push_back({crossing, leg, mode_, sign, std::move(leaves)});
+    }
+    return result;
+  }
+
+ private:
+  using Key = std::tuple<Crossing, std::size_t, int, int, int>;
+
+  /// Of a leg with the sign +1, the mode in which it has the other one.
+  std::optional<std::size_t> flipped(std::size_t leg) const {
+    WorkingMode mode = map_.modes[mode_];
+    if (mode.sign(leg) < 0) return std::nullopt;
+    mode.set_sign(leg, -1);
+    return mode_index(map_, mode);
+  }
+
+  void add(NodeIndex node) {
+    const int positive = nearest_.of(node, mode_, 1), negative = nearest_.of(node, mode_, -1);
+    if (positive != 0 && negative != 0)
+      leaves_[{Crossing::parallel, 0, 1, positive, negative}].push_back(node);
+    const MapPosition middle{map_.tree.place(node).root, map_.tree.box(node).middle()};
+    for (std::size_t leg = 0; leg < others_.size(); ++leg) {
+      const auto there = others_[leg] ? map_.tree.leaf_at(middle, *others_[leg]) : std::nullopt;
+      if (!there || !map_.tree.state(*there, *others_[leg]).is_undecided()) continue;
+      for (const int sign : {1, -1}) {
+        const int here = sign > 0 ? positive : negative, other = nearest_.of(*there, *others_[leg], sign);
+        if (here != 0 && other != 0) leaves_[{Crossing::serial, leg, sign, here, other}].push_back(node);
+      }
+    }
+  }
+
+  const AspectMap::Contents& map_;
+  const NearestAspects& nearest_;
+  std::size_t mode_;
+  std::vector<std::optional<std::size_t>> others_;  // by leg
+  std::map<Key, std::vector<NodeIndex>> leaves_;
+};
+
+}  // namespace
+
+NearestAspects::NearestAspects(const AspectMap::Contents& map, const MapControl& control)
+    : nearest_(2 * map.modes.size()) {
+  tbb::parallel_for(std::size_t{0}, map.modes.size(), [&](std::size_t mode) {
+    const NearestOfMode of_mode(map, mode, control);
+    for (const int sign : {1, -1}) nearest_[2 * mode + (sign > 0 ? 1 : 0)] = of_mode.run(sign);
+  });
+}
+
+std::vector<GateLeaves> find_gate_leaves(const AspectMap::Contents& map, const NearestAspects& nearest,
+                                         const MapControl& control) {
+  std::vector<std::vector<GateLeaves>> of_mode(map.modes.size());
+  tbb::parallel_for(std::size_t{0}, map.modes.size(), [&](std::size_t mode) {
+    if (!is_cancelled(control)) of_mode[mode] = ModeLeaves(map, nearest, mode).run();
+  });
+  std::vector<GateLeaves> result;
+  for (auto& gates : of_mode)
+    for (auto& gate : gates) result.push_back(std::move(gate));
+  return result;
+}
+
+}  // namespace parallel_aspects

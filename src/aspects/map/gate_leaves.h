@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASPECTS_MAP_GATE_LEAVES_H
+#define PARALLEL_ASPECTS_ASPECTS_MAP_GATE_LEAVES_H
+
+#include "aspects/map/map_contents.h"
+#include "parallel_aspects/aspects/map_control.h"
+#include "parallel_aspects/aspects/neighbours.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// The aspects that undecided leaves lie at: those of the inside leaves from which the fewest steps over
+/// faces lead to them, through undecided leaves. Says where it pays to look, and proves nothing.
+class NearestAspects {
+ public:
+  explicit NearestAspects(const AspectMap::Contents& map, const MapControl& control = {});
+
+  /// By id; 0 where there is none.
+  int of(NodeIndex leaf, std::size_t mode, int sign) const noexcept {
+    return nearest_[2 * mode + (sign > 0 ? 1 : 0)][leaf];
+  }
+
+ private:
+  std::vector<std::vector<int>> nearest_;  // by mode and sign, and by leaf
+};
+
+/// Undecided leaves of one working mode that lie at the same two aspects.
+struct GateLeaves {
+  Crossing crossing = Crossing::parallel;
+  std::size_t leg = 0;   ///< whose sign differs, where serial
+  std::size_t mode = 0;  ///< of the leaves; of a serial one, the mode in which the leg has the sign +1
+  int sign = 1;          ///< of det A in both aspects, where serial
+  std::vector<NodeIndex> leaves;  ///< rising
+};
+
+/// All that undecided leaves show, in an order of its own.
+std::vector<GateLeaves> find_gate_leaves(const AspectMap::Contents& map, const NearestAspects& nearest,
+                                         const MapControl& control = {});
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ASPECTS_MAP_GATE_LEAVES_H
