@@ -65,9 +65,8 @@ cmake_options=()
 export CCACHE_SLOPPINESS=pch_defines,time_macros
 if command -v ccache > /dev/null; then cmake_options+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
 
-# For what is built once, rather than worked on: eight sources at a time take half the processor time, since most of it
-# goes into the headers that they share. A change to one of them then compiles all eight.
-at_once=(-DCMAKE_UNITY_BUILD=ON)
+# For what is built once, rather than worked on: a room at a time takes half the processor time.
+by_room=(-DPARALLEL_ASPECTS_BY_ROOM=ON)
 
 # quietly LOG COMMAND...: shows the output only where the command fails.
 quietly() {

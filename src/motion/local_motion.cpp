@@ -21,10 +21,10 @@ constexpr double margin = 0.35;  // of each index at the middle of the figure th
 // Whole turns of each degree of freedom in one round; all are at zero where a round begins.
 constexpr std::array<int, max_legs> turns{1, 2, 3, 3, 1, 2};
 
-class Planner {
+class LocalPlanner {
  public:
-  Planner(const Manipulator& robot, const Pose& middle, const WorkingMode& mode,
-          const ConfigurationFilter& allowed)
+  LocalPlanner(const Manipulator& robot, const Pose& middle, const WorkingMode& mode,
+               const ConfigurationFilter& allowed)
       : robot_(robot), middle_(middle), mode_(mode), allowed_(allowed) {}
 
   std::vector<JointVector> plan(double widest) {
@@ -88,7 +88,7 @@ class Planner {
 std::vector<JointVector> plan_local_motion(const Manipulator& manipulator, const Pose& pose,
                                            const WorkingMode& mode, const ConfigurationFilter& allowed,
                                            double widest) {
-  return Planner(manipulator, pose, mode, allowed).plan(widest);
+  return LocalPlanner(manipulator, pose, mode, allowed).plan(widest);
 }
 
 }  // namespace parallel_aspects

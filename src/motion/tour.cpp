@@ -32,9 +32,9 @@ struct Country {
   std::vector<Gate> gates;  // at most one to each other aspect
 };
 
-class Planner {
+class TourPlanner {
  public:
-  explicit Planner(const AspectMap& map) : map_(map), robot_(*map.manipulator()) {}
+  explicit TourPlanner(const AspectMap& map) : map_(map), robot_(*map.manipulator()) {}
 
   Tour plan(const Pose& start, const WorkingMode& mode) {
     if (!straight_motions_are_allowed(robot_)) return {};
@@ -147,7 +147,7 @@ class Planner {
 }  // namespace
 
 Tour plan_tour(const AspectMap& map, const Pose& start, const WorkingMode& mode) {
-  return Planner(map).plan(start, mode);
+  return TourPlanner(map).plan(start, mode);
 }
 
 }  // namespace parallel_aspects

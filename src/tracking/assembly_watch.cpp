@@ -12,7 +12,7 @@ namespace {
 constexpr int max_steps_when_back = 32;
 
 // Direct solutions that are proved to be isolated are known far better than this, over the robot's size.
-constexpr double same_pose = 1e-6;
+constexpr double same_solution = 1e-6;
 
 }  // namespace
 
@@ -73,7 +73,7 @@ AssemblyComparison AssemblyWatch::compare(const Manipulator& manipulator, const 
   Continuation path(certifier, now, now.q + path_back(manipulator, now.q));
   if (path.run(max_steps) != ContinuationStatus::finished) return AssemblyComparison::unknown;
   end = path.at();
-  return anchor_distance(manipulator, end.pose, reference_.pose) <= same_pose * manipulator.size()
+  return anchor_distance(manipulator, end.pose, reference_.pose) <= same_solution * manipulator.size()
              ? AssemblyComparison::same
              : AssemblyComparison::other;
 }

@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t first_pieces = 96;
 constexpr int max_halvings = 6;     // of a piece that no working mode is proved for
 constexpr int parts_of_piece = 60;  // of its proof
-constexpr std::size_t no_node = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t no_state = std::numeric_limits<std::size_t>::max();
 
 /// Fewer changes are better, then shorter detours [m].
 using Cost = std::pair<int, double>;
@@ -119,12 +119,12 @@ class LiftGraph {
         legs_(manipulator.leg_count()),
         search_(manipulator),
         costs_(stations.count() * modes_.size(), {std::numeric_limits<int>::max(), 0.0}),
-        from_(costs_.size(), no_node) {}
+        from_(costs_.size(), no_state) {}
 
   /// Nodes from the start to the end; empty where none was found.
   std::vector<std::size_t> shortest() {
     for (std::size_t mode = 0; mode < modes_.size(); ++mode)
-      if (stations_.sign(0, mode) != 0) relax(no_node, mode, {0, 0.0});
+      if (stations_.sign(0, mode) != 0) relax(no_state, mode, {0, 0.0});
     while (!open_.empty() && !is_cancelled(control_)) {
       const auto [cost, node] = open_.top();
       open_.pop();
@@ -173,7 +173,7 @@ class LiftGraph {
 
   std::vector<std::size_t> trace(std::size_t node) const {
     std::vector<std::size_t> nodes;
-    for (; node != no_node; node = from_[node]) nodes.push_back(node);
+    for (; node != no_state; node = from_[node]) nodes.push_back(node);
     std::reverse(nodes.begin(), nodes.end());
     return nodes;
   }

@@ -39,11 +39,6 @@ TrajectoryCheck fail_at_start(const SegmentCertifier& certifier, const PoseWaypo
   return check;
 }
 
-/// Safe ones come first, then unknown ones.
-int rank(TrajectoryAnswer answer) {
-  return answer == TrajectoryAnswer::safe ? 0 : answer == TrajectoryAnswer::unknown ? 1 : 2;
-}
-
 /// Smaller is better.
 double cost(const ModeOnPath& mode, Preference preference) {
   switch (preference) {

@@ -30,13 +30,13 @@ double radius_of_anchors(const Manipulator& manipulator) {
 }
 
 /// A pose of the path: a share of the way from one waypoint to the next.
-struct Place {
+struct PlaceOnPath {
   std::size_t segment = 0;
   double share = 0.0;
 };
 
 struct Measured {
-  Place place;
+  PlaceOnPath place;
   double distance = 0.0;  // proved
 };
 
@@ -58,13 +58,13 @@ class PathLengths {
   }
 
   /// Within one segment its share; over several all of them, with what sums of so many are off by.
-  double between(const Place& from, const Place& to) const {
+  double between(const PlaceOnPath& from, const PlaceOnPath& to) const {
     if (from.segment == to.segment) return (to.share - from.share) * of(from.segment) + slack();
     return at(to) - at(from) + slack();
   }
 
   /// In the middle of a segment, or at the waypoint nearest to half of the length.
-  Place middle(const Place& from, const Place& to) const {
+  PlaceOnPath middle(const PlaceOnPath& from, const PlaceOnPath& to) const {
     const std::size_t last = to.share > 0.0 ? to.segment : to.segment - 1;
     if (last == from.segment) return {last, 0.5 * (from.share + (to.segment == last ? to.share : 1.0))};
     const double half = 0.5 * (at(from) + at(to));
@@ -73,13 +73,13 @@ class PathLengths {
   }
 
   /// The last waypoint.
-  Place end() const { return {sums_.size() - 1, 0.0}; }
+  PlaceOnPath end() const { return {sums_.size() - 1, 0.0}; }
 
  private:
   double of(std::size_t segment) const {
     return segment + 1 < sums_.size() ? sums_[segment + 1] - sums_[segment] : 0.0;
   }
-  double at(const Place& place) const { return sums_[place.segment] + place.share * of(place.segment); }
+  double at(const PlaceOnPath& place) const { return sums_[place.segment] + place.share * of(place.segment); }
   double slack() const { return 0x1p-50 * static_cast<double>(sums_.size()) * sums_.back(); }
 
   std::vector<double> sums_;  // to each waypoint
@@ -104,12 +104,12 @@ class Clearance {
  private:
   bool is_open(const Piece& piece) const { return piece.bound < (1.0 - aimed_gap) * least_.measured; }
 
-  PoseWaypoint waypoint(const Place& place) const {
+  PoseWaypoint waypoint(const PlaceOnPath& place) const {
     return place.share > 0.0 ? waypoint_between(waypoints_, place.segment, place.share)
                              : waypoints_[place.segment];
   }
 
-  Measured measure(const Place& place) {
+  Measured measure(const PlaceOnPath& place) {
     const PoseWaypoint at = waypoint(place);
     const BoundaryDistances found = meter_.measure(at.pose, mode_);
     const bool serial = found.serial.lower < found.parallel.lower;

@@ -15,6 +15,10 @@ constexpr std::size_t samples = 400;
 
 }  // namespace
 
+int rank(TrajectoryAnswer answer) noexcept {
+  return answer == TrajectoryAnswer::safe ? 0 : answer == TrajectoryAnswer::unknown ? 1 : 2;
+}
+
 PathEffort effort_of(const Manipulator& manipulator, const std::vector<PoseWaypoint>& waypoints,
                      const WorkingMode& mode) {
   PathEffort effort{std::vector<double>(manipulator.leg_count(), 0.0), 0.0};

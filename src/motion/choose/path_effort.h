@@ -14,6 +14,9 @@ struct PathEffort {
   double least_time = 0.0;     ///< at the velocity limits [s]
 };
 
+/// For ordering: safe ones come first, then unknown ones.
+int rank(TrajectoryAnswer answer) noexcept;
+
 /// The path must be safe in this mode.
 PathEffort effort_of(const Manipulator& manipulator, const std::vector<PoseWaypoint>& waypoints,
                      const WorkingMode& mode);

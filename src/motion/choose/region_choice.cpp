@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "motion/choose/path_effort.h"
 #include "motion/choose/region_survey.h"
 #include "parallel_aspects/motion/choose_working_mode.h"
 
@@ -57,11 +58,7 @@ std::string range_problem(const std::string& name, double lower, double upper, b
   return "";
 }
 
-int rank(TrajectoryAnswer answer) {
-  return answer == TrajectoryAnswer::safe ? 0 : answer == TrajectoryAnswer::unknown ? 1 : 2;
-}
-
-bool is_better(const ModeInRegion& a, const ModeInRegion& b) {
+bool is_better_region(const ModeInRegion& a, const ModeInRegion& b) {
   if (a.answer != b.answer) return rank(a.answer) < rank(b.answer);
   return a.answer == TrajectoryAnswer::safe ? a.least_index.lower > b.least_index.lower
                                             : a.undecided < b.undecided;
@@ -168,7 +165,7 @@ RegionChoice choose_working_mode(const std::shared_ptr<const Manipulator>& manip
   RegionSurvey survey(*manipulator, question, angle_of(*manipulator, question));
   RegionChoice choice;
   choice.modes = survey.run(options);
-  std::stable_sort(choice.modes.begin(), choice.modes.end(), is_better);
+  std::stable_sort(choice.modes.begin(), choice.modes.end(), is_better_region);
   choice.answer = choice.modes.front().answer;
   if (choice.answer == TrajectoryAnswer::unsafe) choice.apart = find_apart(manipulator, survey, choice.modes);
   choice.reason = reason_of(choice);

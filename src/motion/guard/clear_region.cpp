@@ -13,7 +13,7 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 template <TaskSpace space>
 class ClearRegionIn final : public ClearRegion {
@@ -208,7 +208,7 @@ class ClearRegionIn final : public ClearRegion {
   void add_parallel(double radius, ClearHalfSpaces& found) const noexcept {
     const Form value = determinant_.in_ball(radius);
     add(sign_ < 0 ? -value : value, radius, {}, found);
-    if (sign_ == 0) found.list[found.count - 1].clearance = -infinite;
+    if (sign_ == 0) found.list[found.count - 1].clearance = -unbounded;
   }
 
   void add(const Boundary& boundary, double radius, ClearHalfSpaces& found) const noexcept {
@@ -216,14 +216,14 @@ class ClearRegionIn final : public ClearRegion {
     const Interval here = boundary.signed_distance(chart_.displacement_at_origin(boundary.leg));
     const Form value = distance_at(boundary, ball(radius));
     add(here.upper() < 0.0 ? -value : value, radius, {{}, 0.0, boundary.leg, boundary.end}, found);
-    if (!here.positive() && !here.negative()) found.list[found.count - 1].clearance = -infinite;
+    if (!here.positive() && !here.negative()) found.list[found.count - 1].clearance = -unbounded;
   }
 
   // Where the value, which encloses a function that vanishes at the hazard, is positive.
   static void add(const Form& value, double radius, ClearHalfSpace half_space,
                   ClearHalfSpaces& found) noexcept {
     if (found.count == ClearHalfSpaces::most) {  // what is not looked at is not clear
-      found.list[found.count - 1].clearance = -infinite;
+      found.list[found.count - 1].clearance = -unbounded;
       return;
     }
     Cell<size> cell;
@@ -231,7 +231,7 @@ class ClearRegionIn final : public ClearRegion {
     const LinearModel<size> model(value.linear(), cell);
     const double least = -(model.error - model.below_at_origin), length = model.gradient_length;
     half_space.normal = TaskVector::Zero(static_cast<Eigen::Index>(size));
-    half_space.clearance = least > 0.0 ? infinite : -infinite;
+    half_space.clearance = least > 0.0 ? unbounded : -unbounded;
     if (length > 0.0) {
       half_space.clearance = least / length;
       for (std::size_t i = 0; i < size; ++i)

@@ -20,7 +20,7 @@ constexpr std::array<const char*, 6> leg_colors{"#228833", "#aa3377", "#ccbb44",
                                                 "#66ccee", "#ee7733", "#332288"};
 constexpr const char* parallel_color = "#999999";
 
-constexpr double margin = 20.0, header = 50.0, line_height = 18.0;
+constexpr double page_margin = 20.0, header = 50.0, line_height = 18.0;
 constexpr double least_radius = 9.0, largest_radius = 24.0;
 constexpr double beside = 62.0;  // room around a circle of aspects, for their working modes
 constexpr double full_turn = 2.0 * static_cast<double>(EIGEN_PI);
@@ -32,13 +32,13 @@ struct Place {
   const char* anchor = "middle";
 };
 
-struct Panel {
+struct SetPanel {
   double x = 0.0, y = 0.0, radius = 0.0;  // of the circle
 };
 
-class Drawing {
+class GraphDrawing {
  public:
-  Drawing(const AspectMap& map, const AspectGraph& graph)
+  GraphDrawing(const AspectMap& map, const AspectGraph& graph)
       : map_(map), graph_(graph), places_(map.aspects().size()) {
     for (const Aspect& aspect : map.aspects()) largest_ = std::max(largest_, aspect.measure);
     lay_out();
@@ -48,7 +48,7 @@ class Drawing {
   std::string text() const {
     std::string picture =
         svg::start(width_, height_) +
-        text_at(margin, 22.0, "start", map_.manipulator()->name() + ": aspects and gates", 15.0);
+        text_at(page_margin, 22.0, "start", map_.manipulator()->name() + ": aspects and gates", 15.0);
     for (const bool serial : {false, true})
       for (const Neighbours& gate : graph_.gates)
         if ((gate.crossing == Crossing::serial) == serial) picture += line(gate);
@@ -62,22 +62,23 @@ class Drawing {
   void lay_out() {
     const auto per_row =
         static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(graph_.sets.size()))));
-    double x = margin, y = header, row_height = 0.0;
+    double x = page_margin, y = header, row_height = 0.0;
     for (std::size_t i = 0; i < graph_.sets.size(); ++i) {
-      if (i > 0 && i % per_row == 0) x = margin, y += row_height, row_height = 0.0;
+      if (i > 0 && i % per_row == 0) x = page_margin, y += row_height, row_height = 0.0;
       const auto count = static_cast<double>(graph_.sets[i].aspects.size());
       const double radius = count > 1.0 ? std::max(spacing, count * spacing / full_turn) : 0.0;
       const double half = std::max(radius + beside + largest_radius, 120.0);
       panels_.push_back({x + half, y + line_height + radius + beside, radius});
-      x += 2.0 * half + margin;
-      row_height = std::max(row_height, 2.0 * (radius + beside) + line_height + margin);
+      x += 2.0 * half + page_margin;
+      row_height = std::max(row_height, 2.0 * (radius + beside) + line_height + page_margin);
       width_ = std::max(width_, x);
     }
     legend_y_ = y + row_height + line_height;
-    height_ = legend_y_ + line_height * static_cast<double>(map_.manipulator()->leg_count() + 2) + margin;
+    height_ =
+        legend_y_ + line_height * static_cast<double>(map_.manipulator()->leg_count() + 2) + page_margin;
   }
 
-  void place_set(const Panel& panel, const std::vector<int>& aspects) {
+  void place_set(const SetPanel& panel, const std::vector<int>& aspects) {
     for (std::size_t i = 0; i < aspects.size(); ++i) {
       const double angle = full_turn * static_cast<double>(i) / static_cast<double>(aspects.size());
       const double right = std::sin(angle), up = std::cos(angle);
@@ -120,7 +121,7 @@ class Drawing {
   }
 
   std::string title(std::size_t set) const {
-    const Panel& panel = panels_[set];
+    const SetPanel& panel = panels_[set];
     return text_at(panel.x, panel.y - panel.radius - beside + 8.0, "middle",
                    "set " + std::to_string(set + 1) + ", det A " +
                        (graph_.sets[set].determinant_sign > 0 ? "> 0" : "< 0") + ", at least " +
@@ -132,8 +133,8 @@ class Drawing {
     std::string picture;
     double y = legend_y_;
     const auto entry = [&](const char* color, double width, bool dashed, const std::string& meaning) {
-      picture += stroke(margin, y - 4.0, margin + 30.0, y - 4.0, color, width, dashed) +
-                 text_at(margin + 40.0, y, "start", meaning);
+      picture += stroke(page_margin, y - 4.0, page_margin + 30.0, y - 4.0, color, width, dashed) +
+                 text_at(page_margin + 40.0, y, "start", meaning);
       y += line_height;
     };
     for (std::size_t leg = 0; leg < map_.manipulator()->leg_count(); ++leg)
@@ -145,13 +146,15 @@ class Drawing {
 
   const AspectMap& map_;
   const AspectGraph& graph_;
-  std::vector<Panel> panels_;  // by index of the set
-  std::vector<Place> places_;  // by id - 1
+  std::vector<SetPanel> panels_;  // by index of the set
+  std::vector<Place> places_;     // by id - 1
   double largest_ = 0.0, width_ = 0.0, height_ = 0.0, legend_y_ = 0.0;
 };
 
 }  // namespace
 
-std::string draw_graph(const AspectMap& map, const AspectGraph& graph) { return Drawing(map, graph).text(); }
+std::string draw_graph(const AspectMap& map, const AspectGraph& graph) {
+  return GraphDrawing(map, graph).text();
+}
 
 }  // namespace parallel_aspects::tools

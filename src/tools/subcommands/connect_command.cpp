@@ -30,7 +30,7 @@ struct ConnectArguments {
 };
 
 /// What is asked, with every number understood.
-struct Question {
+struct ConnectQuestion {
   Pose from, to;
   std::vector<WorkingMode> modes;
   RoadmapOptions roadmap;
@@ -40,9 +40,9 @@ struct Question {
   double moved = 0.0;  // onto the slice, at most [m]
 };
 
-Question parse(const ConnectArguments& arguments, const Manipulator& manipulator) {
+ConnectQuestion parse(const ConnectArguments& arguments, const Manipulator& manipulator) {
   Problems problems;
-  Question question;
+  ConnectQuestion question;
   question.from = parse_pose("--from", manipulator.task_space(), arguments.from, problems);
   question.to = parse_pose("--to", manipulator.task_space(), arguments.to, problems);
   question.roadmap = parse_roadmap(arguments.roadmap, problems);
@@ -65,7 +65,7 @@ Question parse(const ConnectArguments& arguments, const Manipulator& manipulator
 /// Asks, until one knows: what is proved of the two poses, a roadmap of the mode, a map.
 class Asking {
  public:
-  Asking(std::shared_ptr<const Manipulator> manipulator, const Question& question,
+  Asking(std::shared_ptr<const Manipulator> manipulator, const ConnectQuestion& question,
          const Surroundings& surroundings)
       : manipulator_(std::move(manipulator)),
         certifier_(manipulator_),
@@ -138,7 +138,7 @@ class Asking {
 
   std::shared_ptr<const Manipulator> manipulator_;
   SegmentCertifier certifier_;
-  const Question& question_;
+  const ConnectQuestion& question_;
   const Surroundings& surroundings_;
   std::shared_ptr<const AspectMap> map_;
 };
@@ -198,7 +198,7 @@ Report report_comparison(const Manipulator& manipulator, const Pose& from, const
 namespace {
 
 /// That the answers are of a slice, and what was done to the poses.
-void add_slice(const Question& question, Report& report) {
+void add_slice(const ConnectQuestion& question, Report& report) {
   if (!question.slice) return;
   report.json["slice"] = json_slice(question.slice);
   report.json["moved_onto_slice"] = question.moved;
@@ -236,7 +236,7 @@ Subcommand connect_subcommand() {
             const auto mechanism = load_robot(arguments->robot);
             const auto manipulator =
                 choose_constraints(mechanism->mapped_manipulator(), arguments->constraints);
-            const Question question = parse(*arguments, *manipulator);
+            const ConnectQuestion question = parse(*arguments, *manipulator);
             Asking asking(manipulator, question, surroundings);
             std::vector<ModeAnswer> answers;
             for (const WorkingMode& mode : question.modes) {

@@ -27,7 +27,7 @@ struct PlanArguments {
 };
 
 /// What is asked, with every number understood.
-struct Question {
+struct PlanQuestion {
   PathEnd from, to;
   PathPolicy policy = PathPolicy::stay;
   std::optional<MapSlice> slice;
@@ -45,9 +45,9 @@ PathPolicy parse_policy(const std::string& text, Problems& problems) {
   return PathPolicy::stay;
 }
 
-Question parse(const PlanArguments& arguments, const Manipulator& manipulator) {
+PlanQuestion parse(const PlanArguments& arguments, const Manipulator& manipulator) {
   Problems problems;
-  Question question;
+  PlanQuestion question;
   question.from = parse_path_end("--from", manipulator, arguments.from, problems);
   question.to = parse_path_end("--to", manipulator, arguments.to, problems);
   question.policy = parse_policy(arguments.policy, problems);
@@ -68,7 +68,7 @@ struct Plan {
 
 /// With six degrees of freedom there is no map but a roadmap.
 Plan plan_over_roadmap(const std::shared_ptr<const Manipulator>& manipulator, const PlanArguments& arguments,
-                       const Question& question, const Surroundings& surroundings) {
+                       const PlanQuestion& question, const Surroundings& surroundings) {
   Problems problems;
   RoadmapOptions options = parse_roadmap(arguments.roadmap, problems);
   if (question.policy != PathPolicy::stay)
@@ -85,7 +85,7 @@ Plan plan_over_roadmap(const std::shared_ptr<const Manipulator>& manipulator, co
 }
 
 Plan plan_in_map(const std::shared_ptr<const Manipulator>& manipulator, const PlanArguments& arguments,
-                 const Question& question, const Surroundings& surroundings) {
+                 const PlanQuestion& question, const Surroundings& surroundings) {
   if (!arguments.roadmap.samples.empty() || !arguments.roadmap.seed.empty())
     throw InvalidDescription(
         {"--samples and --seed are for roadmaps, in SE3 without --hold; leave them out."});
@@ -131,7 +131,7 @@ void add_timing(const std::shared_ptr<const Manipulator>& manipulator, const Pla
 Report report_of(const PlanArguments& arguments, const Surroundings& surroundings) {
   const auto mechanism = load_robot(arguments.robot);
   const auto manipulator = choose_constraints(mechanism->mapped_manipulator(), arguments.constraints);
-  const Question question = parse(arguments, *manipulator);
+  const PlanQuestion question = parse(arguments, *manipulator);
   Problems problems;
   const auto acceleration = parse_timing(arguments.timing, arguments.robot, *manipulator, problems);
   if (!problems.empty()) throw InvalidDescription(std::move(problems));

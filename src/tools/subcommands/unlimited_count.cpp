@@ -15,7 +15,7 @@ namespace {
 using nlohmann::json;
 
 // Of the smallest ones in the region, all of which the second map could take at most: 256 by 256.
-constexpr double max_boxes = 65536.0;
+constexpr double max_boxes_to_count = 65536.0;
 
 // Of unit quaternions: four charts, each from -1 to 1 in three coordinates.
 constexpr double charts = 4.0, width_of_chart = 2.0;
@@ -57,7 +57,7 @@ void add_count_without_limits(const AspectMap& map, MapOptions options, const Su
                               Report& report) {
   const Manipulator& manipulator = *map.manipulator();
   const ConstraintKinds limits = limits_of_joints(manipulator);
-  if (limits.none() || smallest_boxes(map) > max_boxes) return;
+  if (limits.none() || smallest_boxes(map) > max_boxes_to_count) return;
   options.region = searched_positions(map);
   const auto free = manipulator.with_constraints(manipulator.constraint_kinds() & ~limits);
   const auto result = completed(

@@ -12,10 +12,6 @@ namespace {
 // Of a frame from its link, in sums of all origins: far beyond any robot.
 constexpr double farthest_frame = 100.0;
 
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 // Whether all movable joints are in one chain, but for single ones that branch off, as fingers do.
 bool is_serial_arm(const Tree& tree) {
   std::vector<std::size_t> joints_below(tree.links.size(), 0);  // in the longest chain

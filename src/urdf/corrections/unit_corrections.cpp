@@ -16,7 +16,7 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr double out_of_scale = 30.0;                   // of limits in mm against the robot in m, at least
+constexpr double limits_out_of_scale = 30.0;            // of limits in mm against the robot in m, at least
 constexpr double shortest_that_is_meant = 1.0 / 150.0;  // of slides of a robot that loads, of its size
 constexpr double millimetre = 1e-3;                     // [m]
 constexpr double widest_robot = 100.0;                  // [m]; wider ones are taken for such in millimetres
@@ -38,7 +38,7 @@ enum class Unit { millimetres, kilometres };
 bool is_in(Unit unit, const JointLimits& limits, double size, double shortest) {
   const auto farther = farther_limit(limits);
   if (!farther || *farther == 0.0) return false;
-  return unit == Unit::millimetres ? *farther > out_of_scale * size : *farther < shortest * size;
+  return unit == Unit::millimetres ? *farther > limits_out_of_scale * size : *farther < shortest * size;
 }
 
 std::vector<std::size_t> slides_in(Unit unit, const Tree& tree, const LoopJoints& loops, double size,
@@ -195,7 +195,7 @@ Corrections all_corrections(const Tree& tree, const ResolvedConfig& resolved, co
 
 Corrections unit_corrections(const Tree& tree, const ResolvedConfig& resolved, const LoopJoints& loops,
                              double size, const SourceNames& files) {
-  return all_corrections(tree, resolved, loops, size, files, 1.0 / out_of_scale);
+  return all_corrections(tree, resolved, loops, size, files, 1.0 / limits_out_of_scale);
 }
 
 std::vector<std::string> unit_notes(const Tree& tree, const ResolvedConfig& resolved, const LoopJoints& loops,

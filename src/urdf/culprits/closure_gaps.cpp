@@ -18,11 +18,6 @@ constexpr double clearly_wider = 1.5;  // than the gaps of other closures
 
 std::string number(double value) { return number_text(value, 4); }
 
-bool has_child(const Tree& tree, std::size_t link) {
-  return std::any_of(tree.joints.begin(), tree.joints.end(),
-                     [link](const TreeJoint& joint) { return joint.parent == link; });
-}
-
 bool is_fixed_frame(const Tree& tree, std::size_t link) {
   const auto joint = tree.joint_above[link];
   return joint && tree.joints[*joint].motion == JointMotion::fixed && !has_child(tree, link);

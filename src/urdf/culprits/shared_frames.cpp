@@ -26,11 +26,6 @@ std::string without_digits(std::string name) {
   return name;
 }
 
-bool has_child(const Tree& tree, std::size_t link) {
-  return std::any_of(tree.joints.begin(), tree.joints.end(),
-                     [link](const TreeJoint& joint) { return joint.parent == link; });
-}
-
 // Links of one body, the other of which carries nothing, whose names differ in digits alone.
 bool are_numbered_alike(const Tree& tree, std::size_t one, std::size_t other) {
   return one != other && body_of(tree, one) == body_of(tree, other) && !has_child(tree, other) &&

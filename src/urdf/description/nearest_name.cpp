@@ -42,11 +42,11 @@ std::string listed(const std::vector<std::string>& names) {
   return text;
 }
 
+}  // namespace
+
 bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
-
-}  // namespace
 
 std::string similar_name(const std::string& word, const std::vector<std::string>& known) {
   const auto nearest = std::min_element(known.begin(), known.end(), [&](const auto& a, const auto& b) {

@@ -13,6 +13,9 @@ namespace parallel_aspects {
 /// near: neither is a part of the other, and more than a third of the letters differ.
 std::string similar_name(const std::string& word, const std::vector<std::string>& known);
 
+/// Whether a name is one of these.
+bool contains(const std::vector<std::string>& names, const std::string& name);
+
 /// A name that something else was written for.
 struct MeantName {
   std::string name, written;

@@ -55,4 +55,9 @@ Poses link_poses(const Tree& tree, std::size_t base, const Eigen::VectorXd& valu
   return poses;
 }
 
+bool has_child(const Tree& tree, std::size_t link) {
+  return std::any_of(tree.joints.begin(), tree.joints.end(),
+                     [link](const TreeJoint& joint) { return joint.parent == link; });
+}
+
 }  // namespace parallel_aspects

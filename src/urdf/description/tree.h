@@ -45,6 +45,9 @@ struct Tree {
   const TreeJoint& joint_of(std::size_t variable) const { return joints[movable[variable]]; }
 };
 
+/// Whether a joint hangs on this link.
+bool has_child(const Tree& tree, std::size_t link);
+
 using Poses = std::vector<Eigen::Isometry3d>;
 
 /// Frame of every link in the frame of link `base` [m], for these joint values.

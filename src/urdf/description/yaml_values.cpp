@@ -11,14 +11,6 @@
 #include <unordered_set>
 
 namespace parallel_aspects {
-namespace {
-
-bool contains(const std::vector<std::string>& keys, const std::string& key) {
-  return std::find(keys.begin(), keys.end(), key) != keys.end();
-}
-
-}  // namespace
-
 void YamlValues::check_keys(const YAML::Node& map, const std::vector<std::string>& known,
                             const std::string& where, const std::vector<OtherPart>& elsewhere) const {
   std::vector<std::string> keys;

@@ -23,7 +23,7 @@ constexpr std::size_t max_others = 4;
 // Closures that are seldom, as welds, and mixtures of types are tried for so many candidates.
 constexpr std::size_t max_with_all_types = 2;
 
-struct OutOfTime {};
+struct SearchIsLate {};
 
 struct Platform {
   std::size_t body = 0;
@@ -341,14 +341,14 @@ class ClosedSearch {
     search.looks_for_remedies = false;
     search.as_options = true;
     search.checkpoint = [this] {
-      if (is_late()) throw OutOfTime{};
+      if (is_late()) throw SearchIsLate{};
     };
     try {
       return load_mechanism(subject_.urdf_text, subject_.urdf_name, config_text(draft), name_of_choice, "",
                             search);
     } catch (const InvalidDescription& invalid) {
       problems = invalid.problems();
-    } catch (const OutOfTime&) {
+    } catch (const SearchIsLate&) {
     }
     return nullptr;
   }

@@ -15,7 +15,7 @@ namespace parallel_aspects {
 namespace {
 
 constexpr std::size_t width = 110;
-constexpr std::size_t max_others = 4;
+constexpr std::size_t max_others_shown = 4;
 
 // A text may hold anything, and a comment ends with its line.
 std::string one_line(std::string text) {
@@ -106,7 +106,7 @@ class Writer {
   void explain(const std::string& key, const std::string& what, const SetupCandidate& taken) {
     std::string text = what + ": " + taken.reason + ".";
     for (const SetupChoice& choice : draft_.others)
-      for (std::size_t k = 0; choice.key == key && k < std::min(choice.others.size(), max_others); ++k)
+      for (std::size_t k = 0; choice.key == key && k < std::min(choice.others.size(), max_others_shown); ++k)
         text += " Would load too: " + joined(choice.others[k].values) + " (" + choice.others[k].reason + ").";
     text_ += '\n';
     comment(indent, text);

@@ -1,0 +1,17 @@
+# Compiles the sources of a room as one, where PARALLEL_ASPECTS_BY_ROOM is on: half the processor time, most of which goes
+# into the headers that they share. Only names of one room can clash.
+function(parallel_aspects_compile_by_room target)
+  if(NOT PARALLEL_ASPECTS_BY_ROOM OR CMAKE_VERSION VERSION_LESS 3.18)
+    return()
+  endif()
+  get_target_property(sources ${target} SOURCES)
+  get_target_property(directory ${target} SOURCE_DIR)
+  foreach(source IN LISTS sources)
+    get_filename_component(source "${source}" ABSOLUTE BASE_DIR "${directory}")
+    get_filename_component(room "${source}" DIRECTORY)
+    file(RELATIVE_PATH room "${PROJECT_SOURCE_DIR}/src" "${room}")
+    string(MAKE_C_IDENTIFIER "${room}" room)
+    set_source_files_properties("${source}" TARGET_DIRECTORY ${target} PROPERTIES UNITY_GROUP ${room})
+  endforeach()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+endfunction()
