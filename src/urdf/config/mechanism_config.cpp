@@ -28,11 +28,25 @@ const std::vector<std::string>& mechanism_keys() {
 
 // What a robot's file may say; all but the first two is for others.
 const std::vector<std::string>& top_keys() {
-  static const std::vector<std::string> keys{
-      "mechanism",  "constraints",  "motion",    "map",
-      "start",      "tracking",     "passive",   "distance",
-      "thresholds", "state",        "completed", "joint_states_timeout",
-      "tf_timeout", "frame_prefix", "display",   "diagnostic_period"};
+  static const std::vector<std::string> keys{"mechanism",
+                                             "constraints",
+                                             "motion",
+                                             "map",
+                                             "start",
+                                             "tracking",
+                                             "passive",
+                                             "distance",
+                                             "thresholds",
+                                             "guard",
+                                             "state",
+                                             "completed",
+                                             "joint_states_timeout",
+                                             "joint_states_window",
+                                             "tf_timeout",
+                                             "read_only",
+                                             "frame_prefix",
+                                             "display",
+                                             "diagnostic_period"};
   return keys;
 }
 
