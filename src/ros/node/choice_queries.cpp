@@ -2,6 +2,7 @@
 #include "ros/node/choice_queries.h"
 
 #include "ros/messages/choice_messages.h"
+#include "ros/messages/conversions.h"
 
 #include <algorithm>
 #include <utility>
