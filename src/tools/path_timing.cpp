@@ -73,6 +73,7 @@ void report_timing(const Manipulator& manipulator, const TimingArguments& argume
   if (file.empty()) return;
   if (!timed) report.exit_code = exit_code::unknown;
   if (!timed) return;
+  report.json["trajectory_file"] = file;
   write_output_file("Trajectory", file,
                     ends_with(file, ".csv") ? trajectory_csv(manipulator, timed.waypoints)
                                             : trajectory_yaml(manipulator, timed.waypoints));

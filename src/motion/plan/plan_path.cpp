@@ -7,16 +7,12 @@
 #include "motion/plan/aspect_paths.h"
 #include "motion/plan/gate_route.h"
 #include "motion/plan/leaf_path.h"
+#include "motion/plan/path_builder.h"
 #include "motion/plan/way_in.h"
 #include "motion/roadmap.h"
 #include "parallel_aspects/aspects/held_joint.h"
-#include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/kinematics/jacobians.h"
-#include "parallel_aspects/singularity/indices.h"
 
 #include <algorithm>
-#include <cmath>
-#include <functional>
 #include <set>
 #include <string>
 #include <utility>
@@ -24,8 +20,6 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr int steps_of_a_segment = 32;  // at which the actuated joints are looked at
-constexpr int max_routes = 10;          // that are followed, of which a way is not found
 
 /// The aspects that hold an end, and what is known of the working modes in which none is found.
 struct EndAspects {
@@ -119,70 +113,6 @@ bool any_pair(const EndAspects& starts, const EndAspects& goals, const Condition
   });
 }
 
-/// The path between poses in one working mode, and in another behind a crossing.
-class PathBuilder {
- public:
-  /// `between(from, to, t)` is the pose on a segment.
-  using Between = std::function<Pose(const Pose&, const Pose&, double)>;
-
-  PathBuilder(const Manipulator& manipulator, Between between)
-      : robot_(manipulator), between_(std::move(between)) {}
-
-  void go(const std::vector<Pose>& poses, const WorkingMode& mode) {
-    for (const Pose& pose : poses) add(pose, mode);
-  }
-
-  /// Between the last point and the next one, in the other working mode.
-  void cross_serial(std::size_t leg, int from, int to) {
-    const std::size_t point = path_.points.size() - 1;
-    path_.crossings.push_back({Crossing::serial, point, point + 1, leg, from, to});
-  }
-
-  /// From the last point through these.
-  void cross_parallel(const std::vector<Pose>& poses, const WorkingMode& mode, int from, int to) {
-    const std::size_t point = path_.points.size() - 1;
-    go(poses, mode);
-    path_.crossings.push_back({Crossing::parallel, point, path_.points.size() - 1, 0, from, to});
-  }
-
-  PlannedPath take(std::string message) {
-    path_.answer = SameAspect::yes;
-    path_.message = std::move(message);
-    return std::move(path_);
-  }
-
- private:
-  void add(const Pose& pose, const WorkingMode& mode) {
-    if (path_.points.empty()) {
-      path_.points.push_back({pose, mode, inverse(robot_, pose, mode).q});
-      look_at(pose, path_.points.back().q);
-      return;
-    }
-    const PathPoint last = path_.points.back();
-    if (last.mode == mode && last.pose.position == pose.position &&
-        last.pose.orientation.coeffs() == pose.orientation.coeffs())
-      return;
-    JointVector q = last.q;
-    for (int step = 1; step <= steps_of_a_segment; ++step) {
-      const Pose at = between_(last.pose, pose, static_cast<double>(step) / steps_of_a_segment);
-      q += joint_change(robot_, q, inverse(robot_, at, mode).q);
-      look_at(at, q);
-    }
-    path_.length += (pose.position - last.pose.position).norm();
-    path_.turned += pose.orientation.angularDistance(last.pose.orientation);
-    path_.points.push_back({pose, mode, q});
-  }
-
-  void look_at(const Pose& pose, const JointVector& q) {
-    path_.least_index = std::min(path_.least_index, parallel_index(robot_, pose, q));
-    path_.least_det_a = std::min(path_.least_det_a, std::abs(direct_determinant(robot_, pose, q)));
-  }
-
-  const Manipulator& robot_;
-  Between between_;
-  PlannedPath path_;
-};
-
 }  // namespace
 
 struct PathPlanner::Parts {
@@ -231,9 +161,24 @@ class PathPlanner::Search {
         any_pair(starts, goals, [this](int first, int second) { return may_be_one(map_, first, second); });
     if (may_share || !starts.all_known || !goals.all_known)
       return without_path(SameAspect::unknown, "No aspect of the map is known to hold both ends.");
-    return without_path(SameAspect::no,
-                        "Proved: no aspect holds both ends; they differ in the working mode, in the "
-                        "sign of det A, or the map proves them apart.");
+    std::set<std::string> reasons;
+    any_pair(starts, goals, [&](int first, int second) {
+      reasons.insert(difference(aspect_of(map_, first), aspect_of(map_, second)));
+      return false;
+    });
+    std::string text;
+    for (const std::string& reason : reasons) text += (text.empty() ? "" : "; ") + reason;
+    return without_path(SameAspect::no, "Proved: no aspect holds both ends: " + text + ".");
+  }
+
+  static std::string difference(const Aspect& one, const Aspect& other) {
+    if (one.mode != other.mode)
+      return "the working modes are " + to_string(one.mode) + " and " + to_string(other.mode);
+    const std::string in_mode = "in " + to_string(one.mode);
+    return one.determinant_sign != other.determinant_sign
+               ? in_mode + " the sign of det A differs"
+               : in_mode + " the map proves aspects " + std::to_string(one.id) + " and " +
+                     std::to_string(other.id) + " apart";
   }
 
   PlannedPath pass_gates(const EndAspects& starts, const EndAspects& goals, PathPolicy policy) {

@@ -3,6 +3,7 @@
 
 #include "model/task_space_traits.h"
 #include "tools/report/bounds_report.h"
+#include "tools/report/slice_report.h"
 #include "tools/report/text_table.h"
 
 namespace parallel_aspects::tools {
@@ -54,14 +55,23 @@ std::string length_text(const Manipulator& manipulator, const PlannedPath& path)
   return text;
 }
 
+/// How the pose runs there; what is proved is proved of this curve alone.
+std::string between_points(const std::optional<MapSlice>& slice) {
+  return slice && slice->joint ? "the direction of the held anchor from the base, and phi, run straight"
+                               : "positions run straight; quaternions straight and normalised, the short way";
+}
+
 }  // namespace
 
-Report report_path(const Manipulator& manipulator, const PlannedPath& path, PathPolicy policy) {
+Report report_path(const Manipulator& manipulator, const PlannedPath& path, PathPolicy policy,
+                   const std::optional<MapSlice>& slice) {
   const bool has_path = path.answer == SameAspect::yes;
   json object = {{"mechanism", manipulator.name()},
                  {"policy", name(policy)},
                  {"answer", name(path.answer)},
                  {"proved", path.answer != SameAspect::unknown},
+                 {"slice", json_slice(slice)},
+                 {"between_points", between_points(slice)},
                  {"reason", path.message},
                  {"path", json::array()},
                  {"crossings", json::array()},
@@ -77,7 +87,8 @@ Report report_path(const Manipulator& manipulator, const PlannedPath& path, Path
     text += counted(path.points.size(), "point") + ", " + counted(path.crossings.size(), "crossing") + ", " +
             length_text(manipulator, path) + "\nsmallest of 32 poses a segment: parallel index " +
             shown(path.least_index) + ", |det A| " + shown(path.least_det_a) + " " +
-            determinant_unit(manipulator.task_space()) + "\n\n" + points_text(manipulator, path);
+            determinant_unit(manipulator.task_space()) + "\nbetween points: " + between_points(slice) +
+            "\n\n" + points_text(manipulator, path);
   const Report constraints = report_constraints(manipulator);
   object.update(constraints.json);
   return {object, text + '\n' + constraints.text};

@@ -3,9 +3,11 @@
 #define PARALLEL_ASPECTS_TOOLS_REPORT_PLAN_REPORT_H
 
 #include "parallel_aspects/aspects/aspect_graph.h"
+#include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/motion/plan_path.h"
 #include "tools/report/report.h"
 
+#include <optional>
 #include <string>
 
 namespace parallel_aspects::tools {
@@ -18,7 +20,8 @@ Report report_graph(const AspectMap& map, const AspectGraph& graph);
 std::string graph_as_dot(const AspectMap& map, const AspectGraph& graph);
 
 /// `aspects plan`: the path, or why there is none.
-Report report_path(const Manipulator& manipulator, const PlannedPath& path, PathPolicy policy);
+Report report_path(const Manipulator& manipulator, const PlannedPath& path, PathPolicy policy,
+                   const std::optional<MapSlice>& slice);
 
 }  // namespace parallel_aspects::tools
 

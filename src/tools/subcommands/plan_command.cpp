@@ -56,6 +56,11 @@ PlanQuestion parse(const PlanArguments& arguments, const Manipulator& manipulato
   if (arguments.to.aspect.empty()) poses.push_back({"--to", &question.to.pose});
   question.slice =
       parse_slice_with_ends("--hold", manipulator, arguments.map.slice, poses, question.moved, problems);
+  if (question.policy == PathPolicy::any && !arguments.timing.trajectory_file.empty())
+    problems.emplace_back(
+        "--trajectory needs a platform that is under control all the way, and --policy any may pass det A = "
+        "0; "
+        "give --policy serial.");
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
   return question;
 }
@@ -120,6 +125,7 @@ void add_timing(const std::shared_ptr<const Manipulator>& manipulator, const Pla
                 const Plan& plan, const std::optional<JointVector>& acceleration,
                 const Surroundings& surroundings, Report& report) {
   report.json["seconds"] = nullptr;
+  report.json["trajectory_file"] = nullptr;
   if (!acceleration || !plan.path) return;
   const MapControl control = control_of(surroundings);
   const TimedPath timed =
@@ -138,12 +144,15 @@ Report report_of(const PlanArguments& arguments, const Surroundings& surrounding
   const bool has_map = question.slice || manipulator->task_space() != TaskSpace::SE3;
   const Plan plan =
       (has_map ? plan_in_map : plan_over_roadmap)(manipulator, arguments, question, surroundings);
-  Report report = report_path(*manipulator, plan.path, question.policy);
+  Report report = report_path(*manipulator, plan.path, question.policy, question.slice);
   report.exit_code = code_of(plan.path.answer);
   report.json["moved_onto_slice"] = question.slice ? nlohmann::json(question.moved) : nlohmann::json();
   if (question.moved > 0.0)
     report.text += "the ends are moved onto the slice, by at most " + shown(question.moved) + " m\n";
   add_timing(manipulator, arguments, plan, acceleration, surroundings, report);
+  const std::string& file = arguments.timing.trajectory_file;
+  if (!file.empty() && report.json["trajectory_file"].is_null())
+    surroundings.messages << file << " is not written; what it may hold is older." << std::endl;
   return report;
 }
 

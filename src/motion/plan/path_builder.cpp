@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "motion/plan/path_builder.h"
+
+#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/kinematics/jacobians.h"
+#include "parallel_aspects/singularity/indices.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace parallel_aspects {
+namespace {
+
+constexpr int steps_of_a_segment = 32;  // at which the actuated joints are looked at
+
+}  // namespace
+
+void PathBuilder::go(const std::vector<Pose>& poses, const WorkingMode& mode) {
+  for (const Pose& pose : poses) add(pose, mode);
+}
+
+void PathBuilder::cross_serial(std::size_t leg, int from, int to) {
+  const std::size_t point = path_.points.size() - 1;
+  path_.crossings.push_back({Crossing::serial, point, point + 1, leg, from, to});
+}
+
+void PathBuilder::cross_parallel(const std::vector<Pose>& poses, const WorkingMode& mode, int from, int to) {
+  const std::size_t point = path_.points.size() - 1;
+  go(poses, mode);
+  path_.crossings.push_back({Crossing::parallel, point, path_.points.size() - 1, 0, from, to});
+}
+
+PlannedPath PathBuilder::take(std::string message) {
+  path_.answer = SameAspect::yes;
+  path_.message = std::move(message);
+  return std::exchange(path_, {});
+}
+
+void PathBuilder::add(const Pose& pose, const WorkingMode& mode) {
+  if (path_.points.empty()) {
+    path_.points.push_back({pose, mode, inverse(robot_, pose, mode).q});
+    look_at(pose, path_.points.back().q);
+    return;
+  }
+  const PathPoint last = path_.points.back();
+  if (last.mode == mode && last.pose.position == pose.position &&
+      last.pose.orientation.coeffs() == pose.orientation.coeffs())
+    return;
+  JointVector q = last.q;
+  for (int step = 1; step <= steps_of_a_segment; ++step) {
+    const Pose at = between_(last.pose, pose, static_cast<double>(step) / steps_of_a_segment);
+    q += joint_change(robot_, q, inverse(robot_, at, mode).q);
+    look_at(at, q);
+  }
+  path_.length += (pose.position - last.pose.position).norm();
+  path_.turned += pose.orientation.angularDistance(last.pose.orientation);
+  path_.points.push_back({pose, mode, q});
+}
+
+void PathBuilder::look_at(const Pose& pose, const JointVector& q) {
+  path_.least_index = std::min(path_.least_index, parallel_index(robot_, pose, q));
+  path_.least_det_a = std::min(path_.least_det_a, std::abs(direct_determinant(robot_, pose, q)));
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_MOTION_PLAN_PATH_BUILDER_H
+#define PARALLEL_ASPECTS_MOTION_PLAN_PATH_BUILDER_H
+
+#include "parallel_aspects/model/manipulator.h"
+#include "parallel_aspects/motion/plan_path.h"
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// The path between poses in one working mode, and in another behind a crossing.
+class PathBuilder {
+ public:
+  /// `between(from, to, t)` is the pose on a segment.
+  using Between = std::function<Pose(const Pose&, const Pose&, double)>;
+
+  /// The manipulator outlives it.
+  PathBuilder(const Manipulator& manipulator, Between between)
+      : robot_(manipulator), between_(std::move(between)) {}
+
+  void go(const std::vector<Pose>& poses, const WorkingMode& mode);
+
+  /// Between the last point and the next one, in the other working mode.
+  void cross_serial(std::size_t leg, int from, int to);
+
+  /// From the last point through these.
+  void cross_parallel(const std::vector<Pose>& poses, const WorkingMode& mode, int from, int to);
+
+  /// The path, which leaves this empty.
+  PlannedPath take(std::string message);
+
+ private:
+  void add(const Pose& pose, const WorkingMode& mode);
+  void look_at(const Pose& pose, const JointVector& q);
+
+  const Manipulator& robot_;
+  Between between_;
+  PlannedPath path_;
+};
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_MOTION_PLAN_PATH_BUILDER_H
