@@ -20,7 +20,6 @@
 namespace parallel_aspects {
 namespace {
 
-
 /// The aspects that hold an end, and what is known of the working modes in which none is found.
 struct EndAspects {
   std::vector<PoseInAspect> found;
