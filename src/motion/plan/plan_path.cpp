@@ -20,6 +20,8 @@
 namespace parallel_aspects {
 namespace {
 
+constexpr int max_routes = 10;  // that are followed, of which a way is not found
+
 /// The aspects that hold an end, and what is known of the working modes in which none is found.
 struct EndAspects {
   std::vector<PoseInAspect> found;

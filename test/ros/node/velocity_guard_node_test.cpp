@@ -7,6 +7,7 @@
 
 #include <parallel_aspects/AspectState.h>
 #include <parallel_aspects/GetSingularityDistance.h>
+#include <parallel_aspects/SetAssemblyMode.h>
 
 #include <gtest/gtest.h>
 #include <ros/ros.h>
@@ -91,7 +92,22 @@ class VelocityGuardNode : public testing::Test {
     return state.value_or(AspectState()).guard;
   }
 
+  // Between two robots a busy computer may pause for so long that a joint may have turned by half a turn.
+  void say_where_it_stands() {
+    SetAssemblyMode mode;
+    mode.request.configuration.kind = Configuration::POSE;
+    mode.request.configuration.pose.pose.position.x = x;
+    mode.request.configuration.pose.pose.position.y = y;
+    mode.request.configuration.pose.pose.orientation.w = 1.0;
+    mode.request.configuration.working_mode = {-1, 1};
+    ASSERT_TRUE(eventually([&] {
+      return ros::service::call("/aspect_node/set_assembly_mode", mode) &&
+             mode.response.status.code == Status::OK;
+    })) << mode.response.status.message;
+  }
+
   void wait_until_tracked() {
+    say_where_it_stands();
     ASSERT_TRUE(eventually([&] {
       return state_.last() && state_.last()->status.code == Status::OK &&
              std::isfinite(state_.last()->parallel_distance.lower);
