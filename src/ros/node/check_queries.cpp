@@ -167,8 +167,9 @@ CheckTrajectory::Response CheckQueries::answer(const CheckTrajectory::Request& r
 }
 
 TrajectoryCheck CheckQueries::check(const Question& question) const {
-  return question.poses.empty() ? check_trajectory(certifier_, question.joints, question.start, question.options)
-                                : check_trajectory(certifier_, question.poses, question.mode, question.options);
+  return question.poses.empty()
+             ? check_trajectory(certifier_, question.joints, question.start, question.options)
+             : check_trajectory(certifier_, question.poses, question.mode, question.options);
 }
 
 CheckQueries::Question CheckQueries::read(const CheckTrajectory::Request& request) const {
