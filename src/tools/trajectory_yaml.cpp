@@ -35,12 +35,15 @@ class MessageReader {
       values_.problem("is no trajectory_msgs/JointTrajectory; it needs joint_names and points.");
       return {};
     }
+    values_.check_keys(message, {"header", "joint_names", "points"}, "the message");
     for (const YAML::Node& name : message["joint_names"]) names_.push_back(name.as<std::string>());
     find_columns();
     std::vector<JointWaypoint> waypoints;
     if (!problems_.empty()) return waypoints;
-    for (const YAML::Node& point : message["points"])
+    for (const YAML::Node& point : message["points"]) {
       waypoints.push_back(waypoint(point, "points[" + std::to_string(waypoints.size()) + "]"));
+      if (!problems_.empty()) break;  // what is wrong with one point mostly is with all
+    }
     return waypoints;
   }
 
@@ -60,6 +63,9 @@ class MessageReader {
 
   JointWaypoint waypoint(const YAML::Node& point, const std::string& where) const {
     JointWaypoint result;
+    // Of a key that is not understood, or that stands there twice, the robot would run another motion.
+    values_.check_keys(point, {"positions", "velocities", "accelerations", "effort", "time_from_start"},
+                       where);
     result.time = time(point["time_from_start"], where + ".time_from_start");
     result.q = vector(point["positions"], where + ".positions", true);
     result.velocity = vector(point["velocities"], where + ".velocities", false);
@@ -68,11 +74,12 @@ class MessageReader {
   }
 
   double time(const YAML::Node& node, const std::string& where) const {
-    double seconds = 0.0, nanoseconds = 0.0;
     if (!node.IsDefined() || !node.IsMap()) {
       values_.problem("has no " + where + " with secs and nsecs; give it.");
       return 0.0;
     }
+    values_.check_keys(node, {"secs", "nsecs"}, where);
+    double seconds = 0.0, nanoseconds = 0.0;
     values_.number(node["secs"], where + ".secs", seconds);
     values_.number(node["nsecs"], where + ".nsecs", nanoseconds);
     return seconds + 1e-9 * nanoseconds;

@@ -10,6 +10,7 @@
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace parallel_aspects::tools {
@@ -237,6 +238,41 @@ TEST_F(CheckCommand, ATrajectoryThatIsTooFastIsNotSafe) {
 // As spreadsheets write it.
 TEST_F(CheckCommand, AByteOrderMarkIsNoPartOfAName) {
   EXPECT_EQ(check_path("\xEF\xBB\xBFtime,x,y\n0,4.5,8\n1,4.6,8\n").code, exit_code::ok);
+}
+
+// Each would be another motion than the file means.
+TEST_F(CheckCommand, KeysOfAMessageThatAreNotUnderstoodAreRefusedByName) {
+  const json solutions = test::run_json({"ik", "five_bar", "--pose", "4.5 8"});
+  const json& joints = solutions.at("actuated_joints");
+  const std::string positions = "  - positions: " + solutions.at("solutions")[0].at("joints").dump() + "\n";
+  const std::string names = "joint_names: " + joints.dump() + "\n", time = "    time_from_start: {secs: 1}\n";
+  const std::string name = file(names + "points:\n" + positions + time);
+  const std::vector<const char*> arguments{"check",      "five_bar",     "--trajectory",
+                                           name.c_str(), "--start-pose", "4.5 8"};
+  ASSERT_EQ(run(arguments).code, exit_code::ok) << run(arguments).messages;
+  const std::string velocities = "    velocities: [0, 0]\n";
+  const std::vector<std::pair<std::string, std::string>> bad{
+      {names + "point: []\npoints:\n" + positions + time, "unknown key 'point' under the message"},
+      {names + "points: []\npoints:\n" + positions + time, "key 'points' twice under the message"},
+      {names + "points:\n" + positions + "    velocites: [0, 0]\n" + time,
+       "unknown key 'velocites' under points[0]; did you mean 'velocities'?"},
+      {names + "points:\n" + positions + velocities + velocities + time,
+       "key 'velocities' twice under points[0]"},
+      {names + "points:\n" + positions + "    time_from_start: {sec: 1}\n",
+       "unknown key 'sec' under points[0].time_from_start; did you mean 'secs'?"},
+      {names + "points:\n" + positions + "    time_from_start: {secs: 1, nanosec: 5}\n",
+       "unknown key 'nanosec' under points[0].time_from_start"},
+      {names + "points:\n" + positions + "    time_from_start: {secs: 1, nsec: 5}\n",
+       "did you mean 'nsecs'?"},
+      {names + "points:\n" + positions + "    time_from_start: {secs: 1, secs: 2}\n",
+       "key 'secs' twice under points[0].time_from_start"}};
+  for (const auto& [text, part] : bad) {
+    file(text);
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.code, exit_code::bad_input) << text;
+    EXPECT_EQ(test::line_count(outcome.messages), 1U) << outcome.messages;
+    EXPECT_NE(outcome.messages.find(part), std::string::npos) << text << outcome.messages;
+  }
 }
 
 }  // namespace
