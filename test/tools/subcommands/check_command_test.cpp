@@ -275,5 +275,22 @@ TEST_F(CheckCommand, KeysOfAMessageThatAreNotUnderstoodAreRefusedByName) {
   }
 }
 
+// Left out, it would shift the columns behind it.
+TEST_F(CheckCommand, AnEmptyCellIsRefusedByLineAndColumn) {
+  const std::vector<std::pair<std::string, std::string>> bad{
+      {"t,x,y\n0,4.5,8\n1,,4.6,8\n", "line 3, has an empty cell in column 2"},
+      {"t,x,y\n0,4.5,8\n,1,4.6,8\n", "line 3, has an empty cell in column 1"},
+      {"t,x,y\n0,4.5, \t,8\n", "line 2, has an empty cell in column 3"},
+      {"t,,x,y\n0,4.5,8\n", "line 1, has an empty cell in column 2"}};
+  for (const auto& [text, part] : bad) {
+    const Outcome outcome = check_path(text);
+    EXPECT_EQ(outcome.code, exit_code::bad_input) << text;
+    EXPECT_EQ(test::line_count(outcome.messages), 1U) << outcome.messages;
+    EXPECT_NE(outcome.messages.find(part), std::string::npos) << text << outcome.messages;
+  }
+  // Behind all columns, as spreadsheets write them, and blank lines shift nothing.
+  EXPECT_EQ(check_path("t,x,y,\r\n0, 4.5 ,8,\r\n,,,\r\n1 4.6 8,,\r\n").code, exit_code::ok);
+}
+
 }  // namespace
 }  // namespace parallel_aspects::tools
