@@ -244,6 +244,12 @@ Report run(const CheckArguments& arguments, const Surroundings& surroundings) {
   Problems problems;
   check_output_file("--csv", arguments.csv_file, problems);
   check_output_file("--picture", arguments.picture_file, problems);
+  check_distinct_files({{"--csv", arguments.csv_file}, {"--picture", arguments.picture_file}},
+                       {{"--path", arguments.path},
+                        {"--trajectory", arguments.trajectory},
+                        {"--urdf", arguments.robot.urdf_file},
+                        {"--config", arguments.robot.config_file}},
+                       problems);
   const unsigned points =
       arguments.distances.empty() ? 0 : parse_count("--distances", arguments.distances, 10000, problems);
   const auto mechanism = load_robot(arguments.robot, std::move(problems));

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -290,6 +291,26 @@ TEST_F(CheckCommand, AnEmptyCellIsRefusedByLineAndColumn) {
   }
   // Behind all columns, as spreadsheets write them, and blank lines shift nothing.
   EXPECT_EQ(check_path("t,x,y,\r\n0, 4.5 ,8,\r\n,,,\r\n1 4.6 8,,\r\n").code, exit_code::ok);
+}
+
+TEST_F(CheckCommand, OutputsOverwriteNeitherInputsNorOneAnother) {
+  const std::string text = "t,x,y\n0,4.5,8\n1,4.6,8\n", out = (folder_ / "out").string();
+  const std::string input = file(text), other_name = (folder_ / "." / "path.csv").string();
+  const std::string link = (folder_ / "link").string(), out_again = (folder_ / "." / "out").string();
+  std::filesystem::create_hard_link(input, link);
+  const std::vector<std::vector<const char*>> bad{{"--csv", input.c_str()},
+                                                  {"--picture", other_name.c_str()},
+                                                  {"--csv", link.c_str()},
+                                                  {"--csv", out.c_str(), "--picture", out_again.c_str()}};
+  for (const std::vector<const char*>& options : bad) {
+    const Outcome outcome = check_path(text, options);
+    EXPECT_EQ(outcome.code, exit_code::bad_input) << options[1];
+    EXPECT_EQ(test::line_count(outcome.messages), 1U) << outcome.messages;
+    EXPECT_NE(outcome.messages.find("would be overwritten"), std::string::npos) << outcome.messages;
+    std::ifstream stream(input);
+    EXPECT_EQ(std::string(std::istreambuf_iterator<char>(stream), {}), text);
+  }
+  EXPECT_FALSE(std::filesystem::exists(out));
 }
 
 }  // namespace
