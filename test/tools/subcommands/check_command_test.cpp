@@ -313,5 +313,14 @@ TEST_F(CheckCommand, OutputsOverwriteNeitherInputsNorOneAnother) {
   EXPECT_FALSE(std::filesystem::exists(out));
 }
 
+TEST_F(CheckCommand, ALateFirstWaypointIsWhereTheCheckBegins) {
+  const std::string said = "From 5 s on: how the robot gets to the first waypoint is not checked.";
+  const std::string late = "t,x,y\n5,4.5,8\n6,4.6,8\n", now = "t,x,y\n0,4.5,8\n1,4.6,8\n";
+  EXPECT_NE(check_path(late).output.find(said), std::string::npos) << check_path(late).output;
+  EXPECT_EQ(json::parse(check_path(late, {"--json"}).output).at("checked_from"), 5.0);
+  EXPECT_EQ(check_path(now).output.find("is not checked"), std::string::npos);
+  EXPECT_EQ(json::parse(check_path(now, {"--json"}).output).at("checked_from"), 0.0);
+}
+
 }  // namespace
 }  // namespace parallel_aspects::tools
