@@ -6,6 +6,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace parallel_aspects::tools {
@@ -80,8 +81,11 @@ class MessageReader {
     }
     values_.check_keys(node, {"secs", "nsecs"}, where);
     double seconds = 0.0, nanoseconds = 0.0;
-    values_.number(node["secs"], where + ".secs", seconds);
-    values_.number(node["nsecs"], where + ".nsecs", nanoseconds);
+    if (values_.number(node["secs"], where + ".secs", seconds) && std::trunc(seconds) != seconds)
+      values_.problem("has a " + where + ".secs that is not a whole number; write the rest as nsecs.");
+    if (values_.number(node["nsecs"], where + ".nsecs", nanoseconds) &&
+        !(nanoseconds >= 0.0 && nanoseconds < 1e9 && std::trunc(nanoseconds) == nanoseconds))
+      values_.problem("has a " + where + ".nsecs that is not a whole number from 0 to 999999999; give one.");
     return seconds + 1e-9 * nanoseconds;
   }
 

@@ -265,6 +265,12 @@ TEST_F(CheckCommand, KeysOfAMessageThatAreNotUnderstoodAreRefusedByName) {
        "unknown key 'nanosec' under points[0].time_from_start"},
       {names + "points:\n" + positions + "    time_from_start: {secs: 1, nsec: 5}\n",
        "did you mean 'nsecs'?"},
+      {names + "points:\n" + positions + "    time_from_start: {secs: 0.5}\n",
+       "points[0].time_from_start.secs that is not a whole number"},
+      {names + "points:\n" + positions + "    time_from_start: {secs: 1, nsecs: -5}\n",
+       "points[0].time_from_start.nsecs that is not a whole number from 0 to 999999999"},
+      {names + "points:\n" + positions + "    time_from_start: {secs: 1, nsecs: 1000000000}\n",
+       "points[0].time_from_start.nsecs that is not a whole number from 0 to 999999999"},
       {names + "points:\n" + positions + "    time_from_start: {secs: 1, secs: 2}\n",
        "key 'secs' twice under points[0].time_from_start"}};
   for (const auto& [text, part] : bad) {
@@ -320,6 +326,12 @@ TEST_F(CheckCommand, ALateFirstWaypointIsWhereTheCheckBegins) {
   EXPECT_EQ(json::parse(check_path(late, {"--json"}).output).at("checked_from"), 5.0);
   EXPECT_EQ(check_path(now).output.find("is not checked"), std::string::npos);
   EXPECT_EQ(json::parse(check_path(now, {"--json"}).output).at("checked_from"), 0.0);
+}
+
+TEST_F(CheckCommand, AFileWithoutEndIsRefused) {
+  const Outcome outcome = run({"check", "five_bar", "--path", "/dev/zero", "--mode", "(+,-)"});
+  EXPECT_EQ(outcome.code, exit_code::bad_input);
+  EXPECT_EQ(outcome.messages, "File '/dev/zero' has more than 100 MB; give a smaller one.\n");
 }
 
 }  // namespace
