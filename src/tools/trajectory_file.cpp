@@ -32,6 +32,16 @@ Names split(std::string line) {
   return names;
 }
 
+/// The first cell with nothing in it that stands before one with something, counted from 1; 0 where there is
+/// none. Left out, it would shift the columns behind it.
+std::size_t empty_cell(const std::string& line) {
+  std::istringstream cells(line.substr(0, line.find_last_not_of(" \t\r,") + 1));
+  std::size_t column = 1;
+  for (std::string cell; std::getline(cells, cell, ','); ++column)
+    if (is_blank(cell)) return column;
+  return 0;
+}
+
 std::ptrdiff_t place(const Names& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) - names.begin();
 }
@@ -44,11 +54,13 @@ Table table_of(const std::string& file, const std::string& text, Problems& probl
   for (std::string line; std::getline(stream, line);) {
     ++number;
     if (is_blank(line)) continue;
+    const std::string where = file + ", line " + std::to_string(number) + ",";
+    if (const std::size_t column = empty_cell(line))
+      problems.push_back(where + " has an empty cell in column " + std::to_string(column) + "; fill it.");
     if (table.names.empty())
       table.names = split(line);
-    else
-      table.rows.push_back(
-          parse_numbers(file + ", line " + std::to_string(number) + ",", line, table.names, problems));
+    else if (empty_cell(line) == 0)
+      table.rows.push_back(parse_numbers(where, line, table.names, problems));
   }
   if (table.rows.empty() && problems.empty())
     problems.push_back(file +

@@ -6,6 +6,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace parallel_aspects::tools {
@@ -35,12 +36,15 @@ class MessageReader {
       values_.problem("is no trajectory_msgs/JointTrajectory; it needs joint_names and points.");
       return {};
     }
+    values_.check_keys(message, {"header", "joint_names", "points"}, "the message");
     for (const YAML::Node& name : message["joint_names"]) names_.push_back(name.as<std::string>());
     find_columns();
     std::vector<JointWaypoint> waypoints;
     if (!problems_.empty()) return waypoints;
-    for (const YAML::Node& point : message["points"])
+    for (const YAML::Node& point : message["points"]) {
       waypoints.push_back(waypoint(point, "points[" + std::to_string(waypoints.size()) + "]"));
+      if (!problems_.empty()) break;  // what is wrong with one point mostly is with all
+    }
     return waypoints;
   }
 
@@ -60,6 +64,9 @@ class MessageReader {
 
   JointWaypoint waypoint(const YAML::Node& point, const std::string& where) const {
     JointWaypoint result;
+    // Of a key that is not understood, or that stands there twice, the robot would run another motion.
+    values_.check_keys(point, {"positions", "velocities", "accelerations", "effort", "time_from_start"},
+                       where);
     result.time = time(point["time_from_start"], where + ".time_from_start");
     result.q = vector(point["positions"], where + ".positions", true);
     result.velocity = vector(point["velocities"], where + ".velocities", false);
@@ -68,13 +75,17 @@ class MessageReader {
   }
 
   double time(const YAML::Node& node, const std::string& where) const {
-    double seconds = 0.0, nanoseconds = 0.0;
     if (!node.IsDefined() || !node.IsMap()) {
       values_.problem("has no " + where + " with secs and nsecs; give it.");
       return 0.0;
     }
-    values_.number(node["secs"], where + ".secs", seconds);
-    values_.number(node["nsecs"], where + ".nsecs", nanoseconds);
+    values_.check_keys(node, {"secs", "nsecs"}, where);
+    double seconds = 0.0, nanoseconds = 0.0;
+    if (values_.number(node["secs"], where + ".secs", seconds) && std::trunc(seconds) != seconds)
+      values_.problem("has a " + where + ".secs that is not a whole number; write the rest as nsecs.");
+    if (values_.number(node["nsecs"], where + ".nsecs", nanoseconds) &&
+        !(nanoseconds >= 0.0 && nanoseconds < 1e9 && std::trunc(nanoseconds) == nanoseconds))
+      values_.problem("has a " + where + ".nsecs that is not a whole number from 0 to 999999999; give one.");
     return seconds + 1e-9 * nanoseconds;
   }
 

@@ -33,6 +33,12 @@ struct CheckArguments {
   ConstraintArguments constraints;
 };
 
+/// What was answered, and from when on.
+struct CheckedTrajectory {
+  TrajectoryCheck check;
+  double from = 0.0;  // time of the first waypoint [s]
+};
+
 json json_crossing(const Manipulator& manipulator, const TrajectoryCrossing& crossing) {
   return {{"kind", name_of(crossing.kind)},
           {"leg", crossing.leg ? json(manipulator.leg(*crossing.leg).name) : json()},
@@ -117,8 +123,16 @@ std::string crossings_text(const Manipulator& manipulator, const TrajectoryCheck
   return '\n' + table.text() + check.not_followed + (check.not_followed.empty() ? "" : "\n");
 }
 
-std::string check_text(const Manipulator& manipulator, const TrajectoryCheck& check) {
-  std::string text = manipulator.name() + ", safe: " + name(check.answer) + "\n" + check.reason + "\n";
+/// A controller leads the robot to a first waypoint that is later than its start, along no known way.
+std::string from_text(double from) {
+  return from > 0.0 ? "From " + number_text(from, 9) +
+                          " s on: how the robot gets to the first waypoint is not checked.\n"
+                    : "";
+}
+
+std::string check_text(const Manipulator& manipulator, const TrajectoryCheck& check, double from) {
+  std::string text =
+      manipulator.name() + ", safe: " + name(check.answer) + "\n" + check.reason + "\n" + from_text(from);
   const std::string fast = exceeded_speeds(manipulator, check, true),
                     perhaps_fast = exceeded_speeds(manipulator, check, false);
   if (!fast.empty()) text += "Too fast: joint " + fast + ".\n";
@@ -135,8 +149,11 @@ int code_of(const Manipulator& manipulator, const TrajectoryCheck& check) {
   return proved ? exit_code::ok : exit_code::unknown;
 }
 
-Report report_check(const Manipulator& manipulator, const TrajectoryCheck& check) {
-  Report report{json_check(manipulator, check), check_text(manipulator, check), code_of(manipulator, check)};
+Report report_check(const Manipulator& manipulator, const CheckedTrajectory& checked) {
+  const TrajectoryCheck& check = checked.check;
+  Report report{json_check(manipulator, check), check_text(manipulator, check, checked.from),
+                code_of(manipulator, check)};
+  report.json["checked_from"] = checked.from;
   const Report constraints = report_constraints(manipulator);
   report.json.update(constraints.json);
   report.text += '\n' + constraints.text;
@@ -152,8 +169,8 @@ TrajectoryCheckOptions options_of(const CheckArguments& arguments, const MapCont
   return options;
 }
 
-TrajectoryCheck check_path(const std::shared_ptr<const Manipulator>& manipulator,
-                           const CheckArguments& arguments, const MapControl& control) {
+CheckedTrajectory check_path(const std::shared_ptr<const Manipulator>& manipulator,
+                             const CheckArguments& arguments, const MapControl& control) {
   Problems problems;
   if (!arguments.start_pose.empty() || !arguments.start_sign.empty())
     throw InvalidDescription({"--start-pose and --start-sign are of --trajectory; leave them out."});
@@ -168,7 +185,8 @@ TrajectoryCheck check_path(const std::shared_ptr<const Manipulator>& manipulator
   const auto waypoints = read_pose_waypoints(manipulator->task_space(), arguments.path);
   problems = problems_of(*manipulator, waypoints, *mode);
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
-  return check_trajectory(SegmentCertifier(manipulator), waypoints, *mode, options_of(arguments, control));
+  return {check_trajectory(SegmentCertifier(manipulator), waypoints, *mode, options_of(arguments, control)),
+          waypoints.front().time};
 }
 
 TrajectoryStart parse_start(const Manipulator& manipulator, const CheckArguments& arguments) {
@@ -202,8 +220,8 @@ std::string start_options(const Manipulator& manipulator, const std::vector<Poss
   return text + (starts.empty() ? "" : ".");
 }
 
-TrajectoryCheck check_joints(const std::shared_ptr<const Manipulator>& manipulator,
-                             const CheckArguments& arguments, const MapControl& control) {
+CheckedTrajectory check_joints(const std::shared_ptr<const Manipulator>& manipulator,
+                               const CheckArguments& arguments, const MapControl& control) {
   if (!arguments.mode.empty())
     throw InvalidDescription(
         {"--mode is of --path; the start of actuated joints tells theirs, leave it out."});
@@ -211,20 +229,21 @@ TrajectoryCheck check_joints(const std::shared_ptr<const Manipulator>& manipulat
   const auto waypoints = read_joint_waypoints(*manipulator, arguments.trajectory);
   Problems problems = problems_of(*manipulator, waypoints, start);
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
-  return check_trajectory(SegmentCertifier(manipulator), waypoints, start, options_of(arguments, control));
+  return {check_trajectory(SegmentCertifier(manipulator), waypoints, start, options_of(arguments, control)),
+          waypoints.front().time};
 }
 
-TrajectoryCheck check(const std::shared_ptr<const Manipulator>& manipulator, const CheckArguments& arguments,
-                      const Surroundings& surroundings) {
+CheckedTrajectory check(const std::shared_ptr<const Manipulator>& manipulator,
+                        const CheckArguments& arguments, const Surroundings& surroundings) {
   const ShownComputation shown(surroundings);
   if (arguments.path.empty() == arguments.trajectory.empty())
     throw InvalidDescription({"Give one of --path, for poses, and --trajectory, for actuated joints."});
-  const TrajectoryCheck result = arguments.path.empty()
-                                     ? check_joints(manipulator, arguments, shown.control())
-                                     : check_path(manipulator, arguments, shown.control());
+  CheckedTrajectory result = arguments.path.empty() ? check_joints(manipulator, arguments, shown.control())
+                                                    : check_path(manipulator, arguments, shown.control());
   shown.require_complete();
-  if (result.refused)
-    throw InvalidDescription({result.reason + start_options(*manipulator, result.possible_starts)});
+  if (result.check.refused)
+    throw InvalidDescription(
+        {result.check.reason + start_options(*manipulator, result.check.possible_starts)});
   return result;
 }
 
@@ -244,12 +263,19 @@ Report run(const CheckArguments& arguments, const Surroundings& surroundings) {
   Problems problems;
   check_output_file("--csv", arguments.csv_file, problems);
   check_output_file("--picture", arguments.picture_file, problems);
+  check_distinct_files({{"--csv", arguments.csv_file}, {"--picture", arguments.picture_file}},
+                       {{"--path", arguments.path},
+                        {"--trajectory", arguments.trajectory},
+                        {"--urdf", arguments.robot.urdf_file},
+                        {"--config", arguments.robot.config_file}},
+                       problems);
   const unsigned points =
       arguments.distances.empty() ? 0 : parse_count("--distances", arguments.distances, 10000, problems);
   const auto mechanism = load_robot(arguments.robot, std::move(problems));
   const auto manipulator = choose_constraints(mechanism->mapped_manipulator(), arguments.constraints);
-  const TrajectoryCheck result = check(manipulator, arguments, surroundings);
-  Report report = report_check(*manipulator, result);
+  const CheckedTrajectory checked = check(manipulator, arguments, surroundings);
+  const TrajectoryCheck& result = checked.check;
+  Report report = report_check(*manipulator, checked);
   const std::vector<SampleDistances> distances = distances_on(manipulator, result, points);
   add_distances(result, distances, report);
   if (!arguments.csv_file.empty())

@@ -3,6 +3,7 @@
 #include "tools/arguments.h"
 #include "tools/computation.h"
 #include "tools/map_choice.h"
+#include "tools/output_file.h"
 #include "tools/path_ends.h"
 #include "tools/path_timing.h"
 #include "tools/report/plan_report.h"
@@ -139,6 +140,11 @@ Report report_of(const PlanArguments& arguments, const Surroundings& surrounding
   const auto manipulator = choose_constraints(mechanism->mapped_manipulator(), arguments.constraints);
   const PlanQuestion question = parse(arguments, *manipulator);
   Problems problems;
+  check_distinct_files({{"--trajectory", arguments.timing.trajectory_file}},
+                       {{"--load", arguments.map.load_file},
+                        {"--urdf", arguments.robot.urdf_file},
+                        {"--config", arguments.robot.config_file}},
+                       problems);
   const auto acceleration = parse_timing(arguments.timing, arguments.robot, *manipulator, problems);
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
   const bool has_map = question.slice || manipulator->task_space() != TaskSpace::SE3;

@@ -8,8 +8,10 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace parallel_aspects::tools {
@@ -237,6 +239,99 @@ TEST_F(CheckCommand, ATrajectoryThatIsTooFastIsNotSafe) {
 // As spreadsheets write it.
 TEST_F(CheckCommand, AByteOrderMarkIsNoPartOfAName) {
   EXPECT_EQ(check_path("\xEF\xBB\xBFtime,x,y\n0,4.5,8\n1,4.6,8\n").code, exit_code::ok);
+}
+
+// Each would be another motion than the file means.
+TEST_F(CheckCommand, KeysOfAMessageThatAreNotUnderstoodAreRefusedByName) {
+  const json solutions = test::run_json({"ik", "five_bar", "--pose", "4.5 8"});
+  const json& joints = solutions.at("actuated_joints");
+  const std::string positions = "  - positions: " + solutions.at("solutions")[0].at("joints").dump() + "\n";
+  const std::string names = "joint_names: " + joints.dump() + "\n", time = "    time_from_start: {secs: 1}\n";
+  const std::string name = file(names + "points:\n" + positions + time);
+  const std::vector<const char*> arguments{"check",      "five_bar",     "--trajectory",
+                                           name.c_str(), "--start-pose", "4.5 8"};
+  ASSERT_EQ(run(arguments).code, exit_code::ok) << run(arguments).messages;
+  const std::string velocities = "    velocities: [0, 0]\n";
+  const std::vector<std::pair<std::string, std::string>> bad{
+      {names + "point: []\npoints:\n" + positions + time, "unknown key 'point' under the message"},
+      {names + "points: []\npoints:\n" + positions + time, "key 'points' twice under the message"},
+      {names + "points:\n" + positions + "    velocites: [0, 0]\n" + time,
+       "unknown key 'velocites' under points[0]; did you mean 'velocities'?"},
+      {names + "points:\n" + positions + velocities + velocities + time,
+       "key 'velocities' twice under points[0]"},
+      {names + "points:\n" + positions + "    time_from_start: {sec: 1}\n",
+       "unknown key 'sec' under points[0].time_from_start; did you mean 'secs'?"},
+      {names + "points:\n" + positions + "    time_from_start: {secs: 1, nanosec: 5}\n",
+       "unknown key 'nanosec' under points[0].time_from_start"},
+      {names + "points:\n" + positions + "    time_from_start: {secs: 1, nsec: 5}\n",
+       "did you mean 'nsecs'?"},
+      {names + "points:\n" + positions + "    time_from_start: {secs: 0.5}\n",
+       "points[0].time_from_start.secs that is not a whole number"},
+      {names + "points:\n" + positions + "    time_from_start: {secs: 1, nsecs: -5}\n",
+       "points[0].time_from_start.nsecs that is not a whole number from 0 to 999999999"},
+      {names + "points:\n" + positions + "    time_from_start: {secs: 1, nsecs: 1000000000}\n",
+       "points[0].time_from_start.nsecs that is not a whole number from 0 to 999999999"},
+      {names + "points:\n" + positions + "    time_from_start: {secs: 1, secs: 2}\n",
+       "key 'secs' twice under points[0].time_from_start"}};
+  for (const auto& [text, part] : bad) {
+    file(text);
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.code, exit_code::bad_input) << text;
+    EXPECT_EQ(test::line_count(outcome.messages), 1U) << outcome.messages;
+    EXPECT_NE(outcome.messages.find(part), std::string::npos) << text << outcome.messages;
+  }
+}
+
+// Left out, it would shift the columns behind it.
+TEST_F(CheckCommand, AnEmptyCellIsRefusedByLineAndColumn) {
+  const std::vector<std::pair<std::string, std::string>> bad{
+      {"t,x,y\n0,4.5,8\n1,,4.6,8\n", "line 3, has an empty cell in column 2"},
+      {"t,x,y\n0,4.5,8\n,1,4.6,8\n", "line 3, has an empty cell in column 1"},
+      {"t,x,y\n0,4.5, \t,8\n", "line 2, has an empty cell in column 3"},
+      {"t,,x,y\n0,4.5,8\n", "line 1, has an empty cell in column 2"}};
+  for (const auto& [text, part] : bad) {
+    const Outcome outcome = check_path(text);
+    EXPECT_EQ(outcome.code, exit_code::bad_input) << text;
+    EXPECT_EQ(test::line_count(outcome.messages), 1U) << outcome.messages;
+    EXPECT_NE(outcome.messages.find(part), std::string::npos) << text << outcome.messages;
+  }
+  // Behind all columns, as spreadsheets write them, and blank lines shift nothing.
+  EXPECT_EQ(check_path("t,x,y,\r\n0, 4.5 ,8,\r\n,,,\r\n1 4.6 8,,\r\n").code, exit_code::ok);
+}
+
+TEST_F(CheckCommand, OutputsOverwriteNeitherInputsNorOneAnother) {
+  const std::string text = "t,x,y\n0,4.5,8\n1,4.6,8\n", out = (folder_ / "out").string();
+  const std::string input = file(text), other_name = (folder_ / "." / "path.csv").string();
+  const std::string link = (folder_ / "link").string(), out_again = (folder_ / "." / "out").string();
+  std::filesystem::create_hard_link(input, link);
+  const std::vector<std::vector<const char*>> bad{{"--csv", input.c_str()},
+                                                  {"--picture", other_name.c_str()},
+                                                  {"--csv", link.c_str()},
+                                                  {"--csv", out.c_str(), "--picture", out_again.c_str()}};
+  for (const std::vector<const char*>& options : bad) {
+    const Outcome outcome = check_path(text, options);
+    EXPECT_EQ(outcome.code, exit_code::bad_input) << options[1];
+    EXPECT_EQ(test::line_count(outcome.messages), 1U) << outcome.messages;
+    EXPECT_NE(outcome.messages.find("would be overwritten"), std::string::npos) << outcome.messages;
+    std::ifstream stream(input);
+    EXPECT_EQ(std::string(std::istreambuf_iterator<char>(stream), {}), text);
+  }
+  EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+TEST_F(CheckCommand, ALateFirstWaypointIsWhereTheCheckBegins) {
+  const std::string said = "From 5 s on: how the robot gets to the first waypoint is not checked.";
+  const std::string late = "t,x,y\n5,4.5,8\n6,4.6,8\n", now = "t,x,y\n0,4.5,8\n1,4.6,8\n";
+  EXPECT_NE(check_path(late).output.find(said), std::string::npos) << check_path(late).output;
+  EXPECT_EQ(json::parse(check_path(late, {"--json"}).output).at("checked_from"), 5.0);
+  EXPECT_EQ(check_path(now).output.find("is not checked"), std::string::npos);
+  EXPECT_EQ(json::parse(check_path(now, {"--json"}).output).at("checked_from"), 0.0);
+}
+
+TEST_F(CheckCommand, AFileWithoutEndIsRefused) {
+  const Outcome outcome = run({"check", "five_bar", "--path", "/dev/zero", "--mode", "(+,-)"});
+  EXPECT_EQ(outcome.code, exit_code::bad_input);
+  EXPECT_EQ(outcome.messages, "File '/dev/zero' has more than 100 MB; give a smaller one.\n");
 }
 
 }  // namespace
