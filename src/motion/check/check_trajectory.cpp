@@ -71,8 +71,11 @@ class PoseCheck {
 
   void block(std::size_t i, const SegmentProof& proof) {
     check_.answer = TrajectoryAnswer::unsafe;
-    check_.violation = TrajectoryViolation{proof.violation, proof.at_witness.leg, proof.at_witness.failing,
-                                           check_.free_until, times_.after(i, proof.witness)};
+    const bool at_start = proof.free_until == 0.0 &&
+                          certifier_.prove(times_.from(i).pose, mode_).proved_violation == proof.violation;
+    check_.violation =
+        TrajectoryViolation{proof.violation, proof.at_witness.leg, proof.at_witness.failing,
+                            check_.free_until, at_start ? check_.free_until : times_.after(i, proof.witness)};
     check_.reason = unsafe_text(manipulator_, *check_.violation);
     if (!is_crossing(proof.violation)) return follow(i, proof.free_until);
     if (cross(i, proof)) follow(i, proof.witness);

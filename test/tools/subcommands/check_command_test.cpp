@@ -77,6 +77,16 @@ TEST_F(CheckCommand, UnsafePathHasAnExitCodeAndTheTime) {
   EXPECT_NE(text.output.find("safe: no"), std::string::npos) << text.output;
 }
 
+TEST_F(CheckCommand, AStartBeyondALimitIsNoBracket) {
+  const std::string path =
+      file("time,x,y\n7,1,1\n8,1,2\n");  // strut 1 is 1.41 m long, and its limits 2 and 6
+  const Outcome outcome = run({"check", "bipod", "--path", path.c_str(), "--mode", "(+,+)", "--json"});
+  ASSERT_EQ(outcome.code, exit_code::unsafe) << outcome.messages << outcome.output;
+  const json violation = json::parse(outcome.output).at("first_violation");
+  EXPECT_EQ(violation.at("after"), 7.0);
+  EXPECT_EQ(violation.at("before"), 7.0);
+}
+
 TEST_F(CheckCommand, SamplesAreWrittenAsATableAndAPicture) {
   const std::string csv = (folder_ / "out.csv").string(), svg = (folder_ / "out.svg").string();
   const Outcome outcome =
