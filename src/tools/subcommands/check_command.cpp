@@ -131,10 +131,14 @@ std::string from_text(double from) {
 }
 
 std::string check_text(const Manipulator& manipulator, const TrajectoryCheck& check, double from) {
-  std::string text =
-      manipulator.name() + ", safe: " + name(check.answer) + "\n" + check.reason + "\n" + from_text(from);
   const std::string fast = exceeded_speeds(manipulator, check, true),
                     perhaps_fast = exceeded_speeds(manipulator, check, false);
+  const bool is_safe = check.answer == TrajectoryAnswer::safe;
+  const std::string but = !is_safe || (fast.empty() && perhaps_fast.empty()) ? ""
+                          : fast.empty()                                     ? ", if it is slow enough"
+                                                                             : ", but too fast";
+  std::string text = manipulator.name() + ", safe: " + name(check.answer) + but + "\n" + check.reason + "\n" +
+                     from_text(from);
   if (!fast.empty()) text += "Too fast: joint " + fast + ".\n";
   if (!perhaps_fast.empty()) text += "Not proved to be slow enough: joint " + perhaps_fast + ".\n";
   return text + crossings_text(manipulator, check) + '\n' + values_text(manipulator, check);

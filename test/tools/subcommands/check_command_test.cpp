@@ -244,6 +244,7 @@ TEST_F(CheckCommand, ATrajectoryThatIsTooFastIsNotSafe) {
   const Outcome outcome = check_path("t,x,y\n0,4.5,8\n0.001,4.6,8\n");
   EXPECT_EQ(outcome.code, exit_code::unsafe);
   EXPECT_NE(outcome.output.find("Too fast: joint '"), std::string::npos) << outcome.output;
+  EXPECT_NE(outcome.output.find("safe: yes, but too fast\n"), std::string::npos) << outcome.output;
 }
 
 // As spreadsheets write it.
