@@ -3,7 +3,7 @@
 
 #include "parallel_aspects/aspects/rotation_slice.h"
 #include "tools/computation.h"
-#include "tools/report/numbers.h"
+#include "tools/numbers.h"
 #include "tools/subcommands.h"
 
 #include <algorithm>

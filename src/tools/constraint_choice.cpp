@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/arguments.h"
-#include "tools/report/numbers.h"
+#include "tools/numbers.h"
 
 #include <algorithm>
 #include <optional>

@@ -5,8 +5,8 @@
 #include "parallel_aspects/aspects/map_file.h"
 #include "tools/arguments.h"
 #include "tools/computation.h"
+#include "tools/numbers.h"
 #include "tools/report/bounds_report.h"
-#include "tools/report/numbers.h"
 
 #include <algorithm>
 #include <cmath>

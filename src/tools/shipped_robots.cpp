@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/shipped_robots.h"
 
-#include "tools/report/numbers.h"
+#include "tools/report/report.h"
 #include "urdf/description/text_file.h"
 
 #include <algorithm>

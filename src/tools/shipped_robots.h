@@ -44,7 +44,7 @@ struct MapSection {
 /// files of no use `load_robot` tells.
 MapSection load_map_section(const RobotChoice& choice, Problems& problems);
 
-/// What the drives of a robot can do, as its files say.
+/// What the actuators of a robot can do, as its files say.
 struct MotionSection {
   MotionConfig config;
   std::string file;  ///< that it stands in

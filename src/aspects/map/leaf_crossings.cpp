@@ -33,10 +33,10 @@ class LeafSearch {
     if (positive.aspect == 0) return std::nullopt;
     const Held negative = find_held(-1);
     if (negative.aspect == 0) return std::nullopt;
-    const auto way = path(positive.near, negative.near);
-    if (!way) return std::nullopt;
+    const auto segments = path(positive.near, negative.near);
+    if (!segments) return std::nullopt;
     return LeafCrossing{positive.aspect, negative.aspect,
-                        crosses_parallel_singularity(*map_.classifier, *way, mode_), *way};
+                        crosses_parallel_singularity(*map_.classifier, *segments, mode_), *segments};
   }
 
   std::optional<LeafCrossing> serial(std::size_t other, std::size_t leg, int sign) const {
@@ -49,10 +49,11 @@ class LeafSearch {
     const Location there = locate(map_, other, at);
     if (there.status != LocationStatus::inside) return std::nullopt;
     const std::optional<NearPosition> end = near ? near : find_beyond_margin(here.near, leg);
-    const auto way = end ? path(here.near, *end) : std::nullopt;
-    if (!way) return std::nullopt;
+    const auto segments = end ? path(here.near, *end) : std::nullopt;
+    if (!segments) return std::nullopt;
     return LeafCrossing{here.aspect, there.aspect,
-                        crosses_serial_singularity(*map_.classifier, *way, mode_, other, leg, sign), *way};
+                        crosses_serial_singularity(*map_.classifier, *segments, mode_, other, leg, sign),
+                        *segments};
   }
 
  private:

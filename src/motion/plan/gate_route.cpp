@@ -19,11 +19,11 @@ constexpr double cost_of_crossing = 0.1;
 constexpr double cost_of_lost_control = 100.0;
 
 /// A*, by the distance to the goal as the crow flies, over the places where a gate or an end lies in an
-/// aspect: ways lead from a start or from behind a gate to a goal or to before a gate.
+/// aspect: stretches lead from a start or from behind a gate to a goal or to before a gate.
 class RouteSearch {
  public:
   RouteSearch(const AspectMap& map, const AspectGraph& graph, const std::vector<PoseInAspect>& starts,
-              const std::vector<PoseInAspect>& goals, PathPolicy policy, const BarredWays& barred)
+              const std::vector<PoseInAspect>& goals, PathPolicy policy, const BarredStretches& barred)
       : robot_(*map.manipulator()), goals_(goals), barred_(barred), ends_in_aspect_(map.aspects().size()) {
     for (std::size_t i = 0; i < starts.size(); ++i) add({starts[i], Kind::start, {i, 0}});
     for (std::size_t i = 0; i < graph.gates.size(); ++i)
@@ -122,17 +122,17 @@ class RouteSearch {
       if (places_[at].kind == Kind::behind_gate)
         result.steps.push_back(places_[at].step);
       else
-        result.ways.emplace_back(before_[at], at);
+        result.stretches.emplace_back(before_[at], at);
     result.start = places_[at].step.gate;
     std::reverse(result.steps.begin(), result.steps.end());
-    std::reverse(result.ways.begin(), result.ways.end());
+    std::reverse(result.stretches.begin(), result.stretches.end());
     return result;
   }
 
   const Manipulator& robot_;
   const std::vector<PoseInAspect>& goals_;
-  const BarredWays& barred_;
-  std::vector<std::vector<std::size_t>> ends_in_aspect_;  // where ways end, by id - 1
+  const BarredStretches& barred_;
+  std::vector<std::vector<std::size_t>> ends_in_aspect_;  // where stretches end, by id - 1
   std::vector<Place> places_;
   std::vector<double> cost_, to_goal_;
   std::vector<bool> done_;
@@ -146,7 +146,7 @@ class RouteSearch {
 std::optional<GateRoute> find_gate_route(const AspectMap& map, const AspectGraph& graph,
                                          const std::vector<PoseInAspect>& starts,
                                          const std::vector<PoseInAspect>& goals, PathPolicy policy,
-                                         const BarredWays& barred) {
+                                         const BarredStretches& barred) {
   return RouteSearch(map, graph, starts, goals, policy, barred).run();
 }
 

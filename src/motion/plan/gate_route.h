@@ -32,21 +32,21 @@ struct GateRoute {
   std::size_t start = 0, goal = 0;
   std::vector<GateStep> steps;
 
-  /// The ways within one aspect: to the first gate, from each to the next, and from the last one. Places are
-  /// numbered by the search.
-  std::vector<std::pair<std::size_t, std::size_t>> ways;
+  /// The stretches within one aspect: to the first gate, from each to the next, and from the last one. Places
+  /// are numbered by the search.
+  std::vector<std::pair<std::size_t, std::size_t>> stretches;
 };
 
-/// Ways within one aspect that were tried in vain.
-using BarredWays = std::set<std::pair<std::size_t, std::size_t>>;
+/// Stretches within one aspect that were tried in vain.
+using BarredStretches = std::set<std::pair<std::size_t, std::size_t>>;
 
-/// The proved gates from one of the starts to one of the goals, such that the way is short as the crow flies
+/// The proved gates from one of the starts to one of the goals, such that the path is short as the crow flies
 /// and changes the working mode, or loses control of the platform, no more often than that is worth; nothing
 /// where there is none.
 std::optional<GateRoute> find_gate_route(const AspectMap& map, const AspectGraph& graph,
                                          const std::vector<PoseInAspect>& starts,
                                          const std::vector<PoseInAspect>& goals, PathPolicy policy,
-                                         const BarredWays& barred);
+                                         const BarredStretches& barred);
 
 }  // namespace parallel_aspects
 

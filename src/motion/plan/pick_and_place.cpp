@@ -24,7 +24,7 @@ PickAndPlace none(std::string reason) {
 
 PickAndPlace cancelled() { return none("none was found in time."); }
 
-/// A task, and the ways to it and back.
+/// A task, and the paths to it and back.
 struct Candidate {
   PickAndPlace task;
   PlannedPath approach, back;

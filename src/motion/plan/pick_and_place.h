@@ -17,7 +17,7 @@
 namespace parallel_aspects {
 
 /// A task that one aspect cannot do: something is picked up in the aspect of the start, and placed where that
-/// aspect does not hold the platform, which is proved. So the robot changes its working mode on the way.
+/// aspect does not hold the platform, which is proved. So the robot changes its working mode on its path.
 struct PickAndPlace {
   Pose pick, place;
   PlannedPath carry;  ///< from the one to the other, in the working mode of the start there

@@ -6,9 +6,9 @@
 #include "aspects/roadmap/violation_text.h"
 #include "motion/plan/aspect_paths.h"
 #include "motion/plan/gate_route.h"
+#include "motion/plan/lead_in.h"
 #include "motion/plan/leaf_path.h"
 #include "motion/plan/path_builder.h"
-#include "motion/plan/way_in.h"
 #include "motion/roadmap.h"
 #include "parallel_aspects/aspects/held_joint.h"
 
@@ -20,7 +20,7 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr int max_routes = 10;  // that are followed, of which a way is not found
+constexpr int max_routes = 10;  // that are followed, of which a part is not found
 
 /// The aspects that hold an end, and what is known of the working modes in which none is found.
 struct EndAspects {
@@ -70,14 +70,14 @@ void explain(const AspectMap& map, const SegmentCertifier& certifier, const Pose
                        " it is closer to a singularity or a limit than the map can tell");
 }
 
-/// Where the map itself cannot tell, a proved way into an aspect does.
+/// Where the map itself cannot tell, a proved path into an aspect does.
 PoseInAspect find_lead(const AspectMap& map, const MapSegments& segments, const PoseInMode& at) {
   const int sign = segments.certifier().prove(at.pose, at.mode).sign;
   if (sign == 0) return {};
-  WayIn way = find_way_in(map, segments, at.pose, at.mode, sign);
-  if (way.aspect == 0) return {};
-  const Pose last = way.poses.back();
-  return {last, way.aspect, std::move(way.poses)};
+  LeadIn lead = find_lead_in(map, segments, at.pose, at.mode, sign);
+  if (lead.aspect == 0) return {};
+  const Pose last = lead.poses.back();
+  return {last, lead.aspect, std::move(lead.poses)};
 }
 
 EndAspects find_aspects(const AspectMap& map, const MapSegments& segments, const PathEnd& end) {
@@ -145,12 +145,12 @@ class PathPlanner::Search {
         without_path(SameAspect::unknown, "The ends lie in one aspect, but no path was found.");
     bool any_common = false;
     GateRoute direct;
-    direct.ways.emplace_back();
+    direct.stretches.emplace_back();
     for (const PoseInAspect& start : starts.found)
       for (const PoseInAspect& goal : goals.found) {
         if (start.aspect != goal.aspect) continue;
         any_common = true;
-        BarredWays barred;
+        BarredStretches barred;
         PlannedPath path = follow(direct, start, goal, barred);
         if (path && (!best || path.length < best.length)) best = std::move(path);
       }
@@ -185,7 +185,7 @@ class PathPlanner::Search {
   PlannedPath pass_gates(const EndAspects& starts, const EndAspects& goals, PathPolicy policy) {
     const AspectGraph* graph = planner_.graph(control_);
     if (graph == nullptr) return without_path(SameAspect::unknown, "Cancelled.");
-    BarredWays barred;
+    BarredStretches barred;
     bool has_route = false;
     for (int i = 0; i < max_routes && !is_cancelled(control_); ++i) {
       const auto route = find_gate_route(map_, *graph, starts.found, goals.found, policy, barred);
@@ -216,9 +216,9 @@ class PathPlanner::Search {
                             : "Proved: det A differs in sign, and no path through serial gates changes it.");
   }
 
-  /// Empty-handed where a part of the path is not found; that way is barred then.
+  /// Empty-handed where a part of the path is not found; that stretch is barred then.
   PlannedPath follow(const GateRoute& route, const PoseInAspect& start, const PoseInAspect& goal,
-                     BarredWays& barred) {
+                     BarredStretches& barred) {
     PathBuilder builder(*map_.manipulator(), [this](const Pose& from, const Pose& to, double t) {
       return paths_.segments().between(from, to, t);
     });
@@ -233,14 +233,14 @@ class PathPlanner::Search {
         std::reverse(segment.begin(), segment.end());
       if (!go(builder, at, segment.front()) ||
           (serial && !pass_serial(builder, gate.leg, segment, at.aspect, next))) {
-        barred.insert(route.ways[i]);
+        barred.insert(route.stretches[i]);
         return {};
       }
       if (!serial) builder.cross_parallel(segment, aspect_of(map_, at.aspect).mode, at.aspect, next);
       at = {serial ? segment.front() : segment.back(), next};
     }
     if (!go(builder, at, goal.pose)) {
-      barred.insert(route.ways.back());
+      barred.insert(route.stretches.back());
       return {};
     }
     builder.go({goal.lead.rbegin(), goal.lead.rend()}, aspect_of(map_, goal.aspect).mode);
@@ -254,7 +254,7 @@ class PathPlanner::Search {
     return !poses.empty();
   }
 
-  /// To where B_jj is nearly zero in either mode, and back; false where not even the start of the way is
+  /// To where B_jj is nearly zero in either mode, and back; false where not even the start of the segment is
   /// proved.
   bool pass_serial(PathBuilder& builder, std::size_t leg, const std::vector<Pose>& segment, int from,
                    int to) const {

@@ -18,7 +18,7 @@ constexpr double small_loss = 0.005;     // of the time, for the sake of fewer s
 constexpr std::size_t first_samples = 200;
 constexpr int doublings = 4;
 
-/// One way to time a path, and what came of it.
+/// One attempt to time a path, and what came of it.
 class Attempt {
  public:
   Attempt(const SegmentCertifier& certifier, const PlannedPath& path, const JointVector& acceleration)

@@ -82,6 +82,9 @@ std::string notes_text(const std::vector<std::string>& notes, bool verbose);
 /// JSON as text: indented, valid UTF-8 whatever is in the names, with a line end.
 std::string to_text(const nlohmann::json& json);
 
+/// The words one after another, with `between` them.
+std::string joined(const std::vector<std::string>& words, const std::string& between);
+
 }  // namespace parallel_aspects::tools
 
 #endif  // PARALLEL_ASPECTS_TOOLS_REPORT_REPORT_H

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/report/setup_report.h"
 
-#include "tools/report/numbers.h"
 #include "tools/report/reports.h"
 #include "urdf/description/command_options.h"
 

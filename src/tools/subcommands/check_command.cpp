@@ -5,15 +5,15 @@
 #include "tools/arguments.h"
 #include "tools/computation.h"
 #include "tools/drawing/check_drawing.h"
+#include "tools/numbers.h"
 #include "tools/output_file.h"
+#include "tools/paths/trajectory_file.h"
 #include "tools/report/bounds_report.h"
 #include "tools/report/check_table.h"
-#include "tools/report/numbers.h"
 #include "tools/report/reports.h"
 #include "tools/report/text_table.h"
 #include "tools/report/violation_report.h"
 #include "tools/subcommands.h"
-#include "tools/trajectory_file.h"
 
 #include <algorithm>
 #include <array>

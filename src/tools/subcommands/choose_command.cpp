@@ -2,9 +2,9 @@
 #include "parallel_aspects/motion/choose_working_mode.h"
 #include "tools/arguments.h"
 #include "tools/computation.h"
+#include "tools/paths/trajectory_file.h"
 #include "tools/report/choice_report.h"
 #include "tools/subcommands.h"
-#include "tools/trajectory_file.h"
 
 #include <optional>
 #include <utility>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/kinematics/direct.h"
 #include "parallel_aspects/kinematics/jacobians.h"
-#include "tools/report/numbers.h"
+#include "tools/numbers.h"
 #include "tools/report/reports.h"
 #include "tools/report/text_table.h"
 #include "tools/subcommands.h"

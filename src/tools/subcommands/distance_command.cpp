@@ -3,7 +3,7 @@
 #include "parallel_aspects/distance/boundary_distances.h"
 #include "parallel_aspects/singularity/margins.h"
 #include "tools/arguments.h"
-#include "tools/report/numbers.h"
+#include "tools/numbers.h"
 #include "tools/report/reports.h"
 #include "tools/report/text_table.h"
 #include "tools/subcommands.h"

@@ -4,8 +4,8 @@
 #include "tools/computation.h"
 #include "tools/map_choice.h"
 #include "tools/output_file.h"
-#include "tools/path_ends.h"
-#include "tools/path_timing.h"
+#include "tools/paths/path_ends.h"
+#include "tools/paths/path_timing.h"
 #include "tools/report/plan_report.h"
 #include "tools/subcommands.h"
 
@@ -172,7 +172,7 @@ Subcommand plan_subcommand() {
   options.push_back({"--policy", "stay|serial|any",
                      "stay: in one aspect, the default. serial: legs may change their posture on the way. "
                      "any: through det A = 0 too, where control of the platform is lost; each such place is "
-                     "told",
+                     "listed",
                      &arguments->policy});
   for (const Option& option : map_choice_options(arguments->map, "--hold")) options.push_back(option);
   options.push_back({"--samples", "N", "With six degrees of freedom: poses of the roadmap, by default 1000",

@@ -10,7 +10,7 @@
 
 namespace parallel_aspects {
 
-/// The `motion:` part of a robot's YAML file: what its drives can do that the URDF does not say.
+/// The `motion:` part of a robot's YAML file: what its actuators can do that the URDF does not say.
 struct MotionConfig {
   /// The fastest change of velocity of each actuated joint, in the order of `mechanism.actuated_joints`
   /// [rad/s^2 or m/s^2]; positive. Empty where it is not stated.

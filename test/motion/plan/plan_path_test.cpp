@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "support/index_at.h"
+#include "support/random_path_end.h"
 #include "support/robots.h"
 #include "support/sign_at.h"
 #include "support/slices.h"
@@ -26,21 +27,6 @@ std::shared_ptr<const AspectMap> map_of(const Robot& robot, std::optional<double
   MapOptions options;
   options.resolution = resolution;
   return test::map_of(robot, options);
-}
-
-/// A random inside leaf's middle.
-PathEnd random_end(const AspectMap& map, const Aspect& aspect, std::mt19937_64& random) {
-  PathEnd end;
-  end.mode = aspect.mode;
-  std::size_t wanted = random() % aspect.inside_leaves;
-  map.visit_inside_poses(aspect.id, [&](const Pose& pose, double) {
-    if (wanted-- == 0) end.pose = pose;
-  });
-  return end;
-}
-
-const Aspect& random_aspect(const AspectMap& map, std::mt19937_64& random) {
-  return map.aspects()[random() % map.aspects().size()];
 }
 
 bool is_at(const Pose& a, const Pose& b) {
@@ -186,8 +172,8 @@ TEST_P(PlanPathOf, NoSampleContradictsAPath) {
   const int pairs = test::is_sanitized ? 5 : GetParam().pairs;
   for (int i = 0; i < pairs; ++i) {
     std::mt19937_64 random(static_cast<unsigned>(i));
-    const PathEnd from = random_end(*map, random_aspect(*map, random), random),
-                  to = random_end(*map, random_aspect(*map, random), random);
+    const PathEnd from = test::random_path_end(*map, test::random_aspect(*map, random), random),
+                  to = test::random_path_end(*map, test::random_aspect(*map, random), random);
     const PlannedPath path = planner.plan(from, to, PathPolicy::serial);
     if (!path) continue;
     SCOPED_TRACE("pair " + std::to_string(i));
@@ -217,7 +203,7 @@ TEST(PlanPath, BeginsWhereTheMapIsUndecided) {
     for (std::size_t axis = 0; axis < 3; ++axis)
       pose.position[static_cast<Eigen::Index>(axis)] =
           test::uniform(random, region.lower[axis], region.upper[axis]);
-    const Aspect& aspect = random_aspect(*map, random);
+    const Aspect& aspect = test::random_aspect(*map, random);
     if (map->locate(pose, aspect.mode).status != LocationStatus::undecided ||
         test::sign_at(*map->manipulator(), pose, aspect.mode).value_or(0) != aspect.determinant_sign)
       continue;

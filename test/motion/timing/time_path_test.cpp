@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/random_path_end.h"
 #include "support/robots.h"
 #include "support/slices.h"
 #include "support/thoroughness.h"
@@ -175,17 +176,6 @@ void expect_good(const Manipulator& robot, const PlannedPath& path, const TimedP
   EXPECT_GE(timed.seconds, 0.98 * least);
 }
 
-/// A random inside leaf's middle.
-PathEnd random_end(const AspectMap& map, const Aspect& aspect, std::mt19937_64& random) {
-  PathEnd end;
-  end.mode = aspect.mode;
-  std::size_t wanted = random() % aspect.inside_leaves;
-  map.visit_inside_poses(aspect.id, [&](const Pose& pose, double) {
-    if (wanted-- == 0) end.pose = pose;
-  });
-  return end;
-}
-
 struct Case {
   const char* name;
   Robot robot;
@@ -209,9 +199,8 @@ TEST_P(TimePathOf, KeepsLimitsInNearlyTheLeastTime) {
   int found = 0;
   for (int i = 0; i < test::thinned(GetParam().pairs); ++i) {
     std::mt19937_64 random(static_cast<unsigned>(i));
-    const auto& aspects = map->aspects();
-    const PathEnd from = random_end(*map, aspects[random() % aspects.size()], random),
-                  to = random_end(*map, aspects[random() % aspects.size()], random);
+    const PathEnd from = test::random_path_end(*map, test::random_aspect(*map, random), random),
+                  to = test::random_path_end(*map, test::random_aspect(*map, random), random);
     const PlannedPath path = planner.plan(from, to, PathPolicy::serial);
     if (!path) continue;
     SCOPED_TRACE("pair " + std::to_string(i));

@@ -73,7 +73,7 @@ std::string only_doubt(const Description& text) {
   return found.empty() ? "" : found.front();
 }
 
-// Whether the legs are the same, wherever the drives have their zero.
+// Whether the legs are the same, wherever the actuated joints have their zero.
 bool are_same(const Manipulator& one, const Manipulator& other) {
   constexpr double rounding = 1e-6;
   if (one.task_space() != other.task_space()) return false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_TOOLS_TRAJECTORY_FILE_H
-#define PARALLEL_ASPECTS_TOOLS_TRAJECTORY_FILE_H
+#ifndef PARALLEL_ASPECTS_TOOLS_PATHS_TRAJECTORY_FILE_H
+#define PARALLEL_ASPECTS_TOOLS_PATHS_TRAJECTORY_FILE_H
 
 #include "parallel_aspects/model/task_space.h"
 #include "parallel_aspects/motion/check_joint_trajectory.h"
@@ -26,4 +26,4 @@ std::vector<JointWaypoint> read_joint_waypoints(const Manipulator& manipulator, 
 
 }  // namespace parallel_aspects::tools
 
-#endif  // PARALLEL_ASPECTS_TOOLS_TRAJECTORY_FILE_H
+#endif  // PARALLEL_ASPECTS_TOOLS_PATHS_TRAJECTORY_FILE_H

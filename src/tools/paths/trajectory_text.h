@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_TOOLS_TRAJECTORY_TEXT_H
-#define PARALLEL_ASPECTS_TOOLS_TRAJECTORY_TEXT_H
+#ifndef PARALLEL_ASPECTS_TOOLS_PATHS_TRAJECTORY_TEXT_H
+#define PARALLEL_ASPECTS_TOOLS_PATHS_TRAJECTORY_TEXT_H
 
 #include "parallel_aspects/motion/check_joint_trajectory.h"
 
@@ -18,4 +18,4 @@ std::string trajectory_yaml(const Manipulator& manipulator, const std::vector<Jo
 
 }  // namespace parallel_aspects::tools
 
-#endif  // PARALLEL_ASPECTS_TOOLS_TRAJECTORY_TEXT_H
+#endif  // PARALLEL_ASPECTS_TOOLS_PATHS_TRAJECTORY_TEXT_H

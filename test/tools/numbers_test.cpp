@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/report/numbers.h"
+#include "tools/numbers.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_TOOLS_REPORT_NUMBERS_H
-#define PARALLEL_ASPECTS_TOOLS_REPORT_NUMBERS_H
+#ifndef PARALLEL_ASPECTS_TOOLS_NUMBERS_H
+#define PARALLEL_ASPECTS_TOOLS_NUMBERS_H
 
 #include "parallel_aspects/model/problems.h"
 
@@ -26,9 +26,6 @@ std::vector<double> parse_numbers(const std::string& option, const std::string& 
 /// The words of a list such as "z=0.5 roll = 0", separated by blanks or commas, without blanks around "=".
 std::vector<std::string> words_of_list(std::string text);
 
-/// The words one after another, with `between` them.
-std::string joined(const std::vector<std::string>& words, const std::string& between);
-
 }  // namespace parallel_aspects::tools
 
-#endif  // PARALLEL_ASPECTS_TOOLS_REPORT_NUMBERS_H
+#endif  // PARALLEL_ASPECTS_TOOLS_NUMBERS_H

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/trajectory_text.h"
+#include "tools/paths/trajectory_text.h"
 
 #include "model/number_text.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "motion/plan/way_in.h"
+#include "motion/plan/lead_in.h"
 
 #include "aspects/map/map_contents.h"
 #include "aspects/map/map_location.h"
@@ -19,16 +19,16 @@ class Climb {
   Climb(const AspectMap& map, const MapSegments& segments, const WorkingMode& mode, int sign)
       : map_(map), contents_(map.contents()), segments_(segments), mode_(mode), sign_(sign) {}
 
-  WayIn run(const Pose& pose) {
-    WayIn way{{pose}, 0};
+  LeadIn run(const Pose& pose) {
+    LeadIn lead{{pose}, 0};
     double index = index_at(pose);
-    for (int round = 0; round < max_rounds && way.aspect == 0; ++round) {
-      const std::optional<Pose> next = best_around(way.poses.back(), index);
+    for (int round = 0; round < max_rounds && lead.aspect == 0; ++round) {
+      const std::optional<Pose> next = best_around(lead.poses.back(), index);
       if (!next) return {};
-      way.poses.push_back(*next);
-      way.aspect = aspect_at(*next);
+      lead.poses.push_back(*next);
+      lead.aspect = aspect_at(*next);
     }
-    return way.aspect != 0 ? way : WayIn{};
+    return lead.aspect != 0 ? lead : LeadIn{};
   }
 
  private:
@@ -48,7 +48,7 @@ class Climb {
                     serial_indices(robot, pose, solution.q).minCoeff());
   }
 
-  /// Where the index is larger than `index`, which is told.
+  /// Where the index is larger than `index`, which becomes that one.
   std::optional<Pose> best_around(const Pose& pose, double& index) const {
     std::vector<std::pair<double, Pose>> around;
     for (const Pose& each : poses_around(pose))
@@ -103,8 +103,8 @@ class Climb {
 
 }  // namespace
 
-WayIn find_way_in(const AspectMap& map, const MapSegments& segments, const Pose& pose,
-                  const WorkingMode& mode, int sign) {
+LeadIn find_lead_in(const AspectMap& map, const MapSegments& segments, const Pose& pose,
+                    const WorkingMode& mode, int sign) {
   return Climb(map, segments, mode, sign).run(pose);
 }
 

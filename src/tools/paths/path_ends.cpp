@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/path_ends.h"
+#include "tools/paths/path_ends.h"
 
 #include "parallel_aspects/kinematics/direct.h"
 #include "parallel_aspects/kinematics/jacobians.h"
 #include "tools/arguments.h"
-#include "tools/report/numbers.h"
+#include "tools/numbers.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/path_timing.h"
+#include "tools/paths/path_timing.h"
 
-#include "tools/trajectory_file.h"
-#include "tools/trajectory_text.h"
+#include "tools/paths/trajectory_file.h"
+#include "tools/paths/trajectory_text.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/trajectory_file.h"
+#include "tools/paths/trajectory_file.h"
 
-#include "tools/report/numbers.h"
-#include "tools/trajectory_yaml.h"
+#include "tools/numbers.h"
+#include "tools/paths/trajectory_yaml.h"
+#include "tools/report/report.h"
 #include "urdf/description/text_file.h"
 
 #include <algorithm>

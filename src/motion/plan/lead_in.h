@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_MOTION_PLAN_WAY_IN_H
-#define PARALLEL_ASPECTS_MOTION_PLAN_WAY_IN_H
+#ifndef PARALLEL_ASPECTS_MOTION_PLAN_LEAD_IN_H
+#define PARALLEL_ASPECTS_MOTION_PLAN_LEAD_IN_H
 
 #include "motion/plan/map_segments.h"
 #include "parallel_aspects/aspects/aspect_map.h"
@@ -10,17 +10,17 @@
 
 namespace parallel_aspects {
 
-/// A way from a configuration that lies close to singularities or limits into an aspect.
-struct WayIn {
+/// A path from a configuration that lies close to singularities or limits into an aspect.
+struct LeadIn {
   std::vector<Pose> poses;  ///< from the configuration on; each segment is proved free
   int aspect = 0;           ///< id of the one that holds the last of them, and so all; 0 where none was found
 };
 
 /// Climbs: in every round to the pose around that is farthest from singularities, of those to which a segment
 /// is proved, until the map knows the aspect. `sign` is that of det A, proved.
-WayIn find_way_in(const AspectMap& map, const MapSegments& segments, const Pose& pose,
-                  const WorkingMode& mode, int sign);
+LeadIn find_lead_in(const AspectMap& map, const MapSegments& segments, const Pose& pose,
+                    const WorkingMode& mode, int sign);
 
 }  // namespace parallel_aspects
 
-#endif  // PARALLEL_ASPECTS_MOTION_PLAN_WAY_IN_H
+#endif  // PARALLEL_ASPECTS_MOTION_PLAN_LEAD_IN_H

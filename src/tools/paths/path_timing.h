@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_TOOLS_PATH_TIMING_H
-#define PARALLEL_ASPECTS_TOOLS_PATH_TIMING_H
+#ifndef PARALLEL_ASPECTS_TOOLS_PATHS_PATH_TIMING_H
+#define PARALLEL_ASPECTS_TOOLS_PATHS_PATH_TIMING_H
 
 #include "parallel_aspects/motion/time_path.h"
 #include "tools/report/report.h"
@@ -34,4 +34,4 @@ void report_timing(const Manipulator& manipulator, const TimingArguments& argume
 
 }  // namespace parallel_aspects::tools
 
-#endif  // PARALLEL_ASPECTS_TOOLS_PATH_TIMING_H
+#endif  // PARALLEL_ASPECTS_TOOLS_PATHS_PATH_TIMING_H

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/report/numbers.h"
+#include "tools/numbers.h"
 
 #include "tools/report/report.h"
 
@@ -31,12 +31,6 @@ std::vector<std::string> words(std::string text) {
 }
 
 }  // namespace
-
-std::string joined(const std::vector<std::string>& words, const std::string& between) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : between) + word;
-  return text;
-}
 
 std::vector<std::string> words_of_list(std::string text) {
   static const std::regex around_equals("\\s*=\\s*");

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/path_timing.h"
+#include "tools/paths/path_timing.h"
 
 #include "tools/command.h"
+#include "tools/numbers.h"
 #include "tools/output_file.h"
-#include "tools/report/numbers.h"
+#include "tools/paths/trajectory_text.h"
 #include "tools/report/text_table.h"
-#include "tools/trajectory_text.h"
 
 #include <cstddef>
 

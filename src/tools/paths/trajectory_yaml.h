@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_TOOLS_TRAJECTORY_YAML_H
-#define PARALLEL_ASPECTS_TOOLS_TRAJECTORY_YAML_H
+#ifndef PARALLEL_ASPECTS_TOOLS_PATHS_TRAJECTORY_YAML_H
+#define PARALLEL_ASPECTS_TOOLS_PATHS_TRAJECTORY_YAML_H
 
 #include "parallel_aspects/motion/check_joint_trajectory.h"
 
@@ -16,4 +16,4 @@ std::vector<JointWaypoint> waypoints_of_message(const Manipulator& manipulator, 
 
 }  // namespace parallel_aspects::tools
 
-#endif  // PARALLEL_ASPECTS_TOOLS_TRAJECTORY_YAML_H
+#endif  // PARALLEL_ASPECTS_TOOLS_PATHS_TRAJECTORY_YAML_H

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_TOOLS_PATH_ENDS_H
-#define PARALLEL_ASPECTS_TOOLS_PATH_ENDS_H
+#ifndef PARALLEL_ASPECTS_TOOLS_PATHS_PATH_ENDS_H
+#define PARALLEL_ASPECTS_TOOLS_PATHS_PATH_ENDS_H
 
 #include "parallel_aspects/motion/plan_path.h"
 #include "tools/subcommands.h"
@@ -30,4 +30,4 @@ void place_in_aspect(const std::string& option, const AspectMap& map, const Path
 
 }  // namespace parallel_aspects::tools
 
-#endif  // PARALLEL_ASPECTS_TOOLS_PATH_ENDS_H
+#endif  // PARALLEL_ASPECTS_TOOLS_PATHS_PATH_ENDS_H

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/trajectory_yaml.h"
+#include "tools/paths/trajectory_yaml.h"
 
 #include "urdf/description/yaml_values.h"
 
