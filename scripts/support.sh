@@ -95,7 +95,10 @@ prepare_workspace() {
 }
 
 # build_workspace CMAKE_OPTION...
+# As many jobs as processors: by itself catkin_make starts no second one while the load is at their number, which its own
+# jobs and whatever else runs keep it at.
 build_workspace() {
   prepare_workspace
-  (cd "${workspace}" && catkin_make --use-ninja -DCMAKE_BUILD_TYPE=Release "${cmake_options[@]}" "$@")
+  (cd "${workspace}" && ROS_PARALLEL_JOBS="${ROS_PARALLEL_JOBS:--j$(nproc)}" \
+    catkin_make --use-ninja -DCMAKE_BUILD_TYPE=Release "${cmake_options[@]}" "$@")
 }

@@ -130,6 +130,10 @@ Status make_status(std::uint8_t code, std::string message) {
   return status;
 }
 
+Status invalid_request(std::string message) {
+  return make_status(Status::INVALID_REQUEST, std::move(message));
+}
+
 Status refused_as_read_only() {
   return make_status(
       Status::READ_ONLY,

@@ -40,6 +40,7 @@ struct SolvedPose {
 Status refused_as_read_only();
 
 Status make_status(std::uint8_t code, std::string message = {});
+Status invalid_request(std::string message);
 
 /// The platform frame in the base frame [m].
 Eigen::Isometry3d platform_in_base(const Manipulator& manipulator, const Pose& pose);

@@ -89,15 +89,13 @@ CheckTrajectory::Response response_of(const Manipulator& manipulator, const Traj
   return response;
 }
 
-Status refused(std::string message) { return make_status(Status::INVALID_REQUEST, std::move(message)); }
-
 // Empty where the message has none.
 JointVector values_of(const Manipulator& manipulator, const std::vector<std::string>& names,
                       const std::vector<double>& values, const std::string& which, Status& status) {
   if (values.empty() || status.code != Status::OK) return {};
   const JointSample sample = actuated_values(manipulator, names, values);
   if (sample.status == SampleStatus::usable) return sample.q;
-  status = refused(which + " cannot be used: " + sample.message);
+  status = invalid_request(which + " cannot be used: " + sample.message);
   return {};
 }
 
@@ -158,7 +156,7 @@ CheckTrajectory::Response CheckQueries::answer(const CheckTrajectory::Request& r
       fill_distances(result, distances_on(manipulator_, result, question.distances), response);
       return response;
     }
-    question.status = refused(result.reason + start_fields(*manipulator_, result.possible_starts));
+    question.status = invalid_request(result.reason + start_fields(*manipulator_, result.possible_starts));
   }
   response = {};
   response.status = question.status;
@@ -180,17 +178,19 @@ CheckQueries::Question CheckQueries::read(const CheckTrajectory::Request& reques
   question.distances = request.distances;
   const bool has_joints = !request.trajectory.points.empty(), has_poses = !request.poses.empty();
   if (has_joints == has_poses)
-    question.status = refused("Give one of trajectory, with points of the actuated joints, and poses.");
-  else if (request.distances > most_distances)
     question.status =
-        refused("distances is " + std::to_string(request.distances) + "; give a number of times up to 1000.");
+        invalid_request("Give one of trajectory, with points of the actuated joints, and poses.");
+  else if (request.distances > most_distances)
+    question.status = invalid_request("distances is " + std::to_string(request.distances) +
+                                      "; give a number of times up to 1000.");
   else if (request.start.kind > Configuration::JOINTS)
-    question.status = refused("start.kind is none of NOW, POSE and JOINTS; give one of them.");
+    question.status = invalid_request("start.kind is none of NOW, POSE and JOINTS; give one of them.");
   else if (!request.start.joint_names.empty() || !request.start.joint_positions.empty())
-    question.status = refused("start has joint values, but the trajectory tells them; leave them out.");
+    question.status =
+        invalid_request("start has joint values, but the trajectory tells them; leave them out.");
   else if (has_poses && request.pass_serial)
     question.status =
-        refused("pass_serial is for actuated joints, since poses end at B_jj = 0; leave it out.");
+        invalid_request("pass_serial is for actuated joints, since poses end at B_jj = 0; leave it out.");
   else if (has_joints)
     read_joints(request, question);
   else
@@ -202,7 +202,7 @@ CheckQueries::Question CheckQueries::read(const CheckTrajectory::Request& reques
 void CheckQueries::read_joints(const CheckTrajectory::Request& request, Question& question) const {
   const trajectory_msgs::JointTrajectory& message = request.trajectory;
   const std::string unknown = unknown_joint(*manipulator_, message.joint_names);
-  if (!unknown.empty()) question.status = refused(unknown);
+  if (!unknown.empty()) question.status = invalid_request(unknown);
   for (std::size_t i = 0; i < message.points.size() && unknown.empty(); ++i) {
     const trajectory_msgs::JointTrajectoryPoint& point = message.points[i];
     const std::string which = "Waypoint " + std::to_string(i + 1);
@@ -216,7 +216,7 @@ void CheckQueries::read_joints(const CheckTrajectory::Request& request, Question
   if (question.status.code != Status::OK) return;
   const std::string problem = first_of(problems_of(*manipulator_, question.joints, {}));
   if (!problem.empty())
-    question.status = refused(problem);
+    question.status = invalid_request(problem);
   else if (request.start.kind == Configuration::NOW)
     start_joints_now(question);
   else if (request.start.kind == Configuration::POSE)
@@ -236,17 +236,17 @@ void CheckQueries::start_joints_now(Question& question) const {
     const auto k = static_cast<Eigen::Index>(j);
     const double off = std::abs(question.joints.front().q[k] - current.solved.q[k]);
     if (!is_near_start(*manipulator_, j, off))
-      question.status = refused("The trajectory does not start where the robot is: joint '" +
-                                leg.actuated_joint + "' is at " + number_text(current.solved.q[k]) +
-                                (leg.actuated_by_angle() ? " rad, " : " m, ") + number_text(off) +
-                                " off; start it there, or state another start.");
+      question.status = invalid_request("The trajectory does not start where the robot is: joint '" +
+                                        leg.actuated_joint + "' is at " + number_text(current.solved.q[k]) +
+                                        (leg.actuated_by_angle() ? " rad, " : " m, ") + number_text(off) +
+                                        " off; start it there, or state another start.");
   }
 }
 
 void CheckQueries::read_poses(const CheckTrajectory::Request& request, Question& question) const {
   if (request.times.size() != request.poses.size()) {
-    question.status = refused("There are " + std::to_string(request.poses.size()) + " poses but " +
-                              std::to_string(request.times.size()) + " times; give one for each.");
+    question.status = invalid_request("There are " + std::to_string(request.poses.size()) + " poses but " +
+                                      std::to_string(request.times.size()) + " times; give one for each.");
     return;
   }
   for (std::size_t i = 0; i < request.poses.size(); ++i) {
@@ -261,9 +261,10 @@ void CheckQueries::read_poses(const CheckTrajectory::Request& request, Question&
   const std::vector<int> signs(request.start.working_mode.begin(), request.start.working_mode.end());
   const auto mode = WorkingMode::from_signs(signs);
   if (request.start.kind == Configuration::POSE)
-    question.status = refused("start.kind is POSE, but the poses tell where it starts; give NOW or JOINTS.");
+    question.status =
+        invalid_request("start.kind is POSE, but the poses tell where it starts; give NOW or JOINTS.");
   else if (!mode || mode->leg_count() != manipulator_->leg_count())
-    question.status = refused("start.working_mode needs a sign for each leg, 1 or -1.");
+    question.status = invalid_request("start.working_mode needs a sign for each leg, 1 or -1.");
   else
     question.mode = *mode;
 }
@@ -275,10 +276,11 @@ void CheckQueries::start_poses_now(Question& question) const {
   const double off = anchor_distance(*manipulator_, current.solved.pose, question.poses.front().pose);
   const auto mode = working_mode(*manipulator_, current.solved.pose, current.solved.q);
   if (!(off <= start_tolerance * manipulator_->size()))
-    question.status = refused("The poses do not start where the robot is: the first is " + number_text(off) +
-                              " m off; start there, or state another start.");
+    question.status = invalid_request("The poses do not start where the robot is: the first is " +
+                                      number_text(off) + " m off; start there, or state another start.");
   else if (!mode)
-    question.status = refused("A leg of the robot is stretched or folded now; move it out of B_jj = 0.");
+    question.status =
+        invalid_request("A leg of the robot is stretched or folded now; move it out of B_jj = 0.");
   else
     question.mode = *mode;
 }

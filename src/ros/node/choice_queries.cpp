@@ -10,8 +10,6 @@
 namespace parallel_aspects {
 namespace {
 
-Status invalid(std::string message) { return make_status(Status::INVALID_REQUEST, std::move(message)); }
-
 /// What belongs to the other kind of question; empty where nothing does.
 std::string foreign_field(const ChooseWorkingMode::Request& request) {
   if (request.kind == ChooseWorkingMode::Request::PATH) {
@@ -47,9 +45,9 @@ ChooseWorkingMode::Response ChoiceQueries::answer(const ChooseWorkingMode::Reque
   response.answer = response.answer_with_changes = ModeChoice::UNKNOWN;
   const std::string foreign = foreign_field(request);
   if (request.kind > ChooseWorkingMode::Request::REGION)
-    response.status = invalid("kind must be 0 (path) or 1 (region).");
+    response.status = invalid_request("kind must be 0 (path) or 1 (region).");
   else if (!foreign.empty())
-    response.status = invalid(foreign);
+    response.status = invalid_request(foreign);
   else
     response.status = request.kind == ChooseWorkingMode::Request::PATH ? choose_for_path(request, response)
                                                                        : choose_for_region(request, response);
@@ -60,13 +58,13 @@ Status ChoiceQueries::choose_for_path(const ChooseWorkingMode::Request& request,
                                       ChooseWorkingMode::Response& response) const {
   PathChoiceOptions options;
   const auto preference = request.prefer.empty() ? Preference::clear : preference_named(request.prefer);
-  if (!preference) return invalid("prefer must be clear, travel or fast, or empty for clear.");
+  if (!preference) return invalid_request("prefer must be clear, travel or fast, or empty for clear.");
   options.preference = *preference;
   std::vector<PoseWaypoint> waypoints;
   Status status = read_path(request, waypoints);
   if (status.code != Status::OK) return status;
   const Problems problems = problems_of(*manipulator_, waypoints, *preference);
-  if (!problems.empty()) return invalid(problems.front());
+  if (!problems.empty()) return invalid_request(problems.front());
   const auto map = worker_.map();
   options.map = map.get();
   write_choice(choose_working_mode(certifier_, waypoints, options), response);
@@ -79,7 +77,7 @@ Status ChoiceQueries::choose_for_region(const ChooseWorkingMode::Request& reques
   Problems problems;
   const RegionQuestion question = region_of(*manipulator_, request, problems);
   if (problems.empty()) problems = problems_of(*manipulator_, question);
-  if (!problems.empty()) return invalid(problems.front());
+  if (!problems.empty()) return invalid_request(problems.front());
   write_choice(*manipulator_, choose_working_mode(manipulator_, question), response);
   return {};
 }
@@ -87,7 +85,7 @@ Status ChoiceQueries::choose_for_region(const ChooseWorkingMode::Request& reques
 Status ChoiceQueries::read_path(const ChooseWorkingMode::Request& request,
                                 std::vector<PoseWaypoint>& waypoints) const {
   if (!request.times.empty() && request.times.size() != request.poses.size())
-    return invalid("times must be empty, or have an entry for each of poses.");
+    return invalid_request("times must be empty, or have an entry for each of poses.");
   Status status;
   for (std::size_t i = 0; i < request.poses.size(); ++i) {
     geometry_msgs::PoseStamped message;
@@ -115,7 +113,7 @@ Connect::Response ChoiceQueries::answer(const Connect::Request& request) const {
   const std::vector<WorkingMode> modes = modes_of(*manipulator_, request.working_mode);
   if (modes.empty()) {
     response.status =
-        invalid("working_mode must have a sign, 1 or -1, for each leg that has two, or be empty.");
+        invalid_request("working_mode must have a sign, 1 or -1, for each leg that has two, or be empty.");
     return response;
   }
   Pose start, goal;

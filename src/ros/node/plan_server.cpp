@@ -15,8 +15,6 @@
 namespace parallel_aspects {
 namespace {
 
-Status invalid(std::string message) { return make_status(Status::INVALID_REQUEST, std::move(message)); }
-
 bool is_ok(const Status& status) { return status.code == Status::OK; }
 
 }  // namespace
@@ -60,12 +58,13 @@ void PlanServer::on_goal(const PlanPathGoalConstPtr& goal) {
 }
 
 Status PlanServer::read(const PlanPathGoal& goal, Question& question) const {
-  if (goal.policy > PlanPathGoal::SERIAL) return invalid("policy must be 0 (stay) or 1 (serial).");
+  if (goal.policy > PlanPathGoal::SERIAL) return invalid_request("policy must be 0 (stay) or 1 (serial).");
   question.policy = goal.policy == PlanPathGoal::SERIAL ? PathPolicy::serial : PathPolicy::stay;
   question.timed = !goal.path_only;
   const bool mapped = has_map(manipulator_->task_space());
   if (!mapped && question.policy == PathPolicy::serial)
-    return invalid("policy 1 (serial) needs a map, and with six degrees of freedom there is none; give 0.");
+    return invalid_request(
+        "policy 1 (serial) needs a map, and with six degrees of freedom there is none; give 0.");
   Status status = question.timed ? read_limits() : Status();
   if (is_ok(status)) status = read_end(goal.start, "start", question.from);
   if (is_ok(status)) status = read_end(goal.goal, "goal", question.to);
@@ -80,21 +79,21 @@ Status PlanServer::read(const PlanPathGoal& goal, Question& question) const {
 Status PlanServer::read_limits() const {
   const JointVector& acceleration = setup_.options.acceleration;
   if (acceleration.size() == 0)
-    return invalid(
+    return invalid_request(
         "No acceleration limits are stated; set the parameter ~motion/acceleration and reload, or ask with "
         "path_only.");
   const Problems problems = problems_of(*manipulator_, acceleration);
-  return problems.empty() ? Status() : invalid(problems.front() + " Or ask with path_only.");
+  return problems.empty() ? Status() : invalid_request(problems.front() + " Or ask with path_only.");
 }
 
 Status PlanServer::read_end(const Configuration& configuration, const std::string& which,
                             PathEnd& end) const {
   const std::string fault = fault_of(*manipulator_, configuration);
-  if (!fault.empty()) return invalid(which + ": " + fault);
+  if (!fault.empty()) return invalid_request(which + ": " + fault);
   if (configuration.kind == Configuration::JOINTS || configuration.determinant_sign != 0)
-    return invalid(which +
-                   " is stated by joints or the sign of det A; give kind 0 (now) or 1 (pose), and "
-                   "working_mode if one is meant.");
+    return invalid_request(which +
+                           " is stated by joints or the sign of det A; give kind 0 (now) or 1 (pose), and "
+                           "working_mode if one is meant.");
   if (configuration.kind == Configuration::NOW) return read_now(end);
   const std::vector<int> signs(configuration.working_mode.begin(), configuration.working_mode.end());
   if (std::any_of(signs.begin(), signs.end(), [](int sign) { return sign != 0; }))
@@ -108,7 +107,7 @@ Status PlanServer::read_now(PathEnd& end) const {
   end.pose = current.solved.pose;
   end.mode = working_mode(*manipulator_, current.solved.pose, current.solved.q);
   if (end.mode) return {};
-  return invalid("A leg of the robot is stretched or folded now; move it out of B_jj = 0.");
+  return invalid_request("A leg of the robot is stretched or folded now; move it out of B_jj = 0.");
 }
 
 MapControl PlanServer::control(const std::string& doing) {

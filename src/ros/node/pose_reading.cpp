@@ -14,9 +14,9 @@ Status read_pose(const Manipulator& manipulator, const PoseTransformer& to_base,
   if (!in_base) return make_status(Status::NO_TRANSFORM, std::move(failure));
   const auto found = pose_from_base(manipulator, *in_base);
   if (!found)
-    return make_status(Status::INVALID_REQUEST, which +
-                                                    " must be finite, and its quaternion of unit length "
-                                                    "where the platform turns.");
+    return invalid_request(which +
+                           " must be finite, and its quaternion of unit length "
+                           "where the platform turns.");
   pose = *found;
   const double off = distance_off_task_space(manipulator, *in_base);
   if (!(off > 1e-6 * manipulator.size())) return {};

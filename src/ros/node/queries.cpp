@@ -196,20 +196,18 @@ BoundaryDistances Queries::distances(const SolvedPose& solved) const {
 Status Queries::start(const Configuration& configuration) const {
   const ros::Time now = ros::Time::now();
   const std::string fault = fault_of(*manipulator_, configuration);
-  if (!fault.empty()) return make_status(Status::INVALID_REQUEST, fault);
+  if (!fault.empty()) return invalid_request(fault);
   const StatedSigns stated = stated_signs(configuration);
   if (configuration.kind == Configuration::NOW) {
     if (stated.determinant_sign != 0) return monitor_.start_with_sign(stated, now);
-    return make_status(Status::INVALID_REQUEST,
-                       "determinant_sign must be 1 or -1, or kind 1 (pose) or 2 (joints).");
+    return invalid_request("determinant_sign must be 1 or -1, or kind 1 (pose) or 2 (joints).");
   }
   if (configuration.kind == Configuration::POSE) {
     std::string message;
     const auto in_base = to_base_(configuration.pose, message);
     if (!in_base) return make_status(Status::NO_TRANSFORM, std::move(message));
     const auto pose = pose_from_base(*manipulator_, *in_base);
-    return pose ? monitor_.start_near(*pose, now, stated)
-                : make_status(Status::INVALID_REQUEST, "The pose must be finite.");
+    return pose ? monitor_.start_near(*pose, now, stated) : invalid_request("The pose must be finite.");
   }
   const ConfigurationAnswer found = resolve(configuration);
   if (found.status.code != Status::OK) return found.status;

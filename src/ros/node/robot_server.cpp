@@ -297,7 +297,7 @@ void RobotServer::on_map_progress(const MapProgress& progress, const std::shared
 Status RobotServer::status_of_goal(const MapOptions& options) const {
   if (setup_.options.read_only) return refused_as_read_only();
   const Problems problems = problems_of(options, *setup_.mechanism->manipulator(), "goal/");
-  return problems.empty() ? Status() : make_status(Status::INVALID_REQUEST, problems.front());
+  return problems.empty() ? Status() : invalid_request(problems.front());
 }
 
 // The map file is of the node's own options; a map of others does not go there.

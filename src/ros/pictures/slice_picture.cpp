@@ -14,8 +14,8 @@ namespace {
 using Eigen::Vector2d;
 using Points = MarkerBatch::Points;
 
-constexpr int tile_cells = 48;                               // of the grid across a tile
-constexpr int robot_cells = 110;                             // across the slice at the robot
+constexpr int slice_tile_cells = 48;                         // of the grid across a tile
+constexpr int slice_robot_cells = 110;                       // across the slice at the robot
 constexpr double gallery_step = 0.02, present_step = 0.005;  // of the range of levels, between two drawings
 constexpr std::size_t max_lines = 3;                         // of legend under a tile
 
@@ -95,7 +95,7 @@ visualization_msgs::MarkerArray SlicePicture::gallery(const Drawn& now) const {
   std::vector<BoundarySegment> all;
   for (std::size_t tile = 0; tile < map_->working_modes().size(); ++tile) {
     const BoundaryPicture traced =
-        trace_slice(*map_, map_->working_modes()[tile], slice(now), bounds_, tile_cells);
+        trace_slice(*map_, map_->working_modes()[tile], slice(now), bounds_, slice_tile_cells);
     draw_tile(tile, traced, batch);
     draw_titles(tile, now, batch);
     all.insert(all.end(), traced.segments.begin(), traced.segments.end());
@@ -176,7 +176,7 @@ visualization_msgs::MarkerArray SlicePicture::present(const Drawn& now) const {
 
 void SlicePicture::draw_at_robot(const DrawnConfiguration& now, MarkerBatch& batch) const {
   const PoseSlice slice = PoseSlice::through(space_, now.solved.pose);
-  const BoundaryPicture traced = trace_slice(*map_, now.mode, slice, bounds_, robot_cells);
+  const BoundaryPicture traced = trace_slice(*map_, now.mode, slice, bounds_, slice_robot_cells);
   // In front of the base, and behind or below the platform and its joints, which it would hide. One of T3 is
   // also looked through: it comes seldom, so that a platform that moves fast may be below it.
   const double height = (space_ == TaskSpace::T3 ? slice.level() : 0.0) - 0.02 * map_->manipulator()->size();

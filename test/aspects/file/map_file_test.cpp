@@ -1,40 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/aspects/map_file.h"
-
-#include "model/coefficients.h"
+// Files that are cut, changed, forged or of something else, and files that cannot be written.
+#include "aspects/file/map_file_fixture.h"
 
 #include <gtest/gtest.h>
 
-#include "support/robots.h"
 #include "support/thoroughness.h"
 #include <csignal>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <functional>
-#include <iterator>
 #include <random>
 #include <string>
 #include <sys/resource.h>
 #include <sys/stat.h>
-#include <tuple>
-#include <vector>
 #include <zlib.h>
 
 namespace parallel_aspects {
 namespace {
 
 namespace fs = std::filesystem;
-using RobotPtr = std::shared_ptr<const Manipulator>;
-
-std::string contents(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
-
-void write(const fs::path& file, const std::string& bytes) {
-  std::ofstream(file, std::ios::binary | std::ios::trunc) << bytes;
-}
+using test::contents;
+using test::leaves;
+using test::MapFile;
+using test::random_pose;
+using test::RobotPtr;
 
 void put_u32(std::string& bytes, std::size_t at, std::uint32_t value) {
   for (std::size_t i = 0; i < 4; ++i) bytes.at(at + i) = static_cast<char>(value >> 8 * i);
@@ -54,178 +42,6 @@ std::string with_checksum(std::string bytes) {
   put_u32(bytes, size, static_cast<std::uint32_t>(sum));
   return bytes;
 }
-
-Pose random_pose(const AspectMap& map, std::mt19937_64& random) {
-  std::normal_distribution<double> normal;
-  const TaskSpace space = map.manipulator()->task_space();
-  const Box region = map.region();
-  Pose pose;
-  if (space == TaskSpace::SO3) {
-    pose.orientation =
-        Eigen::Quaterniond(normal(random), normal(random), normal(random), normal(random)).normalized();
-    return pose;
-  }
-  PoseCoordinates coordinates(region.dimension);
-  for (std::size_t i = 0; i < region.dimension; ++i)
-    coordinates[static_cast<Eigen::Index>(i)] =
-        std::uniform_real_distribution<double>(region.lower[i], region.upper[i])(random);
-  return *pose_from_coordinates(space, coordinates);
-}
-
-auto numbers(const Box& box) { return std::make_tuple(box.dimension, box.lower, box.upper); }
-
-auto numbers(const Aspect& aspect) {
-  return std::make_tuple(aspect.id, aspect.mode.index(), aspect.determinant_sign, aspect.measure,
-                         aspect.measure_lower, aspect.measure_upper, aspect.inside_leaves,
-                         numbers(aspect.bounds), aspect.deepest_clearance, aspect.unresolved_with);
-}
-
-using Numbers = std::vector<double>;
-
-void append(Numbers& list, const Box& box) {
-  list.insert(list.end(), box.lower.begin(), box.lower.end());
-  list.insert(list.end(), box.upper.begin(), box.upper.end());
-}
-
-// Everything that the leaves of a map tell, in the order told.
-Numbers leaves(const AspectMap& map) {
-  Numbers list;
-  for (const Aspect& aspect : map.aspects()) {
-    map.visit_inside_leaves(aspect.id, [&list](const Box& box) { append(list, box); });
-    map.visit_inside_poses(aspect.id, [&list](const Pose& pose, double measure) {
-      list.insert(list.end(), {pose.position.x(), pose.position.y(), pose.position.z(), measure});
-      for (const double each : coefficients_of(pose.orientation.coeffs())) list.push_back(each);
-    });
-  }
-  for (const WorkingMode& mode : map.working_modes())
-    map.visit_undecided_leaves(mode, [&list](const Box& box) { append(list, box); });
-  return list;
-}
-
-void expect_equal(const AspectMap& one, const AspectMap& other) {
-  EXPECT_EQ(one.working_modes(), other.working_modes());
-  EXPECT_EQ(numbers(one.region()), numbers(other.region()));
-  EXPECT_EQ(std::make_tuple(one.resolution(), one.proved_count(), one.unresolved(), one.measure_undecided(),
-                            one.seconds()),
-            std::make_tuple(other.resolution(), other.proved_count(), other.unresolved(),
-                            other.measure_undecided(), other.seconds()));
-  ASSERT_EQ(one.aspects().size(), other.aspects().size());
-  for (std::size_t i = 0; i < one.aspects().size(); ++i) {
-    const Aspect &a = one.aspects()[i], &b = other.aspects()[i];
-    EXPECT_EQ(numbers(a), numbers(b)) << "aspect " << i + 1;
-    EXPECT_EQ(a.deepest.position, b.deepest.position);
-    EXPECT_EQ(a.deepest.orientation.coeffs(), b.deepest.orientation.coeffs());
-  }
-  EXPECT_TRUE(leaves(one) == leaves(other));
-}
-
-// The number of poses that are inside an aspect.
-int expect_equal_locations(const AspectMap& one, const AspectMap& other, int count) {
-  std::mt19937_64 random(7);
-  int inside = 0;
-  for (int i = 0; i < count; ++i) {
-    const Pose pose = random_pose(one, random);
-    for (const WorkingMode& mode : one.working_modes()) {
-      const Location a = one.locate(pose, mode), b = other.locate(pose, mode);
-      EXPECT_EQ(std::make_tuple(a.status, a.aspect), std::make_tuple(b.status, b.aspect))
-          << to_string(one.manipulator()->task_space(), pose) << " in mode " << to_string(mode);
-      if (a.status == LocationStatus::inside) ++inside;
-    }
-  }
-  return inside;
-}
-
-// A folder of its own, gone at the end of the test.
-class MapFile : public testing::Test {
- protected:
-  void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "map_file_XXXXXX").string();
-    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
-    file_ = folder_ / "map";
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  std::string saved(const AspectMap& map) const {
-    const SaveResult result = save_map(map, file_);
-    EXPECT_TRUE(result.saved) << result.message;
-    return contents(file_);
-  }
-
-  std::shared_ptr<const AspectMap> load(const std::string& bytes, const RobotPtr& robot,
-                                        const MapOptions& options = {}) const {
-    write(file_, bytes);
-    return load_map(robot, options, file_).map;
-  }
-
-  void expect_refused(const std::string& bytes, const std::string& why) const {
-    write(file_, bytes);
-    expect_refused(five_bar_, options_, why);
-  }
-
-  void expect_refused(const RobotPtr& robot, const MapOptions& options, const std::string& why) const {
-    const MapResult result = load_map(robot, options, file_);
-    EXPECT_EQ(result.status, MapStatus::refused);
-    EXPECT_EQ(result.map, nullptr);
-    EXPECT_NE(result.message.find(file_.string()), std::string::npos) << result.message;
-    EXPECT_NE(result.message.find(why), std::string::npos) << result.message;
-    EXPECT_EQ(result.message.back(), '.');
-  }
-
-  std::size_t files_in_folder() const {
-    return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), {}));
-  }
-
-  static MapOptions coarse(double resolution) {
-    MapOptions options;
-    options.resolution = resolution;
-    return options;
-  }
-
-  fs::path folder_, file_;
-  RobotPtr five_bar_ = test::five_bar();
-  MapOptions options_ = coarse(1.0);
-  std::shared_ptr<const AspectMap> map_ = compute_aspect_map(five_bar_, options_).map;
-};
-
-struct Case {
-  const char* name;
-  std::function<RobotPtr()> make;
-  double resolution;
-};
-
-RobotPtr slider() {
-  Leg leg = test::planar_revolute_leg(0, {0.0, 0.0}, 1.0, 3.0);
-  return test::manipulator("slider", TaskSpace::T1, {leg});
-}
-
-class RoundTrip : public MapFile, public testing::WithParamInterface<Case> {};
-
-TEST_P(RoundTrip, EveryAnswerIsTheSame) {
-  const RobotPtr robot = GetParam().make();
-  MapOptions options = coarse(GetParam().resolution);
-  options.modes = working_modes(*robot);
-  if (test::is_sanitized && options.modes.size() > 2) options.modes.resize(2);
-  options.extra_levels = 3;
-  const MapResult computed = compute_aspect_map(robot, options);
-  ASSERT_EQ(computed.status, MapStatus::complete) << computed.message;
-  ASSERT_FALSE(computed.map->aspects().empty());
-  const std::string bytes = saved(*computed.map);
-  const MapResult loaded = load_map(robot, options, file_);
-  ASSERT_EQ(loaded.status, MapStatus::complete) << loaded.message;
-  EXPECT_EQ(loaded.map->manipulator(), robot);
-  expect_equal(*computed.map, *loaded.map);
-  EXPECT_GT(expect_equal_locations(*computed.map, *loaded.map, test::thinned(1000)), test::thinned(100));
-  EXPECT_EQ(saved(*loaded.map), bytes);
-}
-
-INSTANTIATE_TEST_SUITE_P(TaskSpaces, RoundTrip,
-                         testing::Values(Case{"T1", slider, 0.01}, Case{"T2", test::five_bar, 0.2},
-                                         Case{"T2_struts", test::bipod, 0.1},
-                                         Case{"SE2", test::three_rrr, 2.0},
-                                         Case{"SE2_struts", test::three_rpr, 5.0},
-                                         Case{"T3", test::delta, 0.2}, Case{"SO3", test::agile_eye, 0.4}),
-                         [](const auto& each) { return each.param.name; });
 
 TEST_F(MapFile, CutFilesAreRefused) {
   const std::string bytes = saved(*map_);

@@ -8,6 +8,7 @@
 #include "ros/node/node_client.h"
 #include "ros/node/process.h"
 #include "ros/node/random_messages.h"
+#include "ros/node/watchdog.h"
 
 #include <parallel_aspects/AspectState.h>
 #include <parallel_aspects/ComputeMapAction.h>
@@ -27,12 +28,10 @@
 #include <cmath>
 #include <deque>
 #include <dynamic_reconfigure/Reconfigure.h>
-#include <functional>
 #include <memory>
 #include <sensor_msgs/JointState.h>
 #include <sstream>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 #include <visualization_msgs/MarkerArray.h>
@@ -44,6 +43,7 @@ namespace {
 using test::eventually;
 using test::RandomMessages;
 using test::Recorder;
+using test::Watchdog;
 using XmlRpc::XmlRpcValue;
 
 constexpr std::uint8_t last_code = Status::READ_ONLY;
@@ -54,33 +54,6 @@ std::string shortened(const std::string& text) {
                                 : text.substr(0, longest) + "... and " +
                                       std::to_string(text.size() - longest) + " characters more";
 }
-
-/// Ends a node that an input keeps from answering, so that the call that waits for it returns.
-class Watchdog {
- public:
-  explicit Watchdog(std::function<void()> bite) : bite_(std::move(bite)), thread_([this] { watch(); }) {}
-  ~Watchdog() {
-    over_ = true;
-    thread_.join();
-  }
-  void feed() { fed_ = ros::WallTime::now().toSec(); }
-  bool has_bitten() const { return has_bitten_; }
-
- private:
-  void watch() {
-    while (!over_ && !has_bitten_) {
-      ros::WallDuration(0.05).sleep();
-      if (ros::WallTime::now().toSec() - fed_ < test::deadline) continue;
-      has_bitten_ = true;
-      bite_();
-    }
-  }
-
-  const std::function<void()> bite_;
-  std::atomic<double> fed_{ros::WallTime::now().toSec()};
-  std::atomic<bool> over_{false}, has_bitten_{false};
-  std::thread thread_;
-};
 
 /// One robot's node, and what is thrown at it.
 class NodeFuzz : public testing::TestWithParam<const char*> {

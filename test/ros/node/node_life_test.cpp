@@ -3,11 +3,10 @@
 // What happens to a node while it lives: reloads, parameters that turn to garbage, map files that vanish or
 // break, simulated time that begins anew, a robot that starts in a singular pose, queries while a map is
 // computed. Every node has a namespace of its own.
+#include "ros/node/node_life.h"
+
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/kinematics/inverse.h"
-#include "ros/monitor/five_bar_setup.h"
-#include "ros/node/node_client.h"
-#include "ros/node/process.h"
 
 #include <parallel_aspects/AspectState.h>
 #include <parallel_aspects/ComputeMapAction.h>
@@ -34,7 +33,6 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
-#include <std_msgs/Bool.h>
 #include <string>
 #include <thread>
 #include <utility>
@@ -47,75 +45,7 @@ using test::eventually;
 using test::five_bar_mechanism_parameter;
 using test::Recorder;
 
-/// A node of the five-bar in the namespace of its test, with these private parameters.
-class NodeLife : public testing::Test {
- protected:
-  void SetUp() override {
-    space_ = std::string("/") + testing::UnitTest::GetInstance()->current_test_info()->name();
-    node_ = space_ + "/aspect_node";
-    ros::param::set(space_ + "/robot_description", test::source_file("urdf/five_bar.urdf"));
-    set("mechanism", five_bar_mechanism_parameter());
-    set("tracking/path_bend", 0.0);    // the motions are straight between samples
-    set("joint_states_timeout", 2.0);  // a busy computer holds messages up
-    set("tracking/longest_interval", std::numeric_limits<double>::infinity());
-    set("start/pose", std::vector<double>{4.5, 8.0});
-    set("map/resolution", 0.2);
-    joint_states_ = ros::NodeHandle().advertise<sensor_msgs::JointState>(space_ + "/joint_states", 1000);
-  }
-  void TearDown() override {
-    ASSERT_TRUE(process_);
-    EXPECT_FALSE(process_->has_ended());
-    EXPECT_EQ(process_->end(), 0);
-  }
-
-  template <typename Value>
-  void set(const std::string& key, const Value& value) {
-    ros::param::set(node_ + "/" + key, value);
-  }
-  void start() {
-    process_ = std::make_unique<test::Process>(PARALLEL_ASPECTS_NODE, space_);
-    states_ = std::make_unique<Recorder<AspectState>>(node_ + "/state");
-    ASSERT_TRUE(eventually([&] { return states_->last().has_value(); }));
-    ASSERT_TRUE(eventually([&] { return joint_states_.getNumSubscribers() == 1; }));
-  }
-  template <typename Service>
-  typename Service::Response call(const std::string& name, const typename Service::Request& request = {}) {
-    return test::call<Service>(node_ + "/" + name, request);
-  }
-  std::size_t aspects_known() {
-    ListAspects::Response response;
-    EXPECT_TRUE(eventually([&] {
-      response = call<ListAspects>("list_aspects");
-      return response.status.code == Status::OK;
-    })) << response.status.message;
-    return response.aspects.size();
-  }
-  // The answer to the actuated joints at this pose.
-  AspectState move_to(const Pose& pose, const ros::Time& stamp = ros::Time::now()) {
-    const auto message = test::joints_at(*robot_->manipulator(), pose, {1, -1}, stamp);
-    joint_states_.publish(message);
-    return states_->answer(stamp);
-  }
-  // What /diagnostics says of this part of this node, once it says that.
-  bool diagnosed(const std::string& part, int level) const {
-    const auto messages = diagnostics_.all();
-    for (auto array = messages.rbegin(); array != messages.rend(); ++array)
-      for (const auto& status : array->status)
-        if (status.name.find(space_.substr(1)) != std::string::npos &&
-            status.name.find(": " + part) != std::string::npos)
-          return status.level == level;
-    return false;
-  }
-
-  const std::shared_ptr<const Mechanism> robot_ = test::five_bar_mechanism();
-  const Pose start_ = test::pose_at(4.5, 8.0);
-  int tries_ = 0;
-  std::string space_, node_;
-  ros::Publisher joint_states_;
-  std::unique_ptr<test::Process> process_;
-  std::unique_ptr<Recorder<AspectState>> states_;
-  const Recorder<diagnostic_msgs::DiagnosticArray> diagnostics_{"/diagnostics"};
-};
+using test::NodeLife;
 
 TEST_F(NodeLife, ReloadsARobot) {
   start();
@@ -318,53 +248,6 @@ TEST_F(NodeLife, ThresholdsChangeWhileItRuns) {
   EXPECT_EQ(level(), AspectState::WARN);
   EXPECT_EQ(change(100.0, 90.0), 100.0);
   EXPECT_TRUE(eventually([&] { return level() == AspectState::STOP; }));
-}
-
-/// A node that is to be killed, and the example that listens to it.
-class GoSignal : public NodeLife {
- protected:
-  void SetUp() override {
-    NodeLife::SetUp();
-    start();
-    ros::param::set(space_ + "/go_signal/silence", 1.0);
-    const char* before = std::getenv("PYTHONPATH");
-    setenv("PYTHONPATH",
-           (std::string(PARALLEL_ASPECTS_PYTHON ":") + (before != nullptr ? before : "")).c_str(), 1);
-    consumer_ = std::make_unique<test::Process>(
-        PARALLEL_ASPECTS_SOURCE_DIR "/example/go_signal.py", space_,
-        std::vector<std::string>{"__name:=go_signal", "state:=" + node_ + "/state"});
-  }
-  void TearDown() override {}
-
-  bool becomes(bool go) {
-    return eventually([&] {
-      joint_states_.publish(test::joints_at(*robot_->manipulator(), start_, {1, -1}, ros::Time::now()));
-      return signals_.last() && static_cast<bool>(signals_.last()->data) == go;
-    });
-  }
-  // Over so many signals, while the actuated joints are published on.
-  bool stays_off(std::size_t count) {
-    const std::size_t from = signals_.all().size();
-    const bool came = eventually([&] { return becomes(false) && signals_.all().size() >= from + count; });
-    return came && !signals_.first([](const std_msgs::Bool& go) { return static_cast<bool>(go.data); }, from);
-  }
-
-  std::unique_ptr<test::Process> consumer_;
-  Recorder<std_msgs::Bool> signals_{
-      std::string("/") + testing::UnitTest::GetInstance()->current_test_info()->name() + "/go_signal/go"};
-};
-
-TEST_F(GoSignal, IsOffWhereTheNodeIsHaltedOrKilled) {
-  ASSERT_TRUE(becomes(true)) << "the first python3 on PATH must have rospy";
-  process_->signal(SIGSTOP);
-  EXPECT_TRUE(becomes(false));
-  EXPECT_TRUE(stays_off(10));
-  process_->signal(SIGCONT);
-  EXPECT_TRUE(becomes(true));
-  process_->signal(SIGKILL);
-  EXPECT_TRUE(becomes(false));
-  EXPECT_TRUE(stays_off(10));
-  EXPECT_FALSE(consumer_->has_ended());
 }
 
 TEST_F(NodeLife, ReadOnlyRefusesWhateverChangesIt) {
