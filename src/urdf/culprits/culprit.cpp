@@ -3,6 +3,7 @@
 
 #include "urdf/closing/assembly.h"
 #include "urdf/corrections/anchors.h"
+#include "urdf/corrections/listed_corrections.h"
 #include "urdf/corrections/misfit_axes.h"
 #include "urdf/culprits/correction_search.h"
 
@@ -237,7 +238,7 @@ class Search {
     if (!all_revolute)
       for (const ClosureType type : {ClosureType::point, ClosureType::revolute, ClosureType::universal})
         if (auto message = other_type(type)) return message;
-    return other_type(ClosureType::automatic);
+    return resolved_.closure_dialect.empty() ? other_type(ClosureType::automatic) : std::nullopt;
   }
 
   std::optional<std::string> other_type(ClosureType type) {
@@ -250,9 +251,11 @@ class Search {
     }
     const auto space = names.empty() ? std::nullopt : tried(tree_, changed);
     if (!space) return std::nullopt;
-    return files_.config + " closes loops of " + files_.urdf +
-           " by types that do not fit its joints; write type: " + std::string(name(type)) + " for " + names +
-           " in " + files_.full_key("closures") + ", which makes it a robot in " + *space + ".";
+    return file_of_closures(resolved_, files_) + " closes loops of " + files_.urdf +
+           " by types that do not fit its joints; write " + type_text(resolved_, type) + " for " + names +
+           " in " +
+           (resolved_.closure_dialect.empty() ? files_.full_key("closures") : resolved_.closure_dialect) +
+           ", which makes it a robot in " + *space + ".";
   }
 
   std::optional<std::string> tried(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& changed) {
@@ -328,6 +331,25 @@ class Search {
   std::size_t work_ = 0;
 };
 
+// The list that holds ends together, where it makes a robot. Options name links alone.
+std::optional<std::string> list_of_ends(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,
+                                        const SourceNames& files, const Attempt& attempt) {
+  ResolvedConfig listed = as_listed(*tree, resolved);
+  std::vector<std::string> pairs;
+  for (Closure& closure : listed.closures) {
+    if (!files.as_options) continue;
+    for (LinkFrame& frame : closure.frames) {
+      if (!frame.in_link.translation().isZero()) return std::nullopt;
+      frame.in_link.setIdentity();
+    }
+    closure.type = ClosureType::automatic;
+    pairs.push_back(tree->links[closure.frames[0].link] + "=" + tree->links[closure.frames[1].link]);
+  }
+  if (!attempt(tree, listed)) return std::nullopt;
+  return files.as_options ? files.entry("closures", pairs)
+                          : closures_entry(*tree, listed.closures) + " under mechanism in " + files.config;
+}
+
 // Of closures whose ends are apart at zero: first what puts them together, then that they are together.
 std::optional<std::string> culprit_of_gaps(const std::shared_ptr<const Tree>& tree,
                                            const ResolvedConfig& resolved, const SourceNames& files,
@@ -335,14 +357,14 @@ std::optional<std::string> culprit_of_gaps(const std::shared_ptr<const Tree>& tr
   auto together = with_ends_together(*tree, resolved);
   if (!together) return std::nullopt;
   if (auto message = Search(tree, *together, files, attempt).run()) return message;
-  for (Closure& closure : together->closures) closure.at_zero.reset();
-  if (files.as_options || are_all_welds(resolved.closures) || !attempt(tree, *together)) return std::nullopt;
+  const auto remedy = are_all_welds(resolved.closures) ? std::nullopt : list_of_ends(tree, resolved, files, attempt);
+  if (!remedy) return std::nullopt;
   return file_of_closures(resolved, files) + " has ends of closures apart while all joints are zero, " +
          end_gaps_text(*tree, resolved) +
          ", and holds them so; correct the origins of the joints in their loops, or, if these are right and "
          "the "
          "ends are to meet elsewhere, write " +
-         closures_entry(*tree, together->closures) + " under mechanism in " + files.config + ".";
+         *remedy + ".";
 }
 
 }  // namespace
@@ -351,7 +373,8 @@ std::optional<std::string> find_culprit(const std::shared_ptr<const Tree>& tree,
                                         const ResolvedConfig& resolved, const SourceNames& files,
                                         const Attempt& attempt) {
   if (auto message = culprit_of_gaps(tree, resolved, files, attempt)) return message;
-  return Search(tree, resolved, files, attempt).run();
+  const auto meant = drawn_open(*tree, resolved, files);
+  return Search(tree, meant ? *meant : resolved, files, attempt).run();
 }
 
 Problems find_culprit_of_ends(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,

@@ -5,7 +5,7 @@
 #include "urdf/load_search.h"
 #include "urdf/setup/freedom.h"
 #include "urdf/setup/leg_choices.h"
-#include "urdf/setup/name_words.h"
+#include "urdf/description/name_words.h"
 
 #include <algorithm>
 #include <map>

@@ -4,7 +4,7 @@
 
 #include "urdf/description/source_names.h"
 #include "urdf/load_search.h"
-#include "urdf/setup/name_words.h"
+#include "urdf/description/name_words.h"
 
 #include <gtest/gtest.h>
 
