@@ -58,22 +58,24 @@ ResolvedConfig as_drawn(const RecognisedEnds& ends) {
 // Of a robot that is drawn open.
 std::string note_of_meeting(const RecognisedEnds& ends, const Mechanism::Contents& contents) {
   const auto drawn = list_text(ends, as_drawn(ends));
-  const std::string remedies =
-      joined(remedies_of_places(ends.tree, ends.resolved, ends.files, ends.attempt));
+  const std::string remedies = joined(remedies_of_places(ends.tree, ends.resolved, ends.files, ends.attempt));
   return "they are taken to meet" + lengths_of(contents) + "; if " +
          (drawn ? "they are held so, as by simulators, " + *drawn : "") +
          (drawn && !remedies.empty() ? "; if " : "") +
          (!drawn || !remedies.empty() ? "they are to meet at zero, " : "") +
-         (!remedies.empty() ? remedies : drawn ? "" : "correct the origins of the joints in their loops");
+         (!remedies.empty() ? remedies
+          : drawn           ? ""
+                            : "correct the origins of the joints in their loops");
 }
 
 std::string note_of_holding(const RecognisedEnds& ends, const Mechanism::Contents& contents) {
   const auto together = list_text(ends, as_listed(*ends.tree, ends.resolved));
-  const std::string remedies =
-      joined(remedies_of_places(ends.tree, ends.resolved, ends.files, ends.attempt));
+  const std::string remedies = joined(remedies_of_places(ends.tree, ends.resolved, ends.files, ends.attempt));
   return "they are held so, as by simulators" + lengths_of(contents) + "; if they are to meet, " + remedies +
          (!remedies.empty() && together ? ", or " : "") +
-         (together ? *together : remedies.empty() ? "correct the origins of the joints in their loops" : "");
+         (together           ? *together
+          : remedies.empty() ? "correct the origins of the joints in their loops"
+                             : "");
 }
 
 }  // namespace
@@ -88,10 +90,10 @@ void note_ends(const RecognisedEnds& ends, Mechanism::Contents& contents) {
     contents.notes.push_back(std::move(note));
   const std::string apart = end_gaps_text(*ends.tree, ends.resolved);
   if (apart.empty()) return;
-  contents.notes.push_back(file_of_closures(ends.resolved, ends.files) +
-                           " has ends of closures apart while all joints are zero, " + apart + ", and " +
-                           (ends.ends_meet ? note_of_meeting(ends, contents) : note_of_holding(ends, contents)) +
-                           ".");
+  contents.notes.push_back(
+      file_of_closures(ends.resolved, ends.files) +
+      " has ends of closures apart while all joints are zero, " + apart + ", and " +
+      (ends.ends_meet ? note_of_meeting(ends, contents) : note_of_holding(ends, contents)) + ".");
 }
 
 }  // namespace parallel_aspects

@@ -13,8 +13,8 @@
 namespace parallel_aspects {
 
 /// The mechanism that a description makes; null where none.
-using RecogniseIn = std::function<std::unique_ptr<Mechanism::Contents>(
-    const std::shared_ptr<const Tree>&, const ResolvedConfig&, Problems&)>;
+using RecogniseIn = std::function<std::unique_ptr<Mechanism::Contents>(const std::shared_ptr<const Tree>&,
+                                                                       const ResolvedConfig&, Problems&)>;
 
 /// A description that has been recognised, and how others are.
 struct RecognisedEnds {

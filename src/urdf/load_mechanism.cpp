@@ -95,7 +95,8 @@ std::unique_ptr<Mechanism::Contents> recognise(const std::shared_ptr<const Tree>
   Problems problems, of_written;
   for (const bool ends_meet : {true, false}) {
     if (ends_meet && !meant) continue;
-    auto contents = recognise_in(tree, ends_meet ? *meant : resolved, meant && !ends_meet ? of_written : problems);
+    auto contents =
+        recognise_in(tree, ends_meet ? *meant : resolved, meant && !ends_meet ? of_written : problems);
     if (!contents) continue;
     if (search.looks_for_remedies)
       note_ends({tree, resolved, ends_meet, files, recognise_in, attempt}, *contents);
@@ -104,9 +105,10 @@ std::unique_ptr<Mechanism::Contents> recognise(const std::shared_ptr<const Tree>
   if (!search.looks_for_remedies) throw InvalidDescription(problems);
   if (const auto culprit = find_culprit(tree, resolved, files, attempt)) throw InvalidDescription({*culprit});
   if (!meant && !are_all_welds(resolved.closures) && with_ends_together(*tree, resolved))
-    problems = {file_of_closures(resolved, files) + " has ends of closures apart while all joints are zero, " +
-                end_gaps_text(*tree, resolved) +
-                ", and they are held so; correct the origins of the joints in their loops, if they are to meet."};
+    problems = {
+        file_of_closures(resolved, files) + " has ends of closures apart while all joints are zero, " +
+        end_gaps_text(*tree, resolved) +
+        ", and they are held so; correct the origins of the joints in their loops, if they are to meet."};
   throw InvalidDescription(problems);
 }
 

@@ -68,9 +68,7 @@ class ConesReport {
  private:
   const std::string& leg_of(const BallJointCone& cone) const { return manipulator_.leg(cone.leg).name; }
 
-  Kind kind_of(const StatedCone& one) const {
-    return {holder(manipulator_, one.cone), one.joint.empty()};
-  }
+  Kind kind_of(const StatedCone& one) const { return {holder(manipulator_, one.cone), one.joint.empty()}; }
 
   std::string line(const StatedCone& one) const {
     const Eigen::Vector3d& axis = one.cone.axis;
@@ -96,8 +94,8 @@ class ConesReport {
     const auto& [fixed_in, is_stated] = kind;
     const std::string one = shown(narrowest), other = shown(widest);
     return "cones: the " + std::string(legs.size() == 1 ? "rod of " : "rods of ") + names +
-           (legs.size() == 1 ? " is" : " are") + " at most " + one + (one == other ? "" : " to " + other) + " rad from " +
-           std::to_string(cones.size()) + " axes of the " + fixed_in +
+           (legs.size() == 1 ? " is" : " are") + " at most " + one + (one == other ? "" : " to " + other) +
+           " rad from " + std::to_string(cones.size()) + " axes of the " + fixed_in +
            (is_stated ? ""
                       : ", for limits of " + std::to_string(joints.size()) +
                             (joints.size() == 1 ? " joint" : " joints")) +

@@ -63,7 +63,12 @@ class JointCorrections {
  public:
   JointCorrections(const Tree& tree, const ResolvedConfig& resolved, const LoopJoints& loops,
                    std::size_t joint, const SourceNames& files)
-      : tree_(tree), resolved_(resolved), loops_(loops), index_(joint), joint_(tree.joints[joint]), files_(files) {
+      : tree_(tree),
+        resolved_(resolved),
+        loops_(loops),
+        index_(joint),
+        joint_(tree.joints[joint]),
+        files_(files) {
     const auto& actuated = resolved.actuated_joints.variables;
     is_actuated_ =
         joint_.variable && std::find(actuated.begin(), actuated.end(), *joint_.variable) != actuated.end();

@@ -83,8 +83,7 @@ class ClosureCorrections {
         {element,
          file_ + " has type " + written(closure.type) + " for " + element +
              (have_others ? ", where others have type " + written(type) : ""),
-         "write " + type_text(resolved_, type) + " for " + element,
-         like_others,
+         "write " + type_text(resolved_, type) + " for " + element, like_others,
          [index, type](Tree&, ResolvedConfig& resolved) { resolved.closures[index].type = type; }});
   }
 
@@ -289,7 +288,7 @@ Corrections closure_corrections(const ResolvedConfig& resolved, const SourceName
 
 std::string type_text(const ResolvedConfig& resolved, ClosureType type) {
   return has_attributes(resolved) ? "type=\"" + type_word(resolved, type) + "\""
-                                     : "type: " + type_word(resolved, type);
+                                  : "type: " + type_word(resolved, type);
 }
 
 Corrections exchanged_ends(const Tree& tree, const ResolvedConfig& resolved, const SourceNames& files) {

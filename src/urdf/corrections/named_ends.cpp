@@ -24,7 +24,9 @@ struct HeldLeg {
   std::size_t anchor = 0;  // which of its frames is on the platform
 };
 
-bool are_distinct(const Names& names) { return std::set<std::string>(names.begin(), names.end()).size() == names.size(); }
+bool are_distinct(const Names& names) {
+  return std::set<std::string>(names.begin(), names.end()).size() == names.size();
+}
 
 class NamedEnds {
  public:
@@ -87,10 +89,11 @@ class NamedEnds {
 
   // The names of the ends themselves come first.
   std::vector<Names> tip_names() const {
-    return {names_by([this](const HeldLeg& leg) { return end_name(leg, false); }),
-            names_by([this](const HeldLeg& leg) { return tree_.links[body_of(tree_, link_of(leg, false))]; }),
-            names_by([this](const HeldLeg& leg) { return joint_above(body_of(tree_, link_of(leg, false))); }),
-            names_by([this](const HeldLeg& leg) { return joint_above(start_of_chain(link_of(leg, false))); })};
+    return {
+        names_by([this](const HeldLeg& leg) { return end_name(leg, false); }),
+        names_by([this](const HeldLeg& leg) { return tree_.links[body_of(tree_, link_of(leg, false))]; }),
+        names_by([this](const HeldLeg& leg) { return joint_above(body_of(tree_, link_of(leg, false))); }),
+        names_by([this](const HeldLeg& leg) { return joint_above(start_of_chain(link_of(leg, false))); })};
   }
 
   std::vector<Names> anchor_names() const {
@@ -156,11 +159,12 @@ std::optional<Correction> ends_paired_by_names(const Tree& tree, const ResolvedC
     const std::string element = "closure '" + resolved.closures[closure].name + "'";
     names += (names.empty() ? "" : ", ") + element;
     remedy += (remedy.empty() ? "write link '" : " and write link '") + tree.links[frame.link] +
-              "' in the place of '" + tree.links[resolved.closures[closure].frames[end].link] + "' in " + element;
+              "' in the place of '" + tree.links[resolved.closures[closure].frames[end].link] + "' in " +
+              element;
   }
   if (names.empty()) return std::nullopt;
-  return Correction{names, file_of_closures(resolved, files) + " has the ends of " + names + " crossed", remedy, true,
-                    [paired](Tree&, ResolvedConfig& changed) { changed.closures = paired; }};
+  return Correction{names, file_of_closures(resolved, files) + " has the ends of " + names + " crossed",
+                    remedy, true, [paired](Tree&, ResolvedConfig& changed) { changed.closures = paired; }};
 }
 
 }  // namespace parallel_aspects

@@ -56,7 +56,9 @@ std::vector<Vector3d> turned_axes(const Tree& tree, const ResolvedConfig& resolv
   const std::vector<Sibling> siblings = siblings_in_other_legs(tree, base, loops, joint, *own_start);
   if (any_have_one_axis(loops, siblings)) return {};
   const Poses poses = link_poses(tree, resolved.base, Eigen::VectorXd::Zero(tree.variables()));
-  const auto place = [&](std::size_t start) { return Vector3d(poses[tree.joints[start].child].translation()); };
+  const auto place = [&](std::size_t start) {
+    return Vector3d(poses[tree.joints[start].child].translation());
+  };
   std::set<std::size_t> starts{*own_start};
   for (const Sibling& sibling : siblings) starts.insert(sibling.start);
   Vector3d middle = Vector3d::Zero();

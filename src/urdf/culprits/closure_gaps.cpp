@@ -22,7 +22,8 @@ std::string number(double value) { return number_text(value, 4); }
 // The last of several joints in one place makes a ball joint.
 bool is_last_of_ball(const Tree& tree, const TreeJoint& joint) {
   const auto before = tree.joint_above[joint.parent];
-  return joint.origin.translation().isZero() && before && tree.joints[*before].motion == JointMotion::revolute;
+  return joint.origin.translation().isZero() && before &&
+         tree.joints[*before].motion == JointMotion::revolute;
 }
 
 // Without children, and fixed to what carries it, or to the last ring of a ball joint.
@@ -98,7 +99,8 @@ std::optional<ResolvedConfig> with_ends_together(const Tree& tree, const Resolve
   return together;
 }
 
-std::optional<ResolvedConfig> drawn_open(const Tree& tree, const ResolvedConfig& resolved, const SourceNames& files) {
+std::optional<ResolvedConfig> drawn_open(const Tree& tree, const ResolvedConfig& resolved,
+                                         const SourceNames& files) {
   const std::vector<double> gaps = end_gaps(tree, resolved.closures);
   const double meet = meeting_tolerance(tree, resolved);
   bool any_apart = false;
@@ -106,7 +108,8 @@ std::optional<ResolvedConfig> drawn_open(const Tree& tree, const ResolvedConfig&
     const Closure& closure = resolved.closures[k];
     if (!passes_base(tree, resolved.base, closure)) continue;
     const std::size_t second = closure.frames[1].link;
-    if (gaps[k] <= meet || !is_end(tree, second) || !is_held_once(resolved.closures, second)) return std::nullopt;
+    if (gaps[k] <= meet || !is_end(tree, second) || !is_held_once(resolved.closures, second))
+      return std::nullopt;
     any_apart = true;
   }
   if (!any_apart) return std::nullopt;
@@ -193,6 +196,26 @@ std::string closures_entry(const Tree& tree, const std::vector<Closure>& closure
             as_yaml(tree, as_seen(closure.frames[1], closure.type)) +
             "], type: " + std::string(name(closure.type)) + "}";
   return "closures: [" + list + "]";
+}
+
+// Options name links alone.
+std::optional<std::string> list_of_ends(const std::shared_ptr<const Tree>& tree,
+                                        const ResolvedConfig& resolved, const SourceNames& files,
+                                        const Attempt& attempt) {
+  ResolvedConfig listed = as_listed(*tree, resolved);
+  std::vector<std::string> pairs;
+  for (Closure& closure : listed.closures) {
+    if (!files.as_options) continue;
+    for (LinkFrame& frame : closure.frames) {
+      if (!frame.in_link.translation().isZero()) return std::nullopt;
+      frame.in_link.setIdentity();
+    }
+    closure.type = ClosureType::automatic;
+    pairs.push_back(tree->links[closure.frames[0].link] + "=" + tree->links[closure.frames[1].link]);
+  }
+  if (!attempt(tree, listed)) return std::nullopt;
+  return files.as_options ? files.entry("closures", pairs)
+                          : closures_entry(*tree, listed.closures) + " under mechanism in " + files.config;
 }
 
 std::string end_gaps_text(const Tree& tree, const ResolvedConfig& resolved) {

@@ -63,6 +63,11 @@ class EndGaps {
 /// "closures: [{frames: [a, b], type: point}]", as the YAML has them.
 std::string closures_entry(const Tree& tree, const std::vector<Closure>& closures);
 
+/// The list that holds ends together, and where to write it; nothing where that makes no robot.
+std::optional<std::string> list_of_ends(const std::shared_ptr<const Tree>& tree,
+                                        const ResolvedConfig& resolved, const SourceNames& files,
+                                        const Attempt& attempt);
+
 /// "'a' and 'b' by 0.05 m (closure 'c')" of all ends that are apart.
 std::string end_gaps_text(const Tree& tree, const ResolvedConfig& resolved);
 

@@ -5,6 +5,7 @@
 #include "urdf/corrections/anchors.h"
 #include "urdf/corrections/listed_corrections.h"
 #include "urdf/corrections/misfit_axes.h"
+#include "urdf/corrections/named_ends.h"
 #include "urdf/culprits/correction_search.h"
 
 #include <algorithm>
@@ -38,6 +39,7 @@ class Search {
             assemble(system_, resolved.actuated_joints.variables, resolved.actuated_joints.platform_link)) {}
 
   std::optional<std::string> run() {
+    if (auto message = crossed_names()) return message;
     if (auto message = other_base()) return message;
     if (auto message = CorrectionSearch(tree_, resolved_, true, files_, attempt_).of_missing_joints())
       return message;
@@ -66,6 +68,13 @@ class Search {
   }
 
  private:
+  // Names that say so speak for it alone.
+  std::optional<std::string> crossed_names() const {
+    const auto by_names = ends_paired_by_names(*tree_, resolved_, files_);
+    return by_names ? CorrectionSearch(tree_, resolved_, true, files_, attempt_).working_of({*by_names})
+                    : std::nullopt;
+  }
+
   // With what holds least, so that it is assembled wherever it can be.
   static std::vector<Closure> typed(std::vector<Closure> closures) {
     for (Closure& closure : closures)
@@ -331,25 +340,6 @@ class Search {
   std::size_t work_ = 0;
 };
 
-// The list that holds ends together, where it makes a robot. Options name links alone.
-std::optional<std::string> list_of_ends(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,
-                                        const SourceNames& files, const Attempt& attempt) {
-  ResolvedConfig listed = as_listed(*tree, resolved);
-  std::vector<std::string> pairs;
-  for (Closure& closure : listed.closures) {
-    if (!files.as_options) continue;
-    for (LinkFrame& frame : closure.frames) {
-      if (!frame.in_link.translation().isZero()) return std::nullopt;
-      frame.in_link.setIdentity();
-    }
-    closure.type = ClosureType::automatic;
-    pairs.push_back(tree->links[closure.frames[0].link] + "=" + tree->links[closure.frames[1].link]);
-  }
-  if (!attempt(tree, listed)) return std::nullopt;
-  return files.as_options ? files.entry("closures", pairs)
-                          : closures_entry(*tree, listed.closures) + " under mechanism in " + files.config;
-}
-
 // Of closures whose ends are apart at zero: first what puts them together, then that they are together.
 std::optional<std::string> culprit_of_gaps(const std::shared_ptr<const Tree>& tree,
                                            const ResolvedConfig& resolved, const SourceNames& files,
@@ -357,7 +347,8 @@ std::optional<std::string> culprit_of_gaps(const std::shared_ptr<const Tree>& tr
   auto together = with_ends_together(*tree, resolved);
   if (!together) return std::nullopt;
   if (auto message = Search(tree, *together, files, attempt).run()) return message;
-  const auto remedy = are_all_welds(resolved.closures) ? std::nullopt : list_of_ends(tree, resolved, files, attempt);
+  const auto remedy =
+      are_all_welds(resolved.closures) ? std::nullopt : list_of_ends(tree, resolved, files, attempt);
   if (!remedy) return std::nullopt;
   return file_of_closures(resolved, files) + " has ends of closures apart while all joints are zero, " +
          end_gaps_text(*tree, resolved) +

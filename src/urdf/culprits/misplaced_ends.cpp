@@ -24,7 +24,9 @@ std::vector<Closure> those_apart(const Tree& tree, const ResolvedConfig& resolve
   return apart;
 }
 
-bool all_meet(const Tree& tree, const ResolvedConfig& resolved) { return those_apart(tree, resolved).empty(); }
+bool all_meet(const Tree& tree, const ResolvedConfig& resolved) {
+  return those_apart(tree, resolved).empty();
+}
 
 // The corrected description is recognised with its ends as they are then.
 std::optional<std::string> remedy_at(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,
@@ -72,7 +74,8 @@ std::vector<std::string> misplaced_ends_notes(const std::shared_ptr<const Tree>&
   for (std::size_t k = 0; k < gaps.size(); ++k) {
     if (resolved.closures[k].at_zero || !gaps[k]) continue;
     ++(*gaps[k] > meet ? count_apart : count_together);
-    if (*gaps[k] > meet) apart += (apart.empty() ? "" : ", ") + gap_text(*tree, resolved.closures[k], *gaps[k]);
+    if (*gaps[k] > meet)
+      apart += (apart.empty() ? "" : ", ") + gap_text(*tree, resolved.closures[k], *gaps[k]);
   }
   const bool stands_out = count_apart == 1 ? count_together > 0 : count_apart < count_together;
   if (count_apart == 0 || !stands_out) return {};

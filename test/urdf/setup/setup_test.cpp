@@ -2,9 +2,9 @@
 // What is found in bare URDFs: the shipped robots, and robots as others write them.
 #include "urdf/setup/setup.h"
 
+#include "urdf/description/name_words.h"
 #include "urdf/description/source_names.h"
 #include "urdf/load_search.h"
-#include "urdf/description/name_words.h"
 
 #include <gtest/gtest.h>
 
