@@ -7,8 +7,10 @@
 #include "urdf/corrections/unit_corrections.h"
 #include "urdf/culprits/closure_gaps.h"
 #include "urdf/culprits/culprit.h"
+#include "urdf/culprits/reversed_axes.h"
 #include "urdf/culprits/shared_frames.h"
 #include "urdf/description/yaml_document.h"
+#include "urdf/end_notes.h"
 #include "urdf/load_search.h"
 #include "urdf/mechanism_contents.h"
 #include "urdf/mechanism_recognition.h"
@@ -20,8 +22,6 @@
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
-#include <cmath>
-#include <functional>
 #include <optional>
 #include <utility>
 
@@ -72,50 +72,12 @@ void check_ends(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& r
   throw InvalidDescription(problems.empty() ? wrong.problems() : problems);
 }
 
-// Spherical robots have angles.
-bool has_lengths(const Mechanism::Contents& contents) {
-  return contents.manipulator->task_space() != TaskSpace::SO3;
-}
-
-// Of the legs, at the joint value zero where they change.
-std::string lengths_of(const Manipulator& manipulator) {
-  std::string text;
-  for (const Leg& leg : manipulator.legs())
-    text += (text.empty() ? "" : ", ") + number_text(std::sqrt(leg.squared_distance(0.0)));
-  return text + " m";
-}
-
-// What loads may not be what is meant.
-using RecogniseIn = std::function<std::unique_ptr<Mechanism::Contents>(const std::shared_ptr<const Tree>&,
-                                                                       const ResolvedConfig&, Problems&)>;
-void note_ends(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,
-               const SourceNames& files, const RecogniseIn& recognise, const Attempt& attempt,
-               Mechanism::Contents& contents) {
-  const std::vector<std::string> crossed = crossed_ends_notes(tree, resolved, files, attempt);
-  contents.notes.insert(contents.notes.end(), crossed.begin(), crossed.end());
-  auto together = with_ends_together(*tree, resolved);
-  const std::string apart = together ? end_gaps_text(*tree, resolved) : "";
-  if (!together || !crossed.empty()) return;
-  for (Closure& closure : together->closures) closure.at_zero.reset();
-  Problems ignored;
-  const auto meant = recognise(tree, *together, ignored);
-  const bool any_lengths = meant && has_lengths(contents) && has_lengths(*meant);
-  contents.notes.push_back(
-      file_of_closures(resolved, files) + " has ends of closures apart while all joints are zero, " + apart +
-      ", and they are held so, as by simulators" +
-      (any_lengths ? ", with legs of " + lengths_of(*contents.manipulator) : "") + "; if they are to meet, " +
-      (meant ? "write " + closures_entry(*tree, together->closures) + " under mechanism in " + files.config +
-                   (any_lengths ? ", with legs of " + lengths_of(*meant->manipulator) : "")
-             : "correct the origins of the joints in their loops") +
-      ".");
-}
-
 // Throws where there is none.
 std::unique_ptr<Mechanism::Contents> recognise(const std::shared_ptr<const Tree>& tree,
                                                const MechanismConfig& config, const ResolvedConfig& resolved,
                                                const SourceNames& files, const LoadSearch& search) {
-  const auto recognise_in = [&](const std::shared_ptr<const Tree>& in, const ResolvedConfig& open,
-                                Problems& problems) {
+  const RecogniseIn recognise_in = [&](const std::shared_ptr<const Tree>& in, const ResolvedConfig& open,
+                                       Problems& problems) {
     const Recognise each = [&](const ResolvedConfig& chosen, Problems& found) {
       return recognise_mechanism(in, config, chosen, files, search, found);
     };
@@ -129,18 +91,24 @@ std::unique_ptr<Mechanism::Contents> recognise(const std::shared_ptr<const Tree>
     return contents ? std::optional<std::string>(name(contents->manipulator->task_space())) : std::nullopt;
   };
   check_ends(tree, resolved, files, search, attempt);
-  Problems problems;
-  if (auto contents = recognise_in(tree, resolved, problems)) {
-    if (search.looks_for_remedies) note_ends(tree, resolved, files, recognise_in, attempt, *contents);
+  const auto meant = drawn_open(*tree, resolved, files);
+  Problems problems, of_written;
+  for (const bool ends_meet : {true, false}) {
+    if (ends_meet && !meant) continue;
+    auto contents =
+        recognise_in(tree, ends_meet ? *meant : resolved, meant && !ends_meet ? of_written : problems);
+    if (!contents) continue;
+    if (search.looks_for_remedies)
+      note_ends({tree, resolved, ends_meet, files, recognise_in, attempt}, *contents);
     return contents;
   }
   if (!search.looks_for_remedies) throw InvalidDescription(problems);
   if (const auto culprit = find_culprit(tree, resolved, files, attempt)) throw InvalidDescription({*culprit});
-  if (!are_all_welds(resolved.closures) && with_ends_together(*tree, resolved))
-    problems.push_back(
+  if (!meant && !are_all_welds(resolved.closures) && with_ends_together(*tree, resolved))
+    problems = {
         file_of_closures(resolved, files) + " has ends of closures apart while all joints are zero, " +
         end_gaps_text(*tree, resolved) +
-        ", and they are held so; correct the origins of the joints in their loops, if they are to meet.");
+        ", and they are held so; correct the origins of the joints in their loops, if they are to meet."};
   throw InvalidDescription(problems);
 }
 
@@ -200,6 +168,7 @@ SharedMechanism load_mechanism(const std::string& urdf_text, const std::string& 
   const ClosureSystem loops = loops_of(open_tree, resolved);
   for (const std::string& note : shared_frame_notes(*open_tree, resolved, loops.size()))
     notes.push_back(note);
+  for (const std::string& note : reversed_axes_notes(*open_tree, resolved, files)) notes.push_back(note);
   if (const auto note = joints_left_out(loops, files)) notes.push_back(*note);
   for (const std::string& note :
        unit_notes(*open_tree, resolved, LoopJoints(*open_tree, resolved.closures, loops.size()), loops.size(),

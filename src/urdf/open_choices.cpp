@@ -184,7 +184,7 @@ class OpenChoices {
       found[end] =
           find_type(closures[end], {ClosureType::point, ClosureType::revolute, ClosureType::universal},
                     taken[end], problems);
-      if (found[end] && !any_end_open(size)) break;
+      if (!any_end_open(size)) break;
     }
     if (found[0] && found[1]) return refuse_both(size, problems);
     const std::size_t end = found[0] ? 0 : 1;

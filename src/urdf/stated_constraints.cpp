@@ -48,6 +48,10 @@ class FullTurns {
     limits.erase(std::remove_if(limits.begin(), limits.end(),
                                 [this](const PassiveLimit& limit) { return is_left_out(limit.joint); }),
                  limits.end());
+    auto& cones = description.constraints.passive_cones;
+    cones.erase(std::remove_if(cones.begin(), cones.end(),
+                               [this](const PassiveCone& cone) { return is_left_out(cone.joint); }),
+                cones.end());
     auto& missing = description.constraints.missing_joints;
     missing.erase(std::remove_if(missing.begin(), missing.end(),
                                  [this](const std::string& joint) { return is_left_out(joint); }),
@@ -71,7 +75,7 @@ class FullTurns {
 
   bool is_left_out(const std::string& joint) {
     if (!turns(joint)) return false;
-    names_ += (names_.empty() ? "'" : ", '") + joint + "'";
+    if (names_.find("'" + joint + "'") == std::string::npos) names_ += (names_.empty() ? "'" : ", '") + joint + "'";
     return true;
   }
 

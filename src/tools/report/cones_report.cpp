@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 #include <string>
-#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace parallel_aspects::tools {
@@ -17,16 +17,14 @@ std::string holder(const Manipulator& manipulator, const BallJointCone& cone) {
   return manipulator.leg(cone.leg).kind().has_crank ? "crank" : "base";
 }
 
-constexpr std::size_t max_lines = 24;
-
 /// A cone, and the joint for whose limit it stands; empty where for none.
 struct StatedCone {
   const BallJointCone& cone;
   std::string joint;
 };
 
-/// "2.37 rad from the base", and whether for limits: what one line may say of several.
-using Kind = std::tuple<std::string, std::string, bool>;
+/// What the axes are fixed in, and whether the cones are stated: what one line may say of several.
+using Kind = std::pair<std::string, bool>;
 
 class ConesReport {
  public:
@@ -61,8 +59,6 @@ class ConesReport {
   std::string text() const {
     std::map<Kind, std::vector<const StatedCone*>> kinds;
     for (const StatedCone& one : cones_) kinds[kind_of(one)].push_back(&one);
-    if (kinds.size() > max_lines)
-      return "cones: " + std::to_string(cones_.size()) + " bound the rods; --verbose lists them\n";
     std::string text;
     for (const auto& [kind, cones] : kinds)
       text += cones.size() == 1 ? line(*cones.front()) : line(kind, cones);
@@ -72,9 +68,7 @@ class ConesReport {
  private:
   const std::string& leg_of(const BallJointCone& cone) const { return manipulator_.leg(cone.leg).name; }
 
-  Kind kind_of(const StatedCone& one) const {
-    return {shown(one.cone.angle), holder(manipulator_, one.cone), one.joint.empty()};
-  }
+  Kind kind_of(const StatedCone& one) const { return {holder(manipulator_, one.cone), one.joint.empty()}; }
 
   std::string line(const StatedCone& one) const {
     const Eigen::Vector3d& axis = one.cone.axis;
@@ -87,17 +81,21 @@ class ConesReport {
     std::set<std::string> joints;
     std::vector<std::string> legs;
     std::string names;
+    double narrowest = cones.front()->cone.angle, widest = narrowest;
     for (const StatedCone* one : cones) {
+      narrowest = std::min(narrowest, one->cone.angle);
+      widest = std::max(widest, one->cone.angle);
       joints.insert(one->joint);
       const std::string& leg = leg_of(one->cone);
       if (std::find(legs.begin(), legs.end(), leg) != legs.end()) continue;
       legs.push_back(leg);
       names += (names.empty() ? "" : ", ") + leg;
     }
-    const auto& [angle, fixed_in, is_stated] = kind;
+    const auto& [fixed_in, is_stated] = kind;
+    const std::string one = shown(narrowest), other = shown(widest);
     return "cones: the " + std::string(legs.size() == 1 ? "rod of " : "rods of ") + names +
-           (legs.size() == 1 ? " is" : " are") + " at most " + angle + " rad from " +
-           std::to_string(cones.size()) + " axes of the " + fixed_in +
+           (legs.size() == 1 ? " is" : " are") + " at most " + one + (one == other ? "" : " to " + other) +
+           " rad from " + std::to_string(cones.size()) + " axes of the " + fixed_in +
            (is_stated ? ""
                       : ", for limits of " + std::to_string(joints.size()) +
                             (joints.size() == 1 ? " joint" : " joints")) +

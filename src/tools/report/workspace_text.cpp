@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "aspects/constraints/constraint_clearance.h"
 #include "aspects/roadmap/pose_sampler.h"
 #include "parallel_aspects/kinematics/inverse.h"
 #include "tools/report/reports.h"
@@ -18,10 +19,19 @@ struct ReachedPoses {
   Eigen::AlignedBox3d positions;
 };
 
+// Of passive joints too, and all else that bounds the robot; margins are of what happens there.
+bool keeps_constraints(const Manipulator& manipulator, const Pose& pose, const JointVector& q) {
+  const ConstraintKinds kinds = manipulator.constraint_kinds();
+  return std::all_of(all_constraint_kinds.begin(), all_constraint_kinds.end(), [&](ConstraintKind kind) {
+    return !kinds[index_of(kind)] || kind == ConstraintKind::margins ||
+           constraint_clearance(manipulator, kind, pose, q) >= 0.0;
+  });
+}
+
 bool is_reached(const Manipulator& manipulator, const Pose& pose) {
   const auto solutions = inverse_in_all_modes(manipulator, pose);
-  return std::any_of(solutions.begin(), solutions.end(), [](const InverseSolution& solution) {
-    return solution.status == InverseStatus::solved;
+  return std::any_of(solutions.begin(), solutions.end(), [&](const InverseSolution& solution) {
+    return solution.status == InverseStatus::solved && keeps_constraints(manipulator, pose, solution.q);
   });
 }
 

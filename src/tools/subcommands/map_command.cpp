@@ -251,7 +251,10 @@ Report report_of(MapArguments arguments, const Surroundings& surroundings) {
   if (manipulator->task_space() == TaskSpace::SE3 && arguments.slice.empty())
     return roadmap_report(manipulator, arguments, section, surroundings);
   add_coverage(arguments, section, *manipulator, map_options);
-  return load_or_compute(manipulator, map_options, arguments, surroundings);
+  Report report = load_or_compute(manipulator, map_options, arguments, surroundings);
+  for (const std::string& note : mechanism->notes())
+    if (note.find("bounds no aspect") != std::string::npos) report.text += "\nnote: " + note + "\n";
+  return report;
 }
 
 }  // namespace

@@ -17,6 +17,9 @@ using nlohmann::json;
 // Of the smallest ones in the region, all of which the second map could take at most: 256 by 256.
 constexpr double max_boxes_to_count = 65536.0;
 
+// Of the map with limits, where that has more boxes in its region: it took as long as the other will, about.
+constexpr std::size_t max_leaves_to_count = 60000;
+
 // Of unit quaternions: four charts, each from -1 to 1 in three coordinates.
 constexpr double charts = 4.0, width_of_chart = 2.0;
 
@@ -27,6 +30,13 @@ double smallest_boxes(const AspectMap& map) {
   for (std::size_t k = 0; k < region.dimension; ++k)
     count *= std::max(1.0, (region.upper[k] - region.lower[k]) / map.resolution());
   return count;
+}
+
+bool is_cheap(const AspectMap& map) {
+  std::size_t leaves = 0;
+  for (const Aspect& aspect : map.aspects()) leaves += aspect.inside_leaves;
+  return smallest_boxes(map) <= max_boxes_to_count ||
+         (!map.aspects().empty() && leaves <= max_leaves_to_count);
 }
 
 ConstraintKinds limits_of_joints(const Manipulator& manipulator) {
@@ -57,7 +67,7 @@ void add_count_without_limits(const AspectMap& map, MapOptions options, const Su
                               Report& report) {
   const Manipulator& manipulator = *map.manipulator();
   const ConstraintKinds limits = limits_of_joints(manipulator);
-  if (limits.none() || smallest_boxes(map) > max_boxes_to_count) return;
+  if (limits.none() || !is_cheap(map)) return;
   options.region = searched_positions(map);
   const auto free = manipulator.with_constraints(manipulator.constraint_kinds() & ~limits);
   const auto result = completed(

@@ -4,6 +4,7 @@
 #include "urdf/closing/assembly.h"
 #include "urdf/corrections/anchors.h"
 #include "urdf/corrections/correction_text.h"
+#include "urdf/corrections/turned_axes.h"
 
 #include <algorithm>
 #include <optional>
@@ -62,7 +63,12 @@ class JointCorrections {
  public:
   JointCorrections(const Tree& tree, const ResolvedConfig& resolved, const LoopJoints& loops,
                    std::size_t joint, const SourceNames& files)
-      : tree_(tree), loops_(loops), index_(joint), joint_(tree.joints[joint]), files_(files) {
+      : tree_(tree),
+        resolved_(resolved),
+        loops_(loops),
+        index_(joint),
+        joint_(tree.joints[joint]),
+        files_(files) {
     const auto& actuated = resolved.actuated_joints.variables;
     is_actuated_ =
         joint_.variable && std::find(actuated.begin(), actuated.end(), *joint_.variable) != actuated.end();
@@ -70,6 +76,7 @@ class JointCorrections {
 
   Corrections find() {
     add_of_siblings();
+    add_of_turned_legs();
     const bool is_fixed = joint_.motion == JointMotion::fixed;
     if (joint_.motion == JointMotion::revolute && any_slides()) add({JointMotion::prismatic, joint_.axis});
     if (joint_.motion == JointMotion::prismatic)
@@ -105,6 +112,19 @@ class JointCorrections {
               " " + text_of(motion),
           like_others);
     }
+  }
+
+  // Of files whose frames are all parallel: the axis that two siblings at least have, turned with their legs
+  // to the place of this one.
+  void add_of_turned_legs() {
+    if (joint_.motion == JointMotion::fixed) return;
+    const std::vector<Vector3d> axes = turned_axes(tree_, resolved_, loops_, index_);
+    for (std::size_t k = 0; k < axes.size(); ++k)
+      for (std::size_t other = 0; other < k; ++other)
+        if (axes[k].cross(axes[other]).norm() < rank_tolerance) {
+          const Motion motion{joint_.motion, axes[k]};
+          return add(motion, ", where that of other legs, turned with them, " + text_of(motion), true);
+        }
   }
 
   // An actuated joint moves.
@@ -144,6 +164,7 @@ class JointCorrections {
   }
 
   const Tree& tree_;
+  const ResolvedConfig& resolved_;
   const LoopJoints& loops_;
   std::size_t index_;
   const TreeJoint& joint_;

@@ -27,12 +27,24 @@ bool are_same(const Closure& one, const Closure& other) {
   return (are_same(a[0], b[0]) && are_same(a[1], b[1])) || (are_same(a[0], b[1]) && are_same(a[1], b[0]));
 }
 
+// As an attribute of the elements of a URDF, whose words differ.
+bool has_attributes(const ResolvedConfig& resolved) {
+  return resolved.closure_dialect == "<gazebo><joint>" || resolved.closure_dialect == "<loop_joint>" ||
+         resolved.closure_dialect == "<constraint>";
+}
+
+std::string type_word(const ResolvedConfig& resolved, ClosureType type) {
+  const bool is_constraint = resolved.closure_dialect == "<constraint>";
+  std::string word(name(type));
+  if (has_attributes(resolved) && type == ClosureType::point)
+    word = resolved.closure_dialect == "<gazebo><joint>" ? "ball" : "spherical";
+  return is_constraint ? word + "_joint" : word;
+}
+
 class ClosureCorrections {
  public:
   ClosureCorrections(const ResolvedConfig& resolved, const SourceNames& files)
-      : closures_(resolved.closures),
-        file_(file_of_closures(resolved, files)),
-        is_gazebo_joint_(resolved.closure_dialect == "<gazebo><joint>") {}
+      : resolved_(resolved), closures_(resolved.closures), file_(file_of_closures(resolved, files)) {}
 
   Corrections find() {
     for (std::size_t k = 0; k < closures_.size(); ++k)
@@ -71,20 +83,15 @@ class ClosureCorrections {
         {element,
          file_ + " has type " + written(closure.type) + " for " + element +
              (have_others ? ", where others have type " + written(type) : ""),
-         "write type" + (is_gazebo_joint_ ? "=\"" + written(type) + "\"" : ": " + written(type)) + " for " +
-             element,
-         like_others,
+         "write " + type_text(resolved_, type) + " for " + element, like_others,
          [index, type](Tree&, ResolvedConfig& resolved) { resolved.closures[index].type = type; }});
   }
 
-  // A joint of SDF has other words.
-  std::string written(ClosureType type) const {
-    return is_gazebo_joint_ && type == ClosureType::point ? "ball" : std::string(name(type));
-  }
+  std::string written(ClosureType type) const { return type_word(resolved_, type); }
 
+  const ResolvedConfig& resolved_;
   const std::vector<Closure>& closures_;
   const std::string& file_;
-  bool is_gazebo_joint_;
   Corrections found_;
 };
 
@@ -277,6 +284,11 @@ class ActuationCorrections {
 
 Corrections closure_corrections(const ResolvedConfig& resolved, const SourceNames& files) {
   return ClosureCorrections(resolved, files).find();
+}
+
+std::string type_text(const ResolvedConfig& resolved, ClosureType type) {
+  return has_attributes(resolved) ? "type=\"" + type_word(resolved, type) + "\""
+                                  : "type: " + type_word(resolved, type);
 }
 
 Corrections exchanged_ends(const Tree& tree, const ResolvedConfig& resolved, const SourceNames& files) {

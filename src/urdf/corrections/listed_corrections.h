@@ -4,10 +4,15 @@
 
 #include "urdf/corrections/correction.h"
 
+#include <string>
+
 namespace parallel_aspects {
 
 /// Of the closures: another type of one, or one less where two are the same.
 Corrections closure_corrections(const ResolvedConfig& resolved, const SourceNames& files);
+
+/// "type: point", or "type=\"ball\"" where the URDF has joints of SDF: how the description says it.
+std::string type_text(const ResolvedConfig& resolved, ClosureType type);
 
 /// Second frames of closures that are in one another's place.
 Corrections exchanged_ends(const Tree& tree, const ResolvedConfig& resolved, const SourceNames& files);

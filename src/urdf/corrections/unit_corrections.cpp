@@ -144,9 +144,12 @@ Correction radians_for_angles(const Tree& tree, const std::vector<Turned>& all, 
 
 std::vector<Turned> turned_in_degrees(const Tree& tree, const LoopJoints& loops) {
   std::vector<Turned> turned;
-  for (const std::size_t joint : loops.all())
-    if (const auto degrees = as_if_in_degrees(roll_pitch_yaw(tree.joints[joint].origin.linear())))
-      turned.push_back({joint, *degrees});
+  for (const std::size_t joint : loops.all()) {
+    const TreeJoint& of = tree.joints[joint];
+    const auto degrees =
+        of.wide_angles ? of.wide_angles : as_if_in_degrees(roll_pitch_yaw(of.origin.linear()));
+    if (degrees) turned.push_back({joint, *degrees});
+  }
   return turned;
 }
 

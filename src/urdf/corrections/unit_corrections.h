@@ -11,8 +11,8 @@
 namespace parallel_aspects {
 
 /// Where slides have limits far beyond the robot, or all lengths are far beyond a robot's: millimetres. Where
-/// origins are turned by angles that are whole or half degrees, read as radians: degrees.
-/// The same of the frames of closures that the YAML lists. `size`: of the robot [m].
+/// origins are turned by angles beyond a full turn, or that are whole or half degrees, read as radians:
+/// degrees. The same of the frames of closures that the YAML lists. `size`: of the robot [m].
 Corrections unit_corrections(const Tree& tree, const ResolvedConfig& resolved, const LoopJoints& loops,
                              double size, const SourceNames& files);
 

@@ -20,6 +20,25 @@ namespace parallel_aspects {
 /// of the two fixed to what carries it.
 std::optional<ResolvedConfig> with_ends_together(const Tree& tree, const ResolvedConfig& resolved);
 
+/// The closures as a YAML can list them: given in their frames, with ends together.
+ResolvedConfig as_listed(const Tree& tree, ResolvedConfig resolved);
+
+/// The same where the ends of all loops through the base are apart while all joints are zero: then the robot
+/// is drawn open, and ends that are there for a closure alone are to meet. Nothing where any meet.
+std::optional<ResolvedConfig> drawn_open(const Tree& tree, const ResolvedConfig& resolved,
+                                         const SourceNames& files);
+
+/// Closures of open type with the first one under which the robot is recognised; as they are where none is.
+std::vector<Closure> with_known_types(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,
+                                      const Attempt& attempt);
+
+/// How far apart the origins are that each closure holds together, while all joints are zero [m]; nothing
+/// where one follows from the other.
+std::vector<std::optional<double>> gaps_at_zero(const Tree& tree, const std::vector<Closure>& closures);
+
+/// What is no gap, but rounding [m].
+double meeting_tolerance(const Tree& tree, const ResolvedConfig& resolved);
+
 /// Whether all closures are welds, which turn at one end or the other: of these is asked elsewhere.
 bool are_all_welds(const std::vector<Closure>& closures);
 
@@ -44,14 +63,13 @@ class EndGaps {
 /// "closures: [{frames: [a, b], type: point}]", as the YAML has them.
 std::string closures_entry(const Tree& tree, const std::vector<Closure>& closures);
 
+/// The list that holds ends together, and where to write it; nothing where that makes no robot.
+std::optional<std::string> list_of_ends(const std::shared_ptr<const Tree>& tree,
+                                        const ResolvedConfig& resolved, const SourceNames& files,
+                                        const Attempt& attempt);
+
 /// "'a' and 'b' by 0.05 m (closure 'c')" of all ends that are apart.
 std::string end_gaps_text(const Tree& tree, const ResolvedConfig& resolved);
-
-/// Closures of a robot that loads whose ends are exchanged, as their names say, or the places of their ends
-/// while all joints are zero.
-std::vector<std::string> crossed_ends_notes(const std::shared_ptr<const Tree>& tree,
-                                            const ResolvedConfig& resolved, const SourceNames& files,
-                                            const Attempt& attempt);
 
 }  // namespace parallel_aspects
 

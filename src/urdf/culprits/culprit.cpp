@@ -3,7 +3,9 @@
 
 #include "urdf/closing/assembly.h"
 #include "urdf/corrections/anchors.h"
+#include "urdf/corrections/listed_corrections.h"
 #include "urdf/corrections/misfit_axes.h"
+#include "urdf/corrections/named_ends.h"
 #include "urdf/culprits/correction_search.h"
 
 #include <algorithm>
@@ -37,6 +39,7 @@ class Search {
             assemble(system_, resolved.actuated_joints.variables, resolved.actuated_joints.platform_link)) {}
 
   std::optional<std::string> run() {
+    if (auto message = crossed_names()) return message;
     if (auto message = other_base()) return message;
     if (auto message = CorrectionSearch(tree_, resolved_, true, files_, attempt_).of_missing_joints())
       return message;
@@ -65,6 +68,13 @@ class Search {
   }
 
  private:
+  // Names that say so speak for it alone.
+  std::optional<std::string> crossed_names() const {
+    const auto by_names = ends_paired_by_names(*tree_, resolved_, files_);
+    return by_names ? CorrectionSearch(tree_, resolved_, true, files_, attempt_).working_of({*by_names})
+                    : std::nullopt;
+  }
+
   // With what holds least, so that it is assembled wherever it can be.
   static std::vector<Closure> typed(std::vector<Closure> closures) {
     for (Closure& closure : closures)
@@ -237,7 +247,7 @@ class Search {
     if (!all_revolute)
       for (const ClosureType type : {ClosureType::point, ClosureType::revolute, ClosureType::universal})
         if (auto message = other_type(type)) return message;
-    return other_type(ClosureType::automatic);
+    return resolved_.closure_dialect.empty() ? other_type(ClosureType::automatic) : std::nullopt;
   }
 
   std::optional<std::string> other_type(ClosureType type) {
@@ -250,9 +260,11 @@ class Search {
     }
     const auto space = names.empty() ? std::nullopt : tried(tree_, changed);
     if (!space) return std::nullopt;
-    return files_.config + " closes loops of " + files_.urdf +
-           " by types that do not fit its joints; write type: " + std::string(name(type)) + " for " + names +
-           " in " + files_.full_key("closures") + ", which makes it a robot in " + *space + ".";
+    return file_of_closures(resolved_, files_) + " closes loops of " + files_.urdf +
+           " by types that do not fit its joints; write " + type_text(resolved_, type) + " for " + names +
+           " in " +
+           (resolved_.closure_dialect.empty() ? files_.full_key("closures") : resolved_.closure_dialect) +
+           ", which makes it a robot in " + *space + ".";
   }
 
   std::optional<std::string> tried(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& changed) {
@@ -335,14 +347,15 @@ std::optional<std::string> culprit_of_gaps(const std::shared_ptr<const Tree>& tr
   auto together = with_ends_together(*tree, resolved);
   if (!together) return std::nullopt;
   if (auto message = Search(tree, *together, files, attempt).run()) return message;
-  for (Closure& closure : together->closures) closure.at_zero.reset();
-  if (files.as_options || are_all_welds(resolved.closures) || !attempt(tree, *together)) return std::nullopt;
+  const auto remedy =
+      are_all_welds(resolved.closures) ? std::nullopt : list_of_ends(tree, resolved, files, attempt);
+  if (!remedy) return std::nullopt;
   return file_of_closures(resolved, files) + " has ends of closures apart while all joints are zero, " +
          end_gaps_text(*tree, resolved) +
          ", and holds them so; correct the origins of the joints in their loops, or, if these are right and "
          "the "
          "ends are to meet elsewhere, write " +
-         closures_entry(*tree, together->closures) + " under mechanism in " + files.config + ".";
+         *remedy + ".";
 }
 
 }  // namespace
@@ -351,7 +364,8 @@ std::optional<std::string> find_culprit(const std::shared_ptr<const Tree>& tree,
                                         const ResolvedConfig& resolved, const SourceNames& files,
                                         const Attempt& attempt) {
   if (auto message = culprit_of_gaps(tree, resolved, files, attempt)) return message;
-  return Search(tree, resolved, files, attempt).run();
+  const auto meant = drawn_open(*tree, resolved, files);
+  return Search(tree, meant ? *meant : resolved, files, attempt).run();
 }
 
 Problems find_culprit_of_ends(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
+#include <optional>
 
 namespace parallel_aspects {
 namespace {
@@ -32,19 +33,48 @@ bool are_numbered_alike(const Tree& tree, std::size_t one, std::size_t other) {
          without_digits(tree.links[one]) == without_digits(tree.links[other]);
 }
 
+std::string digits_of(const std::string& name) {
+  std::string digits;
+  for (const char letter : name)
+    if (std::isdigit(static_cast<unsigned char>(letter)) != 0) digits += letter;
+  return digits;
+}
+
+// A closure that holds a link which another one holds, too, and a link of that number in none.
+struct WrongNumber {
+  const Closure* closure = nullptr;
+  std::size_t meant = 0;
+};
+
+// By the number of the other end; nothing where it tells none.
+std::optional<WrongNumber> wrong_number(const Tree& tree, const std::vector<Closure>& closures,
+                                        std::size_t link, const std::vector<std::size_t>& free) {
+  for (const Closure& closure : closures)
+    for (const std::size_t end : {0, 1})
+      for (const std::size_t other : free)
+        if (closure.frames[end].link == link &&
+            digits_of(tree.links[closure.frames[1 - end].link]) == digits_of(tree.links[other]))
+          return WrongNumber{&closure, other};
+  return std::nullopt;
+}
+
 std::vector<std::string> notes_of_numbers(const Tree& tree, const std::vector<Closure>& closures) {
   std::vector<std::string> notes;
   for (std::size_t link = 0; link < tree.links.size(); ++link) {
     const auto own_frames = closures_at(link, closures);
     if (own_frames < 2) continue;
+    std::vector<std::size_t> free;
     for (std::size_t other = 0; other < tree.links.size(); ++other)
-      if (are_numbered_alike(tree, link, other) && closures_at(other, closures) == 0) {
-        notes.push_back(
-            "Link '" + tree.links[link] + "' is in " +
-            (own_frames == 2 ? "two" : std::to_string(own_frames)) + " closures, and '" + tree.links[other] +
-            "' of the same body in none; where each joint has its own link, correct the closures.");
-        break;
-      }
+      if (are_numbered_alike(tree, link, other) && closures_at(other, closures) == 0) free.push_back(other);
+    if (free.empty()) continue;
+    const auto wrong = wrong_number(tree, closures, link, free);
+    const std::string quoted = "'" + tree.links[wrong ? wrong->meant : free.front()] + "'";
+    notes.push_back("Link '" + tree.links[link] + "' is in " +
+                    (own_frames == 2 ? "two" : std::to_string(own_frames)) + " closures, and " + quoted +
+                    " of the same body in none; where each joint has its own link, " +
+                    (wrong ? "write " + quoted + " in the place of '" + tree.links[link] + "' in closure '" +
+                                 wrong->closure->name + "'."
+                           : "correct the closures."));
   }
   return notes;
 }

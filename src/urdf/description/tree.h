@@ -26,6 +26,8 @@ struct TreeJoint {
   JointLimits limits;                                        ///< rad or m
   std::optional<std::size_t> variable;  ///< index into the joint values; none for a fixed joint
   bool mimics = false;                  ///< whether the URDF lets it follow another joint
+  /// Roll, pitch and yaw of the origin as written, where one is beyond a full turn [rad].
+  std::optional<Eigen::Vector3d> wide_angles = std::nullopt;
 };
 
 /// Links and joints of a URDF, as it says them: open where the mechanism is closed.

@@ -76,6 +76,8 @@ class TreeBuilder {
     added.mimics = inspection_.mimics.count(joint.name) > 0;
     added.child = tree_.links.size();
     added.origin = isometry(joint.parent_to_joint_origin_transform);
+    if (const auto wide = inspection_.wide_angles.find(joint.name); wide != inspection_.wide_angles.end())
+      added.wide_angles = Eigen::Vector3d(wide->second[0], wide->second[1], wide->second[2]);
     if (added.motion != JointMotion::fixed)
       added.axis = Eigen::Vector3d(joint.axis.x, joint.axis.y, joint.axis.z).normalized();
     const bool limited = joint.type == urdf::Joint::REVOLUTE || joint.type == urdf::Joint::PRISMATIC;

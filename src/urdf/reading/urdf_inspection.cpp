@@ -30,6 +30,9 @@ constexpr double suspicious_angle = 20.0;
 // Metres, radians or parts of an axis: products of larger numbers overflow.
 constexpr double largest_number = 1e6;
 
+// Of an angle [rad]; 6.2832 is meant to be one.
+constexpr double full_turn = 6.2832;
+
 std::optional<double> number(const std::string& text) {
   const auto values = numbers(text);
   if (!values || values->size() != 1) return std::nullopt;
@@ -203,10 +206,19 @@ class Inspector {
       while (auto* child = parent->FirstChildElement(name)) parent->DeleteChild(child);
   }
 
-  void check_origin(const XMLElement* parent, const std::string& owner) {
+  // Its rpy, where it states one.
+  std::optional<std::vector<double>> check_origin(const XMLElement* parent, const std::string& owner) {
     const auto* origin = parent != nullptr ? parent->FirstChildElement("origin") : nullptr;
-    if (origin == nullptr) return;
-    for (const char* name : {"xyz", "rpy"}) check_vector(origin, name, owner);
+    if (origin == nullptr) return std::nullopt;
+    check_vector(origin, "xyz", owner);
+    return check_vector(origin, "rpy", owner);
+  }
+
+  // Quaternions forget it.
+  void keep_wide_angles(const std::string& joint, const std::vector<double>& angles) {
+    const auto is_wide = [](double angle) { return std::abs(angle) > full_turn; };
+    if (std::any_of(angles.begin(), angles.end(), is_wide))
+      result_.wide_angles[joint] = {angles[0], angles[1], angles[2]};
   }
 
   std::optional<std::vector<double>> check_vector(const XMLElement* element, const char* name,
@@ -233,7 +245,7 @@ class Inspector {
         problem("has a joint without a name in line " + std::to_string(joint->GetLineNum()) + "; name it.");
       if (!joint_names_.insert(name).second) problem("has two joints named '" + name + "'; rename one.");
       result_.joints.push_back(name);
-      check_origin(joint, owner);
+      if (const auto angles = check_origin(joint, owner)) keep_wide_angles(name, *angles);
       inspect_connection(joint, owner);
       inspect_type(joint, name, owner);
     }

@@ -4,6 +4,8 @@
 
 #include "parallel_aspects/model/problems.h"
 
+#include <array>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -17,6 +19,8 @@ struct UrdfInspection {
   std::vector<std::string> joints;       ///< names, in the order of the file
   std::set<std::string> without_limits;  ///< revolute and prismatic joints that state none
   std::set<std::string> mimics;          ///< joints that follow another one
+  /// Roll, pitch and yaw of the origins of joints, where one is beyond a full turn, as written [rad].
+  std::map<std::string, std::array<double, 3>> wide_angles;
 };
 
 /// Looks through the text of a URDF. What is wrong is added to `problems`, what is taken with reservations to

@@ -2,8 +2,8 @@
 #include "urdf/setup/actuation_candidates.h"
 
 #include "urdf/closing/actuation_choices.h"
+#include "urdf/description/name_words.h"
 #include "urdf/description/xml_values.h"
-#include "urdf/setup/name_words.h"
 
 #include <algorithm>
 #include <optional>

@@ -2,10 +2,10 @@
 #include "urdf/setup/closed_search.h"
 
 #include "urdf/closing/planar_layers.h"
+#include "urdf/description/name_words.h"
 #include "urdf/load_search.h"
 #include "urdf/setup/freedom.h"
-#include "urdf/setup/leg_choices.h"
-#include "urdf/setup/name_words.h"
+#include "urdf/setup/platform_candidates.h"
 
 #include <algorithm>
 #include <map>
@@ -14,23 +14,16 @@
 namespace parallel_aspects {
 namespace {
 
-// Legs of a fully parallel robot, and one passive chain besides.
-constexpr std::size_t min_parts = 2, max_parts = 7;
-
 // How many candidates are tried besides what is taken, to say that they would do as well.
 constexpr std::size_t max_others = 4;
 
 // Closures that are seldom, as welds, and mixtures of types are tried for so many candidates.
 constexpr std::size_t max_with_all_types = 2;
 
-struct SearchIsLate {};
+// For so many platforms a refusal looks for what would correct it.
+constexpr std::size_t max_diagnosed = 3;
 
-struct Platform {
-  std::size_t body = 0;
-  std::vector<std::size_t> links;            // best operational point first
-  std::vector<std::vector<GraphPart>> legs;  // all of them; then without one passive chain
-  int likeness = 0;
-};
+struct SearchIsLate {};
 
 class ClosedSearch {
  public:
@@ -54,7 +47,8 @@ class ClosedSearch {
                                  " move; name frames at the two ends of each loop with --closures.");
       return result_;
     }
-    const std::vector<Platform> all = platforms();
+    const std::vector<Platform> all =
+        platform_candidates(tree_, bodies_, graph_, base_, closures_, subject_.answers);
     const ActuationCandidate stated = stated_actuation(subject_.evidence);
     lacks_leg_ = subject_.answers.actuated_joints.empty() &&
                  lacks_a_leg(stated, tree_, bodies_, base_, graph_.in_loop());
@@ -119,35 +113,6 @@ class ClosedSearch {
     if (base_ == 0) return "its name says so, and it is fixed to the root link '" + link_name(0) + "'";
     const TreeJoint& below = tree_.joints[*tree_.joint_above[bodies_.links(base_).front()]];
     return "the legs begin there; joint '" + below.name + "' below it is in no loop and is left out";
-  }
-
-  // Bodies that as many legs as possible share come first.
-  std::vector<Platform> platforms() const {
-    std::vector<Platform> result;
-    const std::string& answer = subject_.answers.operational_point;
-    for (const std::size_t body : graph_.moving_bodies(base_)) {
-      if (!answer.empty() && bodies_.of(*tree_.link_named(answer)) != body) continue;
-      const std::vector<GraphPart> parts = graph_.parts_between(base_, body);
-      if (parts.size() < min_parts || parts.size() > max_parts) continue;
-      Platform platform{body, links_of(body), leg_choices(tree_, parts), 0};
-      platform.likeness = operational_point_likeness(link_name(platform.links.front()));
-      if (!platform.legs.empty()) result.push_back(platform);
-    }
-    std::stable_sort(result.begin(), result.end(), [](const Platform& one, const Platform& other) {
-      const auto key = [](const Platform& p) { return std::pair{p.legs.front().size(), p.likeness}; };
-      return key(one) > key(other);
-    });
-    return result;
-  }
-
-  std::vector<std::size_t> links_of(std::size_t body) const {
-    if (!subject_.answers.operational_point.empty())
-      return {*tree_.link_named(subject_.answers.operational_point)};
-    std::vector<std::size_t> links = bodies_.links(body);
-    const auto likeness = [&](std::size_t link) { return operational_point_likeness(link_name(link)); };
-    std::stable_sort(links.begin(), links.end(),
-                     [&](std::size_t one, std::size_t other) { return likeness(one) > likeness(other); });
-    return links;
   }
 
   std::vector<ActuationCandidate> actuations(const std::vector<GraphPart>& legs) const {
@@ -217,7 +182,7 @@ class ClosedSearch {
     for (const std::size_t link : platform.links) {
       const std::string& name = link_name(link);
       if (name == taken || others.size() == max_others || is_late()) continue;
-      if (is_guess ? is_closed(link) : operational_point_likeness(name) == 0) continue;
+      if (is_guess ? is_closed(closures_, link) : operational_point_likeness(name) == 0) continue;
       SetupDraft draft = result_.draft;
       draft.operational_point.values = {name};
       if (loads(draft)) others.push_back({{name}, "on the same body"});
@@ -225,15 +190,9 @@ class ClosedSearch {
     result_.draft.others.push_back({"operational_point", result_.draft.operational_point, others});
   }
 
-  bool is_closed(std::size_t link) const {
-    return std::any_of(closures_.begin(), closures_.end(), [link](const Closure& closure) {
-      return closure.frames[0].link == link || closure.frames[1].link == link;
-    });
-  }
-
   // So that the loader says why it does not.
   bool load_once(const Platform& platform, const ActuationCandidate& actuation) {
-    if (result_.tried) return false;
+    if (!result_.tried.empty()) return false;
     begin_draft(platform, platform.links.front(), actuation);
     result_.draft.closure_type = "spherical";
     return load();
@@ -357,12 +316,18 @@ class ClosedSearch {
     if (stopped()) return false;
     Problems problems;
     result_.mechanism = loaded(result_.draft, problems);
-    if (!result_.mechanism && !result_.tried) {
-      result_.tried = result_.draft;
-      result_.problems = problems;
-    }
+    if (!result_.mechanism && result_.tried.empty()) result_.problems = problems;
+    if (!result_.mechanism && is_new_platform()) result_.tried.push_back(result_.draft);
     if (!result_.mechanism && result_.problems.empty()) result_.problems = {not_in_time()};
     return result_.mechanism != nullptr;
+  }
+
+  bool is_new_platform() const {
+    const std::size_t body = bodies_.of(*tree_.link_named(result_.draft.operational_point.values.front()));
+    return result_.tried.size() < max_diagnosed &&
+           std::none_of(result_.tried.begin(), result_.tried.end(), [&](const SetupDraft& other) {
+             return bodies_.of(*tree_.link_named(other.operational_point.values.front())) == body;
+           });
   }
 
   // Whether it would do as well as what was found.

@@ -31,8 +31,9 @@ struct ClosedResult {
   SetupDraft draft;
   std::shared_ptr<const Mechanism> mechanism;
   std::optional<SetupQuestion> question;
-  Problems problems;                ///< of what was tried first
-  std::optional<SetupDraft> tried;  ///< first; nothing where there was nothing to try
+  Problems problems;  ///< of what was tried first
+  std::vector<SetupDraft>
+      tried;  ///< first, and then for other platforms; empty where there was nothing to try
   bool cut_short = false;
 };
 

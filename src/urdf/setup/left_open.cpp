@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/setup/left_open.h"
 
-#include "urdf/setup/name_words.h"
+#include "urdf/description/name_words.h"
 
 #include <algorithm>
 #include <map>

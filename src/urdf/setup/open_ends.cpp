@@ -3,9 +3,9 @@
 
 #include "model/number_text.h"
 #include "urdf/closing/planar_layers.h"
-#include "urdf/setup/end_likeness.h"
+#include "urdf/description/end_likeness.h"
+#include "urdf/description/name_words.h"
 #include "urdf/setup/left_open.h"
-#include "urdf/setup/name_words.h"
 #include "urdf/setup/shared_ends.h"
 
 #include <algorithm>

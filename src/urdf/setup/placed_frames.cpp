@@ -2,8 +2,8 @@
 #include "urdf/setup/placed_frames.h"
 
 #include "model/number_text.h"
+#include "urdf/description/name_words.h"
 #include "urdf/description/xml_values.h"
-#include "urdf/setup/name_words.h"
 
 #include <algorithm>
 #include <map>

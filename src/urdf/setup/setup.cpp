@@ -2,11 +2,11 @@
 #include "urdf/setup/setup.h"
 
 #include "urdf/description/nearest_name.h"
-#include "urdf/load_search.h"
 #include "urdf/reading/tree_reader.h"
 #include "urdf/setup/closed_search.h"
 #include "urdf/setup/open_ends.h"
 #include "urdf/setup/placed_frames.h"
+#include "urdf/setup/refusal.h"
 #include "urdf/setup/shared_ends.h"
 #include "urdf/setup/wrist_notes.h"
 
@@ -35,8 +35,6 @@ std::vector<Closure> closures_of(const Tree& tree, const Pairing& pairing) {
                         ClosureType::automatic});
   return closures;
 }
-
-struct OutOfTime {};
 
 class Setup {
  public:
@@ -146,30 +144,12 @@ class Setup {
     result_.config = config_text(draft);
     result_.mechanism =
         load_mechanism(subject_.urdf_text, subject_.urdf_name, result_.config, subject_.config_name);
+    for (const std::string& note : result_.mechanism->notes())
+      if (note.find("closures: [") != std::string::npos) draft.closure_notes.push_back(note);
+    result_.config = config_text(draft);
   }
 
-  // In the words of the options, with what would correct it where that is found in time.
-  void refuse(const ClosedResult& found) {
-    result_.problems = found.problems;
-    if (!found.tried) return;
-    Problems reasons = found.problems;
-    try {
-      LoadSearch search;
-      search.as_options = true;
-      search.checkpoint = [this] {
-        if (subject_.control.is_over()) throw OutOfTime{};
-      };
-      load_mechanism(subject_.urdf_text, subject_.urdf_name, config_text(*found.tried), name_of_choice, "",
-                     search);
-    } catch (const InvalidDescription& invalid) {
-      reasons = invalid.problems();
-    } catch (const OutOfTime&) {
-    }
-    result_.problems.clear();
-    for (const std::string& reason : reasons)
-      result_.problems.push_back(source_.files.urdf + " makes no robot that is treated with " +
-                                 options_for(*found.tried) + ", which was tried first: " + reason);
-  }
+  void refuse(const ClosedResult& found) { result_.problems = refusal_of(subject_, found); }
 
   // In half of the time, so that the other half is for what would correct them.
   void described_closures(const FoundLoops& loops) {
@@ -236,10 +216,10 @@ class Setup {
   // Whether the ends that most speaks for make a robot once one element is corrected: then that is at fault,
   // and not which ends meet.
   bool corrects(const ClosedResult& first, const OpenEnds& ends) {
-    if (first.problems.empty() || !first.tried) return false;
+    if (first.problems.empty() || first.tried.empty()) return false;
     SetupResult before = result_;
     refuse_ends(first, ends);
-    if (result_.problems.front().find("which makes it a robot in") != std::string::npos) return true;
+    if (any_remedy(result_.problems)) return true;
     result_ = before;
     return false;
   }

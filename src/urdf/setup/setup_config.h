@@ -20,7 +20,8 @@ struct SetupDraft {
   std::string closure_type;         ///< of all of them
   std::vector<SetupChoice> others;  ///< what else would do, by key
   std::optional<TaskSpace> task_space;
-  std::vector<std::string> notes;  ///< on the URDF
+  std::vector<std::string> notes;          ///< on the URDF
+  std::vector<std::string> closure_notes;  ///< with lists of closures that may be meant
 };
 
 /// As commented YAML.

@@ -2,9 +2,9 @@
 // What is found in bare URDFs: the shipped robots, and robots as others write them.
 #include "urdf/setup/setup.h"
 
+#include "urdf/description/name_words.h"
 #include "urdf/description/source_names.h"
 #include "urdf/load_search.h"
-#include "urdf/setup/name_words.h"
 
 #include <gtest/gtest.h>
 
@@ -13,6 +13,7 @@
 #include "support/shipped.h"
 #include <algorithm>
 #include <optional>
+#include <regex>
 #include <set>
 #include <string>
 #include <vector>
@@ -425,6 +426,44 @@ TEST(Setup, RefusesInTheWordsOfItsOptions) {
 }
 
 // Of a turntable, of an operational point on a wrist and of missing actuated joints.
+// As a robot is refused whose YAML is written by hand.
+TEST(Setup, NamesTheElementAtFault) {
+  const std::string joined = test::source_file("test/data/setup/gazebo_five_bar.urdf");
+  const std::string bare =
+      test::replaced(std::regex_replace(joined, std::regex("<gazebo>[\\s\\S]*?</gazebo>"), ""), "</robot>",
+                     "<link name=\"right_end\"/><joint name=\"right_end_joint\" type=\"fixed\"><parent "
+                     "link=\"forearm_right\"/>"
+                     "<child link=\"right_end\"/><origin xyz=\"-0.1 0.2 0\"/></joint></robot>");
+  for (const std::string& good : {joined, bare}) {
+    EXPECT_TRUE(set_up_text(good).mechanism) << listed(set_up_text(good).problems);
+    const std::string knee = "<child link=\"forearm_right\"/><origin xyz=\"0 0.2 0\"/><axis xyz=\"";
+    const SetupResult result = set_up_text(test::replaced(good, knee + "0 0 1", knee + "0 1 0"));
+    EXPECT_FALSE(result.mechanism);
+    const std::string said = listed(result.problems);
+    EXPECT_NE(said.find("<axis xyz=\"0 0 1\"/> for joint 'knee_right'"), std::string::npos) << said;
+  }
+}
+
+TEST(Setup, KeepsTheListOfClosuresThatMayBeMeant) {
+  const std::string urdf = test::source_file("test/data/at_zero/low_delta.urdf");
+  const SetupResult result = set_up_text(urdf);
+  ASSERT_TRUE(result.mechanism) << listed(result.problems);
+  const std::size_t list = result.config.find("  # closures:\n  #   - {frames: [");
+  ASSERT_NE(list, std::string::npos) << result.config;
+  std::string uncommented = result.config.substr(0, list);
+  for (std::size_t at = list; at < result.config.size();) {
+    const std::size_t end = result.config.find('\n', at);
+    const std::string line = result.config.substr(at, end - at);
+    const bool is_listed =
+        line.find("# closures:") != std::string::npos || line.find("#   - {") != std::string::npos;
+    uncommented += (is_listed ? "  " + line.substr(4) : line) + '\n';
+    at = end + 1;
+  }
+  const auto apart = load_mechanism(urdf, "robot.urdf", uncommented, "robot.yaml");
+  for (const Leg& leg : apart->manipulator()->legs()) EXPECT_NEAR(leg.rod_length, 0.438193, 1e-5);
+  for (const Leg& leg : result.mechanism->manipulator()->legs()) EXPECT_NEAR(leg.rod_length, 0.4, 1e-6);
+}
+
 TEST(SetupOptions, StandForTheKeysOfTheLoader) {
   const SourceNames file{"robot.urdf", "a.yaml"}, options{"robot.urdf", "this choice", true};
   EXPECT_EQ(file.entry("base_link", "column"), "base_link: column");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "urdf/setup/name_words.h"
+#include "urdf/description/name_words.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_URDF_SETUP_NAME_WORDS_H
-#define PARALLEL_ASPECTS_URDF_SETUP_NAME_WORDS_H
+#ifndef PARALLEL_ASPECTS_URDF_DESCRIPTION_NAME_WORDS_H
+#define PARALLEL_ASPECTS_URDF_DESCRIPTION_NAME_WORDS_H
 
 #include <string>
 #include <vector>
@@ -37,4 +37,4 @@ bool says_base(const std::string& name);
 
 }  // namespace parallel_aspects
 
-#endif  // PARALLEL_ASPECTS_URDF_SETUP_NAME_WORDS_H
+#endif  // PARALLEL_ASPECTS_URDF_DESCRIPTION_NAME_WORDS_H

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_URDF_CULPRITS_MISPLACED_ENDS_H
+#define PARALLEL_ASPECTS_URDF_CULPRITS_MISPLACED_ENDS_H
+
+#include "urdf/closing/resolved_config.h"
+#include "urdf/culprits/attempt.h"
+#include "urdf/description/source_names.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// Changes of the origin of one joint that put together, while all joints are zero, all ends of closures: a
+/// few of those that make a robot, as "write xyz=\"1 0 0\" in the origin of joint 'a'".
+std::vector<std::string> remedies_of_places(const std::shared_ptr<const Tree>& tree,
+                                            const ResolvedConfig& resolved, const SourceNames& files,
+                                            const Attempt& attempt);
+
+/// Of a robot that loads: ends of closures in a list that are apart while all joints are zero, and those of
+/// most others together.
+std::vector<std::string> misplaced_ends_notes(const std::shared_ptr<const Tree>& tree,
+                                              const ResolvedConfig& resolved, const SourceNames& files,
+                                              const Attempt& attempt);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_URDF_CULPRITS_MISPLACED_ENDS_H

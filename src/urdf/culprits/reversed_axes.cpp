@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "urdf/culprits/reversed_axes.h"
+
+#include "model/number_text.h"
+#include "urdf/corrections/anchors.h"
+#include "urdf/corrections/correction_text.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
+namespace parallel_aspects {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double alike = 1e-3;       // of directions
+constexpr double not_in_line = 0.1;  // sine of the angle at the middle, at least, for a plane of the joints
+constexpr double one_sided = 0.01;   // of a range of values
+
+// An actuated joint on the base.
+struct Drive {
+  std::size_t joint = 0;  // of the tree
+  Vector3d place, axis;   // in the frame of the base at zero
+};
+
+// Nothing where one is carried by another joint.
+std::vector<Drive> drives_on_base(const Tree& tree, const ResolvedConfig& resolved) {
+  const Poses poses = link_poses(tree, resolved.base, Eigen::VectorXd::Zero(tree.variables()));
+  const std::size_t base = body_of(tree, resolved.base);
+  std::vector<Drive> drives;
+  for (const std::size_t variable : resolved.actuated_joints.variables) {
+    const TreeJoint& joint = tree.joint_of(variable);
+    if (body_of(tree, joint.parent) != base) return {};
+    const Eigen::Isometry3d& pose = poses[joint.child];
+    drives.push_back({tree.movable[variable], pose.translation(), pose.linear() * joint.axis});
+  }
+  return drives;
+}
+
+// Axes by what is outward from the middle, around it, and across the plane of the joints.
+std::vector<Vector3d> axes_seen_from_middle(const std::vector<Drive>& drives) {
+  Vector3d middle = Vector3d::Zero(), normal = Vector3d::Zero();
+  for (const Drive& drive : drives) middle += drive.place / static_cast<double>(drives.size());
+  for (const Drive& one : drives)
+    for (const Drive& other : drives) {
+      const Vector3d across = (one.place - middle).normalized().cross((other.place - middle).normalized());
+      if (across.norm() > normal.norm()) normal = across;
+    }
+  if (!(normal.norm() > not_in_line)) return {};
+  normal.normalize();
+  std::vector<Vector3d> seen;
+  for (const Drive& drive : drives) {
+    const Vector3d from_middle = drive.place - middle;
+    const Vector3d outward = (from_middle - normal * normal.dot(from_middle)).normalized();
+    const Vector3d around = normal.cross(outward);
+    seen.emplace_back(drive.axis.dot(outward), drive.axis.dot(around), drive.axis.dot(normal));
+  }
+  return seen;
+}
+
+bool have_one_range(const TreeJoint& one, const TreeJoint& other) {
+  return one.motion == other.motion && one.limits.lower == other.limits.lower &&
+         one.limits.upper == other.limits.upper;
+}
+
+bool is_one_sided(const JointLimits& limits) {
+  const double range = limits.upper - limits.lower;
+  return std::isfinite(range) && std::abs(limits.upper + limits.lower) > one_sided * range;
+}
+
+// The one whose axis is opposite to those of all others, which are alike.
+std::optional<std::size_t> reversed(const std::vector<Vector3d>& axes) {
+  for (std::size_t k = 0; k < axes.size(); ++k) {
+    std::size_t opposite = 0;
+    for (std::size_t other = 0; other < axes.size(); ++other)
+      if (other != k && (axes[other] + axes[k]).norm() < alike) ++opposite;
+    if (opposite + 1 == axes.size()) return k;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<std::string> reversed_axes_notes(const Tree& tree, const ResolvedConfig& resolved,
+                                             const SourceNames& files) {
+  const std::vector<Drive> drives = drives_on_base(tree, resolved);
+  if (drives.size() < 3) return {};
+  const auto found = reversed(axes_seen_from_middle(drives));
+  if (!found) return {};
+  const TreeJoint& joint = tree.joints[drives[*found].joint];
+  const bool same_limits = std::all_of(drives.begin(), drives.end(), [&](const Drive& drive) {
+    return have_one_range(joint, tree.joints[drive.joint]);
+  });
+  if (!same_limits || !is_one_sided(joint.limits)) return {};
+  return {files.urdf + " lets actuated joint '" + joint.name +
+          "' move the other way round than those of the other legs, with the same limits, from " +
+          number_text(joint.limits.lower) + " to " + number_text(joint.limits.upper) +
+          "; if that is not meant, write <axis xyz=\"" + as_attribute(-joint.axis) + "\"/> for joint '" +
+          joint.name + "'."};
+}
+
+}  // namespace parallel_aspects

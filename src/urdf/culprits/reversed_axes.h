@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_URDF_CULPRITS_REVERSED_AXES_H
+#define PARALLEL_ASPECTS_URDF_CULPRITS_REVERSED_AXES_H
+
+#include "urdf/closing/resolved_config.h"
+#include "urdf/description/source_names.h"
+
+#include <string>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// Of a robot that loads: the actuated joint on the base that alone moves the other way round than those of
+/// the other legs, seen from the middle of all, though it has the same limits and these are not the same to
+/// both sides.
+std::vector<std::string> reversed_axes_notes(const Tree& tree, const ResolvedConfig& resolved,
+                                             const SourceNames& files);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_URDF_CULPRITS_REVERSED_AXES_H

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "urdf/end_notes.h"
+
+#include "model/number_text.h"
+#include "urdf/culprits/closure_gaps.h"
+#include "urdf/culprits/crossed_ends.h"
+#include "urdf/culprits/misplaced_ends.h"
+
+#include <cmath>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace parallel_aspects {
+namespace {
+
+// Spherical robots have angles.
+bool has_lengths(const Mechanism::Contents& contents) {
+  return contents.manipulator->task_space() != TaskSpace::SO3;
+}
+
+// Of the legs, at the joint value zero where they change.
+std::string lengths_of(const Mechanism::Contents& contents) {
+  if (!has_lengths(contents)) return "";
+  std::string text;
+  for (const Leg& leg : contents.manipulator->legs())
+    text += (text.empty() ? ", with legs of " : ", ") + number_text(std::sqrt(leg.squared_distance(0.0)));
+  return text + " m";
+}
+
+// The list for the YAML, with the lengths that it makes; nothing where it makes no robot.
+std::optional<std::string> list_text(const RecognisedEnds& ends, const ResolvedConfig& listed) {
+  Problems ignored;
+  const auto contents = ends.recognise(ends.tree, listed, ignored);
+  if (!contents) return std::nullopt;
+  return "write " + closures_entry(*ends.tree, with_known_types(ends.tree, listed, ends.attempt)) +
+         " under mechanism in " + ends.files.config + lengths_of(*contents);
+}
+
+std::string joined(const std::vector<std::string>& remedies) {
+  std::string text;
+  for (const std::string& remedy : remedies) text += (text.empty() ? "" : ", or ") + remedy;
+  return text;
+}
+
+// What holds ends apart as they are at zero, as a list.
+ResolvedConfig as_drawn(const RecognisedEnds& ends) {
+  ResolvedConfig drawn = ends.resolved;
+  for (Closure& closure : drawn.closures) {
+    closure.at_zero.reset();
+    closure.weld = Weld::none;
+  }
+  return drawn;
+}
+
+// Of a robot that is drawn open.
+std::string note_of_meeting(const RecognisedEnds& ends, const Mechanism::Contents& contents) {
+  const auto drawn = list_text(ends, as_drawn(ends));
+  const std::string remedies = joined(remedies_of_places(ends.tree, ends.resolved, ends.files, ends.attempt));
+  return "they are taken to meet" + lengths_of(contents) + "; if " +
+         (drawn ? "they are held so, as by simulators, " + *drawn : "") +
+         (drawn && !remedies.empty() ? "; if " : "") +
+         (!drawn || !remedies.empty() ? "they are to meet at zero, " : "") +
+         (!remedies.empty() ? remedies
+          : drawn           ? ""
+                            : "correct the origins of the joints in their loops");
+}
+
+std::string note_of_holding(const RecognisedEnds& ends, const Mechanism::Contents& contents) {
+  const auto together = list_text(ends, as_listed(*ends.tree, ends.resolved));
+  const std::string remedies = joined(remedies_of_places(ends.tree, ends.resolved, ends.files, ends.attempt));
+  return "they are held so, as by simulators" + lengths_of(contents) + "; if they are to meet, " + remedies +
+         (!remedies.empty() && together ? ", or " : "") +
+         (together           ? *together
+          : remedies.empty() ? "correct the origins of the joints in their loops"
+                             : "");
+}
+
+}  // namespace
+
+void note_ends(const RecognisedEnds& ends, Mechanism::Contents& contents) {
+  auto crossed = crossed_ends_notes(ends.tree, ends.resolved, ends.files, ends.attempt);
+  if (!crossed.empty()) {
+    std::move(crossed.begin(), crossed.end(), std::back_inserter(contents.notes));
+    return;
+  }
+  for (std::string& note : misplaced_ends_notes(ends.tree, ends.resolved, ends.files, ends.attempt))
+    contents.notes.push_back(std::move(note));
+  const std::string apart = end_gaps_text(*ends.tree, ends.resolved);
+  if (apart.empty()) return;
+  contents.notes.push_back(
+      file_of_closures(ends.resolved, ends.files) +
+      " has ends of closures apart while all joints are zero, " + apart + ", and " +
+      (ends.ends_meet ? note_of_meeting(ends, contents) : note_of_holding(ends, contents)) + ".");
+}
+
+}  // namespace parallel_aspects

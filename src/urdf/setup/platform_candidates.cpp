@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "urdf/setup/platform_candidates.h"
+
+#include "urdf/description/name_words.h"
+#include "urdf/setup/leg_choices.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace parallel_aspects {
+namespace {
+
+// Legs of a fully parallel robot, and one passive chain besides.
+constexpr std::size_t min_parts = 2, max_parts = 7;
+
+std::vector<std::size_t> links_of(const Tree& tree, std::vector<std::size_t> links,
+                                  const std::string& answer) {
+  if (!answer.empty()) return {*tree.link_named(answer)};
+  const auto likeness = [&](std::size_t link) { return operational_point_likeness(tree.links[link]); };
+  std::stable_sort(links.begin(), links.end(),
+                   [&](std::size_t one, std::size_t other) { return likeness(one) > likeness(other); });
+  return links;
+}
+
+}  // namespace
+
+std::vector<Platform> platform_candidates(const Tree& tree, const Bodies& bodies, const BodyGraph& graph,
+                                          std::size_t base, const std::vector<Closure>& closures,
+                                          const SetupAnswers& answers) {
+  const std::string& answer = answers.operational_point;
+  std::vector<Platform> result;
+  for (const std::size_t body : graph.moving_bodies(base)) {
+    if (!answer.empty() && bodies.of(*tree.link_named(answer)) != body) continue;
+    const std::vector<GraphPart> parts = graph.parts_between(base, body);
+    if (parts.size() < min_parts || parts.size() > max_parts) continue;
+    Platform platform{body, links_of(tree, bodies.links(body), answer), leg_choices(tree, parts)};
+    if (!platform.legs.empty()) result.push_back(platform);
+  }
+  const auto key = [&](const Platform& platform) {
+    const std::vector<std::size_t>& links = bodies.links(platform.body);
+    const bool is_held =
+        std::any_of(links.begin(), links.end(), [&](std::size_t link) { return is_closed(closures, link); });
+    return std::tuple{platform.legs.front().size(),
+                      operational_point_likeness(tree.links[platform.links.front()]), is_held};
+  };
+  std::stable_sort(result.begin(), result.end(),
+                   [&](const Platform& one, const Platform& other) { return key(one) > key(other); });
+  return result;
+}
+
+bool is_closed(const std::vector<Closure>& closures, std::size_t link) {
+  return std::any_of(closures.begin(), closures.end(), [link](const Closure& closure) {
+    return closure.frames[0].link == link || closure.frames[1].link == link;
+  });
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Robots that load otherwise than they are meant: each is told in a note, whose remedy is followed to the
+// letter.
+#include "urdf/corrections/faulty_robots.h"
+
+#include <gtest/gtest.h>
+
+#include "support/descriptions.h"
+#include <regex>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects {
+namespace {
+
+using test::Description;
+using test::replaced;
+
+std::vector<std::string> doubts(const Description& text) {
+  std::vector<std::string> found;
+  const auto loaded = test::load(text);
+  for (const std::string& note : loaded->notes())
+    if (note.find("; if ") != std::string::npos) found.push_back(note);
+  return found;
+}
+
+std::string only_doubt(const Description& text) {
+  const std::vector<std::string> found = doubts(text);
+  EXPECT_EQ(found.size(), 1U) << testing::PrintToString(found);
+  return found.empty() ? "" : found.front();
+}
+
+std::string matched(const std::string& text, const std::string& pattern) {
+  std::smatch found;
+  return std::regex_search(text, found, std::regex(pattern)) ? found[1].str() : "";
+}
+
+std::string exchanged(std::string text, const std::string& one, const std::string& other) {
+  text = replaced(text, one, "#");
+  text = replaced(text, other, one);
+  return replaced(text, "#", other);
+}
+
+bool are_same(const Description& one, const Description& other) {
+  constexpr double rounding = 1e-6;
+  const auto a = test::load(one)->manipulator(), b = test::load(other)->manipulator();
+  if (a->task_space() != b->task_space() || a->leg_count() != b->leg_count()) return false;
+  for (std::size_t k = 0; k < a->leg_count(); ++k)
+    if ((a->leg(k).anchor - b->leg(k).anchor).norm() > rounding ||
+        std::abs(a->leg(k).rod_length - b->leg(k).rod_length) > rounding ||
+        (a->leg(k).base_point() - b->leg(k).base_point()).norm() > rounding)
+      return false;
+  return true;
+}
+
+// The closures of the YAML are one to a line.
+Description with_list(Description text, const std::string& entry) {
+  text.config =
+      std::regex_replace(text.config, std::regex("\n  closures:\n(    - .*\n)+"), "\n  " + entry + "\n");
+  return text;
+}
+
+std::string renamed(const std::string& text) {
+  return std::regex_replace(std::regex_replace(text, std::regex("(bar|rod|platform)_2"), "$1_B"),
+                            std::regex("(bar|rod|platform)_3"), "$1_C");
+}
+
+TEST(CrossedEnds, AreToldByNamesWhereThereAreThreeLegs) {
+  for (const bool by_letters : {false, true})
+    for (const std::string robot : {"three_rrr", "three_rpr", "three_prr"}) {
+      Description good = test::shipped_text(robot);
+      if (by_letters) good = {renamed(good.urdf), renamed(good.config)};
+      EXPECT_EQ(doubts(good), std::vector<std::string>{}) << robot;
+      Description crossed = good;
+      const std::string second = by_letters ? "[platform_B," : "[platform_2,",
+                        third = by_letters ? "[platform_C," : "[platform_3,";
+      crossed.config = exchanged(crossed.config, second, third);
+      const std::string said = only_doubt(crossed);
+      EXPECT_EQ(said.rfind("It seems that robot.yaml has the ends of closure 'platform_", 0), 0U) << said;
+      EXPECT_NE(said.find(" crossed, as their names say; if so, write link 'platform_"), std::string::npos)
+          << said;
+      const Description listed =
+          with_list(crossed, matched(said, "or write (closures: \\[.*\\}\\]) under mechanism in robot.yaml"));
+      EXPECT_TRUE(are_same(listed, good)) << said;
+      EXPECT_EQ(doubts(listed), std::vector<std::string>{}) << robot;
+    }
+}
+
+// Links are numbered by a program, as CAD does.
+TEST(CrossedEnds, AreToldByNamesOfJoints) {
+  Description crossed = test::shipped_text("three_rpr");
+  for (auto* text : {&crossed.urdf, &crossed.config})
+    for (const auto& [name, other] : {std::pair{"bar_2_tip", "part_18"}, std::pair{"bar_3_tip", "part_24"},
+                                      std::pair{"bar_2", "part_17"}, std::pair{"bar_3", "part_23"}})
+      *text = std::regex_replace(*text, std::regex("\"" + std::string(name) + "\"|\\b" + name + "(?=\\])"),
+                                 text == &crossed.urdf ? "\"" + std::string(other) + "\"" : other);
+  crossed.config = std::regex_replace(crossed.config, std::regex("bar_2_tip"), "part_18");
+  crossed.config = std::regex_replace(crossed.config, std::regex("bar_3_tip"), "part_24");
+  EXPECT_EQ(doubts(crossed), std::vector<std::string>{});
+  crossed.config = exchanged(crossed.config, "[platform_2,", "[platform_3,");
+  EXPECT_NE(only_doubt(crossed).find("as their names say"), std::string::npos);
+}
+
+// The same three loops in four dialects, drawn 50 mm apart.
+std::string in_dialect(const std::string& urdf, const std::string& with) {
+  return std::regex_replace(
+      urdf,
+      std::regex(
+          "<gazebo>\\s*<joint name=\"(\\w+)\" type=\"ball\">\\s*<parent>(\\w+)</parent>\\s*<child>(\\w+)"
+          "</child>\\s*</joint>\\s*</gazebo>"),
+      with);
+}
+
+Description low_delta() {
+  return {test::source_file("test/data/at_zero/low_delta.urdf"),
+          "mechanism: {base_link: base, operational_point: platform, actuated_joints: [motor_1, motor_2, "
+          "motor_3]}\n"};
+}
+
+TEST(DrawnOpen, IsOneRobotInAllDialects) {
+  const Description by_joints = low_delta();
+  const std::vector<std::string> others{
+      "<loop_joint name=\"$1\" type=\"spherical\"><link1 link=\"$2\"/><link2 link=\"$3\"/></loop_joint>",
+      "<gazebo><plugin name=\"gz::sim::systems::DetachableJoint\" "
+      "filename=\"gz-sim-detachable-joint-system\">"
+      "<parent_link>$2</parent_link><child_model>low_delta</child_model><child_link>$3</child_link></"
+      "plugin></gazebo>",
+      "<gazebo><joint name=\"$1\" type=\"fixed\"><parent>$2</parent><child>$3</child></joint></gazebo>"};
+  for (const Leg& leg : test::load(by_joints)->manipulator()->legs()) EXPECT_NEAR(leg.rod_length, 0.4, 1e-6);
+  for (const std::string& dialect : others) {
+    Description other = by_joints;
+    other.urdf = in_dialect(other.urdf, dialect);
+    ASSERT_NE(other.urdf, by_joints.urdf);
+    EXPECT_TRUE(are_same(other, by_joints)) << dialect;
+  }
+}
+
+TEST(DrawnOpen, SaysWhatHoldsItApart) {
+  const std::string said = only_doubt(low_delta());
+  EXPECT_NE(
+      said.find(
+          "they are taken to meet, with legs of 0.4, 0.4, 0.4 m; if they are held so, as by simulators, "
+          "write closures: ["),
+      std::string::npos)
+      << said;
+  Description apart = low_delta();
+  apart.config =
+      replaced(apart.config, "}\n",
+               ", " + matched(said, "write (closures: \\[.*\\}\\]) under mechanism in robot.yaml") + "}\n");
+  for (const Leg& leg : test::load(apart)->manipulator()->legs()) EXPECT_NEAR(leg.rod_length, 0.438193, 1e-5);
+}
+
+// Two of three loops are closed while all joints are zero.
+TEST(MisplacedEnd, IsToldWithTheOriginThatPutsItThere) {
+  Description good{test::source_file("test/data/at_zero/delta.urdf"), low_delta().config};
+  good.urdf = in_dialect(
+      good.urdf,
+      "<loop_joint name=\"$1\" type=\"spherical\"><link1 link=\"$2\"/><link2 link=\"$3\"/></loop_joint>");
+  EXPECT_EQ(doubts(good), std::vector<std::string>{});
+  Description wrong = good;
+  wrong.urdf = replaced(wrong.urdf, "xyz=\"-0.025 -0.04330127019 0\"", "xyz=\"-0.025 -0.04330127019 0.03\"");
+  EXPECT_NE(only_doubt(wrong).find("'rod_end_3' and 'ball_3' by 0.03 m (closure 'closure_3')"),
+            std::string::npos);
+  wrong.urdf = replaced(good.urdf, "xyz=\"-0.025 -0.04330127019 0\"", "xyz=\"0.025 -0.04330127019 0\"");
+  const std::string said = only_doubt(wrong);
+  bool any = false;
+  for (const std::string& remedy : test::remedies(said))
+    any = any || are_same(test::corrected(wrong, remedy), good);
+  EXPECT_TRUE(any) << said;
+}
+
+TEST(ReversedAxis, IsToldWhereLimitsAreNotTheSameToBothSides) {
+  Description delta{test::source_file("test/data/at_zero/delta.urdf"), low_delta().config};
+  const std::string motor = "rpy=\"0 0 2.094395102\"/>\n    <axis xyz=\"0 1 0\"/>";
+  delta.urdf = replaced(delta.urdf, motor, replaced(motor, "0 1 0", "0 -1 0"));
+  const std::string said = only_doubt(delta);
+  EXPECT_NE(said.find("lets actuated joint 'motor_2' move the other way round"), std::string::npos) << said;
+  ASSERT_EQ(test::remedies(said).size(), 1U) << said;
+  EXPECT_EQ(doubts(test::corrected(delta, test::remedies(said).front())), std::vector<std::string>{});
+}
+
+TEST(Angle, BeyondAFullTurnIsOneInDegrees) {
+  for (const std::string degrees : {"37.5", "-51.57", "338.434"}) {
+    Description five_bar = test::shipped_text("five_bar");
+    const std::string motor = "<joint name=\"crank_2_joint\" type=\"continuous\">";
+    const std::size_t origin = five_bar.urdf.find("<origin xyz=", five_bar.urdf.find(motor));
+    const std::size_t end = five_bar.urdf.find("/>", origin);
+    five_bar.urdf.replace(end, 0, " rpy=\"0 0 " + degrees + "\"");
+    EXPECT_NE(only_doubt(five_bar).find("by rpy (0, 0, " + degrees + ") rad, as if in degrees"),
+              std::string::npos)
+        << degrees;
+  }
+}
+
+}  // namespace
+}  // namespace parallel_aspects
