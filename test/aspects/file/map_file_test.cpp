@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/aspects/map_file.h"
 
+#include "aspects/map/map_contents.h"
 #include "model/coefficients.h"
+#include "parallel_aspects/aspects/aspect_graph.h"
 
 #include <gtest/gtest.h>
 
@@ -119,6 +121,34 @@ void expect_equal(const AspectMap& one, const AspectMap& other) {
   EXPECT_TRUE(leaves(one) == leaves(other));
 }
 
+void append(Numbers& list, const Pose& pose) {
+  for (const double each : coefficients_of(pose.position)) list.push_back(each);
+  for (const double each : coefficients_of(pose.orientation.coeffs())) list.push_back(each);
+}
+
+// Everything that a graph tells, in the order told.
+Numbers numbers(const AspectGraph& graph) {
+  Numbers list;
+  for (const Neighbours& gate : graph.gates) {
+    list.insert(list.end(), {double(gate.first), double(gate.second), double(gate.leg),
+                             gate.crossing == Crossing::serial ? 1.0 : 0.0, gate.proved ? 1.0 : 0.0});
+    append(list, gate.pose);
+    for (const GateCrossing& crossing : gate.crossings) {
+      for (const Pose& pose : crossing.segment) append(list, pose);
+      append(list, crossing.pose);
+      list.push_back(crossing.index);
+    }
+  }
+  for (std::size_t i = 0; i < graph.sets.size(); ++i) {
+    const AspectSet& set = graph.sets[i];
+    list.insert(list.end(),
+                {double(set.determinant_sign), set.workspace_lower, double(graph.set_group.at(i))});
+    list.insert(list.end(), set.aspects.begin(), set.aspects.end());
+  }
+  list.push_back(static_cast<double>(graph.proved_set_count));
+  return list;
+}
+
 // The number of poses that are inside an aspect.
 int expect_equal_locations(const AspectMap& one, const AspectMap& other, int count) {
   std::mt19937_64 random(7);
@@ -210,11 +240,15 @@ TEST_P(RoundTrip, EveryAnswerIsTheSame) {
   const MapResult computed = compute_aspect_map(robot, options);
   ASSERT_EQ(computed.status, MapStatus::complete) << computed.message;
   ASSERT_FALSE(computed.map->aspects().empty());
+  const auto graph = compute_aspect_graph(*computed.map);
+  ASSERT_TRUE(graph);
   const std::string bytes = saved(*computed.map);
   const MapResult loaded = load_map(robot, options, file_);
   ASSERT_EQ(loaded.status, MapStatus::complete) << loaded.message;
   EXPECT_EQ(loaded.map->manipulator(), robot);
   expect_equal(*computed.map, *loaded.map);
+  ASSERT_TRUE(loaded.map->contents().graph) << "gates would be looked for again";
+  EXPECT_TRUE(numbers(*graph) == numbers(*compute_aspect_graph(*loaded.map)));
   EXPECT_GT(expect_equal_locations(*computed.map, *loaded.map, test::thinned(1000)), test::thinned(100));
   EXPECT_EQ(saved(*loaded.map), bytes);
 }
@@ -226,6 +260,46 @@ INSTANTIATE_TEST_SUITE_P(TaskSpaces, RoundTrip,
                                          Case{"SE2_struts", test::three_rpr, 5.0},
                                          Case{"T3", test::delta, 0.2}, Case{"SO3", test::agile_eye, 0.4}),
                          [](const auto& each) { return each.param.name; });
+
+TEST_F(MapFile, TheGraphIsWrittenOnceItIsKnown) {
+  const std::string without = saved(*map_);
+  EXPECT_FALSE(load(without, five_bar_, options_)->contents().graph);
+  compute_aspect_graph(*map_);
+  const std::string with = saved(*map_);
+  EXPECT_GT(with.size(), without.size());
+  EXPECT_TRUE(load(with, five_bar_, options_)->contents().graph);
+}
+
+// Of a graph whose gates and sets are not those of the aspects.
+TEST_F(MapFile, ForgedGraphsAreRefused) {
+  const std::size_t is_known_at = saved(*map_).size() - 5;
+  compute_aspect_graph(*map_);
+  const std::string bytes = saved(*map_);
+  const std::size_t gate_at = is_known_at + 5, kind_at = gate_at + 8, crossings_at = gate_at + 10 + 7 * 8;
+  const std::size_t group_at = bytes.size() - 8;  // the last one
+  ASSERT_EQ(bytes[is_known_at], 1);
+  const auto refuse = [&](std::size_t at, std::uint32_t value) {
+    SCOPED_TRACE("byte " + std::to_string(at - is_known_at) + ", value " + std::to_string(value));
+    std::string forged = bytes;
+    put_u32(forged, at, value);
+    expect_refused(with_checksum(forged), "contradict");
+  };
+  for (const std::uint32_t id : {0U, 11U, 0xffffffffU}) refuse(gate_at, id), refuse(gate_at + 4, id);
+  for (const std::uint32_t count : {0U, 1U, 0x7fffffffU}) refuse(is_known_at + 1, count);
+  for (const std::uint32_t count : {0U, 7U, 0x7fffffffU}) refuse(crossings_at, count);
+  refuse(group_at, 5U);
+  for (const int change : {2, 255}) {
+    std::string forged = bytes;
+    forged[kind_at] = static_cast<char>(change);
+    expect_refused(with_checksum(forged), "contradict");
+    forged = bytes;
+    forged[kind_at + 1] = static_cast<char>(change);  // the leg
+    expect_refused(with_checksum(forged), "contradict");
+    forged = bytes;
+    forged[is_known_at] = static_cast<char>(change);
+    expect_refused(with_checksum(forged), "contradict");
+  }
+}
 
 TEST_F(MapFile, CutFilesAreRefused) {
   const std::string bytes = saved(*map_);
@@ -365,6 +439,7 @@ TEST_F(MapFile, ForgedStatesAreRefused) {
 
 // Whatever is in the file behind its key: it is refused, or the map answers every question.
 TEST_F(MapFile, ForgedFilesDoNoHarm) {
+  compute_aspect_graph(*map_);
   const std::string bytes = saved(*map_);
   const std::size_t at = record_at(bytes);
   std::mt19937_64 random(13);
@@ -377,6 +452,7 @@ TEST_F(MapFile, ForgedFilesDoNoHarm) {
     ++(map ? taken : refused);
     if (!map) continue;
     leaves(*map);
+    if (map->contents().graph) numbers(*map->contents().graph);
     for (int pose = 0; pose < 20; ++pose)
       for (const WorkingMode& mode : map->working_modes()) {
         const Location location = map->locate(random_pose(*map, random), mode);
