@@ -41,8 +41,8 @@ using PathTime = std::function<double(const PlannedPath&)>;
 
 /// What is asked of a path besides its ends.
 struct PathWish {
-  PathPolicy policy = PathPolicy::stay;                  ///< what it may pass
-  PathPreference prefer = PathPreference::shortest;      ///< which of several
+  PathPolicy policy = PathPolicy::stay;              ///< what it may pass
+  PathPreference prefer = PathPreference::shortest;  ///< which of several
   PathTime time{};  ///< by which the fastest is chosen, as `path_timer` makes one; not empty where asked for
 };
 

@@ -13,8 +13,8 @@ namespace parallel_aspects {
 
 /// How near a path within one aspect comes to parallel singularities.
 struct PathShape {
-  bool is_wide = false;       ///< it is looked for along the largest indices; else along the shortest way
-  double kept_share = 0.0;    ///< of the least index there, which it keeps when it is shortened
+  bool is_wide = false;     ///< it is looked for along the largest indices; else along the shortest way
+  double kept_share = 0.0;  ///< of the least index there, which it keeps when it is shortened
 
   friend bool operator==(const PathShape& a, const PathShape& b) {
     return a.is_wide == b.is_wide && a.kept_share == b.kept_share;
@@ -25,7 +25,7 @@ inline constexpr PathShape short_shape{false, 0.0}, clear_shape{true, 1.0};
 
 /// The segments of one working mode.
 struct SegmentsInMode {
-  std::function<bool(const Pose&, const Pose&)> is_free;            ///< proved
+  std::function<bool(const Pose&, const Pose&)> is_free;          ///< proved
   std::function<Pose(const Pose&, const Pose&, double)> between;  ///< the pose at t, 0 to 1
   const Manipulator& robot;
   WorkingMode mode;
