@@ -44,7 +44,7 @@ Problems problems_of(const Manipulator& manipulator, const JointVector& accelera
 TimedPath time_path(const SegmentCertifier& certifier, const PlannedPath& path, const PoseBetween& between,
                     const JointVector& acceleration, const MapControl& control = {});
 
-/// How long `time_path` takes, for `PathWish`. The certifier outlives it; `control` too.
+/// How long a path takes as `time_path` times it, for `PathWish`. The certifier outlives it.
 PathTime path_timer(const SegmentCertifier& certifier, PoseBetween between, const JointVector& acceleration,
                     const MapControl& control = {});
 

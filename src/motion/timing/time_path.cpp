@@ -152,7 +152,7 @@ TimedPath time_path(const SegmentCertifier& certifier, const PlannedPath& path, 
 
 PathTime path_timer(const SegmentCertifier& certifier, PoseBetween between, const JointVector& acceleration,
                     const MapControl& control) {
-  return [&certifier, &control, between = std::move(between), acceleration](const PlannedPath& path) {
+  return [&certifier, control, between = std::move(between), acceleration](const PlannedPath& path) {
     const TimedPath timed = time_path(certifier, path, between, acceleration, control);
     return timed ? timed.seconds : std::numeric_limits<double>::infinity();
   };

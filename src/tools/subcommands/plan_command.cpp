@@ -84,7 +84,7 @@ struct Plan {
   PoseBetween between = pose_between;
 };
 
-/// With what tells how long a path takes, where that counts. Certifier and control outlive it.
+/// With what tells how long a path takes, where that counts. The certifier outlives it.
 PathWish wish_of(const PlanQuestion& question, const SegmentCertifier& certifier, const PoseBetween& between,
                  const MapControl& control) {
   PathWish wish = question.wish;
