@@ -13,6 +13,9 @@
 
 namespace parallel_aspects {
 
+/// Why there is no path, or none that is known.
+PlannedPath without_path(SameAspect answer, std::string message);
+
 /// The path between poses in one working mode, and in another behind a crossing.
 class PathBuilder {
  public:

@@ -39,8 +39,9 @@ std::vector<Option> timing_options(TimingArguments& arguments) {
            &arguments.acceleration}};
 }
 
-std::optional<JointVector> parse_timing(const TimingArguments& arguments, const RobotChoice& robot,
-                                        const Manipulator& manipulator, Problems& problems) {
+std::optional<JointVector> parse_timing(const TimingArguments& arguments, const std::string& needed_by,
+                                        const RobotChoice& robot, const Manipulator& manipulator,
+                                        Problems& problems) {
   const std::string& file = arguments.trajectory_file;
   const std::size_t known = problems.size();
   if (!file.empty() && !ends_with(file, ".csv") && !ends_with(file, ".yaml"))
@@ -54,9 +55,10 @@ std::optional<JointVector> parse_timing(const TimingArguments& arguments, const 
   Problems missing = problems_of(manipulator, acceleration);
   if (missing.empty()) return acceleration;
   if (acceleration.size() == 0)
-    missing = {"--trajectory needs acceleration limits; write motion.acceleration into " + section.file +
+    missing = {(needed_by.empty() ? "--trajectory" : needed_by) +
+               " needs acceleration limits; write motion.acceleration into " + section.file +
                ", or give --acceleration."};
-  if (!file.empty() || !arguments.acceleration.empty())
+  if (!file.empty() || !arguments.acceleration.empty() || !needed_by.empty())
     problems.insert(problems.end(), missing.begin(), missing.end());
   return std::nullopt;
 }

@@ -156,8 +156,8 @@ TEST_F(PlanCommand, TakesActuatedValuesAndAspects) {
 
 TEST_F(PlanCommand, AsksForAnEndAndRefusesTwo) {
   const Outcome none = run({"plan", "five_bar", "--to", "4 6"});
-  EXPECT_EQ(none.code, exit_code::bad_input);
-  EXPECT_NE(none.messages.find("Give --from, a pose"), std::string::npos) << none.messages;
+  EXPECT_EQ(none.code, exit_code::bad_usage);
+  EXPECT_NE(none.messages.find("--from is required; give a pose"), std::string::npos) << none.messages;
   const Outcome two = run({"plan", "five_bar", "--from-aspect", "1", "--from", "4 6", "--to", "4 6"});
   EXPECT_EQ(two.code, exit_code::bad_input);
 }
