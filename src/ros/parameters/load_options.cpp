@@ -159,8 +159,8 @@ std::string urdf_from(const std::string& parameter, Problems& problems) {
 }
 
 // What is under `prefix` for the loader: `mechanism`, and `constraints` where there are some.
-SharedMechanism mechanism_from(const ros::NodeHandle& nh, const XmlRpcValue& parameters,
-                               const std::string& prefix, const std::string& frame_prefix) {
+NodeSetup setup_from(const ros::NodeHandle& nh, const XmlRpcValue& parameters, const std::string& prefix,
+                     NodeOptions options) {
   const std::string description_name = prefix + "mechanism";
   std::string urdf_name = nh.resolveName("robot_description");
   nh.searchParam("robot_description", urdf_name);
@@ -173,8 +173,10 @@ SharedMechanism mechanism_from(const ros::NodeHandle& nh, const XmlRpcValue& par
   XmlRpcValue document;
   for (const char* part : {"mechanism", "constraints"})
     if (parameters.hasMember(part)) document[part] = parameters[part];
-  return load_mechanism(urdf, urdf_name, yaml_text(document), prefix.substr(0, prefix.size() - 1),
-                        frame_prefix);
+  const std::string description = yaml_text(document);
+  SharedMechanism mechanism =
+      load_mechanism(urdf, urdf_name, description, prefix.substr(0, prefix.size() - 1), options.frame_prefix);
+  return {std::move(mechanism), std::move(options), urdf, description};
 }
 
 // As in the YAML of a robot.
@@ -230,7 +232,7 @@ NodeSetup load_setup(const ros::NodeHandle& nh, const ros::NodeHandle& private_n
   Problems problems;
   NodeOptions options = options_from(parameters, prefix, problems);
   try {
-    NodeSetup setup{mechanism_from(nh, parameters, prefix, options.frame_prefix), std::move(options)};
+    NodeSetup setup = setup_from(nh, parameters, prefix, std::move(options));
     const Manipulator& manipulator = *setup.mechanism->manipulator();
     setup.options.acceleration = acceleration_from(parameters, prefix, manipulator.leg_count(), problems);
     append(problems_of(setup.options, manipulator, prefix), problems);

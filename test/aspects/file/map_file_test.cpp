@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "support/robots.h"
+#include "support/shipped.h"
 #include "support/thoroughness.h"
 #include <csignal>
 #include <cstdlib>
@@ -447,6 +448,39 @@ TEST_F(MapFile, LinksAreFollowedAndWhatIsNoFileIsNotReplaced) {
   EXPECT_FALSE(refused.saved);
   EXPECT_NE(refused.message.find("not a regular file"), std::string::npos) << refused.message;
   EXPECT_TRUE(fs::is_fifo(pipe));
+}
+
+// A display knows a map by its bytes alone, and not the options that it was computed with.
+TEST(MapBytes, AreReadWithTheOptionsThatTheMapTells) {
+  for (const char* const robot :
+       {"five_bar", "bipod", "three_rrr", "linear_delta", "delta", "spherical_3rrr"}) {
+    const RobotPtr manipulator = test::shipped(robot)->mapped_manipulator();
+    MapOptions options;
+    options.modes = {working_modes(*manipulator).front()};
+    options.extra_levels = 2;
+    const double size = manipulator->task_space() == TaskSpace::SO3 ? 4.0 : manipulator->size();
+    options.resolution = size / 9.7;
+    const auto map = compute_aspect_map(manipulator, options).map;
+    ASSERT_TRUE(map) << robot;
+    const std::vector<std::uint8_t> bytes = map_bytes(*map);
+    const MapResult read = map_from_bytes(manipulator, options_of(*map), bytes);
+    ASSERT_TRUE(read.map) << robot << ": " << read.message;
+    expect_equal(*read.map, *map);
+    EXPECT_EQ(map_bytes(*read.map), bytes) << robot;
+  }
+}
+
+TEST(MapBytes, ThatAreCutOffAreRefused) {
+  const RobotPtr manipulator = test::shipped("five_bar")->mapped_manipulator();
+  MapOptions options;
+  options.resolution = 1.0;
+  const std::vector<std::uint8_t> bytes = map_bytes(*compute_aspect_map(manipulator, options).map);
+  for (const std::size_t size : {std::size_t{0}, std::size_t{3}, std::size_t{19}, bytes.size() - 1}) {
+    const MapResult read = map_from_bytes(manipulator, options,
+                                          {bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size)});
+    EXPECT_FALSE(read.map) << size;
+    EXPECT_NE(read.message.find("not used, since"), std::string::npos) << read.message;
+  }
 }
 
 }  // namespace
