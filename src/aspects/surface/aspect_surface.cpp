@@ -15,8 +15,9 @@ namespace {
 
 using Eigen::Vector3d;
 
+constexpr double turn = 2.0 * EIGEN_PI;
 constexpr std::uint32_t finest = 7;    // halvings of the region, unless the aspect is small
-constexpr std::size_t fewest = 300;    // cells that a small one is drawn with
+constexpr std::size_t fewest = 80;    // cells that a small one is drawn with
 constexpr std::uint32_t coarsest = 3;  // halvings of the region
 constexpr int rounds = 4;              // of smoothing
 constexpr int halvings = 7;            // of the way to the boundary
@@ -100,11 +101,16 @@ void move_to_boundary(const AspectMap& map, const CellSet& cells, const std::vec
   });
 }
 
+// What was moved beyond the section goes back to it, and its faces lie in it.
 void flatten(SurfaceMesh& mesh, const HalfSpace& section) {
+  std::vector<bool> is_cut(mesh.points.size(), false);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     for (const std::uint32_t corner : mesh.triangles[t])
-      if (mesh.kinds[t] == FaceKind::section)
-        mesh.points[corner] += (section.offset - section.normal.dot(mesh.points[corner])) * section.normal;
+      if (mesh.kinds[t] == FaceKind::section) is_cut[corner] = true;
+  for (std::size_t p = 0; p < mesh.points.size(); ++p) {
+    const double beyond = section.normal.dot(mesh.points[p]) - section.offset;
+    if (is_cut[p] || beyond > 0.0) mesh.points[p] -= beyond * section.normal;
+  }
 }
 
 CellSet cells_of(const AspectMap& map, int aspect, std::uint32_t level, const SurfaceOptions& options) {
@@ -151,9 +157,9 @@ AspectSurface surface_of(const AspectMap& map, int aspect, const SurfaceOptions&
 Vector3d surface_point(TaskSpace space, const Pose& pose) noexcept {
   if (space == TaskSpace::T3) return pose.position;
   const Eigen::AngleAxisd rotation(pose.orientation);
-  if (space == TaskSpace::SO3) return std::remainder(rotation.angle(), 2.0 * EIGEN_PI) * rotation.axis();
+  if (space == TaskSpace::SO3) return std::remainder(rotation.angle(), turn) * rotation.axis();
   const double phi = 2.0 * std::atan2(pose.orientation.z(), pose.orientation.w());
-  return {pose.position.x(), pose.position.y(), std::remainder(phi, 2.0 * EIGEN_PI)};
+  return {pose.position.x(), pose.position.y(), std::remainder(phi, turn)};
 }
 
 }  // namespace parallel_aspects

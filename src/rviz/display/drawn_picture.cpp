@@ -16,7 +16,7 @@ float channel(std::uint32_t color, unsigned shift) {
 }
 
 Ogre::ColourValue ogre_color(std::uint32_t color) {
-  return {channel(color, 16), channel(color, 8), channel(color, 0), 1.0F};
+  return Ogre::ColourValue(channel(color, 16), channel(color, 8), channel(color, 0), 1.0F);
 }
 
 Ogre::Vector3 ogre_vector(const Eigen::Vector3f& vector) { return {vector.x(), vector.y(), vector.z()}; }

@@ -18,6 +18,7 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 
+constexpr double pi = EIGEN_PI;
 constexpr std::size_t most_triangles = 120000;  // of all surfaces, so that software renders them
 constexpr int plane_cells = 300;
 constexpr double tint = 0.55;   // of the colour of a boundary in that of the aspect
@@ -45,7 +46,7 @@ Vector3d scale_of(TaskSpace space, double radian) {
 double radian_of(const Manipulator& robot, const PictureChoice& choice) {
   if (!turns(robot.task_space())) return 1.0;
   if (choice.radian > 0.0) return choice.radian;
-  return robot.size() / (robot.task_space() == TaskSpace::SO3 ? EIGEN_PI : 2.0 * EIGEN_PI);
+  return robot.size() / (robot.task_space() == TaskSpace::SO3 ? pi : 2.0 * pi);
 }
 
 std::string caption_of(const Aspect& aspect, bool is_present) {
@@ -294,7 +295,7 @@ Vector3d drawn_point(TaskSpace space, const Pose& pose, double radian) {
 Vector3d placement(const Manipulator& manipulator, const std::optional<Pose>& present, double radian) {
   const TaskSpace space = manipulator.task_space();
   const double size = manipulator.size();
-  if (space == TaskSpace::SO3) return {2.0 * size + EIGEN_PI * radian, 0.0, 0.0};
+  if (space == TaskSpace::SO3) return {2.0 * size + pi * radian, 0.0, 0.0};
   if (space == TaskSpace::SE2) {
     const double here = present ? radian * surface_point(space, *present).z() : 0.0;
     return {0.0, 0.0, -here - below * size};
@@ -304,7 +305,7 @@ Vector3d placement(const Manipulator& manipulator, const std::optional<Pose>& pr
 
 double section_step(const AspectMap& map, std::size_t axis) {
   const Box region = map.region();
-  return region.dimension == 3 ? region.width(axis) / 128.0 : 2.0 * EIGEN_PI / 128.0;
+  return region.dimension == 3 ? region.width(axis) / 128.0 : 2.0 * pi / 128.0;
 }
 
 double section_value(TaskSpace space, const Pose& pose, std::size_t axis) {
