@@ -48,6 +48,7 @@ add_service_files(FILES
   Connect.srv
   CheckTrajectory.srv
   GetCurrentAspect.srv
+  GetMap.srv
   GetSingularityDistance.srv
   GetWorkingMode.srv
   ListAspects.srv

@@ -4,8 +4,10 @@
 
 #include "parallel_aspects/aspects/aspect_map.h"
 
+#include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace parallel_aspects {
 
@@ -28,6 +30,16 @@ SaveResult save_map(const AspectMap& map, const std::string& path);
 /// one, does harm beyond wrong answers.
 MapResult load_map(std::shared_ptr<const Manipulator> manipulator, const MapOptions& options,
                    const std::string& path);
+
+/// The file that `save_map` writes, as bytes.
+std::vector<std::uint8_t> map_bytes(const AspectMap& map);
+
+/// The map that such bytes are of, refused like a file.
+MapResult map_from_bytes(std::shared_ptr<const Manipulator> manipulator, const MapOptions& options,
+                         const std::vector<std::uint8_t>& bytes);
+
+/// Options that the map is loaded with, for whoever does not know those that it was computed with.
+MapOptions options_of(const AspectMap& map);
 
 }  // namespace parallel_aspects
 

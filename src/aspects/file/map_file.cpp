@@ -7,6 +7,7 @@
 #include "aspects/map/map_contents.h"
 #include "aspects/map/map_plan.h"
 #include "aspects/map/proof_revision.h"
+#include "parallel_aspects/model/constraints.h"
 #include "parallel_aspects/model/version.h"
 
 #include <algorithm>
@@ -91,10 +92,28 @@ std::string decode(std::shared_ptr<const Manipulator> manipulator, MapPlan plan,
   return map && reader.ok() && reader.left() == checksum_size ? "" : "its contents contradict themselves";
 }
 
-MapResult refused(const std::string& path, const std::string& why) {
-  return {MapStatus::refused,
-          "Map file '" + path + "' is not used, since " + why + "; compute the map and save it again.",
+MapResult refused(const std::string& what, const std::string& why) {
+  return {MapStatus::refused, what + " not used, since " + why + "; compute the map and save it again.",
           nullptr};
+}
+
+std::string named(const std::string& path) { return "Map file '" + path + "' is"; }
+
+/// The map of the bytes that `read` gives; `what` they are, for messages.
+template <class Read>
+MapResult loaded(std::shared_ptr<const Manipulator> manipulator, const MapOptions& options,
+                 const std::string& what, const Read& read) try {
+  MapPlan plan;
+  const std::string bad_options = make_map_plan(*manipulator, options, plan);
+  if (!bad_options.empty()) return {MapStatus::refused, bad_options, nullptr};
+  Bytes file;
+  std::string problem = read(file);
+  std::unique_ptr<const AspectMap::Contents> map;
+  if (problem.empty()) problem = decode(std::move(manipulator), std::move(plan), file, map);
+  if (!problem.empty()) return refused(what, problem);
+  return {MapStatus::complete, "", std::make_shared<const AspectMap>(std::move(map))};
+} catch (const std::bad_alloc&) {
+  return refused(what, "it takes more memory than there is");
 }
 
 }  // namespace
@@ -107,18 +126,35 @@ SaveResult save_map(const AspectMap& map, const std::string& path) {
 }
 
 MapResult load_map(std::shared_ptr<const Manipulator> manipulator, const MapOptions& options,
-                   const std::string& path) try {
-  MapPlan plan;
-  const std::string bad_options = make_map_plan(*manipulator, options, plan);
-  if (!bad_options.empty()) return {MapStatus::refused, bad_options, nullptr};
-  Bytes file;
-  std::string problem = read_whole_file(path, largest_file, file);
-  std::unique_ptr<const AspectMap::Contents> map;
-  if (problem.empty()) problem = decode(std::move(manipulator), std::move(plan), file, map);
-  if (!problem.empty()) return refused(path, problem);
-  return {MapStatus::complete, "", std::make_shared<const AspectMap>(std::move(map))};
-} catch (const std::bad_alloc&) {
-  return refused(path, "it takes more memory than there is");
+                   const std::string& path) {
+  return loaded(std::move(manipulator), options, named(path),
+                [&path](Bytes& file) { return read_whole_file(path, largest_file, file); });
+}
+
+std::vector<std::uint8_t> map_bytes(const AspectMap& map) { return encode(map.contents()); }
+
+MapResult map_from_bytes(std::shared_ptr<const Manipulator> manipulator, const MapOptions& options,
+                         const std::vector<std::uint8_t>& bytes) {
+  return loaded(std::move(manipulator), options, "A map that was received is", [&bytes](Bytes& file) {
+    file = bytes;
+    return std::string();
+  });
+}
+
+MapOptions options_of(const AspectMap& map) {
+  const AspectMap::Contents& contents = map.contents();
+  MapOptions options;
+  options.resolution = contents.resolution;
+  options.extra_levels = static_cast<int>(contents.deepest_level - contents.depth);
+  options.modes = contents.modes;
+  options.slice = contents.slice;
+  const std::size_t positions =
+      contents.slice ? contents.slice->free_positions() : directions(contents.manipulator->task_space());
+  if (positions > 0) {
+    options.region = contents.tree.region();
+    options.region->dimension = positions;
+  }
+  return options;
 }
 
 }  // namespace parallel_aspects

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/aspects/boundary_curves.h"
 
-#include "aspects/constraints/constraint_clearance.h"
-#include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/kinematics/jacobians.h"
+#include "aspects/pictures/boundary_functions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,27 +12,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-// det A, then each B_jj^2, then the distance of each limited actuated joint from its limits, then how far
-// each other constraint is from being broken. Zero sets bound the mode.
-constexpr int max_functions = 1 + 3 + 6 + 6;
-using Values = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, max_functions, 1>;
-
-struct Function {
-  BoundaryKind kind;
-  std::size_t leg;
-};
-
-struct DrawnConstraint {
-  ConstraintKind constraint;
-  BoundaryKind kind;
-};
-constexpr DrawnConstraint drawn_constraints[] = {
-    {ConstraintKind::passive_limits, BoundaryKind::passive_limit},
-    {ConstraintKind::cones, BoundaryKind::cone},
-    {ConstraintKind::self_collision, BoundaryKind::self_collision},
-    {ConstraintKind::obstacles, BoundaryKind::obstacle},
-    {ConstraintKind::workspace, BoundaryKind::workspace},
-    {ConstraintKind::margins, BoundaryKind::margin}};
+using Values = BoundaryFunctions::Values;
 
 struct Vertex {
   Vector2d point;
@@ -68,22 +46,7 @@ Vector2d middle_of(const VertexPolygon& polygon) {
 class Tracer {
  public:
   Tracer(const AspectMap& map, const WorkingMode& mode, const PoseSlice& slice, Cells merging)
-      : map_(map),
-        robot_(*map.manipulator()),
-        mode_(mode),
-        slice_(slice),
-        merging_(merging),
-        functions_{{BoundaryKind::parallel, 0}} {
-    for (std::size_t j = 0; j < robot_.leg_count(); ++j) functions_.push_back({BoundaryKind::serial, j});
-    for (std::size_t j = 0; j < robot_.leg_count(); ++j)
-      for (const double limit : {robot_.leg(j).limits.lower, robot_.leg(j).limits.upper})
-        if (std::isfinite(limit)) functions_.push_back({BoundaryKind::limit, j});
-    for (const DrawnConstraint& drawn : drawn_constraints) {
-      if (!robot_.constraint_kinds()[index_of(drawn.constraint)]) continue;
-      functions_.push_back({drawn.kind, 0});
-      constraints_.push_back(drawn.constraint);
-    }
-  }
+      : map_(map), mode_(mode), slice_(slice), merging_(merging), functions_(*map.manipulator(), mode) {}
 
   BoundaryPicture trace_grid(const Eigen::AlignedBox2d& bounds, int cells) {
     const Vector2d step = bounds.sizes() / cells;
@@ -142,40 +105,12 @@ class Tracer {
       for (const double sign : {1.0, -1.0}) add_part(triangle, sign, (b.point - a.point).norm());
   }
 
-  Vertex vertex(const Vector2d& point) const { return {point, values(point)}; }
-
-  Values values(const Vector2d& point) const {
-    const Pose pose = slice_.pose(point);
-    JointVector q(robot_.leg_count());
-    Values result(functions_.size());
-    for (std::size_t j = 0; j < robot_.leg_count(); ++j) {
-      const Leg& leg = robot_.leg(j);
-      const auto row = static_cast<Eigen::Index>(j);
-      q[row] = joint_value(leg, pose.transform(leg.anchor), mode_.sign(j));
-      result[1 + row] = squared_inverse_entry(leg, pose.transform(leg.anchor));
-    }
-    result[0] = direct_determinant(robot_, pose, q);
-    add_limits(q, result);
-    for (std::size_t k = 0; k < constraints_.size(); ++k)
-      result[result.size() - static_cast<Eigen::Index>(constraints_.size() - k)] =
-          std::min(robot_.size(), constraint_clearance(robot_, constraints_[k], pose, q));
-    return result;
-  }
-
-  void add_limits(const JointVector& q, Values& result) const {
-    Eigen::Index row = 1 + static_cast<Eigen::Index>(robot_.leg_count());
-    for (std::size_t j = 0; j < robot_.leg_count(); ++j) {
-      const JointLimits& limits = robot_.leg(j).limits;
-      const double value = q[static_cast<Eigen::Index>(j)];
-      if (std::isfinite(limits.lower)) result[row++] = value - limits.lower;
-      if (std::isfinite(limits.upper)) result[row++] = limits.upper - value;
-    }
-  }
+  Vertex vertex(const Vector2d& point) const { return {point, functions_.values(slice_.pose(point))}; }
 
   // The part of a triangle in the mode and sign of det A: a sliver, and those of its sides that bound it.
   void add_part(const VertexPolygon& triangle, double sign, double width) {
     VertexPolygon part = clipped(triangle, 0, sign);
-    for (std::size_t k = 1; k < functions_.size(); ++k)
+    for (std::size_t k = 1; k < functions_.list().size(); ++k)
       part = clipped(part, static_cast<Eigen::Index>(k), 1.0);
     if (part.size() < 3) return;
     const int aspect = located(middle_of(part));
@@ -190,14 +125,14 @@ class Tracer {
   void add_side(const Vertex& from, const Vertex& to, double width) {
     const Vector2d along = to.point - from.point;
     if (!(along.norm() > 1e-9 * width)) return;
-    for (std::size_t k = 0; k < functions_.size(); ++k) {
+    for (std::size_t k = 0; k < functions_.list().size(); ++k) {
       const auto row = static_cast<Eigen::Index>(k);
       const double tolerance = 1e-12 * (from.values.cwiseAbs().sum() + to.values.cwiseAbs().sum());
       if (std::abs(from.values[row]) > tolerance || std::abs(to.values[row]) > tolerance) continue;
       const Vector2d middle = 0.5 * (from.point + to.point),
                      left = Vector2d(-along.y(), along.x()).normalized();
-      picture_.segments.push_back({functions_[k].kind,
-                                   functions_[k].leg,
+      picture_.segments.push_back({functions_.list()[k].kind,
+                                   functions_.list()[k].leg,
                                    from.point,
                                    to.point,
                                    {beside(middle, left, width), beside(middle, -left, width)}});
@@ -217,12 +152,10 @@ class Tracer {
   }
 
   const AspectMap& map_;
-  const Manipulator& robot_;
   const WorkingMode mode_;
   const PoseSlice slice_;
   const Cells merging_;
-  std::vector<Function> functions_;
-  std::vector<ConstraintKind> constraints_;  // of the last functions
+  const BoundaryFunctions functions_;
   BoundaryPicture picture_;
 };
 

@@ -54,6 +54,7 @@ RobotServer::RobotServer(const ros::NodeHandle& nh, const ros::NodeHandle& priva
                [this](const auto& pose, std::string& message) { return to_base(pose, message); }),
       checks_(setup_.mechanism->mapped_manipulator(), monitor_,
               [this](const auto& pose, std::string& message) { return to_base(pose, message); }),
+      maps_(setup_, worker_),
       frame_watch_(setup_.options.frame_prefix + "/", setup_.mechanism->link_names()),
       diagnostics_(on_queue(nh, service_queue_), service_nh_, *setup_.mechanism->manipulator(), monitor_,
                    worker_, frame_watch_),
@@ -102,6 +103,7 @@ void RobotServer::advertise() {
   serve<GetCurrentAspect>("get_current_aspect", queries_);
   serve<GetSingularityDistance>("get_singularity_distance", queries_);
   serve<ListAspects>("list_aspects", queries_);
+  serve<GetMap>("get_map", maps_);
   serve<SetAssemblyMode>("set_assembly_mode", queries_);
   serve<ChooseWorkingMode>("choose_working_mode", choices_);
   serve<Connect>("connect", choices_);

@@ -12,6 +12,7 @@
 #include "ros/node/diagnostics.h"
 #include "ros/node/guarded_queue.h"
 #include "ros/node/log_queue.h"
+#include "ros/node/map_queries.h"
 #include "ros/node/plan_server.h"
 #include "ros/node/queries.h"
 #include "ros/parameters/load_options.h"
@@ -101,6 +102,7 @@ class RobotServer {
   Queries queries_;
   ChoiceQueries choices_;
   CheckQueries checks_;
+  MapQueries maps_;
   FrameWatch frame_watch_;
   Diagnostics diagnostics_;
   LogQueue log_;  // what the threads of joint_states have to say

@@ -181,9 +181,10 @@ NodeSetup setup_from(const ros::NodeHandle& nh, const XmlRpcValue& parameters, c
   XmlRpcValue document;
   for (const char* part : {"mechanism", "constraints"})
     if (parameters.hasMember(part)) document[part] = parameters[part];
-  SharedMechanism mechanism = load_mechanism(urdf, urdf_name, yaml_text(document),
-                                             prefix.substr(0, prefix.size() - 1), options.frame_prefix);
-  return {std::move(mechanism), std::move(options), urdf};
+  const std::string description = yaml_text(document);
+  SharedMechanism mechanism =
+      load_mechanism(urdf, urdf_name, description, prefix.substr(0, prefix.size() - 1), options.frame_prefix);
+  return {std::move(mechanism), std::move(options), urdf, description};
 }
 
 // As in the YAML of a robot.

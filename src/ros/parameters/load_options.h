@@ -16,7 +16,7 @@ namespace parallel_aspects {
 struct NodeSetup {
   SharedMechanism mechanism;
   NodeOptions options;
-  std::string urdf{};  ///< that the mechanism was loaded from
+  std::string urdf{}, description{};  ///< the texts that the mechanism was loaded from: URDF and YAML
 };
 
 /// The options in a struct of private parameters. Wrong types and unknown keys are added to `problems`.

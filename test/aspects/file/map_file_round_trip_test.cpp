@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A map that was saved and loaded gives every answer that it gave before.
+// A map that was saved and loaded, or sent as bytes, gives every answer that it gave before.
 #include "aspects/file/map_file_fixture.h"
 
 #include <gtest/gtest.h>
 
+#include "support/shipped.h"
 #include "support/thoroughness.h"
 #include <functional>
 #include <random>
 #include <string>
 #include <tuple>
+#include <vector>
 
 namespace parallel_aspects {
 namespace {
@@ -101,6 +103,39 @@ INSTANTIATE_TEST_SUITE_P(TaskSpaces, RoundTrip,
                                          Case{"SE2_struts", test::three_rpr, 5.0},
                                          Case{"T3", test::delta, 0.2}, Case{"SO3", test::agile_eye, 0.4}),
                          [](const auto& each) { return each.param.name; });
+
+// A display knows a map by its bytes alone, and not the options that it was computed with.
+TEST(MapBytes, AreReadWithTheOptionsThatTheMapTells) {
+  for (const char* const robot :
+       {"five_bar", "bipod", "three_rrr", "linear_delta", "delta", "spherical_3rrr"}) {
+    const RobotPtr manipulator = test::shipped(robot)->mapped_manipulator();
+    MapOptions options;
+    options.modes = {working_modes(*manipulator).front()};
+    options.extra_levels = 2;
+    const double size = manipulator->task_space() == TaskSpace::SO3 ? 4.0 : manipulator->size();
+    options.resolution = size / 9.7;
+    const auto map = compute_aspect_map(manipulator, options).map;
+    ASSERT_TRUE(map) << robot;
+    const std::vector<std::uint8_t> bytes = map_bytes(*map);
+    const MapResult read = map_from_bytes(manipulator, options_of(*map), bytes);
+    ASSERT_TRUE(read.map) << robot << ": " << read.message;
+    expect_equal(*read.map, *map);
+    EXPECT_EQ(map_bytes(*read.map), bytes) << robot;
+  }
+}
+
+TEST(MapBytes, ThatAreCutOffAreRefused) {
+  const RobotPtr manipulator = test::shipped("five_bar")->mapped_manipulator();
+  MapOptions options;
+  options.resolution = 1.0;
+  const std::vector<std::uint8_t> bytes = map_bytes(*compute_aspect_map(manipulator, options).map);
+  for (const std::size_t size : {std::size_t{0}, std::size_t{3}, std::size_t{19}, bytes.size() - 1}) {
+    const MapResult read = map_from_bytes(manipulator, options,
+                                          {bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size)});
+    EXPECT_FALSE(read.map) << size;
+    EXPECT_NE(read.message.find("not used, since"), std::string::npos) << read.message;
+  }
+}
 
 }  // namespace
 }  // namespace parallel_aspects

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_RVIZ_DISPLAY_ASPECTS_DISPLAY_H
+#define PARALLEL_ASPECTS_RVIZ_DISPLAY_ASPECTS_DISPLAY_H
+
+#include "rviz/display/drawn_picture.h"
+#include "rviz/display/node_link.h"
+#include "rviz/display/picture_thread.h"
+#include <memory>
+#include <rviz/display.h>
+#include <rviz/ogre_helpers/shape.h>
+#include <string>
+
+namespace rviz {
+class BoolProperty;
+class EnumProperty;
+class FloatProperty;
+class StringProperty;
+}  // namespace rviz
+
+namespace parallel_aspects {
+
+/// The map of one aspect_node, drawn as surfaces that follow the robot. Asks for the map once, and again when
+/// another one is complete; what it waits for is in its status.
+class AspectsDisplay : public rviz::Display {
+  Q_OBJECT
+
+ public:
+  AspectsDisplay();
+  ~AspectsDisplay() override;
+
+  void update(float wall_dt, float ros_dt) override;
+  void reset() override;
+
+ protected:
+  void onInitialize() override;
+  void onEnable() override;
+  void onDisable() override;
+
+ private Q_SLOTS:
+  void follow_node();
+  void change_look();
+
+ private:
+  void stop();
+  void place();
+  void take_news();
+  void tell(const PictureThread::Result& result);
+  void ask_for_picture();
+  void take_picture(const PictureThread::Result& result);
+  PictureChoice choice() const;
+  Look look() const;
+  bool differs(const PictureChoice& choice) const;
+  void move_present_point();
+
+  rviz::StringProperty *node_, *chosen_;
+  rviz::EnumProperty *shown_, *section_, *axis_;
+  rviz::FloatProperty *offset_, *opacity_, *present_opacity_, *radian_;
+  rviz::BoolProperty *upper_, *boundaries_, *ids_, *legend_;
+
+  std::unique_ptr<NodeLink> link_;
+  std::unique_ptr<PictureThread> thread_;
+  std::unique_ptr<DrawnPicture> drawn_;
+  std::unique_ptr<rviz::Shape> point_;  // where the robot is, where that is not seen from its platform
+  NodeLink::News news_;
+  std::shared_ptr<const ReceivedMap> map_;
+  std::shared_ptr<const SurfacePicture> picture_;
+  std::optional<Pose> present_;      // while it is known
+  std::optional<WorkingMode> mode_;  // the last that was known
+  std::optional<PictureChoice> asked_;
+  std::optional<Pose> asked_at_;
+  std::uint64_t maps_ = 0;  // reports of complete maps that were followed
+  float since_look_ = 0.0F;
+};
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_RVIZ_DISPLAY_ASPECTS_DISPLAY_H

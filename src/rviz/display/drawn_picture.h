@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_RVIZ_DISPLAY_DRAWN_PICTURE_H
+#define PARALLEL_ASPECTS_RVIZ_DISPLAY_DRAWN_PICTURE_H
+
+#include "rviz/display/surface_picture.h"
+#include <memory>
+#include <rviz/ogre_helpers/billboard_line.h>
+#include <rviz/ogre_helpers/mesh_shape.h>
+#include <rviz/ogre_helpers/movable_text.h>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// How a picture looks.
+struct Look {
+  double opacity = 0.6;          ///< of the aspects that the robot is not in
+  double present_opacity = 0.9;  ///< of the one that it is in
+  int present = 0;               ///< its id; 0 where it is not known
+  bool ids = true;               ///< whether ids are written
+  bool legend = true;
+};
+
+/// A picture as shapes of rviz below one node of its scene. Make and destroy it in rviz's own thread.
+class DrawnPicture {
+ public:
+  DrawnPicture(const SurfacePicture& picture, const Look& look, Ogre::SceneManager* scene,
+               Ogre::SceneNode* parent);
+  ~DrawnPicture();
+  DrawnPicture(const DrawnPicture&) = delete;
+  DrawnPicture& operator=(const DrawnPicture&) = delete;
+
+  void set_look(const Look& look);
+
+ private:
+  struct Mesh {
+    std::unique_ptr<rviz::MeshShape> shape;
+    int aspect;
+    std::uint32_t color;
+    bool is_cut;
+  };
+  struct Text {
+    std::unique_ptr<rviz::MovableText> text;
+    Ogre::SceneNode* node;
+    bool is_legend;
+  };
+
+  void add(const ColoredMesh& mesh);
+  void add(const ColoredLines& lines, double size);
+  void add_text(const Label& label, double height, bool is_legend);
+  void add_legend(const SurfacePicture& picture);
+
+  Ogre::SceneManager* scene_;
+  Ogre::SceneNode* root_;
+  std::vector<Mesh> meshes_;
+  std::vector<std::unique_ptr<rviz::BillboardLine>> lines_;
+  std::vector<Text> texts_;
+};
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_RVIZ_DISPLAY_DRAWN_PICTURE_H

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_RVIZ_DISPLAY_NODE_LINK_H
+#define PARALLEL_ASPECTS_RVIZ_DISPLAY_NODE_LINK_H
+
+#include <parallel_aspects/AspectState.h>
+#include <parallel_aspects/MapProgress.h>
+
+#include <ros/node_handle.h>
+#include <ros/subscriber.h>
+
+#include <cstdint>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <std_msgs/UInt32MultiArray.h>
+#include <string>
+
+namespace parallel_aspects {
+
+/// What one aspect_node publishes that a display draws from, as it came last.
+class NodeLink {
+ public:
+  struct News {
+    bool is_there = false;  ///< whether a node publishes under this name
+    std::optional<AspectState> state;
+    std::optional<MapProgress> progress;
+    std::uint64_t maps = 0;              ///< reports of a complete map
+    std::optional<std::set<int>> shown;  ///< ids that a panel chose
+  };
+
+  /// `node`: its name, resolved by `nh`, whose queue calls back in any thread.
+  NodeLink(ros::NodeHandle nh, const std::string& node);
+  ~NodeLink();
+  NodeLink(const NodeLink&) = delete;
+  NodeLink& operator=(const NodeLink&) = delete;
+
+  const std::string& name() const noexcept { return name_; }  ///< resolved
+
+  /// Call from one thread.
+  News news();
+
+ private:
+  ros::NodeHandle nh_;
+  const std::string name_;
+  std::mutex mutex_;
+  News news_;
+  ros::Subscriber state_, progress_, shown_;
+};
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_RVIZ_DISPLAY_NODE_LINK_H

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_RVIZ_DISPLAY_PICTURE_THREAD_H
+#define PARALLEL_ASPECTS_RVIZ_DISPLAY_PICTURE_THREAD_H
+
+#include "parallel_aspects/urdf/mechanism.h"
+
+#include <parallel_aspects/GetMap.h>
+
+#include <ros/node_handle.h>
+#include <ros/service_client.h>
+
+#include "rviz/display/surface_picture.h"
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+namespace parallel_aspects {
+
+/// A map as it was received, with the robot that it is of.
+struct ReceivedMap {
+  std::shared_ptr<const AspectMap> map;
+  std::string base_frame, revision;
+  std::size_t bytes = 0;  ///< of the map
+};
+
+/// Asks a node for its map and draws it, in a thread of its own: neither holds up who looks.
+class PictureThread {
+ public:
+  struct Result {
+    std::shared_ptr<const ReceivedMap> map;  ///< the latest; null before the first, and where there is none
+    std::string problem;                     ///< why there is none; empty otherwise
+    std::shared_ptr<const SurfacePicture> picture;  ///< the latest of this map; null before the first
+    std::uint64_t pictures = 0;                     ///< how many were drawn
+    double fetch_seconds = 0.0, draw_seconds = 0.0;
+  };
+
+  /// `node`: its full name.
+  PictureThread(const ros::NodeHandle& nh, const std::string& node);
+  ~PictureThread();
+  PictureThread(const PictureThread&) = delete;
+  PictureThread& operator=(const PictureThread&) = delete;
+
+  /// Asks for the map; it is sent again only where another one is in use.
+  void fetch();
+
+  /// Draws this next.
+  void draw(const PictureChoice& choice, const std::optional<Pose>& present);
+
+  bool is_drawing() const;  ///< or has something to draw
+  Result result() const;
+
+ private:
+  struct Request {
+    PictureChoice choice;
+    std::optional<Pose> present;
+  };
+
+  void run();
+  void carry_out_fetch();
+  void carry_out_draw(const Request& request);
+  void take(const GetMap::Response& response, double seconds);
+  void fail(const std::string& problem);
+
+  ros::NodeHandle nh_;
+  const std::string service_;
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  bool stopping_ = false, fetch_wanted_ = false, drawing_ = false;
+  std::optional<Request> next_;
+  std::atomic<bool> cancelled_{false};
+  ros::ServiceClient client_;
+  Result result_;
+  std::thread thread_;
+};
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_RVIZ_DISPLAY_PICTURE_THREAD_H

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_RVIZ_DISPLAY_SURFACE_PICTURE_H
+#define PARALLEL_ASPECTS_RVIZ_DISPLAY_SURFACE_PICTURE_H
+
+#include "parallel_aspects/aspects/aspect_map.h"
+#include "parallel_aspects/aspects/boundary_curves.h"
+
+#include <Eigen/Geometry>
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// Which aspects are drawn.
+enum class Shown {
+  present_mode,    ///< those of the working mode that the robot is in
+  present_aspect,  ///< the one that the robot is in
+  chosen,          ///< those that `chosen` names
+  all,             ///< all of them
+};
+
+/// Which part of the picture a section leaves.
+enum class Section {
+  none,       ///< all of it
+  at_robot,   ///< what lies below the present value of the coordinate
+  at_offset,  ///< what lies below a value of it
+};
+
+/// What is drawn of a map.
+struct PictureChoice {
+  Shown shown = Shown::present_mode;
+  std::set<int> chosen;             ///< ids
+  std::optional<WorkingMode> mode;  ///< the present one, where it is known
+  int aspect = 0;                   ///< id of the present one; 0 where it is not known
+  Section section = Section::none;
+  std::size_t axis = 2;          ///< coordinate that the section is across
+  double offset = 0.0;           ///< of the section [m or rad]
+  bool upper = false;            ///< leaves what lies above in place of what lies below
+  bool tells_boundaries = true;  ///< colours what an aspect ends at
+  double radian = 0.0;           ///< how long an angle of one rad is drawn [m]; 0 for what suits the robot
+};
+
+/// One colour of a surface, or of a part of a plane.
+struct ColoredMesh {
+  int aspect = 0;           ///< id
+  std::uint32_t color = 0;  ///< 0xRRGGBB
+  bool is_cut = false;      ///< the face of a section, which is drawn opaque
+  std::vector<Eigen::Vector3f> points, normals;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+/// Segments of one colour, two points each.
+struct ColoredLines {
+  std::uint32_t color = 0;  ///< 0xRRGGBB
+  bool is_outline = false;  ///< around the present aspect, wider than the others
+  std::vector<Eigen::Vector3f> ends;
+};
+
+struct Label {
+  std::string text;
+  std::uint32_t color = 0;
+  Eigen::Vector3f at;
+};
+
+/// What there is to draw, in metres, in the task frame moved by `placement` of the present pose.
+struct SurfacePicture {
+  std::vector<ColoredMesh> meshes;
+  std::vector<ColoredLines> lines;
+  std::vector<Label> labels;
+  std::vector<Label> legend;  ///< lines, the first at `legend_at` and each next one below it
+  Eigen::Vector3f legend_at = Eigen::Vector3f::Zero();   ///< left end of the first line
+  Eigen::Vector3f legend_up = Eigen::Vector3f::UnitZ();  ///< from line to line
+  double radian = 1.0;                                   ///< how long an angle of one rad is drawn [m]
+  double size = 1.0;                                     ///< of the robot, or of the ball of rotations [m]
+  std::size_t triangles = 0;
+};
+
+/// Draws; stops early, with what there is, where `cancelled` is set.
+SurfacePicture draw_surfaces(const AspectMap& map, const PictureChoice& choice,
+                             const std::optional<Pose>& present, const std::atomic<bool>& cancelled);
+
+/// Ids of the aspects that a choice shows.
+std::vector<int> shown_aspects(const AspectMap& map, const PictureChoice& choice);
+
+/// The ids and working modes that a person wrote, as "1 4 (+,-)"; what is neither is returned in `problem`.
+std::set<int> chosen_aspects(const AspectMap& map, const std::string& text, std::string& problem);
+
+/// Where a pose is in the coordinates of the picture, before `placement` [m].
+Eigen::Vector3d drawn_point(TaskSpace space, const Pose& pose, double radian);
+
+/// Where the picture stands in the task frame: in SE2 the present angle is in the plane of the robot, and
+/// SO3's ball of rotations is beside the robot.
+Eigen::Vector3d placement(const Manipulator& manipulator, const std::optional<Pose>& present, double radian);
+
+/// How far a section at the robot may be from it before it is drawn anew, in its own unit.
+double section_step(const AspectMap& map, std::size_t axis);
+
+/// Coordinate `axis` of a pose, as sections have it [m or rad].
+double section_value(TaskSpace space, const Pose& pose, std::size_t axis);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_RVIZ_DISPLAY_SURFACE_PICTURE_H
