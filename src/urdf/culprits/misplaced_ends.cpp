@@ -37,12 +37,13 @@ bool puts_together(const Correction& correction, const std::shared_ptr<const Tre
   return those_apart(*changed, config).empty() && attempt(changed, config);
 }
 
-// A link that several closures hold is no end of one.
-bool holds_shared_link(const std::vector<Closure>& closures, const Closure& closure) {
+// A link that carries others, or that several closures hold, is a body.
+bool holds_body(const Tree& tree, const std::vector<Closure>& closures, const Closure& closure) {
   return std::any_of(closure.frames.begin(), closure.frames.end(), [&](const LinkFrame& frame) {
-    return std::count_if(closures.begin(), closures.end(), [&](const Closure& other) {
-             return other.frames[0].link == frame.link || other.frames[1].link == frame.link;
-           }) > 1;
+    const auto count = std::count_if(closures.begin(), closures.end(), [&](const Closure& other) {
+      return other.frames[0].link == frame.link || other.frames[1].link == frame.link;
+    });
+    return count > 1 || (has_child(tree, frame.link) && frame.in_link.translation().isZero());
   });
 }
 
@@ -89,7 +90,7 @@ std::vector<std::string> misplaced_ends_notes(const std::shared_ptr<const Tree>&
   std::size_t count_apart = 0, count_together = 0;
   for (std::size_t k = 0; k < gaps.size(); ++k) {
     if (resolved.closures[k].at_zero || !gaps[k] ||
-        holds_shared_link(resolved.closures, resolved.closures[k]))
+        holds_body(*tree, resolved.closures, resolved.closures[k]))
       continue;
     ++(*gaps[k] > meet ? count_apart : count_together);
     if (*gaps[k] > meet)

@@ -36,9 +36,9 @@ std::string matched(const std::string& text, const std::string& pattern) {
 }
 
 std::string exchanged(std::string text, const std::string& one, const std::string& other) {
-  text = replaced(text, one, "#");
+  text = replaced(text, one, "@@");
   text = replaced(text, other, one);
-  return replaced(text, "#", other);
+  return replaced(text, "@@", other);
 }
 
 bool are_same(const Description& one, const Description& other) {
