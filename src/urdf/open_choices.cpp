@@ -160,8 +160,8 @@ class OpenChoices {
     return contents;
   }
 
-  // As they are written; where that holds too much, as joints that turn, in the place that is said or at the
-  // one of two that makes a manipulator.
+  // As they are written; where that holds too much, as joints that turn (for a universal one a weld has no
+  // axes), in the place that is said or at the one of two that makes a manipulator.
   Contents find_welds(Problems& problems) const {
     const std::vector<Closure>& welds = resolved_.closures;
     const double size = ClosureSystem(tree_, resolved_.base, with_type(welds, ClosureType::fixed)).size();
@@ -182,8 +182,7 @@ class OpenChoices {
     for (const std::size_t end : {0, 1}) {
       closures[end] = turned_at(resolved_.closures, end == 0);
       found[end] =
-          find_type(closures[end], {ClosureType::point, ClosureType::revolute, ClosureType::universal},
-                    taken[end], problems);
+          find_type(closures[end], {ClosureType::point, ClosureType::revolute}, taken[end], problems);
       if (!any_end_open(size)) break;
     }
     if (found[0] && found[1]) return refuse_both(size, problems);

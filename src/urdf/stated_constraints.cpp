@@ -75,7 +75,8 @@ class FullTurns {
 
   bool is_left_out(const std::string& joint) {
     if (!turns(joint)) return false;
-    if (names_.find("'" + joint + "'") == std::string::npos) names_ += (names_.empty() ? "'" : ", '") + joint + "'";
+    if (names_.find("'" + joint + "'") == std::string::npos)
+      names_ += (names_.empty() ? "'" : ", '") + joint + "'";
     return true;
   }
 

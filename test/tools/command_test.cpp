@@ -317,5 +317,18 @@ TEST_F(Command, DescribeCountsManyCones) {
   EXPECT_GE(line_count(described({"--verbose"}).output), 200U);
 }
 
+// Of one kind, whatever their angles.
+TEST_F(Command, DescribeHasConesOfSeveralAnglesInOneLine) {
+  const DescribedWith described(
+      "constraints:\n  cones:\n    - {leg: 1, end: base, axis: [1, 0], angle: 1.0}\n"
+      "    - {leg: 2, end: base, axis: [1, 0], angle: 1.5}\n    - {leg: 2, end: base, axis: [0, 1], angle: "
+      "1.2}\n");
+  EXPECT_NE(
+      described().output.find("cones: the rods of leg_1, leg_2 are at most 1 to 1.5 rad from 3 axes of the "
+                              "crank; --verbose lists them\n"),
+      std::string::npos)
+      << described().output;
+}
+
 }  // namespace
 }  // namespace parallel_aspects::tools

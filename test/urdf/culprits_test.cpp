@@ -73,10 +73,14 @@ TEST(Culprit, MayBeALinkThatTwoClosuresHold) {
     const std::size_t start = description.config.find("{frames: [platform_3");
     ASSERT_NE(start, std::string::npos) << robot;
     description.config.replace(start, 20, "{frames: [platform_2");
+    const std::string last = robot == "stewart"     ? "piston_3_tip"
+                             : robot == "three_rpr" ? "bar_3_tip"
+                                                    : "rod_3_tip";
     EXPECT_EQ(about_links(),
               std::vector<std::string>{"Link 'platform_2' is in two closures, and 'platform_3' of the same "
-                                       "body in none; where each joint has its own link, correct the "
-                                       "closures."})
+                                       "body in none; where each joint has its own link, write link "
+                                       "'platform_3' in the place of 'platform_2' in closure 'platform_2 - " +
+                                       last + "'."})
         << robot;
   }
 }

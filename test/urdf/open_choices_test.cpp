@@ -184,8 +184,8 @@ std::string leg(const std::string& number, const std::string& base, const std::s
          test::fixed_joint("rod_" + number, "tip_" + number, "xyz=\"" + tip + "\"");
 }
 
-// Rods 2 and 3 end 0.2 m from the corners of the platform that they are welded to: the joint may be at
-// either.
+// Rods 2 and 3 end 0.2 m from the corners of the platform that they are welded to, and carry more: the joint
+// may be at either.
 Description doubtful() {
   const std::string urdf = "<robot name=\"robot\"><link name=\"base\"/>" + leg("1", "0 0 0", "2 1 0") +
                            leg("2", "8 0 0", "-3 1 0") + leg("3", "4 8 0", "0.5 -4 0") +
@@ -194,6 +194,8 @@ Description doubtful() {
                            "<link name=\"corner_2\"/><link name=\"corner_3\"/>" +
                            test::fixed_joint("platform", "corner_2", "xyz=\"3 0.2 0\"") +
                            test::fixed_joint("platform", "corner_3", "xyz=\"2.3 3 0\"") +
+                           "<link name=\"cap_2\"/><link name=\"cap_3\"/>" +
+                           test::fixed_joint("tip_2", "cap_2", "") + test::fixed_joint("tip_3", "cap_3", "") +
                            detachable("corner_2", "tip_2") + detachable("corner_3", "tip_3") + "</robot>";
   return {urdf, "mechanism: {operational_point: platform, actuated_joints: [motor_1, motor_2, motor_3]}"};
 }

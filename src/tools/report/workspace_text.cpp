@@ -11,11 +11,12 @@
 namespace parallel_aspects::tools {
 namespace {
 
-constexpr int samples = 4000;
+constexpr int samples = 4000, most_samples = 40000;
+constexpr int enough = 100;  // reached poses, to tell their ranges
 constexpr std::uint64_t seed = 1;
 
 struct ReachedPoses {
-  int count = 0;
+  int drawn = 0, count = 0;
   Eigen::AlignedBox3d positions;
 };
 
@@ -37,7 +38,8 @@ bool is_reached(const Manipulator& manipulator, const Pose& pose) {
 
 ReachedPoses reached_poses(const Manipulator& manipulator, PoseSampler& sampler) {
   ReachedPoses reached;
-  for (int i = 0; i < samples; ++i) {
+  for (; reached.drawn < samples || (reached.count < enough && reached.drawn < most_samples);
+       ++reached.drawn) {
     const std::optional<Pose> pose = sampler.draw();
     if (!pose || !is_reached(manipulator, *pose)) continue;
     ++reached.count;
@@ -66,7 +68,7 @@ std::string workspace_text(const std::shared_ptr<const Manipulator>& manipulator
   ReachedPoses reached = reached_poses(*manipulator, sampler);
   if (reached.count > 0 && is_reached(*manipulator, home)) reached.positions.extend(home.position);
   const std::string share =
-      std::to_string(reached.count) + " of " + std::to_string(samples) + " random poses";
+      std::to_string(reached.count) + " of " + std::to_string(reached.drawn) + " random poses";
   if (reached.count == 0 || directions(manipulator->task_space()) == 0)
     return "workspace: the legs reach " + share + "\n";
   return "workspace: " + ranges_text(*manipulator, reached.positions) + ", about; the legs reach " + share +

@@ -49,8 +49,9 @@ struct Missing {
 // A chain of joints from the base on, each carried by the one before.
 class ChainCorrections {
  public:
-  ChainCorrections(const Tree& tree, const SourceNames& files, std::vector<std::size_t> joints)
-      : tree_(tree), files_(files), joints_(std::move(joints)) {
+  ChainCorrections(const Tree& tree, const SourceNames& files, std::vector<std::size_t> joints,
+                   std::size_t actuated_joints)
+      : tree_(tree), files_(files), joints_(std::move(joints)), actuated_joints_(actuated_joints) {
     const Poses all =
         link_poses(tree, tree.joints[joints_.front()].parent, Eigen::VectorXd::Zero(tree.variables()));
     for (const std::size_t joint : joints_) {
@@ -85,7 +86,7 @@ class ChainCorrections {
       }
     if (turns_.empty()) {
       consider({slides_beside(-1), {}});
-      consider({slides_beside(-1), {0, 1, 2}});
+      if (actuated_joints_ > slides_.size()) consider({slides_beside(-1), {0, 1, 2}});
     }
     std::stable_sort(all.begin(), all.end(), [](const Missing& one, const Missing& other) {
       return one.slides.size() + one.turns.size() < other.slides.size() + other.turns.size();
@@ -224,6 +225,7 @@ class ChainCorrections {
   const Tree& tree_;
   const SourceNames& files_;
   std::vector<std::size_t> joints_;       // of the tree
+  std::size_t actuated_joints_;           // of the robot
   std::vector<Eigen::Isometry3d> poses_;  // of what they carry, at zero, in the link that the first starts at
   Directions axes_, slides_, turns_;      // in the same frame: of all; of those that slide and that turn
   std::string names_;
@@ -272,7 +274,8 @@ Corrections chain_corrections(const Tree& tree, const ResolvedConfig& resolved, 
   for (std::size_t k = 0; k < parts.size(); ++k) {
     const auto joints = passive_chain(tree, resolved, parts[k]);
     if (!joints || (tree.joints[joints->back()].child != platform && is_like_a_leg(tree, parts, k))) continue;
-    for (Correction& correction : ChainCorrections(tree, files, *joints).find())
+    for (Correction& correction :
+         ChainCorrections(tree, files, *joints, resolved.actuated_joints.variables.size()).find())
       found.push_back(std::move(correction));
   }
   return found;

@@ -120,9 +120,12 @@ std::optional<ResolvedConfig> drawn_open(const Tree& tree, const ResolvedConfig&
 
 ResolvedConfig as_listed(const Tree& tree, ResolvedConfig resolved) {
   place_at_zero(tree, resolved.closures);
-  if (auto together = with_ends_together(tree, resolved)) resolved = std::move(*together);
-  for (Closure& closure : resolved.closures) closure.at_zero.reset();
-  return resolved;
+  ResolvedConfig listed = resolved;
+  for (Closure& closure : listed.closures) {
+    if (joins_ends(tree, resolved.closures, closure)) closure.frames[0].in_link.translation().setZero();
+    closure.at_zero.reset();
+  }
+  return listed;
 }
 
 std::vector<Closure> with_known_types(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,

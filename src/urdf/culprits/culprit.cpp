@@ -7,6 +7,7 @@
 #include "urdf/corrections/misfit_axes.h"
 #include "urdf/corrections/named_ends.h"
 #include "urdf/culprits/correction_search.h"
+#include "urdf/culprits/misplaced_ends.h"
 
 #include <algorithm>
 #include <utility>
@@ -346,6 +347,9 @@ std::optional<std::string> culprit_of_gaps(const std::shared_ptr<const Tree>& tr
                                            const Attempt& attempt) {
   auto together = with_ends_together(*tree, resolved);
   if (!together) return std::nullopt;
+  if (drawn_open(*tree, resolved, files))
+    return CorrectionSearch(tree, *together, true, files, attempt)
+        .working_of(place_corrections(tree, resolved, files));
   if (auto message = Search(tree, *together, files, attempt).run()) return message;
   const auto remedy =
       are_all_welds(resolved.closures) ? std::nullopt : list_of_ends(tree, resolved, files, attempt);

@@ -4,11 +4,14 @@
 #include "model/number_text.h"
 #include "urdf/corrections/gap_corrections.h"
 #include "urdf/corrections/loop_joints.h"
+#include "urdf/corrections/unit_corrections.h"
 #include "urdf/culprits/closure_gaps.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <set>
+#include <utility>
 
 namespace parallel_aspects {
 namespace {
@@ -24,21 +27,24 @@ std::vector<Closure> those_apart(const Tree& tree, const ResolvedConfig& resolve
   return apart;
 }
 
-bool all_meet(const Tree& tree, const ResolvedConfig& resolved) {
-  return those_apart(tree, resolved).empty();
+// The corrected description is recognised with its ends as they are then.
+bool puts_together(const Correction& correction, const std::shared_ptr<const Tree>& tree,
+                   const ResolvedConfig& resolved, const Attempt& attempt) {
+  auto changed = std::make_shared<Tree>(*tree);
+  ResolvedConfig config = resolved;
+  correction.apply(*changed, config);
+  place_at_zero(*changed, config.closures);
+  return those_apart(*changed, config).empty() && attempt(changed, config);
 }
 
-// The corrected description is recognised with its ends as they are then.
-std::optional<std::string> remedy_at(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,
-                                     const Corrections& corrections, const Attempt& attempt) {
-  for (const Correction& correction : corrections) {
-    auto changed = std::make_shared<Tree>(*tree);
-    ResolvedConfig config = resolved;
-    correction.apply(*changed, config);
-    place_at_zero(*changed, config.closures);
-    if (all_meet(*changed, config) && attempt(changed, config)) return correction.remedy;
-  }
-  return std::nullopt;
+// A link that carries others, or that several closures hold, is a body.
+bool holds_body(const Tree& tree, const std::vector<Closure>& closures, const Closure& closure) {
+  return std::any_of(closure.frames.begin(), closure.frames.end(), [&](const LinkFrame& frame) {
+    const auto count = std::count_if(closures.begin(), closures.end(), [&](const Closure& other) {
+      return other.frames[0].link == frame.link || other.frames[1].link == frame.link;
+    });
+    return count > 1 || (has_child(tree, frame.link) && frame.in_link.translation().isZero());
+  });
 }
 
 std::string gap_text(const Tree& tree, const Closure& closure, double gap) {
@@ -48,19 +54,30 @@ std::string gap_text(const Tree& tree, const Closure& closure, double gap) {
 
 }  // namespace
 
-std::vector<std::string> remedies_of_places(const std::shared_ptr<const Tree>& tree,
-                                            const ResolvedConfig& resolved, const SourceNames& files,
-                                            const Attempt& attempt) {
+Corrections place_corrections(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,
+                              const SourceNames& files) {
   const double size =
       ClosureSystem(tree, resolved.base, with_type(resolved.closures, ClosureType::point)).size();
   const LoopJoints loops(*tree, resolved.closures, size);
   const LoopJoints suspects(*tree, those_apart(*tree, resolved), size);
+  Corrections found = unit_corrections(*tree, resolved, suspects, size, files);
+  for (const std::size_t joint : suspects.all())
+    for (Correction& correction : gap_corrections(*tree, loops, joint, files))
+      found.push_back(std::move(correction));
+  return found;
+}
+
+std::vector<std::string> remedies_of_places(const std::shared_ptr<const Tree>& tree,
+                                            const ResolvedConfig& resolved, const SourceNames& files,
+                                            const Attempt& attempt) {
   std::vector<std::string> remedies;
-  for (const std::size_t joint : suspects.all()) {
-    if (remedies.size() == max_remedies) break;
-    if (auto remedy = remedy_at(tree, resolved, gap_corrections(*tree, loops, joint, files), attempt))
-      remedies.push_back(*remedy);
-  }
+  std::set<std::string> corrected;
+  for (const Correction& correction : place_corrections(tree, resolved, files))
+    if (remedies.size() < max_remedies && corrected.count(correction.element) == 0 &&
+        puts_together(correction, tree, resolved, attempt)) {
+      corrected.insert(correction.element);
+      remedies.push_back(correction.remedy);
+    }
   return remedies;
 }
 
@@ -72,7 +89,9 @@ std::vector<std::string> misplaced_ends_notes(const std::shared_ptr<const Tree>&
   std::string apart;
   std::size_t count_apart = 0, count_together = 0;
   for (std::size_t k = 0; k < gaps.size(); ++k) {
-    if (resolved.closures[k].at_zero || !gaps[k]) continue;
+    if (resolved.closures[k].at_zero || !gaps[k] ||
+        holds_body(*tree, resolved.closures, resolved.closures[k]))
+      continue;
     ++(*gaps[k] > meet ? count_apart : count_together);
     if (*gaps[k] > meet)
       apart += (apart.empty() ? "" : ", ") + gap_text(*tree, resolved.closures[k], *gaps[k]);

@@ -3,6 +3,7 @@
 #define PARALLEL_ASPECTS_URDF_CULPRITS_MISPLACED_ENDS_H
 
 #include "urdf/closing/resolved_config.h"
+#include "urdf/corrections/correction.h"
 #include "urdf/culprits/attempt.h"
 #include "urdf/description/source_names.h"
 
@@ -11,6 +12,10 @@
 #include <vector>
 
 namespace parallel_aspects {
+
+/// Changes of origins of joints in loops whose ends are apart while all joints are zero: guesses.
+Corrections place_corrections(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,
+                              const SourceNames& files);
 
 /// Changes of the origin of one joint that put together, while all joints are zero, all ends of closures: a
 /// few of those that make a robot, as "write xyz=\"1 0 0\" in the origin of joint 'a'".

@@ -72,8 +72,8 @@ std::vector<std::string> notes_of_numbers(const Tree& tree, const std::vector<Cl
     notes.push_back("Link '" + tree.links[link] + "' is in " +
                     (own_frames == 2 ? "two" : std::to_string(own_frames)) + " closures, and " + quoted +
                     " of the same body in none; where each joint has its own link, " +
-                    (wrong ? "write " + quoted + " in the place of '" + tree.links[link] + "' in closure '" +
-                                 wrong->closure->name + "'."
+                    (wrong ? "write link " + quoted + " in the place of '" + tree.links[link] +
+                                 "' in closure '" + wrong->closure->name + "'."
                            : "correct the closures."));
   }
   return notes;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 namespace parallel_aspects {
 namespace {
@@ -13,12 +14,14 @@ namespace {
 // Legs of a fully parallel robot, and one passive chain besides.
 constexpr std::size_t min_parts = 2, max_parts = 7;
 
+// Two legs meet where a closure is, as a rule.
 std::vector<std::size_t> links_of(const Tree& tree, std::vector<std::size_t> links,
-                                  const std::string& answer) {
-  if (!answer.empty()) return {*tree.link_named(answer)};
-  const auto likeness = [&](std::size_t link) { return operational_point_likeness(tree.links[link]); };
+                                  const std::vector<Closure>& closures, std::size_t legs) {
+  const auto key = [&](std::size_t link) {
+    return std::pair{operational_point_likeness(tree.links[link]), legs == 2 && is_closed(closures, link)};
+  };
   std::stable_sort(links.begin(), links.end(),
-                   [&](std::size_t one, std::size_t other) { return likeness(one) > likeness(other); });
+                   [&](std::size_t one, std::size_t other) { return key(one) > key(other); });
   return links;
 }
 
@@ -33,7 +36,9 @@ std::vector<Platform> platform_candidates(const Tree& tree, const Bodies& bodies
     if (!answer.empty() && bodies.of(*tree.link_named(answer)) != body) continue;
     const std::vector<GraphPart> parts = graph.parts_between(base, body);
     if (parts.size() < min_parts || parts.size() > max_parts) continue;
-    Platform platform{body, links_of(tree, bodies.links(body), answer), leg_choices(tree, parts)};
+    Platform platform{body, {}, leg_choices(tree, parts)};
+    platform.links = answer.empty() ? links_of(tree, bodies.links(body), closures, parts.size())
+                                    : std::vector<std::size_t>{*tree.link_named(answer)};
     if (!platform.legs.empty()) result.push_back(platform);
   }
   const auto key = [&](const Platform& platform) {
