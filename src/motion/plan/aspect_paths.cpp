@@ -4,6 +4,7 @@
 #include "aspects/map/map_contents.h"
 #include "aspects/map/map_location.h"
 #include "aspects/roadmap/path_search.h"
+#include "motion/plan/lead_in.h"
 
 #include <algorithm>
 #include <utility>
@@ -17,10 +18,12 @@ constexpr int max_leaf_paths = 30;  // that are tried, of which a segment is not
 
 AspectPaths::AspectPaths(std::shared_ptr<const AspectMap> map) : map_(std::move(map)), segments_(map_) {}
 
+bool AspectPaths::is_free(const Pose& from, const Pose& to, const Aspect& aspect) const {
+  return segments_.is_free(from, to, aspect.mode, aspect.determinant_sign);
+}
+
 SegmentsInMode AspectPaths::segments_of(const Aspect& aspect) const {
-  return {[this, &aspect](const Pose& from, const Pose& to) {
-            return segments_.is_free(from, to, aspect.mode, aspect.determinant_sign);
-          },
+  return {[this, &aspect](const Pose& from, const Pose& to) { return is_free(from, to, aspect); },
           [this](const Pose& from, const Pose& to, double t) { return segments_.between(from, to, t); },
           *map_->manipulator(), aspect.mode};
 }
@@ -35,28 +38,82 @@ std::vector<Pose> AspectPaths::find(int aspect, const Pose& from, const Pose& to
   if (segments.is_free(from, to) &&
       (!shape.is_wide || least_index_along({from, to}, segments) >= shape.kept_share * wanted))
     return {from, to};
-  for (const bool undecided : {false, true}) {
-    const std::vector<Pose> path = find_through_leaves(in, from, to, {undecided, wanted});
-    if (path.empty()) continue;
-    const double kept = shape.is_wide ? shape.kept_share * least_index_along(path, segments) : 0.0;
-    return shortened(path, segments, kept);
+  LeafChoice choice;
+  choice.wanted_index = wanted;
+  std::vector<Pose> path = find_through_leaves(in, from, to, choice);
+  if (path.empty()) path = find_between_parts(in, from, to);
+  if (path.empty()) return path;
+  const double kept = shape.is_wide ? shape.kept_share * least_index_along(path, segments) : 0.0;
+  return shortened(path, segments, kept);
+}
+
+/// From one part to another the way is looked for once: what is found leads on from all poses of the one to
+/// all of the other, since inside leaves connect each of them with its part.
+std::vector<Pose> AspectPaths::find_between_parts(const Aspect& aspect, const Pose& from, const Pose& to) {
+  const std::optional<Parts> key = parts(aspect, from, to);
+  if (!key) return search_between_parts(aspect, from, to);
+  const auto known = links_.find(*key);
+  if (known == links_.end()) {
+    std::vector<Pose>& link = links_[*key];
+    link = search_between_parts(aspect, from, to);
+    const auto [id, one, other] = *key;
+    links_[{id, other, one}].assign(link.rbegin(), link.rend());
+    return link;
   }
-  return find_in_roadmap(in, from, to);
+  const std::vector<Pose>& link = known->second;
+  if (link.empty()) return {};
+  std::vector<Pose> path = find_through_leaves(aspect, from, link.front());
+  const std::vector<Pose> rest = find_through_leaves(aspect, link.back(), to);
+  if (path.empty() || rest.empty()) return {};
+  path.insert(path.end(), link.begin() + 1, link.end());
+  path.insert(path.end(), rest.begin() + 1, rest.end());
+  return path;
+}
+
+/// Nothing where it is one, or an end is not proved to lie in one.
+std::optional<AspectPaths::Parts> AspectPaths::parts(const Aspect& aspect, const Pose& from, const Pose& to) {
+  const std::vector<NodeIndex> first = proved_leaves(aspect, from), last = proved_leaves(aspect, to);
+  if (first.empty() || last.empty()) return std::nullopt;
+  FaceComponents& connected = components(aspect);
+  const NodeIndex one = connected.part_of(first.front()), other = connected.part_of(last.front());
+  if (one == other) return std::nullopt;
+  return Parts{aspect.id, one, other};
+}
+
+std::vector<Pose> AspectPaths::search_between_parts(const Aspect& aspect, const Pose& from, const Pose& to) {
+  std::vector<Pose> path = find_by_climbs(aspect, from, to);
+  LeafChoice choice;
+  choice.undecided = true;
+  if (path.empty()) path = find_through_leaves(aspect, from, to, choice);
+  return path.empty() ? find_in_roadmap(aspect, from, to) : shortened(path, segments_of(aspect), 0.0);
+}
+
+FaceComponents& AspectPaths::components(const Aspect& aspect) {
+  const std::size_t mode = *mode_index(map_->contents(), aspect.mode);
+  return components_.try_emplace(mode, map_->contents(), mode).first->second;
+}
+
+/// Those near the pose to which a segment is proved: to look for paths to others is in vain.
+std::vector<NodeIndex> AspectPaths::proved_leaves(const Aspect& aspect, const Pose& pose) const {
+  std::vector<NodeIndex> result;
+  for (const NodeIndex leaf : leaves_near(map_->contents(), aspect, pose))
+    if (is_free(pose, nearest_in(map_->contents(), leaf, pose), aspect)) result.push_back(leaf);
+  return result;
 }
 
 /// Where a segment is not proved, the next path goes elsewhere.
 std::vector<Pose> AspectPaths::find_through_leaves(const Aspect& aspect, const Pose& from, const Pose& to,
                                                    LeafChoice choice) {
-  const std::size_t mode = *mode_index(map_->contents(), aspect.mode);
-  FaceComponents& components = components_.try_emplace(mode, map_->contents(), mode).first->second;
+  choice.first = proved_leaves(aspect, from);
+  choice.last = proved_leaves(aspect, to);
   for (int i = 0; i < max_leaf_paths; ++i) {
     const std::vector<LeafStep> steps =
-        find_leaf_path(map_->contents(), components, aspect.id, from, to, choice);
+        find_leaf_path(map_->contents(), components(aspect), aspect.id, from, to, choice);
     bool is_proved = true;
     NodeIndex before = no_node;  // the leaf that the path comes from
     for (std::size_t k = 0; k + 1 < steps.size(); ++k) {
       if (steps[k].leaf != steps[k + 1].leaf) before = steps[k].leaf;
-      if (segments_.is_free(steps[k].pose, steps[k + 1].pose, aspect.mode, aspect.determinant_sign)) continue;
+      if (is_free(steps[k].pose, steps[k + 1].pose, aspect)) continue;
       is_proved = false;
       choice.barred.insert({before, steps[k + 1].leaf});
     }
@@ -66,6 +123,35 @@ std::vector<Pose> AspectPaths::find_through_leaves(const Aspect& aspect, const P
     return path;
   }
   return {};
+}
+
+/// Small parts of an aspect by its boundary that no inside leaves connect with the rest: there a climb leads
+/// out, as when the map was computed.
+std::vector<Pose> AspectPaths::find_by_climbs(const Aspect& aspect, const Pose& from, const Pose& to) {
+  std::vector<Pose> start = climb_to(aspect, from, proved_leaves(aspect, to)), goal{to};
+  if (start.empty()) {
+    start = {from};
+    goal = climb_to(aspect, to, proved_leaves(aspect, from));
+  }
+  if (goal.empty()) return {};
+  std::vector<Pose> path = find_through_leaves(aspect, start.back(), goal.back());
+  if (path.empty()) return {};
+  path.insert(path.begin(), start.begin(), start.end() - 1);
+  path.insert(path.end(), goal.rbegin() + 1, goal.rend());
+  return path;
+}
+
+/// Up to a pose in a leaf that is connected with one of `leaves`.
+std::vector<Pose> AspectPaths::climb_to(const Aspect& aspect, const Pose& from,
+                                        const std::vector<NodeIndex>& leaves) {
+  FaceComponents& connected = components(aspect);
+  return climb(*map_, segments_, from, aspect.mode, aspect.determinant_sign, [&](const Pose& at) {
+    const std::vector<NodeIndex> near = leaves_near(map_->contents(), aspect, at);
+    return std::any_of(near.begin(), near.end(), [&](NodeIndex one) {
+      return std::any_of(leaves.begin(), leaves.end(),
+                         [&](NodeIndex other) { return connected.are_connected(one, other); });
+    });
+  });
 }
 
 /// Aspects are joined by more than faces of inside leaves; there poses are sampled.

@@ -11,6 +11,8 @@
 
 #include <map>
 #include <memory>
+#include <optional>
+#include <tuple>
 #include <vector>
 
 namespace parallel_aspects {
@@ -27,14 +29,28 @@ class AspectPaths {
   std::vector<Pose> find(int aspect, const Pose& from, const Pose& to, const PathShape& shape = short_shape);
 
  private:
+  bool is_free(const Pose& from, const Pose& to, const Aspect& aspect) const;
   SegmentsInMode segments_of(const Aspect& aspect) const;
+
+  /// Two parts of one aspect that no faces of inside leaves connect: its id, and the leaves that stand for
+  /// them.
+  using Parts = std::tuple<int, NodeIndex, NodeIndex>;
+
+  FaceComponents& components(const Aspect& aspect);
+  std::optional<Parts> parts(const Aspect& aspect, const Pose& from, const Pose& to);
+  std::vector<Pose> find_between_parts(const Aspect& aspect, const Pose& from, const Pose& to);
+  std::vector<Pose> search_between_parts(const Aspect& aspect, const Pose& from, const Pose& to);
+  std::vector<NodeIndex> proved_leaves(const Aspect& aspect, const Pose& pose) const;
   std::vector<Pose> find_through_leaves(const Aspect& aspect, const Pose& from, const Pose& to,
-                                        LeafChoice choice);
+                                        LeafChoice choice = {});
+  std::vector<Pose> find_by_climbs(const Aspect& aspect, const Pose& from, const Pose& to);
+  std::vector<Pose> climb_to(const Aspect& aspect, const Pose& from, const std::vector<NodeIndex>& leaves);
   std::vector<Pose> find_in_roadmap(const Aspect& aspect, const Pose& from, const Pose& to);
 
   std::shared_ptr<const AspectMap> map_;
   MapSegments segments_;
-  std::map<std::size_t, FaceComponents> components_;                    // by index of the mode in the map
+  std::map<std::size_t, FaceComponents> components_;  // by index of the mode in the map
+  std::map<Parts, std::vector<Pose>> links_;  // from one to the other, once looked for; empty where in vain
   std::map<std::size_t, std::shared_ptr<const PoseRoadmap>> roadmaps_;  // by index of the working mode
 };
 
