@@ -149,9 +149,9 @@ TEST(PlanInRoadmap, HasClearAndShortPaths) {
   const Robot robot = test::shipped("stewart")->mapped_manipulator();
   const auto roadmap = roadmap_of(robot, {}, 1000);
   const WorkingMode mode = working_modes(*robot).front();
-  test::PosePairs random(robot, 3);
+  test::PosePairs random(robot, 20261123);
   int clearer = 0;
-  for (int i = 0; i < (test::is_sanitized ? 3 : 20); ++i) {
+  for (int i = 0; i < (test::is_sanitized ? 3 : 60); ++i) {
     SCOPED_TRACE("pair " + std::to_string(i));
     const PathEnd from{random.reached(mode).value(), mode}, to{random.reached(mode).value(), mode};
     const PlannedPath shortest = plan_in_roadmap(*roadmap, from, to),
