@@ -49,8 +49,9 @@ std::string missing_argument(const RobotChoice& choice) {
   if (!choice.name.empty() || (!choice.urdf_file.empty() && !choice.config_file.empty())) return "";
   if (choice.urdf_file.empty() && choice.config_file.empty())
     return "ROBOT is required; name a shipped robot, or give --urdf FILE and --config FILE";
-  return choice.config_file.empty() ? "--config is required with --urdf; `aspects setup URDF` writes that file"
-                                    : "--urdf is required with --config; give the URDF of the robot";
+  return choice.config_file.empty()
+             ? "--config is required with --urdf; `aspects setup URDF` writes that file"
+             : "--urdf is required with --config; give the URDF of the robot";
 }
 
 Problems problems_of(const RobotChoice& choice) {

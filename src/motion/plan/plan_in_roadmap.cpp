@@ -33,6 +33,10 @@ class RoadmapPlanner {
         control_(control) {}
 
   PlannedPath run(const PathEnd& from, const PathEnd& to) {
+    for (const PathEnd* end : {&from, &to})
+      if (!is_finite(end->pose))
+        return without_path(SameAspect::unknown, std::string("The pose of the ") +
+                                                     (end == &from ? "start" : "goal") + " is not finite.");
     PlannedPath found = stay(from, to);
     if (found || wish_.policy == PathPolicy::stay) return found;
     const SignedEnd starts = signed_end(from), goals = signed_end(to);

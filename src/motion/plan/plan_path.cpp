@@ -77,6 +77,11 @@ PoseInAspect find_lead(const AspectMap& map, const MapSegments& segments, const 
 
 EndAspects find_aspects(const AspectMap& map, const MapSegments& segments, const PathEnd& end) {
   EndAspects result;
+  if (!is_finite(end.pose)) {
+    result.all_known = false;
+    result.reasons.insert("its pose is not finite");
+    return result;
+  }
   if (!is_in_slice(map, end.pose)) {
     result.all_known = false;
     result.reasons.insert("it does not lie in the slice");

@@ -7,6 +7,7 @@
 #include "tools/paths/trajectory_text.h"
 #include "tools/report/text_table.h"
 
+#include <algorithm>
 #include <cstddef>
 
 namespace parallel_aspects::tools {
@@ -22,6 +23,8 @@ JointVector parse_acceleration(const std::string& text, const Manipulator& manip
   for (const Leg& leg : manipulator.legs()) names.push_back(leg.actuated_joint);
   const std::size_t known = problems.size();
   const std::vector<double> values = parse_numbers("--acceleration", text, names, problems);
+  if (problems.size() == known && *std::min_element(values.begin(), values.end()) <= 0.0)
+    problems.push_back("--acceleration is '" + text + "'; give positive numbers.");
   if (problems.size() > known) return {};  // there may be more of them than a vector of joints holds
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }

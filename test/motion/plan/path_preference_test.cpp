@@ -34,6 +34,7 @@ struct Case {
   std::optional<double> resolution;
   int pairs;
   PathPolicy policy;
+  bool differs;  // whether some ends are not the narrowest places of the paths between them
 };
 
 class PathPreferenceOf : public testing::TestWithParam<Case> {};
@@ -86,18 +87,20 @@ TEST_P(PathPreferenceOf, IsWhatItSays) {
               GetParam().name, compared.short_index.size(), compared.clearer, compared.faster,
               test::quantile(compared.short_index, 0.5), test::quantile(compared.clear_index, 0.5),
               test::quantile(compared.best_index, 0.5));
-  if (test::is_sanitized) return;
+  // In the median no path keeps a larger index than the clear one but by a twentieth.
+  EXPECT_FALSE(test::quantile(compared.best_index, 0.5) < 0.95);
+  if (test::is_sanitized || !GetParam().differs) return;
   EXPECT_GT(compared.clearer, 0);
   EXPECT_GT(compared.faster, 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(
     Robots, PathPreferenceOf,
-    testing::Values(Case{"five_bar", test::five_bar(), std::nullopt, 60, PathPolicy::stay},
-                    Case{"five_bar_serial", test::five_bar(), std::nullopt, 60, PathPolicy::serial},
-                    Case{"three_rpr", test::three_rpr(), 1.5, 20, PathPolicy::stay},
-                    Case{"three_rrr", test::three_rrr(), 1.0, 20, PathPolicy::stay},
-                    Case{"delta", test::delta(), 0.3, 20, PathPolicy::stay}),
+    testing::Values(Case{"five_bar", test::five_bar(), std::nullopt, 60, PathPolicy::stay, true},
+                    Case{"five_bar_serial", test::five_bar(), std::nullopt, 60, PathPolicy::serial, true},
+                    Case{"three_rpr", test::three_rpr(), 1.5, 20, PathPolicy::stay, true},
+                    Case{"three_rrr", test::three_rrr(), 1.0, 20, PathPolicy::stay, true},
+                    Case{"delta", test::delta(), 0.3, 20, PathPolicy::stay, false}),
     [](const auto& each) { return std::string(each.param.name); });
 
 }  // namespace

@@ -149,9 +149,10 @@ TEST(PlanInRoadmap, HasClearAndShortPaths) {
   const Robot robot = test::shipped("stewart")->mapped_manipulator();
   const auto roadmap = roadmap_of(robot, {}, 1000);
   const WorkingMode mode = working_modes(*robot).front();
-  test::PosePairs random(robot, 3);
+  test::PosePairs random(robot, 20261123);
   int clearer = 0;
-  for (int i = 0; i < (test::is_sanitized ? 3 : 20); ++i) {
+  double length_of_short = 0.0, length_of_clear = 0.0;
+  for (int i = 0; i < (test::is_sanitized ? 3 : 60); ++i) {
     SCOPED_TRACE("pair " + std::to_string(i));
     const PathEnd from{random.reached(mode).value(), mode}, to{random.reached(mode).value(), mode};
     const PlannedPath shortest = plan_in_roadmap(*roadmap, from, to),
@@ -162,10 +163,12 @@ TEST(PlanInRoadmap, HasClearAndShortPaths) {
     EXPECT_EQ(test::contradictions(*robot, shortest, 2000), 0);
     EXPECT_EQ(test::contradictions(*robot, clear, 2000), 0);
     EXPECT_GE(clear.least_index, shortest.least_index);
-    EXPECT_LE(test::path_length(*robot, shortest), test::path_length(*robot, clear));
+    length_of_short += test::path_length(*robot, shortest);
+    length_of_clear += test::path_length(*robot, clear);
     clearer += clear.least_index > 1.01 * shortest.least_index ? 1 : 0;
   }
   EXPECT_GT(clearer, test::is_sanitized ? -1 : 0);
+  EXPECT_LE(length_of_short, length_of_clear);
 }
 
 TEST(PlanInRoadmap, EndsWhereItIsCancelled) {
