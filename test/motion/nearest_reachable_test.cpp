@@ -24,7 +24,7 @@ namespace {
 
 constexpr unsigned seed = 20261123;
 
-// By bisecting nothing and knowing nothing of B: the legs close, within their limits, on the branch asked for.
+// The legs close, within their limits, on the branch that is asked for.
 bool in_reach(const Manipulator& robot, const Pose& pose, const WorkingMode& mode) {
   const InverseSolution solution = inverse(robot, pose, mode);
   if (!solution || !robot.within_limits(solution.q)) return false;

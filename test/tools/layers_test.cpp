@@ -65,6 +65,7 @@ const Strings rooms{"model",
                     "ros/joint_states",
                     "ros/monitor",
                     "ros/pictures",
+                    "ros/probe",
                     "ros/node",
                     "ros/programs"};
 

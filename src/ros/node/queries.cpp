@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/node/queries.h"
 
-#include "parallel_aspects/aspects/roadmap_location.h"
 #include "parallel_aspects/kinematics/jacobians.h"
+#include "ros/messages/roadmap_component.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,16 +13,6 @@ namespace {
 
 ConfigurationAnswer refusal(std::uint8_t code, std::string message) {
   return {make_status(code, std::move(message)), {}, {}};
-}
-
-// Where no map exists, a roadmap tells what it can.
-void report_component(const Manipulator& manipulator, const SolvedPose& solved, const PoseRoadmap* roadmap,
-                      SolvedConfiguration& message) {
-  message.aspect_status = SolvedConfiguration::NO_MAP;
-  const auto mode = working_mode(manipulator, solved.pose, solved.q);
-  if (roadmap == nullptr || !mode) return;
-  const RoadmapLocation location = locate(*roadmap, solved.pose, *mode);
-  if (location.component) message.roadmap_component = *location.component + 1;
 }
 
 RoadmapComponents components_message(const RoadmapSide& side) {

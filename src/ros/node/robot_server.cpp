@@ -70,6 +70,7 @@ RobotServer::RobotServer(const ros::NodeHandle& nh, const ros::NodeHandle& priva
   advertise();
   subscribe();
   if (setup_.options.guard.enabled) start_guard();
+  if (setup_.options.probe.enabled.value_or(has_probe_handle())) start_probe();
   accept_reconfiguration();
   state_.publish(
       unknown_state(*setup_.mechanism->manipulator(), monitor_.current(ros::Time::now()).status, {}));
@@ -84,6 +85,7 @@ RobotServer::RobotServer(const ros::NodeHandle& nh, const ros::NodeHandle& priva
 
 RobotServer::~RobotServer() {
   log_timer_.stop();
+  stop_probe();
   stopping_ = true;
   subscriber_.shutdown();
   command_subscriber_.shutdown();
@@ -148,6 +150,23 @@ void RobotServer::start_guard() {
         if (const auto zero = monitor_.expire_command(ros::Time::now(), ros::SteadyTime::now()))
           publish_guarded(*zero);
       });
+}
+
+void RobotServer::start_probe() {
+  if (!has_probe_handle())
+    ROS_INFO_STREAM("The probe has no handle in rviz, for the package was built without interactive_markers.");
+  ProbeSources sources;
+  sources.aspects = [this] { return worker_.known(); };
+  sources.present = [this] { return monitor_.current(ros::Time::now()); };
+  sources.dots = [this](const DrawnConfiguration& other) { return display_.dots_of(other); };
+  probe_ = std::make_unique<Probe>(setup_, service_nh_, std::move(sources));
+}
+
+// The thread of the map may be about to renew it.
+void RobotServer::stop_probe() {
+  std::unique_ptr<Probe> last;
+  const std::lock_guard<std::mutex> lock(probe_mutex_);
+  last = std::move(probe_);
 }
 
 void RobotServer::on_velocity_command(const geometry_msgs::TwistStamped& command) {
@@ -292,6 +311,9 @@ void RobotServer::on_map_progress(const MapProgress& progress, const std::shared
     ROS_INFO_STREAM_THROTTLE(1.0, progress.message);
   }
   map_progress_.publish(progress);
+  if (progress.state != MapProgress::COMPLETE) return;
+  const std::lock_guard<std::mutex> lock(probe_mutex_);
+  if (probe_) probe_->renew();
 }
 
 Status RobotServer::status_of_goal(const MapOptions& options) const {

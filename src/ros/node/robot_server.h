@@ -17,6 +17,7 @@
 #include "ros/parameters/load_options.h"
 #include "ros/parameters/reconfiguration.h"
 #include "ros/pictures/display.h"
+#include "ros/probe/probe.h"
 
 #include <parallel_aspects/ComputeMapAction.h>
 
@@ -30,6 +31,7 @@
 #include <actionlib/server/simple_action_server.h>
 #include <atomic>
 #include <memory>
+#include <mutex>
 #include <sensor_msgs/JointState.h>
 
 namespace parallel_aspects {
@@ -57,6 +59,8 @@ class RobotServer {
   template <typename Service, typename Answers>
   void serve(const std::string& name, const Answers& answers);
   void start_guard();
+  void start_probe();
+  void stop_probe();
 
   void on_joint_states(const ros::MessageEvent<const sensor_msgs::JointState>& event);
   void on_velocity_command(const geometry_msgs::TwistStamped& command);
@@ -105,6 +109,8 @@ class RobotServer {
   std::unique_ptr<ComputeMapServer> compute_map_;
   std::unique_ptr<PlanServer> plan_path_;
   std::unique_ptr<Reconfiguration> reconfiguration_;
+  std::mutex probe_mutex_;        // of the pointer
+  std::unique_ptr<Probe> probe_;  // where it is on
   std::vector<ros::ServiceServer> services_;
   ros::Subscriber subscriber_, tf_subscriber_, tf_static_subscriber_;
   ros::Subscriber command_subscriber_;

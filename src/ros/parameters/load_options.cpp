@@ -134,6 +134,14 @@ GuardParameters guard_from(ParameterReader reader) {
   return guard;
 }
 
+ProbeOptions probe_from(ParameterReader reader) {
+  ProbeOptions probe;
+  reader.read("enabled", probe.enabled);
+  reader.read("rate", probe.rate);
+  reader.report_unknown_keys();
+  return probe;
+}
+
 double rate_from(ParameterReader reader, double rate) {
   reader.read_all("rate", rate);
   return rate;
@@ -159,8 +167,8 @@ std::string urdf_from(const std::string& parameter, Problems& problems) {
 }
 
 // What is under `prefix` for the loader: `mechanism`, and `constraints` where there are some.
-SharedMechanism mechanism_from(const ros::NodeHandle& nh, const XmlRpcValue& parameters,
-                               const std::string& prefix, const std::string& frame_prefix) {
+NodeSetup setup_from(const ros::NodeHandle& nh, const XmlRpcValue& parameters, const std::string& prefix,
+                         NodeOptions options) {
   const std::string description_name = prefix + "mechanism";
   std::string urdf_name = nh.resolveName("robot_description");
   nh.searchParam("robot_description", urdf_name);
@@ -173,8 +181,9 @@ SharedMechanism mechanism_from(const ros::NodeHandle& nh, const XmlRpcValue& par
   XmlRpcValue document;
   for (const char* part : {"mechanism", "constraints"})
     if (parameters.hasMember(part)) document[part] = parameters[part];
-  return load_mechanism(urdf, urdf_name, yaml_text(document), prefix.substr(0, prefix.size() - 1),
-                        frame_prefix);
+  SharedMechanism mechanism = load_mechanism(urdf, urdf_name, yaml_text(document),
+                                             prefix.substr(0, prefix.size() - 1), options.frame_prefix);
+  return {std::move(mechanism), std::move(options), urdf};
 }
 
 // As in the YAML of a robot.
@@ -210,6 +219,7 @@ NodeOptions options_from(const XmlRpcValue& parameters, const std::string& prefi
   options.passive = passive_options_from(reader.group("passive"));
   options.thresholds = thresholds_from(reader.group("thresholds"));
   options.guard = guard_from(reader.group("guard"));
+  options.probe = probe_from(reader.group("probe"));
   options.distance_rate = rate_from(reader.group("distance"), options.distance_rate);
   options.state_decimation = decimation_from(reader.group("state"));
   options.completed_decimation = decimation_from(reader.group("completed"));
@@ -230,7 +240,7 @@ NodeSetup load_setup(const ros::NodeHandle& nh, const ros::NodeHandle& private_n
   Problems problems;
   NodeOptions options = options_from(parameters, prefix, problems);
   try {
-    NodeSetup setup{mechanism_from(nh, parameters, prefix, options.frame_prefix), std::move(options)};
+    NodeSetup setup = setup_from(nh, parameters, prefix, std::move(options));
     const Manipulator& manipulator = *setup.mechanism->manipulator();
     setup.options.acceleration = acceleration_from(parameters, prefix, manipulator.leg_count(), problems);
     append(problems_of(setup.options, manipulator, prefix), problems);

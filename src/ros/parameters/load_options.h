@@ -16,6 +16,7 @@ namespace parallel_aspects {
 struct NodeSetup {
   SharedMechanism mechanism;
   NodeOptions options;
+  std::string urdf{};  ///< that the mechanism was loaded from
 };
 
 /// The options in a struct of private parameters. Wrong types and unknown keys are added to `problems`.

@@ -52,6 +52,12 @@ struct GuardParameters {
   std::vector<double> reference_point{0.0, 0.0, 0.0};
 };
 
+/// The pose that people drag and type in rviz.
+struct ProbeOptions {
+  std::optional<bool> enabled;  ///< by default where the package was built with interactive_markers
+  double rate = 20.0;           ///< how often it is worked out at most [Hz], 0.1 to 100
+};
+
 /// What the thresholds of each hazard are.
 DistanceThresholds::Options thresholds_of(const ThresholdParameters& parameters);
 
@@ -65,6 +71,7 @@ struct NodeOptions {
   PassiveOptions passive;
   ThresholdParameters thresholds;
   GuardParameters guard;
+  ProbeOptions probe;
   /// Of the actuated joints, for paths in time [rad/s^2 or m/s^2]; empty where it is not stated.
   JointVector acceleration;
   double distance_rate = 50.0;        ///< how often distances are measured [Hz], 0.1 to 1000

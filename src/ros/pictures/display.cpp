@@ -87,6 +87,14 @@ void Display::show(const CurrentConfiguration& current, const std::string& map_m
   fresh_ = false;
 }
 
+std::vector<visualization_msgs::Marker> Display::dots_of(const DrawnConfiguration& other) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!mapped_) return {};
+  auto markers = picture_->position(other).markers;
+  markers.erase(markers.begin());  // what deletes all others
+  return markers;
+}
+
 void Display::publish_gallery(const Drawn& now) {
   markers_.publish(picture_->gallery(now));
   drawn_gallery_ = now;

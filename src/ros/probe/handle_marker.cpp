@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/model/constraints.h"
+#include "ros/pictures/palette.h"
+#include "ros/probe/probe_handle.h"
+
+#include <array>
+
+namespace parallel_aspects {
+namespace {
+
+using visualization_msgs::InteractiveMarkerControl;
+using visualization_msgs::Marker;
+
+// Shares of the robot's size.
+constexpr double handle_size = 0.16, ball_size = 0.035;
+
+// A control acts along its x axis, or in the plane across it.
+InteractiveMarkerControl control(const std::string& name, std::uint8_t mode, const Eigen::Vector3d& axis) {
+  const auto turn = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitX(), axis);
+  InteractiveMarkerControl result;
+  result.name = name;
+  result.interaction_mode = mode;
+  result.orientation.x = turn.x();
+  result.orientation.y = turn.y();
+  result.orientation.z = turn.z();
+  result.orientation.w = turn.w();
+  return result;
+}
+
+// What dragging the ball does, by how many directions there are to go.
+std::uint8_t mode_of_ball(TaskSpace space) {
+  switch (directions(space)) {
+    case 0:
+      return InteractiveMarkerControl::ROTATE_3D;
+    case 1:
+      return InteractiveMarkerControl::MOVE_AXIS;
+    case 2:
+      return InteractiveMarkerControl::MOVE_PLANE;
+    default:  // of a number
+      return InteractiveMarkerControl::MOVE_3D;
+  }
+}
+
+InteractiveMarkerControl ball(const Manipulator& robot) {
+  const Eigen::Vector3d axis =
+      directions(robot.task_space()) == 1 ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitZ();
+  InteractiveMarkerControl result = control("move", mode_of_ball(robot.task_space()), axis);
+  result.always_visible = true;
+  Marker shape;
+  shape.type = Marker::SPHERE;
+  shape.scale.x = shape.scale.y = shape.scale.z = ball_size * robot.size();
+  shape.pose.orientation.w = 1.0;
+  shape.color = color(0xE07B00);
+  result.markers.push_back(std::move(shape));
+  return result;
+}
+
+}  // namespace
+
+visualization_msgs::InteractiveMarker handle_marker(const Manipulator& manipulator,
+                                                    const geometry_msgs::Pose& pose) {
+  const TaskSpace space = manipulator.task_space();
+  visualization_msgs::InteractiveMarker marker;
+  marker.header.frame_id = manipulator.base_frame();  // stamp zero: feedback comes in this frame
+  marker.name = "probe";
+  marker.pose = pose;
+  marker.scale = static_cast<float>(handle_size * manipulator.size());
+  marker.controls.push_back(ball(manipulator));
+  const std::array<std::string, 3> names{"x", "y", "z"};
+  const Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+  for (std::size_t i = 0; i < directions(space); ++i)
+    marker.controls.push_back(control("move_" + names[i], InteractiveMarkerControl::MOVE_AXIS,
+                                      axes.col(static_cast<Eigen::Index>(i))));
+  const std::size_t turns = degrees_of_freedom(space) - directions(space);
+  for (std::size_t i = 3 - (turns == 1 ? 1 : turns); i < 3; ++i)
+    marker.controls.push_back(control("turn_" + names[i], InteractiveMarkerControl::ROTATE_AXIS,
+                                      axes.col(static_cast<Eigen::Index>(i))));
+  return marker;
+}
+
+}  // namespace parallel_aspects

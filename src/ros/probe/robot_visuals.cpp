@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros/probe/robot_visuals.h"
+
+#include "ros/messages/conversions.h"
+#include "urdf/reading/tree_reader.h"
+
+#include <urdf_parser/urdf_parser.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace parallel_aspects {
+namespace {
+
+using visualization_msgs::Marker;
+
+Eigen::Isometry3d isometry(const urdf::Pose& pose) {
+  const urdf::Rotation& q = pose.rotation;
+  return Eigen::Translation3d(pose.position.x, pose.position.y, pose.position.z) *
+         Eigen::Quaterniond(q.w, q.x, q.y, q.z);
+}
+
+Marker scaled(int type, double x, double y, double z) {
+  Marker shape;
+  shape.type = type;
+  shape.scale.x = x;
+  shape.scale.y = y;
+  shape.scale.z = z;
+  return shape;
+}
+
+std::optional<Marker> shape_of(const urdf::Geometry& geometry) {
+  if (const auto* box = dynamic_cast<const urdf::Box*>(&geometry))
+    return scaled(Marker::CUBE, box->dim.x, box->dim.y, box->dim.z);
+  if (const auto* ball = dynamic_cast<const urdf::Sphere*>(&geometry))
+    return scaled(Marker::SPHERE, 2.0 * ball->radius, 2.0 * ball->radius, 2.0 * ball->radius);
+  if (const auto* tube = dynamic_cast<const urdf::Cylinder*>(&geometry))
+    return scaled(Marker::CYLINDER, 2.0 * tube->radius, 2.0 * tube->radius, tube->length);
+  const auto* mesh = dynamic_cast<const urdf::Mesh*>(&geometry);
+  if (mesh == nullptr) return std::nullopt;
+  Marker shape = scaled(Marker::MESH_RESOURCE, mesh->scale.x, mesh->scale.y, mesh->scale.z);
+  shape.mesh_resource = mesh->filename;
+  return shape;
+}
+
+// In tf the frame may have a prefix.
+bool names(const std::string& frame, const std::string& link) {
+  return frame == link || (frame.size() > link.size() && frame[frame.size() - link.size() - 1] == '/' &&
+                           frame.compare(frame.size() - link.size(), link.size(), link) == 0);
+}
+
+}  // namespace
+
+RobotVisuals::RobotVisuals(const Mechanism& mechanism, const std::string& urdf)
+    : base_frame_(mechanism.manipulator()->base_frame()) {
+  Problems problems;
+  std::vector<std::string> notes;  // said by the loader
+  auto tree = read_tree(urdf, "robot_description", problems, notes);
+  if (!tree) return;
+  tree_ = std::move(*tree);
+  const auto& joints = mechanism.joint_names();
+  for (const std::size_t movable : tree_.movable) {
+    const auto found = std::find(joints.begin(), joints.end(), tree_.joints[movable].name);
+    if (found == joints.end()) return;
+    sources_.push_back(static_cast<std::size_t>(found - joints.begin()));
+  }
+  const auto base = std::find_if(tree_.links.begin(), tree_.links.end(),
+                                 [&](const std::string& link) { return names(base_frame_, link); });
+  if (base == tree_.links.end()) return;
+  base_ = static_cast<std::size_t>(base - tree_.links.begin());
+  read_visuals(urdf);
+}
+
+void RobotVisuals::read_visuals(const std::string& urdf) {
+  const auto model = urdf::parseURDF(urdf);
+  if (!model) return;
+  for (std::size_t link = 0; link < tree_.links.size(); ++link) {
+    const auto found = model->getLink(tree_.links[link]);
+    if (!found || !moves(link)) continue;
+    for (const auto& visual : found->visual_array) {
+      if (!visual || !visual->geometry) continue;
+      if (auto shape = shape_of(*visual->geometry))
+        visuals_.push_back({link, isometry(visual->origin), std::move(*shape)});
+    }
+  }
+}
+
+// Whether a joint above it does.
+bool RobotVisuals::moves(std::size_t link) const {
+  for (auto joint = tree_.joint_above[link]; joint; joint = tree_.joint_above[tree_.joints[*joint].parent])
+    if (tree_.joints[*joint].variable) return true;
+  return false;
+}
+
+std::vector<Marker> RobotVisuals::at(const Eigen::VectorXd& positions, const std::string& group,
+                                     const std_msgs::ColorRGBA& color) const {
+  std::vector<Marker> markers;
+  if (visuals_.empty()) return markers;
+  Eigen::VectorXd values(tree_.variables());
+  for (std::size_t i = 0; i < sources_.size(); ++i)
+    values[static_cast<Eigen::Index>(i)] = positions[static_cast<Eigen::Index>(sources_[i])];
+  const Poses frames = link_poses(tree_, base_, values);
+  for (const Visual& visual : visuals_) {
+    Marker marker = visual.shape;
+    marker.header.frame_id = base_frame_;
+    marker.ns = group;
+    marker.id = static_cast<int>(markers.size());
+    marker.pose = pose_message(frames[visual.link] * visual.origin);
+    marker.color = color;
+    markers.push_back(std::move(marker));
+  }
+  return markers;
+}
+
+}  // namespace parallel_aspects
