@@ -163,6 +163,7 @@ Problems problems_of(const NodeOptions& options, const Manipulator& manipulator,
                  "must be 0.01 to 10.");
   checks.require(positive(options.display.radius), "display/radius", "must be a positive number [m].");
   checks.require(within(options.display.rate, 0.1, 100.0), "display/rate", "must be 0.1 to 100 [Hz].");
+  checks.require(within(options.probe.rate, 0.1, 100.0), "probe/rate", "must be 0.1 to 100 [Hz].");
   checks.require(valid_frame_prefix(options.frame_prefix), "frame_prefix",
                  "must have no space, and no slash at its ends.");
   return checks.take();

@@ -3,6 +3,7 @@
 
 #include "parallel_aspects/kinematics/jacobians.h"
 #include "parallel_aspects/kinematics/inverse.h"
+#include "ros/pictures/palette.h"
 #include "ros/pictures/scene.h"
 
 #include <parallel_aspects/Configuration.h>
@@ -264,8 +265,13 @@ void Probe::answer(const Wish& wish) {
 
 std::vector<visualization_msgs::Marker> Probe::dots_of(const ProbeFinding& finding) const {
   if (!finding.reached) return {};
-  return sources_.dots({finding.question.mode, static_cast<int>(finding.state.report.configuration.aspect),
-                        {finding.reached->pose, finding.reached->q}});
+  auto dots = sources_.dots({finding.question.mode, static_cast<int>(finding.state.report.configuration.aspect),
+                             {finding.reached->pose, finding.reached->q}});
+  for (visualization_msgs::Marker& dot : dots) {
+    dot.ns = "probe/" + dot.ns;
+    dot.color = color(0xE07B00);  // as the handle
+  }
+  return dots;
 }
 
 }  // namespace parallel_aspects
