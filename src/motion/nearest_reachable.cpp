@@ -105,8 +105,7 @@ Stacked Descent::slacks(const Pose& pose) const {
     const Eigen::Vector3d point = pose.transform(leg.anchor);
     const auto row = 3 * static_cast<Eigen::Index>(j);
     const double largest = leg.largest_entry();
-    if (largest > 0.0)
-      result[row] = squared_inverse_entry(leg, point) / (largest * largest) - least_reach;
+    if (largest > 0.0) result[row] = squared_inverse_entry(leg, point) / (largest * largest) - least_reach;
     if (!leg.limits.limited()) continue;
     const double q = joint_value(leg, point, mode_.sign(j));
     if (std::isfinite(leg.limits.lower)) result[row + 1] = q - leg.limits.lower - least_clearance;

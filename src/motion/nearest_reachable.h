@@ -21,12 +21,12 @@ struct ReachedPose {
   double distance = 0.0;
 };
 
-/// Looks for the reachable pose of a working mode that is nearest to one that may be out of reach. Constraints
-/// besides reach and joint limits are not looked at.
+/// Looks for the reachable pose of a working mode that is nearest to one that may be out of reach.
+/// Constraints besides reach and joint limits are not looked at.
 ///
-/// Floating point, not proved: several descents, each from a pose in reach to a local minimum of the distance,
-/// each of whose poses is in reach. Asked again and again, as while a pose is dragged, it goes on from the last
-/// answer. Allocates; one object for each thread.
+/// Floating point, not proved: several descents, each from a pose in reach to a local minimum of the
+/// distance, each of whose poses is in reach. Asked again and again, as while a pose is dragged, it goes on
+/// from the last answer. Allocates; one object for each thread.
 class NearestReachable {
  public:
   explicit NearestReachable(std::shared_ptr<const Manipulator> manipulator);

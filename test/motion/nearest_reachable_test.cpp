@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The nearest pose in reach: that it is in reach, and that no pose which is drawn, all over or round the answer, is
-// much nearer. What is in reach is written again here, by distances and angles alone.
+// The nearest pose in reach: that it is in reach, and that no pose which is drawn, all over or round the
+// answer, is much nearer. What is in reach is written again here, by distances and angles alone.
 #include "motion/nearest_reachable.h"
 
 #include "parallel_aspects/kinematics/inverse.h"
@@ -41,7 +41,9 @@ class Draws {
  public:
   Draws(const Manipulator& robot, unsigned from) : robot_(robot), engine_(from) {}
 
-  double uniform(double largest) { return std::uniform_real_distribution<double>(-largest, largest)(engine_); }
+  double uniform(double largest) {
+    return std::uniform_real_distribution<double>(-largest, largest)(engine_);
+  }
 
   // Round a pose, with anchors some `distance` away.
   Pose round(const Pose& pose, double distance) {
@@ -84,7 +86,8 @@ TEST_P(NearestReachableOf, IsInReachAndNoDrawnPoseIsMuchNearer) {
     EXPECT_TRUE(in_reach(*robot, found->pose, *mode)) << named(*robot, wanted, *mode);
     EXPECT_NEAR(found->distance, anchor_distance(*robot, found->pose, wanted), 1e-12 * robot->size());
     for (int k = 0; k < tries; ++k) {
-      const double spread = k % 2 == 0 ? 2.0 * robot->size() : 1e-5 * std::pow(10.0, draws.uniform(4.0) + 1.0);
+      const double spread =
+          k % 2 == 0 ? 2.0 * robot->size() : 1e-5 * std::pow(10.0, draws.uniform(4.0) + 1.0);
       const Pose other = draws.round(k % 2 == 0 ? start.pose : found->pose, spread);
       const double gain = found->distance - anchor_distance(*robot, other, wanted);
       if (gain > worst && in_reach(*robot, other, *mode)) worst = gain;

@@ -154,7 +154,8 @@ void RobotServer::start_guard() {
 
 void RobotServer::start_probe() {
   if (!has_probe_handle())
-    ROS_INFO_STREAM("The probe has no handle in rviz, for the package was built without interactive_markers.");
+    ROS_INFO_STREAM(
+        "The probe has no handle in rviz, for the package was built without interactive_markers.");
   ProbeSources sources;
   sources.aspects = [this] { return worker_.known(); };
   sources.present = [this] { return monitor_.current(ros::Time::now()); };

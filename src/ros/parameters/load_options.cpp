@@ -168,7 +168,7 @@ std::string urdf_from(const std::string& parameter, Problems& problems) {
 
 // What is under `prefix` for the loader: `mechanism`, and `constraints` where there are some.
 NodeSetup setup_from(const ros::NodeHandle& nh, const XmlRpcValue& parameters, const std::string& prefix,
-                         NodeOptions options) {
+                     NodeOptions options) {
   const std::string description_name = prefix + "mechanism";
   std::string urdf_name = nh.resolveName("robot_description");
   nh.searchParam("robot_description", urdf_name);

@@ -32,8 +32,8 @@ class Display {
   /// Draws what has changed since the last call. `map_message`: what there is to say about the map.
   void show(const CurrentConfiguration& current, const std::string& map_message);
 
-  /// Dots of another configuration than the robot's, in workspace and joint space, where there is a picture of
-  /// the map.
+  /// Dots of another configuration than the robot's, in workspace and joint space, where there is a picture
+  /// of the map.
   std::vector<visualization_msgs::Marker> dots_of(const DrawnConfiguration& other);
 
  private:

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/probe/probe.h"
 
-#include "parallel_aspects/kinematics/jacobians.h"
 #include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/kinematics/jacobians.h"
 #include "ros/pictures/palette.h"
 #include "ros/pictures/scene.h"
 
@@ -61,9 +61,9 @@ Probe::Probe(const NodeSetup& setup, const ros::NodeHandle& private_nh, ProbeSou
       stored_start_(nh_.advertise<Configuration>("start", 1, true)),
       stored_goal_(nh_.advertise<Configuration>("goal", 1, true)),
       spinner_(1, &queue_) {
-  handle_ = std::make_unique<ProbeHandle>(nh_.resolveName("handle"), robot_,
-                                          pose_message(platform_in_base(robot_, start_.wanted)),
-                                          handle_events());
+  handle_ =
+      std::make_unique<ProbeHandle>(nh_.resolveName("handle"), robot_,
+                                    pose_message(platform_in_base(robot_, start_.wanted)), handle_events());
   subscribe();
   worker_ = std::thread([this] { run(); });
   spinner_.start();
@@ -127,7 +127,9 @@ HandleEvents Probe::handle_events() {
 void Probe::subscribe() {
   // One alone waits: what is newest is asked.
   const boost::function<void(const geometry_msgs::PoseConstPtr&)> on_pose =
-      [this](const geometry_msgs::PoseConstPtr& pose) { want_pose(*pose, pose_subscriber_.getTopic(), false); };
+      [this](const geometry_msgs::PoseConstPtr& pose) {
+        want_pose(*pose, pose_subscriber_.getTopic(), false);
+      };
   const boost::function<void(const std_msgs::Int8MultiArrayConstPtr&)> on_mode =
       [this](const std_msgs::Int8MultiArrayConstPtr& mode) { want_mode(*mode); };
   pose_subscriber_ = nh_.subscribe<geometry_msgs::Pose>("set_pose", 1, on_pose);
@@ -160,8 +162,8 @@ void Probe::want_mode(const std_msgs::Int8MultiArray& message) {
     }
     modes += (modes.empty() ? "" : ", ") + to_string(mode);
   }
-  ROS_WARN_STREAM_THROTTLE(1.0, "A working mode on " << mode_subscriber_.getTopic() << " was refused: it needs "
-                                                     << robot_.leg_count()
+  ROS_WARN_STREAM_THROTTLE(1.0, "A working mode on " << mode_subscriber_.getTopic()
+                                                     << " was refused: it needs " << robot_.leg_count()
                                                      << " signs, each 1 or -1, of one of " << modes << ".");
 }
 
@@ -176,8 +178,8 @@ void Probe::set_mode(const WorkingMode& mode) {
 void Probe::want_present() {
   const CurrentConfiguration present = sources_.present();
   if (present.status.code != Status::OK) {
-    ROS_WARN_STREAM("The probe stays where it is, for the pose of the robot is not known: "
-                    << present.status.message);
+    ROS_WARN_STREAM(
+        "The probe stays where it is, for the pose of the robot is not known: " << present.status.message);
     return;
   }
   {
@@ -200,7 +202,8 @@ void Probe::store(const ros::Publisher& where) {
     }
   }
   if (stored.working_mode.empty()) {
-    ROS_WARN_STREAM("Nothing is stored on " << where.getTopic() << ": the probe has no pose yet; drag it first.");
+    ROS_WARN_STREAM("Nothing is stored on " << where.getTopic()
+                                            << ": the probe has no pose yet; drag it first.");
     return;
   }
   stored.pose.header.frame_id = robot_.base_frame();
@@ -265,7 +268,8 @@ void Probe::answer(const Wish& wish) {
 
 std::vector<visualization_msgs::Marker> Probe::dots_of(const ProbeFinding& finding) const {
   if (!finding.reached) return {};
-  auto dots = sources_.dots({finding.question.mode, static_cast<int>(finding.state.report.configuration.aspect),
+  auto dots = sources_.dots({finding.question.mode,
+                             static_cast<int>(finding.state.report.configuration.aspect),
                              {finding.reached->pose, finding.reached->q}});
   for (visualization_msgs::Marker& dot : dots) {
     dot.ns = "probe/" + dot.ns;

@@ -38,9 +38,9 @@ struct ProbeSources {
 
 /// A pose that somebody drags or types, and what is known of it: on topics, and as a second robot in rviz.
 ///
-/// It reads what the robot does, and changes nothing of it. Messages and the handle only note what is wanted; one
-/// thread works it out, the newest alone, and no more often than `ProbeOptions::rate`. It sleeps while nothing is
-/// wanted.
+/// It reads what the robot does, and changes nothing of it. Messages and the handle only note what is wanted;
+/// one thread works it out, the newest alone, and no more often than `ProbeOptions::rate`. It sleeps while
+/// nothing is wanted.
 class Probe {
  public:
   /// Topics are below `private_nh`. What `sources` call must outlive the object.

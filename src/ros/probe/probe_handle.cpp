@@ -3,7 +3,6 @@
 
 #include <interactive_markers/interactive_marker_server.h>
 #include <interactive_markers/menu_handler.h>
-
 #include <utility>
 #include <vector>
 
@@ -65,10 +64,9 @@ class ProbeHandle::Server {
     const Entry modes = menu_.insert("Working mode");
     if (modes_.size() <= most_modes)
       for (const WorkingMode& mode : modes_)
-        mode_entries_.push_back(
-            menu_.insert(modes, to_string(mode), [this, mode](const InteractiveMarkerFeedbackConstPtr&) {
-              events_.mode_chosen(mode);
-            }));
+        mode_entries_.push_back(menu_.insert(
+            modes, to_string(mode),
+            [this, mode](const InteractiveMarkerFeedbackConstPtr&) { events_.mode_chosen(mode); }));
     else
       for (std::size_t j = 0; j < manipulator.leg_count(); ++j)
         leg_entries_.push_back(

@@ -20,14 +20,14 @@ struct HandleEvents {
   std::function<void()> released;
   std::function<void(const WorkingMode&)> mode_chosen;
   std::function<void(std::size_t)> leg_toggled;  ///< its sign in the working mode
-  std::function<void()> others_toggled;  ///< whether the other working modes are shown
+  std::function<void()> others_toggled;          ///< whether the other working modes are shown
   std::function<void()> stored_as_start, stored_as_goal;
   std::function<void()> reset;   ///< to the present pose
   std::function<void()> hidden;  ///< until it is moved again
 };
 
-/// An interactive marker with what the platform can do: arrows for directions, rings for rotations, and a ball in
-/// the middle, at a pose in the base frame.
+/// An interactive marker with what the platform can do: arrows for directions, rings for rotations, and a
+/// ball in the middle, at a pose in the base frame.
 visualization_msgs::InteractiveMarker handle_marker(const Manipulator& manipulator,
                                                     const geometry_msgs::Pose& pose);
 

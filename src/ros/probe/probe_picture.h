@@ -15,8 +15,8 @@
 
 namespace parallel_aspects {
 
-/// The probe in rviz: a translucent robot in the colour of its aspect, the same pose in other working modes, the
-/// nearest singularity with lines to it and the way out, where it is wanted, and words. Stamps are zero.
+/// The probe in rviz: a translucent robot in the colour of its aspect, the same pose in other working modes,
+/// the nearest singularity with lines to it and the way out, where it is wanted, and words. Stamps are zero.
 class ProbePicture {
  public:
   ProbePicture(std::shared_ptr<const Mechanism> mechanism, const std::string& urdf);
@@ -42,7 +42,8 @@ class ProbePicture {
                    Markers& markers) const;
   void draw_wanted(const ProbeFinding& finding, Markers& markers) const;
   void draw_words(const ProbeFinding& finding, Markers& markers) const;
-  visualization_msgs::Marker marker(const std::string& group, int type, const std_msgs::ColorRGBA& color) const;
+  visualization_msgs::Marker marker(const std::string& group, int type,
+                                    const std_msgs::ColorRGBA& color) const;
   geometry_msgs::Point drawn(const Eigen::Vector3d& point) const;
   std::vector<Eigen::Vector3d> seen_points() const;
 

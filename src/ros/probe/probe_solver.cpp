@@ -37,8 +37,8 @@ std::string reason_of(const Manipulator& robot, const ProbeQuestion& question) {
 
 Status status_of(const Manipulator& robot, const ProbeFinding& finding) {
   if (!finding.reached)
-    return make_status(Status::NO_SOLUTION, reason_of(robot, finding.question) +
-                                                "; no pose of this working mode was found.");
+    return make_status(Status::NO_SOLUTION,
+                       reason_of(robot, finding.question) + "; no pose of this working mode was found.");
   if (finding.reached->distance == 0.0) return {};
   return make_status(Status::NO_SOLUTION, reason_of(robot, finding.question) + "; the probe stays " +
                                               with_unit(finding.reached->distance) +
@@ -106,8 +106,8 @@ ProbeFinding ProbeSolver::find(const ProbeQuestion& question, const KnownAspects
 void ProbeSolver::fill_report(const KnownAspects& known, ProbeFinding& finding) {
   const SolvedPose solved{finding.reached->pose, finding.reached->q};
   finding.distances = meter_.measure(solved.pose, finding.question.mode);
-  finding.state.report = report_message(*manipulator_, solved, finding.distances, known.map.get(),
-                                        finding.state.header.stamp);
+  finding.state.report =
+      report_message(*manipulator_, solved, finding.distances, known.map.get(), finding.state.header.stamp);
   if (!has_map(manipulator_->task_space()))
     report_component(*manipulator_, solved, known.roadmap.get(), finding.state.report.configuration);
 }
@@ -123,7 +123,8 @@ std::string fault_of(const geometry_msgs::Pose& pose) {
                                                                {"orientation.z", q.z},
                                                                {"orientation.w", q.w}}};
   for (const auto& [name, value] : numbers)
-    if (!std::isfinite(value)) return std::string(name) + " is " + std::to_string(value) + "; it must be finite.";
+    if (!std::isfinite(value))
+      return std::string(name) + " is " + std::to_string(value) + "; it must be finite.";
   const double length = std::hypot(std::hypot(q.x, q.y), std::hypot(q.z, q.w));
   if (std::abs(length - 1.0) <= 1e-3) return {};
   return "orientation has the length " + std::to_string(length) +

@@ -5,17 +5,16 @@
 #include "parallel_aspects/urdf/mechanism.h"
 #include "urdf/description/tree.h"
 
-#include <std_msgs/ColorRGBA.h>
-
 #include <cstddef>
+#include <std_msgs/ColorRGBA.h>
 #include <string>
 #include <vector>
 #include <visualization_msgs/Marker.h>
 
 namespace parallel_aspects {
 
-/// The visuals of a robot's URDF as markers, of those links that move. All links of a configuration are in one
-/// message, so that the robot is drawn closed at all times. Immutable.
+/// The visuals of a robot's URDF as markers, of those links that move. All links of a configuration are in
+/// one message, so that the robot is drawn closed at all times. Immutable.
 class RobotVisuals {
  public:
   /// `urdf`: the text that the mechanism was loaded from. Without visuals nothing is drawn.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The probe of a node of the five-bar: typed, dragged by the messages that rviz sends, and by its menu; against the
-// services, and beside the tracked robot.
+// The probe of a node of the five-bar: typed, dragged by the messages that rviz sends, and by its menu;
+// against the services, and beside the tracked robot.
 #include "ros/monitor/five_bar_setup.h"
 #include "ros/node/node_client.h"
 #include "ros/probe/probe_handle.h"
@@ -14,13 +14,13 @@
 
 #include <gtest/gtest.h>
 #include <ros/ros.h>
+#include <rosgraph_msgs/Log.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <geometry_msgs/PoseStamped.h>
 #include <limits>
-#include <rosgraph_msgs/Log.h>
 #include <std_msgs/Int8MultiArray.h>
 #include <string>
 #include <thread>
@@ -94,7 +94,8 @@ class ProbeOfNode : public testing::Test {
   const Recorder<ProbeState> state_{"/aspect_node/probe/state"};
   const Recorder<rosgraph_msgs::Log> log_{"/rosout"};
   const ros::Publisher poses_ = nh_.advertise<geometry_msgs::Pose>("/aspect_node/probe/set_pose", 10);
-  const ros::Publisher modes_ = nh_.advertise<std_msgs::Int8MultiArray>("/aspect_node/probe/working_mode", 10);
+  const ros::Publisher modes_ =
+      nh_.advertise<std_msgs::Int8MultiArray>("/aspect_node/probe/working_mode", 10);
 };
 
 TEST_F(ProbeOfNode, TypedPoseIsAnsweredAsByTheServices) {

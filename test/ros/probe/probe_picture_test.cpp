@@ -58,14 +58,15 @@ TEST_P(PictureOf, DrawsTheLinksWhereTheClosedMechanismHasThem) {
   std::vector<Eigen::Isometry3d> expected;
   for (const auto& [name, link] : model->links_)
     for (const auto& visual : link->visual_array)
-      expected.push_back(base.inverse() * test::link_frame(*model, name, joints) * test::isometry(visual->origin));
+      expected.push_back(base.inverse() * test::link_frame(*model, name, joints) *
+                         test::isometry(visual->origin));
   const auto markers = RobotVisuals(*mechanism_, urdf_of(GetParam())).at(positions, "robot", {});
   ASSERT_FALSE(markers.empty());
   for (const Marker& marker : markers) {
     const Eigen::Isometry3d found = isometry_of(marker.pose);
-    EXPECT_TRUE(std::any_of(expected.begin(), expected.end(),
-                            [&](const auto& each) { return found.isApprox(each, 1e-9); }))
-        << marker.id;
+    EXPECT_TRUE(std::any_of(expected.begin(), expected.end(), [&](const auto& each) {
+      return found.isApprox(each, 1e-9);
+    })) << marker.id;
     EXPECT_EQ(marker.header.frame_id, robot_.base_frame());
   }
 }
@@ -86,8 +87,7 @@ TEST_P(PictureOf, HasRobotSingularityAndWordsAndTakesAwayWhatIsNoMore) {
   std::set<std::string> gone;
   for (const Marker& marker : fewer.markers)
     if (marker.action == Marker::DELETE) gone.insert(marker.ns);
-  for (const auto& [name, count] : all)
-    EXPECT_EQ(gone.count(name) + drawn(fewer).count(name), 1U) << name;
+  for (const auto& [name, count] : all) EXPECT_EQ(gone.count(name) + drawn(fewer).count(name), 1U) << name;
   EXPECT_TRUE(drawn(picture.none()).empty());
 }
 

@@ -39,7 +39,8 @@ class ProbeOfFiveBar : public testing::Test {
   static void TearDownTestSuite() { known_ = {}; }
 
   ProbeFinding find(double x, double y, const std::vector<int>& signs = {1, 1}, bool others = false) {
-    return solver_.find({Pose::planar(x, y), *WorkingMode::from_signs(signs), others}, known_, ros::Time(1.0));
+    return solver_.find({Pose::planar(x, y), *WorkingMode::from_signs(signs), others}, known_,
+                        ros::Time(1.0));
   }
 
   static const std::shared_ptr<const Manipulator> robot_;
