@@ -133,13 +133,19 @@ Descent::Local Descent::linearised(const Pose& pose) const {
   TaskMatrix metric = motion.transpose() * motion;
   metric.diagonal().array() += 1e-12 * metric.trace();  // anchors in one point do not see rotations
   local.metric.compute(metric);
-  local.to_wanted = -local.metric.matrixL().solve(TaskVector(motion.transpose() * here));
-  local.rows = local.metric.matrixL().solve(slopes.transpose()).transpose();
+  local.to_wanted = -(motion.transpose() * here);
+  local.metric.matrixL().solveInPlace(local.to_wanted);
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, max_legs, 3 * max_legs> across =
+      slopes.transpose();
+  local.metric.matrixL().solveInPlace(across);
+  local.rows = across.transpose();
   return local;
 }
 
 Pose Descent::moved(const Pose& pose, const Local& local, const TaskVector& y) const {
-  return displaced(robot_.task_space(), pose, local.metric.matrixU().solve(y));
+  TaskVector twist = y;
+  local.metric.matrixU().solveInPlace(twist);
+  return displaced(robot_.task_space(), pose, twist);
 }
 
 // The nearest pose in reach, by Newton's method; nothing where that does not lead there.
