@@ -2,6 +2,7 @@
 #include "ros/probe/probe_picture.h"
 
 #include "parallel_aspects/motion/escape_direction.h"
+#include "ros/messages/conversions.h"
 #include "ros/pictures/palette.h"
 #include "ros/pictures/picture_parts.h"
 
