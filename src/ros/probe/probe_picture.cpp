@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 using visualization_msgs::Marker;
 
 // Shares of the robot's size.
-constexpr double line_width = 0.004, dot_size = 0.02, arrow_length = 0.1, letter_height = 0.025;
+constexpr double line_width = 0.004, dot_size = 0.02, arrow_length = 0.1, letter_height = 0.035;
 constexpr double above = 0.06;  // of a planar robot, so that its links hide nothing
 
 std_msgs::ColorRGBA faded(std_msgs::ColorRGBA color, float opacity) {

@@ -21,6 +21,7 @@ from parallel_aspects.msg import MapProgress, ProbeState, Status
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 HANDLE = (0xE0, 0x7B, 0x00)  # as in src/ros/probe/handle_marker.cpp, in any light
 WIDTH, HEIGHT = 1280, 800
+ROBOT_WIDTH = 470  # left of the gallery
 PROGRAMS = ("Xvfb", "rviz", "xdotool", "import", "convert")
 
 
@@ -78,7 +79,7 @@ class Screen:
     def handle(self):
         """Where the ball of the handle is, by its colour; None where it is not drawn."""
         raw = self.pixels()
-        found = [i for i in range(len(raw) // 3) if is_handle(*raw[3 * i:3 * i + 3])]
+        found = [i for i in range(len(raw) // 3) if i % WIDTH < ROBOT_WIDTH and is_handle(*raw[3 * i:3 * i + 3])]
         if len(found) < 40:
             return None
         return sorted(i % WIDTH for i in found)[len(found) // 2], sorted(i // WIDTH for i in found)[len(found) // 2]
@@ -127,7 +128,7 @@ class ProbeDrag(unittest.TestCase):
         self.assertEqual(last.status.code, Status.OK, last.status.message)
         self.assertGreater(last.report.configuration.aspect, 0)
 
-        out = (60, HEIGHT - 60)  # far out of reach
+        out = (60, 180)  # out of reach, to the left above
         ball = until(10, self.screen.handle)
         self.screen.drag(ball, out)
         self.assertTrue(until(10, lambda: self.states[-1].status.code == Status.NO_SOLUTION), self.states[-1].status)

@@ -200,9 +200,11 @@ TEST_F(HandleOfNode, GoesToTheProbeWhenItIsReleased) {
   ASSERT_TRUE(state_at(-12.0, 0.0, {1, 1}));
   send(InteractiveMarkerFeedback::MOUSE_UP, at(-12.0, 0.0));
   EXPECT_TRUE(eventually([this] {
-    return updates_.first([](const auto& update) {
-      return !update.poses.empty() && std::abs(update.poses.front().pose.position.x + 4.0) < 1e-5;
-    });
+    return updates_
+        .first([](const auto& update) {
+          return !update.poses.empty() && std::abs(update.poses.front().pose.position.x + 4.0) < 1e-5;
+        })
+        .has_value();
   }));
 }
 

@@ -2,6 +2,7 @@
 #include "ros/probe/probe_picture.h"
 
 #include "parallel_aspects/kinematics/jacobians.h"
+#include "ros/messages/conversions.h"
 #include "ros/probe/probe_handle.h"
 
 #include <gtest/gtest.h>
