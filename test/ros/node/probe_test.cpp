@@ -181,7 +181,8 @@ class HandleOfNode : public ProbeOfNode {
   }
 
   void select(const std::string& title) const {
-    for (const auto& entry : init_.last()->markers.front().menu_entries)
+    const visualization_msgs::InteractiveMarkerInit init = *init_.last();
+    for (const auto& entry : init.markers.front().menu_entries)
       if (entry.title.find(title) != std::string::npos)
         return send(InteractiveMarkerFeedback::MENU_SELECT, at(0.0, 0.0), entry.id);
     ADD_FAILURE() << title;
