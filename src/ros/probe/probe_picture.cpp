@@ -163,7 +163,7 @@ void ProbePicture::draw_words(const ProbeFinding& finding, Markers& markers) con
   if (scene_.planar)
     at = {at.x(), scene_.robot.max().y() - room, above * robot_.size()};
   else
-    at.z() = scene_.robot.min().z() - room;
+    at = {at.x(), scene_.robot.min().y(), scene_.robot.min().z() - room};  // before it, as it is seen
   Marker text = marker("probe/words", Marker::TEXT_VIEW_FACING, ink());
   text.pose = pose_message(robot_.task_frame() * Eigen::Translation3d(at));
   text.scale.z = caption.text_height;
