@@ -3,6 +3,7 @@
 
 #include "parallel_aspects/motion/escape_direction.h"
 #include "ros/messages/conversions.h"
+#include "ros/pictures/caption.h"
 #include "ros/pictures/palette.h"
 #include "ros/pictures/picture_parts.h"
 
@@ -15,7 +16,7 @@ using Eigen::Vector3d;
 using visualization_msgs::Marker;
 
 // Shares of the robot's size.
-constexpr double line_width = 0.004, dot_size = 0.02, arrow_length = 0.1, letter_height = 0.035;
+constexpr double line_width = 0.004, dot_size = 0.02, arrow_length = 0.1;
 constexpr double above = 0.06;  // of a planar robot, so that its links hide nothing
 
 std_msgs::ColorRGBA faded(std_msgs::ColorRGBA color, float opacity) {
@@ -35,8 +36,11 @@ Marker with_id(Marker marker, int id) {
 
 }  // namespace
 
-ProbePicture::ProbePicture(std::shared_ptr<const Mechanism> mechanism, const std::string& urdf)
-    : mechanism_(std::move(mechanism)), robot_(*mechanism_->manipulator()), visuals_(*mechanism_, urdf) {}
+ProbePicture::ProbePicture(std::shared_ptr<const Mechanism> mechanism, const std::string& urdf, Scene scene)
+    : mechanism_(std::move(mechanism)),
+      robot_(*mechanism_->manipulator()),
+      visuals_(*mechanism_, urdf),
+      scene_(std::move(scene)) {}
 
 visualization_msgs::MarkerArray ProbePicture::of(const ProbeFinding& finding, Markers extra) {
   Markers markers = std::move(extra);
@@ -151,14 +155,19 @@ void ProbePicture::draw_wanted(const ProbeFinding& finding, Markers& markers) co
   if (!lines.points.empty()) markers.push_back(std::move(lines));
 }
 
+// On the other side of the robot than its own caption.
 void ProbePicture::draw_words(const ProbeFinding& finding, Markers& markers) const {
+  const Caption caption = caption_of(scene_, words_of(robot_, finding));
+  const double room = 2.0 * Caption::line_pitch * caption.text_height;
+  Vector3d at = scene_.robot.center();
+  if (scene_.planar)
+    at = {at.x(), scene_.robot.max().y() - room, above * robot_.size()};
+  else
+    at = {at.x(), scene_.robot.min().y(), scene_.robot.min().z() - room};  // before it, as it is seen
   Marker text = marker("probe/words", Marker::TEXT_VIEW_FACING, ink());
-  const Pose& pose = finding.reached ? finding.reached->pose : finding.question.wanted;
-  const Vector3d up = is_planar(robot_.task_space()) ? Vector3d::UnitY() : Vector3d::UnitZ();
-  const geometry_msgs::Point at = drawn(pose.position + 3.0 * above * robot_.size() * up);
-  text.pose = pose_message(robot_.task_frame() * Eigen::Translation3d(at.x, at.y, at.z));
-  text.scale.z = letter_height * robot_.size();
-  text.text = words_of(robot_, finding);
+  text.pose = pose_message(robot_.task_frame() * Eigen::Translation3d(at));
+  text.scale.z = caption.text_height;
+  text.text = caption.words;
   markers.push_back(std::move(text));
 }
 

@@ -3,6 +3,7 @@
 #define PARALLEL_ASPECTS_ROS_PROBE_PROBE_PICTURE_H
 
 #include "parallel_aspects/urdf/mechanism.h"
+#include "ros/pictures/scene.h"
 #include "ros/probe/probe_solver.h"
 #include "ros/probe/robot_visuals.h"
 
@@ -19,7 +20,8 @@ namespace parallel_aspects {
 /// the nearest singularity with lines to it and the way out, where it is wanted, and words. Stamps are zero.
 class ProbePicture {
  public:
-  ProbePicture(std::shared_ptr<const Mechanism> mechanism, const std::string& urdf);
+  /// `urdf`: the text that the mechanism was loaded from. `scene`: where the words have room.
+  ProbePicture(std::shared_ptr<const Mechanism> mechanism, const std::string& urdf, Scene scene);
 
   /// All that is shown, and the removal of what was shown before and is no more: the array tells all of it to
   /// whoever sees it first. `extra`: markers of others that belong to it.
@@ -50,6 +52,7 @@ class ProbePicture {
   std::shared_ptr<const Mechanism> mechanism_;
   const Manipulator& robot_;
   RobotVisuals visuals_;
+  Scene scene_;
   std::set<Key> shown_;
 };
 
