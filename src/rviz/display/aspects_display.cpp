@@ -72,7 +72,7 @@ AspectsDisplay::AspectsDisplay() {
   upper_ = new rviz::BoolProperty("Upper part", false, "Draws what lies above the section.", section_);
   opacity_ = new rviz::FloatProperty("Opacity", 0.45F, "Of the aspects that the robot is not in.", this,
                                      SLOT(change_look()));
-  present_opacity_ = new rviz::FloatProperty("Opacity of the present aspect", 0.85F,
+  present_opacity_ = new rviz::FloatProperty("Opacity of the present aspect", 0.8F,
                                              "Of the aspect that the robot is in, and of sections.", this,
                                              SLOT(change_look()));
   for (rviz::FloatProperty* const opacity : {opacity_, present_opacity_}) {

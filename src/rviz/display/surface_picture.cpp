@@ -22,7 +22,7 @@ constexpr double pi = EIGEN_PI;
 constexpr std::size_t most_triangles = 120000;  // of all surfaces, so that software renders them
 constexpr int plane_cells = 300;
 constexpr double tint = 0.55;   // of the colour of a boundary in that of the aspect
-constexpr double below = 0.02;  // of the robot's size: planes lie behind its links
+constexpr double below = 0.01;  // of the robot's size: planes lie behind its links
 constexpr std::uint32_t edge_color = 0xDDDDDD;
 
 std::uint32_t mixed(std::uint32_t one, std::uint32_t other, double share) {
@@ -32,6 +32,30 @@ std::uint32_t mixed(std::uint32_t one, std::uint32_t other, double share) {
     result |= static_cast<std::uint32_t>(std::lround(a + share * (b - a))) << shift;
   }
   return result;
+}
+
+const char* color_word(BoundaryKind kind) {
+  switch (kind) {
+    case BoundaryKind::parallel:
+      return "red";
+    case BoundaryKind::serial:
+      return "blue";
+    case BoundaryKind::passive_limit:
+      return "brown";
+    case BoundaryKind::cone:
+      return "pink";
+    case BoundaryKind::self_collision:
+      return "violet";
+    case BoundaryKind::obstacle:
+      return "orange";
+    case BoundaryKind::workspace:
+      return "green";
+    case BoundaryKind::margin:
+      return "yellow";
+    case BoundaryKind::limit:
+      break;
+  }
+  return "grey";
 }
 
 bool turns(TaskSpace space) { return space == TaskSpace::SE2 || space == TaskSpace::SO3; }
@@ -65,6 +89,7 @@ class Painter {
         colors_(aspect_colors(map.aspects())) {
     picture_.radian = radian_of(robot_, choice);
     picture_.size = robot_.size();
+    picture_.is_cut = section().has_value();
   }
 
   SurfacePicture draw(const std::atomic<bool>& cancelled) {
@@ -88,11 +113,16 @@ class Painter {
   };
 
   const Aspect& aspect(int id) const { return map_.aspects()[static_cast<std::size_t>(id - 1)]; }
-  std::uint32_t color(int id) const { return colors_[static_cast<std::size_t>(id - 1)]; }
+
+  // Surfaces have shadows, so that they are lighter than what lies in a plane.
+  std::uint32_t color(int id) const {
+    return lightened(colors_[static_cast<std::size_t>(id - 1)], space_ == TaskSpace::T2 ? 0.0 : 0.25);
+  }
 
   std::uint32_t color(int id, BoundaryKind kind) {
     kinds_.insert(kind);
-    return choice_.tells_boundaries ? mixed(color(id), boundary_color(kind), tint) : color(id);
+    if (!choice_.tells_boundaries) return color(id);
+    return mixed(color(id), lightened(boundary_color(kind), 0.25), tint);
   }
 
   std::optional<HalfSpace> section() const {
@@ -217,25 +247,23 @@ class Painter {
     picture_.labels.push_back({caption_of(here, id == choice_.aspect), 0x101010, at.cast<float>()});
   }
 
-  // Left of the picture and at its top, as it is usually seen.
-  void place_legend() {
+  // Above the picture, as it is usually seen.
+  void add_legend() {
+    std::string& words = picture_.legend.text;
+    words = choice_.aspect != 0 ? "The robot is in aspect " + std::to_string(choice_.aspect)
+                                : "It is not known in which aspect the robot is";
+    if (choice_.tells_boundaries || space_ == TaskSpace::T2)
+      for (const auto& [kind, what] : boundary_words())
+        if (kinds_.count(kind) != 0) words += std::string("\n") + color_word(kind) + ": " + what;
+    picture_.legend.color = ink_color;
     Eigen::AlignedBox3f box;
     for (const ColoredMesh& mesh : picture_.meshes)
       for (const Vector3f& point : mesh.points) box.extend(point);
-    if (box.isEmpty()) box.extend(Vector3f::Zero());
-    const auto margin = static_cast<float>(0.05 * robot_.size());
-    picture_.legend_at = {box.min().x(), box.max().y() + margin, box.max().z() + margin};
-    picture_.legend_up = is_planar(space_) ? Vector3f::UnitY() : Vector3f::UnitZ();
-    if (is_planar(space_)) picture_.legend_at.z() = 0.0F;
-  }
-
-  void add_legend() {
-    const std::string who = choice_.aspect != 0 ? "The robot is in aspect " + std::to_string(choice_.aspect)
-                                                : "It is not known in which aspect the robot is";
-    picture_.legend.push_back({who, 0x101010, Vector3f::Zero()});
-    for (const auto& [kind, words] : boundary_words())
-      if (kinds_.count(kind) != 0) picture_.legend.push_back({words, boundary_color(kind), Vector3f::Zero()});
-    place_legend();
+    if (box.isEmpty()) return;
+    const auto margin = static_cast<float>(0.1 * robot_.size());
+    picture_.legend.at = box.center();
+    picture_.legend.at[is_planar(space_) ? 1 : 2] =
+        (is_planar(space_) ? box.max().y() : box.max().z()) + margin;
   }
 
   const AspectMap& map_;
