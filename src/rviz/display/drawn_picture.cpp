@@ -8,7 +8,7 @@ namespace parallel_aspects {
 namespace {
 
 // Over the size of the robot.
-constexpr double id_height = 0.06, legend_height = 0.035, line_width = 0.004, outline_width = 0.008;
+constexpr double id_height = 0.045, legend_height = 0.028, line_width = 0.004, outline_width = 0.008;
 
 float channel(std::uint32_t color, unsigned shift) {
   return static_cast<float>(color >> shift & 0xFFU) / 255.0F;

@@ -116,13 +116,13 @@ class Painter {
 
   // Surfaces have shadows, so that they are lighter than what lies in a plane.
   std::uint32_t color(int id) const {
-    return lightened(colors_[static_cast<std::size_t>(id - 1)], space_ == TaskSpace::T2 ? 0.0 : 0.25);
+    return lightened(colors_[static_cast<std::size_t>(id - 1)], space_ == TaskSpace::T2 ? 0.0 : 0.3);
   }
 
   std::uint32_t color(int id, BoundaryKind kind) {
     kinds_.insert(kind);
     if (!choice_.tells_boundaries) return color(id);
-    return mixed(color(id), lightened(boundary_color(kind), 0.25), tint);
+    return mixed(color(id), lightened(boundary_color(kind), 0.35), tint);
   }
 
   std::optional<HalfSpace> section() const {
