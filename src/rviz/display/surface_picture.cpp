@@ -21,8 +21,9 @@ using Eigen::Vector3f;
 constexpr double pi = EIGEN_PI;
 constexpr std::size_t most_triangles = 120000;  // of all surfaces, so that software renders them
 constexpr int plane_cells = 300;
-constexpr double tint = 0.55;   // of the colour of a boundary in that of the aspect
-constexpr double below = 0.01;  // of the robot's size: planes lie behind its links
+constexpr double tint = 0.55;       // of the colour of a boundary in that of the aspect
+constexpr double below = 0.01;      // of the robot's size: planes lie behind its links
+constexpr double ball_share = 0.3;  // of the size of such a robot, that a turn is long
 constexpr std::uint32_t edge_color = 0xDDDDDD;
 
 std::uint32_t mixed(std::uint32_t one, std::uint32_t other, double share) {
@@ -66,11 +67,12 @@ Vector3d scale_of(TaskSpace space, double radian) {
   return {1.0, 1.0, space == TaskSpace::SE2 ? radian : 1.0};
 }
 
-// One turn as high as the robot is wide; the ball of rotations about as large as the robot.
+// One turn is as long as the robot is wide. Of robots that only turn, it is directions of axes that have the
+// size.
 double radian_of(const Manipulator& robot, const PictureChoice& choice) {
   if (!turns(robot.task_space())) return 1.0;
   if (choice.radian > 0.0) return choice.radian;
-  return robot.size() / (robot.task_space() == TaskSpace::SO3 ? pi : 2.0 * pi);
+  return robot.size() * (robot.task_space() == TaskSpace::SO3 ? ball_share : 1.0) / (2.0 * pi);
 }
 
 std::string caption_of(const Aspect& aspect, bool is_present) {
@@ -88,7 +90,7 @@ class Painter {
         present_(present),
         colors_(aspect_colors(map.aspects())) {
     picture_.radian = radian_of(robot_, choice);
-    picture_.size = robot_.size();
+    picture_.size = space_ == TaskSpace::SO3 ? 2.0 * pi * picture_.radian : robot_.size();
     picture_.is_cut = section().has_value();
   }
 
@@ -260,7 +262,7 @@ class Painter {
     for (const ColoredMesh& mesh : picture_.meshes)
       for (const Vector3f& point : mesh.points) box.extend(point);
     if (box.isEmpty()) return;
-    const auto margin = static_cast<float>(0.1 * robot_.size());
+    const auto margin = static_cast<float>(0.1 * picture_.size);
     picture_.legend.at = box.center();
     picture_.legend.at[is_planar(space_) ? 1 : 2] =
         (is_planar(space_) ? box.max().y() : box.max().z()) + margin;
@@ -323,7 +325,7 @@ Vector3d drawn_point(TaskSpace space, const Pose& pose, double radian) {
 Vector3d placement(const Manipulator& manipulator, const std::optional<Pose>& present, double radian) {
   const TaskSpace space = manipulator.task_space();
   const double size = manipulator.size();
-  if (space == TaskSpace::SO3) return {2.0 * size + pi * radian, 0.0, 0.0};
+  if (space == TaskSpace::SO3) return {1.8 * pi * radian, 0.0, 0.0};
   if (space == TaskSpace::SE2) {
     const double here = present ? radian * surface_point(space, *present).z() : 0.0;
     return {0.0, 0.0, -here - below * size};
