@@ -129,7 +129,8 @@ class Painter {
 
   std::optional<HalfSpace> section() const {
     const bool at_robot = choice_.section == Section::at_robot;
-    if (choice_.section == Section::none || (at_robot && !present_)) return std::nullopt;
+    if (choice_.section == Section::none || (at_robot && !present_) || !has_surfaces(map_))
+      return std::nullopt;
     const double value = at_robot ? section_value(space_, *present_, choice_.axis) : choice_.offset;
     const double sign = choice_.upper ? -1.0 : 1.0;
     return HalfSpace{sign * Vector3d::Unit(static_cast<Eigen::Index>(choice_.axis)), sign * value};
@@ -246,7 +247,8 @@ class Painter {
       const Vector3d point = surface_point(space_, here.deepest);
       if (cut->normal.dot(point) > cut->offset) return;
     }
-    picture_.labels.push_back({caption_of(here, id == choice_.aspect), 0x101010, at.cast<float>()});
+    const std::uint32_t ink = id == choice_.aspect ? ink_color : readable_on(lightened(color(id), 0.3));
+    picture_.labels.push_back({caption_of(here, id == choice_.aspect), ink, at.cast<float>()});
   }
 
   // Above the picture, as it is usually seen.

@@ -13,11 +13,13 @@ namespace {
 
 const std::atomic<bool> not_cancelled{false};
 
-std::shared_ptr<const AspectMap> coarse_map(const char* name, double share) {
+std::shared_ptr<const AspectMap> coarse_map(const char* name, double share, std::size_t modes = 0) {
   const test::Robot robot = test::shipped(name)->mapped_manipulator();
   MapOptions options;
   options.resolution = share * robot->size();
   options.extra_levels = 3;
+  if (modes > 0) options.modes = working_modes(*robot);
+  if (modes > 0) options.modes.resize(modes);
   return test::map_of(robot, options);
 }
 
@@ -27,7 +29,7 @@ const AspectMap& five_bar() {
 }
 
 const AspectMap& three_rrr() {
-  static const auto map = coarse_map("three_rrr", 0.05);
+  static const auto map = coarse_map("three_rrr", 0.05, 1);
   return *map;
 }
 
