@@ -31,7 +31,7 @@ SaveResult save_map(const AspectMap& map, const std::string& path);
 MapResult load_map(std::shared_ptr<const Manipulator> manipulator, const MapOptions& options,
                    const std::string& path);
 
-/// The file that `save_map` writes, as bytes.
+/// The file that `save_map` writes, packed by zlib behind its length, a little-endian number of eight bytes.
 std::vector<std::uint8_t> map_bytes(const AspectMap& map);
 
 /// The map that such bytes are of, refused like a file.

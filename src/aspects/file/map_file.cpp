@@ -47,6 +47,34 @@ Bytes encode(const AspectMap::Contents& map) {
   return writer.bytes();
 }
 
+/// The length, then the bytes as zlib packs them at its fastest: about a seventh.
+Bytes packed(const Bytes& bytes) {
+  ByteWriter writer;
+  writer.put_u64(bytes.size());
+  Bytes result = writer.bytes();
+  uLongf size = compressBound(static_cast<uLong>(bytes.size()));
+  const std::size_t start = result.size();
+  result.resize(start + size);
+  compress2(result.data() + start, &size, bytes.data(), static_cast<uLong>(bytes.size()), Z_BEST_SPEED);
+  result.resize(start + size);
+  return result;
+}
+
+/// Fills `bytes` with what was packed, or says why that cannot be. No more memory is taken than zlib can
+/// need.
+std::string unpack(const Bytes& packed_bytes, Bytes& bytes) {
+  constexpr std::size_t best_ratio = 1100;
+  ByteReader reader(packed_bytes.data(), packed_bytes.size());
+  const std::uint64_t length = reader.take_u64();
+  if (!reader.ok() || length > best_ratio * reader.left()) return "it is cut off";
+  bytes.resize(length);
+  auto size = static_cast<uLongf>(length);
+  const int result =
+      uncompress(bytes.data(), &size, packed_bytes.data() + packed_bytes.size() - reader.left(),
+                 static_cast<uLong>(reader.left()));
+  return result == Z_OK && size == length ? "" : "it is damaged";
+}
+
 /// Why the file cannot be of any use to this package; empty where it can. `reader` is behind the versions
 /// then.
 std::string find_damage(const Bytes& file, ByteReader& reader) {
@@ -131,14 +159,12 @@ MapResult load_map(std::shared_ptr<const Manipulator> manipulator, const MapOpti
                 [&path](Bytes& file) { return read_whole_file(path, largest_file, file); });
 }
 
-std::vector<std::uint8_t> map_bytes(const AspectMap& map) { return encode(map.contents()); }
+std::vector<std::uint8_t> map_bytes(const AspectMap& map) { return packed(encode(map.contents())); }
 
 MapResult map_from_bytes(std::shared_ptr<const Manipulator> manipulator, const MapOptions& options,
                          const std::vector<std::uint8_t>& bytes) {
-  return loaded(std::move(manipulator), options, "A map that was received is", [&bytes](Bytes& file) {
-    file = bytes;
-    return std::string();
-  });
+  return loaded(std::move(manipulator), options, "A map that was received is",
+                [&bytes](Bytes& file) { return unpack(bytes, file); });
 }
 
 MapOptions options_of(const AspectMap& map) {

@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 
 constexpr double turn = 2.0 * EIGEN_PI;
 constexpr std::uint32_t finest = 7;    // halvings of the region, unless the aspect is small
-constexpr std::size_t fewest = 80;    // cells that a small one is drawn with
+constexpr std::size_t fewest = 80;     // cells that a small one is drawn with
 constexpr std::uint32_t coarsest = 3;  // halvings of the region
 constexpr int rounds = 4;              // of smoothing
 constexpr int halvings = 7;            // of the way to the boundary
@@ -122,6 +122,17 @@ CellSet cells_of(const AspectMap& map, int aspect, std::uint32_t level, const Su
   return cells;
 }
 
+// Points for which no end was found follow those for which one was.
+void settle(AspectSurface& surface, const std::vector<Vector3d>& start, const CellSet& cells) {
+  const std::vector<Vector3d> found = surface.mesh.points;
+  smooth(surface.mesh, rounds, cells.edges(), cells.is_ball());
+  for (std::size_t p = 0; p < start.size(); ++p) {
+    Vector3d& point = surface.mesh.points[p];
+    if (surface.bounds[p]) point = found[p];
+    point = point.cwiseMin(start[p] + cells.edges()).cwiseMax(start[p] - cells.edges());
+  }
+}
+
 AspectSurface finished(const AspectMap& map, int aspect, const CellSet& cells, SurfaceMesh mesh,
                        const SurfaceOptions& options) {
   AspectSurface surface;
@@ -134,6 +145,7 @@ AspectSurface finished(const AspectMap& map, int aspect, const CellSet& cells, S
   const std::vector<Vector3d> start = surface.mesh.points;
   smooth(surface.mesh, rounds, 0.5 * cells.edges(), cells.is_ball());
   move_to_boundary(map, cells, start, surface);
+  settle(surface, start, cells);
   if (options.section) flatten(surface.mesh, *options.section);
   return surface;
 }

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double pi = EIGEN_PI;
 constexpr std::uint32_t finest_level = 13;  // so that corners have keys
+constexpr std::size_t most_room = 4000000;  // of cells that a small aspect is looked for in
 constexpr std::uint8_t is_cell = 1, was_cell = 2;
 
 // In the cubes of SO3 the last root has the quaternion's w as its largest component; in the others w is the
@@ -38,10 +39,17 @@ CellSet::CellSet(const AspectMap& map, int aspect, std::uint32_t level, std::siz
       turns_(!is_ball_ && map_.tree.space().is_periodic(2)),
       level_(std::min(level, finest_level)) {
   fill();
-  while (count_ < fewest && level_ < std::min(map_.deepest_level, finest_level)) {
+  while (count_ < fewest && level_ < std::min(map_.deepest_level, finest_level) && 8 * room() < most_room) {
     ++level_;
     fill();
   }
+}
+
+// How many cells the grids have room for; eight times as many at the next level.
+std::size_t CellSet::room() const {
+  std::size_t sum = 0;
+  for (const Grid& grid : grids_) sum += grid.states.size();
+  return sum;
 }
 
 void CellSet::fill() {

@@ -64,6 +64,7 @@ class CellSet {
   };
 
   void fill();
+  std::size_t room() const;
   void fill(NodeIndex node);
   double share(NodeIndex node) const;
   void set(const NodePlace& place);

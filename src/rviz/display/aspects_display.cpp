@@ -19,8 +19,9 @@ namespace {
 
 using Level = rviz::StatusProperty;
 
-constexpr float between_looks = 0.1F;  // at what the node says [s]
-constexpr double point_size = 0.05;    // of the robot's size
+constexpr float between_sections = 0.5F;  // that follow the robot [s]
+constexpr float between_looks = 0.1F;     // at what the node says [s]
+constexpr double point_size = 0.05;       // of the robot's size
 
 Ogre::Vector3 ogre_vector(const Eigen::Vector3d& vector) {
   return {static_cast<float>(vector.x()), static_cast<float>(vector.y()), static_cast<float>(vector.z())};
@@ -59,7 +60,8 @@ AspectsDisplay::AspectsDisplay() {
       "Ids and working modes, as '1 4 (+,-)', drawn where Shown is Chosen; where it is "
       "empty, those ticked in the panel.",
       this);
-  section_ = new rviz::EnumProperty("Section", "None", "Cuts surfaces by a plane.", this);
+  section_ = new rviz::EnumProperty("Section", "At the robot",
+                                    "Cuts surfaces by a plane, so that their inside shows.", this);
   section_->addOption("None", static_cast<int>(Section::none));
   section_->addOption("At the robot", static_cast<int>(Section::at_robot));
   section_->addOption("At offset", static_cast<int>(Section::at_offset));
@@ -72,7 +74,7 @@ AspectsDisplay::AspectsDisplay() {
   upper_ = new rviz::BoolProperty("Upper part", false, "Draws what lies above the section.", section_);
   opacity_ = new rviz::FloatProperty("Opacity", 0.45F, "Of the aspects that the robot is not in.", this,
                                      SLOT(change_look()));
-  present_opacity_ = new rviz::FloatProperty("Opacity of the present aspect", 0.85F,
+  present_opacity_ = new rviz::FloatProperty("Opacity of the present aspect", 0.8F,
                                              "Of the aspect that the robot is in, and of sections.", this,
                                              SLOT(change_look()));
   for (rviz::FloatProperty* const opacity : {opacity_, present_opacity_}) {
@@ -131,6 +133,7 @@ void AspectsDisplay::follow_node() {
 void AspectsDisplay::update(float wall_dt, float) {
   if (!link_) return;
   since_look_ += wall_dt;
+  since_picture_ += wall_dt;
   if (since_look_ >= between_looks) {
     since_look_ = 0.0F;
     take_news();
@@ -239,6 +242,9 @@ void AspectsDisplay::ask_for_picture() {
   else
     setStatus(Level::Error, "Chosen", text(problem));
   if (!differs(wanted)) return;
+  const bool only_moved = asked_ && parts(*asked_) == parts(wanted) && asked_->mode == wanted.mode;
+  if (only_moved && since_picture_ < between_sections) return;
+  since_picture_ = 0.0F;
   asked_ = wanted;
   asked_at_ = present_;
   thread_->draw(wanted, present_);

@@ -69,7 +69,7 @@ class AspectsDisplay : public rviz::Display {
   std::optional<PictureChoice> asked_;
   std::optional<Pose> asked_at_;
   std::uint64_t maps_ = 0;  // reports of complete maps that were followed
-  float since_look_ = 0.0F;
+  float since_look_ = 0.0F, since_picture_ = 0.0F;
 };
 
 }  // namespace parallel_aspects

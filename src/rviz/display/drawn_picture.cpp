@@ -8,8 +8,7 @@ namespace parallel_aspects {
 namespace {
 
 // Over the size of the robot.
-constexpr double id_height = 0.06, legend_height = 0.035, line_width = 0.004, outline_width = 0.011;
-constexpr double line_pitch = 1.5;  // of the legend, over the height of its letters
+constexpr double id_height = 0.045, legend_height = 0.028, line_width = 0.004, outline_width = 0.008;
 
 float channel(std::uint32_t color, unsigned shift) {
   return static_cast<float>(color >> shift & 0xFFU) / 255.0F;
@@ -25,11 +24,11 @@ Ogre::Vector3 ogre_vector(const Eigen::Vector3f& vector) { return {vector.x(), v
 
 DrawnPicture::DrawnPicture(const SurfacePicture& picture, const Look& look, Ogre::SceneManager* scene,
                            Ogre::SceneNode* parent)
-    : scene_(scene), root_(parent->createChildSceneNode()) {
+    : scene_(scene), root_(parent->createChildSceneNode()), is_cut_(picture.is_cut) {
   for (const ColoredMesh& mesh : picture.meshes) add(mesh);
   for (const ColoredLines& lines : picture.lines) add(lines, picture.size);
   for (const Label& label : picture.labels) add_text(label, id_height * picture.size, false);
-  add_legend(picture);
+  if (!picture.meshes.empty()) add_text(picture.legend, legend_height * picture.size, true);
   set_look(look);
 }
 
@@ -53,7 +52,7 @@ void DrawnPicture::add(const ColoredMesh& mesh) {
     shape->addVertex(ogre_vector(mesh.points[i]), ogre_vector(mesh.normals[i]));
   for (const auto& triangle : mesh.triangles) shape->addTriangle(triangle[0], triangle[1], triangle[2]);
   shape->endTriangles();
-  meshes_.push_back({std::move(shape), mesh.aspect, mesh.color, mesh.is_cut});
+  meshes_.push_back({std::move(shape), mesh.aspect, mesh.color});
 }
 
 void DrawnPicture::add(const ColoredLines& lines, double size) {
@@ -73,29 +72,17 @@ void DrawnPicture::add(const ColoredLines& lines, double size) {
 void DrawnPicture::add_text(const Label& label, double height, bool is_legend) {
   auto text = std::make_unique<rviz::MovableText>(label.text, "Liberation Sans", static_cast<float>(height),
                                                   ogre_color(label.color));
-  text->setTextAlignment(is_legend ? rviz::MovableText::H_LEFT : rviz::MovableText::H_CENTER,
-                         rviz::MovableText::V_CENTER);
+  text->setTextAlignment(rviz::MovableText::H_CENTER,
+                         is_legend ? rviz::MovableText::V_ABOVE : rviz::MovableText::V_CENTER);
   text->showOnTop(true);
   Ogre::SceneNode* const node = root_->createChildSceneNode(ogre_vector(label.at));
   node->attachObject(text.get());
   texts_.push_back({std::move(text), node, is_legend});
 }
 
-// Above the picture, so that its last line is the lowest.
-void DrawnPicture::add_legend(const SurfacePicture& picture) {
-  const double height = legend_height * picture.size;
-  const auto above = static_cast<float>(line_pitch * height * static_cast<double>(picture.legend.size()));
-  Eigen::Vector3f at = picture.legend_at + above * picture.legend_up;
-  for (Label label : picture.legend) {
-    label.at = at;
-    add_text(label, height, true);
-    at -= static_cast<float>(line_pitch * height) * picture.legend_up;
-  }
-}
-
 void DrawnPicture::set_look(const Look& look) {
   for (const Mesh& mesh : meshes_) {
-    const double opacity = mesh.is_cut || mesh.aspect == look.present ? look.present_opacity : look.opacity;
+    const double opacity = is_cut_ ? 1.0 : mesh.aspect == look.present ? look.present_opacity : look.opacity;
     mesh.shape->setColor(channel(mesh.color, 16), channel(mesh.color, 8), channel(mesh.color, 0),
                          static_cast<float>(opacity));
   }

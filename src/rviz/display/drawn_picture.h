@@ -36,7 +36,6 @@ class DrawnPicture {
     std::unique_ptr<rviz::MeshShape> shape;
     int aspect;
     std::uint32_t color;
-    bool is_cut;
   };
   struct Text {
     std::unique_ptr<rviz::MovableText> text;
@@ -47,10 +46,10 @@ class DrawnPicture {
   void add(const ColoredMesh& mesh);
   void add(const ColoredLines& lines, double size);
   void add_text(const Label& label, double height, bool is_legend);
-  void add_legend(const SurfacePicture& picture);
 
   Ogre::SceneManager* scene_;
   Ogre::SceneNode* root_;
+  const bool is_cut_;  // then the inside shows, and all is opaque
   std::vector<Mesh> meshes_;
   std::vector<std::unique_ptr<rviz::BillboardLine>> lines_;
   std::vector<Text> texts_;

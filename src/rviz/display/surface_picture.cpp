@@ -21,8 +21,9 @@ using Eigen::Vector3f;
 constexpr double pi = EIGEN_PI;
 constexpr std::size_t most_triangles = 120000;  // of all surfaces, so that software renders them
 constexpr int plane_cells = 300;
-constexpr double tint = 0.55;   // of the colour of a boundary in that of the aspect
-constexpr double below = 0.02;  // of the robot's size: planes lie behind its links
+constexpr double tint = 0.55;       // of the colour of a boundary in that of the aspect
+constexpr double below = 0.01;      // of the robot's size: planes lie behind its links
+constexpr double ball_share = 0.3;  // of the size of such a robot, that a turn is long
 constexpr std::uint32_t edge_color = 0xDDDDDD;
 
 std::uint32_t mixed(std::uint32_t one, std::uint32_t other, double share) {
@@ -34,6 +35,30 @@ std::uint32_t mixed(std::uint32_t one, std::uint32_t other, double share) {
   return result;
 }
 
+const char* color_word(BoundaryKind kind) {
+  switch (kind) {
+    case BoundaryKind::parallel:
+      return "red";
+    case BoundaryKind::serial:
+      return "blue";
+    case BoundaryKind::passive_limit:
+      return "brown";
+    case BoundaryKind::cone:
+      return "pink";
+    case BoundaryKind::self_collision:
+      return "violet";
+    case BoundaryKind::obstacle:
+      return "orange";
+    case BoundaryKind::workspace:
+      return "green";
+    case BoundaryKind::margin:
+      return "yellow";
+    case BoundaryKind::limit:
+      break;
+  }
+  return "grey";
+}
+
 bool turns(TaskSpace space) { return space == TaskSpace::SE2 || space == TaskSpace::SO3; }
 
 // What coordinates are multiplied by to be metres.
@@ -42,11 +67,12 @@ Vector3d scale_of(TaskSpace space, double radian) {
   return {1.0, 1.0, space == TaskSpace::SE2 ? radian : 1.0};
 }
 
-// One turn as high as the robot is wide; the ball of rotations about as large as the robot.
+// One turn is as long as the robot is wide. Of robots that only turn, it is directions of axes that have the
+// size.
 double radian_of(const Manipulator& robot, const PictureChoice& choice) {
   if (!turns(robot.task_space())) return 1.0;
   if (choice.radian > 0.0) return choice.radian;
-  return robot.size() / (robot.task_space() == TaskSpace::SO3 ? pi : 2.0 * pi);
+  return robot.size() * (robot.task_space() == TaskSpace::SO3 ? ball_share : 1.0) / (2.0 * pi);
 }
 
 std::string caption_of(const Aspect& aspect, bool is_present) {
@@ -64,7 +90,8 @@ class Painter {
         present_(present),
         colors_(aspect_colors(map.aspects())) {
     picture_.radian = radian_of(robot_, choice);
-    picture_.size = robot_.size();
+    picture_.size = space_ == TaskSpace::SO3 ? 2.0 * pi * picture_.radian : robot_.size();
+    picture_.is_cut = section().has_value();
   }
 
   SurfacePicture draw(const std::atomic<bool>& cancelled) {
@@ -88,16 +115,22 @@ class Painter {
   };
 
   const Aspect& aspect(int id) const { return map_.aspects()[static_cast<std::size_t>(id - 1)]; }
-  std::uint32_t color(int id) const { return colors_[static_cast<std::size_t>(id - 1)]; }
+
+  // Surfaces have shadows, so that they are lighter than what lies in a plane.
+  std::uint32_t color(int id) const {
+    return lightened(colors_[static_cast<std::size_t>(id - 1)], space_ == TaskSpace::T2 ? 0.0 : 0.3);
+  }
 
   std::uint32_t color(int id, BoundaryKind kind) {
     kinds_.insert(kind);
-    return choice_.tells_boundaries ? mixed(color(id), boundary_color(kind), tint) : color(id);
+    if (!choice_.tells_boundaries) return color(id);
+    return mixed(color(id), lightened(boundary_color(kind), 0.35), tint);
   }
 
   std::optional<HalfSpace> section() const {
     const bool at_robot = choice_.section == Section::at_robot;
-    if (choice_.section == Section::none || (at_robot && !present_)) return std::nullopt;
+    if (choice_.section == Section::none || (at_robot && !present_) || !has_surfaces(map_))
+      return std::nullopt;
     const double value = at_robot ? section_value(space_, *present_, choice_.axis) : choice_.offset;
     const double sign = choice_.upper ? -1.0 : 1.0;
     return HalfSpace{sign * Vector3d::Unit(static_cast<Eigen::Index>(choice_.axis)), sign * value};
@@ -214,28 +247,27 @@ class Painter {
       const Vector3d point = surface_point(space_, here.deepest);
       if (cut->normal.dot(point) > cut->offset) return;
     }
-    picture_.labels.push_back({caption_of(here, id == choice_.aspect), 0x101010, at.cast<float>()});
+    const std::uint32_t ink = id == choice_.aspect ? ink_color : readable_on(lightened(color(id), 0.3));
+    picture_.labels.push_back({caption_of(here, id == choice_.aspect), ink, at.cast<float>()});
   }
 
-  // Left of the picture and at its top, as it is usually seen.
-  void place_legend() {
+  // Above the picture, as it is usually seen.
+  void add_legend() {
+    std::string& words = picture_.legend.text;
+    words = choice_.aspect != 0 ? "The robot is in aspect " + std::to_string(choice_.aspect)
+                                : "It is not known in which aspect the robot is";
+    if (choice_.tells_boundaries || space_ == TaskSpace::T2)
+      for (const auto& [kind, what] : boundary_words())
+        if (kinds_.count(kind) != 0) words += std::string("\n") + color_word(kind) + ": " + what;
+    picture_.legend.color = ink_color;
     Eigen::AlignedBox3f box;
     for (const ColoredMesh& mesh : picture_.meshes)
       for (const Vector3f& point : mesh.points) box.extend(point);
-    if (box.isEmpty()) box.extend(Vector3f::Zero());
-    const auto margin = static_cast<float>(0.05 * robot_.size());
-    picture_.legend_at = {box.min().x(), box.max().y() + margin, box.max().z() + margin};
-    picture_.legend_up = is_planar(space_) ? Vector3f::UnitY() : Vector3f::UnitZ();
-    if (is_planar(space_)) picture_.legend_at.z() = 0.0F;
-  }
-
-  void add_legend() {
-    const std::string who = choice_.aspect != 0 ? "The robot is in aspect " + std::to_string(choice_.aspect)
-                                                : "It is not known in which aspect the robot is";
-    picture_.legend.push_back({who, 0x101010, Vector3f::Zero()});
-    for (const auto& [kind, words] : boundary_words())
-      if (kinds_.count(kind) != 0) picture_.legend.push_back({words, boundary_color(kind), Vector3f::Zero()});
-    place_legend();
+    if (box.isEmpty()) return;
+    const auto margin = static_cast<float>(0.1 * picture_.size);
+    picture_.legend.at = box.center();
+    picture_.legend.at[is_planar(space_) ? 1 : 2] =
+        (is_planar(space_) ? box.max().y() : box.max().z()) + margin;
   }
 
   const AspectMap& map_;
@@ -295,7 +327,7 @@ Vector3d drawn_point(TaskSpace space, const Pose& pose, double radian) {
 Vector3d placement(const Manipulator& manipulator, const std::optional<Pose>& present, double radian) {
   const TaskSpace space = manipulator.task_space();
   const double size = manipulator.size();
-  if (space == TaskSpace::SO3) return {2.0 * size + pi * radian, 0.0, 0.0};
+  if (space == TaskSpace::SO3) return {1.8 * pi * radian, 0.0, 0.0};
   if (space == TaskSpace::SE2) {
     const double here = present ? radian * surface_point(space, *present).z() : 0.0;
     return {0.0, 0.0, -here - below * size};

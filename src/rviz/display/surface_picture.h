@@ -73,11 +73,10 @@ struct SurfacePicture {
   std::vector<ColoredMesh> meshes;
   std::vector<ColoredLines> lines;
   std::vector<Label> labels;
-  std::vector<Label> legend;  ///< lines, the first at `legend_at` and each next one below it
-  Eigen::Vector3f legend_at = Eigen::Vector3f::Zero();   ///< left end of the first line
-  Eigen::Vector3f legend_up = Eigen::Vector3f::UnitZ();  ///< from line to line
-  double radian = 1.0;                                   ///< how long an angle of one rad is drawn [m]
-  double size = 1.0;                                     ///< of the robot, or of the ball of rotations [m]
+  Label legend;         ///< of several lines
+  bool is_cut = false;  ///< by a section, so that its inside shows
+  double radian = 1.0;  ///< how long an angle of one rad is drawn [m]
+  double size = 1.0;    ///< of the robot, or of the ball of rotations [m]
   std::size_t triangles = 0;
 };
 
