@@ -4,6 +4,7 @@
 #include "aspects/constraints/constraint_clearance.h"
 #include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/kinematics/jacobians.h"
+#include "parallel_aspects/singularity/indices.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +16,9 @@ namespace {
 using Eigen::Vector2d;
 
 // det A, then each B_jj^2, then the distance of each limited actuated joint from its limits, then how far
-// each other constraint is from being broken. Zero sets bound the mode.
-constexpr int max_functions = 1 + 3 + 6 + 6;
+// each other constraint is from being broken. Zero sets bound the mode. Last the index, with the sign of det A, so that
+// it is smooth across det A = 0.
+constexpr int max_functions = 1 + 6 + 12 + 6 + 1;
 using Values = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, max_functions, 1>;
 
 struct Function {
@@ -67,12 +69,14 @@ Vector2d middle_of(const VertexPolygon& polygon) {
 
 class Tracer {
  public:
-  Tracer(const AspectMap& map, const WorkingMode& mode, const PoseSlice& slice, Cells merging)
+  Tracer(const AspectMap& map, const WorkingMode& mode, const PoseSlice& slice, Cells merging,
+         const IndexLevels& levels)
       : map_(map),
         robot_(*map.manipulator()),
         mode_(mode),
         slice_(slice),
         merging_(merging),
+        levels_(levels),
         functions_{{BoundaryKind::parallel, 0}} {
     for (std::size_t j = 0; j < robot_.leg_count(); ++j) functions_.push_back({BoundaryKind::serial, j});
     for (std::size_t j = 0; j < robot_.leg_count(); ++j)
@@ -122,6 +126,10 @@ class Tracer {
         filled = aspect;
       }
       if (!whole) trace_in(below[i], below[i + 1], above[i + 1], above[i]);
+      if (aspect != 0) {
+        add_levels({below[i], below[i + 1], above[i + 1]}, aspect);
+        add_levels({below[i], above[i + 1], above[i]}, aspect);
+      }
     }
     fill_until(below.size() - 1);
   }
@@ -130,7 +138,7 @@ class Tracer {
     const double sign = cell.front().values[0];
     return std::all_of(cell.begin(), cell.end(), [&](const Vertex& vertex) {
       return slice_.holds(vertex.point) && sign * vertex.values[0] > 0.0 &&
-             vertex.values.tail(vertex.values.size() - 1).minCoeff() > 0.0;
+             vertex.values.segment(1, bounding_count() - 1).minCoeff() > 0.0;
     });
   }
 
@@ -147,7 +155,7 @@ class Tracer {
   Values values(const Vector2d& point) const {
     const Pose pose = slice_.pose(point);
     JointVector q(robot_.leg_count());
-    Values result(functions_.size());
+    Values result(bounding_count() + (levels_.levels.empty() ? 0 : 1));
     for (std::size_t j = 0; j < robot_.leg_count(); ++j) {
       const Leg& leg = robot_.leg(j);
       const auto row = static_cast<Eigen::Index>(j);
@@ -157,9 +165,22 @@ class Tracer {
     result[0] = direct_determinant(robot_, pose, q);
     add_limits(q, result);
     for (std::size_t k = 0; k < constraints_.size(); ++k)
-      result[result.size() - static_cast<Eigen::Index>(constraints_.size() - k)] =
+      result[bounding_count() - static_cast<Eigen::Index>(constraints_.size() - k)] =
           std::min(robot_.size(), constraint_clearance(robot_, constraints_[k], pose, q));
+    if (!levels_.levels.empty()) result[bounding_count()] = std::copysign(index(pose, q), result[0]);
     return result;
+  }
+
+  Eigen::Index bounding_count() const { return static_cast<Eigen::Index>(functions_.size()); }
+
+  double index(const Pose& pose, const JointVector& q) const {
+    switch (levels_.index) {
+      case DrawnIndex::parallel:
+        return parallel_index(robot_, pose, q);
+      case DrawnIndex::conditioning:
+        break;
+    }
+    return singularity_indices(robot_, pose, q).inverse_condition_number;
   }
 
   void add_limits(const JointVector& q, Values& result) const {
@@ -180,10 +201,25 @@ class Tracer {
     if (part.size() < 3) return;
     const int aspect = located(middle_of(part));
     if (aspect != 0) {
+      add_levels(part, aspect);
       picture_.slivers.push_back({aspect, {}});
       for (const Vertex& vertex : part) picture_.slivers.back().corners.push_back(vertex.point);
     }
     for (std::size_t i = 0; i < part.size(); ++i) add_side(part[i], part[(i + 1) % part.size()], width);
+  }
+
+  // In a part of a triangle the index is linear, so that each of its lines is straight there.
+  void add_levels(const VertexPolygon& part, int aspect) {
+    for (const double level : levels_.levels) {
+      std::vector<Vector2d> ends;
+      for (std::size_t i = 0; i < part.size(); ++i) {
+        const Vertex &here = part[i], &next = part[(i + 1) % part.size()];
+        const double a = std::abs(here.values[bounding_count()]) - level,
+                     b = std::abs(next.values[bounding_count()]) - level;
+        if ((a < 0.0) != (b < 0.0)) ends.push_back(here.point + a / (a - b) * (next.point - here.point));
+      }
+      if (ends.size() == 2) picture_.levels.push_back({level, aspect, ends[0], ends[1]});
+    }
   }
 
   // A side bounds the mode where one function vanishes all along it.
@@ -221,6 +257,7 @@ class Tracer {
   const WorkingMode mode_;
   const PoseSlice slice_;
   const Cells merging_;
+  const IndexLevels& levels_;
   std::vector<Function> functions_;
   std::vector<ConstraintKind> constraints_;  // of the last functions
   BoundaryPicture picture_;
@@ -229,8 +266,9 @@ class Tracer {
 }  // namespace
 
 BoundaryPicture trace_slice(const AspectMap& map, const WorkingMode& mode, const PoseSlice& slice,
-                            const Eigen::AlignedBox2d& bounds, int cells, Cells merging) {
-  return Tracer(map, mode, slice, merging).trace_grid(bounds, cells);
+                            const Eigen::AlignedBox2d& bounds, int cells, Cells merging,
+                            const IndexLevels& levels) {
+  return Tracer(map, mode, slice, merging, levels).trace_grid(bounds, cells);
 }
 
 }  // namespace parallel_aspects

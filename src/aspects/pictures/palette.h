@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASPECTS_PICTURES_PALETTE_H
+#define PARALLEL_ASPECTS_ASPECTS_PICTURES_PALETTE_H
+
+#include "parallel_aspects/aspects/aspect_map.h"
+#include "parallel_aspects/aspects/boundary_curves.h"
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+/// The colours of every picture of this package, which people with any colour vision tell apart.
+namespace parallel_aspects {
+
+/// 0xRRGGBB.
+using Rgb = std::uint32_t;
+
+inline constexpr Rgb ink = 0x202020;
+inline constexpr Rgb undecided_color = 0xBBBBBB;
+
+/// How many aspects of one working mode and sign of det A have colours of their own.
+inline constexpr std::size_t hue_count = 6;
+
+/// Light where det A > 0, dark where det A < 0; `hue` counts from 0 and comes again after `hue_count`.
+Rgb aspect_color(int determinant_sign, std::size_t hue);
+
+/// The colours of the aspects, by id - 1. Aspects of one working mode and sign differ as long as there are hues, and
+/// from those of the neighbouring modes, which differ in the sign of one B_jj, where that is possible.
+std::vector<Rgb> aspect_colors(const std::vector<Aspect>& aspects);
+
+/// Of boundaries.
+Rgb color_of(BoundaryKind kind);
+
+/// What the kinds of boundary mean, in the order in which they are drawn.
+const std::vector<std::pair<BoundaryKind, const char*>>& boundary_words();
+
+/// `share` of the way to white, 0 to 1.
+Rgb lightened(Rgb color, double share);
+
+/// Black or white, whichever reads better on `background`.
+Rgb readable_on(Rgb background);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ASPECTS_PICTURES_PALETTE_H

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/drawing/page.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace parallel_aspects::tools {
+namespace {
+
+// Lengths on the page [px].
+constexpr double page_width = 1000.0, margin = 16.0, beside_panel = 22.0, between_rows = 14.0;
+constexpr double title_size = 16.0, heading_size = 13.0, text_size = 10.0, line_height = 14.0;
+constexpr double swatch = 10.0, between_entries = 16.0;
+
+/// Lines of words that are no wider than that.
+std::vector<std::string> wrapped(const std::string& text, double width) {
+  std::vector<std::string> lines;
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    const bool fits = !lines.empty() && text_width(lines.back() + " " + word, text_size) <= width;
+    if (fits)
+      lines.back() += " " + word;
+    else
+      lines.push_back(word);
+  }
+  return lines;
+}
+
+class PageDrawing {
+ public:
+  explicit PageDrawing(const Page& page) : page_(page) {}
+
+  Picture draw() {
+    picture_.width = page_width;
+    y_ = margin + title_size;
+    write({margin, y_}, title_size, page_.title, true);
+    y_ += 6.0;
+    for (const std::string& note : page_.notes)
+      for (const std::string& line : wrapped(note, page_width - 2.0 * margin))
+        write({margin, y_ += line_height}, text_size, line, false);
+    y_ += between_rows;
+    draw_figures();
+    const double end = draw_entries(page_.legend, {margin, y_ + line_height}, page_width - 2.0 * margin);
+    picture_.height = end + margin;
+    return std::move(picture_);
+  }
+
+ private:
+  double panel_width() const { return left_of_panel + page_.side + beside_panel; }
+
+  void draw_figures() {
+    const auto& figures = page_.figures;
+    for (std::size_t i = 0; i < figures.size();) {
+      double width = margin;
+      std::size_t end = i;
+      for (; end < figures.size(); ++end) {
+        width += panel_width() * static_cast<double>(figures[end].panels.size());
+        if (width > page_width && end > i) break;
+      }
+      draw_row(i, end);
+      i = end;
+    }
+  }
+
+  void draw_row(std::size_t begin, std::size_t end) {
+    double x = margin, heading_end = y_, bottom = y_;
+    for (std::size_t i = begin; i < end; ++i) {
+      const double width = panel_width() * static_cast<double>(page_.figures[i].panels.size());
+      write({x, y_ + heading_size}, heading_size, page_.figures[i].title, true);
+      heading_end = std::max(heading_end, draw_entries(page_.figures[i].entries,
+                                                       {x, y_ + heading_size + line_height}, width - beside_panel));
+      x += width;
+    }
+    x = margin;
+    for (std::size_t i = begin; i < end; ++i)
+      for (const PanelContents& panel : page_.figures[i].panels) {
+        const PagePoint corner(x + left_of_panel, heading_end + above_panel);
+        draw_panel(panel, corner, page_.side, picture_);
+        bottom = std::max(bottom, corner.y() + panel_size(panel, page_.side).y() + below_panel);
+        x += panel_width();
+      }
+    y_ = bottom + between_rows;
+  }
+
+  /// Entries in lines from there on; returns where they end.
+  double draw_entries(const std::vector<LegendEntry>& entries, const PagePoint& start, double width) {
+    PagePoint at = start;
+    for (const LegendEntry& entry : entries) {
+      const double needed = swatch + 5.0 + text_width(entry.text, text_size);
+      if (at.x() > start.x() && at.x() + needed > start.x() + width)
+        at = PagePoint(start.x(), at.y() + line_height);
+      draw_swatch(entry, at);
+      write(at + PagePoint(swatch + 5.0, 0.0), text_size, entry.text, false);
+      at.x() += needed + between_entries;
+    }
+    return entries.empty() ? start.y() - line_height : at.y();
+  }
+
+  void draw_swatch(const LegendEntry& entry, const PagePoint& at) {
+    const PagePoint right(swatch, 0.0), up(0.0, -swatch + 1.0), middle(0.0, 0.5 * (1.0 - swatch));
+    if (entry.is_line)
+      picture_.elements.emplace_back(
+          PageCurves{{{at + middle, at + middle + right}}, entry.color, 2.0, false, ""});
+    else
+      picture_.elements.emplace_back(
+          PageArea{{{at, at + right, at + right + up, at + up, at}}, entry.color, ""});
+  }
+
+  void write(const PagePoint& at, double size, const std::string& text, bool bold) {
+    picture_.elements.emplace_back(PageText{at, Anchor::start, size, text, ink, bold, false});
+  }
+
+  const Page& page_;
+  Picture picture_;
+  double y_ = 0.0;
+};
+
+}  // namespace
+
+Picture draw_page(const Page& page) { return PageDrawing(page).draw(); }
+
+}  // namespace parallel_aspects::tools

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_TOOLS_DRAWING_PAGE_H
+#define PARALLEL_ASPECTS_TOOLS_DRAWING_PAGE_H
+
+#include "tools/drawing/panel.h"
+#include "tools/drawing/picture.h"
+
+#include <string>
+#include <vector>
+
+namespace parallel_aspects::tools {
+
+/// What a colour means: of an area, or of a line.
+struct LegendEntry {
+  Rgb color = 0;
+  bool is_line = false;
+  std::string text;
+};
+
+/// Panels that belong together, in a row.
+struct PageFigure {
+  std::string title;
+  std::vector<LegendEntry> entries;
+  std::vector<PanelContents> panels;
+};
+
+/// Figures under a title, as many beside each other as fit.
+struct Page {
+  std::string title;
+  std::vector<std::string> notes;
+  std::vector<PageFigure> figures;
+  std::vector<LegendEntry> legend;
+  double side = 260.0;  ///< of the panels [px]
+};
+
+Picture draw_page(const Page& page);
+
+}  // namespace parallel_aspects::tools
+
+#endif  // PARALLEL_ASPECTS_TOOLS_DRAWING_PAGE_H

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/drawing/picture.h"
+#include "tools/drawing/svg.h"
+
+#include <cstdio>
+
+namespace parallel_aspects::tools {
+namespace {
+
+using svg::number;
+
+std::string color_text(Rgb color) {
+  char text[8];
+  std::snprintf(text, sizeof text, "#%06x", color & 0xFFFFFFU);
+  return text;
+}
+
+// "12.50" as "12.5", "3.00" as "3".
+std::string brief(double value) {
+  std::string text = number(value);
+  while (text.back() == '0') text.pop_back();
+  if (text.back() == '.') text.pop_back();
+  return text == "-0" ? "0" : text;
+}
+
+std::string path_of(const std::vector<PageLine>& lines, bool closed) {
+  std::string path;
+  for (const PageLine& line : lines) {
+    char command = 'M';
+    for (const PagePoint& point : line) {
+      path += command + brief(point.x()) + " " + brief(point.y());
+      command = 'L';
+    }
+    if (closed || (line.size() > 2 && line.front() == line.back())) path += 'Z';
+  }
+  return path;
+}
+
+std::string ended(const std::string& element, const std::string& name, const std::string& title) {
+  return title.empty() ? element + "/>\n"
+                       : element + "><title>" + svg::escaped(title) + "</title></" + name + ">\n";
+}
+
+std::string text_of(const PageArea& area) {
+  return ended("<path fill=\"" + color_text(area.color) + "\" d=\"" + path_of(area.loops, true) + "\"", "path",
+               area.title);
+}
+
+std::string text_of(const PageCurves& curves) {
+  return ended("<path fill=\"none\" stroke=\"" + color_text(curves.color) + "\" stroke-width=\"" +
+                   brief(curves.width) + "\" stroke-linejoin=\"round\" stroke-linecap=\"round\"" +
+                   (curves.dashed ? " stroke-dasharray=\"4 3\"" : "") + " d=\"" + path_of(curves.lines, false) +
+                   "\"",
+               "path", curves.title);
+}
+
+const char* name_of(Anchor anchor) {
+  switch (anchor) {
+    case Anchor::start:
+      return "start";
+    case Anchor::middle:
+      return "middle";
+    case Anchor::end:
+      break;
+  }
+  return "end";
+}
+
+std::string text_of(const PageText& text) {
+  return "<text x=\"" + brief(text.at.x()) + "\" y=\"" + brief(text.at.y()) + "\" font-size=\"" +
+         brief(text.size) + "\" text-anchor=\"" + name_of(text.anchor) + "\" fill=\"" + color_text(text.color) +
+         "\"" + (text.bold ? " font-weight=\"bold\"" : "") +
+         (text.halo ? " stroke=\"#ffffff\" stroke-width=\"3\" paint-order=\"stroke\"" : "") + ">" +
+         svg::escaped(text.text) + "</text>\n";
+}
+
+std::string base_64(const std::string& bytes) {
+  static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    unsigned bits = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      bits = bits << 8U | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
+    for (std::size_t k = 0; k < 4; ++k)
+      text += i + k > bytes.size() ? '=' : digits[bits >> (18U - 6U * k) & 63U];
+  }
+  return text;
+}
+
+// SVG holds pictures of points as PNG.
+std::string text_of(const PageImage& image) {
+  const double height = static_cast<double>(image.points.size() / image.width);
+  Picture alone{static_cast<double>(image.width), height, {image}};
+  auto& copy = std::get<PageImage>(alone.elements.front());
+  copy.corner.setZero();
+  copy.size = PagePoint(alone.width, alone.height);
+  return "<image x=\"" + brief(image.corner.x()) + "\" y=\"" + brief(image.corner.y()) + "\" width=\"" +
+         brief(image.size.x()) + "\" height=\"" + brief(image.size.y()) + "\" href=\"data:image/png;base64," +
+         base_64(as_png(alone, 1.0)) + "\"/>\n";
+}
+
+}  // namespace
+
+std::string as_svg(const Picture& picture) {
+  std::string text = svg::start(picture.width, picture.height);
+  for (const PageElement& element : picture.elements)
+    text += std::visit([](const auto& each) { return text_of(each); }, element);
+  return text + "</svg>\n";
+}
+
+}  // namespace parallel_aspects::tools
