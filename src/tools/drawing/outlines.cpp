@@ -104,7 +104,7 @@ std::vector<PageLine> outlines_of(const std::vector<PageLine>& polygons) {
   return loops;
 }
 
-std::vector<PageLine> joined(const std::vector<std::pair<PagePoint, PagePoint>>& pieces) {
+std::vector<PageLine> joined_lines(const std::vector<std::pair<PagePoint, PagePoint>>& pieces) {
   Ends ends;  // both ways
   std::map<std::pair<Key, Key>, bool> known;
   for (const auto& piece : pieces) {

@@ -15,7 +15,7 @@ namespace parallel_aspects::tools {
 std::vector<PageLine> outlines_of(const std::vector<PageLine>& polygons);
 
 /// Pieces with common ends put together to lines, likewise rounded and straightened.
-std::vector<PageLine> joined(const std::vector<std::pair<PagePoint, PagePoint>>& pieces);
+std::vector<PageLine> joined_lines(const std::vector<std::pair<PagePoint, PagePoint>>& pieces);
 
 /// Signed area that closed lines bound, positive where they turn as x turns to y [px^2].
 double area_of(const std::vector<PageLine>& loops);

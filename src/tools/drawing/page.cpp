@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/drawing/page.h"
 
+#include "model/number_text.h"
+
 #include <algorithm>
 #include <sstream>
 
@@ -10,6 +12,7 @@ namespace {
 // Lengths on the page [px].
 constexpr double page_width = 1000.0, margin = 16.0, beside_panel = 22.0, between_rows = 14.0;
 constexpr double title_size = 16.0, heading_size = 13.0, text_size = 10.0, line_height = 14.0;
+constexpr std::size_t most_entries = 8;
 constexpr double swatch = 10.0, between_entries = 16.0;
 
 /// Lines of words that are no wider than that.
@@ -116,6 +119,25 @@ class PageDrawing {
 };
 
 }  // namespace
+
+std::string aspect_words(const AspectMap& map, const Aspect& aspect) {
+  return "aspect " + std::to_string(aspect.id) + ": det A " + (aspect.determinant_sign > 0 ? "> 0" : "< 0") + ", " +
+         number_text(aspect.measure, 4) + " " + map.unit();
+}
+
+std::vector<LegendEntry> aspect_entries(const AspectMap& map, const std::vector<Rgb>& colors,
+                                        const std::set<int>& ids) {
+  std::vector<LegendEntry> entries;
+  for (const int id : ids) {
+    const auto index = static_cast<std::size_t>(id - 1);
+    if (entries.size() == most_entries) {
+      entries.push_back({0xFFFFFF, false, "and " + std::to_string(ids.size() - most_entries) + " more"});
+      break;
+    }
+    entries.push_back({colors[index], false, aspect_words(map, map.aspects()[index])});
+  }
+  return entries;
+}
 
 Picture draw_page(const Page& page) { return PageDrawing(page).draw(); }
 

@@ -2,9 +2,11 @@
 #ifndef PARALLEL_ASPECTS_TOOLS_DRAWING_PAGE_H
 #define PARALLEL_ASPECTS_TOOLS_DRAWING_PAGE_H
 
+#include "parallel_aspects/aspects/aspect_map.h"
 #include "tools/drawing/panel.h"
 #include "tools/drawing/picture.h"
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -16,6 +18,13 @@ struct LegendEntry {
   bool is_line = false;
   std::string text;
 };
+
+/// "aspect 3: det A > 0, 193.6 m^2"
+std::string aspect_words(const AspectMap& map, const Aspect& aspect);
+
+/// The first of these aspects, and how many more there are.
+std::vector<LegendEntry> aspect_entries(const AspectMap& map, const std::vector<Rgb>& colors,
+                                        const std::set<int>& ids);
 
 /// Panels that belong together, in a row.
 struct PageFigure {

@@ -49,12 +49,12 @@ class Panel {
       : contents_(contents), corner_(corner), size_(panel_size(contents, side)), labels_(corner_, size_) {}
 
   void draw(Picture& picture) {
-    picture.elements.emplace_back(
-        PageText{corner_ - PagePoint(0.0, 22.0), Anchor::start, caption_size, contents_.caption});
     if (contents_.image) {
       draw_image(picture);
       return;
     }
+    picture.elements.emplace_back(
+        PageText{corner_ - PagePoint(0.0, 22.0), Anchor::start, caption_size, contents_.caption});
     draw_shapes(picture);
     const auto levels = level_lines();
     for (const auto& [level, lines] : levels) draw_cased(lines, 0x202020, level_width, "", picture);
@@ -76,6 +76,23 @@ class Panel {
     image.corner = corner_;
     image.size = size_;
     picture.elements.emplace_back(std::move(image));
+    for (const ImageAxis& axis : contents_.image_axes) draw_image_axis(axis, picture);
+  }
+
+  void draw_image_axis(const ImageAxis& axis, Picture& picture) const {
+    const PagePoint from = corner_ + axis.from.cwiseProduct(size_), to = corner_ + axis.to.cwiseProduct(size_);
+    const PagePoint middle = 0.5 * (from + to), center = corner_ + 0.5 * size_;
+    const PagePoint out = 11.0 * (middle - center).normalized();
+    const Anchor anchor = out.x() < -3.0 ? Anchor::end : out.x() > 3.0 ? Anchor::start : Anchor::middle;
+    const auto write = [&](const PagePoint& at, const std::string& text, double size) {
+      PageText written{at + out + PagePoint(0.0, 3.0), anchor, size, text};
+      written.halo = true;
+      picture.elements.emplace_back(written);
+    };
+    picture.elements.emplace_back(PageCurves{{{from, to}}, frame_color, 0.8, false, ""});
+    write(middle, axis.title, title_size);
+    write(0.92 * from + 0.08 * to, axis.lower, tick_size);
+    write(0.08 * from + 0.92 * to, axis.upper, tick_size);
   }
 
   void draw_shapes(Picture& picture) {
@@ -112,7 +129,7 @@ class Panel {
       std::vector<std::pair<PagePoint, PagePoint>> pieces;
       for (const BoundarySegment& segment : contents_.segments)
         if (segment.kind == kind) pieces.emplace_back(place(segment.from), place(segment.to));
-      draw_cased(joined(pieces), color_of(kind), curve_width, words, picture);
+      draw_cased(joined_lines(pieces), color_of(kind), curve_width, words, picture);
     }
   }
 
@@ -121,7 +138,7 @@ class Panel {
     for (const LevelSegment& segment : contents_.levels)
       pieces[segment.level].emplace_back(place(segment.from), place(segment.to));
     std::map<double, std::vector<PageLine>> lines;
-    for (const auto& [level, each] : pieces) lines.emplace(level, joined(each));
+    for (const auto& [level, each] : pieces) lines.emplace(level, joined_lines(each));
     return lines;
   }
 

@@ -28,6 +28,12 @@ struct PanelShape {
   std::string title;  ///< what it is
 };
 
+/// A line of an image with a coordinate along it; ends from 0 to 1, to the right and down.
+struct ImageAxis {
+  PagePoint from, to;
+  std::string title, lower, upper;
+};
+
 /// What is in a panel.
 struct PanelContents {
   std::string caption;
@@ -36,7 +42,8 @@ struct PanelContents {
   std::vector<PanelShape> shapes;
   std::vector<BoundarySegment> segments;
   std::vector<LevelSegment> levels;
-  std::optional<PageImage> image;  ///< in place of shapes, over the whole panel; then there are no axes
+  std::optional<PageImage> image;  ///< in place of shapes, over the whole panel; then with these axes
+  std::vector<ImageAxis> image_axes;
 };
 
 /// How large a panel is without what is written around it, in a square of this side [px].

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/drawing/plot.h"
 
-#include "model/number_text.h"
 #include "parallel_aspects/aspects/joint_projection.h"
 #include "tools/drawing/page.h"
 #include "tools/drawing/solid_view.h"
@@ -15,7 +14,6 @@ namespace parallel_aspects::tools {
 namespace {
 
 constexpr int grid_cells = 180;
-constexpr std::size_t most_entries = 8;  // of a figure
 
 std::vector<Eigen::Vector2d> corners_of(const Box& box) {
   return {{box.lower[0], box.lower[1]},
@@ -39,9 +37,7 @@ class PlanePlot {
 
   void add_mode(const WorkingMode& mode) {
     traced_ = trace_slice(*map_, mode, plane_.slice, plane_.bounds, grid_cells, Cells::single, options_.levels);
-    kinds_.clear();
     for (const BoundarySegment& segment : traced_.segments) kinds_.insert(segment.kind);
-    all_kinds_.insert(kinds_.begin(), kinds_.end());
     undecided_.clear();
     if (options_.leaves) take_leaves(mode);
     std::set<int> ids;
@@ -52,7 +48,7 @@ class PlanePlot {
       add_figure("working mode " + to_string(mode), mode, ids);
   }
 
-  const std::set<BoundaryKind>& kinds() const { return all_kinds_; }
+  const std::set<BoundaryKind>& kinds() const { return kinds_; }
   bool has_joint_space() const { return projection_.has_value(); }
 
  private:
@@ -69,7 +65,7 @@ class PlanePlot {
   }
 
   void add_figure(const std::string& title, const WorkingMode& mode, const std::set<int>& ids) {
-    PageFigure figure{title, entries(ids), {workspace(ids)}};
+    PageFigure figure{title, aspect_entries(*map_, colors_, ids), {workspace(ids)}};
     if (projection_)
       for (const int sign : {1, -1}) {
         std::set<int> of_sign;
@@ -80,28 +76,10 @@ class PlanePlot {
     page_.figures.push_back(std::move(figure));
   }
 
-  std::vector<LegendEntry> entries(const std::set<int>& ids) const {
-    std::vector<LegendEntry> result;
-    for (const int id : ids) {
-      if (result.size() == most_entries) {
-        result.push_back({0xFFFFFF, false, "and " + std::to_string(ids.size() - most_entries) + " more"});
-        break;
-      }
-      result.push_back({color(id), false, words(id)});
-    }
-    return result;
-  }
-
   Rgb color(int id) const { return colors_[static_cast<std::size_t>(id - 1)]; }
 
-  std::string words(int id) const {
-    const Aspect& each = aspect(id);
-    return "aspect " + std::to_string(id) + ": det A " + (each.determinant_sign > 0 ? "> 0" : "< 0") + ", " +
-           number_text(each.measure, 4) + " " + map_->unit();
-  }
-
   PanelContents workspace(const std::set<int>& ids) const {
-    PanelContents contents{"workspace", plane_.axes, plane_.keeps_proportion, {}, {}, {}, {}};
+    PanelContents contents{"workspace", plane_.axes, plane_.keeps_proportion, {}, {}, {}, {}, {}};
     if (!undecided_.empty() && !options_.each_aspect)
       contents.shapes.push_back({undecided_, undecided_color, "", "undecided"});
     for (const int id : ids) contents.shapes.push_back(shape(id, traced_.slivers));
@@ -113,7 +91,7 @@ class PlanePlot {
   }
 
   PanelShape shape(int id, const std::vector<BoundarySliver>& slivers) const {
-    PanelShape result{{}, color(id), std::to_string(id), words(id)};
+    PanelShape result{{}, color(id), std::to_string(id), aspect_words(*map_, aspect(id))};
     for (const BoundarySliver& sliver : slivers)
       if (sliver.aspect == id) result.polygons.push_back(sliver.corners);
     return result;
@@ -121,7 +99,7 @@ class PlanePlot {
 
   PanelContents joint_space(const WorkingMode& mode, int sign, const std::set<int>& ids) const {
     const JointWindow& window = projection_->window();
-    PanelContents contents{std::string("joint space, det A ") + (sign > 0 ? "> 0" : "< 0"), {}, false, {}, {}, {}, {}};
+    PanelContents contents{std::string("joint space, det A ") + (sign > 0 ? "> 0" : "< 0"), {}, false, {}, {}, {}, {}, {}};
     for (std::size_t i = 0; i < 2; ++i) {
       const Leg& leg = map_->manipulator()->leg(projection_->legs()[i]);
       const auto k = static_cast<Eigen::Index>(i);
@@ -149,7 +127,7 @@ class PlanePlot {
   std::optional<JointProjection> projection_;
   BoundaryPicture traced_;
   std::vector<std::vector<Eigen::Vector2d>> undecided_;
-  std::set<BoundaryKind> kinds_, all_kinds_;
+  std::set<BoundaryKind> kinds_;
 };
 
 std::string where(const AspectMap& map, const PlotPlane& plane, const PlotOptions& options) {
