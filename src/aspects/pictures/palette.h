@@ -15,7 +15,7 @@ namespace parallel_aspects {
 /// 0xRRGGBB.
 using Rgb = std::uint32_t;
 
-inline constexpr Rgb ink = 0x202020;
+inline constexpr Rgb ink_color = 0x202020;
 inline constexpr Rgb undecided_color = 0xBBBBBB;
 
 /// How many aspects of one working mode and sign of det A have colours of their own.

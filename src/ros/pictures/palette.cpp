@@ -14,10 +14,10 @@ float mixed(float from, float to, double share) { return static_cast<float>(from
 
 }  // namespace
 
-std_msgs::ColorRGBA color(unsigned rgb) {
+std_msgs::ColorRGBA color(Rgb rgb) {
   std_msgs::ColorRGBA result;
-  result.r = static_cast<float>(rgb >> 16 & 0xFFU) / 255.0F;
-  result.g = static_cast<float>(rgb >> 8 & 0xFFU) / 255.0F;
+  result.r = static_cast<float>(rgb >> 16U & 0xFFU) / 255.0F;
+  result.g = static_cast<float>(rgb >> 8U & 0xFFU) / 255.0F;
   result.b = static_cast<float>(rgb & 0xFFU) / 255.0F;
   result.a = 1.0F;
   return result;

@@ -2,12 +2,14 @@
 #ifndef PARALLEL_ASPECTS_ROS_PICTURES_PALETTE_H
 #define PARALLEL_ASPECTS_ROS_PICTURES_PALETTE_H
 
+#include "aspects/pictures/palette.h"
+
 #include <std_msgs/ColorRGBA.h>
 
 namespace parallel_aspects {
 
-/// Opaque, from 0xRRGGBB.
-std_msgs::ColorRGBA color(unsigned rgb);
+/// Opaque.
+std_msgs::ColorRGBA color(Rgb rgb);
 
 /// Colour of an aspect, by its id (from 1): ten that people with any colour vision tell apart (after Paul
 /// Tol's "muted" scheme), then the same again.

@@ -110,7 +110,7 @@ class PageDrawing {
   }
 
   void write(const PagePoint& at, double size, const std::string& text, bool bold) {
-    picture_.elements.emplace_back(PageText{at, Anchor::start, size, text, ink, bold, false});
+    picture_.elements.emplace_back(PageText{at, Anchor::start, size, text, ink_color, bold, false});
   }
 
   const Page& page_;

@@ -52,8 +52,8 @@ void PanelLabels::add(const std::string& text, const LabelPoint& point, Rgb back
       const PagePoint at = point.at + radius * PagePoint(std::cos(angle), std::sin(angle));
       if (!take(box_around(at, text, id_size))) continue;
       picture.elements.emplace_back(PageCurves{{{at, point.at}}, 0xFFFFFF, 2.6, false, ""});
-      picture.elements.emplace_back(PageCurves{{{at, point.at}}, ink, 0.8, false, ""});
-      PageText written = text_around(at, text, id_size, ink);
+      picture.elements.emplace_back(PageCurves{{{at, point.at}}, ink_color, 0.8, false, ""});
+      PageText written = text_around(at, text, id_size, ink_color);
       written.bold = written.halo = true;
       picture.elements.emplace_back(written);
       return;
@@ -69,7 +69,7 @@ void PanelLabels::add_on_line(const std::string& text, const PageLine& line, Pic
     const std::size_t i = middle + (k % 2 == 0 ? k / 2 : line.size() - 1 - k / 2);
     const PagePoint& at = line[i % line.size()];
     if (!take(box_around(at, text, level_size))) continue;
-    PageText written = text_around(at, text, level_size, ink);
+    PageText written = text_around(at, text, level_size, ink_color);
     written.halo = true;
     picture.elements.emplace_back(written);
     return;

@@ -42,7 +42,7 @@ struct PageText {
   Anchor anchor = Anchor::start;
   double size = 11.0;  ///< of the font [px]
   std::string text;
-  Rgb color = ink;
+  Rgb color = ink_color;
   bool bold = false;
   bool halo = false;  ///< a white rim, over lines
 };

@@ -155,7 +155,7 @@ std::vector<LegendEntry> legend(const std::set<BoundaryKind>& kinds, const PlotO
   for (const auto& [kind, words] : boundary_words())
     if (kinds.count(kind) > 0) entries.push_back({color_of(kind), true, words});
   if (!options.levels.levels.empty())
-    entries.push_back({ink, true,
+    entries.push_back({ink_color, true,
                        options.levels.index == DrawnIndex::parallel
                            ? "lines of equal parallel index"
                            : "isoconditioning lines: equal inverse condition number"});

@@ -83,8 +83,8 @@ Report report_plot(const AspectMap& map, const PlotOptions& options, const std::
   Report report;
   const auto& modes = options.modes.empty() ? map.working_modes() : options.modes;
   report.json = {{"picture", file}, {"proved_count", map.proved_count()}, {"seconds", seconds}};
-  for (const WorkingMode& mode : modes) report.json["working_modes"].push_back(to_string(mode));
-  report.text = map.manipulator()->name() + ": " + aspect_count(map) + ", drawn in " + shown_briefly(seconds) +
+  for (const WorkingMode& mode : modes) report.json["working_modes"].push_back(mode.signs());
+  report.text = map.manipulator()->name() + ": " + aspect_count(map) + "; drawn in " + shown_briefly(seconds) +
                 " s: " + file + "\n";
   return report;
 }
