@@ -23,7 +23,8 @@ void check_picture_file(const std::string& option, const std::string& file, Prob
 }
 
 void write_picture_file(const std::string& file, const Picture& picture) {
-  write_output_file("Picture", file, ending_of(file) == ".png" ? as_png(picture, png_scale) : as_svg(picture));
+  write_output_file("Picture", file,
+                    ending_of(file) == ".png" ? as_png(picture, png_scale) : as_svg(picture));
 }
 
 }  // namespace parallel_aspects::tools

@@ -30,9 +30,9 @@ struct JointWindow {
 /// Corners of triangles, three each, counter-clockwise.
 using TriangleCorners = std::vector<Eigen::Vector2d>;
 
-/// Pictures of a two-dimensional map in joint space: of T2, or of a slice of SE2 with an actuated joint held, in
-/// the plane of the other two. Not certified: images of pieces are drawn as polygons with edges of about a quarter of a
-/// radian, or of a 25th of the range of a length, or a little more.
+/// Pictures of a two-dimensional map in joint space: of T2, or of a slice of SE2 with an actuated joint held,
+/// in the plane of the other two. Not certified: images of pieces are drawn as polygons with edges of about a
+/// quarter of a radian, or of a 25th of the range of a length, or a little more.
 class JointProjection {
  public:
   /// `map` must have such a plane.

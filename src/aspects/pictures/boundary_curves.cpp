@@ -16,8 +16,8 @@ namespace {
 using Eigen::Vector2d;
 
 // det A, then each B_jj^2, then the distance of each limited actuated joint from its limits, then how far
-// each other constraint is from being broken. Zero sets bound the mode. Last the index, with the sign of det A, so that
-// it is smooth across det A = 0.
+// each other constraint is from being broken. Zero sets bound the mode. Last the index, with the sign of det
+// A, so that it is smooth across det A = 0.
 constexpr int max_functions = 1 + 6 + 12 + 6 + 1;
 using Values = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, max_functions, 1>;
 

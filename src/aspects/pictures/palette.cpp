@@ -8,8 +8,8 @@
 namespace parallel_aspects {
 namespace {
 
-// Chosen so that any two of a tone stay apart for protanopes and deuteranopes as well (a test computes it); most are of
-// Paul Tol's schemes.
+// Chosen so that any two of a tone stay apart for protanopes and deuteranopes as well (a test computes it);
+// most are of Paul Tol's schemes.
 constexpr std::array<Rgb, hue_count> light_hues{0x77AADD, 0xEEDD88, 0xEE8866, 0x44BB99, 0xFFCCDD, 0xBBCC33};
 constexpr std::array<Rgb, hue_count> dark_hues{0x332288, 0x117733, 0xAA4499, 0x663333, 0x5B5BC0, 0x8C510A};
 

@@ -24,8 +24,9 @@ inline constexpr std::size_t hue_count = 6;
 /// Light where det A > 0, dark where det A < 0; `hue` counts from 0 and comes again after `hue_count`.
 Rgb aspect_color(int determinant_sign, std::size_t hue);
 
-/// The colours of the aspects, by id - 1. Aspects of one working mode and sign differ as long as there are hues, and
-/// from those of the neighbouring modes, which differ in the sign of one B_jj, where that is possible.
+/// The colours of the aspects, by id - 1. Aspects of one working mode and sign differ as long as there are
+/// hues, and from those of the neighbouring modes, which differ in the sign of one B_jj, where that is
+/// possible.
 std::vector<Rgb> aspect_colors(const std::vector<Aspect>& aspects);
 
 /// Of boundaries.

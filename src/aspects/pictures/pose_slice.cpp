@@ -116,8 +116,9 @@ Eigen::AlignedBox2d slice_bounds(const AspectMap& map, const MapSlice& slice) {
       lower = std::min(lower, aspect.bounds.lower[of_map]);
       upper = std::max(upper, aspect.bounds.upper[of_map]);
     }
-    bounds.min()[axis] = map.aspects().empty() ? 0.0 : lower - 2.0 * map.resolution();
-    bounds.max()[axis] = map.aspects().empty() ? 0.0 : upper + 2.0 * map.resolution();
+    const bool is_empty = map.aspects().empty();
+    bounds.min()[axis] = (is_empty ? 0.0 : lower) - 2.0 * map.resolution();
+    bounds.max()[axis] = (is_empty ? 0.0 : upper) + 2.0 * map.resolution();
   }
   return bounds;
 }

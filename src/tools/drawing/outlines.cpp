@@ -10,13 +10,15 @@
 namespace parallel_aspects::tools {
 namespace {
 
-constexpr double grain = 0.01;              // of rounded points [px]
-constexpr double straightness = 0.06;       // how far a point that is left out may be off the line [px]
+constexpr double grain = 0.01;               // of rounded points [px]
+constexpr double straightness = 0.06;        // how far a point that is left out may be off the line [px]
 constexpr std::size_t max_candidates = 600;  // for a label
 
 using Key = std::pair<std::int64_t, std::int64_t>;
 
-Key key_of(const PagePoint& point) { return {std::llround(point.x() / grain), std::llround(point.y() / grain)}; }
+Key key_of(const PagePoint& point) {
+  return {std::llround(point.x() / grain), std::llround(point.y() / grain)};
+}
 PagePoint point_of(const Key& key) {
   return grain * PagePoint(static_cast<double>(key.first), static_cast<double>(key.second));
 }

@@ -10,8 +10,8 @@
 
 namespace parallel_aspects::tools {
 
-/// What bounds the union of polygons that share whole sides, each turned the same way: the sides that two of them share
-/// are left out. Points are rounded to 0.01 px, and those on straight lines left out.
+/// What bounds the union of polygons that share whole sides, each turned the same way: the sides that two of
+/// them share are left out. Points are rounded to 0.01 px, and those on straight lines left out.
 std::vector<PageLine> outlines_of(const std::vector<PageLine>& polygons);
 
 /// Pieces with common ends put together to lines, likewise rounded and straightened.
@@ -27,7 +27,8 @@ struct LabelPoint {
 };
 
 /// Where in a union of polygons a label has most room; nothing where there are none.
-std::optional<LabelPoint> label_point(const std::vector<PageLine>& polygons, const std::vector<PageLine>& outlines);
+std::optional<LabelPoint> label_point(const std::vector<PageLine>& polygons,
+                                      const std::vector<PageLine>& outlines);
 
 }  // namespace parallel_aspects::tools
 

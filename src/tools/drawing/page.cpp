@@ -70,8 +70,9 @@ class PageDrawing {
     for (std::size_t i = begin; i < end; ++i) {
       const double width = panel_width() * static_cast<double>(page_.figures[i].panels.size());
       write({x, y_ + heading_size}, heading_size, page_.figures[i].title, true);
-      heading_end = std::max(heading_end, draw_entries(page_.figures[i].entries,
-                                                       {x, y_ + heading_size + line_height}, width - beside_panel));
+      heading_end = std::max(
+          heading_end,
+          draw_entries(page_.figures[i].entries, {x, y_ + heading_size + line_height}, width - beside_panel));
       x += width;
     }
     x = margin;
@@ -121,8 +122,8 @@ class PageDrawing {
 }  // namespace
 
 std::string aspect_words(const AspectMap& map, const Aspect& aspect) {
-  return "aspect " + std::to_string(aspect.id) + ": det A " + (aspect.determinant_sign > 0 ? "> 0" : "< 0") + ", " +
-         number_text(aspect.measure, 4) + " " + map.unit();
+  return "aspect " + std::to_string(aspect.id) + ": det A " + (aspect.determinant_sign > 0 ? "> 0" : "< 0") +
+         ", " + number_text(aspect.measure, 4) + " " + map.unit();
 }
 
 std::vector<LegendEntry> aspect_entries(const AspectMap& map, const std::vector<Rgb>& colors,

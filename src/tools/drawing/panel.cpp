@@ -80,7 +80,8 @@ class Panel {
   }
 
   void draw_image_axis(const ImageAxis& axis, Picture& picture) const {
-    const PagePoint from = corner_ + axis.from.cwiseProduct(size_), to = corner_ + axis.to.cwiseProduct(size_);
+    const PagePoint from = corner_ + axis.from.cwiseProduct(size_),
+                    to = corner_ + axis.to.cwiseProduct(size_);
     const PagePoint middle = 0.5 * (from + to), center = corner_ + 0.5 * size_;
     const PagePoint out = 11.0 * (middle - center).normalized();
     const Anchor anchor = out.x() < -3.0 ? Anchor::end : out.x() > 3.0 ? Anchor::start : Anchor::middle;
@@ -117,8 +118,8 @@ class Panel {
     for (const auto& [point, shape] : ids_) labels_.add(shape->label, point, shape->color, picture);
   }
 
-  static void draw_cased(const std::vector<PageLine>& lines, Rgb color, double width, const std::string& title,
-                         Picture& picture) {
+  static void draw_cased(const std::vector<PageLine>& lines, Rgb color, double width,
+                         const std::string& title, Picture& picture) {
     if (lines.empty()) return;
     picture.elements.emplace_back(PageCurves{lines, 0xFFFFFF, width + casing, false, ""});
     picture.elements.emplace_back(PageCurves{lines, color, width, false, title});
@@ -148,8 +149,7 @@ class Panel {
 
   void draw_frame(Picture& picture) const {
     const PagePoint right(size_.x(), 0.0), down(0.0, size_.y());
-    std::vector<PageLine> lines{
-        {corner_, corner_ + right, corner_ + size_, corner_ + down, corner_}};
+    std::vector<PageLine> lines{{corner_, corner_ + right, corner_ + size_, corner_ + down, corner_}};
     const auto& [x, y] = contents_.axes;
     for (const Tick& tick : ticks_of(x)) {
       const PagePoint at(place({tick.value, 0.0}).x(), corner_.y() + size_.y());
@@ -164,8 +164,8 @@ class Panel {
           PageText{at + PagePoint(-tick_length - 2.0, 3.0), Anchor::end, tick_size, tick.text});
     }
     picture.elements.emplace_back(PageCurves{lines, frame_color, 0.8, false, ""});
-    picture.elements.emplace_back(PageText{corner_ + down + 0.5 * right + PagePoint(0.0, 27.0), Anchor::middle,
-                                           title_size, x.title});
+    picture.elements.emplace_back(
+        PageText{corner_ + down + 0.5 * right + PagePoint(0.0, 27.0), Anchor::middle, title_size, x.title});
     picture.elements.emplace_back(
         PageText{corner_ - PagePoint(0.0, 7.0), Anchor::start, title_size, y.title});
   }

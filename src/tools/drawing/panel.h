@@ -15,7 +15,7 @@ namespace parallel_aspects::tools {
 
 /// One coordinate of a panel.
 struct PanelAxis {
-  std::string title;               ///< with its unit
+  std::string title;                ///< with its unit
   double lower = 0.0, upper = 1.0;  ///< what is shown [m or rad]
   bool is_turn = false;             ///< from -pi to pi
 };

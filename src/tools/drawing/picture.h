@@ -49,8 +49,8 @@ struct PageText {
 
 /// A picture of points, stretched over a rectangle.
 struct PageImage {
-  PagePoint corner, size;  ///< upper left [px]
-  std::size_t width = 0;   ///< points in a row
+  PagePoint corner, size;   ///< upper left [px]
+  std::size_t width = 0;    ///< points in a row
   std::vector<Rgb> points;  ///< row by row from the top
 };
 

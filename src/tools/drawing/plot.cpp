@@ -23,27 +23,33 @@ std::vector<Eigen::Vector2d> corners_of(const Box& box) {
 }
 
 bool bounds_aspect(const BoundarySegment& segment, const std::set<int>& ids) {
-  return std::any_of(segment.aspects.begin(), segment.aspects.end(), [&ids](int id) { return ids.count(id) > 0; });
+  return std::any_of(segment.aspects.begin(), segment.aspects.end(),
+                     [&ids](int id) { return ids.count(id) > 0; });
 }
 
 class PlanePlot {
  public:
   PlanePlot(const std::shared_ptr<const AspectMap>& map, const PlotOptions& options, Page& page)
-      : map_(map), options_(options), plane_(plane_of(*map, options.section)), page_(page),
+      : map_(map),
+        options_(options),
+        plane_(plane_of(*map, options.section)),
+        page_(page),
         colors_(aspect_colors(map->aspects())) {
     if (!options.section && JointProjection::is_possible(*map)) projection_.emplace(map);
     page_.side = options.each_aspect && projection_ ? 172.0 : 260.0;
   }
 
   void add_mode(const WorkingMode& mode) {
-    traced_ = trace_slice(*map_, mode, plane_.slice, plane_.bounds, grid_cells, Cells::single, options_.levels);
+    traced_ =
+        trace_slice(*map_, mode, plane_.slice, plane_.bounds, grid_cells, Cells::single, options_.levels);
     for (const BoundarySegment& segment : traced_.segments) kinds_.insert(segment.kind);
     undecided_.clear();
     if (options_.leaves) take_leaves(mode);
     std::set<int> ids;
     for (const BoundarySliver& sliver : traced_.slivers) ids.insert(sliver.aspect);
     if (options_.each_aspect)
-      for (const int id : ids) add_figure("aspect " + std::to_string(id) + ", working mode " + to_string(mode), mode, {id});
+      for (const int id : ids)
+        add_figure("aspect " + std::to_string(id) + ", working mode " + to_string(mode), mode, {id});
     else
       add_figure("working mode " + to_string(mode), mode, ids);
   }
@@ -59,7 +65,9 @@ class PlanePlot {
     std::vector<BoundarySliver> leaves;
     for (const Aspect& each : map_->aspects())
       if (each.mode == mode)
-        map_->visit_inside_leaves(each.id, [&](const Box& box) { leaves.push_back({each.id, corners_of(box)}); });
+        map_->visit_inside_leaves(each.id, [&](const Box& box) {
+          leaves.push_back({each.id, corners_of(box)});
+        });
     traced_.slivers = std::move(leaves);
     map_->visit_undecided_leaves(mode, [this](const Box& box) { undecided_.push_back(corners_of(box)); });
   }
@@ -99,12 +107,13 @@ class PlanePlot {
 
   PanelContents joint_space(const WorkingMode& mode, int sign, const std::set<int>& ids) const {
     const JointWindow& window = projection_->window();
-    PanelContents contents{std::string("joint space, det A ") + (sign > 0 ? "> 0" : "< 0"), {}, false, {}, {}, {}, {}, {}};
+    PanelContents contents{
+        std::string("joint space, det A ") + (sign > 0 ? "> 0" : "< 0"), {}, false, {}, {}, {}, {}, {}};
     for (std::size_t i = 0; i < 2; ++i) {
       const Leg& leg = map_->manipulator()->leg(projection_->legs()[i]);
       const auto k = static_cast<Eigen::Index>(i);
       const double rim = window.turns[i] ? 0.0 : 0.04 * (window.upper[k] - window.lower[k]);
-      contents.axes[i] = {leg.actuated_joint + (leg.actuated_by_angle() ? " [rad]" : " [m]"),
+      contents.axes[i] = {leg.actuated_joint + " [" + joint_unit(leg) + "]",
                           window.lower[k] - rim, window.upper[k] + rim, window.turns[i]};
     }
     for (const int id : ids) contents.shapes.push_back(shape(id, projection_->images(id, traced_.slivers)));
@@ -137,14 +146,17 @@ std::string where(const AspectMap& map, const PlotPlane& plane, const PlotOption
 }
 
 std::string what_is_proved(const PlotOptions& options, bool has_joint_space) {
-  std::string text =
-      options.leaves
-          ? "Coloured boxes are proved to lie in their aspects, grey ones are undecided."
-          : "Each piece of an area holds a pose that is proved to lie in that aspect; edges are drawn for the eye, on a "
-            "grid of " + std::to_string(grid_cells) + " x " + std::to_string(grid_cells) + ".";
+  std::string text = options.leaves
+                         ? "Coloured boxes are proved to lie in their aspects, grey ones are undecided."
+                         : "Each piece of an area holds a pose that is proved to lie in that aspect; edges "
+                           "are drawn for the eye, on a "
+                           "grid of " +
+                               std::to_string(grid_cells) + " x " + std::to_string(grid_cells) + ".";
   text += " Curves are drawn for the eye.";
   if (has_joint_space)
-    text += " The joint space shows the same pieces, carried there by the inverse kinematics of the working mode.";
+    text +=
+        " The joint space shows the same pieces, carried there by the inverse kinematics of the working "
+        "mode.";
   return text;
 }
 

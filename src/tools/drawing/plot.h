@@ -23,11 +23,12 @@ struct PlotOptions {
   bool leaves = false;       ///< the boxes of the map, with those that are undecided, in place of areas
 };
 
-/// The figures of the paper: the workspace and, where it is a plane, the joint space of each working mode, or of each
-/// aspect. Maps with three coordinates without a section are seen as bodies. `checkpoint` is called now and then; it may
-/// throw.
-Picture draw_plot(const std::shared_ptr<const AspectMap>& map, const PlotOptions& options,
-                  const std::function<void()>& checkpoint = [] {});
+/// The figures of the paper: the workspace and, where it is a plane, the joint space of each working mode, or
+/// of each aspect. Maps with three coordinates without a section are seen as bodies. `checkpoint` is called
+/// now and then; it may throw.
+Picture draw_plot(
+    const std::shared_ptr<const AspectMap>& map, const PlotOptions& options,
+    const std::function<void()>& checkpoint = [] {});
 
 }  // namespace parallel_aspects::tools
 

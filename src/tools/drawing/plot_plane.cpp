@@ -34,7 +34,8 @@ PlotPlane plane_of(const AspectMap& map, const std::optional<PlotSection>& secti
   if (section)
     return {PoseSlice(space, section->torsion),
             bounds,
-            {PanelAxis{"tilt cos(azimuth) [rad]", -pi, pi, true}, PanelAxis{"tilt sin(azimuth) [rad]", -pi, pi, true}},
+            {PanelAxis{"tilt cos(azimuth) [rad]", -pi, pi, true},
+             PanelAxis{"tilt sin(azimuth) [rad]", -pi, pi, true}},
             true};
   return {PoseSlice(space, 0.0),
           bounds,

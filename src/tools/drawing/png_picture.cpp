@@ -13,7 +13,8 @@ using Context = std::unique_ptr<cairo_t, void (*)(cairo_t*)>;
 
 void require(cairo_status_t status) {
   if (status != CAIRO_STATUS_SUCCESS)
-    throw std::runtime_error(std::string("cairo could not draw the picture: ") + cairo_status_to_string(status));
+    throw std::runtime_error(std::string("cairo could not draw the picture: ") +
+                             cairo_status_to_string(status));
 }
 
 Surface make_surface(int width, int height) {

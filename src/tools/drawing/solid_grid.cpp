@@ -25,7 +25,8 @@ std::pair<int, int> points_between(double lower, double upper) {
 
 std::array<SolidAxis, 3> solid_axes(const AspectMap& map) {
   if (is_of_orientations(map))
-    return {SolidAxis{"rotation about x [rad]", -pi, pi}, {"about y [rad]", -pi, pi}, {"about z [rad]", -pi, pi}};
+    return {
+        SolidAxis{"rotation about x [rad]", -pi, pi}, {"about y [rad]", -pi, pi}, {"about z [rad]", -pi, pi}};
   std::array<SolidAxis, 3> axes;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::string name = map.coordinates()[i];

@@ -44,7 +44,8 @@ class SolidGrid {
     return static_cast<std::size_t>((k * count + j) * count + i);
   }
   void fill_from_leaves(const AspectMap& map, const std::array<SolidAxis, 3>& axes, const WorkingMode& mode);
-  void fill_orientations(const AspectMap& map, const WorkingMode& mode, const std::function<void()>& checkpoint);
+  void fill_orientations(const AspectMap& map, const WorkingMode& mode,
+                         const std::function<void()>& checkpoint);
   void smooth();
 
   std::vector<int> ids_;

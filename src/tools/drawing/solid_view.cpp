@@ -17,9 +17,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t points_across = 520;     // of the image
+constexpr std::size_t points_across = 520;         // of the image
 constexpr double azimuth = -0.9, elevation = 0.5;  // of the eye, seen from the middle [rad]
-constexpr double step = 0.6;                   // along a line of sight, in points of the grid
+constexpr double step = 0.6;                       // along a line of sight, in points of the grid
 constexpr double ambient = 0.45;
 constexpr Rgb background = 0xFFFFFF;
 
@@ -31,7 +31,8 @@ class Eye {
                          std::sin(elevation));
     right_ = Vector3d::UnitZ().cross(backward_).normalized();
     up_ = backward_.cross(right_);
-    for (int corner = 0; corner < 8; ++corner) extent_ = std::max(extent_, seen(corner_at(corner)).cwiseAbs().maxCoeff());
+    for (int corner = 0; corner < 8; ++corner)
+      extent_ = std::max(extent_, seen(corner_at(corner)).cwiseAbs().maxCoeff());
     extent_ *= 1.12;  // room for the axes
   }
 
@@ -43,7 +44,8 @@ class Eye {
 
   /// The place on the line of sight of a point of the image that is `depth` behind the middle.
   Vector3d place(const PagePoint& point, double depth) const {
-    const Vector3d from = extent_ * ((2.0 * point.x() - 1.0) * right_ + (1.0 - 2.0 * point.y()) * up_) - depth * backward_;
+    const Vector3d from =
+        extent_ * ((2.0 * point.x() - 1.0) * right_ + (1.0 - 2.0 * point.y()) * up_) - depth * backward_;
     return from.cwiseQuotient(proportions_) + Vector3d::Constant(0.5 * SolidGrid::count);
   }
 
@@ -134,7 +136,8 @@ class SolidImage {
     const double light = eye_.light(normal(*found));
     Rgb shaded = 0;
     for (const unsigned shift : {16U, 8U, 0U})
-      shaded |= static_cast<Rgb>(light * (colors_[static_cast<std::size_t>(id - 1)] >> shift & 0xFFU)) << shift;
+      shaded |= static_cast<Rgb>(light * (colors_[static_cast<std::size_t>(id - 1)] >> shift & 0xFFU))
+                << shift;
     return shaded;
   }
 
@@ -158,10 +161,9 @@ Vector3d proportions_of(const std::array<SolidAxis, 3>& axes) {
 // The edges of the cube along which the axes are seen: two in front below, one at the right.
 std::vector<ImageAxis> image_axes(const std::array<SolidAxis, 3>& axes, const Eye& eye) {
   constexpr double end = SolidGrid::count;
-  const std::array<std::pair<Vector3d, Vector3d>, 3> edges{
-      std::pair{Vector3d(0, 0, 0), Vector3d(end, 0, 0)},
-      {Vector3d(end, 0, 0), Vector3d(end, end, 0)},
-      {Vector3d(0, 0, 0), Vector3d(0, 0, end)}};
+  const std::array<std::pair<Vector3d, Vector3d>, 3> edges{std::pair{Vector3d(0, 0, 0), Vector3d(end, 0, 0)},
+                                                           {Vector3d(end, 0, 0), Vector3d(end, end, 0)},
+                                                           {Vector3d(0, 0, 0), Vector3d(0, 0, end)}};
   std::vector<ImageAxis> result;
   for (std::size_t i = 0; i < 3; ++i)
     result.push_back({eye.in_image(edges[i].first), eye.in_image(edges[i].second), axes[i].name,
@@ -183,20 +185,26 @@ void add_solids(const AspectMap& map, const std::vector<WorkingMode>& modes,
   const std::array<SolidAxis, 3> axes = solid_axes(map);
   const Eye eye(proportions_of(axes));
   const std::vector<Rgb> colors = aspect_colors(map.aspects());
-  page.notes = {std::string(map.slice() ? "Map of the slice " + to_string(*map.slice()) + "." : "Map of all poses.") +
-                " The boxes that are proved to lie in each aspect, rounded for the eye on a grid of " +
-                std::to_string(SolidGrid::count) + " points a side; a quarter is cut away."};
+  page.notes = {
+      std::string(map.slice() ? "Map of the slice " + to_string(*map.slice()) + "." : "Map of all poses.") +
+      " The boxes that are proved to lie in each aspect, rounded for the eye on a grid of " +
+      std::to_string(SolidGrid::count) + " points a side; a quarter is cut away."};
   if (map.coordinates().empty())
-    page.notes.emplace_back("Orientations as rotation vectors, in a ball of radius pi; opposite points of its surface are the same.");
+    page.notes.emplace_back(
+        "Orientations as rotation vectors, in a ball of radius pi; opposite points of its surface are the "
+        "same.");
   for (const WorkingMode& mode : modes) {
     checkpoint();
     const SolidGrid grid(map, axes, mode, checkpoint);
     PanelContents panel;
     panel.image = SolidImage(grid, eye, colors).draw();
     panel.image_axes = image_axes(axes, eye);
-    page.figures.push_back({"working mode " + to_string(mode), aspect_entries(map, colors, aspects_of(map, mode)), {std::move(panel)}});
+    page.figures.push_back({"working mode " + to_string(mode),
+                            aspect_entries(map, colors, aspects_of(map, mode)),
+                            {std::move(panel)}});
   }
-  page.legend = {{aspect_color(1, 0), false, "light: det A > 0"}, {aspect_color(-1, 0), false, "dark: det A < 0"}};
+  page.legend = {{aspect_color(1, 0), false, "light: det A > 0"},
+                 {aspect_color(-1, 0), false, "dark: det A < 0"}};
 }
 
 }  // namespace parallel_aspects::tools

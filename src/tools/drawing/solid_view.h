@@ -10,8 +10,9 @@
 
 namespace parallel_aspects::tools {
 
-/// Adds the aspects of working modes to a page as shaded bodies, with a quarter cut away: the inside leaves of a map of
-/// three coordinates, rounded for the eye by about a point of a grid; of orientations, in the ball of rotation vectors.
+/// Adds the aspects of working modes to a page as shaded bodies, with a quarter cut away: the inside leaves
+/// of a map of three coordinates, rounded for the eye by about a point of a grid; of orientations, in the
+/// ball of rotation vectors.
 void add_solids(const AspectMap& map, const std::vector<WorkingMode>& modes,
                 const std::function<void()>& checkpoint, Page& page);
 

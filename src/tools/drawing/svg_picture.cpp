@@ -42,15 +42,15 @@ std::string ended(const std::string& element, const std::string& name, const std
 }
 
 std::string text_of(const PageArea& area) {
-  return ended("<path fill=\"" + color_text(area.color) + "\" d=\"" + path_of(area.loops, true) + "\"", "path",
-               area.title);
+  return ended("<path fill=\"" + color_text(area.color) + "\" d=\"" + path_of(area.loops, true) + "\"",
+               "path", area.title);
 }
 
 std::string text_of(const PageCurves& curves) {
   return ended("<path fill=\"none\" stroke=\"" + color_text(curves.color) + "\" stroke-width=\"" +
                    brief(curves.width) + "\" stroke-linejoin=\"round\" stroke-linecap=\"round\"" +
-                   (curves.dashed ? " stroke-dasharray=\"4 3\"" : "") + " d=\"" + path_of(curves.lines, false) +
-                   "\"",
+                   (curves.dashed ? " stroke-dasharray=\"4 3\"" : "") + " d=\"" +
+                   path_of(curves.lines, false) + "\"",
                "path", curves.title);
 }
 
@@ -68,8 +68,8 @@ const char* name_of(Anchor anchor) {
 
 std::string text_of(const PageText& text) {
   return "<text x=\"" + brief(text.at.x()) + "\" y=\"" + brief(text.at.y()) + "\" font-size=\"" +
-         brief(text.size) + "\" text-anchor=\"" + name_of(text.anchor) + "\" fill=\"" + color_text(text.color) +
-         "\"" + (text.bold ? " font-weight=\"bold\"" : "") +
+         brief(text.size) + "\" text-anchor=\"" + name_of(text.anchor) + "\" fill=\"" +
+         color_text(text.color) + "\"" + (text.bold ? " font-weight=\"bold\"" : "") +
          (text.halo ? " stroke=\"#ffffff\" stroke-width=\"3\" paint-order=\"stroke\"" : "") + ">" +
          svg::escaped(text.text) + "</text>\n";
 }

@@ -40,20 +40,24 @@ PlotSection parse_torsion(const std::string& text, Problems& problems) {
   PlotSection section;
   const std::string name = "torsion=";
   if (text.rfind(name, 0) != 0)
-    problems.push_back("--section is '" + text + "', but orientations are cut at a torsion; give \"torsion=0\".");
+    problems.push_back("--section is '" + text +
+                       "', but orientations are cut at a torsion; give \"torsion=0\".");
   else if (const auto value = parse_numbers("--section", text.substr(name.size()), {"torsion"}, problems);
            !value.empty())
     section.torsion = value.front();
   return section;
 }
 
-PlotSection parse_section(const PlotArguments& arguments, const Manipulator& manipulator, Problems& problems) {
+PlotSection parse_section(const PlotArguments& arguments, const Manipulator& manipulator,
+                          Problems& problems) {
   if (manipulator.task_space() == TaskSpace::SO3) return parse_torsion(arguments.section, problems);
   PlotSection section;
-  section.slice = parse_slice("--section", manipulator, arguments.map.slice + " " + arguments.section, problems);
+  section.slice =
+      parse_slice("--section", manipulator, arguments.map.slice + " " + arguments.section, problems);
   if (problems.empty() && section.slice->dimension() != 2)
     problems.push_back("--section '" + arguments.section + "' leaves " +
-                       std::to_string(section.slice->dimension()) + " coordinates free; hold so many that two are left.");
+                       std::to_string(section.slice->dimension()) +
+                       " coordinates free; hold so many that two are left.");
   return section;
 }
 
@@ -62,30 +66,34 @@ void check_dimension(const PlotArguments& arguments, const Manipulator& manipula
                      const std::optional<MapSlice>& slice, Problems& problems) {
   const std::size_t dimension = slice ? slice->dimension() : degrees_of_freedom(manipulator.task_space());
   if (dimension > 3)
-    problems.push_back("'" + manipulator.name() +
-                       "' has six degrees of freedom, and a picture shows three at most; give a slice, such as "
-                       "--slice \"roll=0 pitch=0 yaw=0\".");
+    problems.push_back(
+        "'" + manipulator.name() +
+        "' has six degrees of freedom, and a picture shows three at most; give a slice, such as "
+        "--slice \"roll=0 pitch=0 yaw=0\".");
   if (dimension < 2)
-    problems.push_back(slice ? "--slice leaves one coordinate free, and a picture takes two or three; hold less."
-                             : "'" + manipulator.name() +
-                                   "' has one degree of freedom, and a picture takes two or three; `aspects map` "
-                                   "lists its aspects.");
+    problems.push_back(
+        slice ? "--slice leaves one coordinate free, and a picture takes two or three; hold less."
+              : "'" + manipulator.name() +
+                    "' has one degree of freedom, and a picture takes two or three; `aspects map` "
+                    "lists its aspects.");
   const bool is_plane = dimension == 2 || !arguments.section.empty();
   if (dimension == 2 && !arguments.section.empty())
     problems.emplace_back("--section cuts maps of three coordinates, but this one has two; leave it out.");
   if (!is_plane && (!arguments.index.empty() || arguments.leaves || arguments.each_aspect))
     problems.emplace_back("--index, --leaves and --each-aspect are for two coordinates; give --section too.");
   if (arguments.leaves && !arguments.section.empty())
-    problems.emplace_back("--leaves shows the boxes of maps of two coordinates; give --slice in place of --section.");
+    problems.emplace_back(
+        "--leaves shows the boxes of maps of two coordinates; give --slice in place of --section.");
 }
 
-Report report_plot(const AspectMap& map, const PlotOptions& options, const std::string& file, double seconds) {
+Report report_plot(const AspectMap& map, const PlotOptions& options, const std::string& file,
+                   double seconds) {
   Report report;
   const auto& modes = options.modes.empty() ? map.working_modes() : options.modes;
   report.json = {{"picture", file}, {"proved_count", map.proved_count()}, {"seconds", seconds}};
   for (const WorkingMode& mode : modes) report.json["working_modes"].push_back(mode.signs());
-  report.text = map.manipulator()->name() + ": " + aspect_count(map) + "; drawn in " + shown_briefly(seconds) +
-                " s: " + file + "\n";
+  report.text = map.manipulator()->name() + ": " + aspect_count(map) + "; drawn in " +
+                shown_briefly(seconds) + " s: " + file + "\n";
   return report;
 }
 
@@ -105,13 +113,17 @@ Report report_of(const PlotArguments& arguments, const Surroundings& surrounding
   const auto manipulator = choose_constraints(mechanism->mapped_manipulator(), arguments.constraints);
   problems.clear();
   std::optional<MapSlice> slice;
-  if (!arguments.map.slice.empty()) slice = parse_slice("--slice", *manipulator, arguments.map.slice, problems);
+  if (!arguments.map.slice.empty())
+    slice = parse_slice("--slice", *manipulator, arguments.map.slice, problems);
   options.modes = parse_modes("--mode", *manipulator, arguments.modes, problems);
   if (problems.empty()) check_dimension(arguments, *manipulator, slice, problems);
   if (problems.empty() && !arguments.section.empty())
     options.section = parse_section(arguments, *manipulator, problems);
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
   const auto map = choose_map(manipulator, arguments.map, slice, surroundings);
+  if (map->aspects().empty())
+    throw InvalidDescription({"'" + manipulator->name() +
+                              "' has no aspect there, so that nothing is drawn; `aspects map` tells more."});
   const auto start = std::chrono::steady_clock::now();
   const MapControl control = control_of(surroundings);
   const Picture picture = draw_plot(map, options, [&control] {
@@ -129,14 +141,17 @@ Subcommand plot_subcommand() {
   std::vector<Option> options = robot_options(arguments->robot);
   options.push_back({"-o", "FILE", "The picture: an .svg or a .png", &arguments->file, true});
   for (const Option& option : map_choice_options(arguments->map)) options.push_back(option);
-  options.push_back({"--section", "\"z=0.3\"",
-                     "Cut a map of three coordinates: what is held, with its value [m or rad]; in SO3 \"torsion=0\"",
-                     &arguments->section});
-  options.push_back({"--mode", "\"(+,-)\"", "Draw these working modes only, as signs of B_jj", &arguments->modes});
-  options.push_back({"--index", "NAME",
-                     "Draw lines of equal index: parallel, or conditioning for isoconditioning lines (the inverse "
-                     "condition number)",
-                     &arguments->index});
+  options.push_back(
+      {"--section", "\"z=0.3\"",
+       "Cut a map of three coordinates: what is held, with its value [m or rad]; in SO3 \"torsion=0\"",
+       &arguments->section});
+  options.push_back(
+      {"--mode", "\"(+,-)\"", "Draw these working modes only, as signs of B_jj", &arguments->modes});
+  options.push_back(
+      {"--index", "NAME",
+       "Draw lines of equal index: parallel, or conditioning for isoconditioning lines (the inverse "
+       "condition number)",
+       &arguments->index});
   for (const Option& option : constraint_options(arguments->constraints)) options.push_back(option);
   return {"plot",
           "Draw the aspects in the workspace and in joint space, as SVG or PNG",

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/pictures/palette.h"
 
-#include <gtest/gtest.h>
-
 #include <Eigen/Core>
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
@@ -48,7 +47,8 @@ Vector3d lab(Rgb color, const Matrix3d& vision) {
   const Vector3d xyz((0.4124 * seen[0] + 0.3576 * seen[1] + 0.1805 * seen[2]) / 0.9505,
                      0.2126 * seen[0] + 0.7152 * seen[1] + 0.0722 * seen[2],
                      (0.0193 * seen[0] + 0.1192 * seen[1] + 0.9505 * seen[2]) / 1.089);
-  const Vector3d f = xyz.unaryExpr([](double t) { return t > 0.008856 ? std::cbrt(t) : 7.787 * t + 16.0 / 116.0; });
+  const Vector3d f =
+      xyz.unaryExpr([](double t) { return t > 0.008856 ? std::cbrt(t) : 7.787 * t + 16.0 / 116.0; });
   return {116.0 * f[1] - 16.0, 500.0 * (f[0] - f[1]), 200.0 * (f[1] - f[2])};
 }
 
@@ -92,7 +92,8 @@ TEST(Palette, AspectsDifferFromThoseOfTheirModeAndOfItsNeighbours) {
   ASSERT_EQ(colors.size(), aspects.size());
   for (std::size_t i = 0; i < aspects.size(); ++i)
     for (std::size_t k = 0; k < i; ++k)
-      if (different_signs(aspects[i].mode, aspects[k].mode) <= 1) EXPECT_NE(colors[i], colors[k]) << i << ' ' << k;
+      if (different_signs(aspects[i].mode, aspects[k].mode) <= 1)
+        EXPECT_NE(colors[i], colors[k]) << i << ' ' << k;
 }
 
 TEST(Palette, HuesComeAgainWhereThereAreMoreAspects) {

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/drawing/plot.h"
 
-#include <gtest/gtest.h>
-#include <png.h>
-
 #include "parallel_aspects/kinematics/inverse.h"
-#include "support/shipped.h"
 #include "tools/drawing/outlines.h"
+
+#include <gtest/gtest.h>
+
+#include "support/shipped.h"
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
+#include <png.h>
 #include <string>
 #include <vector>
 
@@ -60,7 +61,8 @@ std::vector<DrawnPanel> panels_of(const Picture& picture) {
   return panels;
 }
 
-Vector2d in_panel(const DrawnPanel& panel, const Vector2d& lower, const Vector2d& upper, const PagePoint& at) {
+Vector2d in_panel(const DrawnPanel& panel, const Vector2d& lower, const Vector2d& upper,
+                  const PagePoint& at) {
   const Vector2d share = (at - panel.corner).cwiseQuotient(panel.size);
   return lower + Vector2d(share.x(), 1.0 - share.y()).cwiseProduct(upper - lower);
 }
@@ -151,7 +153,8 @@ TEST(Plot, SingularCurvesOfTheFiveBarAreThoseOfThePaper) {
   }
 }
 
-// In joint space the parallel singularities are where the elbows are as far apart as both rods stretched or folded.
+// In joint space the parallel singularities are where the elbows are as far apart as both rods stretched or
+// folded.
 TEST(Plot, JointSpaceIsBoundedWhereTheRodsAreInLine) {
   const double turn = 2.0 * std::acos(-1.0);
   for (const WorkingMode& mode : five_bar()->working_modes()) {
@@ -174,14 +177,15 @@ TEST(Plot, JointSpaceIsBoundedWhereTheRodsAreInLine) {
   }
 }
 
-// Every aspect lies in the joint space of its sign, with the area of its image: in (q1, q2), |det A / (B11 B22)| of the
-// area in (x, y), summed over the leaves.
+// Every aspect lies in the joint space of its sign, with the area of its image: in (q1, q2), |det A / (B11
+// B22)| of the area in (x, y), summed over the leaves.
 TEST(Plot, JointSpaceAreasAreThoseOfTheImages) {
   std::map<int, double> drawn, summed;
   for (const DrawnPanel& panel : panels_of(draw_plot(five_bar(), {}))) {
     if (!panel.size.isApprox(Vector2d(260.0, 260.0), 1e-9)) continue;
     const double scale = 2.0 * std::acos(-1.0) / 260.0;
-    for (const PageArea& area : panel.areas) drawn[id_of(area)] += std::abs(area_of(area.loops)) * scale * scale;
+    for (const PageArea& area : panel.areas)
+      drawn[id_of(area)] += std::abs(area_of(area.loops)) * scale * scale;
   }
   for (const Aspect& aspect : five_bar()->aspects())
     five_bar()->visit_inside_leaves(aspect.id, [&](const Box& box) {
@@ -200,8 +204,8 @@ TEST(Plot, LinesOfEqualIndexHaveTheirIndex) {
   PlotOptions options = only(WorkingMode::from_index(2, 0));
   options.levels = {DrawnIndex::parallel, {0.5}};
   const PlotPlane plane = plane_of(*five_bar(), std::nullopt);
-  const BoundaryPicture traced = trace_slice(*five_bar(), options.modes.front(), plane.slice, plane.bounds, 180,
-                                             Cells::single, options.levels);
+  const BoundaryPicture traced = trace_slice(*five_bar(), options.modes.front(), plane.slice, plane.bounds,
+                                             180, Cells::single, options.levels);
   EXPECT_GT(traced.levels.size(), 300U);
   for (const LevelSegment& segment : traced.levels)
     if (PaperFiveBar::nearest_serial(segment.from) > 0.3)
@@ -226,7 +230,9 @@ TEST(Plot, EachAspectHasItsFigure) {
 
 Eigen::AlignedBox2d box_of(const PageText& text) {
   const double width = text_width(text.text, text.size);
-  const double left = text.anchor == Anchor::start ? 0.0 : text.anchor == Anchor::middle ? 0.5 * width : width;
+  const double left = text.anchor == Anchor::start    ? 0.0
+                      : text.anchor == Anchor::middle ? 0.5 * width
+                                                      : width;
   const PagePoint lower = text.at + PagePoint(-left, -0.72 * text.size);
   return {lower, PagePoint(lower + PagePoint(width, 0.72 * text.size))};
 }
@@ -246,7 +252,8 @@ TEST(Plot, NoTextOverlapsAnotherOrLeavesThePage) {
         EXPECT_TRUE(page.contains(box_of(texts[i]))) << texts[i].text;
         for (std::size_t k = 0; k < i; ++k)
           EXPECT_TRUE(box_of(texts[i]).intersection(box_of(texts[k])).isEmpty())
-              << robot << ": '" << texts[i].text << "' and '" << texts[k].text << "' at " << texts[k].at.transpose();
+              << robot << ": '" << texts[i].text << "' and '" << texts[k].text << "' at "
+              << texts[k].at.transpose();
       }
     }
 }
@@ -284,7 +291,8 @@ TEST(Plot, PngShowsTheAreas) {
       expected[area->color] += std::abs(area_of(area->loops));
   EXPECT_EQ(expected.size(), 2U);
   for (const auto& [color, area] : expected) {
-    const double seen = static_cast<double>(std::count(image.points.begin(), image.points.end(), color)) / 4.0;
+    const double seen =
+        static_cast<double>(std::count(image.points.begin(), image.points.end(), color)) / 4.0;
     EXPECT_LT(seen, area * 1.02 + 300.0) << "and the swatches";
     EXPECT_GT(seen, 0.8 * area) << "but for curves and ids";
   }
@@ -296,8 +304,9 @@ TEST(Plot, BodiesOfThreeCoordinatesAreSeen) {
   PlotOptions options;
   options.modes = {map->working_modes().front()};
   const Picture picture = draw_plot(map, options);
-  const auto image = std::find_if(picture.elements.begin(), picture.elements.end(),
-                                  [](const PageElement& each) { return std::holds_alternative<PageImage>(each); });
+  const auto image =
+      std::find_if(picture.elements.begin(), picture.elements.end(),
+                   [](const PageElement& each) { return std::holds_alternative<PageImage>(each); });
   ASSERT_NE(image, picture.elements.end());
   const auto& points = std::get<PageImage>(*image).points;
   const auto white = static_cast<std::size_t>(std::count(points.begin(), points.end(), 0xFFFFFFU));

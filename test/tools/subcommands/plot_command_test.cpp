@@ -52,11 +52,13 @@ TEST_F(PlotCommand, TheEndingSaysWhichFormat) {
   EXPECT_EQ(contents_of(png).rfind("\x89PNG", 0), 0U);
   const Outcome other = run({"plot", "bipod", "-o", "a.jpg"});
   EXPECT_EQ(other.code, exit_code::bad_input);
-  EXPECT_EQ(other.messages, "-o is 'a.jpg', which ends neither with .svg nor with .png; give a name that does.\n");
+  EXPECT_EQ(other.messages,
+            "-o is 'a.jpg', which ends neither with .svg nor with .png; give a name that does.\n");
 }
 
 TEST_F(PlotCommand, SectionsOfThreeCoordinates) {
-  const Outcome cut = run({"plot", "three_rrr", "-o", svg.c_str(), "--resolution", "0.8", "--section", "phi=0"});
+  const Outcome cut =
+      run({"plot", "three_rrr", "-o", svg.c_str(), "--resolution", "0.8", "--section", "phi=0"});
   EXPECT_EQ(cut.code, exit_code::ok) << cut.messages;
   EXPECT_NE(contents_of(svg).find("Section phi = 0 rad"), std::string::npos);
 }
@@ -76,7 +78,8 @@ TEST_F(PlotCommand, SaysWhatToDoInstead) {
             "--section cuts maps of three coordinates, but this one has two; leave it out.\n");
   EXPECT_EQ(message({"delta", "--index", "parallel"}),
             "--index, --leaves and --each-aspect are for two coordinates; give --section too.\n");
-  EXPECT_EQ(message({"five_bar", "--index", "depth"}), "--index is 'depth'; give parallel or conditioning.\n");
+  EXPECT_EQ(message({"five_bar", "--index", "depth"}),
+            "--index is 'depth'; give parallel or conditioning.\n");
   EXPECT_EQ(message({"agile_eye", "--section", "z=1"}),
             "--section is 'z=1', but orientations are cut at a torsion; give \"torsion=0\".\n");
   EXPECT_EQ(run({"plot", "five_bar"}).code, exit_code::bad_usage) << "without -o";
@@ -88,7 +91,8 @@ TEST_F(PlotCommand, NeverWritesOverItsInput) {
   const std::string config = PARALLEL_ASPECTS_SOURCE_DIR "/config/robots/five_bar.yaml";
   const std::string shipped = contents_of(PARALLEL_ASPECTS_SOURCE_DIR "/urdf/five_bar.urdf");
   std::ofstream(urdf) << shipped;
-  const Outcome outcome = run({"plot", "--urdf", urdf.c_str(), "--config", config.c_str(), "-o", urdf.c_str()});
+  const Outcome outcome =
+      run({"plot", "--urdf", urdf.c_str(), "--config", config.c_str(), "-o", urdf.c_str()});
   EXPECT_EQ(outcome.code, exit_code::bad_input);
   EXPECT_NE(outcome.messages.find("would be overwritten"), std::string::npos) << outcome.messages;
   EXPECT_EQ(contents_of(urdf), shipped);
