@@ -12,6 +12,7 @@ namespace {
 
 constexpr double grain = 0.01;               // of rounded points [px]
 constexpr double straightness = 0.06;        // how far a point that is left out may be off the line [px]
+constexpr double smallest_loop = 0.5;        // beside a larger one [px^2]
 constexpr std::size_t max_candidates = 600;  // for a label
 
 using Key = std::pair<std::int64_t, std::int64_t>;
@@ -56,6 +57,19 @@ PageLine straightened(const PageLine& line) {
   add_between(line, 0, middle, kept);
   if (middle + 1 < line.size()) add_between(line, middle, line.size() - 1, kept);
   return kept;
+}
+
+// Loops too small to see; the largest stays.
+void drop_small(std::vector<PageLine>& loops) {
+  const auto size = [](const PageLine& loop) { return std::abs(area_of({loop})); };
+  const auto largest =
+      std::max_element(loops.begin(), loops.end(),
+                       [&size](const PageLine& a, const PageLine& b) { return size(a) < size(b); });
+  if (largest == loops.end()) return;
+  std::iter_swap(loops.begin(), largest);
+  loops.erase(std::remove_if(loops.begin() + 1, loops.end(),
+                             [&size](const PageLine& loop) { return size(loop) < smallest_loop; }),
+              loops.end());
 }
 
 /// Ends that are not yet used, by point.
@@ -103,6 +117,7 @@ std::vector<PageLine> outlines_of(const std::vector<PageLine>& polygons) {
     const PageLine loop = walk(ends, ends.begin()->first, [](const Key&, const Key&) {});
     if (loop.size() > 3) loops.push_back(straightened(loop));
   }
+  drop_small(loops);
   return loops;
 }
 

@@ -11,7 +11,8 @@
 namespace parallel_aspects::tools {
 
 /// What bounds the union of polygons that share whole sides, each turned the same way: the sides that two of
-/// them share are left out. Points are rounded to 0.01 px, and those on straight lines left out.
+/// them share are left out. Points are rounded to 0.01 px; those on straight lines are left out, and loops
+/// too small to see.
 std::vector<PageLine> outlines_of(const std::vector<PageLine>& polygons);
 
 /// Pieces with common ends put together to lines, likewise rounded and straightened.

@@ -10,8 +10,10 @@ namespace parallel_aspects::tools {
 namespace {
 
 // Lengths on the page [px].
-constexpr double page_width = 1000.0, margin = 16.0, beside_panel = 22.0, between_rows = 14.0;
+constexpr double widest_page = 1010.0, narrowest_page = 640.0, margin = 16.0, beside_panel = 22.0,
+                 between_rows = 14.0;
 constexpr double title_size = 16.0, heading_size = 13.0, text_size = 10.0, line_height = 14.0;
+constexpr double least_figure = 250.0;  // so that what is written over it has room
 constexpr std::size_t most_entries = 8;
 constexpr double swatch = 10.0, between_entries = 16.0;
 
@@ -34,41 +36,60 @@ class PageDrawing {
   explicit PageDrawing(const Page& page) : page_(page) {}
 
   Picture draw() {
-    picture_.width = page_width;
+    picture_.width = page_width();
     y_ = margin + title_size;
     write({margin, y_}, title_size, page_.title, true);
     y_ += 6.0;
     for (const std::string& note : page_.notes)
-      for (const std::string& line : wrapped(note, page_width - 2.0 * margin))
+      for (const std::string& line : wrapped(note, picture_.width - 2.0 * margin))
         write({margin, y_ += line_height}, text_size, line, false);
     y_ += between_rows;
     draw_figures();
-    const double end = draw_entries(page_.legend, {margin, y_ + line_height}, page_width - 2.0 * margin);
+    const double end = draw_entries(page_.legend, {margin, y_ + line_height}, picture_.width - 2.0 * margin);
     picture_.height = end + margin;
     return std::move(picture_);
   }
 
  private:
-  double panel_width() const { return left_of_panel + page_.side + beside_panel; }
+  double width_of(const PanelContents& panel) const {
+    return left_of_panel + panel_size(panel, page_.side).x() + beside_panel;
+  }
+
+  double width_of(const PageFigure& figure) const {
+    double width = 0.0;
+    for (const PanelContents& panel : figure.panels) width += width_of(panel);
+    return std::max(width, least_figure);
+  }
+
+  /// The figure after the last of the row that begins there.
+  std::size_t end_of_row(std::size_t begin) const {
+    double width = margin;
+    std::size_t end = begin;
+    for (; end < page_.figures.size(); ++end) {
+      width += width_of(page_.figures[end]);
+      if (width > widest_page && end > begin) break;
+    }
+    return end;
+  }
+
+  double page_width() const {
+    double widest = narrowest_page;
+    for (std::size_t i = 0; i < page_.figures.size(); i = end_of_row(i)) {
+      double width = margin;
+      for (std::size_t k = i; k < end_of_row(i); ++k) width += width_of(page_.figures[k]);
+      widest = std::max(widest, width);
+    }
+    return widest;
+  }
 
   void draw_figures() {
-    const auto& figures = page_.figures;
-    for (std::size_t i = 0; i < figures.size();) {
-      double width = margin;
-      std::size_t end = i;
-      for (; end < figures.size(); ++end) {
-        width += panel_width() * static_cast<double>(figures[end].panels.size());
-        if (width > page_width && end > i) break;
-      }
-      draw_row(i, end);
-      i = end;
-    }
+    for (std::size_t i = 0; i < page_.figures.size(); i = end_of_row(i)) draw_row(i, end_of_row(i));
   }
 
   void draw_row(std::size_t begin, std::size_t end) {
     double x = margin, heading_end = y_, bottom = y_;
     for (std::size_t i = begin; i < end; ++i) {
-      const double width = panel_width() * static_cast<double>(page_.figures[i].panels.size());
+      const double width = width_of(page_.figures[i]);
       write({x, y_ + heading_size}, heading_size, page_.figures[i].title, true);
       heading_end = std::max(
           heading_end,
@@ -76,13 +97,16 @@ class PageDrawing {
       x += width;
     }
     x = margin;
-    for (std::size_t i = begin; i < end; ++i)
+    for (std::size_t i = begin; i < end; ++i) {
+      double panel_x = x;
       for (const PanelContents& panel : page_.figures[i].panels) {
-        const PagePoint corner(x + left_of_panel, heading_end + above_panel);
+        const PagePoint corner(panel_x + left_of_panel, heading_end + above_panel);
         draw_panel(panel, corner, page_.side, picture_);
         bottom = std::max(bottom, corner.y() + panel_size(panel, page_.side).y() + below_panel);
-        x += panel_width();
+        panel_x += width_of(panel);
       }
+      x += width_of(page_.figures[i]);
+    }
     y_ = bottom + between_rows;
   }
 

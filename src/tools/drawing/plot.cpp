@@ -36,7 +36,7 @@ class PlanePlot {
         page_(page),
         colors_(aspect_colors(map->aspects())) {
     if (!options.section && JointProjection::is_possible(*map)) projection_.emplace(map);
-    page_.side = options.each_aspect && projection_ ? 172.0 : 260.0;
+    page_.side = options.each_aspect && projection_ ? 205.0 : 260.0;
   }
 
   void add_mode(const WorkingMode& mode) {
@@ -113,8 +113,8 @@ class PlanePlot {
       const Leg& leg = map_->manipulator()->leg(projection_->legs()[i]);
       const auto k = static_cast<Eigen::Index>(i);
       const double rim = window.turns[i] ? 0.0 : 0.04 * (window.upper[k] - window.lower[k]);
-      contents.axes[i] = {leg.actuated_joint + " [" + joint_unit(leg) + "]",
-                          window.lower[k] - rim, window.upper[k] + rim, window.turns[i]};
+      contents.axes[i] = {leg.actuated_joint + " [" + joint_unit(leg) + "]", window.lower[k] - rim,
+                          window.upper[k] + rim, window.turns[i]};
     }
     for (const int id : ids) contents.shapes.push_back(shape(id, projection_->images(id, traced_.slivers)));
     std::vector<BoundarySegment> segments;

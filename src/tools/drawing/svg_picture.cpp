@@ -2,6 +2,7 @@
 #include "tools/drawing/picture.h"
 #include "tools/drawing/svg.h"
 
+#include <cmath>
 #include <cstdio>
 
 namespace parallel_aspects::tools {
@@ -23,13 +24,27 @@ std::string brief(double value) {
   return text == "-0" ? "0" : text;
 }
 
+// As short as paths may say it: "0.5" as ".5".
+std::string step_text(double step) {
+  std::string text = brief(step);
+  const std::size_t zero = text.find("0.");
+  if (zero == 0 || (zero == 1 && text[0] == '-')) text.erase(zero, 1);
+  return text;
+}
+
+double rounded(double value) { return 0.01 * std::round(100.0 * value); }
+
+// Steps from point to point are half as long as the points.
 std::string path_of(const std::vector<PageLine>& lines, bool closed) {
   std::string path;
   for (const PageLine& line : lines) {
-    char command = 'M';
-    for (const PagePoint& point : line) {
-      path += command + brief(point.x()) + " " + brief(point.y());
-      command = 'L';
+    PagePoint from = line.front().unaryExpr(&rounded);
+    path += "M" + brief(from.x()) + " " + brief(from.y()) + (line.size() > 1 ? "l" : "");
+    for (std::size_t i = 1; i < line.size(); ++i) {
+      const PagePoint to = line[i].unaryExpr(&rounded);
+      const std::string right = step_text(to.x() - from.x()), down = step_text(to.y() - from.y());
+      path += (i > 1 && right[0] != '-' ? " " : "") + right + (down[0] != '-' ? " " : "") + down;
+      from = to;
     }
     if (closed || (line.size() > 2 && line.front() == line.back())) path += 'Z';
   }

@@ -91,9 +91,10 @@ TEST(Palette, AspectsDifferFromThoseOfTheirModeAndOfItsNeighbours) {
   const std::vector<Rgb> colors = aspect_colors(aspects);
   ASSERT_EQ(colors.size(), aspects.size());
   for (std::size_t i = 0; i < aspects.size(); ++i)
-    for (std::size_t k = 0; k < i; ++k)
-      if (different_signs(aspects[i].mode, aspects[k].mode) <= 1)
-        EXPECT_NE(colors[i], colors[k]) << i << ' ' << k;
+    for (std::size_t k = 0; k < i; ++k) {
+      if (different_signs(aspects[i].mode, aspects[k].mode) > 1) continue;
+      EXPECT_NE(colors[i], colors[k]) << i << ' ' << k;
+    }
 }
 
 TEST(Palette, HuesComeAgainWhereThereAreMoreAspects) {
