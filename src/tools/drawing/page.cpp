@@ -100,7 +100,7 @@ class PageDrawing {
     for (std::size_t i = begin; i < end; ++i) {
       double panel_x = x;
       for (const PanelContents& panel : page_.figures[i].panels) {
-        const PagePoint corner(panel_x + left_of_panel, heading_end + above_panel);
+        const PagePoint corner(panel_x + left_of_panel, heading_end + room_above(panel));
         draw_panel(panel, corner, page_.side, picture_);
         bottom = std::max(bottom, corner.y() + panel_size(panel, page_.side).y() + below_panel);
         panel_x += width_of(panel);
@@ -135,7 +135,7 @@ class PageDrawing {
   }
 
   void write(const PagePoint& at, double size, const std::string& text, bool bold) {
-    picture_.elements.emplace_back(PageText{at, Anchor::start, size, text, ink_color, bold, false});
+    picture_.elements.emplace_back(PageText{at, Anchor::start, size, text, ink_color, bold, std::nullopt});
   }
 
   const Page& page_;

@@ -71,29 +71,26 @@ class Panel {
                                size_.y() * (y.upper - point.y()) / (y.upper - y.lower));
   }
 
-  void draw_image(Picture& picture) const {
+  void draw_image(Picture& picture) {
     PageImage image = *contents_.image;
     image.corner = corner_;
     image.size = size_;
     picture.elements.emplace_back(std::move(image));
     for (const ImageAxis& axis : contents_.image_axes) draw_image_axis(axis, picture);
+    for (const ImageLabel& label : contents_.image_labels) {
+      const PagePoint at = corner_ + label.point.at.cwiseProduct(size_);
+      labels_.add(label.text, {at, label.point.clearance * size_.x()}, label.background, picture);
+    }
   }
 
   void draw_image_axis(const ImageAxis& axis, Picture& picture) const {
     const PagePoint from = corner_ + axis.from.cwiseProduct(size_),
                     to = corner_ + axis.to.cwiseProduct(size_);
-    const PagePoint middle = 0.5 * (from + to), center = corner_ + 0.5 * size_;
-    const PagePoint out = 11.0 * (middle - center).normalized();
-    const Anchor anchor = out.x() < -3.0 ? Anchor::end : out.x() > 3.0 ? Anchor::start : Anchor::middle;
-    const auto write = [&](const PagePoint& at, const std::string& text, double size) {
-      PageText written{at + out + PagePoint(0.0, 3.0), anchor, size, text};
-      written.halo = true;
-      picture.elements.emplace_back(written);
-    };
+    const PagePoint middle = 0.5 * (from + to), out = middle - corner_ - 0.5 * size_;
+    const Anchor anchor = out.x() < 0.0 ? Anchor::end : Anchor::start;
     picture.elements.emplace_back(PageCurves{{{from, to}}, frame_color, 0.8, false, ""});
-    write(middle, axis.title, title_size);
-    write(0.92 * from + 0.08 * to, axis.lower, tick_size);
-    write(0.08 * from + 0.92 * to, axis.upper, tick_size);
+    picture.elements.emplace_back(
+        PageText{middle + 8.0 * out.normalized() + PagePoint(0.0, 5.0), anchor, tick_size, axis.text});
   }
 
   void draw_shapes(Picture& picture) {
@@ -186,6 +183,8 @@ PagePoint panel_size(const PanelContents& contents, double side) {
   const PagePoint range(x.upper - x.lower, y.upper - y.lower);
   return side / range.maxCoeff() * range;
 }
+
+double room_above(const PanelContents& contents) { return contents.image ? 0.0 : 36.0; }
 
 void draw_panel(const PanelContents& contents, const PagePoint& corner, double side, Picture& picture) {
   Panel(contents, corner, side).draw(picture);

@@ -28,10 +28,17 @@ struct PanelShape {
   std::string title;  ///< what it is
 };
 
-/// A line of an image with a coordinate along it; ends from 0 to 1, to the right and down.
+/// A line of an image, and what is written beside it; ends from 0 to 1, to the right and down.
 struct ImageAxis {
   PagePoint from, to;
-  std::string title, lower, upper;
+  std::string text;
+};
+
+/// What is written on an image, at a place from 0 to 1 with so much room, on this colour.
+struct ImageLabel {
+  std::string text;
+  LabelPoint point;
+  Rgb background = 0;
 };
 
 /// What is in a panel.
@@ -44,13 +51,17 @@ struct PanelContents {
   std::vector<LevelSegment> levels;
   std::optional<PageImage> image;  ///< in place of shapes, over the whole panel; then with these axes
   std::vector<ImageAxis> image_axes;
+  std::vector<ImageLabel> image_labels;
 };
 
 /// How large a panel is without what is written around it, in a square of this side [px].
 PagePoint panel_size(const PanelContents& contents, double side);
 
 /// Room around it [px].
-inline constexpr double left_of_panel = 46.0, above_panel = 36.0, below_panel = 34.0;
+inline constexpr double left_of_panel = 46.0, below_panel = 34.0;
+
+/// Between what is above it and its corner [px].
+double room_above(const PanelContents& contents);
 
 /// Adds a panel whose upper left corner is there.
 void draw_panel(const PanelContents& contents, const PagePoint& corner, double side, Picture& picture);

@@ -43,6 +43,7 @@ void PanelLabels::add(const std::string& text, const LabelPoint& point, Rgb back
   if (0.5 * box.sizes().norm() <= point.clearance && take(box)) {
     PageText written = text_around(point.at, text, id_size, readable_on(background));
     written.bold = true;
+    written.halo = background;
     picture.elements.emplace_back(written);
     return;
   }
@@ -54,7 +55,8 @@ void PanelLabels::add(const std::string& text, const LabelPoint& point, Rgb back
       picture.elements.emplace_back(PageCurves{{{at, point.at}}, 0xFFFFFF, 2.6, false, ""});
       picture.elements.emplace_back(PageCurves{{{at, point.at}}, ink_color, 0.8, false, ""});
       PageText written = text_around(at, text, id_size, ink_color);
-      written.bold = written.halo = true;
+      written.bold = true;
+      written.halo = 0xFFFFFF;
       picture.elements.emplace_back(written);
       return;
     }
@@ -70,7 +72,7 @@ void PanelLabels::add_on_line(const std::string& text, const PageLine& line, Pic
     const PagePoint& at = line[i % line.size()];
     if (!take(box_around(at, text, level_size))) continue;
     PageText written = text_around(at, text, level_size, ink_color);
-    written.halo = true;
+    written.halo = 0xFFFFFF;
     picture.elements.emplace_back(written);
     return;
   }

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -38,20 +39,20 @@ enum class Anchor { start, middle, end };
 
 /// A line of text.
 struct PageText {
-  PagePoint at;  ///< on its base line
+  PagePoint at = PagePoint::Zero();  ///< on its base line
   Anchor anchor = Anchor::start;
   double size = 11.0;  ///< of the font [px]
   std::string text;
   Rgb color = ink_color;
   bool bold = false;
-  bool halo = false;  ///< a white rim, over lines
+  std::optional<Rgb> halo{};  ///< colour of a rim, over lines
 };
 
 /// A picture of points, stretched over a rectangle.
 struct PageImage {
-  PagePoint corner, size;   ///< upper left [px]
-  std::size_t width = 0;    ///< points in a row
-  std::vector<Rgb> points;  ///< row by row from the top
+  PagePoint corner = PagePoint::Zero(), size = PagePoint::Zero();  ///< upper left [px]
+  std::size_t width = 0;                                           ///< points in a row
+  std::vector<Rgb> points;                                         ///< row by row from the top
 };
 
 using PageElement = std::variant<PageArea, PageCurves, PageText, PageImage>;

@@ -87,7 +87,7 @@ class PlanePlot {
   Rgb color(int id) const { return colors_[static_cast<std::size_t>(id - 1)]; }
 
   PanelContents workspace(const std::set<int>& ids) const {
-    PanelContents contents{"workspace", plane_.axes, plane_.keeps_proportion, {}, {}, {}, {}, {}};
+    PanelContents contents{"workspace", plane_.axes, plane_.keeps_proportion, {}, {}, {}, {}, {}, {}};
     if (!undecided_.empty() && !options_.each_aspect)
       contents.shapes.push_back({undecided_, undecided_color, "", "undecided"});
     for (const int id : ids) contents.shapes.push_back(shape(id, traced_.slivers));
@@ -108,7 +108,7 @@ class PlanePlot {
   PanelContents joint_space(const WorkingMode& mode, int sign, const std::set<int>& ids) const {
     const JointWindow& window = projection_->window();
     PanelContents contents{
-        std::string("joint space, det A ") + (sign > 0 ? "> 0" : "< 0"), {}, false, {}, {}, {}, {}, {}};
+        std::string("joint space, det A ") + (sign > 0 ? "> 0" : "< 0"), {}, false, {}, {}, {}, {}, {}, {}};
     for (std::size_t i = 0; i < 2; ++i) {
       const Leg& leg = map_->manipulator()->leg(projection_->legs()[i]);
       const auto k = static_cast<Eigen::Index>(i);

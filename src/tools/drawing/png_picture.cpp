@@ -63,7 +63,7 @@ class Painter {
     cairo_move_to(context(), text.at.x() - before, text.at.y());
     cairo_text_path(context(), text.text.c_str());
     if (text.halo) {
-      choose(0xFFFFFF);
+      choose(*text.halo);
       cairo_set_line_width(context(), 3.0);
       cairo_set_dash(context(), nullptr, 0, 0.0);
       cairo_stroke_preserve(context());

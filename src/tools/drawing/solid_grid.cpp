@@ -11,7 +11,8 @@
 namespace parallel_aspects::tools {
 namespace {
 
-constexpr double rim = 1.5;  // points of the grid around all bodies
+constexpr double most_means = 5.0;
+constexpr double rim = 2.5;  // points of the grid around all bodies
 
 bool is_of_orientations(const AspectMap& map) { return map.coordinates().empty(); }
 
@@ -25,13 +26,14 @@ std::pair<int, int> points_between(double lower, double upper) {
 
 std::array<SolidAxis, 3> solid_axes(const AspectMap& map) {
   if (is_of_orientations(map))
-    return {
-        SolidAxis{"rotation about x [rad]", -pi, pi}, {"about y [rad]", -pi, pi}, {"about z [rad]", -pi, pi}};
+    return {SolidAxis{"rotation about x", "rad", -pi, pi},
+            {"about y", "rad", -pi, pi},
+            {"about z", "rad", -pi, pi}};
   std::array<SolidAxis, 3> axes;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::string name = map.coordinates()[i];
     const bool is_length = name == "x" || name == "y" || name == "z";
-    axes[i] = {name + (is_length ? " [m]" : " [rad]"), std::numeric_limits<double>::infinity(),
+    axes[i] = {name, is_length ? "m" : "rad", std::numeric_limits<double>::infinity(),
                -std::numeric_limits<double>::infinity()};
     for (const Aspect& aspect : map.aspects()) {
       axes[i].lower = std::min(axes[i].lower, aspect.bounds.lower[i]);
@@ -51,7 +53,10 @@ SolidGrid::SolidGrid(const AspectMap& map, const std::array<SolidAxis, 3>& axes,
     fill_orientations(map, mode, checkpoint);
   else
     fill_from_leaves(map, axes, mode);
-  smooth();
+  double points = 1.0;  // of the grid in a leaf
+  for (const SolidAxis& axis : axes)
+    points = std::max(points, count * map.resolution() / (axis.upper - axis.lower));
+  smooth(static_cast<int>(std::min(points, most_means)));
 }
 
 void SolidGrid::fill_from_leaves(const AspectMap& map, const std::array<SolidAxis, 3>& axes,
@@ -89,11 +94,12 @@ void SolidGrid::fill_orientations(const AspectMap& map, const WorkingMode& mode,
   }
 }
 
-// A mean over three points along each coordinate: what is rounded is about one point.
-void SolidGrid::smooth() {
+// Means over three points along each coordinate: what is rounded is no more than a leaf.
+void SolidGrid::smooth(int times) {
   densities_.resize(ids_.size());
   std::transform(ids_.begin(), ids_.end(), densities_.begin(), [](int id) { return id != 0 ? 1.0F : 0.0F; });
-  for (const std::size_t step : {index(1, 0, 0), index(0, 1, 0), index(0, 0, 1)}) {
+  for (int k = 0; k < 3 * times; ++k) {
+    const std::size_t step = k % 3 == 0 ? index(1, 0, 0) : k % 3 == 1 ? index(0, 1, 0) : index(0, 0, 1);
     std::vector<float> means(densities_.size(), 0.0F);
     for (std::size_t i = step; i + step < means.size(); ++i)
       means[i] = 0.25F * densities_[i - step] + 0.5F * densities_[i] + 0.25F * densities_[i + step];

@@ -16,7 +16,7 @@ namespace parallel_aspects::tools {
 
 /// One of the three coordinates of a body.
 struct SolidAxis {
-  std::string name;  ///< with its unit
+  std::string name, unit;
   double lower = 0.0, upper = 1.0;
 };
 
@@ -46,7 +46,7 @@ class SolidGrid {
   void fill_from_leaves(const AspectMap& map, const std::array<SolidAxis, 3>& axes, const WorkingMode& mode);
   void fill_orientations(const AspectMap& map, const WorkingMode& mode,
                          const std::function<void()>& checkpoint);
-  void smooth();
+  void smooth(int times);
 
   std::vector<int> ids_;
   std::vector<float> densities_;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -17,10 +18,11 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t points_across = 520;         // of the image
+constexpr std::size_t points_across = 416;         // of the image
 constexpr double azimuth = -0.9, elevation = 0.5;  // of the eye, seen from the middle [rad]
 constexpr double step = 0.6;                       // along a line of sight, in points of the grid
-constexpr double ambient = 0.45;
+constexpr double ambient = 0.58;
+constexpr double least_proportion = 0.5;
 constexpr Rgb background = 0xFFFFFF;
 
 /// A parallel projection of the cube [0, count]^3, with a quarter of it cut away towards the eye.
@@ -88,15 +90,18 @@ class SolidImage {
   SolidImage(const SolidGrid& grid, const Eye& eye, const std::vector<Rgb>& colors)
       : grid_(grid), eye_(eye), colors_(colors) {}
 
-  PageImage draw() const {
+  PanelContents draw() const {
     PageImage image;
     image.width = points_across;
-    image.points.reserve(points_across * points_across);
-    for (std::size_t row = 0; row < points_across; ++row)
-      for (std::size_t column = 0; column < points_across; ++column)
-        image.points.push_back(color({(static_cast<double>(column) + 0.5) / points_across,
-                                      (static_cast<double>(row) + 0.5) / points_across}));
-    return image;
+    image.points.assign(points_across * points_across, background);
+    std::vector<int> ids(image.points.size(), 0);
+    for (std::size_t i = 0; i < ids.size(); ++i)
+      if (const auto found = hit(middle_of(i)); found && (ids[i] = grid_.aspect(found->place)) != 0)
+        image.points[i] = shaded(color_of_aspect(ids[i]), eye_.light(normal(*found)));
+    PanelContents panel;
+    panel.image = std::move(image);
+    panel.image_labels = labels(ids);
+    return panel;
   }
 
  private:
@@ -128,17 +133,39 @@ class SolidImage {
     return slope.cwiseQuotient(eye_.proportions()).normalized();
   }
 
-  Rgb color(const PagePoint& point) const {
-    const auto found = hit(point);
-    if (!found) return background;
-    const int id = grid_.aspect(found->place);
-    if (id == 0) return background;
-    const double light = eye_.light(normal(*found));
-    Rgb shaded = 0;
+  static PagePoint middle_of(std::size_t i) {
+    return {(static_cast<double>(i % points_across) + 0.5) / points_across,
+            (static_cast<double>(i / points_across) + 0.5) / points_across};
+  }
+
+  Rgb color_of_aspect(int id) const { return colors_[static_cast<std::size_t>(id - 1)]; }
+
+  static Rgb shaded(Rgb color, double light) {
+    Rgb result = 0;
     for (const unsigned shift : {16U, 8U, 0U})
-      shaded |= static_cast<Rgb>(light * (colors_[static_cast<std::size_t>(id - 1)] >> shift & 0xFFU))
-                << shift;
-    return shaded;
+      result |= static_cast<Rgb>(light * (color >> shift & 0xFFU)) << shift;
+    return result;
+  }
+
+  // Each id where it is farthest from what is not of its aspect, by steps from point to point.
+  std::vector<ImageLabel> labels(const std::vector<int>& ids) const {
+    std::vector<int> room(ids.size(), 0);
+    const auto widen = [&](std::size_t i, std::size_t before, std::size_t above) {
+      const auto beside = [&](std::size_t other) { return ids[other] == ids[i] ? room[other] : 0; };
+      return std::min(beside(before), beside(above)) + 1;
+    };
+    for (std::size_t i = points_across; i < ids.size(); ++i) room[i] = widen(i, i - 1, i - points_across);
+    for (std::size_t i = ids.size() - points_across; i-- > 0;)
+      room[i] = std::min(room[i], widen(i, i + 1, i + points_across));
+    std::map<int, std::size_t> widest;
+    for (std::size_t i = 0; i < ids.size(); ++i)
+      if (ids[i] != 0 && room[i] > room[widest.emplace(ids[i], i).first->second]) widest[ids[i]] = i;
+    std::vector<ImageLabel> result;
+    for (const auto& [id, i] : widest)
+      result.push_back({std::to_string(id),
+                        {middle_of(i), 0.7 * room[i] / static_cast<double>(points_across)},
+                        color_of_aspect(id)});
+    return result;
   }
 
   const SolidGrid& grid_;
@@ -146,15 +173,16 @@ class SolidImage {
   const std::vector<Rgb>& colors_;
 };
 
-// Lengths keep their proportion; an angle is drawn as long as the longest of them.
+// Lengths keep their proportion unless one is far shorter; an angle is drawn as long as the longest of them.
 Vector3d proportions_of(const std::array<SolidAxis, 3>& axes) {
   double longest = 0.0;
   for (const SolidAxis& axis : axes)
-    if (axis.name.find("[m]") != std::string::npos) longest = std::max(longest, axis.upper - axis.lower);
+    if (axis.unit == "m") longest = std::max(longest, axis.upper - axis.lower);
   Vector3d result = Vector3d::Ones();
   for (std::size_t i = 0; i < 3; ++i)
-    if (axes[i].name.find("[m]") != std::string::npos)
-      result[static_cast<Eigen::Index>(i)] = (axes[i].upper - axes[i].lower) / longest;
+    if (axes[i].unit == "m")
+      result[static_cast<Eigen::Index>(i)] =
+          std::max(least_proportion, (axes[i].upper - axes[i].lower) / longest);
   return result;
 }
 
@@ -166,8 +194,9 @@ std::vector<ImageAxis> image_axes(const std::array<SolidAxis, 3>& axes, const Ey
                                                            {Vector3d(0, 0, 0), Vector3d(0, 0, end)}};
   std::vector<ImageAxis> result;
   for (std::size_t i = 0; i < 3; ++i)
-    result.push_back({eye.in_image(edges[i].first), eye.in_image(edges[i].second), axes[i].name,
-                      number_text(axes[i].lower, 3), number_text(axes[i].upper, 3)});
+    result.push_back({eye.in_image(edges[i].first), eye.in_image(edges[i].second),
+                      axes[i].name + ": " + number_text(axes[i].lower, 3) + " to " +
+                          number_text(axes[i].upper, 3) + " " + axes[i].unit});
   return result;
 }
 
@@ -196,8 +225,7 @@ void add_solids(const AspectMap& map, const std::vector<WorkingMode>& modes,
   for (const WorkingMode& mode : modes) {
     checkpoint();
     const SolidGrid grid(map, axes, mode, checkpoint);
-    PanelContents panel;
-    panel.image = SolidImage(grid, eye, colors).draw();
+    PanelContents panel = SolidImage(grid, eye, colors).draw();
     panel.image_axes = image_axes(axes, eye);
     page.figures.push_back({"working mode " + to_string(mode),
                             aspect_entries(map, colors, aspects_of(map, mode)),

@@ -85,8 +85,9 @@ std::string text_of(const PageText& text) {
   return "<text x=\"" + brief(text.at.x()) + "\" y=\"" + brief(text.at.y()) + "\" font-size=\"" +
          brief(text.size) + "\" text-anchor=\"" + name_of(text.anchor) + "\" fill=\"" +
          color_text(text.color) + "\"" + (text.bold ? " font-weight=\"bold\"" : "") +
-         (text.halo ? " stroke=\"#ffffff\" stroke-width=\"3\" paint-order=\"stroke\"" : "") + ">" +
-         svg::escaped(text.text) + "</text>\n";
+         (text.halo ? " stroke=\"" + color_text(*text.halo) + "\" stroke-width=\"3\" paint-order=\"stroke\""
+                    : "") +
+         ">" + svg::escaped(text.text) + "</text>\n";
 }
 
 std::string base_64(const std::string& bytes) {

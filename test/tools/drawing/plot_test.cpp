@@ -13,6 +13,7 @@
 #include <map>
 #include <png.h>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace parallel_aspects::tools {
@@ -177,27 +178,39 @@ TEST(Plot, JointSpaceIsBoundedWhereTheRodsAreInLine) {
   }
 }
 
-// Every aspect lies in the joint space of its sign, with the area of its image: in (q1, q2), |det A / (B11
-// B22)| of the area in (x, y), summed over the leaves.
-TEST(Plot, JointSpaceAreasAreThoseOfTheImages) {
-  std::map<int, double> drawn, summed;
+// By working mode and sign of det A, the joint space has the area that is found by trying joint values: the
+// end point is where two circles about the elbows meet, on either side of the line between them.
+TEST(Plot, JointSpaceAreasAreThoseOfTheJointValues) {
+  std::map<std::pair<std::size_t, int>, double> drawn, found;
+  const double turn = 2.0 * std::acos(-1.0);
   for (const DrawnPanel& panel : panels_of(draw_plot(five_bar(), {}))) {
     if (!panel.size.isApprox(Vector2d(260.0, 260.0), 1e-9)) continue;
-    const double scale = 2.0 * std::acos(-1.0) / 260.0;
-    for (const PageArea& area : panel.areas)
-      drawn[id_of(area)] += std::abs(area_of(area.loops)) * scale * scale;
+    const double scale = turn / 260.0;
+    for (const PageArea& area : panel.areas) {
+      const Aspect& aspect = five_bar()->aspects()[static_cast<std::size_t>(id_of(area) - 1)];
+      drawn[{aspect.mode.index(), aspect.determinant_sign}] += std::abs(area_of(area.loops)) * scale * scale;
+    }
   }
-  for (const Aspect& aspect : five_bar()->aspects())
-    five_bar()->visit_inside_leaves(aspect.id, [&](const Box& box) {
-      const Vector2d p(box.center(0), box.center(1));
-      const Vector2d c = PaperFiveBar::elbow({0.0, 0.0}, 8.0, 5.0, p, aspect.mode.sign(0)),
-                     d = PaperFiveBar::elbow({9.0, 0.0}, 5.0, 8.0, p, aspect.mode.sign(1));
-      const auto cross = [](const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); };
-      const double b_11 = cross(c, p - c), b_22 = cross(d - Vector2d(9.0, 0.0), p - d);
-      summed[aspect.id] += box.measure() * std::abs(cross(p - c, p - d) / (b_11 * b_22));
-    });
-  ASSERT_EQ(drawn.size(), five_bar()->aspects().size());
-  for (const auto& [id, area] : drawn) EXPECT_NEAR(area, summed[id], 0.06 * summed[id] + 0.05) << id;
+  const auto cross = [](const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); };
+  constexpr int steps = 600;
+  for (int i = 0; i < steps; ++i)
+    for (int k = 0; k < steps; ++k) {
+      const double q_1 = turn * (i + 0.5) / steps, q_2 = turn * (k + 0.5) / steps;
+      const Vector2d a(0.0, 0.0), b(9.0, 0.0), c = 8.0 * Vector2d(std::cos(q_1), std::sin(q_1)),
+                                               d = b + 5.0 * Vector2d(std::cos(q_2), std::sin(q_2));
+      const double r = (d - c).norm(), along = (r * r + 25.0 - 64.0) / (2.0 * r), h = 25.0 - along * along;
+      if (!(h > 0.0)) continue;
+      const Vector2d unit = (d - c) / r, left(-unit.y(), unit.x());
+      for (const double side : {1.0, -1.0}) {
+        const Vector2d p = c + along * unit + side * std::sqrt(h) * left;
+        const std::size_t mode =
+            (cross(c - a, p - c) < 0.0 ? 1U : 0U) + (cross(d - b, p - d) < 0.0 ? 2U : 0U);
+        found[{mode, cross(p - c, p - d) > 0.0 ? 1 : -1}] += turn * turn / (steps * steps);
+      }
+    }
+  ASSERT_EQ(drawn.size(), 8U);
+  for (const auto& [which, area] : found)
+    EXPECT_NEAR(drawn[which], area, 0.02 * area + 0.03) << which.first << ' ' << which.second;
 }
 
 TEST(Plot, LinesOfEqualIndexHaveTheirIndex) {
@@ -239,12 +252,12 @@ Eigen::AlignedBox2d box_of(const PageText& text) {
 }
 
 TEST(Plot, NoTextOverlapsAnotherOrLeavesThePage) {
-  for (const char* robot : {"five_bar", "bipod"})
+  for (const Map& map : {five_bar(), map_of("bipod")})
     for (const bool each : {false, true}) {
       PlotOptions options;
       options.each_aspect = each;
       options.levels = {DrawnIndex::conditioning, {0.2, 0.4, 0.6, 0.8}};
-      const Picture picture = draw_plot(map_of(robot), options);
+      const Picture picture = draw_plot(map, options);
       std::vector<PageText> texts;
       for (const PageElement& element : picture.elements)
         if (const auto* text = std::get_if<PageText>(&element)) texts.push_back(*text);
@@ -253,8 +266,7 @@ TEST(Plot, NoTextOverlapsAnotherOrLeavesThePage) {
         EXPECT_TRUE(page.contains(box_of(texts[i]))) << texts[i].text;
         for (std::size_t k = 0; k < i; ++k)
           EXPECT_TRUE(box_of(texts[i]).intersection(box_of(texts[k])).isEmpty())
-              << robot << ": '" << texts[i].text << "' and '" << texts[k].text << "' at "
-              << texts[k].at.transpose();
+              << "'" << texts[i].text << "' and '" << texts[k].text << "' at " << texts[k].at.transpose();
       }
     }
 }
