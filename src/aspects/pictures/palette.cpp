@@ -45,7 +45,7 @@ std::vector<Rgb> aspect_colors(const std::vector<Aspect>& aspects) {
   return colors;
 }
 
-Rgb color_of(BoundaryKind kind) {
+Rgb boundary_color(BoundaryKind kind) {
   switch (kind) {
     case BoundaryKind::parallel:
       return 0xB00020;

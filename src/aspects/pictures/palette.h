@@ -30,7 +30,7 @@ Rgb aspect_color(int determinant_sign, std::size_t hue);
 std::vector<Rgb> aspect_colors(const std::vector<Aspect>& aspects);
 
 /// Of boundaries.
-Rgb color_of(BoundaryKind kind);
+Rgb boundary_color(BoundaryKind kind);
 
 /// What the kinds of boundary mean, in the order in which they are drawn.
 const std::vector<std::pair<BoundaryKind, const char*>>& boundary_words();

@@ -62,7 +62,7 @@ void GaugePicture::draw(const Gauge& gauge, std::size_t row, MarkerBatch& batch)
   const double end = std::clamp(gauge.share, 0.0, 1.0) * length;
   batch.triangles(plane_, "gauges/bars", filled_rectangle(lower, {end, upper.y()}),
                   height_of(Layer::fill, text),
-                  color(color_of(gauge.parallel ? BoundaryKind::parallel : BoundaryKind::serial)));
+                  color(boundary_color(gauge.parallel ? BoundaryKind::parallel : BoundaryKind::serial)));
 }
 
 visualization_msgs::MarkerArray GaugePicture::gallery(const Drawn&) const {

@@ -215,7 +215,7 @@ void MapPicture::draw_legend(MarkerBatch& batch) const {
   Vector2d at = below;
   for (const auto& [kind, words] : boundary_legend(all)) {
     batch.text(joint_spaces_, "joint_space/legend", at, height_of(Layer::text, text), 0.8 * text, words,
-               color(color_of(kind)));
+               color(boundary_color(kind)));
     at += modes_.size() > 2 ? Vector2d(1.5 * step) : Vector2d(0.0, -1.1 * text);
   }
 }

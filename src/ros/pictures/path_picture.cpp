@@ -74,7 +74,7 @@ visualization_msgs::MarkerArray path_markers(const Manipulator& manipulator, con
       drawing.point(path.points.front().pose), drawing.point(path.points.back().pose)};
   if (path.crossings.empty()) return drawing.take();
   Marker& gates =
-      drawing.add("gates", Marker::SPHERE_LIST, ball_width, color(color_of(BoundaryKind::serial)));
+      drawing.add("gates", Marker::SPHERE_LIST, ball_width, color(boundary_color(BoundaryKind::serial)));
   for (const PathCrossing& crossing : path.crossings)
     gates.points.push_back(drawing.point(path.points[crossing.point].pose));
   return drawing.take();

@@ -62,7 +62,7 @@ void draw_curves(const std::vector<BoundarySegment>& segments, const Placing& pl
     const BoundaryKind kind = each;
     batch.lines(plane, group + "/boundary",
                 ends_of(segments, place, [&](const auto& s) { return s.kind == kind; }),
-                height_of(Layer::boundary, style.text_height), style.width, color(color_of(kind)));
+                height_of(Layer::boundary, style.text_height), style.width, color(boundary_color(kind)));
   }
 }
 

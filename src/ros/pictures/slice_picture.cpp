@@ -106,7 +106,7 @@ visualization_msgs::MarkerArray SlicePicture::gallery(const Drawn& now) const {
              "aspects at " + slice(now).text(), ink());
   Vector2d at(0.5 * scene_.tiles.width(), -scene_.tiles.height() - 0.5 * text);
   for (const auto& [kind, words] : boundary_legend(all)) {
-    batch.text(gallery_plane_, "gallery/legend", at, height, 0.9 * text, words, color(color_of(kind)));
+    batch.text(gallery_plane_, "gallery/legend", at, height, 0.9 * text, words, color(boundary_color(kind)));
     at.y() -= 1.2 * text;
   }
   return batch.take();

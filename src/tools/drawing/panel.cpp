@@ -127,7 +127,7 @@ class Panel {
       std::vector<std::pair<PagePoint, PagePoint>> pieces;
       for (const BoundarySegment& segment : contents_.segments)
         if (segment.kind == kind) pieces.emplace_back(place(segment.from), place(segment.to));
-      draw_cased(joined_lines(pieces), color_of(kind), curve_width, words, picture);
+      draw_cased(joined_lines(pieces), boundary_color(kind), curve_width, words, picture);
     }
   }
 

@@ -165,7 +165,7 @@ std::vector<LegendEntry> legend(const std::set<BoundaryKind>& kinds, const PlotO
                                    {aspect_color(-1, 0), false, "dark: det A < 0"}};
   if (options.leaves) entries.push_back({undecided_color, false, "undecided"});
   for (const auto& [kind, words] : boundary_words())
-    if (kinds.count(kind) > 0) entries.push_back({color_of(kind), true, words});
+    if (kinds.count(kind) > 0) entries.push_back({boundary_color(kind), true, words});
   if (!options.levels.levels.empty())
     entries.push_back({ink_color, true,
                        options.levels.index == DrawnIndex::parallel
