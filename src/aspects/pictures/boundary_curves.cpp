@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/aspects/boundary_curves.h"
 
-#include "aspects/constraints/constraint_clearance.h"
+#include "aspects/pictures/boundary_functions.h"
 #include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/kinematics/jacobians.h"
 #include "parallel_aspects/singularity/indices.h"
 
 #include <algorithm>
@@ -15,38 +14,19 @@ namespace {
 
 using Eigen::Vector2d;
 
-// det A, then each B_jj^2, then the distance of each limited actuated joint from its limits, then how far
-// each other constraint is from being broken. Zero sets bound the mode. Last the index, with the sign of det
-// A, so that it is smooth across det A = 0.
-constexpr int max_functions = 1 + 6 + 12 + 6 + 1;
-using Values = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, max_functions, 1>;
-
-struct Function {
-  BoundaryKind kind;
-  std::size_t leg;
-};
-
-struct DrawnConstraint {
-  ConstraintKind constraint;
-  BoundaryKind kind;
-};
-constexpr DrawnConstraint drawn_constraints[] = {
-    {ConstraintKind::passive_limits, BoundaryKind::passive_limit},
-    {ConstraintKind::cones, BoundaryKind::cone},
-    {ConstraintKind::self_collision, BoundaryKind::self_collision},
-    {ConstraintKind::obstacles, BoundaryKind::obstacle},
-    {ConstraintKind::workspace, BoundaryKind::workspace},
-    {ConstraintKind::margins, BoundaryKind::margin}};
+using Values = BoundaryFunctions::Values;
 
 struct Vertex {
   Vector2d point;
   Values values;
+  double index = 0.0;  // with the sign of det A, so that it is smooth across det A = 0
 };
 using VertexPolygon = std::vector<Vertex>;
 
 Vertex between(const Vertex& a, const Vertex& b, Eigen::Index function) {
   const double t = a.values[function] / (a.values[function] - b.values[function]);
-  return {a.point + t * (b.point - a.point), a.values + t * (b.values - a.values)};
+  return {a.point + t * (b.point - a.point), a.values + t * (b.values - a.values),
+          a.index + t * (b.index - a.index)};
 }
 
 // What is left of a convex polygon where sign * function >= 0 (Sutherland and Hodgman).
@@ -72,22 +52,11 @@ class Tracer {
   Tracer(const AspectMap& map, const WorkingMode& mode, const PoseSlice& slice, Cells merging,
          const IndexLevels& levels)
       : map_(map),
-        robot_(*map.manipulator()),
         mode_(mode),
         slice_(slice),
         merging_(merging),
         levels_(levels),
-        functions_{{BoundaryKind::parallel, 0}} {
-    for (std::size_t j = 0; j < robot_.leg_count(); ++j) functions_.push_back({BoundaryKind::serial, j});
-    for (std::size_t j = 0; j < robot_.leg_count(); ++j)
-      for (const double limit : {robot_.leg(j).limits.lower, robot_.leg(j).limits.upper})
-        if (std::isfinite(limit)) functions_.push_back({BoundaryKind::limit, j});
-    for (const DrawnConstraint& drawn : drawn_constraints) {
-      if (!robot_.constraint_kinds()[index_of(drawn.constraint)]) continue;
-      functions_.push_back({drawn.kind, 0});
-      constraints_.push_back(drawn.constraint);
-    }
-  }
+        functions_(*map.manipulator(), mode) {}
 
   BoundaryPicture trace_grid(const Eigen::AlignedBox2d& bounds, int cells) {
     const Vector2d step = bounds.sizes() / cells;
@@ -138,7 +107,7 @@ class Tracer {
     const double sign = cell.front().values[0];
     return std::all_of(cell.begin(), cell.end(), [&](const Vertex& vertex) {
       return slice_.holds(vertex.point) && sign * vertex.values[0] > 0.0 &&
-             vertex.values.segment(1, bounding_count() - 1).minCoeff() > 0.0;
+             vertex.values.tail(vertex.values.size() - 1).minCoeff() > 0.0;
     });
   }
 
@@ -150,53 +119,32 @@ class Tracer {
       for (const double sign : {1.0, -1.0}) add_part(triangle, sign, (b.point - a.point).norm());
   }
 
-  Vertex vertex(const Vector2d& point) const { return {point, values(point)}; }
-
-  Values values(const Vector2d& point) const {
+  Vertex vertex(const Vector2d& point) const {
     const Pose pose = slice_.pose(point);
-    JointVector q(robot_.leg_count());
-    Values result(bounding_count() + (levels_.levels.empty() ? 0 : 1));
-    for (std::size_t j = 0; j < robot_.leg_count(); ++j) {
-      const Leg& leg = robot_.leg(j);
-      const auto row = static_cast<Eigen::Index>(j);
-      q[row] = joint_value(leg, pose.transform(leg.anchor), mode_.sign(j));
-      result[1 + row] = squared_inverse_entry(leg, pose.transform(leg.anchor));
-    }
-    result[0] = direct_determinant(robot_, pose, q);
-    add_limits(q, result);
-    for (std::size_t k = 0; k < constraints_.size(); ++k)
-      result[bounding_count() - static_cast<Eigen::Index>(constraints_.size() - k)] =
-          std::min(robot_.size(), constraint_clearance(robot_, constraints_[k], pose, q));
-    if (!levels_.levels.empty()) result[bounding_count()] = std::copysign(index(pose, q), result[0]);
+    Vertex result{point, functions_.values(pose)};
+    if (!levels_.levels.empty()) result.index = std::copysign(index(pose), result.values[0]);
     return result;
   }
 
-  Eigen::Index bounding_count() const { return static_cast<Eigen::Index>(functions_.size()); }
-
-  double index(const Pose& pose, const JointVector& q) const {
+  double index(const Pose& pose) const {
+    const Manipulator& robot = *map_.manipulator();
+    JointVector q(robot.leg_count());
+    for (std::size_t j = 0; j < robot.leg_count(); ++j)
+      q[static_cast<Eigen::Index>(j)] =
+          joint_value(robot.leg(j), pose.transform(robot.leg(j).anchor), mode_.sign(j));
     switch (levels_.index) {
       case DrawnIndex::parallel:
-        return parallel_index(robot_, pose, q);
+        return parallel_index(robot, pose, q);
       case DrawnIndex::conditioning:
         break;
     }
-    return singularity_indices(robot_, pose, q).inverse_condition_number;
-  }
-
-  void add_limits(const JointVector& q, Values& result) const {
-    Eigen::Index row = 1 + static_cast<Eigen::Index>(robot_.leg_count());
-    for (std::size_t j = 0; j < robot_.leg_count(); ++j) {
-      const JointLimits& limits = robot_.leg(j).limits;
-      const double value = q[static_cast<Eigen::Index>(j)];
-      if (std::isfinite(limits.lower)) result[row++] = value - limits.lower;
-      if (std::isfinite(limits.upper)) result[row++] = limits.upper - value;
-    }
+    return singularity_indices(robot, pose, q).inverse_condition_number;
   }
 
   // The part of a triangle in the mode and sign of det A: a sliver, and those of its sides that bound it.
   void add_part(const VertexPolygon& triangle, double sign, double width) {
     VertexPolygon part = clipped(triangle, 0, sign);
-    for (std::size_t k = 1; k < functions_.size(); ++k)
+    for (std::size_t k = 1; k < functions_.list().size(); ++k)
       part = clipped(part, static_cast<Eigen::Index>(k), 1.0);
     if (part.size() < 3) return;
     const int aspect = located(middle_of(part));
@@ -214,8 +162,7 @@ class Tracer {
       std::vector<Vector2d> ends;
       for (std::size_t i = 0; i < part.size(); ++i) {
         const Vertex &here = part[i], &next = part[(i + 1) % part.size()];
-        const double a = std::abs(here.values[bounding_count()]) - level,
-                     b = std::abs(next.values[bounding_count()]) - level;
+        const double a = std::abs(here.index) - level, b = std::abs(next.index) - level;
         if ((a < 0.0) != (b < 0.0)) ends.push_back(here.point + a / (a - b) * (next.point - here.point));
       }
       if (ends.size() == 2) picture_.levels.push_back({level, aspect, ends[0], ends[1]});
@@ -226,14 +173,14 @@ class Tracer {
   void add_side(const Vertex& from, const Vertex& to, double width) {
     const Vector2d along = to.point - from.point;
     if (!(along.norm() > 1e-9 * width)) return;
-    for (std::size_t k = 0; k < functions_.size(); ++k) {
+    for (std::size_t k = 0; k < functions_.list().size(); ++k) {
       const auto row = static_cast<Eigen::Index>(k);
       const double tolerance = 1e-12 * (from.values.cwiseAbs().sum() + to.values.cwiseAbs().sum());
       if (std::abs(from.values[row]) > tolerance || std::abs(to.values[row]) > tolerance) continue;
       const Vector2d middle = 0.5 * (from.point + to.point),
                      left = Vector2d(-along.y(), along.x()).normalized();
-      picture_.segments.push_back({functions_[k].kind,
-                                   functions_[k].leg,
+      picture_.segments.push_back({functions_.list()[k].kind,
+                                   functions_.list()[k].leg,
                                    from.point,
                                    to.point,
                                    {beside(middle, left, width), beside(middle, -left, width)}});
@@ -253,13 +200,11 @@ class Tracer {
   }
 
   const AspectMap& map_;
-  const Manipulator& robot_;
   const WorkingMode mode_;
   const PoseSlice slice_;
   const Cells merging_;
   const IndexLevels& levels_;
-  std::vector<Function> functions_;
-  std::vector<ConstraintKind> constraints_;  // of the last functions
+  const BoundaryFunctions functions_;
   BoundaryPicture picture_;
 };
 

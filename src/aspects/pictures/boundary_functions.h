@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASPECTS_PICTURES_BOUNDARY_FUNCTIONS_H
+#define PARALLEL_ASPECTS_ASPECTS_PICTURES_BOUNDARY_FUNCTIONS_H
+
+#include "parallel_aspects/aspects/boundary_curves.h"
+#include "parallel_aspects/kinematics/working_mode.h"
+#include "parallel_aspects/model/constraints.h"
+#include "parallel_aspects/model/manipulator.h"
+#include "parallel_aspects/model/pose.h"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// The functions of a pose whose zeros bound the aspects of one working mode, for drawing: det A, then each
+/// B_jj^2, then the distance of each limited actuated joint from its limits, then how far each other
+/// constraint is from being broken. In an aspect all are positive, but det A, which has the aspect's sign.
+class BoundaryFunctions {
+ public:
+  struct Function {
+    BoundaryKind kind;
+    std::size_t leg;
+  };
+  static constexpr int most = 1 + 6 + 12 + 6;
+  using Values = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, most, 1>;
+
+  /// The manipulator must outlive the object.
+  BoundaryFunctions(const Manipulator& manipulator, const WorkingMode& mode);
+
+  const std::vector<Function>& list() const noexcept { return functions_; }
+
+  Values values(const Pose& pose) const;
+
+ private:
+  void add_limits(const JointVector& q, Values& result) const;
+
+  const Manipulator& robot_;
+  const WorkingMode mode_;
+  std::vector<Function> functions_;
+  std::vector<ConstraintKind> constraints_;  // of the last functions
+};
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ASPECTS_PICTURES_BOUNDARY_FUNCTIONS_H
