@@ -89,8 +89,11 @@ class Panel {
     const PagePoint middle = 0.5 * (from + to), out = middle - corner_ - 0.5 * size_;
     const Anchor anchor = out.x() < 0.0 ? Anchor::end : Anchor::start;
     picture.elements.emplace_back(PageCurves{{{from, to}}, frame_color, 0.8, false, ""});
-    picture.elements.emplace_back(
-        PageText{middle + 8.0 * out.normalized() + PagePoint(0.0, 5.0), anchor, tick_size, axis.text});
+    PagePoint at = middle + 8.0 * out.normalized() + PagePoint(0.0, 5.0);
+    for (const std::string& line : axis.lines) {
+      picture.elements.emplace_back(PageText{at, anchor, tick_size, line});
+      at.y() += 1.3 * tick_size;
+    }
   }
 
   void draw_shapes(Picture& picture) {

@@ -31,7 +31,7 @@ struct PanelShape {
 /// A line of an image, and what is written beside it; ends from 0 to 1, to the right and down.
 struct ImageAxis {
   PagePoint from, to;
-  std::string text;
+  std::vector<std::string> lines;  ///< of text
 };
 
 /// What is written on an image, at a place from 0 to 1 with so much room, on this colour.

@@ -10,9 +10,8 @@
 
 namespace parallel_aspects::tools {
 
-/// Adds the aspects of working modes to a page as shaded bodies, with a quarter cut away: the inside leaves
-/// of a map of three coordinates, rounded for the eye by about a point of a grid; of orientations, in the
-/// ball of rotation vectors.
+/// Adds the aspects of working modes of a map that has surfaces to a page, as shaded bodies of which the half
+/// in front is cut away. `checkpoint` is called now and then; it may throw.
 void add_solids(const AspectMap& map, const std::vector<WorkingMode>& modes,
                 const std::function<void()>& checkpoint, Page& page);
 

@@ -69,13 +69,17 @@ void check_dimension(const PlotArguments& arguments, const Manipulator& manipula
     problems.push_back(
         "'" + manipulator.name() +
         "' has six degrees of freedom, and a picture shows three at most; give a slice, such as "
-        "--slice \"roll=0 pitch=0 yaw=0\".");
+        "--slice \"z=1 roll=0 pitch=0 yaw=0\".");
   if (dimension < 2)
     problems.push_back(
         slice ? "--slice leaves one coordinate free, and a picture takes two or three; hold less."
               : "'" + manipulator.name() +
                     "' has one degree of freedom, and a picture takes two or three; `aspects map` "
                     "lists its aspects.");
+  if (slice && dimension == 3 && arguments.section.empty())
+    problems.emplace_back(
+        "--slice leaves three coordinates free, and bodies are drawn of maps of all poses; hold one more, "
+        "or give --section.");
   const bool is_plane = dimension == 2 || !arguments.section.empty();
   if (dimension == 2 && !arguments.section.empty())
     problems.emplace_back("--section cuts maps of three coordinates, but this one has two; leave it out.");

@@ -73,7 +73,7 @@ TEST_F(PlotCommand, SaysWhatToDoInstead) {
   };
   EXPECT_EQ(message({"stewart"}),
             "'stewart' has six degrees of freedom, and a picture shows three at most; give a slice, such as "
-            "--slice \"roll=0 pitch=0 yaw=0\".\n");
+            "--slice \"z=1 roll=0 pitch=0 yaw=0\".\n");
   EXPECT_EQ(message({"five_bar", "--section", "x=1"}),
             "--section cuts maps of three coordinates, but this one has two; leave it out.\n");
   EXPECT_EQ(message({"delta", "--index", "parallel"}),
