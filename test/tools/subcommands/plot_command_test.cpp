@@ -58,7 +58,7 @@ TEST_F(PlotCommand, TheEndingSaysWhichFormat) {
 
 TEST_F(PlotCommand, SectionsOfThreeCoordinates) {
   const Outcome cut =
-      run({"plot", "three_rrr", "-o", svg.c_str(), "--resolution", "0.8", "--section", "phi=0"});
+      run({"plot", "three_prr", "-o", svg.c_str(), "--resolution", "0.1", "--section", "phi=0"});
   EXPECT_EQ(cut.code, exit_code::ok) << cut.messages;
   EXPECT_NE(contents_of(svg).find("Section phi = 0 rad"), std::string::npos);
 }
