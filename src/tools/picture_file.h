@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_TOOLS_PICTURE_FILE_H
 
 #include "parallel_aspects/model/problems.h"
-#include "tools/drawing/picture.h"
+#include "tools/drawing/page_elements.h"
 
 #include <string>
 

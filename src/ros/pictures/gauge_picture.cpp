@@ -2,7 +2,7 @@
 #include "ros/pictures/gauge_picture.h"
 
 #include "parallel_aspects/singularity/indices.h"
-#include "ros/pictures/palette.h"
+#include "ros/pictures/marker_colors.h"
 #include "ros/pictures/picture_parts.h"
 
 #include <algorithm>

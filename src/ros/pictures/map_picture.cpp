@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/pictures/map_picture.h"
 
-#include "ros/pictures/palette.h"
+#include "ros/pictures/marker_colors.h"
 #include "ros/pictures/picture_parts.h"
 
 #include <algorithm>

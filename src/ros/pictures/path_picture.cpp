@@ -2,7 +2,7 @@
 #include "ros/pictures/path_picture.h"
 
 #include "ros/messages/conversions.h"
-#include "ros/pictures/palette.h"
+#include "ros/pictures/marker_colors.h"
 #include "ros/pictures/picture_parts.h"
 
 #include <string>

@@ -2,7 +2,7 @@
 #ifndef PARALLEL_ASPECTS_TOOLS_DRAWING_OUTLINES_H
 #define PARALLEL_ASPECTS_TOOLS_DRAWING_OUTLINES_H
 
-#include "tools/drawing/picture.h"
+#include "tools/drawing/page_elements.h"
 
 #include <optional>
 #include <utility>

@@ -3,8 +3,8 @@
 #define PARALLEL_ASPECTS_TOOLS_DRAWING_PAGE_H
 
 #include "parallel_aspects/aspects/aspect_map.h"
+#include "tools/drawing/page_elements.h"
 #include "tools/drawing/panel.h"
-#include "tools/drawing/picture.h"
 
 #include <set>
 #include <string>

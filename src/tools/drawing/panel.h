@@ -4,7 +4,7 @@
 
 #include "parallel_aspects/aspects/boundary_curves.h"
 #include "tools/drawing/outlines.h"
-#include "tools/drawing/picture.h"
+#include "tools/drawing/page_elements.h"
 
 #include <array>
 #include <optional>

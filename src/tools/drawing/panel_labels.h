@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_TOOLS_DRAWING_PANEL_LABELS_H
 
 #include "tools/drawing/outlines.h"
-#include "tools/drawing/picture.h"
+#include "tools/drawing/page_elements.h"
 
 #include <Eigen/Geometry>
 

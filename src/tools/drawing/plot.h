@@ -4,7 +4,7 @@
 
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/boundary_curves.h"
-#include "tools/drawing/picture.h"
+#include "tools/drawing/page_elements.h"
 #include "tools/drawing/plot_plane.h"
 
 #include <functional>

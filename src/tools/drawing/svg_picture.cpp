@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/drawing/picture.h"
+#include "tools/drawing/page_elements.h"
 #include "tools/drawing/svg.h"
 
 #include <cmath>

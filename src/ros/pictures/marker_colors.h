@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_ROS_PICTURES_PALETTE_H
-#define PARALLEL_ASPECTS_ROS_PICTURES_PALETTE_H
+#ifndef PARALLEL_ASPECTS_ROS_PICTURES_MARKER_COLORS_H
+#define PARALLEL_ASPECTS_ROS_PICTURES_MARKER_COLORS_H
 
 #include "aspects/pictures/palette.h"
 
@@ -23,4 +23,4 @@ std_msgs::ColorRGBA readable_on(const std_msgs::ColorRGBA& background);
 
 }  // namespace parallel_aspects
 
-#endif  // PARALLEL_ASPECTS_ROS_PICTURES_PALETTE_H
+#endif  // PARALLEL_ASPECTS_ROS_PICTURES_MARKER_COLORS_H

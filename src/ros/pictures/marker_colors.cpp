@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/pictures/palette.h"
+#include "ros/pictures/marker_colors.h"
 
 #include <array>
 #include <cstddef>

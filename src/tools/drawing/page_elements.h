@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_TOOLS_DRAWING_PICTURE_H
-#define PARALLEL_ASPECTS_TOOLS_DRAWING_PICTURE_H
+#ifndef PARALLEL_ASPECTS_TOOLS_DRAWING_PAGE_ELEMENTS_H
+#define PARALLEL_ASPECTS_TOOLS_DRAWING_PAGE_ELEMENTS_H
 
 #include "aspects/pictures/palette.h"
 
@@ -74,4 +74,4 @@ std::string as_png(const Picture& picture, double scale);
 
 }  // namespace parallel_aspects::tools
 
-#endif  // PARALLEL_ASPECTS_TOOLS_DRAWING_PICTURE_H
+#endif  // PARALLEL_ASPECTS_TOOLS_DRAWING_PAGE_ELEMENTS_H
