@@ -105,7 +105,8 @@ class Command {
   std::vector<Subcommand> subcommands_{setup_subcommand(),   map_subcommand(),      graph_subcommand(),
                                        connect_subcommand(), plan_subcommand(),     check_subcommand(),
                                        choose_subcommand(),  describe_subcommand(), distance_subcommand(),
-                                       inverse_subcommand(), direct_subcommand(),   robots_subcommand()};
+                                       inverse_subcommand(), direct_subcommand(),   plot_subcommand(),
+                                       robots_subcommand()};
 };
 
 }  // namespace

@@ -55,6 +55,7 @@ Subcommand graph_subcommand();
 Subcommand inverse_subcommand();
 Subcommand direct_subcommand();
 Subcommand plan_subcommand();
+Subcommand plot_subcommand();
 Subcommand robots_subcommand();
 Subcommand setup_subcommand();
 

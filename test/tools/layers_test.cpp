@@ -88,7 +88,7 @@ const Strings& libraries(const std::string& layer) {
   static const Strings aspects{"Eigen/", "tbb/", "zlib.h", "fcntl.h", "sys/stat.h", "unistd.h"};
   static const Strings urdf{"Eigen/",          "urdf_parser/", "urdf_model/", "urdf_world/",
                             "urdf_exception/", "yaml-cpp/",    "tinyxml2.h",  "console_bridge/"};
-  static const Strings tools{"Eigen/", "nlohmann/", "unistd.h", "yaml-cpp/"};
+  static const Strings tools{"Eigen/", "cairo.h", "nlohmann/", "unistd.h", "yaml-cpp/"};
   static const Strings ompl{"Eigen/", "ompl/"};
   return layer == "aspects" ? aspects
          : layer == "urdf"  ? urdf

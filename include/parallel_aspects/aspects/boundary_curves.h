@@ -44,19 +44,41 @@ struct BoundarySliver {
   std::vector<Eigen::Vector2d> corners;  ///< convex, counter-clockwise [m or rad]
 };
 
+/// An index of which lines of equal value are drawn; 0 at parallel singularities.
+enum class DrawnIndex {
+  parallel,      ///< `parallel_index`
+  conditioning,  ///< `SingularityIndices::inverse_condition_number`: isoconditioning lines
+};
+
+/// Which lines of equal index are drawn.
+struct IndexLevels {
+  DrawnIndex index = DrawnIndex::parallel;  ///< of what
+  std::vector<double> levels;               ///< its values, above 0
+};
+
+/// A short straight piece of a line of equal index, for drawing: approximated in one cell of a grid.
+struct LevelSegment {
+  double level = 0.0;    ///< of the index
+  int aspect = 0;        ///< id of the aspect that it runs through
+  Eigen::Vector2d from;  ///< first end, in the slice [m or rad]
+  Eigen::Vector2d to;    ///< other end, in the slice [m or rad]
+};
+
 /// The aspects of one working mode in a slice, as they are drawn; each list in no order.
 struct BoundaryPicture {
   std::vector<BoundarySegment> segments;  ///< the boundaries
   std::vector<BoundarySliver> slivers;    ///< what they bound
+  std::vector<LevelSegment> levels;       ///< lines of equal index, where they were asked for
 };
 
 /// Whether neighbouring cells that lie wholly in one aspect become one sliver.
 enum class Cells { merged, single };
 
 /// The aspects of one working mode in a slice, and their boundaries, traced on a grid of `cells` x `cells`
-/// over `bounds`; in no order.
+/// over `bounds`, and lines of equal index; in no order.
 BoundaryPicture trace_slice(const AspectMap& map, const WorkingMode& mode, const PoseSlice& slice,
-                            const Eigen::AlignedBox2d& bounds, int cells, Cells merging = Cells::merged);
+                            const Eigen::AlignedBox2d& bounds, int cells, Cells merging = Cells::merged,
+                            const IndexLevels& levels = {});
 
 }  // namespace parallel_aspects
 

@@ -4,10 +4,13 @@
 
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/boundary_curves.h"
+#include "parallel_aspects/aspects/pose_slice.h"
 
 #include <Eigen/Core>
 
 #include <array>
+#include <cstddef>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -27,13 +30,19 @@ struct JointWindow {
 /// Corners of triangles, three each, counter-clockwise.
 using TriangleCorners = std::vector<Eigen::Vector2d>;
 
-/// Pictures of a two-dimensional map in joint space. Not certified: images of pieces are drawn as
-/// polygons with edges of about a quarter of a radian, or of a 25th of the range of a length, or a little
-/// more.
+/// Pictures of a two-dimensional map in joint space: of T2, or of a slice of SE2 with an actuated joint held,
+/// in the plane of the other two. Not certified: images of pieces are drawn as polygons with edges of about a
+/// quarter of a radian, or of a 25th of the range of a length, or a little more.
 class JointProjection {
  public:
-  /// `map` must be two-dimensional.
+  /// `map` must have such a plane.
   explicit JointProjection(std::shared_ptr<const AspectMap> map);
+
+  /// Whether it has.
+  static bool is_possible(const AspectMap& map) noexcept;
+
+  /// The legs whose joints are drawn, to the right and up.
+  const std::array<std::size_t, 2>& legs() const noexcept { return legs_; }
 
   /// What is drawn.
   const JointWindow& window() const noexcept { return window_; }
@@ -42,19 +51,32 @@ class JointProjection {
   /// window.
   TriangleCorners triangles(int aspect, const std::vector<BoundarySliver>& slivers) const;
 
-  /// Images of boundary pieces of one working mode; the few that meet an edge of the window are left out.
+  /// The same pieces as they are, convex and cut at the edges of the window.
+  std::vector<BoundarySliver> images(int aspect, const std::vector<BoundarySliver>& slivers) const;
+
+  /// Images of boundary pieces of one working mode, cut at the edges of the window.
   std::vector<BoundarySegment> images(const std::vector<BoundarySegment>& segments,
                                       const WorkingMode& mode) const;
+
+  /// Likewise of lines of equal index.
+  std::vector<LevelSegment> images(const std::vector<LevelSegment>& segments, const WorkingMode& mode) const;
+
+  /// The joint values at a point of the map that is reached in this mode, within the window [rad or m].
+  Eigen::Vector2d image(const Eigen::Vector2d& point, const WorkingMode& mode) const;
 
  private:
   Eigen::Vector2d joint_values(const Eigen::Vector2d& point, const WorkingMode& mode) const;
   double span(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const;
   Eigen::Vector2d near(const Eigen::Vector2d& reference, Eigen::Vector2d q) const;
-  void add_image(const std::vector<Eigen::Vector2d>& polygon, const WorkingMode& mode, int splits_left,
-                 TriangleCorners& corners) const;
+  void visit_images(const std::vector<Eigen::Vector2d>& polygon, const WorkingMode& mode, int splits_left,
+                    const std::function<void(const std::vector<Eigen::Vector2d>&)>& visit) const;
+  template <class Segment>
+  std::vector<Segment> images_of(const std::vector<Segment>& segments, const WorkingMode& mode) const;
   void find_window();
 
   std::shared_ptr<const AspectMap> map_;
+  PoseSlice slice_;
+  std::array<std::size_t, 2> legs_{0, 1};
   JointWindow window_;
 };
 

@@ -3,10 +3,13 @@
 #define PARALLEL_ASPECTS_ASPECTS_POSE_SLICE_H
 
 #include "parallel_aspects/aspects/aspect_map.h"
+#include "parallel_aspects/aspects/held_joint.h"
+#include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/model/pose.h"
 
 #include <Eigen/Geometry>
 
+#include <optional>
 #include <string>
 
 namespace parallel_aspects {
@@ -17,11 +20,15 @@ namespace parallel_aspects {
 ///  - SO3: the tilt (theta cos(azimuth), theta sin(azimuth)) [rad] of the platform's z axis, within the disc
 ///  of
 ///    radius pi, at one torsion [rad] (the tilt and torsion of Bonev, Zlatanov and Gosselin, 2002);
-///  - T2: x, y [m], all there is.
+///  - T2: x, y [m], all there is;
+///  - every task space: the free coordinates of a `MapSlice` that leaves two of them.
 class PoseSlice {
  public:
   /// `level`: phi, z or torsion; unused in T2. Not for SE3.
   PoseSlice(TaskSpace space, double level) noexcept : space_(space), level_(level) {}
+
+  /// The free coordinates of `slice`, which are two.
+  PoseSlice(const Manipulator& manipulator, const MapSlice& slice);
 
   /// The slice that holds a pose.
   static PoseSlice through(TaskSpace space, const Pose& pose) noexcept;
@@ -35,19 +42,26 @@ class PoseSlice {
   /// Where in its own slice a pose lies.
   static Eigen::Vector2d point(TaskSpace space, const Pose& pose) noexcept;
 
-  /// Whether the slice reaches this far: the disc in SO3, else everywhere.
+  /// Whether the slice reaches this far: angles to half a turn, SO3 over its disc, else everywhere.
   bool holds(const Eigen::Vector2d& point) const noexcept;
 
   /// "phi = 0.3 rad", for people; empty in T2.
   std::string text() const;
 
  private:
+  bool turns(std::size_t coordinate) const noexcept;
+
   TaskSpace space_;
-  double level_;
+  double level_ = 0.0;
+  std::optional<MapSlice> slice_{};
+  std::optional<AnchorCircle> circle_{};  // where a joint is held
 };
 
 /// What slices of the map can show: bounds in the coordinates of `PoseSlice` [m or rad], of all aspects.
 Eigen::AlignedBox2d slice_bounds(const AspectMap& map);
+
+/// The same of the free coordinates of `slice`, which are two, through a map that has them.
+Eigen::AlignedBox2d slice_bounds(const AspectMap& map, const MapSlice& slice);
 
 /// How far apart two slices are, the short way round where the level is an angle [m or rad].
 double level_difference(TaskSpace space, double a, double b) noexcept;

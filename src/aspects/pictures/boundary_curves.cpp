@@ -2,6 +2,8 @@
 #include "parallel_aspects/aspects/boundary_curves.h"
 
 #include "aspects/pictures/boundary_functions.h"
+#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/singularity/indices.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,12 +19,14 @@ using Values = BoundaryFunctions::Values;
 struct Vertex {
   Vector2d point;
   Values values;
+  double index = 0.0;  // with the sign of det A, so that it is smooth across det A = 0
 };
 using VertexPolygon = std::vector<Vertex>;
 
 Vertex between(const Vertex& a, const Vertex& b, Eigen::Index function) {
   const double t = a.values[function] / (a.values[function] - b.values[function]);
-  return {a.point + t * (b.point - a.point), a.values + t * (b.values - a.values)};
+  return {a.point + t * (b.point - a.point), a.values + t * (b.values - a.values),
+          a.index + t * (b.index - a.index)};
 }
 
 // What is left of a convex polygon where sign * function >= 0 (Sutherland and Hodgman).
@@ -45,8 +49,14 @@ Vector2d middle_of(const VertexPolygon& polygon) {
 
 class Tracer {
  public:
-  Tracer(const AspectMap& map, const WorkingMode& mode, const PoseSlice& slice, Cells merging)
-      : map_(map), mode_(mode), slice_(slice), merging_(merging), functions_(*map.manipulator(), mode) {}
+  Tracer(const AspectMap& map, const WorkingMode& mode, const PoseSlice& slice, Cells merging,
+         const IndexLevels& levels)
+      : map_(map),
+        mode_(mode),
+        slice_(slice),
+        merging_(merging),
+        levels_(levels),
+        functions_(*map.manipulator(), mode) {}
 
   BoundaryPicture trace_grid(const Eigen::AlignedBox2d& bounds, int cells) {
     const Vector2d step = bounds.sizes() / cells;
@@ -85,6 +95,10 @@ class Tracer {
         filled = aspect;
       }
       if (!whole) trace_in(below[i], below[i + 1], above[i + 1], above[i]);
+      if (aspect != 0) {
+        add_levels({below[i], below[i + 1], above[i + 1]}, aspect);
+        add_levels({below[i], above[i + 1], above[i]}, aspect);
+      }
     }
     fill_until(below.size() - 1);
   }
@@ -105,7 +119,27 @@ class Tracer {
       for (const double sign : {1.0, -1.0}) add_part(triangle, sign, (b.point - a.point).norm());
   }
 
-  Vertex vertex(const Vector2d& point) const { return {point, functions_.values(slice_.pose(point))}; }
+  Vertex vertex(const Vector2d& point) const {
+    const Pose pose = slice_.pose(point);
+    Vertex result{point, functions_.values(pose)};
+    if (!levels_.levels.empty()) result.index = std::copysign(index(pose), result.values[0]);
+    return result;
+  }
+
+  double index(const Pose& pose) const {
+    const Manipulator& robot = *map_.manipulator();
+    JointVector q(robot.leg_count());
+    for (std::size_t j = 0; j < robot.leg_count(); ++j)
+      q[static_cast<Eigen::Index>(j)] =
+          joint_value(robot.leg(j), pose.transform(robot.leg(j).anchor), mode_.sign(j));
+    switch (levels_.index) {
+      case DrawnIndex::parallel:
+        return parallel_index(robot, pose, q);
+      case DrawnIndex::conditioning:
+        break;
+    }
+    return singularity_indices(robot, pose, q).inverse_condition_number;
+  }
 
   // The part of a triangle in the mode and sign of det A: a sliver, and those of its sides that bound it.
   void add_part(const VertexPolygon& triangle, double sign, double width) {
@@ -115,10 +149,24 @@ class Tracer {
     if (part.size() < 3) return;
     const int aspect = located(middle_of(part));
     if (aspect != 0) {
+      add_levels(part, aspect);
       picture_.slivers.push_back({aspect, {}});
       for (const Vertex& vertex : part) picture_.slivers.back().corners.push_back(vertex.point);
     }
     for (std::size_t i = 0; i < part.size(); ++i) add_side(part[i], part[(i + 1) % part.size()], width);
+  }
+
+  // In a part of a triangle the index is linear, so that each of its lines is straight there.
+  void add_levels(const VertexPolygon& part, int aspect) {
+    for (const double level : levels_.levels) {
+      std::vector<Vector2d> ends;
+      for (std::size_t i = 0; i < part.size(); ++i) {
+        const Vertex &here = part[i], &next = part[(i + 1) % part.size()];
+        const double a = std::abs(here.index) - level, b = std::abs(next.index) - level;
+        if ((a < 0.0) != (b < 0.0)) ends.push_back(here.point + a / (a - b) * (next.point - here.point));
+      }
+      if (ends.size() == 2) picture_.levels.push_back({level, aspect, ends[0], ends[1]});
+    }
   }
 
   // A side bounds the mode where one function vanishes all along it.
@@ -155,6 +203,7 @@ class Tracer {
   const WorkingMode mode_;
   const PoseSlice slice_;
   const Cells merging_;
+  const IndexLevels& levels_;
   const BoundaryFunctions functions_;
   BoundaryPicture picture_;
 };
@@ -162,8 +211,9 @@ class Tracer {
 }  // namespace
 
 BoundaryPicture trace_slice(const AspectMap& map, const WorkingMode& mode, const PoseSlice& slice,
-                            const Eigen::AlignedBox2d& bounds, int cells, Cells merging) {
-  return Tracer(map, mode, slice, merging).trace_grid(bounds, cells);
+                            const Eigen::AlignedBox2d& bounds, int cells, Cells merging,
+                            const IndexLevels& levels) {
+  return Tracer(map, mode, slice, merging, levels).trace_grid(bounds, cells);
 }
 
 }  // namespace parallel_aspects

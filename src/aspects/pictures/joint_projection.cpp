@@ -72,8 +72,9 @@ Polygon enlarged(Polygon polygon) {
   return polygon;
 }
 
-// Adds every copy of the polygon, a turn apart, that meets the window.
-void add_copies(const Polygon& polygon, const JointWindow& window, TriangleCorners& corners) {
+// Every copy of the polygon, a turn apart, that meets the window, cut at its edges.
+std::vector<Polygon> copies_of(const Polygon& polygon, const JointWindow& window) {
+  std::vector<Polygon> copies;
   const int x_turns = window.turns[0] ? 1 : 0, y_turns = window.turns[1] ? 1 : 0;
   for (int kx = -x_turns; kx <= x_turns; ++kx)
     for (int ky = -y_turns; ky <= y_turns; ++ky) {
@@ -83,8 +84,24 @@ void add_copies(const Polygon& polygon, const JointWindow& window, TriangleCorne
         copy = clipped(copy, axis, window.upper[axis], 1.0);
         copy = clipped(copy, axis, window.lower[axis], -1.0);
       }
-      add_fan(copy, corners);
+      if (copy.size() > 2) copies.push_back(std::move(copy));
     }
+  return copies;
+}
+
+// Where the way from a point of the window to one beyond it leaves the window.
+Vector2d cut(const Vector2d& from, const Vector2d& beyond, const JointWindow& window) {
+  double share = 1.0;
+  for (const int i : {0, 1}) {
+    const double bound = beyond[i] > from[i] ? window.upper[i] : window.lower[i];
+    if (beyond[i] > window.upper[i] || beyond[i] < window.lower[i])
+      share = std::min(share, (bound - from[i]) / (beyond[i] - from[i]));
+  }
+  return from + share * (beyond - from);
+}
+
+PoseSlice plane_of(const AspectMap& map) {
+  return map.slice() ? PoseSlice(*map.manipulator(), *map.slice()) : PoseSlice(TaskSpace::T2, 0.0);
 }
 
 }  // namespace
@@ -96,19 +113,31 @@ Vector2d JointWindow::wrapped(const Vector2d& q) const noexcept {
   return inside;
 }
 
-JointProjection::JointProjection(std::shared_ptr<const AspectMap> map) : map_(std::move(map)) {
+bool JointProjection::is_possible(const AspectMap& map) noexcept {
+  return map.slice() ? map.slice()->joint.has_value() : map.manipulator()->task_space() == TaskSpace::T2;
+}
+
+JointProjection::JointProjection(std::shared_ptr<const AspectMap> map)
+    : map_(std::move(map)), slice_(plane_of(*map_)) {
+  if (map_->slice()) {
+    const std::size_t held = map_->slice()->joint->leg;
+    legs_ = {held == 0 ? 1U : 0U, held == 2 ? 1U : 2U};
+  }
   find_window();
 }
 
 Vector2d JointProjection::joint_values(const Vector2d& point, const WorkingMode& mode) const {
-  Pose pose;
-  pose.position << point, 0.0;
+  const Pose pose = slice_.pose(point);
   Vector2d q;
-  for (std::size_t j = 0; j < 2; ++j) {
-    const Leg& leg = map_->manipulator()->leg(j);
-    q[static_cast<Eigen::Index>(j)] = joint_value(leg, pose.transform(leg.anchor), mode.sign(j));
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Leg& leg = map_->manipulator()->leg(legs_[i]);
+    q[static_cast<Eigen::Index>(i)] = joint_value(leg, pose.transform(leg.anchor), mode.sign(legs_[i]));
   }
   return q;
+}
+
+Vector2d JointProjection::image(const Vector2d& point, const WorkingMode& mode) const {
+  return window_.wrapped(joint_values(point, mode));
 }
 
 // The copy of q, a number of turns away, that is closest to the reference.
@@ -123,7 +152,7 @@ Vector2d JointProjection::near(const Vector2d& reference, Vector2d q) const {
 double JointProjection::span(const Vector2d& from, const Vector2d& to) const {
   Vector2d result = (to - from).cwiseAbs();
   for (const int i : {0, 1})
-    if (!map_->manipulator()->leg(static_cast<std::size_t>(i)).actuated_by_angle())
+    if (!map_->manipulator()->leg(legs_[static_cast<std::size_t>(i)]).actuated_by_angle())
       result[i] *= full_turn / (window_.upper[i] - window_.lower[i]);
   return result.maxCoeff();
 }
@@ -140,7 +169,7 @@ void JointProjection::find_window() {
       }
     });
   for (const int i : {0, 1}) {
-    const Leg& leg = map_->manipulator()->leg(static_cast<std::size_t>(i));
+    const Leg& leg = map_->manipulator()->leg(legs_[static_cast<std::size_t>(i)]);
     if (!leg.actuated_by_angle() || leg.limits.limited()) continue;
     window_.turns[static_cast<std::size_t>(i)] = true;
     window_.lower[i] = -0.5 * full_turn;
@@ -151,13 +180,29 @@ void JointProjection::find_window() {
 TriangleCorners JointProjection::triangles(int aspect, const std::vector<BoundarySliver>& slivers) const {
   const WorkingMode mode = map_->aspects()[static_cast<std::size_t>(aspect - 1)].mode;
   TriangleCorners corners;
+  const auto add = [&](const Polygon& image) {
+    for (const Polygon& copy : copies_of(enlarged(image), window_)) add_fan(copy, corners);
+  };
   for (const BoundarySliver& sliver : slivers)
-    if (sliver.aspect == aspect) add_image(sliver.corners, mode, max_splits, corners);
+    if (sliver.aspect == aspect) visit_images(sliver.corners, mode, max_splits, add);
   return corners;
 }
 
-void JointProjection::add_image(const std::vector<Vector2d>& polygon, const WorkingMode& mode,
-                                int splits_left, TriangleCorners& corners) const {
+std::vector<BoundarySliver> JointProjection::images(int aspect,
+                                                    const std::vector<BoundarySliver>& slivers) const {
+  const WorkingMode mode = map_->aspects()[static_cast<std::size_t>(aspect - 1)].mode;
+  std::vector<BoundarySliver> pieces;
+  const auto add = [&](const Polygon& image) {
+    for (Polygon& copy : copies_of(image, window_)) pieces.push_back({aspect, std::move(copy)});
+  };
+  for (const BoundarySliver& sliver : slivers)
+    if (sliver.aspect == aspect) visit_images(sliver.corners, mode, max_splits, add);
+  return pieces;
+}
+
+void JointProjection::visit_images(const std::vector<Vector2d>& polygon, const WorkingMode& mode,
+                                   int splits_left,
+                                   const std::function<void(const std::vector<Vector2d>&)>& visit) const {
   Polygon image;
   double longest = 0.0;
   for (const Vector2d& corner : polygon) {
@@ -166,23 +211,42 @@ void JointProjection::add_image(const std::vector<Vector2d>& polygon, const Work
     longest = std::max(longest, span(image.front(), image.back()));
   }
   if (longest > longest_edge && splits_left > 0) {
-    for (const Polygon& part : parts_of(polygon)) add_image(part, mode, splits_left - 1, corners);
+    for (const Polygon& part : parts_of(polygon)) visit_images(part, mode, splits_left - 1, visit);
     return;
   }
   // An image that still spans a large part of a turn cannot be unwrapped safely; it is smaller than can be
   // seen.
-  if (longest < 0.25 * full_turn) add_copies(enlarged(image), window_, corners);
+  if (longest < 0.25 * full_turn) visit(image);
+}
+
+template <class Segment>
+std::vector<Segment> JointProjection::images_of(const std::vector<Segment>& segments,
+                                                const WorkingMode& mode) const {
+  std::vector<Segment> images;
+  for (Segment segment : segments) {
+    segment.from = image(segment.from, mode);
+    segment.to = image(segment.to, mode);
+    const Vector2d beyond = near(segment.from, segment.to);
+    if (!(span(segment.from, beyond) < longest_segment)) continue;
+    Segment rest = segment;
+    if (!beyond.isApprox(segment.to)) {  // it goes on at the opposite edge
+      rest.from = cut(segment.to, near(segment.to, segment.from), window_);
+      segment.to = cut(segment.from, beyond, window_);
+      images.push_back(rest);
+    }
+    images.push_back(segment);
+  }
+  return images;
 }
 
 std::vector<BoundarySegment> JointProjection::images(const std::vector<BoundarySegment>& segments,
                                                      const WorkingMode& mode) const {
-  std::vector<BoundarySegment> images;
-  for (BoundarySegment segment : segments) {
-    segment.from = window_.wrapped(joint_values(segment.from, mode));
-    segment.to = window_.wrapped(joint_values(segment.to, mode));
-    if (span(segment.from, segment.to) < longest_segment) images.push_back(segment);
-  }
-  return images;
+  return images_of(segments, mode);
+}
+
+std::vector<LevelSegment> JointProjection::images(const std::vector<LevelSegment>& segments,
+                                                  const WorkingMode& mode) const {
+  return images_of(segments, mode);
 }
 
 }  // namespace parallel_aspects

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/aspects/pose_slice.h"
 
+#include "model/angles.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
+#include <vector>
 
 namespace parallel_aspects {
 namespace {
@@ -19,7 +23,25 @@ Eigen::Quaterniond about_z(double angle) {
   return Eigen::Quaterniond(Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()));
 }
 
+constexpr double rounding = 1e-9;  // of half a turn [rad]
+
+Pose pose_in(const MapSlice& slice, const Vector2d& point) {
+  Pose pose = slice.held;
+  Eigen::Index next = 0;
+  for (std::size_t i = 0; i < slice.moves.size(); ++i)
+    if (slice.moves[i]) pose.position[static_cast<Eigen::Index>(i)] = point[next++];
+  if (slice.rotation == MapSlice::Rotation::about_axis)
+    pose.orientation =
+        Eigen::Quaterniond(Eigen::AngleAxisd(point[next], slice.axis.normalized())) * slice.held.orientation;
+  return pose;
+}
+
 }  // namespace
+
+PoseSlice::PoseSlice(const Manipulator& manipulator, const MapSlice& slice)
+    : space_(manipulator.task_space()), slice_(slice) {
+  if (slice.joint) circle_ = circle_of_anchor(manipulator, *slice.joint);
+}
 
 PoseSlice PoseSlice::through(TaskSpace space, const Pose& pose) noexcept {
   if (space == TaskSpace::T3) return {space, pose.position.z()};
@@ -27,6 +49,8 @@ PoseSlice PoseSlice::through(TaskSpace space, const Pose& pose) noexcept {
 }
 
 Pose PoseSlice::pose(const Vector2d& point) const noexcept {
+  if (circle_) return circle_->pose(point.x(), point.y());
+  if (slice_) return pose_in(*slice_, point);
   Pose pose;
   if (space_ == TaskSpace::SO3) {
     const double tilt = point.norm();
@@ -47,11 +71,18 @@ Vector2d PoseSlice::point(TaskSpace space, const Pose& pose) noexcept {
   return angle * Vector2d(tilt.axis().y(), -tilt.axis().x());
 }
 
+bool PoseSlice::turns(std::size_t coordinate) const noexcept {
+  return slice_ && (slice_->joint || coordinate >= slice_->free_positions());
+}
+
 bool PoseSlice::holds(const Vector2d& point) const noexcept {
-  return space_ != TaskSpace::SO3 || point.norm() <= EIGEN_PI;
+  for (const int i : {0, 1})
+    if (turns(static_cast<std::size_t>(i)) && !(std::abs(point[i]) <= pi + rounding)) return false;
+  return slice_ || space_ != TaskSpace::SO3 || point.norm() <= EIGEN_PI;
 }
 
 std::string PoseSlice::text() const {
+  if (slice_) return to_string(*slice_);
   char text[48] = "";
   if (space_ == TaskSpace::SE2) std::snprintf(text, sizeof text, "phi = %.2f rad", level_);
   if (space_ == TaskSpace::T3) std::snprintf(text, sizeof text, "z = %.3g m", level_);
@@ -71,6 +102,25 @@ Eigen::AlignedBox2d slice_bounds(const AspectMap& map) {
   // Slivers reach a little farther than the boxes inside.
   const Vector2d margin = Vector2d::Constant(2.0 * map.resolution());
   return {bounds.min() - margin, bounds.max() + margin};
+}
+
+Eigen::AlignedBox2d slice_bounds(const AspectMap& map, const MapSlice& slice) {
+  const std::vector<std::string> names = coordinate_names(slice), all = map.coordinates();
+  Eigen::AlignedBox2d bounds(Vector2d::Constant(-pi), Vector2d::Constant(pi));
+  if (slice.joint) return bounds;
+  for (std::size_t i = 0; i < slice.free_positions(); ++i) {
+    const auto axis = static_cast<Eigen::Index>(i);
+    const auto of_map = static_cast<std::size_t>(std::find(all.begin(), all.end(), names[i]) - all.begin());
+    double lower = std::numeric_limits<double>::infinity(), upper = -lower;
+    for (const Aspect& aspect : map.aspects()) {
+      lower = std::min(lower, aspect.bounds.lower[of_map]);
+      upper = std::max(upper, aspect.bounds.upper[of_map]);
+    }
+    const bool is_empty = map.aspects().empty();
+    bounds.min()[axis] = (is_empty ? 0.0 : lower) - 2.0 * map.resolution();
+    bounds.max()[axis] = (is_empty ? 0.0 : upper) + 2.0 * map.resolution();
+  }
+  return bounds;
 }
 
 double level_difference(TaskSpace space, double a, double b) noexcept {

@@ -2,7 +2,7 @@
 #include "ros/pictures/gauge_picture.h"
 
 #include "parallel_aspects/singularity/indices.h"
-#include "ros/pictures/palette.h"
+#include "ros/pictures/marker_colors.h"
 #include "ros/pictures/picture_parts.h"
 
 #include <algorithm>
@@ -62,7 +62,7 @@ void GaugePicture::draw(const Gauge& gauge, std::size_t row, MarkerBatch& batch)
   const double end = std::clamp(gauge.share, 0.0, 1.0) * length;
   batch.triangles(plane_, "gauges/bars", filled_rectangle(lower, {end, upper.y()}),
                   height_of(Layer::fill, text),
-                  color_of(gauge.parallel ? BoundaryKind::parallel : BoundaryKind::serial));
+                  color(boundary_color(gauge.parallel ? BoundaryKind::parallel : BoundaryKind::serial)));
 }
 
 visualization_msgs::MarkerArray GaugePicture::gallery(const Drawn&) const {

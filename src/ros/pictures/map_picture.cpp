@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/pictures/map_picture.h"
 
-#include "ros/pictures/palette.h"
+#include "ros/pictures/marker_colors.h"
 #include "ros/pictures/picture_parts.h"
 
 #include <algorithm>
@@ -215,7 +215,7 @@ void MapPicture::draw_legend(MarkerBatch& batch) const {
   Vector2d at = below;
   for (const auto& [kind, words] : boundary_legend(all)) {
     batch.text(joint_spaces_, "joint_space/legend", at, height_of(Layer::text, text), 0.8 * text, words,
-               color_of(kind));
+               color(boundary_color(kind)));
     at += modes_.size() > 2 ? Vector2d(1.5 * step) : Vector2d(0.0, -1.1 * text);
   }
 }

@@ -2,6 +2,7 @@
 #include "ros/pictures/path_picture.h"
 
 #include "ros/messages/conversions.h"
+#include "ros/pictures/marker_colors.h"
 #include "ros/pictures/picture_parts.h"
 
 #include <string>
@@ -72,7 +73,8 @@ visualization_msgs::MarkerArray path_markers(const Manipulator& manipulator, con
   drawing.add("ends", Marker::SPHERE_LIST, ball_width, ink()).points = {
       drawing.point(path.points.front().pose), drawing.point(path.points.back().pose)};
   if (path.crossings.empty()) return drawing.take();
-  Marker& gates = drawing.add("gates", Marker::SPHERE_LIST, ball_width, color_of(BoundaryKind::serial));
+  Marker& gates =
+      drawing.add("gates", Marker::SPHERE_LIST, ball_width, color(boundary_color(BoundaryKind::serial)));
   for (const PathCrossing& crossing : path.crossings)
     gates.points.push_back(drawing.point(path.points[crossing.point].pose));
   return drawing.take();

@@ -2,10 +2,9 @@
 #include "ros/pictures/picture_parts.h"
 
 #include "ros/messages/conversions.h"
-#include "ros/pictures/palette.h"
+#include "ros/pictures/marker_colors.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 
 namespace parallel_aspects {
@@ -13,11 +12,6 @@ namespace {
 
 using Eigen::Vector2d;
 using Points = MarkerBatch::Points;
-
-constexpr std::array<BoundaryKind, 9> kinds{
-    BoundaryKind::limit,          BoundaryKind::passive_limit, BoundaryKind::cone,
-    BoundaryKind::self_collision, BoundaryKind::obstacle,      BoundaryKind::workspace,
-    BoundaryKind::margin,         BoundaryKind::serial,        BoundaryKind::parallel};
 
 Points ends_of(const std::vector<BoundarySegment>& segments, const Placing& place,
                const std::function<bool(const BoundarySegment&)>& wanted) {
@@ -31,31 +25,7 @@ Points ends_of(const std::vector<BoundarySegment>& segments, const Placing& plac
 
 double height_of(Layer layer, double text_height) { return 0.02 * text_height * static_cast<double>(layer); }
 
-std_msgs::ColorRGBA ink() { return color(0x202020); }
-
-std_msgs::ColorRGBA color_of(BoundaryKind kind) {
-  switch (kind) {
-    case BoundaryKind::parallel:
-      return color(0xB00020);
-    case BoundaryKind::serial:
-      return color(0x00305A);
-    case BoundaryKind::passive_limit:
-      return color(0xA0826D);
-    case BoundaryKind::cone:
-      return color(0xC71585);
-    case BoundaryKind::self_collision:
-      return color(0x8A2BE2);
-    case BoundaryKind::obstacle:
-      return color(0xE07B00);
-    case BoundaryKind::workspace:
-      return color(0x2E8B57);
-    case BoundaryKind::margin:
-      return color(0xD9A400);
-    case BoundaryKind::limit:
-      break;
-  }
-  return color(0x707070);
-}
+std_msgs::ColorRGBA ink() { return color(ink_color); }
 
 Points placed(const Points& points, const Placing& place) {
   Points result;
@@ -88,10 +58,12 @@ std::string legend_text(const Aspect& aspect, TaskSpace space) {
 
 void draw_curves(const std::vector<BoundarySegment>& segments, const Placing& place, const CurveStyle& style,
                  const MarkerBatch::Plane& plane, const std::string& group, MarkerBatch& batch) {
-  for (const BoundaryKind kind : kinds)
+  for (const auto& [each, words] : boundary_words()) {
+    const BoundaryKind kind = each;
     batch.lines(plane, group + "/boundary",
                 ends_of(segments, place, [&](const auto& s) { return s.kind == kind; }),
-                height_of(Layer::boundary, style.text_height), style.width, color_of(kind));
+                height_of(Layer::boundary, style.text_height), style.width, color(boundary_color(kind)));
+  }
 }
 
 void draw_outline(const std::vector<BoundarySegment>& segments, int aspect, const Placing& place,
@@ -107,16 +79,7 @@ void draw_outline(const std::vector<BoundarySegment>& segments, int aspect, cons
 
 std::vector<std::pair<BoundaryKind, const char*>> boundary_legend(
     const std::vector<BoundarySegment>& segments) {
-  std::vector<std::pair<BoundaryKind, const char*>> entries{
-      {BoundaryKind::serial, "serial singularity, Bjj = 0"},
-      {BoundaryKind::parallel, "parallel singularity, det A = 0"},
-      {BoundaryKind::limit, "joint limit"},
-      {BoundaryKind::passive_limit, "limit of a passive joint"},
-      {BoundaryKind::cone, "cone of a ball joint"},
-      {BoundaryKind::self_collision, "links touch"},
-      {BoundaryKind::obstacle, "obstacle"},
-      {BoundaryKind::workspace, "workspace"},
-      {BoundaryKind::margin, "margin from singularities"}};
+  std::vector<std::pair<BoundaryKind, const char*>> entries = boundary_words();
   const auto is_absent = [&](const auto& entry) {
     return std::none_of(segments.begin(), segments.end(),
                         [&](const BoundarySegment& segment) { return segment.kind == entry.first; });

@@ -24,7 +24,6 @@ enum class Layer { fill, frame, outline, boundary, dot, dot_core, text };
 double height_of(Layer layer, double text_height);
 
 std_msgs::ColorRGBA ink();
-std_msgs::ColorRGBA color_of(BoundaryKind kind);
 
 MarkerBatch::Points placed(const MarkerBatch::Points& points, const Placing& place);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/pictures/slice_picture.h"
 
-#include "ros/pictures/palette.h"
+#include "ros/pictures/marker_colors.h"
 #include "ros/pictures/picture_parts.h"
 
 #include <algorithm>
@@ -106,7 +106,7 @@ visualization_msgs::MarkerArray SlicePicture::gallery(const Drawn& now) const {
              "aspects at " + slice(now).text(), ink());
   Vector2d at(0.5 * scene_.tiles.width(), -scene_.tiles.height() - 0.5 * text);
   for (const auto& [kind, words] : boundary_legend(all)) {
-    batch.text(gallery_plane_, "gallery/legend", at, height, 0.9 * text, words, color_of(kind));
+    batch.text(gallery_plane_, "gallery/legend", at, height, 0.9 * text, words, color(boundary_color(kind)));
     at.y() -= 1.2 * text;
   }
   return batch.take();

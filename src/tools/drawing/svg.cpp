@@ -4,7 +4,6 @@
 #include "model/number_text.h"
 
 namespace parallel_aspects::tools::svg {
-namespace {
 
 std::string escaped(const std::string& text) {
   std::string result;
@@ -20,8 +19,6 @@ std::string escaped(const std::string& text) {
   }
   return result;
 }
-
-}  // namespace
 
 std::string number(double value) { return fixed_number_text(value, 2); }
 

@@ -12,6 +12,9 @@ constexpr double font_size = 11.0;
 /// A length.
 std::string number(double value);
 
+/// Text with the characters that mean something in SVG replaced.
+std::string escaped(const std::string& text);
+
 /// The start of a picture with a white ground; it ends with "</svg>\n".
 std::string start(double width, double height);
 

@@ -7,9 +7,10 @@
 #include "tools/arguments.h"
 #include "tools/computation.h"
 #include "tools/drawing/basins_drawing.h"
-#include "tools/drawing/map_drawing.h"
+#include "tools/drawing/plot.h"
 #include "tools/numbers.h"
 #include "tools/output_file.h"
+#include "tools/picture_file.h"
 #include "tools/report/basins_report.h"
 #include "tools/report/reports.h"
 #include "tools/subcommands.h"
@@ -175,6 +176,13 @@ void save(const AspectMap& map, const MapArguments& arguments, const Surrounding
   if (!result.saved) throw InvalidDescription({result.message});
 }
 
+// The boxes that are proved, and those that are not.
+void draw(const std::shared_ptr<const AspectMap>& map, const std::string& file) {
+  PlotOptions options;
+  options.leaves = true;
+  write_picture_file(file, draw_plot(map, options));
+}
+
 MapBasins basins_of(const AspectMap& map, const MapArguments& arguments, const Surroundings& surroundings) {
   const auto basins =
       find_basins(map, arguments.index, arguments.wants_basins() ? BasinDetail::basins : BasinDetail::depths,
@@ -189,7 +197,7 @@ Report load_or_compute(const std::shared_ptr<const Manipulator>& manipulator, co
   const bool loaded = map != nullptr;
   if (!loaded) map = compute(manipulator, options, surroundings);
   save(*map, arguments, surroundings);
-  if (!arguments.picture_file.empty()) write_output_file("Picture", arguments.picture_file, draw_map(*map));
+  if (!arguments.picture_file.empty()) draw(map, arguments.picture_file);
   const MapBasins basins = basins_of(*map, arguments, surroundings);
   Report report = report_map(*map, {loaded, arguments.all_aspects, arguments.verbose, &basins});
   if (arguments.persistence) add_persistence(*map, basins, report);
@@ -226,7 +234,7 @@ std::vector<Option> options_of(MapArguments& arguments) {
                      &arguments.load_file});
   options.push_back({"--save", "FILE", "Write the map to this file, for --load", &arguments.save_file});
   options.push_back({"--picture", "FILE",
-                     "Draw the aspects of every working mode as SVG, where two coordinates are free",
+                     "Draw as SVG or PNG what `aspects plot --leaves` does, where two coordinates are free",
                      &arguments.picture_file});
   options.push_back({"--persistence-picture", "FILE",
                      "Draw as SVG what --persistence lists, a bar over the index for each basin",
@@ -247,7 +255,7 @@ Report report_of(MapArguments arguments, const Surroundings& surroundings) {
   const MapSection section = load_map_section(arguments.robot, problems);
   MapOptions map_options = parse_options(arguments, section.config, problems);
   check_output_file("--save", arguments.save_file, problems);
-  check_output_file("--picture", arguments.picture_file, problems);
+  check_picture_file("--picture", arguments.picture_file, problems);
   check_output_file("--persistence-picture", arguments.basins_file, problems);
   const auto mechanism = load_robot(arguments.robot, std::move(problems));
   const auto manipulator = choose_constraints(mechanism->mapped_manipulator(), arguments.constraints);

@@ -38,6 +38,42 @@ TEST(PoseSlice, TiltPointsThePlatformAxisThatWay) {
   EXPECT_NEAR(std::atan2(axis.y(), axis.x()), std::atan2(-0.4, 0.3), 1e-12);
 }
 
+// What is held is held, what is free is the point; seen through by a map that was made of that slice alone.
+TEST(PoseSlice, OfAMapSliceHasItsPoses) {
+  const auto robot = test::shipped("three_prr")->mapped_manipulator();
+  Problems problems;
+  const MapSlice turned = make_slice(*robot, {{"x", 0.3}}, problems);
+  ASSERT_TRUE(problems.empty());
+  const PoseSlice slice(*robot, turned);
+  const Pose pose = slice.pose({-0.2, 1.1});
+  EXPECT_NEAR((pose.position - Eigen::Vector3d(0.3, -0.2, 0.0)).norm(), 0.0, 1e-12);
+  EXPECT_NEAR(2.0 * std::atan2(pose.orientation.z(), pose.orientation.w()), 1.1, 1e-12);
+  EXPECT_TRUE(slice.holds({5.0, 3.14}));
+  EXPECT_FALSE(slice.holds({0.0, 3.2})) << "beyond half a turn";
+  EXPECT_EQ(slice.text(), to_string(turned));
+}
+
+TEST(PoseSlice, OfAMapSliceIsWhereItsMapIs) {
+  const auto robot = test::shipped("three_rpr")->mapped_manipulator();
+  for (const HeldCoordinate& held :
+       {HeldCoordinate{"phi", 0.4}, HeldCoordinate{robot->leg(0).actuated_joint, 14.98}}) {
+    Problems problems;
+    MapOptions options;
+    options.slice = make_slice(*robot, {held}, problems);
+    ASSERT_TRUE(problems.empty()) << problems.front();
+    const auto map = compute_aspect_map(robot, options).map;
+    ASSERT_TRUE(map) << held.name;
+    const PoseSlice slice(*robot, *options.slice);
+    for (const Aspect& aspect : map->aspects())
+      map->visit_inside_leaves(aspect.id, [&](const Box& box) {
+        EXPECT_EQ(map->locate(slice.pose({box.center(0), box.center(1)}), aspect.mode).aspect, aspect.id);
+      });
+    const Eigen::AlignedBox2d bounds = slice_bounds(*map, *options.slice);
+    for (const Aspect& aspect : map->aspects())
+      EXPECT_TRUE(bounds.contains(Vector2d(aspect.bounds.lower[0], aspect.bounds.upper[1])));
+  }
+}
+
 double area_of(const std::vector<Vector2d>& polygon) {
   double twice = 0.0;
   for (std::size_t i = 0; i < polygon.size(); ++i) {

@@ -2,7 +2,7 @@
 #include "ros/pictures/map_picture.h"
 
 #include "ros/monitor/five_bar_setup.h"
-#include "ros/pictures/palette.h"
+#include "ros/pictures/marker_colors.h"
 
 #include <gtest/gtest.h>
 #include <ros/serialization.h>

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_ROS_PICTURES_PALETTE_H
-#define PARALLEL_ASPECTS_ROS_PICTURES_PALETTE_H
+#ifndef PARALLEL_ASPECTS_ROS_PICTURES_MARKER_COLORS_H
+#define PARALLEL_ASPECTS_ROS_PICTURES_MARKER_COLORS_H
+
+#include "aspects/pictures/palette.h"
 
 #include <std_msgs/ColorRGBA.h>
 
 namespace parallel_aspects {
 
-/// Opaque, from 0xRRGGBB.
-std_msgs::ColorRGBA color(unsigned rgb);
+/// Opaque.
+std_msgs::ColorRGBA color(Rgb rgb);
 
 /// Colour of an aspect, by its id (from 1): ten that people with any colour vision tell apart (after Paul
 /// Tol's "muted" scheme), then the same again.
@@ -21,4 +23,4 @@ std_msgs::ColorRGBA readable_on(const std_msgs::ColorRGBA& background);
 
 }  // namespace parallel_aspects
 
-#endif  // PARALLEL_ASPECTS_ROS_PICTURES_PALETTE_H
+#endif  // PARALLEL_ASPECTS_ROS_PICTURES_MARKER_COLORS_H

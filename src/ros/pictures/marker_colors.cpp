@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros/pictures/palette.h"
+#include "ros/pictures/marker_colors.h"
 
 #include <array>
 #include <cstddef>
@@ -7,24 +7,24 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr std::array<unsigned, 10> aspect_colors{0x88CCEE, 0xCC6677, 0xDDCC77, 0x117733, 0x332288,
-                                                 0xAA4499, 0x44AA99, 0xEE7733, 0x882255, 0x999933};
+constexpr std::array<unsigned, 10> colors_by_id{0x88CCEE, 0xCC6677, 0xDDCC77, 0x117733, 0x332288,
+                                                0xAA4499, 0x44AA99, 0xEE7733, 0x882255, 0x999933};
 
 float mixed(float from, float to, double share) { return static_cast<float>(from + share * (to - from)); }
 
 }  // namespace
 
-std_msgs::ColorRGBA color(unsigned rgb) {
+std_msgs::ColorRGBA color(Rgb rgb) {
   std_msgs::ColorRGBA result;
-  result.r = static_cast<float>(rgb >> 16 & 0xFFU) / 255.0F;
-  result.g = static_cast<float>(rgb >> 8 & 0xFFU) / 255.0F;
+  result.r = static_cast<float>(rgb >> 16U & 0xFFU) / 255.0F;
+  result.g = static_cast<float>(rgb >> 8U & 0xFFU) / 255.0F;
   result.b = static_cast<float>(rgb & 0xFFU) / 255.0F;
   result.a = 1.0F;
   return result;
 }
 
 std_msgs::ColorRGBA aspect_color(int id) {
-  return color(aspect_colors[static_cast<std::size_t>(id - 1) % aspect_colors.size()]);
+  return color(colors_by_id[static_cast<std::size_t>(id - 1) % colors_by_id.size()]);
 }
 
 std_msgs::ColorRGBA lightened(const std_msgs::ColorRGBA& color, double share) {

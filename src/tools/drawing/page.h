@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_TOOLS_DRAWING_PAGE_H
+#define PARALLEL_ASPECTS_TOOLS_DRAWING_PAGE_H
+
+#include "parallel_aspects/aspects/aspect_map.h"
+#include "tools/drawing/page_elements.h"
+#include "tools/drawing/panel.h"
+
+#include <set>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects::tools {
+
+/// What a colour means: of an area, or of a line.
+struct LegendEntry {
+  Rgb color = 0;
+  bool is_line = false;
+  std::string text;
+};
+
+/// "aspect 3: det A > 0, 193.6 m^2"
+std::string aspect_words(const AspectMap& map, const Aspect& aspect);
+
+/// The first of these aspects, and how many more there are.
+std::vector<LegendEntry> aspect_entries(const AspectMap& map, const std::vector<Rgb>& colors,
+                                        const std::set<int>& ids);
+
+/// Panels that belong together, in a row.
+struct PageFigure {
+  std::string title;
+  std::vector<LegendEntry> entries;
+  std::vector<PanelContents> panels;
+};
+
+/// Figures under a title, as many beside each other as fit.
+struct Page {
+  std::string title;
+  std::vector<std::string> notes;
+  std::vector<PageFigure> figures;
+  std::vector<LegendEntry> legend;
+  double side = 260.0;  ///< of the panels [px]
+};
+
+Picture draw_page(const Page& page);
+
+}  // namespace parallel_aspects::tools
+
+#endif  // PARALLEL_ASPECTS_TOOLS_DRAWING_PAGE_H

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_TOOLS_DRAWING_PANEL_H
+#define PARALLEL_ASPECTS_TOOLS_DRAWING_PANEL_H
+
+#include "parallel_aspects/aspects/boundary_curves.h"
+#include "tools/drawing/outlines.h"
+#include "tools/drawing/page_elements.h"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects::tools {
+
+/// One coordinate of a panel.
+struct PanelAxis {
+  std::string title;                ///< with its unit
+  double lower = 0.0, upper = 1.0;  ///< what is shown [m or rad]
+  bool is_turn = false;             ///< from -pi to pi
+};
+
+/// A set of points of a panel, in its coordinates.
+struct PanelShape {
+  std::vector<std::vector<Eigen::Vector2d>> polygons;  ///< which share whole sides, turned the same way
+  Rgb color = 0;
+  std::string label;  ///< written on it; empty for none
+  std::string title;  ///< what it is
+};
+
+/// A line of an image, and what is written beside it; ends from 0 to 1, to the right and down.
+struct ImageAxis {
+  PagePoint from, to;
+  std::vector<std::string> lines;  ///< of text
+};
+
+/// What is written on an image, at a place from 0 to 1 with so much room, on this colour.
+struct ImageLabel {
+  std::string text;
+  LabelPoint point;
+  Rgb background = 0;
+};
+
+/// What is in a panel.
+struct PanelContents {
+  std::string caption;
+  std::array<PanelAxis, 2> axes;
+  bool keeps_proportion = false;  ///< whether both axes have one scale
+  std::vector<PanelShape> shapes;
+  std::vector<BoundarySegment> segments;
+  std::vector<LevelSegment> levels;
+  std::optional<PageImage> image;  ///< in place of shapes, over the whole panel; then with these axes
+  std::vector<ImageAxis> image_axes;
+  std::vector<ImageLabel> image_labels;
+};
+
+/// How large a panel is without what is written around it, in a square of this side [px].
+PagePoint panel_size(const PanelContents& contents, double side);
+
+/// Room around it [px].
+inline constexpr double left_of_panel = 46.0, below_panel = 34.0;
+
+/// Between what is above it and its corner [px].
+double room_above(const PanelContents& contents);
+
+/// Adds a panel whose upper left corner is there.
+void draw_panel(const PanelContents& contents, const PagePoint& corner, double side, Picture& picture);
+
+}  // namespace parallel_aspects::tools
+
+#endif  // PARALLEL_ASPECTS_TOOLS_DRAWING_PANEL_H

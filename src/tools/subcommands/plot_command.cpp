@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/model/problems.h"
+#include "tools/arguments.h"
+#include "tools/computation.h"
+#include "tools/drawing/plot.h"
+#include "tools/map_choice.h"
+#include "tools/numbers.h"
+#include "tools/output_file.h"
+#include "tools/picture_file.h"
+#include "tools/report/reports.h"
+#include "tools/subcommands.h"
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <utility>
+
+namespace parallel_aspects::tools {
+namespace {
+
+struct PlotArguments {
+  RobotChoice robot;
+  MapChoice map;
+  ConstraintArguments constraints;
+  std::string file, section, modes, index;
+  bool each_aspect = false;
+  bool leaves = false;
+};
+
+IndexLevels parse_levels(const std::string& text, Problems& problems) {
+  const std::vector<double> levels{0.2, 0.4, 0.6, 0.8};
+  if (text == "parallel") return {DrawnIndex::parallel, levels};
+  if (text == "conditioning") return {DrawnIndex::conditioning, levels};
+  if (!text.empty()) problems.push_back("--index is '" + text + "'; give parallel or conditioning.");
+  return {};
+}
+
+/// The torsion of orientations, "torsion=0.3".
+PlotSection parse_torsion(const std::string& text, Problems& problems) {
+  PlotSection section;
+  const std::string name = "torsion=";
+  if (text.rfind(name, 0) != 0)
+    problems.push_back("--section is '" + text +
+                       "', but orientations are cut at a torsion; give \"torsion=0\".");
+  else if (const auto value = parse_numbers("--section", text.substr(name.size()), {"torsion"}, problems);
+           !value.empty())
+    section.torsion = value.front();
+  return section;
+}
+
+PlotSection parse_section(const PlotArguments& arguments, const Manipulator& manipulator,
+                          Problems& problems) {
+  if (manipulator.task_space() == TaskSpace::SO3) return parse_torsion(arguments.section, problems);
+  PlotSection section;
+  section.slice =
+      parse_slice("--section", manipulator, arguments.map.slice + " " + arguments.section, problems);
+  if (problems.empty() && section.slice->dimension() != 2)
+    problems.push_back("--section '" + arguments.section + "' leaves " +
+                       std::to_string(section.slice->dimension()) +
+                       " coordinates free; hold so many that two are left.");
+  return section;
+}
+
+/// What a picture cannot show, with what to do.
+void check_dimension(const PlotArguments& arguments, const Manipulator& manipulator,
+                     const std::optional<MapSlice>& slice, Problems& problems) {
+  const std::size_t dimension = slice ? slice->dimension() : degrees_of_freedom(manipulator.task_space());
+  if (dimension > 3)
+    problems.push_back(
+        "'" + manipulator.name() +
+        "' has six degrees of freedom, and a picture shows three at most; give a slice, such as "
+        "--slice \"z=1 roll=0 pitch=0 yaw=0\".");
+  if (dimension < 2)
+    problems.push_back(
+        slice ? "--slice leaves one coordinate free, and a picture takes two or three; hold less."
+              : "'" + manipulator.name() +
+                    "' has one degree of freedom, and a picture takes two or three; `aspects map` "
+                    "lists its aspects.");
+  if (slice && dimension == 3 && arguments.section.empty())
+    problems.emplace_back(
+        "--slice leaves three coordinates free, and bodies are drawn of maps of all poses; hold one more, "
+        "or give --section.");
+  const bool is_plane = dimension == 2 || !arguments.section.empty();
+  if (dimension == 2 && !arguments.section.empty())
+    problems.emplace_back("--section cuts maps of three coordinates, but this one has two; leave it out.");
+  if (!is_plane && (!arguments.index.empty() || arguments.leaves || arguments.each_aspect))
+    problems.emplace_back("--index, --leaves and --each-aspect are for two coordinates; give --section too.");
+  if (arguments.leaves && !arguments.section.empty())
+    problems.emplace_back(
+        "--leaves shows the boxes of maps of two coordinates; give --slice in place of --section.");
+}
+
+Report report_plot(const AspectMap& map, const PlotOptions& options, const std::string& file,
+                   double seconds) {
+  Report report;
+  const auto& modes = options.modes.empty() ? map.working_modes() : options.modes;
+  report.json = {{"picture", file}, {"proved_count", map.proved_count()}, {"seconds", seconds}};
+  for (const WorkingMode& mode : modes) report.json["working_modes"].push_back(mode.signs());
+  report.text = map.manipulator()->name() + ": " + aspect_count(map) + "; drawn in " +
+                shown_briefly(seconds) + " s: " + file + "\n";
+  return report;
+}
+
+Report report_of(const PlotArguments& arguments, const Surroundings& surroundings) {
+  Problems problems;
+  PlotOptions options;
+  options.each_aspect = arguments.each_aspect;
+  options.leaves = arguments.leaves;
+  options.levels = parse_levels(arguments.index, problems);
+  check_picture_file("-o", arguments.file, problems);
+  check_distinct_files({{"-o", arguments.file}},
+                       {{"--urdf", arguments.robot.urdf_file},
+                        {"--config", arguments.robot.config_file},
+                        {"--load", arguments.map.load_file}},
+                       problems);
+  const auto mechanism = load_robot(arguments.robot, std::move(problems));
+  const auto manipulator = choose_constraints(mechanism->mapped_manipulator(), arguments.constraints);
+  problems.clear();
+  std::optional<MapSlice> slice;
+  if (!arguments.map.slice.empty())
+    slice = parse_slice("--slice", *manipulator, arguments.map.slice, problems);
+  options.modes = parse_modes("--mode", *manipulator, arguments.modes, problems);
+  if (problems.empty()) check_dimension(arguments, *manipulator, slice, problems);
+  if (problems.empty() && !arguments.section.empty())
+    options.section = parse_section(arguments, *manipulator, problems);
+  if (!problems.empty()) throw InvalidDescription(std::move(problems));
+  const auto map = choose_map(manipulator, arguments.map, slice, surroundings);
+  if (map->aspects().empty())
+    throw InvalidDescription({"'" + manipulator->name() +
+                              "' has no aspect there, so that nothing is drawn; `aspects map` tells more."});
+  const auto start = std::chrono::steady_clock::now();
+  const MapControl control = control_of(surroundings);
+  const Picture picture = draw_plot(map, options, [&control] {
+    if (is_cancelled(control)) throw Interrupted{};
+  });
+  write_picture_file(arguments.file, picture);
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  return report_plot(*map, options, arguments.file, taken.count());
+}
+
+}  // namespace
+
+Subcommand plot_subcommand() {
+  const auto arguments = std::make_shared<PlotArguments>();
+  std::vector<Option> options = robot_options(arguments->robot);
+  options.push_back({"-o", "FILE", "The picture: an .svg or a .png", &arguments->file, true});
+  for (const Option& option : map_choice_options(arguments->map)) options.push_back(option);
+  options.push_back(
+      {"--section", "\"z=0.3\"",
+       "Cut a map of three coordinates: what is held, with its value [m or rad]; in SO3 \"torsion=0\"",
+       &arguments->section});
+  options.push_back(
+      {"--mode", "\"(+,-)\"", "Draw these working modes only, as signs of B_jj", &arguments->modes});
+  options.push_back(
+      {"--index", "NAME",
+       "Draw lines of equal index: parallel, or conditioning for isoconditioning lines (the inverse "
+       "condition number)",
+       &arguments->index});
+  for (const Option& option : constraint_options(arguments->constraints)) options.push_back(option);
+  return {"plot",
+          "Draw the aspects in the workspace and in joint space, as SVG or PNG",
+          options,
+          [arguments](const Surroundings& surroundings) { return report_of(*arguments, surroundings); },
+          {{"--each-aspect", "A figure for each aspect, not for each working mode", &arguments->each_aspect},
+           {"--leaves", "Draw the boxes of the map, with those that are undecided", &arguments->leaves}}};
+}
+
+}  // namespace parallel_aspects::tools
