@@ -66,7 +66,9 @@ const Strings rooms{"model",
                     "ros/monitor",
                     "ros/pictures",
                     "ros/node",
-                    "ros/programs"};
+                    "ros/programs",
+                    "rviz/display",
+                    "rviz/panel"};
 
 constexpr std::size_t max_files_in_a_folder = 30;
 constexpr std::size_t max_public_headers = 60;
@@ -74,7 +76,7 @@ constexpr std::size_t max_public_headers = 60;
 bool starts_with(const std::string& text, const std::string& start) { return text.rfind(start, 0) == 0; }
 
 // Layers that a build may leave out, so that none but themselves may include them.
-const Strings optional_layers{"ompl"};
+const Strings optional_layers{"ompl", "rviz"};
 
 std::string layer_of(const std::string& room) { return room.substr(0, room.find('/')); }
 
@@ -136,7 +138,7 @@ bool is_allowed(const fs::path& root, const std::string& room, const std::string
   if (!other.empty())
     return height(other) <= height(room) && (layer_of(other) == layer || !is_optional(layer_of(other)));
   const Strings& allowed = libraries(layer);
-  return layer == "ros" || is_standard(header) ||
+  return layer == "ros" || layer == "rviz" || is_standard(header) ||
          std::any_of(allowed.begin(), allowed.end(),
                      [&](const std::string& start) { return starts_with(header, start); });
 }
@@ -165,6 +167,7 @@ bool is_source(const fs::path& file) {
 // With those in the folders below.
 std::vector<fs::path> sources_in(const fs::path& folder) {
   std::vector<fs::path> sources;
+  if (!fs::exists(folder)) return sources;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
     if (entry.is_regular_file() && is_source(entry.path())) sources.push_back(entry.path());
   return sources;
@@ -336,6 +339,10 @@ TEST_F(PlantedTree, OptionalLayersAreIncludedByNoOther) {
   plant("src/ros/node/a.cpp", "#include \"ompl/a.h\"");
   plant("src/tools/a.cpp", "#include <ompl/base/State.h>");
   EXPECT_EQ(violations_in(root_).size(), 2U);
+  plant("src/rviz/display/a.h", "#include <rviz/display.h>\n#include \"ros/node/b.h\"");
+  plant("src/rviz/panel/a.cpp", "#include \"rviz/display/a.h\"\n#include \"ompl/a.h\"");
+  plant("src/ros/programs/a.cpp", "#include \"rviz/display/a.h\"");
+  EXPECT_EQ(violations_in(root_).size(), 4U);
 }
 
 TEST_F(PlantedTree, StraySourcesAreFound) {
