@@ -26,7 +26,6 @@ PlanServer::PlanServer(const ros::NodeHandle& nh, const NodeSetup& setup, const 
       monitor_(monitor),
       worker_(worker),
       to_base_(std::move(to_base)),
-      certifier_(manipulator_),
       goals_(nh, "plan_path") {
   ros::NodeHandle handle = nh;
   path_ = handle.advertise<nav_msgs::Path>("planned_path", 1, true);
@@ -65,6 +64,12 @@ Status PlanServer::read(const PlanPathGoal& goal, Question& question) const {
   if (!mapped && question.policy == PathPolicy::serial)
     return invalid_request(
         "policy 1 (serial) needs a map, and with six degrees of freedom there is none; give 0.");
+  question.margin = goal.parallel_margin;
+  if (!(question.margin >= 0.0 && question.margin < 1.0))
+    return invalid_request("parallel_margin must be a number from 0 to below 1; give 0 for none.");
+  if (!mapped && question.margin > 0.0)
+    return invalid_request(
+        "parallel_margin needs a map, and with six degrees of freedom there is none; give 0.");
   Status status = question.timed ? read_limits() : Status();
   if (is_ok(status)) status = read_end(goal.start, "start", question.from);
   if (is_ok(status)) status = read_end(goal.goal, "goal", question.to);
@@ -125,15 +130,33 @@ MapControl PlanServer::control(const std::string& doing) {
 PlanServer::Plan PlanServer::plan(const Question& question) {
   const MapControl steps = control("Looking for gates and a path.");
   steps.progress(0.0);
-  if (question.known.roadmap) return {plan_in_roadmap(*question.known.roadmap, question.from, question.to)};
-  if (question.known.map != map_) {
-    map_ = question.known.map;
-    planner_ = std::make_shared<PathPlanner>(map_);
+  if (question.known.roadmap)
+    return {plan_in_roadmap(*question.known.roadmap, question.from, question.to), manipulator_};
+  Plan plan;
+  plan.path.message = prepare(question);
+  if (!plan.path.message.empty()) return plan;
+  const auto planner = prepared_.planner;
+  return {planner->plan(question.from, question.to, question.policy, steps), prepared_.robot,
+          [planner](const Pose& from, const Pose& to, double t) { return planner->between(from, to, t); }};
+}
+
+// A margin beyond those of the robot takes a map of its own. Empty, or why there is no planner.
+std::string PlanServer::prepare(const Question& question) {
+  Margins margins = manipulator_->constraints().margins;
+  const double margin = question.margin > margins.parallel ? question.margin : 0.0;
+  if (prepared_.planner && prepared_.map == question.known.map && prepared_.margin == margin) return {};
+  prepared_ = {question.known.map, margin, nullptr, manipulator_};
+  std::shared_ptr<const AspectMap> map = question.known.map;
+  if (margin > 0.0) {
+    margins.parallel = margin;
+    prepared_.robot = manipulator_->with_margins(margins);
+    const MapResult result = compute_aspect_map(prepared_.robot, setup_.options.map,
+                                                control("Computing a map that keeps the margin."));
+    if (!result) return "No map keeps that margin: " + result.message;
+    map = result.map;
   }
-  return {planner_->plan(question.from, question.to, question.policy, steps),
-          [planner = planner_](const Pose& from, const Pose& to, double t) {
-            return planner->between(from, to, t);
-          }};
+  prepared_.planner = std::make_shared<PathPlanner>(map);
+  return {};
 }
 
 void PlanServer::finish(const Plan& plan, const Question& question, PlanPathResult result) {
@@ -141,7 +164,8 @@ void PlanServer::finish(const Plan& plan, const Question& question, PlanPathResu
   if (plan.path && question.timed && !cancelled_) {
     const MapControl steps = control("Timing the path.");
     steps.progress(0.0);
-    timed = time_path(certifier_, plan.path, plan.between, setup_.options.acceleration, steps);
+    timed =
+        time_path(SegmentCertifier(plan.robot), plan.path, plan.between, setup_.options.acceleration, steps);
   }
   if (cancelled_) {
     result.status = make_status(Status::CANCELLED, "Planning was cancelled.");

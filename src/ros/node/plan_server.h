@@ -44,12 +44,23 @@ class PlanServer {
     PathPolicy policy = PathPolicy::stay;
     KnownAspects known;
     bool timed = true;
+    double margin = 0.0;  // parallel index to be kept; 0 for what the robot keeps anyway
   };
 
-  /// A path, and how the pose runs between two of its points.
+  /// A path, how the pose runs between two of its points, and the robot, with the margins that the path
+  /// keeps.
   struct Plan {
     PlannedPath path;
+    std::shared_ptr<const Manipulator> robot;
     PoseBetween between = pose_between;
+  };
+
+  /// A planner, and what it was made for.
+  struct Prepared {
+    std::shared_ptr<const AspectMap> map;  // of the node
+    double margin = 0.0;
+    std::shared_ptr<PathPlanner> planner;  // null before the first question
+    std::shared_ptr<const Manipulator> robot;
   };
 
   void on_goal(const PlanPathGoalConstPtr& goal);
@@ -58,6 +69,7 @@ class PlanServer {
   Status read_end(const Configuration& configuration, const std::string& which, PathEnd& end) const;
   Status read_now(PathEnd& end) const;
   Plan plan(const Question& question);
+  std::string prepare(const Question& question);
   MapControl control(const std::string& doing);
   void finish(const Plan& plan, const Question& question, PlanPathResult result);
   void publish(const Plan& plan, const PlanPathResult& result);
@@ -67,11 +79,9 @@ class PlanServer {
   const RobotMonitor& monitor_;
   const MapWorker& worker_;
   const PoseTransformer to_base_;
-  const SegmentCertifier certifier_;
   ros::Publisher path_, trajectory_, markers_;
   CheckedGoals<PlanPathActionGoal> goals_;
-  std::shared_ptr<const AspectMap> map_;  // of the planner, which knows its gates
-  std::shared_ptr<PathPlanner> planner_;
+  Prepared prepared_;  // knows the gates of its map
   std::atomic<bool> stopping_{false}, cancelled_{false};
   std::unique_ptr<Server> server_;
 };
