@@ -36,6 +36,7 @@ add_message_files(FILES
   MetricDistance.msg
   ModeChoice.msg
   ModeConnection.msg
+  ProbeState.msg
   RoadmapComponents.msg
   SingularityReport.msg
   SolvedConfiguration.msg

@@ -3,6 +3,7 @@
 #define PARALLEL_ASPECTS_RVIZ_PANEL_ASPECT_ROWS_H
 
 #include "rviz/panel/panel_model.h"
+
 #include <cstdint>
 #include <set>
 #include <string>

@@ -3,6 +3,7 @@
 #define PARALLEL_ASPECTS_RVIZ_PANEL_ASPECT_TREE_H
 
 #include "rviz/panel/aspect_rows.h"
+
 #include <QTreeWidget>
 #include <cstdint>
 #include <functional>

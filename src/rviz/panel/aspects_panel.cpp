@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rviz/panel/aspects_panel.h"
 
-#include <ros/names.h>
-
 #include "rviz/panel/aspect_rows.h"
 #include "rviz/panel/aspect_tree.h"
 #include "rviz/panel/plan_widget.h"
 #include "rviz/panel/state_widget.h"
+
+#include <ros/names.h>
+
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>

@@ -4,6 +4,7 @@
 
 #include "rviz/panel/node_finder.h"
 #include "rviz/panel/node_link.h"
+
 #include <memory>
 #include <rviz/panel.h>
 #include <set>

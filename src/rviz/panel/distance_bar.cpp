@@ -2,6 +2,7 @@
 #include "rviz/panel/distance_bar.h"
 
 #include "rviz/panel/tone_colors.h"
+
 #include <QPainter>
 #include <cmath>
 

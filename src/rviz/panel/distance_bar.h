@@ -3,6 +3,7 @@
 #define PARALLEL_ASPECTS_RVIZ_PANEL_DISTANCE_BAR_H
 
 #include "rviz/panel/panel_model.h"
+
 #include <QWidget>
 
 namespace parallel_aspects {

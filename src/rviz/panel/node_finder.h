@@ -3,6 +3,7 @@
 #define PARALLEL_ASPECTS_RVIZ_PANEL_NODE_FINDER_H
 
 #include "rviz/panel/background_worker.h"
+
 #include <mutex>
 #include <string>
 #include <vector>

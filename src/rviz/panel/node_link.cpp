@@ -33,7 +33,7 @@ const char* const compute_cancel = "compute_map/cancel";
 const char* const plan_goal = "plan_path/goal";
 const char* const plan_cancel = "plan_path/cancel";
 const char* const probe_pose = "probe/set_pose";
-const char* const probe_mode = "probe/set_mode";
+const char* const probe_mode = "probe/working_mode";
 const char* const shown_aspects = "shown_aspects";
 
 bool runs(const actionlib_msgs::GoalStatus& goal) {
@@ -108,10 +108,15 @@ std::vector<ros::Subscriber> NodeLink::subscribe(ros::NodeHandle& nh) {
   };
   const boost::function<void(const AssemblyCandidatesConstPtr&)> on_candidates =
       with_lock([this](const AssemblyCandidates& message) { view_.candidates = message; });
-  const boost::function<void(const geometry_msgs::PoseStampedConstPtr&)> on_probe =
-      with_lock([this](const geometry_msgs::PoseStamped& message) {
-        probe_ = PlanEnd{message, {}};
-      });
+  const boost::function<void(const ProbeStateConstPtr&)> on_probe =
+      with_lock([this](const ProbeState& message) { probe_.now = end_at(message); });
+  const auto on_stored = [this, with_lock](std::optional<PlanEnd> ProbeView::*end) {
+    return boost::function<void(const ConfigurationConstPtr&)>(
+        with_lock([this, end](const Configuration& stored) {
+          probe_.*end = end_at(stored);
+          ++probe_.stored;
+        }));
+  };
   const boost::function<void(const actionlib_msgs::GoalStatusArrayConstPtr&)> on_goals =
       with_lock([this](const actionlib_msgs::GoalStatusArray& message) {
         view_.map_goal_runs = std::any_of(message.status_list.begin(), message.status_list.end(), runs);
@@ -123,7 +128,9 @@ std::vector<ros::Subscriber> NodeLink::subscribe(ros::NodeHandle& nh) {
           nh.subscribe("plan_path/result", 10, &NodeLink::on_plan_result, this),
           nh.subscribe("plan_path/feedback", 10, &NodeLink::on_plan_feedback, this),
           nh.subscribe<AssemblyCandidates>("candidates", 1, on_candidates),
-          nh.subscribe<geometry_msgs::PoseStamped>("probe/pose", 1, on_probe),
+          nh.subscribe<ProbeState>("probe/state", 1, on_probe),
+          nh.subscribe<Configuration>("probe/start", 10, on_stored(&ProbeView::start)),
+          nh.subscribe<Configuration>("probe/goal", 10, on_stored(&ProbeView::goal)),
           nh.subscribe<actionlib_msgs::GoalStatusArray>("compute_map/status", 1, on_goals)};
 }
 
@@ -162,7 +169,7 @@ bool NodeLink::connected() const {
   return !subscribers_.empty() && subscribers_.front().getNumPublishers() > 0;
 }
 
-std::optional<PlanEnd> NodeLink::probe() const {
+ProbeView NodeLink::probe() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return probe_;
 }
@@ -195,7 +202,7 @@ void NodeLink::start_anew() {
   view_.largest_distance = 0.0;
   view_.map_goal_runs = false;
   view_.last_answer.clear();
-  probe_.reset();
+  probe_ = {std::nullopt, std::nullopt, std::nullopt, probe_.stored};
   if (plan_.runs) plan_.message = "The node ended, or loaded another robot, while it planned.";
   plan_.runs = false;
   plan_.result.reset();

@@ -2,19 +2,19 @@
 #ifndef PARALLEL_ASPECTS_RVIZ_PANEL_NODE_LINK_H
 #define PARALLEL_ASPECTS_RVIZ_PANEL_NODE_LINK_H
 
+#include "rviz/panel/background_worker.h"
+#include "rviz/panel/panel_model.h"
+#include "rviz/panel/plan_model.h"
+
 #include <parallel_aspects/ComputeMapAction.h>
 
 #include <ros/callback_queue.h>
 #include <ros/node_handle.h>
 #include <ros/spinner.h>
 
-#include "rviz/panel/background_worker.h"
-#include "rviz/panel/panel_model.h"
-#include "rviz/panel/plan_model.h"
 #include <actionlib_msgs/GoalStatusArray.h>
 #include <dynamic_reconfigure/Config.h>
 #include <functional>
-#include <geometry_msgs/PoseStamped.h>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -36,7 +36,7 @@ class NodeLink {
 
   NodeView view() const;
   PlanView plan() const;
-  std::optional<PlanEnd> probe() const;  ///< where the probe is, where there is one
+  ProbeView probe() const;
 
   void choose(const SolvedConfiguration& candidate);  ///< says that this is the assembly mode
   void compute_map();
@@ -75,7 +75,7 @@ class NodeLink {
   NodeView view_;
   PlanView plan_;
   std::string plan_id_;
-  std::optional<PlanEnd> probe_;
+  ProbeView probe_;
   ros::WallTime heard_;
   const void* connection_ = nullptr;  // of the map's progress: another one is another start of the node
   std::vector<ros::Subscriber> subscribers_;  // of the state first

@@ -2,6 +2,7 @@
 #include "rviz/panel/path_slider.h"
 
 #include "rviz/panel/tone_colors.h"
+
 #include <QMouseEvent>
 #include <QPainter>
 #include <QStyle>

@@ -3,7 +3,6 @@
 
 #include "model/number_text.h"
 
-#include <parallel_aspects/Configuration.h>
 #include <parallel_aspects/Status.h>
 
 #include <Eigen/Geometry>
@@ -68,6 +67,17 @@ std::string legs_of(const PlanPathResult& result) {
 }
 
 }  // namespace
+
+std::optional<PlanEnd> end_at(const ProbeState& probe) {
+  if (!std::isfinite(probe.off)) return std::nullopt;
+  PlanEnd end;
+  end.pose.header.frame_id = probe.header.frame_id;
+  end.pose.pose = probe.report.configuration.pose;
+  end.working_mode = probe.working_mode;
+  return end;
+}
+
+PlanEnd end_at(const Configuration& stored) { return {stored.pose, stored.working_mode}; }
 
 PlanPathGoal goal_of(const PlanChoice& choice) {
   PlanPathGoal goal;

@@ -2,9 +2,12 @@
 #ifndef PARALLEL_ASPECTS_RVIZ_PANEL_PLAN_MODEL_H
 #define PARALLEL_ASPECTS_RVIZ_PANEL_PLAN_MODEL_H
 
-#include <parallel_aspects/PlanPathAction.h>
-
 #include "rviz/panel/panel_model.h"
+
+#include <parallel_aspects/Configuration.h>
+#include <parallel_aspects/PlanPathAction.h>
+#include <parallel_aspects/ProbeState.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <geometry_msgs/PoseStamped.h>
@@ -19,6 +22,12 @@ namespace parallel_aspects {
 struct PlanEnd {
   geometry_msgs::PoseStamped pose;
   std::vector<std::int8_t> working_mode;  ///< empty for any
+};
+
+/// What the probe says: where it is, and what was stored by its menu.
+struct ProbeView {
+  std::optional<PlanEnd> now, start, goal;  ///< nothing where there is none
+  std::uint64_t stored = 0;                 ///< counts starts and goals
 };
 
 /// What a person has chosen.
@@ -38,6 +47,11 @@ struct PlanView {
   std::shared_ptr<const PlanPathResult> result;
   std::uint64_t number = 0;  ///< counts results
 };
+
+/// Nothing where the probe is at no pose.
+std::optional<PlanEnd> end_at(const ProbeState& probe);
+
+PlanEnd end_at(const Configuration& stored);
 
 PlanPathGoal goal_of(const PlanChoice& choice);
 

@@ -2,9 +2,9 @@
 #include "rviz/panel/plan_widget.h"
 
 #include "model/number_text.h"
-
 #include "rviz/panel/aspect_rows.h"
 #include "rviz/panel/path_slider.h"
+
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -16,6 +16,7 @@
 #include <QPushButton>
 #include <QTimer>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 
 namespace parallel_aspects {
@@ -34,6 +35,10 @@ Widget* named(Widget* widget, const char* name) {
 void permit(QWidget& widget, const Permission& permission, const char* tip) {
   widget.setEnabled(static_cast<bool>(permission));
   widget.setToolTip(permission ? QString(tip) : shown(permission.refusal));
+}
+
+bool same(const PlanEnd& a, const PlanEnd& b) {
+  return a.pose.pose == b.pose.pose && a.working_mode == b.working_mode;
 }
 
 }  // namespace
@@ -102,7 +107,9 @@ void PlanWidget::add_ends(QFormLayout& form) {
   form.addRow("From", start);
   goal_->addItem("the probe");
   form.addRow("To", goal_);
-  connect(store_, &QPushButton::clicked, this, [this] { store_probe(); });
+  connect(store_, &QPushButton::clicked, this, [this] {
+    if (probe_.now) add_start(*probe_.now);
+  });
 }
 
 void PlanWidget::add_answer(QVBoxLayout& layout) {
@@ -146,6 +153,8 @@ void PlanWidget::forget() {
   while (start_->count() > 1) start_->removeItem(start_->count() - 1);
   while (goal_->count() > 1) goal_->removeItem(goal_->count() - 1);
   offered_.clear();
+  stored_goal_.reset();
+  probe_ = ProbeView();
   plan_ = PlanView();
   motion_ = PlannedMotion();
   shown_number_ = 0;
@@ -168,16 +177,35 @@ void PlanWidget::show_view(const NodeView& view) {
 }
 
 void PlanWidget::update_ends(const NodeView& view) {
-  const bool probed = link_ != nullptr && link_->probe().has_value();
-  store_->setEnabled(probed);
-  store_->setToolTip(probed ? "Keeps the pose of the probe, to start from." : "There is no probe yet.");
-  const std::set<std::uint32_t> aspects = ids_of(view);
-  if (offered_ == aspects) return;
-  offered_ = aspects;
+  const ProbeView probe = link_ != nullptr ? link_->probe() : ProbeView();
+  const bool stored = probe.stored != probe_.stored;
+  const bool other_start = stored && probe.start && !(probe_.start && same(*probe.start, *probe_.start));
+  const bool other_goal = stored && probe.goal && !(probe_.goal && same(*probe.goal, *probe_.goal));
+  probe_ = probe;
+  store_->setEnabled(probe.now.has_value());
+  store_->setToolTip(probe.now ? "Keeps the pose of the probe, to start from." : "There is no probe yet.");
+  if (other_start) add_start(*probe.start);
+  if (other_goal) stored_goal_ = probe.goal;
+  if (other_goal || offered_ != ids_of(view)) update_goals(view);
+  if (other_goal) goal_->setCurrentIndex(1);
+}
+
+// The probe, what was stored by its menu, and every aspect. What was chosen stays so.
+void PlanWidget::update_goals(const NodeView& view) {
+  const unsigned chosen = goal_->currentData().toUInt();
+  offered_ = ids_of(view);
   while (goal_->count() > 1) goal_->removeItem(goal_->count() - 1);
+  if (stored_goal_) goal_->addItem(shown("stored: " + pose_of(stored_goal_->pose.pose)));
   for (const ModeRows& mode : rows_of(view))
     for (const AspectRow& row : mode.aspects)
       if (row.id > 0) goal_->addItem(shown("aspect " + std::to_string(row.id) + "  " + mode.mode), row.id);
+  if (chosen > 0) goal_->setCurrentIndex(std::max(0, goal_->findData(chosen)));
+}
+
+void PlanWidget::add_start(const PlanEnd& start) {
+  stored_.push_back(start);
+  start_->addItem(shown(std::to_string(stored_.size()) + ": " + pose_of(start.pose.pose)));
+  start_->setCurrentIndex(start_->count() - 1);
 }
 
 PlanChoice PlanWidget::choice() const {
@@ -185,10 +213,12 @@ PlanChoice PlanWidget::choice() const {
   const int start = start_->currentIndex();
   if (start > 0 && start <= static_cast<int>(stored_.size()))
     choice.start = stored_[static_cast<std::size_t>(start - 1)];
-  if (goal_->currentIndex() > 0)
-    choice.goal = end_in_aspect(view_, goal_->currentData().toUInt());
-  else if (link_ != nullptr)
-    choice.goal = link_->probe();
+  if (goal_->currentIndex() <= 0)
+    choice.goal = probe_.now;
+  else if (const unsigned aspect = goal_->currentData().toUInt(); aspect > 0)
+    choice.goal = end_in_aspect(view_, aspect);
+  else
+    choice.goal = stored_goal_;
   choice.through_gates = policy_->currentIndex() == 1;
   choice.in_time = in_time_->isChecked();
   choice.parallel_margin = margin_->value();
@@ -215,14 +245,6 @@ void PlanWidget::take_result() {
   slider_->set_marks(motion_.crossings());
   slider_->setValue(0);
   scrub();
-}
-
-void PlanWidget::store_probe() {
-  const auto probe = link_ != nullptr ? link_->probe() : std::nullopt;
-  if (!probe) return;
-  stored_.push_back(*probe);
-  start_->addItem(shown(std::to_string(stored_.size()) + ": " + pose_of(probe->pose.pose)));
-  start_->setCurrentIndex(start_->count() - 1);
 }
 
 void PlanWidget::plan() {

@@ -4,6 +4,7 @@
 
 #include "rviz/panel/node_link.h"
 #include "rviz/panel/plan_model.h"
+
 #include <QElapsedTimer>
 #include <QWidget>
 #include <optional>
@@ -44,10 +45,11 @@ class PlanWidget : public QWidget {
   void add_publication(QVBoxLayout& layout);
   void forget();
   void update_ends(const NodeView& view);
+  void update_goals(const NodeView& view);
+  void add_start(const PlanEnd& start);
   void update_plan(const NodeView& view);
   void update_publication();
   void take_result();
-  void store_probe();
   void plan();
   void publish();
   void scrub();
@@ -62,7 +64,9 @@ class PlanWidget : public QWidget {
   std::uint64_t shown_number_ = 0;  // of the result that the slider is of
   std::uint64_t shown_start_ = 0;   // of the node
   std::vector<PlanEnd> stored_;
-  std::set<std::uint32_t> offered_;  // aspects in the list of goals
+  ProbeView probe_;
+  std::set<std::uint32_t> offered_;     // aspects in the list of goals
+  std::optional<PlanEnd> stored_goal_;  // in that list before these
 
   QComboBox* start_;
   QComboBox* goal_;

@@ -2,9 +2,9 @@
 #include "rviz/panel/state_widget.h"
 
 #include "model/number_text.h"
-
 #include "rviz/panel/distance_bar.h"
 #include "rviz/panel/tone_colors.h"
+
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>

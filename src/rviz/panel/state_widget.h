@@ -3,6 +3,7 @@
 #define PARALLEL_ASPECTS_RVIZ_PANEL_STATE_WIDGET_H
 
 #include "rviz/panel/panel_model.h"
+
 #include <QWidget>
 #include <array>
 #include <functional>

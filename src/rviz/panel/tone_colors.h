@@ -3,6 +3,7 @@
 #define PARALLEL_ASPECTS_RVIZ_PANEL_TONE_COLORS_H
 
 #include "rviz/panel/panel_model.h"
+
 #include <QColor>
 
 namespace parallel_aspects {

@@ -3,6 +3,9 @@
 // The panel beside a running node, used by mouse and keyboard on a screen in memory. What is checked are the
 // messages that go out and what the panel says.
 #include "model/number_text.h"
+#include "rviz/panel/panel_on_screen.h"
+#include "rviz/panel/path_slider.h"
+#include "rviz/panel/screen.h"
 
 #include <parallel_aspects/AspectState.h>
 #include <parallel_aspects/AssemblyCandidates.h>
@@ -11,9 +14,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "rviz/panel/panel_on_screen.h"
-#include "rviz/panel/path_slider.h"
-#include "rviz/panel/screen.h"
 #include <QCheckBox>
 #include <QLineEdit>
 #include <QTreeWidget>
@@ -175,7 +175,7 @@ TEST_F(PanelMouse, PlansScrubsAndPublishes) {
   const StandingRobot robot(space_, above, its_signs);
   const Recorder<nav_msgs::Path> paths(node_ + "/planned_path");
   const Recorder<geometry_msgs::Pose> poses(node_ + "/probe/set_pose");
-  const Recorder<std_msgs::Int8MultiArray> modes(node_ + "/probe/set_mode");
+  const Recorder<std_msgs::Int8MultiArray> modes(node_ + "/probe/working_mode");
   const Recorder<trajectory_msgs::JointTrajectory> published("/controller/command");
   follow_robot();
   open_tab(1);

@@ -5,11 +5,11 @@
 #include "ros/monitor/five_bar_setup.h"
 #include "ros/node/node_client.h"
 #include "ros/node/process.h"
+#include "rviz/panel/aspects_panel.h"
 
 #include <gtest/gtest.h>
 #include <ros/ros.h>
 
-#include "rviz/panel/aspects_panel.h"
 #include <QAbstractItemView>
 #include <QApplication>
 #include <QComboBox>
