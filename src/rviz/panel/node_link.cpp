@@ -25,7 +25,8 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr milliseconds patience(5000);
-constexpr milliseconds between_looks(300);  // for a master
+constexpr milliseconds between_looks(300);   // for a master
+constexpr milliseconds between_pings(1000);  // of the node
 constexpr std::size_t kept_transitions = 200;
 
 const char* const compute_goal = "compute_map/goal";
@@ -69,6 +70,7 @@ void take_threshold(const std::string& name, double value, std::array<LevelThres
 NodeLink::NodeLink(std::string node) : node_(std::move(node)), spinner_(1, &queue_) {
   view_.node = node_;
   worker_.post([this] { connect(); });
+  watcher_.post([this] { watch(); });
   spinner_.start();
 }
 
@@ -76,6 +78,16 @@ NodeLink::~NodeLink() {
   spinner_.stop();  // no callback runs from here on
   queue_.disable();
   queue_.clear();
+}
+
+// A node that was killed is still a publisher for the master and for roscpp, which goes on trying to reach
+// it.
+void NodeLink::watch() {
+  do {
+    const bool answers = ros::service::exists(node_ + "/list_aspects", false);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    answers_ = answers;
+  } while (watcher_.sleep(between_pings));
 }
 
 // roscpp waits for the master where it subscribes, without end.
@@ -166,7 +178,7 @@ PlanView NodeLink::plan() const {
 }
 
 bool NodeLink::connected() const {
-  return !subscribers_.empty() && subscribers_.front().getNumPublishers() > 0;
+  return answers_ && !subscribers_.empty() && subscribers_.front().getNumPublishers() > 0;
 }
 
 ProbeView NodeLink::probe() const {

@@ -52,6 +52,7 @@ class NodeLink {
   using ProgressEvent = ros::MessageEvent<const MapProgress>;
 
   void connect();
+  void watch();
   bool wait_for_master() const;
   std::vector<ros::Subscriber> subscribe(ros::NodeHandle& nh);
   void advertise(ros::NodeHandle& nh);
@@ -78,11 +79,12 @@ class NodeLink {
   ProbeView probe_;
   ros::WallTime heard_;
   const void* connection_ = nullptr;  // of the map's progress: another one is another start of the node
+  bool answers_ = false;              // whether the node's services can be reached
+  ros::CallbackQueue queue_;          // outlives what is called from it
   std::vector<ros::Subscriber> subscribers_;  // of the state first
   std::map<std::string, ros::Publisher> publishers_;
-  ros::CallbackQueue queue_;
   ros::AsyncSpinner spinner_;
-  BackgroundWorker worker_;
+  BackgroundWorker worker_, watcher_;
 };
 
 }  // namespace parallel_aspects
