@@ -65,7 +65,9 @@ AspectsPanel::AspectsPanel(QWidget* parent)
   refresh();
 }
 
+// A line that loses the focus because its window closes says that it was edited.
 AspectsPanel::~AspectsPanel() {
+  for (QObject* const child : findChildren<QObject*>()) child->disconnect(this);
   timer_->stop();
   plan_->set_link(nullptr);
 }

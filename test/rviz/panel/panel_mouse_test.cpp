@@ -248,7 +248,7 @@ TEST_F(PanelMouse, PlansWithAMargin) {
 }
 
 TEST_F(PanelMouse, CancelsTheFirstMap) {
-  set("map/resolution", 0.005);
+  set("map/resolution", 0.0005);  // takes long
   set("map/threads", 1);
   start_node();
   auto& button = find<QPushButton>("map_button");
