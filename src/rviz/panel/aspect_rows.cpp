@@ -6,6 +6,7 @@
 #include <parallel_aspects/Status.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace parallel_aspects {
 namespace {
@@ -44,7 +45,7 @@ AspectRow row_of(const AspectSummary& aspect, const NodeView& view) {
   row.id = aspect.id;
   row.name = std::to_string(aspect.id) + (aspect.unresolved_with.empty() ? "" : " ?");
   row.sign = sign_text(aspect.determinant_sign);
-  row.size = number_text(aspect.measure, digits_of_measure) + " " + aspect.unit;
+  row.size = number_text(aspect.measure, digits_of_measure);
   row.clearance = number_text(aspect.deepest_clearance, 3);
   row.tip = tip_of(aspect);
   const AspectState* const state = followed(view);
@@ -80,6 +81,15 @@ std::vector<ModeRows> rows_of(const NodeView& view) {
   for (const RoadmapComponents& each : view.aspects->roadmap)
     add_components(each, state, rows_of_mode(modes, each.working_mode, state));
   return modes;
+}
+
+std::string unit_of(const NodeView& view) {
+  if (!view.aspects || view.aspects->aspects.empty()) return {};
+  std::string unit = view.aspects->aspects.front().unit;
+  for (const auto& [plain, raised] : {std::pair("^2", "\u00B2"), std::pair("^3", "\u00B3")})
+    if (const std::size_t place = unit.find(plain); place != std::string::npos)
+      unit.replace(place, 2, raised);
+  return unit;
 }
 
 std::string count_text(const NodeView& view) {

@@ -38,9 +38,10 @@ AspectTree::AspectTree(OnShown on_shown, QWidget* parent)
     : QTreeWidget(parent), on_shown_(std::move(on_shown)) {
   setObjectName("aspects");
   setColumnCount(column_count);
-  setHeaderLabels({"working mode, aspect", "det A", "size", "clear", "index"});
+  setHeaderLabels({"aspect", "det A", "size", "clear", "index"});
   const char* const tips[] = {
-      "Ticked aspects are drawn.", "Sign of det A.", "Volume of the aspect in the workspace.",
+      "Working modes and their aspects. Ticked ones are drawn.", "Sign of det A.",
+      "Volume of the aspect in the workspace.",
       "Radius of the largest ball in it, in pose coordinates [m or rad].",
       "Inverse condition number at the middle of that ball: 0 at a parallel singularity, 1 at best."};
   for (int i = 0; i < column_count; ++i) headerItem()->setToolTip(i, tips[i]);
@@ -49,13 +50,15 @@ AspectTree::AspectTree(OnShown on_shown, QWidget* parent)
   setAlternatingRowColors(true);
   setUniformRowHeights(true);
   setIndentation(14);
+  for (int i = sign_column; i < column_count; ++i) headerItem()->setTextAlignment(i, Qt::AlignRight);
   connect(this, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem*, int column) {
     if (!filling_ && column == name_column) on_shown_(ticked());
   });
 }
 
-void AspectTree::show_rows(const std::vector<ModeRows>& modes) {
+void AspectTree::show_rows(const std::vector<ModeRows>& modes, const std::string& unit) {
   filling_ = true;
+  headerItem()->setText(size_column, unit.empty() ? QString("size") : shown("size [" + unit + "]"));
   if (ids_ != ids_of(modes)) make_items(modes);
   for (std::size_t i = 0; i < modes.size(); ++i) {
     QTreeWidgetItem& parent = *topLevelItem(static_cast<int>(i));

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <functional>
 #include <set>
+#include <string>
 #include <vector>
 
 namespace parallel_aspects {
@@ -19,7 +20,7 @@ class AspectTree : public QTreeWidget {
 
   explicit AspectTree(OnShown on_shown, QWidget* parent = nullptr);
 
-  void show_rows(const std::vector<ModeRows>& modes);
+  void show_rows(const std::vector<ModeRows>& modes, const std::string& unit);  ///< `unit`: of the sizes
   std::set<std::uint32_t> ticked() const;
 
  private:

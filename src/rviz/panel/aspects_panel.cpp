@@ -162,7 +162,7 @@ void AspectsPanel::refresh() {
   NodeView view = link_ ? link_->view() : NodeView();
   view.master_answers = finder_.master_answers();
   state_->show_view(view);
-  tree_->show_rows(rows_of(view));
+  tree_->show_rows(rows_of(view), unit_of(view));
   count_->setText(shown(count_text(view)));
   if (aspects_ != ids_of(view)) {
     aspects_ = ids_of(view);

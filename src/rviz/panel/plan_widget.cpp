@@ -230,7 +230,7 @@ void PlanWidget::update_plan(const NodeView& view) {
          "Plans a path that is proved, or proves that there is none.");
   cancel_->setEnabled(plan_.runs);
   progress_->setValue(plan_.runs ? static_cast<int>(std::lround(100.0 * plan_.progress)) : 0);
-  progress_->setTextVisible(plan_.runs);
+  progress_->setVisible(plan_.runs);
   answer_->setText(shown(plan_.message));
 }
 

@@ -48,7 +48,7 @@ StateWidget::StateWidget(OnChoice on_choice, QWidget* parent)
     layout->addWidget(bars_[i]);
   }
   scale_->setAlignment(Qt::AlignRight);
-  scale_->setEnabled(false);  // grey, as the axis of a diagram
+  scale_->setStyleSheet("color: #666666");  // as the axis of a diagram
   layout->addWidget(scale_);
 }
 
@@ -76,11 +76,10 @@ void StateWidget::show_candidates(const NodeView& view) {
   candidate_box_->setVisible(!lines.empty());
   candidates_ = lines.empty() ? std::vector<SolvedConfiguration>() : view.candidates.candidates;
   resize_candidates(lines.size());
-  const char* const which = view.candidates.complete
-                                ? "It is in one of these. Click the one that you see:"
-                                : "It may be in one of these, or in another. Click the one that you see:";
-  candidate_text_->setText(which);
   const Permission permission = may_choose(view);
+  const std::string which =
+      view.candidates.complete ? "It is in one of these. " : "It may be in one of these, or in another. ";
+  candidate_text_->setText(shown(which + (permission ? "Click the one that you see:" : permission.refusal)));
   for (std::size_t i = 0; i < lines.size(); ++i) {
     buttons_[i]->setText(shown(lines[i].branch + "\n" + lines[i].text));
     buttons_[i]->setEnabled(static_cast<bool>(permission));

@@ -51,7 +51,8 @@ TEST(AspectRows, AreGroupedByWorkingMode) {
   EXPECT_EQ(modes[0].mode, "(+,+)");
   ASSERT_EQ(modes[0].aspects.size(), 2U);
   EXPECT_EQ(modes[0].aspects[0].name, "1");
-  EXPECT_EQ(modes[0].aspects[0].size, "193.62 m^2");
+  EXPECT_EQ(modes[0].aspects[0].size, "193.62");
+  EXPECT_EQ(unit_of(view_of_three()), "m\u00B2");
   EXPECT_EQ(modes[0].aspects[0].clearance, "1.23");
   EXPECT_EQ(modes[0].aspects[0].sign, "> 0");
   EXPECT_EQ(modes[0].aspects[1].sign, "< 0");
