@@ -107,7 +107,7 @@ void AspectTree::mark(QTreeWidgetItem& item, bool present) {
     item.setForeground(i, present ? QBrush(Qt::black) : QBrush());
   }
   const QString name = item.text(name_column);
-  const QString mark = QString::fromUtf8(" \xE2\x97\x80 here");
+  const QString mark = QString(" \u25C0");
   if (present && !name.endsWith(mark)) item.setText(name_column, name + mark);
   if (!present && name.endsWith(mark)) item.setText(name_column, name.left(name.size() - mark.size()));
 }

@@ -56,6 +56,7 @@ AspectsPanel::AspectsPanel(QWidget* parent)
       timer_(new QTimer(this)) {
   auto* const layout = new QVBoxLayout(this);
   layout->setContentsMargins(6, 6, 6, 6);
+  setMinimumWidth(340);  // for all columns of the table
   add_node_row(*layout);
   layout->addWidget(state_);
   add_tabs(*layout);

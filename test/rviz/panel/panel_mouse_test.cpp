@@ -65,7 +65,7 @@ class PanelMouse : public PanelOnScreen {
   bool has_present() {
     return until([&] {
       for (unsigned id = 1; row(id) != nullptr; ++id)
-        if (row(id)->text(0).contains("here")) return true;
+        if (row(id)->text(0).contains("\u25C0")) return true;
       return false;
     });
   }
@@ -153,7 +153,7 @@ TEST_F(PanelMouse, SaysWhatTheCommandSays) {
   const auto located =
       test::ask<GetSingularityDistance>(node_ + "/get_singularity_distance", Configuration());
   const unsigned present = located.reports.at(0).configuration.aspect;
-  EXPECT_TRUE(row(present)->text(0).contains("here"));
+  EXPECT_TRUE(row(present)->text(0).contains("\u25C0"));
   expect_says("state_text", "Aspect " + std::to_string(present) + ", (+,-)");
 }
 
