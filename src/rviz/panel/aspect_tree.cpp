@@ -46,7 +46,7 @@ AspectTree::AspectTree(OnShown on_shown, QWidget* parent)
       "Inverse condition number at the middle of that ball: 0 at a parallel singularity, 1 at best."};
   for (int i = 0; i < column_count; ++i) headerItem()->setToolTip(i, tips[i]);
   header()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  header()->setStretchLastSection(true);
+  header()->setStretchLastSection(false);
   setAlternatingRowColors(true);
   setUniformRowHeights(true);
   setIndentation(14);
