@@ -17,6 +17,16 @@ namespace {
 
 bool is_ok(const Status& status) { return status.code == Status::OK; }
 
+Status read_margin(const PlanPathGoal& goal, bool mapped, double& margin) {
+  margin = goal.parallel_margin;
+  if (!(margin >= 0.0 && margin < 1.0))
+    return invalid_request("parallel_margin must be a number from 0 to below 1; give 0 for none.");
+  if (!mapped && margin > 0.0)
+    return invalid_request(
+        "parallel_margin needs a map, and with six degrees of freedom there is none; give 0.");
+  return {};
+}
+
 }  // namespace
 
 PlanServer::PlanServer(const ros::NodeHandle& nh, const NodeSetup& setup, const RobotMonitor& monitor,
@@ -26,7 +36,7 @@ PlanServer::PlanServer(const ros::NodeHandle& nh, const NodeSetup& setup, const 
       monitor_(monitor),
       worker_(worker),
       to_base_(std::move(to_base)),
-      certifier_(manipulator_),
+      certifier_(std::make_shared<SegmentCertifier>(manipulator_)),
       goals_(nh, "plan_path") {
   ros::NodeHandle handle = nh;
   path_ = handle.advertise<nav_msgs::Path>("planned_path", 1, true);
@@ -72,6 +82,7 @@ Status PlanServer::read(const PlanPathGoal& goal, Question& question) const {
   Status status = read_wish(goal, question.wish);
   question.timed = !goal.path_only;
   const bool mapped = has_map(manipulator_->task_space());
+  if (is_ok(status)) status = read_margin(goal, mapped, question.margin);
   if (is_ok(status) && question.timed) status = read_limits();
   if (is_ok(status)) status = read_end(goal.start, "start", question.from);
   if (is_ok(status)) status = read_end(goal.goal, "goal", question.to);
@@ -129,26 +140,52 @@ MapControl PlanServer::control(const std::string& doing) {
   return control;
 }
 
-PathWish PlanServer::timed(PathWish wish, const PoseBetween& between, const MapControl& control) const {
+PathWish PlanServer::timed(const PathWish& wish, const Plan& plan, const MapControl& control) const {
+  PathWish result = wish;
   if (wish.prefer == PathPreference::fast)
-    wish.time = path_timer(certifier_, between, setup_.options.acceleration, control);
-  return wish;
+    result.time = path_timer(*plan.certifier, plan.between, setup_.options.acceleration, control);
+  return result;
 }
 
 PlanServer::Plan PlanServer::plan(const Question& question) {
   const MapControl steps = control("Looking for gates and a path.");
   steps.progress(0.0);
-  if (question.known.roadmap)
-    return {plan_in_roadmap(*question.known.roadmap, question.from, question.to,
-                            timed(question.wish, pose_between, steps), steps)};
-  if (question.known.map != map_) {
-    map_ = question.known.map;
-    planner_ = std::make_shared<PathPlanner>(map_);
+  Plan plan;
+  plan.certifier = certifier_;
+  if (question.known.roadmap) {
+    plan.path = plan_in_roadmap(*question.known.roadmap, question.from, question.to,
+                                timed(question.wish, plan, steps), steps);
+    return plan;
   }
-  const PoseBetween between = [planner = planner_](const Pose& from, const Pose& to, double t) {
+  plan.path.message = prepare(question);
+  if (!plan.path.message.empty()) return plan;
+  plan.certifier = prepared_.certifier;
+  plan.between = [planner = prepared_.planner](const Pose& from, const Pose& to, double t) {
     return planner->between(from, to, t);
   };
-  return {planner_->plan(question.from, question.to, timed(question.wish, between, steps), steps), between};
+  plan.path =
+      prepared_.planner->plan(question.from, question.to, timed(question.wish, plan, steps), steps);
+  return plan;
+}
+
+// A margin beyond those of the robot takes a map of its own. Empty, or why there is no planner.
+std::string PlanServer::prepare(const Question& question) {
+  Margins margins = manipulator_->constraints().margins;
+  const double margin = question.margin > margins.parallel ? question.margin : 0.0;
+  if (prepared_.planner && prepared_.map == question.known.map && prepared_.margin == margin) return {};
+  prepared_ = {question.known.map, margin, nullptr, certifier_};
+  std::shared_ptr<const AspectMap> map = question.known.map;
+  if (margin > 0.0) {
+    margins.parallel = margin;
+    const auto robot = manipulator_->with_margins(margins);
+    const MapResult result =
+        compute_aspect_map(robot, setup_.options.map, control("Computing a map that keeps the margin."));
+    if (!result) return "No map keeps that margin: " + result.message;
+    prepared_.certifier = std::make_shared<SegmentCertifier>(robot);
+    map = result.map;
+  }
+  prepared_.planner = std::make_shared<PathPlanner>(map);
+  return {};
 }
 
 void PlanServer::finish(const Plan& plan, const Question& question, PlanPathResult result) {
@@ -156,7 +193,7 @@ void PlanServer::finish(const Plan& plan, const Question& question, PlanPathResu
   if (plan.path && question.timed && !cancelled_) {
     const MapControl steps = control("Timing the path.");
     steps.progress(0.0);
-    timed = time_path(certifier_, plan.path, plan.between, setup_.options.acceleration, steps);
+    timed = time_path(*plan.certifier, plan.path, plan.between, setup_.options.acceleration, steps);
   }
   if (cancelled_) {
     result.status = make_status(Status::CANCELLED, "Planning was cancelled.");

@@ -44,12 +44,22 @@ class PlanServer {
     PathWish wish;
     KnownAspects known;
     bool timed = true;
+    double margin = 0.0;  // parallel index to be kept; 0 for what the robot keeps anyway
   };
 
-  /// A path, and how the pose runs between two of its points.
+  /// A path, how the pose runs between two of its points, and what proves it, with the margins that it keeps.
   struct Plan {
     PlannedPath path;
+    std::shared_ptr<const SegmentCertifier> certifier;
     PoseBetween between = pose_between;
+  };
+
+  /// A planner, and what it was made for.
+  struct Prepared {
+    std::shared_ptr<const AspectMap> map;  // of the node
+    double margin = 0.0;
+    std::shared_ptr<PathPlanner> planner;  // null before the first question
+    std::shared_ptr<const SegmentCertifier> certifier;
   };
 
   void on_goal(const PlanPathGoalConstPtr& goal);
@@ -58,8 +68,9 @@ class PlanServer {
   Status read_limits() const;
   Status read_end(const Configuration& configuration, const std::string& which, PathEnd& end) const;
   Status read_now(PathEnd& end) const;
-  PathWish timed(PathWish wish, const PoseBetween& between, const MapControl& control) const;
+  PathWish timed(const PathWish& wish, const Plan& plan, const MapControl& control) const;
   Plan plan(const Question& question);
+  std::string prepare(const Question& question);
   MapControl control(const std::string& doing);
   void finish(const Plan& plan, const Question& question, PlanPathResult result);
   void publish(const Plan& plan, const PlanPathResult& result);
@@ -69,11 +80,10 @@ class PlanServer {
   const RobotMonitor& monitor_;
   const MapWorker& worker_;
   const PoseTransformer to_base_;
-  const SegmentCertifier certifier_;
+  const std::shared_ptr<const SegmentCertifier> certifier_;
   ros::Publisher path_, trajectory_, markers_;
   CheckedGoals<PlanPathActionGoal> goals_;
-  std::shared_ptr<const AspectMap> map_;  // of the planner, which knows its gates
-  std::shared_ptr<PathPlanner> planner_;
+  Prepared prepared_;  // knows the gates of its map
   std::atomic<bool> stopping_{false}, cancelled_{false};
   std::unique_ptr<Server> server_;
 };

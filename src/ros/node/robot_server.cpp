@@ -81,7 +81,7 @@ RobotServer::RobotServer(const ros::NodeHandle& nh, const ros::NodeHandle& priva
   // Last, so that no message waits until the others are done, and is taken for old.
   subscriber_ = joint_states_nh_.subscribe("joint_states", 1000, &RobotServer::on_joint_states, this,
                                            ros::TransportHints().tcpNoDelay());
-  worker_.compute(setup_.options.map, FileUse::load);
+  first_map_ = worker_.compute(setup_.options.map, FileUse::load);
 }
 
 RobotServer::~RobotServer() {
@@ -112,6 +112,7 @@ void RobotServer::advertise() {
       goals_.server_handle(), "compute_map",
       [this](const ComputeMapGoalConstPtr& goal) { on_compute_map(goal); }, false);
   compute_map_->start();
+  cancel_subscriber_ = service_nh_.subscribe("compute_map/cancel", 10, &RobotServer::on_cancel_map, this);
   plan_path_ = std::make_unique<PlanServer>(
       service_nh_, setup_, monitor_, worker_,
       [this](const auto& pose, std::string& message) { return to_base(pose, message); });
@@ -317,6 +318,11 @@ void RobotServer::on_map_progress(const MapProgress& progress, const std::shared
   if (progress.state != MapProgress::COMPLETE) return;
   const std::lock_guard<std::mutex> lock(probe_mutex_);
   if (probe_) probe_->renew();
+}
+
+// Without a goal's name everything is cancelled, and with it the map that no goal has asked for.
+void RobotServer::on_cancel_map(const actionlib_msgs::GoalID& goal) {
+  if (goal.id.empty() && goal.stamp.isZero() && !setup_.options.read_only) worker_.cancel(first_map_);
 }
 
 Status RobotServer::status_of_goal(const MapOptions& options) const {

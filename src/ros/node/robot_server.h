@@ -30,6 +30,7 @@
 #include <tf2_ros/transform_listener.h>
 
 #include <actionlib/server/simple_action_server.h>
+#include <actionlib_msgs/GoalID.h>
 #include <atomic>
 #include <memory>
 #include <mutex>
@@ -73,6 +74,7 @@ class RobotServer {
   void watch(const Transforms& event, FrameWatch::Topic topic);
   void on_map_progress(const MapProgress& progress, const std::shared_ptr<const AspectMap>& map);
   void on_compute_map(const ComputeMapGoalConstPtr& goal);
+  void on_cancel_map(const actionlib_msgs::GoalID& goal);
   Status status_of_goal(const MapOptions& options) const;
   MapProgress wait_for_map(MapWorker::Job job);
   void finish(const MapProgress& progress, ComputeMapResult result);
@@ -99,6 +101,7 @@ class RobotServer {
   ros::Publisher guarded_velocity_, guarded_joint_velocities_;  // where the guard is on
   ros::Publisher state_, transitions_, joint_states_, candidates_, map_progress_;
   MapWorker worker_;
+  std::atomic<MapWorker::Job> first_map_{0};  // that the node computes at its start
   Queries queries_;
   ChoiceQueries choices_;
   CheckQueries checks_;
@@ -115,7 +118,7 @@ class RobotServer {
   std::unique_ptr<Probe> probe_;  // where it is on
   std::vector<ros::ServiceServer> services_;
   ros::Subscriber subscriber_, tf_subscriber_, tf_static_subscriber_;
-  ros::Subscriber command_subscriber_;
+  ros::Subscriber command_subscriber_, cancel_subscriber_;
   ros::SteadyTimer age_timer_, command_timer_;
   ros::WallTimer display_timer_, diagnostics_timer_, log_timer_, work_timer_, stand_off_timer_,
       silence_timer_;

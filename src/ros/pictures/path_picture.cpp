@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/pictures/path_picture.h"
 
+#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/singularity/indices.h"
 #include "ros/messages/conversions.h"
 #include "ros/pictures/marker_colors.h"
 #include "ros/pictures/picture_parts.h"
 
+#include <algorithm>
+#include <array>
 #include <string>
 
 namespace parallel_aspects {
@@ -14,6 +18,14 @@ using visualization_msgs::Marker;
 
 constexpr int steps_of_a_segment = 20;
 constexpr double line_width = 0.006, ball_width = 0.025;  // of the size of what is drawn
+
+std_msgs::ColorRGBA blended(const std_msgs::ColorRGBA& from, const std_msgs::ColorRGBA& to, float share) {
+  std_msgs::ColorRGBA result = from;
+  result.r += share * (to.r - from.r);
+  result.g += share * (to.g - from.g);
+  result.b += share * (to.b - from.b);
+  return result;
+}
 
 class PathDrawing {
  public:
@@ -49,6 +61,13 @@ class PathDrawing {
     return array_.markers.back();
   }
 
+  void extend(Marker& line, const Pose& pose, const WorkingMode& mode) const {
+    line.points.push_back(point(pose));
+    const InverseSolution solution = inverse(robot_, pose, mode);
+    const bool solved = solution.status != InverseStatus::out_of_reach;  // else B_jj = 0, but for rounding
+    line.colors.push_back(solved ? color_of_index(parallel_index(robot_, pose, solution.q)) : ink());
+  }
+
   visualization_msgs::MarkerArray take() { return std::move(array_); }
 
  private:
@@ -60,16 +79,26 @@ class PathDrawing {
 
 }  // namespace
 
+// Three colours that people with any colour vision tell apart (after Paul Tol's "high contrast" scheme).
+std_msgs::ColorRGBA color_of_index(double index) {
+  constexpr std::array<unsigned, 3> stops{0xBB5566, 0xDDAA33, 0x004488};
+  const double place = 2.0 * std::clamp(index, 0.0, 1.0);
+  const std::size_t below = place < 1.0 ? 0 : 1;
+  return blended(color(stops[below]), color(stops[below + 1]),
+                 static_cast<float>(place) - static_cast<float>(below));
+}
+
 visualization_msgs::MarkerArray path_markers(const Manipulator& manipulator, const PlannedPath& path,
                                              const PoseBetween& between, double radius) {
   PathDrawing drawing(manipulator, radius);
   Marker& line = drawing.add("line", Marker::LINE_STRIP, line_width, ink());
-  line.points.push_back(drawing.point(path.points.front().pose));
+  drawing.extend(line, path.points.front().pose, path.points.front().mode);
   for (std::size_t i = 0; i + 1 < path.points.size(); ++i)
     for (int step = 1; step <= steps_of_a_segment; ++step)
-      line.points.push_back(
-          drawing.point(between(path.points[i].pose, path.points[i + 1].pose,
-                                static_cast<double>(step) / static_cast<double>(steps_of_a_segment))));
+      drawing.extend(line,
+                     between(path.points[i].pose, path.points[i + 1].pose,
+                             static_cast<double>(step) / static_cast<double>(steps_of_a_segment)),
+                     path.points[i].mode);
   drawing.add("ends", Marker::SPHERE_LIST, ball_width, ink()).points = {
       drawing.point(path.points.front().pose), drawing.point(path.points.back().pose)};
   if (path.crossings.empty()) return drawing.take();

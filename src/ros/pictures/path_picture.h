@@ -4,13 +4,18 @@
 
 #include "parallel_aspects/motion/time_path.h"
 
+#include <std_msgs/ColorRGBA.h>
 #include <visualization_msgs/MarkerArray.h>
 
 namespace parallel_aspects {
 
-/// A path as a line that the operational point draws, in the base frame, with a ball at its start, its goal
-/// and each crossing of a gate; where the platform only turns, the end of its z axis draws it, at `radius`
-/// [m]. It begins by deleting whatever its topic drew before. The path has one point or more.
+/// From red at a parallel singularity over yellow to blue at best; `index` is the parallel one, 0 to 1.
+std_msgs::ColorRGBA color_of_index(double index);
+
+/// A path as a line, in the colours of `color_of_index`, that the operational point draws, in the base frame,
+/// with a ball at its start, its goal and each crossing of a gate; where the platform only turns, the end of
+/// its z axis draws it, at `radius` [m]. It begins by deleting whatever its topic drew before. The path has
+/// one point or more.
 visualization_msgs::MarkerArray path_markers(const Manipulator& manipulator, const PlannedPath& path,
                                              const PoseBetween& between, double radius);
 

@@ -202,6 +202,27 @@ TEST_F(PlanPathAsked, RefusesWhatItCannotBeAsked) {
   expect_refused(goal, Status::NO_TRANSFORM, "nowhere");
 }
 
+// A map that takes the margin is computed for it.
+TEST_F(PlanPathAsked, KeepsAMargin) {
+  wait_for_map("/aspect_node");
+  PlanPathGoal goal = in_one_aspect();
+  goal.path_only = true;
+  goal.parallel_margin = 0.3;
+  const Answer answer = ask(goal);
+  ASSERT_EQ(answer.result.answer, Result::YES) << answer.result.reason;
+  EXPECT_GE(answer.result.least_index, 0.3);
+  goal.start.working_mode = {1, -1};
+  goal.parallel_margin = 0.999;  // more than it has there
+  const Answer too_much = ask(goal);
+  EXPECT_EQ(too_much.result.answer, Result::NO) << too_much.result.reason;
+  goal.parallel_margin = 0.0;
+  EXPECT_EQ(ask(goal).result.answer, Result::YES);
+  for (const double wrong : {-0.1, 1.0, std::nan("")}) {
+    goal.parallel_margin = wrong;
+    expect_refused(goal, Status::INVALID_REQUEST, "parallel_margin");
+  }
+}
+
 TEST_F(PlanPathAsked, NeedsAMap) {
   expect_refused(in_one_aspect(), Status::MAP_NOT_READY, "not there yet", "/slow/aspect_node");
 }

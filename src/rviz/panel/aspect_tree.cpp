@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rviz/panel/aspect_tree.h"
+
+#include "ros/pictures/palette.h"
+
+#include <QHeaderView>
+#include <QPixmap>
+#include <utility>
+
+namespace parallel_aspects {
+namespace {
+
+enum Column { name_column, sign_column, size_column, clearance_column, index_column, column_count };
+
+constexpr int swatch_size = 12;  // [pixels]
+
+QString shown(const std::string& text) { return QString::fromStdString(text); }
+
+QIcon swatch_of(std::uint32_t aspect) {
+  const std_msgs::ColorRGBA color = aspect_color(static_cast<int>(aspect));
+  QPixmap pixmap(swatch_size, swatch_size);
+  pixmap.fill(QColor::fromRgbF(color.r, color.g, color.b));
+  return QIcon(pixmap);
+}
+
+std::vector<std::vector<std::uint32_t>> ids_of(const std::vector<ModeRows>& modes) {
+  std::vector<std::vector<std::uint32_t>> ids;
+  for (const ModeRows& mode : modes) {
+    ids.emplace_back();
+    for (const AspectRow& row : mode.aspects) ids.back().push_back(row.id);
+  }
+  return ids;
+}
+
+}  // namespace
+
+AspectTree::AspectTree(OnShown on_shown, QWidget* parent)
+    : QTreeWidget(parent), on_shown_(std::move(on_shown)) {
+  setObjectName("aspects");
+  setColumnCount(column_count);
+  setHeaderLabels({"aspect", "det A", "size", "clear", "index"});
+  const char* const tips[] = {
+      "Working modes and their aspects. Ticked ones are drawn.", "Sign of det A.",
+      "Volume of the aspect in the workspace.",
+      "Radius of the largest ball in it, in pose coordinates [m or rad].",
+      "Inverse condition number at the middle of that ball: 0 at a parallel singularity, 1 at best."};
+  for (int i = 0; i < column_count; ++i) headerItem()->setToolTip(i, tips[i]);
+  header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  header()->setStretchLastSection(false);
+  setAlternatingRowColors(true);
+  setUniformRowHeights(true);
+  setIndentation(14);
+  for (int i = sign_column; i < column_count; ++i) headerItem()->setTextAlignment(i, Qt::AlignRight);
+  connect(this, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem*, int column) {
+    if (!filling_ && column == name_column) on_shown_(ticked());
+  });
+}
+
+void AspectTree::show_rows(const std::vector<ModeRows>& modes, const std::string& unit) {
+  filling_ = true;
+  headerItem()->setText(size_column, unit.empty() ? QString("size") : shown("size [" + unit + "]"));
+  if (ids_ != ids_of(modes)) make_items(modes);
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    QTreeWidgetItem& parent = *topLevelItem(static_cast<int>(i));
+    mark(parent, modes[i].present);
+    for (std::size_t j = 0; j < modes[i].aspects.size(); ++j)
+      fill(*parent.child(static_cast<int>(j)), modes[i].aspects[j]);
+  }
+  filling_ = false;
+}
+
+void AspectTree::make_items(const std::vector<ModeRows>& modes) {
+  ids_ = ids_of(modes);
+  clear();
+  for (const ModeRows& mode : modes) {
+    auto* const parent = new QTreeWidgetItem(this, {shown(mode.mode)});
+    parent->setFlags(parent->flags() | Qt::ItemIsAutoTristate | Qt::ItemIsUserCheckable);
+    for (const AspectRow& row : mode.aspects) {
+      auto* const item = new QTreeWidgetItem(parent);
+      item->setData(name_column, Qt::UserRole, row.id);
+      for (int i = sign_column; i < column_count; ++i)
+        item->setTextAlignment(i, Qt::AlignRight | Qt::AlignVCenter);
+      if (row.id == 0) continue;
+      item->setCheckState(name_column, Qt::Checked);
+      item->setIcon(name_column, swatch_of(row.id));
+    }
+    parent->setExpanded(true);
+  }
+}
+
+void AspectTree::fill(QTreeWidgetItem& item, const AspectRow& row) {
+  item.setText(name_column, shown(row.name));
+  item.setText(sign_column, shown(row.sign));
+  item.setText(size_column, shown(row.size));
+  item.setText(clearance_column, shown(row.clearance));
+  item.setText(index_column, shown(row.index));
+  item.setToolTip(name_column, shown(row.tip));
+  mark(item, row.present);
+}
+
+void AspectTree::mark(QTreeWidgetItem& item, bool present) {
+  QFont font = this->font();
+  font.setBold(present);
+  for (int i = 0; i < column_count; ++i) {
+    item.setFont(i, font);
+    item.setBackground(i, present ? QBrush(QColor(0xFF, 0xEE, 0xBB)) : QBrush());
+    item.setForeground(i, present ? QBrush(Qt::black) : QBrush());
+  }
+  const QString name = item.text(name_column);
+  const QString mark = QString(" \u25C0");
+  if (present && !name.endsWith(mark)) item.setText(name_column, name + mark);
+  if (!present && name.endsWith(mark)) item.setText(name_column, name.left(name.size() - mark.size()));
+}
+
+std::set<std::uint32_t> AspectTree::ticked() const {
+  std::set<std::uint32_t> ids;
+  for (int i = 0; i < topLevelItemCount(); ++i)
+    for (int j = 0; j < topLevelItem(i)->childCount(); ++j) {
+      const QTreeWidgetItem& item = *topLevelItem(i)->child(j);
+      const bool is_ticked = item.checkState(name_column) == Qt::Checked;
+      if (const auto id = item.data(name_column, Qt::UserRole).toUInt(); is_ticked && id > 0) ids.insert(id);
+    }
+  return ids;
+}
+
+}  // namespace parallel_aspects

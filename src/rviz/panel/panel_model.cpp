@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rviz/panel/panel_model.h"
+
+#include "model/number_text.h"
+#include "parallel_aspects/kinematics/working_mode.h"
+#include "ros/messages/conversions.h"
+
+#include <parallel_aspects/DistanceBounds.h>
+#include <parallel_aspects/Status.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+#include <limits>
+
+namespace parallel_aspects {
+namespace {
+
+constexpr int digits = 3;
+constexpr double too_silent = 1.0;     // for a robot that is followed [s]
+constexpr double slowest_seen = 1e-4;  // speeds below count as standing still [m/s]
+
+const char* title_of(std::uint8_t status) {
+  switch (status) {
+    case Status::NO_JOINT_STATES:
+      return "NO JOINT STATES";
+    case Status::NOT_STARTED:
+      return "NOT STARTED";
+    case Status::AMBIGUOUS:
+      return "AMBIGUOUS";
+    case Status::STALE:
+      return "STALE";
+    case Status::INVALID_JOINT_STATES:
+      return "INVALID JOINT STATES";
+    case Status::SEVERAL_PUBLISHERS:
+      return "SEVERAL PUBLISHERS";
+    case Status::INCONSISTENT:
+      return "INCONSISTENT";
+    default:
+      return "UNKNOWN";
+  }
+}
+
+std::string waits_for(const NodeView& view) {
+  if (!view.master_answers) return "Waits for a ROS master; start roscore.";
+  if (view.node.empty())
+    return "Waits for an aspect_node: none is running. Start one with roslaunch parallel_aspects "
+           "aspects.launch "
+           "robot:=five_bar";
+  if (!view.connected) return "Waits for " + view.node + ", which is not running.";
+  if (!view.state) return "Waits for the first message of " + view.node + "/state.";
+  return {};
+}
+
+Tone tone_of(std::uint8_t level) {
+  switch (level) {
+    case AspectState::CLEAR:
+      return Tone::clear;
+    case AspectState::WARN:
+      return Tone::warn;
+    case AspectState::STOP:
+      return Tone::stop;
+    default:
+      return Tone::unknown;
+  }
+}
+
+const char* title_of(Tone tone) {
+  switch (tone) {
+    case Tone::clear:
+      return "CLEAR";
+    case Tone::warn:
+      return "WARN";
+    case Tone::stop:
+      return "STOP";
+    case Tone::unknown:
+      break;
+  }
+  return "UNKNOWN";
+}
+
+std::string place_of(const AspectState& state) {
+  const std::string aspect = state.aspect > 0 ? "Aspect " + std::to_string(state.aspect) : "Aspect not known";
+  return aspect + ", " + branch_of(state.working_mode, state.determinant_sign);
+}
+
+Banner banner_of_followed(const AspectState& state) {
+  const Tone tone = tone_of(state.level);
+  Banner banner{tone, title_of(tone), place_of(state)};
+  for (const std::string& more : {state.reason, state.status.message})
+    if (!more.empty()) banner.text += "\n" + more;
+  return banner;
+}
+
+const char* name_of(Hazard hazard) {
+  switch (hazard) {
+    case Hazard::parallel:
+      return "Parallel singularity";
+    case Hazard::serial:
+      return "Serial singularity";
+    case Hazard::limit:
+      break;
+  }
+  return "Joint limit";
+}
+
+const DistanceBounds& bounds_of(const AspectState& state, Hazard hazard) {
+  switch (hazard) {
+    case Hazard::parallel:
+      return state.parallel_distance;
+    case Hazard::serial:
+      return state.serial_distance;
+    case Hazard::limit:
+      break;
+  }
+  return state.limit_distance;
+}
+
+std::string metres(double value) { return number_text(value, digits) + " m"; }
+
+std::string motion_of(double speed) {
+  if (!std::isfinite(speed) || std::abs(speed) < slowest_seen) return {};
+  return std::string(speed < 0.0 ? ", shrinks " : ", grows ") + number_text(std::abs(speed), 2) + " m/s";
+}
+
+std::string text_of(const DistanceBounds& bounds) {
+  if (std::isnan(bounds.lower)) return "not measured";
+  if (std::isinf(bounds.lower)) return "none";
+  return metres(bounds.lower) + motion_of(bounds.speed);
+}
+
+std::string tip_of(const DistanceBounds& bounds, const LevelThresholds& thresholds) {
+  if (std::isnan(bounds.lower)) return "Not measured yet.";
+  std::string tip = std::isinf(bounds.lower) ? "Proved: there is none in this working mode."
+                                             : "Proved: none is nearer than " + metres(bounds.lower) + ".";
+  if (std::isfinite(bounds.upper)) tip += " One was found at " + metres(bounds.upper) + ".";
+  if (thresholds.warn > 0.0) tip += " WARN below " + metres(thresholds.warn) + ".";
+  if (thresholds.stop > 0.0) tip += " STOP below " + metres(thresholds.stop) + ".";
+  return tip;
+}
+
+Tone tone_of(const DistanceBounds& bounds, const LevelThresholds& thresholds) {
+  if (std::isnan(bounds.lower)) return Tone::unknown;
+  if (bounds.lower <= thresholds.stop && thresholds.stop > 0.0) return Tone::stop;
+  if (bounds.lower <= thresholds.warn && thresholds.warn > 0.0) return Tone::warn;
+  return Tone::clear;
+}
+
+double share_of(double value, double scale) {
+  return std::isnan(value) ? value : std::clamp(value / scale, 0.0, 1.0);
+}
+
+DistanceGauge gauge_of(const NodeView& view, Hazard hazard, double scale) {
+  const LevelThresholds& thresholds = view.thresholds[static_cast<std::size_t>(hazard)];
+  DistanceBounds bounds;
+  bounds.lower = bounds.upper = bounds.speed = std::numeric_limits<double>::quiet_NaN();
+  if (view.connected && view.state && view.state->status.code == Status::OK)
+    bounds = bounds_of(*view.state, hazard);
+  DistanceGauge gauge;
+  gauge.name = name_of(hazard);
+  gauge.tone = tone_of(bounds, thresholds);
+  gauge.lower = share_of(bounds.lower, scale);
+  gauge.upper = share_of(bounds.upper, scale);
+  gauge.warn = share_of(thresholds.warn, scale);
+  gauge.stop = share_of(thresholds.stop, scale);
+  gauge.text = text_of(bounds);
+  gauge.tip = tip_of(bounds, thresholds);
+  return gauge;
+}
+
+std::string clock_text(const ros::Time& stamp) {
+  const std::time_t seconds = stamp.sec;
+  std::tm parts{};
+  localtime_r(&seconds, &parts);
+  char text[32];
+  std::snprintf(text, sizeof text, "%02d:%02d:%02d.%03u", parts.tm_hour, parts.tm_min, parts.tm_sec,
+                static_cast<unsigned>(stamp.nsec / 1000000U));
+  return text;
+}
+
+// Of the turn as roll, pitch and yaw about the fixed axes x, y and z.
+std::string turn_of(const geometry_msgs::Quaternion& q) {
+  const double roll = std::atan2(2.0 * (q.w * q.x + q.y * q.z), 1.0 - 2.0 * (q.x * q.x + q.y * q.y));
+  const double pitch = std::asin(std::clamp(2.0 * (q.w * q.y - q.z * q.x), -1.0, 1.0));
+  const double yaw = std::atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z));
+  const auto angle = [](const char* name, double value) {
+    return std::string(", ") + name + " " + number_text(std::abs(value) < 5e-7 ? 0.0 : value, digits);
+  };
+  constexpr double seen = 1e-6;
+  if (std::abs(roll) < seen && std::abs(pitch) < seen)
+    return std::abs(yaw) < seen ? std::string() : angle("phi", yaw);
+  return angle("roll", roll) + angle("pitch", pitch) + angle("yaw", yaw);
+}
+
+}  // namespace
+
+std::string mode_of(const std::vector<std::int8_t>& working_mode) {
+  const auto mode = WorkingMode::from_signs({working_mode.begin(), working_mode.end()});
+  return mode ? to_string(*mode) : "any";
+}
+
+std::string branch_of(const std::vector<std::int8_t>& working_mode, int determinant_sign) {
+  const auto mode = WorkingMode::from_signs({working_mode.begin(), working_mode.end()});
+  return mode ? branch_text(*mode, determinant_sign) : std::string("working mode not known");
+}
+
+std::string pose_of(const geometry_msgs::Pose& pose) {
+  std::string text = "x " + number_text(pose.position.x, 4) + ", y " + number_text(pose.position.y, 4);
+  if (std::abs(pose.position.z) > 1e-9) text += ", z " + number_text(pose.position.z, 4);
+  return text + turn_of(pose.orientation);
+}
+
+Banner banner_of(const NodeView& view) {
+  const std::string waiting = waits_for(view);
+  if (!waiting.empty()) return {Tone::unknown, "WAITING", waiting};
+  const AspectState& state = *view.state;
+  if (state.status.code != Status::OK) {
+    Banner banner{Tone::unknown, title_of(state.status.code), state.status.message};
+    if (!state.last_hazard.kind) return banner;
+    banner.text += "\nLast proved: " + metres(state.last_hazard.lower) + " from the hazard.";
+    return banner;
+  }
+  if (view.silence > too_silent)
+    return {Tone::unknown, "SILENT",
+            view.node + " has said nothing for " + number_text(std::floor(view.silence), 6) +
+                " s. Last: " + place_of(state)};
+  return banner_of_followed(state);
+}
+
+double scale_of(const NodeView& view) {
+  double largest = view.largest_distance;
+  for (const LevelThresholds& each : view.thresholds)
+    largest = std::max({largest, 2.0 * each.warn, 2.0 * each.stop});
+  if (!(largest > 0.0) || !std::isfinite(largest)) return 1.0;
+  const double power = std::pow(10.0, std::floor(std::log10(largest)));
+  for (const double step : {1.0, 2.0, 5.0})
+    if (largest <= step * power) return step * power;
+  return 10.0 * power;
+}
+
+std::array<DistanceGauge, 3> gauges_of(const NodeView& view) {
+  const double scale = scale_of(view);
+  return {gauge_of(view, Hazard::parallel, scale), gauge_of(view, Hazard::serial, scale),
+          gauge_of(view, Hazard::limit, scale)};
+}
+
+std::vector<EventLine> events_of(const NodeView& view) {
+  std::vector<EventLine> lines;
+  for (auto each = view.transitions.rbegin(); each != view.transitions.rend(); ++each)
+    lines.push_back({clock_text(each->header.stamp), each->message});
+  return lines;
+}
+
+std::vector<CandidateLine> candidates_of(const NodeView& view) {
+  std::vector<CandidateLine> lines;
+  const bool followed = view.state && view.state->status.code == Status::OK;
+  if (!view.connected || !view.state || followed) return lines;
+  for (const SolvedConfiguration& each : view.candidates.candidates) {
+    CandidateLine line{branch_of(each.working_mode, each.determinant_sign), pose_of(each.pose)};
+    if (each.aspect > 0) line.text = "aspect " + std::to_string(each.aspect) + ", " + line.text;
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+MapLine map_line_of(const NodeView& view) {
+  if (!view.connected || !view.progress) return {};
+  const MapProgress& progress = *view.progress;
+  const bool runs = progress.state == MapProgress::COMPUTING;
+  return {progress.message, runs ? progress.progress : 1.0, runs};
+}
+
+Permission may_ask(const NodeView& view) { return {waits_for(view)}; }
+
+Permission may_choose(const NodeView& view) {
+  if (const Permission asked = may_ask(view); !asked) return asked;
+  if (view.read_only)
+    return {
+        "The node is read-only (~read_only): nobody can say the assembly mode. Restart it with a start that "
+        "is true."};
+  return {};
+}
+
+Permission may_compute_map(const NodeView& view) {
+  if (const Permission asked = may_ask(view); !asked) return asked;
+  if (view.read_only) return {"The node is read-only (~read_only): it computes no other map."};
+  return {};
+}
+
+Permission may_cancel_map(const NodeView& view) {
+  if (const Permission computed = may_compute_map(view); !computed) return computed;
+  if (!map_line_of(view).runs) return {"No map is being computed."};
+  return {};
+}
+
+}  // namespace parallel_aspects

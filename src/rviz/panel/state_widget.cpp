@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rviz/panel/state_widget.h"
+
+#include "model/number_text.h"
+#include "rviz/panel/distance_bar.h"
+#include "rviz/panel/tone_colors.h"
+
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <utility>
+
+namespace parallel_aspects {
+namespace {
+
+QString shown(const std::string& text) { return QString::fromStdString(text); }
+
+QLabel* wrapped_label(const char* name) {
+  auto* const label = new QLabel;
+  label->setObjectName(name);
+  label->setWordWrap(true);
+  label->setTextFormat(Qt::PlainText);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  return label;
+}
+
+}  // namespace
+
+StateWidget::StateWidget(OnChoice on_choice, QWidget* parent)
+    : QWidget(parent),
+      on_choice_(std::move(on_choice)),
+      title_(wrapped_label("state_title")),
+      text_(wrapped_label("state_text")),
+      scale_(new QLabel),
+      candidate_box_(new QWidget),
+      candidate_text_(wrapped_label("candidate_text")),
+      candidate_layout_(new QVBoxLayout(candidate_box_)) {
+  auto* const layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(title_);
+  layout->addWidget(text_);
+  candidate_layout_->setContentsMargins(0, 0, 0, 0);
+  candidate_layout_->addWidget(candidate_text_);
+  layout->addWidget(candidate_box_);
+  for (std::size_t i = 0; i < bars_.size(); ++i) {
+    bars_[i] = new DistanceBar;
+    bars_[i]->setObjectName(QString("distance_%1").arg(i));
+    layout->addWidget(bars_[i]);
+  }
+  scale_->setAlignment(Qt::AlignRight);
+  scale_->setStyleSheet("color: #666666");  // as the axis of a diagram
+  layout->addWidget(scale_);
+}
+
+void StateWidget::show_view(const NodeView& view) {
+  show_banner(banner_of(view));
+  const auto gauges = gauges_of(view);
+  for (std::size_t i = 0; i < bars_.size(); ++i) bars_[i]->show_gauge(gauges[i]);
+  scale_->setText(shown("bars: proved distance, full at " + number_text(scale_of(view)) + " m"));
+  show_candidates(view);
+}
+
+void StateWidget::show_banner(const Banner& banner) {
+  title_->setText(shown(banner.title));
+  text_->setText(shown(banner.text));
+  if (tone_ == static_cast<int>(banner.tone)) return;
+  tone_ = static_cast<int>(banner.tone);
+  const char* const ink = banner.tone == Tone::warn ? "black" : "white";
+  title_->setStyleSheet(
+      QString("background: %1; color: %2; font-weight: bold; padding: 3px 6px; border-radius: 3px")
+          .arg(color_of(banner.tone).name(), ink));
+}
+
+void StateWidget::show_candidates(const NodeView& view) {
+  const std::vector<CandidateLine> lines = candidates_of(view);
+  candidate_box_->setVisible(!lines.empty());
+  candidates_ = lines.empty() ? std::vector<SolvedConfiguration>() : view.candidates.candidates;
+  resize_candidates(lines.size());
+  const Permission permission = may_choose(view);
+  const std::string which =
+      view.candidates.complete ? "It is in one of these. " : "It may be in one of these, or in another. ";
+  candidate_text_->setText(shown(which + (permission ? "Click the one that you see:" : permission.refusal)));
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    buttons_[i]->setText(shown(lines[i].branch + "\n" + lines[i].text));
+    buttons_[i]->setEnabled(static_cast<bool>(permission));
+    buttons_[i]->setToolTip(
+        shown(permission ? "Tells the node that the robot is in this assembly mode." : permission.refusal));
+  }
+}
+
+void StateWidget::resize_candidates(std::size_t count) {
+  while (buttons_.size() > count) {
+    buttons_.back()->deleteLater();
+    buttons_.pop_back();
+  }
+  while (buttons_.size() < count) {
+    auto* const button = new QPushButton;
+    const std::size_t number = buttons_.size();
+    button->setObjectName(QString("candidate_%1").arg(number));
+    connect(button, &QPushButton::clicked, this, [this, number] {
+      if (number < candidates_.size()) on_choice_(candidates_[number]);
+    });
+    candidate_layout_->addWidget(button);
+    buttons_.push_back(button);
+  }
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What the panel says of what it has heard; without widgets and without a node.
+#include "rviz/panel/panel_model.h"
+
+#include <parallel_aspects/Status.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+DistanceBounds bounds(double lower, double upper, double speed) {
+  DistanceBounds result;
+  result.lower = lower;
+  result.upper = upper;
+  result.speed = speed;
+  return result;
+}
+
+NodeView followed() {
+  NodeView view;
+  view.node = "/left/aspect_node";
+  view.connected = true;
+  view.state.emplace();
+  view.state->level = AspectState::CLEAR;
+  view.state->working_mode = {1, -1};
+  view.state->determinant_sign = -1;
+  view.state->aspect = 7;
+  view.state->parallel_distance = bounds(0.3, 0.31, -0.05);
+  view.state->serial_distance = bounds(0.5, 0.7, 0.0);
+  view.state->limit_distance = bounds(infinity, infinity, unknown);
+  view.largest_distance = 0.7;
+  return view;
+}
+
+NodeView ambiguous() {
+  NodeView view = followed();
+  view.state->status.code = Status::AMBIGUOUS;
+  view.state->status.message = "det A came too close to zero.";
+  view.candidates.complete = true;
+  view.candidates.candidates.resize(2);
+  SolvedConfiguration& first = view.candidates.candidates.front();
+  first.working_mode = {1, 1};
+  first.determinant_sign = 1;
+  first.aspect = 3;
+  first.pose.position.x = 4.5;
+  first.pose.position.y = -8.0;
+  first.pose.orientation.w = 1.0;
+  view.candidates.candidates.back().pose.orientation.w = 1.0;
+  return view;
+}
+
+void expect_words(const std::string& text, const std::vector<std::string>& words) {
+  for (const std::string& each : words) EXPECT_NE(text.find(each), std::string::npos) << text << ": " << each;
+}
+
+TEST(PanelModel, SaysWhatItWaitsFor) {
+  NodeView view;
+  view.master_answers = false;
+  EXPECT_EQ(banner_of(view).tone, Tone::unknown);
+  expect_words(banner_of(view).text, {"ROS master", "roscore"});
+  view.master_answers = true;
+  expect_words(banner_of(view).text, {"none is running", "roslaunch"});
+  view.node = "/left/aspect_node";
+  expect_words(banner_of(view).text, {"/left/aspect_node", "not running"});
+  view.connected = true;
+  expect_words(banner_of(view).text, {"/left/aspect_node/state"});
+  EXPECT_FALSE(may_ask(view));
+  EXPECT_EQ(may_choose(view).refusal, banner_of(view).text);
+}
+
+TEST(PanelModel, NamesLevelPlaceAndReason) {
+  NodeView view = followed();
+  EXPECT_EQ(banner_of(view).title, "CLEAR");
+  EXPECT_EQ(banner_of(view).text, "Aspect 7, (+,-), det A < 0");
+  view.state->level = AspectState::STOP;
+  view.state->reason = "too near";
+  EXPECT_EQ(banner_of(view).tone, Tone::stop);
+  EXPECT_EQ(banner_of(view).text, "Aspect 7, (+,-), det A < 0\ntoo near");
+  view.state->level = AspectState::WARN;
+  EXPECT_EQ(banner_of(view).title, "WARN");
+  view.state->aspect = 0;
+  expect_words(banner_of(view).text, {"Aspect not known"});
+  view.state->level = 0;  // a message that nobody has filled
+  EXPECT_EQ(banner_of(view).tone, Tone::unknown);
+}
+
+TEST(PanelModel, SaysThatANodeIsSilentWhereItsRobotWasFollowed) {
+  NodeView view = followed();
+  view.silence = 3.7;
+  EXPECT_EQ(banner_of(view).tone, Tone::unknown);
+  EXPECT_EQ(banner_of(view).title, "SILENT");
+  expect_words(banner_of(view).text, {"3 s", "Aspect 7"});
+  view.state->status.code = Status::STALE;  // then it has nothing to say
+  view.state->status.message = "nothing came";
+  EXPECT_EQ(banner_of(view).title, "STALE");
+  EXPECT_EQ(banner_of(view).text, "nothing came");
+}
+
+TEST(PanelModel, DrawsDistancesOnOneScale) {
+  const auto gauges = gauges_of(followed());
+  EXPECT_EQ(scale_of(followed()), 1.0);
+  EXPECT_DOUBLE_EQ(gauges[0].lower, 0.3);
+  EXPECT_DOUBLE_EQ(gauges[0].upper, 0.31);
+  EXPECT_EQ(gauges[0].text, "0.3 m, shrinks 0.05 m/s");
+  EXPECT_EQ(gauges[1].text, "0.5 m");
+  EXPECT_EQ(gauges[2].text, "none");
+  EXPECT_EQ(gauges[2].lower, 1.0);
+  for (const DistanceGauge& each : gauges) EXPECT_EQ(each.tone, Tone::clear);
+}
+
+TEST(PanelModel, ScalesAreOneTwoOrFive) {
+  for (const auto& [largest, scale] : std::vector<std::pair<double, double>>{
+           {0.7, 1.0}, {1.0, 1.0}, {1.01, 2.0}, {2.5, 5.0}, {6.0, 10.0}, {0.013, 0.02}}) {
+    NodeView view = followed();
+    view.largest_distance = largest;
+    EXPECT_DOUBLE_EQ(scale_of(view), scale) << largest;
+  }
+  EXPECT_EQ(scale_of(NodeView()), 1.0);
+}
+
+TEST(PanelModel, ComparesDistancesWithThresholds) {
+  NodeView view = followed();
+  view.thresholds[0] = {0.4, 0.2};
+  EXPECT_EQ(gauges_of(view)[0].tone, Tone::warn);
+  expect_words(gauges_of(view)[0].tip, {"0.31 m", "WARN below 0.4 m", "STOP below 0.2 m"});
+  view.thresholds[0] = {0.4, 0.3};
+  EXPECT_EQ(gauges_of(view)[0].tone, Tone::stop);
+  view.thresholds[2] = {0.4, 0.3};
+  EXPECT_EQ(gauges_of(view)[2].tone, Tone::clear) << "there is none";
+}
+
+TEST(PanelModel, MeasuresNothingWhereNothingIsKnown) {
+  for (NodeView view : {NodeView(), ambiguous()}) {
+    view.thresholds[0] = {0.4, 0.2};
+    const DistanceGauge gauge = gauges_of(view)[0];
+    EXPECT_TRUE(std::isnan(gauge.lower) && std::isnan(gauge.upper));
+    EXPECT_EQ(gauge.tone, Tone::unknown);
+    EXPECT_EQ(gauge.text, "not measured");
+  }
+}
+
+TEST(PanelModel, OffersCandidatesUntilTheRobotIsFollowed) {
+  NodeView view = ambiguous();
+  EXPECT_EQ(banner_of(view).title, "AMBIGUOUS");
+  EXPECT_EQ(banner_of(view).text, "det A came too close to zero.");
+  const auto lines = candidates_of(view);
+  ASSERT_EQ(lines.size(), 2U);
+  EXPECT_EQ(lines[0].branch, "(+,+), det A > 0");
+  EXPECT_EQ(lines[0].text, "aspect 3, x 4.5, y -8");
+  EXPECT_EQ(lines[1].branch, "working mode not known");
+  view.state->status.code = Status::OK;
+  EXPECT_TRUE(candidates_of(view).empty());
+}
+
+TEST(PanelModel, ReadOnlyRefusesWithItsReason) {
+  NodeView view = ambiguous();
+  view.progress.emplace();
+  view.progress->state = MapProgress::COMPUTING;
+  EXPECT_TRUE(may_choose(view) && may_compute_map(view) && may_cancel_map(view));
+  view.read_only = true;
+  for (const Permission& each : {may_choose(view), may_compute_map(view), may_cancel_map(view)})
+    expect_words(each.refusal, {"read-only", "~read_only"});
+  EXPECT_TRUE(may_ask(view));
+}
+
+TEST(PanelModel, TellsHowFarTheMapIs) {
+  NodeView view = followed();
+  EXPECT_TRUE(map_line_of(view).text.empty());
+  view.progress.emplace();
+  view.progress->state = MapProgress::COMPUTING;
+  view.progress->progress = 0.4;
+  view.progress->message = "refining";
+  EXPECT_TRUE(map_line_of(view).runs);
+  EXPECT_DOUBLE_EQ(map_line_of(view).share, 0.4);
+  view.progress->state = MapProgress::COMPLETE;
+  EXPECT_FALSE(map_line_of(view).runs);
+  expect_words(may_cancel_map(view).refusal, {"No map is being computed"});
+}
+
+TEST(PanelModel, ListsTheNewestTransitionFirst) {
+  NodeView view = followed();
+  view.transitions.resize(2);
+  view.transitions[0].message = "first";
+  view.transitions[1].message = "second";
+  view.transitions[1].header.stamp = ros::Time(100, 5000000);
+  const auto lines = events_of(view);
+  ASSERT_EQ(lines.size(), 2U);
+  EXPECT_EQ(lines[0].text, "second");
+  EXPECT_EQ(lines[0].time.substr(5), ":40.005") << lines[0].time;
+  EXPECT_EQ(lines[1].text, "first");
+}
+
+TEST(PanelModel, WritesPoses) {
+  geometry_msgs::Pose pose;
+  pose.position.x = 1.0;
+  pose.orientation.w = 1.0;
+  EXPECT_EQ(pose_of(pose), "x 1, y 0");
+  pose.orientation.w = std::cos(0.25);
+  pose.orientation.z = std::sin(0.25);
+  EXPECT_EQ(pose_of(pose), "x 1, y 0, phi 0.5");
+  pose.orientation.z = 0.0;
+  pose.orientation.y = std::sin(0.25);
+  pose.position.z = -2.0;
+  EXPECT_EQ(pose_of(pose), "x 1, y 0, z -2, roll 0, pitch 0.5, yaw 0");
+}
+
+}  // namespace
+}  // namespace parallel_aspects
