@@ -69,7 +69,8 @@ void PlanServer::on_goal(const PlanPathGoalConstPtr& goal) {
 
 Status PlanServer::read_wish(const PlanPathGoal& goal, PathWish& wish) const {
   if (goal.policy > PlanPathGoal::SERIAL) return invalid_request("policy must be 0 (stay) or 1 (serial).");
-  if (goal.prefer > PlanPathGoal::FAST) return invalid_request("prefer must be 0 (short), 1 (clear) or 2 (fast).");
+  if (goal.prefer > PlanPathGoal::FAST)
+    return invalid_request("prefer must be 0 (short), 1 (clear) or 2 (fast).");
   wish.policy = goal.policy == PlanPathGoal::SERIAL ? PathPolicy::serial : PathPolicy::stay;
   if (goal.prefer == PlanPathGoal::CLEAR) wish.prefer = PathPreference::clear;
   if (goal.prefer == PlanPathGoal::FAST) wish.prefer = PathPreference::fast;
@@ -163,8 +164,7 @@ PlanServer::Plan PlanServer::plan(const Question& question) {
   plan.between = [planner = prepared_.planner](const Pose& from, const Pose& to, double t) {
     return planner->between(from, to, t);
   };
-  plan.path =
-      prepared_.planner->plan(question.from, question.to, timed(question.wish, plan, steps), steps);
+  plan.path = prepared_.planner->plan(question.from, question.to, timed(question.wish, plan, steps), steps);
   return plan;
 }
 

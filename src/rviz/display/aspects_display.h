@@ -5,6 +5,7 @@
 #include "rviz/display/drawn_picture.h"
 #include "rviz/display/node_link.h"
 #include "rviz/display/picture_thread.h"
+
 #include <memory>
 #include <rviz/display.h>
 #include <rviz/ogre_helpers/shape.h>

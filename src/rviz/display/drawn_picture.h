@@ -3,6 +3,7 @@
 #define PARALLEL_ASPECTS_RVIZ_DISPLAY_DRAWN_PICTURE_H
 
 #include "rviz/display/surface_picture.h"
+
 #include <memory>
 #include <rviz/ogre_helpers/billboard_line.h>
 #include <rviz/ogre_helpers/mesh_shape.h>

@@ -3,13 +3,13 @@
 #define PARALLEL_ASPECTS_RVIZ_DISPLAY_PICTURE_THREAD_H
 
 #include "parallel_aspects/urdf/mechanism.h"
+#include "rviz/display/surface_picture.h"
 
 #include <parallel_aspects/GetMap.h>
 
 #include <ros/node_handle.h>
 #include <ros/service_client.h>
 
-#include "rviz/display/surface_picture.h"
 #include <atomic>
 #include <condition_variable>
 #include <cstdint>

@@ -2,11 +2,11 @@
 #ifndef PARALLEL_ASPECTS_TEST_ASPECTS_FILE_MAP_FILE_FIXTURE_H
 #define PARALLEL_ASPECTS_TEST_ASPECTS_FILE_MAP_FILE_FIXTURE_H
 
+#include "aspects/map/map_contents.h"
 #include "model/coefficients.h"
 #include "parallel_aspects/aspects/aspect_graph.h"
 #include "parallel_aspects/aspects/map_file.h"
 
-#include "aspects/map/map_contents.h"
 #include <gtest/gtest.h>
 
 #include "support/robots.h"
