@@ -3,11 +3,10 @@
 
 #include "model/number_text.h"
 #include "urdf/closing/planar_layers.h"
-#include "urdf/corrections/anchors.h"
 #include "urdf/corrections/correction_text.h"
+#include "urdf/culprits/loops_through_base.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -45,20 +44,6 @@ bool joins_ends(const Tree& tree, const std::vector<Closure>& closures, const Cl
   return closure.at_zero && is_end(tree, closure.frames[0].link) &&
          !has_child(tree, closure.frames[1].link) && closure.frames[1].in_link.translation().isZero() &&
          is_held_once(closures, closure.frames[0].link);
-}
-
-// Whether its loop goes through the base, as those of parallelograms in a leg do not.
-bool passes_base(const Tree& tree, std::size_t base, const Closure& closure) {
-  const std::size_t body = body_of(tree, base);
-  std::array<std::optional<std::size_t>, 2> starts;
-  for (const std::size_t end : {0, 1})
-    for (std::size_t at = body_of(tree, closure.frames[end].link); at != body;) {
-      const auto joint = tree.joint_above[at];
-      if (!joint) return false;
-      starts.at(end) = joint;
-      at = body_of(tree, tree.joints[*joint].parent);
-    }
-  return starts[0] != starts[1];
 }
 
 // Of its ends, and zero where it has none [m].

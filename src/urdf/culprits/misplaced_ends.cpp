@@ -6,6 +6,7 @@
 #include "urdf/corrections/loop_joints.h"
 #include "urdf/corrections/unit_corrections.h"
 #include "urdf/culprits/closure_gaps.h"
+#include "urdf/culprits/loops_through_base.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -92,6 +93,7 @@ std::vector<std::string> misplaced_ends_notes(const std::shared_ptr<const Tree>&
     if (resolved.closures[k].at_zero || !gaps[k] ||
         holds_body(*tree, resolved.closures, resolved.closures[k]))
       continue;
+    if (!passes_base(*tree, resolved.base, resolved.closures[k])) continue;
     ++(*gaps[k] > meet ? count_apart : count_together);
     if (*gaps[k] > meet)
       apart += (apart.empty() ? "" : ", ") + gap_text(*tree, resolved.closures[k], *gaps[k]);

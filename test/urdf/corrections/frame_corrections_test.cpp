@@ -305,7 +305,7 @@ TEST(FrameCorrection, IsTwoClosuresThatAreCrossed) {
                           "rod_3_right_tip");
   const std::string said = sentence(legs);
   EXPECT_TRUE(has_remedy(said,
-                         "write link 'rod_2_right_tip' in the place of 'rod_3_right_tip' in closure "
+                         "write link 'platform_3_right' in the place of 'platform_2_right' in closure "
                          "'platform_2_right - rod_3_right_tip'"))
       << said;
   expect_remedies_work(legs, said);
