@@ -331,9 +331,9 @@ TEST_F(MapCommand, MapsWithTwoCoordinatesAreDrawn) {
   const std::string svg{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
   EXPECT_EQ(svg.rfind("<svg ", 0), 0U);
   EXPECT_EQ(svg.substr(svg.size() - 7), "</svg>\n");
-  EXPECT_NE(svg.find(">(+,+,+)<"), std::string::npos);
-  EXPECT_NE(svg.find(">(-,+,+)<"), std::string::npos);
-  EXPECT_EQ(svg.find(">(+,-,+)<"), std::string::npos);
+  EXPECT_NE(svg.find(">working mode (+,+,+)<"), std::string::npos);
+  EXPECT_NE(svg.find(">working mode (-,+,+)<"), std::string::npos);
+  EXPECT_EQ(svg.find(">working mode (+,-,+)<"), std::string::npos);
   EXPECT_NE(svg.find("slice phi = 0 rad"), std::string::npos);
   std::filesystem::remove(file);
   const Outcome refused = run({"map", "delta", "--picture", file.c_str()});
