@@ -7,7 +7,7 @@
 #include "parallel_aspects/aspects/neighbours.h"
 
 #include <cstddef>
-#include <optional>
+#include <memory>
 #include <vector>
 
 namespace parallel_aspects {
@@ -41,8 +41,9 @@ struct AspectGraph {
 
 /// Finds the gates and joins the aspects. Sets with different signs of det A are different; of others that is
 /// proved by the leaves in which B_jj = 0 is not excluded, of a map of all working modes without a serial
-/// margin. Nothing where cancelled.
-std::optional<AspectGraph> compute_aspect_graph(const AspectMap& map, const MapControl& control = {});
+/// margin. The map keeps what was found for those who ask again, and `save_map` writes it. Null where
+/// cancelled.
+std::shared_ptr<const AspectGraph> compute_aspect_graph(const AspectMap& map, const MapControl& control = {});
 
 }  // namespace parallel_aspects
 

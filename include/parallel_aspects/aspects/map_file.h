@@ -17,7 +17,8 @@ struct SaveResult {
   explicit operator bool() const noexcept { return saved; }  ///< whether it was written
 };
 
-/// Writes the map to a file. At every moment the file is the old one or the new one, whole.
+/// Writes the map to a file, and its graph of aspects if that is known (`compute_aspect_graph`): who loads it
+/// need not look for gates again. At every moment the file is the old one or the new one, whole.
 SaveResult save_map(const AspectMap& map, const std::string& path);
 
 /// The map of this manipulator with these options, as `compute_aspect_map` gave it, if the file holds that.

@@ -22,7 +22,7 @@ namespace parallel_aspects {
 namespace {
 
 constexpr std::array<std::uint8_t, 8> magic{'A', 'S', 'P', 'E', 'C', 'T', 'S', 0x1a};
-constexpr std::uint32_t format_version = 3;
+constexpr std::uint32_t format_version = 4;
 constexpr std::size_t checksum_size = 4;
 constexpr std::size_t largest_file = std::size_t{1} << 32;
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/file/map_record.h"
 
-#include "model/coefficients.h"
+#include "aspects/file/graph_record.h"
+#include "aspects/file/pose_record.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,15 +12,9 @@ namespace parallel_aspects {
 namespace {
 
 constexpr std::size_t index_size = 4;
-constexpr double unit_tolerance = 1e-6;
 
 std::size_t mode_index(const AspectMap::Contents& map, const WorkingMode& mode) {
   return static_cast<std::size_t>(std::find(map.modes.begin(), map.modes.end(), mode) - map.modes.begin());
-}
-
-void write_pose(const Pose& pose, ByteWriter& writer) {
-  for (const double each : coefficients_of(pose.position)) writer.put_double(each);
-  for (const double each : coefficients_of(pose.orientation.coeffs())) writer.put_double(each);
 }
 
 void write_bounds(const Box& box, ByteWriter& writer) {
@@ -73,7 +68,8 @@ class RecordReader {
     map.resolution = plan.resolution;
     map.depth = plan.depth;
     map.deepest_level = plan.deepest_level;
-    if (!read_totals(map) || !read_aspects(map) || !read_unresolved(map) || !read_leaf_aspects(map))
+    if (!read_totals(map) || !read_aspects(map) || !read_unresolved(map) || !read_leaf_aspects(map) ||
+        !read_known_graph(map))
       return nullptr;
     add_existing_modes(map);
     return std::make_unique<const AspectMap::Contents>(std::move(map));
@@ -120,7 +116,7 @@ class RecordReader {
     aspect.measure_lower = reader_.take_double();
     aspect.measure_upper = reader_.take_double();
     aspect.inside_leaves = reader_.take_u64();
-    if (!read_pose(aspect.deepest)) return false;
+    if (!read_pose(reader_, aspect.deepest)) return false;
     aspect.deepest_clearance = reader_.take_double();
     if (!read_bounds(map)) return false;
     aspect.bounds = map.tree.space().shown(map.aspect_bounds.back().front());
@@ -128,12 +124,6 @@ class RecordReader {
     for (int& id : aspect.unresolved_with)
       if (!read_id(id)) return false;
     return reader_.ok() && std::isfinite(aspect.measure + aspect.measure_lower + aspect.measure_upper);
-  }
-
-  bool read_pose(Pose& pose) {
-    for (double& each : coefficients_of(pose.position)) each = reader_.take_double();
-    for (double& each : coefficients_of(pose.orientation.coeffs())) each = reader_.take_double();
-    return pose.position.allFinite() && std::abs(pose.orientation.norm() - 1.0) < unit_tolerance;
   }
 
   /// Of one aspect, in every root.
@@ -185,6 +175,12 @@ class RecordReader {
                       [](std::size_t count, const Aspect& aspect) { return count == aspect.inside_leaves; });
   }
 
+  bool read_known_graph(const AspectMap::Contents& map) {
+    const std::uint8_t is_known = reader_.take_u8();
+    if (is_known == 1) map.graph = read_graph(map, reader_);
+    return reader_.ok() && (is_known == 0 || map.graph != nullptr);
+  }
+
   static void add_existing_modes(AspectMap::Contents& map) {
     for (const WorkingMode& mode : map.modes)
       if (std::any_of(map.aspects.begin(), map.aspects.end(),
@@ -213,6 +209,9 @@ void write_record(const AspectMap::Contents& map, ByteWriter& writer) {
     writer.put_u32(static_cast<std::uint32_t>(b));
   }
   write_leaf_aspects(map, writer);
+  const auto graph = std::atomic_load(&map.graph);
+  writer.put_u8(graph ? 1 : 0);
+  if (graph) write_graph(*graph, writer);
 }
 
 std::unique_ptr<const AspectMap::Contents> read_record(std::shared_ptr<const Manipulator> manipulator,

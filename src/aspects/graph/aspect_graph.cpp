@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <utility>
 
 namespace parallel_aspects {
@@ -119,15 +120,18 @@ std::size_t AspectGraph::set_of(int aspect) const noexcept {
   return sets.size();
 }
 
-std::optional<AspectGraph> compute_aspect_graph(const AspectMap& map, const MapControl& control) {
+std::shared_ptr<const AspectGraph> compute_aspect_graph(const AspectMap& map, const MapControl& control) {
+  if (auto known = std::atomic_load(&map.contents().graph)) return known;
   AspectGraph graph;
   graph.gates = find_neighbours(map, control);
   graph.sets = joined_sets(map, graph.gates);
   for (AspectSet& set : graph.sets) set.workspace_lower = Workspace(map.contents(), set).measure();
   graph.set_group = find_groups(map, graph.sets, control);
-  if (is_cancelled(control)) return std::nullopt;
+  if (is_cancelled(control)) return nullptr;
   for (std::size_t i = 0; i < graph.set_group.size(); ++i) graph.proved_set_count += graph.set_group[i] == i;
-  return graph;
+  auto found = std::make_shared<const AspectGraph>(std::move(graph));
+  std::atomic_store(&map.contents().graph, found);
+  return found;
 }
 
 }  // namespace parallel_aspects

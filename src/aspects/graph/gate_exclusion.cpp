@@ -20,14 +20,14 @@ class Exclusion {
         sign_(sign),
         control_(control),
         sets_(map.tree.node_count() * map.modes.size()),
+        holds_aspect_(sets_.size()),
         leaf_of_(map.aspects.size(), none) {}
 
   std::vector<int> run(const std::vector<AspectSet>& sets) {
     const RoundingUpward rounding;
     unite_aspects();
     unite_sets(sets);
-    for (std::size_t mode = 0; mode < map_.modes.size(); ++mode) unite_neighbours(mode);
-    all_one_ = are_all_one();
+    for (std::size_t mode = 0; mode < map_.modes.size() && !are_all_one(); ++mode) unite_neighbours(mode);
     for (std::size_t mode = 0; mode < map_.modes.size(); ++mode)
       for (std::size_t leg = 0; leg < map_.modes[mode].leg_count(); ++leg) unite_across(mode, leg);
     return labels();
@@ -41,29 +41,37 @@ class Exclusion {
       for (std::size_t mode = 0; mode < map_.modes.size(); ++mode) {
         if (!map_.tree.state(node, mode).is_inside(sign_)) continue;
         std::uint32_t& first = leaf_of_[static_cast<std::size_t>(map_.leaf_aspect(node, mode) - 1)];
-        if (first == none) first = item(node, mode);
-        sets_.unite(first, item(node, mode));
+        if (first == none) add_aspect(first = item(node, mode));
+        unite(first, item(node, mode));
       }
   }
 
   void unite_sets(const std::vector<AspectSet>& sets) {
     for (const AspectSet& set : sets) {
       if (set.determinant_sign != sign_) continue;
-      for (const int id : set.aspects) sets_.unite(leaf_of(set.aspects.front()), leaf_of(id));
+      for (const int id : set.aspects) unite(leaf_of(set.aspects.front()), leaf_of(id));
     }
   }
 
   std::uint32_t leaf_of(int aspect) const { return leaf_of_[static_cast<std::size_t>(aspect - 1)]; }
 
-  bool are_all_one() {
-    std::uint32_t one = none;
-    for (const std::uint32_t leaf : leaf_of_) {
-      if (leaf == none) continue;
-      if (one == none) one = sets_.find(leaf);
-      if (sets_.find(leaf) != one) return false;
-    }
-    return true;
+  void add_aspect(std::uint32_t leaf) {
+    holds_aspect_[leaf] = true;
+    ++parts_;
   }
+
+  /// Counts on, since to look at all aspects after each step would cost more than the steps.
+  void unite(std::uint32_t a, std::uint32_t b) {
+    a = sets_.find(a);
+    b = sets_.find(b);
+    if (a == b) return;
+    sets_.unite(a, b);
+    if (holds_aspect_[a] && holds_aspect_[b]) --parts_;
+    holds_aspect_[sets_.find(a)] = holds_aspect_[a] || holds_aspect_[b];
+  }
+
+  /// Whether nothing is left to tell apart.
+  bool are_all_one() const { return parts_ <= 1; }
 
   std::uint32_t item(NodeIndex node, std::size_t mode) const {
     return static_cast<std::uint32_t>(node * map_.modes.size() + mode);
@@ -77,7 +85,7 @@ class Exclusion {
     visit_faces(
         map_.tree, mode,
         [&](NodeIndex a, NodeIndex b) {
-          if (may_hold_path(a, mode) && may_hold_path(b, mode)) sets_.unite(item(a, mode), item(b, mode));
+          if (may_hold_path(a, mode) && may_hold_path(b, mode)) unite(item(a, mode), item(b, mode));
         },
         control_);
   }
@@ -100,7 +108,7 @@ class Exclusion {
   };
 
   void descend(NodeIndex node, Side here, Side there, std::size_t leg) {
-    if (all_one_ || is_cancelled(control_)) return;
+    if (are_all_one() || is_cancelled(control_)) return;
     const bool here_divided = is_divided(here), there_divided = is_divided(there);
     if (!here_divided && !may_change(here)) return;
     if (!there_divided && !may_change(there)) return;
@@ -125,8 +133,7 @@ class Exclusion {
     const bool is_excluded =
         facts.unreachable != 0 || is_clear(facts, leg) || facts.determinant_sign == -sign_;
     if (is_excluded) return;
-    sets_.unite(item(here.node, here.mode), item(there.node, there.mode));
-    all_one_ = are_all_one();
+    unite(item(here.node, here.mode), item(there.node, there.mode));
   }
 
   /// Whether B_jj of the leg is proved not to vanish; of a leg whose joint is held the facts say nothing.
@@ -146,8 +153,9 @@ class Exclusion {
   int sign_;
   const MapControl& control_;
   DisjointSets sets_;
+  std::vector<bool> holds_aspect_;      // by the item that stands for its set
+  std::size_t parts_ = 0;               // sets that hold an aspect
   std::vector<std::uint32_t> leaf_of_;  // by id - 1, one leaf of each aspect with this sign
-  bool all_one_ = false;                // nothing is left to tell apart
 };
 
 }  // namespace

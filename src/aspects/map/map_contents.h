@@ -15,7 +15,9 @@
 
 namespace parallel_aspects {
 
-/// Everything that an `AspectMap` shows; written by the computation, then never changed.
+struct AspectGraph;
+
+/// Everything that an `AspectMap` shows; written by the computation, then never changed but for the graph.
 struct AspectMap::Contents {
   Contents(std::shared_ptr<const Manipulator> robot, std::unique_ptr<const BoxClassifier> box_classifier,
            PoseTree pose_tree, std::vector<WorkingMode> all_modes)
@@ -44,6 +46,10 @@ struct AspectMap::Contents {
   double measure_undecided = 0.0;
   double seconds = 0.0;
   std::optional<SymmetryUse> symmetry_use;  ///< not kept in files
+
+  /// Once it was asked for; it follows from the rest. Only `std::atomic_load` and `std::atomic_store` touch
+  /// it, since threads share the map.
+  mutable std::shared_ptr<const AspectGraph> graph;
 
   int leaf_aspect(NodeIndex node, std::size_t mode) const noexcept {
     return leaf_aspects[node * modes.size() + mode];

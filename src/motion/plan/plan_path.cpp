@@ -121,7 +121,7 @@ struct PathPlanner::Parts {
 
   std::shared_ptr<const AspectMap> map;
   AspectPaths paths;
-  std::optional<AspectGraph> graph;
+  std::shared_ptr<const AspectGraph> graph;
 };
 
 /// The answer to one question.
@@ -300,7 +300,7 @@ Pose PathPlanner::between(const Pose& from, const Pose& to, double t) const {
 
 const AspectGraph* PathPlanner::graph(const MapControl& control) {
   if (!parts_->graph) parts_->graph = compute_aspect_graph(*parts_->map, control);
-  return parts_->graph ? &*parts_->graph : nullptr;
+  return parts_->graph.get();
 }
 
 PlannedPath plan_in_roadmap(const PoseRoadmap& roadmap, const PathEnd& from, const PathEnd& to) {

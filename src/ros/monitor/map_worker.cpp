@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/monitor/map_worker.h"
 
+#include "parallel_aspects/aspects/aspect_graph.h"
 #include "parallel_aspects/aspects/map_file.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"
 #include "ros/messages/conversions.h"
@@ -210,7 +211,10 @@ void MapWorker::carry_out(const Request& request) {
   MapResult result = compute_aspect_map(manipulator_, options, control);
   if (cancelled_) result = {MapStatus::cancelled, "The computation was cancelled.", nullptr};
   report(ended(result), {result.map, nullptr});
-  if (result.status == MapStatus::complete && request.use != FileUse::none) save(*result.map);
+  if (result.status != MapStatus::complete || request.use == FileUse::none) return;
+  control.progress = nullptr;
+  compute_aspect_graph(*result.map, control);  // the file holds it, too, unless this is cancelled
+  save(*result.map);
 }
 
 void MapWorker::make_roadmap(const MapOptions& options, const MapControl& control) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/aspects/aspect_graph.h"
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/map_file.h"
 #include "parallel_aspects/model/constraints.h"
@@ -166,8 +167,10 @@ std::shared_ptr<const AspectMap> load(const std::shared_ptr<const Manipulator>& 
   return result.map;
 }
 
-void save(const AspectMap& map, const MapArguments& arguments) {
+/// With the gates between aspects, which `aspects plan --load` then need not look for.
+void save(const AspectMap& map, const MapArguments& arguments, const Surroundings& surroundings) {
   if (arguments.save_file.empty()) return;
+  if (!compute_aspect_graph(map, control_of(surroundings))) throw Interrupted{};
   const SaveResult result = save_map(map, arguments.save_file);
   if (!result.saved) throw InvalidDescription({result.message});
 }
@@ -185,7 +188,7 @@ Report load_or_compute(const std::shared_ptr<const Manipulator>& manipulator, co
   std::shared_ptr<const AspectMap> map = load(manipulator, options, arguments, surroundings);
   const bool loaded = map != nullptr;
   if (!loaded) map = compute(manipulator, options, surroundings);
-  save(*map, arguments);
+  save(*map, arguments, surroundings);
   if (!arguments.picture_file.empty()) write_output_file("Picture", arguments.picture_file, draw_map(*map));
   const MapBasins basins = basins_of(*map, arguments, surroundings);
   Report report = report_map(*map, {loaded, arguments.all_aspects, arguments.verbose, &basins});

@@ -3,6 +3,7 @@
 #define PARALLEL_ASPECTS_TEST_ASPECTS_FILE_MAP_FILE_FIXTURE_H
 
 #include "model/coefficients.h"
+#include "parallel_aspects/aspects/aspect_graph.h"
 #include "parallel_aspects/aspects/map_file.h"
 
 #include <gtest/gtest.h>
@@ -67,6 +68,34 @@ inline Numbers leaves(const AspectMap& map) {
   }
   for (const WorkingMode& mode : map.working_modes())
     map.visit_undecided_leaves(mode, [&list](const Box& box) { append(list, box); });
+  return list;
+}
+
+inline void append(Numbers& list, const Pose& pose) {
+  for (const double each : coefficients_of(pose.position)) list.push_back(each);
+  for (const double each : coefficients_of(pose.orientation.coeffs())) list.push_back(each);
+}
+
+// Everything that a graph tells, in the order told.
+inline Numbers numbers(const AspectGraph& graph) {
+  Numbers list;
+  for (const Neighbours& gate : graph.gates) {
+    list.insert(list.end(), {double(gate.first), double(gate.second), double(gate.leg),
+                             gate.crossing == Crossing::serial ? 1.0 : 0.0, gate.proved ? 1.0 : 0.0});
+    append(list, gate.pose);
+    for (const GateCrossing& crossing : gate.crossings) {
+      for (const Pose& pose : crossing.segment) append(list, pose);
+      append(list, crossing.pose);
+      list.push_back(crossing.index);
+    }
+  }
+  for (std::size_t i = 0; i < graph.sets.size(); ++i) {
+    const AspectSet& set = graph.sets[i];
+    list.insert(list.end(),
+                {double(set.determinant_sign), set.workspace_lower, double(graph.set_group.at(i))});
+    list.insert(list.end(), set.aspects.begin(), set.aspects.end());
+  }
+  list.push_back(static_cast<double>(graph.proved_set_count));
   return list;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A map that was saved and loaded gives every answer that it gave before.
 #include "aspects/file/map_file_fixture.h"
+#include "aspects/map/map_contents.h"
 
 #include <gtest/gtest.h>
 
@@ -81,11 +82,15 @@ TEST_P(RoundTrip, EveryAnswerIsTheSame) {
   const MapResult computed = compute_aspect_map(robot, options);
   ASSERT_EQ(computed.status, MapStatus::complete) << computed.message;
   ASSERT_FALSE(computed.map->aspects().empty());
+  const auto graph = compute_aspect_graph(*computed.map);
+  ASSERT_TRUE(graph);
   const std::string bytes = saved(*computed.map);
   const MapResult loaded = load_map(robot, options, file_);
   ASSERT_EQ(loaded.status, MapStatus::complete) << loaded.message;
   EXPECT_EQ(loaded.map->manipulator(), robot);
   expect_equal(*computed.map, *loaded.map);
+  ASSERT_TRUE(loaded.map->contents().graph) << "gates would be looked for again";
+  EXPECT_TRUE(test::numbers(*graph) == test::numbers(*compute_aspect_graph(*loaded.map)));
   EXPECT_GT(expect_equal_locations(*computed.map, *loaded.map, test::thinned(1000)), test::thinned(100));
   EXPECT_EQ(saved(*loaded.map), bytes);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Files that are cut, changed, forged or of something else, and files that cannot be written.
 #include "aspects/file/map_file_fixture.h"
+#include "aspects/map/map_contents.h"
 
 #include <gtest/gtest.h>
 
@@ -21,6 +22,7 @@ namespace fs = std::filesystem;
 using test::contents;
 using test::leaves;
 using test::MapFile;
+using test::numbers;
 using test::random_pose;
 using test::RobotPtr;
 
@@ -41,6 +43,46 @@ std::string with_checksum(std::string bytes) {
   const auto sum = crc32_z(0, reinterpret_cast<const unsigned char*>(bytes.data()), size);
   put_u32(bytes, size, static_cast<std::uint32_t>(sum));
   return bytes;
+}
+
+TEST_F(MapFile, TheGraphIsWrittenOnceItIsKnown) {
+  const std::string without = saved(*map_);
+  EXPECT_FALSE(load(without, five_bar_, options_)->contents().graph);
+  compute_aspect_graph(*map_);
+  const std::string with = saved(*map_);
+  EXPECT_GT(with.size(), without.size());
+  EXPECT_TRUE(load(with, five_bar_, options_)->contents().graph);
+}
+
+// Of a graph whose gates and sets are not those of the aspects.
+TEST_F(MapFile, ForgedGraphsAreRefused) {
+  const std::size_t is_known_at = saved(*map_).size() - 5;
+  compute_aspect_graph(*map_);
+  const std::string bytes = saved(*map_);
+  const std::size_t gate_at = is_known_at + 5, kind_at = gate_at + 8, crossings_at = gate_at + 10 + 7 * 8;
+  const std::size_t group_at = bytes.size() - 8;  // the last one
+  ASSERT_EQ(bytes[is_known_at], 1);
+  const auto refuse = [&](std::size_t at, std::uint32_t value) {
+    SCOPED_TRACE("byte " + std::to_string(at - is_known_at) + ", value " + std::to_string(value));
+    std::string forged = bytes;
+    put_u32(forged, at, value);
+    expect_refused(with_checksum(forged), "contradict");
+  };
+  for (const std::uint32_t id : {0U, 11U, 0xffffffffU}) refuse(gate_at, id), refuse(gate_at + 4, id);
+  for (const std::uint32_t count : {0U, 1U, 0x7fffffffU}) refuse(is_known_at + 1, count);
+  for (const std::uint32_t count : {0U, 7U, 0x7fffffffU}) refuse(crossings_at, count);
+  refuse(group_at, 5U);
+  for (const int change : {2, 255}) {
+    std::string forged = bytes;
+    forged[kind_at] = static_cast<char>(change);
+    expect_refused(with_checksum(forged), "contradict");
+    forged = bytes;
+    forged[kind_at + 1] = static_cast<char>(change);  // the leg
+    expect_refused(with_checksum(forged), "contradict");
+    forged = bytes;
+    forged[is_known_at] = static_cast<char>(change);
+    expect_refused(with_checksum(forged), "contradict");
+  }
 }
 
 TEST_F(MapFile, CutFilesAreRefused) {
@@ -181,6 +223,7 @@ TEST_F(MapFile, ForgedStatesAreRefused) {
 
 // Whatever is in the file behind its key: it is refused, or the map answers every question.
 TEST_F(MapFile, ForgedFilesDoNoHarm) {
+  compute_aspect_graph(*map_);
   const std::string bytes = saved(*map_);
   const std::size_t at = record_at(bytes);
   std::mt19937_64 random(13);
@@ -193,6 +236,7 @@ TEST_F(MapFile, ForgedFilesDoNoHarm) {
     ++(map ? taken : refused);
     if (!map) continue;
     leaves(*map);
+    if (map->contents().graph) numbers(*map->contents().graph);
     for (int pose = 0; pose < 20; ++pose)
       for (const WorkingMode& mode : map->working_modes()) {
         const Location location = map->locate(random_pose(*map, random), mode);
