@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 
@@ -104,6 +105,12 @@ class SegmentCertifier {
   /// of the operational point [m] and by `angle` [rad].
   NeighbourhoodProof prove_around(const Pose& pose, double displacement, double angle,
                                   const WorkingMode& mode) const noexcept;
+
+  /// The same, but B_jj of the legs in `passing` (bit j stands for leg j) may be zero, and limits of their
+  /// actuated joints are left out: `free` says that all other legs reach within limits, and that all other
+  /// constraints hold at each pose that the passing legs reach, B_jj = 0 too.
+  NeighbourhoodProof prove_around(const Pose& pose, double displacement, double angle,
+                                  const WorkingMode& mode, std::uint8_t passing) const noexcept;
 
  private:
   struct Parts;

@@ -114,8 +114,8 @@ struct TrajectoryCheckOptions {
   MapControl control{};       ///< where cancelled, what is left is not proved
 
   /// Of actuated joints: whether legs may pass B_jj = 0, which is then no violation but only one of the
-  /// `crossings`; det A keeps its sign. Not where there are other constraints than limits of actuated joints,
-  /// since those are proved of one working mode at a time.
+  /// `crossings`; det A keeps its sign. All other constraints are proved of both postures there. Not where
+  /// there is a serial margin, which B_jj = 0 violates.
   bool pass_serial = false;
 };
 

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 
 namespace parallel_aspects {
 namespace {
@@ -189,8 +190,7 @@ class JointCheck {
     }
     Continuation way(poses_, at_, target, bend);
     if (!way.step(1.0)) return Piece::not_followed;
-    if (is_free_ && !is_free(range, way.radius())) return Piece::not_free;
-    if (!is_free_) keeps_limits_ = keeps_limits_ && within_limits(range);
+    if (is_free_ ? !is_free(range, way.radius()) : !passes_on(range, way.radius())) return Piece::not_free;
     at_ = way.at();
     radius_ += way.radius();
     return Piece::taken;
@@ -204,7 +204,39 @@ class JointCheck {
       const double change = magnitude(range[j] - Interval(at_.q[static_cast<Eigen::Index>(j)]));
       if (poses_.entry_sign(at_, j, radius, change) != mode_.sign(j)) return false;
     }
-    return !has_others() || around(radius).free;
+    return !has_others() || around(radius, mode_).free;
+  }
+
+  /// Where B_jj may be zero: whether the constraints are proved to hold, or this piece is as short as any.
+  bool passes_on(const JointRanges& range, double radius) {
+    if (!keeps_constraints_) return true;
+    const bool within = within_limits(range);
+    if (within && (!has_others() || others_hold(range, radius))) return true;
+    if (within && length_ > narrow_piece) return false;
+    keeps_constraints_ = false;
+    return true;
+  }
+
+  /// Whether the constraints beside limits hold in this piece, in both postures of each leg whose B_jj may be
+  /// zero in it.
+  bool others_hold(const JointRanges& range, double radius) const {
+    std::uint8_t passing = 0;
+    WorkingMode mode = mode_;
+    for (std::size_t j = 0; j < manipulator_.leg_count(); ++j) {
+      const double change = magnitude(range[j] - Interval(at_.q[static_cast<Eigen::Index>(j)]));
+      const int sign = poses_.entry_sign(at_, j, radius, change);
+      if (sign != 0)
+        mode.set_sign(j, sign);
+      else
+        passing = static_cast<std::uint8_t>(passing | 1U << j);
+    }
+    for (const WorkingMode& each : working_modes(manipulator_)) {
+      bool is_possible = true;
+      for (std::size_t j = 0; j < manipulator_.leg_count(); ++j)
+        is_possible = is_possible && ((passing >> j & 1U) != 0 || each.sign(j) == mode.sign(j));
+      if (is_possible && !around(radius, each, passing).free) return false;
+    }
+    return true;
   }
 
   bool within_limits(const JointRanges& range) const {
@@ -217,7 +249,12 @@ class JointCheck {
   }
 
   /// Whether B_jj = 0 is no violation.
-  bool passes_serial() const { return options_.pass_serial && !has_others(); }
+  bool passes_serial() const { return options_.pass_serial && (check_.violation || !has_serial_margin()); }
+
+  bool has_serial_margin() const {
+    return manipulator_.constraint_kinds()[static_cast<std::size_t>(ConstraintKind::margins)] &&
+           manipulator_.constraints().margins.serial > 0.0;
+  }
 
   /// Constraints are of no interest once the trajectory is proved not to be safe.
   bool has_others() const {
@@ -231,16 +268,17 @@ class JointCheck {
            manipulator_.constraint_kinds()[static_cast<std::size_t>(ConstraintKind::actuated_limits)];
   }
 
-  NeighbourhoodProof around(double radius) const {
+  NeighbourhoodProof around(double radius, const WorkingMode& mode, std::uint8_t passing = 0) const {
     return certifier_.prove_around(
         at_.pose, has_translation(manipulator_.task_space()) ? radius : 0.0,
-        has_rotation(manipulator_.task_space()) ? radius / manipulator_.characteristic_length() : 0.0, mode_);
+        has_rotation(manipulator_.task_space()) ? radius / manipulator_.characteristic_length() : 0.0, mode,
+        passing);
   }
 
   void arrive(std::size_t i, const JointPath& path, double share) {
     if (!is_free_) return look_for_violation(ranges_at(path, share), times_.after(i, share));
     proved_ = times_.before(i, share);
-    if (check_.violation || !keeps_limits_) return;
+    if (check_.violation || !keeps_constraints_) return;
     check_.free_until = proved_;
     survey_.add(times_.at(i, share), at_.pose, at_.q, radius_);
     radius_ = 0.0;
@@ -262,11 +300,12 @@ class JointCheck {
       if (sign == -mode_.sign(j)) return violate(Violation::out_of_reach, j, {}, time);
       if (sign == 0) return;
     }
-    if (check_.violation || passes_serial()) return leave_crossing(time);
-    if (!has_others()) return;
-    const NeighbourhoodProof proof = around(ball.radius);
-    if (proof.proved_violation == Violation::constraint)
-      violate(Violation::constraint, proof.leg, proof.failing, time);
+    if (has_others()) {
+      const NeighbourhoodProof proof = around(ball.radius, mode_);
+      if (proof.proved_violation == Violation::constraint)
+        return violate(Violation::constraint, proof.leg, proof.failing, time);
+    }
+    if (check_.violation || passes_serial()) leave_crossing(time);
   }
 
   /// All signs are proved again, and are those of the mode: what was not proved since the last crossing is
@@ -301,7 +340,7 @@ class JointCheck {
 
   void conclude() {
     check_.followed_until = proved_;
-    const bool to_the_end = outcome_ == Outcome::open && is_free_ && keeps_limits_;
+    const bool to_the_end = outcome_ == Outcome::open && is_free_ && keeps_constraints_;
     check_.answer = check_.violation ? TrajectoryAnswer::unsafe
                     : to_the_end     ? TrajectoryAnswer::safe
                                      : TrajectoryAnswer::unknown;
@@ -338,7 +377,7 @@ class JointCheck {
   double radius_ = 0.0;       // of balls that hold all poses since the last sample, together
   double proved_ = 0.0;       // no crossing that is not noted up to here [s]
   bool is_free_ = true;       // proved up to here
-  bool keeps_limits_ = true;  // proved where it is not free but no violation either
+  bool keeps_constraints_ = true;  // proved where it is not free but no violation either
   Outcome outcome_ = Outcome::open;
 };
 

@@ -82,11 +82,10 @@ std::string corner_text(const TimedPath& timed) {
   return ", " + std::to_string(timed.rounded) + " corners rounded, a stop at " + std::to_string(timed.stops);
 }
 
-/// Where legs pass gates these are not proved.
-bool has_further_constraints(const Manipulator& robot) {
-  ConstraintKinds kinds = robot.constraint_kinds();
-  kinds[static_cast<std::size_t>(ConstraintKind::actuated_limits)] = false;
-  return kinds.any();
+/// Every gate violates it.
+bool has_serial_margin(const Manipulator& robot) {
+  return robot.constraint_kinds()[static_cast<std::size_t>(ConstraintKind::margins)] &&
+         robot.constraints().margins.serial > 0.0;
 }
 
 TimedPath without_time(const TimedPath& tried, std::string message) {
@@ -124,11 +123,10 @@ TimedPath time_path(const SegmentCertifier& certifier, const PlannedPath& path, 
   if (path.points.empty()) return without_time({}, "There is no path to be timed.");
   if (loses_control(path))
     return without_time({}, "The path passes det A = 0, where the actuated joints do not hold the platform.");
-  if (!path.crossings.empty() && has_further_constraints(*certifier.manipulator()))
-    return without_time(
-        {},
-        "A trajectory through a gate is proved without further constraints than limits of the "
-        "actuated joints only; leave them out, or stay in one aspect.");
+  if (!path.crossings.empty() && has_serial_margin(*certifier.manipulator()))
+    return without_time({},
+                        "The path passes B_jj = 0, which a serial margin shuts out; set that margin to 0, or "
+                        "stay in one aspect.");
   Attempt attempt(certifier, path, acceleration);
   TimedPath best;
   for (const double share : {blend_share, 0.0}) {
