@@ -95,9 +95,8 @@ class GraphReader {
       if (!read_id(id)) return false;
     if (set.aspects.empty() || !std::isfinite(set.workspace_lower)) return false;
     set.determinant_sign = aspect(set.aspects.front()).determinant_sign;
-    return std::all_of(set.aspects.begin(), set.aspects.end(), [&](int id) {
-      return aspect(id).determinant_sign == set.determinant_sign;
-    });
+    return std::all_of(set.aspects.begin(), set.aspects.end(),
+                       [&](int id) { return aspect(id).determinant_sign == set.determinant_sign; });
   }
 
   /// Each in one set, the sets by their lowest ids.

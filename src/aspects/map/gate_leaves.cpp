@@ -126,6 +126,11 @@ NearestAspects::NearestAspects(const AspectMap::Contents& map, const MapControl&
   });
 }
 
+std::vector<int> nearest_aspects(const AspectMap::Contents& map, std::size_t mode, int sign,
+                                 const MapControl& control) {
+  return NearestOfMode(map, mode, control).run(sign);
+}
+
 std::vector<GateLeaves> find_gate_leaves(const AspectMap::Contents& map, const NearestAspects& nearest,
                                          const MapControl& control) {
   std::vector<std::vector<GateLeaves>> of_mode(map.modes.size());

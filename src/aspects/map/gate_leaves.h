@@ -26,6 +26,10 @@ class NearestAspects {
   std::vector<std::vector<int>> nearest_;  // by mode and sign, and by leaf
 };
 
+/// The same of one working mode and sign alone, by leaf.
+std::vector<int> nearest_aspects(const AspectMap::Contents& map, std::size_t mode, int sign,
+                                 const MapControl& control = {});
+
 /// Undecided leaves of one working mode that lie at the same two aspects.
 struct GateLeaves {
   Crossing crossing = Crossing::parallel;

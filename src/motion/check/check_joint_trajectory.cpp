@@ -371,12 +371,12 @@ class JointCheck {
   TrajectorySurvey survey_;
   CertifiedPoint at_;
   WorkingMode mode_;
-  double longest_piece_;      // so that there are enough samples
-  double length_;             // of the next piece
-  double look_ = 0.0;         // for a fold, where pieces are as short as this
-  double radius_ = 0.0;       // of balls that hold all poses since the last sample, together
-  double proved_ = 0.0;       // no crossing that is not noted up to here [s]
-  bool is_free_ = true;       // proved up to here
+  double longest_piece_;           // so that there are enough samples
+  double length_;                  // of the next piece
+  double look_ = 0.0;              // for a fold, where pieces are as short as this
+  double radius_ = 0.0;            // of balls that hold all poses since the last sample, together
+  double proved_ = 0.0;            // no crossing that is not noted up to here [s]
+  bool is_free_ = true;            // proved up to here
   bool keeps_constraints_ = true;  // proved where it is not free but no violation either
   Outcome outcome_ = Outcome::open;
 };

@@ -9,10 +9,12 @@
 #include "motion/plan/lead_in.h"
 #include "motion/plan/leaf_path.h"
 #include "motion/plan/path_builder.h"
+#include "motion/plan/unresolved_text.h"
 #include "motion/roadmap.h"
 #include "parallel_aspects/aspects/held_joint.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -122,6 +124,7 @@ struct PathPlanner::Parts {
   std::shared_ptr<const AspectMap> map;
   AspectPaths paths;
   std::shared_ptr<const AspectGraph> graph;
+  std::map<std::pair<int, int>, std::string> unresolved;  // what is said of two aspects that may be one
 };
 
 /// The answer to one question.
@@ -160,7 +163,8 @@ class PathPlanner::Search {
   PlannedPath no_common_aspect(const EndAspects& starts, const EndAspects& goals) const {
     const bool may_share =
         any_pair(starts, goals, [this](int first, int second) { return may_be_one(map_, first, second); });
-    if (may_share || !starts.all_known || !goals.all_known)
+    if (may_share) return without_path(SameAspect::unknown, shared_text(starts, goals));
+    if (!starts.all_known || !goals.all_known)
       return without_path(SameAspect::unknown, "No aspect of the map is known to hold both ends.");
     std::set<std::string> reasons;
     any_pair(starts, goals, [&](int first, int second) {
@@ -170,6 +174,18 @@ class PathPlanner::Search {
     std::string text;
     for (const std::string& reason : reasons) text += (text.empty() ? "" : "; ") + reason;
     return without_path(SameAspect::no, "Proved: no aspect holds both ends: " + text + ".");
+  }
+
+  /// Of the first two aspects that may be one.
+  std::string shared_text(const EndAspects& starts, const EndAspects& goals) const {
+    std::pair<int, int> pair;
+    any_pair(starts, goals, [&](int first, int second) {
+      pair = std::minmax(first, second);
+      return may_be_one(map_, first, second);
+    });
+    std::string& text = planner_.parts_->unresolved[pair];
+    if (text.empty()) text = unresolved_text(map_, pair.first, pair.second, control_);
+    return "No aspect of the map is known to hold both ends: " + text;
   }
 
   static std::string difference(const Aspect& one, const Aspect& other) {
