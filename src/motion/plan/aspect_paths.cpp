@@ -4,6 +4,7 @@
 #include "aspects/map/map_contents.h"
 #include "aspects/map/map_location.h"
 #include "aspects/roadmap/path_search.h"
+#include "motion/plan/lead_in.h"
 
 #include <algorithm>
 #include <utility>
@@ -24,22 +25,32 @@ bool AspectPaths::is_free(const Pose& from, const Pose& to, const Aspect& aspect
 std::vector<Pose> AspectPaths::find(int aspect, const Pose& from, const Pose& to) {
   const Aspect& in = map_->aspects()[static_cast<std::size_t>(aspect - 1)];
   if (is_free(from, to, in)) return {from, to};
-  for (const bool undecided : {false, true}) {
-    const std::vector<Pose> path = find_through_leaves(in, from, to, undecided);
-    if (!path.empty()) return shortened(path, in);
-  }
-  return find_in_roadmap(in, from, to);
+  std::vector<Pose> path = find_through_leaves(in, from, to, false);
+  if (path.empty()) path = find_by_climbs(in, from, to);
+  if (path.empty()) path = find_through_leaves(in, from, to, true);
+  return path.empty() ? find_in_roadmap(in, from, to) : shortened(path, in);
+}
+
+FaceComponents& AspectPaths::components(const Aspect& aspect) {
+  const std::size_t mode = *mode_index(map_->contents(), aspect.mode);
+  return components_.try_emplace(mode, map_->contents(), mode).first->second;
+}
+
+/// Those near the pose to which a segment is proved: to look for paths to others is in vain.
+std::vector<NodeIndex> AspectPaths::proved_leaves(const Aspect& aspect, const Pose& pose) const {
+  std::vector<NodeIndex> result;
+  for (const NodeIndex leaf : leaves_near(map_->contents(), aspect, pose))
+    if (is_free(pose, nearest_in(map_->contents(), leaf, pose), aspect)) result.push_back(leaf);
+  return result;
 }
 
 /// Where a segment is not proved, the next path goes elsewhere.
 std::vector<Pose> AspectPaths::find_through_leaves(const Aspect& aspect, const Pose& from, const Pose& to,
                                                    bool undecided) {
-  LeafChoice choice{undecided};
-  const std::size_t mode = *mode_index(map_->contents(), aspect.mode);
-  FaceComponents& components = components_.try_emplace(mode, map_->contents(), mode).first->second;
+  LeafChoice choice{proved_leaves(aspect, from), proved_leaves(aspect, to), undecided};
   for (int i = 0; i < max_leaf_paths; ++i) {
     const std::vector<LeafStep> steps =
-        find_leaf_path(map_->contents(), components, aspect.id, from, to, choice);
+        find_leaf_path(map_->contents(), components(aspect), aspect.id, from, to, choice);
     const std::size_t barred = choice.barred.size();
     for (std::size_t k = 0; k + 1 < steps.size(); ++k)
       if (!is_free(steps[k].pose, steps[k + 1].pose, aspect))
@@ -50,6 +61,35 @@ std::vector<Pose> AspectPaths::find_through_leaves(const Aspect& aspect, const P
     return path;
   }
   return {};
+}
+
+/// Small parts of an aspect by its boundary that no inside leaves connect with the rest: there a climb leads
+/// out, as when the map was computed.
+std::vector<Pose> AspectPaths::find_by_climbs(const Aspect& aspect, const Pose& from, const Pose& to) {
+  std::vector<Pose> start = climb_to(aspect, from, proved_leaves(aspect, to)), goal{to};
+  if (start.empty()) {
+    start = {from};
+    goal = climb_to(aspect, to, proved_leaves(aspect, from));
+  }
+  if (goal.empty()) return {};
+  std::vector<Pose> path = find_through_leaves(aspect, start.back(), goal.back(), false);
+  if (path.empty()) return {};
+  path.insert(path.begin(), start.begin(), start.end() - 1);
+  path.insert(path.end(), goal.rbegin() + 1, goal.rend());
+  return path;
+}
+
+/// Up to a pose in a leaf that is connected with one of `leaves`.
+std::vector<Pose> AspectPaths::climb_to(const Aspect& aspect, const Pose& from,
+                                        const std::vector<NodeIndex>& leaves) {
+  FaceComponents& connected = components(aspect);
+  return climb(*map_, segments_, from, aspect.mode, aspect.determinant_sign, [&](const Pose& at) {
+    const std::vector<NodeIndex> near = leaves_near(map_->contents(), aspect, at);
+    return std::any_of(near.begin(), near.end(), [&](NodeIndex one) {
+      return std::any_of(leaves.begin(), leaves.end(),
+                         [&](NodeIndex other) { return connected.are_connected(one, other); });
+    });
+  });
 }
 
 /// Leaves out poses where the segment past them is proved, as many at once as doubling and halving finds.

@@ -27,8 +27,12 @@ class AspectPaths {
 
  private:
   bool is_free(const Pose& from, const Pose& to, const Aspect& aspect) const;
+  FaceComponents& components(const Aspect& aspect);
+  std::vector<NodeIndex> proved_leaves(const Aspect& aspect, const Pose& pose) const;
   std::vector<Pose> find_through_leaves(const Aspect& aspect, const Pose& from, const Pose& to,
                                         bool undecided);
+  std::vector<Pose> find_by_climbs(const Aspect& aspect, const Pose& from, const Pose& to);
+  std::vector<Pose> climb_to(const Aspect& aspect, const Pose& from, const std::vector<NodeIndex>& leaves);
   std::vector<Pose> shortened(const std::vector<Pose>& path, const Aspect& aspect) const;
   std::vector<Pose> find_in_roadmap(const Aspect& aspect, const Pose& from, const Pose& to);
 

@@ -19,26 +19,19 @@ class Climb {
   Climb(const AspectMap& map, const MapSegments& segments, const WorkingMode& mode, int sign)
       : map_(map), contents_(map.contents()), segments_(segments), mode_(mode), sign_(sign) {}
 
-  LeadIn run(const Pose& pose) {
-    LeadIn lead{{pose}, 0};
+  std::vector<Pose> run(const Pose& pose, const std::function<bool(const Pose&)>& is_there) {
+    std::vector<Pose> poses{pose};
     double index = index_at(pose);
-    for (int round = 0; round < max_rounds && lead.aspect == 0; ++round) {
-      const std::optional<Pose> next = best_around(lead.poses.back(), index);
+    for (int round = 0; round < max_rounds; ++round) {
+      const std::optional<Pose> next = best_around(poses.back(), index);
       if (!next) return {};
-      lead.poses.push_back(*next);
-      lead.aspect = aspect_at(*next);
+      poses.push_back(*next);
+      if (is_there(*next)) return poses;
     }
-    return lead.aspect != 0 ? lead : LeadIn{};
+    return {};
   }
 
  private:
-  int aspect_at(const Pose& pose) const {
-    const Location location = map_.locate(pose, mode_);
-    return location && map_.aspects()[static_cast<std::size_t>(location.aspect - 1)].determinant_sign == sign_
-               ? location.aspect
-               : 0;
-  }
-
   /// The smallest index of all singularities; negative where a leg does not reach.
   double index_at(const Pose& pose) const {
     const Manipulator& robot = *map_.manipulator();
@@ -103,9 +96,22 @@ class Climb {
 
 }  // namespace
 
+std::vector<Pose> climb(const AspectMap& map, const MapSegments& segments, const Pose& pose,
+                        const WorkingMode& mode, int sign, const std::function<bool(const Pose&)>& is_there) {
+  return Climb(map, segments, mode, sign).run(pose, is_there);
+}
+
 LeadIn find_lead_in(const AspectMap& map, const MapSegments& segments, const Pose& pose,
                     const WorkingMode& mode, int sign) {
-  return Climb(map, segments, mode, sign).run(pose);
+  LeadIn lead;
+  lead.poses = climb(map, segments, pose, mode, sign, [&](const Pose& at) {
+    const Location location = map.locate(at, mode);
+    if (!location) return false;
+    if (map.aspects()[static_cast<std::size_t>(location.aspect - 1)].determinant_sign != sign) return false;
+    lead.aspect = location.aspect;
+    return true;
+  });
+  return lead;
 }
 
 }  // namespace parallel_aspects

@@ -6,6 +6,7 @@
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/model/pose.h"
 
+#include <functional>
 #include <vector>
 
 namespace parallel_aspects {
@@ -17,7 +18,12 @@ struct LeadIn {
 };
 
 /// Climbs: in every round to the pose around that is farthest from singularities, of those to which a segment
-/// is proved, until the map knows the aspect. `sign` is that of det A, proved.
+/// is proved, until `is_there` is true of it. The poses, from the first one on; empty where it never is.
+/// `sign` is that of det A, proved.
+std::vector<Pose> climb(const AspectMap& map, const MapSegments& segments, const Pose& pose,
+                        const WorkingMode& mode, int sign, const std::function<bool(const Pose&)>& is_there);
+
+/// Climbs until the map knows the aspect.
 LeadIn find_lead_in(const AspectMap& map, const MapSegments& segments, const Pose& pose,
                     const WorkingMode& mode, int sign);
 

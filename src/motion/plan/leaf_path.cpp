@@ -37,9 +37,9 @@ class LeafSearch {
         choice_(choice) {}
 
   std::vector<LeafStep> run() {
-    for (const NodeIndex leaf : leaves_near(to_)) last_.insert(leaf);
-    for (const NodeIndex leaf : leaves_near(from_))
-      if (!is_barred(no_node, leaf) && may_lead_on(leaf)) enter(leaf, no_node, distance(from_, middle(leaf)));
+    last_.insert(choice_.last.begin(), choice_.last.end());
+    for (const NodeIndex leaf : choice_.first)
+      if (may_lead_on(leaf)) enter(leaf, no_node, distance(from_, middle(leaf)));
     while (!open_.empty()) {
       const NodeIndex leaf = open_.top().leaf;
       if (leaf == no_node) return path();
@@ -85,17 +85,6 @@ class LeafSearch {
     return choice_.undecided && state.is_undecided() && state.center_sign() == aspect_.determinant_sign;
   }
 
-  std::vector<NodeIndex> leaves_near(const Pose& pose) const {
-    const MapPosition position = map_.tree.space().position(pose);
-    const NearLeaves near = near_inside_leaves(map_.tree, mode_, aspect_.determinant_sign, position);
-    std::vector<NodeIndex> result;
-    for (std::size_t i = 0; i < near.count; ++i) {
-      if (is_inside(near.items[i].leaf)) result.push_back(near.items[i].leaf);
-      if (near.items[i].squared_distance == 0.0 && !result.empty()) break;
-    }
-    return result;
-  }
-
   double price(NodeIndex leaf) const {
     if (!is_inside(leaf)) return cost_of_undecided_leaves;
     const double edge = map_.tree.space().longest_edge(map_.tree.box(leaf));
@@ -115,7 +104,7 @@ class LeafSearch {
   void expand(NodeIndex leaf, const Entry& here) {
     const Pose at = here.middle;
     const double cost = here.cost;
-    if (last_.count(leaf) > 0 && !is_barred(leaf, no_node)) enter(no_node, leaf, cost + distance(at, to_));
+    if (last_.count(leaf) > 0) enter(no_node, leaf, cost + distance(at, to_));
     for (const NodeIndex next : neighbour_leaves(map_.tree, mode_, leaf)) {
       if (!may_pass(next) || is_barred(leaf, next)) continue;
       const auto known = reached_.find(next);
@@ -127,15 +116,6 @@ class LeafSearch {
 
   Pose middle(NodeIndex leaf) const {
     return map_.tree.space().pose({map_.tree.place(leaf).root, map_.tree.box(leaf).middle()});
-  }
-
-  /// The pose itself where the leaf holds it.
-  Pose nearest_in(NodeIndex leaf, const Pose& pose) const {
-    const MapPosition position = map_.tree.space().position(pose);
-    const Box box = map_.tree.box(leaf);
-    return box.contains(position.point)
-               ? pose
-               : map_.tree.space().pose({position.root, box.nearest(position.point)});
   }
 
   /// Of a face, halfway from its middle to what is nearest to a pose: paths are straighter so, and keep off
@@ -165,10 +145,10 @@ class LeafSearch {
     for (NodeIndex leaf = reached_.at(no_node).before; leaf != no_node; leaf = reached_.at(leaf).before)
       leaves.push_back(leaf);
     std::reverse(leaves.begin(), leaves.end());
-    std::vector<LeafStep> steps{{from_, no_node}, {nearest_in(leaves.front(), from_), leaves.front()}};
+    std::vector<LeafStep> steps{{from_, no_node}, {nearest_in(map_, leaves.front(), from_), leaves.front()}};
     for (std::size_t i = 1; i < leaves.size(); ++i)
       steps.push_back({entrance(steps.back().pose, leaves[i - 1], leaves[i]), leaves[i]});
-    steps.push_back({nearest_in(leaves.back(), to_), leaves.back()});
+    steps.push_back({nearest_in(map_, leaves.back(), to_), leaves.back()});
     steps.push_back({to_, no_node});
     return steps;
   }
@@ -196,6 +176,25 @@ FaceComponents::FaceComponents(const AspectMap::Contents& map, std::size_t mode)
   visit_faces(map.tree, mode, [&](NodeIndex a, NodeIndex b) {
     if (map.tree.state(a, mode).is_inside() && map.tree.state(b, mode).is_inside()) sets_.unite(a, b);
   });
+}
+
+std::vector<NodeIndex> leaves_near(const AspectMap::Contents& map, const Aspect& aspect, const Pose& pose) {
+  const MapPosition position = map.tree.space().position(pose);
+  const std::size_t mode = *mode_index(map, aspect.mode);
+  const NearLeaves near = near_inside_leaves(map.tree, mode, aspect.determinant_sign, position);
+  std::vector<NodeIndex> result;
+  for (std::size_t i = 0; i < near.count; ++i) {
+    if (map.leaf_aspect(near.items[i].leaf, mode) == aspect.id) result.push_back(near.items[i].leaf);
+    if (near.items[i].squared_distance == 0.0 && !result.empty()) break;
+  }
+  return result;
+}
+
+Pose nearest_in(const AspectMap::Contents& map, NodeIndex leaf, const Pose& pose) {
+  const MapPosition position = map.tree.space().position(pose);
+  const Box box = map.tree.box(leaf);
+  return box.contains(position.point) ? pose
+                                      : map.tree.space().pose({position.root, box.nearest(position.point)});
 }
 
 std::vector<LeafStep> find_leaf_path(const AspectMap::Contents& map, FaceComponents& components, int aspect,

@@ -23,12 +23,13 @@ struct LeafStep {
   NodeIndex leaf = no_node;
 };
 
-/// Which leaves a path may pass.
+/// Which leaves a path may pass, and by which it begins and ends.
 struct LeafChoice {
+  std::vector<NodeIndex> first, last;  ///< of `leaves_near` the ends
   bool undecided =
       false;  ///< those with the aspect's sign at their middle too; what lies there is not proved
 
-  /// Not from the one to the other; an end of the path is `no_node`.
+  /// Not from the one to the other.
   std::set<std::pair<NodeIndex, NodeIndex>> barred{};
 };
 
@@ -43,10 +44,16 @@ class FaceComponents {
   DisjointSets sets_;
 };
 
+/// Inside leaves of an aspect that hold a pose or are near it, the nearest first.
+std::vector<NodeIndex> leaves_near(const AspectMap::Contents& map, const Aspect& aspect, const Pose& pose);
+
+/// The pose itself where the leaf holds it.
+Pose nearest_in(const AspectMap::Contents& map, NodeIndex leaf, const Pose& pose);
+
 /// Steps from one pose to another through leaves of one aspect that share faces: the first pose, a pose of
 /// each face or the middle of an undecided leaf, and the last, with `no_node`. Wide leaves are preferred,
-/// since little is near that ends the aspect. Empty where no leaf near the one end is connected with one near
-/// the other. `components` are those of the aspect's working mode.
+/// since little is near that ends the aspect. Empty where no leaf to begin with is connected with one to end
+/// with. `components` are those of the aspect's working mode.
 std::vector<LeafStep> find_leaf_path(const AspectMap::Contents& map, FaceComponents& components, int aspect,
                                      const Pose& from, const Pose& to, const LeafChoice& choice);
 
