@@ -26,9 +26,47 @@ std::vector<Pose> AspectPaths::find(int aspect, const Pose& from, const Pose& to
   const Aspect& in = map_->aspects()[static_cast<std::size_t>(aspect - 1)];
   if (is_free(from, to, in)) return {from, to};
   std::vector<Pose> path = find_through_leaves(in, from, to, false);
-  if (path.empty()) path = find_by_climbs(in, from, to);
-  if (path.empty()) path = find_through_leaves(in, from, to, true);
-  return path.empty() ? find_in_roadmap(in, from, to) : shortened(path, in);
+  if (path.empty()) path = find_between_parts(in, from, to);
+  return path.empty() ? path : shortened(path, in);
+}
+
+/// From one part to another the way is looked for once: what is found leads on from all poses of the one to
+/// all of the other, since inside leaves connect each of them with its part.
+std::vector<Pose> AspectPaths::find_between_parts(const Aspect& aspect, const Pose& from, const Pose& to) {
+  const std::optional<Parts> key = parts(aspect, from, to);
+  if (!key) return search_between_parts(aspect, from, to);
+  const auto known = links_.find(*key);
+  if (known == links_.end()) {
+    std::vector<Pose>& link = links_[*key];
+    link = search_between_parts(aspect, from, to);
+    const auto [id, one, other] = *key;
+    links_[{id, other, one}].assign(link.rbegin(), link.rend());
+    return link;
+  }
+  const std::vector<Pose>& link = known->second;
+  if (link.empty()) return {};
+  std::vector<Pose> path = find_through_leaves(aspect, from, link.front(), false);
+  const std::vector<Pose> rest = find_through_leaves(aspect, link.back(), to, false);
+  if (path.empty() || rest.empty()) return {};
+  path.insert(path.end(), link.begin() + 1, link.end());
+  path.insert(path.end(), rest.begin() + 1, rest.end());
+  return path;
+}
+
+/// Nothing where it is one, or an end is not proved to lie in one.
+std::optional<AspectPaths::Parts> AspectPaths::parts(const Aspect& aspect, const Pose& from, const Pose& to) {
+  const std::vector<NodeIndex> first = proved_leaves(aspect, from), last = proved_leaves(aspect, to);
+  if (first.empty() || last.empty()) return std::nullopt;
+  FaceComponents& connected = components(aspect);
+  const NodeIndex one = connected.part_of(first.front()), other = connected.part_of(last.front());
+  if (one == other) return std::nullopt;
+  return Parts{aspect.id, one, other};
+}
+
+std::vector<Pose> AspectPaths::search_between_parts(const Aspect& aspect, const Pose& from, const Pose& to) {
+  std::vector<Pose> path = find_by_climbs(aspect, from, to);
+  if (path.empty()) path = find_through_leaves(aspect, from, to, true);
+  return path.empty() ? find_in_roadmap(aspect, from, to) : shortened(path, aspect);
 }
 
 FaceComponents& AspectPaths::components(const Aspect& aspect) {

@@ -10,6 +10,8 @@
 
 #include <map>
 #include <memory>
+#include <optional>
+#include <tuple>
 #include <vector>
 
 namespace parallel_aspects {
@@ -27,7 +29,14 @@ class AspectPaths {
 
  private:
   bool is_free(const Pose& from, const Pose& to, const Aspect& aspect) const;
+  /// Two parts of one aspect that no faces of inside leaves connect: its id, and the leaves that stand for
+  /// them.
+  using Parts = std::tuple<int, NodeIndex, NodeIndex>;
+
   FaceComponents& components(const Aspect& aspect);
+  std::optional<Parts> parts(const Aspect& aspect, const Pose& from, const Pose& to);
+  std::vector<Pose> find_between_parts(const Aspect& aspect, const Pose& from, const Pose& to);
+  std::vector<Pose> search_between_parts(const Aspect& aspect, const Pose& from, const Pose& to);
   std::vector<NodeIndex> proved_leaves(const Aspect& aspect, const Pose& pose) const;
   std::vector<Pose> find_through_leaves(const Aspect& aspect, const Pose& from, const Pose& to,
                                         bool undecided);
@@ -38,7 +47,8 @@ class AspectPaths {
 
   std::shared_ptr<const AspectMap> map_;
   MapSegments segments_;
-  std::map<std::size_t, FaceComponents> components_;                    // by index of the mode in the map
+  std::map<std::size_t, FaceComponents> components_;  // by index of the mode in the map
+  std::map<Parts, std::vector<Pose>> links_;  // from one to the other, once looked for; empty where in vain
   std::map<std::size_t, std::shared_ptr<const PoseRoadmap>> roadmaps_;  // by index of the working mode
 };
 

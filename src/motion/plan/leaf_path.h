@@ -38,7 +38,10 @@ class FaceComponents {
  public:
   FaceComponents(const AspectMap::Contents& map, std::size_t mode);
 
-  bool are_connected(NodeIndex a, NodeIndex b) { return sets_.find(a) == sets_.find(b); }
+  bool are_connected(NodeIndex a, NodeIndex b) { return part_of(a) == part_of(b); }
+
+  /// The leaf that stands for all that are connected with this one.
+  NodeIndex part_of(NodeIndex leaf) { return sets_.find(leaf); }
 
  private:
   DisjointSets sets_;
