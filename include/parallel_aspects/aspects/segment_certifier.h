@@ -9,7 +9,6 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <memory>
 #include <optional>
 
@@ -106,15 +105,18 @@ class SegmentCertifier {
   NeighbourhoodProof prove_around(const Pose& pose, double displacement, double angle,
                                   const WorkingMode& mode) const noexcept;
 
-  /// The same, but B_jj of the legs in `passing` (bit j stands for leg j) may be zero, and limits of their
-  /// actuated joints are left out: `free` says that all other legs reach within limits, and that all other
-  /// constraints hold at each pose that the passing legs reach, B_jj = 0 too.
-  NeighbourhoodProof prove_around(const Pose& pose, double displacement, double angle,
-                                  const WorkingMode& mode, std::uint8_t passing) const noexcept;
+  /// Whether all constraints but limits of actuated joints are proved at each of these poses that the legs
+  /// reach in this working mode, B_jj = 0 too.
+  bool constraints_hold_around(const Pose& pose, double displacement, double angle,
+                               const WorkingMode& mode) const noexcept;
 
  private:
   struct Parts;
   class Evaluation;
+  enum class Reach;
+
+  NeighbourhoodProof prove_around(const Pose& pose, double displacement, double angle,
+                                  const WorkingMode& mode, Reach reach) const noexcept;
 
   SegmentProof march(const Pose& from, const Pose& to, const WorkingMode& mode, int sign,
                      int max_parts) const noexcept;

@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -60,16 +59,22 @@ struct SegmentCertifier::Parts {
   ConstraintTests<3> spatial_constraints;  // of one of them the robot has no use
 };
 
+/// What is asked of the legs.
+enum class SegmentCertifier::Reach {
+  proved,  ///< that B_jj is not zero, and that limits hold
+  assumed  ///< nothing: poses out of reach do not count
+};
+
 /// A segment in one working mode, and what is found of the part of it that was looked at last.
 class SegmentCertifier::Evaluation {
  public:
   Evaluation(const SegmentCertifier& certifier, const PoseSegment& segment, const WorkingMode& mode,
-             std::uint8_t passing = 0)
+             Reach reach = Reach::proved)
       : parts_(*certifier.parts_),
         space_(certifier.manipulator_->task_space()),
         segment_(segment),
         mode_(mode),
-        passing_(passing) {}
+        reach_(reach) {}
 
   /// What is proved of a single point.
   ConfigurationProof at(double t) {
@@ -246,9 +251,6 @@ class SegmentCertifier::Evaluation {
     return proved_determinant_sign(parts_.legs.size(), middle);
   }
 
-  /// Whether B_jj may be zero.
-  bool passes(std::size_t j) const noexcept { return (passing_ >> j & 1U) != 0; }
-
   bool leg_is_free(std::size_t j, const PoseSegment::Placement& placement) {
     const SpatialLeg& leg = parts_.legs[j];
     Spatial<PathForm> b, d;
@@ -258,13 +260,14 @@ class SegmentCertifier::Evaluation {
     }
     const SpatialLegForm<PathForm> form = leg.form(d);
     if (form.squared_entry.center.upper() <= 0.0) found_ = {0, Violation::out_of_reach, {}, j};
-    if (!passes(j) && !form.squared_entry.range.positive()) return false;
-    const PathForm entry = passes(j) ? PathForm(square_root(not_negative_part(form.squared_entry.range)))
-                                     : square_root(form.squared_entry);
+    if (reach_ == Reach::proved && !form.squared_entry.range.positive()) return false;
+    const PathForm entry = reach_ == Reach::assumed
+                               ? PathForm(square_root(not_negative_part(form.squared_entry.range)))
+                               : square_root(form.squared_entry);
     displacements_[j] = d;
     squared_entries_[j] = form.squared_entry;
     entries_[j] = entry;
-    if (!passes(j) && !is_within_limits(j, d, entry)) return false;
+    if (reach_ == Reach::proved && !is_within_limits(j, d, entry)) return false;
     Spatial<PathForm>& u = rods_[j];
     for (std::size_t i = 0; i < 3; ++i) {
       const PathForm turned = entry * form.turned[i];
@@ -288,7 +291,7 @@ class SegmentCertifier::Evaluation {
   const TaskSpace space_;
   const PoseSegment& segment_;
   const WorkingMode& mode_;
-  const std::uint8_t passing_;
+  const Reach reach_;
   SquareArray<PathForm> rows_;
   std::array<Spatial<PathForm>, max_legs> displacements_;  // of the anchors from the base points
   std::array<Spatial<PathForm>, max_legs> rods_;           // u, up to a positive factor
@@ -363,13 +366,17 @@ std::optional<SpeedBounds> SegmentCertifier::joint_speeds(const Pose& from, cons
 
 NeighbourhoodProof SegmentCertifier::prove_around(const Pose& pose, double displacement, double angle,
                                                   const WorkingMode& mode) const noexcept {
-  return prove_around(pose, displacement, angle, mode, 0);
+  return prove_around(pose, displacement, angle, mode, Reach::proved);
+}
+
+bool SegmentCertifier::constraints_hold_around(const Pose& pose, double displacement, double angle,
+                                               const WorkingMode& mode) const noexcept {
+  return prove_around(pose, displacement, angle, mode, Reach::assumed).free;
 }
 
 // A rotation by an angle changes no entry of a rotation matrix by more than that angle.
 NeighbourhoodProof SegmentCertifier::prove_around(const Pose& pose, double displacement, double angle,
-                                                  const WorkingMode& mode,
-                                                  std::uint8_t passing) const noexcept {
+                                                  const WorkingMode& mode, Reach reach) const noexcept {
   if (!parts_->usable || !is_usable(pose, longest_length) || mode.leg_count() != parts_->legs.size() ||
       !(displacement < longest_length) || !(angle < longest_length))
     return {};
@@ -385,7 +392,7 @@ NeighbourhoodProof SegmentCertifier::prove_around(const Pose& pose, double displ
       placement.rotation[i][k] = std::max(i, k) < moved ? turn[i][k] + turned : turn[i][k];
   }
   const PoseSegment still(pose, pose);
-  return Evaluation(*this, still, mode, passing).over(placement);
+  return Evaluation(*this, still, mode, reach).over(placement);
 }
 
 SegmentProof SegmentCertifier::march(const Pose& from, const Pose& to, const WorkingMode& mode, int sign,

@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 
 namespace parallel_aspects {
 namespace {
@@ -204,7 +203,7 @@ class JointCheck {
       const double change = magnitude(range[j] - Interval(at_.q[static_cast<Eigen::Index>(j)]));
       if (poses_.entry_sign(at_, j, radius, change) != mode_.sign(j)) return false;
     }
-    return !has_others() || around(radius, mode_).free;
+    return !has_others() || constraints_hold(radius, mode_);
   }
 
   /// Where B_jj may be zero: whether the constraints are proved to hold, or this piece is as short as any.
@@ -217,26 +216,25 @@ class JointCheck {
     return true;
   }
 
-  /// Whether the constraints beside limits hold in this piece, in both postures of each leg whose B_jj may be
-  /// zero in it.
+  /// Whether the constraints beside limits hold in this piece, in each working mode that the legs can have in
+  /// it: both postures of one whose B_jj may be zero.
   bool others_hold(const JointRanges& range, double radius) const {
-    std::uint8_t passing = 0;
-    WorkingMode mode = mode_;
+    std::array<int, max_legs> signs{};
     for (std::size_t j = 0; j < manipulator_.leg_count(); ++j) {
       const double change = magnitude(range[j] - Interval(at_.q[static_cast<Eigen::Index>(j)]));
-      const int sign = poses_.entry_sign(at_, j, radius, change);
-      if (sign != 0)
-        mode.set_sign(j, sign);
-      else
-        passing = static_cast<std::uint8_t>(passing | 1U << j);
+      signs[j] = poses_.entry_sign(at_, j, radius, change);
     }
-    for (const WorkingMode& each : working_modes(manipulator_)) {
+    for (const WorkingMode& mode : working_modes(manipulator_)) {
       bool is_possible = true;
       for (std::size_t j = 0; j < manipulator_.leg_count(); ++j)
-        is_possible = is_possible && ((passing >> j & 1U) != 0 || each.sign(j) == mode.sign(j));
-      if (is_possible && !around(radius, each, passing).free) return false;
+        is_possible = is_possible && signs[j] != -mode.sign(j);
+      if (is_possible && !constraints_hold(radius, mode)) return false;
     }
     return true;
+  }
+
+  bool constraints_hold(double radius, const WorkingMode& mode) const {
+    return certifier_.constraints_hold_around(at_.pose, displacement(radius), angle(radius), mode);
   }
 
   bool within_limits(const JointRanges& range) const {
@@ -268,11 +266,16 @@ class JointCheck {
            manipulator_.constraint_kinds()[static_cast<std::size_t>(ConstraintKind::actuated_limits)];
   }
 
-  NeighbourhoodProof around(double radius, const WorkingMode& mode, std::uint8_t passing = 0) const {
-    return certifier_.prove_around(
-        at_.pose, has_translation(manipulator_.task_space()) ? radius : 0.0,
-        has_rotation(manipulator_.task_space()) ? radius / manipulator_.characteristic_length() : 0.0, mode,
-        passing);
+  NeighbourhoodProof around(double radius) const {
+    return certifier_.prove_around(at_.pose, displacement(radius), angle(radius), mode_);
+  }
+
+  /// How far the operational point is from where it is known, and how far the platform is turned.
+  double displacement(double radius) const {
+    return has_translation(manipulator_.task_space()) ? radius : 0.0;
+  }
+  double angle(double radius) const {
+    return has_rotation(manipulator_.task_space()) ? radius / manipulator_.characteristic_length() : 0.0;
   }
 
   void arrive(std::size_t i, const JointPath& path, double share) {
@@ -301,7 +304,7 @@ class JointCheck {
       if (sign == 0) return;
     }
     if (has_others()) {
-      const NeighbourhoodProof proof = around(ball.radius, mode_);
+      const NeighbourhoodProof proof = around(ball.radius);
       if (proof.proved_violation == Violation::constraint)
         return violate(Violation::constraint, proof.leg, proof.failing, time);
     }

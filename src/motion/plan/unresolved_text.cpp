@@ -20,6 +20,7 @@ namespace parallel_aspects {
 namespace {
 
 constexpr std::size_t max_looks = 500;  // leaves of a meeting that are looked at
+constexpr double least_sine = 1e-9;     // for a quotient
 
 /// The two legs whose rows of A point most nearly the same way or opposite ways.
 struct NearestRows {
@@ -85,7 +86,8 @@ class Meeting {
     leaves_.erase(std::unique(leaves_.begin(), leaves_.end()), leaves_.end());
   }
 
-  /// The middle of a leaf that is as far from serial singularities as any; nothing where legs reach none.
+  /// The middle of a leaf with rows as near to each other as any, in proportion to how far from serial
+  /// singularities it is; nothing where legs reach none.
   std::optional<Pose> clearest() const {
     std::optional<Pose> best;
     double largest = 0.0;
@@ -95,7 +97,8 @@ class Meeting {
           map_.tree.space().pose({map_.tree.place(leaves_[i]).root, map_.tree.box(leaves_[i]).middle()});
       const InverseSolution solution = inverse(robot_, pose, map_.modes[mode_]);
       if (solution.status != InverseStatus::solved) continue;
-      const double index = serial_indices(robot_, pose, solution.q).minCoeff();
+      const double index = serial_indices(robot_, pose, solution.q).minCoeff() /
+                           (nearest_rows(robot_, pose, solution.q).sine + least_sine);
       if (index > largest) largest = index, best = pose;
     }
     return best;
