@@ -20,7 +20,7 @@ constexpr const char* description =
     "Lengths in metres, angles in radians.";
 
 constexpr const char* footer =
-    "\nExit codes: 0 done, 1 the robot, a file or a number was refused, 2 the command line was not "
+    "\nExit codes: 0 done, 1 the robot, a file or a value was refused, 2 an argument is missing or not "
     "understood,\n"
     "3 a question is open that only you can answer, or `check`, `choose` or `plan` proved that the answer is "
     "no, 4 they do not "

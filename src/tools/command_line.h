@@ -10,7 +10,9 @@
 
 namespace parallel_aspects::tools {
 
-/// Thrown where a command line is not understood; what() is a message for the user.
+/// Thrown where a command line is not understood: an argument is missing, unknown, empty or given twice.
+/// What is wrong with a value, or with two that do not go together, is an `InvalidDescription`. what() is a
+/// message for the user, without a full stop.
 struct UsageError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/shipped_robots.h"
 
+#include "tools/command_line.h"
 #include "tools/report/report.h"
 #include "urdf/description/text_file.h"
 
@@ -43,19 +44,21 @@ RobotChoice shipped_files(const std::string& name) {
   return {name, urdf_path(share, name).string(), (config_folder(share) / (name + ".yaml")).string()};
 }
 
+/// Which argument is missing; empty where none is.
+std::string missing_argument(const RobotChoice& choice) {
+  if (!choice.name.empty() || (!choice.urdf_file.empty() && !choice.config_file.empty())) return "";
+  if (choice.urdf_file.empty() && choice.config_file.empty())
+    return "ROBOT is required; name a shipped robot, or give --urdf FILE and --config FILE";
+  return choice.config_file.empty()
+             ? "--config is required with --urdf; `aspects setup URDF` writes that file"
+             : "--urdf is required with --config; give the URDF of the robot";
+}
+
 Problems problems_of(const RobotChoice& choice) {
-  Problems problems;
   const bool files = !choice.urdf_file.empty() || !choice.config_file.empty();
-  if (!choice.name.empty() && files)
-    problems.push_back("Robot '" + choice.name +
-                       "' is named and files are given too; give a name, or --urdf and --config.");
-  if (choice.name.empty() && choice.urdf_file.empty())
-    problems.emplace_back("No URDF is given; name a shipped robot, or add --urdf FILE.");
-  if (choice.name.empty() && choice.config_file.empty())
-    problems.emplace_back(
-        "No configuration is given; name a shipped robot, or add --config FILE, which `aspects setup URDF` "
-        "writes.");
-  return problems;
+  if (choice.name.empty() || !files) return {};
+  return {"Robot '" + choice.name +
+          "' is named and files are given too; give a name, or --urdf and --config."};
 }
 
 void throw_any(Problems problems) {
@@ -99,7 +102,7 @@ namespace {
 
 /// Where the YAML of the robot stands, and its text; empty where `load_robot` tells what is wrong.
 std::string config_text(const RobotChoice& choice, std::string& file) {
-  if (!problems_of(choice).empty()) return "";
+  if (!missing_argument(choice).empty() || !problems_of(choice).empty()) return "";
   file = choice.config_file;
   if (!choice.name.empty()) file = (config_folder(share_folder()) / (choice.name + ".yaml")).string();
   Problems reported_by_load_robot;
@@ -123,6 +126,7 @@ MotionSection load_motion_section(const RobotChoice& choice, std::size_t joints,
 }
 
 std::shared_ptr<const Mechanism> load_robot(const RobotChoice& choice, Problems known) {
+  if (const std::string missing = missing_argument(choice); !missing.empty()) throw UsageError(missing);
   try {
     auto mechanism = load(choice);
     if (known.empty()) return mechanism;

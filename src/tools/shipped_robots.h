@@ -30,8 +30,8 @@ struct RobotChoice {
 };
 
 /// Loads it. Throws `InvalidDescription` with every problem: an unknown name (the message lists the known
-/// ones), a choice that names too little or too much, files that cannot be read, and whatever
-/// `load_mechanism` finds, after those that are `known` already.
+/// ones), a choice that names too much, files that cannot be read, and whatever `load_mechanism` finds, after
+/// those that are `known` already. Throws `UsageError` where it names too little.
 std::shared_ptr<const Mechanism> load_robot(const RobotChoice& choice, Problems known = {});
 
 /// How the map of a robot is to be computed, as its files say.

@@ -12,6 +12,7 @@ import signal
 import subprocess
 import tempfile
 
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 FILE_NAME = re.compile(r"`([\w.]+)`:\s*\Z")
 COMMAND = re.compile(r"^\$ ((?:.*\\\n)*.*)\n((?:(?!\$ ).*\n)*)", re.MULTILINE)
@@ -50,6 +51,8 @@ class Page:
         scripts = pathlib.Path(self.folder.name) / "scripts"  # as in a clone
         scripts.mkdir()
         (scripts / "aspects").symlink_to(pathlib.Path(path) / "aspects")
+        for each in ("urdf", "config"):
+            (pathlib.Path(self.folder.name) / each).symlink_to(ROOT / each)
         self.background = []
         self.log = pathlib.Path(self.folder.name) / "background.log"
 

@@ -42,6 +42,10 @@ TEST_F(Command, MisunderstoodCommandLinesAreUsageErrors) {
                                                                      {"draw"},
                                                                      {"map", "five_bar", "--colour"},
                                                                      {"ik", "five_bar"},
+                                                                     {"map"},
+                                                                     {"plan", "five_bar", "--to", "4 6"},
+                                                                     {"check", "five_bar"},
+                                                                     {"choose", "five_bar"},
                                                                      {"ik", "five_bar", "--pose", "1", "2"},
                                                                      {"fk", "five_bar", "--joints"}}) {
     const Outcome outcome = run(arguments);

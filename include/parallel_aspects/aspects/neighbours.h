@@ -24,8 +24,9 @@ struct GateCrossing {
 
   Pose pose;  ///< in the middle of the segment
 
-  /// How far from other singularities it is: of a serial one the parallel index where it begins, of a
-  /// parallel one the serial index there. From 0 to 1, no bound.
+  /// How far from other singularities and from limits it is: where it begins, the least of the other indices
+  /// and of how far each actuated joint is from its nearest limit, over half of its range. From 0 to 1, no
+  /// bound.
   double index = 0.0;
 };
 

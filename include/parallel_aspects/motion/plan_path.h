@@ -11,6 +11,7 @@
 #include "parallel_aspects/model/pose.h"
 
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -24,6 +25,25 @@ enum class PathPolicy {
   stay,    ///< nothing: it stays in one aspect
   serial,  ///< serial singularities, where a leg changes its posture; the platform is under control all along
   any,     ///< parallel singularities, too, where control of the platform is lost; no more than it takes
+};
+
+/// Which of several paths is wanted.
+enum class PathPreference {
+  shortest,  ///< the shortest that is found
+  clear,     ///< that with the largest least parallel index
+  fast,      ///< that which takes the least time
+};
+
+struct PlannedPath;
+
+/// How long a path takes [s]; infinite where it cannot be timed.
+using PathTime = std::function<double(const PlannedPath&)>;
+
+/// What is asked of a path besides its ends.
+struct PathWish {
+  PathPolicy policy = PathPolicy::stay;              ///< what it may pass
+  PathPreference prefer = PathPreference::shortest;  ///< which of several
+  PathTime time{};  ///< by which the fastest is chosen, as `path_timer` makes one; not empty where asked for
 };
 
 /// Where a path begins or ends.
@@ -83,8 +103,12 @@ class PathPlanner {
   PathPlanner(PathPlanner&&) noexcept;  ///< leaves an object that can only be destroyed or assigned
   PathPlanner& operator=(PathPlanner&&) noexcept;  ///< likewise
 
-  /// Looks for a path. Where an end leaves the mode open, the shortest that is found. `unknown` where
-  /// cancelled.
+  /// Looks for a path; of several that are found the one that is preferred, so too where an end leaves the
+  /// mode open. `unknown` where cancelled.
+  PlannedPath plan(const PathEnd& from, const PathEnd& to, const PathWish& wish,
+                   const MapControl& control = {});
+
+  /// The shortest that is found.
   PlannedPath plan(const PathEnd& from, const PathEnd& to, PathPolicy policy, const MapControl& control = {});
 
   /// The pose at t, 0 to 1, from a point of a path to the next, but through a parallel crossing.
@@ -99,13 +123,20 @@ class PathPlanner {
   std::unique_ptr<Parts> parts_;
 };
 
-/// Looks for the shortest path within one aspect over a roadmap, in every task space, with six degrees of
-/// freedom too. Where none is found that proves nothing, unless signs or limits do; then the answer is
-/// unknown.
-PlannedPath plan_in_roadmap(const PoseRoadmap& roadmap, const PathEnd& from, const PathEnd& to);
+/// Looks for a path over a roadmap, in every task space, with six degrees of freedom too. `no` is proved by
+/// signs and limits alone; that none is found proves nothing, and the answer is unknown. Parallel gates are
+/// not looked for. At a serial crossing the actuated joints run straight from the one point to the other, and
+/// that is certified by continuation: det A is not zero, of all B_jj that of `leg` alone is passed, in a
+/// bracket, and the limits of the actuated joints hold; with further constraints none is proved. `from`, `to`
+/// of a crossing are 0, as aspects have no numbers here.
+PlannedPath plan_in_roadmap(const PoseRoadmap& roadmap, const PathEnd& from, const PathEnd& to,
+                            const PathWish& wish = {}, const MapControl& control = {});
 
 /// "stay", "serial" or "any".
 const char* name(PathPolicy policy) noexcept;
+
+/// "short", "clear" or "fast".
+const char* name(PathPreference preference) noexcept;
 
 }  // namespace parallel_aspects
 

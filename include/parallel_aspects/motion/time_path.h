@@ -44,6 +44,10 @@ Problems problems_of(const Manipulator& manipulator, const JointVector& accelera
 TimedPath time_path(const SegmentCertifier& certifier, const PlannedPath& path, const PoseBetween& between,
                     const JointVector& acceleration, const MapControl& control = {});
 
+/// How long a path takes as `time_path` times it, for `PathWish`. The certifier outlives it.
+PathTime path_timer(const SegmentCertifier& certifier, PoseBetween between, const JointVector& acceleration,
+                    const MapControl& control = {});
+
 }  // namespace parallel_aspects
 
 #endif  // PARALLEL_ASPECTS_MOTION_TIME_PATH_H

@@ -12,6 +12,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <tuple>
@@ -41,6 +42,18 @@ std::vector<std::size_t> spread(std::size_t n, std::size_t most) {
   std::vector<std::size_t> order(std::min(n, most));
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i * step % n;
   return order;
+}
+
+/// How far the actuated joints are from their limits, over half of their range; 1 without limits.
+double room_to_limits(const Manipulator& robot, const JointVector& q) {
+  double room = 1.0;
+  for (std::size_t j = 0; j < robot.leg_count(); ++j) {
+    const JointLimits& limits = robot.leg(j).limits;
+    const double value = q[static_cast<Eigen::Index>(j)], half = 0.5 * (limits.upper - limits.lower);
+    if (std::isfinite(half))
+      room = std::min({room, (value - limits.lower) / half, (limits.upper - value) / half});
+  }
+  return room;
 }
 
 /// Crossings in the leaves of one gate.
@@ -94,15 +107,17 @@ class GateSearch {
     item->second.crossings.push_back({std::move(segment), middle, index});
   }
 
-  /// The least index of singularities other than that of the gate; -1 where a leg does not reach.
+  /// The least index of singularities other than that of the gate and of what is left to limits; -1 where a
+  /// leg does not reach.
   double index_at(const Pose& pose) const {
     const Manipulator& robot = *map_.manipulator;
     const InverseSolution solution = inverse(robot, pose, map_.modes[gate_.mode]);
     if (solution.status != InverseStatus::solved) return -1.0;
     TaskVector entries = serial_indices(robot, pose, solution.q);
-    if (gate_.crossing == Crossing::parallel) return entries.minCoeff();
+    const double room = room_to_limits(robot, solution.q);
+    if (gate_.crossing == Crossing::parallel) return std::min(room, entries.minCoeff());
     entries[static_cast<Eigen::Index>(gate_.leg)] = 1.0;
-    return std::min(parallel_index(robot, pose, solution.q), entries.minCoeff());
+    return std::min({room, parallel_index(robot, pose, solution.q), entries.minCoeff()});
   }
 
   double best_index() const {

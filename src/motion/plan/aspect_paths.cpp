@@ -22,12 +22,27 @@ bool AspectPaths::is_free(const Pose& from, const Pose& to, const Aspect& aspect
   return segments_.is_free(from, to, aspect.mode, aspect.determinant_sign);
 }
 
-std::vector<Pose> AspectPaths::find(int aspect, const Pose& from, const Pose& to) {
+SegmentsInMode AspectPaths::segments_of(const Aspect& aspect) const {
+  return {[this, &aspect](const Pose& from, const Pose& to) { return is_free(from, to, aspect); },
+          [this](const Pose& from, const Pose& to, double t) { return segments_.between(from, to, t); },
+          *map_->manipulator(), aspect.mode};
+}
+
+/// No path keeps an index that is larger than those of its ends.
+std::vector<Pose> AspectPaths::find(int aspect, const Pose& from, const Pose& to, const PathShape& shape) {
   const Aspect& in = map_->aspects()[static_cast<std::size_t>(aspect - 1)];
-  if (is_free(from, to, in)) return {from, to};
-  std::vector<Pose> path = find_through_leaves(in, from, to, false);
+  const SegmentsInMode segments = segments_of(in);
+  const Manipulator& robot = *map_->manipulator();
+  const double wanted =
+      shape.is_wide ? std::min(index_at(robot, from, in.mode), index_at(robot, to, in.mode)) : 0.0;
+  if (segments.is_free(from, to) &&
+      (!shape.is_wide || least_index_along({from, to}, segments) >= shape.kept_share * wanted))
+    return {from, to};
+  std::vector<Pose> path = find_through_leaves(in, from, to, false, wanted);
   if (path.empty()) path = find_between_parts(in, from, to);
-  return path.empty() ? path : shortened(path, in);
+  if (path.empty()) return path;
+  const double kept = shape.is_wide ? shape.kept_share * least_index_along(path, segments) : 0.0;
+  return shortened(path, segments, kept);
 }
 
 /// From one part to another the way is looked for once: what is found leads on from all poses of the one to
@@ -66,7 +81,7 @@ std::optional<AspectPaths::Parts> AspectPaths::parts(const Aspect& aspect, const
 std::vector<Pose> AspectPaths::search_between_parts(const Aspect& aspect, const Pose& from, const Pose& to) {
   std::vector<Pose> path = find_by_climbs(aspect, from, to);
   if (path.empty()) path = find_through_leaves(aspect, from, to, true);
-  return path.empty() ? find_in_roadmap(aspect, from, to) : shortened(path, aspect);
+  return path.empty() ? find_in_roadmap(aspect, from, to) : shortened(path, segments_of(aspect), 0.0);
 }
 
 FaceComponents& AspectPaths::components(const Aspect& aspect) {
@@ -84,16 +99,20 @@ std::vector<NodeIndex> AspectPaths::proved_leaves(const Aspect& aspect, const Po
 
 /// Where a segment is not proved, the next path goes elsewhere.
 std::vector<Pose> AspectPaths::find_through_leaves(const Aspect& aspect, const Pose& from, const Pose& to,
-                                                   bool undecided) {
-  LeafChoice choice{proved_leaves(aspect, from), proved_leaves(aspect, to), undecided};
+                                                   bool undecided, double wanted_index) {
+  LeafChoice choice{proved_leaves(aspect, from), proved_leaves(aspect, to), undecided, wanted_index};
   for (int i = 0; i < max_leaf_paths; ++i) {
     const std::vector<LeafStep> steps =
         find_leaf_path(map_->contents(), components(aspect), aspect.id, from, to, choice);
-    const std::size_t barred = choice.barred.size();
-    for (std::size_t k = 0; k + 1 < steps.size(); ++k)
-      if (!is_free(steps[k].pose, steps[k + 1].pose, aspect))
-        choice.barred.insert({steps[k].leaf, steps[k + 1].leaf});
-    if (choice.barred.size() > barred) continue;
+    bool is_proved = true;
+    NodeIndex before = no_node;  // the leaf that the path comes from
+    for (std::size_t k = 0; k + 1 < steps.size(); ++k) {
+      if (steps[k].leaf != steps[k + 1].leaf) before = steps[k].leaf;
+      if (is_free(steps[k].pose, steps[k + 1].pose, aspect)) continue;
+      is_proved = false;
+      choice.barred.insert({before, steps[k + 1].leaf});
+    }
+    if (!is_proved) continue;
     std::vector<Pose> path;
     for (const LeafStep& step : steps) path.push_back(step.pose);
     return path;
@@ -128,28 +147,6 @@ std::vector<Pose> AspectPaths::climb_to(const Aspect& aspect, const Pose& from,
                          [&](NodeIndex other) { return connected.are_connected(one, other); });
     });
   });
-}
-
-/// Leaves out poses where the segment past them is proved, as many at once as doubling and halving finds.
-std::vector<Pose> AspectPaths::shortened(const std::vector<Pose>& path, const Aspect& aspect) const {
-  std::vector<Pose> kept{path.front()};
-  for (std::size_t at = 0; at + 1 < path.size();) {
-    std::size_t good = at + 1, bad = path.size();
-    for (std::size_t step = 2; at + step < path.size(); step *= 2) {
-      if (!is_free(path[at], path[at + step], aspect)) {
-        bad = at + step;
-        break;
-      }
-      good = at + step;
-    }
-    while (bad - good > 1) {
-      const std::size_t middle = good + (bad - good) / 2;
-      (is_free(path[at], path[middle], aspect) ? good : bad) = middle;
-    }
-    kept.push_back(path[good]);
-    at = good;
-  }
-  return kept;
 }
 
 /// Aspects are joined by more than faces of inside leaves; there poses are sampled.

@@ -4,6 +4,7 @@
 
 #include "motion/plan/leaf_path.h"
 #include "motion/plan/map_segments.h"
+#include "motion/plan/path_shape.h"
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"
 #include "parallel_aspects/model/pose.h"
@@ -25,24 +26,24 @@ class AspectPaths {
 
   /// Poses from one to the other, each segment between two proved free in the aspect's working mode; empty
   /// where none was found. Both must lie in the aspect.
-  std::vector<Pose> find(int aspect, const Pose& from, const Pose& to);
+  std::vector<Pose> find(int aspect, const Pose& from, const Pose& to, const PathShape& shape = short_shape);
 
  private:
-  bool is_free(const Pose& from, const Pose& to, const Aspect& aspect) const;
   /// Two parts of one aspect that no faces of inside leaves connect: its id, and the leaves that stand for
   /// them.
   using Parts = std::tuple<int, NodeIndex, NodeIndex>;
 
+  bool is_free(const Pose& from, const Pose& to, const Aspect& aspect) const;
+  SegmentsInMode segments_of(const Aspect& aspect) const;
   FaceComponents& components(const Aspect& aspect);
   std::optional<Parts> parts(const Aspect& aspect, const Pose& from, const Pose& to);
   std::vector<Pose> find_between_parts(const Aspect& aspect, const Pose& from, const Pose& to);
   std::vector<Pose> search_between_parts(const Aspect& aspect, const Pose& from, const Pose& to);
   std::vector<NodeIndex> proved_leaves(const Aspect& aspect, const Pose& pose) const;
   std::vector<Pose> find_through_leaves(const Aspect& aspect, const Pose& from, const Pose& to,
-                                        bool undecided);
+                                        bool undecided, double wanted_index = 0.0);
   std::vector<Pose> find_by_climbs(const Aspect& aspect, const Pose& from, const Pose& to);
   std::vector<Pose> climb_to(const Aspect& aspect, const Pose& from, const std::vector<NodeIndex>& leaves);
-  std::vector<Pose> shortened(const std::vector<Pose>& path, const Aspect& aspect) const;
   std::vector<Pose> find_in_roadmap(const Aspect& aspect, const Pose& from, const Pose& to);
 
   std::shared_ptr<const AspectMap> map_;

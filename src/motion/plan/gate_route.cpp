@@ -23,11 +23,12 @@ constexpr double cost_of_lost_control = 100.0;
 class RouteSearch {
  public:
   RouteSearch(const AspectMap& map, const AspectGraph& graph, const std::vector<PoseInAspect>& starts,
-              const std::vector<PoseInAspect>& goals, PathPolicy policy, const BarredStretches& barred)
+              const std::vector<PoseInAspect>& goals, const GateChoice& choice, const BarredStretches& barred)
       : robot_(*map.manipulator()), goals_(goals), barred_(barred), ends_in_aspect_(map.aspects().size()) {
     for (std::size_t i = 0; i < starts.size(); ++i) add({starts[i], Kind::start, {i, 0}});
     for (std::size_t i = 0; i < graph.gates.size(); ++i)
-      if (may_pass(graph.gates[i].crossing, policy)) add_gate(map, graph.gates[i], i);
+      if (may_pass(graph.gates[i].crossing, choice.policy))
+        add_gate(map, graph.gates[i], i, choice.is_clear ? 1 : graph.gates[i].crossings.size());
     for (std::size_t i = 0; i < goals.size(); ++i) add({goals[i], Kind::goal, {i, 0}});
   }
 
@@ -68,11 +69,11 @@ class RouteSearch {
   }
 
   /// A place in either aspect for each crossing.
-  void add_gate(const AspectMap& map, const Neighbours& gate, std::size_t index) {
+  void add_gate(const AspectMap& map, const Neighbours& gate, std::size_t index, std::size_t most) {
     const bool serial = gate.crossing == Crossing::serial;
     const bool first_is_positive =
         map.aspects()[static_cast<std::size_t>(gate.first - 1)].determinant_sign > 0;
-    for (std::size_t i = 0; i < gate.crossings.size(); ++i) {
+    for (std::size_t i = 0; i < std::min(most, gate.crossings.size()); ++i) {
       const std::vector<Pose>& segment = gate.crossings[i].segment;
       const Pose &positive = segment.front(), &negative = serial ? segment.front() : segment.back();
       const double cost = (serial ? cost_of_crossing : cost_of_lost_control) * robot_.size();
@@ -145,9 +146,9 @@ class RouteSearch {
 
 std::optional<GateRoute> find_gate_route(const AspectMap& map, const AspectGraph& graph,
                                          const std::vector<PoseInAspect>& starts,
-                                         const std::vector<PoseInAspect>& goals, PathPolicy policy,
+                                         const std::vector<PoseInAspect>& goals, const GateChoice& choice,
                                          const BarredStretches& barred) {
-  return RouteSearch(map, graph, starts, goals, policy, barred).run();
+  return RouteSearch(map, graph, starts, goals, choice, barred).run();
 }
 
 }  // namespace parallel_aspects

@@ -40,12 +40,18 @@ struct GateRoute {
 /// Stretches within one aspect that were tried in vain.
 using BarredStretches = std::set<std::pair<std::size_t, std::size_t>>;
 
+/// Which gates may be passed.
+struct GateChoice {
+  PathPolicy policy = PathPolicy::stay;
+  bool is_clear = false;  // of each gate the best crossing alone
+};
+
 /// The proved gates from one of the starts to one of the goals, such that the path is short as the crow flies
 /// and changes the working mode, or loses control of the platform, no more often than that is worth; nothing
 /// where there is none.
 std::optional<GateRoute> find_gate_route(const AspectMap& map, const AspectGraph& graph,
                                          const std::vector<PoseInAspect>& starts,
-                                         const std::vector<PoseInAspect>& goals, PathPolicy policy,
+                                         const std::vector<PoseInAspect>& goals, const GateChoice& choice,
                                          const BarredStretches& barred);
 
 }  // namespace parallel_aspects

@@ -5,6 +5,7 @@
 #include "aspects/tree/face_traversal.h"
 #include "aspects/tree/near_leaves.h"
 #include "aspects/tree/neighbour_leaves.h"
+#include "motion/plan/path_shape.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +24,13 @@ constexpr double cost_of_small_leaves = 3.0, cost_of_undecided_leaves = 6.0;
 // looked at, and the path is shortened anyway.
 constexpr double greed = 10.0;
 
-/// A* from middle to middle. The goal is `no_node`, which the leaves near it lead to.
+// Steps of the index in which leaves count as equally wide, of the one that is wanted: of leaves that are,
+// the near ones come first.
+constexpr double index_steps = 40.0;
+
+/// A* from middle to middle. The goal is `no_node`, which the leaves near it lead to. Where an index is
+/// wanted, leaves are taken by falling index, and that of a path is the least of its leaves: so it is the
+/// path that the merge tree of the leaves has between the two, the widest there is.
 class LeafSearch {
  public:
   LeafSearch(const AspectMap::Contents& map, FaceComponents& components, const Aspect& aspect,
@@ -39,7 +46,8 @@ class LeafSearch {
   std::vector<LeafStep> run() {
     last_.insert(choice_.last.begin(), choice_.last.end());
     for (const NodeIndex leaf : choice_.first)
-      if (may_lead_on(leaf)) enter(leaf, no_node, distance(from_, middle(leaf)));
+      if (!is_barred(no_node, leaf) && may_lead_on(leaf))
+        enter(leaf, no_node, distance(from_, middle(leaf)), index_steps);
     while (!open_.empty()) {
       const NodeIndex leaf = open_.top().leaf;
       if (leaf == no_node) return path();
@@ -55,15 +63,19 @@ class LeafSearch {
  private:
   /// How a leaf was reached.
   struct Entry {
+    double width = -1.0;  // of the way there, in steps of the index; see `width_of`
     double cost = std::numeric_limits<double>::infinity();
     NodeIndex before = no_node;
     bool closed = false;
+    double own_width = 0.0;
     Pose middle;
   };
   struct Open {
-    double bound;
+    double width, bound;
     NodeIndex leaf;
-    friend bool operator<(const Open& a, const Open& b) { return a.bound > b.bound; }
+    friend bool operator<(const Open& a, const Open& b) {
+      return a.width != b.width ? a.width < b.width : a.bound > b.bound;
+    }
   };
 
   double distance(const Pose& a, const Pose& b) const { return distance_between(*map_.manipulator, a, b); }
@@ -91,26 +103,39 @@ class LeafSearch {
     return 1.0 + cost_of_small_leaves * std::min(1.0, map_.resolution / edge);
   }
 
-  void enter(NodeIndex leaf, NodeIndex before, double cost) {
+  /// The same of all where none is wanted.
+  double width_of(const Pose& middle) const {
+    if (!(choice_.wanted_index > 0.0)) return index_steps;
+    const double share = index_at(*map_.manipulator, middle, aspect_.mode) / choice_.wanted_index;
+    return std::floor(index_steps * std::min(1.0, share));
+  }
+
+  void enter(NodeIndex leaf, NodeIndex before, double cost, double width) {
     const auto [item, is_new] = reached_.try_emplace(leaf);
     Entry& entry = item->second;
-    if (is_new) entry.middle = leaf == no_node ? to_ : middle(leaf);
-    if (!(cost < entry.cost)) return;
+    if (is_new) {
+      entry.middle = leaf == no_node ? to_ : middle(leaf);
+      entry.own_width = leaf == no_node ? index_steps : width_of(entry.middle);
+    }
+    const double least = std::min(width, entry.own_width);
+    if (least < entry.width || (least == entry.width && !(cost < entry.cost))) return;
+    entry.width = least;
     entry.cost = cost;
     entry.before = before;
-    open_.push({cost + greed * distance(entry.middle, to_), leaf});
+    open_.push({least, cost + greed * distance(entry.middle, to_), leaf});
   }
 
   void expand(NodeIndex leaf, const Entry& here) {
     const Pose at = here.middle;
-    const double cost = here.cost;
-    if (last_.count(leaf) > 0) enter(no_node, leaf, cost + distance(at, to_));
+    const double cost = here.cost, width = here.width;
+    if (last_.count(leaf) > 0 && !is_barred(leaf, no_node))
+      enter(no_node, leaf, cost + distance(at, to_), width);
     for (const NodeIndex next : neighbour_leaves(map_.tree, mode_, leaf)) {
       if (!may_pass(next) || is_barred(leaf, next)) continue;
       const auto known = reached_.find(next);
       if (known != reached_.end() && known->second.closed) continue;
       const Pose& there = known != reached_.end() ? known->second.middle : middle(next);
-      enter(next, leaf, cost + price(next) * distance(at, there));
+      enter(next, leaf, cost + price(next) * distance(at, there), width);
     }
   }
 
@@ -146,8 +171,10 @@ class LeafSearch {
       leaves.push_back(leaf);
     std::reverse(leaves.begin(), leaves.end());
     std::vector<LeafStep> steps{{from_, no_node}, {nearest_in(map_, leaves.front(), from_), leaves.front()}};
-    for (std::size_t i = 1; i < leaves.size(); ++i)
+    for (std::size_t i = 1; i < leaves.size(); ++i) {
       steps.push_back({entrance(steps.back().pose, leaves[i - 1], leaves[i]), leaves[i]});
+      if (choice_.wanted_index > 0.0) steps.push_back({middle(leaves[i]), leaves[i]});
+    }
     steps.push_back({nearest_in(map_, leaves.back(), to_), leaves.back()});
     steps.push_back({to_, no_node});
     return steps;

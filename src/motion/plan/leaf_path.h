@@ -29,7 +29,11 @@ struct LeafChoice {
   bool undecided =
       false;  ///< those with the aspect's sign at their middle too; what lies there is not proved
 
-  /// Not from the one to the other.
+  /// Parallel index that the path is to keep; where it cannot, one as large as it can by the middles of the
+  /// leaves. 0 where it is to be short.
+  double wanted_index = 0.0;
+
+  /// Not from the one to the other; an end of the path is `no_node`.
   std::set<std::pair<NodeIndex, NodeIndex>> barred{};
 };
 
@@ -54,9 +58,10 @@ std::vector<NodeIndex> leaves_near(const AspectMap::Contents& map, const Aspect&
 Pose nearest_in(const AspectMap::Contents& map, NodeIndex leaf, const Pose& pose);
 
 /// Steps from one pose to another through leaves of one aspect that share faces: the first pose, a pose of
-/// each face or the middle of an undecided leaf, and the last, with `no_node`. Wide leaves are preferred,
-/// since little is near that ends the aspect. Empty where no leaf to begin with is connected with one to end
-/// with. `components` are those of the aspect's working mode.
+/// each face or the middle of an undecided leaf, and the last, with `no_node`; where an index is wanted,
+/// through the middles of all leaves. Else wide leaves are preferred, since little is near that ends the
+/// aspect. Empty where no leaf to begin with is connected with one to end with. `components` are those of
+/// the aspect's working mode.
 std::vector<LeafStep> find_leaf_path(const AspectMap::Contents& map, FaceComponents& components, int aspect,
                                      const Pose& from, const Pose& to, const LeafChoice& choice);
 

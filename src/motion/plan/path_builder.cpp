@@ -16,6 +16,13 @@ constexpr int steps_of_a_segment = 32;  // at which the actuated joints are look
 
 }  // namespace
 
+PlannedPath without_path(SameAspect answer, std::string message) {
+  PlannedPath path;
+  path.answer = answer;
+  path.message = std::move(message);
+  return path;
+}
+
 void PathBuilder::go(const std::vector<Pose>& poses, const WorkingMode& mode) {
   for (const Pose& pose : poses) add(pose, mode);
 }

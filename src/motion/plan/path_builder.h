@@ -13,6 +13,14 @@
 
 namespace parallel_aspects {
 
+/// Why there is no path, or none that is known.
+PlannedPath without_path(SameAspect answer, std::string message);
+
+/// Whether position and orientation are numbers.
+inline bool is_finite(const Pose& pose) {
+  return pose.position.allFinite() && pose.orientation.coeffs().allFinite();
+}
+
 /// The path between poses in one working mode, and in another behind a crossing.
 class PathBuilder {
  public:

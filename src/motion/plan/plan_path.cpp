@@ -9,8 +9,8 @@
 #include "motion/plan/lead_in.h"
 #include "motion/plan/leaf_path.h"
 #include "motion/plan/path_builder.h"
+#include "motion/plan/path_choice.h"
 #include "motion/plan/unresolved_text.h"
-#include "motion/roadmap.h"
 #include "parallel_aspects/aspects/held_joint.h"
 
 #include <algorithm>
@@ -30,13 +30,6 @@ struct EndAspects {
   bool all_known = true;          // of every other mode it is proved that no aspect holds the end
   std::set<std::string> reasons;  // of these
 };
-
-PlannedPath without_path(SameAspect verdict, std::string message) {
-  PlannedPath path;
-  path.answer = verdict;
-  path.message = std::move(message);
-  return path;
-}
 
 PlannedPath not_in_aspect(const std::string& which, const EndAspects& end) {
   std::string text;
@@ -84,6 +77,11 @@ PoseInAspect find_lead(const AspectMap& map, const MapSegments& segments, const 
 
 EndAspects find_aspects(const AspectMap& map, const MapSegments& segments, const PathEnd& end) {
   EndAspects result;
+  if (!is_finite(end.pose)) {
+    result.all_known = false;
+    result.reasons.insert("its pose is not finite");
+    return result;
+  }
   if (!is_in_slice(map, end.pose)) {
     result.all_known = false;
     result.reasons.insert("it does not lie in the slice");
@@ -130,22 +128,37 @@ struct PathPlanner::Parts {
 /// The answer to one question.
 class PathPlanner::Search {
  public:
-  Search(PathPlanner& planner, const MapControl& control)
-      : planner_(planner), map_(*planner.parts_->map), paths_(planner.parts_->paths), control_(control) {}
+  Search(PathPlanner& planner, const PathWish& wish, const MapControl& control)
+      : planner_(planner),
+        map_(*planner.parts_->map),
+        paths_(planner.parts_->paths),
+        wish_(wish),
+        control_(control) {}
 
-  PlannedPath run(const PathEnd& from, const PathEnd& to, PathPolicy policy) {
+  PlannedPath run(const PathEnd& from, const PathEnd& to) {
     const EndAspects starts = find_aspects(map_, paths_.segments(), from),
                      goals = find_aspects(map_, paths_.segments(), to);
     if (starts.found.empty()) return not_in_aspect("start", starts);
     if (goals.found.empty()) return not_in_aspect("goal", goals);
-    PlannedPath found = stay(starts, goals);
-    return found || policy == PathPolicy::stay ? found : pass_gates(starts, goals, policy);
+    PathChoice choice(*map_.manipulator(), wish_);
+    for (const PathShape& shape : shapes_for(wish_.prefer)) {
+      shape_ = shape;
+      PlannedPath found = find(starts, goals);
+      if (!found && !choice.has_path()) return found;
+      if (is_cancelled(control_)) return without_path(SameAspect::unknown, "Cancelled.");
+      choice.offer(std::move(found));
+    }
+    return choice.take();
   }
 
  private:
+  PlannedPath find(const EndAspects& starts, const EndAspects& goals) {
+    PlannedPath found = stay(starts, goals);
+    return found || wish_.policy == PathPolicy::stay ? found : pass_gates(starts, goals, wish_.policy);
+  }
+
   PlannedPath stay(const EndAspects& starts, const EndAspects& goals) {
-    PlannedPath best =
-        without_path(SameAspect::unknown, "The ends lie in one aspect, but no path was found.");
+    PathChoice best(*map_.manipulator(), wish_);
     bool any_common = false;
     GateRoute direct;
     direct.stretches.emplace_back();
@@ -154,10 +167,12 @@ class PathPlanner::Search {
         if (start.aspect != goal.aspect) continue;
         any_common = true;
         BarredStretches barred;
-        PlannedPath path = follow(direct, start, goal, barred);
-        if (path && (!best || path.length < best.length)) best = std::move(path);
+        best.offer(follow(direct, start, goal, barred));
       }
-    return any_common ? best : no_common_aspect(starts, goals);
+    if (best.has_path()) return best.take();
+    return any_common
+               ? without_path(SameAspect::unknown, "The ends lie in one aspect, but no path was found.")
+               : no_common_aspect(starts, goals);
   }
 
   PlannedPath no_common_aspect(const EndAspects& starts, const EndAspects& goals) const {
@@ -204,7 +219,8 @@ class PathPlanner::Search {
     BarredStretches barred;
     bool has_route = false;
     for (int i = 0; i < max_routes && !is_cancelled(control_); ++i) {
-      const auto route = find_gate_route(map_, *graph, starts.found, goals.found, policy, barred);
+      const auto route =
+          find_gate_route(map_, *graph, starts.found, goals.found, {policy, shape_.is_wide}, barred);
       if (!route) break;
       has_route = true;
       PlannedPath path = follow(*route, starts.found[route->start], goals.found[route->goal], barred);
@@ -260,12 +276,14 @@ class PathPlanner::Search {
       return {};
     }
     builder.go({goal.lead.rbegin(), goal.lead.rend()}, aspect_of(map_, goal.aspect).mode);
-    return builder.take(route.steps.empty() ? "Every segment is proved free of singularities."
-                                            : "Every segment and every crossing is proved.");
+    return builder.take(route.steps.empty()
+                            ? "Every segment is proved free of singularities, in the working mode " +
+                                  to_string(aspect_of(map_, start.aspect).mode) + "."
+                            : "Every segment and every crossing is proved.");
   }
 
   bool go(PathBuilder& builder, const PoseInAspect& from, const Pose& to) {
-    const std::vector<Pose> poses = paths_.find(from.aspect, from.pose, to);
+    const std::vector<Pose> poses = paths_.find(from.aspect, from.pose, to, shape_);
     builder.go(poses, aspect_of(map_, from.aspect).mode);
     return !poses.empty();
   }
@@ -296,7 +314,9 @@ class PathPlanner::Search {
   PathPlanner& planner_;
   const AspectMap& map_;
   AspectPaths& paths_;
+  const PathWish& wish_;
   const MapControl& control_;
+  PathShape shape_;  // that is looked for now
 };
 
 PathPlanner::PathPlanner(std::shared_ptr<const AspectMap> map)
@@ -305,9 +325,14 @@ PathPlanner::~PathPlanner() = default;
 PathPlanner::PathPlanner(PathPlanner&&) noexcept = default;
 PathPlanner& PathPlanner::operator=(PathPlanner&&) noexcept = default;
 
+PlannedPath PathPlanner::plan(const PathEnd& from, const PathEnd& to, const PathWish& wish,
+                              const MapControl& control) {
+  return Search(*this, wish, control).run(from, to);
+}
+
 PlannedPath PathPlanner::plan(const PathEnd& from, const PathEnd& to, PathPolicy policy,
                               const MapControl& control) {
-  return Search(*this, control).run(from, to, policy);
+  return plan(from, to, PathWish{policy}, control);
 }
 
 Pose PathPlanner::between(const Pose& from, const Pose& to, double t) const {
@@ -317,25 +342,6 @@ Pose PathPlanner::between(const Pose& from, const Pose& to, double t) const {
 const AspectGraph* PathPlanner::graph(const MapControl& control) {
   if (!parts_->graph) parts_->graph = compute_aspect_graph(*parts_->map, control);
   return parts_->graph.get();
-}
-
-PlannedPath plan_in_roadmap(const PoseRoadmap& roadmap, const PathEnd& from, const PathEnd& to) {
-  const Manipulator& robot = *roadmap.certifier().manipulator();
-  PlannedPath best = without_path(SameAspect::no, "");
-  for (const WorkingMode& mode : working_modes(robot)) {
-    if (from.mode.value_or(mode) != mode || to.mode.value_or(mode) != mode) continue;
-    const AspectComparison found = same_aspect(roadmap, {from.pose, mode}, {to.pose, mode});
-    if (found.answer == SameAspect::yes) {
-      PathBuilder builder(robot, pose_between);
-      builder.go(found.path, mode);
-      PlannedPath path = builder.take(found.message);
-      if (!best || path.length < best.length) best = std::move(path);
-    } else if (!best && (best.message.empty() || found.answer == SameAspect::unknown)) {
-      best = without_path(found.answer, found.message);
-    }
-  }
-  if (best.message.empty()) best.message = "The ends are in different working modes.";
-  return best;
 }
 
 const char* name(PathPolicy policy) noexcept {
@@ -348,6 +354,18 @@ const char* name(PathPolicy policy) noexcept {
       break;
   }
   return "any";
+}
+
+const char* name(PathPreference preference) noexcept {
+  switch (preference) {
+    case PathPreference::shortest:
+      return "short";
+    case PathPreference::clear:
+      return "clear";
+    case PathPreference::fast:
+      break;
+  }
+  return "fast";
 }
 
 }  // namespace parallel_aspects

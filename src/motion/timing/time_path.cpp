@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace parallel_aspects {
@@ -145,6 +146,14 @@ TimedPath time_path(const SegmentCertifier& certifier, const PlannedPath& path, 
                         "No trajectory along the path is proved: " + attempt.timed().check.reason);
   best.message = "Proved at every time" + corner_text(best) + ".";
   return best;
+}
+
+PathTime path_timer(const SegmentCertifier& certifier, PoseBetween between, const JointVector& acceleration,
+                    const MapControl& control) {
+  return [&certifier, control, between = std::move(between), acceleration](const PlannedPath& path) {
+    const TimedPath timed = time_path(certifier, path, between, acceleration, control);
+    return timed ? timed.seconds : std::numeric_limits<double>::infinity();
+  };
 }
 
 }  // namespace parallel_aspects

@@ -57,15 +57,23 @@ void PlanServer::on_goal(const PlanPathGoalConstPtr& goal) {
   server_->setAborted(result, result.status.message);
 }
 
-Status PlanServer::read(const PlanPathGoal& goal, Question& question) const {
+Status PlanServer::read_wish(const PlanPathGoal& goal, PathWish& wish) const {
   if (goal.policy > PlanPathGoal::SERIAL) return invalid_request("policy must be 0 (stay) or 1 (serial).");
-  question.policy = goal.policy == PlanPathGoal::SERIAL ? PathPolicy::serial : PathPolicy::stay;
+  if (goal.prefer > PlanPathGoal::FAST)
+    return invalid_request("prefer must be 0 (short), 1 (clear) or 2 (fast).");
+  wish.policy = goal.policy == PlanPathGoal::SERIAL ? PathPolicy::serial : PathPolicy::stay;
+  if (goal.prefer == PlanPathGoal::CLEAR) wish.prefer = PathPreference::clear;
+  if (goal.prefer == PlanPathGoal::FAST) wish.prefer = PathPreference::fast;
+  if (goal.path_only && wish.prefer == PathPreference::fast)
+    return invalid_request("prefer 2 (fast) needs the path in time; leave out path_only.");
+  return {};
+}
+
+Status PlanServer::read(const PlanPathGoal& goal, Question& question) const {
+  Status status = read_wish(goal, question.wish);
   question.timed = !goal.path_only;
   const bool mapped = has_map(manipulator_->task_space());
-  if (!mapped && question.policy == PathPolicy::serial)
-    return invalid_request(
-        "policy 1 (serial) needs a map, and with six degrees of freedom there is none; give 0.");
-  Status status = question.timed ? read_limits() : Status();
+  if (is_ok(status) && question.timed) status = read_limits();
   if (is_ok(status)) status = read_end(goal.start, "start", question.from);
   if (is_ok(status)) status = read_end(goal.goal, "goal", question.to);
   if (!is_ok(status)) return status;
@@ -122,18 +130,26 @@ MapControl PlanServer::control(const std::string& doing) {
   return control;
 }
 
+PathWish PlanServer::timed(PathWish wish, const PoseBetween& between, const MapControl& control) const {
+  if (wish.prefer == PathPreference::fast)
+    wish.time = path_timer(certifier_, between, setup_.options.acceleration, control);
+  return wish;
+}
+
 PlanServer::Plan PlanServer::plan(const Question& question) {
   const MapControl steps = control("Looking for gates and a path.");
   steps.progress(0.0);
-  if (question.known.roadmap) return {plan_in_roadmap(*question.known.roadmap, question.from, question.to)};
+  if (question.known.roadmap)
+    return {plan_in_roadmap(*question.known.roadmap, question.from, question.to,
+                            timed(question.wish, pose_between, steps), steps)};
   if (question.known.map != map_) {
     map_ = question.known.map;
     planner_ = std::make_shared<PathPlanner>(map_);
   }
-  return {planner_->plan(question.from, question.to, question.policy, steps),
-          [planner = planner_](const Pose& from, const Pose& to, double t) {
-            return planner->between(from, to, t);
-          }};
+  const PoseBetween between = [planner = planner_](const Pose& from, const Pose& to, double t) {
+    return planner->between(from, to, t);
+  };
+  return {planner_->plan(question.from, question.to, timed(question.wish, between, steps), steps), between};
 }
 
 void PlanServer::finish(const Plan& plan, const Question& question, PlanPathResult result) {

@@ -41,7 +41,7 @@ class PlanServer {
   /// A goal, understood.
   struct Question {
     PathEnd from, to;
-    PathPolicy policy = PathPolicy::stay;
+    PathWish wish;
     KnownAspects known;
     bool timed = true;
   };
@@ -54,9 +54,11 @@ class PlanServer {
 
   void on_goal(const PlanPathGoalConstPtr& goal);
   Status read(const PlanPathGoal& goal, Question& question) const;
+  Status read_wish(const PlanPathGoal& goal, PathWish& wish) const;
   Status read_limits() const;
   Status read_end(const Configuration& configuration, const std::string& which, PathEnd& end) const;
   Status read_now(PathEnd& end) const;
+  PathWish timed(PathWish wish, const PoseBetween& between, const MapControl& control) const;
   Plan plan(const Question& question);
   MapControl control(const std::string& doing);
   void finish(const Plan& plan, const Question& question, PlanPathResult result);

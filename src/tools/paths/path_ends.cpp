@@ -4,6 +4,7 @@
 #include "parallel_aspects/kinematics/direct.h"
 #include "parallel_aspects/kinematics/jacobians.h"
 #include "tools/arguments.h"
+#include "tools/command_line.h"
 #include "tools/numbers.h"
 
 #include <algorithm>
@@ -97,7 +98,8 @@ PathEnd parse_path_end(const std::string& option, const Manipulator& manipulator
     return end;
   }
   if (arguments.pose.empty() && arguments.joints.empty())
-    problems.push_back("Give " + option + ", a pose; or " + option + "-joints, or " + option + "-aspect.");
+    throw UsageError(option + " is required; give a pose, or " + option + "-joints, or " + option +
+                     "-aspect");
   if (!arguments.mode.empty()) end.mode = parse_mode(option + "-mode", manipulator, arguments.mode, problems);
   if (!arguments.pose.empty())
     end.pose = parse_pose(option, manipulator.task_space(), arguments.pose, problems);

@@ -20,7 +20,8 @@ struct PathEndArguments {
 std::vector<Option> path_end_options(const std::string& option, PathEndArguments& arguments);
 
 /// The end that a pose or values of the actuated joints give: of these the assembly mode next to the pose,
-/// where they have several. Of an aspect its number is all that is looked at.
+/// where they have several. Of an aspect its number is all that is looked at. Throws `UsageError` where
+/// nothing says where it is.
 PathEnd parse_path_end(const std::string& option, const Manipulator& manipulator,
                        const PathEndArguments& arguments, Problems& problems);
 

@@ -7,6 +7,7 @@
 #include "tools/paths/trajectory_text.h"
 #include "tools/report/text_table.h"
 
+#include <algorithm>
 #include <cstddef>
 
 namespace parallel_aspects::tools {
@@ -22,6 +23,8 @@ JointVector parse_acceleration(const std::string& text, const Manipulator& manip
   for (const Leg& leg : manipulator.legs()) names.push_back(leg.actuated_joint);
   const std::size_t known = problems.size();
   const std::vector<double> values = parse_numbers("--acceleration", text, names, problems);
+  if (problems.size() == known && *std::min_element(values.begin(), values.end()) <= 0.0)
+    problems.push_back("--acceleration is '" + text + "'; give positive numbers.");
   if (problems.size() > known) return {};  // there may be more of them than a vector of joints holds
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
@@ -39,8 +42,9 @@ std::vector<Option> timing_options(TimingArguments& arguments) {
            &arguments.acceleration}};
 }
 
-std::optional<JointVector> parse_timing(const TimingArguments& arguments, const RobotChoice& robot,
-                                        const Manipulator& manipulator, Problems& problems) {
+std::optional<JointVector> parse_timing(const TimingArguments& arguments, const std::string& needed_by,
+                                        const RobotChoice& robot, const Manipulator& manipulator,
+                                        Problems& problems) {
   const std::string& file = arguments.trajectory_file;
   const std::size_t known = problems.size();
   if (!file.empty() && !ends_with(file, ".csv") && !ends_with(file, ".yaml"))
@@ -54,9 +58,10 @@ std::optional<JointVector> parse_timing(const TimingArguments& arguments, const 
   Problems missing = problems_of(manipulator, acceleration);
   if (missing.empty()) return acceleration;
   if (acceleration.size() == 0)
-    missing = {"--trajectory needs acceleration limits; write motion.acceleration into " + section.file +
+    missing = {(needed_by.empty() ? "--trajectory" : needed_by) +
+               " needs acceleration limits; write motion.acceleration into " + section.file +
                ", or give --acceleration."};
-  if (!file.empty() || !arguments.acceleration.empty())
+  if (!file.empty() || !arguments.acceleration.empty() || !needed_by.empty())
     problems.insert(problems.end(), missing.begin(), missing.end());
   return std::nullopt;
 }

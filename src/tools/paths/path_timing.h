@@ -22,10 +22,11 @@ struct TimingArguments {
 std::vector<Option> timing_options(TimingArguments& arguments);
 
 /// The acceleration limits, of the option or else of the YAML of the robot; nothing where paths cannot be
-/// timed. Where either option is given, what keeps them from that is added to `problems`, and so is what
-/// keeps the file from being written.
-std::optional<JointVector> parse_timing(const TimingArguments& arguments, const RobotChoice& robot,
-                                        const Manipulator& manipulator, Problems& problems);
+/// timed. Where either option is given, or another one that needs them, `needed_by`, which may be empty, what
+/// keeps them from that is added to `problems`, and so is what keeps the file from being written.
+std::optional<JointVector> parse_timing(const TimingArguments& arguments, const std::string& needed_by,
+                                        const RobotChoice& robot, const Manipulator& manipulator,
+                                        Problems& problems);
 
 /// Adds to the report what is known of the path in time, and writes it where that is asked for: unknown where
 /// there is none then.

@@ -17,6 +17,9 @@ json json_point(const Manipulator& manipulator, const PathPoint& point) {
           {"actuated", json_numbers(point.q)}};
 }
 
+/// A roadmap does not number aspects.
+json json_aspect(int id) { return id == 0 ? json() : json(id); }
+
 json json_crossing(const Manipulator& manipulator, const PathCrossing& crossing) {
   const bool serial = crossing.kind == Crossing::serial;
   return {{"after_point", crossing.point},
@@ -24,18 +27,21 @@ json json_crossing(const Manipulator& manipulator, const PathCrossing& crossing)
           {"crossing", name(crossing.kind)},
           {"control_lost", !serial},
           {"leg", serial ? json(manipulator.leg(crossing.leg).name) : json(nullptr)},
-          {"from_aspect", crossing.from},
-          {"to_aspect", crossing.to}};
+          {"from_aspect", json_aspect(crossing.from)},
+          {"to_aspect", json_aspect(crossing.to)}};
 }
 
 /// What happens between a point and the one before.
 std::string remark(const Manipulator& manipulator, const PlannedPath& path, std::size_t point) {
-  for (const PathCrossing& crossing : path.crossings)
-    if (crossing.behind == point)
-      return (crossing.kind == Crossing::parallel
-                  ? "det A = 0, control of the platform is lost"
-                  : "leg '" + manipulator.leg(crossing.leg).name + "' changes its posture") +
-             ", aspect " + std::to_string(crossing.from) + " to " + std::to_string(crossing.to);
+  for (const PathCrossing& crossing : path.crossings) {
+    if (crossing.behind != point) continue;
+    const std::string text = crossing.kind == Crossing::parallel
+                                 ? "det A = 0, control of the platform is lost"
+                                 : "leg '" + manipulator.leg(crossing.leg).name + "' changes its posture";
+    return crossing.from == 0
+               ? text
+               : text + ", aspect " + std::to_string(crossing.from) + " to " + std::to_string(crossing.to);
+  }
   return "";
 }
 
@@ -63,11 +69,12 @@ std::string between_points(const std::optional<MapSlice>& slice) {
 
 }  // namespace
 
-Report report_path(const Manipulator& manipulator, const PlannedPath& path, PathPolicy policy,
+Report report_path(const Manipulator& manipulator, const PlannedPath& path, const PathWish& wish,
                    const std::optional<MapSlice>& slice) {
   const bool has_path = path.answer == SameAspect::yes;
   json object = {{"mechanism", manipulator.name()},
-                 {"policy", name(policy)},
+                 {"policy", name(wish.policy)},
+                 {"prefer", name(wish.prefer)},
                  {"answer", name(path.answer)},
                  {"proved", path.answer != SameAspect::unknown},
                  {"slice", json_slice(slice)},

@@ -20,7 +20,7 @@ Report report_graph(const AspectMap& map, const AspectGraph& graph);
 std::string graph_as_dot(const AspectMap& map, const AspectGraph& graph);
 
 /// `aspects plan`: the path, or why there is none.
-Report report_path(const Manipulator& manipulator, const PlannedPath& path, PathPolicy policy,
+Report report_path(const Manipulator& manipulator, const PlannedPath& path, const PathWish& wish,
                    const std::optional<MapSlice>& slice);
 
 }  // namespace parallel_aspects::tools

@@ -3,6 +3,7 @@
 #include "motion/check/check_text.h"
 #include "parallel_aspects/motion/check_joint_trajectory.h"
 #include "tools/arguments.h"
+#include "tools/command_line.h"
 #include "tools/computation.h"
 #include "tools/drawing/check_drawing.h"
 #include "tools/numbers.h"
@@ -179,9 +180,9 @@ CheckedTrajectory check_path(const std::shared_ptr<const Manipulator>& manipulat
   if (!arguments.start_pose.empty() || !arguments.start_sign.empty())
     throw InvalidDescription({"--start-pose and --start-sign are of --trajectory; leave them out."});
   if (arguments.mode.empty())
-    throw InvalidDescription(
-        {"--path needs the working mode of the poses; give --mode, one of those that `aspects choose " +
-         manipulator->name() + " --path " + arguments.path + "` finds."});
+    throw UsageError(
+        "--path needs the working mode of the poses; give --mode, one of those that `aspects choose " +
+        manipulator->name() + " --path " + arguments.path + "` finds");
   if (!arguments.policy.empty())
     throw InvalidDescription({"--policy is of --trajectory, since poses end at B_jj = 0; leave it out."});
   const auto mode = parse_mode("--mode", *manipulator, arguments.mode, problems);
@@ -240,7 +241,10 @@ CheckedTrajectory check_joints(const std::shared_ptr<const Manipulator>& manipul
 CheckedTrajectory check(const std::shared_ptr<const Manipulator>& manipulator,
                         const CheckArguments& arguments, const Surroundings& surroundings) {
   const ShownComputation shown(surroundings);
-  if (arguments.path.empty() == arguments.trajectory.empty())
+  if (arguments.path.empty() && arguments.trajectory.empty())
+    throw UsageError(
+        "--path or --trajectory is required; give the one, for poses, or the other, for actuated joints");
+  if (!arguments.path.empty() && !arguments.trajectory.empty())
     throw InvalidDescription({"Give one of --path, for poses, and --trajectory, for actuated joints."});
   CheckedTrajectory result = arguments.path.empty() ? check_joints(manipulator, arguments, shown.control())
                                                     : check_path(manipulator, arguments, shown.control());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/motion/choose_working_mode.h"
 #include "tools/arguments.h"
+#include "tools/command_line.h"
 #include "tools/computation.h"
 #include "tools/paths/trajectory_file.h"
 #include "tools/report/choice_report.h"
@@ -92,7 +93,10 @@ Report choose_for_region(const std::shared_ptr<const Manipulator>& manipulator,
 
 Report choose(const std::shared_ptr<const Manipulator>& manipulator, const ChooseArguments& arguments,
               const Surroundings& surroundings) {
-  if (arguments.path.empty() == arguments.region.empty())
+  if (arguments.path.empty() && arguments.region.empty())
+    throw UsageError(
+        "--path or --region is required; give the one, for a tool path, or the other, for a box of poses");
+  if (!arguments.path.empty() && !arguments.region.empty())
     throw InvalidDescription({"Give one of --path, for a tool path, and --region, for a box of poses."});
   if (!arguments.region.empty()) return choose_for_region(manipulator, arguments, surroundings);
   if (!arguments.slice.empty())

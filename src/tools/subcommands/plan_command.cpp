@@ -9,6 +9,7 @@
 #include "tools/report/plan_report.h"
 #include "tools/subcommands.h"
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -20,7 +21,7 @@ namespace {
 struct PlanArguments {
   RobotChoice robot;
   PathEndArguments from, to;
-  std::string policy;
+  std::string policy, prefer;
   MapChoice map;
   RoadmapArguments roadmap;
   ConstraintArguments constraints;
@@ -30,7 +31,8 @@ struct PlanArguments {
 /// What is asked, with every number understood.
 struct PlanQuestion {
   PathEnd from, to;
-  PathPolicy policy = PathPolicy::stay;
+  PathWish wish;
+  std::optional<JointVector> acceleration;  // limits; nothing where paths cannot be timed
   std::optional<MapSlice> slice;
   double moved = 0.0;  // onto the slice, at most [m]
 };
@@ -46,22 +48,32 @@ PathPolicy parse_policy(const std::string& text, Problems& problems) {
   return PathPolicy::stay;
 }
 
+PathPreference parse_preference(const std::string& text, Problems& problems) {
+  for (const PathPreference prefer : {PathPreference::shortest, PathPreference::clear, PathPreference::fast})
+    if (text == name(prefer)) return prefer;
+  if (!text.empty()) problems.push_back("--prefer is '" + text + "'; give short, clear or fast.");
+  return PathPreference::shortest;
+}
+
 PlanQuestion parse(const PlanArguments& arguments, const Manipulator& manipulator) {
   Problems problems;
   PlanQuestion question;
   question.from = parse_path_end("--from", manipulator, arguments.from, problems);
   question.to = parse_path_end("--to", manipulator, arguments.to, problems);
-  question.policy = parse_policy(arguments.policy, problems);
+  question.wish.policy = parse_policy(arguments.policy, problems);
+  question.wish.prefer = parse_preference(arguments.prefer, problems);
   std::vector<NamedPose> poses;  // an aspect's lie in the slice
   if (arguments.from.aspect.empty()) poses.push_back({"--from", &question.from.pose});
   if (arguments.to.aspect.empty()) poses.push_back({"--to", &question.to.pose});
   question.slice =
       parse_slice_with_ends("--hold", manipulator, arguments.map.slice, poses, question.moved, problems);
-  if (question.policy == PathPolicy::any && !arguments.timing.trajectory_file.empty())
-    problems.emplace_back(
-        "--trajectory needs a platform that is under control all the way, and --policy any may pass det A = "
-        "0; "
-        "give --policy serial.");
+  const std::string needs_control = question.wish.prefer == PathPreference::fast ? "--prefer fast"
+                                    : !arguments.timing.trajectory_file.empty()  ? "--trajectory"
+                                                                                 : "";
+  if (question.wish.policy == PathPolicy::any && !needs_control.empty())
+    problems.push_back(needs_control +
+                       " needs a platform that is under control all the way, and --policy any may pass det A "
+                       "= 0; give --policy serial.");
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
   return question;
 }
@@ -72,22 +84,38 @@ struct Plan {
   PoseBetween between = pose_between;
 };
 
+/// With what tells how long a path takes, where that counts. The certifier outlives it.
+PathWish wish_of(const PlanQuestion& question, const SegmentCertifier& certifier, const PoseBetween& between,
+                 const MapControl& control) {
+  PathWish wish = question.wish;
+  if (wish.prefer == PathPreference::fast)
+    wish.time = path_timer(certifier, between, *question.acceleration, control);
+  return wish;
+}
+
 /// With six degrees of freedom there is no map but a roadmap.
 Plan plan_over_roadmap(const std::shared_ptr<const Manipulator>& manipulator, const PlanArguments& arguments,
                        const PlanQuestion& question, const Surroundings& surroundings) {
   Problems problems;
   RoadmapOptions options = parse_roadmap(arguments.roadmap, problems);
-  if (question.policy != PathPolicy::stay)
+  if (question.wish.policy == PathPolicy::any)
     problems.emplace_back(
-        "--policy serial and any need a map, and in SE3 there is none; leave it out, or give --hold.");
+        "--policy any needs a map, and in SE3 there is none; give --policy serial, or --hold.");
   if (!arguments.map.resolution.empty() || !arguments.map.load_file.empty())
     problems.emplace_back("--resolution and --load are for maps, and in SE3 there is none; leave them out.");
   if (!arguments.from.aspect.empty() || !arguments.to.aspect.empty())
     problems.emplace_back(
         "--from-aspect and --to-aspect are for maps, and in SE3 there is none; give poses.");
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
-  if (question.from.mode) options.modes = {*question.from.mode};
-  return {plan_in_roadmap(*compute_roadmap(manipulator, options, surroundings), question.from, question.to)};
+  for (const std::optional<WorkingMode>& mode : {question.from.mode, question.to.mode})
+    if (mode && std::find(options.modes.begin(), options.modes.end(), *mode) == options.modes.end())
+      options.modes.push_back(*mode);
+  const auto roadmap = compute_roadmap(manipulator, options, surroundings);
+  const MapControl control = control_of(surroundings);
+  PlannedPath path = plan_in_roadmap(*roadmap, question.from, question.to,
+                                     wish_of(question, roadmap->certifier(), pose_between, control), control);
+  if (is_cancelled(control)) throw Interrupted{};
+  return {std::move(path)};
 }
 
 Plan plan_in_map(const std::shared_ptr<const Manipulator>& manipulator, const PlanArguments& arguments,
@@ -102,11 +130,14 @@ Plan plan_in_map(const std::shared_ptr<const Manipulator>& manipulator, const Pl
   place_in_aspect("--to", *map, arguments.to, to, problems);
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
   const auto planner = std::make_shared<PathPlanner>(map);
+  const PoseBetween between = [planner](const Pose& a, const Pose& b, double t) {
+    return planner->between(a, b, t);
+  };
   const MapControl control = control_of(surroundings);
-  PlannedPath path = planner->plan(from, to, question.policy, control);
+  const SegmentCertifier certifier(manipulator);
+  PlannedPath path = planner->plan(from, to, wish_of(question, certifier, between, control), control);
   if (is_cancelled(control)) throw Interrupted{};
-  return {std::move(path),
-          [planner](const Pose& a, const Pose& b, double t) { return planner->between(a, b, t); }};
+  return {std::move(path), between};
 }
 
 int code_of(SameAspect answer) {
@@ -138,24 +169,25 @@ void add_timing(const std::shared_ptr<const Manipulator>& manipulator, const Pla
 Report report_of(const PlanArguments& arguments, const Surroundings& surroundings) {
   const auto mechanism = load_robot(arguments.robot);
   const auto manipulator = choose_constraints(mechanism->mapped_manipulator(), arguments.constraints);
-  const PlanQuestion question = parse(arguments, *manipulator);
+  PlanQuestion question = parse(arguments, *manipulator);
   Problems problems;
   check_distinct_files({{"--trajectory", arguments.timing.trajectory_file}},
                        {{"--load", arguments.map.load_file},
                         {"--urdf", arguments.robot.urdf_file},
                         {"--config", arguments.robot.config_file}},
                        problems);
-  const auto acceleration = parse_timing(arguments.timing, arguments.robot, *manipulator, problems);
+  const std::string needed_by = question.wish.prefer == PathPreference::fast ? "--prefer fast" : "";
+  question.acceleration = parse_timing(arguments.timing, needed_by, arguments.robot, *manipulator, problems);
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
   const bool has_map = question.slice || manipulator->task_space() != TaskSpace::SE3;
   const Plan plan =
       (has_map ? plan_in_map : plan_over_roadmap)(manipulator, arguments, question, surroundings);
-  Report report = report_path(*manipulator, plan.path, question.policy, question.slice);
+  Report report = report_path(*manipulator, plan.path, question.wish, question.slice);
   report.exit_code = code_of(plan.path.answer);
   report.json["moved_onto_slice"] = question.slice ? nlohmann::json(question.moved) : nlohmann::json();
   if (question.moved > 0.0)
     report.text += "the ends are moved onto the slice, by at most " + shown(question.moved) + " m\n";
-  add_timing(manipulator, arguments, plan, acceleration, surroundings, report);
+  add_timing(manipulator, arguments, plan, question.acceleration, surroundings, report);
   const std::string& file = arguments.timing.trajectory_file;
   if (!file.empty() && report.json["trajectory_file"].is_null())
     surroundings.messages << file << " is not written; what it may hold is older." << std::endl;
@@ -174,6 +206,11 @@ Subcommand plan_subcommand() {
                      "any: through det A = 0 too, where control of the platform is lost; each such place is "
                      "listed",
                      &arguments->policy});
+  options.push_back(
+      {"--prefer", "short|clear|fast",
+       "Which of several paths. short: the shortest, the default. clear: the one with the largest "
+       "least parallel index. fast: the one that takes the least time",
+       &arguments->prefer});
   for (const Option& option : map_choice_options(arguments->map, "--hold")) options.push_back(option);
   options.push_back({"--samples", "N", "With six degrees of freedom: poses of the roadmap, by default 1000",
                      &arguments->roadmap.samples});

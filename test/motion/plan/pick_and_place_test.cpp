@@ -135,6 +135,12 @@ TEST(PickAndPlace, ChangesTheWorkingModeOfThe3Prr) {
   expect_done(start, task_of(start));
 }
 
+TEST(PickAndPlace, ChangesTheWorkingModeOfTheDelta) {
+  if (test::is_sanitized) GTEST_SKIP() << "takes long there";
+  const Start start = start_of("delta", 0.1);
+  expect_done(start, task_of(start));
+}
+
 TEST(PickAndPlace, SaysWhyThereIsNone) {
   const PickAndPlace task = task_of(start_of("bipod"));
   EXPECT_FALSE(task);

@@ -289,6 +289,14 @@ TEST(PlanPath, SaysWhyAnEndIsInNoAspect) {
   EXPECT_NE(path.message.find("cannot reach"), std::string::npos) << path.message;
 }
 
+TEST(PlanPath, RefusesWhatIsNotFinite) {
+  PathPlanner planner(map_of(test::five_bar()));
+  const PlannedPath path =
+      planner.plan({Pose::planar(4.5, std::nan("")), {}}, {Pose::planar(4.0, 8.0), {}}, PathPolicy::serial);
+  EXPECT_EQ(path.answer, SameAspect::unknown);
+  EXPECT_NE(path.message.find("start: its pose is not finite"), std::string::npos) << path.message;
+}
+
 TEST(PlanPath, ProvesNothingOfWorkingModesThatAreNotMapped) {
   MapOptions options;
   options.modes = {*WorkingMode::from_signs({1, 1})};

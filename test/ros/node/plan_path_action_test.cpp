@@ -12,6 +12,7 @@
 #include <ros/ros.h>
 
 #include <actionlib/client/simple_action_client.h>
+#include <algorithm>
 #include <cmath>
 #include <nav_msgs/Path.h>
 #include <string>
@@ -157,10 +158,32 @@ TEST_F(PlanPathAsked, SaysNoWhereThereIsNone) {
   EXPECT_EQ(ask(goal).result.answer, Result::NO);
 }
 
+TEST_F(PlanPathAsked, TakesThePathThatIsPreferred) {
+  wait_for_map("/aspect_node");
+  PlanPathGoal goal = through_a_gate();
+  const Result shortest = ask(goal).result;
+  goal.prefer = PlanPathGoal::CLEAR;
+  const Result clear = ask(goal).result;
+  goal.prefer = PlanPathGoal::FAST;
+  const Result fast = ask(goal).result;
+  ASSERT_EQ(shortest.answer, Result::YES) << shortest.reason;
+  ASSERT_EQ(clear.answer, Result::YES) << clear.reason;
+  ASSERT_EQ(fast.answer, Result::YES) << fast.reason;
+  EXPECT_LE(shortest.length, clear.length);
+  EXPECT_GE(clear.least_index, shortest.least_index);
+  EXPECT_LE(fast.seconds, std::min(shortest.seconds, clear.seconds));
+}
+
 TEST_F(PlanPathAsked, RefusesWhatItCannotBeAsked) {
   PlanPathGoal goal = in_one_aspect();
   goal.policy = 7;
   expect_refused(goal, Status::INVALID_REQUEST, "policy");
+  goal = in_one_aspect();
+  goal.prefer = 3;
+  expect_refused(goal, Status::INVALID_REQUEST, "prefer must be");
+  goal.prefer = PlanPathGoal::FAST;
+  goal.path_only = true;
+  expect_refused(goal, Status::INVALID_REQUEST, "leave out path_only");
   goal = in_one_aspect();
   goal.start.kind = Configuration::NOW;
   goal.start.pose = geometry_msgs::PoseStamped();

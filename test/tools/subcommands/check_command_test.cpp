@@ -219,9 +219,9 @@ TEST_F(CheckCommand, MessagesAreReadAsRostopicPrintsThem) {
 }
 
 TEST_F(CheckCommand, OptionsThatDoNotGoTogetherAreRefused) {
-  EXPECT_EQ(run({"check", "five_bar"}).code, exit_code::bad_input);
+  EXPECT_EQ(run({"check", "five_bar"}).code, exit_code::bad_usage);
   EXPECT_EQ(run({"check", "five_bar", "--path", "a", "--trajectory", "b"}).code, exit_code::bad_input);
-  EXPECT_EQ(run({"check", "five_bar", "--path", "a"}).code, exit_code::bad_input);
+  EXPECT_EQ(run({"check", "five_bar", "--path", "a"}).code, exit_code::bad_usage);
   EXPECT_EQ(run({"check", "five_bar", "--trajectory", "a", "--mode", "+-"}).code, exit_code::bad_input);
   EXPECT_EQ(run({"check", "five_bar", "--trajectory", "a", "--start-sign", "up"}).code, exit_code::bad_input);
 }

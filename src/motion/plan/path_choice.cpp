@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "motion/plan/path_choice.h"
+
+namespace parallel_aspects {
+namespace {
+
+bool look_the_same(const PlannedPath& a, const PlannedPath& b) {
+  return a.points.size() == b.points.size() && a.length == b.length && a.turned == b.turned &&
+         a.least_index == b.least_index && a.least_det_a == b.least_det_a;
+}
+
+}  // namespace
+
+void PathChoice::offer(PlannedPath path) {
+  if (!path || (best_ && look_the_same(path, best_))) return;
+  const Cost its_cost = cost(path);
+  if (best_ && !(its_cost < best_cost_)) return;
+  best_ = std::move(path);
+  best_cost_ = its_cost;
+}
+
+PathChoice::Cost PathChoice::cost(const PlannedPath& path) const {
+  const double length = path.length + robot_.characteristic_length() * path.turned;
+  switch (wish_.prefer) {
+    case PathPreference::shortest:
+      return {length, 0.0};
+    case PathPreference::clear:
+      return {-path.least_index, length};
+    case PathPreference::fast:
+      break;
+  }
+  return {wish_.time ? wish_.time(path) : length, length};
+}
+
+std::vector<PathShape> shapes_for(PathPreference preference) {
+  switch (preference) {
+    case PathPreference::shortest:
+      return {short_shape};
+    case PathPreference::clear:
+      return {short_shape, clear_shape};
+    case PathPreference::fast:
+      break;
+  }
+  return {short_shape, {true, 0.0}, {true, 0.5}, clear_shape};
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_MOTION_PLAN_PATH_SHAPE_H
+#define PARALLEL_ASPECTS_MOTION_PLAN_PATH_SHAPE_H
+
+#include "parallel_aspects/kinematics/working_mode.h"
+#include "parallel_aspects/model/manipulator.h"
+#include "parallel_aspects/model/pose.h"
+
+#include <functional>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// How near a path within one aspect comes to parallel singularities.
+struct PathShape {
+  bool is_wide = false;     ///< it is looked for along the largest indices; else along the shortest way
+  double kept_share = 0.0;  ///< of the least index there, which it keeps when it is shortened
+
+  friend bool operator==(const PathShape& a, const PathShape& b) {
+    return a.is_wide == b.is_wide && a.kept_share == b.kept_share;
+  }
+};
+
+inline constexpr PathShape short_shape{false, 0.0}, clear_shape{true, 1.0};
+
+/// The segments of one working mode.
+struct SegmentsInMode {
+  std::function<bool(const Pose&, const Pose&)> is_free;          ///< proved
+  std::function<Pose(const Pose&, const Pose&, double)> between;  ///< the pose at t, 0 to 1
+  const Manipulator& robot;
+  WorkingMode mode;
+};
+
+/// The parallel index at a pose; 0 where a leg does not reach.
+double index_at(const Manipulator& robot, const Pose& pose, const WorkingMode& mode);
+
+/// The least of samples along the path, by which paths are compared: no bound.
+double least_index_along(const std::vector<Pose>& path, const SegmentsInMode& segments);
+
+/// Leaves out poses of a path where the segment past them is proved, and pulls what is left towards the
+/// straight way as far as that is proved. No sample of the parallel index may fall below `least_index`.
+std::vector<Pose> shortened(const std::vector<Pose>& path, const SegmentsInMode& segments,
+                            double least_index);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_MOTION_PLAN_PATH_SHAPE_H

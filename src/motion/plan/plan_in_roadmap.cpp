@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "motion/plan/path_builder.h"
+#include "motion/plan/path_choice.h"
+#include "motion/plan/path_shape.h"
+#include "motion/plan/pose_graph.h"
+#include "motion/plan/roadmap_gates.h"
+#include "parallel_aspects/aspects/same_aspect.h"
+#include "parallel_aspects/motion/plan_path.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace parallel_aspects {
+namespace {
+
+constexpr std::size_t most_mode_pairs = 8;   // between which gates are looked for
+constexpr std::size_t most_gates_tried = 4;  // of each leg that changes its posture
+
+/// An end in the working modes in which it lies in some aspect, with the sign of det A there.
+struct SignedEnd {
+  std::vector<std::pair<PoseInMode, int>> found;
+  bool all_known = true;  // whether of every other mode it is proved that no aspect holds it
+};
+
+class RoadmapPlanner {
+ public:
+  RoadmapPlanner(const PoseRoadmap& roadmap, const PathWish& wish, const MapControl& control)
+      : roadmap_(roadmap),
+        robot_(*roadmap.certifier().manipulator()),
+        gates_(roadmap),
+        wish_(wish),
+        control_(control) {}
+
+  PlannedPath run(const PathEnd& from, const PathEnd& to) {
+    for (const PathEnd* end : {&from, &to})
+      if (!is_finite(end->pose))
+        return without_path(SameAspect::unknown, std::string("The pose of the ") +
+                                                     (end == &from ? "start" : "goal") + " is not finite.");
+    PlannedPath found = stay(from, to);
+    if (found || wish_.policy == PathPolicy::stay) return found;
+    const SignedEnd starts = signed_end(from), goals = signed_end(to);
+    if (starts.found.empty() || goals.found.empty()) return not_in_aspect(starts, goals);
+    return pass_gates(starts, goals);
+  }
+
+ private:
+  static PlannedPath cancelled() { return without_path(SameAspect::unknown, "Cancelled."); }
+
+  PlannedPath stay(const PathEnd& from, const PathEnd& to) {
+    PathChoice choice(robot_, wish_);
+    PlannedPath none = without_path(SameAspect::no, "");
+    for (const WorkingMode& mode : working_modes(robot_)) {
+      if (from.mode.value_or(mode) != mode || to.mode.value_or(mode) != mode) continue;
+      if (is_cancelled(control_)) return cancelled();
+      const PoseInMode start{from.pose, mode}, goal{to.pose, mode};
+      const AspectComparison found = same_aspect(roadmap_, start, goal);
+      if (found.answer == SameAspect::yes)
+        offer(found.path, mode, choice);
+      else if (none.message.empty() || found.answer == SameAspect::unknown)
+        none = without_path(found.answer, found.message);
+    }
+    if (choice.has_path()) return choice.take();
+    if (none.message.empty()) none.message = "The ends are in different working modes.";
+    return none;
+  }
+
+  void offer(const std::vector<Pose>& found, const WorkingMode& mode, PathChoice& choice) const {
+    for (const PathShape& shape : shapes_for(wish_.prefer))
+      for (const std::vector<Pose>& poses : shaped(found, mode, shape)) {
+        PathBuilder builder(robot_, pose_between);
+        builder.go(poses, mode);
+        choice.offer(builder.take("Every segment is proved free of singularities, in the working mode " +
+                                  to_string(mode) + "."));
+      }
+  }
+
+  SegmentsInMode segments_in(const WorkingMode& mode) const {
+    return {[this, mode](const Pose& from, const Pose& to) {
+              return roadmap_.certifier().prove(from, to, mode).verdict == SegmentVerdict::free;
+            },
+            pose_between, robot_, mode};
+  }
+
+  /// What becomes of a path that was found, and of another one by the same poses.
+  std::vector<std::vector<Pose>> shaped(const std::vector<Pose>& found, const WorkingMode& mode,
+                                        const PathShape& shape) const {
+    if (found.size() == 2 && !shape.is_wide) return {found};
+    const SegmentsInMode segments = segments_in(mode);
+    const int sign = roadmap_.certifier().prove(found.front(), mode).sign;
+    std::vector<std::vector<Pose>> result{found};
+    if (const RoadmapSide* side = roadmap_.side(mode, sign)) {
+      const double wanted = shape.is_wide ? std::min(index_at(robot_, found.front(), mode),
+                                                     index_at(robot_, found.back(), mode))
+                                          : 0.0;
+      PoseGraph graph(roadmap_, *side, found.front(), found.back(), segments);
+      if (std::vector<Pose> path = graph.find(wanted); !path.empty()) result.push_back(std::move(path));
+    }
+    for (std::vector<Pose>& path : result)
+      path = shortened(path, segments,
+                       shape.is_wide ? shape.kept_share * least_index_along(path, segments) : 0.0);
+    return result;
+  }
+
+  SignedEnd signed_end(const PathEnd& end) const {
+    SignedEnd result;
+    for (const WorkingMode& mode : working_modes(robot_)) {
+      if (end.mode.value_or(mode) != mode) continue;
+      const ConfigurationProof proof = roadmap_.certifier().prove(end.pose, mode);
+      if (proof.sign != 0)
+        result.found.push_back({{end.pose, mode}, proof.sign});
+      else
+        result.all_known = result.all_known && proof.proved_violation != Violation::none;
+    }
+    return result;
+  }
+
+  static PlannedPath not_in_aspect(const SignedEnd& starts, const SignedEnd& goals) {
+    const bool start_fails = starts.found.empty();
+    const SignedEnd& failing = start_fails ? starts : goals;
+    const std::string which = start_fails ? "start" : "goal";
+    return failing.all_known
+               ? without_path(SameAspect::no, "Proved: no aspect holds the " + which + ".")
+               : without_path(SameAspect::unknown, "The " + which +
+                                                       " is too close to a singularity or a limit to be "
+                                                       "determined.");
+  }
+
+  struct ModePair {
+    PoseInMode start, goal;
+    int sign;
+    std::vector<std::size_t> legs;  // that change their posture
+  };
+
+  /// Of one sign of det A, those with the fewest changes first.
+  std::vector<ModePair> mode_pairs(const SignedEnd& starts, const SignedEnd& goals) const {
+    std::vector<ModePair> pairs;
+    for (const auto& [start, sign] : starts.found)
+      for (const auto& [goal, other] : goals.found) {
+        if (sign != other) continue;
+        ModePair pair{start, goal, sign, {}};
+        for (std::size_t j = 0; j < robot_.leg_count(); ++j)
+          if (start.mode.sign(j) != goal.mode.sign(j)) pair.legs.push_back(j);
+        pairs.push_back(std::move(pair));
+      }
+    std::stable_sort(pairs.begin(), pairs.end(),
+                     [](const ModePair& a, const ModePair& b) { return a.legs.size() < b.legs.size(); });
+    return pairs;
+  }
+
+  PlannedPath pass_gates(const SignedEnd& starts, const SignedEnd& goals) const {
+    const std::vector<ModePair> pairs = mode_pairs(starts, goals);
+    if (pairs.empty() && starts.all_known && goals.all_known && wish_.policy == PathPolicy::serial)
+      return without_path(SameAspect::no,
+                          "Proved: det A differs in sign, and no path through serial gates changes it.");
+    PathChoice choice(robot_, wish_);
+    for (std::size_t i = 0; i < std::min(most_mode_pairs, pairs.size()) && !choice.has_path(); ++i) {
+      if (pairs[i].legs.empty()) continue;  // that is what staying has tried
+      for (const PathShape& shape : shapes_for(wish_.prefer)) {
+        if (is_cancelled(control_)) return cancelled();
+        PlannedPath path;
+        follow(PathBuilder(robot_, pose_between), pairs[i].start, pairs[i], pairs[i].legs, shape, path);
+        choice.offer(std::move(path));
+      }
+    }
+    return choice.has_path()
+               ? choice.take()
+               : without_path(
+                     SameAspect::unknown,
+                     "No path through serial gates was found, which proves nothing; more samples may "
+                     "find one.");
+  }
+
+  /// From where the path is, through a gate of each of the legs; `result` is left as it is where no path is
+  /// found.
+  void follow(const PathBuilder& so_far, const PoseInMode& at, const ModePair& pair,
+              const std::vector<std::size_t>& legs, const PathShape& shape, PlannedPath& result) const {
+    if (legs.empty()) {
+      PathBuilder builder = so_far;
+      if (go(at, pair.goal.pose, shape, builder))
+        result = builder.take("Every segment and every crossing is proved.");
+      return;
+    }
+    std::size_t tried = 0;
+    gates_.visit(at, pair.goal.pose, pair.sign, legs, [&](const RoadmapGate& gate) {
+      PathBuilder builder = so_far;
+      if (is_cancelled(control_) || !go(at, gate.outer, shape, builder)) return is_cancelled(control_);
+      const PoseInMode behind{gate.outer, with_other_posture(at.mode, gate.leg)};
+      builder.go({gate.inner}, at.mode);
+      builder.cross_serial(gate.leg, 0, 0);
+      builder.go({gate.inner, gate.outer}, behind.mode);
+      std::vector<std::size_t> rest = legs;
+      rest.erase(std::find(rest.begin(), rest.end(), gate.leg));
+      follow(builder, behind, pair, rest, shape, result);
+      return result || is_cancelled(control_) || ++tried == most_gates_tried;
+    });
+  }
+
+  bool go(const PoseInMode& at, const Pose& to, const PathShape& shape, PathBuilder& builder) const {
+    const AspectComparison found = same_aspect(roadmap_, at, {to, at.mode});
+    if (found.answer != SameAspect::yes) return false;
+    builder.go(shaped(found.path, at.mode, shape).back(), at.mode);
+    return true;
+  }
+
+  const PoseRoadmap& roadmap_;
+  const Manipulator& robot_;
+  const RoadmapGates gates_;
+  const PathWish& wish_;
+  const MapControl& control_;
+};
+
+}  // namespace
+
+PlannedPath plan_in_roadmap(const PoseRoadmap& roadmap, const PathEnd& from, const PathEnd& to,
+                            const PathWish& wish, const MapControl& control) {
+  return RoadmapPlanner(roadmap, wish, control).run(from, to);
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "motion/plan/roadmap_gates.h"
+
+#include "aspects/roadmap/pose_sampler.h"
+#include "motion/plan/leaf_path.h"
+#include "motion/roadmap.h"
+#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/kinematics/jacobians.h"
+#include "parallel_aspects/motion/check_joint_trajectory.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace parallel_aspects {
+namespace {
+
+constexpr std::size_t bases_of_a_side = 12;  // poses that it is looked from
+constexpr std::size_t targets_of_a_base = 24;
+constexpr std::size_t most_proofs = 40;
+constexpr int steps_of_a_look = 32, halvings_of_a_look = 30;
+constexpr double share_of_outer = 0.9;  // of the way to where the leg stops reaching
+constexpr double share_beyond = 1.001;  // likewise
+constexpr double width_of_turning_points = 1e-9;
+
+}  // namespace
+
+WorkingMode with_other_posture(const WorkingMode& mode, std::size_t leg) {
+  WorkingMode other = mode;
+  other.set_sign(leg, -mode.sign(leg));
+  return other;
+}
+
+/// The start, and poses of the side that are near to it or to the goal.
+std::vector<Pose> RoadmapGates::bases(const PoseInMode& from, const Pose& to, int sign) const {
+  std::vector<Pose> result{from.pose};
+  const Manipulator& robot = *roadmap_.certifier().manipulator();
+  if (const RoadmapSide* side = roadmap_.side(from.mode, sign)) {
+    std::vector<std::pair<double, std::uint32_t>> near;
+    for (const std::uint32_t i : side->poses) {
+      const Pose& pose = roadmap_.poses()[i];
+      near.emplace_back(distance_between(robot, from.pose, pose) + distance_between(robot, pose, to), i);
+    }
+    std::sort(near.begin(), near.end());
+    for (std::size_t i = 0; i < std::min(bases_of_a_side, near.size()); ++i)
+      result.push_back(roadmap_.poses()[near[i].second]);
+  }
+  return result;
+}
+
+/// In plain floating point: where a leg first stops reaching, with det A of this sign up to there.
+bool RoadmapGates::find_end(const PoseInMode& base, const Pose& target, int sign, Candidate& found) const {
+  const Manipulator& robot = *roadmap_.certifier().manipulator();
+  std::size_t leg = 0;
+  const auto reaches = [&](double t) {
+    const InverseSolution solution = inverse(robot, pose_between(base.pose, target, t), base.mode);
+    leg = solution.leg;
+    return solution.status;
+  };
+  double good = 0.0, bad = 0.0;
+  for (int k = 1; k <= steps_of_a_look && bad == 0.0; ++k) {
+    const double t = static_cast<double>(k) / steps_of_a_look;
+    const Pose pose = pose_between(base.pose, target, t);
+    const InverseSolution solution = inverse(robot, pose, base.mode);
+    if (solution.status == InverseStatus::out_of_reach)
+      bad = t;
+    else if (!solution || !(sign * direct_determinant(robot, pose, solution.q) > 0.0))
+      return false;
+    else
+      good = t;
+  }
+  if (bad == 0.0) return false;
+  for (int k = 0; k < halvings_of_a_look; ++k) {
+    const double middle = 0.5 * (good + bad);
+    (reaches(middle) == InverseStatus::out_of_reach ? bad : good) = middle;
+  }
+  if (reaches(bad) != InverseStatus::out_of_reach) return false;
+  found.leg = leg;
+  found.outer = pose_between(base.pose, target, share_of_outer * bad);
+  found.beyond = pose_between(base.pose, target, std::min(1.0, share_beyond * bad));
+  return true;
+}
+
+/// A leg that passes B_jj = 0 with no other, as the check of trajectories proves it.
+bool RoadmapGates::passes(const Pose& inner, const WorkingMode& before, const WorkingMode& after,
+                          std::size_t leg) const {
+  const SegmentCertifier& certifier = roadmap_.certifier();
+  const Manipulator& robot = *certifier.manipulator();
+  const InverseSolution first = inverse(robot, inner, before), last = inverse(robot, inner, after);
+  if (!first || !last) return false;
+  const JointVector change = joint_change(robot, first.q, last.q);
+  if (!straight_motion_exists(robot, {inner, first.q}, change, inner)) return false;
+  TrajectoryCheckOptions options;
+  options.pass_serial = true;
+  const TrajectoryCheck check = check_trajectory(
+      certifier, {{0.0, first.q, {}, {}}, {1.0, first.q + change, {}, {}}}, {inner, 0}, options);
+  return check.answer == TrajectoryAnswer::safe && check.crossings.size() == 1 &&
+         check.crossings[0].leg == leg && check.crossings[0].mode == after;
+}
+
+bool RoadmapGates::prove(const Candidate& candidate, const WorkingMode& mode, RoadmapGate& gate) const {
+  const WorkingMode other = with_other_posture(mode, candidate.leg);
+  double share = 1.0;
+  for (const WorkingMode& each : {mode, other})
+    share = std::min(share,
+                     roadmap_.certifier()
+                         .prove_to_violation(candidate.outer, candidate.beyond, each, width_of_turning_points)
+                         .free_until);
+  if (!(share > 0.0)) return false;
+  gate = {candidate.leg, candidate.outer, pose_between(candidate.outer, candidate.beyond, share)};
+  return roadmap_.certifier().prove(gate.outer, gate.inner, mode).verdict == SegmentVerdict::free &&
+         roadmap_.certifier().prove(gate.outer, gate.inner, other).verdict == SegmentVerdict::free &&
+         passes(gate.inner, mode, other, candidate.leg);
+}
+
+bool RoadmapGates::visit(const PoseInMode& from, const Pose& to, int sign,
+                         const std::vector<std::size_t>& legs,
+                         const std::function<bool(const RoadmapGate&)>& visitor) const {
+  const RoadmapOptions& options = roadmap_.options();
+  const auto robot = roadmap_.certifier().manipulator();
+  if (!straight_motions_are_allowed(*robot)) return false;
+  PoseSampler sampler(robot, options.seed + 2, options.region, options.largest_rotation);
+  std::vector<Candidate> candidates;
+  for (const Pose& base : bases(from, to, sign))
+    for (std::size_t i = 0; i < targets_of_a_base; ++i) {
+      const auto target = sampler.draw();
+      Candidate found;
+      if (!target || !find_end({base, from.mode}, *target, sign, found)) continue;
+      if (std::find(legs.begin(), legs.end(), found.leg) == legs.end()) continue;
+      found.length =
+          distance_between(*robot, from.pose, found.outer) + distance_between(*robot, found.outer, to);
+      candidates.push_back(found);
+    }
+  std::sort(candidates.begin(), candidates.end(),
+            [](const Candidate& a, const Candidate& b) { return a.length < b.length; });
+  for (std::size_t i = 0; i < std::min(most_proofs, candidates.size()); ++i) {
+    RoadmapGate gate;
+    if (prove(candidates[i], from.mode, gate) && visitor(gate)) return true;
+  }
+  return false;
+}
+
+}  // namespace parallel_aspects

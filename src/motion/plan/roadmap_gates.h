@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_MOTION_PLAN_ROADMAP_GATES_H
+#define PARALLEL_ASPECTS_MOTION_PLAN_ROADMAP_GATES_H
+
+#include "parallel_aspects/aspects/pose_roadmap.h"
+#include "parallel_aspects/aspects/same_aspect.h"
+#include "parallel_aspects/kinematics/working_mode.h"
+#include "parallel_aspects/model/pose.h"
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// Where one leg changes its posture. Proved: the segment from `outer` to `inner` is free in either working
+/// mode, and the straight motion of the actuated joints from those at `inner` in the one mode to those in the
+/// other leads back to `inner`, with det A not zero, within the limits of the joints, and of all B_jj through
+/// zeros of that of `leg` alone.
+struct RoadmapGate {
+  std::size_t leg = 0;
+  Pose outer, inner;
+};
+
+/// The working mode in which this leg alone has the other sign.
+WorkingMode with_other_posture(const WorkingMode& mode, std::size_t leg);
+
+/// Looks for serial gates where there is no map: from poses of one side of a roadmap, and from the ends of a
+/// path, towards random poses as far as the legs reach.
+class RoadmapGates {
+ public:
+  /// The roadmap outlives it.
+  explicit RoadmapGates(const PoseRoadmap& roadmap) : roadmap_(roadmap) {}
+
+  /// Visits gates of these legs that lead out of the working mode at `from`, the nearest on the path to `to`
+  /// first, until the visitor returns true; false where it never does. `sign` is that of det A.
+  bool visit(const PoseInMode& from, const Pose& to, int sign, const std::vector<std::size_t>& legs,
+             const std::function<bool(const RoadmapGate&)>& visitor) const;
+
+ private:
+  struct Candidate {
+    double length = 0.0;  // of the way over it
+    std::size_t leg = 0;
+    Pose outer, beyond;
+  };
+
+  std::vector<Pose> bases(const PoseInMode& from, const Pose& to, int sign) const;
+  bool find_end(const PoseInMode& base, const Pose& target, int sign, Candidate& found) const;
+  bool prove(const Candidate& candidate, const WorkingMode& mode, RoadmapGate& gate) const;
+  bool passes(const Pose& inner, const WorkingMode& before, const WorkingMode& after, std::size_t leg) const;
+
+  const PoseRoadmap& roadmap_;
+};
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_MOTION_PLAN_ROADMAP_GATES_H

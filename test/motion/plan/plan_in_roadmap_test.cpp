@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Paths with six degrees of freedom, through serial gates too.
+#include "parallel_aspects/aspects/pose_roadmap.h"
+#include "parallel_aspects/kinematics/direct.h"
+#include "parallel_aspects/motion/plan_path.h"
+#include "parallel_aspects/motion/time_path.h"
+
+#include <gtest/gtest.h>
+
+#include "support/campaign_figures.h"
+#include "support/index_at.h"
+#include "support/pose_pairs.h"
+#include "support/shipped.h"
+#include "support/thoroughness.h"
+#include <atomic>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects {
+namespace {
+
+using Robot = std::shared_ptr<const Manipulator>;
+
+/// A roadmap of the working modes that a few questions need is enough.
+std::shared_ptr<const PoseRoadmap> roadmap_of(const Robot& robot, const std::vector<WorkingMode>& modes,
+                                              std::size_t samples) {
+  RoadmapOptions options;
+  options.samples = test::is_sanitized ? samples / 4 : samples;
+  options.modes = modes;
+  return compute_pose_roadmap(robot, options).roadmap;
+}
+
+/// Follows the platform by Newton's method with a matrix of differences while the joints run straight; the
+/// sign of det A at every step, 0 where it changes.
+struct Followed {
+  Pose end;
+  int sign = 0;
+};
+
+Eigen::VectorXd errors_of_legs(const Manipulator& robot, const Pose& pose, const JointVector& q) {
+  Eigen::VectorXd f(static_cast<Eigen::Index>(robot.leg_count()));
+  for (std::size_t j = 0; j < robot.leg_count(); ++j) {
+    const Leg& leg = robot.leg(j);
+    f[static_cast<Eigen::Index>(j)] = leg.residual(pose, q[static_cast<Eigen::Index>(j)]);
+  }
+  return f;
+}
+
+Pose moved(const Pose& pose, const Eigen::VectorXd& by) {
+  Pose result = pose;
+  result.position += by.head<3>();
+  const double angle = by.tail<3>().norm();
+  if (angle > 0.0)
+    result.orientation =
+        Eigen::Quaterniond(Eigen::AngleAxisd(angle, by.tail<3>() / angle)) * result.orientation;
+  return result;
+}
+
+Eigen::MatrixXd slopes(const Manipulator& robot, const Pose& pose, const JointVector& q) {
+  constexpr double step = 1e-6;
+  Eigen::MatrixXd matrix(6, 6);
+  for (Eigen::Index i = 0; i < 6; ++i) {
+    const Eigen::VectorXd by = step * Eigen::VectorXd::Unit(6, i);
+    matrix.col(i) = (errors_of_legs(robot, moved(pose, by), q) - errors_of_legs(robot, moved(pose, -by), q)) /
+                    (2.0 * step);
+  }
+  return matrix;
+}
+
+Followed follow(const Manipulator& robot, Pose pose, const JointVector& from, const JointVector& to) {
+  constexpr int steps = 200;
+  Followed result;
+  result.sign = slopes(robot, pose, from).determinant() > 0.0 ? 1 : -1;
+  const int first = result.sign;
+  for (int k = 0; k <= steps; ++k) {
+    const JointVector q = from + (static_cast<double>(k) / steps) * (to - from);
+    for (int i = 0; i < 6; ++i) {
+      const Eigen::MatrixXd matrix = slopes(robot, pose, q);
+      if (matrix.determinant() * first <= 0.0) result.sign = 0;
+      pose = moved(pose, -matrix.fullPivLu().solve(errors_of_legs(robot, pose, q)));
+    }
+  }
+  result.end = pose;
+  return result;
+}
+
+/// By formulas of the test: the segments in their modes, and each crossing by the joints alone.
+void expect_no_contradiction(const Robot& robot, const PlannedPath& path) {
+  EXPECT_EQ(test::contradictions(*robot, path, 4000), 0);
+  for (const PathCrossing& crossing : path.crossings) {
+    const PathPoint &before = path.points[crossing.point], &behind = path.points[crossing.behind];
+    ASSERT_EQ(crossing.behind, crossing.point + 1);
+    EXPECT_EQ(before.pose.position, behind.pose.position);
+    for (std::size_t j = 0; j < robot->leg_count(); ++j)
+      EXPECT_EQ(before.mode.sign(j) != behind.mode.sign(j), j == crossing.leg);
+    const Followed followed = follow(*robot, before.pose, before.q, behind.q);
+    EXPECT_NE(followed.sign, 0);
+    EXPECT_LT((followed.end.position - behind.pose.position).norm(), 1e-6 * robot->size());
+    EXPECT_LT(followed.end.orientation.angularDistance(behind.pose.orientation), 1e-6);
+  }
+}
+
+class PlanInRoadmapOf : public testing::TestWithParam<const char*> {};
+
+TEST_P(PlanInRoadmapOf, PassesSerialGatesWithProof) {
+  const Robot robot = test::shipped(GetParam())->mapped_manipulator();
+  const std::vector<WorkingMode> modes = working_modes(*robot);
+  test::PosePairs random(robot, 4);
+  const WorkingMode first = random.mode();
+  WorkingMode second = first;
+  second.set_sign(2, -first.sign(2));
+  const auto roadmap = roadmap_of(robot, {first, second}, 400);
+  ASSERT_TRUE(roadmap);
+  int found = 0, none = 0;
+  const int pairs = test::is_sanitized ? 2 : 12;
+  for (int i = 0; i < pairs; ++i) {
+    SCOPED_TRACE("pair " + std::to_string(i));
+    const PathEnd from{random.reached(first).value(), first}, to{random.reached(second).value(), second};
+    const int sign = test::sign_in_doubles(*robot, from.pose, first),
+              other = test::sign_in_doubles(*robot, to.pose, second);
+    EXPECT_NE(plan_in_roadmap(*roadmap, from, to).answer, SameAspect::yes) << "other modes";
+    const PlannedPath path = plan_in_roadmap(*roadmap, from, to, {PathPolicy::serial});
+    if (sign != other) {
+      EXPECT_EQ(path.answer, SameAspect::no) << path.message;
+      ++none;
+      continue;
+    }
+    EXPECT_NE(path.answer, SameAspect::no) << path.message;
+    if (!path) continue;
+    ++found;
+    EXPECT_EQ(path.crossings.size(), 1U);
+    expect_no_contradiction(robot, path);
+    const JointVector accelerations = test::usual_accelerations(*robot);
+    if (accelerations.size() == 0) continue;
+    const TimedPath timed = time_path(roadmap->certifier(), path, pose_between, accelerations);
+    EXPECT_LE(test::limits_taken(*robot, timed.waypoints, accelerations), 1.0);
+  }
+  std::printf("%s: %d found, %d of other signs, of %d\n", GetParam(), found, none, pairs);
+  EXPECT_GE(2 * found, test::is_sanitized ? 0 : pairs - none);
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, PlanInRoadmapOf, testing::Values("hexa", "six_pus"),
+                         [](const auto& each) { return std::string(each.param); });
+
+TEST(PlanInRoadmap, HasClearAndShortPaths) {
+  const Robot robot = test::shipped("stewart")->mapped_manipulator();
+  const auto roadmap = roadmap_of(robot, {}, 1000);
+  const WorkingMode mode = working_modes(*robot).front();
+  test::PosePairs random(robot, 20261123);
+  int clearer = 0;
+  double length_of_short = 0.0, length_of_clear = 0.0;
+  for (int i = 0; i < (test::is_sanitized ? 3 : 60); ++i) {
+    SCOPED_TRACE("pair " + std::to_string(i));
+    const PathEnd from{random.reached(mode).value(), mode}, to{random.reached(mode).value(), mode};
+    const PlannedPath shortest = plan_in_roadmap(*roadmap, from, to),
+                      clear =
+                          plan_in_roadmap(*roadmap, from, to, {PathPolicy::stay, PathPreference::clear, {}});
+    ASSERT_EQ(shortest.answer, clear.answer);
+    if (!shortest) continue;
+    EXPECT_EQ(test::contradictions(*robot, shortest, 2000), 0);
+    EXPECT_EQ(test::contradictions(*robot, clear, 2000), 0);
+    EXPECT_GE(clear.least_index, shortest.least_index);
+    length_of_short += test::path_length(*robot, shortest);
+    length_of_clear += test::path_length(*robot, clear);
+    clearer += clear.least_index > 1.01 * shortest.least_index ? 1 : 0;
+  }
+  EXPECT_GT(clearer, test::is_sanitized ? -1 : 0);
+  EXPECT_LE(length_of_short, length_of_clear);
+}
+
+TEST(PlanInRoadmap, EndsWhereItIsCancelled) {
+  const Robot robot = test::shipped("six_pus")->mapped_manipulator();
+  test::PosePairs random(robot, 4);
+  const WorkingMode first = random.mode();
+  WorkingMode second = first;
+  second.set_sign(0, -first.sign(0));
+  const auto roadmap = roadmap_of(robot, {first, second}, 100);
+  const std::atomic<bool> cancelled(true);
+  MapControl control;
+  control.cancelled = &cancelled;
+  const PlannedPath path =
+      plan_in_roadmap(*roadmap, {random.reached(first).value(), first},
+                      {random.reached(second).value(), second}, {PathPolicy::serial}, control);
+  EXPECT_NE(path.answer, SameAspect::yes);
+}
+
+}  // namespace
+}  // namespace parallel_aspects
