@@ -38,9 +38,7 @@ std::vector<Pose> AspectPaths::find(int aspect, const Pose& from, const Pose& to
   if (segments.is_free(from, to) &&
       (!shape.is_wide || least_index_along({from, to}, segments) >= shape.kept_share * wanted))
     return {from, to};
-  LeafChoice choice;
-  choice.wanted_index = wanted;
-  std::vector<Pose> path = find_through_leaves(in, from, to, choice);
+  std::vector<Pose> path = find_through_leaves(in, from, to, false, wanted);
   if (path.empty()) path = find_between_parts(in, from, to);
   if (path.empty()) return path;
   const double kept = shape.is_wide ? shape.kept_share * least_index_along(path, segments) : 0.0;
@@ -62,8 +60,8 @@ std::vector<Pose> AspectPaths::find_between_parts(const Aspect& aspect, const Po
   }
   const std::vector<Pose>& link = known->second;
   if (link.empty()) return {};
-  std::vector<Pose> path = find_through_leaves(aspect, from, link.front());
-  const std::vector<Pose> rest = find_through_leaves(aspect, link.back(), to);
+  std::vector<Pose> path = find_through_leaves(aspect, from, link.front(), false);
+  const std::vector<Pose> rest = find_through_leaves(aspect, link.back(), to, false);
   if (path.empty() || rest.empty()) return {};
   path.insert(path.end(), link.begin() + 1, link.end());
   path.insert(path.end(), rest.begin() + 1, rest.end());
@@ -82,9 +80,7 @@ std::optional<AspectPaths::Parts> AspectPaths::parts(const Aspect& aspect, const
 
 std::vector<Pose> AspectPaths::search_between_parts(const Aspect& aspect, const Pose& from, const Pose& to) {
   std::vector<Pose> path = find_by_climbs(aspect, from, to);
-  LeafChoice choice;
-  choice.undecided = true;
-  if (path.empty()) path = find_through_leaves(aspect, from, to, choice);
+  if (path.empty()) path = find_through_leaves(aspect, from, to, true);
   return path.empty() ? find_in_roadmap(aspect, from, to) : shortened(path, segments_of(aspect), 0.0);
 }
 
@@ -103,9 +99,8 @@ std::vector<NodeIndex> AspectPaths::proved_leaves(const Aspect& aspect, const Po
 
 /// Where a segment is not proved, the next path goes elsewhere.
 std::vector<Pose> AspectPaths::find_through_leaves(const Aspect& aspect, const Pose& from, const Pose& to,
-                                                   LeafChoice choice) {
-  choice.first = proved_leaves(aspect, from);
-  choice.last = proved_leaves(aspect, to);
+                                                   bool undecided, double wanted_index) {
+  LeafChoice choice{proved_leaves(aspect, from), proved_leaves(aspect, to), undecided, wanted_index};
   for (int i = 0; i < max_leaf_paths; ++i) {
     const std::vector<LeafStep> steps =
         find_leaf_path(map_->contents(), components(aspect), aspect.id, from, to, choice);
@@ -134,7 +129,7 @@ std::vector<Pose> AspectPaths::find_by_climbs(const Aspect& aspect, const Pose& 
     goal = climb_to(aspect, to, proved_leaves(aspect, from));
   }
   if (goal.empty()) return {};
-  std::vector<Pose> path = find_through_leaves(aspect, start.back(), goal.back());
+  std::vector<Pose> path = find_through_leaves(aspect, start.back(), goal.back(), false);
   if (path.empty()) return {};
   path.insert(path.begin(), start.begin(), start.end() - 1);
   path.insert(path.end(), goal.rbegin() + 1, goal.rend());

@@ -29,20 +29,19 @@ class AspectPaths {
   std::vector<Pose> find(int aspect, const Pose& from, const Pose& to, const PathShape& shape = short_shape);
 
  private:
-  bool is_free(const Pose& from, const Pose& to, const Aspect& aspect) const;
-  SegmentsInMode segments_of(const Aspect& aspect) const;
-
   /// Two parts of one aspect that no faces of inside leaves connect: its id, and the leaves that stand for
   /// them.
   using Parts = std::tuple<int, NodeIndex, NodeIndex>;
 
+  bool is_free(const Pose& from, const Pose& to, const Aspect& aspect) const;
+  SegmentsInMode segments_of(const Aspect& aspect) const;
   FaceComponents& components(const Aspect& aspect);
   std::optional<Parts> parts(const Aspect& aspect, const Pose& from, const Pose& to);
   std::vector<Pose> find_between_parts(const Aspect& aspect, const Pose& from, const Pose& to);
   std::vector<Pose> search_between_parts(const Aspect& aspect, const Pose& from, const Pose& to);
   std::vector<NodeIndex> proved_leaves(const Aspect& aspect, const Pose& pose) const;
   std::vector<Pose> find_through_leaves(const Aspect& aspect, const Pose& from, const Pose& to,
-                                        LeafChoice choice = {});
+                                        bool undecided, double wanted_index = 0.0);
   std::vector<Pose> find_by_climbs(const Aspect& aspect, const Pose& from, const Pose& to);
   std::vector<Pose> climb_to(const Aspect& aspect, const Pose& from, const std::vector<NodeIndex>& leaves);
   std::vector<Pose> find_in_roadmap(const Aspect& aspect, const Pose& from, const Pose& to);

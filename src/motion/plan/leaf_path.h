@@ -60,8 +60,8 @@ Pose nearest_in(const AspectMap::Contents& map, NodeIndex leaf, const Pose& pose
 /// Steps from one pose to another through leaves of one aspect that share faces: the first pose, a pose of
 /// each face or the middle of an undecided leaf, and the last, with `no_node`; where an index is wanted,
 /// through the middles of all leaves. Else wide leaves are preferred, since little is near that ends the
-/// aspect. Empty where no leaf to begin with is connected with one to end with. `components` are those of the
-/// aspect's working mode.
+/// aspect. Empty where no leaf to begin with is connected with one to end with. `components` are those of
+/// the aspect's working mode.
 std::vector<LeafStep> find_leaf_path(const AspectMap::Contents& map, FaceComponents& components, int aspect,
                                      const Pose& from, const Pose& to, const LeafChoice& choice);
 

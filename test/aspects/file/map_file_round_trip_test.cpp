@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A map that was saved and loaded, or sent as bytes, gives every answer that it gave before.
 #include "aspects/file/map_file_fixture.h"
+#include "aspects/map/map_contents.h"
 
 #include <gtest/gtest.h>
 

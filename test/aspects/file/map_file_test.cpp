@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Files that are cut, changed, forged or of something else, and files that cannot be written.
 #include "aspects/file/map_file_fixture.h"
+#include "aspects/map/map_contents.h"
 
 #include <gtest/gtest.h>
 
@@ -21,6 +22,7 @@ namespace fs = std::filesystem;
 using test::contents;
 using test::leaves;
 using test::MapFile;
+using test::numbers;
 using test::random_pose;
 using test::RobotPtr;
 
@@ -234,7 +236,7 @@ TEST_F(MapFile, ForgedFilesDoNoHarm) {
     ++(map ? taken : refused);
     if (!map) continue;
     leaves(*map);
-    if (map->contents().graph) test::numbers(*map->contents().graph);
+    if (map->contents().graph) numbers(*map->contents().graph);
     for (int pose = 0; pose < 20; ++pose)
       for (const WorkingMode& mode : map->working_modes()) {
         const Location location = map->locate(random_pose(*map, random), mode);

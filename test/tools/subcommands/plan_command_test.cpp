@@ -127,10 +127,38 @@ TEST_F(PlanCommand, NamesWhatIsWrong) {
   EXPECT_NE(
       refusal({"plan", "five_bar", "--from", "4.5 8", "--to", "4.5 6", "--samples", "9"}).find("--samples"),
       std::string::npos);
-  EXPECT_NE(refusal({"plan", "stewart", "--from", "0 0 1.3 0 0 0 1", "--to", "0 0 1.2 0 0 0 1", "--policy",
-                     "serial"})
-                .find("--policy serial"),
+  EXPECT_NE(
+      refusal({"plan", "stewart", "--from", "0 0 1.3 0 0 0 1", "--to", "0 0 1.2 0 0 0 1", "--policy", "any"})
+          .find("--policy any needs a map"),
+      std::string::npos);
+  EXPECT_NE(
+      refusal({"plan", "five_bar", "--from", "4.5 8", "--to", "4.5 6", "--prefer", "best"}).find("'best'"),
+      std::string::npos);
+  EXPECT_NE(
+      refusal({"plan", "five_bar", "--from", "4.5 8", "--to", "4.5 6", "--prefer", "fast", "--policy", "any"})
+          .find("--prefer fast needs a platform that is under control"),
+      std::string::npos);
+  EXPECT_NE(refusal({"plan", "five_bar", "--from", "4.5 8", "--to", "4.5 6", "--prefer", "fast",
+                     "--acceleration", "0 1"})
+                .find("--acceleration is '0 1'"),
             std::string::npos);
+}
+
+TEST_F(PlanCommand, TakesThePathThatIsPreferred) {
+  const auto path = [](const char* prefer) {
+    return run_json({"plan", "five_bar", "--from-aspect", "1", "--to-aspect", "3", "--policy", "serial",
+                     "--prefer", prefer});
+  };
+  const json shortest = path("short"), clear = path("clear"), fast = path("fast");
+  EXPECT_EQ(clear.at("prefer"), "clear");
+  EXPECT_LE(shortest.at("length").get<double>(), clear.at("length").get<double>());
+  EXPECT_GE(clear.at("least_index").get<double>(), shortest.at("least_index").get<double>());
+  EXPECT_LE(fast.at("seconds").get<double>(), shortest.at("seconds").get<double>());
+}
+
+TEST_F(PlanCommand, NamesTheWorkingModeOfAPathThatStays) {
+  const json path = run_json({"plan", "five_bar", "--from", "4.5 8", "--to", "4 6"});
+  EXPECT_NE(path.at("reason").get<std::string>().find("in the working mode ("), std::string::npos);
 }
 
 // An assembly mode of actuated values is told by a pose near it; an aspect by its number.
