@@ -151,7 +151,19 @@ class Painter {
       if (part.mesh.triangles.empty()) part.mesh = {id, shade, is_cut, {}, {}, {}};
       add_triangle(surface, t, normals, scale, part);
     }
-    for (auto& [key, part] : parts) picture_.meshes.push_back(std::move(part.mesh));
+    for (auto& [key, part] : parts) {
+      if (part.mesh.is_cut) label_places_[id] = middle_of(part.mesh);
+      picture_.meshes.push_back(std::move(part.mesh));
+    }
+  }
+
+  // The point of a face that is nearest to the middle of its points.
+  static Vector3f middle_of(const ColoredMesh& mesh) {
+    Vector3f middle = Vector3f::Zero();
+    for (const Vector3f& point : mesh.points) middle += point / static_cast<float>(mesh.points.size());
+    return *std::min_element(mesh.points.begin(), mesh.points.end(), [&](const auto& a, const auto& b) {
+      return (a - middle).squaredNorm() < (b - middle).squaredNorm();
+    });
   }
 
   std::uint32_t triangle_color(const AspectSurface& surface, std::size_t t) {
@@ -243,9 +255,10 @@ class Painter {
     const Aspect& here = aspect(id);
     Vector3d at = drawn_point(space_, here.deepest, picture_.radian);
     if (space_ == TaskSpace::T2) at.z() = height(4.0);
-    if (const auto cut = section(); cut && space_ != TaskSpace::T2) {
-      const Vector3d point = surface_point(space_, here.deepest);
-      if (cut->normal.dot(point) > cut->offset) return;
+    if (picture_.is_cut) {
+      const auto face = label_places_.find(id);
+      if (face == label_places_.end()) return;
+      at = face->second.cast<double>();
     }
     const std::uint32_t ink = id == choice_.aspect ? ink_color : readable_on(lightened(color(id), 0.3));
     picture_.labels.push_back({caption_of(here, id == choice_.aspect), ink, at.cast<float>()});
@@ -277,6 +290,7 @@ class Painter {
   const std::optional<Pose>& present_;
   const std::vector<std::uint32_t> colors_;  // by id - 1
   std::set<BoundaryKind> kinds_;             // that were met
+  std::map<int, Vector3f> label_places_;     // on faces of the section, by id
   SurfacePicture picture_;
 };
 
