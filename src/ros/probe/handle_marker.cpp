@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/model/constraints.h"
-#include "ros/pictures/palette.h"
+#include "ros/pictures/marker_colors.h"
 #include "ros/probe/probe_handle.h"
 
 #include <array>

@@ -3,7 +3,7 @@
 
 #include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/kinematics/jacobians.h"
-#include "ros/pictures/palette.h"
+#include "ros/pictures/marker_colors.h"
 #include "ros/pictures/scene.h"
 
 #include <parallel_aspects/Configuration.h>

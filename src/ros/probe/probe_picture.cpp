@@ -4,7 +4,7 @@
 #include "parallel_aspects/motion/escape_direction.h"
 #include "ros/messages/conversions.h"
 #include "ros/pictures/caption.h"
-#include "ros/pictures/palette.h"
+#include "ros/pictures/marker_colors.h"
 #include "ros/pictures/picture_parts.h"
 
 #include <cmath>

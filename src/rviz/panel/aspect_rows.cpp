@@ -56,6 +56,18 @@ AspectRow row_of(const AspectSummary& aspect, const NodeView& view) {
   return row;
 }
 
+std::vector<Rgb> colors_of(const std::vector<AspectSummary>& summaries) {
+  std::vector<Aspect> aspects;
+  for (const AspectSummary& each : summaries) {
+    Aspect aspect;
+    aspect.mode =
+        WorkingMode::from_signs({each.working_mode.begin(), each.working_mode.end()}).value_or(aspect.mode);
+    aspect.determinant_sign = each.determinant_sign;
+    aspects.push_back(aspect);
+  }
+  return aspect_colors(aspects);
+}
+
 void add_components(const RoadmapComponents& components, const AspectState* state, ModeRows& rows) {
   std::size_t number = 0;
   for (const std::uint32_t size : components.component_sizes) {
@@ -76,8 +88,13 @@ std::vector<ModeRows> rows_of(const NodeView& view) {
   std::vector<ModeRows> modes;
   if (!view.aspects) return modes;
   const AspectState* const state = followed(view);
-  for (const AspectSummary& aspect : view.aspects->aspects)
-    rows_of_mode(modes, aspect.working_mode, state).aspects.push_back(row_of(aspect, view));
+  const std::vector<Rgb> colors = colors_of(view.aspects->aspects);
+  for (std::size_t i = 0; i < colors.size(); ++i) {
+    const AspectSummary& aspect = view.aspects->aspects[i];
+    AspectRow row = row_of(aspect, view);
+    row.color = colors[i];
+    rows_of_mode(modes, aspect.working_mode, state).aspects.push_back(std::move(row));
+  }
   for (const RoadmapComponents& each : view.aspects->roadmap)
     add_components(each, state, rows_of_mode(modes, each.working_mode, state));
   return modes;

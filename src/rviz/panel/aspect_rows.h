@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_RVIZ_PANEL_ASPECT_ROWS_H
 #define PARALLEL_ASPECTS_RVIZ_PANEL_ASPECT_ROWS_H
 
+#include "aspects/pictures/palette.h"
 #include "rviz/panel/panel_model.h"
 
 #include <cstdint>
@@ -21,6 +22,7 @@ struct AspectRow {
   std::string clearance;  ///< radius of the largest ball in it [m or rad]
   std::string index;      ///< inverse condition number at the middle of that ball; empty while not known
   std::string tip;
+  Rgb color = 0;  ///< as the display draws it
   bool present = false;
 };
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rviz/panel/aspect_tree.h"
 
-#include "ros/pictures/palette.h"
-
 #include <QHeaderView>
 #include <QPixmap>
 #include <utility>
@@ -16,10 +14,9 @@ constexpr int swatch_size = 12;  // [pixels]
 
 QString shown(const std::string& text) { return QString::fromStdString(text); }
 
-QIcon swatch_of(std::uint32_t aspect) {
-  const std_msgs::ColorRGBA color = aspect_color(static_cast<int>(aspect));
+QIcon swatch_of(Rgb color) {
   QPixmap pixmap(swatch_size, swatch_size);
-  pixmap.fill(QColor::fromRgbF(color.r, color.g, color.b));
+  pixmap.fill(QColor::fromRgb(color));
   return QIcon(pixmap);
 }
 
@@ -82,7 +79,7 @@ void AspectTree::make_items(const std::vector<ModeRows>& modes) {
         item->setTextAlignment(i, Qt::AlignRight | Qt::AlignVCenter);
       if (row.id == 0) continue;
       item->setCheckState(name_column, Qt::Checked);
-      item->setIcon(name_column, swatch_of(row.id));
+      item->setIcon(name_column, swatch_of(row.color));
     }
     parent->setExpanded(true);
   }
