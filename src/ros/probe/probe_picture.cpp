@@ -97,7 +97,7 @@ void ProbePicture::draw_singularity(const ProbeFinding& finding, Markers& marker
   const BoundaryDistance& nearest = parallel ? distances.parallel : distances.serial;
   if (!std::isfinite(nearest.upper)) return;
   const Pose& pose = finding.reached->pose;
-  const auto shade = color_of(parallel ? BoundaryKind::parallel : BoundaryKind::serial);
+  const auto shade = color(boundary_color(parallel ? BoundaryKind::parallel : BoundaryKind::serial));
   Marker lines = marker("probe/to_singularity", Marker::LINE_LIST, shade);
   Marker dots = marker("probe/singularity", Marker::SPHERE_LIST, shade);
   lines.scale.x = 1.5 * line_width * robot_.size();
