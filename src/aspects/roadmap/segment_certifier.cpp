@@ -26,8 +26,7 @@ constexpr double aimed_ratio = 0.75;  // of a step, against the longest that pas
 constexpr int parts_between_looks = 16;
 constexpr int points_of_a_look = 12;
 
-// See finite_lengths.h.
-constexpr double longest_length = 1e12;  // [m]
+constexpr double longest_length = 1e12;  // [m]; see finite_lengths.h
 
 // What is proved to be at or before a configuration, on the path from one whose det A has this sign.
 Violation violation_at(const ConfigurationProof& proof, int sign) {
@@ -310,8 +309,7 @@ ConfigurationProof SegmentCertifier::prove(const Pose& pose, const WorkingMode& 
   for (std::size_t j = 0; j < parts_->legs.size(); ++j)
     if (!manipulator_->leg(j).has_branch(mode.sign(j))) return {0, Violation::out_of_reach, {}, j};
   const RoundingUpward rounding;
-  const PoseSegment segment(pose, pose);
-  return Evaluation(*this, segment, mode).at(0.0);
+  return Evaluation(*this, {pose, pose}, mode).at(0.0);
 }
 
 SegmentProof SegmentCertifier::prove(const Pose& from, const Pose& to, const WorkingMode& mode,
@@ -360,8 +358,7 @@ std::optional<SpeedBounds> SegmentCertifier::joint_speeds(const Pose& from, cons
       mode.leg_count() != parts_->legs.size() || !(begin < end))
     return std::nullopt;
   const RoundingUpward rounding;
-  const PoseSegment segment(from, to);
-  return Evaluation(*this, segment, mode).speeds(begin, end);
+  return Evaluation(*this, {from, to}, mode).speeds(begin, end);
 }
 
 NeighbourhoodProof SegmentCertifier::prove_around(const Pose& pose, double displacement, double angle,
@@ -391,15 +388,13 @@ NeighbourhoodProof SegmentCertifier::prove_around(const Pose& pose, double displ
     for (std::size_t k = 0; k < 3; ++k)
       placement.rotation[i][k] = std::max(i, k) < moved ? turn[i][k] + turned : turn[i][k];
   }
-  const PoseSegment still(pose, pose);
-  return Evaluation(*this, still, mode, reach).over(placement);
+  return Evaluation(*this, {pose, pose}, mode, reach).over(placement);
 }
 
 SegmentProof SegmentCertifier::march(const Pose& from, const Pose& to, const WorkingMode& mode, int sign,
                                      int max_parts) const noexcept {
   const RoundingUpward rounding;
-  const PoseSegment segment(from, to);
-  return Evaluation(*this, segment, mode).march(sign, max_parts);
+  return Evaluation(*this, {from, to}, mode).march(sign, max_parts);
 }
 
 }  // namespace parallel_aspects

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double blend_share = 0.5;      // of a segment, at either of its ends
 constexpr double allowed_speed = 0.998;  // of a limit; a check bounds speeds to a thousandth
-constexpr double small_loss = 0.005;     // of the time, for the sake of fewer samples
+constexpr double small_loss = 0.001;     // of the time, for the sake of fewer samples
 constexpr std::size_t first_samples = 200;
 constexpr int doublings = 4;
 

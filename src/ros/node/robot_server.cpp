@@ -156,9 +156,6 @@ void RobotServer::start_guard() {
 }
 
 void RobotServer::start_probe() {
-  if (!has_probe_handle())
-    ROS_INFO_STREAM(
-        "The probe has no handle in rviz, for the package was built without interactive_markers.");
   ProbeSources sources;
   sources.aspects = [this] { return worker_.known(); };
   sources.present = [this] { return monitor_.current(ros::Time::now()); };
@@ -375,15 +372,13 @@ void RobotServer::finish(const MapProgress& progress, ComputeMapResult result) {
     result.proved_count = progress.proved_count;
     result.count_at_most = progress.count_at_most;
     result.seconds = progress.seconds;
-    compute_map_->setSucceeded(result, progress.message);
-    return;
+    return compute_map_->setSucceeded(result, progress.message);
   }
   const bool cancelled = progress.state == MapProgress::CANCELLED;
   result.status = make_status(cancelled ? Status::CANCELLED : Status::FAILED, progress.message);
   if (cancelled && compute_map_->isPreemptRequested())
-    compute_map_->setPreempted(result, progress.message);
-  else
-    compute_map_->setAborted(result, progress.message);
+    return compute_map_->setPreempted(result, progress.message);
+  compute_map_->setAborted(result, progress.message);
 }
 
 std::optional<geometry_msgs::Pose> RobotServer::to_base(const geometry_msgs::PoseStamped& pose,

@@ -64,6 +64,9 @@ Probe::Probe(const NodeSetup& setup, const ros::NodeHandle& private_nh, ProbeSou
   handle_ =
       std::make_unique<ProbeHandle>(nh_.resolveName("handle"), robot_,
                                     pose_message(platform_in_base(robot_, start_.wanted)), handle_events());
+  if (!has_probe_handle())
+    ROS_INFO_STREAM(
+        "The probe has no handle in rviz, for the package was built without interactive_markers.");
   subscribe();
   worker_ = std::thread([this] { run(); });
   spinner_.start();

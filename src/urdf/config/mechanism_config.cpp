@@ -42,6 +42,7 @@ const std::vector<std::string>& top_keys() {
                                              "completed",
                                              "joint_states_timeout",
                                              "joint_states_window",
+                                             "probe",
                                              "tf_timeout",
                                              "read_only",
                                              "frame_prefix",

@@ -119,7 +119,7 @@ TEST_F(PlannedTrajectory, SaysWhatIsWrongBeforeAnythingStarts) {
       {{"--trajectory", "x.bag"}, "ends in .csv or .yaml"},
       {{"--trajectory", none.c_str()}, "no_such_folder"},
       {{"--trajectory", good.c_str(), "--acceleration", "1"}, "--acceleration"},
-      {{"--trajectory", good.c_str(), "--acceleration", "1 0"}, "positive and finite"},
+      {{"--trajectory", good.c_str(), "--acceleration", "1 0"}, "positive numbers"},
       {{"--trajectory", good.c_str(), "--acceleration", "1 inf"}, "--acceleration"}};
   for (const Bad& bad : all) {
     std::vector<const char*> question{"plan", "five_bar", "--from", "4.5 8", "--to", "4 6"};
