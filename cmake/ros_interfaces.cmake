@@ -21,6 +21,8 @@ find_package(catkin REQUIRED COMPONENTS
   trajectory_msgs
   visualization_msgs
 )
+# Optional: the handle of the probe in rviz.
+find_package(interactive_markers QUIET)
 
 add_message_files(FILES
   AssemblyCandidates.msg
