@@ -12,6 +12,8 @@ namespace parallel_aspects {
 
 using Bytes = std::vector<std::uint8_t>;
 
+inline constexpr std::size_t index_size = 4;  ///< of an index or a count [bytes]
+
 /// Appends numbers as little-endian bytes, on any machine.
 class ByteWriter {
  public:

@@ -10,7 +10,7 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr std::size_t index_size = 4, least_segment = 2, most_segment = 3;
+constexpr std::size_t least_segment = 2, most_segment = 3;
 
 void write_crossing(const GateCrossing& crossing, ByteWriter& writer) {
   writer.put_u8(static_cast<std::uint8_t>(crossing.segment.size()));

@@ -11,8 +11,6 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr std::size_t index_size = 4;
-
 std::size_t mode_index(const AspectMap::Contents& map, const WorkingMode& mode) {
   return static_cast<std::size_t>(std::find(map.modes.begin(), map.modes.end(), mode) - map.modes.begin());
 }

@@ -24,10 +24,6 @@ constexpr double cost_of_small_leaves = 3.0, cost_of_undecided_leaves = 6.0;
 // looked at, and the path is shortened anyway.
 constexpr double greed = 10.0;
 
-// Steps of the index in which leaves count as equally wide, of the one that is wanted: of leaves that are,
-// the near ones come first.
-constexpr double index_steps = 40.0;
-
 /// A* from middle to middle. The goal is `no_node`, which the leaves near it lead to. Where an index is
 /// wanted, leaves are taken by falling index, and that of a path is the least of its leaves: so it is the
 /// path that the merge tree of the leaves has between the two, the widest there is.

@@ -5,6 +5,7 @@
 #include "aspects/map/map_contents.h"
 #include "aspects/map/map_location.h"
 #include "interval/interval.h"
+#include "motion/plan/path_shape.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +14,6 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr double width_of_turning_points = 1e-9;  // of the segment that leads to where B_jj is zero
 constexpr int halvings_to_turning_points = 30;
 
 }  // namespace

@@ -23,6 +23,13 @@ struct PathShape {
 
 inline constexpr PathShape short_shape{false, 0.0}, clear_shape{true, 1.0};
 
+/// In how many steps of the index that is wanted poses count as equally far from singularities: of those that
+/// are, the near ones come first.
+inline constexpr double index_steps = 40.0;
+
+/// How long, of a segment that leads to where B_jj is zero, the end may be that is not proved.
+inline constexpr double width_of_turning_points = 1e-9;
+
 /// The segments of one working mode.
 struct SegmentsInMode {
   std::function<bool(const Pose&, const Pose&)> is_free;          ///< proved

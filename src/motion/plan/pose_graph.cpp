@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "motion/plan/pose_graph.h"
 
+#include "motion/plan/path_shape.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,8 +14,7 @@ namespace parallel_aspects {
 namespace {
 
 constexpr std::size_t nearest_wanted = 16;
-constexpr int most_searches = 60;     // of which a segment is not proved
-constexpr double index_steps = 40.0;  // in which poses count as equally far from singularities
+constexpr int most_searches = 60;  // of which a segment is not proved
 
 }  // namespace
 

@@ -3,6 +3,7 @@
 
 #include "aspects/roadmap/pose_sampler.h"
 #include "motion/plan/leaf_path.h"
+#include "motion/plan/path_shape.h"
 #include "motion/roadmap.h"
 #include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/kinematics/jacobians.h"
@@ -20,7 +21,6 @@ constexpr std::size_t most_proofs = 40;
 constexpr int steps_of_a_look = 32, halvings_of_a_look = 30;
 constexpr double share_of_outer = 0.9;  // of the way to where the leg stops reaching
 constexpr double share_beyond = 1.001;  // likewise
-constexpr double width_of_turning_points = 1e-9;
 
 }  // namespace
 

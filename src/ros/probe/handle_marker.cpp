@@ -13,7 +13,7 @@ using visualization_msgs::Marker;
 
 // Shares of the robot's size.
 constexpr double handle_size = 0.16, ball_size = 0.035;
-constexpr double above = 0.1;  // of a planar robot: the mouse takes what is nearest to the viewer
+constexpr double handle_height = 0.1;  // of a planar robot: the mouse takes what is nearest to the viewer
 
 // A control acts along its x axis, or in the plane across it.
 InteractiveMarkerControl control(const std::string& name, std::uint8_t mode, const Eigen::Vector3d& axis) {
@@ -51,7 +51,7 @@ InteractiveMarkerControl ball(const Manipulator& robot) {
   shape.type = Marker::SPHERE;
   shape.scale.x = shape.scale.y = shape.scale.z = ball_size * robot.size();
   shape.pose.orientation.w = 1.0;
-  if (is_planar(robot.task_space())) shape.pose.position.z = above * robot.size();
+  if (is_planar(robot.task_space())) shape.pose.position.z = handle_height * robot.size();
   shape.color = color(0xE07B00);
   result.markers.push_back(std::move(shape));
   return result;

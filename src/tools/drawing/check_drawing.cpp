@@ -22,9 +22,9 @@ constexpr double chart_left = 70.0, chart_width = 640.0, first_chart = 66.0, cha
 constexpr std::array<const char*, 3> colors{"#1f77b4", "#d62728", "#2ca02c"};
 
 /// A panel of curves over time, from 0 to the largest value.
-class Panel {
+class Chart {
  public:
-  Panel(const TrajectoryCheck& check, double y, double largest)
+  Chart(const TrajectoryCheck& check, double y, double largest)
       : check_(check), y_(y), largest_(largest > 0.0 ? largest : 1.0) {
     begin_ = check.samples.front().time;
     end_ = std::max({check.samples.back().time, check.followed_until, begin_ + 1e-12});
@@ -68,7 +68,7 @@ class Panel {
 };
 
 std::string draw_indices(const TrajectoryCheck& check, double y) {
-  const Panel panel(check, y, 1.0);
+  const Chart panel(check, y, 1.0);
   return panel.frame("least index: parallel blue, serial red") + panel.curve(colors[0], [&](std::size_t i) {
     return check.samples[i].parallel_index;
   }) + panel.curve(colors[1], [&](std::size_t i) { return check.samples[i].serial_indices.minCoeff(); });
@@ -80,7 +80,7 @@ std::string draw_distances(const TrajectoryCheck& check, const std::vector<Sampl
   for (const SampleDistances& each : distances)
     for (const double value : each.lower)
       if (std::isfinite(value)) largest = std::max(largest, value);
-  const Panel panel(check, y, largest);
+  const Chart panel(check, y, largest);
   std::string text =
       panel.frame("proved distance [m]: to parallel singularities blue, serial red, limits green");
   for (std::size_t k = 0; k < colors.size(); ++k)

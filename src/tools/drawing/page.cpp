@@ -12,7 +12,7 @@ namespace {
 // Lengths on the page [px].
 constexpr double widest_page = 1010.0, narrowest_page = 640.0, margin = 16.0, beside_panel = 22.0,
                  between_rows = 14.0;
-constexpr double title_size = 16.0, heading_size = 13.0, text_size = 10.0, line_height = 14.0;
+constexpr double page_title_size = 16.0, heading_size = 13.0, text_size = 10.0, line_pitch = 14.0;
 constexpr double least_figure = 250.0;  // so that what is written over it has room
 constexpr std::size_t most_entries = 8;
 constexpr double swatch = 10.0, between_entries = 16.0;
@@ -37,15 +37,15 @@ class PageDrawing {
 
   Picture draw() {
     picture_.width = page_width();
-    y_ = margin + title_size;
-    write({margin, y_}, title_size, page_.title, true);
+    y_ = margin + page_title_size;
+    write({margin, y_}, page_title_size, page_.title, true);
     y_ += 6.0;
     for (const std::string& note : page_.notes)
       for (const std::string& line : wrapped(note, picture_.width - 2.0 * margin))
-        write({margin, y_ += line_height}, text_size, line, false);
+        write({margin, y_ += line_pitch}, text_size, line, false);
     y_ += between_rows;
     draw_figures();
-    const double end = draw_entries(page_.legend, {margin, y_ + line_height}, picture_.width - 2.0 * margin);
+    const double end = draw_entries(page_.legend, {margin, y_ + line_pitch}, picture_.width - 2.0 * margin);
     picture_.height = end + margin;
     return std::move(picture_);
   }
@@ -93,7 +93,7 @@ class PageDrawing {
       write({x, y_ + heading_size}, heading_size, page_.figures[i].title, true);
       heading_end = std::max(
           heading_end,
-          draw_entries(page_.figures[i].entries, {x, y_ + heading_size + line_height}, width - beside_panel));
+          draw_entries(page_.figures[i].entries, {x, y_ + heading_size + line_pitch}, width - beside_panel));
       x += width;
     }
     x = margin;
@@ -116,12 +116,12 @@ class PageDrawing {
     for (const LegendEntry& entry : entries) {
       const double needed = swatch + 5.0 + text_width(entry.text, text_size);
       if (at.x() > start.x() && at.x() + needed > start.x() + width)
-        at = PagePoint(start.x(), at.y() + line_height);
+        at = PagePoint(start.x(), at.y() + line_pitch);
       draw_swatch(entry, at);
       write(at + PagePoint(swatch + 5.0, 0.0), text_size, entry.text, false);
       at.x() += needed + between_entries;
     }
-    return entries.empty() ? start.y() - line_height : at.y();
+    return entries.empty() ? start.y() - line_pitch : at.y();
   }
 
   void draw_swatch(const LegendEntry& entry, const PagePoint& at) {

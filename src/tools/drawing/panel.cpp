@@ -14,7 +14,7 @@
 namespace parallel_aspects::tools {
 namespace {
 
-constexpr double tick_size = 9.0, title_size = 10.0, caption_size = 11.0;
+constexpr double tick_size = 9.0, axis_title_size = 10.0, caption_size = 11.0;
 constexpr Rgb frame_color = 0x444444;
 constexpr double tick_length = 4.0;
 
@@ -164,10 +164,10 @@ class Panel {
           PageText{at + PagePoint(-tick_length - 2.0, 3.0), Anchor::end, tick_size, tick.text});
     }
     picture.elements.emplace_back(PageCurves{lines, frame_color, 0.8, false, ""});
+    picture.elements.emplace_back(PageText{corner_ + down + 0.5 * right + PagePoint(0.0, 27.0),
+                                           Anchor::middle, axis_title_size, x.title});
     picture.elements.emplace_back(
-        PageText{corner_ + down + 0.5 * right + PagePoint(0.0, 27.0), Anchor::middle, title_size, x.title});
-    picture.elements.emplace_back(
-        PageText{corner_ - PagePoint(0.0, 7.0), Anchor::start, title_size, y.title});
+        PageText{corner_ - PagePoint(0.0, 7.0), Anchor::start, axis_title_size, y.title});
   }
 
   using Id = std::pair<LabelPoint, const PanelShape*>;

@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 constexpr std::size_t width = 416;                   // of the image, in points
 constexpr double azimuth = -1.15, elevation = 0.42;  // of the eye, seen from the middle [rad]
 constexpr double ambient = 0.55;
-constexpr double rim = 1.12;  // room for the axes
+constexpr double room_for_axes = 1.12;  // of the farthest point
 
 PagePoint middle_of(std::size_t i) {
   return {(static_cast<double>(i % width) + 0.5) / width, (static_cast<double>(i / width) + 0.5) / width};
@@ -55,7 +55,7 @@ Eye::Eye(const Vector3d& lower, const Vector3d& upper, const Vector3d& lengths)
                                   .cwiseProduct(2.0 * lengths);
     farthest = std::max({farthest, std::abs(at.dot(right_)), std::abs(at.dot(up_))});
   }
-  extent_ = rim * farthest;
+  extent_ = room_for_axes * farthest;
 }
 
 Vector3d Eye::drawn(const Vector3d& point) const { return (point - middle_).cwiseProduct(scale_); }

@@ -15,8 +15,6 @@ namespace {
 
 constexpr double clearly_wider = 1.5;  // than the gaps of other closures
 
-std::string number(double value) { return number_text(value, 4); }
-
 // Closures whose ends are where one another's should be, by their places at zero.
 class CrossedPlaces {
  public:
@@ -34,9 +32,9 @@ class CrossedPlaces {
     if (both.size() != 2) return std::nullopt;
     const std::vector<std::optional<double>> after = gaps_at_zero(tree_, exchanged);
     if (!are_nearer(both, after)) return std::nullopt;
-    return "since these are " + number(*gaps_[both[0]]) + " m and " + number(*gaps_[both[1]]) +
-           " m apart while all joints are zero, and the others of them " + number(*after[both[0]]) +
-           " m and " + number(*after[both[1]]) + " m";
+    return "since these are " + number_text(*gaps_[both[0]], 4) + " m and " +
+           number_text(*gaps_[both[1]], 4) + " m apart while all joints are zero, and the others of them " +
+           number_text(*after[both[0]], 4) + " m and " + number_text(*after[both[1]], 4) + " m";
   }
 
  private:
