@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What setup asks where a URDF leaves something open, and what it does with answers.
+#include "urdf/description/source_names.h"
+#include "urdf/load_search.h"
+#include "urdf/setup/setup_texts.h"
+
+#include <gtest/gtest.h>
+
+#include "support/descriptions.h"
+#include "support/shipped.h"
+#include <algorithm>
+#include <optional>
+#include <regex>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects {
+namespace {
+
+using test::actuated_joints;
+using test::listed;
+using test::patient;
+using test::set_up_text;
+using test::Strings;
+using test::urdf_of;
+using test::with_closures;
+
+// The option that the question shows, with the places that it asks for.
+Strings filled(Strings pairs, const Strings& places) {
+  for (std::size_t k = 0; k < places.size(); ++k)
+    for (std::string& pair : pairs)
+      if (const std::size_t at = pair.find("X:Y:Z"); at != std::string::npos) {
+        pair.replace(at, 5, places[k]);
+        break;
+      }
+  return pairs;
+}
+
+// Of rods and corners without links, in one question; the length of one rod is known from another.
+TEST(Setup, AsksAtOnceForAllPlacesThatHaveNoLink) {
+  const std::string blunt = urdf_of("blunt_three_rrr");
+  const SetupResult one = set_up_text(blunt);
+  ASSERT_TRUE(one.question) << listed(one.problems);
+  EXPECT_NE(one.question->text.find("'platform' ends a chain"), std::string::npos) << one.question->text;
+  EXPECT_TRUE(one.question->candidates.empty());
+  EXPECT_EQ(one.question->example, (Strings{"platform@X:Y:Z=rod_2@0.4:0:0", "platform@X:Y:Z=rod_3@0.4:0:0"}));
+  const SetupResult corrected =
+      set_up_text(blunt, with_closures(filled(one.question->example, {"0.2:0:0", "0.1:0.2:0"})));
+  ASSERT_TRUE(corrected.mechanism) << listed(corrected.problems);
+  EXPECT_EQ(corrected.mechanism->manipulator()->task_space(), TaskSpace::SE2);
+  const std::string hung = test::source_file("test/data/chains/three_rrr_on_slides.urdf");
+  const SetupResult all = set_up_text(hung);
+  ASSERT_TRUE(all.question) << listed(all.problems);
+  EXPECT_NE(all.question->text.find("'rod_1', 'rod_2', 'rod_3'"), std::string::npos) << all.question->text;
+  const SetupResult found =
+      set_up_text(hung, with_closures(filled(all.question->example,
+                                             {"0:0:0", "10:0:0", "10:0:0", "10:0:0", "10:10:0", "10:0:0"})));
+  ASSERT_TRUE(found.mechanism) << listed(found.problems);
+  EXPECT_EQ(found.mechanism->manipulator()->task_space(), TaskSpace::SE2);
+}
+
+// It is no more than likely that all rods are of one length, so it is asked.
+TEST(Setup, OffersTheLengthOfOtherRods) {
+  const std::string urdf = urdf_of("half_blunt_three_rrr");
+  const SetupResult asked = set_up_text(urdf);
+  ASSERT_TRUE(asked.question) << listed(asked.problems);
+  ASSERT_EQ(asked.question->candidates.size(), 1U) << asked.question->text;
+  const Strings offered{"corner_1=shank_1_end", "corner_2=shank_2@0.28:0:0", "corner_3=shank_3@0.28:0:0"};
+  EXPECT_EQ(asked.question->candidates.front().values, offered);
+  const SetupResult found = set_up_text(urdf, with_closures(offered));
+  ASSERT_TRUE(found.mechanism) << listed(found.problems);
+  EXPECT_NE(found.config.find("{link: shank_2, xyz: [0.28, 0, 0]}"), std::string::npos) << found.config;
+  EXPECT_NEAR(found.mechanism->manipulator()->leg(1).rod_length, 0.28, 1e-12);
+}
+
+// Also where time did not suffice to try them.
+TEST(Setup, OffersEachWayToCloseOnce) {
+  const SetupControl none{ProcessorClock::now()};
+  const SetupResult result = set_up(urdf_of("hung_three_rrr"), "robot.urdf", "robot.yaml", {}, none);
+  ASSERT_TRUE(result.question) << listed(result.problems);
+  std::set<std::set<std::string>> once;
+  for (const SetupCandidate& candidate : result.question->candidates)
+    EXPECT_TRUE(once.insert({candidate.values.begin(), candidate.values.end()}).second)
+        << candidate.values.front();
+  EXPECT_EQ(once.size(), 6U);
+}
+
+// One way that loads, and others that were not tried, are not equals.
+TEST(Setup, SaysThatItDidNotTryAllWaysToClose) {
+  const std::string urdf = urdf_of("unnamed_three_rpr");
+  std::optional<SetupQuestion> question;
+  for (int most = 1; most < 10000 && !(question && question->candidates.size() == 1); ++most) {
+    SetupControl control = patient();
+    control.cancelled = [left = most]() mutable { return --left < 0; };
+    question = set_up(urdf, "robot.urdf", "robot.yaml", {}, control).question;
+    ASSERT_TRUE(question) << most;
+  }
+  EXPECT_EQ(question->text,
+            "robot.urdf does not tell which open ends meet; the search ended before all ways to close the "
+            "loops were tried, and of those that were one loads");
+}
+
+// No file was written, and no value given: the options that were tried can be typed as they stand.
+TEST(Setup, RefusesInTheWordsOfItsOptions) {
+  for (const char* name : {"four_bar", "serial_arm"}) {
+    const std::string urdf = test::source_file("test/data/culprits/" + std::string(name) + ".urdf");
+    const SetupResult result = set_up_text(urdf);
+    ASSERT_FALSE(result.problems.empty()) << name;
+    for (const std::string& problem : result.problems)
+      for (const char* key : {"robot.yaml", "operational_point", "actuated_joints", "mechanism."})
+        EXPECT_EQ(problem.find(key), std::string::npos) << problem;
+  }
+  const SetupResult four_bar = set_up_text(test::source_file("test/data/culprits/four_bar.urdf"));
+  EXPECT_NE(listed(four_bar.problems).find("name them with --closures"), std::string::npos)
+      << listed(four_bar.problems);
+}
+
+// Of a turntable, of an operational point on a wrist and of missing actuated joints.
+// As a robot is refused whose YAML is written by hand.
+TEST(Setup, NamesTheElementAtFault) {
+  const std::string joined = test::source_file("test/data/setup/gazebo_five_bar.urdf");
+  const std::string bare =
+      test::replaced(std::regex_replace(joined, std::regex("<gazebo>[\\s\\S]*?</gazebo>"), ""), "</robot>",
+                     "<link name=\"right_end\"/><joint name=\"right_end_joint\" type=\"fixed\"><parent "
+                     "link=\"forearm_right\"/>"
+                     "<child link=\"right_end\"/><origin xyz=\"-0.1 0.2 0\"/></joint></robot>");
+  for (const std::string& good : {joined, bare}) {
+    EXPECT_TRUE(set_up_text(good).mechanism) << listed(set_up_text(good).problems);
+    const std::string knee = "<child link=\"forearm_right\"/><origin xyz=\"0 0.2 0\"/><axis xyz=\"";
+    const SetupResult result = set_up_text(test::replaced(good, knee + "0 0 1", knee + "0 1 0"));
+    EXPECT_FALSE(result.mechanism);
+    const std::string said = listed(result.problems);
+    EXPECT_NE(said.find("<axis xyz=\"0 0 1\"/> for joint 'knee_right'"), std::string::npos) << said;
+  }
+}
+
+TEST(Setup, KeepsTheListOfClosuresThatMayBeMeant) {
+  const std::string urdf = test::source_file("test/data/at_zero/low_delta.urdf");
+  const SetupResult result = set_up_text(urdf);
+  ASSERT_TRUE(result.mechanism) << listed(result.problems);
+  const std::size_t list = result.config.find("  # closures:\n  #   - {frames: [");
+  ASSERT_NE(list, std::string::npos) << result.config;
+  std::string uncommented = result.config.substr(0, list);
+  for (std::size_t at = list; at < result.config.size();) {
+    const std::size_t end = result.config.find('\n', at);
+    const std::string line = result.config.substr(at, end - at);
+    const bool is_listed =
+        line.find("# closures:") != std::string::npos || line.find("#   - {") != std::string::npos;
+    uncommented += (is_listed ? "  " + line.substr(4) : line) + '\n';
+    at = end + 1;
+  }
+  const auto apart = load_mechanism(urdf, "robot.urdf", uncommented, "robot.yaml");
+  for (const Leg& leg : apart->manipulator()->legs()) EXPECT_NEAR(leg.rod_length, 0.438193, 1e-5);
+  for (const Leg& leg : result.mechanism->manipulator()->legs()) EXPECT_NEAR(leg.rod_length, 0.4, 1e-6);
+}
+
+TEST(SetupOptions, StandForTheKeysOfTheLoader) {
+  const SourceNames file{"robot.urdf", "a.yaml"}, options{"robot.urdf", "this choice", true};
+  EXPECT_EQ(file.entry("base_link", "column"), "base_link: column");
+  EXPECT_EQ(options.entry("base_link", "column"), "--base column");
+  EXPECT_EQ(file.entry("actuated_joints", Strings{"a", "b"}), "actuated_joints: [a, b]");
+  EXPECT_EQ(options.entry("actuated_joints", Strings{"a", "b"}), "--actuated 'a b'");
+  EXPECT_EQ(file.full_key("operational_point"), "mechanism.operational_point");
+  EXPECT_EQ(options.full_key("operational_point"), "--platform");
+  EXPECT_EQ(options.key("closures"), "--closures");
+  EXPECT_EQ(options.key("task_space"), "task_space");
+}
+
+// The fault is in the answer, not in the closures, which are found.
+TEST(Setup, SaysWhyAnswersDoNotFit) {
+  for (const Strings& joints : {Strings{"stage_x", "stage_y", "stage_yaw"}, Strings{"hip_1", "hip_2"},
+                                Strings{"hip_1", "hip_2", "knee_2"}}) {
+    SetupAnswers answers;
+    answers.actuated_joints = joints;
+    const SetupResult result = set_up_text(urdf_of("hung_three_rrr"), answers);
+    EXPECT_FALSE(result.question) << joints.back();
+    EXPECT_FALSE(result.cut_short) << joints.back();
+    ASSERT_FALSE(result.problems.empty()) << joints.back();
+    EXPECT_NE(result.problems.front().find("--actuated '" + joints.front()), std::string::npos)
+        << result.problems.front();
+  }
+}
+
+TEST(Setup, SaysThatTimeDidNotSufficeForAnAnswer) {
+  const SetupControl none{ProcessorClock::now()};
+  const SetupResult result = set_up(urdf_of("guided_plunger"), "robot.urdf", "robot.yaml",
+                                    with_closures({"plunger=small_end"}), none);
+  ASSERT_EQ(result.problems.size(), 1U);
+  EXPECT_NE(result.problems.front().find("in the time there is"), std::string::npos)
+      << result.problems.front();
+}
+
+TEST(Setup, SaysThatAPlaceHasThreeCoordinates) {
+  const SetupResult result =
+      set_up_text(test::source_file("urdf/five_bar.urdf"), with_closures({"tool=rod_2@0.28:0"}));
+  EXPECT_EQ(result.problems,
+            Problems{"--closures has 'rod_2@0.28:0'; write a place in the frame of link 'rod_2' with three "
+                     "coordinates, as rod_2@X:Y:Z [m]."});
+}
+
+TEST(Setup, RefusesToCloseWhatIsFixed) {
+  const SetupResult result = set_up_text(urdf_of("hung_three_rrr"), with_closures({"corner_1=corner_2"}));
+  ASSERT_EQ(result.problems.size(), 1U) << listed(result.problems);
+  EXPECT_NE(result.problems.front().find("fixed to each other"), std::string::npos)
+      << result.problems.front();
+}
+
+// Limits have to state an effort, so that it tells no more than a name does.
+TEST(Setup, TakesAnEffortThatLimitsNeedForAHint) {
+  std::string urdf = urdf_of("hung_five_bar");
+  for (const char* elbow : {"pivot1", "pivot2"}) {
+    const std::string joint = "<joint name=\"" + std::string(elbow) + "\" type=";
+    urdf =
+        test::replaced(urdf, joint + "\"continuous\">",
+                       joint + "\"revolute\"><limit lower=\"-3\" upper=\"3\" effort=\"9\" velocity=\"1\"/>");
+  }
+  const SetupResult result = set_up_text(urdf);
+  ASSERT_TRUE(result.mechanism) << listed(result.problems);
+  EXPECT_EQ(actuated_joints(*result.mechanism), (Strings{"drive1", "drive2"}));
+}
+
+TEST(Setup, CallsASerialArmSerial) {
+  const SetupResult result = set_up_text(urdf_of("serial_arm"));
+  EXPECT_FALSE(result.question);
+  ASSERT_EQ(result.problems.size(), 1U);
+  EXPECT_NE(result.problems.front().find("serial"), std::string::npos) << result.problems.front();
+}
+
+// A prismatic leg that is drawn with its base turning could be neither; a five-bar could be driven at its
+// elbows.
+TEST(Setup, TakesAnswersAndSaysWhatElseWouldDo) {
+  const std::string urdf = urdf_of("all_driven_five_bar");
+  const SetupResult found = set_up_text(urdf);
+  const auto choice = std::find_if(found.choices.begin(), found.choices.end(),
+                                   [](const SetupChoice& each) { return each.key == "actuated_joints"; });
+  ASSERT_NE(choice, found.choices.end());
+  ASSERT_FALSE(choice->others.empty());
+  const Strings elbows{"joint2", "joint4"};
+  EXPECT_EQ(choice->others.front().values, elbows);
+  EXPECT_NE(found.config.find("joint2, joint4"), std::string::npos) << found.config;
+  SetupAnswers answers;
+  answers.actuated_joints = elbows;
+  answers.operational_point = "link4_tip";
+  const SetupResult asked = set_up_text(urdf, answers);
+  ASSERT_TRUE(asked.mechanism) << listed(asked.problems);
+  EXPECT_EQ(actuated_joints(*asked.mechanism), elbows);
+  EXPECT_EQ(asked.mechanism->platform_link(), "link4_tip");
+}
+
+TEST(Setup, RefusesAnswersThatNameNothing) {
+  SetupAnswers answers = with_closures({"tool=closing_3"});
+  answers.actuated_joints = {"tool_joint"};
+  answers.base_link = "bas_link";
+  const SetupResult result = set_up_text(test::source_file("urdf/five_bar.urdf"), answers);
+  EXPECT_EQ(result.problems.size(), 3U) << listed(result.problems);
+}
+
+TEST(Setup, EndsWithTheTimeThatItIsGiven) {
+  const SetupControl none{ProcessorClock::now()};
+  const SetupResult result =
+      set_up(test::source_file("urdf/stewart.urdf"), "robot.urdf", "robot.yaml", {}, none);
+  EXPECT_TRUE(result.cut_short);
+  EXPECT_FALSE(result.mechanism);
+  ASSERT_TRUE(result.question);
+  EXPECT_FALSE(result.question->candidates.empty());
+  SetupControl cancelled = patient();
+  cancelled.cancelled = [] { return true; };
+  EXPECT_FALSE(
+      set_up(test::source_file("urdf/stewart.urdf"), "robot.urdf", "robot.yaml", {}, cancelled).mechanism);
+}
+
+// Before every attempt to assemble, so that a search with a deadline is late by one of them at most.
+TEST(LoadSearch, EndsWhereItsCheckpointThrows) {
+  const auto load = [](const LoadSearch& search) {
+    load_mechanism(test::source_file("urdf/five_bar.urdf"), "robot.urdf",
+                   test::source_file("config/robots/five_bar.yaml"), "robot.yaml", "", search);
+  };
+  int attempts = 0;
+  LoadSearch search;
+  search.checkpoint = [&] { ++attempts; };
+  load(search);
+  EXPECT_GT(attempts, 0);
+  struct Late {};
+  search.checkpoint = [] { throw Late{}; };
+  EXPECT_THROW(load(search), Late);
+}
+
+}  // namespace
+}  // namespace parallel_aspects
