@@ -10,6 +10,7 @@
 #include "motion/check/start_assembly.h"
 #include "motion/check/trajectory_survey.h"
 #include "motion/check/unassembled.h"
+#include "motion/serial_margin.h"
 #include "tracking/continuation.h"
 
 #include <algorithm>
@@ -247,11 +248,8 @@ class JointCheck {
   }
 
   /// Whether B_jj = 0 is no violation.
-  bool passes_serial() const { return options_.pass_serial && (check_.violation || !has_serial_margin()); }
-
-  bool has_serial_margin() const {
-    return manipulator_.constraint_kinds()[static_cast<std::size_t>(ConstraintKind::margins)] &&
-           manipulator_.constraints().margins.serial > 0.0;
+  bool passes_serial() const {
+    return options_.pass_serial && (check_.violation || !has_serial_margin(manipulator_));
   }
 
   /// Constraints are of no interest once the trajectory is proved not to be safe.

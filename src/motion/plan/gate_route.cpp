@@ -2,6 +2,7 @@
 #include "motion/plan/gate_route.h"
 
 #include "motion/plan/leaf_path.h"
+#include "motion/serial_margin.h"
 
 #include <algorithm>
 #include <functional>
@@ -27,7 +28,8 @@ class RouteSearch {
       : robot_(*map.manipulator()), goals_(goals), barred_(barred), ends_in_aspect_(map.aspects().size()) {
     for (std::size_t i = 0; i < starts.size(); ++i) add({starts[i], Kind::start, {i, 0}});
     for (std::size_t i = 0; i < graph.gates.size(); ++i)
-      if (may_pass(graph.gates[i].crossing, choice.policy))
+      if (may_pass(graph.gates[i].crossing, choice.policy) &&
+          !(graph.gates[i].crossing == Crossing::serial && has_serial_margin(robot_)))
         add_gate(map, graph.gates[i], i, choice.is_clear ? 1 : graph.gates[i].crossings.size());
     for (std::size_t i = 0; i < goals.size(); ++i) add({goals[i], Kind::goal, {i, 0}});
   }

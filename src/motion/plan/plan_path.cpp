@@ -11,6 +11,7 @@
 #include "motion/plan/path_builder.h"
 #include "motion/plan/path_choice.h"
 #include "motion/plan/unresolved_text.h"
+#include "motion/serial_margin.h"
 #include "parallel_aspects/aspects/held_joint.h"
 
 #include <algorithm>
@@ -154,7 +155,12 @@ class PathPlanner::Search {
  private:
   PlannedPath find(const EndAspects& starts, const EndAspects& goals) {
     PlannedPath found = stay(starts, goals);
-    return found || wish_.policy == PathPolicy::stay ? found : pass_gates(starts, goals, wish_.policy);
+    if (found || wish_.policy == PathPolicy::stay) return found;
+    if (wish_.policy == PathPolicy::serial && has_serial_margin(*map_.manipulator())) {
+      found.message += " The serial margin shuts out all gates of B_jj = 0.";
+      return found;
+    }
+    return pass_gates(starts, goals, wish_.policy);
   }
 
   PlannedPath stay(const EndAspects& starts, const EndAspects& goals) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/motion/time_path.h"
 
+#include "motion/serial_margin.h"
 #include "motion/timing/joint_curve.h"
 #include "motion/timing/joint_stages.h"
 #include "motion/timing/timed_waypoints.h"
@@ -81,12 +82,6 @@ class Attempt {
 std::string corner_text(const TimedPath& timed) {
   if (timed.rounded + timed.stops == 0) return "";
   return ", " + std::to_string(timed.rounded) + " corners rounded, a stop at " + std::to_string(timed.stops);
-}
-
-/// Every gate violates it.
-bool has_serial_margin(const Manipulator& robot) {
-  return robot.constraint_kinds()[static_cast<std::size_t>(ConstraintKind::margins)] &&
-         robot.constraints().margins.serial > 0.0;
 }
 
 TimedPath without_time(const TimedPath& tried, std::string message) {

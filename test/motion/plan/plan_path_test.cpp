@@ -234,6 +234,21 @@ TEST(PlanPath, TakesTheShortestWorkingModeWhereNoneIsAskedFor) {
   }
 }
 
+// Gates lead through what a serial margin shuts out.
+TEST(PlanPath, PassesNoSerialGateWithASerialMargin) {
+  const auto map = map_of(test::five_bar()->with_margins({0.0, 0.1, 0.0}));
+  PathPlanner planner(map);
+  const PathEnd from{Pose::planar(4.5, 8.0), WorkingMode::from_signs({1, 1})},
+      to{Pose::planar(4.5, -8.0), WorkingMode::from_signs({-1, 1})};
+  const PlannedPath path = planner.plan(from, to, PathPolicy::serial);
+  EXPECT_FALSE(path);
+  EXPECT_EQ(path.answer, SameAspect::no) << path.message;
+  EXPECT_NE(path.message.find("The serial margin shuts out"), std::string::npos) << path.message;
+  for (const PathCrossing& crossing : planner.plan(from, to, PathPolicy::any).crossings)
+    EXPECT_EQ(crossing.kind, Crossing::parallel);
+  EXPECT_TRUE(PathPlanner(map_of(test::five_bar())).plan(from, to, PathPolicy::serial));
+}
+
 /// The 3-RPR with struts 2 and 3 in [10, 40], whose first strut is held.
 std::shared_ptr<const AspectMap> map_of_held_strut(double least_det_a) {
   ManipulatorDescription description = test::three_rpr()->description();

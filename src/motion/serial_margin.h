@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_MOTION_SERIAL_MARGIN_H
+#define PARALLEL_ASPECTS_MOTION_SERIAL_MARGIN_H
+
+#include "parallel_aspects/model/constraints.h"
+#include "parallel_aspects/model/manipulator.h"
+
+#include <cstddef>
+
+namespace parallel_aspects {
+
+/// Every gate of B_jj = 0 violates it.
+inline bool has_serial_margin(const Manipulator& robot) {
+  return robot.constraint_kinds()[static_cast<std::size_t>(ConstraintKind::margins)] &&
+         robot.constraints().margins.serial > 0.0;
+}
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_MOTION_SERIAL_MARGIN_H
