@@ -22,6 +22,13 @@ void check_picture_file(const std::string& option, const std::string& file, Prob
                        "', which ends neither with .svg nor with .png; give a name that does.");
 }
 
+void check_svg_file(const std::string& option, const std::string& file, Problems& problems) {
+  if (file.empty()) return;
+  check_output_file(option, file, problems);
+  if (ending_of(file) != ".svg")
+    problems.push_back(option + " is '" + file + "', which does not end with .svg; give a name that does.");
+}
+
 void write_picture_file(const std::string& file, const Picture& picture) {
   write_output_file("Picture", file,
                     ending_of(file) == ".png" ? as_png(picture, png_scale) : as_svg(picture));

@@ -5,6 +5,7 @@
 #include "tools/drawing/graph_drawing.h"
 #include "tools/map_choice.h"
 #include "tools/output_file.h"
+#include "tools/picture_file.h"
 #include "tools/report/plan_report.h"
 #include "tools/subcommands.h"
 
@@ -27,7 +28,7 @@ Report report_of(const GraphArguments& arguments, const Surroundings& surroundin
   const auto mechanism = load_robot(arguments.robot);
   const auto manipulator = choose_constraints(mechanism->mapped_manipulator(), arguments.constraints);
   Problems problems;
-  check_output_file("--picture", arguments.picture_file, problems);
+  check_svg_file("--picture", arguments.picture_file, problems);
   std::optional<MapSlice> slice;
   if (!arguments.map.slice.empty())
     slice = parse_slice("--slice", *manipulator, arguments.map.slice, problems);
