@@ -215,7 +215,7 @@ void PanelLink::start_anew() {
   view_.map_goal_runs = false;
   view_.last_answer.clear();
   probe_ = {std::nullopt, std::nullopt, std::nullopt, probe_.stored};
-  if (plan_.runs) plan_.message = "The node ended, or loaded another robot, while it planned.";
+  plan_.message = plan_.runs ? "The node ended, or loaded another robot, while it planned." : "";
   plan_.runs = false;
   plan_.result.reset();
   plan_id_.clear();

@@ -252,10 +252,12 @@ std::vector<EventLine> events_of(const NodeView& view) {
   return lines;
 }
 
+// Before its first joint_states a node has none: what is known is of the node that was there before.
 std::vector<CandidateLine> candidates_of(const NodeView& view) {
   std::vector<CandidateLine> lines;
-  const bool followed = view.state && view.state->status.code == Status::OK;
-  if (!view.connected || !view.state || followed) return lines;
+  if (!view.connected || !view.state) return lines;
+  const auto code = view.state->status.code;
+  if (code == Status::OK || code == Status::NO_JOINT_STATES) return lines;
   for (const SolvedConfiguration& each : view.candidates.candidates) {
     CandidateLine line{branch_of(each.working_mode, each.determinant_sign), pose_of(each.pose)};
     if (each.aspect > 0) line.text = "aspect " + std::to_string(each.aspect) + ", " + line.text;

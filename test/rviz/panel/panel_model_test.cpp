@@ -158,8 +158,10 @@ TEST(PanelModel, OffersCandidatesUntilTheRobotIsFollowed) {
   EXPECT_EQ(lines[0].branch, "(+,+), det A > 0");
   EXPECT_EQ(lines[0].text, "aspect 3, x 4.5, y -8");
   EXPECT_EQ(lines[1].branch, "working mode not known");
-  view.state->status.code = Status::OK;
-  EXPECT_TRUE(candidates_of(view).empty());
+  for (const auto code : {Status::OK, Status::NO_JOINT_STATES}) {
+    view.state->status.code = code;
+    EXPECT_TRUE(candidates_of(view).empty()) << int{code};
+  }
 }
 
 TEST(PanelModel, ReadOnlyRefusesWithItsReason) {
