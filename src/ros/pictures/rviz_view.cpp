@@ -28,7 +28,16 @@ struct Screen {
 
 Screen screen_of(const YAML::Node& config) {
   const YAML::Node window = config["Window Geometry"];
-  return {window["Width"].as<double>(1280.0) - 40.0, window["Height"].as<double>(800.0) - 95.0};
+  const double dock = window["Hide Left Dock"].as<bool>(true) ? 0.0 : 350.0;
+  return {window["Width"].as<double>(1280.0) - 40.0 - dock, window["Height"].as<double>(800.0) - 95.0};
+}
+
+// Rviz's own display of the map draws none beside the robot.
+bool shows_gallery(const YAML::Node& config) {
+  const YAML::Node displays = config["Visualization Manager"]["Displays"];
+  return std::none_of(displays.begin(), displays.end(), [](const YAML::Node& display) {
+    return display["Class"].as<std::string>("") == "parallel_aspects/Aspects";
+  });
 }
 
 // The gallery of a robot of two degrees of freedom takes its size from the map, which takes no time to
@@ -56,7 +65,7 @@ AlignedBox2d tile_gallery(const Scene& scene) {
 }
 
 // Corners of all there is to see, in the task frame.
-std::vector<Vector3d> corners_of(const NodeSetup& setup, const Scene& scene) {
+std::vector<Vector3d> corners_of(const NodeSetup& setup, const Scene& scene, bool with_gallery) {
   std::vector<Vector3d> corners;
   const double caption = 0.12 * scene.tiles.height();
   for (int i = 0; i < 8; ++i) {
@@ -64,10 +73,11 @@ std::vector<Vector3d> corners_of(const NodeSetup& setup, const Scene& scene) {
     if (scene.planar && corner.y() == scene.robot.min().y()) corner.y() -= caption;
     corners.push_back(corner);
   }
+  if (!with_gallery || !setup.options.display.gallery) return corners;
   const bool plane = setup.mechanism->manipulator()->task_space() == TaskSpace::T2;
   const AlignedBox2d gallery = plane ? map_gallery(setup) : tile_gallery(scene);
   const Isometry3d frame = plane ? Isometry3d::Identity() : scene.gallery;
-  if (!gallery.isEmpty() && setup.options.display.gallery)
+  if (!gallery.isEmpty())
     for (const Vector2d& corner : {gallery.min(), gallery.max()})
       corners.push_back(frame * Vector3d(corner.x(), corner.y(), 0.0));
   return corners;
@@ -124,7 +134,7 @@ std::string with_view_of(const std::string& config, const NodeSetup& setup) {
   const Scene scene = scene_of(*setup.mechanism, setup.options);
   const Eigen::Matrix3d axes = viewer_axes(robot, scene.planar);
   Eigen::AlignedBox3d seen;  // in the viewer's axes
-  for (const Vector3d& corner : corners_of(setup, scene))
+  for (const Vector3d& corner : corners_of(setup, scene, shows_gallery(document)))
     seen.extend(Vector3d(axes.transpose() * (robot.task_frame() * corner)));
   const Vector3d center = axes * seen.center();
   const Screen screen = screen_of(document);
