@@ -9,7 +9,6 @@
 #include "tools/numbers.h"
 #include "tools/output_file.h"
 #include "tools/paths/trajectory_file.h"
-#include "tools/picture_file.h"
 #include "tools/report/bounds_report.h"
 #include "tools/report/check_table.h"
 #include "tools/report/reports.h"
@@ -271,7 +270,7 @@ void add_distances(const TrajectoryCheck& check, const std::vector<SampleDistanc
 Report run(const CheckArguments& arguments, const Surroundings& surroundings) {
   Problems problems;
   check_output_file("--csv", arguments.csv_file, problems);
-  check_svg_file("--picture", arguments.picture_file, problems);
+  check_output_file("--picture", arguments.picture_file, problems);
   check_distinct_files({{"--csv", arguments.csv_file}, {"--picture", arguments.picture_file}},
                        {{"--path", arguments.path},
                         {"--trajectory", arguments.trajectory},
