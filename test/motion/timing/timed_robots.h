@@ -4,8 +4,8 @@
 
 #include "parallel_aspects/motion/time_path.h"
 
-#include "support/slices.h"
 #include "support/robots.h"
+#include "support/slices.h"
 #include <memory>
 #include <vector>
 
