@@ -24,14 +24,15 @@ namespace {
 struct Row {
   int pairs = 0, none = 0, unknown = 0, contradicted = 0;
   int to_be_timed = 0, timed = 0, beyond_limits = 0;
-  std::vector<double> seconds, lengths;  // of the paths; the latter over the distance of their ends
-  std::map<std::string, int> reasons;    // why unknown
+  std::vector<double> seconds, quick_seconds,
+      lengths;                         // of the paths; the last over the distance of the ends
+  std::map<std::string, int> reasons;  // why unknown
 };
 
 /// A planner of one robot, and how the pose runs between two points of its paths.
 struct Planning {
   std::shared_ptr<const Manipulator> robot;
-  std::function<PlannedPath(const PathEnd&, const PathEnd&)> plan;
+  std::function<PlannedPath(const PathEnd&, const PathEnd&, PathPreference)> plan;
   PoseBetween between;
 };
 
@@ -52,8 +53,11 @@ Row ask(const Planning& planning, bool one_mode, int pairs, int samples) {
   for (int i = 0; i < pairs; ++i) {
     const WorkingMode first = random.mode(), second = one_mode ? first : random.mode();
     const PathEnd from{random.reached(first).value(), first}, to{random.reached(second).value(), second};
+    const test::Stopwatch of_quick;
+    const PlannedPath quick = planning.plan(from, to, PathPreference::quick);
+    const double quick_seconds = of_quick.seconds();
     const test::Stopwatch stopwatch;
-    const PlannedPath path = planning.plan(from, to);
+    const PlannedPath path = planning.plan(from, to, PathPreference::shortest);
     const double seconds = stopwatch.seconds();
     ++row.pairs;
     row.none += path.answer == SameAspect::no;
@@ -61,22 +65,26 @@ Row ask(const Planning& planning, bool one_mode, int pairs, int samples) {
     if (path.answer == SameAspect::unknown) ++row.reasons[path.message];
     if (!path) continue;
     row.seconds.push_back(seconds);
+    row.quick_seconds.push_back(quick_seconds);
     row.lengths.push_back(test::path_length(robot, path) /
                           std::hypot((to.pose.position - from.pose.position).norm(),
                                      robot.characteristic_length() *
                                          from.pose.orientation.angularDistance(to.pose.orientation)));
-    row.contradicted += test::contradictions(robot, path, samples) > 0;
+    row.contradicted +=
+        test::contradictions(robot, path, samples) > 0 || test::contradictions(robot, quick, samples) > 0;
     look_at_time(planning, path, row);
   }
   return row;
 }
 
 void print(const std::string& robot, PathPolicy policy, const Row& row) {
-  std::printf("| %s | %s | %d | %zu | %d | %d | %.2f | %.1f | %.1f | %.2f | %d | %d of %d | %d |\n",
-              robot.c_str(), name(policy), row.pairs, row.lengths.size(), row.none, row.unknown,
-              1e3 * test::quantile(row.seconds, 0.5), 1e3 * test::quantile(row.seconds, 0.95),
-              1e3 * test::quantile(row.seconds, 1.0), test::quantile(row.lengths, 0.5), row.contradicted,
-              row.timed, row.to_be_timed, row.beyond_limits);
+  std::printf(
+      "| %s | %s | %d | %zu | %d | %d | %.2f | %.1f | %.2f | %.1f | %.1f | %.2f | %d | %d of %d | %d |\n",
+      robot.c_str(), name(policy), row.pairs, row.lengths.size(), row.none, row.unknown,
+      1e3 * test::quantile(row.quick_seconds, 0.5), 1e3 * test::quantile(row.quick_seconds, 0.95),
+      1e3 * test::quantile(row.seconds, 0.5), 1e3 * test::quantile(row.seconds, 0.95),
+      1e3 * test::quantile(row.seconds, 1.0), test::quantile(row.lengths, 0.5), row.contradicted, row.timed,
+      row.to_be_timed, row.beyond_limits);
   for (const auto& [reason, count] : row.reasons) std::fprintf(stderr, "  %d: %s\n", count, reason.c_str());
   std::fflush(stdout);
 }
@@ -90,9 +98,11 @@ void plan_in_maps(const std::string& name, const std::shared_ptr<const Manipulat
   planner.graph();
   std::fprintf(stderr, "%s: map %.2f s, graph %.2f s\n", name.c_str(), map_seconds, of_graph.seconds());
   for (const PathPolicy policy : {PathPolicy::stay, PathPolicy::serial}) {
-    const Planning planning{
-        robot, [&](const PathEnd& from, const PathEnd& to) { return planner.plan(from, to, policy); },
-        pose_between};
+    const Planning planning{robot,
+                            [&](const PathEnd& from, const PathEnd& to, PathPreference prefer) {
+                              return planner.plan(from, to, {policy, prefer, {}});
+                            },
+                            pose_between};
     print(name, policy, ask(planning, policy == PathPolicy::stay, pairs, samples));
   }
 }
@@ -103,10 +113,11 @@ void plan_in_roadmaps(const std::string& name, const std::shared_ptr<const Manip
   const auto roadmap = compute_pose_roadmap(robot).roadmap;
   for (const PathPolicy policy : {PathPolicy::stay, PathPolicy::serial}) {
     if (policy == PathPolicy::serial && working_modes(*robot).size() == 1) continue;
-    const Planning planning{
-        robot,
-        [&](const PathEnd& from, const PathEnd& to) { return plan_in_roadmap(*roadmap, from, to, {policy}); },
-        pose_between};
+    const Planning planning{robot,
+                            [&](const PathEnd& from, const PathEnd& to, PathPreference prefer) {
+                              return plan_in_roadmap(*roadmap, from, to, {policy, prefer, {}});
+                            },
+                            pose_between};
     print(name, policy, ask(planning, policy == PathPolicy::stay, pairs, samples));
   }
 }

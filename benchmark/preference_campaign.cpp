@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Prints a table of docs/planning.md: short, clear and fast paths between the same random configurations.
-// Usage: preference_campaign PAIRS [ROBOT...]
+// Prints a table of docs/planning.md: short, clear, fast and quick paths between the same random
+// configurations. Usage: preference_campaign PAIRS [ROBOT...]
 #include "parallel_aspects/motion/plan_path.h"
 #include "parallel_aspects/motion/time_path.h"
 
@@ -19,7 +19,8 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr std::array preferences{PathPreference::shortest, PathPreference::clear, PathPreference::fast};
+constexpr std::array preferences{PathPreference::shortest, PathPreference::clear, PathPreference::fast,
+                                 PathPreference::quick};
 
 /// By preference: what its paths have of what the short ones have.
 struct Figures {
@@ -34,7 +35,7 @@ struct Row {
 
 using Plan = std::function<PlannedPath(const PathEnd&, const PathEnd&, const PathWish&)>;
 
-/// One question, three times.
+/// One question, once for each.
 void ask(const Manipulator& robot, const Plan& plan, const PathTime& time, const PathEnd& from,
          const PathEnd& to, Row& row) {
   std::array<PlannedPath, preferences.size()> paths;

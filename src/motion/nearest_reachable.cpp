@@ -115,15 +115,15 @@ Stacked Descent::slacks(const Pose& pose) const {
 }
 
 Descent::Local Descent::linearised(const Pose& pose) const {
-  const auto freedoms = static_cast<Eigen::Index>(degrees_of_freedom(robot_.task_space()));
-  const auto turns = freedoms - static_cast<Eigen::Index>(directions(robot_.task_space()));
+  const auto dimension = static_cast<Eigen::Index>(degrees_of_freedom(robot_.task_space()));
+  const auto rotations = dimension - static_cast<Eigen::Index>(directions(robot_.task_space()));
   Local local;
   const Stacked here = off(pose);
   local.slacks = slacks(pose);
-  Slopes motion(here.size(), freedoms), slopes(local.slacks.size(), freedoms);
-  for (Eigen::Index i = 0; i < freedoms; ++i) {
-    const double step = 1e-6 * (i < turns ? 1.0 : robot_.size());
-    TaskVector twist = TaskVector::Zero(freedoms);
+  Slopes motion(here.size(), dimension), slopes(local.slacks.size(), dimension);
+  for (Eigen::Index i = 0; i < dimension; ++i) {
+    const double step = 1e-6 * (i < rotations ? 1.0 : robot_.size());
+    TaskVector twist = TaskVector::Zero(dimension);
     twist[i] = step;
     const Pose ahead = displaced(robot_.task_space(), pose, twist);
     const Pose behind = displaced(robot_.task_space(), pose, -twist);

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -61,66 +62,73 @@ int perform(const Subcommand& subcommand, const Surroundings& surroundings) {
   }
 }
 
-class Command {
- public:
-  Command() {
-    for (Subcommand& subcommand : subcommands_)
-      subcommand.flags.push_back({"--json", "Print JSON, as documented in docs/command.md", &json_});
-  }
+std::string help_of(const Program& program) {
+  TextTable table({"Subcommands:", ""});
+  for (const Subcommand& subcommand : program.subcommands)
+    table.add({"  " + subcommand.name, subcommand.help});
+  return program.description + "\n\nUsage: " + program.name + " SUBCOMMAND [OPTIONS]\n       " +
+         program.name + " SUBCOMMAND --help\n       " + program.name + " --version\n\n" + table.text() +
+         program.footer;
+}
 
-  int run(const std::vector<std::string>& arguments, const Surroundings& surroundings) {
-    if (arguments.empty()) {
-      surroundings.messages << help();
-      return exit_code::bad_usage;
-    }
-    if (asks_for_help(arguments.front())) return print(help(), surroundings);
-    if (arguments.front() == "--version")
-      return print("aspects " + std::string(package_version) + "\n", surroundings);
-    const Subcommand& subcommand = find(arguments.front());
-    if (!parse_arguments(subcommand, {arguments.begin() + 1, arguments.end()}))
-      return print(help_of(subcommand), surroundings);
-    Surroundings chosen = surroundings;
-    chosen.json = json_;
-    return perform(subcommand, chosen);
+const Subcommand& find_subcommand(const Program& program, const std::string& name) {
+  std::vector<std::string> names;
+  for (const Subcommand& subcommand : program.subcommands) {
+    if (subcommand.name == name) return subcommand;
+    names.push_back(subcommand.name);
   }
+  throw UsageError("'" + name + "': there is no such subcommand" + did_you_mean(name, names));
+}
 
- private:
-  const Subcommand& find(const std::string& name) const {
-    for (const Subcommand& subcommand : subcommands_)
-      if (subcommand.name == name) return subcommand;
-    std::vector<std::string> names;
-    for (const Subcommand& subcommand : subcommands_) names.push_back(subcommand.name);
-    throw UsageError("'" + name + "': there is no such subcommand" + did_you_mean(name, names));
+int run(Program& program, const std::vector<std::string>& arguments, const Surroundings& surroundings) {
+  if (arguments.empty()) {
+    surroundings.messages << help_of(program);
+    return exit_code::bad_usage;
   }
+  if (asks_for_help(arguments.front())) return print(help_of(program), surroundings);
+  if (arguments.front() == "--version")
+    return print(program.name + " " + std::string(package_version) + "\n", surroundings);
+  Surroundings chosen = surroundings;
+  for (Subcommand& subcommand : program.subcommands)
+    subcommand.flags.push_back({"--json", "Print JSON, as documented in docs/command.md", &chosen.json});
+  const Subcommand& subcommand = find_subcommand(program, arguments.front());
+  if (!parse_arguments(subcommand, {arguments.begin() + 1, arguments.end()}))
+    return print(help_of(program.name, subcommand), surroundings);
+  return perform(subcommand, chosen);
+}
 
-  std::string help() const {
-    TextTable table({"Subcommands:", ""});
-    for (const Subcommand& subcommand : subcommands_) table.add({"  " + subcommand.name, subcommand.help});
-    return std::string(description) +
-           "\n\nUsage: aspects SUBCOMMAND [OPTIONS]\n       aspects SUBCOMMAND --help\n" +
-           "       aspects --version\n\n" + table.text() + footer;
-  }
-
-  bool json_ = false;
-  std::vector<Subcommand> subcommands_{setup_subcommand(),   map_subcommand(),      graph_subcommand(),
-                                       connect_subcommand(), plan_subcommand(),     check_subcommand(),
-                                       choose_subcommand(),  describe_subcommand(), distance_subcommand(),
-                                       inverse_subcommand(), direct_subcommand(),   plot_subcommand(),
-                                       robots_subcommand()};
-};
+Program aspects_program() {
+  return {"aspects",
+          description,
+          {setup_subcommand(), map_subcommand(), graph_subcommand(), connect_subcommand(), plan_subcommand(),
+           check_subcommand(), choose_subcommand(), workspace_subcommand(), sweep_subcommand(),
+           merge_subcommand(), describe_subcommand(), distance_subcommand(), inverse_subcommand(),
+           direct_subcommand(), plot_subcommand(), robots_subcommand(), uniqueness_subcommand()},
+          footer};
+}
 
 }  // namespace
 
-int run_command(int argc, const char* const* argv, const Surroundings& surroundings) noexcept {
+int run_program(Program program, int argc, const char* const* argv,
+                const Surroundings& surroundings) noexcept {
   try {
-    return Command().run({argv + std::min(argc, 1), argv + argc}, surroundings);
+    return run(program, {argv + std::min(argc, 1), argv + argc}, surroundings);
   } catch (const UsageError& error) {
     const std::string text = error.what();
-    surroundings.messages << text << (text.back() == '?' ? "" : ".")
-                          << " `aspects --help` and `aspects SUBCOMMAND --help` tell more." << std::endl;
+    surroundings.messages << text << (text.back() == '?' ? "" : ".") << " `" << program.name
+                          << " --help` and `" << program.name << " SUBCOMMAND --help` tell more."
+                          << std::endl;
     return exit_code::bad_usage;
   } catch (const std::exception& error) {
     surroundings.messages << "The command failed: " << error.what() << std::endl;
+    return exit_code::bad_input;
+  }
+}
+
+int run_command(int argc, const char* const* argv, const Surroundings& surroundings) noexcept {
+  try {
+    return run_program(aspects_program(), argc, argv, surroundings);
+  } catch (const std::bad_alloc&) {
     return exit_code::bad_input;
   }
 }

@@ -92,9 +92,9 @@ std::string did_you_mean(const std::string& word, const std::vector<std::string>
 
 bool asks_for_help(const std::string& argument) { return argument == "-h" || argument == "--help"; }
 
-std::string help_of(const Subcommand& subcommand) {
+std::string help_of(const std::string& program, const Subcommand& subcommand) {
   TextTable table({"Options:", ""});
-  std::string usage = "Usage: aspects " + subcommand.name;
+  std::string usage = "Usage: " + program + " " + subcommand.name;
   for (const Option& option : subcommand.options) {
     const bool named = is_named(option.name);
     const std::string shown = named ? option.name + " " + option.placeholder : option.name;

@@ -29,8 +29,8 @@ std::string did_you_mean(const std::string& word, const std::vector<std::string>
 
 bool asks_for_help(const std::string& argument);
 
-/// Usage, arguments and options, each on a line of its own.
-std::string help_of(const Subcommand& subcommand);
+/// Usage of a subcommand of that program, its arguments and options, each on a line of its own.
+std::string help_of(const std::string& program, const Subcommand& subcommand);
 
 }  // namespace parallel_aspects::tools
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/map_choice.h"
 
+#include "parallel_aspects/aspects/aspect_graph.h"
 #include "parallel_aspects/aspects/held_joint.h"
 #include "parallel_aspects/aspects/map_file.h"
 #include "tools/arguments.h"
 #include "tools/computation.h"
 #include "tools/numbers.h"
+#include "tools/output_file.h"
 #include "tools/report/bounds_report.h"
 
 #include <algorithm>
@@ -24,7 +26,8 @@ std::vector<Option> map_choice_options(MapChoice& choice, const std::string& sli
            "SE2 an actuated joint may be held, such as \"strut_1_joint=15\"",
            &choice.slice},
           {"--load", "FILE", "Take the map from this file if it is of this robot and these options",
-           &choice.load_file}};
+           &choice.load_file},
+          {"--save", "FILE", "Write the map to this file, with its gates, for --load", &choice.save_file}};
 }
 
 namespace {
@@ -72,24 +75,52 @@ std::optional<MapSlice> parse_slice_with_ends(const std::string& option, const M
   return slice;
 }
 
-std::shared_ptr<const AspectMap> choose_map(const std::shared_ptr<const Manipulator>& manipulator,
-                                            const MapChoice& choice, const std::optional<MapSlice>& slice,
-                                            const Surroundings& surroundings) {
+namespace {
+
+ChosenMap load_or_compute_map(const std::shared_ptr<const Manipulator>& manipulator, const MapChoice& choice,
+                              const MapOptions& options, const Surroundings& surroundings) {
+  if (!choice.load_file.empty()) {
+    const MapResult loaded = load_map(manipulator, options, choice.load_file);
+    if (loaded) return {loaded.map, true};
+    surroundings.messages << loaded.message << std::endl;
+  }
+  const MapResult computed = completed(surroundings, [&](const MapControl& control) {
+    return compute_aspect_map(manipulator, options, control);
+  });
+  return {computed.map, false};
+}
+
+}  // namespace
+
+ChosenMap choose_map(const std::shared_ptr<const Manipulator>& manipulator, const MapChoice& choice,
+                     const std::optional<MapSlice>& slice, const Surroundings& surroundings,
+                     const std::vector<WorkingMode>& modes) {
   Problems problems;
   MapOptions options;
+  options.modes = modes;
   if (!choice.resolution.empty())
     options.resolution = parse_positive("--resolution", choice.resolution, problems);
   options.slice = slice;
+  check_output_file("--save", choice.save_file, problems);
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
-  if (!choice.load_file.empty()) {
-    const MapResult loaded = load_map(manipulator, options, choice.load_file);
-    if (loaded) return loaded.map;
-    surroundings.messages << loaded.message << std::endl;
-  }
-  return completed(
-             surroundings,
-             [&](const MapControl& control) { return compute_aspect_map(manipulator, options, control); })
-      .map;
+  ChosenMap chosen = load_or_compute_map(manipulator, choice, options, surroundings);
+  save_with_gates(*chosen.map, choice.save_file, surroundings);
+  return chosen;
+}
+
+void report_source(const MapChoice& choice, const ChosenMap& chosen, Report& report) {
+  report.json["loaded"] = chosen.loaded;
+  if (!choice.load_file.empty())
+    report.text += chosen.loaded ? "the map is that of " + choice.load_file + "\n"
+                                 : "the map was computed, as " + choice.load_file + " does not have it\n";
+  if (!choice.save_file.empty()) report.text += "the map is saved to " + choice.save_file + "\n";
+}
+
+void save_with_gates(const AspectMap& map, const std::string& file, const Surroundings& surroundings) {
+  if (file.empty()) return;
+  if (!compute_aspect_graph(map, control_of(surroundings))) throw Interrupted{};
+  const SaveResult result = save_map(map, file);
+  if (!result.saved) throw InvalidDescription({result.message});
 }
 
 }  // namespace parallel_aspects::tools

@@ -6,6 +6,7 @@
 #include "parallel_aspects/aspects/map_slice.h"
 #include "parallel_aspects/model/pose.h"
 #include "parallel_aspects/model/problems.h"
+#include "tools/report/report.h"
 #include "tools/subcommands.h"
 
 #include <memory>
@@ -17,10 +18,11 @@ namespace parallel_aspects::tools {
 
 /// Which map a question is asked of, as text from the command line; empty where not given.
 struct MapChoice {
-  std::string resolution, slice, load_file;
+  std::string resolution, slice, load_file, save_file;
 };
 
-/// `--resolution R`, `--slice "z=1"` by the name it is given, and `--load FILE`, which fill `choice`.
+/// `--resolution R`, `--slice "z=1"` by the name it is given, `--load FILE` and `--save FILE`, which fill
+/// `choice`.
 std::vector<Option> map_choice_options(MapChoice& choice, const std::string& slice_option = "--slice");
 
 /// A pose, and the option that gives it.
@@ -36,11 +38,25 @@ std::optional<MapSlice> parse_slice_with_ends(const std::string& option, const M
                                               const std::string& text, const std::vector<NamedPose>& ends,
                                               double& moved, Problems& problems);
 
-/// The map of that choice, from the file where it fits, else computed, with a progress bar on a terminal.
-/// Throws `Interrupted`, or `InvalidDescription` where it is refused.
-std::shared_ptr<const AspectMap> choose_map(const std::shared_ptr<const Manipulator>& manipulator,
-                                            const MapChoice& choice, const std::optional<MapSlice>& slice,
-                                            const Surroundings& surroundings);
+/// A map, and whether a file had it.
+struct ChosenMap {
+  std::shared_ptr<const AspectMap> map;
+  bool loaded = false;
+};
+
+/// The map of that choice in these working modes, or all of them where there are none, from the file where it
+/// fits, else computed, with a progress bar on a terminal; it is saved where that is asked for. Throws
+/// `Interrupted`, or `InvalidDescription` where it is refused.
+ChosenMap choose_map(const std::shared_ptr<const Manipulator>& manipulator, const MapChoice& choice,
+                     const std::optional<MapSlice>& slice, const Surroundings& surroundings,
+                     const std::vector<WorkingMode>& modes = {});
+
+/// Tells where the map is from: `loaded` in JSON, and a line where a file was named.
+void report_source(const MapChoice& choice, const ChosenMap& chosen, Report& report);
+
+/// Writes a map with the gates between its aspects, which `aspects plan --load` then need not look for; an
+/// empty name is none. Throws `Interrupted`, or `InvalidDescription` where it cannot.
+void save_with_gates(const AspectMap& map, const std::string& file, const Surroundings& surroundings);
 
 }  // namespace parallel_aspects::tools
 

@@ -22,7 +22,9 @@ std::optional<double> finite_number(const std::string& text) {
   return whole && std::isfinite(value) ? std::optional<double>(value) : std::nullopt;
 }
 
-std::vector<std::string> words(std::string text) {
+}  // namespace
+
+std::vector<std::string> split_words(std::string text) {
   std::replace(text.begin(), text.end(), ',', ' ');
   std::istringstream stream(text);
   std::vector<std::string> result;
@@ -30,11 +32,9 @@ std::vector<std::string> words(std::string text) {
   return result;
 }
 
-}  // namespace
-
 std::vector<std::string> words_of_list(std::string text) {
   static const std::regex around_equals("\\s*=\\s*");
-  return words(std::regex_replace(text, around_equals, "="));
+  return split_words(std::regex_replace(text, around_equals, "="));
 }
 
 double parse_positive(const std::string& option, const std::string& text, Problems& problems) {
@@ -56,7 +56,7 @@ unsigned parse_count(const std::string& option, const std::string& text, unsigne
 
 std::vector<double> parse_numbers(const std::string& option, const std::string& text,
                                   const std::vector<std::string>& names, Problems& problems) {
-  const std::vector<std::string> given = words(text);
+  const std::vector<std::string> given = split_words(text);
   if (given.size() != names.size())
     problems.push_back(option + " has " + counted(given.size(), "number") + ", but needs " +
                        std::to_string(names.size()) + ": \"" + joined(names, " ") + "\".");

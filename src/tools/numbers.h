@@ -23,6 +23,9 @@ unsigned parse_count(const std::string& option, const std::string& text, unsigne
 std::vector<double> parse_numbers(const std::string& option, const std::string& text,
                                   const std::vector<std::string>& names, Problems& problems);
 
+/// The words of a text, separated by blanks or commas.
+std::vector<std::string> split_words(std::string text);
+
 /// The words of a list such as "z=0.5 roll = 0", separated by blanks or commas, without blanks around "=".
 std::vector<std::string> words_of_list(std::string text);
 

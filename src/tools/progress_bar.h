@@ -3,6 +3,7 @@
 #define PARALLEL_ASPECTS_TOOLS_PROGRESS_BAR_H
 
 #include <ostream>
+#include <string>
 
 namespace parallel_aspects::tools {
 
@@ -17,9 +18,14 @@ class ProgressBar {
   /// Draws the share done, 0 to 1, if it changed visibly.
   void show(double share);
 
+  /// The same, with the time that is left at the speed so far: `seconds` since the share was `from`.
+  void show(double share, double from, double seconds);
+
  private:
+  void draw(double share, const std::string& more);
+
   std::ostream& terminal_;
-  int drawn_percent_ = -1;
+  std::string drawn_;
 };
 
 }  // namespace parallel_aspects::tools

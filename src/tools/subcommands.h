@@ -45,6 +45,18 @@ struct Subcommand {
   std::vector<Flag> flags{};
 };
 
+/// A program of subcommands.
+struct Program {
+  std::string name;         ///< as it is called
+  std::string description;  ///< what its help begins with
+  std::vector<Subcommand> subcommands;
+  std::string footer;  ///< what its help ends with
+};
+
+/// Runs a command line of that program and returns its exit code. Throws nothing.
+int run_program(Program program, int argc, const char* const* argv,
+                const Surroundings& surroundings) noexcept;
+
 Subcommand map_subcommand();
 Subcommand check_subcommand();
 Subcommand choose_subcommand();
@@ -58,6 +70,10 @@ Subcommand plan_subcommand();
 Subcommand plot_subcommand();
 Subcommand robots_subcommand();
 Subcommand setup_subcommand();
+Subcommand uniqueness_subcommand();
+Subcommand sweep_subcommand();
+Subcommand merge_subcommand();
+Subcommand workspace_subcommand();
 
 /// What the URDF alone tells of a robot, without a YAML. Throws `InvalidDescription`, `Unanswered` or
 /// `Interrupted`.

@@ -39,12 +39,6 @@ std::optional<std::string> list_text(const RecognisedEnds& ends, const ResolvedC
          " under mechanism in " + ends.files.config + lengths_of(*contents);
 }
 
-std::string joined(const std::vector<std::string>& remedies) {
-  std::string text;
-  for (const std::string& remedy : remedies) text += (text.empty() ? "" : ", or ") + remedy;
-  return text;
-}
-
 // What holds ends apart as they are at zero, as a list.
 ResolvedConfig as_drawn(const RecognisedEnds& ends) {
   ResolvedConfig drawn = ends.resolved;
@@ -58,7 +52,7 @@ ResolvedConfig as_drawn(const RecognisedEnds& ends) {
 // Of a robot that is drawn open.
 std::string note_of_meeting(const RecognisedEnds& ends, const Mechanism::Contents& contents) {
   const auto drawn = list_text(ends, as_drawn(ends));
-  const std::string remedies = joined(remedies_of_places(ends.tree, ends.resolved, ends.files, ends.attempt));
+  const std::string remedies = remedies_of_places(ends.tree, ends.resolved, ends.files, ends.attempt);
   return "they are taken to meet" + lengths_of(contents) + "; if " +
          (drawn ? "they are held so, as by simulators, " + *drawn : "") +
          (drawn && !remedies.empty() ? "; if " : "") +
@@ -70,7 +64,7 @@ std::string note_of_meeting(const RecognisedEnds& ends, const Mechanism::Content
 
 std::string note_of_holding(const RecognisedEnds& ends, const Mechanism::Contents& contents) {
   const auto together = list_text(ends, as_listed(*ends.tree, ends.resolved));
-  const std::string remedies = joined(remedies_of_places(ends.tree, ends.resolved, ends.files, ends.attempt));
+  const std::string remedies = remedies_of_places(ends.tree, ends.resolved, ends.files, ends.attempt);
   return "they are held so, as by simulators" + lengths_of(contents) + "; if they are to meet, " + remedies +
          (!remedies.empty() && together ? ", or " : "") +
          (together           ? *together

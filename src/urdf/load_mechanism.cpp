@@ -23,6 +23,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <utility>
 
 namespace parallel_aspects {
@@ -72,6 +73,23 @@ void check_ends(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& r
   throw InvalidDescription(problems.empty() ? wrong.problems() : problems);
 }
 
+// Only what makes a robot is said.
+void note_units(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,
+                const SourceNames& files, const Attempt& attempt, Mechanism::Contents& contents) {
+  const double size = loops_of(tree, resolved).size();
+  const LoopJoints joints(*tree, resolved.closures, size);
+  std::set<std::string> noted;
+  for (const Correction& correction : unit_doubts(*tree, resolved, joints, size, files)) {
+    if (noted.count(correction.element) > 0) continue;
+    auto changed = std::make_shared<Tree>(*tree);
+    ResolvedConfig config = resolved;
+    correction.apply(*changed, config);
+    if (!attempt(changed, config)) continue;
+    noted.insert(correction.element);
+    contents.notes.push_back(correction.fault + "; if so, " + correction.remedy + ".");
+  }
+}
+
 // Throws where there is none.
 std::unique_ptr<Mechanism::Contents> recognise(const std::shared_ptr<const Tree>& tree,
                                                const MechanismConfig& config, const ResolvedConfig& resolved,
@@ -98,8 +116,10 @@ std::unique_ptr<Mechanism::Contents> recognise(const std::shared_ptr<const Tree>
     auto contents =
         recognise_in(tree, ends_meet ? *meant : resolved, meant && !ends_meet ? of_written : problems);
     if (!contents) continue;
-    if (search.looks_for_remedies)
+    if (search.looks_for_remedies) {
       note_ends({tree, resolved, ends_meet, files, recognise_in, attempt}, *contents);
+      note_units(tree, resolved, files, attempt, *contents);
+    }
     return contents;
   }
   if (!search.looks_for_remedies) throw InvalidDescription(problems);
@@ -159,7 +179,7 @@ SharedMechanism load_mechanism(const std::string& urdf_text, const std::string& 
   ResolvedConfig resolved = resolved_names(*tree, config, urdf_text, config_text, files, problems, notes);
   check_closures(resolved.closures, files, problems);
   if (!problems.empty()) throw InvalidDescription(problems);
-  for (const std::string& note : leave_out_repeated(resolved.closures, files)) notes.push_back(note);
+  if (const auto note = leave_out_repeated(resolved, files)) notes.push_back(*note);
   for (const std::string& note :
        join_layers(*tree, resolved.actuated_joints.platform_link, files, resolved.closures))
     notes.push_back(note);
@@ -170,10 +190,6 @@ SharedMechanism load_mechanism(const std::string& urdf_text, const std::string& 
     notes.push_back(note);
   for (const std::string& note : reversed_axes_notes(*open_tree, resolved, files)) notes.push_back(note);
   if (const auto note = joints_left_out(loops, files)) notes.push_back(*note);
-  for (const std::string& note :
-       unit_notes(*open_tree, resolved, LoopJoints(*open_tree, resolved.closures, loops.size()), loops.size(),
-                  files))
-    notes.push_back(note);
   Problems of_constraints;
   add_stated_constraints(config.constraints, config.symmetrize, files, *contents, of_constraints);
   if (!of_constraints.empty()) throw InvalidDescription(of_constraints);

@@ -80,7 +80,7 @@ TEST_F(CommandLine, EveryMisunderstandingHasItsSentence) {
 }
 
 TEST_F(CommandLine, HelpHasEveryOptionOnALine) {
-  EXPECT_EQ(help_of(subcommand_),
+  EXPECT_EQ(help_of("aspects", subcommand_),
             "Turn the platform\n\n"
             "Usage: aspects turn [ROBOT] --pose \"x y\" [OPTIONS]\n\n"
             "Options:\n"

@@ -33,9 +33,13 @@ inline const Strings rooms{"model",
                            "aspects/components",
                            "aspects/map",
                            "aspects/graph",
+                           "aspects/workspace",
+                           "aspects/design",
                            "aspects/basins",
+                           "aspects/uniqueness",
                            "aspects/roadmap",
                            "aspects/file",
+                           "aspects/shards",
                            "aspects/pictures",
                            "aspects/surface",
                            "distance",
@@ -57,10 +61,13 @@ inline const Strings rooms{"model",
                            "urdf",
                            "urdf/setup",
                            "tools/report",
+                           "tools/motion_report",
                            "tools/drawing",
                            "tools",
                            "tools/paths",
+                           "tools/sweep",
                            "tools/subcommands",
+                           "mpi",
                            "ompl",
                            "ros/parameters",
                            "ros/messages",
@@ -91,11 +98,14 @@ inline const Strings& libraries(const std::string& layer) {
   static const Strings aspects{"Eigen/", "tbb/", "zlib.h", "fcntl.h", "sys/stat.h", "unistd.h"};
   static const Strings urdf{"Eigen/",          "urdf_parser/", "urdf_model/", "urdf_world/",
                             "urdf_exception/", "yaml-cpp/",    "tinyxml2.h",  "console_bridge/"};
-  static const Strings tools{"Eigen/", "cairo.h", "nlohmann/", "unistd.h", "yaml-cpp/"};
+  static const Strings mpi{"mpi.h", "nlohmann/", "sys/resource.h", "unistd.h"};
+  static const Strings tools{"Eigen/",     "boost/",   "cairo.h",   "fcntl.h", "nlohmann/",
+                             "sys/file.h", "unistd.h", "yaml-cpp/", "zlib.h"};
   static const Strings ompl{"Eigen/", "ompl/"};
   return layer == "aspects" ? aspects
          : layer == "urdf"  ? urdf
          : layer == "tools" ? tools
+         : layer == "mpi"   ? mpi
          : layer == "ompl"  ? ompl
                             : eigen;
 }

@@ -9,6 +9,7 @@
 #include "parallel_aspects/aspects/same_aspect.h"
 #include "parallel_aspects/kinematics/working_mode.h"
 #include "parallel_aspects/model/pose.h"
+#include "parallel_aspects/model/vectors.h"
 
 #include <cstddef>
 #include <functional>
@@ -29,9 +30,10 @@ enum class PathPolicy {
 
 /// Which of several paths is wanted.
 enum class PathPreference {
-  shortest,  ///< the shortest that is found
+  shortest,  ///< the shortest that is found, clear and fast ones among them
   clear,     ///< that with the largest least parallel index
   fast,      ///< that which takes the least time
+  quick,     ///< a short one that is found soonest; sometimes another way is shorter
 };
 
 struct PlannedPath;
@@ -41,8 +43,8 @@ using PathTime = std::function<double(const PlannedPath&)>;
 
 /// What is asked of a path besides its ends.
 struct PathWish {
-  PathPolicy policy = PathPolicy::stay;              ///< what it may pass
-  PathPreference prefer = PathPreference::shortest;  ///< which of several
+  PathPolicy policy = PathPolicy::stay;           ///< what it may pass
+  PathPreference prefer = PathPreference::quick;  ///< which of several
   PathTime time{};  ///< by which the fastest is chosen, as `path_timer` makes one; not empty where asked for
 };
 
@@ -50,6 +52,10 @@ struct PathWish {
 struct PathEnd {
   Pose pose;                        ///< in the task frame
   std::optional<WorkingMode> mode;  ///< by default any
+
+  /// Values of the actuated joints that go with the pose [rad or m]: a path begins with the whole turns that
+  /// angles without limits have made at its start. By default none.
+  std::optional<JointVector> q{};
 };
 
 /// A point of a path. From one to the next the pose runs as `pose_between` says, or, in a slice that holds an
@@ -108,7 +114,7 @@ class PathPlanner {
   PlannedPath plan(const PathEnd& from, const PathEnd& to, const PathWish& wish,
                    const MapControl& control = {});
 
-  /// The shortest that is found.
+  /// A short one that is found soonest.
   PlannedPath plan(const PathEnd& from, const PathEnd& to, PathPolicy policy, const MapControl& control = {});
 
   /// The pose at t, 0 to 1, from a point of a path to the next, but through a parallel crossing.
@@ -127,15 +133,15 @@ class PathPlanner {
 /// signs and limits alone; that none is found proves nothing, and the answer is unknown. Parallel gates are
 /// not looked for. At a serial crossing the actuated joints run straight from the one point to the other, and
 /// that is certified by continuation: det A is not zero, of all B_jj that of `leg` alone is passed, in a
-/// bracket, and the limits of the actuated joints hold; with further constraints none is proved. `from`, `to`
-/// of a crossing are 0, as aspects have no numbers here.
+/// bracket, and all constraints hold, in both postures of the leg. `from`, `to` of a crossing are 0, as
+/// aspects have no numbers here.
 PlannedPath plan_in_roadmap(const PoseRoadmap& roadmap, const PathEnd& from, const PathEnd& to,
                             const PathWish& wish = {}, const MapControl& control = {});
 
 /// "stay", "serial" or "any".
 const char* name(PathPolicy policy) noexcept;
 
-/// "short", "clear" or "fast".
+/// "short", "clear", "fast" or "quick".
 const char* name(PathPreference preference) noexcept;
 
 }  // namespace parallel_aspects

@@ -92,7 +92,7 @@ class Summary {
     add_unresolved(meeting.contacts, graph);
     for (std::size_t v = 0; v < meeting.nearest.size(); ++v)
       if (meeting.nearest[v] != no_node)
-        add_undecided(graph.indeterminate_leaves()[v].node, meeting.nearest[v], sign);
+        add_undecided(graph.indeterminate_leaves().node(v), meeting.nearest[v], sign);
   }
 
   /// What hides in no indeterminate leaf is in a component: an aspect in each at most.
@@ -103,8 +103,8 @@ class Summary {
       if (tree_.state(node, mode_).may_be(sign) && graph.is_in_component(node))
         seen[graph.component(node)] = true;
     result_.bound += static_cast<std::size_t>(std::count(seen.begin(), seen.end(), true));
-    for (const SignGraph::IndeterminateLeaf& open : graph.indeterminate_leaves())
-      result_.indeterminate_leaves += open.node != no_node;
+    const IndeterminateLeaves& open = graph.indeterminate_leaves();
+    for (std::size_t v = 0; v < open.size(); ++v) result_.indeterminate_leaves += open.node(v) != no_node;
   }
 
   /// Components that have no inside leaf are not listed, but those they meet could be connected through

@@ -2,70 +2,110 @@
 #include "aspects/components/contact_search.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace parallel_aspects {
 
-ContactSearch::ContactSearch(const PoseTree& tree, SignGraph& graph, const MapControl& control,
-                             const ComponentPolicy& policy)
-    : tree_(tree),
-      graph_(graph),
-      control_(control),
-      policy_(policy),
-      largest_(graph.largest_component()),
-      reached_from_(tree.node_count(), no_node) {
-  graph.visit_unknown_faces([this](NodeIndex a, NodeIndex b) {
+std::vector<SignGraph::Contact> ContactSearch::run() {
+  largest_ = graph_.largest_component();
+  collect_faces();
+  take_in_members();
+  const std::size_t sources = start_from_sources();
+  const std::size_t max_leaves = policy_.least_leaves_to_search + policy_.leaves_to_search_for_one * sources;
+  for (std::size_t head = 0; head < std::min(queue_.size(), max_leaves) && !is_cancelled(control_); ++head)
+    go_on(queue_[head], reached_from_[queue_[head]]);
+  reached_from_.clear(queue_);
+  queue_.clear();
+  return std::exchange(contacts_, {});
+}
+
+void ContactSearch::collect_faces() {
+  across_faces_.clear();
+  graph_.visit_unknown_faces([this](NodeIndex a, NodeIndex b) {
     across_faces_[a].push_back(b);
     across_faces_[b].push_back(a);
   });
 }
 
-std::vector<SignGraph::Contact> ContactSearch::run() {
-  std::size_t max_leaves = policy_.least_leaves_to_search;
-  for (const NodeIndex leaf : graph_.members()) {
-    if (is_cancelled(control_)) break;
-    if (!is_source(leaf)) continue;
-    go_on(leaf, leaf);
-    max_leaves += policy_.leaves_to_search_for_one;
+/// New members, and those put aside that are sources now, in the order of the graph's members.
+void ContactSearch::take_in_members() {
+  bool in_order = true;
+  for (auto group = put_aside_.begin(); group != put_aside_.end();) {
+    if (!is_source(graph_.current(group->first))) {
+      ++group;
+      continue;
+    }
+    members_.insert(members_.end(), group->second.begin(), group->second.end());
+    group = put_aside_.erase(group);
+    in_order = false;
   }
-  for (std::size_t head = 0; head < std::min(queue_.size(), max_leaves) && !is_cancelled(control_); ++head)
-    go_on(queue_[head], reached_from_[queue_[head]]);
-  return std::move(contacts_);
+  if (!in_order) std::sort(members_.begin(), members_.end());
+  for (; taken_in_ < graph_.members().size(); ++taken_in_)
+    members_.push_back(static_cast<std::uint32_t>(taken_in_));
 }
 
-// Every contact has a component that is not the largest at one of its ends, and is found from there.
-bool ContactSearch::is_source(NodeIndex leaf) {
-  if (graph_.holds_nothing(leaf)) return false;
-  const std::uint32_t component = graph_.component(leaf);
+/// Returns from how many leaves. Every contact has a component that is not the largest at one of its ends,
+/// and is found from there.
+std::size_t ContactSearch::start_from_sources() {
+  std::size_t sources = 0;
+  for (const auto& [component, count] : closed_)
+    if (is_source(graph_.current(component))) sources += count;
+  std::size_t kept = 0;
+  for (const std::uint32_t member : members_) {
+    if (is_cancelled(control_)) break;
+    const NodeIndex leaf = graph_.members()[member];
+    if (graph_.holds_nothing(leaf)) continue;
+    const std::uint32_t component = graph_.component(leaf);
+    if (!is_source(component)) {
+      put_aside_[component].push_back(member);
+      continue;
+    }
+    ++sources;
+    if (!go_on(leaf, leaf) && graph_.is_inside(tree_, leaf))
+      ++closed_[component];
+    else
+      members_[kept++] = member;
+  }
+  members_.resize(kept);
+  return sources;
+}
+
+bool ContactSearch::is_source(std::uint32_t component) const {
   return component != largest_ && graph_.is_listed(component) && !graph_.is_given_up(component);
 }
 
 template <class Visitor>
 void ContactSearch::visit_paths_on(NodeIndex node, const Visitor& visit) const {
   graph_.visit_paths_on(tree_, node, visit);
+  if (across_faces_.empty() || !graph_.is_in_component(node)) return;
   const auto found = across_faces_.find(node);
   if (found == across_faces_.end()) return;
   for (const NodeIndex leaf : found->second) visit(leaf);
 }
 
-void ContactSearch::go_on(NodeIndex node, NodeIndex from) {
+/// Whether any path leads on.
+bool ContactSearch::go_on(NodeIndex node, NodeIndex from) {
   const std::size_t before = contacts_.size();
   onward_.clear();
+  bool found = false;
   visit_paths_on(node, [&](NodeIndex leaf) {
+    found = true;
     if (graph_.is_in_component(leaf) && is_listed(leaf))
       add(node, node, from, leaf);
     else
       onward_.push_back(leaf);
   });
   // A leaf that is in a contact will be worked on; what lies behind it is looked at when that is settled.
-  if (contacts_.size() > before) return;
+  if (contacts_.size() > before) return true;
   for (const NodeIndex leaf : onward_) {
-    if (reached_from_[leaf] != no_node) {
-      add(node == from ? leaf : node, leaf, from, reached_from_[leaf]);
+    if (const NodeIndex other = reached_from_[leaf]; other != no_node) {
+      add(node == from ? leaf : node, leaf, from, other);
       continue;
     }
-    reached_from_[leaf] = from;
+    reached_from_.set(leaf, from);
     queue_.push_back(leaf);
   }
+  return found;
 }
 
 void ContactSearch::add(NodeIndex node, NodeIndex other_node, NodeIndex leaf, NodeIndex other_leaf) {

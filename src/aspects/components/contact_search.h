@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_COMPONENTS_CONTACT_SEARCH_H
 #define PARALLEL_ASPECTS_ASPECTS_COMPONENTS_CONTACT_SEARCH_H
 
+#include "aspects/components/node_numbers.h"
 #include "aspects/components/sign_graph.h"
 #include "aspects/tree/pose_tree.h"
 
@@ -19,27 +20,41 @@ namespace parallel_aspects {
 /// and ends at the first leaf that touches another, so it costs little where the components are small.
 class ContactSearch {
  public:
+  /// All of these must outlive this; `graph` may change between two runs.
   ContactSearch(const PoseTree& tree, SignGraph& graph, const MapControl& control,
-                const ComponentPolicy& policy);
+                const ComponentPolicy& policy)
+      : tree_(tree), graph_(graph), control_(control), policy_(policy) {}
 
   /// Ends early, unfinished, when cancelled.
   std::vector<SignGraph::Contact> run();
 
  private:
-  bool is_source(NodeIndex leaf);
+  void collect_faces();
+  void take_in_members();
+  std::size_t start_from_sources();
+  bool is_source(std::uint32_t component) const;
   bool is_listed(NodeIndex leaf) { return graph_.is_listed(graph_.component(leaf)); }
   template <class Visitor>
   void visit_paths_on(NodeIndex node, const Visitor& visit) const;
-  void go_on(NodeIndex node, NodeIndex from);
+  bool go_on(NodeIndex node, NodeIndex from);
   void add(NodeIndex node, NodeIndex other_node, NodeIndex leaf, NodeIndex other_leaf);
 
   const PoseTree& tree_;
   SignGraph& graph_;
   const MapControl& control_;
   const ComponentPolicy& policy_;
-  std::uint32_t largest_;
+  std::uint32_t largest_ = SignGraph::none;
   std::unordered_map<NodeIndex, std::vector<NodeIndex>> across_faces_;  // of whole parts
-  std::vector<NodeIndex> reached_from_;                                 // a leaf of a component, by node
+
+  // Leaves of components from which paths may lead on, as places among the graph's members. Those of
+  // components from which nothing starts now are put aside. Inside leaves that no path leads on from never
+  // get one, and are only counted.
+  std::vector<std::uint32_t> members_;
+  std::size_t taken_in_ = 0;                                                 // of the graph's members
+  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> put_aside_;  // by component
+  std::unordered_map<std::uint32_t, std::size_t> closed_;                    // how many, by component
+
+  NodeNumbers reached_from_;  // a leaf of a component; of no node between two runs
   std::vector<NodeIndex> queue_, onward_;
   std::vector<SignGraph::Contact> contacts_;
 };

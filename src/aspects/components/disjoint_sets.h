@@ -17,6 +17,8 @@ class DisjointSets {
     std::iota(parent_.begin(), parent_.end(), 0U);
   }
 
+  void reserve(std::size_t count) { parent_.reserve(count); }
+
   std::uint32_t add() {
     parent_.push_back(static_cast<std::uint32_t>(parent_.size()));
     return parent_.back();

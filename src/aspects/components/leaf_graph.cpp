@@ -11,6 +11,8 @@ LeafGraph::LeafGraph(const PoseTree& tree, std::size_t mode, bool looks_everywhe
       looks_everywhere_(looks_everywhere),
       positive_(mode, 1, control, policy),
       negative_(mode, -1, control, policy) {
+  positive_.reserve_for(tree);
+  negative_.reserve_for(tree);
   for (NodeIndex node = 0; node < tree.node_count() && !is_cancelled(control); ++node) {
     positive_.add_leaf(tree, node);
     negative_.add_leaf(tree, node);

@@ -42,6 +42,8 @@ class ModeRefinement {
         base_level_(base_level),
         positive_contacts_(tree, base_level, max_leaves_of_a_point(graph, policy), policy),
         negative_contacts_(tree, base_level, max_leaves_of_a_point(graph, policy), policy),
+        positive_search_(tree, graph.of(1), control, policy),
+        negative_search_(tree, graph.of(-1), control, policy),
         budget_(policy.least_budget +
                 undecided_leaves(tree, graph.mode()) / policy.undecided_leaves_for_one) {}
 
@@ -126,7 +128,8 @@ class ModeRefinement {
       return;
     }
     if (!policy_.searches_contacts) return;
-    for (const NodeIndex node : choice.choose(graph, ContactSearch(tree_, graph, control_, policy_).run())) {
+    ContactSearch& search = sign > 0 ? positive_search_ : negative_search_;
+    for (const NodeIndex node : choice.choose(graph, search.run())) {
       if (is_cancelled(control_)) return;
       const bool is_new = policy_.examines && graph.is_unexamined(node);
       if (is_new) examine(node);
@@ -139,8 +142,9 @@ class ModeRefinement {
     const std::uint32_t level = tree_.dimension() <= policy_.max_degrees_of_freedom_to_look_everywhere
                                     ? deepest_level_
                                     : policy_.level_of_indeterminate_leaves;
-    for (const SignGraph::IndeterminateLeaf& open : graph_.of(sign).indeterminate_leaves())
-      if (open.node != no_node && tree_.place(open.node).level < level) leaves.push_back(open.node);
+    const IndeterminateLeaves& open = graph_.of(sign).indeterminate_leaves();
+    for (std::size_t v = 0; v < open.size(); ++v)
+      if (open.node(v) != no_node && tree_.place(open.node(v)).level < level) leaves.push_back(open.node(v));
     if (leaves.size() > policy_.max_indeterminate_leaves) return;
     for (const NodeIndex node : coarsest_of(tree_, leaves)) request(node);
   }
@@ -152,6 +156,7 @@ class ModeRefinement {
   const ComponentPolicy& policy_;
   std::uint32_t deepest_level_, base_level_;
   ContactChoice positive_contacts_, negative_contacts_;
+  ContactSearch positive_search_, negative_search_;
   std::size_t budget_;  // of leaves to divide
   bool done_ = false, has_examined_ = false;
   std::vector<NodeIndex> requests_;

@@ -8,16 +8,32 @@
 
 namespace parallel_aspects {
 
+void SignGraph::reserve_for(const PoseTree& tree) {
+  std::size_t indeterminate = 0, in_components = 0, blocks = 0;
+  NodeIndex last_block = no_node;
+  for (NodeIndex node = 0; node < tree.node_count(); ++node) {
+    const LeafState state = tree.state(node, mode_);
+    if (!state.may_be(sign_)) continue;
+    ++(state.is_whole(sign_) ? in_components : indeterminate);
+    blocks += NodeNumbers::block_of(node) != last_block;
+    last_block = NodeNumbers::block_of(node);
+  }
+  slot_.reserve(tree.node_count(), blocks);
+  indeterminate_.reserve(indeterminate);
+  components_.reserve(in_components);
+  traits_.reserve(in_components);
+  new_leaves_.reserve(in_components);
+  members_.reserve(in_components);
+}
+
 void SignGraph::add_leaf(const PoseTree& tree, NodeIndex node) {
-  if (slot_.size() < tree.node_count()) slot_.resize(tree.node_count(), none);
   const LeafState state = tree.state(node, mode_);
   if (!state.may_be(sign_)) return;
   if (!state.is_whole(sign_)) {
-    slot_[node] = static_cast<std::uint32_t>(indeterminate_.size()) | indeterminate_flag;
-    indeterminate_.push_back({node, false, {}});
+    slot_.set(node, indeterminate_.add(node) | indeterminate_flag);
     return;
   }
-  slot_[node] = components_.add();
+  slot_.set(node, components_.add());
   traits_.push_back({state.is_inside(sign_)});
   new_leaves_.push_back(node);
   members_.push_back(node);
@@ -25,12 +41,12 @@ void SignGraph::add_leaf(const PoseTree& tree, NodeIndex node) {
 
 void SignGraph::take_in_proof(const PoseTree& tree, NodeIndex node) {
   if (!is_indeterminate(node)) return;
-  indeterminate_leaf(node).is_examined = true;
+  indeterminate_.set_examined(item_of(node));
   if (tree.state(node, mode_).may_be(sign_) && !tree.state(node, mode_).is_whole(sign_)) return;
-  const std::vector<NodeIndex> neighbours = indeterminate_leaf(node).neighbours;
+  const std::vector<NodeIndex> neighbours = indeterminate_.neighbours(item_of(node));
   for (const NodeIndex neighbour : neighbours) forget_neighbour(neighbour, node);
-  indeterminate_leaf(node) = {};
-  slot_[node] = none;
+  indeterminate_.forget(item_of(node));
+  slot_.set(node, none);
   add_leaf(tree, node);
   for (const NodeIndex neighbour : neighbours) connect(tree, node, neighbour);
 }
@@ -57,8 +73,8 @@ void SignGraph::connect(const PoseTree& tree, NodeIndex a, NodeIndex b) {
       faces_.emplace_back(a, b);
     return;
   }
-  if (is_indeterminate(a)) indeterminate_leaf(a).neighbours.push_back(b);
-  if (is_indeterminate(b)) indeterminate_leaf(b).neighbours.push_back(a);
+  if (is_indeterminate(a)) indeterminate_.add_neighbour(item_of(a), b);
+  if (is_indeterminate(b)) indeterminate_.add_neighbour(item_of(b), a);
 }
 
 void SignGraph::settle_faces(const PoseTree& tree, const BoxClassifier& classifier) {
@@ -82,13 +98,10 @@ void SignGraph::settle(const PoseTree& tree, const BoxClassifier& classifier, No
 }
 
 void SignGraph::forget_neighbour(NodeIndex node, NodeIndex old_neighbour) {
-  if (!is_indeterminate(node)) return;
-  auto& list = indeterminate_leaf(node).neighbours;
-  list.erase(std::remove(list.begin(), list.end(), old_neighbour), list.end());
+  if (is_indeterminate(node)) indeterminate_.remove_neighbour(item_of(node), old_neighbour);
 }
 
 void SignGraph::replace(PoseTree& tree, NodeIndex node) {
-  slot_.resize(tree.node_count(), none);
   const std::uint32_t old_slot = slot_[node];
   std::vector<NodeIndex> children;
   for (NodeIndex rank = 0; rank < tree.children_per_node(); ++rank) {
@@ -103,7 +116,7 @@ void SignGraph::replace(PoseTree& tree, NodeIndex node) {
   if (is_in_component(node)) {
     replace_whole(tree, node, children);
   } else {
-    indeterminate_leaf(node) = {};
+    indeterminate_.forget(item_of(node));
     for (const NodeIndex child : children) add_leaf(tree, child);
     for (std::size_t i = 0; i < children.size(); ++i)
       for (std::size_t j = i + 1; j < children.size(); ++j)
@@ -113,7 +126,7 @@ void SignGraph::replace(PoseTree& tree, NodeIndex node) {
     for (const NodeIndex neighbour : neighbours)
       if (slot_[child] != none && slot_[neighbour] != none && share_face(tree, child, neighbour))
         connect(tree, child, neighbour);
-  slot_[node] = none;
+  slot_.set(node, none);
 }
 
 /// All that the children hold of the set is in the component that the leaf was in.
@@ -122,7 +135,7 @@ void SignGraph::replace_whole(PoseTree& tree, NodeIndex node, const std::vector<
   for (const NodeIndex child : children) {
     LeafState& state = tree.state(child, mode_);
     if (!state.may_be(sign_)) continue;
-    slot_[child] = whole;
+    slot_.set(child, whole);
     members_.push_back(child);
     ++traits_[whole].leaves;
     if (state.is_inside(sign_))
@@ -186,7 +199,7 @@ void SignGraph::climb(const PoseTree& tree, const BoxClassifier& classifier, Nod
 void SignGraph::drop(PoseTree& tree, NodeIndex node) {
   LeafState& state = tree.state(node, mode_);
   state = state.without(sign_);
-  slot_[node] = none;
+  slot_.set(node, none);
 }
 
 void SignGraph::compare(const Contact& contact, std::vector<Contact>& contacts) {
@@ -195,17 +208,17 @@ void SignGraph::compare(const Contact& contact, std::vector<Contact>& contacts) 
 
 void SignGraph::start_from_components(Meeting& meeting, std::vector<std::uint32_t>& queue) {
   for (std::uint32_t v = 0; v < indeterminate_.size() && !is_cancelled(control_); ++v) {
-    if (indeterminate_[v].node == no_node) continue;
-    for (const NodeIndex neighbour : indeterminate_[v].neighbours) {
-      if (slot_[neighbour] == none || !is_in_component(neighbour)) continue;
+    const NodeIndex node = indeterminate_.node(v);
+    if (node == no_node) continue;
+    indeterminate_.visit_neighbours(v, [&](NodeIndex neighbour) {
+      if (holds_nothing(neighbour) || !is_in_component(neighbour)) return;
       if (meeting.nearest[v] == no_node) {
         meeting.nearest[v] = neighbour;
         queue.push_back(v);
       } else {
-        compare({indeterminate_[v].node, indeterminate_[v].node, meeting.nearest[v], neighbour},
-                meeting.contacts);
+        compare({node, node, meeting.nearest[v], neighbour}, meeting.contacts);
       }
-    }
+    });
   }
 }
 
@@ -216,17 +229,17 @@ void SignGraph::start_from_components(Meeting& meeting, std::vector<std::uint32_
 void SignGraph::spread(Meeting& meeting, std::vector<std::uint32_t>& queue) {
   for (std::size_t head = 0; head < queue.size() && !is_cancelled(control_); ++head) {
     const std::uint32_t v = queue[head];
-    for (const NodeIndex neighbour : indeterminate_[v].neighbours) {
-      if (!is_indeterminate(neighbour)) continue;
-      const std::uint32_t w = slot_[neighbour] & ~indeterminate_flag;
+    indeterminate_.visit_neighbours(v, [&](NodeIndex neighbour) {
+      if (!is_indeterminate(neighbour)) return;
+      const std::uint32_t w = item_of(neighbour);
       if (meeting.nearest[w] == no_node) {
         meeting.nearest[w] = meeting.nearest[v];
         queue.push_back(w);
       } else if (v < w) {
-        compare({indeterminate_[v].node, neighbour, meeting.nearest[v], meeting.nearest[w]},
+        compare({indeterminate_.node(v), neighbour, meeting.nearest[v], meeting.nearest[w]},
                 meeting.contacts);
       }
-    }
+    });
   }
 }
 

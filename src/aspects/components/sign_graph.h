@@ -6,6 +6,8 @@
 #include "aspects/boxes/part_proof.h"
 #include "aspects/components/component_policy.h"
 #include "aspects/components/disjoint_sets.h"
+#include "aspects/components/indeterminate_leaves.h"
+#include "aspects/components/node_numbers.h"
 #include "aspects/tree/neighbour_leaves.h"
 #include "aspects/tree/pose_tree.h"
 #include "parallel_aspects/aspects/map_control.h"
@@ -25,7 +27,7 @@ namespace parallel_aspects {
 /// of S(s, sigma) is in them, and how it is connected, is not known.
 class SignGraph {
  public:
-  static constexpr std::uint32_t none = 0xffffffffU;
+  static constexpr std::uint32_t none = NodeNumbers::none;
 
   /// Long work ends early, and unfinished, when `control` says that it is cancelled; it
   /// and the policy must outlive this.
@@ -33,6 +35,9 @@ class SignGraph {
       : mode_(mode), sign_(sign), control_(control), policy_(policy) {}
 
   int sign() const noexcept { return sign_; }
+
+  /// Before all leaves of a tree are taken in: for how many this needs memory.
+  void reserve_for(const PoseTree& tree);
 
   /// Takes in a leaf, if it may hold poses of the set; then tell it from all its neighbours by `connect`.
   void add_leaf(const PoseTree& tree, NodeIndex node);
@@ -89,8 +94,9 @@ class SignGraph {
   template <class Visitor>
   void visit_paths_on(const PoseTree& tree, NodeIndex node, const Visitor& visit) const {
     if (is_in_component(node)) return visit_indeterminate_leaves_beside(tree, node, visit);
-    for (const NodeIndex leaf : indeterminate_[slot_[node] & ~indeterminate_flag].neighbours)
+    indeterminate_.visit_neighbours(item_of(node), [&](NodeIndex leaf) {
       if (!holds_nothing(leaf)) visit(leaf);
+    });
   }
 
   /// Calls `visit` with pairs of whole parts whose common face is not known to be empty.
@@ -101,19 +107,17 @@ class SignGraph {
         if (!holds_nothing(a) && !holds_nothing(b)) visit(a, b);
   }
 
+  bool is_inside(const PoseTree& tree, NodeIndex node) const noexcept {
+    return tree.state(node, mode_).is_inside(sign_);
+  }
+
   bool holds_nothing(NodeIndex node) const noexcept { return slot_[node] == none; }
 
-  /// An undecided leaf of which it is not known what it holds.
-  struct IndeterminateLeaf {
-    NodeIndex node = no_node;  ///< no_node once it was divided
-    bool is_examined = false;  ///< was looked into again
-    std::vector<NodeIndex> neighbours;
-  };
-  const std::vector<IndeterminateLeaf>& indeterminate_leaves() const noexcept { return indeterminate_; }
+  const IndeterminateLeaves& indeterminate_leaves() const noexcept { return indeterminate_; }
 
   /// Whether a leaf that may hold poses of the set is open, and was not looked into again.
   bool is_unexamined(NodeIndex node) const noexcept {
-    return is_indeterminate(node) && !indeterminate_[slot_[node] & ~indeterminate_flag].is_examined;
+    return is_indeterminate(node) && !indeterminate_.is_examined(item_of(node));
   }
 
   /// Whether a leaf is known to hold nothing of the set, or only poses of the component that it is in.
@@ -126,6 +130,9 @@ class SignGraph {
 
   /// The component of a leaf that is in one: the same number for all leaves of it.
   std::uint32_t component(NodeIndex node) noexcept { return components_.find(slot_[node]); }
+
+  /// The number that a component has now, which had this one before some were joined.
+  std::uint32_t current(std::uint32_t component) noexcept { return components_.find(component); }
 
   /// More than the number of any component.
   std::size_t component_bound() const noexcept { return components_.size(); }
@@ -142,13 +149,12 @@ class SignGraph {
   bool is_indeterminate(NodeIndex node) const noexcept {
     return slot_[node] != none && !is_in_component(node);
   }
-  IndeterminateLeaf& indeterminate_leaf(NodeIndex node) noexcept {
-    return indeterminate_[slot_[node] & ~indeterminate_flag];
-  }
+  /// Of an indeterminate leaf, among these.
+  std::uint32_t item_of(NodeIndex node) const noexcept { return slot_[node] & ~indeterminate_flag; }
 
   struct Traits {
     bool has_inside_leaf = false, climbed = false, is_given_up = false;
-    std::size_t leaves = 1;  // at least; some may have been divided since
+    std::uint32_t leaves = 1;  // at least; some may have been divided since
   };
 
   void unite(NodeIndex a, NodeIndex b);
@@ -166,11 +172,10 @@ class SignGraph {
   int sign_;
   const MapControl& control_;
   const ComponentPolicy& policy_;
-  std::vector<std::uint32_t>
-      slot_;  // of a node: element of `components_`, or indeterminate leaf with `indeterminate_flag`
+  NodeNumbers slot_;  // element of `components_`, or indeterminate leaf with `indeterminate_flag`
   DisjointSets components_;
   std::vector<Traits> traits_;  // by component
-  std::vector<IndeterminateLeaf> indeterminate_;
+  IndeterminateLeaves indeterminate_;
   bool has_climbed_ = false;
   std::vector<NodeIndex> new_leaves_;                   // in components, since the last climb
   std::vector<NodeIndex> members_;                      // of components, and leaves that were divided since

@@ -3,6 +3,7 @@
 
 #include "aspects/file/map_key.h"
 #include "aspects/file/map_record.h"
+#include "aspects/file/packed_bytes.h"
 #include "aspects/file/whole_file.h"
 #include "aspects/map/map_contents.h"
 #include "aspects/map/map_plan.h"
@@ -45,34 +46,6 @@ Bytes encode(const AspectMap::Contents& map) {
   writer.replace_u64(length_at, writer.bytes().size() + checksum_size);
   writer.put_u32(checksum(writer.bytes(), writer.bytes().size()));
   return writer.bytes();
-}
-
-/// The length, then the bytes as zlib packs them at its fastest: about a seventh.
-Bytes packed(const Bytes& bytes) {
-  ByteWriter writer;
-  writer.put_u64(bytes.size());
-  Bytes result = writer.bytes();
-  uLongf size = compressBound(static_cast<uLong>(bytes.size()));
-  const std::size_t start = result.size();
-  result.resize(start + size);
-  compress2(result.data() + start, &size, bytes.data(), static_cast<uLong>(bytes.size()), Z_BEST_SPEED);
-  result.resize(start + size);
-  return result;
-}
-
-/// Fills `bytes` with what was packed, or says why that cannot be. No more memory is taken than zlib can
-/// need.
-std::string unpack(const Bytes& packed_bytes, Bytes& bytes) {
-  constexpr std::size_t best_ratio = 1100;
-  ByteReader reader(packed_bytes.data(), packed_bytes.size());
-  const std::uint64_t length = reader.take_u64();
-  if (!reader.ok() || length > best_ratio * reader.left()) return "it is cut off";
-  bytes.resize(length);
-  auto size = static_cast<uLongf>(length);
-  const int result =
-      uncompress(bytes.data(), &size, packed_bytes.data() + packed_bytes.size() - reader.left(),
-                 static_cast<uLong>(reader.left()));
-  return result == Z_OK && size == length ? "" : "it is damaged";
 }
 
 /// Why the file cannot be of any use to this package; empty where it can. `reader` is behind the versions

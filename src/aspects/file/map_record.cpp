@@ -3,6 +3,7 @@
 
 #include "aspects/file/graph_record.h"
 #include "aspects/file/pose_record.h"
+#include "aspects/file/tree_bytes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,13 +39,6 @@ void write_aspect(const AspectMap::Contents& map, const Aspect& aspect, ByteWrit
   for (const int id : aspect.unresolved_with) writer.put_u32(static_cast<std::uint32_t>(id));
 }
 
-void write_tree(const TreeRecord& record, ByteWriter& writer) {
-  writer.put_u32(static_cast<std::uint32_t>(record.parents.size()));
-  for (const NodeIndex parent : record.parents) writer.put_u32(parent);
-  writer.put_u32(static_cast<std::uint32_t>(record.states.size()));
-  writer.put_bytes(record.states);
-}
-
 void write_leaf_aspects(const AspectMap::Contents& map, ByteWriter& writer) {
   for (NodeIndex node = 0; node < map.tree.node_count(); ++node)
     for (std::size_t mode = 0; mode < map.modes.size(); ++mode)
@@ -75,10 +69,7 @@ class RecordReader {
 
  private:
   std::optional<PoseTree> read_tree(const MapPlan& plan) {
-    TreeRecord record;
-    record.parents.resize(reader_.take_count(index_size));
-    for (NodeIndex& parent : record.parents) parent = reader_.take_u32();
-    record.states = reader_.take_bytes(reader_.take_count(1));
+    const TreeRecord record = take_tree(reader_);
     if (!reader_.ok()) return std::nullopt;
     return PoseTree::from_record(plan.space, plan.modes.size(), record);
   }
@@ -193,7 +184,7 @@ class RecordReader {
 }  // namespace
 
 void write_record(const AspectMap::Contents& map, ByteWriter& writer) {
-  write_tree(map.tree.record(), writer);
+  put_tree(map.tree.record(), writer);
   writer.put_double(map.seconds);
   writer.put_double(map.measure_undecided);
   writer.put_u32(static_cast<std::uint32_t>(map.proved_count));

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/aspects/aspect_graph.h"
 
-#include "aspects/components/disjoint_sets.h"
+#include "aspects/constraints/serial_margin.h"
 #include "aspects/graph/gate_exclusion.h"
+#include "aspects/graph/joined_sets.h"
 #include "aspects/map/map_contents.h"
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <utility>
 
@@ -16,23 +16,6 @@ namespace parallel_aspects {
 namespace {
 
 std::uint32_t index_of_aspect(int id) { return static_cast<std::uint32_t>(id - 1); }
-
-/// Sets of aspects that proved serial gates join, by their lowest id.
-std::vector<AspectSet> joined_sets(const AspectMap& map, const std::vector<Neighbours>& gates) {
-  DisjointSets joined(map.aspects().size());
-  for (const Neighbours& gate : gates)
-    if (gate.proved && gate.crossing == Crossing::serial)
-      joined.unite(index_of_aspect(gate.first), index_of_aspect(gate.second));
-  std::map<std::uint32_t, AspectSet> sets;
-  for (const Aspect& aspect : map.aspects()) {
-    AspectSet& set = sets[joined.find(index_of_aspect(aspect.id))];
-    set.aspects.push_back(aspect.id);
-    set.determinant_sign = aspect.determinant_sign;
-  }
-  std::vector<AspectSet> result;
-  for (auto& item : sets) result.push_back(std::move(item.second));
-  return result;
-}
 
 /// Measures what the inside leaves of some aspects cover, each pose once.
 class Workspace {
@@ -72,26 +55,11 @@ class Workspace {
   std::vector<bool> belongs_;  // by id; not 0
 };
 
-/// By index of a set, the first one of the same group, where `may_join` says of two aspects whether they may
-/// be joined.
-template <class MayJoin>
-std::vector<std::size_t> groups(const std::vector<AspectSet>& sets, const MayJoin& may_join) {
-  std::vector<std::size_t> group(sets.size());
-  for (std::size_t i = 0; i < sets.size(); ++i) {
-    group[i] = i;
-    for (std::size_t k = 0; k < i && group[i] == i; ++k)
-      if (sets[k].determinant_sign == sets[i].determinant_sign &&
-          may_join(sets[k].aspects.front(), sets[i].aspects.front()))
-        group[i] = group[k];
-  }
-  return group;
-}
-
 /// A path may go through every working mode, and through what a serial margin shuts out: where the map does
 /// not have all of that, its leaves prove nothing.
 bool leaves_exclude(const AspectMap& map) {
   return map.contents().modes.size() == working_modes(*map.manipulator()).size() &&
-         map.manipulator()->constraints().margins.serial == 0.0;
+         !has_serial_margin(*map.manipulator());
 }
 
 std::size_t count_of_sign(const std::vector<AspectSet>& sets, int sign) {
@@ -99,17 +67,18 @@ std::size_t count_of_sign(const std::vector<AspectSet>& sets, int sign) {
       sets.begin(), sets.end(), [sign](const AspectSet& set) { return set.determinant_sign == sign; }));
 }
 
-std::vector<std::size_t> find_groups(const AspectMap& map, const std::vector<AspectSet>& sets,
-                                     const MapControl& control) {
-  if (!leaves_exclude(map)) return groups(sets, [](int, int) { return true; });
+void find_groups(const AspectMap& map, const MapControl& control, AspectGraph& graph) {
+  if (!leaves_exclude(map)) return group_sets([](int, int) { return true; }, graph);
   std::array<std::vector<int>, 2> labels;
   for (const int sign : {1, -1})
-    if (count_of_sign(sets, sign) > 1)
-      labels[sign > 0] = possibly_joined(map.contents(), sets, sign, control);
-  return groups(sets, [&](int one, int other) {
-    const auto& of_sign = labels[map.aspects()[index_of_aspect(one)].determinant_sign > 0];
-    return of_sign[index_of_aspect(one)] == of_sign[index_of_aspect(other)];
-  });
+    if (count_of_sign(graph.sets, sign) > 1)
+      labels[sign > 0] = possibly_joined(map.contents(), graph.sets, sign, control);
+  group_sets(
+      [&](int one, int other) {
+        const auto& of_sign = labels[map.aspects()[index_of_aspect(one)].determinant_sign > 0];
+        return of_sign[index_of_aspect(one)] == of_sign[index_of_aspect(other)];
+      },
+      graph);
 }
 
 }  // namespace
@@ -124,11 +93,12 @@ std::shared_ptr<const AspectGraph> compute_aspect_graph(const AspectMap& map, co
   if (auto known = std::atomic_load(&map.contents().graph)) return known;
   AspectGraph graph;
   graph.gates = find_neighbours(map, control);
-  graph.sets = joined_sets(map, graph.gates);
+  std::vector<int> signs;
+  for (const Aspect& aspect : map.aspects()) signs.push_back(aspect.determinant_sign);
+  graph.sets = joined_sets(signs, graph.gates);
   for (AspectSet& set : graph.sets) set.workspace_lower = Workspace(map.contents(), set).measure();
-  graph.set_group = find_groups(map, graph.sets, control);
+  find_groups(map, control, graph);
   if (is_cancelled(control)) return nullptr;
-  for (std::size_t i = 0; i < graph.set_group.size(); ++i) graph.proved_set_count += graph.set_group[i] == i;
   auto found = std::make_shared<const AspectGraph>(std::move(graph));
   std::atomic_store(&map.contents().graph, found);
   return found;

@@ -13,7 +13,7 @@
 namespace parallel_aspects {
 namespace {
 
-// Between two blocks progress is told and cancelling is possible; a block takes some ten milliseconds.
+// Between two blocks progress is reported and cancelling is possible; a block takes some ten milliseconds.
 constexpr NodeIndex nodes_per_block = 4096;
 constexpr NodeIndex nodes_per_task = 128;
 

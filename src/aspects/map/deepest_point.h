@@ -16,7 +16,7 @@ struct ClearPoint {
 
 /// Distance from a position to the nearest leaf of its working mode that is not an inside leaf of this
 /// aspect, or to a face of its root box that no periodic coordinate goes through; 0 outside the aspect. Where
-/// it is no more than `of_interest` only that is told: it is then somewhat larger, but no more than that.
+/// it is no more than `of_interest` only that is reported: it is then somewhat larger, but no more than that.
 double clearance(const AspectMap::Contents& map, const Aspect& aspect, std::size_t mode,
                  const MapPosition& position, double of_interest = 0.0);
 

@@ -6,6 +6,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <tuple>
@@ -67,16 +68,20 @@ class NearestOfMode {
 /// Collects the leaves of one working mode.
 class ModeLeaves {
  public:
-  ModeLeaves(const AspectMap::Contents& map, const NearestAspects& nearest, std::size_t mode)
-      : map_(map), nearest_(nearest), mode_(mode) {
+  ModeLeaves(const AspectMap::Contents& map, const NearestAspects& nearest, std::size_t mode,
+             const MapControl& control)
+      : map_(map), nearest_(nearest), mode_(mode), control_(control) {
     for (std::size_t leg = 0; leg < map.modes[mode].leg_count(); ++leg) others_.push_back(flipped(leg));
   }
 
   std::vector<GateLeaves> run() {
     for (NodeIndex node = 0; node < map_.tree.node_count(); ++node)
       if (map_.tree.state(node, mode_).is_undecided()) add(node);
+    add_touching();
     std::vector<GateLeaves> result;
     for (auto& [key, leaves] : leaves_) {
+      std::sort(leaves.begin(), leaves.end());
+      leaves.erase(std::unique(leaves.begin(), leaves.end()), leaves.end());
       const auto [crossing, leg, sign, one, other] = key;
       result.push_back({crossing, leg, mode_, sign, std::move(leaves)});
     }
@@ -92,6 +97,28 @@ class ModeLeaves {
     if (mode.sign(leg) < 0) return std::nullopt;
     mode.set_sign(leg, -1);
     return mode_index(map_, mode);
+  }
+
+  /// Where det A = 0 lies on faces: two leaves that share one, each with one sign alone; the smaller one.
+  void add_touching() {
+    visit_faces(
+        map_.tree, mode_,
+        [this](NodeIndex a, NodeIndex b) {
+          for (const auto& [one, other] : {std::pair{a, b}, std::pair{b, a}})
+            if (is_of_sign(one, 1) && is_of_sign(other, -1))
+              leaves_[{Crossing::parallel, 0, 1, nearest_.of(one, mode_, 1), nearest_.of(other, mode_, -1)}]
+                  .push_back(smaller(one, other));
+        },
+        control_);
+  }
+
+  /// Whether it lies at an aspect of this sign, and at none of the other.
+  bool is_of_sign(NodeIndex leaf, int sign) const {
+    return nearest_.of(leaf, mode_, sign) != 0 && nearest_.of(leaf, mode_, -sign) == 0;
+  }
+
+  NodeIndex smaller(NodeIndex one, NodeIndex other) const {
+    return map_.tree.box(one).width(0) < map_.tree.box(other).width(0) ? one : other;
   }
 
   void add(NodeIndex node) {
@@ -112,6 +139,7 @@ class ModeLeaves {
   const AspectMap::Contents& map_;
   const NearestAspects& nearest_;
   std::size_t mode_;
+  const MapControl& control_;
   std::vector<std::optional<std::size_t>> others_;  // by leg
   std::map<Key, std::vector<NodeIndex>> leaves_;
 };
@@ -135,7 +163,7 @@ std::vector<GateLeaves> find_gate_leaves(const AspectMap::Contents& map, const N
                                          const MapControl& control) {
   std::vector<std::vector<GateLeaves>> of_mode(map.modes.size());
   tbb::parallel_for(std::size_t{0}, map.modes.size(), [&](std::size_t mode) {
-    if (!is_cancelled(control)) of_mode[mode] = ModeLeaves(map, nearest, mode).run();
+    if (!is_cancelled(control)) of_mode[mode] = ModeLeaves(map, nearest, mode, control).run();
   });
   std::vector<GateLeaves> result;
   for (auto& gates : of_mode)

@@ -30,7 +30,8 @@ class NearestAspects {
 std::vector<int> nearest_aspects(const AspectMap::Contents& map, std::size_t mode, int sign,
                                  const MapControl& control = {});
 
-/// Undecided leaves of one working mode that lie at the same two aspects.
+/// Undecided leaves of one working mode that lie at the same two aspects; and leaves that lie at the one
+/// alone and share a face with such of the other, which det A = 0 then lies on.
 struct GateLeaves {
   Crossing crossing = Crossing::parallel;
   std::size_t leg = 0;   ///< whose sign differs, where serial

@@ -2,6 +2,7 @@
 #include "aspects/map/leaf_crossings.h"
 
 #include "aspects/boxes/segment_proof.h"
+#include "aspects/constraints/serial_margin.h"
 #include "aspects/map/map_location.h"
 
 #include <cstdint>
@@ -41,7 +42,7 @@ class LeafSearch {
 
   std::optional<LeafCrossing> serial(std::size_t other, std::size_t leg, int sign) const {
     const std::optional<NearPosition> near = find_unreachable(leg);
-    if (!near && !has_serial_margin()) return std::nullopt;
+    if (!near && !has_serial_margin(*map_.manipulator)) return std::nullopt;
     const Held here = find_held(sign);
     const MapPosition& at = here.near.at;
     if (here.aspect == 0 || proved_sign(*map_.classifier, box_.dimension, other, at) != sign)
@@ -128,8 +129,6 @@ class LeafSearch {
     });
     return found;
   }
-
-  bool has_serial_margin() const { return map_.manipulator->constraints().margins.serial > 0.0; }
 
   bool is_unreachable(const MapPosition& at, std::size_t leg) const {
     const Box point{map_.tree.dimension(), at.point, at.point};

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/aspects/neighbours.h"
 
+#include "aspects/map/crossing_index.h"
 #include "aspects/map/gate_leaves.h"
 #include "aspects/map/leaf_crossings.h"
 #include "aspects/map/map_contents.h"
 #include "aspects/map/map_location.h"
 #include "interval/interval.h"
-#include "parallel_aspects/kinematics/inverse.h"
-#include "parallel_aspects/singularity/indices.h"
 
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <numeric>
 #include <tuple>
@@ -42,18 +40,6 @@ std::vector<std::size_t> spread(std::size_t n, std::size_t most) {
   std::vector<std::size_t> order(std::min(n, most));
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i * step % n;
   return order;
-}
-
-/// How far the actuated joints are from their limits, over half of their range; 1 without limits.
-double room_to_limits(const Manipulator& robot, const JointVector& q) {
-  double room = 1.0;
-  for (std::size_t j = 0; j < robot.leg_count(); ++j) {
-    const JointLimits& limits = robot.leg(j).limits;
-    const double value = q[static_cast<Eigen::Index>(j)], half = 0.5 * (limits.upper - limits.lower);
-    if (std::isfinite(half))
-      room = std::min({room, (value - limits.lower) / half, (limits.upper - value) / half});
-  }
-  return room;
 }
 
 /// Crossings in the leaves of one gate.
@@ -107,17 +93,8 @@ class GateSearch {
     item->second.crossings.push_back({std::move(segment), middle, index});
   }
 
-  /// The least index of singularities other than that of the gate and of what is left to limits; -1 where a
-  /// leg does not reach.
   double index_at(const Pose& pose) const {
-    const Manipulator& robot = *map_.manipulator;
-    const InverseSolution solution = inverse(robot, pose, map_.modes[gate_.mode]);
-    if (solution.status != InverseStatus::solved) return -1.0;
-    TaskVector entries = serial_indices(robot, pose, solution.q);
-    const double room = room_to_limits(robot, solution.q);
-    if (gate_.crossing == Crossing::parallel) return std::min(room, entries.minCoeff());
-    entries[static_cast<Eigen::Index>(gate_.leg)] = 1.0;
-    return std::min({room, parallel_index(robot, pose, solution.q), entries.minCoeff()});
+    return crossing_index(*map_.manipulator, pose, map_.modes[gate_.mode], gate_.crossing, gate_.leg);
   }
 
   double best_index() const {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 
 namespace parallel_aspects {
 namespace {
@@ -90,6 +91,12 @@ Rgb lightened(Rgb color, double share) {
     result |= static_cast<Rgb>(std::lround(from + share * (255.0 - from))) << shift;
   }
   return result;
+}
+
+std::string color_text(Rgb color) {
+  char text[8];
+  std::snprintf(text, sizeof text, "#%06x", color & 0xFFFFFFU);
+  return text;
 }
 
 Rgb readable_on(Rgb background) {

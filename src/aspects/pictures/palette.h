@@ -6,6 +6,7 @@
 #include "parallel_aspects/aspects/boundary_curves.h"
 
 #include <cstdint>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -37,6 +38,9 @@ const std::vector<std::pair<BoundaryKind, const char*>>& boundary_words();
 
 /// `share` of the way to white, 0 to 1.
 Rgb lightened(Rgb color, double share);
+
+/// As "#rrggbb".
+std::string color_text(Rgb color);
 
 /// Black or white, whichever reads better on `background`.
 Rgb readable_on(Rgb background);

@@ -9,7 +9,8 @@
 
 namespace parallel_aspects {
 
-/// Why no aspect holds a configuration of which that is proved: "leg 'leg_2' cannot reach it" and so on.
+/// Why no aspect holds a configuration of which that is proved: "leg 'leg_2' cannot reach it" and so on; that
+/// it is stretched or folded where B_jj is proved to be zero.
 std::string violation_text(const Manipulator& manipulator, const PoseInMode& at,
                            const ConfigurationProof& proof);
 

@@ -20,14 +20,15 @@ constexpr std::uint32_t finest = 7;    // halvings of the region, unless the asp
 constexpr std::size_t fewest = 80;     // cells that a small one is drawn with
 constexpr std::uint32_t coarsest = 3;  // halvings of the region
 constexpr int rounds = 4;              // of smoothing
+constexpr int searches = 3;            // for the boundary, each from where the last one left the points
 constexpr int halvings = 7;            // of the way to the boundary
 constexpr double gap = 0.04;  // left before the boundary, in cells, since the aspect beyond ends there too
 
 /// Looks along a line for where an aspect ends.
 class BoundarySearch {
  public:
-  BoundarySearch(const AspectMap& map, const Aspect& aspect, const CellSet& cells)
-      : functions_(*map.manipulator(), aspect.mode), sign_(aspect.determinant_sign), cells_(cells) {}
+  BoundarySearch(const AspectMap& map, const Aspect& aspect)
+      : map_(map), functions_(*map.manipulator(), aspect.mode), sign_(aspect.determinant_sign) {}
 
   /// Moves `point` to the end of the aspect, where that is no more than `along` away, before or behind.
   std::optional<BoundaryKind> move(Vector3d& point, const Vector3d& along) const {
@@ -60,19 +61,19 @@ class BoundarySearch {
 
   // What a pose breaks; det A, which says nothing where a leg does not reach, comes last.
   std::optional<BoundaryKind> broken_at(const Vector3d& point) const {
-    const BoundaryFunctions::Values values = functions_.values(cells_.pose(point));
+    const BoundaryFunctions::Values values = functions_.values(surface_pose(map_, point));
     for (Eigen::Index k = 1; k < values.size(); ++k)
       if (!(values[k] > 0.0)) return functions_.list()[static_cast<std::size_t>(k)].kind;
     if (!(sign_ * values[0] > 0.0)) return BoundaryKind::parallel;
     return std::nullopt;
   }
 
+  const AspectMap& map_;
   const BoundaryFunctions functions_;
   const int sign_;
-  const CellSet& cells_;
 };
 
-// Which way a point may move: out of the surface, but along an edge or a section.
+// Which way a point may move: out of the surface, but along an edge.
 Vector3d way_out(const SurfaceMesh& mesh, std::size_t p, const Vector3d& normal, const CellSet& cells) {
   Vector3d way = normal;
   const auto& flat = mesh.is_flat[p];
@@ -88,7 +89,7 @@ Vector3d way_out(const SurfaceMesh& mesh, std::size_t p, const Vector3d& normal,
 
 void move_to_boundary(const AspectMap& map, const CellSet& cells, const std::vector<Vector3d>& start,
                       AspectSurface& surface) {
-  const BoundarySearch search(map, map.aspects()[static_cast<std::size_t>(surface.aspect - 1)], cells);
+  const BoundarySearch search(map, map.aspects()[static_cast<std::size_t>(surface.aspect - 1)]);
   const std::vector<Vector3d> normals = normals_of(surface.mesh, cells.edges(), Of::inner);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, start.size()), [&](const auto& range) {
     for (std::size_t p = range.begin(); p < range.end(); ++p) {
@@ -99,27 +100,6 @@ void move_to_boundary(const AspectMap& map, const CellSet& cells, const std::vec
       point = point.cwiseMin(start[p] + cells.edges()).cwiseMax(start[p] - cells.edges());
     }
   });
-}
-
-// What was moved beyond the section goes back to it, and its faces lie in it.
-void flatten(SurfaceMesh& mesh, const HalfSpace& section) {
-  std::vector<bool> is_cut(mesh.points.size(), false);
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    for (const std::uint32_t corner : mesh.triangles[t])
-      if (mesh.kinds[t] == FaceKind::section) is_cut[corner] = true;
-  for (std::size_t p = 0; p < mesh.points.size(); ++p) {
-    const double beyond = section.normal.dot(mesh.points[p]) - section.offset;
-    if (is_cut[p] || beyond > 0.0) mesh.points[p] -= beyond * section.normal;
-  }
-}
-
-CellSet cells_of(const AspectMap& map, int aspect, std::uint32_t level, const SurfaceOptions& options) {
-  CellSet cells(map, aspect, level, fewest);
-  if (options.section)
-    cells.keep([&section = *options.section](const Vector3d& center) {
-      return section.normal.dot(center) <= section.offset;
-    });
-  return cells;
 }
 
 // Points for which no end was found follow those for which one was.
@@ -144,34 +124,58 @@ AspectSurface finished(const AspectMap& map, int aspect, const CellSet& cells, S
   if (!options.smoothed) return surface;
   const std::vector<Vector3d> start = surface.mesh.points;
   smooth(surface.mesh, rounds, 0.5 * cells.edges(), cells.is_ball());
-  move_to_boundary(map, cells, start, surface);
-  settle(surface, start, cells);
-  if (options.section) flatten(surface.mesh, *options.section);
+  for (int search = 0; search < searches; ++search) {
+    if (search > 0) smooth(surface.mesh, 1, cells.edges(), cells.is_ball());
+    move_to_boundary(map, cells, start, surface);
+    settle(surface, start, cells);
+  }
   return surface;
 }
 
 }  // namespace
 
 bool has_surfaces(const AspectMap& map) noexcept {
+  if (map.slice()) return map.slice()->free_positions() == 3 && map.slice()->dimension() == 3;
   const TaskSpace space = map.manipulator()->task_space();
-  return !map.slice() && (space == TaskSpace::SE2 || space == TaskSpace::T3 || space == TaskSpace::SO3);
+  return space == TaskSpace::SE2 || space == TaskSpace::T3 || space == TaskSpace::SO3;
 }
 
 AspectSurface surface_of(const AspectMap& map, int aspect, const SurfaceOptions& options) {
   for (std::uint32_t level = std::min(map.contents().depth, finest);; --level) {
-    const CellSet cells = cells_of(map, aspect, level, options);
+    const CellSet cells(map, aspect, level, fewest);
     SurfaceMesh mesh = mesh_of(cells);
     if (mesh.triangles.size() > options.most_triangles && level > coarsest) continue;
     return finished(map, aspect, cells, std::move(mesh), options);
   }
 }
 
+AspectSurface section_of(const AspectSurface& surface, const HalfSpace& half_space) {
+  MeshSection section = section_of(surface.mesh, half_space);
+  AspectSurface result{surface.aspect, std::move(section.mesh), {}, surface.edges, surface.measure, {}};
+  for (const std::uint32_t origin : section.origins) result.bounds.push_back(surface.bounds[origin]);
+  result.rim = std::move(section.rim);
+  return result;
+}
+
 Vector3d surface_point(TaskSpace space, const Pose& pose) noexcept {
-  if (space == TaskSpace::T3) return pose.position;
+  if (space == TaskSpace::T3 || space == TaskSpace::SE3) return pose.position;
   const Eigen::AngleAxisd rotation(pose.orientation);
   if (space == TaskSpace::SO3) return std::remainder(rotation.angle(), turn) * rotation.axis();
   const double phi = 2.0 * std::atan2(pose.orientation.z(), pose.orientation.w());
   return {pose.position.x(), pose.position.y(), std::remainder(phi, turn)};
+}
+
+Pose surface_pose(const AspectMap& map, const Vector3d& point) noexcept {
+  const TaskSpace space = map.manipulator()->task_space();
+  if (space == TaskSpace::SE2) return Pose::planar(point.x(), point.y(), point.z());
+  Pose pose;
+  if (map.slice()) pose.orientation = map.slice()->held.orientation;
+  if (space != TaskSpace::SO3) {
+    pose.position = point;
+  } else if (const double angle = point.norm(); angle > 0.0) {
+    pose.orientation = Eigen::Quaterniond(Eigen::AngleAxisd(angle, point / angle));
+  }
+  return pose;
 }
 
 }  // namespace parallel_aspects

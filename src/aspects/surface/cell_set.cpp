@@ -3,6 +3,7 @@
 
 #include "aspects/map/map_location.h"
 #include "aspects/tree/pose_tree.h"
+#include "model/angles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,10 +11,9 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr double pi = EIGEN_PI;
 constexpr std::uint32_t finest_level = 13;  // so that corners have keys
 constexpr std::size_t most_room = 4000000;  // of cells that a small aspect is looked for in
-constexpr std::uint8_t is_cell = 1, was_cell = 2;
+constexpr std::uint8_t is_cell = 1;
 
 // In the cubes of SO3 the last root has the quaternion's w as its largest component; in the others w is the
 // last coordinate, and the picture is cut where it is zero: there the rotation is by half a turn.
@@ -110,7 +110,7 @@ void CellSet::set(const NodePlace& place) {
       for (at[0] = first[0]; at[0] < first[0] + width; ++at[0]) {
         const std::size_t index = state_index(grid, at);
         if (index >= grid.states.size()) continue;
-        grid.states[index] = is_cell | was_cell;
+        grid.states[index] = is_cell;
         ++count_;
       }
 }
@@ -133,7 +133,6 @@ std::uint8_t CellSet::state(const CellIndex& cell) const noexcept {
 }
 
 bool CellSet::holds(const CellIndex& cell) const noexcept { return (state(cell) & is_cell) != 0; }
-bool CellSet::held(const CellIndex& cell) const noexcept { return (state(cell) & was_cell) != 0; }
 
 void CellSet::visit(const std::function<void(const CellIndex&)>& visit_cell) const {
   for (RootIndex root = 0; root < grids_.size(); ++root) {
@@ -145,18 +144,6 @@ void CellSet::visit(const std::function<void(const CellIndex&)>& visit_cell) con
           if ((grid.states[index] & is_cell) != 0)
             visit_cell({root, {grid.first[0] + i, grid.first[1] + j, grid.first[2] + k}});
   }
-}
-
-void CellSet::keep(const std::function<bool(const Eigen::Vector3d&)>& predicate) {
-  std::vector<CellIndex> gone;
-  visit([&](const CellIndex& cell) {
-    if (!predicate(center(cell))) gone.push_back(cell);
-  });
-  for (const CellIndex& cell : gone) {
-    Grid& grid = grids_[cell.root];
-    grid.states[state_index(grid, cell.at)] = was_cell;
-  }
-  count_ -= gone.size();
 }
 
 double CellSet::measure() const {
@@ -251,18 +238,6 @@ Eigen::Vector3d CellSet::edges() const noexcept {
   if (turns_) result.z() *= pi;
   if (is_ball_) result *= 2.0;  // a coordinate changes the rotation by at most 2 rad a unit
   return result * std::ldexp(1.0, -static_cast<int>(level_));
-}
-
-Pose CellSet::pose(const Eigen::Vector3d& point) const noexcept {
-  Pose result;
-  if (is_ball_ || turns_) {
-    const double angle = is_ball_ ? point.norm() : point.z();
-    const Eigen::Vector3d axis =
-        is_ball_ && angle > 0.0 ? Eigen::Vector3d(point / angle) : Eigen::Vector3d(Eigen::Vector3d::UnitZ());
-    result.orientation = Eigen::Quaterniond(Eigen::AngleAxisd(angle, axis));
-  }
-  if (!is_ball_) result.position = turns_ ? Eigen::Vector3d(point.x(), point.y(), 0.0) : point;
-  return result;
 }
 
 }  // namespace parallel_aspects

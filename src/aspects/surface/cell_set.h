@@ -38,12 +38,6 @@ class CellSet {
   bool holds(const CellIndex& cell) const noexcept;
   void visit(const std::function<void(const CellIndex&)>& visit_cell) const;
 
-  /// Leaves only the cells whose center the predicate keeps.
-  void keep(const std::function<bool(const Eigen::Vector3d& center)>& predicate);
-
-  /// Whether the aspect had this cell before `keep`.
-  bool held(const CellIndex& cell) const noexcept;
-
   /// The cell beyond a face; nothing where the space of poses, or its picture, ends.
   std::optional<CellIndex> beyond(const CellIndex& cell, std::size_t axis, bool upper) const;
 
@@ -54,7 +48,6 @@ class CellSet {
   Eigen::Vector3d center(const CellIndex& cell) const noexcept;
 
   Eigen::Vector3d edges() const noexcept;  ///< of a cell; in SO3 of the largest [m or rad]
-  Pose pose(const Eigen::Vector3d& point) const noexcept;
   bool is_ball() const noexcept { return is_ball_; }
 
  private:

@@ -58,7 +58,7 @@ class Builder {
   void look_beyond(const CellIndex& cell, Index count, std::size_t axis, bool upper) {
     const std::optional<CellIndex> other = cells_.beyond(cell, axis, upper);
     if (other && cells_.holds(*other)) return;
-    const FaceKind kind = !other ? FaceKind::edge : cells_.held(*other) ? FaceKind::section : FaceKind::inner;
+    const FaceKind kind = other ? FaceKind::inner : FaceKind::edge;
     Face face{{}, count, kind};
     const std::array<unsigned, 4> corners = corners_of(axis, upper);
     for (std::size_t i = 0; i < 4; ++i) {

@@ -16,7 +16,7 @@ namespace parallel_aspects {
 enum class FaceKind : std::uint8_t {
   inner,    ///< the aspect ends there, or it is not known whether
   edge,     ///< the region of the map, the range of an angle or the ball of rotations ends there
-  section,  ///< cells beyond were taken away
+  section,  ///< it was cut there (`section_of`)
 };
 
 /// The outermost faces of a set of cells as triangles, counter-clockwise as seen from outside. Every edge has
@@ -26,9 +26,8 @@ struct SurfaceMesh {
 
   std::vector<Eigen::Vector3d> points;
   std::vector<Triangle> triangles;
-  std::vector<FaceKind> kinds;  ///< of the triangles
-  std::vector<std::array<bool, 3>>
-      is_flat;  ///< of the points: axes along which an edge or a section holds them
+  std::vector<FaceKind> kinds;               ///< of the triangles
+  std::vector<std::array<bool, 3>> is_flat;  ///< of the points: axes along which an edge holds them
 };
 
 SurfaceMesh mesh_of(const CellSet& cells);

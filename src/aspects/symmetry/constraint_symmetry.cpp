@@ -66,7 +66,7 @@ class ConstraintImages {
     return true;
   }
 
-  // Points of one joint are told from others by distances, which must not be rounded differently.
+  // Points of one joint are distinguished from others by distances, which must not be rounded differently.
   bool keeps_distances() const { return symmetry_.base.diagonal().all() && symmetry_.shift.isZero(0.0); }
 
  private:

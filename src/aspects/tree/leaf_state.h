@@ -21,7 +21,7 @@ class LeafState {
     return LeafState((may_be_positive ? 1U : 0U) | (may_be_negative ? 2U : 0U));
   }
 
-  /// Inner nodes: this mode is told by the children.
+  /// Inner nodes: the children hold this mode's state.
   static constexpr LeafState divided() noexcept { return LeafState(inner | 1U); }
   /// Told by an ancestor.
   static constexpr LeafState inherited() noexcept { return LeafState(inner | 2U); }

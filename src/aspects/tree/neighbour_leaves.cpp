@@ -84,18 +84,49 @@ class NeighbourSearch {
       : tree_(tree), mode_(mode), node_(node) {}
 
   std::vector<NodeIndex> run() {
-    for_each_image(tree_, node_, [this](const Patch& image) { descend(image, image.root); });
+    found_.reserve(16);
+    for_each_image(tree_, node_, [this](const Patch& image) {
+      if (common(image, patch(tree_.place(image.root)), tree_.dimension()))
+        descend(image, image.root, units, {});
+    });
     return std::move(found_);
   }
 
  private:
-  void descend(const Patch& image, NodeIndex other) {
+  /// What a half of a node along one coordinate has in common with the image.
+  struct Half {
+    bool meets, is_flat;
+  };
+
+  static Half half(const Span& image, std::uint32_t begin, std::uint32_t end) noexcept {
+    const std::uint32_t from = std::max(image.begin, begin), to = std::min(image.end, end);
+    return {from <= to, from == to};
+  }
+
+  /// `other` shares part of a face with the image; its edges are so long, and its lower corner is there.
+  void descend(const Patch& image, NodeIndex other, std::uint32_t edge,
+               const std::array<std::uint32_t, max_map_dimension>& corner) {
     const LeafState state = tree_.state(other, mode_);
     if (other == node_ || state.is_outside()) return;
-    if (!common(image, patch(tree_.place(other)), tree_.dimension())) return;
     if (!state.is_divided()) return found_.push_back(other);
+    const std::uint32_t middle = edge / 2;
+    std::array<std::array<Half, 2>, max_map_dimension> halves{};
+    for (std::size_t i = 0; i < tree_.dimension(); ++i)
+      halves[i] = {half(image.spans[i], corner[i], corner[i] + middle),
+                   half(image.spans[i], corner[i] + middle, corner[i] + edge)};
     const NodeIndex first = tree_.first_child(other);
-    for (NodeIndex child = first; child < first + tree_.children_per_node(); ++child) descend(image, child);
+    for (NodeIndex rank = 0; rank < tree_.children_per_node(); ++rank) {
+      int flat = 0;
+      bool meets = true;
+      std::array<std::uint32_t, max_map_dimension> at = corner;
+      for (std::size_t i = 0; i < tree_.dimension(); ++i) {
+        const Half& along = halves[i][rank >> i & 1U];
+        meets = meets && along.meets;
+        flat += along.is_flat ? 1 : 0;
+        if ((rank >> i & 1U) != 0) at[i] += middle;
+      }
+      if (meets && flat <= 1) descend(image, first + rank, middle, at);
+    }
   }
 
   const PoseTree& tree_;

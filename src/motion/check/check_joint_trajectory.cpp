@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/motion/check_joint_trajectory.h"
 
+#include "aspects/constraints/serial_margin.h"
 #include "interval/path_form.h"
 #include "motion/check/check_text.h"
 #include "motion/check/fold.h"
@@ -10,7 +11,6 @@
 #include "motion/check/start_assembly.h"
 #include "motion/check/trajectory_survey.h"
 #include "motion/check/unassembled.h"
-#include "motion/serial_margin.h"
 #include "tracking/continuation.h"
 
 #include <algorithm>

@@ -14,6 +14,10 @@ namespace {
 
 constexpr int max_leaf_paths = 30;  // that are tried, of which a segment is not proved
 
+bool is_same(const Pose& a, const Pose& b) {
+  return a.position == b.position && a.orientation.coeffs() == b.orientation.coeffs();
+}
+
 }  // namespace
 
 AspectPaths::AspectPaths(std::shared_ptr<const AspectMap> map) : map_(std::move(map)), segments_(map_) {}
@@ -38,11 +42,27 @@ std::vector<Pose> AspectPaths::find(int aspect, const Pose& from, const Pose& to
   if (segments.is_free(from, to) &&
       (!shape.is_wide || least_index_along({from, to}, segments) >= shape.kept_share * wanted))
     return {from, to};
-  std::vector<Pose> path = find_through_leaves(in, from, to, false, wanted);
-  if (path.empty()) path = find_between_parts(in, from, to);
+  const std::vector<Pose> path =
+      shape.is_wide ? find_wide(in, from, to, wanted) : find_any(in, from, to, wanted);
   if (path.empty()) return path;
   const double kept = shape.is_wide ? shape.kept_share * least_index_along(path, segments) : 0.0;
   return shortened(path, segments, kept);
+}
+
+std::vector<Pose> AspectPaths::find_any(const Aspect& aspect, const Pose& from, const Pose& to,
+                                        double wanted_index) {
+  std::vector<Pose> path = find_through_leaves(aspect, from, to, false, wanted_index);
+  return path.empty() ? find_between_parts(aspect, from, to) : path;
+}
+
+const std::vector<Pose>& AspectPaths::find_wide(const Aspect& aspect, const Pose& from, const Pose& to,
+                                                double wanted_index) {
+  const auto known = std::find_if(wide_paths_.begin(), wide_paths_.end(), [&](const WidePath& each) {
+    return each.aspect == aspect.id && is_same(each.from, from) && is_same(each.to, to);
+  });
+  if (known != wide_paths_.end()) return known->poses;
+  wide_paths_.push_back({aspect.id, from, to, find_any(aspect, from, to, wanted_index)});
+  return wide_paths_.back().poses;
 }
 
 /// From one part to another the way is looked for once: what is found leads on from all poses of the one to
@@ -100,10 +120,11 @@ std::vector<NodeIndex> AspectPaths::proved_leaves(const Aspect& aspect, const Po
 /// Where a segment is not proved, the next path goes elsewhere.
 std::vector<Pose> AspectPaths::find_through_leaves(const Aspect& aspect, const Pose& from, const Pose& to,
                                                    bool undecided, double wanted_index) {
+  const std::size_t mode = *mode_index(map_->contents(), aspect.mode);
   LeafChoice choice{proved_leaves(aspect, from), proved_leaves(aspect, to), undecided, wanted_index};
   for (int i = 0; i < max_leaf_paths; ++i) {
     const std::vector<LeafStep> steps =
-        find_leaf_path(map_->contents(), components(aspect), aspect.id, from, to, choice);
+        find_leaf_path(map_->contents(), components(aspect), indices_[mode], aspect.id, from, to, choice);
     bool is_proved = true;
     NodeIndex before = no_node;  // the leaf that the path comes from
     for (std::size_t k = 0; k + 1 < steps.size(); ++k) {

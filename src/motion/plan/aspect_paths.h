@@ -9,6 +9,7 @@
 #include "parallel_aspects/aspects/pose_roadmap.h"
 #include "parallel_aspects/model/pose.h"
 
+#include <deque>
 #include <map>
 #include <memory>
 #include <optional>
@@ -28,11 +29,23 @@ class AspectPaths {
   /// where none was found. Both must lie in the aspect.
   std::vector<Pose> find(int aspect, const Pose& from, const Pose& to, const PathShape& shape = short_shape);
 
+  /// What was found of wide paths is kept for other shapes of them, until here.
+  void forget_wide_paths() { wide_paths_.clear(); }
+
  private:
   /// Two parts of one aspect that no faces of inside leaves connect: its id, and the leaves that stand for
   /// them.
   using Parts = std::tuple<int, NodeIndex, NodeIndex>;
 
+  struct WidePath {
+    int aspect;
+    Pose from, to;
+    std::vector<Pose> poses;  // before it is shortened
+  };
+
+  std::vector<Pose> find_any(const Aspect& aspect, const Pose& from, const Pose& to, double wanted_index);
+  const std::vector<Pose>& find_wide(const Aspect& aspect, const Pose& from, const Pose& to,
+                                     double wanted_index);
   bool is_free(const Pose& from, const Pose& to, const Aspect& aspect) const;
   SegmentsInMode segments_of(const Aspect& aspect) const;
   FaceComponents& components(const Aspect& aspect);
@@ -48,6 +61,8 @@ class AspectPaths {
 
   std::shared_ptr<const AspectMap> map_;
   MapSegments segments_;
+  std::deque<WidePath> wide_paths_;
+  std::map<std::size_t, LeafIndices> indices_;        // by index of the mode in the map
   std::map<std::size_t, FaceComponents> components_;  // by index of the mode in the map
   std::map<Parts, std::vector<Pose>> links_;  // from one to the other, once looked for; empty where in vain
   std::map<std::size_t, std::shared_ptr<const PoseRoadmap>> roadmaps_;  // by index of the working mode

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "motion/plan/gate_route.h"
 
+#include "aspects/constraints/serial_margin.h"
 #include "motion/plan/leaf_path.h"
-#include "motion/serial_margin.h"
 
 #include <algorithm>
 #include <functional>

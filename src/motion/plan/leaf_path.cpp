@@ -29,10 +29,11 @@ constexpr double greed = 10.0;
 /// path that the merge tree of the leaves has between the two, the widest there is.
 class LeafSearch {
  public:
-  LeafSearch(const AspectMap::Contents& map, FaceComponents& components, const Aspect& aspect,
-             const Pose& from, const Pose& to, const LeafChoice& choice)
+  LeafSearch(const AspectMap::Contents& map, FaceComponents& components, LeafIndices& indices,
+             const Aspect& aspect, const Pose& from, const Pose& to, const LeafChoice& choice)
       : map_(map),
         components_(components),
+        indices_(indices),
         aspect_(aspect),
         mode_(*mode_index(map, aspect.mode)),
         from_(from),
@@ -100,10 +101,11 @@ class LeafSearch {
   }
 
   /// The same of all where none is wanted.
-  double width_of(const Pose& middle) const {
+  double width_of(NodeIndex leaf, const Pose& middle) {
     if (!(choice_.wanted_index > 0.0)) return index_steps;
-    const double share = index_at(*map_.manipulator, middle, aspect_.mode) / choice_.wanted_index;
-    return std::floor(index_steps * std::min(1.0, share));
+    const auto [item, is_new] = indices_.try_emplace(leaf);
+    if (is_new) item->second = index_at(*map_.manipulator, middle, aspect_.mode);
+    return std::floor(index_steps * std::min(1.0, item->second / choice_.wanted_index));
   }
 
   void enter(NodeIndex leaf, NodeIndex before, double cost, double width) {
@@ -111,7 +113,7 @@ class LeafSearch {
     Entry& entry = item->second;
     if (is_new) {
       entry.middle = leaf == no_node ? to_ : middle(leaf);
-      entry.own_width = leaf == no_node ? index_steps : width_of(entry.middle);
+      entry.own_width = leaf == no_node ? index_steps : width_of(leaf, entry.middle);
     }
     const double least = std::min(width, entry.own_width);
     if (least < entry.width || (least == entry.width && !(cost < entry.cost))) return;
@@ -178,6 +180,7 @@ class LeafSearch {
 
   const AspectMap::Contents& map_;
   FaceComponents& components_;
+  LeafIndices& indices_;
   const Aspect& aspect_;
   std::size_t mode_;
   const Pose &from_, &to_;
@@ -220,9 +223,11 @@ Pose nearest_in(const AspectMap::Contents& map, NodeIndex leaf, const Pose& pose
                                       : map.tree.space().pose({position.root, box.nearest(position.point)});
 }
 
-std::vector<LeafStep> find_leaf_path(const AspectMap::Contents& map, FaceComponents& components, int aspect,
-                                     const Pose& from, const Pose& to, const LeafChoice& choice) {
-  return LeafSearch(map, components, map.aspects[static_cast<std::size_t>(aspect - 1)], from, to, choice)
+std::vector<LeafStep> find_leaf_path(const AspectMap::Contents& map, FaceComponents& components,
+                                     LeafIndices& indices, int aspect, const Pose& from, const Pose& to,
+                                     const LeafChoice& choice) {
+  return LeafSearch(map, components, indices, map.aspects[static_cast<std::size_t>(aspect - 1)], from, to,
+                    choice)
       .run();
 }
 

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <set>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -51,6 +52,9 @@ class FaceComponents {
   DisjointSets sets_;
 };
 
+/// The parallel index at the middle of leaves in one working mode, of those where it was asked for.
+using LeafIndices = std::unordered_map<NodeIndex, double>;
+
 /// Inside leaves of an aspect that hold a pose or are near it, the nearest first.
 std::vector<NodeIndex> leaves_near(const AspectMap::Contents& map, const Aspect& aspect, const Pose& pose);
 
@@ -60,10 +64,11 @@ Pose nearest_in(const AspectMap::Contents& map, NodeIndex leaf, const Pose& pose
 /// Steps from one pose to another through leaves of one aspect that share faces: the first pose, a pose of
 /// each face or the middle of an undecided leaf, and the last, with `no_node`; where an index is wanted,
 /// through the middles of all leaves. Else wide leaves are preferred, since little is near that ends the
-/// aspect. Empty where no leaf to begin with is connected with one to end with. `components` are those of
-/// the aspect's working mode.
-std::vector<LeafStep> find_leaf_path(const AspectMap::Contents& map, FaceComponents& components, int aspect,
-                                     const Pose& from, const Pose& to, const LeafChoice& choice);
+/// aspect. Empty where no leaf to begin with is connected with one to end with. `components` and
+/// `indices` are those of the aspect's working mode.
+std::vector<LeafStep> find_leaf_path(const AspectMap::Contents& map, FaceComponents& components,
+                                     LeafIndices& indices, int aspect, const Pose& from, const Pose& to,
+                                     const LeafChoice& choice);
 
 }  // namespace parallel_aspects
 

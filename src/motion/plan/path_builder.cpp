@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "motion/plan/path_builder.h"
 
+#include "model/angles.h"
 #include "motion/roadmap.h"
 #include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/kinematics/jacobians.h"
@@ -68,6 +69,20 @@ void PathBuilder::add(const Pose& pose, const WorkingMode& mode) {
 void PathBuilder::look_at(const Pose& pose, const JointVector& q) {
   path_.least_index = std::min(path_.least_index, parallel_index(robot_, pose, q));
   path_.least_det_a = std::min(path_.least_det_a, std::abs(direct_determinant(robot_, pose, q)));
+}
+
+PlannedPath begun_at(const std::optional<JointVector>& q, const Manipulator& manipulator, PlannedPath path) {
+  if (!q || path.points.empty()) return path;
+  const JointVector first = path.points.front().q;
+  JointVector turns = JointVector::Zero(first.size());
+  for (std::size_t j = 0; j < manipulator.leg_count(); ++j) {
+    const Leg& leg = manipulator.leg(j);
+    const auto k = static_cast<Eigen::Index>(j);
+    if (leg.actuated_by_angle() && !leg.limits.limited())
+      turns[k] = full_turn * std::round(((*q)[k] - first[k]) / full_turn);
+  }
+  for (PathPoint& point : path.points) point.q += turns;
+  return path;
 }
 
 }  // namespace parallel_aspects

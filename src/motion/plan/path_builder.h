@@ -3,10 +3,12 @@
 #define PARALLEL_ASPECTS_MOTION_PLAN_PATH_BUILDER_H
 
 #include "parallel_aspects/model/manipulator.h"
+#include "parallel_aspects/model/vectors.h"
 #include "parallel_aspects/motion/plan_path.h"
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -50,6 +52,10 @@ class PathBuilder {
   Between between_;
   PlannedPath path_;
 };
+
+/// The path with whole turns added to angles without limits, the same at all of its points, so that it begins
+/// next to these values of the actuated joints; as it is where there are none.
+PlannedPath begun_at(const std::optional<JointVector>& q, const Manipulator& manipulator, PlannedPath path);
 
 }  // namespace parallel_aspects
 

@@ -23,6 +23,7 @@ PathChoice::Cost PathChoice::cost(const PlannedPath& path) const {
   const double length = path.length + robot_.characteristic_length() * path.turned;
   switch (wish_.prefer) {
     case PathPreference::shortest:
+    case PathPreference::quick:
       return {length, 0.0};
     case PathPreference::clear:
       return {-path.least_index, length};
@@ -32,12 +33,17 @@ PathChoice::Cost PathChoice::cost(const PlannedPath& path) const {
   return {wish_.time ? wish_.time(path) : length, length};
 }
 
+bool is_straight(const PlannedPath& path) {
+  return path && path.points.size() <= 2 && path.crossings.empty();
+}
+
 std::vector<PathShape> shapes_for(PathPreference preference) {
   switch (preference) {
-    case PathPreference::shortest:
+    case PathPreference::quick:
       return {short_shape};
     case PathPreference::clear:
       return {short_shape, clear_shape};
+    case PathPreference::shortest:
     case PathPreference::fast:
       break;
   }

@@ -36,6 +36,9 @@ class PathChoice {
   Cost best_cost_;
 };
 
+/// Whether no path is shorter.
+bool is_straight(const PlannedPath& path);
+
 /// Shapes of paths of which one may be what is preferred; the shortest first.
 std::vector<PathShape> shapes_for(PathPreference preference);
 

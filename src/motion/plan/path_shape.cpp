@@ -25,10 +25,10 @@ class Shortening {
   std::vector<Pose> run(const std::vector<Pose>& path) const {
     std::vector<Pose> kept = without_detours(path);
     for (int round = 0; round < most_rounds && kept.size() > 2; ++round) {
-      const double before = length(kept);
+      const double before = length_of(segments_.robot, kept);
       pull_corners(kept);
       kept = without_detours(kept);
-      if (!(length(kept) < (1.0 - worth_a_round) * before)) break;
+      if (!(length_of(segments_.robot, kept) < (1.0 - worth_a_round) * before)) break;
     }
     return kept;
   }
@@ -40,12 +40,6 @@ class Shortening {
   }
 
   double distance(const Pose& a, const Pose& b) const { return distance_between(segments_.robot, a, b); }
-
-  double length(const std::vector<Pose>& path) const {
-    double sum = 0.0;
-    for (std::size_t i = 0; i + 1 < path.size(); ++i) sum += distance(path[i], path[i + 1]);
-    return sum;
-  }
 
   /// As many poses at once as doubling and halving finds.
   std::vector<Pose> without_detours(const std::vector<Pose>& path) const {
@@ -90,6 +84,12 @@ class Shortening {
 };
 
 }  // namespace
+
+double length_of(const Manipulator& robot, const std::vector<Pose>& path) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i + 1 < path.size(); ++i) sum += distance_between(robot, path[i], path[i + 1]);
+  return sum;
+}
 
 double index_at(const Manipulator& robot, const Pose& pose, const WorkingMode& mode) {
   const InverseSolution solution = inverse(robot, pose, mode);

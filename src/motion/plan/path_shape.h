@@ -38,6 +38,9 @@ struct SegmentsInMode {
   WorkingMode mode;
 };
 
+/// How far the platform moves along the path, by `distance_between` [m].
+double length_of(const Manipulator& robot, const std::vector<Pose>& path);
+
 /// The parallel index at a pose; 0 where a leg does not reach.
 double index_at(const Manipulator& robot, const Pose& pose, const WorkingMode& mode);
 

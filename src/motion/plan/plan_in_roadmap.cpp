@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "aspects/constraints/serial_margin.h"
 #include "motion/plan/path_builder.h"
 #include "motion/plan/path_choice.h"
 #include "motion/plan/path_shape.h"
@@ -39,6 +40,10 @@ class RoadmapPlanner {
                                                      (end == &from ? "start" : "goal") + " is not finite.");
     PlannedPath found = stay(from, to);
     if (found || wish_.policy == PathPolicy::stay) return found;
+    if (has_serial_margin(robot_)) {
+      found.message += " The serial margin shuts out all gates of B_jj = 0.";
+      return found;
+    }
     const SignedEnd starts = signed_end(from), goals = signed_end(to);
     if (starts.found.empty() || goals.found.empty()) return not_in_aspect(starts, goals);
     return pass_gates(starts, goals);
@@ -66,7 +71,8 @@ class RoadmapPlanner {
   }
 
   void offer(const std::vector<Pose>& found, const WorkingMode& mode, PathChoice& choice) const {
-    for (const PathShape& shape : shapes_for(wish_.prefer))
+    const bool is_best = wish_.prefer == PathPreference::shortest && found.size() == 2;
+    for (const PathShape& shape : is_best ? std::vector<PathShape>{short_shape} : shapes_for(wish_.prefer))
       for (const std::vector<Pose>& poses : shaped(found, mode, shape)) {
         PathBuilder builder(robot_, pose_between);
         builder.go(poses, mode);
@@ -199,7 +205,11 @@ class RoadmapPlanner {
   bool go(const PoseInMode& at, const Pose& to, const PathShape& shape, PathBuilder& builder) const {
     const AspectComparison found = same_aspect(roadmap_, at, {to, at.mode});
     if (found.answer != SameAspect::yes) return false;
-    builder.go(shaped(found.path, at.mode, shape).back(), at.mode);
+    const std::vector<std::vector<Pose>> paths = shaped(found.path, at.mode, shape);
+    const auto shortest = std::min_element(paths.begin(), paths.end(), [this](const auto& a, const auto& b) {
+      return length_of(robot_, a) < length_of(robot_, b);
+    });
+    builder.go(shape.is_wide ? paths.back() : *shortest, at.mode);
     return true;
   }
 
@@ -214,7 +224,8 @@ class RoadmapPlanner {
 
 PlannedPath plan_in_roadmap(const PoseRoadmap& roadmap, const PathEnd& from, const PathEnd& to,
                             const PathWish& wish, const MapControl& control) {
-  return RoadmapPlanner(roadmap, wish, control).run(from, to);
+  return begun_at(from.q, *roadmap.certifier().manipulator(),
+                  RoadmapPlanner(roadmap, wish, control).run(from, to));
 }
 
 }  // namespace parallel_aspects

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/motion/plan_path.h"
 
+#include "aspects/constraints/serial_margin.h"
 #include "aspects/map/map_contents.h"
 #include "aspects/map/map_location.h"
 #include "aspects/roadmap/violation_text.h"
@@ -11,7 +12,6 @@
 #include "motion/plan/path_builder.h"
 #include "motion/plan/path_choice.h"
 #include "motion/plan/unresolved_text.h"
-#include "motion/serial_margin.h"
 #include "parallel_aspects/aspects/held_joint.h"
 
 #include <algorithm>
@@ -142,12 +142,15 @@ class PathPlanner::Search {
     if (starts.found.empty()) return not_in_aspect("start", starts);
     if (goals.found.empty()) return not_in_aspect("goal", goals);
     PathChoice choice(*map_.manipulator(), wish_);
+    paths_.forget_wide_paths();
     for (const PathShape& shape : shapes_for(wish_.prefer)) {
       shape_ = shape;
       PlannedPath found = find(starts, goals);
       if (!found && !choice.has_path()) return found;
       if (is_cancelled(control_)) return without_path(SameAspect::unknown, "Cancelled.");
+      const bool is_best = wish_.prefer == PathPreference::shortest && is_straight(found);
       choice.offer(std::move(found));
+      if (is_best) break;
     }
     return choice.take();
   }
@@ -333,7 +336,7 @@ PathPlanner& PathPlanner::operator=(PathPlanner&&) noexcept = default;
 
 PlannedPath PathPlanner::plan(const PathEnd& from, const PathEnd& to, const PathWish& wish,
                               const MapControl& control) {
-  return Search(*this, wish, control).run(from, to);
+  return begun_at(from.q, *parts_->map->manipulator(), Search(*this, wish, control).run(from, to));
 }
 
 PlannedPath PathPlanner::plan(const PathEnd& from, const PathEnd& to, PathPolicy policy,
@@ -369,9 +372,11 @@ const char* name(PathPreference preference) noexcept {
     case PathPreference::clear:
       return "clear";
     case PathPreference::fast:
+      return "fast";
+    case PathPreference::quick:
       break;
   }
-  return "fast";
+  return "quick";
 }
 
 }  // namespace parallel_aspects

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "motion/plan/roadmap_gates.h"
 
+#include "aspects/constraints/serial_margin.h"
 #include "aspects/roadmap/pose_sampler.h"
 #include "motion/plan/leaf_path.h"
 #include "motion/plan/path_shape.h"
@@ -47,7 +48,6 @@ std::vector<Pose> RoadmapGates::bases(const PoseInMode& from, const Pose& to, in
   return result;
 }
 
-/// In plain floating point: where a leg first stops reaching, with det A of this sign up to there.
 bool RoadmapGates::find_end(const PoseInMode& base, const Pose& target, int sign, Candidate& found) const {
   const Manipulator& robot = *roadmap_.certifier().manipulator();
   std::size_t leg = 0;
@@ -100,11 +100,12 @@ bool RoadmapGates::passes(const Pose& inner, const WorkingMode& before, const Wo
 bool RoadmapGates::prove(const Candidate& candidate, const WorkingMode& mode, RoadmapGate& gate) const {
   const WorkingMode other = with_other_posture(mode, candidate.leg);
   double share = 1.0;
-  for (const WorkingMode& each : {mode, other})
-    share = std::min(share,
-                     roadmap_.certifier()
-                         .prove_to_violation(candidate.outer, candidate.beyond, each, width_of_turning_points)
-                         .free_until);
+  for (const WorkingMode& each : {mode, other}) {
+    const SegmentProof proof = roadmap_.certifier().prove_to_violation(candidate.outer, candidate.beyond,
+                                                                       each, width_of_turning_points);
+    if (proof.violation != Violation::out_of_reach) return false;  // a constraint ends it before the leg does
+    share = std::min(share, proof.free_until);
+  }
   if (!(share > 0.0)) return false;
   gate = {candidate.leg, candidate.outer, pose_between(candidate.outer, candidate.beyond, share)};
   return roadmap_.certifier().prove(gate.outer, gate.inner, mode).verdict == SegmentVerdict::free &&
@@ -117,7 +118,7 @@ bool RoadmapGates::visit(const PoseInMode& from, const Pose& to, int sign,
                          const std::function<bool(const RoadmapGate&)>& visitor) const {
   const RoadmapOptions& options = roadmap_.options();
   const auto robot = roadmap_.certifier().manipulator();
-  if (!straight_motions_are_allowed(*robot)) return false;
+  if (has_serial_margin(*robot)) return false;
   PoseSampler sampler(robot, options.seed + 2, options.region, options.largest_rotation);
   std::vector<Candidate> candidates;
   for (const Pose& base : bases(from, to, sign))

@@ -15,8 +15,8 @@ namespace parallel_aspects {
 
 /// Where one leg changes its posture. Proved: the segment from `outer` to `inner` is free in either working
 /// mode, and the straight motion of the actuated joints from those at `inner` in the one mode to those in the
-/// other leads back to `inner`, with det A not zero, within the limits of the joints, and of all B_jj through
-/// zeros of that of `leg` alone.
+/// other leads back to `inner`, with det A not zero, within all constraints in both postures of the leg, and
+/// of all B_jj through zeros of that of `leg` alone.
 struct RoadmapGate {
   std::size_t leg = 0;
   Pose outer, inner;
@@ -37,16 +37,22 @@ class RoadmapGates {
   bool visit(const PoseInMode& from, const Pose& to, int sign, const std::vector<std::size_t>& legs,
              const std::function<bool(const RoadmapGate&)>& visitor) const;
 
- private:
+  /// Where a leg stops reaching: a pose before, and one beyond.
   struct Candidate {
-    double length = 0.0;  // of the way over it
+    double length = 0.0;  // of the way over it, where paths are looked for
     std::size_t leg = 0;
     Pose outer, beyond;
   };
 
-  std::vector<Pose> bases(const PoseInMode& from, const Pose& to, int sign) const;
+  /// In plain floating point: where a leg first stops reaching on the straight way from the base to the
+  /// target, with det A of this sign up to there; false where none does.
   bool find_end(const PoseInMode& base, const Pose& target, int sign, Candidate& found) const;
+
+  /// Whether the gate there is proved, out of this mode; then `gate` is that.
   bool prove(const Candidate& candidate, const WorkingMode& mode, RoadmapGate& gate) const;
+
+ private:
+  std::vector<Pose> bases(const PoseInMode& from, const Pose& to, int sign) const;
   bool passes(const Pose& inner, const WorkingMode& before, const WorkingMode& after, std::size_t leg) const;
 
   const PoseRoadmap& roadmap_;

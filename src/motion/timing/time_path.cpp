@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/motion/time_path.h"
 
-#include "motion/serial_margin.h"
+#include "aspects/constraints/serial_margin.h"
 #include "motion/timing/joint_curve.h"
 #include "motion/timing/joint_stages.h"
 #include "motion/timing/timed_waypoints.h"

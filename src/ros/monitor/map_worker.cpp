@@ -263,7 +263,7 @@ MapProgress MapWorker::dated(MapProgress progress) const {
   return progress;
 }
 
-// What was found is in use everywhere before anyone is told that it is complete.
+// What was found is in use everywhere before it is announced as complete.
 void MapWorker::report(MapProgress progress, const KnownAspects& found) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);

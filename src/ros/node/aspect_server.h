@@ -19,7 +19,7 @@
 namespace parallel_aspects {
 
 /// The node and the nodelet: serves the robot of `robot_description`, and another one when it is asked to
-/// load it anew. A master that is started anew is told of it again; robot, map and tracking stay.
+/// load it anew. A master that is started anew gets it registered again; robot, map and tracking stay.
 class AspectServer {
  public:
   /// Loads everything before it advertises anything. Throws `InvalidDescription` with every problem found.

@@ -5,6 +5,7 @@
 #include "ros/messages/configurations.h"
 #include "ros/messages/conversions.h"
 #include "ros/messages/plan_messages.h"
+#include "ros/pictures/marker_batch.h"
 #include "ros/pictures/path_picture.h"
 
 #include <algorithm>
@@ -42,6 +43,7 @@ PlanServer::PlanServer(const ros::NodeHandle& nh, const NodeSetup& setup, const 
   path_ = handle.advertise<nav_msgs::Path>("planned_path", 1, true);
   trajectory_ = handle.advertise<trajectory_msgs::JointTrajectory>("planned_trajectory", 1, true);
   markers_ = handle.advertise<visualization_msgs::MarkerArray>("planned_path_markers", 1, true);
+  markers_.publish(MarkerBatch().take());  // removes what a node before this one left in rviz
   server_ = std::make_unique<Server>(
       goals_.server_handle(), "plan_path", [this](const PlanPathGoalConstPtr& goal) { on_goal(goal); },
       false);
@@ -72,6 +74,7 @@ Status PlanServer::read_wish(const PlanPathGoal& goal, PathWish& wish) const {
   if (goal.prefer > PlanPathGoal::FAST)
     return invalid_request("prefer must be 0 (short), 1 (clear) or 2 (fast).");
   wish.policy = goal.policy == PlanPathGoal::SERIAL ? PathPolicy::serial : PathPolicy::stay;
+  wish.prefer = PathPreference::shortest;
   if (goal.prefer == PlanPathGoal::CLEAR) wish.prefer = PathPreference::clear;
   if (goal.prefer == PlanPathGoal::FAST) wish.prefer = PathPreference::fast;
   if (goal.path_only && wish.prefer == PathPreference::fast)
@@ -124,6 +127,7 @@ Status PlanServer::read_now(PathEnd& end) const {
   const CurrentConfiguration current = monitor_.current(ros::Time::now());
   if (!is_ok(current.status)) return current.status;
   end.pose = current.solved.pose;
+  end.q = current.solved.q;
   end.mode = working_mode(*manipulator_, current.solved.pose, current.solved.q);
   if (end.mode) return {};
   return invalid_request("A leg of the robot is stretched or folded now; move it out of B_jj = 0.");

@@ -34,6 +34,7 @@ std::string range_text(const JointWindow& window, const Manipulator& manipulator
 MapPicture::MapPicture(std::shared_ptr<const AspectMap> map, MarkerFrames frames,
                        const DisplayOptions& options)
     : map_(std::move(map)),
+      colors_(*map_),
       frames_(std::move(frames)),
       options_(options),
       projection_(map_),
@@ -123,7 +124,7 @@ void MapPicture::draw_at_robot(const DrawnConfiguration& now, std::size_t column
   const double text = layout_.text_height();
   for (const Aspect& aspect : map_->aspects()) {
     if (aspect.mode != now.mode) continue;
-    const auto full = aspect_color(aspect.id);
+    const auto full = colors_.of(aspect.id);
     const auto shade = aspect.id == now.aspect ? full : lightened(full, 0.65);
     batch.triangles(at_robot_, "robot/aspects", sliver_triangles(modes_[column].at_robot.slivers, aspect.id),
                     height_of(Layer::fill, text), shade);
@@ -152,7 +153,7 @@ void MapPicture::draw_workspace_tile(std::size_t column, MarkerBatch& batch) con
   const Placing place = [&](const Vector2d& point) { return layout_.in_workspace_tile(point, column); };
   for (const Aspect& aspect : map_->aspects()) {
     if (aspect.mode != modes_[column].mode) continue;
-    const auto fill = aspect_color(aspect.id);
+    const auto fill = colors_.of(aspect.id);
     batch.triangles(workspaces_, "workspace/aspects",
                     placed(sliver_triangles(modes_[column].tile.slivers, aspect.id), place),
                     height_of(Layer::fill, text), fill);
@@ -170,7 +171,7 @@ void MapPicture::draw_joint_tile(std::size_t column, MarkerBatch& batch) const {
     if (aspect.mode != modes_[column].mode) continue;
     batch.triangles(joint_spaces_, "joint_space/aspects",
                     placed(joint_triangles_[static_cast<std::size_t>(aspect.id - 1)], place), height,
-                    aspect_color(aspect.id));
+                    colors_.of(aspect.id));
     height += 0.001 * text;  // projections overlap where there are several assembly modes
   }
   draw_curves(modes_[column].joint_boundary, place, {text, 0.06 * text}, joint_spaces_, "joint_space", batch);

@@ -9,6 +9,7 @@
 #include "ros/parameters/node_options.h"
 #include "ros/pictures/gallery_layout.h"
 #include "ros/pictures/marker_batch.h"
+#include "ros/pictures/marker_colors.h"
 #include "ros/pictures/picture.h"
 
 #include <memory>
@@ -47,6 +48,7 @@ class MapPicture : public Picture {
   void draw_legend(MarkerBatch& batch) const;
 
   std::shared_ptr<const AspectMap> map_;
+  AspectColors colors_;
   MarkerFrames frames_;
   DisplayOptions options_;
   JointProjection projection_;

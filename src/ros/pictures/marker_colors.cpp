@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/pictures/marker_colors.h"
 
-#include <array>
-#include <cstddef>
-
 namespace parallel_aspects {
 namespace {
-
-constexpr std::array<unsigned, 10> colors_by_id{0x88CCEE, 0xCC6677, 0xDDCC77, 0x117733, 0x332288,
-                                                0xAA4499, 0x44AA99, 0xEE7733, 0x882255, 0x999933};
 
 float mixed(float from, float to, double share) { return static_cast<float>(from + share * (to - from)); }
 
@@ -21,10 +15,6 @@ std_msgs::ColorRGBA color(Rgb rgb) {
   result.b = static_cast<float>(rgb & 0xFFU) / 255.0F;
   result.a = 1.0F;
   return result;
-}
-
-std_msgs::ColorRGBA aspect_color(int id) {
-  return color(colors_by_id[static_cast<std::size_t>(id - 1) % colors_by_id.size()]);
 }
 
 std_msgs::ColorRGBA lightened(const std_msgs::ColorRGBA& color, double share) {

@@ -4,16 +4,26 @@
 
 #include "aspects/pictures/palette.h"
 
+#include <cstddef>
 #include <std_msgs/ColorRGBA.h>
+#include <vector>
 
 namespace parallel_aspects {
 
 /// Opaque.
 std_msgs::ColorRGBA color(Rgb rgb);
 
-/// Colour of an aspect, by its id (from 1): ten that people with any colour vision tell apart (after Paul
-/// Tol's "muted" scheme), then the same again.
-std_msgs::ColorRGBA aspect_color(int id);
+/// The colours of the aspects of one map, as in all other pictures (`aspect_colors`).
+class AspectColors {
+ public:
+  explicit AspectColors(const AspectMap& map) : colors_(aspect_colors(map.aspects())) {}
+
+  /// Of an aspect of that map, by its id.
+  std_msgs::ColorRGBA of(int id) const { return color(colors_[static_cast<std::size_t>(id - 1)]); }
+
+ private:
+  std::vector<Rgb> colors_;
+};
 
 /// `share` of the way to white, 0 to 1.
 std_msgs::ColorRGBA lightened(const std_msgs::ColorRGBA& color, double share);

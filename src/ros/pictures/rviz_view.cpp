@@ -20,6 +20,7 @@ using Eigen::Vector3d;
 
 constexpr double field_of_view = 0.3;  // narrow, so that it looks nearly orthographic [rad]
 constexpr double margin = 1.06;
+constexpr double legend_room = 0.2;  // above the robot, of its size
 
 // What is left of the window for the scene.
 struct Screen {
@@ -72,6 +73,12 @@ std::vector<Vector3d> corners_of(const NodeSetup& setup, const Scene& scene, boo
     Vector3d corner = scene.robot.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i));
     if (scene.planar && corner.y() == scene.robot.min().y()) corner.y() -= caption;
     corners.push_back(corner);
+  }
+  if (!with_gallery) {  // the display has a legend above the robot
+    Vector3d above = scene.robot.center();
+    const Eigen::Index up = scene.planar ? 1 : 2;
+    above[up] = scene.robot.max()[up] + legend_room * setup.mechanism->manipulator()->size();
+    corners.push_back(above);
   }
   if (!with_gallery || !setup.options.display.gallery) return corners;
   const bool plane = setup.mechanism->manipulator()->task_space() == TaskSpace::T2;

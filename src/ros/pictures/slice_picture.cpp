@@ -43,12 +43,13 @@ Points square(const Vector2d& center, double side) {
   return {center - across, center + down, center + across, center - across, center + across, center - down};
 }
 
-void fill(const BoundaryPicture& traced, const Placing& place, const MarkerBatch::Plane& plane,
-          const std::string& group, double height, int highlighted, float opacity, MarkerBatch& batch) {
+void fill(const BoundaryPicture& traced, const AspectColors& colors, const Placing& place,
+          const MarkerBatch::Plane& plane, const std::string& group, double height, int highlighted,
+          float opacity, MarkerBatch& batch) {
   std::set<int> ids;
   for (const BoundarySliver& sliver : traced.slivers) ids.insert(sliver.aspect);
   for (const int id : ids) {
-    const auto full = aspect_color(id);
+    const auto full = colors.of(id);
     const bool pale = highlighted != 0 && id != highlighted;
     auto shade = pale ? lightened(full, 0.65) : full;
     shade.a = opacity;
@@ -62,6 +63,7 @@ void fill(const BoundaryPicture& traced, const Placing& place, const MarkerBatch
 SlicePicture::SlicePicture(std::shared_ptr<const AspectMap> map, MarkerFrames frames, const Scene& scene,
                            const DisplayOptions& options)
     : map_(std::move(map)),
+      colors_(*map_),
       space_(map_->manipulator()->task_space()),
       frames_(std::move(frames)),
       scene_(scene),
@@ -115,7 +117,7 @@ visualization_msgs::MarkerArray SlicePicture::gallery(const Drawn& now) const {
 void SlicePicture::draw_tile(std::size_t tile, const BoundaryPicture& traced, MarkerBatch& batch) const {
   const double text = scene_.tiles.text_height();
   const Placing place = [&](const Vector2d& point) { return in_tile(point, tile); };
-  fill(traced, place, gallery_plane_, "gallery", height_of(Layer::fill, text), 0, 1.0F, batch);
+  fill(traced, colors_, place, gallery_plane_, "gallery", height_of(Layer::fill, text), 0, 1.0F, batch);
   draw_curves(traced.segments, place, {text, 0.09 * text}, gallery_plane_, "gallery", batch);
   batch.lines(gallery_plane_, "gallery/frame",
               rectangle(scene_.tiles.center(tile), Vector2d::Constant(scene_.tiles.side())),
@@ -148,7 +150,7 @@ void SlicePicture::draw_titles(std::size_t tile, const Drawn& now, MarkerBatch& 
   for (const int id : shown) {
     const Vector2d swatch = line - Vector2d(0.5 * scene_.tiles.side(), 0.0);
     batch.triangles(gallery_plane_, "gallery/swatches", square(swatch, 0.6 * text),
-                    height_of(Layer::fill, text), aspect_color(id));
+                    height_of(Layer::fill, text), colors_.of(id));
     batch.text(gallery_plane_, "gallery/sizes", line, height, 0.75 * text,
                legend_text(map_->aspects()[static_cast<std::size_t>(id - 1)], space_), ink());
     line.y() -= 0.9 * text;
@@ -185,7 +187,7 @@ void SlicePicture::draw_at_robot(const DrawnConfiguration& now, MarkerBatch& bat
                                  scene_.planar};  // seen at a flat angle, it would be dark
   const Placing place = [](const Vector2d& point) { return point; };
   const double unit = 0.06 * bounds_.sizes().maxCoeff();
-  fill(traced, place, plane, "robot", 0.0, now.aspect == 0 ? -1 : now.aspect,
+  fill(traced, colors_, place, plane, "robot", 0.0, now.aspect == 0 ? -1 : now.aspect,
        space_ == TaskSpace::T3 ? 0.6F : 1.0F, batch);
   draw_outline(traced.segments, now.aspect, place, {unit, 0.06 * unit}, plane, "robot", batch);
   draw_curves(traced.segments, place, {unit, 0.06 * unit}, plane, "robot", batch);

@@ -6,6 +6,7 @@
 #include "parallel_aspects/aspects/pose_slice.h"
 #include "ros/parameters/node_options.h"
 #include "ros/pictures/marker_batch.h"
+#include "ros/pictures/marker_colors.h"
 #include "ros/pictures/picture.h"
 #include "ros/pictures/scene.h"
 
@@ -39,6 +40,7 @@ class SlicePicture : public Picture {
   void draw_at_robot(const DrawnConfiguration& now, MarkerBatch& batch) const;
 
   std::shared_ptr<const AspectMap> map_;
+  AspectColors colors_;
   TaskSpace space_;
   MarkerFrames frames_;
   Scene scene_;

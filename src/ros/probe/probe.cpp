@@ -3,6 +3,7 @@
 
 #include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/kinematics/jacobians.h"
+#include "ros/pictures/marker_batch.h"
 #include "ros/pictures/marker_colors.h"
 #include "ros/pictures/scene.h"
 
@@ -67,6 +68,7 @@ Probe::Probe(const NodeSetup& setup, const ros::NodeHandle& private_nh, ProbeSou
   if (!has_probe_handle())
     ROS_INFO_STREAM(
         "The probe has no handle in rviz, for the package was built without interactive_markers.");
+  markers_.publish(MarkerBatch().take());  // removes what a node before this one left in rviz
   subscribe();
   worker_ = std::thread([this] { run(); });
   spinner_.start();
@@ -270,7 +272,8 @@ void Probe::answer(const Wish& wish) {
 }
 
 std::vector<visualization_msgs::Marker> Probe::dots_of(const ProbeFinding& finding) const {
-  if (!finding.reached) return {};
+  // Beside the place that is wanted, dots of the nearest one would be taken for it.
+  if (!finding.reached || finding.reached->distance > 0.0) return {};
   auto dots = sources_.dots({finding.question.mode,
                              static_cast<int>(finding.state.report.configuration.aspect),
                              {finding.reached->pose, finding.reached->q}});

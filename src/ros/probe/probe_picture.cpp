@@ -25,8 +25,8 @@ std_msgs::ColorRGBA faded(std_msgs::ColorRGBA color, float opacity) {
 }
 
 // The aspect's; grey where none is known.
-std_msgs::ColorRGBA robot_color(const SolvedConfiguration& configuration) {
-  return configuration.aspect == 0 ? color(0x707070) : aspect_color(static_cast<int>(configuration.aspect));
+std_msgs::ColorRGBA robot_color(const ProbeFinding& finding) {
+  return color(finding.color.value_or(0x707070));
 }
 
 Marker with_id(Marker marker, int id) {
@@ -75,8 +75,7 @@ visualization_msgs::MarkerArray ProbePicture::replaced_by(Markers markers) {
 
 void ProbePicture::draw_robots(const ProbeFinding& finding, Markers& markers) const {
   const Pose& pose = finding.reached->pose;
-  draw_robot(pose, finding.reached->q, "probe/robot",
-             faded(robot_color(finding.state.report.configuration), 0.55F), markers);
+  draw_robot(pose, finding.reached->q, "probe/robot", faded(robot_color(finding), 0.55F), markers);
   for (std::size_t i = 0; i < finding.others.size(); ++i)
     draw_robot(pose, finding.others[i], "probe/other_" + std::to_string(i + 1), faded(color(0x707070), 0.15F),
                markers);

@@ -108,6 +108,8 @@ void ProbeSolver::fill_report(const KnownAspects& known, ProbeFinding& finding) 
   finding.distances = meter_.measure(solved.pose, finding.question.mode);
   finding.state.report =
       report_message(*manipulator_, solved, finding.distances, known.map.get(), finding.state.header.stamp);
+  if (const std::uint32_t id = finding.state.report.configuration.aspect; known.map && id > 0)
+    finding.color = aspect_colors(known.map->aspects())[id - 1];
   if (!has_map(manipulator_->task_space()))
     report_component(*manipulator_, solved, known.roadmap.get(), finding.state.report.configuration);
 }
@@ -141,8 +143,8 @@ std::string words_of(const Manipulator& manipulator, const ProbeFinding& finding
                       distance_text("serial", report.serial_distance) + ", " +
                       distance_text("limit", report.limit_distance);
   if (finding.reached->distance > 0.0)
-    words += "\nout of reach: " + with_unit(finding.reached->distance) + " from " +
-             to_string(manipulator.task_space(), finding.question.wanted);
+    words += "\nout of reach: it stays at the nearest pose found, " + with_unit(finding.reached->distance) +
+             " from " + to_string(manipulator.task_space(), finding.question.wanted);
   return words;
 }
 

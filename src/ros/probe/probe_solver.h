@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ROS_PROBE_PROBE_SOLVER_H
 #define PARALLEL_ASPECTS_ROS_PROBE_PROBE_SOLVER_H
 
+#include "aspects/pictures/palette.h"
 #include "motion/nearest_reachable.h"
 #include "parallel_aspects/distance/boundary_distances.h"
 #include "parallel_aspects/urdf/mechanism.h"
@@ -31,6 +32,7 @@ struct ProbeFinding {
   BoundaryDistances distances;         ///< there
   std::vector<JointVector> others;     ///< joint values of the same pose in the other working modes
   ProbeState state;                    ///< the same, to publish
+  std::optional<Rgb> color;            ///< of the aspect that holds it, where that is known
 };
 
 /// Answers for the probe, apart from what the robot does. For one thread.

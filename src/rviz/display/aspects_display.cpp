@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rviz/display/aspects_display.h"
 
+#include "model/number_text.h"
 #include "ros/messages/conversions.h"
+#include "rviz/display/robot_models.h"
+#include "rviz/display/status_words.h"
 
 #include <OgreSceneNode.h>
+#include <algorithm>
 #include <cmath>
 #include <pluginlib/class_list_macros.hpp>
 #include <rviz/display_context.h>
@@ -12,16 +16,15 @@
 #include <rviz/properties/enum_property.h>
 #include <rviz/properties/float_property.h>
 #include <rviz/properties/string_property.h>
-#include <tuple>
 
 namespace parallel_aspects {
 namespace {
 
 using Level = rviz::StatusProperty;
 
-constexpr float between_sections = 0.5F;  // that follow the robot [s]
+constexpr float between_sections = 0.2F;  // that follow the robot [s]
+constexpr double volume_step = 0.1;       // that the robot turns until its volume is mapped anew [rad]
 constexpr float between_looks = 0.1F;     // at what the node says [s]
-constexpr double point_size = 0.05;       // of the robot's size
 
 Ogre::Vector3 ogre_vector(const Eigen::Vector3d& vector) {
   return {static_cast<float>(vector.x()), static_cast<float>(vector.y()), static_cast<float>(vector.z())};
@@ -33,13 +36,8 @@ Ogre::Quaternion ogre_rotation(const Eigen::Matrix3d& rotation) {
           static_cast<float>(q.z())};
 }
 
-auto parts(const PictureChoice& choice) {
-  return std::make_tuple(choice.shown, choice.chosen, choice.aspect, choice.section, choice.axis,
-                         choice.offset, choice.upper, choice.tells_boundaries, choice.radian);
-}
-
-std::optional<WorkingMode> mode_of(const AspectState& state) {
-  return WorkingMode::from_signs({state.working_mode.begin(), state.working_mode.end()});
+std::optional<WorkingMode> mode_of(const std::vector<std::int8_t>& signs) {
+  return WorkingMode::from_signs({signs.begin(), signs.end()});
 }
 
 QString text(const std::string& words) { return QString::fromStdString(words); }
@@ -88,6 +86,16 @@ AspectsDisplay::AspectsDisplay() {
                              this);
   ids_ = new rviz::BoolProperty("Ids", true, "Writes the ids of the aspects.", this, SLOT(change_look()));
   legend_ = new rviz::BoolProperty("Legend", true, "Says what the colours are.", this, SLOT(change_look()));
+  joint_space_ = new rviz::BoolProperty(
+      "Joint space", false,
+      "Draws the same aspects in the space of the actuated joints, beside the robot, with the same point.",
+      this);
+  gallery_ = new rviz::BoolProperty(
+      "Gallery", false, "Draws every working mode beside the robot; with Joint space, that of each.", this);
+  reload_ = new rviz::BoolProperty("Reload robot models", true,
+                                   "Loads the robot models of this window anew where the node has another "
+                                   "robot than before.",
+                                   this);
   radian_ = new rviz::FloatProperty("Length of a radian", 0.0F,
                                     "How long angles are drawn [m]; 0 for what suits the robot.", this);
   radian_->setMin(0.0F);
@@ -95,7 +103,10 @@ AspectsDisplay::AspectsDisplay() {
 
 AspectsDisplay::~AspectsDisplay() { stop(); }
 
-void AspectsDisplay::onInitialize() { setStatus(Level::Warn, "Node", "Not looked for yet."); }
+void AspectsDisplay::onInitialize() {
+  mouse_ = section_mouse();
+  setStatus(Level::Warn, "Node", "Not looked for yet.");
+}
 
 void AspectsDisplay::onEnable() { follow_node(); }
 
@@ -110,15 +121,18 @@ void AspectsDisplay::stop() {
   link_.reset();
   thread_.reset();
   drawn_.reset();
-  point_.reset();
+  points_.clear();
   map_.reset();
   picture_.reset();
   present_.reset();
   mode_.reset();
+  candidates_.clear();
+  candidate_ids_.clear();
   asked_.reset();
   asked_at_.reset();
+  volume_at_.reset();
   news_ = {};
-  maps_ = 0;
+  maps_ = starts_ = robots_ = 0;
 }
 
 void AspectsDisplay::follow_node() {
@@ -138,8 +152,10 @@ void AspectsDisplay::update(float wall_dt, float) {
     since_look_ = 0.0F;
     take_news();
     const PictureThread::Result result = thread_->result();
-    tell(result);
     take_picture(result);
+    take_state();
+    tell(result);
+    ask_for_volume(result);
     ask_for_picture();
   }
   if (map_) place();
@@ -152,52 +168,94 @@ void AspectsDisplay::take_news() {
   } else {
     setStatus(Level::Ok, "Node", text(link_->name()));
   }
-  if (news_.maps != maps_) {
+  if (news_.maps != maps_ || news_.starts != starts_) {
     maps_ = news_.maps;
+    starts_ = news_.starts;
     thread_->fetch();
   }
-  const bool is_known = map_ && news_.state && news_.state->status.code == Status::OK;
+}
+
+// What is known of the robot stands beside the map that is drawn.
+void AspectsDisplay::take_state() {
   present_.reset();
-  if (!is_known) return;
-  present_ = pose_from_base(*map_->map->manipulator(), news_.state->pose);
-  if (const auto mode = mode_of(*news_.state)) mode_ = mode;
+  candidates_.clear();
+  candidate_ids_.clear();
+  if (!map_ || !news_.state) return;
+  const Manipulator& robot = *map_->map->manipulator();
+  if (news_.state->status.code == Status::OK) {
+    present_ = pose_from_base(robot, news_.state->pose);
+    if (const auto mode = mode_of(news_.state->working_mode)) mode_ = mode;
+    return;
+  }
+  for (const SolvedConfiguration& each : news_.candidates.candidates) {
+    const auto pose = pose_from_base(robot, each.pose);
+    const auto mode = mode_of(each.working_mode);
+    if (!pose || !mode) continue;
+    candidates_.emplace_back(*pose, *mode);
+    const int aspect = map_->map->locate(*pose, *mode).aspect;
+    if (aspect != 0) candidate_ids_.insert(aspect);
+  }
 }
 
 void AspectsDisplay::tell(const PictureThread::Result& result) {
-  if (!result.problem.empty()) {
-    setStatus(Level::Error, "Map", text(result.problem));
-  } else if (!result.map) {
-    const std::string said = news_.progress ? news_.progress->message : "";
-    setStatus(Level::Warn, "Map", text(said.empty() ? "Waits for the node." : said));
-  } else {
-    char words[200];
-    std::snprintf(words, sizeof words, "%zu aspects, %.1f MB in %.2f s; %zu triangles drawn in %.2f s",
-                  result.map->map->aspects().size(), static_cast<double>(result.map->bytes) / 1e6,
-                  result.fetch_seconds, result.picture ? result.picture->triangles : 0, result.draw_seconds);
-    setStatus(Level::Ok, "Map", words);
-  }
-  if (!news_.is_there || !news_.state) {
-    setStatus(Level::Warn, "Robot", "No state of it has come yet.");
-  } else if (news_.state->status.code != Status::OK) {
-    setStatus(Level::Warn, "Robot", text(news_.state->status.message));
-  } else {
-    setStatus(Level::Ok, "Robot", text("In aspect " + std::to_string(news_.state->aspect)));
-  }
+  const std::string said = news_.progress ? news_.progress->message : "";
+  const bool is_drawn = result.map != nullptr;
+  setStatus(!result.problem.empty() ? Level::Error
+            : is_drawn              ? Level::Ok
+                                    : Level::Warn,
+            "Map", text(words_of(result, said)));
+  tell_robot();
+}
+
+void AspectsDisplay::tell_robot() {
+  const bool follows = shown_->getOptionInt() == static_cast<int>(Shown::present_mode) ||
+                       shown_->getOptionInt() == static_cast<int>(Shown::present_aspect);
+  if (!news_.is_there || !news_.state) return setStatus(Level::Warn, "Robot", "No state of it has come yet.");
+  if (news_.state->status.code == Status::OK)
+    return setStatus(Level::Ok, "Robot", text("In aspect " + std::to_string(news_.state->aspect)));
+  std::string words = news_.state->status.message;
+  if (map_ && follows) words += " " + words_of_unknown(candidate_ids_, mode_.has_value());
+  setStatus(Level::Warn, "Robot", text(words));
+}
+
+// Six degrees of freedom: what is drawn is mapped here, and again when the robot has turned.
+void AspectsDisplay::ask_for_volume(const PictureThread::Result& result) {
+  if (!result.has_volumes || !news_.state || news_.state->status.code != Status::OK) return;
+  if (thread_->is_mapping()) return;
+  const geometry_msgs::Quaternion& q = news_.state->pose.orientation;
+  const Eigen::Quaterniond orientation =
+      present_ ? present_->orientation : Eigen::Quaterniond(q.w, q.x, q.y, q.z);
+  const auto mode = mode_of(news_.state->working_mode);
+  if (!mode || !(orientation.norm() > 0.5)) return;
+  const bool is_old = !volume_at_ || volume_at_->orientation.angularDistance(orientation) > volume_step ||
+                      volume_mode_ != mode;
+  if (!is_old) return;
+  volume_at_.emplace();
+  volume_at_->orientation = orientation;
+  volume_mode_ = mode;
+  thread_->map_volume(orientation, *mode);
 }
 
 void AspectsDisplay::take_picture(const PictureThread::Result& result) {
+  if (result.robots != robots_) {
+    robots_ = result.robots;
+    volume_at_.reset();
+    if (reload_->getBool()) reload_robot_models(*context_);
+  }
   if (result.map != map_) {
     map_ = result.map;
-    drawn_.reset();
-    picture_.reset();
-    point_.reset();
     asked_.reset();
-    mode_.reset();
+    if (!result.has_volumes || !map_) {  // a volume is drawn until the next one is
+      drawn_.reset();
+      picture_.reset();
+      points_.clear();
+      mode_.reset();
+    }
   }
-  if (!map_ || result.picture == picture_) return;
+  if (!map_ || !result.picture || result.picture == picture_) return;
   picture_ = result.picture;
-  drawn_.reset();
-  if (picture_) drawn_ = std::make_unique<DrawnPicture>(*picture_, look(), scene_manager_, scene_node_);
+  drawn_ = std::make_unique<DrawnPicture>(*picture_, look(), context_, scene_node_,
+                                          picture_->is_cut ? &mouse_ : nullptr);
   context_->queueRender();
 }
 
@@ -210,9 +268,18 @@ PictureChoice AspectsDisplay::choice() const {
     choice.chosen = *news_.shown;
   else
     choice.chosen = chosen_aspects(*map_->map, words, problem);
-  choice.mode = mode_;
-  if (!mode_ && !map_->map->working_modes().empty()) choice.mode = map_->map->working_modes().front();
-  choice.aspect = present_ && news_.state ? static_cast<int>(news_.state->aspect) : 0;
+  if (present_ && news_.state) {
+    choice.aspect = static_cast<int>(news_.state->aspect);
+    if (map_->map->slice() && mode_) choice.aspect = map_->map->locate(*present_, *mode_).aspect;
+  }
+  if (candidates_.empty() && mode_) choice.modes = {*mode_};
+  for (const auto& [pose, mode] : candidates_)
+    if (std::find(choice.modes.begin(), choice.modes.end(), mode) == choice.modes.end())
+      choice.modes.push_back(mode);
+  choice.candidates = candidate_ids_;
+  choice.joint_space = joint_space_->getBool();
+  choice.gallery = gallery_->getBool();
+  choice.robot = map_->robot;
   choice.section = static_cast<Section>(section_->getOptionInt());
   choice.axis = static_cast<std::size_t>(axis_->getOptionInt());
   choice.offset = offset_->getFloat();
@@ -223,7 +290,7 @@ PictureChoice AspectsDisplay::choice() const {
 }
 
 bool AspectsDisplay::differs(const PictureChoice& choice) const {
-  if (!asked_ || parts(*asked_) != parts(choice) || asked_->mode != choice.mode) return true;
+  if (!asked_ || !is_same(*asked_, choice)) return true;
   if (choice.section != Section::at_robot || !present_) return false;
   if (!asked_at_) return true;
   const TaskSpace space = map_->map->manipulator()->task_space();
@@ -242,7 +309,7 @@ void AspectsDisplay::ask_for_picture() {
   else
     setStatus(Level::Error, "Chosen", text(problem));
   if (!differs(wanted)) return;
-  const bool only_moved = asked_ && parts(*asked_) == parts(wanted) && asked_->mode == wanted.mode;
+  const bool only_moved = asked_ && is_same(*asked_, wanted);
   if (only_moved && since_picture_ < between_sections) return;
   since_picture_ = 0.0F;
   asked_ = wanted;
@@ -262,23 +329,49 @@ void AspectsDisplay::place() {
   deleteStatus("Frame");
   const Manipulator& robot = *map_->map->manipulator();
   const Eigen::Isometry3d& task = robot.task_frame();
-  const double radian = picture_ ? picture_->radian : 1.0;
-  const Eigen::Vector3d at = task * placement(robot, present_, radian);
-  scene_node_->setPosition(position + orientation * ogre_vector(at));
+  placement_ = placement(robot, present_, picture_ ? picture_->radian : 1.0);
+  scene_node_->setPosition(position + orientation * ogre_vector(task.translation()));
   scene_node_->setOrientation(orientation * ogre_rotation(task.linear()));
-  move_present_point();
+  if (drawn_) drawn_->set_placement(ogre_vector(placement_));
+  if (!picture_) return points_.clear();
+  auto shown = candidates_;
+  if (present_ && mode_) shown = {{*present_, *mode_}};
+  points_.show(*picture_, robot, placement_, shown, {scene_manager_, scene_node_});
 }
 
-void AspectsDisplay::move_present_point() {
-  const TaskSpace space = map_->map->manipulator()->task_space();
-  if (!present_ || !picture_) return point_.reset();
-  if (!point_) {
-    point_ = std::make_unique<rviz::Shape>(rviz::Shape::Sphere, scene_manager_, scene_node_);
-    const auto size = static_cast<float>(point_size * picture_->size);
-    point_->setScale({size, size, size});
-    point_->setColor(0.05F, 0.05F, 0.05F, 1.0F);
-  }
-  point_->setPosition(ogre_vector(drawn_point(space, *present_, picture_->radian)));
+// Faces of a section are dragged across, and stay where they are left.
+SurfaceMouse AspectsDisplay::section_mouse() {
+  SurfaceMouse mouse;
+  mouse.taken = [this] {
+    taken_offset_ = offset_->getFloat();
+    if (!map_ || static_cast<Section>(section_->getOptionInt()) != Section::at_robot || !asked_at_) return;
+    taken_offset_ = section_value(map_->map->manipulator()->task_space(), *asked_at_,
+                                  static_cast<std::size_t>(axis_->getOptionInt()));
+  };
+  mouse.dragged = [this](double distance) {
+    if (!map_ || !picture_) return;
+    const double unit = section_unit(map_->map->manipulator()->task_space(),
+                                     static_cast<std::size_t>(axis_->getOptionInt()), picture_->radian);
+    offset_->setFloat(static_cast<float>(taken_offset_ + distance / unit));
+    section_->setStdString("At offset");
+  };
+  mouse.across = [this] {
+    Ogre::Vector3 axis(0.0F, 0.0F, 0.0F);
+    axis[static_cast<std::size_t>(axis_->getOptionInt())] = 1.0F;
+    return scene_node_->getOrientation() * axis;
+  };
+  mouse.clicked = [this](int aspect) { select(aspect); };
+  return mouse;
+}
+
+// Says what it is, and marks it in the panel.
+void AspectsDisplay::select(int aspect) {
+  if (!map_ || aspect < 1 || static_cast<std::size_t>(aspect) > map_->map->aspects().size()) return;
+  const Aspect& found = map_->map->aspects()[static_cast<std::size_t>(aspect - 1)];
+  setStatus(Level::Ok, "Selected",
+            text("Aspect " + std::to_string(aspect) + ", " + branch_text(found.mode, found.determinant_sign) +
+                 ", " + number_text(found.measure, 4) + " " + map_->map->unit()));
+  link_->select(aspect);
 }
 
 Look AspectsDisplay::look() const {

@@ -5,11 +5,13 @@
 #include "rviz/display/drawn_picture.h"
 #include "rviz/display/node_link.h"
 #include "rviz/display/picture_thread.h"
+#include "rviz/display/present_points.h"
 
 #include <memory>
 #include <rviz/display.h>
-#include <rviz/ogre_helpers/shape.h>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace rviz {
 class BoolProperty;
@@ -45,31 +47,43 @@ class AspectsDisplay : public rviz::Display {
   void stop();
   void place();
   void take_news();
+  void take_state();
   void tell(const PictureThread::Result& result);
+  void tell_robot();
+  void ask_for_volume(const PictureThread::Result& result);
+  SurfaceMouse section_mouse();
+  void select(int aspect);
   void ask_for_picture();
   void take_picture(const PictureThread::Result& result);
   PictureChoice choice() const;
   Look look() const;
   bool differs(const PictureChoice& choice) const;
-  void move_present_point();
 
   rviz::StringProperty *node_, *chosen_;
   rviz::EnumProperty *shown_, *section_, *axis_;
   rviz::FloatProperty *offset_, *opacity_, *present_opacity_, *radian_;
-  rviz::BoolProperty *upper_, *boundaries_, *ids_, *legend_;
+  rviz::BoolProperty *upper_, *boundaries_, *ids_, *legend_, *joint_space_, *gallery_, *reload_;
 
   std::unique_ptr<NodeLink> link_;
   std::unique_ptr<PictureThread> thread_;
   std::unique_ptr<DrawnPicture> drawn_;
-  std::unique_ptr<rviz::Shape> point_;  // where the robot is, where that is not seen from its platform
+  PresentPoints points_;
   NodeLink::News news_;
   std::shared_ptr<const ReceivedMap> map_;
   std::shared_ptr<const SurfacePicture> picture_;
-  std::optional<Pose> present_;      // while it is known
-  std::optional<WorkingMode> mode_;  // the last that was known
+  std::optional<Pose> present_;                           // while it is known
+  std::optional<WorkingMode> mode_;                       // the last that was known
+  std::vector<std::pair<Pose, WorkingMode>> candidates_;  // while it is not
+  std::set<int> candidate_ids_;
+  Eigen::Vector3d placement_ = Eigen::Vector3d::Zero();
+  SurfaceMouse mouse_;
+  double taken_offset_ = 0.0;               // of the section when it was taken
+  std::optional<Pose> volume_at_;           // that the last volume was asked for
+  std::optional<WorkingMode> volume_mode_;  // likewise
   std::optional<PictureChoice> asked_;
   std::optional<Pose> asked_at_;
-  std::uint64_t maps_ = 0;  // reports of complete maps that were followed
+  std::uint64_t maps_ = 0, starts_ = 0;  // of complete maps and of nodes, that were followed
+  std::uint64_t robots_ = 0;             // that were received
   float since_look_ = 0.0F, since_picture_ = 0.0F;
 };
 

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rviz/display/drawn_picture.h"
 
+#include <OgreMaterial.h>
 #include <OgreSceneManager.h>
 #include <OgreSceneNode.h>
+#include <rviz/display_context.h>
 
 namespace parallel_aspects {
 namespace {
 
 // Over the size of the robot.
-constexpr double id_height = 0.045, legend_height = 0.028, line_width = 0.004, outline_width = 0.008;
+constexpr double id_height = 0.045, legend_height = 0.022, line_width = 0.004, outline_width = 0.008;
+
+constexpr float own_light = 0.45F;  // of a body: share of its colour that no shadow takes
 
 float channel(std::uint32_t color, unsigned shift) {
   return static_cast<float>(color >> shift & 0xFFU) / 255.0F;
@@ -20,19 +24,36 @@ Ogre::ColourValue ogre_color(std::uint32_t color) {
 
 Ogre::Vector3 ogre_vector(const Eigen::Vector3f& vector) { return {vector.x(), vector.y(), vector.z()}; }
 
+// What is flat has its colour from wherever it is seen, so that it is that of the legend and of the table;
+// bodies have shadows, in which the colour still shows.
+void light(rviz::MeshShape& shape, std::uint32_t color, float opacity, bool is_flat) {
+  const Ogre::ColourValue full = ogre_color(color);
+  const float own = is_flat ? 1.0F : own_light;
+  const Ogre::MaterialPtr material = shape.getMaterial();
+  material->setSelfIllumination(own * full);
+  material->setAmbient(Ogre::ColourValue::Black);
+  Ogre::ColourValue lit = (1.0F - own) * full;
+  lit.a = opacity;
+  material->setDiffuse(lit);
+}
+
 }  // namespace
 
-DrawnPicture::DrawnPicture(const SurfacePicture& picture, const Look& look, Ogre::SceneManager* scene,
-                           Ogre::SceneNode* parent)
-    : scene_(scene), root_(parent->createChildSceneNode()), is_cut_(picture.is_cut) {
-  for (const ColoredMesh& mesh : picture.meshes) add(mesh);
-  for (const ColoredLines& lines : picture.lines) add(lines, picture.size);
-  for (const Label& label : picture.labels) add_text(label, id_height * picture.size, false);
-  if (!picture.meshes.empty()) add_text(picture.legend, legend_height * picture.size, true);
+DrawnPicture::DrawnPicture(const SurfacePicture& picture, const Look& look, rviz::DisplayContext* context,
+                           Ogre::SceneNode* parent, const SurfaceMouse* mouse)
+    : context_(context),
+      scene_(context->getSceneManager()),
+      mouse_(mouse),
+      standing_(parent->createChildSceneNode()),
+      moving_(standing_->createChildSceneNode()) {
+  add(picture.moving, moving_, picture.size, picture.is_cut);
+  add(picture.standing, standing_, picture.size, false);
+  if (!picture.legend.text.empty()) add_text(picture.legend, standing_, legend_height * picture.size, true);
   set_look(look);
 }
 
 DrawnPicture::~DrawnPicture() {
+  handles_.clear();
   meshes_.clear();
   lines_.clear();
   for (Text& text : texts_) {
@@ -40,23 +61,33 @@ DrawnPicture::~DrawnPicture() {
     scene_->destroySceneNode(text.node);
   }
   texts_.clear();
-  scene_->destroySceneNode(root_);
+  scene_->destroySceneNode(moving_);
+  scene_->destroySceneNode(standing_);
 }
 
-void DrawnPicture::add(const ColoredMesh& mesh) {
+void DrawnPicture::add(const PicturePart& part, Ogre::SceneNode* node, double size, bool is_cut) {
+  for (const ColoredMesh& mesh : part.meshes) add(mesh, node, is_cut);
+  for (const ColoredLines& lines : part.lines) add(lines, node, size);
+  for (const Label& label : part.labels) add_text(label, node, id_height * label.share * size, false);
+}
+
+void DrawnPicture::add(const ColoredMesh& mesh, Ogre::SceneNode* node, bool is_cut) {
   if (mesh.triangles.empty()) return;
-  auto shape = std::make_unique<rviz::MeshShape>(scene_, root_);
+  auto shape = std::make_unique<rviz::MeshShape>(scene_, node);
   shape->estimateVertexCount(mesh.points.size());
   shape->beginTriangles();
   for (std::size_t i = 0; i < mesh.points.size(); ++i)
     shape->addVertex(ogre_vector(mesh.points[i]), ogre_vector(mesh.normals[i]));
   for (const auto& triangle : mesh.triangles) shape->addTriangle(triangle[0], triangle[1], triangle[2]);
   shape->endTriangles();
-  meshes_.push_back({std::move(shape), mesh.aspect, mesh.color});
+  if (is_cut && mesh.is_flat && mouse_ != nullptr)
+    handles_.emplace_back(mesh.aspect, shape->getRootNode(), *mouse_, context_);
+  meshes_.push_back({std::move(shape), mesh.aspect, mesh.color, mesh.is_flat, is_cut});
 }
 
-void DrawnPicture::add(const ColoredLines& lines, double size) {
-  auto line = std::make_unique<rviz::BillboardLine>(scene_, root_);
+void DrawnPicture::add(const ColoredLines& lines, Ogre::SceneNode* node, double size) {
+  if (lines.ends.empty()) return;
+  auto line = std::make_unique<rviz::BillboardLine>(scene_, node);
   line->setMaxPointsPerLine(2);
   line->setNumLines(static_cast<std::uint32_t>(lines.ends.size() / 2));
   line->setLineWidth(static_cast<float>((lines.is_outline ? outline_width : line_width) * size));
@@ -69,24 +100,29 @@ void DrawnPicture::add(const ColoredLines& lines, double size) {
   lines_.push_back(std::move(line));
 }
 
-void DrawnPicture::add_text(const Label& label, double height, bool is_legend) {
+void DrawnPicture::add_text(const Label& label, Ogre::SceneNode* parent, double height, bool is_legend) {
   auto text = std::make_unique<rviz::MovableText>(label.text, "Liberation Sans", static_cast<float>(height),
                                                   ogre_color(label.color));
   text->setTextAlignment(rviz::MovableText::H_CENTER,
                          is_legend ? rviz::MovableText::V_ABOVE : rviz::MovableText::V_CENTER);
   text->showOnTop(true);
-  Ogre::SceneNode* const node = root_->createChildSceneNode(ogre_vector(label.at));
+  Ogre::SceneNode* const node = parent->createChildSceneNode(ogre_vector(label.at));
   node->attachObject(text.get());
   texts_.push_back({std::move(text), node, is_legend});
 }
 
 void DrawnPicture::set_look(const Look& look) {
   for (const Mesh& mesh : meshes_) {
-    const double opacity = is_cut_ ? 1.0 : mesh.aspect == look.present ? look.present_opacity : look.opacity;
+    const double opacity = mesh.is_opaque                ? 1.0
+                           : mesh.aspect == look.present ? look.present_opacity
+                                                         : look.opacity;
     mesh.shape->setColor(channel(mesh.color, 16), channel(mesh.color, 8), channel(mesh.color, 0),
                          static_cast<float>(opacity));
+    light(*mesh.shape, mesh.color, static_cast<float>(opacity), mesh.is_flat);
   }
   for (const Text& text : texts_) text.node->setVisible(text.is_legend ? look.legend : look.ids);
 }
+
+void DrawnPicture::set_placement(const Ogre::Vector3& placement) { moving_->setPosition(placement); }
 
 }  // namespace parallel_aspects

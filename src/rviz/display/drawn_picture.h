@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_RVIZ_DISPLAY_DRAWN_PICTURE_H
 #define PARALLEL_ASPECTS_RVIZ_DISPLAY_DRAWN_PICTURE_H
 
+#include "rviz/display/surface_handle.h"
 #include "rviz/display/surface_picture.h"
 
 #include <memory>
@@ -9,6 +10,10 @@
 #include <rviz/ogre_helpers/mesh_shape.h>
 #include <rviz/ogre_helpers/movable_text.h>
 #include <vector>
+
+namespace rviz {
+class DisplayContext;
+}
 
 namespace parallel_aspects {
 
@@ -24,19 +29,24 @@ struct Look {
 /// A picture as shapes of rviz below one node of its scene. Make and destroy it in rviz's own thread.
 class DrawnPicture {
  public:
-  DrawnPicture(const SurfacePicture& picture, const Look& look, Ogre::SceneManager* scene,
-               Ogre::SceneNode* parent);
+  /// `mouse`: what is done with faces of a section; may be null.
+  DrawnPicture(const SurfacePicture& picture, const Look& look, rviz::DisplayContext* context,
+               Ogre::SceneNode* parent, const SurfaceMouse* mouse);
   ~DrawnPicture();
   DrawnPicture(const DrawnPicture&) = delete;
   DrawnPicture& operator=(const DrawnPicture&) = delete;
 
   void set_look(const Look& look);
 
+  /// Where the moving part stands.
+  void set_placement(const Ogre::Vector3& placement);
+
  private:
   struct Mesh {
     std::unique_ptr<rviz::MeshShape> shape;
     int aspect;
     std::uint32_t color;
+    bool is_flat, is_opaque;
   };
   struct Text {
     std::unique_ptr<rviz::MovableText> text;
@@ -44,16 +54,19 @@ class DrawnPicture {
     bool is_legend;
   };
 
-  void add(const ColoredMesh& mesh);
-  void add(const ColoredLines& lines, double size);
-  void add_text(const Label& label, double height, bool is_legend);
+  void add(const PicturePart& part, Ogre::SceneNode* node, double size, bool is_cut);
+  void add(const ColoredMesh& mesh, Ogre::SceneNode* node, bool is_cut);
+  void add(const ColoredLines& lines, Ogre::SceneNode* node, double size);
+  void add_text(const Label& label, Ogre::SceneNode* node, double height, bool is_legend);
 
+  rviz::DisplayContext* context_;
   Ogre::SceneManager* scene_;
-  Ogre::SceneNode* root_;
-  const bool is_cut_;  // then the inside shows, and all is opaque
+  const SurfaceMouse* mouse_;
+  Ogre::SceneNode *standing_, *moving_;
   std::vector<Mesh> meshes_;
   std::vector<std::unique_ptr<rviz::BillboardLine>> lines_;
   std::vector<Text> texts_;
+  std::vector<SurfaceHandle> handles_;
 };
 
 }  // namespace parallel_aspects

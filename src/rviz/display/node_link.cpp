@@ -3,6 +3,8 @@
 
 #include <boost/function.hpp>
 
+#include <std_msgs/UInt32.h>
+
 namespace parallel_aspects {
 
 NodeLink::NodeLink(ros::NodeHandle nh, const std::string& node)
@@ -13,11 +15,18 @@ NodeLink::NodeLink(ros::NodeHandle nh, const std::string& node)
         const std::lock_guard<std::mutex> lock(mutex_);
         news_.state = *state;
       };
-  const boost::function<void(const MapProgressConstPtr&)> on_progress =
-      [this](const MapProgressConstPtr& progress) {
+  const boost::function<void(const ros::MessageEvent<MapProgress const>&)> on_progress =
+      [this](const ros::MessageEvent<MapProgress const>& event) {
         const std::lock_guard<std::mutex> lock(mutex_);
-        news_.progress = *progress;
-        if (progress->state == MapProgress::COMPLETE) ++news_.maps;
+        news_.progress = *event.getMessage();
+        if (connection_ != event.getConnectionHeaderPtr().get()) ++news_.starts;
+        connection_ = event.getConnectionHeaderPtr().get();
+        if (news_.progress->state == MapProgress::COMPLETE) ++news_.maps;
+      };
+  const boost::function<void(const AssemblyCandidatesConstPtr&)> on_candidates =
+      [this](const AssemblyCandidatesConstPtr& candidates) {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        news_.candidates = *candidates;
       };
   const boost::function<void(const std_msgs::UInt32MultiArrayConstPtr&)> on_shown =
       [this](const std_msgs::UInt32MultiArrayConstPtr& shown) {
@@ -25,7 +34,10 @@ NodeLink::NodeLink(ros::NodeHandle nh, const std::string& node)
         news_.shown.emplace(shown->data.begin(), shown->data.end());
       };
   state_ = nh_.subscribe<AspectState>(name_ + "/state", 1, on_state, ros::VoidConstPtr(), hints);
-  progress_ = nh_.subscribe<MapProgress>(name_ + "/map_progress", 10, on_progress);
+  selected_ = nh_.advertise<std_msgs::UInt32>(name_ + "/selected_aspect", 1, true);
+  progress_ = nh_.subscribe<MapProgress, const ros::MessageEvent<MapProgress const>&>(name_ + "/map_progress",
+                                                                                      10, on_progress);
+  candidates_ = nh_.subscribe<AssemblyCandidates>(name_ + "/candidates", 1, on_candidates);
   shown_ = nh_.subscribe<std_msgs::UInt32MultiArray>(name_ + "/shown_aspects", 1, on_shown);
 }
 
@@ -33,6 +45,14 @@ NodeLink::~NodeLink() {
   state_.shutdown();
   progress_.shutdown();
   shown_.shutdown();
+  candidates_.shutdown();
+  selected_.shutdown();
+}
+
+void NodeLink::select(int aspect) {
+  std_msgs::UInt32 message;
+  message.data = static_cast<std::uint32_t>(aspect);
+  selected_.publish(message);
 }
 
 NodeLink::News NodeLink::news() {
@@ -43,6 +63,7 @@ NodeLink::News NodeLink::news() {
     if (!is_there) {  // what a node said before it went is not the present
       news_.state.reset();
       news_.progress.reset();
+      news_.candidates = {};
     }
   }
   return news_;

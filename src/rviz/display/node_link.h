@@ -3,9 +3,12 @@
 #define PARALLEL_ASPECTS_RVIZ_DISPLAY_NODE_LINK_H
 
 #include <parallel_aspects/AspectState.h>
+#include <parallel_aspects/AssemblyCandidates.h>
 #include <parallel_aspects/MapProgress.h>
 
+#include <ros/message_event.h>
 #include <ros/node_handle.h>
+#include <ros/publisher.h>
 #include <ros/subscriber.h>
 
 #include <cstdint>
@@ -25,7 +28,9 @@ class NodeLink {
     std::optional<AspectState> state;
     std::optional<MapProgress> progress;
     std::uint64_t maps = 0;              ///< reports of a complete map
+    std::uint64_t starts = 0;            ///< of nodes: another one may have another robot
     std::optional<std::set<int>> shown;  ///< ids that a panel chose
+    AssemblyCandidates candidates;       ///< while it is not known where the robot is
   };
 
   /// `node`: its name, resolved by `nh`, whose queue calls back in any thread.
@@ -39,12 +44,17 @@ class NodeLink {
   /// Call from one thread.
   News news();
 
+  /// Says on `~selected_aspect` which aspect somebody clicked.
+  void select(int aspect);
+
  private:
   ros::NodeHandle nh_;
   const std::string name_;
   std::mutex mutex_;
   News news_;
-  ros::Subscriber state_, progress_, shown_;
+  ros::Subscriber state_, progress_, shown_, candidates_;
+  ros::Publisher selected_;
+  const void* connection_ = nullptr;  // that progress came by; compared only
 };
 
 }  // namespace parallel_aspects

@@ -3,16 +3,28 @@
 
 #include "parallel_aspects/model/problems.h"
 #include "ros/messages/map_messages.h"
+#include "ros/pictures/scene.h"
 
 #include <parallel_aspects/Status.h>
 
 #include <ros/time.h>
 
 #include <exception>
+#include <functional>
 #include <utility>
 
 namespace parallel_aspects {
 namespace {
+
+constexpr double volume_resolution = 0.04;  // of the robot's size: of maps that follow it
+
+constexpr double sphere_share = 0.15;  // of the size of one that only turns: its model has no size
+
+Eigen::AlignedBox3d robot_box(const Mechanism& mechanism) {
+  NodeOptions options;
+  options.display.radius = sphere_share * mechanism.manipulator()->size();
+  return scene_of(mechanism, options).robot;
+}
 
 double seconds_since(const ros::SteadyTime& start) { return (ros::SteadyTime::now() - start).toSec(); }
 
@@ -45,6 +57,17 @@ void PictureThread::draw(const PictureChoice& choice, const std::optional<Pose>&
   changed_.notify_all();
 }
 
+void PictureThread::map_volume(const Eigen::Quaterniond& orientation, const WorkingMode& mode) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  next_volume_ = Volume{orientation, mode};
+  changed_.notify_all();
+}
+
+bool PictureThread::is_mapping() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return mapping_ || next_volume_;
+}
+
 bool PictureThread::is_drawing() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return drawing_ || next_;
@@ -58,25 +81,30 @@ PictureThread::Result PictureThread::result() const {
 void PictureThread::run() {
   while (true) {
     std::optional<Request> request;
+    std::optional<Volume> volume;
     bool fetches = false;
     {
       std::unique_lock<std::mutex> lock(mutex_);
-      changed_.wait(lock, [&] { return stopping_ || fetch_wanted_ || (next_ && result_.map); });
+      changed_.wait(lock,
+                    [&] { return stopping_ || fetch_wanted_ || next_volume_ || (next_ && result_.map); });
       if (stopping_) return;
       fetches = std::exchange(fetch_wanted_, false);
-      if (!fetches) request = std::exchange(next_, std::nullopt);
+      if (!fetches && next_ && result_.map) request = std::exchange(next_, std::nullopt);
+      if (!fetches && !request) volume = std::exchange(next_volume_, std::nullopt);
       drawing_ = request.has_value();
+      mapping_ = volume.has_value();
     }
     try {
       if (fetches) carry_out_fetch();
       if (request) carry_out_draw(*request);
+      if (volume) carry_out_volume(*volume);
     } catch (const InvalidDescription& invalid) {
       fail(invalid.problems().empty() ? "The robot could not be loaded." : invalid.problems().front());
     } catch (const std::exception& failure) {  // as when there is not enough memory
       fail(failure.what());
     }
     const std::lock_guard<std::mutex> lock(mutex_);
-    drawing_ = false;
+    drawing_ = mapping_ = false;
   }
 }
 
@@ -93,6 +121,8 @@ void PictureThread::carry_out_fetch() {
   const bool answered = client.call(call);
   client.shutdown();
   if (!answered) return fail("The node does not answer " + service_ + ".");
+  take_robot(call.response);
+  if (call.response.status.code == Status::NO_MAP && call.response.task_space == "SE3") return;
   if (call.response.status.code != Status::OK) return fail(call.response.status.message);
   if (!call.request.known_revision.empty() && call.response.revision == call.request.known_revision) {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -102,12 +132,27 @@ void PictureThread::carry_out_fetch() {
   take(call.response, seconds_since(start));
 }
 
+// Another robot than before takes what was drawn of it with it.
+void PictureThread::take_robot(const GetMap::Response& response) {
+  const std::size_t texts = std::hash<std::string>()(response.urdf + '\n' + response.description);
+  if (mechanism_ && texts == texts_) return;
+  mechanism_ = mechanism_of(response);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (texts_ != 0) ++result_.robots;
+  texts_ = texts;
+  result_.map.reset();
+  result_.picture.reset();
+  result_.problem.clear();
+  result_.has_volumes = response.task_space == "SE3";
+  next_volume_.reset();
+}
+
 void PictureThread::take(const GetMap::Response& response, double seconds) {
-  const SharedMechanism mechanism = mechanism_of(response);
-  const MapResult read = map_of(response, *mechanism);
+  const MapResult read = map_of(response, **mechanism_);
   if (!read.map) return fail(read.message);
   auto received = std::make_shared<ReceivedMap>();
-  *received = {read.map, response.base_frame, response.revision, response.map.size()};
+  *received = {read.map, response.base_frame, response.revision, response.map.size(),
+               robot_box(**mechanism_)};
   const std::lock_guard<std::mutex> lock(mutex_);
   result_.map = std::move(received);
   result_.problem.clear();
@@ -115,12 +160,36 @@ void PictureThread::take(const GetMap::Response& response, double seconds) {
   result_.fetch_seconds = seconds;
 }
 
+void PictureThread::carry_out_volume(const Volume& volume) {
+  if (!mechanism_) return;
+  const ros::SteadyTime start = ros::SteadyTime::now();
+  const auto robot = (*mechanism_)->mapped_manipulator();
+  MapOptions options;
+  options.slice.emplace();
+  options.slice->moves = {true, true, true};
+  options.slice->held.orientation = volume.orientation.normalized();
+  options.modes = {volume.mode};
+  options.resolution = volume_resolution * robot->size();
+  options.extra_levels = 2;
+  options.threads = 1;  // it is not the display that the computer is for
+  const MapResult computed = compute_aspect_map(robot, options, {{}, &cancelled_});
+  if (computed.status == MapStatus::cancelled) return;
+  if (!computed.map) return fail(computed.message);
+  auto received = std::make_shared<ReceivedMap>();
+  *received = {computed.map, robot->base_frame(), "", 0, robot_box(**mechanism_)};
+  const std::lock_guard<std::mutex> lock(mutex_);
+  result_.map = std::move(received);
+  result_.problem.clear();
+  result_.fetch_seconds = seconds_since(start);
+}
+
 void PictureThread::carry_out_draw(const Request& request) {
   const ros::SteadyTime start = ros::SteadyTime::now();
   const auto map = result().map;
   if (!map) return;
+  if (!store_ || &store_->map() != map->map.get()) store_ = std::make_unique<SurfaceStore>(map->map);
   auto picture = std::make_shared<const SurfacePicture>(
-      draw_surfaces(*map->map, request.choice, request.present, cancelled_));
+      draw_surfaces(*store_, request.choice, request.present, cancelled_));
   const std::lock_guard<std::mutex> lock(mutex_);
   if (result_.map != map) return;
   result_.picture = std::move(picture);

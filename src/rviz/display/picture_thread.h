@@ -25,7 +25,8 @@ namespace parallel_aspects {
 struct ReceivedMap {
   std::shared_ptr<const AspectMap> map;
   std::string base_frame, revision;
-  std::size_t bytes = 0;  ///< of the map
+  std::size_t bytes = 0;        ///< of the map; 0 for one that was computed here
+  Eigen::AlignedBox3d robot{};  ///< what the robot takes, in the task frame [m]
 };
 
 /// Asks a node for its map and draws it, in a thread of its own: neither holds up who looks.
@@ -34,6 +35,8 @@ class PictureThread {
   struct Result {
     std::shared_ptr<const ReceivedMap> map;  ///< the latest; null before the first, and where there is none
     std::string problem;                     ///< why there is none; empty otherwise
+    bool has_volumes = false;  ///< of six degrees of freedom: maps are of positions at one orientation
+    std::uint64_t robots = 0;  ///< counts the robots that were not the one before
     std::shared_ptr<const SurfacePicture> picture;  ///< the latest of this map; null before the first
     std::uint64_t pictures = 0;                     ///< how many were drawn
     double fetch_seconds = 0.0, draw_seconds = 0.0;
@@ -51,7 +54,11 @@ class PictureThread {
   /// Draws this next.
   void draw(const PictureChoice& choice, const std::optional<Pose>& present);
 
+  /// With six degrees of freedom: maps the positions at this orientation next, in this working mode.
+  void map_volume(const Eigen::Quaterniond& orientation, const WorkingMode& mode);
+
   bool is_drawing() const;  ///< or has something to draw
+  bool is_mapping() const;  ///< a volume, or has one to map
   Result result() const;
 
  private:
@@ -60,7 +67,14 @@ class PictureThread {
     std::optional<Pose> present;
   };
 
+  struct Volume {
+    Eigen::Quaterniond orientation;
+    WorkingMode mode;
+  };
+
   void run();
+  void carry_out_volume(const Volume& volume);
+  void take_robot(const GetMap::Response& response);
   void carry_out_fetch();
   void carry_out_draw(const Request& request);
   void take(const GetMap::Response& response, double seconds);
@@ -70,11 +84,15 @@ class PictureThread {
   const std::string service_;
   mutable std::mutex mutex_;
   std::condition_variable changed_;
-  bool stopping_ = false, fetch_wanted_ = false, drawing_ = false;
+  bool stopping_ = false, fetch_wanted_ = false, drawing_ = false, mapping_ = false;
   std::optional<Request> next_;
+  std::optional<Volume> next_volume_;
   std::atomic<bool> cancelled_{false};
   ros::ServiceClient client_;
   Result result_;
+  std::size_t texts_ = 0;                     // that the robot was loaded from, hashed
+  std::optional<SharedMechanism> mechanism_;  // of the robot that was received last
+  std::unique_ptr<SurfaceStore> store_;
   std::thread thread_;
 };
 

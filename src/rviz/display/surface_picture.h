@@ -3,11 +3,11 @@
 #define PARALLEL_ASPECTS_RVIZ_DISPLAY_SURFACE_PICTURE_H
 
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "parallel_aspects/aspects/boundary_curves.h"
+#include "rviz/display/colored_parts.h"
+#include "rviz/display/surface_store.h"
 
 #include <Eigen/Geometry>
 
-#include <array>
 #include <atomic>
 #include <cstdint>
 #include <optional>
@@ -35,53 +35,47 @@ enum class Section {
 /// What is drawn of a map.
 struct PictureChoice {
   Shown shown = Shown::present_mode;
-  std::set<int> chosen;             ///< ids
-  std::optional<WorkingMode> mode;  ///< the present one, where it is known
-  int aspect = 0;                   ///< id of the present one; 0 where it is not known
+  std::set<int> chosen;            ///< ids
+  std::vector<WorkingMode> modes;  ///< the present one; while it is not known those of the candidates
+  int aspect = 0;                  ///< id of the present one; 0 where it is not known
+  std::set<int> candidates;        ///< ids of those that it may be in, while it is not known
   Section section = Section::none;
   std::size_t axis = 2;          ///< coordinate that the section is across
   double offset = 0.0;           ///< of the section [m or rad]
   bool upper = false;            ///< leaves what lies above in place of what lies below
   bool tells_boundaries = true;  ///< colours what an aspect ends at
   double radian = 0.0;           ///< how long an angle of one rad is drawn [m]; 0 for what suits the robot
+  bool joint_space = false;      ///< draws the joint space beside the workspace
+  bool gallery = false;          ///< draws every working mode beside the robot
+  Eigen::AlignedBox3d robot{};   ///< what the robot takes, in the task frame [m]; the rest stands beside it
 };
 
-/// One colour of a surface, or of a part of a plane.
-struct ColoredMesh {
-  int aspect = 0;           ///< id
-  std::uint32_t color = 0;  ///< 0xRRGGBB
-  bool is_cut = false;      ///< the face of a section, which is drawn opaque
-  std::vector<Eigen::Vector3f> points, normals;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
+/// A working mode in the gallery: what `drawn_point` says is drawn at `offset + scale * point`, in the task
+/// frame.
+struct PoseTile {
+  WorkingMode mode;
+  double scale = 1.0;
+  Eigen::Vector3d offset;
 };
 
-/// Segments of one colour, two points each.
-struct ColoredLines {
-  std::uint32_t color = 0;  ///< 0xRRGGBB
-  bool is_outline = false;  ///< around the present aspect, wider than the others
-  std::vector<Eigen::Vector3f> ends;
-};
+/// Whether they differ in nothing but where the robot stands.
+bool is_same(const PictureChoice& one, const PictureChoice& other);
 
-struct Label {
-  std::string text;
-  std::uint32_t color = 0;
-  Eigen::Vector3f at;
-};
-
-/// What there is to draw, in metres, in the task frame moved by `placement` of the present pose.
+/// What there is to draw, in metres.
 struct SurfacePicture {
-  std::vector<ColoredMesh> meshes;
-  std::vector<ColoredLines> lines;
-  std::vector<Label> labels;
-  Label legend;         ///< of several lines
+  PicturePart moving;                ///< in the task frame moved by `placement` of the present pose
+  PicturePart standing;              ///< in the task frame
+  std::vector<PoseTile> workspaces;  ///< of the gallery
+  std::vector<JointTile> joint_spaces;
+  Label legend;         ///< of several lines, in the task frame
   bool is_cut = false;  ///< by a section, so that its inside shows
   double radian = 1.0;  ///< how long an angle of one rad is drawn [m]
   double size = 1.0;    ///< of the robot, or of the ball of rotations [m]
   std::size_t triangles = 0;
 };
 
-/// Draws; stops early, with what there is, where `cancelled` is set.
-SurfacePicture draw_surfaces(const AspectMap& map, const PictureChoice& choice,
+/// Draws the map of the store; stops early, with what there is, where `cancelled` is set.
+SurfacePicture draw_surfaces(SurfaceStore& store, const PictureChoice& choice,
                              const std::optional<Pose>& present, const std::atomic<bool>& cancelled);
 
 /// Ids of the aspects that a choice shows.
@@ -90,15 +84,15 @@ std::vector<int> shown_aspects(const AspectMap& map, const PictureChoice& choice
 /// The ids and working modes that a person wrote, as "1 4 (+,-)"; what is neither is returned in `problem`.
 std::set<int> chosen_aspects(const AspectMap& map, const std::string& text, std::string& problem);
 
-/// Where a pose is in the coordinates of the picture, before `placement` [m].
-Eigen::Vector3d drawn_point(TaskSpace space, const Pose& pose, double radian);
-
 /// Where the picture stands in the task frame: in SE2 the present angle is in the plane of the robot, and
 /// SO3's ball of rotations is beside the robot.
 Eigen::Vector3d placement(const Manipulator& manipulator, const std::optional<Pose>& present, double radian);
 
 /// How far a section at the robot may be from it before it is drawn anew, in its own unit.
 double section_step(const AspectMap& map, std::size_t axis);
+
+/// How long one unit of a coordinate is drawn [m].
+double section_unit(TaskSpace space, std::size_t axis, double radian) noexcept;
 
 /// Coordinate `axis` of a pose, as sections have it [m or rad].
 double section_value(TaskSpace space, const Pose& pose, std::size_t axis);

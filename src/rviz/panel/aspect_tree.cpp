@@ -35,11 +35,12 @@ AspectTree::AspectTree(OnShown on_shown, QWidget* parent)
     : QTreeWidget(parent), on_shown_(std::move(on_shown)) {
   setObjectName("aspects");
   setColumnCount(column_count);
-  setHeaderLabels({"aspect", "det A", "size", "clear", "index"});
+  setHeaderLabels({"aspect", "det A", "size", "radius", "index"});
   const char* const tips[] = {
       "Working modes and their aspects. Ticked ones are drawn.", "Sign of det A.",
       "Volume of the aspect in the workspace.",
-      "Radius of the largest ball in it, in pose coordinates [m or rad].",
+      "Radius of the largest ball of poses in it: from its middle no singularity or limit is closer [m or "
+      "rad].",
       "Inverse condition number at the middle of that ball: 0 at a parallel singularity, 1 at best."};
   for (int i = 0; i < column_count; ++i) headerItem()->setToolTip(i, tips[i]);
   header()->setSectionResizeMode(QHeaderView::ResizeToContents);

@@ -260,7 +260,7 @@ std::vector<CandidateLine> candidates_of(const NodeView& view) {
   if (code == Status::OK || code == Status::NO_JOINT_STATES) return lines;
   for (const SolvedConfiguration& each : view.candidates.candidates) {
     CandidateLine line{branch_of(each.working_mode, each.determinant_sign), pose_of(each.pose)};
-    if (each.aspect > 0) line.text = "aspect " + std::to_string(each.aspect) + ", " + line.text;
+    if (each.aspect > 0) line.branch = "Aspect " + std::to_string(each.aspect) + ", " + line.branch;
     lines.push_back(line);
   }
   return lines;

@@ -7,6 +7,8 @@
 
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QStackedWidget>
 #include <QVBoxLayout>
 #include <utility>
 
@@ -14,6 +16,9 @@ namespace parallel_aspects {
 namespace {
 
 QString shown(const std::string& text) { return QString::fromStdString(text); }
+
+constexpr int lines_of_text = 2;    // that the banner has room for, whatever it says
+constexpr int candidate_lines = 7;  // that are seen at once
 
 QLabel* wrapped_label(const char* name) {
   auto* const label = new QLabel;
@@ -32,6 +37,7 @@ StateWidget::StateWidget(OnChoice on_choice, QWidget* parent)
       title_(wrapped_label("state_title")),
       text_(wrapped_label("state_text")),
       scale_(new QLabel),
+      pages_(new QStackedWidget),
       candidate_box_(new QWidget),
       candidate_text_(wrapped_label("candidate_text")),
       candidate_layout_(new QVBoxLayout(candidate_box_)) {
@@ -41,7 +47,17 @@ StateWidget::StateWidget(OnChoice on_choice, QWidget* parent)
   layout->addWidget(text_);
   candidate_layout_->setContentsMargins(0, 0, 0, 0);
   candidate_layout_->addWidget(candidate_text_);
-  layout->addWidget(candidate_box_);
+  text_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  text_->setMinimumHeight(lines_of_text * fontMetrics().lineSpacing());
+  layout->addWidget(pages_);
+  pages_->addWidget(bar_page());
+  pages_->addWidget(candidate_page());
+}
+
+QWidget* StateWidget::bar_page() {
+  auto* const page = new QWidget;
+  auto* const layout = new QVBoxLayout(page);
+  layout->setContentsMargins(0, 0, 0, 0);
   for (std::size_t i = 0; i < bars_.size(); ++i) {
     bars_[i] = new DistanceBar;
     bars_[i]->setObjectName(QString("distance_%1").arg(i));
@@ -50,6 +66,18 @@ StateWidget::StateWidget(OnChoice on_choice, QWidget* parent)
   scale_->setAlignment(Qt::AlignRight);
   scale_->setStyleSheet("color: #666666");  // as the axis of a diagram
   layout->addWidget(scale_);
+  return page;
+}
+
+// In place of the bars, which say nothing while the state is not known: so nothing below them moves.
+QWidget* StateWidget::candidate_page() {
+  auto* const page = new QScrollArea;
+  page->setFrameShape(QFrame::NoFrame);
+  page->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  page->setWidgetResizable(true);
+  page->setWidget(candidate_box_);
+  page->setMinimumHeight(candidate_lines * fontMetrics().lineSpacing());
+  return page;
 }
 
 void StateWidget::show_view(const NodeView& view) {
@@ -73,7 +101,7 @@ void StateWidget::show_banner(const Banner& banner) {
 
 void StateWidget::show_candidates(const NodeView& view) {
   const std::vector<CandidateLine> lines = candidates_of(view);
-  candidate_box_->setVisible(!lines.empty());
+  pages_->setCurrentIndex(lines.empty() ? 0 : 1);
   candidates_ = lines.empty() ? std::vector<SolvedConfiguration>() : view.candidates.candidates;
   resize_candidates(lines.size());
   const Permission permission = may_choose(view);
@@ -82,6 +110,7 @@ void StateWidget::show_candidates(const NodeView& view) {
   candidate_text_->setText(shown(which + (permission ? "Click the one that you see:" : permission.refusal)));
   for (std::size_t i = 0; i < lines.size(); ++i) {
     buttons_[i]->setText(shown(lines[i].branch + "\n" + lines[i].text));
+    buttons_[i]->setMinimumHeight(buttons_[i]->sizeHint().height());
     buttons_[i]->setEnabled(static_cast<bool>(permission));
     buttons_[i]->setToolTip(
         shown(permission ? "Tells the node that the robot is in this assembly mode." : permission.refusal));
@@ -100,6 +129,8 @@ void StateWidget::resize_candidates(std::size_t count) {
     connect(button, &QPushButton::clicked, this, [this, number] {
       if (number < candidates_.size()) on_choice_(candidates_[number]);
     });
+    button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    button->setStyleSheet("text-align: left; padding: 3px 6px");
     candidate_layout_->addWidget(button);
     buttons_.push_back(button);
   }

@@ -11,6 +11,7 @@
 
 class QLabel;
 class QPushButton;
+class QStackedWidget;
 class QVBoxLayout;
 
 namespace parallel_aspects {
@@ -27,6 +28,8 @@ class StateWidget : public QWidget {
   void show_view(const NodeView& view);
 
  private:
+  QWidget* bar_page();
+  QWidget* candidate_page();
   void show_banner(const Banner& banner);
   void show_candidates(const NodeView& view);
   void resize_candidates(std::size_t count);
@@ -36,6 +39,7 @@ class StateWidget : public QWidget {
   QLabel* text_;
   std::array<DistanceBar*, 3> bars_{};
   QLabel* scale_;
+  QStackedWidget* pages_;  // bars, or candidates
   QWidget* candidate_box_;
   QLabel* candidate_text_;
   QVBoxLayout* candidate_layout_;

@@ -2,7 +2,7 @@
 #ifndef PARALLEL_ASPECTS_TOOLS_DRAWING_CHECK_DRAWING_H
 #define PARALLEL_ASPECTS_TOOLS_DRAWING_CHECK_DRAWING_H
 
-#include "tools/report/check_table.h"
+#include "tools/motion_report/check_table.h"
 
 #include <string>
 #include <vector>

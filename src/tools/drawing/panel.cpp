@@ -59,6 +59,7 @@ class Panel {
     const auto levels = level_lines();
     for (const auto& [level, lines] : levels) draw_cased(lines, 0x202020, level_width, "", picture);
     draw_segments(picture);
+    draw_outlines(picture);
     draw_frame(picture);
     draw_labels(picture);
     for (const auto& [level, lines] : levels) name_level(number_text(level, 3), lines, picture);
@@ -132,6 +133,15 @@ class Panel {
         if (segment.kind == kind) pieces.emplace_back(place(segment.from), place(segment.to));
       draw_cased(joined_lines(pieces), boundary_color(kind), curve_width, words, picture);
     }
+  }
+
+  void draw_outlines(Picture& picture) const {
+    std::vector<PageLine> lines;
+    for (const auto& outline : contents_.outlines) {
+      lines.emplace_back();
+      for (const Eigen::Vector2d& point : outline) lines.back().push_back(place(point));
+    }
+    draw_cased(lines, ink_color, curve_width, "largest shape", picture);
   }
 
   std::map<double, std::vector<PageLine>> level_lines() const {

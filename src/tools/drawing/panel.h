@@ -52,6 +52,7 @@ struct PanelContents {
   std::optional<PageImage> image;  ///< in place of shapes, over the whole panel; then with these axes
   std::vector<ImageAxis> image_axes;
   std::vector<ImageLabel> image_labels;
+  std::vector<std::vector<Eigen::Vector2d>> outlines{};  ///< lines over everything else
 };
 
 /// How large a panel is without what is written around it, in a square of this side [px].

@@ -95,6 +95,8 @@ class PlanePlot {
       if (!options_.each_aspect || bounds_aspect(segment, ids)) contents.segments.push_back(segment);
     for (const LevelSegment& level : traced_.levels)
       if (ids.count(level.aspect) > 0) contents.levels.push_back(level);
+    for (const PlotOutline& outline : options_.outlines)
+      if (ids.count(outline.aspect) > 0) contents.outlines.push_back(outline.line);
     return contents;
   }
 

@@ -7,6 +7,8 @@
 #include "tools/drawing/page_elements.h"
 #include "tools/drawing/plot_plane.h"
 
+#include <Eigen/Core>
+
 #include <functional>
 #include <memory>
 #include <optional>
@@ -14,13 +16,20 @@
 
 namespace parallel_aspects::tools {
 
+/// A line in the workspace of one aspect, as the outline of a shape.
+struct PlotOutline {
+  int aspect = 0;                     ///< id
+  std::vector<Eigen::Vector2d> line;  ///< in the plane that is drawn [m or rad]
+};
+
 /// What is drawn of a map.
 struct PlotOptions {
   std::vector<WorkingMode> modes;  ///< empty for all
   std::optional<PlotSection> section;
   IndexLevels levels;
   bool each_aspect = false;  ///< a figure for each aspect, not for each working mode
-  bool leaves = false;       ///< the boxes of the map, with those that are undecided, in place of areas
+  std::vector<PlotOutline> outlines;
+  bool leaves = false;  ///< the boxes of the map, with those that are undecided, in place of areas
 };
 
 /// The figures of the paper: the workspace and, where it is a plane, the joint space of each working mode, or

@@ -96,11 +96,11 @@ void add_solids(const AspectMap& map, const std::vector<WorkingMode>& modes,
   const std::vector<Rgb> colors = aspect_colors(map.aspects());
   SurfaceOptions options;
   options.most_triangles = most_triangles;
-  options.section = HalfSpace{-Vector3d::UnitY(), -0.5 * (box.lower.y() + box.upper.y())};
+  const HalfSpace behind{-Vector3d::UnitY(), -0.5 * (box.lower.y() + box.upper.y())};
   page.notes = {
-      "Map of all poses. The boxes that are proved to lie in each aspect, smoothed for the eye by no more "
-      "than "
-      "one of them; what is in front of the middle of " +
+      (map.slice() ? "Map of the slice " + to_string(*map.slice()) + "." : std::string("Map of all poses.")) +
+      " The boxes that are proved to lie in each aspect, smoothed for the eye by no more than one of them; "
+      "what is in front of the middle of " +
       box.names[1] + " is cut away."};
   if (map.manipulator()->task_space() == TaskSpace::SO3)
     page.notes.emplace_back(
@@ -111,7 +111,7 @@ void add_solids(const AspectMap& map, const std::vector<WorkingMode>& modes,
     SurfaceImage image(eye);
     for (const int id : ids) {
       checkpoint();
-      image.add(surface_of(map, id, options), colors[static_cast<std::size_t>(id - 1)]);
+      image.add(section_of(surface_of(map, id, options), behind), colors[static_cast<std::size_t>(id - 1)]);
     }
     PanelContents panel;
     panel.image = image.image();

@@ -3,18 +3,11 @@
 #include "tools/drawing/svg.h"
 
 #include <cmath>
-#include <cstdio>
 
 namespace parallel_aspects::tools {
 namespace {
 
 using svg::number;
-
-std::string color_text(Rgb color) {
-  char text[8];
-  std::snprintf(text, sizeof text, "#%06x", color & 0xFFFFFFU);
-  return text;
-}
 
 // "12.50" as "12.5", "3.00" as "3".
 std::string brief(double value) {

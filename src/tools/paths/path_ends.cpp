@@ -2,18 +2,23 @@
 #include "tools/paths/path_ends.h"
 
 #include "parallel_aspects/kinematics/direct.h"
+#include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/kinematics/jacobians.h"
 #include "tools/arguments.h"
 #include "tools/command_line.h"
 #include "tools/numbers.h"
+#include "tools/report/report.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <optional>
 
 namespace parallel_aspects::tools {
 namespace {
+
+constexpr double largest_number = 1e12;  // [m or rad], as elsewhere: beyond it proofs do not reach
 
 double distance(const Manipulator& manipulator, const Pose& a, const Pose& b) {
   return (a.position - b.position).norm() +
@@ -42,6 +47,23 @@ std::vector<AssemblyMode> candidates(const Manipulator& manipulator, const Joint
   return result;
 }
 
+/// The end at this pose. Angles without limits keep the turn that they are given in; of one with limits there
+/// is one turn in which the pose is reached.
+PathEnd in_turn(const std::string& option, const Manipulator& manipulator, const JointVector& q,
+                const Pose& pose, Problems& problems) {
+  const std::optional<WorkingMode> mode = working_mode(manipulator, pose, q);
+  const JointVector reached = inverse(manipulator, pose, mode.value()).q;
+  for (std::size_t j = 0; j < manipulator.leg_count(); ++j) {
+    const Leg& leg = manipulator.leg(j);
+    const auto k = static_cast<Eigen::Index>(j);
+    if (leg.actuated_by_angle() && leg.limits.limited() && std::abs(q[k] - reached[k]) > EIGEN_PI)
+      problems.push_back(option + "-joints has " + shown(q[k]) + " for '" + leg.actuated_joint +
+                         "', whose limits are " + shown(leg.limits.lower) + " to " + shown(leg.limits.upper) +
+                         " rad; give " + shown(reached[k]) + ", where the leg is the same.");
+  }
+  return {pose, mode, q};
+}
+
 /// `near` is a pose that says which of several is meant.
 PathEnd assembled(const std::string& option, const Manipulator& manipulator, const JointVector& q,
                   const PathEnd& end, bool near, Problems& problems) {
@@ -58,8 +80,14 @@ PathEnd assembled(const std::string& option, const Manipulator& manipulator, con
     problems.push_back(option + "-joints assemble in several poses: " + listed(manipulator, q, found) +
                        "; say with " + option + " which one is meant.");
   else
-    return {found.front().pose, working_mode(manipulator, found.front().pose, q)};
+    return in_turn(option, manipulator, q, found.front().pose, problems);
   return end;
+}
+
+void refuse_beyond(const std::string& option, double value, Problems& problems) {
+  if (std::abs(value) > largest_number)
+    problems.push_back(option + " has " + shown(value) + ", but numbers reach to " + shown(largest_number) +
+                       " m or rad; give a smaller one.");
 }
 
 std::vector<std::string> actuated_joints(const Manipulator& manipulator) {
@@ -106,6 +134,8 @@ PathEnd parse_path_end(const std::string& option, const Manipulator& manipulator
   std::vector<double> q;
   if (!arguments.joints.empty())
     q = parse_numbers(option + "-joints", arguments.joints, actuated_joints(manipulator), problems);
+  for (const double value : q) refuse_beyond(option + "-joints", value, problems);
+  for (int i = 0; i < 3; ++i) refuse_beyond(option, end.pose.position[i], problems);
   if (problems.size() > known || q.empty()) return end;
   return assembled(option, manipulator,
                    Eigen::Map<const Eigen::VectorXd>(q.data(), static_cast<Eigen::Index>(q.size())), end,

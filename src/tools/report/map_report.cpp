@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "aspects/pictures/palette.h"
 #include "model/coefficients.h"
 #include "model/number_text.h"
 #include "tools/report/basins_report.h"
@@ -19,7 +20,7 @@ using nlohmann::json;
 // An aspect with a smaller share of the largest is not listed by itself.
 constexpr double small_share = 0.01;
 
-json json_aspect(const AspectMap& map, const Aspect& aspect) {
+json json_aspect(const AspectMap& map, const Aspect& aspect, Rgb color) {
   return {{"id", aspect.id},
           {"working_mode", aspect.mode.signs()},
           {"det_a_sign", aspect.determinant_sign},
@@ -31,6 +32,7 @@ json json_aspect(const AspectMap& map, const Aspect& aspect) {
           {"bounding_box", json_box(map.coordinates(), aspect.bounds)},
           {"deepest_pose", json_pose(map.manipulator()->task_space(), aspect.deepest)},
           {"clearance", json_number(aspect.deepest_clearance)},
+          {"color", color_text(color)},
           {"unresolved_with", aspect.unresolved_with}};
 }
 
@@ -61,7 +63,9 @@ json json_map(const AspectMap& map) {
                  {"tolerance", json_number(map.manipulator()->tolerance())},
                  {"measure_undecided", json_number(map.measure_undecided())}};
   for (const WorkingMode& mode : map.working_modes()) object["working_modes"].push_back(mode.signs());
-  for (const Aspect& aspect : map.aspects()) object["aspects"].push_back(json_aspect(map, aspect));
+  const std::vector<Rgb> colors = aspect_colors(map.aspects());
+  for (std::size_t i = 0; i < colors.size(); ++i)
+    object["aspects"].push_back(json_aspect(map, map.aspects()[i], colors[i]));
   return object;
 }
 

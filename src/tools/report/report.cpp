@@ -3,6 +3,7 @@
 
 #include "model/coefficients.h"
 #include "model/task_space_traits.h"
+#include "tools/report/without_noise.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -67,9 +68,8 @@ std::string shown(double value) { return with_digits(value, 6); }
 std::string pose_argument(TaskSpace space, const Pose& pose) {
   const PoseCoordinates coordinates = pose_coordinates(space, pose);
   std::string text;
-  constexpr double noise = 1e-12;
   for (Eigen::Index k = 0; k < coordinates.size(); ++k)
-    text += (k == 0 ? "" : " ") + shown(std::abs(coordinates[k]) < noise ? 0.0 : coordinates[k]);
+    text += (k == 0 ? "" : " ") + shown(without_noise(coordinates[k]));
   return text;
 }
 

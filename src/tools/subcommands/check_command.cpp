@@ -6,14 +6,14 @@
 #include "tools/command_line.h"
 #include "tools/computation.h"
 #include "tools/drawing/check_drawing.h"
+#include "tools/motion_report/check_table.h"
+#include "tools/motion_report/violation_report.h"
 #include "tools/numbers.h"
 #include "tools/output_file.h"
 #include "tools/paths/trajectory_file.h"
 #include "tools/report/bounds_report.h"
-#include "tools/report/check_table.h"
 #include "tools/report/reports.h"
 #include "tools/report/text_table.h"
-#include "tools/report/violation_report.h"
 #include "tools/subcommands.h"
 
 #include <algorithm>

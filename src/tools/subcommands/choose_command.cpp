@@ -3,8 +3,8 @@
 #include "tools/arguments.h"
 #include "tools/command_line.h"
 #include "tools/computation.h"
+#include "tools/motion_report/choice_report.h"
 #include "tools/paths/trajectory_file.h"
-#include "tools/report/choice_report.h"
 #include "tools/subcommands.h"
 
 #include <optional>

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "model/spherical_links.h"
+#include "parallel_aspects/aspects/design.h"
 #include "parallel_aspects/kinematics/working_mode.h"
 #include "parallel_aspects/singularity/margins.h"
 #include "tools/report/cones_report.h"
 #include "tools/report/reports.h"
 #include "tools/report/text_table.h"
+#include "tools/report/without_noise.h"
 #include "tools/subcommands.h"
 
-#include <cmath>
 #include <variant>
 
 namespace parallel_aspects::tools {
@@ -95,6 +96,13 @@ json json_modes(const Manipulator& manipulator) {
   return modes;
 }
 
+json json_parameters(const Manipulator& manipulator) {
+  json object = json::object();
+  for (const DesignParameter& each : design_parameters(manipulator))
+    object[each.name] = {{"value", json_number(each.value)}, {"tied", each.tied}};
+  return object;
+}
+
 json json_mechanism(const Mechanism& mechanism) {
   const Manipulator& manipulator = *mechanism.manipulator();
   json legs = json::array();
@@ -112,12 +120,10 @@ json json_mechanism(const Mechanism& mechanism) {
           {"joint_limits", json_joint_limits(mechanism)},
           {"cones", report_cones(manipulator, true).json},
           {"working_modes", json_modes(manipulator)},
+          {"parameters", json_parameters(*mechanism.mapped_manipulator())},
           {"margins", json_margins(manipulator.constraints().margins)},
           {"notes", mechanism.notes()}};
 }
-
-// Zero where only rounding, or its sign, tells it from zero [m or rad].
-double without_noise(double value) { return std::abs(value) < 1e-12 ? 0.0 : value; }
 
 std::string point_text(const Eigen::Vector3d& point) {
   const Eigen::Vector3d told = point.unaryExpr(&without_noise);

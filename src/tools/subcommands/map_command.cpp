@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/aspects/aspect_graph.h"
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/map_file.h"
 #include "parallel_aspects/model/constraints.h"
@@ -8,6 +7,7 @@
 #include "tools/computation.h"
 #include "tools/drawing/basins_drawing.h"
 #include "tools/drawing/plot.h"
+#include "tools/map_choice.h"
 #include "tools/numbers.h"
 #include "tools/output_file.h"
 #include "tools/picture_file.h"
@@ -168,14 +168,6 @@ std::shared_ptr<const AspectMap> load(const std::shared_ptr<const Manipulator>& 
   return result.map;
 }
 
-/// With the gates between aspects, which `aspects plan --load` then need not look for.
-void save(const AspectMap& map, const MapArguments& arguments, const Surroundings& surroundings) {
-  if (arguments.save_file.empty()) return;
-  if (!compute_aspect_graph(map, control_of(surroundings))) throw Interrupted{};
-  const SaveResult result = save_map(map, arguments.save_file);
-  if (!result.saved) throw InvalidDescription({result.message});
-}
-
 // The boxes that are proved, and those that are not.
 void draw(const std::shared_ptr<const AspectMap>& map, const std::string& file) {
   PlotOptions options;
@@ -196,7 +188,7 @@ Report load_or_compute(const std::shared_ptr<const Manipulator>& manipulator, co
   std::shared_ptr<const AspectMap> map = load(manipulator, options, arguments, surroundings);
   const bool loaded = map != nullptr;
   if (!loaded) map = compute(manipulator, options, surroundings);
-  save(*map, arguments, surroundings);
+  save_with_gates(*map, arguments.save_file, surroundings);
   if (!arguments.picture_file.empty()) draw(map, arguments.picture_file);
   const MapBasins basins = basins_of(*map, arguments, surroundings);
   Report report = report_map(*map, {loaded, arguments.all_aspects, arguments.verbose, &basins});

@@ -3,13 +3,14 @@
 #include "tools/arguments.h"
 #include "tools/computation.h"
 #include "tools/map_choice.h"
+#include "tools/motion_report/plan_report.h"
 #include "tools/output_file.h"
 #include "tools/paths/path_ends.h"
 #include "tools/paths/path_timing.h"
-#include "tools/report/plan_report.h"
 #include "tools/subcommands.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -49,10 +50,11 @@ PathPolicy parse_policy(const std::string& text, Problems& problems) {
 }
 
 PathPreference parse_preference(const std::string& text, Problems& problems) {
-  for (const PathPreference prefer : {PathPreference::shortest, PathPreference::clear, PathPreference::fast})
+  for (const PathPreference prefer :
+       {PathPreference::shortest, PathPreference::clear, PathPreference::fast, PathPreference::quick})
     if (text == name(prefer)) return prefer;
-  if (!text.empty()) problems.push_back("--prefer is '" + text + "'; give short, clear or fast.");
-  return PathPreference::shortest;
+  if (!text.empty()) problems.push_back("--prefer is '" + text + "'; give short, clear, fast or quick.");
+  return PathPreference::quick;
 }
 
 PlanQuestion parse(const PlanArguments& arguments, const Manipulator& manipulator) {
@@ -82,6 +84,7 @@ PlanQuestion parse(const PlanArguments& arguments, const Manipulator& manipulato
 struct Plan {
   PlannedPath path;
   PoseBetween between = pose_between;
+  ChosenMap map{};  // none over a roadmap
 };
 
 /// With what tells how long a path takes, where that counts. The certifier outlives it.
@@ -101,8 +104,10 @@ Plan plan_over_roadmap(const std::shared_ptr<const Manipulator>& manipulator, co
   if (question.wish.policy == PathPolicy::any)
     problems.emplace_back(
         "--policy any needs a map, and in SE3 there is none; give --policy serial, or --hold.");
-  if (!arguments.map.resolution.empty() || !arguments.map.load_file.empty())
-    problems.emplace_back("--resolution and --load are for maps, and in SE3 there is none; leave them out.");
+  const MapChoice& map = arguments.map;
+  if (!map.resolution.empty() || !map.load_file.empty() || !map.save_file.empty())
+    problems.emplace_back(
+        "--resolution, --load and --save are for maps, and in SE3 there is none; leave them out.");
   if (!arguments.from.aspect.empty() || !arguments.to.aspect.empty())
     problems.emplace_back(
         "--from-aspect and --to-aspect are for maps, and in SE3 there is none; give poses.");
@@ -123,7 +128,8 @@ Plan plan_in_map(const std::shared_ptr<const Manipulator>& manipulator, const Pl
   if (!arguments.roadmap.samples.empty() || !arguments.roadmap.seed.empty())
     throw InvalidDescription(
         {"--samples and --seed are for roadmaps, in SE3 without --hold; leave them out."});
-  const auto map = choose_map(manipulator, arguments.map, question.slice, surroundings);
+  const ChosenMap chosen = choose_map(manipulator, arguments.map, question.slice, surroundings);
+  const auto& map = chosen.map;
   Problems problems;
   PathEnd from = question.from, to = question.to;
   place_in_aspect("--from", *map, arguments.from, from, problems);
@@ -137,7 +143,22 @@ Plan plan_in_map(const std::shared_ptr<const Manipulator>& manipulator, const Pl
   const SegmentCertifier certifier(manipulator);
   PlannedPath path = planner->plan(from, to, wish_of(question, certifier, between, control), control);
   if (is_cancelled(control)) throw Interrupted{};
-  return {std::move(path), between};
+  return {std::move(path), between, chosen};
+}
+
+/// Which actuated joints arrive whole turns from the values that were asked for; empty where none does.
+std::string turned_text(const Manipulator& manipulator, const PathEnd& to, const PlannedPath& path) {
+  if (!to.q || !path) return "";
+  std::string text;
+  for (std::size_t j = 0; j < manipulator.leg_count(); ++j) {
+    const Leg& leg = manipulator.leg(j);
+    const double value = path.points.back().q[static_cast<Eigen::Index>(j)],
+                 asked = (*to.q)[static_cast<Eigen::Index>(j)];
+    if (leg.actuated_by_angle() && std::abs(value - asked) > EIGEN_PI)
+      text += " '" + leg.actuated_joint + "' arrives at " + shown(value) +
+              ", whole turns from what --to-joints says.";
+  }
+  return text;
 }
 
 int code_of(SameAspect answer) {
@@ -166,24 +187,32 @@ void add_timing(const std::shared_ptr<const Manipulator>& manipulator, const Pla
   report_timing(*manipulator, arguments.timing, timed, report);
 }
 
+/// A map may be loaded from the file that it is saved to.
+void check_files(const PlanArguments& arguments, Problems& problems) {
+  const NamedFile trajectory{"--trajectory", arguments.timing.trajectory_file};
+  check_output_file("--save", arguments.map.save_file, problems);
+  check_distinct_files({{"--save", arguments.map.save_file}, trajectory},
+                       {{"--urdf", arguments.robot.urdf_file}, {"--config", arguments.robot.config_file}},
+                       problems);
+  check_distinct_files({trajectory}, {{"--load", arguments.map.load_file}}, problems);
+}
+
 Report report_of(const PlanArguments& arguments, const Surroundings& surroundings) {
   const auto mechanism = load_robot(arguments.robot);
   const auto manipulator = choose_constraints(mechanism->mapped_manipulator(), arguments.constraints);
   PlanQuestion question = parse(arguments, *manipulator);
   Problems problems;
-  check_distinct_files({{"--trajectory", arguments.timing.trajectory_file}},
-                       {{"--load", arguments.map.load_file},
-                        {"--urdf", arguments.robot.urdf_file},
-                        {"--config", arguments.robot.config_file}},
-                       problems);
+  check_files(arguments, problems);
   const std::string needed_by = question.wish.prefer == PathPreference::fast ? "--prefer fast" : "";
   question.acceleration = parse_timing(arguments.timing, needed_by, arguments.robot, *manipulator, problems);
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
   const bool has_map = question.slice || manipulator->task_space() != TaskSpace::SE3;
-  const Plan plan =
-      (has_map ? plan_in_map : plan_over_roadmap)(manipulator, arguments, question, surroundings);
+  Plan plan = (has_map ? plan_in_map : plan_over_roadmap)(manipulator, arguments, question, surroundings);
+  plan.path.message += turned_text(*manipulator, question.to, plan.path);
   Report report = report_path(*manipulator, plan.path, question.wish, question.slice);
   report.exit_code = code_of(plan.path.answer);
+  report.json["loaded"] = nullptr;
+  if (plan.map.map) report_source(arguments.map, plan.map, report);
   report.json["moved_onto_slice"] = question.slice ? nlohmann::json(question.moved) : nlohmann::json();
   if (question.moved > 0.0)
     report.text += "the ends are moved onto the slice, by at most " + shown(question.moved) + " m\n";
@@ -207,9 +236,10 @@ Subcommand plan_subcommand() {
                      "listed",
                      &arguments->policy});
   options.push_back(
-      {"--prefer", "short|clear|fast",
-       "Which of several paths. short: the shortest, the default. clear: the one with the largest "
-       "least parallel index. fast: the one that takes the least time",
+      {"--prefer", "short|clear|fast|quick",
+       "Which of several paths. short: the shortest that is found. clear: the one with the largest "
+       "least parallel index. fast: the one that takes the least time. quick: a short one that "
+       "is found soonest, the default",
        &arguments->prefer});
   for (const Option& option : map_choice_options(arguments->map, "--hold")) options.push_back(option);
   options.push_back({"--samples", "N", "With six degrees of freedom: poses of the roadmap, by default 1000",

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "model/number_text.h"
 #include "parallel_aspects/model/problems.h"
 #include "tools/arguments.h"
 #include "tools/computation.h"
@@ -10,7 +11,9 @@
 #include "tools/report/reports.h"
 #include "tools/subcommands.h"
 
+#include <algorithm>
 #include <chrono>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -76,10 +79,11 @@ void check_dimension(const PlotArguments& arguments, const Manipulator& manipula
               : "'" + manipulator.name() +
                     "' has one degree of freedom, and a picture takes two or three; `aspects map` "
                     "lists its aspects.");
-  if (slice && dimension == 3 && arguments.section.empty())
+  const bool is_volume = slice && slice->free_positions() == 3;
+  if (slice && dimension == 3 && !is_volume && arguments.section.empty())
     problems.emplace_back(
-        "--slice leaves three coordinates free, and bodies are drawn of maps of all poses; hold one more, "
-        "or give --section.");
+        "--slice leaves orientations free, and bodies are drawn of positions; hold one more, or give "
+        "--section.");
   const bool is_plane = dimension == 2 || !arguments.section.empty();
   if (dimension == 2 && !arguments.section.empty())
     problems.emplace_back("--section cuts maps of three coordinates, but this one has two; leave it out.");
@@ -88,6 +92,26 @@ void check_dimension(const PlotArguments& arguments, const Manipulator& manipula
   if (arguments.leaves && !arguments.section.empty())
     problems.emplace_back(
         "--leaves shows the boxes of maps of two coordinates; give --slice in place of --section.");
+}
+
+/// A section that meets no aspect would be an empty picture.
+void check_section(const AspectMap& map, const PlotOptions& options) {
+  if (!options.section || !options.section->slice) return;
+  const std::vector<std::string> names = map.coordinates();
+  for (const HeldCoordinate& held : options.section->slice->held_coordinates) {
+    const auto name = std::find(names.begin(), names.end(), held.name);
+    if (name == names.end() || held.name.size() > 1) continue;  // angles come round
+    const auto i = static_cast<std::size_t>(name - names.begin());
+    double lower = std::numeric_limits<double>::infinity(), upper = -lower;
+    for (const Aspect& aspect : map.aspects()) {
+      lower = std::min(lower, aspect.bounds.lower[i]);
+      upper = std::max(upper, aspect.bounds.upper[i]);
+    }
+    if (held.value >= lower && held.value <= upper) continue;
+    throw InvalidDescription({"--section holds " + held.name + " at " + number_text(held.value) +
+                              ", where '" + map.manipulator()->name() + "' has no aspect; give " + held.name +
+                              " from " + number_text(lower, 4) + " to " + number_text(upper, 4) + "."});
+  }
 }
 
 Report report_plot(const AspectMap& map, const PlotOptions& options, const std::string& file,
@@ -108,11 +132,11 @@ Report report_of(const PlotArguments& arguments, const Surroundings& surrounding
   options.leaves = arguments.leaves;
   options.levels = parse_levels(arguments.index, problems);
   check_picture_file("-o", arguments.file, problems);
-  check_distinct_files({{"-o", arguments.file}},
-                       {{"--urdf", arguments.robot.urdf_file},
-                        {"--config", arguments.robot.config_file},
-                        {"--load", arguments.map.load_file}},
+  check_output_file("--save", arguments.map.save_file, problems);
+  check_distinct_files({{"-o", arguments.file}, {"--save", arguments.map.save_file}},
+                       {{"--urdf", arguments.robot.urdf_file}, {"--config", arguments.robot.config_file}},
                        problems);
+  check_distinct_files({{"-o", arguments.file}}, {{"--load", arguments.map.load_file}}, problems);
   const auto mechanism = load_robot(arguments.robot, std::move(problems));
   const auto manipulator = choose_constraints(mechanism->mapped_manipulator(), arguments.constraints);
   problems.clear();
@@ -124,10 +148,11 @@ Report report_of(const PlotArguments& arguments, const Surroundings& surrounding
   if (problems.empty() && !arguments.section.empty())
     options.section = parse_section(arguments, *manipulator, problems);
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
-  const auto map = choose_map(manipulator, arguments.map, slice, surroundings);
+  const auto map = choose_map(manipulator, arguments.map, slice, surroundings).map;
   if (map->aspects().empty())
     throw InvalidDescription({"'" + manipulator->name() +
                               "' has no aspect there, so that nothing is drawn; `aspects map` tells more."});
+  check_section(*map, options);
   const auto start = std::chrono::steady_clock::now();
   const MapControl control = control_of(surroundings);
   const Picture picture = draw_plot(map, options, [&control] {

@@ -3,6 +3,8 @@
 
 #include "model/coefficients.h"
 #include "model/linear_algebra.h"
+#include "urdf/closing/pin_directions.h"
+#include "urdf/closing/platform_freedom.h"
 
 #include <algorithm>
 #include <limits>
@@ -117,26 +119,12 @@ Eigen::VectorXd polished(const ClosureSystem& system, Eigen::VectorXd values, st
   return values;
 }
 
-// In how many ways the platform moves, and how far it is from one less.
-struct PlatformFreedom {
-  Eigen::Index translations = 0;
-  Eigen::Index motions = 0;  // with rotations
-  double conditioning = 0.0;
-
-  Eigen::Index ways() const { return translations + motions; }
-
-  // Up to two actuated joints move a point.
-  bool is_full(std::size_t actuated_joints) const {
-    const auto count = static_cast<Eigen::Index>(actuated_joints);
-    return motions == count && (count > 2 || translations == count);
-  }
-};
-
 struct Candidate {
   Assembly assembly;
-  double conditioning = 0.0;  // 0 at a singularity of the closures or actuated joints
-  PlatformFreedom platform;   // less where legs are stretched or folded
-  std::size_t at_limits = 0;  // passive joints that stand on a limit, where legs may be stretched by chance
+  double conditioning = 0.0;    // 0 at a singularity of the closures or actuated joints
+  PlatformFreedom platform;     // less where legs are stretched or folded
+  std::size_t at_limits = 0;    // passive joints that stand on a limit, where legs may be stretched by chance
+  std::size_t turned_over = 0;  // revolute closures whose axes are not the way round that is meant
 
   bool joints_move() const { return conditioning > rank_tolerance; }
 
@@ -184,26 +172,6 @@ std::size_t passive_joints_at_limits(const ClosureSystem& system, const Eigen::V
   return count;
 }
 
-// Velocities of its origin count, and of those all with the angular ones: one task space wants the former,
-// another the latter.
-PlatformFreedom platform_freedom(const ClosureSystem& system, const Assembly& assembly, std::size_t link,
-                                 std::size_t actuated_joints) {
-  if (assembly.motions.cols() == 0) return {};
-  const Poses poses = link_poses(system.tree(), system.base(), assembly.values);
-  const Eigen::MatrixXd twists = link_twists(system, poses, link, assembly.motions);
-  PlatformFreedom freedom{0, 0, std::numeric_limits<double>::infinity()};
-  const auto rank = [&](const Eigen::MatrixXd& rows) {
-    const Eigen::VectorXd values = singular_values(rows);
-    const Eigen::Index found =
-        std::min(static_cast<Eigen::Index>(actuated_joints), (values.array() > velocity_tolerance).count());
-    if (found > 0) freedom.conditioning = std::min(freedom.conditioning, values[found - 1]);
-    return found;
-  };
-  freedom.translations = rank(twists.bottomRows(3));
-  freedom.motions = rank(twists);
-  return freedom;
-}
-
 // Rates of the actuated joints in each motion, lengths in sizes of the robot.
 Eigen::MatrixXd actuated_rates(const ClosureSystem& system, const Eigen::MatrixXd& motions,
                                const std::vector<std::size_t>& actuated_joints) {
@@ -224,6 +192,7 @@ bool is_better(const Candidate& one, const Candidate& other) {
   const Eigen::Index mobility = one.assembly.motions.cols(), other_mobility = other.assembly.motions.cols();
   if (mobility != other_mobility) return mobility < other_mobility;
   if (one.platform.ways() != other.platform.ways()) return one.platform.ways() > other.platform.ways();
+  if (one.turned_over != other.turned_over) return one.turned_over < other.turned_over;
   if (one.is_good() != other.is_good()) return one.is_good();
   return one.conditioning > 5.0 * other.conditioning;
 }
@@ -236,10 +205,14 @@ class Assembler {
       : system_(system),
         actuated_joints_(actuated_joints),
         platform_link_(platform_link),
-        none_held_(static_cast<std::size_t>(system.tree().variables()), false) {}
+        none_held_(static_cast<std::size_t>(system.tree().variables()), false),
+        pins_(system) {}
 
   AssemblyResult run() {
-    for (int trial = 0; trial <= random_starts && (moving_ < wanted_assemblies || good_ == 0); ++trial)
+    const auto is_wanting = [this] {
+      return moving_ < wanted_assemblies || good_ == 0 || best_->turned_over > 0;
+    };
+    for (int trial = 0; trial <= random_starts && is_wanting(); ++trial)
       try_from(trial == 0 ? Eigen::VectorXd::Zero(system_.tree().variables())
                           : random_start(system_, random_));
     const int most = good_ > 0 ? starts_beside_good : starts_beside;
@@ -313,6 +286,7 @@ class Assembler {
     candidate.platform =
         platform_freedom(system_, candidate.assembly, platform_link_, actuated_joints_.size());
     candidate.at_limits = passive_joints_at_limits(system_, values, actuated_joints_);
+    candidate.turned_over = pins_.turned_over(values);
     return candidate;
   }
 
@@ -330,6 +304,7 @@ class Assembler {
   const std::vector<std::size_t>& actuated_joints_;
   std::size_t platform_link_;
   std::vector<bool> none_held_;
+  PinDirections pins_;
   std::mt19937 random_{seed};
   std::optional<Candidate> best_;
   int moving_ = 0, good_ = 0;

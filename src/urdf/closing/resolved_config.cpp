@@ -209,20 +209,30 @@ ResolvedConfig resolve_config(const MechanismConfig& config, const LoopSource& s
   return NameResolver(source, problems, notes).resolve(config);
 }
 
-std::vector<std::string> leave_out_repeated(std::vector<Closure>& closures, const SourceNames& files) {
-  std::vector<std::string> notes;
+std::optional<std::string> leave_out_repeated(ResolvedConfig& resolved, const SourceNames& files) {
   std::vector<Closure> once;
-  for (const Closure& closure : closures) {
+  std::vector<std::string> repeated;
+  for (const Closure& closure : resolved.closures) {
     const bool is_known =
         std::any_of(once.begin(), once.end(), [&](const Closure& other) { return are_same(closure, other); });
-    if (is_known)
-      notes.push_back(files.config + " lists closure '" + closure.name +
-                      "' twice, which counts once; leave out one entry.");
-    else
+    if (!is_known)
       once.push_back(closure);
+    else if (!contains(repeated, closure.name))
+      repeated.push_back(closure.name);
   }
-  closures = once;
-  return notes;
+  const bool is_twice = resolved.closures.size() == once.size() + 1;
+  resolved.closures = once;
+  if (repeated.empty()) return std::nullopt;
+  std::string names;
+  for (const std::string& name : repeated) names += (names.empty() ? "'" : ", '") + name + "'";
+  return file_of_closures(resolved, files) + " lists " +
+         (is_twice              ? "closure " + names + " twice, which counts once; leave out one entry."
+          : repeated.size() > 1 ? "closures " + names +
+                                      " more than once, which count once; leave out all "
+                                      "entries of each but one."
+                                : "closure " + names +
+                                      " more than once, which counts once; leave out all "
+                                      "entries but one.");
 }
 
 void add_operational_point(ConfiguredFrame& point, const SourceNames& files, Tree& tree, Problems& problems) {

@@ -33,8 +33,8 @@ const std::string& file_of_closures(const ResolvedConfig& resolved, const Source
 ResolvedConfig resolve_config(const MechanismConfig& config, const LoopSource& source, Problems& problems,
                               std::vector<std::string>& notes);
 
-/// Leaves out closures that are listed before, with a note each.
-std::vector<std::string> leave_out_repeated(std::vector<Closure>& closures, const SourceNames& files);
+/// Leaves out closures that are listed before, with a note where there are any.
+std::optional<std::string> leave_out_repeated(ResolvedConfig& resolved, const SourceNames& files);
 
 /// Makes an operational point that is not a link one: a link of its own at the end of `tree`, fixed to that
 /// in whose frame it is given. A name that is taken is added to `problems`; a link that does not exist is

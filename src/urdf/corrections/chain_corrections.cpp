@@ -62,6 +62,15 @@ class ChainCorrections {
     }
   }
 
+  // Each slide along another axis of the link that the chain starts at.
+  Corrections find_axes() {
+    for (std::size_t k = 0; k < joints_.size(); ++k)
+      for (Eigen::Index axis = 0; axis < 3 && slides(joints_[k]); ++axis)
+        if (!are_along(axes_[k], Vector3d::Unit(axis)))
+          add_axis(joints_[k], poses_[k].linear().transpose() * Vector3d::Unit(axis));
+    return std::move(found_);
+  }
+
   Corrections find() {
     for (const Missing& missing : all_missing()) add(missing, false);
     if (turns_.empty() || joints_.size() < 2 || !is_planar_arm()) return std::move(found_);
@@ -176,6 +185,16 @@ class ChainCorrections {
     return added;
   }
 
+  void add_axis(std::size_t joint, const Vector3d& axis) {
+    const std::string name = "joint '" + name_of(joint) + "'";
+    found_.push_back({name,
+                      files_.urdf + " lets " + name + " slide along " +
+                          in_brackets(tree_.joints[joint].axis) + " in the chain of " + names_ +
+                          ", which has no actuated joint",
+                      "write <axis xyz=\"" + as_attribute(axis) + "\"/> for " + name, false,
+                      [joint, axis](Tree& tree, ResolvedConfig&) { tree.joints[joint].axis = axis; }});
+  }
+
   void add(const Missing& missing, bool with_slides) {
     const std::vector<NewJoint> before = new_slides(missing), after = new_turns(missing);
     const auto converted = with_slides ? as_slides() : std::vector<std::pair<std::size_t, Vector3d>>{};
@@ -266,19 +285,21 @@ bool is_like_a_leg(const Tree& tree, const std::vector<std::vector<LegJoint>>& p
 
 }  // namespace
 
-Corrections chain_corrections(const Tree& tree, const ResolvedConfig& resolved, const ClosureSystem& system,
-                              const SourceNames& files) {
-  Corrections found;
+std::vector<Corrections> chain_corrections(const Tree& tree, const ResolvedConfig& resolved,
+                                           const ClosureSystem& system, const SourceNames& files) {
+  Corrections of_axes, of_joints;
   const auto parts = joints_by_leg(system, resolved.actuated_joints, files);
   const std::size_t platform = body_of(tree, resolved.actuated_joints.platform_link);
   for (std::size_t k = 0; k < parts.size(); ++k) {
     const auto joints = passive_chain(tree, resolved, parts[k]);
     if (!joints || (tree.joints[joints->back()].child != platform && is_like_a_leg(tree, parts, k))) continue;
-    for (Correction& correction :
-         ChainCorrections(tree, files, *joints, resolved.actuated_joints.variables.size()).find())
-      found.push_back(std::move(correction));
+    const auto chain = [&] {
+      return ChainCorrections(tree, files, *joints, resolved.actuated_joints.variables.size());
+    };
+    for (Correction& correction : chain().find_axes()) of_axes.push_back(std::move(correction));
+    for (Correction& correction : chain().find()) of_joints.push_back(std::move(correction));
   }
-  return found;
+  return {of_axes, of_joints};
 }
 
 }  // namespace parallel_aspects

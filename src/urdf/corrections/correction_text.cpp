@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/corrections/correction_text.h"
 
-#include "model/number_text.h"
+#include "urdf/description/command_options.h"
 
 #include <Eigen/Geometry>
 
@@ -10,13 +10,9 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr int digits = 12;
-constexpr double zero = 1e-12;
-
 std::string listed(const Eigen::Vector3d& vector, const std::string& between) {
   std::string text;
-  for (Eigen::Index k = 0; k < 3; ++k)
-    text += (k == 0 ? "" : between) + number_text(std::abs(vector[k]) < zero ? 0.0 : vector[k], digits);
+  for (Eigen::Index k = 0; k < 3; ++k) text += (k == 0 ? "" : between) + coordinate_text(vector[k]);
   return text;
 }
 

@@ -98,8 +98,13 @@ class ClosureCorrections {
 // Ends of closures that are exchanged: those of two, and those of two legs with two closures each.
 class ExchangedEnds {
  public:
-  ExchangedEnds(const Tree& tree, const ResolvedConfig& resolved, const SourceNames& files)
-      : tree_(tree), resolved_(resolved), closures_(resolved.closures), files_(files) {}
+  ExchangedEnds(const Tree& tree, const ResolvedConfig& resolved, const SourceNames& files,
+                bool with_places_at_zero)
+      : tree_(tree),
+        resolved_(resolved),
+        closures_(resolved.closures),
+        files_(files),
+        with_places_at_zero_(with_places_at_zero) {}
 
   Corrections find() {
     for (std::size_t k = 0; k < closures_.size(); ++k)
@@ -120,12 +125,15 @@ class ExchangedEnds {
     return one[0] != other[0] && one[0] != other[1] && one[1] != other[0] && one[1] != other[1];
   }
 
-  // A place beside a link stays there.
+  bool is_link(std::size_t closure) const {
+    return closures_[closure].frames[1].in_link.isApprox(Eigen::Isometry3d::Identity());
+  }
+
   bool may_exchange(std::size_t one, std::size_t other) const {
-    const auto is_link = [this](std::size_t k) {
-      return closures_[k].frames[1].in_link.isApprox(Eigen::Isometry3d::Identity());
-    };
-    return is_link(one) && is_link(other) && end_of(one) != end_of(other);
+    if (is_link(one) && is_link(other)) return end_of(one) != end_of(other);
+    const bool any_at_zero = closures_[one].at_zero || closures_[other].at_zero;
+    return !are_same(closures_[one].frames[1], closures_[other].frames[1]) &&
+           (with_places_at_zero_ || !any_at_zero);
   }
 
   void add(const std::vector<Pair>& pairs) {
@@ -144,6 +152,9 @@ class ExchangedEnds {
         remedy += (remedy.empty() ? "exchange the names of links '" : " and of '") + end_of(pair[0]) +
                   "' and '" + end_of(pair[1]) + "'";
     }
+    if (std::any_of(pairs.begin(), pairs.end(),
+                    [this](const Pair& pair) { return !is_link(pair[0]) || !is_link(pair[1]); }))
+      remedy = exchange_of_places(pairs);
     if (pairs.size() == 1) pairs_.push_back(pairs.front());
     found_.push_back({names, file_of_closures(resolved_, files_) + " has the ends of " + names + " crossed",
                       remedy, false, [pairs](Tree&, ResolvedConfig& resolved) {
@@ -151,6 +162,15 @@ class ExchangedEnds {
                           std::swap(resolved.closures[pair[0]].frames[1],
                                     resolved.closures[pair[1]].frames[1]);
                       }});
+  }
+
+  // What is written of them differs from one dialect to the other.
+  std::string exchange_of_places(const std::vector<Pair>& pairs) const {
+    std::string remedy;
+    for (const Pair& pair : pairs)
+      remedy += (remedy.empty() ? "exchange the second ends of closure '" : " and of closure '") +
+                closures_[pair[0]].name + "' and closure '" + closures_[pair[1]].name + "'";
+    return remedy;
   }
 
   const std::string& end_of(std::size_t closure) const {
@@ -163,6 +183,7 @@ class ExchangedEnds {
   const ResolvedConfig& resolved_;
   const std::vector<Closure>& closures_;
   const SourceNames& files_;
+  bool with_places_at_zero_;
   std::vector<Pair> pairs_;
   Corrections found_;
 };
@@ -291,8 +312,9 @@ std::string type_text(const ResolvedConfig& resolved, ClosureType type) {
                                   : "type: " + type_word(resolved, type);
 }
 
-Corrections exchanged_ends(const Tree& tree, const ResolvedConfig& resolved, const SourceNames& files) {
-  return ExchangedEnds(tree, resolved, files).find();
+Corrections exchanged_ends(const Tree& tree, const ResolvedConfig& resolved, const SourceNames& files,
+                           bool with_places_at_zero) {
+  return ExchangedEnds(tree, resolved, files, with_places_at_zero).find();
 }
 
 Corrections actuation_corrections(const Tree& tree, const ResolvedConfig& resolved,

@@ -14,8 +14,10 @@ Corrections closure_corrections(const ResolvedConfig& resolved, const SourceName
 /// "type: point", or "type=\"ball\"" where the URDF has joints of SDF: how the description says it.
 std::string type_text(const ResolvedConfig& resolved, ClosureType type);
 
-/// Second frames of closures that are in one another's place.
-Corrections exchanged_ends(const Tree& tree, const ResolvedConfig& resolved, const SourceNames& files);
+/// Second frames of closures that are in one another's place; such as are beside their links only where both
+/// frames are given, or `with_places_at_zero`.
+Corrections exchanged_ends(const Tree& tree, const ResolvedConfig& resolved, const SourceNames& files,
+                           bool with_places_at_zero = false);
 
 /// Of the list of actuated joints: one of a leg that has none, one less of a leg that has several, or both.
 Corrections actuation_corrections(const Tree& tree, const ResolvedConfig& resolved,

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/corrections/unit_corrections.h"
 
+#include "model/coefficients.h"
 #include "model/number_text.h"
+#include "urdf/corrections/closure_places.h"
 #include "urdf/corrections/correction_text.h"
 
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
@@ -22,7 +26,10 @@ constexpr double millimetre = 1e-3;                     // [m]
 constexpr double widest_robot = 100.0;                  // [m]; wider ones are taken for such in millimetres
 
 constexpr double most_radians = 6.9;  // that somebody writes for an angle
-constexpr double same_angle = 1e-6;   // [rad]
+constexpr double most_turns = 6.0 * EIGEN_PI;
+constexpr double same_angle = 1e-6;     // [rad]
+constexpr double rounded_angle = 2e-4;  // by four digits or more [rad]
+constexpr double radians_of_degree = EIGEN_PI / 180.0, five_degrees = 5.0 * radians_of_degree;
 constexpr int max_half_degrees = 2 * 360;
 
 // The farther of two limits, or nothing where there are none.
@@ -90,67 +97,99 @@ Correction metres_for_lengths(const Tree& tree, double size, const SourceNames& 
           }};
 }
 
-// The degrees, in halves, that an angle read as radians came of; small ones may be radians.
-std::optional<double> degrees_of(double radians) {
-  if (std::abs(radians) < same_angle) return 0.0;
+// Whether that is no angle that somebody computed in radians, as 420 degrees are.
+bool is_in_degrees(double angle) {
+  const bool is_round = std::abs(std::remainder(angle, five_degrees)) < rounded_angle;
+  return std::abs(angle) > most_radians && !(is_round && std::abs(angle) < most_turns);
+}
+
+bool is_whole(double angle) { return angle != 0.0 && angle == std::round(angle); }
+
+// Roll, pitch and yaw as they are written, and in radians.
+struct Angles {
+  Eigen::Vector3d written, radians;
+};
+
+// Each angle that can be no radians, and where `with_whole` the whole numbers beside it. Nothing where all
+// may be radians.
+std::optional<Angles> as_if_in_degrees(const Eigen::Vector3d& written, bool with_whole) {
+  Angles angles{written, written};
+  bool any = false, changes = !with_whole;
+  for (double& angle : coefficients_of(angles.radians)) {
+    const bool is_out = is_in_degrees(angle), goes_along = with_whole && !is_out && is_whole(angle);
+    any = any || is_out;
+    changes = changes || goes_along;
+    if (is_out || goes_along) angle *= radians_of_degree;
+  }
+  return any && changes ? std::optional<Angles>(angles) : std::nullopt;
+}
+
+// The degrees, in halves, that an angle between -pi and pi came of which was read as radians; the angle
+// itself where it is a round one.
+double degrees_or_radians(double radians) {
+  if (std::abs(std::remainder(radians, radians_of_degree)) < rounded_angle) return radians;
   for (int halves = -max_half_degrees; halves <= max_half_degrees; ++halves) {
     const double degrees = 0.5 * halves;
     if (std::abs(degrees) > most_radians &&
         std::abs(std::remainder(degrees - radians, 2.0 * EIGEN_PI)) < same_angle)
       return degrees;
   }
-  return std::nullopt;
+  return radians;
 }
 
-// Nothing where some are not, or all are zero. One rotation has two sets of angles.
-std::optional<Eigen::Vector3d> as_if_in_degrees(const Eigen::Vector3d& angles) {
-  if (angles.norm() < same_angle) return std::nullopt;
+// One rotation has two sets of angles.
+std::optional<Angles> as_if_in_degrees(const Eigen::Matrix3d& rotation) {
+  const Eigen::Vector3d angles = roll_pitch_yaw(rotation);
   const Eigen::Vector3d others(angles.x() + EIGEN_PI, EIGEN_PI - angles.y(), angles.z() + EIGEN_PI);
-  for (const Eigen::Vector3d& radians : {angles, others}) {
-    Eigen::Vector3d degrees = Eigen::Vector3d::Zero();
-    bool all = true;
-    for (Eigen::Index k = 0; k < 3 && all; ++k) {
-      const auto found = degrees_of(std::remainder(radians[k], 2.0 * EIGEN_PI));
-      all = all && found;
-      degrees[k] = found.value_or(0.0);
-    }
-    if (all && !degrees.isZero(0.0)) return degrees;
+  for (const Eigen::Vector3d& set : {angles, others}) {
+    Eigen::Vector3d written;
+    for (Eigen::Index k = 0; k < 3; ++k)
+      written[k] = degrees_or_radians(std::remainder(set[k], 2.0 * EIGEN_PI));
+    if (const auto found = as_if_in_degrees(written, false)) return found;
   }
   return std::nullopt;
 }
 
 struct Turned {
-  std::size_t joint;        // of the tree
-  Eigen::Vector3d degrees;  // roll, pitch and yaw that were read as radians
+  std::size_t joint;  // of the tree
+  Angles angles;
 };
 
 // One for all, as who writes degrees does so throughout.
 Correction radians_for_angles(const Tree& tree, const std::vector<Turned>& all, const SourceNames& files) {
   std::string names, remedy;
-  for (const Turned& turned : all) {
-    const std::string name = "joint '" + tree.joints[turned.joint].name + "'";
-    names += (names.empty() ? "" : ", ") + name + " by rpy " + in_brackets(turned.degrees);
-    remedy += (remedy.empty() ? "write rpy=\"" : " and write rpy=\"") +
-              as_attribute(turned.degrees * EIGEN_PI / 180.0) + "\" in the origin of " + name;
+  for (const auto& [joint, angles] : all) {
+    const std::string name = "joint '" + tree.joints[joint].name + "'";
+    names += (names.empty() ? "" : ", ") + name + " by rpy " + in_brackets(angles.written);
+    remedy += (remedy.empty() ? "write rpy=\"" : " and write rpy=\"") + as_attribute(angles.radians) +
+              "\" in the origin of " + name;
   }
   const bool is_one = all.size() == 1;
   return {is_one ? "joint '" + tree.joints[all.front().joint].name + "'" : "angles",
           files.urdf + " turns the origin of " + names + " rad, as if in degrees", remedy, true,
           [all](Tree& changed, ResolvedConfig&) {
-            for (const Turned& turned : all)
-              changed.joints[turned.joint].origin.linear() = rotation_of(turned.degrees * EIGEN_PI / 180.0);
+            for (const auto& [joint, angles] : all)
+              changed.joints[joint].origin.linear() = rotation_of(angles.radians);
           }};
 }
 
-std::vector<Turned> turned_in_degrees(const Tree& tree, const LoopJoints& loops) {
-  std::vector<Turned> turned;
+// As few as can be no radians, and else whole numbers beside these, too.
+Corrections radians_for_joints(const Tree& tree, const LoopJoints& loops, const SourceNames& files) {
+  std::vector<Turned> few, with_whole;
+  bool any_whole = false;
   for (const std::size_t joint : loops.all()) {
-    const TreeJoint& of = tree.joints[joint];
-    const auto degrees =
-        of.wide_angles ? of.wide_angles : as_if_in_degrees(roll_pitch_yaw(of.origin.linear()));
-    if (degrees) turned.push_back({joint, *degrees});
+    const auto& written = tree.joints[joint].wide_angles;
+    const auto angles = written ? as_if_in_degrees(*written, false) : std::nullopt;
+    if (!angles) continue;
+    const auto whole = as_if_in_degrees(*written, true);
+    any_whole = any_whole || whole;
+    few.push_back({joint, *angles});
+    with_whole.push_back({joint, whole.value_or(*angles)});
   }
-  return turned;
+  Corrections found;
+  if (any_whole) found.push_back(radians_for_angles(tree, with_whole, files));
+  if (!few.empty()) found.push_back(radians_for_angles(tree, few, files));
+  return found;
 }
 
 // Of a frame beside its link. What a URDF writes has other words.
@@ -161,18 +200,17 @@ Corrections radians_for_closures(const Tree& tree, const ResolvedConfig& resolve
     for (const std::size_t end : {0, 1}) {
       const Closure& closure = resolved.closures[k];
       const LinkFrame& frame = closure.frames[end];
-      const auto degrees = as_if_in_degrees(roll_pitch_yaw(frame.in_link.linear()));
-      if (!degrees) continue;
+      const auto angles = as_if_in_degrees(Eigen::Matrix3d(frame.in_link.linear()));
+      if (!angles) continue;
       const std::string element = "closure '" + closure.name + "'";
-      const Eigen::Vector3d radians = *degrees * EIGEN_PI / 180.0;
-      found.push_back(
-          {element,
-           files.config + " turns the frame in link '" + tree.links[frame.link] + "' of " + element +
-               " by rpy " + in_brackets(*degrees) + " rad, as if in degrees",
-           "write rpy: " + as_list(radians) + " in link '" + tree.links[frame.link] + "' of " + element, true,
-           [k, end, radians](Tree&, ResolvedConfig& changed) {
-             changed.closures[k].frames[end].in_link.linear() = rotation_of(radians);
-           }});
+      found.push_back({element,
+                       files.config + " turns the frame in link '" + tree.links[frame.link] + "' of " +
+                           element + " by rpy " + in_brackets(angles->written) + " rad, as if in degrees",
+                       "write rpy: " + as_list(angles->radians) + " in link '" + tree.links[frame.link] +
+                           "' of " + element,
+                       true, [k, end, radians = angles->radians](Tree&, ResolvedConfig& changed) {
+                         changed.closures[k].frames[end].in_link.linear() = rotation_of(radians);
+                       }});
     }
   return found;
 }
@@ -187,10 +225,10 @@ Corrections all_corrections(const Tree& tree, const ResolvedConfig& resolved, co
     if (!slides.empty()) found.push_back(metres_for_limits(unit, tree, slides, size, files));
   }
   if (size > widest_robot) found.push_back(metres_for_lengths(tree, size, files));
-  const std::vector<Turned> turned = turned_in_degrees(tree, loops);
-  if (!turned.empty()) found.push_back(radians_for_angles(tree, turned, files));
-  for (Correction& correction : radians_for_closures(tree, resolved, files))
-    found.push_back(std::move(correction));
+  for (Corrections& more :
+       std::array{radians_for_joints(tree, loops, files), radians_for_closures(tree, resolved, files),
+                  closure_unit_corrections(tree, resolved, loops, files)})
+    std::move(more.begin(), more.end(), std::back_inserter(found));
   return found;
 }
 
@@ -201,13 +239,9 @@ Corrections unit_corrections(const Tree& tree, const ResolvedConfig& resolved, c
   return all_corrections(tree, resolved, loops, size, files, 1.0 / limits_out_of_scale);
 }
 
-std::vector<std::string> unit_notes(const Tree& tree, const ResolvedConfig& resolved, const LoopJoints& loops,
-                                    double size, const SourceNames& files) {
-  std::vector<std::string> notes;
-  for (const Correction& correction :
-       all_corrections(tree, resolved, loops, size, files, shortest_that_is_meant))
-    notes.push_back(correction.fault + "; if so, " + correction.remedy + ".");
-  return notes;
+Corrections unit_doubts(const Tree& tree, const ResolvedConfig& resolved, const LoopJoints& loops,
+                        double size, const SourceNames& files) {
+  return all_corrections(tree, resolved, loops, size, files, shortest_that_is_meant);
 }
 
 }  // namespace parallel_aspects

@@ -5,20 +5,18 @@
 #include "urdf/corrections/correction.h"
 #include "urdf/corrections/loop_joints.h"
 
-#include <string>
-#include <vector>
-
 namespace parallel_aspects {
 
-/// Where slides have limits far beyond the robot, or all lengths are far beyond a robot's: millimetres. Where
-/// origins are turned by angles beyond a full turn, or that are whole or half degrees, read as radians:
-/// degrees. The same of the frames of closures that the YAML lists. `size`: of the robot [m].
+/// Where slides have limits far beyond the robot, lengths are far beyond a robot's, or places of closures far
+/// beyond the lengths: millimetres. Where origins are turned by angles far beyond a full turn: degrees, of
+/// those angles alone, or of whole numbers beside them, too. The same of the frames of closures that the YAML
+/// lists. `size`: of the robot [m].
 Corrections unit_corrections(const Tree& tree, const ResolvedConfig& resolved, const LoopJoints& loops,
                              double size, const SourceNames& files);
 
-/// The same of a robot that loads as it is, as notes.
-std::vector<std::string> unit_notes(const Tree& tree, const ResolvedConfig& resolved, const LoopJoints& loops,
-                                    double size, const SourceNames& files);
+/// The same of a robot that loads as it is.
+Corrections unit_doubts(const Tree& tree, const ResolvedConfig& resolved, const LoopJoints& loops,
+                        double size, const SourceNames& files);
 
 }  // namespace parallel_aspects
 

@@ -39,11 +39,16 @@ bool is_held_once(const std::vector<Closure>& closures, std::size_t link) {
          }) == 1;
 }
 
+// Whether its first link is there for it alone, so that it is to be held at its origin.
+bool holds_end(const Tree& tree, const std::vector<Closure>& closures, const Closure& closure) {
+  return closure.at_zero && is_end(tree, closure.frames[0].link) &&
+         is_held_once(closures, closure.frames[0].link);
+}
+
 // A place beside its links is meant as it is written.
 bool joins_ends(const Tree& tree, const std::vector<Closure>& closures, const Closure& closure) {
-  return closure.at_zero && is_end(tree, closure.frames[0].link) &&
-         !has_child(tree, closure.frames[1].link) && closure.frames[1].in_link.translation().isZero() &&
-         is_held_once(closures, closure.frames[0].link);
+  return holds_end(tree, closures, closure) && !has_child(tree, closure.frames[1].link) &&
+         closure.frames[1].in_link.translation().isZero();
 }
 
 // Of its ends, and zero where it has none [m].
@@ -130,7 +135,7 @@ std::vector<std::optional<double>> gaps_at_zero(const Tree& tree, const std::vec
   std::vector<std::optional<double>> gaps;
   for (const Closure& closure : closures) {
     const auto& [one, other] = closure.frames;
-    if (closure.at_zero && !joins_ends(tree, closures, closure)) {
+    if (closure.at_zero && !holds_end(tree, closures, closure)) {
       gaps.emplace_back();
       continue;
     }
@@ -174,6 +179,18 @@ bool EndGaps::allow(const Tree& tree, const ResolvedConfig& changed) const {
   const auto is_usual = [&](double gap) { return std::abs(gap - before_.front()) <= meet; };
   return std::all_of(before_.begin(), before_.end(), is_usual) &&
          std::all_of(after.begin(), after.end(), is_usual);
+}
+
+std::vector<std::size_t> held_beside_ends(const Tree& tree, const ResolvedConfig& resolved) {
+  const double meet = meeting_tolerance(tree, resolved);
+  std::vector<Closure> placed = resolved.closures;
+  place_at_zero(tree, placed);
+  std::vector<std::size_t> beside;
+  for (std::size_t k = 0; k < placed.size(); ++k)
+    if (holds_end(tree, placed, placed[k]) && !placed[k].frames[1].in_link.translation().isZero() &&
+        placed[k].frames[0].in_link.translation().norm() > meet)
+      beside.push_back(k);
+  return beside;
 }
 
 std::string closures_entry(const Tree& tree, const std::vector<Closure>& closures) {

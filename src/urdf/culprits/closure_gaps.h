@@ -36,6 +36,10 @@ std::vector<Closure> with_known_types(const std::shared_ptr<const Tree>& tree, c
 /// where one follows from the other.
 std::vector<std::optional<double>> gaps_at_zero(const Tree& tree, const std::vector<Closure>& closures);
 
+/// Closures that are given by a place in their second link, and hold by it a link that is there for them
+/// alone beside its origin.
+std::vector<std::size_t> held_beside_ends(const Tree& tree, const ResolvedConfig& resolved);
+
 /// What is no gap, but rounding [m].
 double meeting_tolerance(const Tree& tree, const ResolvedConfig& resolved);
 

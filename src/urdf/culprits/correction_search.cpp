@@ -4,6 +4,7 @@
 #include "urdf/closing/actuation_choices.h"
 #include "urdf/closing/assembly.h"
 #include "urdf/corrections/chain_corrections.h"
+#include "urdf/corrections/closure_places.h"
 #include "urdf/corrections/frame_corrections.h"
 #include "urdf/corrections/gap_corrections.h"
 #include "urdf/corrections/joint_corrections.h"
@@ -88,6 +89,13 @@ std::vector<std::size_t> CorrectionSearch::suspects() const {
   return joints;
 }
 
+// Those that cannot be closed alone, or all.
+std::vector<std::size_t> CorrectionSearch::suspected_closures() const {
+  std::vector<std::size_t> closures = open_loops_;
+  for (std::size_t k = 0; open_loops_.empty() && k < resolved_.closures.size(); ++k) closures.push_back(k);
+  return closures;
+}
+
 void CorrectionSearch::collect() {
   if (resolved_.actuation_origin.empty())
     append(corrections_, actuation_corrections(*tree_, resolved_, system_, files_));
@@ -95,6 +103,7 @@ void CorrectionSearch::collect() {
   append(corrections_, series_corrections(*tree_, resolved_, loops_, files_));
   append(corrections_, closure_corrections(resolved_, files_));
   append(corrections_, exchanged_ends(*tree_, resolved_, files_));
+  append(corrections_, closure_place_corrections(*tree_, resolved_, suspected_closures(), files_));
   for (const std::size_t joint : suspects()) {
     const bool is_fixed = tree_->joints[joint].motion == JointMotion::fixed;
     if (is_fixed) append(corrections_, gap_corrections(*tree_, loops_, joint, files_));
@@ -118,7 +127,9 @@ std::optional<std::string> CorrectionSearch::of_missing_joints() {
 }
 
 std::optional<std::string> CorrectionSearch::of_chains() {
-  return working_of(chain_corrections(*tree_, resolved_, system_, files_));
+  for (const Corrections& kind : chain_corrections(*tree_, resolved_, system_, files_))
+    if (auto message = working_of(kind)) return message;
+  return std::nullopt;
 }
 
 // Into a loop, where they were in none before.

@@ -64,6 +64,7 @@ class CorrectionSearch {
   std::string with_rivals();
   Corrections with_actuation(const Corrections& kind) const;
   std::vector<std::size_t> open_loops() const;
+  std::vector<std::size_t> suspected_closures() const;
   std::vector<std::size_t> suspects() const;
   void try_one(const Correction& correction);
   bool closes_and_moves(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& config);

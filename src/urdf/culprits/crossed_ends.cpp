@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <optional>
 
 namespace parallel_aspects {
@@ -28,7 +29,7 @@ class CrossedPlaces {
   std::optional<std::string> reason(const std::vector<Closure>& exchanged) const {
     std::vector<std::size_t> both;
     for (std::size_t k = 0; k < exchanged.size(); ++k)
-      if (exchanged[k].frames[1].link != resolved_.closures[k].frames[1].link) both.push_back(k);
+      if (!is_same(exchanged[k].frames[1], resolved_.closures[k].frames[1])) both.push_back(k);
     if (both.size() != 2) return std::nullopt;
     const std::vector<std::optional<double>> after = gaps_at_zero(tree_, exchanged);
     if (!are_nearer(both, after)) return std::nullopt;
@@ -38,16 +39,28 @@ class CrossedPlaces {
   }
 
  private:
-  // As near as those of all other closures that are given at zero, or together.
+  static bool is_same(const LinkFrame& one, const LinkFrame& other) {
+    return one.link == other.link && one.in_link.isApprox(other.in_link);
+  }
+
+  // As near as those of all other closures, or together. Where ends are given, it is not to be by chance:
+  // then all are to be as far apart.
   bool are_nearer(const std::vector<std::size_t>& both,
                   const std::vector<std::optional<double>>& after) const {
-    double usual = 0.0;
-    for (std::size_t k = 0; k < gaps_.size(); ++k)
-      if (k != both[0] && k != both[1] && resolved_.closures[k].at_zero && gaps_[k])
-        usual = std::max(usual, *gaps_[k]);
+    double usual = 0.0, least = std::numeric_limits<double>::infinity();
+    bool any_given = false;
+    for (std::size_t k = 0; k < gaps_.size(); ++k) {
+      if (k == both[0] || k == both[1] || !gaps_[k]) continue;
+      usual = std::max(usual, *gaps_[k]);
+      least = std::min(least, *gaps_[k]);
+      any_given = any_given || !resolved_.closures[k].at_zero;
+    }
     return std::all_of(both.begin(), both.end(), [&](std::size_t k) {
-      return gaps_[k] && after[k] && *gaps_[k] > clearly_wider * usual + tolerance_ &&
-             *after[k] <= usual + tolerance_;
+      if (!gaps_[k] || !after[k]) return false;
+      const bool is_near = *gaps_[k] > clearly_wider * usual + tolerance_ && *after[k] <= usual + tolerance_;
+      const bool are_alike = *after[k] >= least - tolerance_ && usual <= least + tolerance_;
+      const bool meets = *after[k] <= tolerance_ && *gaps_[k] > tolerance_;
+      return any_given ? meets || (is_near && are_alike) : is_near;
     });
   }
 
@@ -80,7 +93,7 @@ std::vector<std::string> crossed_ends_notes(const std::shared_ptr<const Tree>& t
     if (auto text = note(tree, resolved, *by_names, "as their names say", files, attempt)) return {*text};
   const CrossedPlaces crossed(*tree, resolved);
   std::vector<std::string> notes;
-  for (const Correction& exchange : exchanged_ends(*tree, resolved, files)) {
+  for (const Correction& exchange : exchanged_ends(*tree, resolved, files, true)) {
     Tree same = *tree;
     ResolvedConfig exchanged = resolved;
     exchange.apply(same, exchanged);

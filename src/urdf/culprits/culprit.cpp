@@ -4,9 +4,9 @@
 #include "urdf/closing/assembly.h"
 #include "urdf/corrections/anchors.h"
 #include "urdf/corrections/listed_corrections.h"
-#include "urdf/corrections/misfit_axes.h"
 #include "urdf/corrections/named_ends.h"
 #include "urdf/culprits/correction_search.h"
+#include "urdf/culprits/misfit_axes.h"
 #include "urdf/culprits/misplaced_ends.h"
 
 #include <algorithm>
@@ -40,7 +40,7 @@ class Search {
             assemble(system_, resolved.actuated_joints.variables, resolved.actuated_joints.platform_link)) {}
 
   std::optional<std::string> run() {
-    if (auto message = crossed_names()) return message;
+    if (auto message = wrong_ends()) return message;
     if (auto message = other_base()) return message;
     if (auto message = CorrectionSearch(tree_, resolved_, true, files_, attempt_).of_missing_joints())
       return message;
@@ -69,11 +69,11 @@ class Search {
   }
 
  private:
-  // Names that say so speak for it alone.
-  std::optional<std::string> crossed_names() const {
-    const auto by_names = ends_paired_by_names(*tree_, resolved_, files_);
-    return by_names ? CorrectionSearch(tree_, resolved_, true, files_, attempt_).working_of({*by_names})
-                    : std::nullopt;
+  // Names that say so speak for it alone, and links that are there for a closure.
+  std::optional<std::string> wrong_ends() const {
+    Corrections ends = end_place_corrections(*tree_, resolved_, files_);
+    if (const auto by_names = ends_paired_by_names(*tree_, resolved_, files_)) ends.push_back(*by_names);
+    return CorrectionSearch(tree_, resolved_, true, files_, attempt_).working_of(ends);
   }
 
   // With what holds least, so that it is assembled wherever it can be.

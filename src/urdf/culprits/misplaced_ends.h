@@ -13,15 +13,19 @@
 
 namespace parallel_aspects {
 
+/// Of closures that hold a link that is there for them alone beside its origin, by a place in the other link:
+/// the place where that origin is while all joints are zero.
+Corrections end_place_corrections(const Tree& tree, const ResolvedConfig& resolved, const SourceNames& files);
+
 /// Changes of origins of joints in loops whose ends are apart while all joints are zero: guesses.
 Corrections place_corrections(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,
                               const SourceNames& files);
 
 /// Changes of the origin of one joint that put together, while all joints are zero, all ends of closures: a
-/// few of those that make a robot, as "write xyz=\"1 0 0\" in the origin of joint 'a'".
-std::vector<std::string> remedies_of_places(const std::shared_ptr<const Tree>& tree,
-                                            const ResolvedConfig& resolved, const SourceNames& files,
-                                            const Attempt& attempt);
+/// few of those that make a robot, as "write xyz=\"1 0 0\" in the origin of joint 'a', or write ..."; empty
+/// where none does.
+std::string remedies_of_places(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,
+                               const SourceNames& files, const Attempt& attempt);
 
 /// Of a robot that loads: ends of closures in a list that are apart while all joints are zero, and those of
 /// most others together.

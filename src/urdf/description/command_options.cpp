@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <utility>
 
 namespace parallel_aspects {
 namespace {
 
 constexpr int digits = 12;
+constexpr double noise = 1e-12;
 
 }  // namespace
 
@@ -45,9 +47,13 @@ std::string option_for(const std::string& key, const std::vector<std::string>& v
   return option + " " + shell_word(joined);
 }
 
+std::string coordinate_text(double value) {
+  return number_text(std::abs(value) < noise ? 0.0 : value, digits);
+}
+
 std::string placed_name(const std::string& link, const Eigen::Vector3d& xyz) {
-  return link + "@" + number_text(xyz.x(), digits) + ":" + number_text(xyz.y(), digits) + ":" +
-         number_text(xyz.z(), digits);
+  return link + "@" + coordinate_text(xyz.x()) + ":" + coordinate_text(xyz.y()) + ":" +
+         coordinate_text(xyz.z());
 }
 
 }  // namespace parallel_aspects

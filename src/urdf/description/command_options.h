@@ -19,6 +19,9 @@ std::string option_name(const std::string& key);
 /// The option with its values, as "--actuated 'a b'".
 std::string option_for(const std::string& key, const std::vector<std::string>& values);
 
+/// A coordinate or an angle, "0.4": what is but rounding is zero.
+std::string coordinate_text(double value);
+
 /// A place in the frame of a link [m], as "rod_2@0.4:0:0".
 std::string placed_name(const std::string& link, const Eigen::Vector3d& xyz);
 

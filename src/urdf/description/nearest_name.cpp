@@ -2,6 +2,7 @@
 #include "urdf/description/nearest_name.h"
 
 #include <algorithm>
+#include <cctype>
 #include <numeric>
 
 namespace parallel_aspects {
@@ -36,6 +37,11 @@ bool are_near(const std::string& one, const std::string& other) {
   return 3 * edit_distance(one, other) <= longer.size();
 }
 
+std::string in_small_letters(std::string name) {
+  for (char& letter : name) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  return name;
+}
+
 std::string listed(const std::vector<std::string>& names) {
   std::string text;
   for (const std::string& name : names) text += (text.empty() ? "'" : ", '") + name + "'";
@@ -49,6 +55,10 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 }
 
 std::string similar_name(const std::string& word, const std::vector<std::string>& known) {
+  const auto same_letters = std::find_if(known.begin(), known.end(), [&](const std::string& name) {
+    return in_small_letters(name) == in_small_letters(word);
+  });
+  if (same_letters != known.end()) return *same_letters;
   const auto nearest = std::min_element(known.begin(), known.end(), [&](const auto& a, const auto& b) {
     return edit_distance(word, a) < edit_distance(word, b);
   });

@@ -28,8 +28,9 @@ StatedEffort stated_effort(const tinyxml2::XMLElement* joint) {
 
 class Combiner {
  public:
-  Combiner(const Tree& tree, const std::vector<GraphPart>& legs, const JointEvidence& evidence)
-      : tree_(tree), legs_(legs), evidence_(evidence) {}
+  Combiner(const Tree& tree, const std::vector<GraphPart>& legs, const JointEvidence& evidence,
+           bool with_followers)
+      : tree_(tree), legs_(legs), evidence_(evidence), with_followers_(with_followers) {}
 
   std::vector<ActuationCandidate> find() {
     const auto stated = [&](std::size_t joint) { return evidence_.stated[joint]; };
@@ -50,7 +51,7 @@ class Combiner {
   }
 
  private:
-  bool may_drive(std::size_t joint) const { return !tree_.joint_of(joint).mimics; }
+  bool may_drive(std::size_t joint) const { return with_followers_ || !tree_.joint_of(joint).mimics; }
 
   bool has_effort(std::size_t joint) const {
     return evidence_.efforts[joint] == StatedEffort::by_habit ||
@@ -161,6 +162,7 @@ class Combiner {
   const Tree& tree_;
   const std::vector<GraphPart>& legs_;
   const JointEvidence& evidence_;
+  bool with_followers_;
   // One joint of each leg, the only one with what the name says; else none.
   Variables stated_alone_, with_effort_;
   std::set<Variables> known_;
@@ -191,8 +193,8 @@ JointEvidence find_joint_evidence(const LoopSource& source) {
 }
 
 std::vector<ActuationCandidate> actuation_candidates(const Tree& tree, const std::vector<GraphPart>& legs,
-                                                     const JointEvidence& evidence) {
-  return Combiner(tree, legs, evidence).find();
+                                                     const JointEvidence& evidence, bool with_followers) {
+  return Combiner(tree, legs, evidence, with_followers).find();
 }
 
 ActuationCandidate stated_actuation(const JointEvidence& evidence) {

@@ -35,9 +35,10 @@ struct ActuationCandidate {
 
 /// Combinations of one joint of each leg that have the same place or name in all legs, or that alone have
 /// what speaks for an actuated joint; those that most speaks for first. Where a combination is stated, there
-/// are no others.
+/// are no others. Joints that mimic others are left out, unless `with_followers`.
 std::vector<ActuationCandidate> actuation_candidates(const Tree& tree, const std::vector<GraphPart>& legs,
-                                                     const JointEvidence& evidence);
+                                                     const JointEvidence& evidence,
+                                                     bool with_followers = false);
 
 /// All that the URDF states.
 ActuationCandidate stated_actuation(const JointEvidence& evidence);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/setup/closed_search.h"
 
+#include "urdf/closing/freedom.h"
 #include "urdf/closing/planar_layers.h"
 #include "urdf/description/name_words.h"
 #include "urdf/load_search.h"
-#include "urdf/setup/freedom.h"
+#include "urdf/setup/actuation_notes.h"
 #include "urdf/setup/platform_candidates.h"
 
 #include <algorithm>
@@ -169,7 +170,25 @@ class ClosedSearch {
     if (equals.size() > 1) ask_for_actuated_joints(equals);
     result_.draft.others.push_back({"actuated_joints", equals.front(), others});
     add_other_points(platform);
+    note_actuation(legs);
     return true;
+  }
+
+  // What the URDF says of actuated joints and was not followed.
+  void note_actuation(const std::vector<GraphPart>& legs) {
+    std::vector<std::size_t> variables;
+    for (const std::string& name : result_.draft.actuated_joints.values)
+      variables.push_back(*tree_.joints[*tree_.joint_named(name)].variable);
+    const TakenActuation taken{tree_, subject_.evidence, graph_.in_loop(), legs, variables};
+    if (const auto note = note_on_stated(taken, subject_.urdf_name)) result_.notes.push_back(*note);
+    if (!subject_.answers.actuated_joints.empty()) return;
+    const auto ruled_out = ruled_out_by_mimic(taken);
+    if (!ruled_out) return;
+    SetupDraft draft = result_.draft;
+    draft.actuated_joints = described(*ruled_out);
+    Problems unused;
+    if (loaded(draft, unused, without_mimic(subject_.urdf_text, tree_, ruled_out->variables)))
+      result_.notes.push_back(note_on_mimic(tree_, *ruled_out, subject_.urdf_name));
   }
 
   // Links of the platform beside the one that was taken: those whose names say so as well, and where none
@@ -296,6 +315,10 @@ class ClosedSearch {
 
   // Nothing where it does not load, or not in time.
   std::shared_ptr<const Mechanism> loaded(const SetupDraft& draft, Problems& problems) const {
+    return loaded(draft, problems, subject_.urdf_text);
+  }
+  std::shared_ptr<const Mechanism> loaded(const SetupDraft& draft, Problems& problems,
+                                          const std::string& urdf_text) const {
     LoadSearch search;
     search.looks_for_remedies = false;
     search.as_options = true;
@@ -303,8 +326,7 @@ class ClosedSearch {
       if (is_late()) throw SearchIsLate{};
     };
     try {
-      return load_mechanism(subject_.urdf_text, subject_.urdf_name, config_text(draft), name_of_choice, "",
-                            search);
+      return load_mechanism(urdf_text, subject_.urdf_name, config_text(draft), name_of_choice, "", search);
     } catch (const InvalidDescription& invalid) {
       problems = invalid.problems();
     } catch (const SearchIsLate&) {

@@ -34,6 +34,7 @@ struct ClosedResult {
   Problems problems;  ///< of what was tried first
   std::vector<SetupDraft>
       tried;  ///< first, and then for other platforms; empty where there was nothing to try
+  std::vector<std::string> notes;  ///< on the actuated joints, a sentence each
   bool cut_short = false;
 };
 

@@ -28,12 +28,11 @@ Problems diagnosed(const SetupSubject& subject, const SetupDraft& draft) {
   return {};
 }
 
-Problems in_options(const SetupSubject& subject, const SetupDraft& draft, const std::string& when,
-                    const Problems& reasons) {
+Problems in_options(const SetupSubject& subject, const SetupDraft& draft, const Problems& reasons) {
   Problems problems;
   for (const std::string& reason : reasons)
-    problems.push_back(subject.urdf_name + " makes no robot that is treated with " + options_for(draft) +
-                       when + ": " + reason);
+    problems.push_back(subject.urdf_name + " was tried with " + options_for(draft) +
+                       ", and does not load: " + reason);
   return problems;
 }
 
@@ -50,10 +49,10 @@ Problems refusal_of(const SetupSubject& subject, const ClosedResult& found) {
   if (found.tried.empty()) return found.problems;
   Problems first = diagnosed(subject, found.tried.front());
   if (first.empty()) first = found.problems;
-  first = in_options(subject, found.tried.front(), ", which was tried first", first);
+  first = in_options(subject, found.tried.front(), first);
   for (std::size_t k = 1; k < found.tried.size() && !any_remedy(first); ++k) {
     const Problems reasons = diagnosed(subject, found.tried[k]);
-    if (any_remedy(reasons)) return in_options(subject, found.tried[k], "", reasons);
+    if (any_remedy(reasons)) return in_options(subject, found.tried[k], reasons);
   }
   return first;
 }

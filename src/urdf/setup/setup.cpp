@@ -125,6 +125,7 @@ class Setup {
       return;
     }
     SetupDraft& draft = found.draft;
+    result_.notes.insert(result_.notes.end(), found.notes.begin(), found.notes.end());
     draft.task_space = found.mechanism->manipulator()->task_space();
     for (const std::string& note :
          wrist_notes(tree_, bodies_, *found.mechanism, draft.closures.values, source_.files.urdf))
@@ -155,8 +156,6 @@ class Setup {
   void described_closures(const FoundLoops& loops) {
     SetupControl control = control_;
     control.deadline -= (control_.deadline - ProcessorClock::now()) / 2;
-    if (control.latest != std::chrono::steady_clock::time_point::max())
-      control.latest -= (control_.latest - std::chrono::steady_clock::now()) / 2;
     const SetupSubject subject{
         tree_,    bodies_, evidence_, subject_.urdf_text, subject_.urdf_name, subject_.config_name,
         answers_, control};
@@ -168,8 +167,9 @@ class Setup {
   SetupResult asked_closures(const std::vector<Closure>& in_urdf) {
     result_.problems.clear();
     Pairing asked{{}, "as asked for"};
-    for (const auto& pair : answers_.closures)
-      asked.pairs.push_back({*tree_.link_named(pair[0]), *tree_.link_named(pair[1]), ""});
+    for (const auto& [one, other] : answers_.closures)
+      if (!is_asked_before(one, other, asked))
+        asked.pairs.push_back({*tree_.link_named(one), *tree_.link_named(other), ""});
     const std::vector<Closure> added = closures_of(tree_, asked);
     const std::size_t replaced = closed_again(bodies_, in_urdf, added);
     if (replaced > 0 && replaced < in_urdf.size()) {
@@ -184,6 +184,14 @@ class Setup {
     if (adds) candidate.reason += ", beside those that the URDF describes";
     take(search_closed(subject_, closures, candidate, adds));
     return result_;
+  }
+
+  // Either way round.
+  bool is_asked_before(const std::string& one, const std::string& other, const Pairing& asked) const {
+    return std::any_of(asked.pairs.begin(), asked.pairs.end(), [&](const EndPair& pair) {
+      const std::string &first = tree_.links[pair.one], &second = tree_.links[pair.other];
+      return (first == one && second == other) || (first == other && second == one);
+    });
   }
 
   SetupCandidate described(const Pairing& pairing) const {

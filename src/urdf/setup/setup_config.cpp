@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/setup/setup_config.h"
 
-#include "model/number_text.h"
 #include "urdf/description/command_options.h"
 #include "urdf/setup/placed_frames.h"
 
@@ -55,8 +54,6 @@ std::string yaml(const Value& value) {
   return out.c_str();
 }
 
-constexpr int coordinate_digits = 12;
-
 // The name of a link, or a place in its frame.
 std::string yaml_frame(const std::string& text) {
   const auto frame = placed_frame(text);
@@ -67,7 +64,7 @@ std::string yaml_frame(const std::string& text) {
   if (!frame) return in_list(text);
   std::string xyz;
   for (const double coordinate : {frame->xyz.x(), frame->xyz.y(), frame->xyz.z()})
-    xyz += (xyz.empty() ? "" : ", ") + number_text(coordinate, coordinate_digits);
+    xyz += (xyz.empty() ? "" : ", ") + coordinate_text(coordinate);
   return "{link: " + in_list(frame->link) + ", xyz: [" + xyz + "]}";
 }
 

@@ -47,6 +47,9 @@ std::vector<std::string> wrist_notes(const Tree& tree, const Bodies& bodies, con
   if (!is_planar(mechanism.manipulator()->task_space())) return {};
   std::vector<bool> is_idle(static_cast<std::size_t>(tree.variables()), true);
   for (const PassiveJoint& joint : mechanism.determined_joints()) is_idle[joint.index] = false;
+  for (const Leg& leg : mechanism.manipulator()->legs())
+    if (const auto joint = tree.joint_named(leg.actuated_joint))
+      is_idle[*tree.joints[*joint].variable] = false;
   std::vector<std::string> notes;
   for (const std::string& pair : closures) {
     const std::size_t middle = pair.find('=');

@@ -178,20 +178,24 @@ TEST_P(Surfaces, EndWhereTheAspectEnds) {
 
 TEST_P(Surfaces, AreCutByASection) {
   for (const int id : larger_aspects()) {
-    SurfaceOptions options;
-    options.section = half_of(surface_of(map(), id));
-    const AspectSurface cut = surface_of(map(), id, options);
+    const AspectSurface whole = surface_of(map(), id);
+    const HalfSpace half = half_of(whole);
+    const AspectSurface cut = section_of(whole, half);
     expect_closed(cut.mesh, "aspect " + std::to_string(id));
     std::size_t faces = 0;
     for (std::size_t t = 0; t < cut.mesh.triangles.size(); ++t)
       for (const std::uint32_t corner : cut.mesh.triangles[t]) {
-        const double height = cut.mesh.points[corner].z() - options.section->offset;
+        const double height = cut.mesh.points[corner].z() - half.offset;
         ASSERT_LE(height, 1e-9) << "aspect " << id;
         if (cut.mesh.kinds[t] != FaceKind::section) continue;
         ++faces;
         ASSERT_NEAR(height, 0.0, 1e-9) << "aspect " << id;
       }
     EXPECT_GT(faces, 0U) << "aspect " << id;
+    const AspectSurface rest = section_of(whole, {-half.normal, -half.offset});
+    EXPECT_NEAR(volume_of(cut.mesh) + volume_of(rest.mesh), volume_of(whole.mesh),
+                1e-9 * volume_of(whole.mesh))
+        << "aspect " << id;
   }
 }
 

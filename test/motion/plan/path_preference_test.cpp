@@ -73,6 +73,9 @@ TEST_P(PathPreferenceOf, IsWhatItSays) {
     EXPECT_EQ(test::contradictions(*robot, fast, 2000), 0);
     EXPECT_GE(clear.least_index, shortest.least_index);
     EXPECT_LE(time(fast), time(shortest));
+    const PlannedPath quick = planner.plan(from, to, {policy, PathPreference::quick, {}});
+    for (const PlannedPath* other : {&clear, &fast, &quick})
+      EXPECT_LE(test::path_length(*robot, shortest), test::path_length(*robot, *other));
     compared.clearer += clear.least_index > 1.01 * shortest.least_index ? 1 : 0;
     compared.faster += time(fast) < 0.99 * time(shortest) ? 1 : 0;
     compared.short_index.push_back(shortest.least_index);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Paths with six degrees of freedom, through serial gates too.
+#include "motion/plan/followed_joints.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"
 #include "parallel_aspects/kinematics/direct.h"
+#include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/motion/plan_path.h"
 #include "parallel_aspects/motion/time_path.h"
 
@@ -13,6 +15,7 @@
 #include "support/pose_pairs.h"
 #include "support/shipped.h"
 #include "support/thoroughness.h"
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <memory>
@@ -33,60 +36,6 @@ std::shared_ptr<const PoseRoadmap> roadmap_of(const Robot& robot, const std::vec
   return compute_pose_roadmap(robot, options).roadmap;
 }
 
-/// Follows the platform by Newton's method with a matrix of differences while the joints run straight; the
-/// sign of det A at every step, 0 where it changes.
-struct Followed {
-  Pose end;
-  int sign = 0;
-};
-
-Eigen::VectorXd errors_of_legs(const Manipulator& robot, const Pose& pose, const JointVector& q) {
-  Eigen::VectorXd f(static_cast<Eigen::Index>(robot.leg_count()));
-  for (std::size_t j = 0; j < robot.leg_count(); ++j) {
-    const Leg& leg = robot.leg(j);
-    f[static_cast<Eigen::Index>(j)] = leg.residual(pose, q[static_cast<Eigen::Index>(j)]);
-  }
-  return f;
-}
-
-Pose moved(const Pose& pose, const Eigen::VectorXd& by) {
-  Pose result = pose;
-  result.position += by.head<3>();
-  const double angle = by.tail<3>().norm();
-  if (angle > 0.0)
-    result.orientation =
-        Eigen::Quaterniond(Eigen::AngleAxisd(angle, by.tail<3>() / angle)) * result.orientation;
-  return result;
-}
-
-Eigen::MatrixXd slopes(const Manipulator& robot, const Pose& pose, const JointVector& q) {
-  constexpr double step = 1e-6;
-  Eigen::MatrixXd matrix(6, 6);
-  for (Eigen::Index i = 0; i < 6; ++i) {
-    const Eigen::VectorXd by = step * Eigen::VectorXd::Unit(6, i);
-    matrix.col(i) = (errors_of_legs(robot, moved(pose, by), q) - errors_of_legs(robot, moved(pose, -by), q)) /
-                    (2.0 * step);
-  }
-  return matrix;
-}
-
-Followed follow(const Manipulator& robot, Pose pose, const JointVector& from, const JointVector& to) {
-  constexpr int steps = 200;
-  Followed result;
-  result.sign = slopes(robot, pose, from).determinant() > 0.0 ? 1 : -1;
-  const int first = result.sign;
-  for (int k = 0; k <= steps; ++k) {
-    const JointVector q = from + (static_cast<double>(k) / steps) * (to - from);
-    for (int i = 0; i < 6; ++i) {
-      const Eigen::MatrixXd matrix = slopes(robot, pose, q);
-      if (matrix.determinant() * first <= 0.0) result.sign = 0;
-      pose = moved(pose, -matrix.fullPivLu().solve(errors_of_legs(robot, pose, q)));
-    }
-  }
-  result.end = pose;
-  return result;
-}
-
 /// By formulas of the test: the segments in their modes, and each crossing by the joints alone.
 void expect_no_contradiction(const Robot& robot, const PlannedPath& path) {
   EXPECT_EQ(test::contradictions(*robot, path, 4000), 0);
@@ -96,7 +45,7 @@ void expect_no_contradiction(const Robot& robot, const PlannedPath& path) {
     EXPECT_EQ(before.pose.position, behind.pose.position);
     for (std::size_t j = 0; j < robot->leg_count(); ++j)
       EXPECT_EQ(before.mode.sign(j) != behind.mode.sign(j), j == crossing.leg);
-    const Followed followed = follow(*robot, before.pose, before.q, behind.q);
+    const test::Followed followed = test::follow(*robot, before.pose, before.q, behind.q);
     EXPECT_NE(followed.sign, 0);
     EXPECT_LT((followed.end.position - behind.pose.position).norm(), 1e-6 * robot->size());
     EXPECT_LT(followed.end.orientation.angularDistance(behind.pose.orientation), 1e-6);
@@ -145,6 +94,59 @@ TEST_P(PlanInRoadmapOf, PassesSerialGatesWithProof) {
 INSTANTIATE_TEST_SUITE_P(Robots, PlanInRoadmapOf, testing::Values("hexa", "six_pus"),
                          [](const auto& each) { return std::string(each.param); });
 
+/// The least parallel index of a path by the formula of the test, at many poses.
+double least_index(const Manipulator& robot, const PlannedPath& path) {
+  long double least = 1.0;
+  for (std::size_t i = 0; i + 1 < path.points.size(); ++i)
+    for (int k = 0; k <= 400; ++k) {
+      const Pose pose = pose_between(path.points[i].pose, path.points[i + 1].pose, k / 400.0);
+      const JointVector q = inverse(robot, pose, path.points[i].mode).q;
+      least = std::min(least, test::IndexAt(robot, pose, q).parallel());
+    }
+  return static_cast<double>(least);
+}
+
+// With a margin, which every pose keeps, the gates too.
+TEST(PlanInRoadmap, PassesSerialGatesWithinFurtherConstraints) {
+  Margins margins;
+  margins.parallel = 0.01;
+  const Robot robot = test::shipped("hexa")->mapped_manipulator()->with_margins(margins);
+  test::PosePairs random(robot, 4);
+  const WorkingMode first = random.mode();
+  WorkingMode second = first;
+  second.set_sign(1, -first.sign(1));
+  const auto roadmap = roadmap_of(robot, {first, second}, 400);
+  ASSERT_TRUE(roadmap);
+  int found = 0;
+  for (int i = 0; i < (test::is_sanitized ? 2 : 16); ++i) {
+    SCOPED_TRACE("pair " + std::to_string(i));
+    const PathEnd from{random.reached(first).value(), first}, to{random.reached(second).value(), second};
+    const PlannedPath path = plan_in_roadmap(*roadmap, from, to, {PathPolicy::serial});
+    if (!path) continue;
+    ++found;
+    expect_no_contradiction(robot, path);
+    EXPECT_GE(least_index(*robot, path), 0.01);
+  }
+  std::printf("hexa with a margin: %d found\n", found);
+  EXPECT_GT(found, test::is_sanitized ? -1 : 0);
+}
+
+TEST(PlanInRoadmap, PassesNoGateThatASerialMarginShutsOut) {
+  Margins margins;
+  margins.serial = 0.01;
+  const Robot robot = test::shipped("hexa")->mapped_manipulator()->with_margins(margins);
+  test::PosePairs random(robot, 4);
+  const WorkingMode first = random.mode();
+  WorkingMode second = first;
+  second.set_sign(1, -first.sign(1));
+  const auto roadmap = roadmap_of(robot, {first, second}, 50);
+  ASSERT_TRUE(roadmap);
+  const PlannedPath path = plan_in_roadmap(*roadmap, {random.reached(first).value(), first},
+                                           {random.reached(second).value(), second}, {PathPolicy::serial});
+  EXPECT_EQ(path.answer, SameAspect::no);
+  EXPECT_NE(path.message.find("serial margin"), std::string::npos) << path.message;
+}
+
 TEST(PlanInRoadmap, HasClearAndShortPaths) {
   const Robot robot = test::shipped("stewart")->mapped_manipulator();
   const auto roadmap = roadmap_of(robot, {}, 1000);
@@ -155,7 +157,8 @@ TEST(PlanInRoadmap, HasClearAndShortPaths) {
   for (int i = 0; i < (test::is_sanitized ? 3 : 60); ++i) {
     SCOPED_TRACE("pair " + std::to_string(i));
     const PathEnd from{random.reached(mode).value(), mode}, to{random.reached(mode).value(), mode};
-    const PlannedPath shortest = plan_in_roadmap(*roadmap, from, to),
+    const PlannedPath shortest = plan_in_roadmap(*roadmap, from, to,
+                                                 {PathPolicy::stay, PathPreference::shortest, {}}),
                       clear =
                           plan_in_roadmap(*roadmap, from, to, {PathPolicy::stay, PathPreference::clear, {}});
     ASSERT_EQ(shortest.answer, clear.answer);
@@ -163,6 +166,7 @@ TEST(PlanInRoadmap, HasClearAndShortPaths) {
     EXPECT_EQ(test::contradictions(*robot, shortest, 2000), 0);
     EXPECT_EQ(test::contradictions(*robot, clear, 2000), 0);
     EXPECT_GE(clear.least_index, shortest.least_index);
+    EXPECT_LE(test::path_length(*robot, shortest), test::path_length(*robot, clear));
     length_of_short += test::path_length(*robot, shortest);
     length_of_clear += test::path_length(*robot, clear);
     clearer += clear.least_index > 1.01 * shortest.least_index ? 1 : 0;

@@ -118,7 +118,8 @@ TEST_F(ProbeOfNode, TypedPoseIsAnsweredAsByTheServices) {
   EXPECT_EQ(state->report.serial_distance.upper, distance.reports.front().serial_distance.upper);
   const Recorder<geometry_msgs::PoseStamped> pose("/aspect_node/probe/pose");
   const Recorder<visualization_msgs::MarkerArray> markers("/aspect_node/probe/markers");
-  ASSERT_TRUE(eventually([&] { return pose.last() && markers.last(); }));  // latched
+  ASSERT_TRUE(eventually(
+      [&] { return pose.last() && markers.last() && markers.last()->markers.size() > 1; }));  // latched
   EXPECT_EQ(pose.last()->header.frame_id, "base_link");
   EXPECT_NEAR(pose.last()->pose.position.y, 8.0, 1e-12);
   EXPECT_TRUE(std::any_of(markers.last()->markers.begin(), markers.last()->markers.end(),

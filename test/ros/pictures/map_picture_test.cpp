@@ -92,7 +92,7 @@ TEST_F(MapPictureTest, EachAspectIsOneTriangleListInItsColourAndSize) {
     const Marker& marker = fills[static_cast<std::size_t>(aspect.id - 1)];
     EXPECT_EQ(marker.type, Marker::TRIANGLE_LIST);
     EXPECT_EQ(marker.header.frame_id, frames.aspects);
-    EXPECT_EQ(marker.color, aspect_color(aspect.id));
+    EXPECT_EQ(marker.color, AspectColors(*map_).of(aspect.id));
     // Drawn are the inside leaves and slivers of the undecided ones.
     EXPECT_GE(area(marker) / (scale * scale), aspect.measure_lower * (1.0 - 1e-9));
     EXPECT_LE(area(marker) / (scale * scale), aspect.measure_upper * (1.0 + 1e-9));
@@ -150,7 +150,8 @@ TEST_F(MapPictureTest, OnlyTheAspectsOfThePresentModeAreAtTheRobot) {
   const auto fills = in_group(picture_.present(present), "robot/aspects");
   EXPECT_EQ(fills.size(), 3U);
   int highlighted = 0;
-  for (const Marker& marker : fills) highlighted += marker.color == aspect_color(present->aspect) ? 1 : 0;
+  for (const Marker& marker : fills)
+    highlighted += marker.color == AspectColors(*map_).of(present->aspect) ? 1 : 0;
   EXPECT_EQ(highlighted, 1);
   EXPECT_EQ(in_group(picture_.present(present), "robot/outline").size(), 1U);
 }

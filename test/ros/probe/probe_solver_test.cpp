@@ -89,7 +89,8 @@ TEST_F(ProbeOfFiveBar, StaysAtTheNearestPoseAndSaysHowFarAndWhose) {
   EXPECT_NEAR(found.state.off, 6.0, 1e-5);
   EXPECT_NEAR(found.state.wanted.position.x, -10.0, 1e-12);
   EXPECT_NEAR(found.state.report.configuration.pose.position.x, -4.0, 1e-5);
-  EXPECT_NE(words_of(*robot_, found).find("out of reach: 6 m from"), std::string::npos);
+  EXPECT_NE(words_of(*robot_, found).find("out of reach: it stays at the nearest pose found, 6 m from"),
+            std::string::npos);
 }
 
 TEST_F(ProbeOfFiveBar, TellsTheOtherWorkingModesOfItsPoseWhereAsked) {

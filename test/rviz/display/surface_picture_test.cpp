@@ -2,10 +2,16 @@
 // What the display draws of a map, without rviz.
 #include "rviz/display/surface_picture.h"
 
+#include "aspects/pictures/palette.h"
+#include "parallel_aspects/kinematics/inverse.h"
+#include "rviz/display/workspace_painter.h"
+
 #include <gtest/gtest.h>
 
 #include "support/shipped.h"
 #include "support/slices.h"
+#include <algorithm>
+#include <map>
 #include <set>
 
 namespace parallel_aspects {
@@ -23,20 +29,25 @@ std::shared_ptr<const AspectMap> coarse_map(const char* name, double share, std:
   return test::map_of(robot, options);
 }
 
-const AspectMap& five_bar() {
-  static const auto map = coarse_map("five_bar", 0.01);
-  return *map;
+SurfaceStore& five_bar_store() {
+  static SurfaceStore store(coarse_map("five_bar", 0.01));
+  return store;
 }
 
-const AspectMap& three_rrr() {
-  static const auto map = coarse_map("three_rrr", 0.05, 1);
-  return *map;
+const AspectMap& five_bar() { return five_bar_store().map(); }
+
+SurfaceStore& three_rrr_store() {
+  static SurfaceStore store(coarse_map("three_rrr", 0.05, 1));
+  return store;
 }
+
+const AspectMap& three_rrr() { return three_rrr_store().map(); }
 
 PictureChoice in_aspect(const AspectMap& map, int id) {
   PictureChoice choice;
   choice.aspect = id;
-  choice.mode = map.aspects()[static_cast<std::size_t>(id - 1)].mode;
+  choice.modes = {map.aspects()[static_cast<std::size_t>(id - 1)].mode};
+  choice.robot = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Ones()};
   return choice;
 }
 
@@ -55,7 +66,7 @@ TEST(SurfacePicture, ChoicesShowTheAspectsThatTheyName) {
   const AspectMap& map = five_bar();
   PictureChoice choice = in_aspect(map, 3);
   for (const int id : shown_aspects(map, choice))
-    EXPECT_EQ(map.aspects()[static_cast<std::size_t>(id - 1)].mode, *choice.mode);
+    EXPECT_EQ(map.aspects()[static_cast<std::size_t>(id - 1)].mode, choice.modes.front());
   EXPECT_GE(shown_aspects(map, choice).size(), 2U);
   choice.shown = Shown::present_aspect;
   EXPECT_EQ(shown_aspects(map, choice), std::vector<int>{3});
@@ -83,14 +94,14 @@ TEST(SurfacePicture, PlanesAreFilledAsFarAsTheMapSays) {
   const AspectMap& map = five_bar();
   PictureChoice choice;
   choice.shown = Shown::all;
-  const SurfacePicture picture = draw_surfaces(map, choice, std::nullopt, not_cancelled);
-  ASSERT_EQ(picture.meshes.size(), map.aspects().size());
-  for (const ColoredMesh& mesh : picture.meshes) {
+  const SurfacePicture picture = draw_surfaces(five_bar_store(), choice, std::nullopt, not_cancelled);
+  ASSERT_EQ(picture.moving.meshes.size(), map.aspects().size());
+  for (const ColoredMesh& mesh : picture.moving.meshes) {
     const Aspect& aspect = map.aspects()[static_cast<std::size_t>(mesh.aspect - 1)];
     EXPECT_NEAR(area(mesh), aspect.measure, 0.03 * aspect.measure + 0.5) << "aspect " << mesh.aspect;
   }
-  EXPECT_EQ(picture.labels.size(), map.aspects().size());
-  EXPECT_FALSE(picture.lines.empty());
+  EXPECT_EQ(picture.moving.labels.size(), map.aspects().size());
+  EXPECT_FALSE(picture.moving.lines.empty());
   EXPECT_NE(picture.legend.text.find("not known"), std::string::npos) << picture.legend.text;
 }
 
@@ -99,26 +110,92 @@ TEST(SurfacePicture, ASectionAtTheRobotLeavesWhatIsBelowIt) {
   const Aspect& aspect = map.aspects().front();
   PictureChoice choice = in_aspect(map, aspect.id);
   choice.section = Section::at_robot;
-  const SurfacePicture picture = draw_surfaces(map, choice, aspect.deepest, not_cancelled);
-  ASSERT_FALSE(picture.meshes.empty());
+  const SurfacePicture picture = draw_surfaces(three_rrr_store(), choice, aspect.deepest, not_cancelled);
+  ASSERT_FALSE(picture.moving.meshes.empty());
   EXPECT_TRUE(picture.is_cut);
   const double level = drawn_point(TaskSpace::SE2, aspect.deepest, picture.radian).z();
   double cut = 0.0;
-  for (const ColoredMesh& mesh : picture.meshes) {
+  const auto colors = aspect_colors(map.aspects());
+  for (const ColoredMesh& mesh : picture.moving.meshes) {
     for (const Eigen::Vector3f& point : mesh.points) EXPECT_LE(point.z(), level + 1e-4);
-    if (mesh.is_cut) cut += area(mesh);
+    if (!mesh.is_flat) continue;
+    cut += area(mesh);
+    EXPECT_EQ(mesh.color, colors[static_cast<std::size_t>(mesh.aspect - 1)]) << "faces have plain colours";
+    for (const Eigen::Vector3f& point : mesh.points) EXPECT_NEAR(point.z(), level, 1e-4);
   }
+  EXPECT_FALSE(picture.moving.lines.empty()) << "faces have no outline";
   EXPECT_GT(cut, 1.0);
   EXPECT_NE(picture.legend.text.find("in aspect " + std::to_string(aspect.id)), std::string::npos);
   EXPECT_NEAR(placement(*map.manipulator(), aspect.deepest, picture.radian).z() + level, 0.0,
               0.05 * map.manipulator()->size());
 }
 
+TEST(SurfacePicture, WhileTheStateIsAmbiguousTheCandidatesAreDrawn) {
+  const AspectMap& map = five_bar();
+  PictureChoice choice;
+  EXPECT_TRUE(shown_aspects(map, choice).empty()) << "nothing is known";
+  choice.candidates = {1, 4};
+  choice.modes = {map.aspects()[0].mode, map.aspects()[3].mode};
+  for (const int id : shown_aspects(map, choice)) {
+    const WorkingMode& mode = map.aspects()[static_cast<std::size_t>(id - 1)].mode;
+    EXPECT_TRUE(mode == choice.modes[0] || mode == choice.modes[1]) << id;
+  }
+  choice.shown = Shown::present_aspect;
+  EXPECT_EQ(shown_aspects(map, choice), (std::vector<int>{1, 4}));
+  choice.robot = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Ones()};
+  const SurfacePicture picture = draw_surfaces(five_bar_store(), choice, std::nullopt, not_cancelled);
+  EXPECT_NE(picture.legend.text.find("may be in aspect 1 or 4"), std::string::npos) << picture.legend.text;
+  std::set<std::string> words;
+  for (const Label& label : picture.moving.labels) words.insert(label.text);
+  EXPECT_EQ(words, (std::set<std::string>{"aspect 1?", "aspect 4?"}));
+}
+
+TEST(SurfacePicture, JointSpacesHaveThePointOfThePresentJointValues) {
+  for (SurfaceStore* const store : {&five_bar_store(), &three_rrr_store()}) {
+    const Aspect& aspect = store->map().aspects().front();
+    PictureChoice choice = in_aspect(store->map(), aspect.id);
+    choice.shown = Shown::present_aspect;
+    choice.joint_space = true;
+    const SurfacePicture picture = draw_surfaces(*store, choice, aspect.deepest, not_cancelled);
+    ASSERT_EQ(picture.joint_spaces.size(), 1U);
+    const InverseSolution solution = inverse(store->robot(), aspect.deepest, aspect.mode);
+    ASSERT_TRUE(solution);
+    const Eigen::Vector3d point = picture.joint_spaces.front().drawn(solution.q);
+    double nearest = 1e9;
+    Eigen::AlignedBox3d box;
+    for (const ColoredMesh& mesh : picture.standing.meshes)
+      for (const Eigen::Vector3f& each : mesh.points) {
+        nearest = std::min(nearest, (each.cast<double>() - point).norm());
+        box.extend(each.cast<double>());
+      }
+    EXPECT_LT(nearest, 0.2 * box.sizes().norm());
+    EXPECT_GT(box.min().x(), 1.0) << "it stands beside the robot";
+  }
+}
+
+TEST(SurfacePicture, TheGalleryHasEachWorkingModeOnceAndNoTwoTilesMeet) {
+  PictureChoice choice = in_aspect(five_bar(), 1);
+  choice.gallery = choice.joint_space = true;
+  const SurfacePicture picture =
+      draw_surfaces(five_bar_store(), choice, five_bar().aspects().front().deepest, not_cancelled);
+  EXPECT_EQ(picture.workspaces.size(), five_bar().working_modes().size());
+  EXPECT_EQ(picture.joint_spaces.size(), five_bar().working_modes().size());
+  std::map<std::string, Eigen::AlignedBox3f> boxes;
+  for (const ColoredMesh& mesh : picture.standing.meshes) {
+    const Aspect& aspect = five_bar().aspects()[static_cast<std::size_t>(mesh.aspect - 1)];
+    for (const Eigen::Vector3f& point : mesh.points) boxes[to_string(aspect.mode)].extend(point);
+  }
+  EXPECT_EQ(boxes.size(), five_bar().working_modes().size());
+  for (const auto& [mode, box] : boxes)
+    for (const auto& [other, beside] : boxes)
+      EXPECT_EQ(box.intersects(beside), mode == other) << mode << " " << other;
+}
+
 TEST(SurfacePicture, ACancelledOneIsEmpty) {
   const std::atomic<bool> cancelled{true};
   PictureChoice choice;
   choice.shown = Shown::all;
-  EXPECT_TRUE(draw_surfaces(three_rrr(), choice, std::nullopt, cancelled).meshes.empty());
+  EXPECT_TRUE(draw_surfaces(three_rrr_store(), choice, std::nullopt, cancelled).moving.meshes.empty());
 }
 
 }  // namespace

@@ -155,8 +155,8 @@ TEST(PanelModel, OffersCandidatesUntilTheRobotIsFollowed) {
   EXPECT_EQ(banner_of(view).text, "det A came too close to zero.");
   const auto lines = candidates_of(view);
   ASSERT_EQ(lines.size(), 2U);
-  EXPECT_EQ(lines[0].branch, "(+,+), det A > 0");
-  EXPECT_EQ(lines[0].text, "aspect 3, x 4.5, y -8");
+  EXPECT_EQ(lines[0].branch, "Aspect 3, (+,+), det A > 0");
+  EXPECT_EQ(lines[0].text, "x 4.5, y -8");
   EXPECT_EQ(lines[1].branch, "working mode not known");
   for (const auto code : {Status::OK, Status::NO_JOINT_STATES}) {
     view.state->status.code = code;

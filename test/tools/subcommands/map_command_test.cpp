@@ -47,7 +47,7 @@ TEST_F(MapCommand, MapHasTheDocumentedFields) {
     EXPECT_TRUE(map.contains(field)) << field;
   for (const json& aspect : map.at("aspects"))
     for (const char* field : {"id", "working_mode", "det_a_sign", "measure", "unit", "inside_leaves",
-                              "bounding_box", "deepest_pose"})
+                              "bounding_box", "deepest_pose", "color"})
       EXPECT_TRUE(aspect.contains(field)) << field;
   EXPECT_LE(map.at("resolution").get<double>(), 0.5);
 }

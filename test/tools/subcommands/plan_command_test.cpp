@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "support/command_run.h"
+#include <algorithm>
+#include <cstdio>
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -42,6 +44,49 @@ TEST_F(GraphCommand, HasTheTwoSetsOfTheFiveBar) {
       before = crossing.at("index");
     }
   }
+}
+
+TEST_F(GraphCommand, SaysWhyNothingIsJoined) {
+  const Outcome empty = run({"graph", "three_rpr", "--slice", "x=100"});
+  EXPECT_EQ(empty.code, exit_code::ok);
+  EXPECT_NE(empty.output.find("holds no part of an aspect"), std::string::npos) << empty.output;
+  const json bipod = run_json({"graph", "bipod"});
+  EXPECT_EQ(
+      bipod.at("reason"),
+      "2 aspects in 2 sets, each one aspect: with one working mode there are no serial gates; proved to "
+      "be different");
+}
+
+// The gate of the bipod lies on y = 0, where faces between leaves do.
+TEST_F(GraphCommand, HasCrossingsSpreadOverAGateOnFaces) {
+  const json gates = run_json({"graph", "bipod"}).at("gates");
+  ASSERT_EQ(gates.size(), 1U);
+  double least = 10.0, most = -10.0;
+  for (const json& crossing : gates[0].at("crossings")) {
+    EXPECT_NEAR(crossing.at("pose").at("y").get<double>(), 0.0, 0.1);
+    least = std::min(least, crossing.at("pose").at("x").get<double>());
+    most = std::max(most, crossing.at("pose").at("x").get<double>());
+  }
+  EXPECT_GT(most - least, 0.3);
+  EXPECT_GT(gates[0].at("crossings")[0].at("index").get<double>(), 0.3);
+}
+
+TEST_F(GraphCommand, GoesOverARoadmapWithSixDegreesOfFreedom) {
+  const json stewart = run_json({"graph", "stewart", "--samples", "60"});
+  EXPECT_EQ(stewart.at("proved_set_count"), 2);
+  EXPECT_TRUE(stewart.at("gates").empty());
+  EXPECT_EQ(stewart.at("sets").size(), stewart.at("aspects").size());
+  const json joined = run_json({"graph", "six_pus", "--samples", "60"});
+  EXPECT_GT(joined.at("gates").size(), 0U);
+  EXPECT_LT(joined.at("sets").size(), joined.at("aspects").size());
+  EXPECT_TRUE(joined.at("sets")[0].at("workspace_lower").is_null());
+  for (const json& gate : joined.at("gates"))
+    for (const char* key : {"aspects", "crossing", "leg", "proved", "pose", "crossings"})
+      EXPECT_TRUE(gate.contains(key)) << key;
+  const Outcome picture = run({"graph", "stewart", "--picture", "graph.svg"});
+  EXPECT_EQ(picture.code, exit_code::bad_input);
+  EXPECT_NE(picture.messages.find("--dot"), std::string::npos) << picture.messages;
+  EXPECT_EQ(run({"graph", "five_bar", "--samples", "60"}).code, exit_code::bad_input);
 }
 
 TEST_F(GraphCommand, IsDrawnByGraphviz) {
@@ -154,6 +199,8 @@ TEST_F(PlanCommand, TakesThePathThatIsPreferred) {
   EXPECT_LE(shortest.at("length").get<double>(), clear.at("length").get<double>());
   EXPECT_GE(clear.at("least_index").get<double>(), shortest.at("least_index").get<double>());
   EXPECT_LE(fast.at("seconds").get<double>(), shortest.at("seconds").get<double>());
+  EXPECT_LE(shortest.at("length").get<double>(), fast.at("length").get<double>());
+  EXPECT_LE(shortest.at("length").get<double>(), path("quick").at("length").get<double>());
 }
 
 TEST_F(PlanCommand, NamesTheWorkingModeOfAPathThatStays) {
@@ -180,6 +227,68 @@ TEST_F(PlanCommand, TakesActuatedValuesAndAspects) {
   const Outcome none = run({"plan", "five_bar", "--from-aspect", "11", "--to", "4 6"});
   EXPECT_EQ(none.code, exit_code::bad_input);
   EXPECT_NE(none.messages.find("the aspects 1 to 10"), std::string::npos) << none.messages;
+}
+
+// By a whole turn as the robot stands, which a trajectory must begin with.
+TEST_F(PlanCommand, BeginsInTheTurnThatIsGiven) {
+  const auto first = [](const char* joints) {
+    const json path =
+        run_json({"plan", "five_bar", "--from-joints", joints, "--from", "4.5 8", "--to", "4 6"});
+    return path.at("path")[0].at("actuated")[0].get<double>();
+  };
+  EXPECT_NEAR(first("0.48348 1.02791"), 0.48348, 1e-9);
+  EXPECT_NEAR(first("6.7666653 1.02791"), 6.7666653, 1e-9);
+  EXPECT_NEAR(first("-5.7997053 1.02791"), -5.7997053, 1e-9);
+  const json goal = run_json({"plan", "five_bar", "--to-joints", "6.7666653 1.02791", "--to", "4.5 8",
+                              "--from", "4 6", "--from-mode", "(+,+)"});
+  EXPECT_NE(goal.at("reason").get<std::string>().find("'crank_1_joint' arrives at 0.48348, whole turns"),
+            std::string::npos)
+      << goal.at("reason");
+}
+
+TEST_F(PlanCommand, RefusesNumbersThatProofsDoNotReach) {
+  for (const char* joints : {"1e13 1", "-1e13 1"}) {
+    const Outcome outcome =
+        run({"plan", "five_bar", "--from-joints", joints, "--from", "4.5 8", "--to", "4 6"});
+    EXPECT_EQ(outcome.code, exit_code::bad_input);
+    EXPECT_NE(outcome.messages.find("--from-joints has"), std::string::npos) << outcome.messages;
+  }
+  EXPECT_EQ(run({"plan", "five_bar", "--from", "4 6", "--to", "1e13 0"}).code, exit_code::bad_input);
+}
+
+// With cranks of 8 and rods of 5 the leg is folded at a distance of 3 and stretched at 13.
+TEST_F(PlanCommand, NamesALegThatIsStretchedOrFolded) {
+  for (const char* end : {"3 0", "13 0", "0 -3"}) {
+    const Outcome outcome = run({"plan", "five_bar", "--from", end, "--to", "4 6"});
+    EXPECT_EQ(outcome.code, exit_code::unsafe);
+    EXPECT_NE(outcome.output.find("leg 'leg_1' is stretched or folded there (B_jj = 0)"), std::string::npos)
+        << outcome.output;
+  }
+  const Outcome beyond = run({"plan", "five_bar", "--from", "2.999 0", "--to", "4 6"});
+  EXPECT_NE(beyond.output.find("leg 'leg_1' cannot reach it"), std::string::npos) << beyond.output;
+}
+
+TEST_F(PlanCommand, SavesTheMapAndSaysWhetherItIsUsed) {
+  const std::string file = testing::TempDir() + "plan_command_test.map";
+  std::remove(file.c_str());
+  const std::vector<const char*> question{"plan", "five_bar", "--from", "4.5 8", "--to", "4 6"};
+  const auto with = [&](const char* option) {
+    std::vector<const char*> all = question;
+    all.insert(all.end(), {option, file.c_str()});
+    return all;
+  };
+  EXPECT_EQ(run_json(with("--save")).at("loaded"), false);
+  EXPECT_EQ(run_json(with("--load")).at("loaded"), true);
+  EXPECT_NE(run(with("--load")).output.find("the map is that of " + file), std::string::npos);
+  const json graph = run_json({"graph", "five_bar", "--load", file.c_str()});
+  EXPECT_EQ(graph.at("loaded"), true);
+  const Outcome other = run({"plan", "bipod", "--from", "2 3", "--to", "2.5 3", "--load", file.c_str()});
+  EXPECT_NE(other.output.find("the map was computed, as " + file + " does not have it"), std::string::npos)
+      << other.output << other.messages;
+  const Outcome nowhere =
+      run({"plan", "five_bar", "--from", "4.5 8", "--to", "4 6", "--save", "/nowhere/map"});
+  EXPECT_EQ(nowhere.code, exit_code::bad_input);
+  std::remove(file.c_str());
 }
 
 TEST_F(PlanCommand, AsksForAnEndAndRefusesTwo) {

@@ -14,6 +14,7 @@ namespace parallel_aspects {
 namespace {
 
 using test::Description;
+using test::exchanged;
 using test::expect_remedies_work;
 using test::has_note;
 using test::replaced;
@@ -233,6 +234,61 @@ TEST(FrameCorrection, NotesAnglesInDegrees) {
             1);
 }
 
+// A right angle beside one in degrees is one in radians already.
+TEST(FrameCorrection, ConvertsOnlyAnglesThatAreInDegrees) {
+  const std::string frame = "leg_2_joint";
+  Description robot = shipped_text("spherical_3rrr");
+  const std::string good = robot.urdf;
+  robot.urdf = with_origin_in(good, frame, "rpy=\"2.181661564992912 0 120\"");
+  ASSERT_NE(robot.urdf, good);
+  const Problems problems = test::refusal(robot.urdf, robot.config);
+  const std::string said = problems.empty() ? test::only_doubt(robot) : problems.front();
+  EXPECT_NE(said.find("by rpy (2.18166156499, 0, 120) rad, as if in degrees; "), std::string::npos) << said;
+  const std::string remedy =
+      "write rpy=\"2.18166156499 0 2.09439510239\" in the origin of joint '" + frame + "'";
+  ASSERT_NE(said.find(remedy), std::string::npos) << said;
+  const auto corrected = test::load(test::corrected(robot, remedy));
+  const auto meant = test::load(shipped_text("spherical_3rrr"));
+  for (std::size_t j = 0; j < 3; ++j)
+    EXPECT_LT(
+        (corrected->manipulator()->leg(j).base_point() - meant->manipulator()->leg(j).base_point()).norm(),
+        1e-6);
+}
+
+// More than a turn, of radians; and 36 degrees by four digits, which are -213 degrees read as radians.
+TEST(FrameCorrection, DoesNotDoubtAnglesInRadians) {
+  for (const std::string angle : {"8.37758040957", "14.6607657168", "-10.4719755"}) {
+    const Description robot = with_origin("leg_2_joint", "rpy=\"0 0 " + angle + "\"");
+    EXPECT_EQ(test::doubts(robot), std::vector<std::string>{}) << angle;
+  }
+  Description five_bar = shipped_text("five_bar");
+  const std::string tip = "<joint name=\"crank_2_joint\" type=\"continuous\">";
+  ASSERT_NE(five_bar.urdf.find(tip), std::string::npos);
+  const std::size_t origin = five_bar.urdf.find("<origin xyz=", five_bar.urdf.find(tip));
+  five_bar.urdf.replace(five_bar.urdf.find("/>", origin), 0, " rpy=\"0 0 0.6283\"");
+  EXPECT_EQ(test::doubts(five_bar), std::vector<std::string>{});
+}
+
+// No link is added where another axis does.
+TEST(ChainCorrection, IsTheAxisOfASlide) {
+  for (const auto& [name, joint, axis, wrong] : {std::array{"delta_on_slides", "slide_z", "0 0 1", "1 0 0"},
+                                                 {"delta_on_slides", "slide_x", "1 0 0", "0 1 0"},
+                                                 {"y_z_slides", "slide_z", "0 0 1", "1 0 0"},
+                                                 {"three_rrr_on_slides", "world_y", "0 1 0", "0 0 1"}}) {
+    const std::string file = "test/data/chains/" + std::string(name);
+    Description robot{test::source_file(file + ".urdf"), test::source_file(file + ".yaml")};
+    const std::size_t at = robot.urdf.find("<axis", robot.urdf.find("<joint name=\"" + std::string(joint)));
+    ASSERT_NE(at, std::string::npos);
+    robot.urdf.replace(at, robot.urdf.find("/>", at) - at, "<axis xyz=\"" + std::string(wrong) + "\"");
+    const std::string said = sentence(robot);
+    EXPECT_NE(said.find("write <axis xyz=\"" + std::string(axis) + "\"/> for joint '" + joint + "'"),
+              std::string::npos)
+        << said;
+    EXPECT_EQ(said.find("<link name="), std::string::npos) << said;
+    expect_remedies_work(robot, said);
+  }
+}
+
 bool has_remedy(const std::string& said, const std::string& remedy) {
   const std::vector<std::string> all = test::remedies(said);
   return std::find(all.begin(), all.end(), remedy) != all.end();
@@ -274,10 +330,6 @@ TEST(RodPairs, AreNamedWhereTheyLetThePlatformTurn) {
   said = sentence(robot);
   EXPECT_NE(said.find("the pairs are parallelograms, but turned against each other"), std::string::npos)
       << said;
-}
-
-std::string exchanged(std::string text, const std::string& one, const std::string& other) {
-  return replaced(replaced(replaced(text, one, "@"), other, one), "@", other);
 }
 
 // Of one leg, of two, and all of two.
@@ -407,6 +459,14 @@ TEST(Closures, CountOnce) {
     EXPECT_TRUE(has_note(
         robot, "robot.yaml lists closure '" + name + "' twice, which counts once; leave out one entry."));
   }
+}
+
+// Names that differ in small and capital letters alone are meant.
+TEST(Names, InCapitalLettersAreFound) {
+  Description robot = shipped_text("three_rrr");
+  robot.config = replaced(robot.config, "crank_2_joint", "CRANK_2_JOINT");
+  EXPECT_NE(sentence(robot).find("has no such joint; did you mean 'crank_2_joint'?"), std::string::npos)
+      << sentence(robot);
 }
 
 TEST(LooseChains, AreNoted) {

@@ -8,6 +8,7 @@
 
 #include "support/descriptions.h"
 #include <algorithm>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,35 @@ inline void expect_remedies_work(const Description& robot, const std::string& sa
 inline bool has_note(const Description& robot, const std::string& note) {
   const auto notes = test::load(robot)->notes();
   return std::count(notes.begin(), notes.end(), note) == 1;
+}
+
+/// Notes on what is perhaps not meant.
+inline std::vector<std::string> doubts(const Description& robot) {
+  std::vector<std::string> found;
+  const auto loaded = test::load(robot);
+  for (const std::string& note : loaded->notes())
+    if (note.find("; if ") != std::string::npos) found.push_back(note);
+  return found;
+}
+
+/// The one of them.
+inline std::string only_doubt(const Description& robot) {
+  const std::vector<std::string> found = doubts(robot);
+  EXPECT_EQ(found.size(), 1U) << testing::PrintToString(found);
+  return found.empty() ? "" : found.front();
+}
+
+/// What is in the first brackets of the pattern; empty where it does not fit.
+inline std::string matched(const std::string& text, const std::string& pattern) {
+  std::smatch found;
+  return std::regex_search(text, found, std::regex(pattern)) ? found[1].str() : "";
+}
+
+/// Each of two words in the place of the other, where both stand once.
+inline std::string exchanged(std::string text, const std::string& one, const std::string& other) {
+  text = replaced(text, one, "@@");
+  text = replaced(text, other, one);
+  return replaced(text, "@@", other);
 }
 
 }  // namespace parallel_aspects::test

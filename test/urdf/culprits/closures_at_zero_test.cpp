@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Loops that a URDF closes where its links are while all joints are zero. Each remedy is followed to the
 // letter, and what it makes is compared with the robot that is meant.
-#include "urdf/corrections/faulty_robots.h"
+#include "urdf/corrections/said_of_robots.h"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,12 @@ namespace parallel_aspects {
 namespace {
 
 using test::Description;
+using test::doubts;
+using test::exchanged;
+using test::matched;
+using test::only_doubt;
 using test::replaced;
+using test::sentence;
 
 const std::map<std::string, std::string>& configs() {
   static const std::map<std::string, std::string> texts{
@@ -43,35 +48,7 @@ Description with_closures(Description text, const std::string& entry) {
   return text;
 }
 
-// "a" and "b" exchanged, where each stands once.
-std::string exchanged(std::string text, const std::string& one, const std::string& other) {
-  text = replaced(text, one, "#");
-  text = replaced(text, other, one);
-  return replaced(text, "#", other);
-}
-
 Problems refusal(const Description& text) { return test::refusal(text.urdf, text.config); }
-
-std::string only_refusal(const Description& text) {
-  const Problems problems = refusal(text);
-  EXPECT_EQ(problems.size(), 1U);
-  return problems.empty() ? "" : problems.front();
-}
-
-// Notes on what is perhaps not meant.
-std::vector<std::string> doubts(const Description& text) {
-  std::vector<std::string> found;
-  const auto loaded = test::load(text);
-  for (const std::string& note : loaded->notes())
-    if (note.find("; if ") != std::string::npos) found.push_back(note);
-  return found;
-}
-
-std::string only_doubt(const Description& text) {
-  const std::vector<std::string> found = doubts(text);
-  EXPECT_EQ(found.size(), 1U);
-  return found.empty() ? "" : found.front();
-}
 
 // Whether the legs are the same, wherever the actuated joints have their zero.
 bool are_same(const Manipulator& one, const Manipulator& other) {
@@ -90,11 +67,6 @@ bool are_same(const Manipulator& one, const Manipulator& other) {
 bool is_robot(const Description& text, const std::string& name) {
   return refusal(text).empty() &&
          are_same(*test::load(text)->manipulator(), *test::load(robot(name))->manipulator());
-}
-
-std::string matched(const std::string& text, const std::string& pattern) {
-  std::smatch found;
-  return std::regex_search(text, found, std::regex(pattern)) ? found[1].str() : "";
 }
 
 TEST(ClosureAtZero, IsAsItIsDrawn) {
@@ -185,7 +157,7 @@ TEST(ClosureAtZero, NamesTheJointThatALegLacks) {
                          std::regex_constants::format_first_only);
   lacking.urdf = replaced(lacking.urdf, "  <link name=\"cylinder_3\"/>\n", "");
   lacking.urdf = replaced(lacking.urdf, "<parent link=\"cylinder_3\"/>", "<parent link=\"yoke_3\"/>");
-  const std::string said = only_refusal(lacking);
+  const std::string said = sentence(lacking);
   EXPECT_NE(said.find("has one joint less in the leg of joint 'piston_3' than in others"), std::string::npos)
       << said;
   const std::vector<Description> corrected = test::followed(lacking, said);
@@ -196,7 +168,7 @@ TEST(ClosureAtZero, NamesTheJointThatALegLacks) {
 TEST(ClosureAtZero, HasItsTypeInTheWordsOfTheUrdf) {
   Description hexapod = robot("hexapod");
   hexapod.urdf = replaced(hexapod.urdf, "name=\"ball_3\" type=\"ball\"", "name=\"ball_3\" type=\"revolute\"");
-  const std::string said = only_refusal(hexapod);
+  const std::string said = sentence(hexapod);
   EXPECT_NE(said.find("write type=\"ball\" for closure 'ball_3', which makes it a robot in SE3."),
             std::string::npos)
       << said;
@@ -205,7 +177,7 @@ TEST(ClosureAtZero, HasItsTypeInTheWordsOfTheUrdf) {
 TEST(ClosureAtZero, IsAddedWhereOneIsMissing) {
   Description delta = robot("delta");
   delta.urdf = std::regex_replace(delta.urdf, std::regex("<joint name=\"closure_2\"[\\s\\S]*?</joint>"), "");
-  const std::string said = only_refusal(delta);
+  const std::string said = sentence(delta);
   const std::string entry = matched(said, "add (\\{frames: .*\\}) to mechanism.added_closures");
   ASSERT_FALSE(entry.empty()) << said;
   EXPECT_TRUE(is_robot(with_closures(delta, "added_closures: [" + entry + "]"), "delta")) << said;
@@ -214,7 +186,7 @@ TEST(ClosureAtZero, IsAddedWhereOneIsMissing) {
 TEST(ClosureAtZero, IsNotListedAndAddedTo) {
   const std::string one = "{frames: [rod_end_1, ball_1], type: point}";
   const std::string said =
-      only_refusal(with_closures(robot("delta"), "closures: [" + one + "], added_closures: [" + one + "]"));
+      sentence(with_closures(robot("delta"), "closures: [" + one + "], added_closures: [" + one + "]"));
   EXPECT_NE(said.find("has mechanism.closures and mechanism.added_closures"), std::string::npos) << said;
 }
 
@@ -228,7 +200,7 @@ TEST(ClosureAtZero, MayBeWhereTheJointOfItsRodIs) {
   Description five_bar = robot("five_bar");
   five_bar.urdf = without_joint(five_bar.urdf, "tip_right", "tip");
   five_bar.urdf = replaced(five_bar.urdf, "<child>tip</child>", "<child>rod_right</child>");
-  const std::string said = only_refusal(five_bar);
+  const std::string said = sentence(five_bar);
   EXPECT_NE(said.find("at the start of link 'rod_right', where joint 'elbow_right' is"), std::string::npos)
       << said;
   const std::string pose =

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Robots that load otherwise than they are meant: each is told in a note, whose remedy is followed to the
 // letter.
-#include "urdf/corrections/faulty_robots.h"
+#include "urdf/corrections/said_of_robots.h"
+#include "urdf/culprits/placed_closures.h"
 
 #include <gtest/gtest.h>
 
 #include "support/descriptions.h"
+#include <array>
+#include <iostream>
+#include <map>
 #include <regex>
 #include <string>
 #include <vector>
@@ -14,32 +18,11 @@ namespace parallel_aspects {
 namespace {
 
 using test::Description;
+using test::doubts;
+using test::exchanged;
+using test::matched;
+using test::only_doubt;
 using test::replaced;
-
-std::vector<std::string> doubts(const Description& text) {
-  std::vector<std::string> found;
-  const auto loaded = test::load(text);
-  for (const std::string& note : loaded->notes())
-    if (note.find("; if ") != std::string::npos) found.push_back(note);
-  return found;
-}
-
-std::string only_doubt(const Description& text) {
-  const std::vector<std::string> found = doubts(text);
-  EXPECT_EQ(found.size(), 1U) << testing::PrintToString(found);
-  return found.empty() ? "" : found.front();
-}
-
-std::string matched(const std::string& text, const std::string& pattern) {
-  std::smatch found;
-  return std::regex_search(text, found, std::regex(pattern)) ? found[1].str() : "";
-}
-
-std::string exchanged(std::string text, const std::string& one, const std::string& other) {
-  text = replaced(text, one, "@@");
-  text = replaced(text, other, one);
-  return replaced(text, "@@", other);
-}
 
 bool are_same(const Description& one, const Description& other) {
   constexpr double rounding = 1e-6;
@@ -200,6 +183,166 @@ TEST(Angle, BeyondAFullTurnIsOneInDegrees) {
     EXPECT_NE(only_doubt(five_bar).find("by rpy (0, 0, " + degrees + ") rad, as if in degrees"),
               std::string::npos)
         << degrees;
+  }
+}
+
+// Ends that are places beside links, in all dialects that have them.
+class PlacedEnds : public ::testing::TestWithParam<std::string> {
+ protected:
+  Description with(const test::PlacedClosures& closures) const {
+    return test::placed_delta(GetParam(), closures);
+  }
+  Description good() const { return with(test::closures_of_delta()); }
+};
+
+TEST_P(PlacedEnds, AreWithoutDoubtWhereTheyAreRight) {
+  EXPECT_EQ(doubts(good()), std::vector<std::string>{});
+  const Description by_links{test::source_file("test/data/at_zero/delta.urdf"), low_delta().config};
+  EXPECT_TRUE(are_same(good(), by_links));
+}
+
+TEST_P(PlacedEnds, AreNotedWhereTheyAreCrossed) {
+  test::PlacedClosures crossed = test::closures_of_delta();
+  std::swap(crossed[1].places[1], crossed[2].places[1]);
+  const std::string said = only_doubt(with(crossed));
+  EXPECT_NE(said.find("has the ends of closure 'rod_2 - platform', closure 'rod_3 - platform' crossed, since "
+                      "these are 0.0866 m and 0.0866 m apart while all joints are zero"),
+            std::string::npos)
+      << said;
+  EXPECT_TRUE(are_same(with(test::followed(crossed, said)), good())) << said;
+  Description listed = test::placed_delta("list", crossed);
+  listed.config = std::regex_replace(
+      listed.config, std::regex("closures: \\[.*\\]\\}"),
+      matched(said, "or write (closures: \\[.*\\}\\]) under mechanism in robot.yaml") + "}");
+  EXPECT_TRUE(are_same(listed, good())) << said;
+}
+
+TEST_P(PlacedEnds, AreNotedWhereOneIsMisplaced) {
+  for (const std::string place : {"0.025 0.04330127019 0", "0.04330127019 -0.025 0"}) {
+    test::PlacedClosures wrong = test::closures_of_delta();
+    wrong[1].places[1] = place;
+    const std::string said = only_doubt(with(wrong));
+    EXPECT_NE(said.find("(closure 'rod_2 - platform'), where those of others meet"), std::string::npos)
+        << said;
+    EXPECT_TRUE(are_same(with(test::followed(wrong, said)), good())) << said;
+  }
+}
+
+TEST_P(PlacedEnds, AreInMetres) {
+  for (const std::size_t count : {1, 3}) {
+    test::PlacedClosures wrong = test::closures_of_delta();
+    for (std::size_t k = 0; k < count; ++k)
+      wrong[k].places[1] = std::array{"50 0 0", "-25 43.30127019 0", "-25 -43.30127019 0"}.at(k);
+    const Problems problems = test::refusal(with(wrong).urdf, with(wrong).config);
+    const std::string said = problems.empty() ? only_doubt(with(wrong)) : problems.front();
+    EXPECT_NE(said.find("at (50, 0, 0) m"), std::string::npos) << said;
+    EXPECT_NE(said.find(", as if in millimetres; "), std::string::npos) << said;
+    EXPECT_TRUE(are_same(with(test::followed(wrong, said)), good())) << said;
+  }
+}
+
+// One place of one closure, each wrong as people make it: what loads is the robot that is meant or noted, and
+// what is named makes it that robot, or one of several corrections does.
+TEST_P(PlacedEnds, WrongOnesAreNotCorrectedIntoAnotherRobot) {
+  const test::PlacedClosures all = test::closures_of_delta();
+  std::map<std::string, int> counts;
+  for (std::size_t k = 0; k < all.size(); ++k)
+    for (const std::size_t end : {0, 1})
+      for (const std::string& place : test::wrong_places(all[k].places.at(end))) {
+        test::PlacedClosures wrong = all;
+        wrong[k].places.at(end) = place;
+        const Description text = with(wrong);
+        const Problems problems = test::refusal(text.urdf, text.config);
+        const std::vector<std::string> said = problems.empty() ? doubts(text) : problems;
+        if (said.empty()) {
+          EXPECT_TRUE(are_same(text, good())) << place;
+          continue;
+        }
+        ++counts[problems.empty() ? "noted" : "refused"];
+        if (said.front().find("m away from its link") != std::string::npos) continue;
+        bool any = false;
+        for (const test::PlacedClosures& corrected : test::followed_apart(wrong, said.front()))
+          any = any || are_same(with(corrected), good());
+        EXPECT_TRUE(any) << place << ": " << testing::PrintToString(said);
+      }
+  for (const auto& [outcome, count] : counts)
+    std::cout << GetParam() << ' ' << outcome << ' ' << count << '\n';
+}
+
+INSTANTIATE_TEST_SUITE_P(Dialects, PlacedEnds, ::testing::ValuesIn(test::placed_dialects()));
+
+Description five_bar_with_pose(const std::string& pose) {
+  const std::string urdf =
+      replaced(test::source_file("test/data/at_zero/five_bar.urdf"), "<child>tip</child>",
+               "<child>rod_right</child><pose>" + pose + " 0 0 0</pose>");
+  return {urdf,
+          "mechanism: {base_link: base, operational_point: tool, actuated_joints: [motor_left, "
+          "motor_right]}\n"};
+}
+
+TEST(PlaceAtZero, IsTheCulpritWhereItIsBesideTheEndThatItHolds) {
+  const Description good = five_bar_with_pose("0.12 0 0.005");
+  EXPECT_EQ(doubts(good), std::vector<std::string>{});
+  const std::string said = test::sentence(five_bar_with_pose("0.14 0 0.005"));
+  EXPECT_EQ(
+      said.rfind("robot.urdf has closure 'loop' 0.02 m beside the origin of link 'tool' while all joints "
+                 "are zero; write <pose> starting with 0.12",
+                 0),
+      0U)
+      << said;
+  const std::string place =
+      matched(said, "write <pose> starting with (.*) in link 'rod_right' of closure 'loop'");
+  EXPECT_TRUE(are_same(five_bar_with_pose(place), good)) << said;
+}
+
+Description delta_with_pose(const std::string& pose) {
+  return {replaced(test::source_file("test/data/at_zero/delta.urdf"), "<child>ball_2</child>",
+                   "<child>platform</child><pose>" + pose + " 0 0 0</pose>"),
+          low_delta().config};
+}
+
+// A simulator would hold the rod beside the joint.
+TEST(PlaceAtZero, IsNotedWhereARobotLoadsWithIt) {
+  const Description good = delta_with_pose("-0.025 0.04330127019 0");
+  EXPECT_EQ(doubts(good), std::vector<std::string>{});
+  const std::string said = only_doubt(delta_with_pose("0.025 0.04330127019 0"));
+  EXPECT_NE(said.find("has closure 'closure_2' 0.05 m beside the origin of link 'rod_end_2' while all joints "
+                      "are zero; if it is to be there, write <pose> starting with -0.025"),
+            std::string::npos)
+      << said;
+  const std::string place =
+      matched(said, "write <pose> starting with (.*) in link 'platform' of closure 'closure_2'");
+  EXPECT_TRUE(are_same(delta_with_pose(place), good)) << said;
+}
+
+TEST(Closures, ThatAUrdfHasTwiceAreSaidOfIt) {
+  Description delta{test::source_file("test/data/at_zero/delta.urdf"), low_delta().config};
+  const std::string again =
+      "<gazebo><joint name=\"closure_2\" "
+      "type=\"ball\"><parent>rod_end_2</parent><child>ball_2</child></joint>"
+      "</gazebo>";
+  delta.urdf = replaced(delta.urdf, "</robot>", again + "</robot>");
+  EXPECT_TRUE(test::has_note(
+      delta, "robot.urdf lists closure 'closure_2' twice, which counts once; leave out one entry."));
+  delta.urdf = replaced(delta.urdf, "</robot>", again + "</robot>");
+  EXPECT_TRUE(test::has_note(delta,
+                             "robot.urdf lists closure 'closure_2' more than once, which counts once; leave "
+                             "out all entries but one."));
+}
+
+// A joint value more or less at zero makes the drawing another one, and not the robot.
+TEST(Wrist, IsOneRobotHoweverOpenItIsDrawn) {
+  Description wrist{test::source_file("test/data/setup/wrist.urdf"),
+                    "mechanism:\n  operational_point: dome\n  actuated_joints: [m0, m1, m2]\n  closures:\n"
+                    "    - {frames: [dome1, dist1_end], type: revolute}\n"
+                    "    - {frames: [dome2, dist2_end], type: revolute}\n"};
+  const std::string joint =
+      "<joint name=\"w1\" type=\"continuous\"><parent link=\"prox1\"/><child link=\"dist1\"/>"
+      "<origin xyz=\"0 0 0\"";
+  for (const std::string angle : {"0.4", "0.9", "1.5", "2.1", "2.7", "3.1", "-0.8", "-1.6", "-2.4"}) {
+    Description open = wrist;
+    open.urdf = replaced(open.urdf, joint, joint + " rpy=\"0 " + angle + " 0\"");
+    EXPECT_TRUE(are_same(open, wrist)) << angle;
   }
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/description/name_words.h"
 
+#include "urdf/description/command_options.h"
+
 #include <gtest/gtest.h>
 
 #include <string>
@@ -19,6 +21,13 @@ TEST(NameWords, AreSplitWhereReadersSplitThem) {
   EXPECT_EQ(role_of("crank_2_joint"), role_of("crank_13_joint"));
   EXPECT_GT(operational_point_likeness("platform"), operational_point_likeness("platform_2"));
   EXPECT_EQ(operational_point_likeness("rod_2_tip"), 0);
+}
+
+// What is but rounding is no number to type.
+TEST(Coordinates, AreWithoutNoise) {
+  EXPECT_EQ(placed_name("rod", {0.4, 1.2246e-16, -0.0}), "rod@0.4:0:0");
+  EXPECT_EQ(coordinate_text(-6.1e-17), "0");
+  EXPECT_EQ(coordinate_text(0.1 + 0.2), "0.3");
 }
 
 }  // namespace

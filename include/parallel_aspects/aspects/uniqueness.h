@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_H
+#define PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_H
+
+#include "parallel_aspects/aspects/aspect_map.h"
+#include "parallel_aspects/aspects/map_control.h"
+#include "parallel_aspects/aspects/map_slice.h"
+#include "parallel_aspects/model/manipulator.h"
+#include "parallel_aspects/model/pose.h"
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// Where three direct solutions of a slice meet. A path of actuated values around it leads from one of the
+/// three to another in the same aspect, without a singularity.
+struct Cusp {
+  JointVector actuated;  ///< all actuated joints, that which is held among them [m]
+  Pose pose;             ///< where the three meet
+  /// A box about the pose, of half this width in the direction of the held rod and in phi [rad], is proved to
+  /// hold exactly one cusp, an ordinary one.
+  double accuracy = 0.0;
+};
+
+/// A connected set of poses of one aspect in which no two have the same actuated values, over a connected set
+/// of actuated values with a constant number of solutions (a basic region).
+struct BasicRegion {
+  int aspect = 0;              ///< id, in the map
+  Pose pose;                   ///< one of it
+  JointVector actuated;        ///< the values of this pose [m]; regions with the same lie over the same set
+  double measure_lower = 0.0;  ///< area of the actuated values for which all this is proved [m^2]
+};
+
+/// A set of poses of one aspect that is connected and has no two poses of the same actuated values: there the
+/// actuated joints tell the pose (Ph. Wenger and D. Chablat, Uniqueness domains and regions of feasible paths
+/// for fully-parallel manipulators, 1998). No basic region that is listed can be added to it.
+struct UniquenessDomain {
+  int aspect = 0;                            ///< id, in the map
+  bool whole_aspect = false;                 ///< by the theorem for T1, T2 and T3
+  std::vector<std::size_t> basic_regions{};  ///< else: indices in the list; proved paths join them
+  double measure_lower = 0.0;                ///< area of their actuated values [m^2]
+};
+
+/// Actuated values of the slice that have one number of direct solutions.
+struct SolutionRegion {
+  std::size_t solutions = 0;   ///< at least 1, proved
+  double measure = 0.0;        ///< best estimate of its area [m^2]
+  double measure_lower = 0.0;  ///< proved [m^2]
+  double measure_upper = 0.0;  ///< proved [m^2]
+};
+
+/// A connected set of actuated values over which the number of solutions in each aspect is constant (a basic
+/// component), as far as the division of the plane shows it.
+struct BasicComponent {
+  JointVector inside;           ///< actuated values in it [m]
+  std::vector<Pose> solutions;  ///< all poses of these, proved
+  std::vector<int> aspects;     ///< id of the aspect that holds each; 0 where the map can not tell
+  double measure = 0.0;         ///< best estimate of its area [m^2]
+  double measure_lower = 0.0;   ///< proved [m^2]
+};
+
+/// What to compute.
+struct UniquenessOptions {
+  std::optional<MapSlice> slice;     ///< one that holds an actuated joint; needed in SE2, and only there
+  std::optional<double> resolution;  ///< of the map of the aspects, see `MapOptions`
+};
+
+/// Which poses of an aspect have the same actuated values, and where direct solutions meet.
+struct Uniqueness {
+  std::shared_ptr<const AspectMap> map;  ///< of the aspects of the robot, or of the slice
+  /// The direct problem has at most two solutions, at which det A has opposite signs. So each aspect,
+  /// whatever limits and constraints bound it, is a uniqueness domain, and no three solutions meet anywhere.
+  bool at_most_one_a_sign = false;
+  std::vector<Cusp> cusps;                       ///< within limits, by rising actuated values
+  bool cusps_complete = false;                   ///< it is proved that there are no others within limits
+  std::vector<SolutionRegion> regions;           ///< by number of solutions; in slices only
+  double measure_unknown = 0.0;                  ///< area where no number of solutions is proved [m^2]
+  std::vector<BasicComponent> basic_components;  ///< those with solutions, the largest first; in slices only
+  std::vector<BasicRegion> basic_regions;        ///< of basic components that are not tiny; in slices only
+  bool domains_complete = true;                  ///< whether all domains that these regions form are listed
+  std::vector<UniquenessDomain> domains;         ///< by aspect
+};
+
+/// What was computed, or why there is nothing.
+struct UniquenessResult {
+  MapStatus status = MapStatus::refused;         ///< how the computation ended
+  std::string message;                           ///< why, unless complete
+  std::shared_ptr<const Uniqueness> uniqueness;  ///< set when complete
+
+  explicit operator bool() const noexcept { return uniqueness != nullptr; }  ///< whether there is an answer
+};
+
+/// Computes all of it. In T1, T2 and T3 it follows from a theorem. In SE2 there are slices of robots with
+/// three struts, one of which is held. All else is refused with a message.
+UniquenessResult compute_uniqueness(std::shared_ptr<const Manipulator> manipulator,
+                                    const UniquenessOptions& options = {}, const MapControl& control = {});
+
+/// Why there is no answer for this; empty where there is one.
+std::string find_uniqueness_problem(const Manipulator& manipulator, const UniquenessOptions& options);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_H

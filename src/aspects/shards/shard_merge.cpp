@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "aspects/shards/shard_merge.h"
+
+#include "aspects/components/disjoint_sets.h"
+#include "aspects/tree/place_across.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <tuple>
+
+namespace parallel_aspects {
+namespace {
+
+bool is_before(const NodePlace& a, const NodePlace& b) noexcept {
+  return std::tie(a.root, a.level, a.cell) < std::tie(b.root, b.level, b.cell);
+}
+
+/// A leaf on the border of its shard, with its label among those of all shards.
+struct BorderNode {
+  NodePlace place;
+  ShardLeaf leaf;
+  std::uint32_t label;
+  bool is_inside;
+};
+
+/// Two leaves that share a face, with labels among those of all shards.
+struct Touch {
+  ShardLeaf leaf, other_leaf;
+  std::uint32_t label, other_label;
+};
+
+class Merge {
+ public:
+  Merge(const PoseSpace& space, const std::vector<const SignRecord*>& shards)
+      : space_(space), shards_(shards) {
+    for (const SignRecord* shard : shards) {
+      first_label_.push_back(static_cast<std::uint32_t>(is_component_.size()));
+      for (std::uint32_t label = 0; label < shard->label_count(); ++label)
+        is_component_.push_back(label < shard->components.size());
+    }
+    sets_ = DisjointSets(is_component_.size());
+  }
+
+  MergedSign run() {
+    take_contacts();
+    join_borders();
+    unite_loose();
+    number_components();
+    collect_meetings();
+    count_apart();
+    return std::move(result_);
+  }
+
+ private:
+  void take_contacts() {
+    for (std::size_t s = 0; s < shards_.size(); ++s)
+      for (const SignRecord::Contact& contact : shards_[s]->contacts)
+        touches_.push_back({{s, contact.leaf},
+                            {s, contact.other_leaf},
+                            first_label_[s] + contact.label,
+                            first_label_[s] + contact.other_label});
+  }
+
+  void join_borders() {
+    std::vector<BorderNode> nodes;
+    for (std::size_t s = 0; s < shards_.size(); ++s)
+      for (const SignRecord::BorderLeaf& leaf : shards_[s]->border)
+        nodes.push_back({leaf.place, {s, leaf.leaf}, first_label_[s] + leaf.label, leaf.is_inside});
+    std::sort(nodes.begin(), nodes.end(),
+              [](const BorderNode& a, const BorderNode& b) { return is_before(a.place, b.place); });
+    for (const BorderNode& node : nodes)
+      for (std::size_t axis = 0; axis < space_.dimension(); ++axis)
+        for (const bool upper : {false, true})
+          if (const auto across = place_across(space_, node.place, {axis, upper}))
+            if (const BorderNode* other = find(nodes, *across)) join(node, *other);
+  }
+
+  /// The leaf that has this place or holds it. Where the leaves there are smaller they find this one.
+  static const BorderNode* find(const std::vector<BorderNode>& nodes, NodePlace place) {
+    for (;; --place.level) {
+      const auto at = std::lower_bound(
+          nodes.begin(), nodes.end(), place,
+          [](const BorderNode& node, const NodePlace& each) { return is_before(node.place, each); });
+      if (at != nodes.end() && !is_before(place, at->place)) return &*at;
+      if (place.level == 0) return nullptr;
+      for (std::uint32_t& cell : place.cell) cell >>= 1U;
+    }
+  }
+
+  void join(const BorderNode& a, const BorderNode& b) {
+    if (a.label == b.label) return;
+    if (a.is_inside && b.is_inside)
+      sets_.unite(a.label, b.label);
+    else
+      touches_.push_back({a.leaf, b.leaf, a.label, b.label});
+  }
+
+  void unite_loose() {
+    for (const Touch& touch : touches_)
+      if (!is_component_[touch.label] && !is_component_[touch.other_label])
+        sets_.unite(touch.label, touch.other_label);
+  }
+
+  void number_components() {
+    component_.assign(is_component_.size(), 0);
+    for (std::size_t s = 0; s < shards_.size(); ++s)
+      for (std::uint32_t label = 0; label < shards_[s]->components.size(); ++label) {
+        const std::uint32_t each = first_label_[s] + label, set = sets_.find(each);
+        if (set == each) {
+          component_[set] = result_.components.size();
+          result_.components.emplace_back();
+        }
+        result_.components[component_[set]].add(shards_[s]->components[label]);
+      }
+  }
+
+  void collect_meetings() {
+    std::map<std::pair<std::size_t, std::size_t>, ContestedLeaves> between;
+    std::map<std::uint32_t, std::pair<std::set<std::size_t>, ContestedLeaves>> loose;
+    for (const Touch& touch : touches_) {
+      const std::uint32_t a = sets_.find(touch.label), b = sets_.find(touch.other_label);
+      if (a == b) continue;
+      ContestedLeaves* leaves = nullptr;
+      if (is_component_[a] && is_component_[b]) {
+        leaves = &between[std::minmax(component_[a], component_[b])];
+      } else {
+        auto& group = loose[is_component_[a] ? b : a];
+        group.first.insert(component_[is_component_[a] ? a : b]);
+        leaves = &group.second;
+      }
+      leaves->insert(leaves->end(), {touch.leaf, touch.other_leaf});
+    }
+    for (auto& [pair, leaves] : between) add_contested(pair.first, pair.second, leaves);
+    for (auto& [set, group] : loose) add_group(group.first, group.second);
+    std::sort(result_.unresolved.begin(), result_.unresolved.end());
+    const auto end = std::unique(result_.unresolved.begin(), result_.unresolved.end());
+    result_.unresolved.erase(end, result_.unresolved.end());
+  }
+
+  void add_contested(std::size_t a, std::size_t b, ContestedLeaves& leaves) {
+    result_.unresolved.emplace_back(a, b);
+    keep(leaves);
+  }
+
+  /// All that one loose group touches could be connected through it.
+  void add_group(const std::set<std::size_t>& touched, ContestedLeaves& leaves) {
+    if (touched.size() < 2) return;
+    for (auto a = touched.begin(); a != touched.end(); ++a)
+      for (auto b = std::next(a); b != touched.end(); ++b) result_.unresolved.emplace_back(*a, *b);
+    keep(leaves);
+  }
+
+  void keep(ContestedLeaves& leaves) {
+    std::sort(leaves.begin(), leaves.end());
+    leaves.erase(std::unique(leaves.begin(), leaves.end()), leaves.end());
+    result_.contested.push_back(std::move(leaves));
+  }
+
+  void count_apart() {
+    DisjointSets clusters(result_.components.size());
+    for (const auto& [a, b] : result_.unresolved)
+      clusters.unite(static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b));
+    for (std::uint32_t i = 0; i < result_.components.size(); ++i) result_.apart += clusters.find(i) == i;
+  }
+
+  const PoseSpace& space_;
+  const std::vector<const SignRecord*>& shards_;
+  std::vector<std::uint32_t> first_label_;  // of a shard
+  std::vector<bool> is_component_;          // of a label
+  DisjointSets sets_;                       // of labels: components that are joined, loose groups that touch
+  std::vector<Touch> touches_;
+  std::vector<std::size_t> component_;  // of a set
+  MergedSign result_;
+};
+
+}  // namespace
+
+MergedSign merge_shards(const PoseSpace& space, const std::vector<const SignRecord*>& shards) {
+  return Merge(space, shards).run();
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_KRAWCZYK_H
+#define PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_KRAWCZYK_H
+
+#include "interval/interval.h"
+#include "parallel_aspects/aspects/box.h"
+
+#include <array>
+
+namespace parallel_aspects {
+
+/// Two functions of the coordinates of a slice over a box of it: their values in the middle, and their
+/// derivatives by radians everywhere in the box.
+struct PairOverBox {
+  std::array<Interval, 2> center;
+  std::array<std::array<Interval, 2>, 2> jacobian;
+  /// Where the functions depend on a parameter from -1 to 1: this times it is taken from both.
+  std::array<Interval, 2> drift{};
+};
+
+/// What Krawczyk's test proves of the zeros of both functions in a box.
+enum class Zeros {
+  none,     ///< there are none
+  one,      ///< there is exactly one, and it is regular
+  unknown,  ///< nothing is proved
+};
+
+struct ZeroSearch {
+  Zeros zeros = Zeros::unknown;
+  Box enclosure;  ///< of every zero in the box [half turns]
+};
+
+/// Krawczyk's test (R. Krawczyk, Computing 4, 1969): with x in the middle of the box X, F there and F' over
+/// X, every zero in X is in K = x - Y F(x) + (I - Y F') (X - x), whatever Y; and if K lies in the interior of
+/// X, F has exactly one zero in X. With a drift all of this holds for each value of the parameter. Needs a
+/// live `RoundingUpward`.
+ZeroSearch krawczyk_test(const Box& box, const PairOverBox& pair) noexcept;
+
+/// What two boxes that hold one point have in common.
+Box intersection(const Box& a, const Box& b) noexcept;
+
+/// `box`, about its middle, with edges this many times as long.
+Box scaled(const Box& box, double factor) noexcept;
+
+/// Whether the second lies in the first.
+bool contains(const Box& outer, const Box& inner) noexcept;
+
+/// `box`, moved by whole turns so that its middle is from -1 to 1.
+Box without_turns(const Box& box) noexcept;
+
+/// Whether `inner`, moved by some whole turns, lies in `outer`.
+bool contains_up_to_turns(const Box& outer, const Box& inner) noexcept;
+
+/// Whether both, one of them moved by some whole turns, may have a point in common.
+bool meet_up_to_turns(const Box& a, const Box& b) noexcept;
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_KRAWCZYK_H

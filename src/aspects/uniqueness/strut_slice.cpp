@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "aspects/uniqueness/strut_slice.h"
+
+#include "legs/held_leg.h"
+#include "model/angles.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace parallel_aspects {
+namespace {
+
+// Within a full turn of zero, for `turn_of_half_turns`.
+Interval without_turns(const Interval& angle) noexcept {
+  const double middle = 0.5 * (angle.lower() + angle.upper());
+  if (middle > 1.0) return angle - Interval(2.0);
+  return middle < -1.0 ? angle + Interval(2.0) : angle;
+}
+
+Planar<Interval> anchor_of(const Leg& leg) noexcept { return {leg.anchor.x(), leg.anchor.y()}; }
+
+Planar<Interval> base_of(const Leg& leg) noexcept { return {leg.base_point().x(), leg.base_point().y()}; }
+
+Planar<Interval> difference(const Planar<Interval>& a, const Planar<Interval>& b) noexcept {
+  return {a.x - b.x, a.y - b.y};
+}
+
+/// Of the anchor over the plane of the base point [m].
+Interval height_of(const Leg& leg) noexcept {
+  return Interval(leg.anchor.z()) - Interval(leg.base_point().z());
+}
+
+/// rho^2 / 2 of a strut that has this joint value; 0 where its length would be negative.
+Interval half_square_at(const Leg& leg, double q) {
+  if (!leg.can_have(q)) return 0.0;
+  const Interval in_plane = HeldLeg(leg, q, 0.0).rod(Turn<Interval>{1.0, 0.0}).x;
+  return Interval(0.5) * (square(in_plane) + square(height_of(leg)));
+}
+
+/// The same at the shortest and at the longest length within limits.
+std::array<Interval, 2> limits_of(const Leg& leg) {
+  const bool rises = leg.has_branch(1);
+  const double shortest = rises ? leg.limits.lower : leg.limits.upper;
+  const double longest = rises ? leg.limits.upper : leg.limits.lower;
+  return {std::isfinite(shortest) ? half_square_at(leg, shortest) : Interval(0.0),
+          std::isfinite(longest) ? half_square_at(leg, longest) : Interval(HUGE_VAL)};
+}
+
+}  // namespace
+
+SliceTurns::SliceTurns(const SliceRanges& at) noexcept
+    : direction(turn_of_half_turns(at[0])),
+      phi(turn_of_half_turns(at[1])),
+      difference(turn_of_half_turns(without_turns(at[1] - at[0]))) {}
+
+SliceTurns::SliceTurns(const std::array<double, 2>& at) noexcept
+    : direction(enclosed_turn(pi * at[0])),
+      phi(enclosed_turn(pi * at[1])),
+      difference{phi.cosine * direction.cosine + phi.sine * direction.sine,
+                 phi.sine * direction.cosine - phi.cosine * direction.sine} {}
+
+StrutSlice::StrutSlice(const Manipulator& manipulator, const MapSlice& slice) {
+  assert_rounding_upward();
+  const std::size_t held = slice.joint->leg;
+  const HeldLeg rod(manipulator.leg(held), slice.joint->value, 0.0);
+  const Interval length = rod.rod(Turn<Interval>{1.0, 0.0}).x;
+  for (std::size_t i = 0, j = 0; j < manipulator.leg_count(); ++j)
+    if (j != held) legs_[i++] = MovingLeg(manipulator, held, j, length);
+}
+
+StrutSlice::MovingLeg::MovingLeg(const Manipulator& manipulator, std::size_t held, std::size_t j,
+                                 const Interval& length)
+    : index(j) {
+  const Leg &leg = manipulator.leg(j), &other = manipulator.leg(held);
+  const Planar<Interval> m = difference(anchor_of(leg), anchor_of(other));
+  const Planar<Interval> o = difference(base_of(other), base_of(leg));
+  const Interval height = height_of(leg);
+  const Interval squares = square(length) + squared_norm(m) + squared_norm(o);
+  constant = Interval(0.5) * (squares + square(height));
+  between_anchors = {length * m.x, length * m.y};
+  between_bases = {length * o.x, length * o.y};
+  along = m.x * o.x + m.y * o.y;
+  across = m.x * o.y - m.y * o.x;
+  const Interval sum = length + square_root(squared_norm(m)) + square_root(squared_norm(o));
+  largest = (Interval(0.5) * (square(sum) + square(height))).upper();
+  limits = limits_of(leg);
+}
+
+Verdict StrutSlice::within_limits(std::size_t i, const Interval& half_square) const noexcept {
+  const auto& [least, most] = legs_[i].limits;
+  if (half_square.upper() < least.lower() || half_square.lower() > most.upper()) return Verdict::fails;
+  const bool inside = half_square.lower() >= least.upper() && half_square.upper() <= most.lower();
+  return inside ? Verdict::holds : Verdict::unknown;
+}
+
+SliceCenter::SliceCenter(const Box& box) noexcept {
+  for (std::size_t i = 0; i < 2; ++i) {
+    at[i] = box.center(i);
+    const double half = std::max(box.upper[i] - box.center(i), box.center(i) - box.lower[i]);
+    half_widths[i] = (pi_enclosure() * Interval(half)).upper();
+  }
+}
+
+SliceRanges ranges_of(const Box& box) noexcept {
+  return {Interval(box.lower[0], box.upper[0]), Interval(box.lower[1], box.upper[1])};
+}
+
+std::array<Box, 2> halves_of(const Box& box) noexcept {
+  const std::size_t axis = box.width(0) >= box.width(1) ? 0 : 1;
+  std::array<Box, 2> halves{box, box};
+  halves[0].upper[axis] = halves[1].lower[axis] = box.center(axis);
+  return halves;
+}
+
+}  // namespace parallel_aspects

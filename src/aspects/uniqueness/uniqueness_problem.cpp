@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "aspects/uniqueness/uniqueness_problem.h"
+
+#include "parallel_aspects/aspects/held_joint.h"
+#include "parallel_aspects/aspects/uniqueness.h"
+#include "parallel_aspects/model/constraints.h"
+
+namespace parallel_aspects {
+namespace {
+
+std::string in_quotes(const std::string& text) { return "'" + text + "'"; }
+
+/// Constraints besides the limits of actuated joints, by name.
+std::string other_constraints(const Manipulator& manipulator) {
+  std::string text;
+  for (const ConstraintKind kind : all_constraint_kinds)
+    if (kind != ConstraintKind::actuated_limits && manipulator.constraint_kinds()[index_of(kind)])
+      text += (text.empty() ? "" : ", ") + std::string(name(kind));
+  return text;
+}
+
+std::string find_slice_to_hold(const Manipulator& manipulator) {
+  return "In SE2 actuated values are looked at in slices; give one that holds an actuated joint, such as " +
+         manipulator.leg(0).actuated_joint + ".";
+}
+
+std::string find_problem_in_se2(const Manipulator& manipulator, const UniquenessOptions& options) {
+  for (const Leg& leg : manipulator.legs())
+    if (leg.kind().type != LegType::strut)
+      return "Where direct solutions meet in SE2 is found for three struts, but " + in_quotes(leg.name) +
+             " of " + in_quotes(manipulator.name()) + " has an " + std::string(leg.kind().name) +
+             "; `map` and `direct` treat this robot.";
+  if (!options.slice || !options.slice->joint) return find_slice_to_hold(manipulator);
+  const std::string problem = find_held_joint_problem(manipulator, *options.slice->joint);
+  if (!problem.empty()) return problem;
+  const std::string others = other_constraints(manipulator);
+  if (!others.empty())
+    return "Regions of actuated values are bounded by limits of actuated joints alone, but " +
+           in_quotes(manipulator.name()) + " has " + others + "; leave these constraints out.";
+  return "";
+}
+
+}  // namespace
+
+bool has_one_solution_a_sign(TaskSpace space) noexcept {
+  switch (space) {
+    case TaskSpace::T1:
+    case TaskSpace::T2:
+    case TaskSpace::T3:
+      return true;
+    case TaskSpace::SE2:
+    case TaskSpace::SO3:
+    case TaskSpace::SE3:
+      return false;
+  }
+  return false;
+}
+
+std::string find_uniqueness_problem(const Manipulator& manipulator, const UniquenessOptions& options) {
+  const TaskSpace space = manipulator.task_space();
+  if (has_one_solution_a_sign(space))
+    return options.slice ? "In " + std::string(name(space)) +
+                               " every aspect is a uniqueness domain as a whole; leave the slice out."
+                         : "";
+  if (space == TaskSpace::SE2) return find_problem_in_se2(manipulator, options);
+  return "Where direct solutions meet is found in T1, T2, T3 and slices of SE2, and " +
+         in_quotes(manipulator.name()) + " moves in " + std::string(name(space)) +
+         "; `direct` has its solutions for given actuated values.";
+}
+
+}  // namespace parallel_aspects

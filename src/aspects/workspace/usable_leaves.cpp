@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "aspects/workspace/usable_leaves.h"
+
+#include "interval/rounding.h"
+
+#include <algorithm>
+
+namespace parallel_aspects {
+namespace {
+
+// Leaves that are looked at for one center. Where it takes more, much around it stays open.
+constexpr std::size_t most_looks = 5000;
+
+}  // namespace
+
+UsableLeaves::UsableLeaves(const AspectMap::Contents& map, std::size_t mode, int sign,
+                           const ShapeGauge& gauge, const Box& angles)
+    : classifier_(*map.classifier),
+      region_(map.tree.region()),
+      mode_(mode),
+      sign_(sign),
+      gauge_(gauge),
+      angles_(angles) {
+  leaves_.emplace_back();
+  copy(map, 0, 0);
+}
+
+UsableLeaves::State UsableLeaves::state_of(LeafState state) const {
+  if (state.is_inside(sign_)) return State::usable;
+  return state.may_be(sign_) ? State::open : State::obstacle;
+}
+
+void UsableLeaves::copy(const AspectMap::Contents& map, NodeIndex node, NodeIndex leaf) {
+  const LeafState state = map.tree.state(node, mode_);
+  if (!state.is_divided()) {
+    leaves_[leaf] = {no_node, map.leaf_aspect(node, mode_), state_of(state)};
+    return;
+  }
+  const auto first = static_cast<NodeIndex>(leaves_.size());
+  leaves_[leaf] = {first, 0, State::divided};
+  leaves_.resize(leaves_.size() + map.tree.children_per_node());
+  for (NodeIndex rank = 0; rank < map.tree.children_per_node(); ++rank)
+    copy(map, map.tree.first_child(node) + rank, first + rank);
+}
+
+// Children of one box share their corners bit for bit, however the middle is rounded.
+Box UsableLeaves::child_box(const Box& box, NodeIndex rank) const {
+  Box child = box;
+  for (std::size_t i = 0; i < box.dimension; ++i)
+    ((rank >> i & 1U) != 0 ? child.lower[i] : child.upper[i]) = box.center(i);
+  return child;
+}
+
+void UsableLeaves::divide(NodeIndex leaf, const Box& box) {
+  const auto first = static_cast<NodeIndex>(leaves_.size());
+  leaves_[leaf] = {first, 0, State::divided};
+  for (NodeIndex rank = 0; rank < NodeIndex{1} << box.dimension; ++rank)
+    leaves_.push_back({no_node, 0, state_of(classifier_.state(0, child_box(box, rank), mode_))});
+}
+
+bool UsableLeaves::meets_angles(const Box& box) const {
+  for (std::size_t i = gauge_.dimension(); i < box.dimension; ++i)
+    if (box.upper[i] < angles_.lower[i] || box.lower[i] > angles_.upper[i]) return false;
+  return true;
+}
+
+bool UsableLeaves::meets(const Box& positions, const Box& box) const {
+  for (std::size_t i = 0; i < gauge_.dimension(); ++i)
+    if (box.upper[i] < positions.lower[i] || box.lower[i] > positions.upper[i]) return false;
+  return meets_angles(box);
+}
+
+Box UsableLeaves::positions() const {
+  Box box = region_;
+  box.dimension = gauge_.dimension();
+  return box;
+}
+
+ShapeRoom UsableLeaves::room(const MapPoint& center, double extent, double enough) {
+  assert_rounding_upward();
+  ShapeRoom room;
+  room.upper = gauge_.room(center, region_);
+  room.lower = gauge_.room_at_least(center, region_);
+  room.obstacle = center;
+  if (room.upper == 0.0) return room;
+  queue_ = {};
+  push(center, 0, region_, room);
+  const std::size_t last_look = looks_ + most_looks;
+  while (!queue_.empty() && queue_.top().distance < room.upper && room.upper > enough && looks_ < last_look) {
+    ++looks_;
+    const Near near = queue_.top();
+    queue_.pop();
+    look_at(center, extent, near, room);
+  }
+  // What is left in the queue may hold what is nearer than that.
+  if (!queue_.empty() && queue_.top().distance < room.upper)
+    room.lower = std::min(room.lower, queue_.top().distance);
+  return room;
+}
+
+void UsableLeaves::push(const MapPoint& center, NodeIndex leaf, const Box& box, ShapeRoom& room) {
+  const State state = leaves_[leaf].state;
+  if (state == State::usable || !meets_angles(box)) return;
+  const double at_least = gauge_.distance_at_least(center, box);
+  if (at_least >= room.upper) return;
+  if (state != State::obstacle) return queue_.push({at_least, leaf, box});
+  room.lower = std::min(room.lower, at_least);
+  if (const double distance = gauge_.distance(center, box); distance < room.upper) {
+    room.upper = distance;
+    room.obstacle = box.nearest(center);
+  }
+}
+
+void UsableLeaves::look_at(const MapPoint& center, double extent, const Near& near, ShapeRoom& room) {
+  if (leaves_[near.leaf].state == State::open) {
+    // Behind what stays open, the farther a leaf is the less it tells.
+    const double beyond = std::max(0.0, near.distance - room.lower);
+    if (2.0 * gauge_.half_extent(near.box) <= std::max(extent, 0.5 * beyond)) {
+      room.lower = std::min(room.lower, near.distance);
+      return;
+    }
+    divide(near.leaf, near.box);
+  }
+  const NodeIndex first = leaves_[near.leaf].first_child;
+  for (NodeIndex rank = 0; rank < NodeIndex{1} << near.box.dimension; ++rank)
+    push(center, first + rank, child_box(near.box, rank), room);
+}
+
+bool UsableLeaves::holds(const MapPoint& center, double size) const {
+  return size <= gauge_.room_at_least(center, region_) && holds(center, size, 0, region_);
+}
+
+bool UsableLeaves::holds(const MapPoint& center, double size, NodeIndex leaf, const Box& box) const {
+  const Leaf& at = leaves_[leaf];
+  if (at.state == State::usable || !meets_angles(box) || gauge_.distance_at_least(center, box) > size)
+    return true;
+  if (at.state != State::divided) return false;
+  for (NodeIndex rank = 0; rank < NodeIndex{1} << box.dimension; ++rank)
+    if (!holds(center, size, at.first_child + rank, child_box(box, rank))) return false;
+  return true;
+}
+
+int UsableLeaves::aspect_of(const MapPoint& center, double size) const {
+  return aspect_of(center, size, 0, region_);
+}
+
+int UsableLeaves::aspect_of(const MapPoint& center, double size, NodeIndex leaf, const Box& box) const {
+  const Leaf& at = leaves_[leaf];
+  if (!meets_angles(box) || gauge_.distance(center, box) > size) return 0;
+  if (at.state != State::divided) return at.state == State::usable ? at.aspect : 0;
+  const NodeIndex nearest = box.rank_of(center);
+  for (NodeIndex rank = 0; rank < NodeIndex{1} << box.dimension; ++rank)
+    if (const int found =
+            aspect_of(center, size, at.first_child + (rank ^ nearest), child_box(box, rank ^ nearest));
+        found != 0)
+      return found;
+  return 0;
+}
+
+bool UsableLeaves::may_hold(const std::vector<int>& aspects, const Box& positions) const {
+  return may_hold(aspects, positions, 0, region_);
+}
+
+bool UsableLeaves::may_hold(const std::vector<int>& aspects, const Box& positions, NodeIndex leaf,
+                            const Box& box) const {
+  const Leaf& at = leaves_[leaf];
+  if (at.state == State::obstacle || !meets(positions, box)) return false;
+  if (at.state == State::open) return true;
+  if (at.state == State::usable)
+    return at.aspect == 0 || std::find(aspects.begin(), aspects.end(), at.aspect) != aspects.end();
+  for (NodeIndex rank = 0; rank < NodeIndex{1} << box.dimension; ++rank)
+    if (may_hold(aspects, positions, at.first_child + rank, child_box(box, rank))) return true;
+  return false;
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/report/uniqueness_report.h"
+
+#include "model/number_text.h"
+#include "tools/report/bounds_report.h"
+#include "tools/report/slice_report.h"
+#include "tools/report/text_table.h"
+
+#include <string>
+#include <vector>
+
+namespace parallel_aspects::tools {
+namespace {
+
+using nlohmann::json;
+
+json json_component(const AspectMap& map, const Aspect& aspect) {
+  return {{"id", aspect.id},
+          {"working_mode", aspect.mode.signs()},
+          {"determinant_sign", aspect.determinant_sign},
+          {"measure", aspect.measure},
+          {"unit", map.unit()},
+          {"deepest", json_pose(map.manipulator()->task_space(), aspect.deepest)},
+          {"unresolved_with", aspect.unresolved_with}};
+}
+
+json json_cusp(const Manipulator& robot, const Cusp& cusp) {
+  return {{"actuated", json_numbers(cusp.actuated)},
+          {"pose", json_pose(robot.task_space(), cusp.pose)},
+          {"proved", true},
+          {"accuracy", cusp.accuracy}};
+}
+
+json json_region(const SolutionRegion& region) {
+  return {{"solutions", region.solutions},
+          {"measure", region.measure},
+          {"measure_lower", region.measure_lower},
+          {"measure_upper", region.measure_upper},
+          {"unit", "m^2"}};
+}
+
+json json_basic_component(const Manipulator& robot, const BasicComponent& component) {
+  json poses = json::array();
+  for (const Pose& pose : component.solutions) poses.push_back(json_pose(robot.task_space(), pose));
+  return {{"actuated", json_numbers(component.inside)},
+          {"solutions", component.solutions.size()},
+          {"poses", poses},
+          {"components", component.aspects},
+          {"measure", component.measure},
+          {"measure_lower", component.measure_lower},
+          {"unit", "m^2"}};
+}
+
+json json_basic_region(const Manipulator& robot, const BasicRegion& region) {
+  return {{"component", region.aspect},
+          {"pose", json_pose(robot.task_space(), region.pose)},
+          {"actuated", json_numbers(region.actuated)},
+          {"measure_lower", region.measure_lower},
+          {"unit", "m^2"}};
+}
+
+json json_domain(const UniquenessDomain& domain) {
+  json object = {{"component", domain.aspect}, {"whole_component", domain.whole_aspect}};
+  if (domain.whole_aspect) return object;
+  object["basic_regions"] = domain.basic_regions;
+  object["measure_lower"] = domain.measure_lower;
+  object["unit"] = "m^2";
+  return object;
+}
+
+std::string components_text(const AspectMap& map) {
+  TextTable table({">component", "working mode", "det A", ">measure [" + map.unit() + "]"});
+  for (const Aspect& aspect : map.aspects())
+    table.add({std::to_string(aspect.id), to_string(aspect.mode), aspect.determinant_sign > 0 ? "+" : "-",
+               shown_briefly(aspect.measure)});
+  return table.text();
+}
+
+/// A column for each actuated joint, by its name and unit.
+std::vector<std::string> cusp_titles(const Manipulator& robot) {
+  std::vector<std::string> titles;
+  for (const Leg& leg : robot.legs())
+    titles.push_back(">" + leg.actuated_joint + " [" + joint_unit(leg) + "]");
+  titles.emplace_back("pose");
+  return titles;
+}
+
+std::string cusps_text(const Uniqueness& uniqueness) {
+  const Manipulator& robot = *uniqueness.map->manipulator();
+  std::string text = counted(uniqueness.cusps.size(), "cusp") + ", " +
+                     (uniqueness.cusps_complete ? "proved to be all" : "there may be more") + "\n";
+  if (uniqueness.cusps.empty()) return text;
+  TextTable table(cusp_titles(robot));
+  for (const Cusp& cusp : uniqueness.cusps) {
+    std::vector<std::string> cells;
+    for (Eigen::Index j = 0; j < cusp.actuated.size(); ++j)
+      cells.push_back(fixed_number_text(cusp.actuated[j], 6));
+    cells.push_back(to_string(robot.task_space(), cusp.pose));
+    table.add(std::move(cells));
+  }
+  return text + table.text();
+}
+
+std::string regions_text(const Uniqueness& uniqueness) {
+  if (uniqueness.regions.empty()) return "";
+  TextTable table({">solutions", ">area [m^2]", ">at least", ">at most"});
+  for (const SolutionRegion& region : uniqueness.regions)
+    table.add({std::to_string(region.solutions), shown_briefly(region.measure),
+               shown_bound(region.measure_lower, Side::below),
+               shown_bound(region.measure_upper, Side::above)});
+  return "\nactuated values by their number of direct solutions, which is not proved on " +
+         shown_bound(uniqueness.measure_unknown, Side::above) + " m^2\n" + table.text();
+}
+
+std::string domains_text(const Uniqueness& uniqueness) {
+  if (uniqueness.at_most_one_a_sign) return "";
+  TextTable table({">domain", ">component", ">basic regions", ">actuated values [m^2], at least"});
+  for (std::size_t i = 0; i < uniqueness.domains.size(); ++i) {
+    const UniquenessDomain& domain = uniqueness.domains[i];
+    table.add({std::to_string(i + 1), std::to_string(domain.aspect),
+               std::to_string(domain.basic_regions.size()), shown_bound(domain.measure_lower, Side::below)});
+  }
+  return "\nuniqueness domains, which overlap" +
+         std::string(uniqueness.domains_complete ? "" : " and of which there are more") + "\n" + table.text();
+}
+
+std::string headline(const Uniqueness& uniqueness) {
+  const AspectMap& map = *uniqueness.map;
+  std::string text = map.manipulator()->name();
+  if (map.slice()) text += ", " + to_string(*map.slice());
+  text += ": " + counted(map.aspects().size(), map.slice() ? "component" : "aspect") + "\n";
+  if (uniqueness.at_most_one_a_sign)
+    text +=
+        "Each is a uniqueness domain: for given actuated values there are at most two poses, with opposite "
+        "signs of det A.\n";
+  return text;
+}
+
+}  // namespace
+
+Report report_uniqueness(const Uniqueness& uniqueness) {
+  const AspectMap& map = *uniqueness.map;
+  json object = {{"mechanism", map.manipulator()->name()},
+                 {"task_space", std::string(name(map.manipulator()->task_space()))},
+                 {"slice", json_slice(map.slice())},
+                 {"at_most_one_solution_a_sign", uniqueness.at_most_one_a_sign},
+                 {"components", json::array()},
+                 {"cusps", json::array()},
+                 {"cusps_complete", uniqueness.cusps_complete},
+                 {"regions", json::array()},
+                 {"measure_unknown", uniqueness.measure_unknown},
+                 {"basic_components", json::array()},
+                 {"basic_regions", json::array()},
+                 {"uniqueness_domains_complete", uniqueness.domains_complete},
+                 {"uniqueness_domains", json::array()}};
+  for (const Aspect& aspect : map.aspects()) object["components"].push_back(json_component(map, aspect));
+  for (const Cusp& cusp : uniqueness.cusps) object["cusps"].push_back(json_cusp(*map.manipulator(), cusp));
+  for (const SolutionRegion& region : uniqueness.regions) object["regions"].push_back(json_region(region));
+  for (const BasicComponent& component : uniqueness.basic_components)
+    object["basic_components"].push_back(json_basic_component(*map.manipulator(), component));
+  for (const BasicRegion& region : uniqueness.basic_regions)
+    object["basic_regions"].push_back(json_basic_region(*map.manipulator(), region));
+  for (const UniquenessDomain& domain : uniqueness.domains)
+    object["uniqueness_domains"].push_back(json_domain(domain));
+  const Report constraints = report_constraints(*map.manipulator());
+  object.update(constraints.json);
+  return {object, headline(uniqueness) + '\n' + components_text(map) + '\n' + cusps_text(uniqueness) +
+                      regions_text(uniqueness) + domains_text(uniqueness) + '\n' + constraints.text};
+}
+
+}  // namespace parallel_aspects::tools

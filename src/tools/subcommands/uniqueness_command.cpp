@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/aspects/uniqueness.h"
+#include "tools/arguments.h"
+#include "tools/computation.h"
+#include "tools/numbers.h"
+#include "tools/report/uniqueness_report.h"
+#include "tools/subcommands.h"
+
+#include <memory>
+#include <utility>
+
+namespace parallel_aspects::tools {
+namespace {
+
+struct UniquenessArguments {
+  RobotChoice robot;
+  std::string slice, resolution;  // empty where not given
+  ConstraintArguments constraints;
+};
+
+Report report_of(const UniquenessArguments& arguments, const Surroundings& surroundings) {
+  const auto mechanism = load_robot(arguments.robot);
+  const auto manipulator = choose_constraints(mechanism->mapped_manipulator(), arguments.constraints);
+  Problems problems;
+  UniquenessOptions options;
+  if (!arguments.slice.empty())
+    options.slice = parse_slice("--slice", *manipulator, arguments.slice, problems);
+  if (!arguments.resolution.empty())
+    options.resolution = parse_positive("--resolution", arguments.resolution, problems);
+  if (!problems.empty()) throw InvalidDescription(std::move(problems));
+  const auto result = completed(surroundings, [&](const MapControl& control) {
+    return compute_uniqueness(manipulator, options, control);
+  });
+  return report_uniqueness(*result.uniqueness);
+}
+
+}  // namespace
+
+Subcommand uniqueness_subcommand() {
+  const auto arguments = std::make_shared<UniquenessArguments>();
+  std::vector<Option> options = robot_options(arguments->robot);
+  options.push_back({"--slice", "\"strut_1_joint=15\"",
+                     "In SE2: the actuated joint that is held, with its value [m]", &arguments->slice});
+  options.push_back({"--resolution", "R",
+                     "Longest edge of an undecided leaf of the map of aspects [m or rad]; by default what "
+                     "suits the robot",
+                     &arguments->resolution});
+  for (const Option& option : constraint_options(arguments->constraints)) options.push_back(option);
+  return {"uniqueness",
+          "Tell which poses of an aspect have the same actuated values, and where direct solutions meet",
+          options,
+          [arguments](const Surroundings& surroundings) { return report_of(*arguments, surroundings); }};
+}
+
+}  // namespace parallel_aspects::tools

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_URDF_CLOSING_PLATFORM_FREEDOM_H
+#define PARALLEL_ASPECTS_URDF_CLOSING_PLATFORM_FREEDOM_H
+
+#include "urdf/closing/assembly.h"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+
+namespace parallel_aspects {
+
+/// In how many ways the platform moves, and how far it is from one less.
+struct PlatformFreedom {
+  Eigen::Index translations = 0;
+  Eigen::Index motions = 0;  ///< with rotations
+  double conditioning = 0.0;
+
+  Eigen::Index ways() const { return translations + motions; }
+
+  /// Up to two actuated joints move a point.
+  bool is_full(std::size_t actuated_joints) const {
+    const auto count = static_cast<Eigen::Index>(actuated_joints);
+    return motions == count && (count > 2 || translations == count);
+  }
+};
+
+/// Of a link in an assembly. Velocities of its origin count, and of those all with the angular ones: one task
+/// space wants the former, another the latter.
+PlatformFreedom platform_freedom(const ClosureSystem& system, const Assembly& assembly, std::size_t link,
+                                 std::size_t actuated_joints);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_URDF_CLOSING_PLATFORM_FREEDOM_H

@@ -1,0 +1,335 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/aspects/uniqueness.h"
+
+#include "parallel_aspects/aspects/held_joint.h"
+#include "parallel_aspects/kinematics/direct.h"
+#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/kinematics/jacobians.h"
+
+#include <Eigen/Dense>
+#include <gtest/gtest.h>
+
+#include "support/robots.h"
+#include "support/slices.h"
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <random>
+#include <vector>
+
+namespace parallel_aspects {
+namespace {
+
+using test::Robot;
+using test::uniform;
+
+std::shared_ptr<const Uniqueness> uniqueness_of(const Robot& robot, const UniquenessOptions& options = {}) {
+  const UniquenessResult result = compute_uniqueness(robot, options);
+  EXPECT_TRUE(result) << result.message;
+  return result.uniqueness;
+}
+
+std::shared_ptr<const Uniqueness> uniqueness_of_slice(const Robot& robot, double held) {
+  UniquenessOptions options;
+  options.slice = test::slice_of(robot, {{robot->leg(0).actuated_joint, held}});
+  return uniqueness_of(robot, options);
+}
+
+Robot unlimited_three_rpr() { return test::three_rpr()->with_constraints({}); }
+
+// The lengths of struts 2 and 3 at the cusps, found by Newton's method in double precision.
+TEST(Uniqueness, HasTheSixCuspsOfTheThreeRpr) {
+  const auto found = uniqueness_of_slice(unlimited_three_rpr(), 14.98);
+  const std::vector<std::array<double, 2>> expected{{0.84528, 3.77792},   {13.85146, 6.26010},
+                                                    {16.02767, 29.56671}, {17.98855, 26.44618},
+                                                    {30.44913, 26.61916}, {31.27613, 16.17845}};
+  EXPECT_TRUE(found->cusps_complete);
+  ASSERT_EQ(found->cusps.size(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    EXPECT_EQ(found->cusps[i].actuated[0], 14.98);
+    EXPECT_NEAR(found->cusps[i].actuated[1], expected[i][0], 1e-5);
+    EXPECT_NEAR(found->cusps[i].actuated[2], expected[i][1], 1e-5);
+    EXPECT_LT(found->cusps[i].accuracy, 1e-9);
+  }
+  EXPECT_EQ(found->map->aspects().size(), 2U);
+}
+
+// With struts from 10 to 32 two of them are out of reach.
+TEST(Uniqueness, ListsCuspsWithinLimits) {
+  const auto found = uniqueness_of_slice(test::three_rpr(), 14.98);
+  EXPECT_TRUE(found->cusps_complete);
+  EXPECT_EQ(found->cusps.size(), 4U);
+}
+
+/// Cusps by Newton's method with differences in double precision, from many poses.
+class CuspsByNewton {
+ public:
+  CuspsByNewton(const Robot& robot, const MapSlice& slice)
+      : robot_(robot), circle_(circle_of_anchor(*robot, *slice.joint)), held_(slice.joint->leg) {}
+
+  std::vector<Eigen::Vector2d> find(std::mt19937_64& random, int starts) const {
+    std::vector<Eigen::Vector2d> found;
+    for (int i = 0; i < starts; ++i) {
+      Eigen::Vector2d x(uniform(random, -EIGEN_PI, EIGEN_PI), uniform(random, -EIGEN_PI, EIGEN_PI));
+      if (!converges(x)) continue;
+      const auto same = [&](const Eigen::Vector2d& y) { return distance(x, y) < 1e-4; };
+      if (std::none_of(found.begin(), found.end(), same)) found.push_back(x);
+    }
+    return found;
+  }
+
+  Eigen::Vector2d lengths(const Eigen::Vector2d& x) const {
+    const Pose pose = circle_.pose(x[0], x[1]);
+    const auto q = inverse(*robot_, pose, working_modes(*robot_).front()).q;
+    return {q[static_cast<Eigen::Index>(held_ == 0 ? 1 : 0)],
+            q[static_cast<Eigen::Index>(held_ == 2 ? 1 : 2)]};
+  }
+
+ private:
+  static double distance(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    return std::hypot(std::remainder(a[0] - b[0], 2.0 * EIGEN_PI),
+                      std::remainder(a[1] - b[1], 2.0 * EIGEN_PI));
+  }
+
+  Eigen::Matrix2d jacobian(const Eigen::Vector2d& x) const {
+    constexpr double h = 1e-4;
+    Eigen::Matrix2d result;
+    for (int k = 0; k < 2; ++k) {
+      const Eigen::Vector2d step = h * Eigen::Vector2d::Unit(k);
+      result.col(k) = (8.0 * (lengths(x + step) - lengths(x - step)) -
+                       (lengths(x + 2.0 * step) - lengths(x - 2.0 * step))) /
+                      (12.0 * h);
+    }
+    return result;
+  }
+
+  double determinant(const Eigen::Vector2d& x) const { return jacobian(x).determinant(); }
+
+  /// det J and its slope along the kernel.
+  Eigen::Vector2d functions(const Eigen::Vector2d& x) const {
+    constexpr double h = 1e-3;
+    const Eigen::JacobiSVD<Eigen::Matrix2d> svd(jacobian(x), Eigen::ComputeFullV);
+    Eigen::Vector2d k = svd.matrixV().col(1);
+    if (k[std::abs(k[0]) > std::abs(k[1]) ? 0 : 1] < 0.0) k = -k;
+    return {determinant(x), (determinant(x + h * k) - determinant(x - h * k)) / (2.0 * h)};
+  }
+
+  bool converges(Eigen::Vector2d& x) const {
+    constexpr double h = 1e-4;
+    for (int step = 0; step < 40; ++step) {
+      const Eigen::Vector2d f = functions(x);
+      Eigen::Matrix2d slope;
+      for (int k = 0; k < 2; ++k) {
+        const Eigen::Vector2d to = h * Eigen::Vector2d::Unit(k);
+        slope.col(k) = (functions(x + to) - functions(x - to)) / (2.0 * h);
+      }
+      const Eigen::Vector2d move = slope.fullPivLu().solve(f);
+      if (!move.allFinite() || move.norm() > 1e3) return false;
+      x -= move.norm() > 0.2 ? Eigen::Vector2d(0.2 * move.normalized()) : move;
+      if (move.norm() < 1e-7) return jacobian(x).norm() > 1e-3 && lengths(x).minCoeff() > 1e-3;
+    }
+    return false;
+  }
+
+  Robot robot_;
+  AnchorCircle circle_;
+  std::size_t held_;
+};
+
+// Of robots with random struts, each cusp that Newton's method finds is one of those that are proved.
+TEST(Uniqueness, HasTheCuspsThatNewtonsMethodFinds) {
+  std::mt19937_64 random(3);
+  int complete = 0;
+  for (int robots = 0; robots < 5; ++robots) {
+    test::Points base, anchors;
+    for (int j = 0; j < 3; ++j) {
+      base.emplace_back(uniform(random, -2.0, 2.0), uniform(random, -2.0, 2.0), 0.0);
+      anchors.emplace_back(uniform(random, -2.0, 2.0), uniform(random, -2.0, 2.0), 0.0);
+    }
+    const Robot robot = test::manipulator("random_struts", TaskSpace::SE2, test::struts(base, anchors));
+    const double held = uniform(random, 0.5, 3.0);
+    const auto found = uniqueness_of_slice(robot, held);
+    complete += found->cusps_complete ? 1 : 0;
+    const CuspsByNewton newton(robot, *found->map->slice());
+    std::size_t matched = 0;
+    for (const Eigen::Vector2d& x : newton.find(random, 150)) {
+      const Eigen::Vector2d lengths = newton.lengths(x);
+      const auto near = [&](const Cusp& cusp) { return (cusp.actuated.tail<2>() - lengths).norm() < 1e-3; };
+      const bool listed = std::any_of(found->cusps.begin(), found->cusps.end(), near);
+      EXPECT_TRUE(listed || !found->cusps_complete)
+          << robots << ": held " << held << ", " << lengths.transpose();
+      if (listed) ++matched;
+    }
+    EXPECT_GT(2 * matched, found->cusps.size()) << robots;
+  }
+  EXPECT_EQ(complete, 5);
+}
+
+// By the direct solver; another solution may be near by.
+TEST(Uniqueness, HasThreeSolutionsBesideACusp) {
+  const Robot robot = unlimited_three_rpr();
+  const auto found = uniqueness_of_slice(robot, 14.98);
+  for (const Cusp& cusp : found->cusps) {
+    std::size_t most = 0;
+    for (int i = 0; i < 3600; ++i) {
+      const double angle = EIGEN_PI * i / 1800.0, radius = 1e-4 * cusp.actuated.tail<2>().minCoeff();
+      JointVector q = cusp.actuated;
+      q[1] += radius * std::cos(angle);
+      q[2] += radius * std::sin(angle);
+      std::size_t near = 0;
+      for (const AssemblyMode& mode : direct(*robot, q).solutions)
+        if ((mode.pose.position - cusp.pose.position).norm() < 2.0 &&
+            mode.pose.orientation.angularDistance(cusp.pose.orientation) < 0.15)
+          ++near;
+      most = std::max(most, near);
+    }
+    EXPECT_GE(most, 3U) << cusp.actuated.transpose();
+  }
+}
+
+/// The slice on a grid, filled over neighbours with the same number of direct solutions and sign of det A.
+class FilledSlice {
+ public:
+  static constexpr int cells = 240;
+
+  explicit FilledSlice(const Uniqueness& uniqueness)
+      : robot_(*uniqueness.map->manipulator()),
+        circle_(circle_of_anchor(robot_, *uniqueness.map->slice()->joint)) {
+    for (int i = 0; i < cells * cells; ++i) kinds_.push_back(kind(i));
+    parts_.assign(kinds_.size(), -1);
+    for (int i = 0; i < cells * cells; ++i)
+      if (parts_[static_cast<std::size_t>(i)] < 0) fill(i);
+  }
+
+  /// Of the cell nearest to a pose.
+  int part(const Pose& pose) const {
+    const Eigen::Vector2d rod = circle_.rod(pose);
+    const double phi = 2.0 * std::atan2(pose.orientation.z(), pose.orientation.w());
+    return parts_[static_cast<std::size_t>(index(at(std::atan2(rod.y(), rod.x())), at(phi)))];
+  }
+
+ private:
+  static int at(double angle) {
+    return static_cast<int>(std::floor(angle / (2.0 * EIGEN_PI) * cells + cells)) % cells;
+  }
+  static int index(int x, int y) { return (x + cells) % cells * cells + (y + cells) % cells; }
+
+  int kind(int cell) const {
+    const double width = 2.0 * EIGEN_PI / cells;
+    const Pose pose = circle_.pose((cell / cells + 0.5) * width, (cell % cells + 0.5) * width);
+    const JointVector q = inverse(robot_, pose, working_modes(robot_).front()).q;
+    const auto count = static_cast<int>(direct(robot_, q).solutions.size());
+    return direct_determinant(robot_, pose, q) > 0.0 ? count : -count;
+  }
+
+  void fill(int start) {
+    std::vector<int> open{start};
+    parts_[static_cast<std::size_t>(start)] = start;
+    while (!open.empty()) {
+      const int x = open.back() / cells, y = open.back() % cells, from = open.back();
+      open.pop_back();
+      for (const int to : {index(x + 1, y), index(x - 1, y), index(x, y + 1), index(x, y - 1)}) {
+        int& part = parts_[static_cast<std::size_t>(to)];
+        if (part >= 0 || kinds_[static_cast<std::size_t>(to)] != kinds_[static_cast<std::size_t>(from)])
+          continue;
+        part = start;
+        open.push_back(to);
+      }
+    }
+  }
+
+  const Manipulator& robot_;
+  AnchorCircle circle_;
+  std::vector<int> kinds_, parts_;  // of cells
+};
+
+// Against filling the slice by the direct solver: basic regions over one set lie in parts of their own.
+TEST(Uniqueness, HasTheBasicRegionsOfTheSlice) {
+  const auto found = uniqueness_of_slice(unlimited_three_rpr(), 14.98);
+  const FilledSlice filled(*found);
+  std::vector<const BasicRegion*> large;
+  for (const BasicRegion& region : found->basic_regions)
+    if (region.measure_lower > 10.0) large.push_back(&region);
+  EXPECT_EQ(large.size(), 18U);  // two over each of two sets, four over two more, and six
+  for (const BasicRegion* a : large)
+    for (const BasicRegion* b : large) {
+      const bool one_set = (a->actuated - b->actuated).norm() < 1e-6;
+      EXPECT_TRUE(a == b || !one_set || filled.part(a->pose) != filled.part(b->pose))
+          << a->actuated.transpose() << ", phi " << a->pose.orientation.z() << ' ' << b->pose.orientation.z();
+    }
+}
+
+TEST(Uniqueness, HasDomainsOfOneRegionASet) {
+  const auto found = uniqueness_of_slice(unlimited_three_rpr(), 14.98);
+  const auto same_set = [&](std::size_t a, std::size_t b) {
+    return (found->basic_regions[a].actuated - found->basic_regions[b].actuated).norm() < 1e-6;
+  };
+  EXPECT_TRUE(found->domains_complete);
+  EXPECT_GE(found->domains.size(), 6U);
+  for (const UniquenessDomain& domain : found->domains) {
+    for (const std::size_t a : domain.basic_regions) {
+      EXPECT_EQ(found->basic_regions[a].aspect, domain.aspect);
+      for (const std::size_t b : domain.basic_regions) EXPECT_TRUE(a == b || !same_set(a, b));
+    }
+    for (const UniquenessDomain& other : found->domains) {
+      const auto &small = domain.basic_regions, &large = other.basic_regions;
+      EXPECT_TRUE(&domain == &other ||
+                  !std::includes(large.begin(), large.end(), small.begin(), small.end()));
+    }
+  }
+}
+
+// The six solutions of the region in the middle, three in each component.
+TEST(Uniqueness, HasThreeOfSixSolutionsInEachComponent) {
+  const auto found = uniqueness_of_slice(unlimited_three_rpr(), 14.98);
+  ASSERT_EQ(found->regions.size(), 3U);
+  EXPECT_EQ(found->regions[2].solutions, 6U);
+  for (const BasicComponent& component : found->basic_components) {
+    if (component.measure_lower < 0.01) continue;
+    const auto& aspects = component.aspects;
+    EXPECT_EQ(std::count(aspects.begin(), aspects.end(), 1), std::count(aspects.begin(), aspects.end(), 2));
+    EXPECT_EQ(std::count(aspects.begin(), aspects.end(), 0), 0);
+  }
+}
+
+TEST(Uniqueness, IsTheWholeAspectWhereSolutionsAreMirrored) {
+  for (const Robot& robot : {test::five_bar(), test::bipod()}) {
+    const auto found = uniqueness_of(robot);
+    EXPECT_TRUE(found->at_most_one_a_sign);
+    EXPECT_TRUE(found->cusps_complete && found->cusps.empty());
+    ASSERT_EQ(found->domains.size(), found->map->aspects().size());
+    for (const UniquenessDomain& domain : found->domains) EXPECT_TRUE(domain.whole_aspect);
+  }
+}
+
+// The theorem, by the direct solver: at random actuated values no two solutions have one sign of det A.
+TEST(Uniqueness, HasOneSolutionASignInTranslations) {
+  std::mt19937_64 random(11);
+  for (const Robot& robot : {test::five_bar(), test::bipod(), test::delta(), test::linear_delta()})
+    for (int i = 0; i < 2000; ++i) {
+      JointVector q(static_cast<Eigen::Index>(robot->leg_count()));
+      for (Eigen::Index j = 0; j < q.size(); ++j) q[j] = uniform(random, -3.0, 3.0);
+      const DirectResult found = direct(*robot, q);
+      int signs = 0;
+      for (const AssemblyMode& mode : found.solutions) signs += mode.determinant > 0.0 ? 1 : -1;
+      EXPECT_LE(found.solutions.size(), 2U);
+      EXPECT_TRUE(signs == 0 || found.solutions.size() < 2) << robot->name() << ' ' << q.transpose();
+    }
+}
+
+TEST(Uniqueness, RefusesWhatItHasNoAnswerFor) {
+  const auto problem = [](const Robot& robot, const UniquenessOptions& options) {
+    return compute_uniqueness(robot, options).message;
+  };
+  EXPECT_NE(problem(test::three_rpr(), {}).find("such as leg_1_joint"), std::string::npos);
+  UniquenessOptions options;
+  options.slice = test::slice_of(test::three_rpr(), {{"phi", 0.0}});
+  EXPECT_NE(problem(test::three_rpr(), options).find("holds an actuated joint"), std::string::npos);
+  EXPECT_NE(problem(test::three_rrr(), {}).find("three struts"), std::string::npos);
+  EXPECT_NE(problem(test::stewart(), {}).find("moves in SE3"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace parallel_aspects

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/command.h"
+
+#include <gtest/gtest.h>
+
+#include "support/command_run.h"
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <signal.h>
+#include <sstream>
+#include <string>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <utility>
+#include <vector>
+
+namespace parallel_aspects::tools {
+namespace {
+
+using test::Outcome;
+using test::run;
+
+std::string contents_of(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+void write(const std::string& file, const std::string& text) {
+  std::ofstream(file, std::ios::binary | std::ios::trunc) << text;
+}
+
+class SweepCommand : public test::CommandTest {
+ protected:
+  void SetUp() override {
+    CommandTest::SetUp();
+    for (const std::string& each : {whole, part, merged}) std::remove(each.c_str());
+    for (int i = 1; i <= 4; ++i) std::remove(shard_file(i).c_str());
+  }
+
+  static std::string shard_file(int i) { return testing::TempDir() + "sweep_" + std::to_string(i) + ".csv"; }
+
+  /// A sweep of 28 five-bars, of which some cannot be.
+  static Outcome sweep(const std::string& file, std::vector<const char*> more = {}) {
+    std::vector<const char*> arguments{"sweep",        "five_bar",  "--vary",   "crank_1=-1:8:7 rod_2=3:8:4",
+                                       "--resolution", "2",         "--report", "count,measures",
+                                       "-o",           file.c_str()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run(arguments);
+  }
+
+  const std::string whole = testing::TempDir() + "sweep_whole.csv",
+                    part = testing::TempDir() + "sweep_part.csv",
+                    merged = testing::TempDir() + "sweep_merged.csv";
+};
+
+TEST_F(SweepCommand, ARowADesign) {
+  const Outcome outcome = sweep(whole);
+  ASSERT_EQ(outcome.code, exit_code::ok) << outcome.messages;
+  std::istringstream text(contents_of(whole));
+  std::string line;
+  std::getline(text, line);
+  EXPECT_EQ(line.rfind("# aspects sweep 1, fingerprint ", 0), 0U) << line;
+  std::getline(text, line);
+  EXPECT_EQ(line,
+            "design,crank_1,rod_2,status,aspects_at_least,aspects_at_most,components,measure_lower,"
+            "measure_undecided,largest_lower,largest_upper");
+  const auto commas = std::count(line.begin(), line.end(), ',');
+  int rows = 0, refused = 0;
+  while (std::getline(text, line)) {
+    ++rows;
+    refused += line.find(",refused,") != std::string::npos;
+    EXPECT_EQ(std::count(line.begin(), line.end(), ','), commas) << line;
+  }
+  EXPECT_EQ(rows, 28);
+  EXPECT_EQ(refused, 4) << "a length of -1";
+}
+
+TEST_F(SweepCommand, GoesOnWhereItWasCutOff) {
+  ASSERT_EQ(sweep(whole).code, exit_code::ok);
+  const std::string text = contents_of(whole);
+  for (const std::size_t length :
+       {std::size_t{0}, std::size_t{10}, text.size() / 3, text.size() / 2, text.size()}) {
+    write(part, text.substr(0, length));
+    EXPECT_EQ(sweep(part).code, exit_code::ok);
+    EXPECT_EQ(contents_of(part), text) << "cut after " << length;
+  }
+}
+
+// A process of its own is killed three times; what it wrote is gone on with.
+TEST_F(SweepCommand, IsEqualAfterKills) {
+  ASSERT_EQ(sweep(whole, {"--threads", "1"}).code, exit_code::ok);
+  for (int kill_number = 0; kill_number < 3; ++kill_number) {
+    const std::size_t before = contents_of(part).size();
+    const pid_t child = fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) _exit(sweep(part, {"--threads", "1"}).code);
+    while (contents_of(part).size() < before + 200 && waitpid(child, nullptr, WNOHANG) == 0) usleep(200);
+    kill(child, SIGKILL);
+    waitpid(child, nullptr, 0);
+  }
+  EXPECT_EQ(sweep(part).code, exit_code::ok);
+  EXPECT_EQ(contents_of(part), contents_of(whole));
+}
+
+TEST_F(SweepCommand, ShardsMergeToTheWhole) {
+  ASSERT_EQ(sweep(whole).code, exit_code::ok);
+  for (const int count : {2, 4}) {
+    std::string parts;
+    for (int i = count; i >= 1; --i) {
+      std::remove(shard_file(i).c_str());
+      const std::string shard = std::to_string(i) + "/" + std::to_string(count);
+      ASSERT_EQ(sweep(shard_file(i), {"--shard", shard.c_str()}).code, exit_code::ok);
+      parts += shard_file(i) + " ";
+    }
+    ASSERT_EQ(run({"merge", parts.c_str(), "-o", merged.c_str()}).code, exit_code::ok);
+    EXPECT_EQ(contents_of(merged), contents_of(whole)) << count;
+  }
+}
+
+TEST_F(SweepCommand, PartsThatDoNotBelongTogetherAreRefused) {
+  const auto refused = [&](const std::string& parts) {
+    const Outcome outcome = run({"merge", parts.c_str(), "-o", merged.c_str()});
+    EXPECT_EQ(outcome.code, exit_code::bad_input);
+    return outcome.messages;
+  };
+  const std::string one = shard_file(1), two = shard_file(2), other = shard_file(3);
+  ASSERT_EQ(sweep(one, {"--shard", "1/2"}).code, exit_code::ok);
+  ASSERT_EQ(sweep(two, {"--shard", "2/2"}).code, exit_code::ok);
+  ASSERT_EQ(sweep(other, {"--shard", "2/2", "--mode", "(+,+)"}).code, exit_code::ok);
+  EXPECT_EQ(refused(one), "Shard 2/2 is missing; give its file, too.\n");
+  EXPECT_NE(refused(one + " " + other).find("is of another sweep"), std::string::npos);
+  EXPECT_NE(refused(one + " " + two + " " + one).find("are the same shard"), std::string::npos);
+  const std::string text = contents_of(two);
+  write(two, text.substr(0, text.size() - 20));
+  EXPECT_NE(refused(one + " " + two).find("is damaged at its row"), std::string::npos);
+  write(two, text.substr(0, text.rfind('\n', text.size() - 2) + 1));
+  EXPECT_NE(refused(one + " " + two).find("has 13 of its 14 rows"), std::string::npos);
+  write(two, "x\n");
+  EXPECT_NE(refused(one + " " + two).find("cannot be read as the file of a sweep"), std::string::npos);
+}
+
+TEST_F(SweepCommand, FilesOfOtherSweepsStayAsTheyAre) {
+  write(part, "time,x,y\n0,1,2\n");
+  EXPECT_EQ(sweep(part).code, exit_code::bad_input);
+  EXPECT_EQ(contents_of(part), "time,x,y\n0,1,2\n");
+  ASSERT_EQ(sweep(whole).code, exit_code::ok);
+  const std::string text = contents_of(whole);
+  const Outcome other = sweep(whole, {"--margin", "parallel=0.1"});
+  EXPECT_EQ(other.code, exit_code::bad_input);
+  EXPECT_NE(other.messages.find("is of another robot, command"), std::string::npos) << other.messages;
+  EXPECT_EQ(contents_of(whole), text);
+}
+
+TEST_F(SweepCommand, SobolFillsTheRanges) {
+  const auto outcome =
+      run({"sweep", "five_bar", "--vary", "crank_1=6:8 rod_2=7:9", "--sample", "sobol", "--designs", "8",
+           "--resolution", "2", "--report", "workspace", "--shape", "disc", "-o", whole.c_str()});
+  ASSERT_EQ(outcome.code, exit_code::ok) << outcome.messages;
+  EXPECT_EQ(test::line_count(contents_of(whole)), 10U);
+}
+
+TEST_F(SweepCommand, WhatDoesNotFitIsRefused) {
+  const auto refused = [&](const char* vary, std::vector<const char*> more) {
+    std::vector<const char*> arguments{"sweep", "five_bar", "--vary", vary, "-o", whole.c_str()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.code, exit_code::bad_input);
+    return outcome.messages;
+  };
+  EXPECT_NE(refused("wheel_1=1", {}).find("There is no parameter 'wheel_1'"), std::string::npos);
+  EXPECT_NE(refused("crank_1=1:2", {}).find("--vary has 'crank_1=1:2'"), std::string::npos);
+  EXPECT_NE(refused("crank_1=2:1:5", {}).find("the lower end comes first"), std::string::npos);
+  EXPECT_NE(refused("crank_1=1:2:5", {"--shard", "0/2"}).find("--shard is '0/2'"), std::string::npos);
+  EXPECT_NE(refused("crank_1=1:2:5", {"--report", "weight"}).find("--report has 'weight'"),
+            std::string::npos);
+  EXPECT_NE(refused("crank_1=1:2:5", {"--report", "workspace"}).find("takes --shape"), std::string::npos);
+  EXPECT_NE(refused("crank_1=1:2", {"--sample", "sobol"}).find("takes --designs"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace parallel_aspects::tools
