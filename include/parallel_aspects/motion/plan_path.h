@@ -59,7 +59,8 @@ struct PathEnd {
 };
 
 /// A point of a path. From one to the next the pose runs as `pose_between` says, or, in a slice that holds an
-/// actuated joint, straight in direction and phi; in the working mode of both. At a serial crossing the two
+/// actuated joint, straight in direction and phi; in the working mode of both, and by no more than a quarter
+/// turn, so that nobody takes it for a turn the other way round. At a serial crossing the two
 /// points have one pose, and one leg changes its posture. Through a parallel one the pose runs straight in
 /// the coordinates of the map: in SE2 in x, y and phi.
 struct PathPoint {
@@ -84,8 +85,8 @@ struct PlannedPath {
   std::string message;                      ///< why
   std::vector<PathPoint> points;            ///< from the start to the goal, where the answer is yes
   std::vector<PathCrossing> crossings;      ///< in their order
-  double length = 0.0;                      ///< of the way of the operational point [m]
-  double turned = 0.0;                      ///< of the rotation of the platform [rad]
+  double length = 0.0;  ///< of the way of the operational point, by 32 chords a segment [m]
+  double turned = 0.0;  ///< of the rotation of the platform, likewise [rad]
 
   /// Smallest parallel index and |det A| (unit as in `direct_determinant`) at 32 poses a segment: no bounds,
   /// which the margins of the manipulator give. Infinite without a path.

@@ -59,7 +59,8 @@ JointVector encoder_noise(const Manipulator& manipulator, const SampleOptions& o
 /// Whether velocity limits tell how far any actuated joint can have moved in a time.
 bool velocities_limited(const Manipulator& manipulator, const SampleOptions& options) noexcept;
 
-/// The last intervals between samples, by which a silence is distinguished from the usual rate. Never allocates.
+/// The last intervals between samples, by which a silence is distinguished from the usual rate. Never
+/// allocates.
 class SampleIntervals {
  public:
   /// Whether `seconds` is more than `ratio` times the median of the last intervals. False while too few of

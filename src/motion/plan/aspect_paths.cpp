@@ -29,7 +29,8 @@ bool AspectPaths::is_free(const Pose& from, const Pose& to, const Aspect& aspect
 SegmentsInMode AspectPaths::segments_of(const Aspect& aspect) const {
   return {[this, &aspect](const Pose& from, const Pose& to) { return is_free(from, to, aspect); },
           [this](const Pose& from, const Pose& to, double t) { return segments_.between(from, to, t); },
-          *map_->manipulator(), aspect.mode};
+          [this](const Pose& from, const Pose& to) { return segments_.turn(from, to); }, *map_->manipulator(),
+          aspect.mode};
 }
 
 /// No path keeps an index that is larger than those of its ends.
@@ -41,12 +42,12 @@ std::vector<Pose> AspectPaths::find(int aspect, const Pose& from, const Pose& to
       shape.is_wide ? std::min(index_at(robot, from, in.mode), index_at(robot, to, in.mode)) : 0.0;
   if (segments.is_free(from, to) &&
       (!shape.is_wide || least_index_along({from, to}, segments) >= shape.kept_share * wanted))
-    return {from, to};
+    return with_short_turns({from, to}, segments);
   const std::vector<Pose> path =
       shape.is_wide ? find_wide(in, from, to, wanted) : find_any(in, from, to, wanted);
   if (path.empty()) return path;
   const double kept = shape.is_wide ? shape.kept_share * least_index_along(path, segments) : 0.0;
-  return shortened(path, segments, kept);
+  return with_short_turns(shortened(path, segments, kept), segments);
 }
 
 std::vector<Pose> AspectPaths::find_any(const Aspect& aspect, const Pose& from, const Pose& to,

@@ -5,6 +5,7 @@
 #include "aspects/map/map_contents.h"
 #include "aspects/map/map_location.h"
 #include "interval/interval.h"
+#include "model/angles.h"
 #include "motion/plan/path_shape.h"
 
 #include <algorithm>
@@ -42,6 +43,17 @@ Pose MapSegments::between(const Pose& from, const Pose& to, double t) const {
   MapPosition at = start;
   for (std::size_t i = 0; i < space.dimension(); ++i) at.point[i] += t * (end[i] - start.point[i]);
   return space.pose(at);
+}
+
+double MapSegments::turn(const Pose& from, const Pose& to) const {
+  if (!holds_joint()) return from.orientation.angularDistance(to.orientation);
+  const PoseSpace& space = map_->contents().tree.space();
+  const MapPosition start = space.position(from);
+  const MapPoint end = unrolled(start, space.position(to));
+  double most = 0.0;  // in half turns, as the coordinates are
+  for (std::size_t i = 0; i < space.dimension(); ++i)
+    most = std::max(most, std::abs(end[i] - start.point[i]));
+  return pi * most;
 }
 
 /// Divided where it goes through the ends of a periodic coordinate, which are the same poses.

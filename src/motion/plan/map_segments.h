@@ -23,6 +23,9 @@ class MapSegments {
   /// The pose at t, 0 to 1.
   Pose between(const Pose& from, const Pose& to, double t) const;
 
+  /// The largest angle that the segment turns by: of the platform, or of the rod that is held [rad].
+  double turn(const Pose& from, const Pose& to) const;
+
   /// Whether the segment is proved free, with det A of this sign.
   bool is_free(const Pose& from, const Pose& to, const WorkingMode& mode, int sign) const;
 

@@ -56,13 +56,15 @@ void PathBuilder::add(const Pose& pose, const WorkingMode& mode) {
       last.pose.orientation.coeffs() == pose.orientation.coeffs())
     return;
   JointVector q = last.q;
+  Pose before = last.pose;
   for (int step = 1; step <= steps_of_a_segment; ++step) {
     const Pose at = between_(last.pose, pose, static_cast<double>(step) / steps_of_a_segment);
     q += joint_change(robot_, q, inverse(robot_, at, mode).q);
     look_at(at, q);
+    path_.length += (at.position - before.position).norm();
+    path_.turned += at.orientation.angularDistance(before.orientation);
+    before = at;
   }
-  path_.length += (pose.position - last.pose.position).norm();
-  path_.turned += pose.orientation.angularDistance(last.pose.orientation);
   path_.points.push_back({pose, mode, q});
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "motion/plan/path_shape.h"
 
+#include "model/angles.h"
 #include "motion/plan/leaf_path.h"
 #include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/singularity/indices.h"
@@ -15,7 +16,8 @@ namespace {
 constexpr int samples_of_a_segment = 32;  // as those of `least_index` of a path
 constexpr int most_rounds = 6;            // in which corners are pulled
 constexpr int pulls_of_a_corner = 4;
-constexpr double worth_a_round = 0.01;  // of the length
+constexpr double worth_a_round = 0.01;             // of the length
+constexpr double longest_turn = 0.25 * full_turn;  // of a segment
 
 class Shortening {
  public:
@@ -104,6 +106,22 @@ double least_index_along(const std::vector<Pose>& path, const SegmentsInMode& se
       least = std::min(least, index_at(segments.robot, pose, segments.mode));
     }
   return least;
+}
+
+std::vector<Pose> with_short_turns(const std::vector<Pose>& path, const SegmentsInMode& segments) {
+  std::vector<Pose> result;
+  for (const Pose& pose : path) {
+    const double turn = result.empty() ? 0.0 : segments.turn(result.back(), pose);
+    const int parts = static_cast<int>(std::ceil(turn / longest_turn));
+    for (int k = 1; k < parts; ++k) {
+      const Pose next = segments.between(result.back(), pose, 1.0 / (parts - k + 1));
+      if (!segments.is_free(result.back(), next)) return {};
+      result.push_back(next);
+    }
+    if (parts > 1 && !segments.is_free(result.back(), pose)) return {};
+    result.push_back(pose);
+  }
+  return result;
 }
 
 std::vector<Pose> shortened(const std::vector<Pose>& path, const SegmentsInMode& segments,

@@ -34,6 +34,7 @@ inline constexpr double width_of_turning_points = 1e-9;
 struct SegmentsInMode {
   std::function<bool(const Pose&, const Pose&)> is_free;          ///< proved
   std::function<Pose(const Pose&, const Pose&, double)> between;  ///< the pose at t, 0 to 1
+  std::function<double(const Pose&, const Pose&)> turn;  ///< the largest angle that it turns by [rad]
   const Manipulator& robot;
   WorkingMode mode;
 };
@@ -51,6 +52,11 @@ double least_index_along(const std::vector<Pose>& path, const SegmentsInMode& se
 /// straight way as far as that is proved. No sample of the parallel index may fall below `least_index`.
 std::vector<Pose> shortened(const std::vector<Pose>& path, const SegmentsInMode& segments,
                             double least_index);
+
+/// The path with poses added such that no segment turns by more than a quarter turn: about half a turn, which
+/// way round a segment goes would hang on rounding, and whoever reads the path could take the other way, of
+/// which nothing is proved. The shorter segments are proved anew; empty where one of them is not.
+std::vector<Pose> with_short_turns(const std::vector<Pose>& path, const SegmentsInMode& segments);
 
 }  // namespace parallel_aspects
 

@@ -85,14 +85,16 @@ class RoadmapPlanner {
     return {[this, mode](const Pose& from, const Pose& to) {
               return roadmap_.certifier().prove(from, to, mode).verdict == SegmentVerdict::free;
             },
-            pose_between, robot_, mode};
+            pose_between,
+            [](const Pose& from, const Pose& to) { return from.orientation.angularDistance(to.orientation); },
+            robot_, mode};
   }
 
   /// What becomes of a path that was found, and of another one by the same poses.
   std::vector<std::vector<Pose>> shaped(const std::vector<Pose>& found, const WorkingMode& mode,
                                         const PathShape& shape) const {
-    if (found.size() == 2 && !shape.is_wide) return {found};
     const SegmentsInMode segments = segments_in(mode);
+    if (found.size() == 2 && !shape.is_wide) return proved({found}, segments);
     const int sign = roadmap_.certifier().prove(found.front(), mode).sign;
     std::vector<std::vector<Pose>> result{found};
     if (const RoadmapSide* side = roadmap_.side(mode, sign)) {
@@ -105,6 +107,16 @@ class RoadmapPlanner {
     for (std::vector<Pose>& path : result)
       path = shortened(path, segments,
                        shape.is_wide ? shape.kept_share * least_index_along(path, segments) : 0.0);
+    return proved(result, segments);
+  }
+
+  /// With short turns; those of which they are not proved are left out.
+  static std::vector<std::vector<Pose>> proved(const std::vector<std::vector<Pose>>& paths,
+                                               const SegmentsInMode& segments) {
+    std::vector<std::vector<Pose>> result;
+    for (const std::vector<Pose>& path : paths)
+      if (std::vector<Pose> turned = with_short_turns(path, segments); !turned.empty())
+        result.push_back(std::move(turned));
     return result;
   }
 
@@ -206,6 +218,7 @@ class RoadmapPlanner {
     const AspectComparison found = same_aspect(roadmap_, at, {to, at.mode});
     if (found.answer != SameAspect::yes) return false;
     const std::vector<std::vector<Pose>> paths = shaped(found.path, at.mode, shape);
+    if (paths.empty()) return false;
     const auto shortest = std::min_element(paths.begin(), paths.end(), [this](const auto& a, const auto& b) {
       return length_of(robot_, a) < length_of(robot_, b);
     });

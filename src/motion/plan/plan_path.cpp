@@ -212,14 +212,17 @@ class PathPlanner::Search {
     return "No aspect of the map is known to hold both ends: " + text;
   }
 
-  static std::string difference(const Aspect& one, const Aspect& other) {
+  /// Of what is proved by leaves: a path that leaves the slice is not excluded.
+  std::string within_slice() const { return map_.slice() ? " within the slice" : ""; }
+
+  std::string difference(const Aspect& one, const Aspect& other) const {
     if (one.mode != other.mode)
       return "the working modes are " + to_string(one.mode) + " and " + to_string(other.mode);
     const std::string in_mode = "in " + to_string(one.mode);
     return one.determinant_sign != other.determinant_sign
                ? in_mode + " the sign of det A differs"
                : in_mode + " the map proves aspects " + std::to_string(one.id) + " and " +
-                     std::to_string(other.id) + " apart";
+                     std::to_string(other.id) + " apart" + within_slice();
   }
 
   PlannedPath pass_gates(const EndAspects& starts, const EndAspects& goals, PathPolicy policy) {
@@ -251,10 +254,11 @@ class PathPlanner::Search {
     });
     if (may_be_joined || !starts.all_known || !goals.all_known)
       return without_path(SameAspect::unknown, "No serial gates that are proved join the ends; others may.");
-    return without_path(SameAspect::no,
-                        same_sign
-                            ? "Proved: no serial gates within the region of the map join the ends."
-                            : "Proved: det A differs in sign, and no path through serial gates changes it.");
+    return without_path(
+        SameAspect::no,
+        same_sign
+            ? "Proved: no serial gates within the region of the map join the ends" + within_slice() + "."
+            : "Proved: det A differs in sign, and no path through serial gates changes it.");
   }
 
   /// Empty-handed where a part of the path is not found; that stretch is barred then.

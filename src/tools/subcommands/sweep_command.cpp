@@ -189,9 +189,10 @@ std::vector<Option> options_of(SweepArguments& arguments) {
                      &arguments.file, true});
   options.push_back({"--sample", "NAME", "grid, which is the default, or sobol", &arguments.sample});
   options.push_back({"--designs", "N", "How many designs of --sample sobol", &arguments.designs});
-  options.push_back({"--report", "LIST",
-                     "What to report of each design: count, which is the default, measures, clearance, workspace",
-                     &arguments.figures});
+  options.push_back(
+      {"--report", "LIST",
+       "What to report of each design: count, which is the default, measures, clearance, workspace",
+       &arguments.figures});
   options.push_back({"--shard", "i/n", "This part of the designs alone, i from 1; `aspects merge` joins them",
                      &arguments.shard});
   options.push_back({"--resolution", "R", "Of each map [m or rad]; by default what suits each design",

@@ -287,6 +287,59 @@ TEST(PlanPath, ChangesTheAssemblyModeOfThe3Rpr) {
     }
 }
 
+/// The rod from the base to the anchor of the strut that is held, and phi [rad].
+Eigen::Vector2d angles_of(const AspectMap& map, const Pose& pose) {
+  const Eigen::Vector2d rod = circle_of_anchor(*map.manipulator(), *map.slice()->joint).rod(pose);
+  return {std::atan2(rod.y(), rod.x()), 2.0 * std::atan2(pose.orientation.z(), pose.orientation.w())};
+}
+
+/// Of the operational point, and the largest of the two angles of a segment, by many poses.
+struct FineWay {
+  double length = 0.0, turn = 0.0;
+};
+
+FineWay fine_way(const PathPlanner& planner, const AspectMap& map, const Pose& from, const Pose& to) {
+  constexpr int steps = 500;
+  FineWay way;
+  Eigen::Vector2d turned = Eigen::Vector2d::Zero();
+  Pose before = from;
+  for (int k = 1; k <= steps; ++k) {
+    const Pose at = planner.between(from, to, static_cast<double>(k) / steps);
+    way.length += (at.position - before.position).norm();
+    const Eigen::Vector2d change = angles_of(map, at) - angles_of(map, before);
+    for (int i = 0; i < 2; ++i) turned[i] += std::remainder(change[i], 2.0 * std::acos(-1.0));
+    before = at;
+  }
+  way.turn = turned.cwiseAbs().maxCoeff();
+  return way;
+}
+
+// About half a turn, rounding would decide which way round a segment goes.
+TEST(PlanPath, TurnsByAQuarterAtMostBetweenTwoPoints) {
+  const auto map = map_of_held_strut(0.0);
+  PathPlanner planner(map);
+  const AnchorCircle circle = circle_of_anchor(*map->manipulator(), *map->slice()->joint);
+  int found = 0;
+  for (int i = 0; i < 12; ++i)
+    for (const double phi : {-2.0, 0.5, 3.0}) {
+      const double direction = -3.0 + 0.5 * i;
+      const PathEnd from{circle.pose(direction, phi), {}},
+          to{circle.pose(direction + 3.14159, phi + 0.3), {}};
+      const PlannedPath path = planner.plan(from, to, PathPolicy::stay);
+      if (!path) continue;
+      ++found;
+      double length = 0.0;
+      for (std::size_t k = 0; k + 1 < path.points.size(); ++k) {
+        const FineWay way = fine_way(planner, *map, path.points[k].pose, path.points[k + 1].pose);
+        EXPECT_LE(way.turn, 0.5 * std::acos(-1.0) * (1.0 + 1e-9))
+            << "direction " << direction << ", phi " << phi;
+        length += way.length;
+      }
+      EXPECT_NEAR(path.length, length, 1e-3 * length) << "direction " << direction << ", phi " << phi;
+    }
+  EXPECT_GT(found, 0);
+}
+
 TEST(PlanPath, RefusesPosesBesideTheSlice) {
   PathPlanner planner(map_of_held_strut(0.0));
   const PlannedPath path = planner.plan({Pose::planar(14.0, -3.0, 2.1), {}},
