@@ -148,14 +148,15 @@ class RecordReader {
 
   /// Every inside leaf has an aspect of its mode and sign, and every aspect as many as it says.
   bool read_leaf_aspects(AspectMap::Contents& map) {
-    map.leaf_aspects.assign(map.tree.node_count() * map.modes.size(), 0);
+    map.leaf_aspects.resize(map.modes.size());
     std::vector<std::size_t> leaves(aspect_count_, 0);
     for (NodeIndex node = 0; node < map.tree.node_count(); ++node)
       for (std::size_t mode = 0; mode < map.modes.size(); ++mode) {
         const LeafState state = map.tree.state(node, mode);
         if (!state.is_inside()) continue;
-        int& id = map.leaf_aspects[node * map.modes.size() + mode];
+        int id = 0;
         if (!read_id(id)) return false;
+        map.leaf_aspects[mode].set(node, static_cast<std::uint32_t>(id));
         const Aspect& aspect = map.aspects[static_cast<std::size_t>(id - 1)];
         if (!state.is_inside(aspect.determinant_sign) || aspect.mode != map.modes[mode]) return false;
         ++leaves[static_cast<std::size_t>(id - 1)];

@@ -9,8 +9,7 @@ TreeRecord PoseTree::record() const {
   TreeRecord record;
   record.parents.resize((node_count() - root_count()) >> dimension());
   for (NodeIndex node = 0; node < node_count(); ++node)
-    if (first_child(node) != no_node)
-      record.parents[(first_child(node) - root_count()) >> dimension()] = node;
+    if (first_child(node) != no_node) record.parents[family(first_child(node))] = node;
   for (NodeIndex node = 0; node < node_count(); ++node)
     for (std::size_t mode = 0; mode < modes_; ++mode)
       if (!inherits(record.parents, node, mode)) record.states.push_back(state(node, mode).code());
@@ -27,7 +26,7 @@ std::optional<PoseTree> PoseTree::from_record(std::shared_ptr<const PoseSpace> s
 bool PoseTree::append_all_children(const std::vector<NodeIndex>& parents) {
   if (parents.size() > (no_node - root_count()) >> dimension()) return false;
   const std::size_t nodes = root_count() + (parents.size() << dimension());
-  places_.reserve(nodes);
+  parents_.reserve(parents.size());
   first_child_.reserve(nodes);
   states_.reserve(nodes * modes_);
   for (const NodeIndex parent : parents) {

@@ -22,6 +22,10 @@ namespace {
 
 constexpr double share_of_base_map = 0.9;
 
+// Graphs of leaves take most of the memory. Those of a large map are in it for so many working modes at a
+// time; not for as many as there are threads, so that the same nodes come of any number of these.
+constexpr std::size_t nodes_of_a_large_map = 500'000, modes_at_once = 4;
+
 MapResult refused(const std::string& message) { return {MapStatus::refused, message, nullptr}; }
 
 Aspect make_aspect(const WorkingMode& mode, const Component& component) {
@@ -63,7 +67,7 @@ std::vector<int> add_mode(AspectMap::Contents& map, std::size_t mode, const Mode
     map.aspects.back().bounds = map.tree.space().shown(component.bounds.front());
     map.aspect_bounds.push_back(component.bounds);
     for (const NodeIndex leaf : component.leaves)
-      map.leaf_aspects[leaf * map.modes.size() + mode] = id[order[rank]];
+      map.leaf_aspects[mode].set(leaf, static_cast<std::uint32_t>(id[order[rank]]));
   }
   for (std::size_t a = 0; a < id.size(); ++a)
     for (std::size_t b = 0; b < id.size(); ++b)
@@ -111,27 +115,40 @@ void find_deepest_poses(AspectMap::Contents& map, const std::vector<ModeSource>&
   }
 }
 
-/// Components of every mode, with contested leaves refined. Nothing when cancelled.
+/// Components of these modes, with contested leaves refined. False when cancelled.
+bool find_components_of(const std::vector<std::size_t>& modes, AspectMap::Contents& map, const MapPlan& plan,
+                        const MapControl& control, const ComponentPolicy& policy,
+                        std::vector<ModeComponents>& found) {
+  std::vector<std::unique_ptr<LeafGraph>> graphs(modes.size());
+  tbb::parallel_for(std::size_t{0}, graphs.size(), [&](std::size_t i) {
+    const bool everywhere = looks_everywhere(map.tree, modes[i], policy);
+    if (everywhere) look_into_leaves(map.tree, *map.classifier, modes[i], control);
+    graphs[i] = std::make_unique<LeafGraph>(map.tree, modes[i], everywhere, control, policy);
+  });
+  if (!refine_contested(map.tree, *map.classifier, graphs, plan.depth, plan.deepest_level, control, policy))
+    return false;
+  tbb::parallel_for(std::size_t{0}, graphs.size(), [&](std::size_t i) {
+    found[modes[i]] = find_components(map.tree, modes[i], *graphs[i], control);
+  });
+  return true;
+}
+
+/// Components of every mode. Nothing when cancelled.
 std::vector<ModeComponents> find_all_components(AspectMap::Contents& map, const MapPlan& plan,
                                                 const std::vector<ModeSource>& sources,
                                                 const MapControl& control, const ComponentPolicy& policy) {
   std::vector<std::size_t> representatives;
   for (std::size_t mode = 0; mode < sources.size(); ++mode)
     if (sources[mode].symmetry == nullptr) representatives.push_back(mode);
-  std::vector<std::unique_ptr<LeafGraph>> graphs(representatives.size());
-  tbb::parallel_for(std::size_t{0}, graphs.size(), [&](std::size_t i) {
-    const std::size_t mode = representatives[i];
-    const bool everywhere = looks_everywhere(map.tree, mode, policy);
-    if (everywhere) look_into_leaves(map.tree, *map.classifier, mode, control);
-    graphs[i] = std::make_unique<LeafGraph>(map.tree, mode, everywhere, control, policy);
-  });
-  if (!refine_contested(map.tree, *map.classifier, graphs, plan.depth, plan.deepest_level, control, policy))
-    return {};
+  const std::size_t at_once =
+      map.tree.node_count() > nodes_of_a_large_map ? modes_at_once : representatives.size();
   std::vector<ModeComponents> found(sources.size());
-  tbb::parallel_for(std::size_t{0}, graphs.size(), [&](std::size_t i) {
-    found[representatives[i]] = find_components(map.tree, representatives[i], *graphs[i], control);
-  });
-  graphs.clear();
+  for (std::size_t first = 0; first < representatives.size(); first += at_once) {
+    const std::size_t last = std::min(first + at_once, representatives.size());
+    const std::vector<std::size_t> modes(representatives.begin() + static_cast<std::ptrdiff_t>(first),
+                                         representatives.begin() + static_cast<std::ptrdiff_t>(last));
+    if (!find_components_of(modes, map, plan, control, policy, found)) return {};
+  }
   mirror_modes(map.tree, plan.symmetries, sources, found);
   return found;
 }
@@ -151,7 +168,7 @@ bool add_aspects(AspectMap::Contents& map, const MapPlan& plan, const MapControl
   map.symmetry_use = symmetry_use(plan.symmetries, sources);
   const std::vector<ModeComponents> found = find_all_components(map, plan, sources, control, policy);
   if (found.empty() || is_cancelled(control)) return false;
-  map.leaf_aspects.assign(map.tree.node_count() * count, 0);
+  map.leaf_aspects.resize(count);
   ComponentIds ids;
   for (std::size_t mode = 0; mode < count; ++mode) ids.push_back(add_mode(map, mode, found[mode]));
   find_deepest_poses(map, sources, ids, control);

@@ -3,6 +3,7 @@
 #define PARALLEL_ASPECTS_ASPECTS_MAP_MAP_CONTENTS_H
 
 #include "aspects/boxes/box_classifier.h"
+#include "aspects/components/node_numbers.h"
 #include "aspects/tree/pose_tree.h"
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/map_slice.h"
@@ -32,7 +33,7 @@ struct AspectMap::Contents {
   std::vector<WorkingMode> modes;  ///< of the tree, in its order
   std::optional<MapSlice> slice;
   std::vector<WorkingMode> existing_modes;  ///< those with an inside leaf
-  std::vector<int> leaf_aspects;            ///< id by node * modes + mode; 0 where the leaf is not inside
+  std::vector<NodeNumbers> leaf_aspects;    ///< ids of inside leaves, by mode
   std::vector<Aspect> aspects;
   std::vector<std::vector<Box>>
       aspect_bounds;  ///< of the inside leaves, by id - 1 and root, in map coordinates
@@ -51,8 +52,10 @@ struct AspectMap::Contents {
   /// it, since threads share the map.
   mutable std::shared_ptr<const AspectGraph> graph;
 
+  /// 0 where the leaf is not inside.
   int leaf_aspect(NodeIndex node, std::size_t mode) const noexcept {
-    return leaf_aspects[node * modes.size() + mode];
+    const std::uint32_t id = leaf_aspects[mode][node];
+    return id == NodeNumbers::none ? 0 : static_cast<int>(id);
   }
 };
 

@@ -78,7 +78,7 @@ void CellSet::fill() {
 void CellSet::fill(NodeIndex node) {
   const PoseTree& tree = map_.tree;
   const LeafState state = tree.state(node, mode_);
-  const NodePlace& place = tree.place(node);
+  const NodePlace place = tree.place(node);
   if (state.is_divided()) {
     if (place.level == level_) {
       if (share(node) >= 0.5) set(place);

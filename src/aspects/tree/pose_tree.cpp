@@ -33,17 +33,24 @@ PoseTree::PoseTree(std::shared_ptr<const PoseSpace> space, std::size_t modes)
     : space_(std::move(space)),
       region_(space_->region()),
       modes_(modes),
-      places_(space_->root_count()),
       first_child_(space_->root_count(), no_node),
       states_(space_->root_count() * modes, LeafState::pending()) {
-  for (RootIndex root = 0; root < root_count(); ++root) places_[root].root = root;
   for (std::uint32_t level = 0; level <= deepest_level; ++level)
     for (std::size_t i = 0; i < dimension(); ++i)
       edges_[level][i] = std::ldexp(region_.width(i), -static_cast<int>(level));
 }
 
+NodePlace PoseTree::place(NodeIndex node) const noexcept {
+  if (node < root_count()) return {{}, 0, node};
+  NodePlace place = parents_[family(node)];
+  const NodeIndex rank = (node - static_cast<NodeIndex>(root_count())) & (children_per_node() - 1);
+  for (std::size_t i = 0; i < dimension(); ++i) place.cell[i] = 2 * place.cell[i] + (rank >> i & 1U);
+  ++place.level;
+  return place;
+}
+
 Box PoseTree::box(NodeIndex node) const noexcept {
-  const NodePlace& at = places_[node];
+  const NodePlace at = place(node);
   Box box{dimension(), {}, {}};
   for (std::size_t i = 0; i < dimension(); ++i) {
     const double edge = edges_[at.level][i];
@@ -54,15 +61,10 @@ Box PoseTree::box(NodeIndex node) const noexcept {
 }
 
 NodeIndex PoseTree::append_children(NodeIndex node) {
-  const auto first = static_cast<NodeIndex>(places_.size());
-  const NodePlace parent = places_[node];
-  for (NodeIndex rank = 0; rank < children_per_node(); ++rank) {
-    NodePlace child{{}, parent.level + 1, parent.root};
-    for (std::size_t i = 0; i < dimension(); ++i) child.cell[i] = 2 * parent.cell[i] + (rank >> i & 1U);
-    places_.push_back(child);
-  }
-  first_child_.resize(places_.size(), no_node);
-  states_.resize(places_.size() * modes_, LeafState::inherited());
+  const auto first = static_cast<NodeIndex>(node_count());
+  parents_.push_back(place(node));
+  first_child_.resize(node_count() + children_per_node(), no_node);
+  states_.resize(node_count() * modes_, LeafState::inherited());
   first_child_[node] = first;
   return first;
 }

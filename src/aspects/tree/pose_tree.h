@@ -49,14 +49,14 @@ class PoseTree {
   std::size_t dimension() const noexcept { return region_.dimension; }
   std::size_t root_count() const noexcept { return space_->root_count(); }
   std::size_t mode_count() const noexcept { return modes_; }
-  std::size_t node_count() const noexcept { return places_.size(); }
+  std::size_t node_count() const noexcept { return first_child_.size(); }
   NodeIndex children_per_node() const noexcept { return NodeIndex{1} << dimension(); }
 
   LeafState state(NodeIndex node, std::size_t mode) const noexcept { return states_[node * modes_ + mode]; }
   LeafState& state(NodeIndex node, std::size_t mode) noexcept { return states_[node * modes_ + mode]; }
   LeafState* states(NodeIndex node) noexcept { return states_.data() + node * modes_; }
 
-  const NodePlace& place(NodeIndex node) const noexcept { return places_[node]; }
+  NodePlace place(NodeIndex node) const noexcept;
 
   /// Box of a node [m or rad]. All corners are exact, so neighbours share them bit for bit.
   Box box(NodeIndex node) const noexcept;
@@ -89,16 +89,19 @@ class PoseTree {
   bool append_all_children(const std::vector<NodeIndex>& parents);
   bool set_states(const TreeRecord& record);
 
+  /// Of a node that is no root: which of the families of children it is in.
+  std::size_t family(NodeIndex node) const noexcept { return (node - root_count()) >> dimension(); }
+
   /// Whether the state is inherited, where that of the parent is known.
   bool inherits(const std::vector<NodeIndex>& parents, NodeIndex node, std::size_t mode) const noexcept {
-    return node >= root_count() && !state(parents[(node - root_count()) >> dimension()], mode).is_divided();
+    return node >= root_count() && !state(parents[family(node)], mode).is_divided();
   }
 
   std::shared_ptr<const PoseSpace> space_;
   Box region_;
   std::array<MapPoint, deepest_level + 1> edges_{};  // of a node, by level
   std::size_t modes_;
-  std::vector<NodePlace> places_;
+  std::vector<NodePlace> parents_;  // of the families, in their order: one place for all children of a node
   std::vector<NodeIndex> first_child_;
   std::vector<LeafState> states_;
 };
