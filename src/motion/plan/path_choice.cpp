@@ -4,6 +4,9 @@
 namespace parallel_aspects {
 namespace {
 
+constexpr double rounding =
+    1e-6;  // of lengths and turns that are summed along a path; angles of small turns are rough
+
 bool look_the_same(const PlannedPath& a, const PlannedPath& b) {
   return a.points.size() == b.points.size() && a.length == b.length && a.turned == b.turned &&
          a.least_index == b.least_index && a.least_det_a == b.least_det_a;
@@ -34,7 +37,12 @@ PathChoice::Cost PathChoice::cost(const PlannedPath& path) const {
 }
 
 bool is_straight(const PlannedPath& path) {
-  return path && path.points.size() <= 2 && path.crossings.empty();
+  if (!path || !path.crossings.empty()) return false;
+  const Pose &from = path.points.front().pose, &to = path.points.back().pose;
+  const double shortest = (to.position - from.position).norm(),
+               least_turn = from.orientation.angularDistance(to.orientation);
+  return path.length <= shortest + rounding * (shortest + from.position.norm()) &&
+         path.turned <= least_turn + rounding;
 }
 
 std::vector<PathShape> shapes_for(PathPreference preference) {
