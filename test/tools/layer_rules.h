@@ -69,6 +69,7 @@ inline const Strings rooms{"model",
                            "tools/subcommands",
                            "mpi",
                            "ompl",
+                           "python",
                            "ros/parameters",
                            "ros/messages",
                            "ros/joint_states",
@@ -88,7 +89,7 @@ inline bool starts_with(const std::string& text, const std::string& start) {
 }
 
 // Layers that a build may leave out, so that none but themselves may include them.
-inline const Strings optional_layers{"ompl", "rviz"};
+inline const Strings optional_layers{"ompl", "python", "rviz"};
 
 inline std::string layer_of(const std::string& room) { return room.substr(0, room.find('/')); }
 
@@ -102,12 +103,14 @@ inline const Strings& libraries(const std::string& layer) {
   static const Strings tools{"Eigen/",     "boost/",   "cairo.h",   "fcntl.h", "nlohmann/",
                              "sys/file.h", "unistd.h", "yaml-cpp/", "zlib.h"};
   static const Strings ompl{"Eigen/", "ompl/"};
-  return layer == "aspects" ? aspects
-         : layer == "urdf"  ? urdf
-         : layer == "tools" ? tools
-         : layer == "mpi"   ? mpi
-         : layer == "ompl"  ? ompl
-                            : eigen;
+  static const Strings python{"Eigen/", "nlohmann/", "pybind11/"};
+  return layer == "aspects"  ? aspects
+         : layer == "urdf"   ? urdf
+         : layer == "tools"  ? tools
+         : layer == "mpi"    ? mpi
+         : layer == "ompl"   ? ompl
+         : layer == "python" ? python
+                             : eigen;
 }
 
 inline bool is_optional(const std::string& layer) {

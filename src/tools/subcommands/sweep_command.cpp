@@ -4,8 +4,8 @@
 #include "tools/computation.h"
 #include "tools/numbers.h"
 #include "tools/output_file.h"
-#include "tools/shape_arguments.h"
 #include "tools/subcommands.h"
+#include "tools/sweep/sweep_arguments.h"
 #include "tools/sweep/sweep_file.h"
 #include "tools/sweep/sweep_plan.h"
 #include "tools/sweep/sweep_run.h"
@@ -18,112 +18,18 @@
 namespace parallel_aspects::tools {
 namespace {
 
-constexpr unsigned most_threads = 1024, most_shards = 1'000'000;
+constexpr unsigned most_threads = 1024;
 
-struct SweepArguments {
+struct SweepChoice {
   RobotChoice robot;
   ConstraintArguments constraints;
-  ShapeArguments shape;
-  std::string vary, sample, designs, figures, shard, resolution, slice, modes,
-      threads;  // empty where not given
-  std::string file;
-  bool untied = false;
+  SweepArguments sweep;
+  std::string threads, file;  // empty where not given
 };
 
 struct MergeArguments {
   std::string parts, file;
 };
-
-SweepSample parse_sample(const std::string& text, Problems& problems) {
-  if (!text.empty() && text != "grid" && text != "sobol")
-    problems.push_back("--sample is '" + text + "'; give grid or sobol.");
-  return text == "sobol" ? SweepSample::sobol : SweepSample::grid;
-}
-
-std::size_t parse_designs(const SweepArguments& arguments, const SweepPlan& plan, Problems& problems) {
-  if (plan.sample == SweepSample::grid) {
-    if (!arguments.designs.empty())
-      problems.emplace_back(
-          "--designs is of --sample sobol; a grid has as many as its values make. Leave it out.");
-    const std::size_t size = grid_size(plan.varied);
-    if (size == 0)
-      problems.push_back("--vary makes more than " + std::to_string(most_designs) +
-                         " designs; give fewer values.");
-    return size;
-  }
-  const std::size_t count =
-      arguments.designs.empty() ? 0 : parse_count("--designs", arguments.designs, most_designs, problems);
-  if (count == 0 && problems.empty())
-    problems.emplace_back("--sample sobol takes --designs, 1 or more; give how many designs are wanted.");
-  return count;
-}
-
-Shard parse_shard(const std::string& text, Problems& problems) {
-  Shard shard;
-  if (text.empty()) return shard;
-  const std::size_t slash = text.find('/');
-  Problems found;
-  shard.index = parse_count("--shard", text.substr(0, slash), most_shards, found);
-  shard.count =
-      slash == std::string::npos ? 0 : parse_count("--shard", text.substr(slash + 1), most_shards, found);
-  if (!found.empty() || shard.index < 1 || shard.index > shard.count)
-    problems.push_back("--shard is '" + text + "'; give the part and how many there are, such as 1/4.");
-  return shard;
-}
-
-/// What the columns report; the shape is not yet looked at.
-DesignQuestion parse_figures(const std::string& text, Problems& problems) {
-  DesignQuestion question;
-  if (text.empty()) return question;
-  question.count = false;
-  for (const std::string& word : words_of_list(text)) {
-    if (word == "count")
-      question.count = true;
-    else if (word == "measures")
-      question.measures = true;
-    else if (word == "clearance")
-      question.clearance = true;
-    else if (word == "workspace")
-      question.workspace.emplace();
-    else
-      problems.push_back("--report has '" + word + "'; give count, measures, clearance or workspace.");
-  }
-  return question;
-}
-
-void take_map_options(const SweepArguments& arguments, const Manipulator& manipulator,
-                      DesignQuestion& question, Problems& problems) {
-  question.map.threads = 1;  // one a design
-  if (!arguments.resolution.empty())
-    question.map.resolution = parse_positive("--resolution", arguments.resolution, problems);
-  if (!arguments.slice.empty())
-    question.map.slice = parse_slice("--slice", manipulator, arguments.slice, problems);
-  question.map.modes = parse_modes("--mode", manipulator, arguments.modes, problems);
-  if (!question.workspace && (!arguments.shape.name.empty() || !arguments.shape.ratio.empty()))
-    problems.emplace_back("--shape is of --report workspace; ask for that, or leave it out.");
-  if (!question.workspace || !problems.empty()) return;
-  if (arguments.shape.name.empty()) {
-    problems.emplace_back("--report workspace takes --shape: box, square, disc, cylinder or ball.");
-    return;
-  }
-  question.workspace = parse_shape(arguments.shape, manipulator, question.map.slice, problems);
-  question.gap = arguments.shape.gap.empty() ? question.gap : parse_gap(arguments.shape, problems);
-}
-
-void refuse_six_degrees(const Manipulator& manipulator, const DesignQuestion& question, Problems& problems) {
-  if (manipulator.task_space() == TaskSpace::SE3 && !question.map.slice && problems.empty())
-    problems.push_back(
-        "'" + manipulator.name() +
-        "' has six degrees of freedom, which are more than can be mapped; give --slice, such as "
-        "\"roll=0 pitch=0 yaw=0\".");
-}
-
-void check_parameters(const SweepPlan& plan, Problems& problems) {
-  std::vector<std::string> names;
-  for (const VariedParameter& each : plan.varied) names.push_back(each.name);
-  const Problems more = problems_of(*plan.robot, names, plan.keep_ties);
-  problems.insert(problems.end(), more.begin(), more.end());
-}
 
 Report report_sweep(const SweepPlan& plan, const Shard& shard, std::size_t before, const SweepFile& rows,
                     const std::string& file) {
@@ -138,9 +44,9 @@ Report report_sweep(const SweepPlan& plan, const Shard& shard, std::size_t befor
   return report;
 }
 
-Report sweep(const SweepPlan& plan, const Shard& shard, const SweepArguments& arguments, unsigned threads,
+Report sweep(const SweepPlan& plan, const Shard& shard, const std::string& name, unsigned threads,
              const Surroundings& surroundings) {
-  SweepFile file(plan, shard, arguments.file);
+  SweepFile file(plan, shard, name);
   const std::size_t before = file.rows();
   std::optional<ProgressBar> bar;
   if (surroundings.messages_on_terminal) bar.emplace(surroundings.messages);
@@ -153,40 +59,34 @@ Report sweep(const SweepPlan& plan, const Shard& shard, const SweepArguments& ar
   };
   run_sweep(plan, shard, threads, control, progress, file);
   if (is_cancelled(control)) throw Interrupted{};
-  return report_sweep(plan, shard, before, file, arguments.file);
+  return report_sweep(plan, shard, before, file, name);
 }
 
-Report report_of(const SweepArguments& arguments, const Surroundings& surroundings) {
+Report report_of(const SweepChoice& choice, const Surroundings& surroundings) {
   Problems problems;
-  SweepPlan plan;
-  plan.sample = parse_sample(arguments.sample, problems);
-  plan.varied = parse_varied(arguments.vary, plan.sample, problems);
-  plan.keep_ties = !arguments.untied;
-  if (problems.empty()) plan.count = parse_designs(arguments, plan, problems);
-  plan.question = parse_figures(arguments.figures, problems);
-  const Shard shard = parse_shard(arguments.shard, problems);
+  Shard shard;
+  SweepPlan plan = parse_sweep(choice.sweep, shard, problems);
   const unsigned threads =
-      arguments.threads.empty() ? 0 : parse_count("--threads", arguments.threads, most_threads, problems);
-  check_output_file("-o", arguments.file, problems);
-  const auto mechanism = load_robot(arguments.robot, std::move(problems));
-  plan.robot = choose_constraints(mechanism->mapped_manipulator(), arguments.constraints);
+      choice.threads.empty() ? 0 : parse_count("--threads", choice.threads, most_threads, problems);
+  check_output_file("-o", choice.file, problems);
+  const auto mechanism = load_robot(choice.robot, std::move(problems));
   problems.clear();
-  take_map_options(arguments, *plan.robot, plan.question, problems);
-  refuse_six_degrees(*plan.robot, plan.question, problems);
-  check_parameters(plan, problems);
+  set_robot(choose_constraints(mechanism->mapped_manipulator(), choice.constraints), choice.sweep, plan,
+            problems);
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
-  return sweep(plan, shard, arguments, threads, surroundings);
+  return sweep(plan, shard, choice.file, threads, surroundings);
 }
 
-std::vector<Option> options_of(SweepArguments& arguments) {
-  std::vector<Option> options = robot_options(arguments.robot);
+std::vector<Option> options_of(SweepChoice& choice) {
+  SweepArguments& arguments = choice.sweep;
+  std::vector<Option> options = robot_options(choice.robot);
   options.push_back(
       {"--vary", "\"crank_1=0.2:0.4:21 rod=1\"",
        "Lengths and points by name, as `aspects describe` lists them: a value, or a range with the "
        "number of its values [m]",
        &arguments.vary, true});
-  options.push_back({"-o", "FILE", "Rows as CSV; where it is there, the same command goes on with it",
-                     &arguments.file, true});
+  options.push_back(
+      {"-o", "FILE", "Rows as CSV; where it is there, the same command goes on with it", &choice.file, true});
   options.push_back({"--sample", "NAME", "grid, which is the default, or sobol", &arguments.sample});
   options.push_back({"--designs", "N", "How many designs of --sample sobol", &arguments.designs});
   options.push_back(
@@ -200,9 +100,9 @@ std::vector<Option> options_of(SweepArguments& arguments) {
   options.push_back({"--slice", "\"z=1\"", "Map what holds these coordinates alone, as of `aspects map`",
                      &arguments.slice});
   options.push_back({"--mode", "\"(+,-)\"", "Map these working modes only", &arguments.modes});
-  options.push_back({"--threads", "N", "Designs at a time; by default one a core", &arguments.threads});
+  options.push_back({"--threads", "N", "Designs at a time; by default one a core", &choice.threads});
   for (const Option& option : shape_options(arguments.shape, false)) options.push_back(option);
-  for (const Option& option : constraint_options(arguments.constraints)) options.push_back(option);
+  for (const Option& option : constraint_options(choice.constraints)) options.push_back(option);
   return options;
 }
 
@@ -224,13 +124,13 @@ Report report_of(const MergeArguments& arguments) {
 }  // namespace
 
 Subcommand sweep_subcommand() {
-  const auto arguments = std::make_shared<SweepArguments>();
+  const auto choice = std::make_shared<SweepChoice>();
   return {"sweep",
           "Map many designs, with other lengths of links and places of joints, a row each",
-          options_of(*arguments),
-          [arguments](const Surroundings& surroundings) { return report_of(*arguments, surroundings); },
+          options_of(*choice),
+          [choice](const Surroundings& surroundings) { return report_of(*choice, surroundings); },
           {{"--untied", "Vary parameters alone that symmetries of the robot tie to each other",
-            &arguments->untied}}};
+            &choice->sweep.untied}}};
 }
 
 Subcommand merge_subcommand() {

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/motion/check_joint_trajectory.h"
+#include "parallel_aspects/motion/choose_working_mode.h"
+#include "parallel_aspects/motion/plan_path.h"
+#include "tools/arguments.h"
+#include "tools/motion_report/choice_report.h"
+#include "tools/motion_report/violation_report.h"
+
+#include "python/arrays.h"
+#include "python/bindings.h"
+#include "python/long_call.h"
+#include "python/python_errors.h"
+#include <algorithm>
+#include <pybind11/stl.h>
+#include <utility>
+
+namespace parallel_aspects::python {
+namespace {
+
+namespace py = pybind11;
+
+using Times = std::vector<double>;
+
+void require_as_many(const Times& times, std::size_t count, const std::string& name) {
+  if (times.size() != count)
+    throw InvalidDescription({"times has " + std::to_string(times.size()) + " entries, and " + name + " " +
+                              std::to_string(count) + "; give as many."});
+}
+
+std::vector<PoseWaypoint> waypoints_of(const Manipulator& manipulator, const Times& times,
+                                       const Array& values) {
+  const std::vector<Pose> poses = poses_of("poses", manipulator, values);
+  require_as_many(times, poses.size(), "poses");
+  std::vector<PoseWaypoint> waypoints;
+  for (std::size_t i = 0; i < poses.size(); ++i) waypoints.push_back({times[i], poses[i]});
+  return waypoints;
+}
+
+py::object leg_name(const Manipulator& manipulator, const std::optional<std::size_t>& leg) {
+  return leg ? py::object(py::str(manipulator.leg(*leg).name)) : py::none();
+}
+
+py::dict crossing_dict(const Manipulator& manipulator, const TrajectoryCrossing& crossing) {
+  py::dict result;
+  result["kind"] = tools::name_of(crossing.kind);
+  result["leg"] = leg_name(manipulator, crossing.leg);
+  result["after"] = crossing.after;
+  result["before"] = crossing.before;
+  result["mode"] = crossing.mode ? py::object(py::str(to_string(*crossing.mode))) : py::none();
+  result["determinant_sign"] = crossing.determinant_sign;
+  return result;
+}
+
+py::dict samples_dict(const Manipulator& manipulator, const std::vector<TrajectorySample>& samples) {
+  std::vector<double> times, parallel;
+  std::vector<Pose> poses;
+  std::vector<TaskVector> q, serial;
+  for (const TrajectorySample& sample : samples) {
+    times.push_back(sample.time);
+    parallel.push_back(sample.parallel_index);
+    poses.push_back(sample.pose);
+    q.push_back(sample.q);
+    serial.push_back(sample.serial_indices);
+  }
+  py::dict result;
+  result["times"] = array_of(times);
+  result["poses"] = array_of(manipulator.task_space(), poses);
+  result["q"] = array_of(q, manipulator.leg_count());
+  result["parallel_index"] = array_of(parallel);
+  result["serial_indices"] = array_of(serial, manipulator.leg_count());
+  return result;
+}
+
+/// Shape (legs, 2): each actuated joint is at least once so fast, and never faster.
+Array speeds_of(const TrajectoryCheck& check) {
+  std::vector<TaskVector> rows;
+  for (const FastestMotion& speed : check.speeds)
+    rows.emplace_back(Eigen::Vector2d(speed.value, speed.bound));
+  return array_of(rows, 2);
+}
+
+py::dict check_dict(const Manipulator& manipulator, const TrajectoryCheck& check) {
+  if (check.refused) throw InvalidDescription({check.reason});
+  py::list crossings;
+  for (const TrajectoryCrossing& crossing : check.crossings)
+    crossings.append(crossing_dict(manipulator, crossing));
+  py::dict result;
+  result["answer"] = name(check.answer);
+  result["reason"] = check.reason;
+  result["free_until"] = check.free_until;
+  result["violation"] =
+      check.violation ? object_of(tools::json_violation(manipulator, *check.violation)) : py::none();
+  result["crossings"] = crossings;
+  result["least_parallel_index"] = check.parallel_index.value;
+  result["least_serial_index"] = check.serial_index.value;
+  result["speeds"] = speeds_of(check);
+  result["samples"] = samples_dict(manipulator, check.samples);
+  return result;
+}
+
+TrajectoryCheckOptions check_options(const MapControl& control) {
+  TrajectoryCheckOptions options;
+  options.keep_samples = true;
+  options.control = control;
+  return options;
+}
+
+py::dict check(const CoreRobot& robot, const Times& times, const Array& values, const std::string& text) {
+  const Manipulator& manipulator = *robot.manipulator;
+  const std::vector<PoseWaypoint> waypoints = waypoints_of(manipulator, times, values);
+  const WorkingMode mode = mode_of("mode", manipulator, text);
+  refuse_any(problems_of(manipulator, waypoints, mode));
+  return check_dict(manipulator, run_long(py::none(), [&](const MapControl& control) {
+                      return check_trajectory(SegmentCertifier(robot.manipulator), waypoints, mode,
+                                              check_options(control));
+                    }));
+}
+
+py::dict check_joints(const CoreRobot& robot, const Times& times, const Array& values,
+                      const py::object& start_pose, int start_sign, bool pass_serial) {
+  const Manipulator& manipulator = *robot.manipulator;
+  const std::vector<JointVector> joints = joints_of("q", manipulator, values);
+  require_as_many(times, joints.size(), "q");
+  std::vector<JointWaypoint> waypoints;
+  for (std::size_t i = 0; i < joints.size(); ++i) waypoints.push_back({times[i], joints[i], {}, {}});
+  TrajectoryStart start;
+  if (!start_pose.is_none()) start.pose = pose_of("start_pose", manipulator, start_pose.cast<Array>());
+  start.determinant_sign = start_sign;
+  refuse_any(problems_of(manipulator, waypoints, start));
+  return check_dict(manipulator, run_long(py::none(), [&](const MapControl& control) {
+                      TrajectoryCheckOptions options = check_options(control);
+                      options.pass_serial = pass_serial;
+                      return check_trajectory(SegmentCertifier(robot.manipulator), waypoints, start, options);
+                    }));
+}
+
+py::object choose(const CoreRobot& robot, const Times& times, const Array& values, const std::string& prefer,
+                  const py::object& map) {
+  const Manipulator& manipulator = *robot.manipulator;
+  const auto preference = preference_named(prefer);
+  if (!preference) throw InvalidDescription({"prefer is '" + prefer + "'; give clear, travel or fast."});
+  const std::vector<PoseWaypoint> waypoints = waypoints_of(manipulator, times, values);
+  refuse_any(problems_of(manipulator, waypoints, *preference));
+  PathChoiceOptions options;
+  options.preference = *preference;
+  if (!map.is_none()) options.map = map.cast<const CoreMap&>().map.get();
+  if (options.map != nullptr && options.map->manipulator() != robot.manipulator)
+    throw InvalidDescription({"map is of another robot; give one that this robot's map() returned."});
+  const auto choice = run_long(py::none(), [&](const MapControl& control) {
+    options.control = control;
+    return choose_working_mode(SegmentCertifier(robot.manipulator), waypoints, options);
+  });
+  return object_of(tools::report_path_choice(manipulator, choice, *preference).json);
+}
+
+py::object choose_region(const CoreRobot& robot, const std::string& region, const std::string& slice) {
+  const Manipulator& manipulator = *robot.manipulator;
+  Problems problems;
+  RegionQuestion question;
+  question.slice = slice_of(manipulator, slice);
+  const auto names =
+      question.slice ? coordinate_names(*question.slice) : coordinate_names(manipulator.task_space());
+  if (names.size() <= max_map_dimension)
+    question.region = tools::parse_region("region", names, region, problems);
+  if (problems.empty()) problems = problems_of(manipulator, question);
+  refuse_any(problems);
+  const auto choice = run_long(py::none(), [&](const MapControl& control) {
+    RegionChoiceOptions options;
+    options.control = control;
+    return choose_working_mode(robot.manipulator, question, options);
+  });
+  return object_of(tools::report_region_choice(manipulator, question, choice).json);
+}
+
+/// Ends and wish of a path.
+struct PathTexts {
+  std::string from_mode, to_mode, policy, prefer;  // modes may be empty
+};
+
+PathWish wish_of(const PathTexts& texts) {
+  PathWish wish;
+  Problems problems;
+  bool known = false;
+  for (const PathPolicy policy : {PathPolicy::stay, PathPolicy::serial, PathPolicy::any})
+    if (texts.policy == name(policy)) {
+      wish.policy = policy;
+      known = true;
+    }
+  if (!known) problems.push_back("policy is '" + texts.policy + "'; give stay, serial or any.");
+  known = false;
+  for (const PathPreference prefer : {PathPreference::shortest, PathPreference::clear, PathPreference::quick})
+    if (texts.prefer == name(prefer)) {
+      wish.prefer = prefer;
+      known = true;
+    }
+  if (!known) problems.push_back("prefer is '" + texts.prefer + "'; give short, clear or quick.");
+  refuse_any(problems);
+  return wish;
+}
+
+PathEnd end_of(const std::string& name, const Manipulator& manipulator, const Array& values,
+               const std::string& mode) {
+  PathEnd end;
+  end.pose = pose_of(name, manipulator, values);
+  if (!mode.empty()) end.mode = mode_of(name + "_mode", manipulator, mode);
+  return end;
+}
+
+py::dict path_dict(const Manipulator& manipulator, const PlannedPath& path) {
+  std::vector<Pose> poses;
+  std::vector<TaskVector> q;
+  std::vector<std::string> modes;
+  for (const PathPoint& point : path.points) {
+    poses.push_back(point.pose);
+    q.push_back(point.q);
+    modes.push_back(to_string(point.mode));
+  }
+  py::list crossings;
+  for (const PathCrossing& crossing : path.crossings) {
+    const bool serial = crossing.kind == Crossing::serial;
+    crossings.append(py::dict(py::arg("kind") = serial ? "serial" : "parallel",
+                              py::arg("point") = crossing.point, py::arg("behind") = crossing.behind,
+                              py::arg("leg") = serial ? leg_name(manipulator, crossing.leg) : py::none(),
+                              py::arg("from_aspect") = crossing.from, py::arg("to_aspect") = crossing.to));
+  }
+  py::dict result;
+  result["answer"] = name(path.answer);
+  result["message"] = path.message;
+  result["poses"] = array_of(manipulator.task_space(), poses);
+  result["q"] = array_of(q, manipulator.leg_count());
+  result["modes"] = modes;
+  result["crossings"] = crossings;
+  result["length"] = path.length;
+  result["turned"] = path.turned;
+  result["least_index"] = path.least_index;
+  return result;
+}
+
+py::dict plan(const CoreMap& map, const Array& from, const Array& to, const std::string& from_mode,
+              const std::string& to_mode, const std::string& policy, const std::string& prefer,
+              const py::object& progress) {
+  const Manipulator& manipulator = map.robot();
+  const PathEnd start = end_of("start", manipulator, from, from_mode),
+                goal = end_of("goal", manipulator, to, to_mode);
+  const PathWish wish = wish_of({from_mode, to_mode, policy, prefer});
+  return path_dict(manipulator, run_long(progress, [&](const MapControl& control) {
+                     return PathPlanner(map.map).plan(start, goal, wish, control);
+                   }));
+}
+
+py::dict plan_over_roadmap(const CoreRobot& robot, const Array& from, const Array& to,
+                           const std::string& from_mode, const std::string& to_mode,
+                           const std::string& policy, const std::string& prefer, std::size_t samples,
+                           std::uint64_t seed, const py::object& progress) {
+  const Manipulator& manipulator = *robot.manipulator;
+  const PathEnd start = end_of("start", manipulator, from, from_mode),
+                goal = end_of("goal", manipulator, to, to_mode);
+  const PathWish wish = wish_of({from_mode, to_mode, policy, prefer});
+  if (wish.policy == PathPolicy::any)
+    throw InvalidDescription({"policy any needs a map; give serial, or ask the plan() of a map."});
+  RoadmapOptions options;
+  options.samples = samples;
+  options.seed = seed;
+  for (const auto& mode : {start.mode, goal.mode})
+    if (mode && std::find(options.modes.begin(), options.modes.end(), *mode) == options.modes.end())
+      options.modes.push_back(*mode);
+  return path_dict(manipulator, run_long(progress, [&](const MapControl& control) {
+                     const RoadmapResult result = compute_pose_roadmap(robot.manipulator, options, control);
+                     if (!result) throw InvalidDescription({result.message});
+                     return plan_in_roadmap(*result.roadmap, start, goal, wish, control);
+                   }));
+}
+
+}  // namespace
+
+void bind_motion(RobotClass& robot, MapClass& map) {
+  robot.def("check", check);
+  robot.def("check_joints", check_joints);
+  robot.def("choose", choose);
+  robot.def("choose_region", choose_region);
+  robot.def("plan", plan_over_roadmap);
+  map.def("plan", plan);
+}
+
+}  // namespace parallel_aspects::python

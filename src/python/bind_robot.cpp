@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/aspects/design.h"
+#include "parallel_aspects/kinematics/direct.h"
+#include "parallel_aspects/kinematics/inverse.h"
+#include "parallel_aspects/singularity/indices.h"
+#include "parallel_aspects/urdf/models.h"
+#include "tools/arguments.h"
+
+#include "python/arrays.h"
+#include "python/bindings.h"
+#include "python/long_call.h"
+#include "python/python_errors.h"
+#include <array>
+#include <limits>
+#include <pybind11/stl.h>
+#include <utility>
+
+namespace parallel_aspects::python {
+namespace {
+
+namespace py = pybind11;
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+struct ShippedRobot {
+  const char* name;
+  SharedMechanism (*load)();
+};
+
+constexpr std::array<ShippedRobot, 12> shipped_robots{{{"agile_eye", models::agile_eye},
+                                                       {"bipod", models::bipod},
+                                                       {"delta", models::delta},
+                                                       {"five_bar", models::five_bar},
+                                                       {"hexa", models::hexa},
+                                                       {"linear_delta", models::linear_delta},
+                                                       {"six_pus", models::six_pus},
+                                                       {"spherical_3rrr", models::spherical_3rrr},
+                                                       {"stewart", models::stewart},
+                                                       {"three_prr", models::three_prr},
+                                                       {"three_rpr", models::three_rpr},
+                                                       {"three_rrr", models::three_rrr}}};
+
+std::vector<std::string> robots() {
+  std::vector<std::string> names;
+  for (const ShippedRobot& robot : shipped_robots) names.emplace_back(robot.name);
+  return names;
+}
+
+py::tuple loaded(const SharedMechanism& mechanism) {
+  return py::make_tuple(CoreRobot{mechanism->mapped_manipulator()}, mechanism->notes());
+}
+
+py::tuple load(const std::string& name) {
+  for (const ShippedRobot& robot : shipped_robots)
+    if (name == robot.name) return loaded(robot.load());
+  std::string known;
+  for (const std::string& each : robots()) known += (known.empty() ? "" : ", ") + each;
+  throw InvalidDescription({"There is no shipped robot '" + name + "'; take one of: " + known +
+                            "; or give a URDF and a YAML file."});
+}
+
+py::tuple load_files(const std::string& urdf, const std::string& config) {
+  return loaded(load_mechanism_files(urdf, config));
+}
+
+Array joint_limits(const CoreRobot& robot) {
+  std::vector<TaskVector> rows;
+  for (const Leg& leg : robot.manipulator->legs())
+    rows.push_back(Eigen::Vector2d(leg.limits.lower, leg.limits.upper));
+  return array_of(rows, 2);
+}
+
+template <class Name>
+std::vector<std::string> names_of_legs(const CoreRobot& robot, const Name& name) {
+  std::vector<std::string> names;
+  for (const Leg& leg : robot.manipulator->legs()) names.push_back(name(leg));
+  return names;
+}
+
+std::vector<std::string> mode_texts(const CoreRobot& robot) {
+  std::vector<std::string> texts;
+  for (const WorkingMode& mode : working_modes(*robot.manipulator)) texts.push_back(to_string(mode));
+  return texts;
+}
+
+std::vector<std::string> constraints_of(const CoreRobot& robot) {
+  std::vector<std::string> names;
+  const ConstraintKinds kinds = robot.manipulator->constraint_kinds();
+  for (const ConstraintKind kind : all_constraint_kinds)
+    if (kinds[index_of(kind)]) names.emplace_back(name(kind));
+  return names;
+}
+
+py::dict lengths_of_robot(const CoreRobot& robot) {
+  py::dict lengths;
+  for (const DesignParameter& parameter : design_parameters(*robot.manipulator))
+    lengths[py::str(parameter.name)] = parameter.value;
+  return lengths;
+}
+
+CoreRobot constrained(const CoreRobot& robot, const std::string& only, const std::string& without,
+                      const std::string& margins, const std::string& tolerance) {
+  return asked_by_keywords([&] {
+    return CoreRobot{tools::choose_constraints(robot.manipulator, {only, without, margins, tolerance})};
+  });
+}
+
+CoreRobot with_lengths(const CoreRobot& robot, const DesignValues& values, bool keep_ties) {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : values) names.push_back(name);
+  refuse_any(problems_of(*robot.manipulator, names, keep_ties));
+  return {with_design(*robot.manipulator, values, keep_ties)};
+}
+
+/// Shape (n, legs); rows of NaN where the mode does not reach the pose within limits.
+Array inverse_of(const CoreRobot& robot, const Array& values, const std::string& text) {
+  const Manipulator& manipulator = *robot.manipulator;
+  const std::vector<Pose> poses = poses_of("poses", manipulator, values);
+  const WorkingMode mode = mode_of("mode", manipulator, text);
+  const auto rows = run_long(py::none(), [&](const MapControl& control) {
+    std::vector<TaskVector> solved;
+    solved.reserve(poses.size());
+    for (const Pose& pose : poses) {
+      if (is_cancelled(control)) break;
+      const InverseSolution solution = inverse(manipulator, pose, mode);
+      solved.push_back(
+          solution ? solution.q
+                   : TaskVector::Constant(static_cast<Eigen::Index>(manipulator.leg_count()), not_a_number));
+    }
+    return solved;
+  });
+  return array_of(rows, manipulator.leg_count());
+}
+
+py::tuple inverse_in_modes(const CoreRobot& robot, const Array& values) {
+  const Manipulator& manipulator = *robot.manipulator;
+  std::vector<std::string> modes;
+  std::vector<TaskVector> rows;
+  for (const InverseSolution& solution :
+       inverse_in_all_modes(manipulator, pose_of("pose", manipulator, values))) {
+    if (!solution) continue;
+    modes.push_back(to_string(solution.mode));
+    rows.push_back(solution.q);
+  }
+  return py::make_tuple(modes, array_of(rows, manipulator.leg_count()));
+}
+
+py::dict direct_of(const CoreRobot& robot, const Array& values) {
+  const Manipulator& manipulator = *robot.manipulator;
+  const std::vector<JointVector> joints = joints_of("q", manipulator, values);
+  if (values.ndim() != 1)
+    throw InvalidDescription({"q has two axes; give the joint values of one configuration."});
+  const auto result =
+      run_long(py::none(), [&](const MapControl&) { return direct(manipulator, joints.front()); });
+  std::vector<Pose> poses;
+  std::vector<double> determinants;
+  std::vector<bool> near_singular;
+  for (const AssemblyMode& each : result.solutions) {
+    poses.push_back(each.pose);
+    determinants.push_back(each.determinant);
+    near_singular.push_back(each.near_singular);
+  }
+  py::dict answer;
+  answer["status"] = name(result.status);
+  answer["poses"] = array_of(manipulator.task_space(), poses);
+  answer["determinants"] = array_of(determinants);
+  answer["near_singular"] = near_singular;
+  return answer;
+}
+
+/// The parallel index of each pose, shape (n,), and the serial indices, shape (n, legs); NaN where not
+/// reached.
+py::tuple indices_of(const CoreRobot& robot, const Array& values, const std::string& text) {
+  const Manipulator& manipulator = *robot.manipulator;
+  const WorkingMode mode = mode_of("mode", manipulator, text);
+  std::vector<double> parallel;
+  std::vector<TaskVector> serial;
+  for (const Pose& pose : poses_of("poses", manipulator, values)) {
+    const InverseSolution solution = inverse(manipulator, pose, mode);
+    parallel.push_back(solution ? parallel_index(manipulator, pose, solution.q) : not_a_number);
+    serial.push_back(
+        solution ? serial_indices(manipulator, pose, solution.q)
+                 : TaskVector::Constant(static_cast<Eigen::Index>(manipulator.leg_count()), not_a_number));
+  }
+  return py::make_tuple(array_of(parallel), array_of(serial, manipulator.leg_count()));
+}
+
+}  // namespace
+
+void bind_loading(py::module& module) {
+  module.def("robots", robots);
+  module.def("load", load);
+  module.def("load_files", load_files);
+}
+
+void bind_robot(RobotClass& robot) {
+  const auto property = [&robot](const char* name, auto get) {
+    robot.def_property_readonly(name, [get](const CoreRobot& self) { return get(*self.manipulator); });
+  };
+  property("name", [](const Manipulator& m) { return m.name(); });
+  property("task_space", [](const Manipulator& m) { return std::string(name(m.task_space())); });
+  property("coordinates", [](const Manipulator& m) { return coordinate_names(m.task_space()); });
+  property("characteristic_length", [](const Manipulator& m) { return m.characteristic_length(); });
+  property("size", [](const Manipulator& m) { return m.size(); });
+  property("base_frame", [](const Manipulator& m) { return m.base_frame(); });
+  robot.def_property_readonly("legs", [](const CoreRobot& self) {
+    return names_of_legs(self, [](const Leg& leg) { return leg.name; });
+  });
+  robot.def_property_readonly("actuated_joints", [](const CoreRobot& self) {
+    return names_of_legs(self, [](const Leg& leg) { return leg.actuated_joint; });
+  });
+  robot.def_property_readonly("joint_limits", joint_limits);
+  robot.def_property_readonly("working_modes", mode_texts);
+  robot.def_property_readonly("constraints", constraints_of);
+  robot.def_property_readonly("lengths", lengths_of_robot);
+  robot.def("constrained", constrained);
+  robot.def("with_lengths", with_lengths);
+  robot.def("inverse", inverse_of);
+  robot.def("inverse_in_modes", inverse_in_modes);
+  robot.def("direct", direct_of);
+  robot.def("indices", indices_of);
+}
+
+}  // namespace parallel_aspects::python

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_PYTHON_BINDINGS_H
+#define PARALLEL_ASPECTS_PYTHON_BINDINGS_H
+
+#include "parallel_aspects/aspects/aspect_map.h"
+#include "parallel_aspects/model/manipulator.h"
+#include "parallel_aspects/motion/plan_path.h"
+
+#include <memory>
+#include <pybind11/pybind11.h>
+
+namespace parallel_aspects::python {
+
+/// `_core.Robot`: what Robot of the module stands on. Arguments are checked, and documented, there.
+struct CoreRobot {
+  std::shared_ptr<const Manipulator> manipulator;  ///< never null
+};
+
+/// `_core.Map`.
+struct CoreMap {
+  std::shared_ptr<const AspectMap> map;  ///< never null
+
+  const Manipulator& robot() const { return *map->manipulator(); }
+};
+
+using RobotClass = pybind11::class_<CoreRobot>;
+using MapClass = pybind11::class_<CoreMap>;
+
+/// Each adds functions to the module or methods to the class.
+void bind_loading(pybind11::module& module);
+void bind_robot(RobotClass& robot);
+void bind_distance(RobotClass& robot);
+void bind_motion(RobotClass& robot, MapClass& map);
+void bind_map(RobotClass& robot, MapClass& map);
+void bind_design(RobotClass& robot, MapClass& map);
+
+}  // namespace parallel_aspects::python
+
+#endif  // PARALLEL_ASPECTS_PYTHON_BINDINGS_H

@@ -1,0 +1,343 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Robots: what the module offers. Each function names the shapes and units of what it takes and gives."""
+import csv
+import os
+import tempfile
+from typing import Any, Callable, Dict, Iterable, List, Mapping, Optional, Sequence, Tuple, Union
+
+import numpy as np
+
+from . import _core
+from ._core import InvalidDescription
+from ._map import NOT_MAPPED, OUTSIDE, UNDECIDED, Map, path_of, shape_texts
+from ._results import (
+    Aspect,
+    BoundaryDistance,
+    Check,
+    Configuration,
+    Crossing,
+    DirectSolutions,
+    Distances,
+    Path,
+    PathCrossing,
+    Sweep,
+    Workspace,
+)
+from ._text import Mode, Ranges, Values, mode_text, modes_text, number, ranges_text, values_text, varied_text, words_text
+
+Progress = Optional[Callable[[float], Any]]
+
+
+def robots() -> List[str]:
+    """Names of the shipped robots."""
+    return _core.robots()
+
+
+def load(robot: "Union[str, os.PathLike]", config: "Union[None, str, os.PathLike]" = None) -> "Robot":
+    """A shipped robot by its name, or one of your own from its URDF and the YAML that closes its loops.
+
+    Raises InvalidDescription with all `problems`.
+    """
+    loaded = _core.load(str(robot)) if config is None else _core.load_files(os.fspath(robot), os.fspath(config))
+    return Robot(*loaded)
+
+
+class Robot:
+    """A fully parallel robot; `load` makes one. Immutable.
+
+    Below, k is the number of `coordinates` of a pose, and legs that of the `legs`. Where a question takes `poses`, these
+    have shape (k,) for one or (n, k) for several. A working mode is written as the signs of B_jj: "(+,-)" or (1, -1).
+    """
+
+    def __init__(self, core: "_core.Robot", notes: Sequence[str] = ()) -> None:
+        self._core = core
+        self.notes = tuple(notes)  # what the loader took where the description leaves a choice
+
+    def __repr__(self) -> str:
+        return f"<Robot {self.name!r}, {self.task_space}, {len(self.legs)} legs>"
+
+    @property
+    def name(self) -> str:
+        """As its description says."""
+        return self._core.name
+
+    @property
+    def task_space(self) -> str:
+        """How the platform moves: "T1", "T2", "SE2", "T3", "SO3" or "SE3"."""
+        return self._core.task_space
+
+    @property
+    def coordinates(self) -> Tuple[str, ...]:
+        """Of a pose: x, y, z [m], phi [rad], qx, qy, qz, qw, as the task space has them."""
+        return tuple(self._core.coordinates)
+
+    @property
+    def legs(self) -> Tuple[str, ...]:
+        """Their names."""
+        return tuple(self._core.legs)
+
+    @property
+    def actuated_joints(self) -> Tuple[str, ...]:
+        """Their names, one a leg."""
+        return tuple(self._core.actuated_joints)
+
+    @property
+    def joint_limits(self) -> np.ndarray:
+        """Of the actuated joints [rad or m], infinite where there is none: shape (legs, 2)."""
+        return self._core.joint_limits
+
+    @property
+    def working_modes(self) -> Tuple[str, ...]:
+        """All that the kinds of the legs allow, as "(+,-)"."""
+        return tuple(self._core.working_modes)
+
+    @property
+    def constraints(self) -> Tuple[str, ...]:
+        """Kinds of constraints in force besides singularities, as "actuated_limits" or "margins"."""
+        return tuple(self._core.constraints)
+
+    @property
+    def lengths(self) -> Dict[str, float]:
+        """Lengths and coordinates of the legs by name, as "crank_1" or "base_1_x" [m]: what `sweep` can vary."""
+        return self._core.lengths
+
+    @property
+    def characteristic_length(self) -> float:
+        """Makes rotations and displacements comparable [m]."""
+        return self._core.characteristic_length
+
+    @property
+    def size(self) -> float:
+        """Of the robot: distance of base points plus reach [m]."""
+        return self._core.size
+
+    @property
+    def base_frame(self) -> str:
+        """The link that poses are counted from, together with the task frame."""
+        return self._core.base_frame
+
+    def constrained(
+        self,
+        constraint: "Union[None, str, Iterable[str]]" = None,
+        no_constraint: "Union[None, str, Iterable[str]]" = None,
+        margin: "Optional[Values]" = None,
+        tolerance: Optional[float] = None,
+    ) -> "Robot":
+        """The same robot with these kinds of constraints alone, without those, with margins such as
+        {"parallel": 0.05, "serial": 0.1}, and for lengths within this share of their size."""
+        only, without = words_text(constraint), words_text(no_constraint)
+        share = "" if tolerance is None else number(tolerance)
+        return Robot(self._core.constrained(only, without, values_text(margin), share), self.notes)
+
+    def with_lengths(self, lengths: "Mapping[str, float]", untied: bool = False) -> "Robot":
+        """The same robot with other `lengths` [m]. What a symmetry of the robot takes to each other follows, unless
+        untied."""
+        values = [(name, float(value)) for name, value in lengths.items()]
+        return Robot(self._core.with_lengths(values, not untied), self.notes)
+
+    def inverse(self, poses: "np.typing.ArrayLike", mode: Mode) -> np.ndarray:
+        """Values of the actuated joints in a working mode [rad or m], shape (legs,) or (n, legs): NaN where a pose is
+        out of reach or outside the limits."""
+        return _like(poses, self._core.inverse(poses, mode_text(mode)))
+
+    def configurations(self, pose: "np.typing.ArrayLike") -> List[Configuration]:
+        """All inverse solutions of a pose of shape (k,), within the limits: one a working mode at most."""
+        return [Configuration(mode, q) for mode, q in zip(*self._core.inverse_in_modes(pose))]
+
+    def direct(self, q: "np.typing.ArrayLike") -> DirectSolutions:
+        """All poses that the values of the actuated joints can hold, q of shape (legs,), whatever the limits."""
+        answer = self._core.direct(q)
+        answer["near_singular"] = np.array(answer["near_singular"], dtype=bool)
+        return DirectSolutions(**answer)
+
+    def indices(self, poses: "np.typing.ArrayLike", mode: Mode) -> Tuple[np.ndarray, np.ndarray]:
+        """The parallel index of each pose, of shape () or (n,), and the serial indices of the legs, (legs,) or (n, legs).
+        Each is 0 at a singularity and 1 at most; NaN where a pose is not reached. They are no distances."""
+        parallel, serial = self._core.indices(poses, mode_text(mode))
+        return _like(poses, parallel), _like(poses, serial)
+
+    def map(
+        self,
+        resolution: Optional[float] = None,
+        region: "Optional[Ranges]" = None,
+        slice: "Optional[Values]" = None,  # pylint: disable=redefined-builtin
+        modes: "Union[None, str, Iterable[Mode]]" = None,
+        threads: int = 0,
+        extra_levels: int = 12,
+        progress: Progress = None,
+    ) -> Map:
+        """Computes the aspects, with proofs.
+
+        resolution: longest edge of an undecided box of the base map [m or rad]; by default what suits the robot.
+        region: where to look, as {"x": (-1, 1), "y": (0, 2)} [m]; by default all that can be reached.
+        slice: coordinates that are held, as {"z": 1}; with six degrees of freedom it is needed.
+        modes: working modes, as ["(+,-)"]; by default all.
+        threads: 0 for one a core. The map does not depend on it.
+        progress: called with the share that is done, 0 to 1; what it raises ends the computation, as Ctrl-C does.
+        """
+        texts = ranges_text(region), values_text(slice), modes_text(modes)
+        return Map(self._core.map(resolution, *texts, threads, extra_levels, progress))
+
+    def load_map(
+        self,
+        file: "Union[str, os.PathLike]",
+        resolution: Optional[float] = None,
+        region: "Optional[Ranges]" = None,
+        slice: "Optional[Values]" = None,  # pylint: disable=redefined-builtin
+        modes: "Union[None, str, Iterable[Mode]]" = None,
+    ) -> Map:
+        """The map that `Map.save` or `aspects map --save` wrote, if it is of this robot and these options."""
+        texts = ranges_text(region), values_text(slice), modes_text(modes)
+        return Map(self._core.load_map(os.fspath(file), resolution, *texts))
+
+    def distance(
+        self, pose: "np.typing.ArrayLike", mode: Mode, tolerance: float = 0.01, max_boxes: int = 400
+    ) -> Distances:
+        """How far singularities and limits are from a pose of shape (k,) in a working mode, between a bound that is
+        proved and a witness. tolerance: relative gap that is aimed at; max_boxes: how much work is spent."""
+        answer = self._core.distance(pose, mode_text(mode), tolerance, max_boxes)
+        kinds = {name: BoundaryDistance(**answer[name]) for name in ("parallel", "serial", "actuated_limit")}
+        return Distances(answer["status"], **kinds)
+
+    def distances(
+        self,
+        poses: "np.typing.ArrayLike",
+        mode: Mode,
+        tolerance: float = 0.01,
+        max_boxes: int = 400,
+        progress: Progress = None,
+    ) -> np.ndarray:
+        """The bounds alone [m], of shape (3, 2) or (n, 3, 2): to parallel and serial singularities and to limits of
+        actuated joints, each lower (proved) and upper."""
+        return _like(poses, self._core.distances(poses, mode_text(mode), tolerance, max_boxes, progress))
+
+    def check(self, times: "np.typing.ArrayLike", poses: "np.typing.ArrayLike", mode: Mode) -> Check:
+        """Whether the platform can follow these poses in a working mode at every time, proved: times of shape (n,),
+        rising [s], poses of shape (n, k), straight between them."""
+        return _check(self._core.check(_times(times), poses, mode_text(mode)))
+
+    def check_joints(
+        self,
+        times: "np.typing.ArrayLike",
+        q: "np.typing.ArrayLike",
+        start_pose: "Optional[np.typing.ArrayLike]" = None,
+        start_sign: int = 0,
+        pass_serial: bool = False,
+    ) -> Check:
+        """Whether the actuated joints can run through these values at every time, proved: times of shape (n,), q of shape
+        (n, legs), straight between them. The start is told by its pose, or by the sign of det A there, where several
+        are possible. pass_serial: legs may change posture."""
+        return _check(self._core.check_joints(_times(times), q, start_pose, start_sign, pass_serial))
+
+    def choose(
+        self,
+        times: "np.typing.ArrayLike",
+        poses: "np.typing.ArrayLike",
+        prefer: str = "clear",
+        map: Optional[Map] = None,  # pylint: disable=redefined-builtin
+    ) -> Dict[str, Any]:
+        """In which working modes a path can be done, the best first, as `aspects choose --path` says in JSON. prefer:
+        "clear", "travel" or "fast"; a map tells aspects."""
+        core = None if map is None else map._core  # pylint: disable=protected-access
+        return self._core.choose(_times(times), poses, prefer, core)
+
+    def choose_region(self, region: Ranges, slice: "Optional[Values]" = None) -> Dict[str, Any]:  # pylint: disable=redefined-builtin
+        """In which working modes all of a box of poses lies in one aspect, as {"x": (-1, 1), "y": (0, 2)}; the answer is
+        that of `aspects choose --region` in JSON."""
+        return self._core.choose_region(ranges_text(region), values_text(slice))
+
+    def plan(
+        self,
+        start: "np.typing.ArrayLike",
+        goal: "np.typing.ArrayLike",
+        start_mode: Optional[Mode] = None,
+        goal_mode: Optional[Mode] = None,
+        policy: str = "stay",
+        prefer: str = "quick",
+        samples: int = 1000,
+        seed: int = 1,
+        progress: Progress = None,
+    ) -> Path:
+        """A path between two poses of shape (k,) over a roadmap of sampled poses, in every task space, with six degrees
+        of freedom too; else `Map.plan` knows more. policy: "stay" in one aspect, or pass "serial" singularities."""
+        modes = [mode_text(mode) if mode is not None else "" for mode in (start_mode, goal_mode)]
+        return path_of(self._core.plan(start, goal, *modes, policy, prefer, samples, seed, progress))
+
+    def sweep(
+        self,
+        vary: "Union[str, Mapping[str, Union[float, Sequence[float]]]]",
+        report: "Union[str, Iterable[str]]" = ("count",),
+        file: "Union[None, str, os.PathLike]" = None,
+        sample: str = "grid",
+        designs: Optional[int] = None,
+        resolution: Optional[float] = None,
+        slice: "Optional[Values]" = None,  # pylint: disable=redefined-builtin
+        modes: "Union[None, str, Iterable[Mode]]" = None,
+        untied: bool = False,
+        shard: Optional[str] = None,
+        threads: int = 0,
+        progress: Progress = None,
+        **shape: Any,
+    ) -> Sweep:
+        """Maps many designs.
+
+        vary: `lengths` with a value, or with the ends of a range and how many values it has, as
+            {"crank_1": (6, 8, 3), "rod_2": 7} [m]; with sample="sobol" the ends alone, and `designs` says how many.
+        report: some of "count", "measures", "clearance" and "workspace", this with `shape` as `Map.workspace` has it.
+        file: rows are written there as they are done, and the same call goes on where it was stopped.
+        """
+        texts = {
+            "vary": varied_text(vary),
+            "report": words_text(report),
+            "sample": sample,
+            "designs": "" if designs is None else str(int(designs)),
+            "resolution": "" if resolution is None else number(resolution),
+            "slice": values_text(slice),
+            "mode": modes_text(modes),
+            "shard": shard or "",
+            **shape_texts(**shape),
+        }
+        with tempfile.TemporaryDirectory() as folder:
+            rows = os.fspath(file) if file is not None else os.path.join(folder, "sweep.csv")
+            self._core.sweep(rows, texts, untied, threads, progress)
+            return read_sweep(rows)
+
+    def uniqueness(
+        self,
+        slice: "Optional[Values]" = None,  # pylint: disable=redefined-builtin
+        resolution: Optional[float] = None,
+        progress: Progress = None,
+    ) -> Dict[str, Any]:
+        """Which poses of an aspect have the same actuated values, and where direct solutions meet: the answer of
+        `aspects uniqueness` in JSON."""
+        return self._core.uniqueness(values_text(slice), resolution, progress)
+
+
+def read_sweep(file: "Union[str, os.PathLike]") -> Sweep:
+    """The rows of a file that `Robot.sweep`, `aspects sweep` or `aspects merge` wrote."""
+    with open(file, encoding="ascii", newline="") as stream:
+        if not stream.readline().startswith("# aspects sweep "):
+            problem = f"'{os.fspath(file)}' is not the file of a sweep; give one that a sweep wrote."
+            error = InvalidDescription(problem)
+            error.problems = [problem]
+            raise error
+        names, *rows = csv.reader(stream)
+    columns: Dict[str, np.ndarray] = {}
+    for name, cells in zip(names, zip(*rows) if rows else [()] * len(names)):
+        texts = name == "status"
+        columns[name] = np.array([cell if texts else float(cell or "nan") for cell in cells], dtype=str if texts else float)
+    return Sweep(columns)
+
+
+def _times(times: "np.typing.ArrayLike") -> List[float]:
+    return np.atleast_1d(np.asarray(times, dtype=float)).tolist()
+
+
+def _like(poses: "np.typing.ArrayLike", rows: np.ndarray) -> np.ndarray:
+    """The one row where `poses` is one pose."""
+    return rows[0] if np.ndim(poses) == 1 else rows
+
+
+def _check(answer: Dict[str, Any]) -> Check:
+    answer["crossings"] = tuple(Crossing(**crossing) for crossing in answer["crossings"])
+    return Check(**answer)

@@ -1,0 +1,175 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Maps: the aspects of a robot."""
+import os
+from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
+
+import numpy as np
+
+from ._results import Aspect, Path, PathCrossing, Workspace
+from ._text import Mode, mode_text, number, ranges_text, values_text
+
+UNDECIDED = 0  # closer to a singularity or a limit than the map can tell
+OUTSIDE = -1  # proved to lie in no aspect of the working mode
+NOT_MAPPED = -2  # outside the region of the map
+
+
+class Map:
+    """The aspects of a robot, certified; `Robot.map` makes one. Immutable. Below, k is the number of coordinates of a
+    pose, and d that of `coordinates`, over which the map is made."""
+
+    def __init__(self, core: Any) -> None:
+        self._core = core
+        self.aspects: Tuple[Aspect, ...] = tuple(
+            Aspect(**{**each, "unresolved_with": tuple(each["unresolved_with"])}) for each in core.aspects
+        )  # the one with id i is aspects[i - 1]
+
+    def __repr__(self) -> str:
+        return f"<Map of {len(self.aspects)} aspects, {self.proved_count} of them proved to differ>"
+
+    @property
+    def coordinates(self) -> Tuple[str, ...]:
+        """Of its boxes [m or rad]; none in SO3."""
+        return tuple(self._core.coordinates)
+
+    @property
+    def unit(self) -> str:
+        """Of measures."""
+        return self._core.unit
+
+    @property
+    def region(self) -> np.ndarray:
+        """What was searched: lower and upper end of each coordinate [m or rad], shape (d, 2)."""
+        return self._core.region
+
+    @property
+    def resolution(self) -> float:
+        """Longest edge of an undecided box of the base map [m or rad]."""
+        return self._core.resolution
+
+    @property
+    def working_modes(self) -> Tuple[str, ...]:
+        """Those that have aspects."""
+        return tuple(self._core.working_modes)
+
+    @property
+    def proved_count(self) -> int:
+        """So many generalized aspects there are at least, proved."""
+        return self._core.proved_count
+
+    @property
+    def count_at_most(self) -> Optional[int]:
+        """And so many at most, proved; None where that is not known."""
+        return self._core.count_at_most
+
+    @property
+    def unresolved(self) -> np.ndarray:
+        """Pairs of ids that are neither joined nor proved separate, shape (n, 2)."""
+        return np.array(self._core.unresolved, dtype=int).reshape(-1, 2)
+
+    @property
+    def measure_undecided(self) -> float:
+        """Volume over all working modes that could hide aspects too small to see, in `unit`."""
+        return self._core.measure_undecided
+
+    @property
+    def seconds(self) -> float:
+        """That the computation took."""
+        return self._core.seconds
+
+    def locate(self, poses: "np.typing.ArrayLike", mode: Mode) -> "Union[int, np.ndarray]":
+        """Which aspect holds poses of shape (k,) or (n, k) in a working mode: an id or an array of shape (n,). UNDECIDED,
+        OUTSIDE and NOT_MAPPED, which are not positive, stand where no aspect is proved to."""
+        found = self._core.locate(poses, mode_text(mode))
+        return int(found[0]) if np.ndim(poses) == 1 else found
+
+    def boxes(self, aspect: int) -> np.ndarray:
+        """The boxes that are proved to lie in an aspect, shape (n, d, 2): lower and upper end of each coordinate."""
+        return self._core.boxes(aspect)
+
+    def undecided(self, mode: Mode) -> np.ndarray:
+        """The boxes of a working mode that are neither in an aspect nor proved to meet none, shape (n, d, 2)."""
+        return self._core.undecided(mode_text(mode))
+
+    def workspace(
+        self,
+        shape: str,
+        aspects: Sequence[int] = (),
+        center: "Union[None, str, Dict[str, float]]" = None,
+        aspect_ratio: "Union[None, str, Sequence[float]]" = None,
+        orientation: "Union[None, str, Dict[str, Sequence[float]]]" = None,
+        gap: Optional[float] = None,
+        progress: Optional[Callable[[float], Any]] = None,
+    ) -> List[Workspace]:
+        """The largest regular shape in each of these aspects, by default in all: "box", "square", "disc", "cylinder" or
+        "ball".
+
+        center: coordinates of it that are held, as {"x": 4.5} [m].
+        aspect_ratio: of a box its edges to each other, of a cylinder diameter and height, as (1, 2).
+        orientation: angles that must be possible all over it, as {"phi": (-0.2, 0.2)} [rad]; by default all.
+        gap: between the bounds of its size, of the upper one, that is aimed at; by default 0.01.
+        """
+        texts = shape_texts(shape, center, aspect_ratio, orientation, gap)
+        return [Workspace(**each) for each in self._core.workspace(texts, list(aspects), progress)]
+
+    def plan(
+        self,
+        start: "np.typing.ArrayLike",
+        goal: "np.typing.ArrayLike",
+        start_mode: Optional[Mode] = None,
+        goal_mode: Optional[Mode] = None,
+        policy: str = "stay",
+        prefer: str = "quick",
+        progress: Optional[Callable[[float], Any]] = None,
+    ) -> Path:
+        """A path between two poses of shape (k,), in working modes or in any. policy: "stay" in one aspect, pass "serial"
+        singularities, or "any"; prefer: "short", "clear" or "quick"."""
+        modes = [mode_text(mode) if mode is not None else "" for mode in (start_mode, goal_mode)]
+        return path_of(self._core.plan(start, goal, *modes, policy, prefer, progress))
+
+    def save(self, file: "Union[str, os.PathLike]") -> None:
+        """Writes it for `Robot.load_map` and `aspects map --load`."""
+        self._core.save(os.fspath(file))
+
+    def outlines(self, mode: Mode, level: float = 0.0, cells: int = 200) -> Dict[str, list]:
+        """What `plot` draws of a working mode, in the plane of phi [rad], z [m] or torsion [rad] at this level: "polygons",
+        pairs of an id and corners of shape (m, 2), and "lines", pairs of what ends there and two ends of shape (2, 2).
+        Traced on a grid of `cells` squared; for pictures, not certified."""
+        return self._core.trace(mode_text(mode), level, cells)
+
+    def plot(
+        self,
+        modes: "Union[None, Mode, Sequence[Mode]]" = None,
+        level: float = 0.0,
+        cells: int = 200,
+        axes: Any = None,
+    ) -> Any:
+        """Draws the aspects with matplotlib, a picture for each working mode: filled, with their ids, and with what bounds
+        them. modes: by default all that have aspects; axes: as many matplotlib axes as there are modes. Returns the
+        figure."""
+        from ._plot import plot_map  # pylint: disable=import-outside-toplevel
+
+        return plot_map(self, modes, level, cells, axes)
+
+
+def shape_texts(
+    shape: str = "",
+    center: "Union[None, str, Dict[str, float]]" = None,
+    aspect_ratio: "Union[None, str, Sequence[float]]" = None,
+    orientation: "Union[None, str, Dict[str, Sequence[float]]]" = None,
+    gap: Optional[float] = None,
+) -> Dict[str, str]:
+    """The arguments of `Map.workspace` as texts."""
+    ratio = aspect_ratio if aspect_ratio is None or isinstance(aspect_ratio, str) else ":".join(map(number, aspect_ratio))
+    return {
+        "shape": shape,
+        "center": values_text(center),
+        "aspect_ratio": ratio or "",
+        "orientation": ranges_text(orientation),
+        "gap": "" if gap is None else number(gap),
+    }
+
+
+def path_of(answer: Dict[str, Any]) -> Path:
+    """As the compiled part gives it."""
+    crossings = tuple(PathCrossing(**crossing) for crossing in answer["crossings"])
+    return Path(**{**answer, "modes": tuple(answer["modes"]), "crossings": crossings})

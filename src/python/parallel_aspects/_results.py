@@ -1,0 +1,150 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What questions are answered with. Lengths in m, angles in rad, times in s; a pose is an array of shape (k,), in the
+order of `Robot.coordinates`; a joint vector has shape (legs,), in the order of `Robot.legs`."""
+from dataclasses import dataclass
+from typing import Any, Dict, List, Optional, Tuple
+
+import numpy as np
+
+
+@dataclass(frozen=True, eq=False)
+class Configuration:
+    """A pose in one working mode."""
+
+    mode: str  # as "(+,-)"
+    q: np.ndarray  # actuated joints [rad or m], (legs,)
+
+
+@dataclass(frozen=True, eq=False)
+class DirectSolutions:
+    """The poses that given joint values can hold, by falling det A."""
+
+    status: str  # "solved": these are all; "continuum": the platform can move; or "unsolved"
+    poses: np.ndarray  # (n, k)
+    determinants: np.ndarray  # det A, (n,)
+    near_singular: np.ndarray  # whether a pose or their number may depend on rounding, (n,) of bool
+
+
+@dataclass(frozen=True, eq=False)
+class Aspect:
+    """A connected set free of singularities, proved; it is part of one generalized aspect."""
+
+    id: int  # from 1
+    mode: str
+    determinant_sign: int  # of det A, 1 or -1
+    measure: float  # best estimate of its volume in the space of poses, in the unit of the map
+    measure_lower: float  # proved
+    measure_upper: float  # proved
+    boxes: int  # of the tree that are proved to lie in it
+    deepest: np.ndarray  # pose in the middle of the largest ball that was found, (k,)
+    clearance: float  # radius of that ball, proved [m, in SO3 rad]
+    unresolved_with: Tuple[int, ...]  # ids of aspects that could be the same
+
+
+@dataclass(frozen=True, eq=False)
+class BoundaryDistance:
+    """How far singularities or limits of one kind are, as the root mean square of how far the anchors move [m]."""
+
+    status: str  # "tight", "loose", "no witness", "absent", "touching" or "unavailable"
+    lower: float  # proved
+    upper: float  # of the witness; infinite where there is none
+    upper_proved: bool
+    witness: Optional[np.ndarray]  # nearest pose that was found, (k,)
+    witness_q: Optional[np.ndarray]  # actuated joints there, (legs,)
+    joint_displacement: Optional[np.ndarray]  # how far they go to there, (legs,)
+
+
+@dataclass(frozen=True, eq=False)
+class Distances:
+    """The distances of one configuration."""
+
+    status: str  # "measured", "outside limits", "out of reach" or "invalid"
+    parallel: BoundaryDistance  # to det A = 0
+    serial: BoundaryDistance  # to B_jj = 0 of some leg
+    actuated_limit: BoundaryDistance  # to a limit of an actuated joint
+
+
+@dataclass(frozen=True, eq=False)
+class Crossing:
+    """A singularity that a trajectory passes."""
+
+    kind: str  # "parallel_singularity" or "serial_singularity"
+    leg: Optional[str]
+    after: float  # later than this [s], proved
+    before: float  # passed by this time [s], proved
+    mode: Optional[str]  # that it goes on in
+    determinant_sign: int  # that it goes on with; 0 where not known
+
+
+@dataclass(frozen=True, eq=False)
+class Check:
+    """What is proved of a trajectory."""
+
+    answer: str  # "yes": safe at every time, proved; "no", proved; or "unknown"
+    reason: str
+    free_until: float  # proved free from the start to here [s]
+    violation: Optional[Dict[str, Any]]  # the first: "kind", "leg", "constraint", "after" and "before" [s]
+    crossings: Tuple[Crossing, ...]
+    least_parallel_index: float  # of samples, up to free_until; 0 at parallel singularities, 1 at most
+    least_serial_index: float  # likewise, of all legs
+    speeds: np.ndarray  # of each actuated joint: reached at least, and never exceeded [rad/s or m/s], (legs, 2)
+    samples: Dict[str, np.ndarray]  # "times" (n,), "poses" (n, k), "q" (n, legs), "parallel_index" (n,), "serial_indices" (n, legs)
+
+
+@dataclass(frozen=True, eq=False)
+class PathCrossing:
+    """Where a path goes from one aspect into another."""
+
+    kind: str  # "serial", or "parallel" where control of the platform is lost
+    point: int  # index of the last point before it
+    behind: int  # index of the first point behind it
+    leg: Optional[str]  # that changes its posture, where serial
+    from_aspect: int  # id in the map; 0 over a roadmap
+    to_aspect: int
+
+
+@dataclass(frozen=True, eq=False)
+class Path:
+    """A path, each segment of which is proved free of singularities, or why there is none."""
+
+    answer: str  # "yes", proved; "no", proved: there is none; or "unknown"
+    message: str
+    poses: np.ndarray  # (n, k)
+    q: np.ndarray  # actuated joints, (n, legs)
+    modes: Tuple[str, ...]  # of each point
+    crossings: Tuple[PathCrossing, ...]
+    length: float  # way of the operational point [m]
+    turned: float  # rotation of the platform [rad]
+    least_index: float  # smallest parallel index at samples
+
+    def __bool__(self) -> bool:
+        return self.answer == "yes"
+
+
+@dataclass(frozen=True, eq=False)
+class Workspace:
+    """The largest regular shape in an aspect."""
+
+    aspect: int
+    center: np.ndarray  # by free position [m]
+    lower: float  # size that is proved: radius, edge, or edge along the first position [m]
+    upper: float  # proved: no such shape in the aspect is larger [m]
+    proved: bool  # whether the gap that was asked for is closed
+    lengths: Dict[str, float]  # of the shape that is proved, as "radius" and "height" [m]
+
+
+@dataclass(frozen=True, eq=False)
+class Sweep:
+    """The rows of a sweep: a column is an array of shape (designs,); a figure that is not known is NaN."""
+
+    columns: Dict[str, np.ndarray]
+
+    def __getitem__(self, name: str) -> np.ndarray:
+        return self.columns[name]
+
+    def __len__(self) -> int:
+        return len(self.columns["design"])
+
+    def names(self) -> List[str]:
+        """Of the columns, in their order."""
+        return list(self.columns)
