@@ -13,6 +13,7 @@
 #include "support/thoroughness.h"
 #include <cmath>
 #include <functional>
+#include <map>
 #include <memory>
 #include <random>
 #include <string>
@@ -32,13 +33,21 @@ struct Subject {
 /// The largest index of each aspect, against poses that are evaluated by formulas of the test alone.
 class DeepestIndexTest : public testing::TestWithParam<Subject> {
  protected:
-  void SetUp() override {
-    const auto robot = GetParam().make();
+  /// All tests of a subject look at one map.
+  static MapResult map_of(const Subject& subject) {
+    static std::map<std::string, MapResult> results;
+    const auto known = results.find(subject.name);
+    if (known != results.end()) return known->second;
+    const auto robot = subject.make();
     MapOptions options;
-    if (!GetParam().held.empty()) options.slice = test::slice_of(robot, GetParam().held);
-    if (GetParam().resolution > 0.0) options.resolution = GetParam().resolution;
+    if (!subject.held.empty()) options.slice = test::slice_of(robot, subject.held);
+    if (subject.resolution > 0.0) options.resolution = subject.resolution;
     if (test::is_sanitized) options.modes = {WorkingMode(robot->leg_count())};
-    const MapResult result = compute_aspect_map(robot, options);
+    return results[subject.name] = compute_aspect_map(robot, options);
+  }
+
+  void SetUp() override {
+    const MapResult result = map_of(GetParam());
     ASSERT_TRUE(result.map) << result.message;
     map = result.map;
   }
