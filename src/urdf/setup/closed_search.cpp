@@ -101,6 +101,7 @@ class ClosedSearch {
       base = {{subject_.answers.base_link}, "as asked for"};
       return true;
     }
+    if (const auto named = base_by_name(tree_, bodies_, graph_, base_)) base_ = *named;
     const std::vector<std::size_t>& links = bodies_.links(base_);
     const auto named = std::find_if(links.begin(), links.end(),
                                     [&](std::size_t link) { return says_base(link_name(link)); });
@@ -110,6 +111,9 @@ class ClosedSearch {
   }
 
   std::string reason_for_base(std::size_t link) const {
+    if (base_ != graph_.base())
+      return "its name says so, and that of link '" + link_name(bodies_.links(*graph_.base()).front()) +
+             "', where the tree starts, that it is the platform";
     if (link == 0) return "it is the root link, and the legs begin there";
     if (base_ == 0) return "its name says so, and it is fixed to the root link '" + link_name(0) + "'";
     const TreeJoint& below = tree_.joints[*tree_.joint_above[bodies_.links(base_).front()]];

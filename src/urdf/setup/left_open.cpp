@@ -1,12 +1,51 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/setup/left_open.h"
 
+#include "urdf/description/command_options.h"
 #include "urdf/description/name_words.h"
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 namespace parallel_aspects {
+namespace {
+
+constexpr int least_of_leg = 2;  // joints; a turntable has one
+
+const SetupCandidate* taken_for(const std::string& key, const SetupResult& found) {
+  for (const SetupChoice& choice : found.choices)
+    if (choice.key == key) return &choice.taken;
+  return nullptr;
+}
+
+bool any_says_base(const Tree& tree, const std::vector<std::size_t>& links) {
+  return std::any_of(links.begin(), links.end(),
+                     [&](std::size_t link) { return says_base(tree.links[link]); });
+}
+
+int movable_joints_below(const Tree& tree, std::size_t link) {
+  int count = 0;
+  for (auto joint = tree.joint_above[link]; joint; joint = tree.joint_above[tree.joints[*joint].parent])
+    count += tree.joints[*joint].variable ? 1 : 0;
+  return count;
+}
+
+// Both links of each closure; nothing where one is a place.
+std::vector<std::size_t> links_of_closures(const Tree& tree, const SetupCandidate& closures) {
+  std::vector<std::size_t> links;
+  for (const std::string& pair : closures.values) {
+    const std::size_t middle = pair.find('=');
+    for (const std::string& name : {pair.substr(0, middle), pair.substr(middle + 1)}) {
+      const auto link = tree.link_named(name);
+      if (!link) return {};
+      if (std::find(links.begin(), links.end(), *link) == links.end()) links.push_back(*link);
+    }
+  }
+  return links;
+}
+
+}  // namespace
 
 std::vector<bool> fittings(const Tree& tree) {
   std::vector<bool> marks(tree.links.size()), holds(tree.links.size(), false);
@@ -37,6 +76,37 @@ std::vector<bool> with_fingers(const Tree& tree, const Bodies& bodies, std::vect
       for (const std::size_t link : bodies.links(body))
         if (ends.size() > 1) left_open[link] = true;
   return left_open;
+}
+
+std::vector<std::array<std::string, 2>> ends_on_root(const Tree& tree, const Bodies& bodies,
+                                                     const SetupResult& found) {
+  const SetupCandidate* base = taken_for("base_link", found);
+  const SetupCandidate* closures = taken_for("closures", found);
+  if (!found.mechanism || base == nullptr || closures == nullptr) return {};
+  const std::size_t link = *tree.link_named(base->values.front());
+  if (!any_says_base(tree, bodies.links(0)) || any_says_base(tree, bodies.links(bodies.of(link))) ||
+      movable_joints_below(tree, link) < least_of_leg)
+    return {};
+  const Poses poses = link_poses(tree, 0, Eigen::VectorXd::Zero(tree.variables()));
+  std::vector<std::array<std::string, 2>> pairs;
+  for (const std::size_t end : links_of_closures(tree, *closures))
+    pairs.push_back({placed_name(tree.links.front(), poses[end].translation()), tree.links[end]});
+  return pairs;
+}
+
+SetupQuestion question_of_leg(const SetupResult& found,
+                              const std::vector<std::array<std::string, 2>>& on_root,
+                              const std::string& urdf_name) {
+  const std::string& base = taken_for("base_link", found)->values.front();
+  SetupCandidate with_leg{{}, "where they are while all joints are zero, so that the chain is a leg"};
+  for (const auto& [place, end] : on_root) with_leg.values.push_back(place + "=" + end);
+  SetupCandidate without = *taken_for("closures", found);
+  without.reason += ", and the chain is left out";
+  return {"closures",
+          urdf_name + " does not tell whether the chain between the root and link '" + base +
+              "' is a leg, whose loops end on the root",
+          {with_leg, without},
+          {}};
 }
 
 }  // namespace parallel_aspects

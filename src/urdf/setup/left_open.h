@@ -4,7 +4,10 @@
 
 #include "urdf/description/tree.h"
 #include "urdf/setup/body_graph.h"
+#include "urdf/setup/setup.h"
 
+#include <array>
+#include <string>
 #include <vector>
 
 namespace parallel_aspects {
@@ -16,6 +19,17 @@ std::vector<bool> fittings(const Tree& tree);
 /// Marks besides those in `left_open` bodies that end a chain with one joint, two or more on one body that is
 /// not the root, and are not named as ends of loops: as the fingers of a gripper.
 std::vector<bool> with_fingers(const Tree& tree, const Bodies& bodies, std::vector<bool> left_open);
+
+/// Where the root is called base, and the base that was found is not and stands on a chain of several joints
+/// of the root, which may be a leg: the ends of the closures that were found, each with the place on the root
+/// where it is while all joints are zero, as {"base@0:0.5:0", "tip_2"}. Nothing else.
+std::vector<std::array<std::string, 2>> ends_on_root(const Tree& tree, const Bodies& bodies,
+                                                     const SetupResult& found);
+
+/// Whether that chain is left out, or a leg.
+SetupQuestion question_of_leg(const SetupResult& found,
+                              const std::vector<std::array<std::string, 2>>& on_root,
+                              const std::string& urdf_name);
 
 }  // namespace parallel_aspects
 

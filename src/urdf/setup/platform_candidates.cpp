@@ -53,6 +53,23 @@ std::vector<Platform> platform_candidates(const Tree& tree, const Bodies& bodies
   return result;
 }
 
+std::optional<std::size_t> base_by_name(const Tree& tree, const Bodies& bodies, const BodyGraph& graph,
+                                        std::size_t base) {
+  const auto any_is = [&](std::size_t body, const auto& says) {
+    const std::vector<std::size_t>& links = bodies.links(body);
+    return std::any_of(links.begin(), links.end(), [&](std::size_t link) { return says(tree.links[link]); });
+  };
+  const auto says_platform = [](const std::string& name) { return operational_point_likeness(name) > 0; };
+  if (any_is(base, says_base) || !any_is(base, says_platform)) return std::nullopt;
+  std::optional<std::size_t> found;
+  for (const std::size_t body : graph.moving_bodies(base)) {
+    if (!any_is(body, says_base)) continue;
+    if (found) return std::nullopt;
+    found = body;
+  }
+  return found;
+}
+
 bool is_closed(const std::vector<Closure>& closures, std::size_t link) {
   return std::any_of(closures.begin(), closures.end(), [link](const Closure& closure) {
     return closure.frames[0].link == link || closure.frames[1].link == link;

@@ -6,6 +6,7 @@
 #include "urdf/setup/setup.h"
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace parallel_aspects {
@@ -22,6 +23,11 @@ struct Platform {
 std::vector<Platform> platform_candidates(const Tree& tree, const Bodies& bodies, const BodyGraph& graph,
                                           std::size_t base, const std::vector<Closure>& closures,
                                           const SetupAnswers& answers);
+
+/// The one body in the loops whose names say that it is the base, where those of `base`, at which the tree
+/// starts, say that it is the platform.
+std::optional<std::size_t> base_by_name(const Tree& tree, const Bodies& bodies, const BodyGraph& graph,
+                                        std::size_t base);
 
 /// Whether a closure holds a link.
 bool is_closed(const std::vector<Closure>& closures, std::size_t link);

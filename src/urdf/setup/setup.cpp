@@ -4,6 +4,7 @@
 #include "urdf/description/nearest_name.h"
 #include "urdf/reading/tree_reader.h"
 #include "urdf/setup/closed_search.h"
+#include "urdf/setup/left_open.h"
 #include "urdf/setup/open_ends.h"
 #include "urdf/setup/placed_frames.h"
 #include "urdf/setup/refusal.h"
@@ -378,6 +379,13 @@ SetupResult set_up(const std::string& urdf_text, const std::string& urdf_name, c
   const LoopSource source{*document.FirstChildElement("robot"), no_config, *tree, files};
   const auto find = [&] { return Setup(*tree, source, answers, control, urdf_text).find(); };
   SetupResult found = find();
+  if (answers.closures.empty() && answers.base_link.empty()) {
+    SetupAnswers with_leg = answers;
+    with_leg.closures = ends_on_root(*tree, Bodies(*tree), found);
+    if (!with_leg.closures.empty() &&
+        set_up(urdf_text, urdf_name, config_name, with_leg, control).problems.empty())
+      found.question = question_of_leg(found, with_leg.closures, urdf_name);
+  }
   const bool asks_for_places = found.question && found.question->candidates.empty();
   if (!asks_for_places || !add_far_ends(*tree)) return found;
   SetupResult with_places = find();

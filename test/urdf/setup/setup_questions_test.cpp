@@ -285,5 +285,42 @@ TEST(LoadSearch, EndsWhereItsCheckpointThrows) {
   EXPECT_THROW(load(search), Late);
 }
 
+// A chain of the base that no closure is on may be a leg, whose others end on the base where no link is.
+TEST(Setup, AsksWhetherAChainOfTheBaseIsALeg) {
+  const std::string urdf = urdf_of("hanging_three_rrr");
+  const SetupResult asked = set_up_text(urdf);
+  ASSERT_TRUE(asked.question) << listed(asked.problems);
+  EXPECT_EQ(asked.question->text,
+            "robot.urdf does not tell whether the chain between the root and link 'plate' is a leg, whose "
+            "loops end on the root");
+  ASSERT_EQ(asked.question->candidates.size(), 2U);
+  const auto answered = [&](std::size_t k) {
+    SetupAnswers answers = with_closures(asked.question->candidates.at(k).values);
+    if (k == 0) answers.actuated_joints = {"hip_1", "hip_2", "hip_3"};
+    return set_up_text(urdf, answers);
+  };
+  const SetupResult leg = answered(0), left_out = answered(1);
+  ASSERT_TRUE(leg.mechanism) << listed(leg.problems);
+  ASSERT_TRUE(left_out.mechanism) << listed(left_out.problems);
+  EXPECT_EQ(leg.mechanism->manipulator()->task_space(), TaskSpace::SE2);
+  EXPECT_EQ(leg.mechanism->manipulator()->base_frame(), "base");
+  EXPECT_EQ(leg.mechanism->platform_link(), "tcp");
+  EXPECT_EQ(actuated_joints(*leg.mechanism), (Strings{"hip_1", "hip_2", "hip_3"}));
+  EXPECT_EQ(left_out.mechanism->manipulator()->task_space(), TaskSpace::T2);
+}
+
+TEST(Setup, FindsTheBaseOfATreeThatStartsAtThePlatformByItsName) {
+  SetupAnswers answers;
+  answers.actuated_joints = {"hip_1", "hip_2", "hip_3"};
+  const SetupResult found = set_up_text(urdf_of("upside_down_three_rrr"), answers);
+  ASSERT_TRUE(found.mechanism) << listed(found.problems);
+  EXPECT_EQ(found.mechanism->manipulator()->task_space(), TaskSpace::SE2);
+  EXPECT_EQ(found.mechanism->manipulator()->base_frame(), "ground");
+  EXPECT_EQ(found.mechanism->platform_link(), "stage");
+  EXPECT_EQ(actuated_joints(*found.mechanism), answers.actuated_joints);
+  EXPECT_EQ(found.choices.front().taken.reason,
+            "its name says so, and that of link 'stage', where the tree starts, that it is the platform");
+}
+
 }  // namespace
 }  // namespace parallel_aspects
