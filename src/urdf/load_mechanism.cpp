@@ -119,6 +119,8 @@ std::unique_ptr<Mechanism::Contents> recognise(const std::shared_ptr<const Tree>
     if (search.looks_for_remedies) {
       note_ends({tree, resolved, ends_meet, files, recognise_in, attempt}, *contents);
       note_units(tree, resolved, files, attempt, *contents);
+      for (std::string& note : other_axes_notes(tree, resolved, files, attempt))
+        contents->notes.push_back(std::move(note));
     }
     return contents;
   }

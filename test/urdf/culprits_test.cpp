@@ -341,5 +341,27 @@ TEST(Assembly, IsFoundOfASliderInLineWithItsCrank) {
   }
 }
 
+// An axis that is not along those of the joints, where it is open which of them are actuated.
+TEST(Culprit, IsARevoluteClosureWhereBallsFit) {
+  Description robot = shipped_text("five_bar");
+  robot.config =
+      "mechanism:\n  operational_point: tool\n  closures:\n    - {frames: [{link: tool, rpy: [1.5707963, 0, "
+      "0]}, {link: closing_2, rpy: [1.5707963, 0, 0]}], type: revolute}\n";
+  std::string drives;
+  for (const char* joint : {"crank_1_joint", "elbow_1_joint", "crank_2_joint", "elbow_2_joint"})
+    drives +=
+        std::string("<transmission name=\"of_") + joint + "\"><joint name=\"" + joint + "\"/></transmission>";
+  robot.urdf = replaced(robot.urdf, "</robot>", drives + "</robot>");
+  EXPECT_EQ(refusal(robot),
+            Problems{"robot.yaml closes loops of robot.urdf by types that leave it one degree of freedom, as "
+                     "their axes are not along those of its joints; write type: point for 'tool - "
+                     "closing_2', which leaves it 2."});
+  robot.config = replaced(robot.config, "type: revolute", "type: point");
+  const Problems next = refusal(robot);
+  ASSERT_EQ(next.size(), 1U);
+  EXPECT_NE(next[0].find("the mobility fits [crank_1_joint, crank_2_joint] and"), std::string::npos)
+      << next[0];
+}
+
 }  // namespace
 }  // namespace parallel_aspects

@@ -10,9 +10,13 @@
 namespace parallel_aspects {
 namespace {
 
+constexpr double rounding = 1e-9;  // of the longest coordinate, which adding up rounded frames leaves
+
 std::string listed(const Eigen::Vector3d& vector, const std::string& between) {
+  const double least = rounding * vector.lpNorm<Eigen::Infinity>();
   std::string text;
-  for (Eigen::Index k = 0; k < 3; ++k) text += (k == 0 ? "" : between) + coordinate_text(vector[k]);
+  for (Eigen::Index k = 0; k < 3; ++k)
+    text += (k == 0 ? "" : between) + coordinate_text(std::abs(vector[k]) < least ? 0.0 : vector[k]);
   return text;
 }
 

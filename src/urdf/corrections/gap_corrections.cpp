@@ -32,8 +32,8 @@ class GapCorrections {
         angles_(roll_pitch_yaw(tree.joints[joint].origin.linear())) {}
 
   Corrections find() {
-    add_of_siblings();
     add_units();
+    add_of_siblings();
     for (Eigen::Index k = 0; k < 3; ++k)
       if (std::abs(place_[k]) > rank_tolerance * place_.norm()) add_place(with_sign(place_, k));
     add_of_pattern();

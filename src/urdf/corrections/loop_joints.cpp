@@ -8,6 +8,8 @@
 namespace parallel_aspects {
 namespace {
 
+constexpr double usual_lengths = 5.0;  // in the size of a robot, at most
+
 std::vector<bool> above(const Tree& tree, std::size_t link) {
   std::vector<bool> found(tree.joints.size(), false);
   for (auto joint = tree.joint_above[link]; joint; joint = tree.joint_above[tree.joints[*joint].parent])
@@ -34,6 +36,15 @@ LoopJoints::LoopJoints(const Tree& tree, const std::vector<Closure>& closures, d
   }
   for (std::size_t k = 0; k < in_loop.size(); ++k)
     if (in_loop[k]) all_.push_back(k);
+  std::vector<double> lengths;
+  for (const std::size_t joint : all_) {
+    const double length = tree.joints[joint].origin.translation().norm();
+    if (length > 0.0) lengths.push_back(length);
+  }
+  if (lengths.empty()) return;
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  size_ = std::min(size_, usual_lengths * *middle);  // whatever one that is in millimetres makes of it
 }
 
 std::vector<std::size_t> LoopJoints::siblings(std::size_t joint) const {

@@ -41,6 +41,7 @@ class Search {
 
   std::optional<std::string> run() {
     if (auto message = wrong_ends()) return message;
+    if (auto message = origin_of_ends(tree_, resolved_, files_, attempt_)) return message;
     if (auto message = other_base()) return message;
     if (auto message = CorrectionSearch(tree_, resolved_, true, files_, attempt_).of_missing_joints())
       return message;
@@ -313,6 +314,7 @@ class Search {
   // With the one joint that is actuated, or each of several that move together.
   std::optional<std::string> one_degree_of_freedom() const {
     if (!assembled_.assembly || assembled_.assembly->motions.cols() != 1) return std::nullopt;
+    if (auto message = misfit_types(tree_, resolved_, assembled_.assembly->values, files_)) return message;
     if (const auto joint = turning_joint())
       return files_.urdf + " turns " + operational_point() + " about joint '" + tree_->joints[*joint].name +
              "' alone, as a boom that a piston moves; of linkages of one degree of freedom only a platform "

@@ -2,8 +2,10 @@
 #include "urdf/culprits/misfit_axes.h"
 
 #include "model/number_text.h"
+#include "urdf/closing/actuation_choices.h"
 #include "urdf/closing/assembly.h"
 #include "urdf/corrections/correction_text.h"
+#include "urdf/corrections/listed_corrections.h"
 
 #include <Eigen/Geometry>
 
@@ -237,6 +239,26 @@ class MisfitFinder {
 Corrections find_axis_corrections(const ClosureSystem& system, const Eigen::VectorXd& values,
                                   const SourceNames& files) {
   return MisfitFinder(system, values, files).find();
+}
+
+std::optional<std::string> misfit_types(const std::shared_ptr<const Tree>& tree,
+                                        const ResolvedConfig& resolved, const Eigen::VectorXd& values,
+                                        const SourceNames& files) {
+  if (resolved.actuation_origin.empty()) return std::nullopt;
+  std::string names;
+  std::vector<Closure> closures = resolved.closures;
+  for (Closure& closure : closures) {
+    if (closure.type != ClosureType::point) names += (names.empty() ? "'" : ", '") + closure.name + "'";
+    closure.type = ClosureType::point;
+  }
+  const ClosureSystem balls(tree, resolved.base, closures);
+  const auto freedom = static_cast<std::size_t>(loop_motions(balls, values).motions.cols());
+  if (names.empty() || freedom < 2 || !is_actuation_count(freedom)) return std::nullopt;
+  return file_of_closures(resolved, files) + " closes loops of " + files.urdf +
+         " by types that leave it one degree of freedom, as their axes are not along those of its joints; "
+         "write " +
+         type_text(resolved, ClosureType::point) + " for " + names + ", which leaves it " +
+         std::to_string(freedom) + ".";
 }
 
 }  // namespace parallel_aspects

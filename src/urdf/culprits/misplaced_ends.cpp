@@ -31,14 +31,15 @@ std::vector<std::size_t> those_apart(const Tree& tree, const ResolvedConfig& res
   return apart;
 }
 
-// The corrected description is recognised with its ends as they are then.
-bool puts_together(const Correction& correction, const std::shared_ptr<const Tree>& tree,
-                   const ResolvedConfig& resolved, const Attempt& attempt) {
+// What the corrected description is recognised as, with its ends as they are then; nothing where they are
+// apart.
+std::optional<std::string> put_together(const Correction& correction, const std::shared_ptr<const Tree>& tree,
+                                        const ResolvedConfig& resolved, const Attempt& attempt) {
   auto changed = std::make_shared<Tree>(*tree);
   ResolvedConfig config = resolved;
   correction.apply(*changed, config);
   place_at_zero(*changed, config.closures);
-  return those_apart(*changed, config).empty() && attempt(changed, config);
+  return those_apart(*changed, config).empty() ? attempt(changed, config) : std::nullopt;
 }
 
 // A link that carries others, or that several closures hold, is a body; a place in it is none.
@@ -61,6 +62,35 @@ std::string gap_text(const Tree& tree, const Closure& closure, double gap) {
          number_text(gap, 4) + " m (closure '" + closure.name + "')";
 }
 
+// Of the closures through the base whose ends are given.
+struct ApartEnds {
+  std::string names;
+  std::size_t apart = 0, together = 0;
+
+  bool stand_out() const { return apart > 0 && (apart == 1 ? together > 0 : apart < together); }
+  bool all_apart() const { return apart > 1 && together == 0; }
+
+  std::string fault(const SourceNames& files) const {
+    return files.urdf + " has ends of closures apart while all joints are zero, " + names +
+           (all_apart() ? ", all of which one origin puts together" : ", where those of others meet");
+  }
+};
+
+ApartEnds apart_ends(const Tree& tree, const ResolvedConfig& resolved) {
+  const std::vector<std::optional<double>> gaps = gaps_at_zero(tree, resolved.closures);
+  const double meet = meeting_tolerance(tree, resolved);
+  ApartEnds ends;
+  for (std::size_t k = 0; k < gaps.size(); ++k) {
+    const Closure& closure = resolved.closures[k];
+    if (closure.at_zero || !gaps[k] || holds_body(tree, resolved.closures, closure) ||
+        !passes_base(tree, resolved.base, closure))
+      continue;
+    ++(*gaps[k] > meet ? ends.apart : ends.together);
+    if (*gaps[k] > meet) ends.names += (ends.names.empty() ? "" : ", ") + gap_text(tree, closure, *gaps[k]);
+  }
+  return ends;
+}
+
 std::vector<std::string> notes_beside_ends(const std::shared_ptr<const Tree>& tree,
                                            const ResolvedConfig& resolved, const SourceNames& files,
                                            const Attempt& attempt) {
@@ -73,6 +103,32 @@ std::vector<std::string> notes_beside_ends(const std::shared_ptr<const Tree>& tr
       notes.push_back(correction.fault + "; if it is to be there, " + correction.remedy + ".");
   }
   return notes;
+}
+
+struct Working {
+  Correction correction;
+  std::string space;
+};
+
+// Those that put all ends together, each of another element.
+std::vector<Working> working_at_zero(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,
+                                     const SourceNames& files, const Attempt& attempt) {
+  std::vector<Working> working;
+  std::set<std::string> corrected;
+  for (const Correction& correction : place_corrections(tree, resolved, files)) {
+    if (working.size() == max_remedies || corrected.count(correction.element) > 0) continue;
+    const auto space = put_together(correction, tree, resolved, attempt);
+    if (!space) continue;
+    corrected.insert(correction.element);
+    working.push_back({correction, *space});
+  }
+  return working;
+}
+
+std::string joined(const std::vector<Working>& working, const std::string& between) {
+  std::string all;
+  for (const Working& each : working) all += (all.empty() ? "" : between) + each.correction.remedy;
+  return all;
 }
 
 }  // namespace
@@ -117,39 +173,32 @@ Corrections place_corrections(const std::shared_ptr<const Tree>& tree, const Res
 
 std::string remedies_of_places(const std::shared_ptr<const Tree>& tree, const ResolvedConfig& resolved,
                                const SourceNames& files, const Attempt& attempt) {
-  std::string remedies;
-  std::set<std::string> corrected;
-  for (const Correction& correction : place_corrections(tree, resolved, files))
-    if (corrected.size() < max_remedies && corrected.count(correction.element) == 0 &&
-        puts_together(correction, tree, resolved, attempt)) {
-      corrected.insert(correction.element);
-      remedies += (remedies.empty() ? "" : ", or ") + correction.remedy;
-    }
-  return remedies;
+  return joined(working_at_zero(tree, resolved, files, attempt), ", or ");
+}
+
+std::optional<std::string> origin_of_ends(const std::shared_ptr<const Tree>& tree,
+                                          const ResolvedConfig& resolved, const SourceNames& files,
+                                          const Attempt& attempt) {
+  const ApartEnds ends = apart_ends(*tree, resolved);
+  if (!ends.stand_out() && !ends.all_apart()) return std::nullopt;
+  const std::vector<Working> working = working_at_zero(tree, resolved, files, attempt);
+  if (working.empty()) return std::nullopt;
+  if (working.size() > 1)
+    return ends.fault(files) + "; " + joined(working, "; or ") + "; each alone makes it a robot.";
+  const auto& [correction, space] = working.front();
+  return correction.fault + "; " + correction.remedy + ", which makes it a robot in " + space + ".";
 }
 
 std::vector<std::string> misplaced_ends_notes(const std::shared_ptr<const Tree>& tree,
                                               const ResolvedConfig& resolved, const SourceNames& files,
                                               const Attempt& attempt) {
-  const std::vector<std::optional<double>> gaps = gaps_at_zero(*tree, resolved.closures);
-  const double meet = meeting_tolerance(*tree, resolved);
-  std::string apart;
-  std::size_t count_apart = 0, count_together = 0;
-  for (std::size_t k = 0; k < gaps.size(); ++k) {
-    if (resolved.closures[k].at_zero || !gaps[k] ||
-        holds_body(*tree, resolved.closures, resolved.closures[k]))
-      continue;
-    if (!passes_base(*tree, resolved.base, resolved.closures[k])) continue;
-    ++(*gaps[k] > meet ? count_apart : count_together);
-    if (*gaps[k] > meet)
-      apart += (apart.empty() ? "" : ", ") + gap_text(*tree, resolved.closures[k], *gaps[k]);
-  }
-  const bool stands_out = count_apart == 1 ? count_together > 0 : count_apart < count_together;
-  if (count_apart == 0 || !stands_out) return notes_beside_ends(tree, resolved, files, attempt);
-  const std::string text = files.urdf + " has ends of closures apart while all joints are zero, " + apart +
-                           ", where those of others meet; if these are to meet there, too, ";
-  const std::string remedies = remedies_of_places(tree, resolved, files, attempt);
-  return {text + (remedies.empty() ? "correct the origins of the joints in their loops" : remedies) + "."};
+  const ApartEnds ends = apart_ends(*tree, resolved);
+  const std::string remedies = ends.stand_out() || ends.all_apart()
+                                   ? remedies_of_places(tree, resolved, files, attempt)
+                                   : std::string();
+  if (!ends.stand_out() && remedies.empty()) return notes_beside_ends(tree, resolved, files, attempt);
+  return {ends.fault(files) + "; if these are to meet there" + (ends.all_apart() ? ", " : ", too, ") +
+          (remedies.empty() ? "correct the origins of the joints in their loops" : remedies) + "."};
 }
 
 }  // namespace parallel_aspects

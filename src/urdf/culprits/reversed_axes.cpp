@@ -15,16 +15,19 @@
 namespace parallel_aspects {
 namespace {
 
+using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr double alike = 1e-3;       // of directions
 constexpr double not_in_line = 0.1;  // sine of the angle at the middle, at least, for a plane of the joints
 constexpr double one_sided = 0.01;   // of a range of values
+constexpr double turned = 0.1;       // sine of the angle between axes that differ, at least
 
 // An actuated joint on the base.
 struct Drive {
   std::size_t joint = 0;  // of the tree
   Vector3d place, axis;   // in the frame of the base at zero
+  Matrix3d turn;          // of the frame of the joint in that of the base
 };
 
 // Nothing where one is carried by another joint.
@@ -36,13 +39,13 @@ std::vector<Drive> drives_on_base(const Tree& tree, const ResolvedConfig& resolv
     const TreeJoint& joint = tree.joint_of(variable);
     if (body_of(tree, joint.parent) != base) return {};
     const Eigen::Isometry3d& pose = poses[joint.child];
-    drives.push_back({tree.movable[variable], pose.translation(), pose.linear() * joint.axis});
+    drives.push_back({tree.movable[variable], pose.translation(), pose.linear() * joint.axis, pose.linear()});
   }
   return drives;
 }
 
-// Axes by what is outward from the middle, around it, and across the plane of the joints.
-std::vector<Vector3d> axes_seen_from_middle(const std::vector<Drive>& drives) {
+// What is outward from the middle, around it, and across the plane of the joints, for each of them.
+std::vector<Matrix3d> frames_seen_from_middle(const std::vector<Drive>& drives) {
   Vector3d middle = Vector3d::Zero(), normal = Vector3d::Zero();
   for (const Drive& drive : drives) middle += drive.place / static_cast<double>(drives.size());
   for (const Drive& one : drives)
@@ -52,13 +55,20 @@ std::vector<Vector3d> axes_seen_from_middle(const std::vector<Drive>& drives) {
     }
   if (!(normal.norm() > not_in_line)) return {};
   normal.normalize();
-  std::vector<Vector3d> seen;
+  std::vector<Matrix3d> frames;
   for (const Drive& drive : drives) {
     const Vector3d from_middle = drive.place - middle;
     const Vector3d outward = (from_middle - normal * normal.dot(from_middle)).normalized();
-    const Vector3d around = normal.cross(outward);
-    seen.emplace_back(drive.axis.dot(outward), drive.axis.dot(around), drive.axis.dot(normal));
+    frames.emplace_back();
+    frames.back() << outward, normal.cross(outward), normal;
   }
+  return frames;
+}
+
+std::vector<Vector3d> axes_seen_from_middle(const std::vector<Drive>& drives) {
+  const std::vector<Matrix3d> frames = frames_seen_from_middle(drives);
+  std::vector<Vector3d> seen;
+  for (std::size_t k = 0; k < frames.size(); ++k) seen.emplace_back(frames[k].transpose() * drives[k].axis);
   return seen;
 }
 
@@ -83,6 +93,24 @@ std::optional<std::size_t> reversed(const std::vector<Vector3d>& axes) {
   return std::nullopt;
 }
 
+// The one that is neither along nor against those of all others, which are alike.
+std::optional<std::size_t> turned_away(const std::vector<Vector3d>& axes) {
+  for (std::size_t k = 0; k < axes.size(); ++k) {
+    const Vector3d& usual = axes[k == 0 ? 1 : 0];
+    bool others_alike = axes[k].cross(usual).norm() > turned;
+    for (std::size_t other = 0; other < axes.size(); ++other)
+      others_alike = others_alike && (other == k || (axes[other] - usual).norm() < alike);
+    if (others_alike) return k;
+  }
+  return std::nullopt;
+}
+
+bool are_one_kind(const Tree& tree, const std::vector<Drive>& drives) {
+  return std::all_of(drives.begin(), drives.end(), [&](const Drive& drive) {
+    return tree.joints[drive.joint].motion == tree.joints[drives.front().joint].motion;
+  });
+}
+
 }  // namespace
 
 std::vector<std::string> reversed_axes_notes(const Tree& tree, const ResolvedConfig& resolved,
@@ -101,6 +129,27 @@ std::vector<std::string> reversed_axes_notes(const Tree& tree, const ResolvedCon
           number_text(joint.limits.lower) + " to " + number_text(joint.limits.upper) +
           "; if that is not meant, write <axis xyz=\"" + as_attribute(-joint.axis) + "\"/> for joint '" +
           joint.name + "'."};
+}
+
+std::vector<std::string> other_axes_notes(const std::shared_ptr<const Tree>& tree,
+                                          const ResolvedConfig& resolved, const SourceNames& files,
+                                          const Attempt& attempt) {
+  const std::vector<Drive> drives = drives_on_base(*tree, resolved);
+  if (drives.size() < 3 || !are_one_kind(*tree, drives)) return {};
+  const std::vector<Vector3d> seen = axes_seen_from_middle(drives);
+  const auto found = turned_away(seen);
+  if (!found) return {};
+  const Drive& drive = drives[*found];
+  const Vector3d usual = frames_seen_from_middle(drives)[*found] * seen[*found == 0 ? 1 : 0];
+  auto changed = std::make_shared<Tree>(*tree);
+  TreeJoint& joint = changed->joints[drive.joint];
+  joint.axis = (drive.turn.transpose() * usual).normalized();
+  if (!attempt(changed, resolved)) return {};
+  return {files.urdf + " lets actuated joint '" + joint.name + "' move along another axis, " +
+          in_brackets(tree->joints[drive.joint].axis) +
+          ", than those of the other legs, seen from the middle of these; if that is not meant, write <axis "
+          "xyz=\"" +
+          as_attribute(joint.axis) + "\"/> for joint '" + joint.name + "'."};
 }
 
 }  // namespace parallel_aspects

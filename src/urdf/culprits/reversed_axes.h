@@ -3,8 +3,10 @@
 #define PARALLEL_ASPECTS_URDF_CULPRITS_REVERSED_AXES_H
 
 #include "urdf/closing/resolved_config.h"
+#include "urdf/culprits/attempt.h"
 #include "urdf/description/source_names.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -15,6 +17,13 @@ namespace parallel_aspects {
 /// both sides.
 std::vector<std::string> reversed_axes_notes(const Tree& tree, const ResolvedConfig& resolved,
                                              const SourceNames& files);
+
+/// Of a robot that loads: the actuated joint on the base that alone moves along or about another direction
+/// than those of the other legs, which are alike, seen from the middle of all; where its robot with theirs
+/// loads, too.
+std::vector<std::string> other_axes_notes(const std::shared_ptr<const Tree>& tree,
+                                          const ResolvedConfig& resolved, const SourceNames& files,
+                                          const Attempt& attempt);
 
 }  // namespace parallel_aspects
 

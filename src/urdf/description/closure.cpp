@@ -10,6 +10,7 @@ namespace {
 using Twists = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 
 constexpr double rounding = 1e-12;  // of sums of distances, as a share
+constexpr double one_point = 1e-5;  // [m] that CAD leaves between frames which are in one point
 
 constexpr std::array<std::pair<std::string_view, ClosureType>, 6> type_names{
     {{"point", ClosureType::point},
@@ -85,7 +86,7 @@ double spread(const Poses& poses) {
       if ((origins[i].first + origins[k].first) * (1.0 + rounding) < widest) break;
       widest = std::max(widest, (origins[i].second - origins[k].second).norm());
     }
-  return widest > 0.0 ? widest : 1.0;
+  return widest > one_point ? widest : 1.0;
 }
 
 std::vector<bool> above(const Tree& tree, std::size_t link) {

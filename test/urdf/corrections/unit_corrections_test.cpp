@@ -98,5 +98,16 @@ TEST(Units, OfARobotAreMetres) {
       1);
 }
 
+// A length in millimetres makes a robot so large that all legs seem to be in one place.
+TEST(Units, OfOneOriginAreNotThoseOfAnotherLeg) {
+  Description hexapod{test::source_file("test/data/setup/isaac_stewart.urdf"),
+                      "mechanism: {operational_point: top_plate}\n"};
+  hexapod.urdf = replaced(hexapod.urdf, "\"-0.104188907 0.590884652 0\"", "\"-104.188907 590.884652 0\"");
+  EXPECT_EQ(sentence(hexapod),
+            "robot.urdf puts the origin of joint 'universal_x_2' at (-104.188907, 590.884652, 0) m, as if in "
+            "millimetres; write xyz=\"-0.104188907 0.590884652 0\" in the origin of joint 'universal_x_2', "
+            "which makes it a robot in SE3.");
+}
+
 }  // namespace
 }  // namespace parallel_aspects

@@ -346,5 +346,50 @@ TEST(Wrist, IsOneRobotHoweverOpenItIsDrawn) {
   }
 }
 
+// All frames are in one point but for what CAD leaves.
+TEST(Wrist, MayHaveFramesThatAreRounded) {
+  const std::string config =
+      "mechanism:\n  operational_point: dome\n  actuated_joints: [m0, m1, m2]\n  closures:\n"
+      "    - {frames: [dome1, dist1_end], type: revolute}\n"
+      "    - {frames: [dome2, dist2_end], type: revolute}\n";
+  const Description wrist{test::source_file("test/data/setup/wrist.urdf"), config};
+  Description rounded = wrist;
+  rounded.urdf = std::regex_replace(rounded.urdf, std::regex("xyz=\"0 0 0\""), "xyz=\"1.2e-7 -3e-8 2e-7\"");
+  EXPECT_NE(rounded.urdf, wrist.urdf);
+  EXPECT_TRUE(are_same(rounded, wrist));
+}
+
+TEST_P(PlacedEnds, AreNotedWhereOneOriginPutsAllOfThemTogether) {
+  Description wrong = good();
+  wrong.urdf = replaced(wrong.urdf, "xyz=\"0 0 -0.2951270913\"", "xyz=\"0 0 0.2951270913\"");
+  const Problems problems = test::refusal(wrong.urdf, wrong.config);
+  const std::string said = problems.empty() ? only_doubt(wrong) : problems.front();
+  EXPECT_TRUE(!problems.empty() ||
+              said.find(", all of which one origin puts together; ") != std::string::npos)
+      << said;
+  bool any = false;
+  for (const std::string& remedy : test::remedies(said))
+    any = any || are_same(test::corrected(wrong, remedy), good());
+  EXPECT_TRUE(any) << said;
+}
+
+// Another direction than those of the other legs, by which the robot loads as another one.
+TEST(OtherAxis, IsToldOfAnActuatedJoint) {
+  for (const std::string axis : {"1 0 0", "0.6 0 0.8", "0 1 0"}) {
+    const Description good = test::shipped_text("linear_delta");
+    Description wrong = good;
+    const std::string joint = "<joint name=\"slider_2_joint\"";
+    const std::size_t at = wrong.urdf.find("<axis xyz=\"", wrong.urdf.find(joint)) + 11;
+    wrong.urdf.replace(at, wrong.urdf.find('"', at) - at, axis);
+    const std::string said = only_doubt(wrong);
+    EXPECT_NE(said.find("lets actuated joint 'slider_2_joint' move along another axis, "), std::string::npos)
+        << said;
+    ASSERT_EQ(test::remedies(said).size(), 1U) << said;
+    const Description right = test::corrected(wrong, test::remedies(said).front());
+    EXPECT_EQ(doubts(right), std::vector<std::string>{});
+    EXPECT_TRUE(are_same(right, good)) << said;
+  }
+}
+
 }  // namespace
 }  // namespace parallel_aspects

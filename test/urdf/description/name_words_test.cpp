@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "urdf/description/name_words.h"
 
+#include "urdf/corrections/correction_text.h"
 #include "urdf/description/command_options.h"
 
 #include <gtest/gtest.h>
@@ -28,6 +29,8 @@ TEST(Coordinates, AreWithoutNoise) {
   EXPECT_EQ(placed_name("rod", {0.4, 1.2246e-16, -0.0}), "rod@0.4:0:0");
   EXPECT_EQ(coordinate_text(-6.1e-17), "0");
   EXPECT_EQ(coordinate_text(0.1 + 0.2), "0.3");
+  EXPECT_EQ(as_list({-2.8e-11, 1.7e-11, -0.057}), "[0, 0, -0.057]");
+  EXPECT_EQ(as_attribute({1e-9, 2e-9, 0.0}), "1e-09 2e-09 0");
 }
 
 }  // namespace
