@@ -5,10 +5,12 @@
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/map_control.h"
 #include "parallel_aspects/aspects/map_slice.h"
+#include "parallel_aspects/kinematics/working_mode.h"
 #include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/pose.h"
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,7 +21,8 @@ namespace parallel_aspects {
 /// Where three direct solutions of a slice meet. A path of actuated values around it leads from one of the
 /// three to another in the same aspect, without a singularity.
 struct Cusp {
-  JointVector actuated;  ///< all actuated joints, that which is held among them [m]
+  JointVector actuated;  ///< all actuated joints, that which is held among them [m or rad]
+  WorkingMode mode;      ///< of all three
   Pose pose;             ///< where the three meet
   /// A box about the pose, of half this width in the direction of the held rod and in phi [rad], is proved to
   /// hold exactly one cusp, an ordinary one.
@@ -63,6 +66,12 @@ struct BasicComponent {
   double measure_lower = 0.0;   ///< proved [m^2]
 };
 
+/// The cusps of a slice.
+struct CuspList {
+  std::vector<Cusp> cusps;  ///< within limits, by rising actuated values
+  bool complete = false;    ///< it is proved that there are no others within limits
+};
+
 /// What to compute.
 struct UniquenessOptions {
   std::optional<MapSlice> slice;     ///< one that holds an actuated joint; needed in SE2, and only there
@@ -75,14 +84,19 @@ struct Uniqueness {
   /// The direct problem has at most two solutions, at which det A has opposite signs. So each aspect,
   /// whatever limits and constraints bound it, is a uniqueness domain, and no three solutions meet anywhere.
   bool at_most_one_a_sign = false;
-  std::vector<Cusp> cusps;                       ///< within limits, by rising actuated values
-  bool cusps_complete = false;                   ///< it is proved that there are no others within limits
-  std::vector<SolutionRegion> regions;           ///< by number of solutions; in slices only
+  std::vector<Cusp> cusps;      ///< within limits, by rising actuated values
+  bool cusps_complete = false;  ///< it is proved that there are no others within limits
+  /// Whether what is below was looked for, in slices of robots with three struts; else it is empty.
+  bool has_regions = false;
+  std::vector<SolutionRegion> regions;           ///< by number of solutions
   double measure_unknown = 0.0;                  ///< area where no number of solutions is proved [m^2]
-  std::vector<BasicComponent> basic_components;  ///< those with solutions, the largest first; in slices only
-  std::vector<BasicRegion> basic_regions;        ///< of basic components that are not tiny; in slices only
-  bool domains_complete = true;                  ///< whether all domains that these regions form are listed
-  std::vector<UniquenessDomain> domains;         ///< by aspect
+  std::vector<BasicComponent> basic_components;  ///< those with solutions, the largest first
+  /// Index in `basic_components` of that which holds these actuated values (of which the held one is not
+  /// read). Nothing where they have no solution, or no number of solutions is proved.
+  std::function<std::optional<std::size_t>(const JointVector&)> component_of;
+  std::vector<BasicRegion> basic_regions;  ///< of basic components that are not tiny
+  bool domains_complete = true;            ///< whether all domains that these regions form are listed
+  std::vector<UniquenessDomain> domains;   ///< by aspect
 };
 
 /// What was computed, or why there is nothing.
@@ -94,10 +108,15 @@ struct UniquenessResult {
   explicit operator bool() const noexcept { return uniqueness != nullptr; }  ///< whether there is an answer
 };
 
-/// Computes all of it. In T1, T2 and T3 it follows from a theorem. In SE2 there are slices of robots with
-/// three struts, one of which is held. All else is refused with a message.
+/// Computes all of it. In T1, T2 and T3 it follows from a theorem. In SE2 there are slices with an actuated
+/// joint held: their cusps, and of robots with three struts all the rest. What remains is refused with a
+/// message.
 UniquenessResult compute_uniqueness(std::shared_ptr<const Manipulator> manipulator,
                                     const UniquenessOptions& options = {}, const MapControl& control = {});
+
+/// The cusps alone, of a slice of SE2 that holds an actuated joint; a cancelled list is not complete. Of any
+/// other slice see `find_uniqueness_problem`.
+CuspList find_cusps(const Manipulator& manipulator, const MapSlice& slice, const MapControl& control = {});
 
 /// Why there is no answer for this; empty where there is one.
 std::string find_uniqueness_problem(const Manipulator& manipulator, const UniquenessOptions& options);

@@ -46,6 +46,12 @@ std::vector<Rgb> aspect_colors(const std::vector<Aspect>& aspects) {
   return colors;
 }
 
+// After Paul Tol's iridescent scheme, by rising numbers, which are even but where poses are singular.
+Rgb solutions_color(std::size_t solutions) {
+  constexpr std::array<Rgb, 4> colors{0xFEFBE9, 0xD5ECC8, 0x8DCBE4, 0x6A6FB5};
+  return colors[std::min((solutions + 1) / 2, colors.size() - 1)];
+}
+
 Rgb boundary_color(BoundaryKind kind) {
   switch (kind) {
     case BoundaryKind::parallel:

@@ -5,6 +5,7 @@
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/boundary_curves.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -29,6 +30,9 @@ Rgb aspect_color(int determinant_sign, std::size_t hue);
 /// hues, and from those of the neighbouring modes, which differ in the sign of one B_jj, where that is
 /// possible.
 std::vector<Rgb> aspect_colors(const std::vector<Aspect>& aspects);
+
+/// Of actuated values with so many direct solutions, and of their poses: the more, the darker.
+Rgb solutions_color(std::size_t solutions);
 
 /// Of boundaries.
 Rgb boundary_color(BoundaryKind kind);

@@ -2,34 +2,43 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_CUSP_SEARCH_H
 #define PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_CUSP_SEARCH_H
 
-#include "aspects/uniqueness/strut_slice.h"
+#include "aspects/uniqueness/held_slice.h"
 #include "parallel_aspects/aspects/box.h"
 #include "parallel_aspects/aspects/map_control.h"
 
-#include <cstddef>
 #include <vector>
 
 namespace parallel_aspects {
 
+/// A box of the slice that holds exactly one cusp of a posture.
+struct CuspBox {
+  Box box;  ///< [half turns]
+  SlicePosture posture;
+};
+
 /// The cusps of a slice.
 struct CuspBoxes {
-  std::vector<Box> cusps;      ///< each holds exactly one, and no two the same [half turns]
-  std::vector<Box> undecided;  ///< whatever else there is, is in these [half turns]
+  std::vector<CuspBox> cusps;      ///< no two the same
+  std::vector<CuspBox> undecided;  ///< whatever else there is, is in these
   bool cancelled = false;
 };
 
-/// Where three direct solutions of the slice meet, with (g_0, g_1) of `StrutSlice` and their Jacobian J:
+/// Where three direct solutions of the slice meet, in each posture, with the equations (g_0, g_1) of
+/// `HeldSlice` and their Jacobian J by the coordinates of the slice, at fixed joint values:
 ///
 ///     D = det J = 0  and  grad D . k = 0 for the columns k of adj J, {D, g_1} and -{D, g_0}.
 ///
 /// At D = 0 both columns are multiples of the kernel of J; so where one is proved not to vanish, J has rank 1
-/// and the other equation holds too. A regular zero of D and that equation is an ordinary cusp (H. Whitney,
-/// Annals of Mathematics 62, 1955): grad D is not zero, and neither is the second derivative along the
-/// kernel. The rest of the slice is excluded by bounds of D and of both equations. Poses where J = 0
-/// altogether, and cusps that are not ordinary, stay in `undecided`.
+/// and the other equation holds too. Along the slice the joint values follow its coordinates x: q_x =
+/// g_x / B_jj. A regular zero of D and of one of the equations over x is an ordinary cusp of the map from x
+/// to q (H. Whitney, Annals of Mathematics 62, 1955), whose Jacobian is J divided by B_jj, row by row: its
+/// kernel is that of J, along which q does not move to first order, grad D is not zero, and neither is the
+/// second derivative along the kernel. The rest of the slice is excluded by bounds of D and of both
+/// equations, up to its serial singularities, where these stay bounded. Poses where J = 0 altogether, and
+/// cusps that are not ordinary or are serial singularities, stay in `undecided`.
 ///
 /// Needs a live `RoundingUpward`.
-CuspBoxes find_cusp_boxes(const StrutSlice& slice, const MapControl& control);
+CuspBoxes find_cusp_boxes(const HeldSlice& slice, const MapControl& control);
 
 }  // namespace parallel_aspects
 

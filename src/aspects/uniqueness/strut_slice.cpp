@@ -59,6 +59,24 @@ SliceTurns::SliceTurns(const std::array<double, 2>& at) noexcept
       difference{phi.cosine * direction.cosine + phi.sine * direction.sine,
                  phi.sine * direction.cosine - phi.cosine * direction.sine} {}
 
+// |r + v + o|^2 = |r|^2 + |v|^2 + |o|^2 + 2 (r.v + r.o + v.o).
+CosineSum CosineSum::half_square(const Interval& length, const Planar<Interval>& m, const Planar<Interval>& o,
+                                 const Interval& squared_height) noexcept {
+  const Interval squares = square(length) + squared_norm(m) + squared_norm(o);
+  return {Interval(0.5) * (squares + squared_height),
+          {length * m.x, -(length * m.y)},
+          {length * o.x, length * o.y},
+          {m.x * o.x + m.y * o.y, m.x * o.y - m.y * o.x}};
+}
+
+CosineSum CosineSum::along(const Planar<Interval>& n, const Interval& length, const Planar<Interval>& m,
+                           const Planar<Interval>& o) noexcept {
+  return {n.x * o.x + n.y * o.y,
+          {0.0, 0.0},
+          {length * n.x, length * n.y},
+          {m.x * n.x + m.y * n.y, m.x * n.y - m.y * n.x}};
+}
+
 StrutSlice::StrutSlice(const Manipulator& manipulator, const MapSlice& slice) {
   assert_rounding_upward();
   const std::size_t held = slice.joint->leg;
@@ -75,22 +93,10 @@ StrutSlice::MovingLeg::MovingLeg(const Manipulator& manipulator, std::size_t hel
   const Planar<Interval> m = difference(anchor_of(leg), anchor_of(other));
   const Planar<Interval> o = difference(base_of(other), base_of(leg));
   const Interval height = height_of(leg);
-  const Interval squares = square(length) + squared_norm(m) + squared_norm(o);
-  constant = Interval(0.5) * (squares + square(height));
-  between_anchors = {length * m.x, length * m.y};
-  between_bases = {length * o.x, length * o.y};
-  along = m.x * o.x + m.y * o.y;
-  across = m.x * o.y - m.y * o.x;
+  half_square = CosineSum::half_square(length, m, o, square(height));
   const Interval sum = length + square_root(squared_norm(m)) + square_root(squared_norm(o));
   largest = (Interval(0.5) * (square(sum) + square(height))).upper();
   limits = limits_of(leg);
-}
-
-Verdict StrutSlice::within_limits(std::size_t i, const Interval& half_square) const noexcept {
-  const auto& [least, most] = legs_[i].limits;
-  if (half_square.upper() < least.lower() || half_square.lower() > most.upper()) return Verdict::fails;
-  const bool inside = half_square.lower() >= least.upper() && half_square.upper() <= most.lower();
-  return inside ? Verdict::holds : Verdict::unknown;
 }
 
 SliceCenter::SliceCenter(const Box& box) noexcept {

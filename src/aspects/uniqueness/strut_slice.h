@@ -5,7 +5,6 @@
 #include "aspects/uniqueness/jet.h"
 #include "interval/half_turns.h"
 #include "interval/interval.h"
-#include "legs/limit_verdict.h"
 #include "legs/planar_leg.h"
 #include "parallel_aspects/aspects/box.h"
 #include "parallel_aspects/aspects/map_slice.h"
@@ -30,6 +29,50 @@ struct SliceTurns {
   explicit SliceTurns(const std::array<double, 2>& at) noexcept;
 };
 
+/// K + m.(c, s)(phi - a) + o.(c, s)(a) + w.(c, s)(phi), a sum of three cosines, of which all derivatives are
+/// known in closed form. It is what a scalar product of r + v + o, or its square, is, where r is the rod that
+/// is held and v turns with the platform.
+struct CosineSum {
+  Interval constant;
+  Planar<Interval> of_difference, of_direction, of_phi;
+
+  /// (|r + v + o|^2 + squared_height) / 2 with r of that length, v = R(phi) `between_anchors` and a constant
+  /// o.
+  static CosineSum half_square(const Interval& length, const Planar<Interval>& between_anchors,
+                               const Planar<Interval>& o, const Interval& squared_height) noexcept;
+
+  /// n.(r + v + o), of a constant n.
+  static CosineSum along(const Planar<Interval>& n, const Interval& length,
+                         const Planar<Interval>& between_anchors, const Planar<Interval>& o) noexcept;
+
+  /// Derivatives are by radians. Needs a live `RoundingUpward`.
+  template <std::size_t Order>
+  Jet<Order> jet(const SliceTurns& at) const noexcept;
+};
+
+template <std::size_t Order>
+Jet<Order> CosineSum::jet(const SliceTurns& at) const noexcept {
+  // A cosine f and its derivatives f1, -f, -f1, f, ...
+  const auto cycle = [](const Planar<Interval>& m, const Turn<Interval>& turn) {
+    const Interval f = m.x * turn.cosine + m.y * turn.sine, f1 = m.y * turn.cosine - m.x * turn.sine;
+    return std::array<Interval, 4>{f, f1, -f, -f1};
+  };
+  const auto difference = cycle(of_difference, at.difference), direction = cycle(of_direction, at.direction),
+             turn = cycle(of_phi, at.phi);
+  Jet<Order> g;
+  for (std::size_t n = 0; n <= Order; ++n)
+    for (std::size_t k = 0; k <= n; ++k) {
+      const Interval& term = difference[n % 4];
+      g.at(n - k, k) = (n - k) % 2 == 0 ? term : -term;
+    }
+  for (std::size_t n = 0; n <= Order; ++n) {
+    g.at(n, 0) += direction[n % 4];
+    g.at(0, n) += turn[n % 4];
+  }
+  g.at(0, 0) += constant;
+  return g;
+}
+
 /// A 3-RPR with the length of one strut held: the other two lengths rho_i as functions of the slice.
 ///
 /// With r the rod that is held, v = R(phi) (b_i - b_h) between the anchors and o = c_h - c_i between the base
@@ -37,8 +80,7 @@ struct SliceTurns {
 ///
 ///     g_i = rho_i^2 / 2 = K + r.v + r.o + v.o,
 ///
-/// a sum of three cosines, of phi - a, a and phi. So all derivatives are known in closed form. Derivatives
-/// are by radians. All of it needs a live `RoundingUpward`.
+/// a sum of three cosines, of phi - a, a and phi. All of it needs a live `RoundingUpward`.
 class StrutSlice {
  public:
   /// Of a slice that holds a strut, of three; see `find_uniqueness_problem`.
@@ -49,13 +91,12 @@ class StrutSlice {
 
   /// g_i over the ranges.
   template <std::size_t Order>
-  Jet<Order> half_square(std::size_t i, const SliceTurns& at) const noexcept;
+  Jet<Order> half_square(std::size_t i, const SliceTurns& at) const noexcept {
+    return legs_[i].half_square.template jet<Order>(at);
+  }
 
   /// No larger g_i is reached, whatever the limits.
   double largest_half_square(std::size_t i) const noexcept { return legs_[i].largest; }
-
-  /// Whether the joint value of g_i, somewhere in this range, is within limits.
-  Verdict within_limits(std::size_t i, const Interval& half_square) const noexcept;
 
   /// g_i at the shortest and at the longest that limits allow; the second is infinite where there are none.
   const std::array<Interval, 2>& limits(std::size_t i) const noexcept { return legs_[i].limits; }
@@ -63,10 +104,7 @@ class StrutSlice {
  private:
   struct MovingLeg {
     std::size_t index = 0;
-    Interval constant;                 // K
-    Planar<Interval> between_anchors;  // rho_h (b_i - b_h)
-    Planar<Interval> between_bases;    // rho_h (c_h - c_i)
-    Interval along, across;            // of c_h - c_i, seen from b_i - b_h, multiplied by its length
+    CosineSum half_square;
     double largest = 0.0;
     std::array<Interval, 2> limits;
 
@@ -76,32 +114,6 @@ class StrutSlice {
 
   std::array<MovingLeg, 2> legs_;
 };
-
-template <std::size_t Order>
-Jet<Order> StrutSlice::half_square(std::size_t i, const SliceTurns& at) const noexcept {
-  const MovingLeg& leg = legs_[i];
-  const auto &m = leg.between_anchors, &o = leg.between_bases;
-  const auto &d = at.difference, &a = at.direction, &phi = at.phi;
-  const Interval p = m.x * d.cosine - m.y * d.sine, p1 = -(m.x * d.sine + m.y * d.cosine);
-  const Interval r = o.x * a.cosine + o.y * a.sine, r1 = o.y * a.cosine - o.x * a.sine;
-  const Interval v = leg.along * phi.cosine + leg.across * phi.sine;
-  const Interval v1 = leg.across * phi.cosine - leg.along * phi.sine;
-  // A cosine f and its derivatives f1, -f, -f1, f, ...
-  const std::array<Interval, 4> of_difference{p, p1, -p, -p1}, of_direction{r, r1, -r, -r1},
-      of_phi{v, v1, -v, -v1};
-  Jet<Order> g;
-  for (std::size_t n = 0; n <= Order; ++n)
-    for (std::size_t k = 0; k <= n; ++k) {
-      const Interval& term = of_difference[n % 4];
-      g.at(n - k, k) = (n - k) % 2 == 0 ? term : -term;
-    }
-  for (std::size_t n = 0; n <= Order; ++n) {
-    g.at(n, 0) += of_direction[n % 4];
-    g.at(0, n) += of_phi[n % 4];
-  }
-  g.at(0, 0) += leg.constant;
-  return g;
-}
 
 /// The middle of a box of a slice [half turns], and half its widths [rad], rounded upward.
 struct SliceCenter {

@@ -4,6 +4,7 @@
 #include "aspects/uniqueness/actuated_plane.h"
 #include "aspects/uniqueness/basic_regions.h"
 #include "aspects/uniqueness/cusp_search.h"
+#include "aspects/uniqueness/held_slice.h"
 #include "aspects/uniqueness/singular_images.h"
 #include "aspects/uniqueness/solution_regions.h"
 #include "aspects/uniqueness/uniqueness_domains.h"
@@ -14,41 +15,130 @@
 #include "parallel_aspects/kinematics/working_mode.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <functional>
+#include <memory>
+#include <optional>
 #include <utility>
+#include <vector>
 
 namespace parallel_aspects {
 namespace {
+
+/// The plane of lengths, divided, with the basic component of each piece.
+struct DividedPlane {
+  StrutSlice struts;
+  SingularImages images;
+  ActuatedPlane plane;
+  std::vector<SolutionSet> sets;
+  std::vector<std::optional<std::size_t>> component_of;  // by piece
+
+  DividedPlane(const StrutSlice& slice, double unknown_share, const MapControl& control)
+      : struts(slice),
+        images(struts),
+        plane(struts, images, unknown_share, control),
+        sets(find_solution_sets(struts, plane, control)),
+        component_of(plane.pieces().size()) {}
+
+  std::optional<std::size_t> component_at(const JointVector& actuated) const {
+    const RoundingUpward rounding;
+    const auto length = [&](std::size_t i) { return actuated[static_cast<Eigen::Index>(struts.leg(i))]; };
+    const auto piece = plane.find({length(0), length(1)});
+    return piece ? component_of[*piece] : std::nullopt;
+  }
+};
+
+/// A pose of a slice, in the middle of a box.
+Pose pose_of(const AnchorCircle& circle, const Box& box) {
+  return circle.pose(pi * box.center(0), pi * box.center(1));
+}
+
+JointVector actuated_of(const Manipulator& manipulator, const HeldJoint& held, const Pose& pose,
+                        const WorkingMode& mode) {
+  JointVector q = inverse(manipulator, pose, mode).q;
+  q[static_cast<Eigen::Index>(held.leg)] = held.value;
+  return q;
+}
+
+class CuspsOfSlice {
+ public:
+  CuspsOfSlice(const Manipulator& manipulator, const MapSlice& slice)
+      : manipulator_(manipulator),
+        held_(*slice.joint),
+        circle_(circle_of_anchor(manipulator, held_)),
+        slice_(made_under_upward_rounding<HeldSlice>(manipulator, slice)) {}
+
+  CuspList find(const MapControl& control) const {
+    CuspList result;
+    const CuspBoxes boxes = cusp_boxes(control);
+    result.complete = !boxes.cancelled;
+    for (const CuspBox& box : boxes.cusps) add(box, result);
+    for (const CuspBox& box : boxes.undecided)
+      if (within_limits(box) != Verdict::fails) result.complete = false;
+    std::sort(result.cusps.begin(), result.cusps.end(), [](const Cusp& a, const Cusp& b) {
+      return std::lexicographical_compare(a.actuated.data(), a.actuated.data() + a.actuated.size(),
+                                          b.actuated.data(), b.actuated.data() + b.actuated.size());
+    });
+    return result;
+  }
+
+ private:
+  CuspBoxes cusp_boxes(const MapControl& control) const {
+    const RoundingUpward rounding;
+    return find_cusp_boxes(slice_, control);
+  }
+
+  Verdict within_limits(const CuspBox& cusp) const {
+    const RoundingUpward rounding;
+    return slice_.within_limits(cusp.posture, SliceTurns(ranges_of(cusp.box)));
+  }
+
+  /// Nothing where it is not known of the leg whose joint is held.
+  std::optional<WorkingMode> mode_of(const CuspBox& cusp) const {
+    const RoundingUpward rounding;
+    const int held_sign = slice_.held_sign(SliceTurns(ranges_of(cusp.box)));
+    if (held_sign == 0) return std::nullopt;
+    WorkingMode mode(manipulator_.leg_count());
+    mode.set_sign(held_.leg, held_sign);
+    for (std::size_t i = 0; i < 2; ++i) mode.set_sign(slice_.leg(i), cusp.posture[i]);
+    return mode;
+  }
+
+  void add(const CuspBox& box, CuspList& result) const {
+    const Verdict verdict = within_limits(box);
+    const auto mode = mode_of(box);
+    if (verdict == Verdict::unknown || !mode) result.complete = false;
+    if (verdict != Verdict::holds || !mode) return;
+    const Pose pose = pose_of(circle_, box.box);
+    result.cusps.push_back({actuated_of(manipulator_, held_, pose, *mode), *mode, pose,
+                            0.5 * pi * std::max(box.box.width(0), box.box.width(1))});
+  }
+
+  const Manipulator& manipulator_;
+  HeldJoint held_;
+  AnchorCircle circle_;
+  HeldSlice slice_;
+};
 
 class SliceOfStruts {
  public:
   SliceOfStruts(const Manipulator& manipulator, const MapSlice& slice)
       : manipulator_(manipulator),
         held_(*slice.joint),
+        circle_(circle_of_anchor(manipulator, held_)),
         struts_(made_under_upward_rounding<StrutSlice>(manipulator, slice)) {}
-
-  /// Fills what is known of cusps; not where it is cancelled.
-  void find_cusps(const MapControl& control, Uniqueness& result) const {
-    const CuspBoxes boxes = cusp_boxes(control);
-    result.cusps_complete = boxes.undecided.empty() && !boxes.cancelled;
-    for (const Box& box : boxes.cusps) add_cusp(box, result);
-    for (const Box& box : boxes.undecided)
-      if (within_limits(box) != Verdict::fails) result.cusps_complete = false;
-    std::sort(result.cusps.begin(), result.cusps.end(), [](const Cusp& a, const Cusp& b) {
-      return std::lexicographical_compare(a.actuated.data(), a.actuated.data() + a.actuated.size(),
-                                          b.actuated.data(), b.actuated.data() + b.actuated.size());
-    });
-  }
 
   /// Fills what is known of numbers of solutions.
   void find_regions(const MapControl& control, Uniqueness& result) const {
-    double unknown = 0.0;
-    for (const SolutionSet& set : solution_sets(control, unknown)) {
-      if (set.solutions)
-        add_component(set, result);
-      else
-        unknown += set.area;
+    const auto divided = divided_plane(control);
+    double unknown = divided->plane.unknown();
+    for (const SolutionSet& set : divided->sets) {
+      if (!set.solutions) unknown += set.area;
+      if (!set.solutions || set.solutions->empty()) continue;
+      for (const PieceIndex piece : set.pieces) divided->component_of[piece] = result.basic_components.size();
+      add_component(set, result);
     }
+    result.component_of = [divided](const JointVector& q) { return divided->component_at(q); };
     result.measure_unknown = unknown * rounded_up;
     for (SolutionRegion& region : result.regions)
       region.measure_upper = (region.measure_lower + unknown) * rounded_up;
@@ -85,12 +175,9 @@ class SliceOfStruts {
   // Sums of many areas are off by less.
   static constexpr double rounded_up = 1.0 + 1e-9, rounded_down = 1.0 - 1e-9;
 
-  std::vector<SolutionSet> solution_sets(const MapControl& control, double& unknown) const {
+  std::shared_ptr<DividedPlane> divided_plane(const MapControl& control) const {
     const RoundingUpward rounding;
-    SingularImages images(struts_);
-    ActuatedPlane plane(struts_, images, unknown_share, control);
-    unknown = plane.unknown();
-    return find_solution_sets(struts_, plane, control);
+    return std::make_shared<DividedPlane>(struts_, unknown_share, control);
   }
 
   FoundRegions basic_regions(const std::function<int(const Box&)>& aspect_of, const MapControl& control,
@@ -109,19 +196,14 @@ class SliceOfStruts {
     return map.locate(pose_of(box), working_modes(manipulator_).front()).aspect;
   }
 
-  Pose pose_of(const Box& box) const {
-    return circle_of_anchor(manipulator_, held_).pose(pi * box.center(0), pi * box.center(1));
-  }
+  Pose pose_of(const Box& box) const { return parallel_aspects::pose_of(circle_, box); }
 
   JointVector actuated_of(const Pose& pose) const {
-    JointVector q = inverse(manipulator_, pose, working_modes(manipulator_).front()).q;
-    q[static_cast<Eigen::Index>(held_.leg)] = held_.value;
-    return q;
+    return parallel_aspects::actuated_of(manipulator_, held_, pose, working_modes(manipulator_).front());
   }
 
   void add_component(const SolutionSet& set, Uniqueness& result) const {
     const std::size_t solutions = set.solutions->size();
-    if (solutions == 0) return;
     BasicComponent component;
     for (const Box& box : *set.solutions) {
       component.solutions.push_back(pose_of(box));
@@ -138,39 +220,22 @@ class SliceOfStruts {
     result.basic_components.push_back(std::move(component));
   }
 
-  CuspBoxes cusp_boxes(const MapControl& control) const {
-    const RoundingUpward rounding;
-    return find_cusp_boxes(struts_, control);
-  }
-
-  Verdict within_limits(const Box& box) const {
-    const RoundingUpward rounding;
-    const SliceTurns turns(ranges_of(box));
-    return both(struts_.within_limits(0, struts_.half_square<0>(0, turns).value()),
-                struts_.within_limits(1, struts_.half_square<0>(1, turns).value()));
-  }
-
-  void add_cusp(const Box& box, Uniqueness& result) const {
-    const Verdict verdict = within_limits(box);
-    if (verdict == Verdict::unknown) result.cusps_complete = false;
-    if (verdict != Verdict::holds) return;
-    Cusp cusp;
-    cusp.pose = pose_of(box);
-    cusp.actuated = actuated_of(cusp.pose);
-    cusp.accuracy = 0.5 * pi * std::max(box.width(0), box.width(1));
-    result.cusps.push_back(cusp);
-  }
-
   const Manipulator& manipulator_;
   HeldJoint held_;
+  AnchorCircle circle_;
   StrutSlice struts_;
 };
 
 /// What the slice has in place of the theorem.
 void look_into_slice(const Manipulator& manipulator, const MapSlice& slice, const MapControl& control,
                      Uniqueness& result) {
+  CuspList cusps = find_cusps(manipulator, slice, control);
+  result.cusps = std::move(cusps.cusps);
+  result.cusps_complete = cusps.complete;
+  result.has_regions = has_struts_alone(manipulator);
+  result.domains_complete = result.has_regions;
+  if (!result.has_regions) return;
   const SliceOfStruts struts(manipulator, slice);
-  struts.find_cusps(control, result);
   struts.find_regions(control, result);
   if (!is_cancelled(control)) struts.find_domains(control, result);
 }
@@ -183,6 +248,10 @@ void take_whole_aspects(Uniqueness& result) {
 }
 
 }  // namespace
+
+CuspList find_cusps(const Manipulator& manipulator, const MapSlice& slice, const MapControl& control) {
+  return CuspsOfSlice(manipulator, slice).find(control);
+}
 
 UniquenessResult compute_uniqueness(std::shared_ptr<const Manipulator> manipulator,
                                     const UniquenessOptions& options, const MapControl& control) {

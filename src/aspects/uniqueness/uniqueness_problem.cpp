@@ -5,6 +5,8 @@
 #include "parallel_aspects/aspects/uniqueness.h"
 #include "parallel_aspects/model/constraints.h"
 
+#include <algorithm>
+
 namespace parallel_aspects {
 namespace {
 
@@ -25,17 +27,12 @@ std::string find_slice_to_hold(const Manipulator& manipulator) {
 }
 
 std::string find_problem_in_se2(const Manipulator& manipulator, const UniquenessOptions& options) {
-  for (const Leg& leg : manipulator.legs())
-    if (leg.kind().type != LegType::strut)
-      return "Where direct solutions meet in SE2 is found for three struts, but " + in_quotes(leg.name) +
-             " of " + in_quotes(manipulator.name()) + " has an " + std::string(leg.kind().name) +
-             "; `map` and `direct` treat this robot.";
   if (!options.slice || !options.slice->joint) return find_slice_to_hold(manipulator);
   const std::string problem = find_held_joint_problem(manipulator, *options.slice->joint);
   if (!problem.empty()) return problem;
   const std::string others = other_constraints(manipulator);
   if (!others.empty())
-    return "Regions of actuated values are bounded by limits of actuated joints alone, but " +
+    return "Cusps and regions of actuated values are bounded by limits of actuated joints alone, but " +
            in_quotes(manipulator.name()) + " has " + others + "; leave these constraints out.";
   return "";
 }
@@ -54,6 +51,11 @@ bool has_one_solution_a_sign(TaskSpace space) noexcept {
       return false;
   }
   return false;
+}
+
+bool has_struts_alone(const Manipulator& manipulator) noexcept {
+  return std::all_of(manipulator.legs().begin(), manipulator.legs().end(),
+                     [](const Leg& leg) { return leg.kind().type == LegType::strut; });
 }
 
 std::string find_uniqueness_problem(const Manipulator& manipulator, const UniquenessOptions& options) {

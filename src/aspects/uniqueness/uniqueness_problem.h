@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_UNIQUENESS_PROBLEM_H
 #define PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_UNIQUENESS_PROBLEM_H
 
+#include "parallel_aspects/model/manipulator.h"
 #include "parallel_aspects/model/task_space.h"
 
 namespace parallel_aspects {
@@ -15,6 +16,9 @@ namespace parallel_aspects {
 /// other, so that det A changes its sign. Where there are more than two points, or one alone, the centers and
 /// the point are in one line or plane, and det A = 0.
 bool has_one_solution_a_sign(TaskSpace space) noexcept;
+
+/// Whether every leg is a strut.
+bool has_struts_alone(const Manipulator& manipulator) noexcept;
 
 }  // namespace parallel_aspects
 

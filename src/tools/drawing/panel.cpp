@@ -16,7 +16,7 @@ namespace {
 
 constexpr double tick_size = 9.0, axis_title_size = 10.0, caption_size = 11.0;
 constexpr Rgb frame_color = 0x444444;
-constexpr double tick_length = 4.0;
+constexpr double tick_length = 4.0, mark_radius = 3.0;
 
 // Lines are cased in white, so that they are seen on light and on dark.
 constexpr double curve_width = 1.6, level_width = 0.7, casing = 1.4;
@@ -60,6 +60,7 @@ class Panel {
     for (const auto& [level, lines] : levels) draw_cased(lines, 0x202020, level_width, "", picture);
     draw_segments(picture);
     draw_outlines(picture);
+    draw_marks(picture);
     draw_frame(picture);
     draw_labels(picture);
     for (const auto& [level, lines] : levels) name_level(number_text(level, 3), lines, picture);
@@ -142,6 +143,27 @@ class Panel {
       for (const Eigen::Vector2d& point : outline) lines.back().push_back(place(point));
     }
     draw_cased(lines, ink_color, curve_width, "largest shape", picture);
+  }
+
+  void draw_marks(Picture& picture) const {
+    for (const PanelMark& mark : contents_.marks) {
+      const PagePoint at = place(mark.at);
+      for (const auto& [radius, color] :
+           {std::pair{mark_radius + 1.0, Rgb{0xFFFFFF}}, {mark_radius, ink_color}})
+        picture.elements.emplace_back(PageArea{{dot(at, radius)}, color, ""});
+      picture.elements.emplace_back(PageText{at + PagePoint(mark_radius + 2.0, -mark_radius), Anchor::start,
+                                             caption_size, mark.label, ink_color, true, Rgb{0xFFFFFF}});
+    }
+  }
+
+  static PageLine dot(const PagePoint& middle, double radius) {
+    constexpr int corners = 16;
+    PageLine line;
+    for (int i = 0; i <= corners; ++i) {
+      const double angle = 2.0 * pi * i / corners;
+      line.push_back(middle + radius * PagePoint(std::cos(angle), std::sin(angle)));
+    }
+    return line;
   }
 
   std::map<double, std::vector<PageLine>> level_lines() const {

@@ -41,6 +41,12 @@ struct ImageLabel {
   Rgb background = 0;
 };
 
+/// A point, with what is written beside it.
+struct PanelMark {
+  Eigen::Vector2d at;  ///< in its coordinates
+  std::string label;
+};
+
 /// What is in a panel.
 struct PanelContents {
   std::string caption;
@@ -53,6 +59,7 @@ struct PanelContents {
   std::vector<ImageAxis> image_axes;
   std::vector<ImageLabel> image_labels;
   std::vector<std::vector<Eigen::Vector2d>> outlines{};  ///< lines over everything else
+  std::vector<PanelMark> marks{};                        ///< dots over these
 };
 
 /// How large a panel is without what is written around it, in a square of this side [px].

@@ -26,6 +26,7 @@ json json_component(const AspectMap& map, const Aspect& aspect) {
 
 json json_cusp(const Manipulator& robot, const Cusp& cusp) {
   return {{"actuated", json_numbers(cusp.actuated)},
+          {"working_mode", cusp.mode.signs()},
           {"pose", json_pose(robot.task_space(), cusp.pose)},
           {"proved", true},
           {"accuracy", cusp.accuracy}};
@@ -76,11 +77,14 @@ std::string components_text(const AspectMap& map) {
   return table.text();
 }
 
+bool has_modes(const Manipulator& robot) { return working_modes(robot).size() > 1; }
+
 /// A column for each actuated joint, by its name and unit.
 std::vector<std::string> cusp_titles(const Manipulator& robot) {
   std::vector<std::string> titles;
   for (const Leg& leg : robot.legs())
     titles.push_back(">" + leg.actuated_joint + " [" + joint_unit(leg) + "]");
+  if (has_modes(robot)) titles.emplace_back("working mode");
   titles.emplace_back("pose");
   return titles;
 }
@@ -95,6 +99,7 @@ std::string cusps_text(const Uniqueness& uniqueness) {
     std::vector<std::string> cells;
     for (Eigen::Index j = 0; j < cusp.actuated.size(); ++j)
       cells.push_back(fixed_number_text(cusp.actuated[j], 6));
+    if (has_modes(robot)) cells.push_back(to_string(cusp.mode));
     cells.push_back(to_string(robot.task_space(), cusp.pose));
     table.add(std::move(cells));
   }
@@ -102,7 +107,7 @@ std::string cusps_text(const Uniqueness& uniqueness) {
 }
 
 std::string regions_text(const Uniqueness& uniqueness) {
-  if (uniqueness.regions.empty()) return "";
+  if (!uniqueness.has_regions) return "";
   TextTable table({">solutions", ">area [m^2]", ">at least", ">at most"});
   for (const SolutionRegion& region : uniqueness.regions)
     table.add({std::to_string(region.solutions), shown_briefly(region.measure),
@@ -113,7 +118,7 @@ std::string regions_text(const Uniqueness& uniqueness) {
 }
 
 std::string domains_text(const Uniqueness& uniqueness) {
-  if (uniqueness.at_most_one_a_sign) return "";
+  if (!uniqueness.has_regions) return "";
   TextTable table({">domain", ">component", ">basic regions", ">actuated values [m^2], at least"});
   for (std::size_t i = 0; i < uniqueness.domains.size(); ++i) {
     const UniquenessDomain& domain = uniqueness.domains[i];
@@ -148,7 +153,7 @@ Report report_uniqueness(const Uniqueness& uniqueness) {
                  {"cusps", json::array()},
                  {"cusps_complete", uniqueness.cusps_complete},
                  {"regions", json::array()},
-                 {"measure_unknown", uniqueness.measure_unknown},
+                 {"measure_unknown", uniqueness.has_regions ? json(uniqueness.measure_unknown) : json()},
                  {"basic_components", json::array()},
                  {"basic_regions", json::array()},
                  {"uniqueness_domains_complete", uniqueness.domains_complete},

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "motion/choose/plan_around_cusp.h"
+#include "parallel_aspects/aspects/uniqueness.h"
 #include "parallel_aspects/motion/plan_path.h"
 #include "tools/arguments.h"
 #include "tools/computation.h"
 #include "tools/map_choice.h"
 #include "tools/motion_report/plan_report.h"
+#include "tools/numbers.h"
 #include "tools/output_file.h"
 #include "tools/paths/path_ends.h"
 #include "tools/paths/path_timing.h"
@@ -11,6 +14,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdlib>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -22,7 +27,7 @@ namespace {
 struct PlanArguments {
   RobotChoice robot;
   PathEndArguments from, to;
-  std::string policy, prefer;
+  std::string policy, prefer, around_cusp;
   MapChoice map;
   RoadmapArguments roadmap;
   ConstraintArguments constraints;
@@ -34,6 +39,7 @@ struct PlanQuestion {
   PathEnd from, to;
   PathWish wish;
   std::optional<JointVector> acceleration;  // limits; nothing where paths cannot be timed
+  std::optional<std::size_t> around_cusp;   // from 0
   std::optional<MapSlice> slice;
   double moved = 0.0;  // onto the slice, at most [m]
 };
@@ -57,16 +63,37 @@ PathPreference parse_preference(const std::string& text, Problems& problems) {
   return PathPreference::quick;
 }
 
+constexpr unsigned most_cusps = 10000;
+
+/// The number of a cusp, and what does not go with it.
+std::size_t parse_cusp(const PlanArguments& arguments, Problems& problems) {
+  const auto& to = arguments.to;
+  if (!to.pose.empty() || !to.mode.empty() || !to.joints.empty() || !to.aspect.empty())
+    problems.emplace_back(
+        "--around-cusp ends at the actuated values of the start; leave out what says where the path ends.");
+  if (!arguments.policy.empty() || !arguments.prefer.empty())
+    problems.emplace_back(
+        "--around-cusp stays in one aspect, on a clear path; leave out --policy and "
+        "--prefer.");
+  if (arguments.map.slice.empty())
+    problems.emplace_back(
+        "--around-cusp needs a slice that holds an actuated joint, where cusps are points; give --hold.");
+  return parse_count("--around-cusp", arguments.around_cusp, most_cusps, problems);
+}
+
 PlanQuestion parse(const PlanArguments& arguments, const Manipulator& manipulator) {
   Problems problems;
   PlanQuestion question;
   question.from = parse_path_end("--from", manipulator, arguments.from, problems);
-  question.to = parse_path_end("--to", manipulator, arguments.to, problems);
+  if (arguments.around_cusp.empty())
+    question.to = parse_path_end("--to", manipulator, arguments.to, problems);
+  else
+    question.around_cusp = parse_cusp(arguments, problems) - 1;
   question.wish.policy = parse_policy(arguments.policy, problems);
   question.wish.prefer = parse_preference(arguments.prefer, problems);
   std::vector<NamedPose> poses;  // an aspect's lie in the slice
   if (arguments.from.aspect.empty()) poses.push_back({"--from", &question.from.pose});
-  if (arguments.to.aspect.empty()) poses.push_back({"--to", &question.to.pose});
+  if (arguments.to.aspect.empty() && !question.around_cusp) poses.push_back({"--to", &question.to.pose});
   question.slice =
       parse_slice_with_ends("--hold", manipulator, arguments.map.slice, poses, question.moved, problems);
   const std::string needs_control = question.wish.prefer == PathPreference::fast ? "--prefer fast"
@@ -84,7 +111,8 @@ PlanQuestion parse(const PlanArguments& arguments, const Manipulator& manipulato
 struct Plan {
   PlannedPath path;
   PoseBetween between = pose_between;
-  ChosenMap map{};  // none over a roadmap
+  ChosenMap map{};                        // none over a roadmap
+  std::vector<int> turns_around_cusps{};  // by cusp; empty where not asked for
 };
 
 /// With what tells how long a path takes, where that counts. The certifier outlives it.
@@ -146,6 +174,34 @@ Plan plan_in_map(const std::shared_ptr<const Manipulator>& manipulator, const Pl
   return {std::move(path), between, chosen};
 }
 
+/// In one aspect of a slice, back to the actuated values of the start.
+Plan plan_around_cusp(const std::shared_ptr<const Manipulator>& manipulator, const PlanArguments& arguments,
+                      const PlanQuestion& question, const Surroundings& surroundings) {
+  UniquenessOptions options;
+  options.slice = question.slice;
+  const std::string problem = find_uniqueness_problem(*manipulator, options);
+  if (!problem.empty()) throw InvalidDescription({problem});
+  const ChosenMap chosen = choose_map(manipulator, arguments.map, question.slice, surroundings);
+  const MapControl control = control_of(surroundings);
+  const CuspList cusps = find_cusps(*manipulator, *question.slice, control);
+  if (is_cancelled(control)) throw Interrupted{};
+  if (*question.around_cusp >= cusps.cusps.size())
+    throw InvalidDescription({"--around-cusp is " + arguments.around_cusp + ", but the slice has " +
+                              counted(cusps.cusps.size(), "cusp") +
+                              "; `aspects uniqueness` lists them with their numbers."});
+  Problems problems;
+  PathEnd from = question.from;
+  place_in_aspect("--from", *chosen.map, arguments.from, from, problems);
+  if (!problems.empty()) throw InvalidDescription(std::move(problems));
+  const auto planner = std::make_shared<CuspPlanner>(chosen.map, cusps.cusps);
+  PlannedPath path = planner->plan(from, *question.around_cusp, control);
+  if (is_cancelled(control)) throw Interrupted{};
+  std::vector<int> turns = planner->turns_around_cusps(path);
+  return {std::move(path),
+          [planner](const Pose& a, const Pose& b, double t) { return planner->between(a, b, t); }, chosen,
+          std::move(turns)};
+}
+
 /// Which actuated joints arrive whole turns from the values that were asked for; empty where none does.
 std::string turned_text(const Manipulator& manipulator, const PathEnd& to, const PlannedPath& path) {
   if (!to.q || !path) return "";
@@ -159,6 +215,21 @@ std::string turned_text(const Manipulator& manipulator, const PathEnd& to, const
               ", whole turns from what --to-joints says.";
   }
   return text;
+}
+
+/// How often the actuated values go around each cusp.
+void add_cusps(const Plan& plan, const std::optional<std::size_t>& asked, Report& report) {
+  report.json["around_cusp"] = asked ? nlohmann::json(*asked + 1) : nlohmann::json();
+  report.json["turns_around_cusps"] = asked ? nlohmann::json(plan.turns_around_cusps) : nlohmann::json();
+  if (!asked || !plan.path) return;
+  report.text += "the actuated values go";
+  std::string around;
+  for (std::size_t k = 0; k < plan.turns_around_cusps.size(); ++k)
+    if (const int turns = plan.turns_around_cusps[k]; turns != 0)
+      around += (around.empty() ? "" : ",") + std::string(" around cusp ") + std::to_string(k + 1) + " " +
+                (std::abs(turns) == 1 ? "once" : counted(static_cast<std::size_t>(std::abs(turns)), "time")) +
+                (turns > 0 ? " counter-clockwise" : " clockwise");
+  report.text += around + "\n";
 }
 
 int code_of(SameAspect answer) {
@@ -207,11 +278,13 @@ Report report_of(const PlanArguments& arguments, const Surroundings& surrounding
   question.acceleration = parse_timing(arguments.timing, needed_by, arguments.robot, *manipulator, problems);
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
   const bool has_map = question.slice || manipulator->task_space() != TaskSpace::SE3;
-  Plan plan = (has_map ? plan_in_map : plan_over_roadmap)(manipulator, arguments, question, surroundings);
+  const auto plan_path = question.around_cusp ? plan_around_cusp : has_map ? plan_in_map : plan_over_roadmap;
+  Plan plan = plan_path(manipulator, arguments, question, surroundings);
   plan.path.message += turned_text(*manipulator, question.to, plan.path);
   Report report = report_path(*manipulator, plan.path, question.wish, question.slice);
   report.exit_code = code_of(plan.path.answer);
   report.json["loaded"] = nullptr;
+  add_cusps(plan, question.around_cusp, report);
   if (plan.map.map) report_source(arguments.map, plan.map, report);
   report.json["moved_onto_slice"] = question.slice ? nlohmann::json(question.moved) : nlohmann::json();
   if (question.moved > 0.0)
@@ -241,6 +314,11 @@ Subcommand plan_subcommand() {
        "least parallel index. fast: the one that takes the least time. quick: a short one that "
        "is found soonest, the default",
        &arguments->prefer});
+  options.push_back(
+      {"--around-cusp", "N",
+       "In place of an end, with --hold: around this cusp of those that `uniqueness` lists, back to the "
+       "actuated values of the start in another assembly mode of its aspect",
+       &arguments->around_cusp});
   for (const Option& option : map_choice_options(arguments->map, "--hold")) options.push_back(option);
   options.push_back({"--samples", "N", "With six degrees of freedom: poses of the roadmap, by default 1000",
                      &arguments->roadmap.samples});

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "aspects/uniqueness/uniqueness_problem.h"
 #include "parallel_aspects/aspects/uniqueness.h"
 #include "tools/arguments.h"
 #include "tools/computation.h"
+#include "tools/drawing/uniqueness_drawing.h"
 #include "tools/numbers.h"
+#include "tools/output_file.h"
+#include "tools/picture_file.h"
 #include "tools/report/uniqueness_report.h"
 #include "tools/subcommands.h"
 
 #include <memory>
+#include <string>
 #include <utility>
 
 namespace parallel_aspects::tools {
@@ -14,7 +19,7 @@ namespace {
 
 struct UniquenessArguments {
   RobotChoice robot;
-  std::string slice, resolution;  // empty where not given
+  std::string slice, resolution, picture;  // empty where not given
   ConstraintArguments constraints;
 };
 
@@ -22,15 +27,24 @@ Report report_of(const UniquenessArguments& arguments, const Surroundings& surro
   const auto mechanism = load_robot(arguments.robot);
   const auto manipulator = choose_constraints(mechanism->mapped_manipulator(), arguments.constraints);
   Problems problems;
+  check_picture_file("--picture", arguments.picture, problems);
+  check_distinct_files({{"--picture", arguments.picture}},
+                       {{"--urdf", arguments.robot.urdf_file}, {"--config", arguments.robot.config_file}},
+                       problems);
   UniquenessOptions options;
   if (!arguments.slice.empty())
     options.slice = parse_slice("--slice", *manipulator, arguments.slice, problems);
   if (!arguments.resolution.empty())
     options.resolution = parse_positive("--resolution", arguments.resolution, problems);
+  if (!arguments.picture.empty() && !has_struts_alone(*manipulator))
+    problems.push_back(
+        "--picture shows numbers of direct solutions in slices of robots with three struts, and '" +
+        manipulator->name() + "' is none; leave it out, `plot` draws its aspects.");
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
   const auto result = completed(surroundings, [&](const MapControl& control) {
     return compute_uniqueness(manipulator, options, control);
   });
+  if (!arguments.picture.empty()) write_picture_file(arguments.picture, draw_uniqueness(*result.uniqueness));
   return report_uniqueness(*result.uniqueness);
 }
 
@@ -45,6 +59,10 @@ Subcommand uniqueness_subcommand() {
                      "Longest edge of an undecided leaf of the map of aspects [m or rad]; by default what "
                      "suits the robot",
                      &arguments->resolution});
+  options.push_back({"--picture", "FILE",
+                     "Draw the poses of the slice and its actuated values, with singular curves, cusps and "
+                     "numbers of solutions, as SVG or PNG",
+                     &arguments->picture});
   for (const Option& option : constraint_options(arguments->constraints)) options.push_back(option);
   return {"uniqueness",
           "Tell which poses of an aspect have the same actuated values, and where direct solutions meet",

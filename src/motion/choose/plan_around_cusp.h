@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_MOTION_CHOOSE_PLAN_AROUND_CUSP_H
+#define PARALLEL_ASPECTS_MOTION_CHOOSE_PLAN_AROUND_CUSP_H
+
+#include "parallel_aspects/aspects/aspect_map.h"
+#include "parallel_aspects/aspects/map_control.h"
+#include "parallel_aspects/aspects/uniqueness.h"
+#include "parallel_aspects/motion/plan_path.h"
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// Plans changes of the assembly mode on purpose, in one aspect of a slice that holds an actuated joint:
+/// paths at whose end the actuated joints are back where they were at the start, and the platform is not.
+/// Every segment is proved as those of `PathPlanner` are.
+class CuspPlanner {
+ public:
+  /// The map of the slice, and its cusps, as `find_cusps` lists them.
+  CuspPlanner(std::shared_ptr<const AspectMap> map, std::vector<Cusp> cusps);
+
+  /// A path from there around the cusp with this index, to another pose of the same actuated values in the
+  /// aspect: of those that are found the one around the fewest other cusps, and then with the largest least
+  /// parallel index. `unknown` where none is found.
+  PlannedPath plan(const PathEnd& from, std::size_t cusp, const MapControl& control = {});
+
+  /// How often the actuated values of a path that brings them back go around each cusp, counter-clockwise in
+  /// the plane of the two joints that are not held; 0 for all where they are not back. Seen at 32 poses a
+  /// segment.
+  std::vector<int> turns_around_cusps(const PlannedPath& path) const;
+
+  /// The pose at t, 0 to 1, from a point of a path to the next.
+  Pose between(const Pose& from, const Pose& to, double t) const { return planner_.between(from, to, t); }
+
+ private:
+  class Search;
+
+  std::shared_ptr<const AspectMap> map_;
+  std::vector<Cusp> cusps_;
+  PathPlanner planner_;
+};
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_MOTION_CHOOSE_PLAN_AROUND_CUSP_H

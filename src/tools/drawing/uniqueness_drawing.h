@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_TOOLS_DRAWING_UNIQUENESS_DRAWING_H
+#define PARALLEL_ASPECTS_TOOLS_DRAWING_UNIQUENESS_DRAWING_H
+
+#include "parallel_aspects/aspects/uniqueness.h"
+#include "tools/drawing/page_elements.h"
+
+namespace parallel_aspects::tools {
+
+/// The plane of poses of a slice and the plane of both actuated values: the number of direct solutions in
+/// color, singular curves, and cusps as dots with their numbers in the list. For slices alone.
+Picture draw_uniqueness(const Uniqueness& uniqueness);
+
+}  // namespace parallel_aspects::tools
+
+#endif  // PARALLEL_ASPECTS_TOOLS_DRAWING_UNIQUENESS_DRAWING_H

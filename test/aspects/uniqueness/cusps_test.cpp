@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "aspects/uniqueness/cusp_search.h"
+#include "parallel_aspects/aspects/held_joint.h"
+#include "parallel_aspects/aspects/uniqueness.h"
+#include "parallel_aspects/kinematics/direct.h"
+#include "parallel_aspects/kinematics/inverse.h"
+
+#include <Eigen/Dense>
+#include <gtest/gtest.h>
+
+#include "support/random_robots.h"
+#include "support/robots.h"
+#include "support/slices.h"
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <random>
+#include <vector>
+
+namespace parallel_aspects {
+namespace {
+
+using Eigen::Matrix2d;
+using Eigen::Vector2d;
+using test::ActuationKind;
+using test::Robot;
+using test::uniform;
+
+constexpr double pi = EIGEN_PI;
+
+std::shared_ptr<const Uniqueness> uniqueness_of_slice(const Robot& robot, double held) {
+  UniquenessOptions options;
+  options.slice = test::slice_of(robot, {{robot->leg(0).actuated_joint, held}});
+  const UniquenessResult result = compute_uniqueness(robot, options);
+  EXPECT_TRUE(result) << result.message;
+  return result.uniqueness;
+}
+
+// The lengths of struts 2 and 3 at the cusps, found by Newton's method in double precision.
+TEST(Cusps, AreTheSixOfTheThreeRpr) {
+  const auto found = uniqueness_of_slice(test::three_rpr()->with_constraints({}), 14.98);
+  const std::vector<std::array<double, 2>> expected{{0.84528, 3.77792},   {13.85146, 6.26010},
+                                                    {16.02767, 29.56671}, {17.98855, 26.44618},
+                                                    {30.44913, 26.61916}, {31.27613, 16.17845}};
+  EXPECT_TRUE(found->cusps_complete);
+  ASSERT_EQ(found->cusps.size(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    EXPECT_EQ(found->cusps[i].actuated[0], 14.98);
+    EXPECT_NEAR(found->cusps[i].actuated[1], expected[i][0], 1e-5);
+    EXPECT_NEAR(found->cusps[i].actuated[2], expected[i][1], 1e-5);
+    EXPECT_LT(found->cusps[i].accuracy, 1e-9);
+  }
+  EXPECT_EQ(found->map->aspects().size(), 2U);
+}
+
+// With struts from 10 to 32 two of them are out of reach.
+TEST(Cusps, AreListedWithinLimits) {
+  const auto found = uniqueness_of_slice(test::three_rpr(), 14.98);
+  EXPECT_TRUE(found->cusps_complete);
+  EXPECT_EQ(found->cusps.size(), 4U);
+}
+
+/// A robot with one joint held where a random pose has it.
+struct Held {
+  Robot robot;
+  MapSlice slice;
+};
+
+std::optional<Held> held_at(const Robot& robot, std::size_t leg, std::mt19937_64& random) {
+  for (int tries = 0; tries < 1000; ++tries) {
+    const Pose pose =
+        Pose::planar(uniform(random, -1.0, 1.0), uniform(random, -1.0, 1.0), uniform(random, -pi, pi));
+    const auto modes = working_modes(*robot);
+    const InverseSolution found = inverse(*robot, pose, modes[random() % modes.size()]);
+    if (!found) continue;
+    const double value = found.q[static_cast<Eigen::Index>(leg)];
+    return Held{robot, test::slice_of(robot, {{robot->leg(leg).actuated_joint, value}})};
+  }
+  return std::nullopt;
+}
+
+/// Robots of every kind of leg, and one with three kinds.
+std::vector<Held> random_robots(std::mt19937_64& random, int of_each_kind) {
+  test::RandomRobots robots(static_cast<unsigned>(random()));
+  std::vector<Held> result;
+  for (int i = 0; i < of_each_kind; ++i) {
+    std::vector<Robot> next;
+    for (const ActuationKind kind : {ActuationKind::strut, ActuationKind::revolute, ActuationKind::prismatic})
+      next.push_back(robots.robot(TaskSpace::SE2, kind));
+    std::vector<Leg> legs{next[1]->leg(0), next[2]->leg(1),
+                          robots.robot(TaskSpace::SE2, ActuationKind::elbow)->leg(2)};
+    next.push_back(test::manipulator("mixed", TaskSpace::SE2, std::move(legs)));
+    for (const Robot& robot : next)
+      if (const auto held = held_at(robot, random() % 2, random)) result.push_back(*held);
+  }
+  return result;
+}
+
+/// Both free joint values over the slice in one posture, by the inverse problem.
+class SliceByInverse {
+ public:
+  SliceByInverse(const Held& held, const HeldSlice& slice, const SlicePosture& posture)
+      : robot_(*held.robot), circle_(circle_of_anchor(robot_, *held.slice.joint)), posture_(posture) {
+    for (std::size_t i = 0; i < 2; ++i) legs_[i] = &robot_.leg(slice.leg(i));
+  }
+
+  /// Not a number where a leg does not reach.
+  Vector2d values(const Vector2d& x) const {
+    const Pose pose = circle_.pose(x[0], x[1]);
+    Vector2d q;
+    for (std::size_t i = 0; i < 2; ++i) {
+      const Eigen::Vector3d anchor = pose.transform(legs_[i]->anchor);
+      q[static_cast<Eigen::Index>(i)] = squared_inverse_entry(*legs_[i], anchor) > 1e-8
+                                            ? joint_value(*legs_[i], anchor, posture_[i])
+                                            : std::nan("");
+    }
+    return q;
+  }
+
+  /// By differences of fourth order.
+  Matrix2d jacobian(const Vector2d& x) const {
+    constexpr double h = 1e-4;
+    Matrix2d result;
+    for (int k = 0; k < 2; ++k) {
+      const Vector2d step = h * Vector2d::Unit(k);
+      result.col(k) =
+          (8.0 * difference(x + step, x - step) - difference(x + 2.0 * step, x - 2.0 * step)) / (12.0 * h);
+    }
+    return result;
+  }
+
+ private:
+  Vector2d difference(const Vector2d& to, const Vector2d& from) const {
+    Vector2d result = values(to) - values(from);
+    for (std::size_t i = 0; i < 2; ++i)
+      if (legs_[i]->actuated_by_angle()) {
+        double& each = result[static_cast<Eigen::Index>(i)];
+        each = std::remainder(each, 2.0 * pi);
+      }
+    return result;
+  }
+
+  const Manipulator& robot_;
+  AnchorCircle circle_;
+  SlicePosture posture_;
+  std::array<const Leg*, 2> legs_{};
+};
+
+double distance(const Vector2d& a, const Vector2d& b) {
+  return std::hypot(std::remainder(a[0] - b[0], 2.0 * pi), std::remainder(a[1] - b[1], 2.0 * pi));
+}
+
+/// Cusps by Newton's method with differences in double precision, from many poses.
+class CuspsByNewton {
+ public:
+  explicit CuspsByNewton(const SliceByInverse& slice) : slice_(slice) {}
+
+  std::vector<Vector2d> find(std::mt19937_64& random, int starts) const {
+    std::vector<Vector2d> found;
+    for (int i = 0; i < starts; ++i) {
+      Vector2d x(uniform(random, -pi, pi), uniform(random, -pi, pi));
+      if (!converges(x)) continue;
+      const auto same = [&](const Vector2d& y) { return distance(x, y) < 1e-4; };
+      if (std::none_of(found.begin(), found.end(), same)) found.push_back(x);
+    }
+    return found;
+  }
+
+ private:
+  double determinant(const Vector2d& x) const { return slice_.jacobian(x).determinant(); }
+
+  /// det J and its slope along the kernel.
+  Vector2d functions(const Vector2d& x) const {
+    constexpr double h = 1e-3;
+    const Matrix2d jacobian = slice_.jacobian(x);
+    if (!jacobian.allFinite()) return Vector2d::Constant(std::nan(""));
+    const Eigen::JacobiSVD<Matrix2d> svd(jacobian, Eigen::ComputeFullV);
+    Vector2d k = svd.matrixV().col(1);
+    if (k[std::abs(k[0]) > std::abs(k[1]) ? 0 : 1] < 0.0) k = -k;
+    return {determinant(x), (determinant(x + h * k) - determinant(x - h * k)) / (2.0 * h)};
+  }
+
+  bool converges(Vector2d& x) const {
+    constexpr double h = 1e-4;
+    for (int step = 0; step < 40; ++step) {
+      const Vector2d f = functions(x);
+      Matrix2d slope;
+      for (int k = 0; k < 2; ++k) {
+        const Vector2d to = h * Vector2d::Unit(k);
+        slope.col(k) = (functions(x + to) - functions(x - to)) / (2.0 * h);
+      }
+      if (!slope.allFinite() || !f.allFinite()) return false;
+      const Vector2d move = slope.fullPivLu().solve(f);
+      if (!move.allFinite() || move.norm() > 1e3) return false;
+      x -= move.norm() > 0.2 ? Vector2d(0.2 * move.normalized()) : move;
+      if (move.norm() < 1e-7)
+        return slice_.jacobian(x).norm() > 1e-3 && slice_.values(x).cwiseAbs().minCoeff() > 1e-3;
+    }
+    return false;
+  }
+
+  const SliceByInverse& slice_;
+};
+
+CuspBoxes cusp_boxes(const HeldSlice& slice) {
+  const RoundingUpward rounding;
+  return find_cusp_boxes(slice, {});
+}
+
+Vector2d middle_of(const CuspBox& cusp) { return pi * Vector2d(cusp.box.center(0), cusp.box.center(1)); }
+
+// Of random robots with legs of every kind, each cusp that Newton's method finds is one of those that are
+// proved.
+TEST(Cusps, AreAllThatNewtonsMethodFinds) {
+  std::mt19937_64 random(3);
+  std::size_t complete = 0, matched = 0, listed = 0;
+  const std::vector<Held> all = random_robots(random, 4);
+  for (const Held& held : all) {
+    const auto slice = made_under_upward_rounding<HeldSlice>(*held.robot, held.slice);
+    const CuspBoxes boxes = cusp_boxes(slice);
+    complete += boxes.undecided.empty() ? 1 : 0;
+    listed += boxes.cusps.size();
+    for (const SlicePosture& posture : slice.postures()) {
+      const SliceByInverse by_inverse(held, slice, posture);
+      for (const Vector2d& x : CuspsByNewton(by_inverse).find(random, 60)) {
+        const auto near = [&](const CuspBox& cusp) {
+          return cusp.posture == posture && distance(middle_of(cusp), x) < 1e-4;
+        };
+        const bool is_listed = std::any_of(boxes.cusps.begin(), boxes.cusps.end(), near);
+        EXPECT_TRUE(is_listed || !boxes.undecided.empty())
+            << held.robot->name() << ", " << to_string(held.slice) << ": " << x.transpose();
+        if (is_listed) ++matched;
+      }
+    }
+  }
+  EXPECT_EQ(complete, all.size());
+  EXPECT_GT(2 * matched, listed);
+}
+
+// The joint values move over the slice by g_x / B_jj.
+TEST(HeldSlice, HasTheJointValuesOfTheInverseProblem) {
+  std::mt19937_64 random(5);
+  int compared = 0;
+  for (const Held& held : random_robots(random, 10)) {
+    const auto slice = made_under_upward_rounding<HeldSlice>(*held.robot, held.slice);
+    for (const SlicePosture& posture : slice.postures()) {
+      const SliceByInverse by_inverse(held, slice, posture);
+      const Vector2d x(uniform(random, -pi, pi), uniform(random, -pi, pi));
+      const Matrix2d expected = by_inverse.jacobian(x);
+      if (!expected.allFinite()) continue;
+      const RoundingUpward rounding;
+      const SliceTurns at(std::array<double, 2>{x[0] / pi, x[1] / pi});
+      for (std::size_t i = 0; i < 2; ++i) {
+        if (!held.robot->leg(slice.leg(i)).kind().moves_proximal_point) continue;
+        const auto leg = slice.leg_over(i, posture[i], at);
+        ASSERT_TRUE(leg);
+        const Jet<1> g = slice.equation<1>(i, *leg, at);
+        const auto row = static_cast<Eigen::Index>(i);
+        EXPECT_NEAR(slice.slope<1>(i, *leg, at).value().lower(), -leg->entry.lower(), 1e-9);
+        EXPECT_NEAR(g.at(1, 0).lower() / leg->entry.lower(), expected(row, 0), 1e-5 * expected.norm());
+        EXPECT_NEAR(g.at(0, 1).lower() / leg->entry.lower(), expected(row, 1), 1e-5 * expected.norm());
+        ++compared;
+      }
+    }
+  }
+  EXPECT_GT(compared, 30);
+}
+
+/// The most direct solutions near a pose, for actuated values about those of a cusp.
+std::size_t most_solutions_beside(const Held& held, const Cusp& cusp, double radius) {
+  const Manipulator& robot = *held.robot;
+  const AnchorCircle circle = circle_of_anchor(robot, *held.slice.joint);
+  const auto point = [&](const Pose& pose) {
+    const Vector2d rod = circle.rod(pose);
+    return Vector2d(std::atan2(rod.y(), rod.x()),
+                    2.0 * std::atan2(pose.orientation.z(), pose.orientation.w()));
+  };
+  const std::size_t leg = held.slice.joint->leg;
+  const auto first = static_cast<Eigen::Index>(leg == 0 ? 1 : 0),
+             second = static_cast<Eigen::Index>(leg == 2 ? 1 : 2);
+  std::size_t most = 0;
+  for (int i = 0; i < 1800 && most < 3; ++i) {
+    JointVector q = cusp.actuated;
+    q[first] += radius * std::cos(pi * i / 900.0);
+    q[second] += radius * std::sin(pi * i / 900.0);
+    std::size_t near = 0;
+    for (const AssemblyMode& mode : direct(robot, q).solutions)
+      if (distance(point(mode.pose), point(cusp.pose)) < 0.3) ++near;
+    most = std::max(most, near);
+  }
+  return most;
+}
+
+// By the direct solver; another solution may be near by.
+TEST(Cusps, HaveThreeSolutionsBesideThem) {
+  std::mt19937_64 random(6);
+  std::vector<Held> all = random_robots(random, 1);
+  const Robot struts = test::three_rpr()->with_constraints({});
+  all.push_back({struts, test::slice_of(struts, {{struts->leg(0).actuated_joint, 14.98}})});
+  std::size_t looked_at = 0;
+  for (const Held& held : all) {
+    const CuspList found = find_cusps(*held.robot, held.slice);
+    EXPECT_TRUE(found.complete);
+    for (std::size_t i = 0; i < found.cusps.size(); i += 1 + found.cusps.size() / 3, ++looked_at)
+      EXPECT_GE(std::max(most_solutions_beside(held, found.cusps[i], 1e-3),
+                         most_solutions_beside(held, found.cusps[i], 1e-2)),
+                3U)
+          << held.robot->name() << ": " << found.cusps[i].actuated.transpose();
+  }
+  EXPECT_GT(looked_at, 5U);
+}
+
+}  // namespace
+}  // namespace parallel_aspects
