@@ -36,7 +36,8 @@ Report report_of(const UniquenessArguments& arguments, const Surroundings& surro
     options.slice = parse_slice("--slice", *manipulator, arguments.slice, problems);
   if (!arguments.resolution.empty())
     options.resolution = parse_positive("--resolution", arguments.resolution, problems);
-  if (!arguments.picture.empty() && !has_struts_alone(*manipulator))
+  const bool has_numbers = manipulator->task_space() == TaskSpace::SE2 && has_struts_alone(*manipulator);
+  if (!arguments.picture.empty() && !has_numbers)
     problems.push_back(
         "--picture shows numbers of direct solutions in slices of robots with three struts, and '" +
         manipulator->name() + "' is none; leave it out, `plot` draws its aspects.");
