@@ -4,7 +4,7 @@
 #include "aspects/map/map_contents.h"
 #include "aspects/map/map_location.h"
 #include "aspects/roadmap/path_search.h"
-#include "motion/plan/lead_in.h"
+#include "motion/plan/end_aspects.h"
 
 #include <algorithm>
 #include <utility>
@@ -42,12 +42,14 @@ std::vector<Pose> AspectPaths::find(int aspect, const Pose& from, const Pose& to
       shape.is_wide ? std::min(index_at(robot, from, in.mode), index_at(robot, to, in.mode)) : 0.0;
   if (segments.is_free(from, to) &&
       (!shape.is_wide || least_index_along({from, to}, segments) >= shape.kept_share * wanted))
-    return with_short_turns({from, to}, segments);
+    if (std::vector<Pose> straight = with_short_turns({from, to}, segments); !straight.empty())
+      return straight;
   const std::vector<Pose> path =
       shape.is_wide ? find_wide(in, from, to, wanted) : find_any(in, from, to, wanted);
   if (path.empty()) return path;
   const double kept = shape.is_wide ? shape.kept_share * least_index_along(path, segments) : 0.0;
-  return with_short_turns(shortened(path, segments, kept), segments);
+  std::vector<Pose> best = with_short_turns(shortened(path, segments, kept), segments);
+  return best.empty() ? with_short_turns(path, segments) : best;
 }
 
 std::vector<Pose> AspectPaths::find_any(const Aspect& aspect, const Pose& from, const Pose& to,

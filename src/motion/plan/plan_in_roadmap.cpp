@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/constraints/serial_margin.h"
+#include "motion/plan/end_aspects.h"
 #include "motion/plan/path_builder.h"
 #include "motion/plan/path_choice.h"
 #include "motion/plan/path_shape.h"
@@ -9,6 +10,7 @@
 #include "parallel_aspects/motion/plan_path.h"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -38,6 +40,7 @@ class RoadmapPlanner {
       if (!is_finite(end->pose))
         return without_path(SameAspect::unknown, std::string("The pose of the ") +
                                                      (end == &from ? "start" : "goal") + " is not finite.");
+    if (std::optional<PlannedPath> none = excluded_end(roadmap_.certifier(), from, to)) return *none;
     PlannedPath found = stay(from, to);
     if (found || wish_.policy == PathPolicy::stay) return found;
     if (has_serial_margin(robot_)) {
@@ -45,7 +48,11 @@ class RoadmapPlanner {
       return found;
     }
     const SignedEnd starts = signed_end(from), goals = signed_end(to);
-    if (starts.found.empty() || goals.found.empty()) return not_in_aspect(starts, goals);
+    if (starts.found.empty() || goals.found.empty())
+      return without_path(SameAspect::unknown, std::string("The ") +
+                                                   (starts.found.empty() ? "start" : "goal") +
+                                                   " is too close to a singularity or a limit to be "
+                                                   "determined.");
     return pass_gates(starts, goals);
   }
 
@@ -131,17 +138,6 @@ class RoadmapPlanner {
         result.all_known = result.all_known && proof.proved_violation != Violation::none;
     }
     return result;
-  }
-
-  static PlannedPath not_in_aspect(const SignedEnd& starts, const SignedEnd& goals) {
-    const bool start_fails = starts.found.empty();
-    const SignedEnd& failing = start_fails ? starts : goals;
-    const std::string which = start_fails ? "start" : "goal";
-    return failing.all_known
-               ? without_path(SameAspect::no, "Proved: no aspect holds the " + which + ".")
-               : without_path(SameAspect::unknown, "The " + which +
-                                                       " is too close to a singularity or a limit to be "
-                                                       "determined.");
   }
 
   struct ModePair {

@@ -4,15 +4,13 @@
 #include "aspects/constraints/serial_margin.h"
 #include "aspects/map/map_contents.h"
 #include "aspects/map/map_location.h"
-#include "aspects/roadmap/violation_text.h"
 #include "motion/plan/aspect_paths.h"
+#include "motion/plan/end_aspects.h"
 #include "motion/plan/gate_route.h"
-#include "motion/plan/lead_in.h"
 #include "motion/plan/leaf_path.h"
 #include "motion/plan/path_builder.h"
 #include "motion/plan/path_choice.h"
 #include "motion/plan/unresolved_text.h"
-#include "parallel_aspects/aspects/held_joint.h"
 
 #include <algorithm>
 #include <map>
@@ -25,85 +23,13 @@ namespace {
 
 constexpr int max_routes = 10;  // that are followed, of which a part is not found
 
-/// The aspects that hold an end, and what is known of the working modes in which none is found.
-struct EndAspects {
-  std::vector<PoseInAspect> found;
-  bool all_known = true;          // of every other mode it is proved that no aspect holds the end
-  std::set<std::string> reasons;  // of these
-};
-
 PlannedPath not_in_aspect(const std::string& which, const EndAspects& end) {
-  std::string text;
-  for (const std::string& reason : end.reasons) text += (text.empty() ? "" : "; ") + reason;
   return without_path(end.all_known ? SameAspect::no : SameAspect::unknown,
-                      "No aspect of the map holds the " + which + ": " + text + ".");
+                      "No aspect of the map holds the " + which + ": " + end.reasons.text() + ".");
 }
 
 const Aspect& aspect_of(const AspectMap& map, int id) {
   return map.aspects()[static_cast<std::size_t>(id - 1)];
-}
-
-bool is_in_slice(const AspectMap& map, const Pose& pose) {
-  const PoseSpace& space = map.contents().tree.space();
-  const Pose nearest = space.pose(space.position(pose));
-  return distance_between(*map.manipulator(), pose, nearest) < held_joint_tolerance;
-}
-
-/// What is known of an end in a working mode in which no aspect is found to hold it.
-void explain(const AspectMap& map, const SegmentCertifier& certifier, const PoseInMode& at,
-             LocationStatus status, EndAspects& end) {
-  const ConfigurationProof proof = certifier.prove(at.pose, at.mode);
-  const bool is_proved = proof.proved_violation != Violation::none;
-  end.all_known = end.all_known && is_proved;
-  if (is_proved)
-    end.reasons.insert(violation_text(*map.manipulator(), at, proof));
-  else if (!mode_index(map.contents(), at.mode))
-    end.reasons.insert("the working mode " + to_string(at.mode) + " is not mapped");
-  else if (status == LocationStatus::not_mapped)
-    end.reasons.insert("it lies outside the region of the map");
-  else
-    end.reasons.insert("in " + to_string(at.mode) +
-                       " it is closer to a singularity or a limit than the map can tell");
-}
-
-/// Where the map itself cannot tell, a proved path into an aspect does.
-PoseInAspect find_lead(const AspectMap& map, const MapSegments& segments, const PoseInMode& at) {
-  const int sign = segments.certifier().prove(at.pose, at.mode).sign;
-  if (sign == 0) return {};
-  LeadIn lead = find_lead_in(map, segments, at.pose, at.mode, sign);
-  if (lead.aspect == 0) return {};
-  const Pose last = lead.poses.back();
-  return {last, lead.aspect, std::move(lead.poses)};
-}
-
-EndAspects find_aspects(const AspectMap& map, const MapSegments& segments, const PathEnd& end) {
-  EndAspects result;
-  if (!is_finite(end.pose)) {
-    result.all_known = false;
-    result.reasons.insert("its pose is not finite");
-    return result;
-  }
-  if (!is_in_slice(map, end.pose)) {
-    result.all_known = false;
-    result.reasons.insert("it does not lie in the slice");
-    return result;
-  }
-  for (const WorkingMode& mode : working_modes(*map.manipulator())) {
-    if (end.mode && mode != *end.mode) continue;
-    const Location location = map.locate(end.pose, mode);
-    if (location) {
-      result.found.push_back({end.pose, location.aspect});
-      continue;
-    }
-    const PoseInAspect led = location.status == LocationStatus::undecided
-                                 ? find_lead(map, segments, {end.pose, mode})
-                                 : PoseInAspect{};
-    if (led.aspect != 0)
-      result.found.push_back(led);
-    else
-      explain(map, segments.certifier(), {end.pose, mode}, location.status, result);
-  }
-  return result;
 }
 
 /// Whether some pair of ends fulfils a condition on two aspects.
@@ -222,7 +148,7 @@ class PathPlanner::Search {
     return one.determinant_sign != other.determinant_sign
                ? in_mode + " the sign of det A differs"
                : in_mode + " the map proves aspects " + std::to_string(one.id) + " and " +
-                     std::to_string(other.id) + " apart" + within_slice();
+                     std::to_string(other.id) + " apart within its region" + within_slice();
   }
 
   PlannedPath pass_gates(const EndAspects& starts, const EndAspects& goals, PathPolicy policy) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "motion/choose/plan_around_cusp.h"
+#include "motion/plan/end_aspects.h"
 #include "parallel_aspects/aspects/uniqueness.h"
 #include "parallel_aspects/motion/plan_path.h"
 #include "tools/arguments.h"
@@ -143,6 +144,7 @@ Plan plan_over_roadmap(const std::shared_ptr<const Manipulator>& manipulator, co
   for (const std::optional<WorkingMode>& mode : {question.from.mode, question.to.mode})
     if (mode && std::find(options.modes.begin(), options.modes.end(), *mode) == options.modes.end())
       options.modes.push_back(*mode);
+  if (auto none = excluded_end(SegmentCertifier(manipulator), question.from, question.to)) return {*none};
   const auto roadmap = compute_roadmap(manipulator, options, surroundings);
   const MapControl control = control_of(surroundings);
   PlannedPath path = plan_in_roadmap(*roadmap, question.from, question.to,
@@ -156,6 +158,10 @@ Plan plan_in_map(const std::shared_ptr<const Manipulator>& manipulator, const Pl
   if (!arguments.roadmap.samples.empty() || !arguments.roadmap.seed.empty())
     throw InvalidDescription(
         {"--samples and --seed are for roadmaps, in SE3 without --hold; leave them out."});
+  const SegmentCertifier certifier(manipulator);
+  const bool has_aspect = !arguments.from.aspect.empty() || !arguments.to.aspect.empty();
+  if (!has_aspect && arguments.map.save_file.empty())
+    if (auto none = excluded_end(certifier, question.from, question.to)) return {*none};
   const ChosenMap chosen = choose_map(manipulator, arguments.map, question.slice, surroundings);
   const auto& map = chosen.map;
   Problems problems;
@@ -168,7 +174,6 @@ Plan plan_in_map(const std::shared_ptr<const Manipulator>& manipulator, const Pl
     return planner->between(a, b, t);
   };
   const MapControl control = control_of(surroundings);
-  const SegmentCertifier certifier(manipulator);
   PlannedPath path = planner->plan(from, to, wish_of(question, certifier, between, control), control);
   if (is_cancelled(control)) throw Interrupted{};
   return {std::move(path), between, chosen};

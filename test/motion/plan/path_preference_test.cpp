@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Short, clear and fast paths between the same random ends.
+#include "motion/plan/path_builder.h"
+#include "motion/plan/path_choice.h"
 #include "parallel_aspects/aspects/basins.h"
 #include "parallel_aspects/motion/plan_path.h"
 #include "parallel_aspects/motion/time_path.h"
@@ -105,6 +107,62 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"three_rrr", test::three_rrr(), 1.0, 20, PathPolicy::stay, true},
                     Case{"delta", test::delta(), 0.3, 20, PathPolicy::stay, false}),
     [](const auto& each) { return std::string(each.param.name); });
+
+PlannedPath path_through(const Robot& robot, const std::vector<Pose>& poses) {
+  PathBuilder builder(*robot, pose_between);
+  builder.go(poses, working_modes(*robot).front());
+  return builder.take("");
+}
+
+// Points on the straight way do not make a path longer; a detour does, and so does the long way round.
+TEST(PathPreference, KnowsPathsThanWhichNoneIsShorter) {
+  const Robot robot = test::three_rpr();
+  const Pose from = Pose::planar(14.0, -3.0, 2.1), to = Pose::planar(-5.0, -14.0, -0.9);
+  const auto on_the_way = [&](double t) { return pose_between(from, to, t); };
+  EXPECT_TRUE(is_straight(path_through(robot, {from, to})));
+  EXPECT_TRUE(is_straight(path_through(robot, {from, on_the_way(0.2), on_the_way(0.5), to})));
+  Pose beside = on_the_way(0.5);
+  beside.position.y() += 0.1;
+  EXPECT_FALSE(is_straight(path_through(robot, {from, beside, to})));
+  EXPECT_FALSE(is_straight(path_through(robot, {from, Pose::planar(4.5, -8.5, 2.6), to})));
+  const Pose half = Pose::planar(4.5, -8.5, 0.6 + EIGEN_PI);
+  EXPECT_FALSE(is_straight(path_through(robot, {from, half, to})));
+  EXPECT_FALSE(is_straight(PlannedPath()));
+  PlannedPath crossed = path_through(robot, {from, to});
+  crossed.crossings.emplace_back();
+  EXPECT_FALSE(is_straight(crossed));
+}
+
+// About half a turn, rounding would decide which way round a segment goes.
+TEST(PathPreference, LeavesNoSegmentThatTurnsByMoreThanAQuarter) {
+  MapOptions options;
+  options.resolution = 1.5;
+  const auto map = test::map_of(test::three_rpr(), options);
+  PathPlanner planner(map);
+  int divided = 0;
+  for (unsigned i = 0; i < (test::is_sanitized ? 20U : 200U); ++i) {
+    SCOPED_TRACE("pair " + std::to_string(i));
+    std::mt19937_64 random(i);
+    const Aspect& aspect = test::random_aspect(*map, random);
+    const PathEnd from = test::random_path_end(*map, aspect, random),
+                  to = test::random_path_end(*map, aspect, random);
+    for (const PathPreference prefer : {PathPreference::quick, PathPreference::clear}) {
+      const PlannedPath path = planner.plan(from, to, {PathPolicy::stay, prefer, {}});
+      if (!path) continue;
+      double turned = 0.0;
+      for (std::size_t k = 0; k + 1 < path.points.size(); ++k) {
+        const double turn =
+            path.points[k].pose.orientation.angularDistance(path.points[k + 1].pose.orientation);
+        EXPECT_LE(turn, 0.5 * EIGEN_PI * (1.0 + 1e-9));
+        turned += turn;
+      }
+      EXPECT_NEAR(path.turned, turned, 1e-9);
+      EXPECT_EQ(test::contradictions(*map->manipulator(), path, 500), 0);
+      divided += path.points.size() > 2 && is_straight(path) ? 1 : 0;
+    }
+  }
+  EXPECT_GT(divided, 0);
+}
 
 }  // namespace
 }  // namespace parallel_aspects

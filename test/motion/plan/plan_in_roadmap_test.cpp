@@ -175,6 +175,47 @@ TEST(PlanInRoadmap, HasClearAndShortPaths) {
   EXPECT_LE(length_of_short, length_of_clear);
 }
 
+// About half a turn, rounding would decide which way round a segment goes.
+TEST(PlanInRoadmap, LeavesNoSegmentThatTurnsByMoreThanAQuarter) {
+  ManipulatorDescription description = test::shipped("stewart")->mapped_manipulator()->description();
+  for (Leg& leg : description.legs) leg.limits = JointLimits{0.1, 10.0};
+  const Robot robot = std::make_shared<const Manipulator>(description);
+  const auto roadmap = roadmap_of(robot, {}, 40);
+  ASSERT_TRUE(roadmap);
+  const WorkingMode mode = working_modes(*robot).front();
+  test::PosePairs random(robot, 4);
+  int divided = 0;
+  for (int i = 0; i < (test::is_sanitized ? 10 : 200); ++i) {
+    SCOPED_TRACE("pair " + std::to_string(i));
+    const Pose from = random.reached(mode).value(), to = random.reached(mode).value();
+    if (from.orientation.angularDistance(to.orientation) < 0.5 * EIGEN_PI ||
+        roadmap->certifier().prove(from, to, mode).verdict != SegmentVerdict::free)
+      continue;
+    const PlannedPath path = plan_in_roadmap(*roadmap, {from, mode}, {to, mode});
+    ASSERT_TRUE(path) << path.message;
+    EXPECT_EQ(path.points.size(), 3U);
+    for (std::size_t k = 0; k + 1 < path.points.size(); ++k)
+      EXPECT_LE(path.points[k].pose.orientation.angularDistance(path.points[k + 1].pose.orientation),
+                0.5 * EIGEN_PI * (1.0 + 1e-9));
+    EXPECT_NEAR(path.turned, from.orientation.angularDistance(to.orientation), 1e-9);
+    EXPECT_EQ(test::contradictions(*robot, path, 2000), 0);
+    ++divided;
+  }
+  std::printf("%d segments are divided\n", divided);
+  EXPECT_GT(divided, test::is_sanitized ? -1 : 0);
+}
+
+TEST(PlanInRoadmap, NamesWhatKeepsAnEndOut) {
+  const Robot robot = test::shipped("stewart")->mapped_manipulator();
+  const auto roadmap = roadmap_of(robot, {}, 10);
+  Pose far;
+  far.position = {9.0, 0.0, 1.3};
+  const PlannedPath path = plan_in_roadmap(*roadmap, {Pose(), {}}, {far, {}});
+  EXPECT_EQ(path.answer, SameAspect::no);
+  EXPECT_NE(path.message.find("no aspect holds the start: the actuated joint of leg"), std::string::npos)
+      << path.message;
+}
+
 TEST(PlanInRoadmap, EndsWhereItIsCancelled) {
   const Robot robot = test::shipped("six_pus")->mapped_manipulator();
   test::PosePairs random(robot, 4);
