@@ -44,7 +44,7 @@ QString text(const std::string& words) { return QString::fromStdString(words); }
 
 }  // namespace
 
-AspectsDisplay::AspectsDisplay() {
+AspectsDisplay::AspectsDisplay() : listeners_(section_mouse()) {
   node_ = new rviz::StringProperty("Node", "aspect_node", "Name of the aspect_node whose map is drawn.", this,
                                    SLOT(follow_node()));
   shown_ = new rviz::EnumProperty("Shown", "Present working mode",
@@ -103,10 +103,7 @@ AspectsDisplay::AspectsDisplay() {
 
 AspectsDisplay::~AspectsDisplay() { stop(); }
 
-void AspectsDisplay::onInitialize() {
-  mouse_ = section_mouse();
-  setStatus(Level::Warn, "Node", "Not looked for yet.");
-}
+void AspectsDisplay::onInitialize() { setStatus(Level::Warn, "Node", "Not looked for yet."); }
 
 void AspectsDisplay::onEnable() { follow_node(); }
 
@@ -131,6 +128,8 @@ void AspectsDisplay::stop() {
   asked_.reset();
   asked_at_.reset();
   volume_at_.reset();
+  selected_ = 0;
+  deleteStatus("Selected");
   news_ = {};
   maps_ = starts_ = robots_ = 0;
 }
@@ -250,12 +249,13 @@ void AspectsDisplay::take_picture(const PictureThread::Result& result) {
       picture_.reset();
       points_.clear();
       mode_.reset();
+      selected_ = 0;
+      deleteStatus("Selected");
     }
   }
   if (!map_ || !result.picture || result.picture == picture_) return;
   picture_ = result.picture;
-  drawn_ = std::make_unique<DrawnPicture>(*picture_, look(), context_, scene_node_,
-                                          picture_->is_cut ? &mouse_ : nullptr);
+  drawn_ = std::make_unique<DrawnPicture>(*picture_, look(), context_, scene_node_, listeners_);
   context_->queueRender();
 }
 
@@ -339,7 +339,7 @@ void AspectsDisplay::place() {
   points_.show(*picture_, robot, placement_, shown, {scene_manager_, scene_node_});
 }
 
-// Faces of a section are dragged across, and stay where they are left.
+// Faces of a section are dragged across, and stay where they are left; a click on any surface selects.
 SurfaceMouse AspectsDisplay::section_mouse() {
   SurfaceMouse mouse;
   mouse.taken = [this] {
@@ -371,6 +371,8 @@ void AspectsDisplay::select(int aspect) {
   setStatus(Level::Ok, "Selected",
             text("Aspect " + std::to_string(aspect) + ", " + branch_text(found.mode, found.determinant_sign) +
                  ", " + number_text(found.measure, 4) + " " + map_->map->unit()));
+  selected_ = aspect;
+  change_look();
   link_->select(aspect);
 }
 
@@ -379,6 +381,7 @@ Look AspectsDisplay::look() const {
   look.opacity = opacity_->getFloat();
   look.present_opacity = present_opacity_->getFloat();
   look.present = asked_ ? asked_->aspect : 0;
+  look.selected = selected_;
   look.ids = ids_->getBool();
   look.legend = legend_->getBool();
   return look;

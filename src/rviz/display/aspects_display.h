@@ -76,7 +76,8 @@ class AspectsDisplay : public rviz::Display {
   std::vector<std::pair<Pose, WorkingMode>> candidates_;  // while it is not
   std::set<int> candidate_ids_;
   Eigen::Vector3d placement_ = Eigen::Vector3d::Zero();
-  SurfaceMouse mouse_;
+  SurfaceListeners listeners_;
+  int selected_ = 0;                        // id of the aspect that was clicked
   double taken_offset_ = 0.0;               // of the section when it was taken
   std::optional<Pose> volume_at_;           // that the last volume was asked for
   std::optional<WorkingMode> volume_mode_;  // likewise

@@ -36,6 +36,7 @@ struct Label {
   std::uint32_t color = 0;
   Eigen::Vector3f at = Eigen::Vector3f::Zero();
   double share = 1.0;  ///< of the usual height
+  int aspect = 0;      ///< id of the aspect that it names; 0 for other words
 };
 
 /// What is drawn together.

@@ -12,6 +12,8 @@ namespace {
 // Over the size of the robot.
 constexpr double id_height = 0.045, legend_height = 0.022, line_width = 0.004, outline_width = 0.008;
 
+constexpr double selected_height = 1.6;  // over that of ids that are not
+
 constexpr float own_light = 0.45F;  // of a body: share of its colour that no shadow takes
 
 float channel(std::uint32_t color, unsigned shift) {
@@ -40,10 +42,10 @@ void light(rviz::MeshShape& shape, std::uint32_t color, float opacity, bool is_f
 }  // namespace
 
 DrawnPicture::DrawnPicture(const SurfacePicture& picture, const Look& look, rviz::DisplayContext* context,
-                           Ogre::SceneNode* parent, const SurfaceMouse* mouse)
+                           Ogre::SceneNode* parent, SurfaceListeners& listeners)
     : context_(context),
       scene_(context->getSceneManager()),
-      mouse_(mouse),
+      listeners_(listeners),
       standing_(parent->createChildSceneNode()),
       moving_(standing_->createChildSceneNode()) {
   add(picture.moving, moving_, picture.size, picture.is_cut);
@@ -80,8 +82,7 @@ void DrawnPicture::add(const ColoredMesh& mesh, Ogre::SceneNode* node, bool is_c
     shape->addVertex(ogre_vector(mesh.points[i]), ogre_vector(mesh.normals[i]));
   for (const auto& triangle : mesh.triangles) shape->addTriangle(triangle[0], triangle[1], triangle[2]);
   shape->endTriangles();
-  if (is_cut && mesh.is_flat && mouse_ != nullptr)
-    handles_.emplace_back(mesh.aspect, shape->getRootNode(), *mouse_, context_);
+  handles_.emplace_back(listeners_.of(mesh.aspect, is_cut && mesh.is_flat), shape->getRootNode(), context_);
   meshes_.push_back({std::move(shape), mesh.aspect, mesh.color, mesh.is_flat, is_cut});
 }
 
@@ -108,7 +109,8 @@ void DrawnPicture::add_text(const Label& label, Ogre::SceneNode* parent, double 
   text->showOnTop(true);
   Ogre::SceneNode* const node = parent->createChildSceneNode(ogre_vector(label.at));
   node->attachObject(text.get());
-  texts_.push_back({std::move(text), node, is_legend});
+  if (label.aspect != 0) handles_.emplace_back(listeners_.of(label.aspect, false), node, context_);
+  texts_.push_back({std::move(text), node, label.aspect, height, is_legend});
 }
 
 void DrawnPicture::set_look(const Look& look) {
@@ -120,7 +122,11 @@ void DrawnPicture::set_look(const Look& look) {
                          static_cast<float>(opacity));
     light(*mesh.shape, mesh.color, static_cast<float>(opacity), mesh.is_flat);
   }
-  for (const Text& text : texts_) text.node->setVisible(text.is_legend ? look.legend : look.ids);
+  for (const Text& text : texts_) {
+    text.node->setVisible(text.is_legend ? look.legend : look.ids);
+    const bool is_selected = text.aspect != 0 && text.aspect == look.selected;
+    text.text->setCharacterHeight(static_cast<float>((is_selected ? selected_height : 1.0) * text.height));
+  }
 }
 
 void DrawnPicture::set_placement(const Ogre::Vector3& placement) { moving_->setPosition(placement); }

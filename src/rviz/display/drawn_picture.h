@@ -22,6 +22,7 @@ struct Look {
   double opacity = 0.6;          ///< of the aspects that the robot is not in
   double present_opacity = 0.9;  ///< of the one that it is in
   int present = 0;               ///< its id; 0 where it is not known
+  int selected = 0;              ///< id of the one that was clicked, whose id is larger; 0 for none
   bool ids = true;               ///< whether ids are written
   bool legend = true;
 };
@@ -29,9 +30,8 @@ struct Look {
 /// A picture as shapes of rviz below one node of its scene. Make and destroy it in rviz's own thread.
 class DrawnPicture {
  public:
-  /// `mouse`: what is done with faces of a section; may be null.
   DrawnPicture(const SurfacePicture& picture, const Look& look, rviz::DisplayContext* context,
-               Ogre::SceneNode* parent, const SurfaceMouse* mouse);
+               Ogre::SceneNode* parent, SurfaceListeners& listeners);
   ~DrawnPicture();
   DrawnPicture(const DrawnPicture&) = delete;
   DrawnPicture& operator=(const DrawnPicture&) = delete;
@@ -51,6 +51,8 @@ class DrawnPicture {
   struct Text {
     std::unique_ptr<rviz::MovableText> text;
     Ogre::SceneNode* node;
+    int aspect;
+    double height;  // while it is not selected [m]
     bool is_legend;
   };
 
@@ -61,7 +63,7 @@ class DrawnPicture {
 
   rviz::DisplayContext* context_;
   Ogre::SceneManager* scene_;
-  const SurfaceMouse* mouse_;
+  SurfaceListeners& listeners_;
   Ogre::SceneNode *standing_, *moving_;
   std::vector<Mesh> meshes_;
   std::vector<std::unique_ptr<rviz::BillboardLine>> lines_;

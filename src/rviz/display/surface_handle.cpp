@@ -40,28 +40,68 @@ bool nearest_on_line(const Ogre::Ray& ray, const Ogre::Vector3& along, float& di
   return true;
 }
 
+// What is no button of the mouse for us goes to the view, as beside the surface.
+void pass_on(rviz::ViewportMouseEvent& event) {
+  if (event.panel != nullptr && event.panel->getViewController() != nullptr)
+    event.panel->getViewController()->handleMouseEvent(event);
+}
+
+/// Hears clicks; what is dragged is the view.
 class Listener : public rviz::InteractiveObject {
  public:
-  Listener(int aspect, SurfaceMouse mouse) : aspect_(aspect), mouse_(std::move(mouse)) {}
+  Listener(int aspect, const SurfaceMouse& mouse, Qt::CursorShape cursor)
+      : mouse_(mouse), aspect_(aspect), cursor_(cursor) {}
 
   bool isInteractive() override { return true; }
   void enableInteraction(bool) override {}
   const QCursor& getCursor() const override { return cursor_; }
 
   void handleMouseEvent(rviz::ViewportMouseEvent& event) override {
+    if (event.leftDown()) {
+      is_held_ = true;
+      has_moved_ = false;
+      x_ = event.x;
+      y_ = event.y;
+    }
+    has_moved_ = has_moved_ || std::abs(event.x - x_) > still || std::abs(event.y - y_) > still;
+    act(event);
+    if (!is_held_ || !event.leftUp()) return;
+    is_held_ = false;
+    if (!has_moved_) mouse_.clicked(aspect_);
+  }
+
+ protected:
+  virtual void act(rviz::ViewportMouseEvent& event) { pass_on(event); }
+
+  bool is_dragged(rviz::ViewportMouseEvent& event) const {
+    return is_held_ && has_moved_ && event.type == QEvent::MouseMove && event.left();
+  }
+  bool is_held() const { return is_held_; }
+  int y_at_press() const { return y_; }
+
+  const SurfaceMouse& mouse_;
+
+ private:
+  const int aspect_;
+  const QCursor cursor_;
+  bool is_held_ = false, has_moved_ = false;
+  int x_ = 0, y_ = 0;
+};
+
+/// Drags a face of a section across itself.
+class SectionListener : public Listener {
+ public:
+  SectionListener(int aspect, const SurfaceMouse& mouse) : Listener(aspect, mouse, Qt::SizeVerCursor) {}
+
+ protected:
+  void act(rviz::ViewportMouseEvent& event) override {
     if (event.leftDown()) return take(event);
-    if (is_held_ && event.leftUp()) return release();
-    if (is_held_ && event.type == QEvent::MouseMove && event.left()) return drag(event);
-    if (event.panel != nullptr && event.panel->getViewController() != nullptr)
-      event.panel->getViewController()->handleMouseEvent(event);  // as beside it
+    if (is_dragged(event)) return drag(event);
+    if (!is_held()) pass_on(event);
   }
 
  private:
   void take(const rviz::ViewportMouseEvent& event) {
-    is_held_ = true;
-    has_moved_ = false;
-    x_ = event.x;
-    y_ = event.y;
     along_ = mouse_.across();
     start_ = 0.0F;
     by_ray_ = nearest_on_line(ray_of(event), along_, start_);
@@ -69,46 +109,44 @@ class Listener : public rviz::InteractiveObject {
   }
 
   void drag(const rviz::ViewportMouseEvent& event) {
-    has_moved_ = has_moved_ || std::abs(event.x - x_) > still || std::abs(event.y - y_) > still;
-    if (!has_moved_) return;
     float now = 0.0F;
     if (by_ray_ && nearest_on_line(ray_of(event), along_, now)) return mouse_.dragged(now - start_);
     const Ogre::Camera& camera = *event.viewport->getCamera();
     const float height = camera.getProjectionType() == Ogre::PT_ORTHOGRAPHIC
                              ? camera.getOrthoWindowHeight()
                              : camera.getDerivedPosition().length();
-    mouse_.dragged(static_cast<float>(y_ - event.y) * height /
+    mouse_.dragged(static_cast<float>(y_at_press() - event.y) * height /
                    static_cast<float>(std::max(1, event.viewport->getActualHeight())));
   }
 
-  void release() {
-    is_held_ = false;
-    if (!has_moved_) mouse_.clicked(aspect_);
-  }
-
-  const int aspect_;
-  const SurfaceMouse mouse_;
-  const QCursor cursor_{Qt::SizeVerCursor};
-  bool is_held_ = false, has_moved_ = false, by_ray_ = false;
-  int x_ = 0, y_ = 0;
+  bool by_ray_ = false;
   float start_ = 0.0F;
   Ogre::Vector3 along_ = Ogre::Vector3::UNIT_Z;
 };
 
 }  // namespace
 
+SurfaceListeners::SurfaceListeners(SurfaceMouse mouse) : mouse_(std::move(mouse)) {}
+
+SurfaceListeners::~SurfaceListeners() = default;
+
+boost::shared_ptr<rviz::InteractiveObject> SurfaceListeners::of(int aspect, bool is_section) {
+  auto& listener = listeners_[{aspect, is_section}];
+  if (!listener && is_section) listener = boost::make_shared<SectionListener>(aspect, mouse_);
+  if (!listener) listener = boost::make_shared<Listener>(aspect, mouse_, Qt::PointingHandCursor);
+  return listener;
+}
+
 struct SurfaceHandle::Parts {
-  boost::shared_ptr<Listener> listener;
   boost::shared_ptr<rviz::SelectionHandler> handler;
 };
 
-SurfaceHandle::SurfaceHandle(int aspect, Ogre::SceneNode* node, const SurfaceMouse& mouse,
-                             rviz::DisplayContext* context)
+SurfaceHandle::SurfaceHandle(const boost::shared_ptr<rviz::InteractiveObject>& listener,
+                             Ogre::SceneNode* node, rviz::DisplayContext* context)
     : parts_(std::make_unique<Parts>()) {
-  parts_->listener = boost::make_shared<Listener>(aspect, mouse);
   parts_->handler = boost::make_shared<rviz::SelectionHandler>(context);
   parts_->handler->addTrackedObjects(node);
-  parts_->handler->setInteractiveObject(parts_->listener);
+  parts_->handler->setInteractiveObject(listener);
 }
 
 SurfaceHandle::~SurfaceHandle() = default;

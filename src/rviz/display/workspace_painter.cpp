@@ -210,7 +210,8 @@ void WorkspacePainter::add_label(int id) {
   if (style_.candidates.count(id) != 0) words = "aspect " + words + "?";
   // What is not cut is more or less transparent, the present aspect less.
   const double paleness = style_.section ? 0.0 : id == style_.present ? 0.25 : 0.55;
-  part_.labels.push_back({words, readable_on(lightened(paint_.color(id), paleness)), at.cast<float>()});
+  part_.labels.push_back(
+      {words, readable_on(lightened(paint_.color(id), paleness)), at.cast<float>(), 1.0, id});
 }
 
 }  // namespace parallel_aspects

@@ -3,6 +3,7 @@
 
 #include <QHeaderView>
 #include <QPixmap>
+#include <QTreeWidgetItemIterator>
 #include <utility>
 
 namespace parallel_aspects {
@@ -108,6 +109,12 @@ void AspectTree::mark(QTreeWidgetItem& item, bool present) {
   const QString mark = QString(" \u25C0");
   if (present && !name.endsWith(mark)) item.setText(name_column, name + mark);
   if (!present && name.endsWith(mark)) item.setText(name_column, name.left(name.size() - mark.size()));
+}
+
+void AspectTree::select(std::uint32_t aspect) {
+  clearSelection();
+  for (QTreeWidgetItemIterator it(this); aspect > 0 && *it != nullptr; ++it)
+    if ((*it)->data(name_column, Qt::UserRole).toUInt() == aspect) return setCurrentItem(*it);
 }
 
 std::set<std::uint32_t> AspectTree::ticked() const {

@@ -21,6 +21,7 @@ class AspectTree : public QTreeWidget {
   explicit AspectTree(OnShown on_shown, QWidget* parent = nullptr);
 
   void show_rows(const std::vector<ModeRows>& modes, const std::string& unit);  ///< `unit`: of the sizes
+  void select(std::uint32_t aspect);  ///< scrolls to its row; where there is none, no row is selected
   std::set<std::uint32_t> ticked() const;
 
  private:

@@ -140,6 +140,7 @@ void AspectsPanel::set_node(const QString& typed) {
   nodes_->setEditText(shown(name));
   aspects_.clear();
   shown_was_chosen_ = false;
+  clicks_ = 0;
   fresh_link_ = true;
   Q_EMIT configChanged();
 }
@@ -164,6 +165,10 @@ void AspectsPanel::refresh() {
   view.master_answers = finder_.master_answers();
   state_->show_view(view);
   tree_->show_rows(rows_of(view), unit_of(view));
+  if (view.clicks != clicks_) {
+    clicks_ = view.clicks;
+    tree_->select(view.selected);
+  }
   count_->setText(shown(count_text(view)));
   if (aspects_ != ids_of(view)) {
     aspects_ = ids_of(view);

@@ -50,6 +50,7 @@ class AspectsPanel : public rviz::Panel {
   std::unique_ptr<PanelLink> link_;
   bool shown_was_chosen_ = false;    // whether a box was clicked
   std::set<std::uint32_t> aspects_;  // of the map that is shown
+  std::uint64_t clicks_ = 0;         // in the display, that were followed
   std::size_t events_ = 0;
   bool fresh_link_ = true;
 

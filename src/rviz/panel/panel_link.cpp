@@ -16,6 +16,7 @@
 #include <atomic>
 #include <cmath>
 #include <std_msgs/Int8MultiArray.h>
+#include <std_msgs/UInt32.h>
 #include <std_msgs/UInt32MultiArray.h>
 #include <utility>
 
@@ -133,6 +134,11 @@ std::vector<ros::Subscriber> PanelLink::subscribe(ros::NodeHandle& nh) {
       with_lock([this](const actionlib_msgs::GoalStatusArray& message) {
         view_.map_goal_runs = std::any_of(message.status_list.begin(), message.status_list.end(), runs);
       });
+  const boost::function<void(const std_msgs::UInt32ConstPtr&)> on_selected =
+      with_lock([this](const std_msgs::UInt32& message) {
+        view_.selected = message.data;
+        ++view_.clicks;
+      });
   return {nh.subscribe("state", 1, &PanelLink::on_state, this, ros::TransportHints().tcpNoDelay()),
           nh.subscribe("transitions", 100, &PanelLink::on_transition, this),
           nh.subscribe("thresholds/parameter_updates", 10, &PanelLink::on_thresholds, this),
@@ -140,6 +146,7 @@ std::vector<ros::Subscriber> PanelLink::subscribe(ros::NodeHandle& nh) {
           nh.subscribe("plan_path/result", 10, &PanelLink::on_plan_result, this),
           nh.subscribe("plan_path/feedback", 10, &PanelLink::on_plan_feedback, this),
           nh.subscribe<AssemblyCandidates>("candidates", 1, on_candidates),
+          nh.subscribe<std_msgs::UInt32>("selected_aspect", 1, on_selected),
           nh.subscribe<ProbeState>("probe/state", 1, on_probe),
           nh.subscribe<Configuration>("probe/start", 10, on_stored(&ProbeView::start)),
           nh.subscribe<Configuration>("probe/goal", 10, on_stored(&ProbeView::goal)),
@@ -213,6 +220,7 @@ void PanelLink::start_anew() {
   view_.deepest_index.reset();
   view_.largest_distance = 0.0;
   view_.map_goal_runs = false;
+  view_.selected = 0;
   view_.last_answer.clear();
   probe_ = {std::nullopt, std::nullopt, std::nullopt, probe_.stored};
   plan_.message = plan_.runs ? "The node ended, or loaded another robot, while it planned." : "";

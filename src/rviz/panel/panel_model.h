@@ -44,8 +44,10 @@ struct NodeView {
   bool map_goal_runs = false;                            ///< of ~compute_map
   std::shared_ptr<const ListAspects::Response> aspects;  ///< null until known
   std::shared_ptr<const std::map<std::uint32_t, double>>
-      deepest_index;        ///< by id: 1/condition number; may be null
-  std::string last_answer;  ///< of the last service or action that a button asked for
+      deepest_index;           ///< by id: 1/condition number; may be null
+  std::uint32_t selected = 0;  ///< id of the aspect that was clicked last in the display; 0 for none
+  std::uint64_t clicks = 0;    ///< how many there were
+  std::string last_answer;     ///< of the last service or action that a button asked for
 };
 
 /// How something is coloured.

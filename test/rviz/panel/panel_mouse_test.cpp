@@ -22,6 +22,7 @@
 #include <cstdio>
 #include <nav_msgs/Path.h>
 #include <std_msgs/Int8MultiArray.h>
+#include <std_msgs/UInt32.h>
 #include <std_msgs/UInt32MultiArray.h>
 #include <trajectory_msgs/JointTrajectory.h>
 
@@ -30,10 +31,16 @@ namespace {
 
 using test::PanelOnScreen;
 using test::Recorder;
-using test::StandingRobot;
 
 const Pose above = test::pose_at(4.5, 8.0);
 const std::vector<int> its_signs{1, -1};
+
+/// The five-bar there.
+class StandingRobot : public test::StandingRobot {
+ public:
+  StandingRobot(const std::string& space, const Pose& pose, const std::vector<int>& signs)
+      : test::StandingRobot(space, *test::five_bar_mechanism()->manipulator(), pose, signs) {}
+};
 
 // What the command prints.
 nlohmann::json command_says(const std::string& arguments) {
@@ -169,6 +176,21 @@ TEST_F(PanelMouse, ABoxHidesAnAspect) {
   EXPECT_EQ(shown.last()->data, (std::vector<std::uint32_t>{1, 2, 4, 5, 6, 7, 8, 9, 10}));
   click(*tree().viewport(), QPoint(place.left() + 9, place.center().y()));
   EXPECT_TRUE(until([&] { return shown.last()->data.size() == 10; }));
+}
+
+// What the display publishes where somebody clicks a surface.
+TEST_F(PanelMouse, AnAspectThatIsClickedInTheDisplayIsSelected) {
+  ros::Publisher clicks =
+      ros::NodeHandle().advertise<std_msgs::UInt32>(node_ + "/selected_aspect", 1, true);
+  start_node();
+  ASSERT_TRUE(has_aspects(10));
+  std_msgs::UInt32 click;
+  for (const unsigned id : {3U, 8U}) {
+    click.data = id;
+    clicks.publish(click);
+    EXPECT_TRUE(until([&] { return row(id)->isSelected(); })) << id;
+    EXPECT_EQ(tree().selectedItems().size(), 1);
+  }
 }
 
 // From one working mode to another through a gate; then back and forth along the path.

@@ -2,7 +2,6 @@
 #ifndef PARALLEL_ASPECTS_TEST_RVIZ_PANEL_ON_SCREEN_H
 #define PARALLEL_ASPECTS_TEST_RVIZ_PANEL_ON_SCREEN_H
 
-#include "ros/monitor/five_bar_setup.h"
 #include "ros/node/node_client.h"
 #include "ros/node/process.h"
 #include "rviz/panel/aspects_panel.h"
@@ -10,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <ros/ros.h>
 
+#include "rviz/standing_robot.h"
 #include <QAbstractItemView>
 #include <QApplication>
 #include <QComboBox>
@@ -17,45 +17,13 @@
 #include <QPushButton>
 #include <QTabBar>
 #include <QTabWidget>
-#include <atomic>
-#include <chrono>
 #include <cstdlib>
 #include <functional>
 #include <memory>
 #include <string>
-#include <thread>
 #include <vector>
 
 namespace parallel_aspects::test {
-
-/// joint_states of the five-bar at one pose, a hundred times a second, until the object ends.
-class StandingRobot {
- public:
-  StandingRobot(const std::string& space, const Pose& pose, const std::vector<int>& signs)
-      : publisher_(ros::NodeHandle().advertise<sensor_msgs::JointState>(space + "/joint_states", 100)),
-        message_(joints_at(*five_bar_mechanism()->manipulator(), pose, signs, ros::Time())),
-        thread_([this] { publish(); }) {}
-  ~StandingRobot() {
-    stopping_ = true;
-    thread_.join();
-  }
-  StandingRobot(const StandingRobot&) = delete;
-  StandingRobot& operator=(const StandingRobot&) = delete;
-
- private:
-  void publish() {
-    while (!stopping_) {
-      message_.header.stamp = ros::Time::now();
-      publisher_.publish(message_);
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
-  }
-
-  ros::Publisher publisher_;
-  sensor_msgs::JointState message_;
-  std::atomic<bool> stopping_{false};
-  std::thread thread_;
-};
 
 /// The panel on a screen, a node of the five-bar in a namespace of its own, and a mouse and a keyboard that
 /// X itself moves.
