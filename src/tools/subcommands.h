@@ -58,6 +58,7 @@ int run_program(Program program, int argc, const char* const* argv,
                 const Surroundings& surroundings) noexcept;
 
 Subcommand map_subcommand();
+Subcommand chart_subcommand();
 Subcommand check_subcommand();
 Subcommand choose_subcommand();
 Subcommand connect_subcommand();

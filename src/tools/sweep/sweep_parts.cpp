@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "tools/sweep/sweep_chart.h"
 #include "tools/sweep/sweep_file.h"
 
 #include <array>
@@ -101,7 +102,27 @@ std::vector<const Part*> in_order(const std::vector<Part>& parts, Problems& prob
   return order;
 }
 
+std::vector<std::string> cells_of(const std::string& line) {
+  std::vector<std::string> cells(1);
+  for (const char letter : line) {
+    if (letter == ',')
+      cells.emplace_back();
+    else
+      cells.back() += letter;
+  }
+  return cells;
+}
+
 }  // namespace
+
+SweepTable read_sweep_table(const std::string& file) {
+  Problems problems;
+  const std::optional<Part> part = read_part(file, problems);
+  if (!problems.empty()) throw InvalidDescription(std::move(problems));
+  SweepTable table{cells_of(part->columns), {}};
+  for (const std::string& row : part->rows) table.rows.push_back(cells_of(row));
+  return table;
+}
 
 std::string header_line(const SweepHeader& header) {
   std::array<char, 160> text{};

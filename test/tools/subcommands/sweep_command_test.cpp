@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/command.h"
+#include "tools/sweep/sweep_chart.h"
 
 #include <gtest/gtest.h>
 
@@ -8,12 +9,14 @@
 #include <cstdio>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <signal.h>
 #include <sstream>
 #include <string>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace parallel_aspects::tools {
@@ -159,6 +162,66 @@ TEST_F(SweepCommand, SobolFillsTheRanges) {
            "--resolution", "2", "--report", "workspace", "--shape", "disc", "-o", whole.c_str()});
   ASSERT_EQ(outcome.code, exit_code::ok) << outcome.messages;
   EXPECT_EQ(test::line_count(contents_of(whole)), 10U);
+}
+
+std::size_t occurrences(const std::string& text, const std::string& word) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++count;
+  return count;
+}
+
+TEST_F(SweepCommand, ChartsHaveACellADesignAndLinesWhereTheNumberOfAspectsChanges) {
+  ASSERT_EQ(sweep(whole).code, exit_code::ok);
+  const std::string picture = testing::TempDir() + "sweep.svg";
+  const auto drawn = [&](std::vector<const char*> more) {
+    std::vector<const char*> arguments{"chart",         whole.c_str(), "--column",
+                                       "measure_lower", "-o",          picture.c_str()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run(arguments);
+  };
+  const Outcome plane = drawn({});
+  ASSERT_EQ(plane.code, exit_code::ok) << plane.messages;
+  EXPECT_NE(plane.output.find("measure_lower of 28 designs over crank_1 and rod_2"), std::string::npos);
+  EXPECT_EQ(occurrences(contents_of(picture), ">not known<"), 4U) << "a length of -1";
+  EXPECT_EQ(occurrences(contents_of(picture), ", aspects: "), 24U);
+  const Outcome line = drawn({"--at", "rod_2=3"});
+  ASSERT_EQ(line.code, exit_code::ok) << line.messages;
+  EXPECT_NE(line.output.find("of 7 designs over crank_1"), std::string::npos) << line.output;
+  EXPECT_EQ(drawn({"--over", "crank_1"}).code, exit_code::bad_input);
+  EXPECT_NE(drawn({"--over", "crank_1"}).messages.find("'rod_2' varies, too"), std::string::npos);
+  EXPECT_NE(drawn({"--at", "rod_2=1"}).messages.find("No row has"), std::string::npos);
+  EXPECT_NE(drawn({"--at", "rod=1"}).messages.find("--at names 'rod'"), std::string::npos);
+  EXPECT_NE(run({"chart", whole.c_str(), "--column", "weight", "-o", picture.c_str()})
+                .messages.find("--column is 'weight'"),
+            std::string::npos);
+}
+
+TEST(SweepChart, NumbersThatAreProvedToDifferAreTold) {
+  const auto point = [](std::optional<double> least, std::optional<double> most) {
+    return ChartPoint{0.0, 0.0, 1.0, least, most};
+  };
+  EXPECT_EQ(change_between(point(8, 8), point(10, 10)), CountChange::proved);
+  EXPECT_EQ(change_between(point(12, {}), point(8, 11)), CountChange::proved);
+  EXPECT_EQ(change_between(point(8, {}), point(10, 10)), CountChange::possible);
+  EXPECT_EQ(change_between(point(8, 10), point(9, {})), CountChange::possible);
+  EXPECT_EQ(change_between(point(10, 10), point(10, 10)), CountChange::none);
+  EXPECT_EQ(change_between(point({}, {}), point(10, 10)), CountChange::none) << "no figures";
+}
+
+TEST(SweepChart, LinesAreWhereNeighboursDiffer) {
+  SweepChart chart{"c", {"a"}, {}, true};
+  for (const auto& [x, count] : {std::pair(3.0, 10.0), {1.0, 8.0}, {2.0, 8.0}, {4.0, 10.0}})
+    chart.points.push_back({x, 0.0, x, count, count});
+  const Picture picture = draw_chart(chart, "");
+  std::size_t lines = 0;
+  for (const PageElement& element : picture.elements)
+    if (const auto* curves = std::get_if<PageCurves>(&element))
+      for (const PageLine& line : curves->lines)
+        if (line.size() == 2 && line[0].x() == line[1].x() && line[0].y() != line[1].y()) {
+          ++lines;
+          EXPECT_EQ(line[0].x(), 80.0 + 0.5 * 520.0) << "between 2 and 3 of 1 to 4";
+        }
+  EXPECT_EQ(lines, 1U);
 }
 
 TEST_F(SweepCommand, WhatDoesNotFitIsRefused) {
