@@ -180,8 +180,7 @@ TEST_F(PanelMouse, ABoxHidesAnAspect) {
 
 // What the display publishes where somebody clicks a surface.
 TEST_F(PanelMouse, AnAspectThatIsClickedInTheDisplayIsSelected) {
-  ros::Publisher clicks =
-      ros::NodeHandle().advertise<std_msgs::UInt32>(node_ + "/selected_aspect", 1, true);
+  ros::Publisher clicks = ros::NodeHandle().advertise<std_msgs::UInt32>(node_ + "/selected_aspect", 1, true);
   start_node();
   ASSERT_TRUE(has_aspects(10));
   std_msgs::UInt32 click;
