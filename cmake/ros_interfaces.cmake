@@ -33,6 +33,7 @@ add_message_files(FILES
   Configuration.msg
   DistanceBounds.msg
   GuardState.msg
+  LargestShape.msg
   LastHazard.msg
   MapProgress.msg
   MetricDistance.msg
@@ -51,6 +52,7 @@ add_service_files(FILES
   CheckTrajectory.srv
   GetCurrentAspect.srv
   GetMap.srv
+  GetRegularWorkspace.srv
   GetSingularityDistance.srv
   GetWorkingMode.srv
   ListAspects.srv

@@ -55,6 +55,7 @@ RobotServer::RobotServer(const ros::NodeHandle& nh, const ros::NodeHandle& priva
       checks_(setup_.mechanism->mapped_manipulator(), monitor_,
               [this](const auto& pose, std::string& message) { return to_base(pose, message); }),
       maps_(setup_, worker_),
+      workspaces_(service_nh_, *setup_.mechanism->mapped_manipulator(), worker_),
       frame_watch_(setup_.options.frame_prefix + "/", setup_.mechanism->link_names()),
       diagnostics_(on_queue(nh, service_queue_), service_nh_, *setup_.mechanism->manipulator(), monitor_,
                    worker_, frame_watch_),
@@ -88,6 +89,7 @@ RobotServer::~RobotServer() {
   log_timer_.stop();
   stop_probe();
   stopping_ = true;
+  workspaces_.cancel();
   subscriber_.shutdown();
   command_subscriber_.shutdown();
   if (compute_map_) compute_map_->shutdown();
@@ -104,6 +106,7 @@ void RobotServer::advertise() {
   serve<GetSingularityDistance>("get_singularity_distance", queries_);
   serve<ListAspects>("list_aspects", queries_);
   serve<GetMap>("get_map", maps_);
+  serve<GetRegularWorkspace>("get_regular_workspace", workspaces_);
   serve<SetAssemblyMode>("set_assembly_mode", queries_);
   serve<ChooseWorkingMode>("choose_working_mode", choices_);
   serve<Connect>("connect", choices_);

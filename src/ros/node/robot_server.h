@@ -15,6 +15,7 @@
 #include "ros/node/map_queries.h"
 #include "ros/node/plan_server.h"
 #include "ros/node/queries.h"
+#include "ros/node/workspace_queries.h"
 #include "ros/parameters/load_options.h"
 #include "ros/parameters/reconfiguration.h"
 #include "ros/pictures/display.h"
@@ -106,6 +107,7 @@ class RobotServer {
   ChoiceQueries choices_;
   CheckQueries checks_;
   MapQueries maps_;
+  WorkspaceQueries workspaces_;
   FrameWatch frame_watch_;
   Diagnostics diagnostics_;
   LogQueue log_;  // what the threads of joint_states have to say

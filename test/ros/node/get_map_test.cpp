@@ -1,21 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// ~get_map of a node of the five-bar, against the map that the library computes; of one whose map takes long,
-// and of a hexapod, which has none.
+// ~get_map and ~get_regular_workspace of a node of the five-bar, against what the library computes; of one
+// whose map takes long, and of a hexapod, which has none.
+#include "parallel_aspects/aspects/regular_workspace.h"
 #include "ros/messages/conversions.h"
 #include "ros/messages/map_messages.h"
 #include "ros/monitor/five_bar_setup.h"
 #include "ros/node/node_client.h"
 
 #include <parallel_aspects/ComputeMapAction.h>
+#include <parallel_aspects/GetRegularWorkspace.h>
 #include <parallel_aspects/MapProgress.h>
 
 #include <gtest/gtest.h>
 #include <ros/ros.h>
 
 #include <actionlib/client/simple_action_client.h>
+#include <algorithm>
+#include <limits>
 #include <random>
 #include <string>
+#include <vector>
+#include <visualization_msgs/MarkerArray.h>
 
 namespace parallel_aspects {
 namespace {
@@ -116,6 +122,84 @@ TEST_F(GetMapService, BytesThatAreDamagedAreRefused) {
   EXPECT_NE(received.message.find("damaged"), std::string::npos) << received.message;
   response.map.resize(3);
   EXPECT_FALSE(map_of(response, *mechanism).map);
+}
+
+GetRegularWorkspace::Request largest(const std::string& shape) {
+  GetRegularWorkspace::Request request;
+  request.shape = shape;
+  return request;
+}
+
+GetRegularWorkspace::Response answer(const GetRegularWorkspace::Request& request) {
+  return call<GetRegularWorkspace>("get_regular_workspace", request);
+}
+
+TEST_F(GetMapService, LargestDiscsAreThoseOfTheLibraryAndTheBestIsDrawn) {
+  const test::Recorder<visualization_msgs::MarkerArray> markers("/aspect_node/regular_workspace_markers");
+  const GetRegularWorkspace::Response response = answer(largest("disc"));
+  ASSERT_EQ(response.status.code, Status::OK) << response.status.message;
+  const GetMap::Response sent = get_map();  // of the map in use, which other tests may have changed
+  const MapResult received = map_of(sent, *mechanism_of(sent));
+  ASSERT_TRUE(received.map) << received.message;
+  std::vector<int> ids;
+  for (const Aspect& aspect : received.map->aspects()) ids.push_back(aspect.id);
+  WorkspaceQuestion question;
+  question.shape = RegularShape::disc;
+  const auto found = find_regular_workspaces(*received.map, ids, question);
+  ASSERT_EQ(response.shapes.size(), ids.size());
+  double best = 0.0;
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    EXPECT_EQ(response.shapes[i].lower, (*found)[i].lower);
+    EXPECT_EQ(response.shapes[i].upper, (*found)[i].upper);
+    EXPECT_EQ(response.shapes[i].center.position.x, (*found)[i].center[0]);
+    EXPECT_EQ(response.shapes[i].names, std::vector<std::string>{"radius"});
+    best = std::max(best, (*found)[i].lower);
+  }
+  ASSERT_GT(response.best, 0U);
+  EXPECT_EQ(response.shapes[response.best - 1].lower, best);
+  ASSERT_TRUE(test::eventually([&] { return markers.last() && markers.last()->markers.size() == 2; }));
+  const visualization_msgs::Marker marker = markers.last()->markers.back();
+  EXPECT_EQ(marker.type, visualization_msgs::Marker::CYLINDER);
+  EXPECT_EQ(marker.scale.x, 2.0 * best);
+  EXPECT_EQ(marker.scale.y, 2.0 * best);
+  EXPECT_EQ(marker.pose.position.x, response.shapes[response.best - 1].center.position.x);
+}
+
+TEST_F(GetMapService, ABoxWithItsCenterAndEdgesInOneAspect) {
+  GetRegularWorkspace::Request request = largest("box");
+  request.aspect = 3;
+  request.held = {"x"};
+  request.center = {4.5};
+  request.ratio = {1.0, 2.0};
+  const GetRegularWorkspace::Response response = answer(request);
+  ASSERT_EQ(response.status.code, Status::OK) << response.status.message;
+  ASSERT_EQ(response.shapes.size(), 1U);
+  EXPECT_EQ(response.shapes[0].aspect, 3U);
+  EXPECT_EQ(response.shapes[0].center.position.x, 4.5);
+  ASSERT_EQ(response.shapes[0].lengths.size(), 2U);
+  EXPECT_NEAR(response.shapes[0].lengths[1], 2.0 * response.shapes[0].lengths[0], 1e-9);
+}
+
+TEST_F(GetMapService, WorkspacesThatCannotBeAskedForAreRefused) {
+  std::vector<GetRegularWorkspace::Request> bad(7, largest("disc"));
+  bad[0].shape = "ball";  // which needs three positions
+  bad[1].shape = "x";
+  bad[2].held = {"x"};
+  bad[3].held = {"phi"};
+  bad[3].center = {1.0};
+  bad[4].aspect = 11;
+  bad[5].gap = std::numeric_limits<double>::quiet_NaN();
+  bad[6].angle = {0.0, 1.0};  // of which the five-bar has none
+  for (const GetRegularWorkspace::Request& request : bad) {
+    const GetRegularWorkspace::Response response = answer(request);
+    EXPECT_EQ(response.status.code, Status::INVALID_REQUEST) << request;
+    EXPECT_FALSE(response.status.message.empty());
+  }
+  EXPECT_EQ(call<GetRegularWorkspace>("/slow/aspect_node/get_regular_workspace", largest("disc")).status.code,
+            Status::MAP_NOT_READY);
+  EXPECT_EQ(
+      call<GetRegularWorkspace>("/stewart/aspect_node/get_regular_workspace", largest("ball")).status.code,
+      Status::NO_MAP);
 }
 
 }  // namespace

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ROS_NODE_WORKSPACE_QUERIES_H
+#define PARALLEL_ASPECTS_ROS_NODE_WORKSPACE_QUERIES_H
+
+#include "parallel_aspects/aspects/regular_workspace.h"
+#include "ros/monitor/map_worker.h"
+
+#include <parallel_aspects/GetRegularWorkspace.h>
+
+#include <ros/node_handle.h>
+#include <ros/publisher.h>
+
+#include <atomic>
+
+namespace parallel_aspects {
+
+/// Answers ~get_regular_workspace and draws the best. May be called from any number of threads.
+class WorkspaceQueries {
+ public:
+  /// `worker` must outlive the object.
+  WorkspaceQueries(ros::NodeHandle private_nh, const Manipulator& manipulator, const MapWorker& worker);
+
+  GetRegularWorkspace::Response answer(const GetRegularWorkspace::Request& request) const;
+
+  /// Ends what is under way, with the status CANCELLED.
+  void cancel() { cancelled_ = true; }
+
+ private:
+  Status find(const AspectMap& map, const GetRegularWorkspace::Request& request,
+              GetRegularWorkspace::Response& response) const;
+
+  const TaskSpace space_;
+  const MapWorker& worker_;
+  ros::Publisher markers_;
+  std::atomic<bool> cancelled_{false};
+};
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ROS_NODE_WORKSPACE_QUERIES_H
