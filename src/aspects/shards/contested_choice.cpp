@@ -40,6 +40,13 @@ std::vector<ShardTask> ContestedChoice::choose(const std::vector<MergedSign>& me
   return tasks;
 }
 
+std::vector<bool> ShardTask::modes(std::size_t count) const {
+  std::vector<bool> modes(count, rounds.empty());
+  if (!rounds.empty())
+    for (std::size_t mode = 0; mode < count; ++mode) modes[mode] = !rounds.back().leaves[mode].empty();
+  return modes;
+}
+
 Bytes bytes_of(const std::vector<ShardTask>& tasks) {
   ByteWriter writer;
   writer.put_u32(static_cast<std::uint32_t>(tasks.size()));

@@ -17,6 +17,9 @@ namespace parallel_aspects {
 struct ShardTask {
   std::size_t shard = 0;
   std::vector<DivisionRound> rounds;
+
+  /// Of so many computed modes, those that its last round divides; all where there is no round.
+  std::vector<bool> modes(std::size_t count) const;
 };
 
 Bytes bytes_of(const std::vector<ShardTask>& tasks);

@@ -33,8 +33,8 @@ struct Touch {
 
 class Merge {
  public:
-  Merge(const PoseSpace& space, const std::vector<const SignRecord*>& shards)
-      : space_(space), shards_(shards) {
+  Merge(const PoseSpace& space, std::uint32_t shard_level, const std::vector<const SignRecord*>& shards)
+      : space_(space), shard_level_(shard_level), shards_(shards) {
     for (const SignRecord* shard : shards) {
       first_label_.push_back(static_cast<std::uint32_t>(is_component_.size()));
       for (std::uint32_t label = 0; label < shard->label_count(); ++label)
@@ -74,7 +74,16 @@ class Merge {
       for (std::size_t axis = 0; axis < space_.dimension(); ++axis)
         for (const bool upper : {false, true})
           if (const auto across = place_across(space_, node.place, {axis, upper}))
-            if (const BorderNode* other = find(nodes, *across)) join(node, *other);
+            if (!is_in_one_shard(node.place, *across))
+              if (const BorderNode* other = find(nodes, *across)) join(node, *other);
+  }
+
+  // What touches within a shard its record says.
+  bool is_in_one_shard(const NodePlace& a, const NodePlace& b) const noexcept {
+    const std::uint32_t below = a.level - shard_level_;
+    for (std::size_t i = 0; i < space_.dimension(); ++i)
+      if (a.cell[i] >> below != b.cell[i] >> below) return false;
+    return a.root == b.root;
   }
 
   /// The leaf that has this place or holds it. Where the leaves there are smaller they find this one.
@@ -166,6 +175,7 @@ class Merge {
   }
 
   const PoseSpace& space_;
+  std::uint32_t shard_level_;
   const std::vector<const SignRecord*>& shards_;
   std::vector<std::uint32_t> first_label_;  // of a shard
   std::vector<bool> is_component_;          // of a label
@@ -177,8 +187,9 @@ class Merge {
 
 }  // namespace
 
-MergedSign merge_shards(const PoseSpace& space, const std::vector<const SignRecord*>& shards) {
-  return Merge(space, shards).run();
+MergedSign merge_shards(const PoseSpace& space, std::uint32_t shard_level,
+                        const std::vector<const SignRecord*>& shards) {
+  return Merge(space, shard_level, shards).run();
 }
 
 }  // namespace parallel_aspects

@@ -6,6 +6,7 @@
 #include "aspects/tree/pose_space.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -36,9 +37,10 @@ struct MergedSign {
   std::vector<ContestedLeaves> contested;
 };
 
-/// Joins what shares a face across the borders of shards. The result depends on the records and their order
-/// alone.
-MergedSign merge_shards(const PoseSpace& space, const std::vector<const SignRecord*>& shards);
+/// Joins what shares a face across the borders of shards, which lie at this level of the tree. The result
+/// depends on the records and their order alone.
+MergedSign merge_shards(const PoseSpace& space, std::uint32_t shard_level,
+                        const std::vector<const SignRecord*>& shards);
 
 }  // namespace parallel_aspects
 

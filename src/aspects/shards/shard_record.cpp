@@ -162,20 +162,25 @@ SignRecord read_sign(ByteReader& reader) {
   return record;
 }
 
+ModeRecord record_of(const PoseTree& tree, std::size_t mode, const NodePlace& shard,
+                     const MapControl& control) {
+  ModeRecord record;
+  LeafGraph graph(tree, mode, false, control, ComponentPolicy());
+  for (const int sign : {1, -1}) record.of(sign) = Labels(tree, mode, sign, graph.of(sign)).record(shard);
+  for (NodeIndex node = 0; node < tree.node_count(); ++node)
+    if (tree.state(node, mode).is_undecided())
+      record.undecided.add(tree.place(node).level, tree.space().measure(tree.box(node)));
+  return record;
+}
+
 }  // namespace
 
 std::optional<ShardRecord> record_of(const PoseTree& tree, const NodePlace& shard,
-                                     const MapControl& control) {
-  const ComponentPolicy policy;
+                                     const std::vector<bool>& modes, const MapControl& control) {
   ShardRecord record;
   record.modes.resize(tree.mode_count());
   for (std::size_t mode = 0; mode < tree.mode_count(); ++mode) {
-    LeafGraph graph(tree, mode, false, control, policy);
-    for (const int sign : {1, -1})
-      record.modes[mode].of(sign) = Labels(tree, mode, sign, graph.of(sign)).record(shard);
-    for (NodeIndex node = 0; node < tree.node_count(); ++node)
-      if (tree.state(node, mode).is_undecided())
-        record.modes[mode].undecided.add(tree.place(node).level, tree.space().measure(tree.box(node)));
+    if (modes[mode]) record.modes[mode] = record_of(tree, mode, shard, control);
     if (is_cancelled(control)) return std::nullopt;
   }
   return record;
@@ -184,10 +189,12 @@ std::optional<ShardRecord> record_of(const PoseTree& tree, const NodePlace& shar
 Bytes bytes_of(const ShardRecord& record) {
   ByteWriter writer;
   writer.put_u32(static_cast<std::uint32_t>(record.modes.size()));
-  for (const ModeRecord& mode : record.modes) {
-    write(mode.positive, writer);
-    write(mode.negative, writer);
-    write(mode.undecided, writer);
+  for (const std::optional<ModeRecord>& mode : record.modes) {
+    writer.put_u8(mode ? 1 : 0);
+    if (!mode) continue;
+    write(mode->positive, writer);
+    write(mode->negative, writer);
+    write(mode->undecided, writer);
   }
   return writer.bytes();
 }
@@ -196,10 +203,12 @@ std::optional<ShardRecord> shard_record(const Bytes& bytes) {
   ByteReader reader(bytes.data(), bytes.size());
   ShardRecord record;
   record.modes.resize(reader.take_count(1));
-  for (ModeRecord& mode : record.modes) {
-    mode.positive = read_sign(reader);
-    mode.negative = read_sign(reader);
-    mode.undecided = read_total(reader);
+  for (std::optional<ModeRecord>& mode : record.modes) {
+    if (reader.take_u8() == 0) continue;
+    mode.emplace();
+    mode->positive = read_sign(reader);
+    mode->negative = read_sign(reader);
+    mode->undecided = read_total(reader);
   }
   if (!reader.ok() || reader.left() != 0) return std::nullopt;
   return record;

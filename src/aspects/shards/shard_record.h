@@ -68,13 +68,14 @@ struct ModeRecord {
   SignRecord& of(int sign) noexcept { return sign > 0 ? positive : negative; }
 };
 
-/// All that others need to know of a shard.
+/// All that others need to know of a shard, by computed mode; nothing of modes that were not asked for.
 struct ShardRecord {
-  std::vector<ModeRecord> modes;
+  std::vector<std::optional<ModeRecord>> modes;
 };
 
-/// Nothing where cancelled.
-std::optional<ShardRecord> record_of(const PoseTree& tree, const NodePlace& shard, const MapControl& control);
+/// The record of these modes, one flag for each; nothing where cancelled.
+std::optional<ShardRecord> record_of(const PoseTree& tree, const NodePlace& shard,
+                                     const std::vector<bool>& modes, const MapControl& control);
 
 Bytes bytes_of(const ShardRecord& record);
 

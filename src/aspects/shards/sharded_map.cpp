@@ -35,7 +35,8 @@ class ShardWork {
     std::optional<PoseTree> tree = base_of(task.shard);
     if (!tree) return {};
     divide_shard(*tree, *plan_.map.classifier, task.rounds);
-    const std::optional<ShardRecord> record = record_of(*tree, plan_.place(task.shard), quiet_);
+    const std::vector<bool> modes = task.modes(plan_.map.modes.size());
+    const std::optional<ShardRecord> record = record_of(*tree, plan_.place(task.shard), modes, quiet_);
     return record ? bytes_of(*record) : Bytes();
   }
 
@@ -57,21 +58,9 @@ class ShardWork {
   MapControl quiet_;  // a shard's own progress is not shown
 };
 
-/// By computed mode, positive sign first.
-std::vector<MergedSign> merge(const ShardPlan& plan, const std::vector<ShardRecord>& records) {
-  std::vector<MergedSign> merged;
-  for (std::size_t mode = 0; mode < plan.map.modes.size(); ++mode)
-    for (const int sign : {1, -1}) {
-      std::vector<const SignRecord*> shards;
-      for (const ShardRecord& record : records) shards.push_back(&record.modes[mode].of(sign));
-      merged.push_back(merge_shards(*plan.map.space, shards));
-    }
-  return merged;
-}
-
 LeafTotal undecided_of(const std::vector<ShardRecord>& records, std::size_t mode) {
   LeafTotal total;
-  for (const ShardRecord& record : records) total.add(record.modes[mode].undecided);
+  for (const ShardRecord& record : records) total.add(record.modes[mode]->undecided);
   return total;
 }
 
@@ -117,13 +106,19 @@ std::size_t count_of(const LeafTotal& total) {
 /// What the first process does between rounds.
 class Assembly {
  public:
-  explicit Assembly(const ShardPlan& plan) : plan_(plan), records_(plan.count()) {}
+  explicit Assembly(const ShardPlan& plan)
+      : plan_(plan), records_(plan.count()), merged_(2 * plan.map.modes.size()) {
+    for (ShardRecord& record : records_) record.modes.resize(plan.map.modes.size());
+  }
 
+  /// Merges the modes of which these results tell; the others are as they were.
   void take(const std::vector<ShardTask>& tasks, const std::vector<Bytes>& results) {
+    std::vector<bool> is_new(plan_.map.modes.size(), false);
     for (std::size_t i = 0; i < tasks.size(); ++i)
       if (std::optional<ShardRecord> record = shard_record(results[i]))
-        records_[tasks[i].shard] = std::move(*record);
-    merged_ = merge(plan_, records_);
+        take(records_[tasks[i].shard], std::move(*record), is_new);
+    for (std::size_t mode = 0; mode < is_new.size(); ++mode)
+      if (is_new[mode]) merge(mode);
   }
 
   std::vector<ShardTask> choose() {
@@ -143,9 +138,25 @@ class Assembly {
   }
 
  private:
+  static void take(ShardRecord& known, ShardRecord&& found, std::vector<bool>& is_new) {
+    for (std::size_t mode = 0; mode < is_new.size(); ++mode) {
+      if (!found.modes[mode]) continue;
+      known.modes[mode] = std::move(found.modes[mode]);
+      is_new[mode] = true;
+    }
+  }
+
+  void merge(std::size_t mode) {
+    for (const int sign : {1, -1}) {
+      std::vector<const SignRecord*> shards;
+      for (const ShardRecord& record : records_) shards.push_back(&record.modes[mode]->of(sign));
+      merged_[2 * mode + (sign > 0 ? 0 : 1)] = merge_shards(*plan_.map.space, plan_.level, shards);
+    }
+  }
+
   const ShardPlan& plan_;
   std::vector<ShardRecord> records_;
-  std::vector<MergedSign> merged_;
+  std::vector<MergedSign> merged_;  // by computed mode, positive sign first
   std::optional<ContestedChoice> choice_;
 };
 
@@ -167,10 +178,6 @@ std::optional<std::vector<Bytes>> LoneCrew::perform(std::size_t count,
     if (control.progress) control.progress(static_cast<double>(i + 1) / static_cast<double>(count));
   }
   return results;
-}
-
-ShardedMap assemble(const ShardPlan& plan, const std::vector<ShardRecord>& records) {
-  return assembled(plan, records, merge(plan, records));
 }
 
 // A round divides by one level, so that no leaf comes to lie below the deepest.

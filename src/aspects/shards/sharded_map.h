@@ -60,9 +60,6 @@ struct ShardedMap {
   std::size_t divided_leaves = 0;  ///< in all of these
 };
 
-/// How shards are put together, from the records of all of them.
-ShardedMap assemble(const ShardPlan& plan, const std::vector<ShardRecord>& records);
-
 /// Messages for people while shards are computed, such as that a file is of no use.
 using ShardNotes = std::function<void(const std::string&)>;
 
