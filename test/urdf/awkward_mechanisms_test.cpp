@@ -4,6 +4,7 @@
 
 #include "support/descriptions.h"
 #include <cmath>
+#include <regex>
 
 // Robots as people write them: tilted, turned round, rounded, with joints in other places than in the shipped
 // files.
@@ -233,7 +234,6 @@ TEST(AwkwardMechanism, HasJointsThatItsLoopsHoldStill) {
   EXPECT_EQ(test::open_loops(*mechanism), 0);
 }
 
-// Four digits, as people write them, leave a Delta that is one only nearly.
 // At zero, on the limit, the leg is stretched: no place to take ranks.
 TEST(AwkwardMechanism, HasItsZeroOnALimitOfAPassiveJoint) {
   Description robot = shipped_text("three_rrr");
@@ -246,6 +246,26 @@ TEST(AwkwardMechanism, HasItsZeroOnALimitOfAPassiveJoint) {
   EXPECT_EQ(mechanism->manipulator()->leg_count(), 3U);
 }
 
+// Zero is a limit of every joint, and there the loop holds the slide still everywhere.
+TEST(AwkwardMechanism, HasAStillJointOnItsLimit) {
+  std::string urdf = test::source_file("test/data/setup/jawed_five_bar.urdf");
+  urdf = replaced(urdf, "<axis xyz=\"1 0 0\"/>", "<axis xyz=\"0 0 1\"/>");
+  urdf = std::regex_replace(
+      urdf, std::regex("type=\"continuous\">"),
+      "type=\"revolute\"><limit lower=\"0\" upper=\"6.2831\" effort=\"1\" velocity=\"1\"/>");
+  const auto mechanism = test::load(urdf,
+                                    "mechanism: {operational_point: biela_der_fin, actuated_joints: "
+                                    "[motor_izq, motor_der], closures: [{frames: [biela_der_fin, dedo], "
+                                    "type: point}]}");
+  EXPECT_EQ(mechanism->manipulator()->task_space(), TaskSpace::T2);
+  EXPECT_NEAR(mechanism->manipulator()->leg(0).rod_length, 0.25, 1e-9);
+  EXPECT_NE(mechanism->notes().front().find("hold joints still, which are taken as fixed: 'pinza'"),
+            std::string::npos)
+      << mechanism->notes().front();
+  EXPECT_EQ(test::open_loops(*mechanism), 0);
+}
+
+// Four digits, as people write them.
 TEST(AwkwardMechanism, HasRoundedAngles) {
   Description five_bar = shipped_text("five_bar");
   const std::string crank_2 =

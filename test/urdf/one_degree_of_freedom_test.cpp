@@ -8,6 +8,7 @@
 
 #include "support/descriptions.h"
 #include <cmath>
+#include <regex>
 #include <set>
 
 // The PRRP of Caro et al., |(a, q) - (x, b)| = l, and its kin with one actuated joint and one degree of
@@ -126,6 +127,11 @@ TEST(FourBar, IsRefused) {
   EXPECT_EQ(test::refusal(urdf,
                           "mechanism: {operational_point: coupler, actuated_joints: [drive], closures: "
                           "[{frames: [tip, end], type: point}]}"),
+            expected);
+  // In another plane than the one that revolute closures turn in, the loop is rigid.
+  EXPECT_EQ(test::refusal(std::regex_replace(urdf, std::regex("\"0 0 1\""), "\"0 1 0\""),
+                          "mechanism: {operational_point: coupler, actuated_joints: [drive], closures: "
+                          "[{frames: [tip, end], type: revolute}]}"),
             expected);
 }
 

@@ -17,7 +17,8 @@ using nlohmann::json;
 // Of the smallest ones in the region, all of which the second map could take at most: 256 by 256.
 constexpr double max_boxes_to_count = 65536.0;
 
-// Of the map with limits, where that has more boxes in its region: it took as long as the other will, about.
+// Where the region has more boxes: of all working modes, if each has as many leaves as those that are not
+// empty.
 constexpr std::size_t max_leaves_to_count = 60000;
 
 // Of unit quaternions: four charts, each from -1 to 1 in three coordinates.
@@ -35,8 +36,9 @@ double smallest_boxes(const AspectMap& map) {
 bool is_cheap(const AspectMap& map) {
   std::size_t leaves = 0;
   for (const Aspect& aspect : map.aspects()) leaves += aspect.inside_leaves;
-  return smallest_boxes(map) <= max_boxes_to_count ||
-         (!map.aspects().empty() && leaves <= max_leaves_to_count);
+  if (smallest_boxes(map) <= max_boxes_to_count) return true;
+  const std::size_t all_modes = working_modes(*map.manipulator()).size(), modes = map.working_modes().size();
+  return modes > 0 && leaves * all_modes <= max_leaves_to_count * modes;
 }
 
 ConstraintKinds limits_of_joints(const Manipulator& manipulator) {

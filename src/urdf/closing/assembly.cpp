@@ -159,14 +159,18 @@ double smallest_singular_value(const Eigen::MatrixXd& rows) {
   return singular_values(rows).minCoeff();
 }
 
-std::size_t passive_joints_at_limits(const ClosureSystem& system, const Eigen::VectorXd& values,
+// Of those that can move: what the loops hold still stands there everywhere.
+std::size_t passive_joints_at_limits(const ClosureSystem& system, const Assembly& assembly,
                                      const std::vector<std::size_t>& actuated_joints) {
   std::size_t count = 0;
   for (std::size_t k = 0; k < system.in_loop().size(); ++k) {
     const JointLimits& limits = system.tree().joint_of(k).limits;
-    const double value = values[static_cast<Eigen::Index>(k)];
+    const auto row = static_cast<Eigen::Index>(k);
+    const double value = assembly.values[row];
+    const double unit = system.tree().joint_of(k).motion == JointMotion::prismatic ? system.size() : 1.0;
     const bool driven = std::find(actuated_joints.begin(), actuated_joints.end(), k) != actuated_joints.end();
-    if (system.in_loop()[k] && !driven && limits.lower < limits.upper)
+    const bool is_still = assembly.motions.row(row).norm() < velocity_tolerance * unit;
+    if (system.in_loop()[k] && !driven && !is_still && limits.lower < limits.upper)
       count += std::min(value - limits.lower, limits.upper - value) < closing_tolerance;
   }
   return count;
@@ -285,7 +289,7 @@ class Assembler {
         smallest_singular_value(actuated_rates(system_, candidate.assembly.motions, actuated_joints_)));
     candidate.platform =
         platform_freedom(system_, candidate.assembly, platform_link_, actuated_joints_.size());
-    candidate.at_limits = passive_joints_at_limits(system_, values, actuated_joints_);
+    candidate.at_limits = passive_joints_at_limits(system_, candidate.assembly, actuated_joints_);
     candidate.turned_over = pins_.turned_over(values);
     return candidate;
   }

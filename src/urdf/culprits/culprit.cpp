@@ -8,6 +8,7 @@
 #include "urdf/culprits/correction_search.h"
 #include "urdf/culprits/misfit_axes.h"
 #include "urdf/culprits/misplaced_ends.h"
+#include "urdf/culprits/single_freedom.h"
 
 #include <algorithm>
 #include <utility>
@@ -66,7 +67,7 @@ class Search {
     if (!is_known && (gaps_.are_to_meet() || !mobility_fits()))
       if (auto message = corrections.others()) return message;
     if (auto message = other_types()) return message;
-    return one_degree_of_freedom();
+    return linkage_of_one_degree_of_freedom(tree_, resolved_, assembled_, files_);
   }
 
  private:
@@ -282,55 +283,6 @@ class Search {
     ResolvedConfig placed = changed;
     place_at_zero(*tree, placed.closures);
     return gaps_.allow(*tree, placed) ? attempt_(tree, placed) : std::nullopt;
-  }
-
-  // That carries the platform on the base, in a loop with a slide.
-  std::optional<std::size_t> turning_joint() const {
-    const auto joint = tree_->joint_above[body_of(*tree_, platform())];
-    bool any_slide = false;
-    for (const TreeJoint& other : tree_->joints)
-      any_slide = any_slide || (other.motion == JointMotion::prismatic && system_.in_loop()[*other.variable]);
-    const bool turns = joint && tree_->joints[*joint].motion == JointMotion::revolute &&
-                       body_of(*tree_, tree_->joints[*joint].parent) == body_of(*tree_, resolved_.base);
-    return turns && any_slide ? joint : std::nullopt;
-  }
-
-  // That carries the platform on the base.
-  std::optional<std::size_t> slide_below_platform() const {
-    const auto joint = tree_->joint_above[body_of(*tree_, platform())];
-    const bool slides = joint && tree_->joints[*joint].motion == JointMotion::prismatic &&
-                        body_of(*tree_, tree_->joints[*joint].parent) == body_of(*tree_, resolved_.base);
-    return slides ? joint : std::nullopt;
-  }
-
-  std::ptrdiff_t legs_at_platform() const {
-    const std::size_t body = body_of(*tree_, platform());
-    return std::count_if(resolved_.closures.begin(), resolved_.closures.end(), [&](const Closure& closure) {
-      return body_of(*tree_, closure.frames[0].link) == body ||
-             body_of(*tree_, closure.frames[1].link) == body;
-    });
-  }
-
-  // With the one joint that is actuated, or each of several that move together.
-  std::optional<std::string> one_degree_of_freedom() const {
-    if (!assembled_.assembly || assembled_.assembly->motions.cols() != 1) return std::nullopt;
-    if (auto message = misfit_types(tree_, resolved_, assembled_.assembly->values, files_)) return message;
-    if (const auto joint = turning_joint())
-      return files_.urdf + " turns " + operational_point() + " about joint '" + tree_->joints[*joint].name +
-             "' alone, as a boom that a piston moves; of linkages of one degree of freedom only a platform "
-             "on a "
-             "slide, which one leg moves (T1), is treated.";
-    if (const auto slide = slide_below_platform())
-      return legs_at_platform() < 2
-                 ? std::nullopt
-                 : std::optional<std::string>(
-                       files_.urdf + " is a linkage of one degree of freedom, whose " + operational_point() +
-                       " moves on slide '" + tree_->joints[*slide].name +
-                       "' and is held by several legs; of those only a platform on a slide, which one leg "
-                       "moves (T1), is treated.");
-    return files_.urdf + " is a linkage of one degree of freedom, as a four-bar, and its " +
-           operational_point() +
-           " is not on a slide; of those only a platform on a slide, which one leg moves (T1), is treated.";
   }
 
   const std::shared_ptr<const Tree>& tree_;

@@ -31,6 +31,13 @@ int movable_joints_below(const Tree& tree, std::size_t link) {
   return count;
 }
 
+// Else it is on slides alone, as a platform that is hung on them.
+bool turns_below(const Tree& tree, std::size_t link) {
+  for (auto joint = tree.joint_above[link]; joint; joint = tree.joint_above[tree.joints[*joint].parent])
+    if (tree.joints[*joint].motion == JointMotion::revolute) return true;
+  return false;
+}
+
 // Both links of each closure; nothing where one is a place.
 std::vector<std::size_t> links_of_closures(const Tree& tree, const SetupCandidate& closures) {
   std::vector<std::size_t> links;
@@ -43,6 +50,24 @@ std::vector<std::size_t> links_of_closures(const Tree& tree, const SetupCandidat
     }
   }
   return links;
+}
+
+// Those that hold a last body, which is not named as an end, to one above the base.
+std::vector<TreeJoint> joints_of_ends(const Tree& tree, const Bodies& bodies,
+                                      const std::vector<bool>& left_open) {
+  std::vector<bool> carries(bodies.count(), false);
+  for (const TreeJoint& joint : tree.joints)
+    if (joint.variable && !left_open[joint.child]) carries[bodies.of(joint.parent)] = true;
+  std::vector<TreeJoint> joints;
+  for (const TreeJoint& joint : tree.joints) {
+    const std::size_t body = bodies.of(joint.child);
+    const auto& links = bodies.links(body);
+    const bool named =
+        std::any_of(links.begin(), links.end(), [&](std::size_t link) { return says_end(tree.links[link]); });
+    if (joint.variable && !left_open[joint.child] && !carries[body] && bodies.of(joint.parent) != 0 && !named)
+      joints.push_back(joint);
+  }
+  return joints;
 }
 
 }  // namespace
@@ -59,22 +84,23 @@ std::vector<bool> fittings(const Tree& tree) {
 }
 
 std::vector<bool> with_fingers(const Tree& tree, const Bodies& bodies, std::vector<bool> left_open) {
-  std::vector<bool> carries(bodies.count(), false);
-  for (const TreeJoint& joint : tree.joints)
-    if (joint.variable && !left_open[joint.child]) carries[bodies.of(joint.parent)] = true;
   std::map<std::size_t, std::vector<std::size_t>> ends_on;  // bodies, by the one that carries them
-  for (const TreeJoint& joint : tree.joints) {
-    const std::size_t body = bodies.of(joint.child), carrier = bodies.of(joint.parent);
-    const auto& links = bodies.links(body);
-    const bool named =
-        std::any_of(links.begin(), links.end(), [&](std::size_t link) { return says_end(tree.links[link]); });
-    if (joint.variable && !left_open[joint.child] && !carries[body] && carrier != 0 && !named)
-      ends_on[carrier].push_back(body);
-  }
+  for (const TreeJoint& joint : joints_of_ends(tree, bodies, left_open))
+    ends_on[bodies.of(joint.parent)].push_back(bodies.of(joint.child));
   for (const auto& [carrier, ends] : ends_on)
     for (const std::size_t body : ends)
       for (const std::size_t link : bodies.links(body))
         if (ends.size() > 1) left_open[link] = true;
+  return left_open;
+}
+
+std::vector<bool> with_single_finger(const Tree& tree, const Bodies& bodies, std::vector<bool> left_open) {
+  std::vector<std::size_t> fingers;  // links
+  for (const TreeJoint& joint : joints_of_ends(tree, bodies, left_open))
+    if (joint.motion == JointMotion::prismatic) fingers.push_back(joint.child);
+  if (fingers.size() == 1 && turns_below(tree, fingers.front()) &&
+      operational_point_likeness(tree.links[fingers.front()]) == 0)
+    for (const std::size_t link : bodies.links(bodies.of(fingers.front()))) left_open[link] = true;
   return left_open;
 }
 

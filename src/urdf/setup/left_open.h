@@ -20,6 +20,10 @@ std::vector<bool> fittings(const Tree& tree);
 /// not the root, and are not named as ends of loops: as the fingers of a gripper.
 std::vector<bool> with_fingers(const Tree& tree, const Bodies& bodies, std::vector<bool> left_open);
 
+/// The same of the one such body that a slide holds, as the jaw of a gripper, where there is no other, it is
+/// not on slides alone, and its name does not say that it is the platform.
+std::vector<bool> with_single_finger(const Tree& tree, const Bodies& bodies, std::vector<bool> left_open);
+
 /// Where the root is called base, and the base that was found is not and stands on a chain of several joints
 /// of the root, which may be a leg: the ends of the closures that were found, each with the place on the root
 /// where it is while all joints are zero, as {"base@0:0.5:0", "tip_2"}. Nothing else.

@@ -372,7 +372,9 @@ class EndFinder {
 
 OpenEnds find_open_ends(const Tree& tree, const Bodies& bodies) {
   const std::vector<bool> named = fittings(tree), alike = with_fingers(tree, bodies, named);
+  const std::vector<bool> single = with_single_finger(tree, bodies, alike);
   EndFinder without_named(tree, bodies, named), without_fingers(tree, bodies, alike);
+  EndFinder without_finger(tree, bodies, single);
   OpenEnds found = without_named.ends();
   std::set<std::set<std::set<std::size_t>>> known;
   const auto add = [&](const std::vector<EqualPairings>& all) {
@@ -387,8 +389,10 @@ OpenEnds find_open_ends(const Tree& tree, const Bodies& bodies) {
   add(without_fingers.evident());
   add(without_fingers.forced());
   add(without_named.forced());
+  for (const auto& all : {without_finger.evident(), without_finger.forced()}) add(all);
   add(without_named.others());
   found.cut_short = without_named.cut_short();
+  found.may_have_finger = single != alike;
   return found;
 }
 

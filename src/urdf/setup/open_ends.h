@@ -34,6 +34,7 @@ struct OpenEnds {
   std::optional<std::size_t> platform;  ///< link that most looks like one, where there are several ends
   std::vector<EqualPairings> pairings;  ///< those that more speaks for first
   bool cut_short = false;               ///< whether some are left out, since there are too many
+  bool may_have_finger = false;         ///< whether some leave out the one body that ends on a slide
 };
 
 /// Ends that coincide at zero come first, then those whose names say so, then all that is left; each pairing

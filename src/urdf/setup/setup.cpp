@@ -210,7 +210,7 @@ class Setup {
     for (const EqualPairings& equals : ends.pairings) {
       if (try_equals(equals, ends, first)) return result_;
       if (&equals == &ends.pairings.front() && equals.size() == 1 && blunt_ends(ends).empty() &&
-          corrects(*first, ends))
+          !ends.may_have_finger && corrects(*first, ends))
         return result_;
       if (result_.cut_short || !blunt_ends(ends).empty()) break;
     }

@@ -102,7 +102,8 @@ class Writer {
     text_ += "mechanism:\n";
     comment(indent, "Name of the robot in messages.");
     entry("name", yaml(draft_.robot));
-    single("base_link", "Link that carries the base; poses are given in its frame", draft_.base_link);
+    single("base_link", "Link that carries the base, in whose frame `describe` gives the task frame",
+           draft_.base_link);
     single("operational_point", "Link whose origin is the operational point", draft_.operational_point);
     explain("actuated_joints", "Actuated joints, one a leg", draft_.actuated_joints);
     for (const std::string& note : draft_.notes) comment(indent, note);

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <regex>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,6 +25,11 @@ using test::run;
 using test::run_json;
 
 using MapCommandFiles = test::CommandTest;
+
+std::string text_of(const std::string& file) {
+  std::ifstream stream(file);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
 
 TEST_F(MapCommandFiles, MapsAreSavedAndLoaded) {
   std::string folder = (std::filesystem::temp_directory_path() / "command_XXXXXX").string();
@@ -177,6 +183,29 @@ TEST_F(MapCommandFiles, BadSectionsAreRefusedAtOnce) {
             wrong.config() +
                 " has a map.region with 3 and 3 numbers; give 2 in lower and in upper, one a direction that "
                 "the platform moves in.\n");
+}
+
+// Cones leave one of eight working modes, and limits of the motors bound it.
+TEST_F(MapCommandFiles, CountsWithoutLimitsAreLeftOutWhereTheyWouldTakeLonger) {
+  const std::string chains = PARALLEL_ASPECTS_SOURCE_DIR "/test/data/chains/delta_on_slides.";
+  std::string urdf = text_of(chains + "urdf"),
+              config = text_of(chains + "yaml") + "\nconstraints:\n  cones:\n";
+  urdf = std::regex_replace(urdf, std::regex("<limit effort"), "<limit lower=\"-0.6\" upper=\"1.6\" effort");
+  urdf =
+      std::regex_replace(urdf, std::regex("(name=\"crank_._joint\" type=)\"continuous\""), "$1\"revolute\"");
+  for (const char* leg : {"1", "2", "3"})
+    config += std::string("    - {leg: ") + leg + ", end: base, axis: [0, 1, 0], angle: 1.2}\n";
+  const std::string urdf_file = testing::TempDir() + "limited.urdf",
+                    config_file = testing::TempDir() + "limited.yaml";
+  std::ofstream(urdf_file) << urdf;
+  std::ofstream(config_file) << config;
+  const auto counts = [&](const char* resolution) {
+    return run_json({"map", "--urdf", urdf_file.c_str(), "--config", config_file.c_str(), "--resolution",
+                     resolution})
+        .contains("without_limits");
+  };
+  EXPECT_TRUE(counts("0.1"));
+  EXPECT_FALSE(counts("0.03"));
 }
 
 }  // namespace

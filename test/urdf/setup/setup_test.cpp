@@ -112,6 +112,7 @@ INSTANTIATE_TEST_SUITE_P(
         Found{"guided_plunger", TaskSpace::T1, "housing", "plunger", {"crank_shaft"}},
         Found{"gripping_five_bar", TaskSpace::T2, "BaseTable", "Hand", {"LeftShoulder", "RightShoulder"}},
         Found{"clamping_five_bar", TaskSpace::T2, "BaseTable", "Hand", {"LeftShoulder", "RightShoulder"}},
+        Found{"jawed_five_bar", TaskSpace::T2, "mesa", "biela_der_fin", {"motor_izq", "motor_der"}},
         Found{"octahedral_hexapod",
               TaskSpace::SE3,
               "base",
