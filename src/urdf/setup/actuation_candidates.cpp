@@ -15,7 +15,7 @@ namespace {
 // The first two decide alone; the others are habits of those who write URDFs.
 constexpr int weight_stated_alone = 1000, weight_effort = 100, least_weight_that_decides = 50,
               weight_stated = 20, weight_name = 10, weight_passive = -10, weight_effort_by_habit = 5,
-              weight_at_base = 3, weight_slide = 3;
+              weight_at_base = 3, weight_slide = 3, weight_usual = 4;
 
 using Variables = std::vector<std::size_t>;
 
@@ -47,6 +47,7 @@ class Combiner {
       }
       for (const std::size_t depth : leg.depths) add_at(depth);
     }
+    add([&](std::size_t joint) { return is_usual(joint); });
     return weighed();
   }
 
@@ -117,6 +118,18 @@ class Combiner {
     });
   }
 
+  bool is_slide(std::size_t joint) const { return tree_.joint_of(joint).motion == JointMotion::prismatic; }
+
+  // The slide of a leg, and else what is next to the base.
+  bool is_usual(std::size_t joint) const {
+    return is_slide(joint) ||
+           (at_base(joint) && std::none_of(legs_.begin(), legs_.end(), [&](const GraphPart& leg) {
+              return std::count(leg.variables.begin(), leg.variables.end(), joint) > 0 &&
+                     std::any_of(leg.variables.begin(), leg.variables.end(),
+                                 [&](std::size_t other) { return is_slide(other); });
+            }));
+  }
+
   // What speaks for every joint of the combination.
   ActuationCandidate weighed(const Variables& chosen) const {
     ActuationCandidate candidate{chosen, 0, ""};
@@ -136,11 +149,12 @@ class Combiner {
     count(std::any_of(chosen.begin(), chosen.end(),
                       [&](std::size_t joint) { return says_passive(joint_name(joint)); }),
           weight_passive, "");
-    count(all(chosen, [&](std::size_t joint) { return at_base(joint); }), weight_at_base,
-          "they are next to the base, where actuated joints usually are");
-    count(all(chosen,
-              [&](std::size_t joint) { return tree_.joint_of(joint).motion == JointMotion::prismatic; }),
-          weight_slide, "they are slides, which are seldom passive");
+    const bool all_at_base = all(chosen, [&](std::size_t joint) { return at_base(joint); });
+    const bool all_slide = all(chosen, [&](std::size_t joint) { return is_slide(joint); });
+    count(all_at_base, weight_at_base, "they are next to the base, where actuated joints usually are");
+    count(all_slide, weight_slide, "they are slides, which are seldom passive");
+    count(!all_at_base && !all_slide && all(chosen, [&](std::size_t joint) { return is_usual(joint); }),
+          weight_usual, "they are slides, and next to the base in legs that have none");
     return marked(candidate);
   }
 

@@ -21,8 +21,8 @@ constexpr std::size_t max_others = 4;
 // Closures that are seldom, as welds, and mixtures of types are tried for so many candidates.
 constexpr std::size_t max_with_all_types = 2;
 
-// For so many platforms a refusal looks for what would correct it.
-constexpr std::size_t max_diagnosed = 3;
+// For so many platforms, and numbers of legs, a refusal looks for what would correct it.
+constexpr std::size_t max_diagnosed = 4;
 
 struct SearchIsLate {};
 
@@ -285,7 +285,10 @@ class ClosedSearch {
 
   bool try_type(const char* type) {
     result_.draft.closure_type = type;
-    if (is_ruled_out("spherical") || is_ruled_out(type)) return false;
+    if (is_ruled_out("spherical") || is_ruled_out(type)) {
+      if (is_new_platform()) result_.tried.push_back(result_.draft);
+      return false;
+    }
     if (load()) return true;
     learn_freedom(type);
     return false;
@@ -348,11 +351,14 @@ class ClosedSearch {
     return result_.mechanism != nullptr;
   }
 
+  // Or with other legs, as where a chain that it hangs on was taken for one.
   bool is_new_platform() const {
     const std::size_t body = bodies_.of(*tree_.link_named(result_.draft.operational_point.values.front()));
+    const std::size_t legs = result_.draft.actuated_joints.values.size();
     return result_.tried.size() < max_diagnosed &&
            std::none_of(result_.tried.begin(), result_.tried.end(), [&](const SetupDraft& other) {
-             return bodies_.of(*tree_.link_named(other.operational_point.values.front())) == body;
+             return bodies_.of(*tree_.link_named(other.operational_point.values.front())) == body &&
+                    other.actuated_joints.values.size() == legs;
            });
   }
 

@@ -115,7 +115,18 @@ TEST(Setup, RefusesInTheWordsOfItsOptions) {
       << listed(four_bar.problems);
 }
 
-// Of a turntable, of an operational point on a wrist and of missing actuated joints.
+// What the chain that the platform hangs on does is not taken for a leg, nor a swivel for a motor.
+TEST(Setup, RefusesWithTheTrueCulprit) {
+  const auto refusal = [](const std::string& robot, const std::string& one, const std::string& other) {
+    return listed(set_up_text(test::replaced(urdf_of(robot), one, other)).problems);
+  };
+  const std::string hung = refusal("hung_five_bar", "<axis xyz=\"0 1 0\"/>", "<axis xyz=\"0 0 1\"/>");
+  EXPECT_NE(hung.find("write <axis xyz=\"0 1 0\"/> for joint 'rail_y'"), std::string::npos) << hung;
+  const std::string knee = "<child link=\"link\"/><origin xyz=\"0.1 0.2 0\" rpy=\"0 0 0\"/><axis xyz=\"";
+  const std::string struts = refusal("strut_and_crank", knee + "0 0 1", knee + "1 0 0");
+  EXPECT_NE(struts.find("write <axis xyz=\"0 0 1\"/> for joint 'knee'"), std::string::npos) << struts;
+}
+
 // As a robot is refused whose YAML is written by hand.
 TEST(Setup, NamesTheElementAtFault) {
   const std::string joined = test::source_file("test/data/setup/gazebo_five_bar.urdf");

@@ -113,6 +113,7 @@ INSTANTIATE_TEST_SUITE_P(
         Found{"gripping_five_bar", TaskSpace::T2, "BaseTable", "Hand", {"LeftShoulder", "RightShoulder"}},
         Found{"clamping_five_bar", TaskSpace::T2, "BaseTable", "Hand", {"LeftShoulder", "RightShoulder"}},
         Found{"jawed_five_bar", TaskSpace::T2, "mesa", "biela_der_fin", {"motor_izq", "motor_der"}},
+        Found{"strut_and_crank", TaskSpace::T2, "bench", "link_eye", {"stroke", "pivot"}},
         Found{"octahedral_hexapod",
               TaskSpace::SE3,
               "base",
