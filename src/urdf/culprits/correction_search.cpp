@@ -3,6 +3,7 @@
 
 #include "urdf/closing/actuation_choices.h"
 #include "urdf/closing/assembly.h"
+#include "urdf/closing/planar_layers.h"
 #include "urdf/corrections/chain_corrections.h"
 #include "urdf/corrections/closure_places.h"
 #include "urdf/corrections/frame_corrections.h"
@@ -210,7 +211,9 @@ void CorrectionSearch::try_one(const Correction& correction) {
   ResolvedConfig config = resolved_;
   correction.apply(*tree, config);
   place_at_zero(*tree, config.closures);
-  if (!gaps_.allow(*tree, config) || !closes_and_moves(tree, config)) return;
+  if (!gaps_.allow(*tree, config)) return;
+  join_layers(*tree, config.actuated_joints.platform_link, files_, config.closures);
+  if (!closes_and_moves(tree, config)) return;
   ++attempts_;
   if (const auto space = attempt_(tree, config)) working_.push_back({correction, *space});
 }

@@ -125,6 +125,10 @@ TEST(Setup, RefusesWithTheTrueCulprit) {
   const std::string knee = "<child link=\"link\"/><origin xyz=\"0.1 0.2 0\" rpy=\"0 0 0\"/><axis xyz=\"";
   const std::string struts = refusal("strut_and_crank", knee + "0 0 1", knee + "1 0 0");
   EXPECT_NE(struts.find("write <axis xyz=\"0 0 1\"/> for joint 'knee'"), std::string::npos) << struts;
+  const std::string arm = "<child link=\"upper_arm_right\"/><origin xyz=\"0.05 0 0.02\"";
+  const std::string layered = refusal("layered_five_bar", arm, arm + " rpy=\"1.5708 0 0.95993\"");
+  EXPECT_NE(layered.find("write rpy=\"0 0 0\" in the origin of joint 'shoulder_right'"), std::string::npos)
+      << layered;
 }
 
 // As a robot is refused whose YAML is written by hand.
