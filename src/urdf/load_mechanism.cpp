@@ -17,6 +17,7 @@
 #include "urdf/open_choices.h"
 #include "urdf/reading/tree_reader.h"
 #include "urdf/stated_constraints.h"
+#include "urdf/symmetrizing.h"
 
 #include <tinyxml2.h>
 #include <yaml-cpp/yaml.h>
@@ -198,6 +199,8 @@ SharedMechanism load_mechanism(const std::string& urdf_text, const std::string& 
   add_stated_constraints(config.constraints, config.symmetrize, files, *contents, of_constraints);
   if (!of_constraints.empty()) throw InvalidDescription(of_constraints);
   take_tolerance(config.tolerance, files, *contents);
+  if (search.looks_for_remedies)
+    if (const auto note = note_on_symmetry(*contents, config, files)) contents->notes.push_back(*note);
   contents->notes.insert(contents->notes.begin(), notes.begin(), notes.end());
   return SharedMechanism(std::make_shared<const Mechanism>(std::move(contents)));
 }

@@ -216,7 +216,7 @@ class Recogniser {
           assembly.residual,
           Completion(system, assembly.values, motion, legs, passive, resolved_.actuated_joints.variables),
           motion.point_platform});
-      symmetrize_legs(*contents, config_.symmetrize, files_);
+      symmetrize_legs(*contents, config_, files_);
       add_joints(*contents);
       return contents;
     } catch (const InvalidDescription& invalid) {

@@ -25,15 +25,10 @@ void intersect(const WorkspaceBox& slides, TaskSpace space, const SourceNames& f
                        " leave no room in; widen one of them.");
 }
 
-// What limits may lack of a full turn where none are meant, as -3.14 to 3.14 does [rad].
+// What limits may lack of a full turn where none are meant [rad].
 constexpr double nearly_a_turn = 0.01;
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
-
-bool leaves_nearly_a_turn(const JointLimits& limits) {
-  const double lacking = 2.0 * EIGEN_PI - (limits.upper - limits.lower);
-  return 0.0 < lacking && lacking < nearly_a_turn;
-}
 
 // Takes limits of revolute joints that leave nearly a full turn as none of the aspects.
 class FullTurns {
@@ -95,6 +90,11 @@ void keep_passive_limits(const Constraints& found, TaskSpace space, const Source
 
 }  // namespace
 
+bool leaves_nearly_a_turn(const JointLimits& limits) {
+  const double lacking = 2.0 * EIGEN_PI - (limits.upper - limits.lower);
+  return 0.0 < lacking && lacking < nearly_a_turn;
+}
+
 void add_stated_constraints(const ConstraintsConfig& config, std::optional<double> symmetrize,
                             const SourceNames& files, Mechanism::Contents& contents, Problems& problems) {
   const std::size_t before = problems.size();
@@ -107,22 +107,24 @@ void add_stated_constraints(const ConstraintsConfig& config, std::optional<doubl
   if (!config.actuated_limits)
     for (Leg& leg : description.legs) leg.limits = {};
   if (problems.size() > before) return;
+  ManipulatorDescription mapped = description;
+  FullTurns full_turns(contents);
+  if (!config.strict_limits) full_turns.leave_out(mapped);
   try {
     contents.manipulator = std::make_shared<const Manipulator>(description);
     if (symmetrize) {
-      symmetrize_constraints(description, contents.symmetric, contents.manipulator->size(), *symmetrize,
-                             files, contents.notes);
+      std::vector<std::string> unused;  // what bounds maps is said
+      const double size = contents.manipulator->size();
+      symmetrize_constraints(description, contents.symmetric, size, *symmetrize, files, unused);
+      symmetrize_constraints(mapped, contents.symmetric, size, *symmetrize, files, contents.notes);
       contents.manipulator = std::make_shared<const Manipulator>(description);
     }
   } catch (const InvalidDescription& invalid) {
     for (const std::string& problem : invalid.problems()) problems.push_back(files.config + ": " + problem);
   }
   contents.mapped_manipulator = contents.manipulator;
-  if (problems.size() > before) return;
-  FullTurns full_turns(contents);
-  if (!config.strict_limits) full_turns.leave_out(description);
-  if (!full_turns.any()) return;
-  contents.mapped_manipulator = std::make_shared<const Manipulator>(std::move(description));
+  if (problems.size() > before || !full_turns.any()) return;
+  contents.mapped_manipulator = std::make_shared<const Manipulator>(std::move(mapped));
   contents.notes.push_back(full_turns.note(files));
 }
 

@@ -11,6 +11,9 @@
 
 namespace parallel_aspects {
 
+/// Whether limits lack so little of a full turn that none are meant, as -3.14 to 3.14 [rad].
+bool leaves_nearly_a_turn(const JointLimits& limits);
+
 /// Gives the manipulator the constraints of the YAML. Limits that the URDF states, which it has by now, hold
 /// unless the YAML says otherwise; what is wrong is added to `problems`. All are made symmetric within the
 /// tolerance that the legs were made so, if there is one.

@@ -4,6 +4,7 @@
 
 #include "parallel_aspects/model/manipulator.h"
 #include "urdf/closing/chain.h"
+#include "urdf/config/mechanism_config.h"
 #include "urdf/mechanism_contents.h"
 
 #include <optional>
@@ -12,11 +13,16 @@
 
 namespace parallel_aspects {
 
-/// Puts the nearest symmetric robot in the place of the manipulator, within a tolerance in sizes of the robot
-/// and rad, and keeps its motions; changes neither where there is none, or no tolerance. A note says what was
-/// moved by how much, or that nothing was.
-void symmetrize_legs(Mechanism::Contents& contents, std::optional<double> tolerance,
-                     const SourceNames& files);
+/// Puts the nearest symmetric robot in the place of the manipulator, within the tolerance of `config` in
+/// sizes of the robot and rad, and keeps its motions; changes neither where there is none, or no tolerance.
+/// Limits of actuated joints that bound no map may be as they like. A note says what was moved by how much,
+/// or that nothing was.
+void symmetrize_legs(Mechanism::Contents& contents, const MechanismConfig& config, const SourceNames& files);
+
+/// Says so of a robot whose maps would be symmetric if its numbers were not rounded, and that the YAML can
+/// have it so. Nothing where it has, or of six degrees of freedom.
+std::optional<std::string> note_on_symmetry(const Mechanism::Contents& contents,
+                                            const MechanismConfig& config, const SourceNames& files);
 
 /// Makes the constraints of a robot symmetric, too, under the motions of its legs. Notes say what was moved
 /// by how much, and what keeps maps from using the symmetry.

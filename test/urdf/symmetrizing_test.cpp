@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <iomanip>
 #include <random>
+#include <regex>
 #include <sstream>
 
 namespace parallel_aspects {
@@ -55,6 +56,11 @@ std::shared_ptr<const AspectMap> map_of(const Mechanism& mechanism, double resol
   return result.map;
 }
 
+bool any_note(const Mechanism& mechanism, const std::string& text) {
+  return std::any_of(mechanism.notes().begin(), mechanism.notes().end(),
+                     [&](const std::string& note) { return note.find(text) != std::string::npos; });
+}
+
 std::size_t motions_of(const AspectMap& map) {
   return map.symmetry_use() ? map.symmetry_use()->motions.size() : 0;
 }
@@ -90,12 +96,17 @@ INSTANTIATE_TEST_SUITE_P(Robots, Symmetrized,
                          ::testing::Values(Case{"five_bar", 0.5}, Case{"bipod", 0.5}, Case{"delta", 0.2}),
                          [](const auto& given) { return given.param.robot; });
 
-TEST(Symmetrize, IsOffByDefault) {
+TEST(Symmetrize, IsOffByDefaultAndSaidToBeThere) {
   Description robot = shipped_text("five_bar");
+  EXPECT_FALSE(any_note(*test::load(robot), "is symmetric under"));
   robot.urdf = perturbed(robot.urdf, 1e-5, 1);
   const auto mechanism = test::load(robot);
-  for (const std::string& note : mechanism->notes())
-    EXPECT_EQ(note.find("symmetric"), std::string::npos) << note;
+  EXPECT_TRUE(any_note(*mechanism, "robot.urdf is symmetric under ") &&
+              any_note(*mechanism,
+                       "mechanism: {symmetrize: 1.0e-4} in robot.yaml takes the symmetric robot nearest"));
+  EXPECT_EQ(motions_of(*map_of(*mechanism, 0.5)), 0U);
+  robot.urdf = perturbed(robot.urdf, 1e-2, 1);
+  EXPECT_FALSE(any_note(*test::load(robot), "is symmetric under"));
 }
 
 TEST(Symmetrize, LeavesARobotAsItIsThatIsBeyondTheTolerance) {
@@ -134,11 +145,6 @@ Description bounded_five_bar(const std::string& off) {
   return robot;
 }
 
-bool any_note(const Mechanism& mechanism, const std::string& text) {
-  return std::any_of(mechanism.notes().begin(), mechanism.notes().end(),
-                     [&](const std::string& note) { return note.find(text) != std::string::npos; });
-}
-
 TEST(Symmetrize, ReachesConstraints) {
   const auto mechanism = test::load(bounded_five_bar("0002"));
   EXPECT_TRUE(any_note(*mechanism, "the limits of passive joints are made symmetric, too"));
@@ -162,6 +168,45 @@ TEST(Symmetrize, SaysNothingOfMovesThatAreNotKept) {
   const auto mechanism = test::load(robot);
   EXPECT_TRUE(any_note(*mechanism, "while these are not symmetric: constraints.obstacles."));
   EXPECT_FALSE(any_note(*mechanism, "are made symmetric, too"));
+}
+
+// A motor that is mounted turned has another zero, which bounds no map.
+TEST(Symmetrize, PassesOverLimitsThatLeaveAFullTurn) {
+  Description robot = with_tolerance(shipped_text("five_bar"), "1.0e-4");
+  robot.urdf = perturbed(robot.urdf, 1e-5, 1);
+  robot.urdf =
+      std::regex_replace(robot.urdf, std::regex("(<joint name=\"crank_._joint\" type=)\"continuous\">"),
+                         "$1\"revolute\"><limit lower=\"-3.14\" upper=\"3.14\"/>");
+  robot.urdf = std::regex_replace(robot.urdf, std::regex("(<joint name=\"crank_2_joint\"[^]*?<origin )"),
+                                  "$1rpy=\"0 0 0.3\" ");
+  const auto mechanism = test::load(robot);
+  EXPECT_GT(motions_of(*map_of(*mechanism, 0.5)), 0U);
+  EXPECT_NEAR(mechanism->manipulator()->leg(1).limits.upper, 3.14, 1e-12);
+  robot.config += "\nconstraints: {strict_limits: true}\n";
+  EXPECT_EQ(motions_of(*map_of(*test::load(robot), 0.5)), 0U);
+}
+
+// Delta on slides, with limits of its universal joints, which are cones in its cranks.
+TEST(Symmetrize, ReachesCones) {
+  Description robot{perturbed(test::source_file("test/data/chains/delta_on_slides.urdf"), 3e-6, 1),
+                    test::source_file("test/data/chains/delta_on_slides.yaml")};
+  robot.urdf = std::regex_replace(robot.urdf,
+                                  std::regex("(<joint name=\"rod_._)(pitch|roll)(\" type=)\"continuous\">"),
+                                  "$1$2$3\"revolute\"><limit lower=\"-1.2\" upper=\"1.2\"/>");
+  const auto raw = test::load(robot), symmetric = test::load(with_tolerance(robot, "1.0e-4"));
+  EXPECT_TRUE(any_note(*symmetric, "the limits of passive joints are made symmetric, too"));
+  EXPECT_TRUE(
+      any_note(*symmetric, "Maps make no use of symmetry (x, y, -z); (x, -y, -z) of robot.urdf while"));
+  EXPECT_EQ(motions_of(*map_of(*raw, 0.8)), 0U);
+  EXPECT_GT(motions_of(*map_of(*symmetric, 0.8)), 0U);
+  const auto& before = raw->mapped_manipulator()->constraints().passive_cones;
+  const auto& after = symmetric->mapped_manipulator()->constraints().passive_cones;
+  ASSERT_EQ(before.size(), 12U);
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    EXPECT_NEAR((before[k].cone.axis - after[k].cone.axis).norm(), 0.0, 1e-4);
+    EXPECT_NEAR(before[k].cone.angle, after[k].cone.angle, 1e-4);
+    EXPECT_NEAR(after[k].cone.axis.norm(), 1.0, 1e-15);
+  }
 }
 
 }  // namespace

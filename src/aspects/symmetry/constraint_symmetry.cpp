@@ -31,7 +31,8 @@ class ConstraintImages {
 
   bool operator()(const BallJointCone& cone, const BallJointCone& image) const {
     return leg_image_[cone.leg] == image.leg && cone.end == image.end && cone.angle == image.angle &&
-           taken(cone) == image.axis;
+           image_of_axis(symmetry_, cone, manipulator_.leg(cone.leg), manipulator_.leg(image.leg)) ==
+               image.axis;
   }
 
   bool operator()(const PassiveCone& limit, const PassiveCone& image) const {
@@ -73,16 +74,6 @@ class ConstraintImages {
   /// Angles in the plane are counted from there.
   bool keeps_x_axis() const { return symmetry_.base(0, 0) > 0.0 && symmetry_.platform(0, 0) > 0.0; }
 
-  // In a crank x goes to x, z to z or -z, and y = z cross x changes like z, but for reflections.
-  Eigen::Vector3d taken(const BallJointCone& cone) const {
-    if (cone.end == LegEnd::platform) return symmetry_.platform * cone.axis;
-    const RevoluteActuation* crank = manipulator_.leg(cone.leg).crank();
-    if (crank == nullptr) return symmetry_.base * cone.axis;
-    const RevoluteActuation& image = *manipulator_.leg(leg_image_[cone.leg]).crank();  // of the same kind
-    const double along = takes_direction(symmetry_, crank->axis, image.axis);
-    return cone.axis.cwiseProduct(Eigen::Vector3d(1.0, symmetry_.handedness() * along, along));
-  }
-
   LinkName taken(const LinkName& link) const { return {link.kind, leg_image_[link.leg]}; }
 
   // In axes that are images of each other, the vector of a rotation changes like one, but for reflections.
@@ -114,6 +105,15 @@ int takes_direction(const RigidSymmetry& symmetry, const Eigen::Vector3d& direct
   const Eigen::Vector3d turned = symmetry.base * direction;
   if (turned == image) return 1;
   return turned == -image ? -1 : 0;
+}
+
+// In a crank x goes to x, z to z or -z, and y = z cross x changes like z, but for reflections.
+Eigen::Vector3d image_of_axis(const RigidSymmetry& symmetry, const BallJointCone& cone, const Leg& leg,
+                              const Leg& image) {
+  if (cone.end == LegEnd::platform) return symmetry.platform * cone.axis;
+  if (leg.crank() == nullptr) return symmetry.base * cone.axis;
+  const double along = takes_direction(symmetry, leg.crank()->axis, image.crank()->axis);
+  return cone.axis.cwiseProduct(Eigen::Vector3d(1.0, symmetry.handedness() * along, along));
 }
 
 bool are_images(const JointLimits& limits, const JointLimits& image, int sign) noexcept {

@@ -21,6 +21,11 @@ bool takes_point(const RigidSymmetry& symmetry, const Eigen::Vector3d& point,
 int takes_direction(const RigidSymmetry& symmetry, const Eigen::Vector3d& direction,
                     const Eigen::Vector3d& image) noexcept;
 
+/// The axis of a cone at `leg`, where a symmetry takes the leg to `image`: exact where it is so of the axes
+/// of their cranks.
+Eigen::Vector3d image_of_axis(const RigidSymmetry& symmetry, const BallJointCone& cone, const Leg& leg,
+                              const Leg& image);
+
 /// Whether two ranges are the same, or where `sign` is -1 the same but for the sign of all their values.
 bool are_images(const JointLimits& limits, const JointLimits& image, int sign) noexcept;
 

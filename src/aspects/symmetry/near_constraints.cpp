@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/symmetry/near_constraints.h"
 
+#include "aspects/symmetry/constraint_symmetry.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -19,39 +21,83 @@ Vector3d& center_of(Obstacle& obstacle) {
 
 class ConstraintSymmetrizer {
  public:
-  ConstraintSymmetrizer(const Constraints& constraints, TaskSpace space, const SymmetricLegs& legs,
-                        double size, double tolerance)
-      : directions_(static_cast<Eigen::Index>(directions(space))),
+  ConstraintSymmetrizer(const ManipulatorDescription& robot, const SymmetricLegs& legs, double size,
+                        double tolerance)
+      : directions_(static_cast<Eigen::Index>(directions(robot.task_space))),
+        robot_legs_(robot.legs),
         legs_(legs),
         length_(size * tolerance),
         angle_(tolerance),
-        length_step_(step_of_lengths(size)),
-        count_(static_cast<double>(legs.motions.size() + 1)) {
-    result_.constraints = constraints;
+        length_step_(step_of_lengths(size)) {
+    result_.constraints = robot.constraints;
   }
 
   SymmetricConstraints run() {
     Constraints& constraints = result_.constraints;
-    if (constraints.workspace) average(*constraints.workspace);
-    average(constraints.obstacles);
-    average(constraints.passive_limits);
+    if (constraints.workspace) settle(*constraints.workspace);
+    settle(constraints.obstacles);
+    settle(constraints.passive_limits);
+    settle(constraints.passive_cones);
+    settle(constraints.cones);
     return std::move(result_);
   }
 
  private:
-  void average(WorkspaceBox& box) {
-    WorkspaceBox sum = about_center(box);
+  // What is averaged and what that moved.
+  template <class Kind>
+  struct Mean {
+    Kind kind;
+    MovedNumber length, angle;
+  };
+
+  // Over those motions that take it onto itself.
+  template <class Kind>
+  void settle(Kind& kind) {
+    std::vector<SymmetricMotion> near;
     for (const SymmetricMotion& motion : legs_.motions) {
+      motions_ = {motion};
+      if (mean_of(kind)) near.push_back(motion);
+    }
+    motions_ = near;
+    const auto mean = near.empty() || !is_group() ? std::nullopt : mean_of(kind);
+    if (!mean) return;
+    kind = mean->kind;
+    tell(result_.length, mean->length.what, mean->length.amount);
+    tell(result_.angle, mean->angle.what, mean->angle.amount);
+  }
+
+  bool is_group() const {
+    return std::all_of(motions_.begin(), motions_.end(), [this](const SymmetricMotion& one) {
+      return std::all_of(motions_.begin(), motions_.end(),
+                         [&](const SymmetricMotion& other) { return has_product(one, other); });
+    });
+  }
+
+  // First `one`, then `other`.
+  bool has_product(const SymmetricMotion& one, const SymmetricMotion& other) const {
+    const Eigen::Matrix3d base = other.motion.base * one.motion.base,
+                          platform = other.motion.platform * one.motion.platform;
+    return (base.isIdentity(0.0) && platform.isIdentity(0.0)) ||
+           std::any_of(motions_.begin(), motions_.end(), [&](const SymmetricMotion& product) {
+             return product.motion.base == base && product.motion.platform == platform;
+           });
+  }
+
+  std::optional<Mean<WorkspaceBox>> mean_of(const WorkspaceBox& box) const {
+    WorkspaceBox sum = about_center(box);
+    for (const SymmetricMotion& motion : motions_) {
       const WorkspaceBox image = taken(motion.motion, about_center(box));
-      if (!near(image.lower, about_center(box).lower) || !near(image.upper, about_center(box).upper)) return;
+      if (!near(image.lower, about_center(box).lower) || !near(image.upper, about_center(box).upper))
+        return std::nullopt;
       sum.lower += image.lower;
       sum.upper += image.upper;
     }
-    const WorkspaceBox old = box;
-    box.lower = placed(sum.lower, old.lower);
-    box.upper = placed(sum.upper, old.upper);
-    tell(result_.length, "workspace", (box.lower - old.lower).cwiseAbs().maxCoeff());
-    tell(result_.length, "workspace", (box.upper - old.upper).cwiseAbs().maxCoeff());
+    Mean<WorkspaceBox> mean{box, {}, {}};
+    mean.kind.lower = placed(sum.lower, box.lower);
+    mean.kind.upper = placed(sum.upper, box.upper);
+    tell(mean.length, "workspace", (mean.kind.lower - box.lower).cwiseAbs().maxCoeff());
+    tell(mean.length, "workspace", (mean.kind.upper - box.upper).cwiseAbs().maxCoeff());
+    return mean;
   }
 
   // Relative to where all motions turn, in whole steps, so that sums are exact.
@@ -65,7 +111,7 @@ class ConstraintSymmetrizer {
   Vector3d placed(const Vector3d& sum, const Vector3d& old) const {
     Vector3d result = old;
     for (Eigen::Index k = 0; k < directions_; ++k)
-      result[k] = snapped(sum[k] / count_, length_step_) + legs_.center[k];
+      result[k] = snapped(sum[k] / count(), length_step_) + legs_.center[k];
     return result;
   }
 
@@ -85,49 +131,101 @@ class ConstraintSymmetrizer {
   }
 
   // What each is the mean of: what the motions take onto it, brought back.
-  void average(std::vector<Obstacle>& obstacles) {
-    std::vector<Obstacle> result = obstacles;
-    MovedNumber most = result_.length;
-    for (Obstacle& obstacle : result) {
+  std::optional<Mean<std::vector<Obstacle>>> mean_of(std::vector<Obstacle> obstacles) const {
+    Mean<std::vector<Obstacle>> mean{obstacles, {}, {}};
+    for (Obstacle& obstacle : mean.kind) {
       Vector3d sum = inside(center_of(obstacle));
-      for (const SymmetricMotion& motion : legs_.motions) {
+      for (const SymmetricMotion& motion : motions_) {
         const auto image = std::find_if(obstacles.begin(), obstacles.end(), [&](Obstacle other) {
           return other.shape.index() == obstacle.shape.index() &&
                  near(motion.motion.base * inside(center_of(obstacle)), inside(center_of(other)));
         });
-        if (image == obstacles.end()) return;
+        if (image == obstacles.end()) return std::nullopt;
         sum += motion.motion.base.transpose() * inside(center_of(*image));
       }
       const Vector3d old = center_of(obstacle);
       center_of(obstacle) = placed(sum, old);
-      tell(most, "obstacle " + obstacle.name, (center_of(obstacle) - old).norm());
+      tell(mean.length, "obstacle " + obstacle.name, (center_of(obstacle) - old).norm());
     }
-    obstacles = std::move(result);
-    result_.length = most;
+    return mean;
   }
 
-  void average(std::vector<PassiveLimit>& limits) {
-    std::vector<PassiveLimit> result = limits;
-    MovedNumber most = result_.angle;
+  std::optional<Mean<std::vector<PassiveLimit>>> mean_of(const std::vector<PassiveLimit>& limits) const {
+    Mean<std::vector<PassiveLimit>> result{limits, {}, {}};
     for (std::size_t k = 0; k < limits.size(); ++k) {
       std::array<double, 3> sum = numbers(limits[k], 1, 1);
-      for (const SymmetricMotion& motion : legs_.motions) {
+      for (const SymmetricMotion& motion : motions_) {
         const auto image = image_of(limits[k], motion, limits);
-        if (!image) return;
+        if (!image) return std::nullopt;
         for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += (*image)[i];
       }
-      result[k].offset = mean(sum[0]);
-      result[k].limits.lower = mean(sum[1]);
-      result[k].limits.upper = mean(sum[2]);
-      tell(most, "limit of " + limits[k].joint, std::abs(result[k].limits.lower - limits[k].limits.lower));
-      tell(most, "limit of " + limits[k].joint, std::abs(result[k].limits.upper - limits[k].limits.upper));
-      tell(most, "zero of " + limits[k].joint, std::abs(result[k].offset - limits[k].offset));
+      PassiveLimit& limit = result.kind[k];
+      limit.offset = mean(sum[0]);
+      limit.limits.lower = mean(sum[1]);
+      limit.limits.upper = mean(sum[2]);
+      tell(result.angle, "limit of " + limit.joint, std::abs(limit.limits.lower - limits[k].limits.lower));
+      tell(result.angle, "limit of " + limit.joint, std::abs(limit.limits.upper - limits[k].limits.upper));
+      tell(result.angle, "zero of " + limit.joint, std::abs(limit.offset - limits[k].offset));
     }
-    limits = std::move(result);
-    result_.angle = most;
+    return result;
   }
 
-  double mean(double sum) const { return std::isfinite(sum) ? snapped(sum / count_, step_of_angles) : sum; }
+  static BallJointCone& cone_of(BallJointCone& cone) { return cone; }
+  static BallJointCone& cone_of(PassiveCone& limit) { return limit.cone; }
+  static const BallJointCone& cone_of(const BallJointCone& cone) { return cone; }
+  static const BallJointCone& cone_of(const PassiveCone& limit) { return limit.cone; }
+  static std::string name_of(const BallJointCone& cone) {
+    return "cone of leg " + std::to_string(cone.leg + 1);
+  }
+  static std::string name_of(const PassiveCone& limit) { return "limit of " + limit.joint; }
+
+  // Of what the motions take onto each.
+  template <class Cone>
+  std::optional<Mean<std::vector<Cone>>> mean_of(const std::vector<Cone>& cones) const {
+    Mean<std::vector<Cone>> result{cones, {}, {}};
+    for (Cone& each : result.kind) {
+      BallJointCone& cone = cone_of(each);
+      const BallJointCone old = cone;
+      Vector3d axis = snapped(old.axis, step_of_angles);
+      double angle = snapped(old.angle, step_of_angles);
+      for (const SymmetricMotion& motion : motions_) {
+        const auto other = std::find_if(cones.begin(), cones.end(), [&](const Cone& one) {
+          return motion.leg_image[cone_of(one).leg] == old.leg && is_near(taken(motion, cone_of(one)), old);
+        });
+        if (other == cones.end()) return std::nullopt;
+        axis += snapped(taken(motion, cone_of(*other)).axis, step_of_angles);
+        angle += snapped(cone_of(*other).angle, step_of_angles);
+      }
+      cone.axis = axis / norm(axis);
+      cone.angle = mean(angle);
+      tell(result.angle, name_of(each),
+           std::max((cone.axis - old.axis).norm(), std::abs(cone.angle - old.angle)));
+    }
+    return result;
+  }
+
+  BallJointCone taken(const SymmetricMotion& motion, BallJointCone cone) const {
+    const std::size_t image = motion.leg_image[cone.leg];
+    cone.axis = image_of_axis(motion.motion, cone, robot_legs_[cone.leg], robot_legs_[image]);
+    cone.leg = image;
+    return cone;
+  }
+
+  bool is_near(const BallJointCone& one, const BallJointCone& other) const {
+    return one.end == other.end && std::abs(one.angle - other.angle) <= angle_ &&
+           (one.axis - other.axis).norm() <= angle_;
+  }
+
+  // The same to the last digit of all images, whose entries are in another order.
+  static double norm(const Vector3d& vector) {
+    std::array<double, 3> entries{std::abs(vector.x()), std::abs(vector.y()), std::abs(vector.z())};
+    std::sort(entries.begin(), entries.end());
+    return std::hypot(entries[0], entries[1], entries[2]);
+  }
+
+  double count() const { return static_cast<double>(motions_.size() + 1); }
+
+  double mean(double sum) const { return std::isfinite(sum) ? snapped(sum / count(), step_of_angles) : sum; }
 
   // Offset and limits, brought back by the signs that a motion changes them with.
   static std::array<double, 3> numbers(const PassiveLimit& limit, int turned, int sign) {
@@ -154,17 +252,18 @@ class ConstraintSymmetrizer {
   }
 
   Eigen::Index directions_;
+  const std::vector<Leg>& robot_legs_;
   const SymmetricLegs& legs_;
-  double length_, angle_, length_step_, count_;
+  double length_, angle_, length_step_;
+  std::vector<SymmetricMotion> motions_;  // that means are taken over, without the identity
   SymmetricConstraints result_;
 };
 
 }  // namespace
 
-SymmetricConstraints nearest_symmetric_constraints(const Constraints& constraints, TaskSpace space,
+SymmetricConstraints nearest_symmetric_constraints(const ManipulatorDescription& robot,
                                                    const SymmetricLegs& legs, double size, double tolerance) {
-  return ConstraintSymmetrizer(constraints, space, legs, space == TaskSpace::SO3 ? 1.0 : size, tolerance)
-      .run();
+  return ConstraintSymmetrizer(robot, legs, robot.task_space == TaskSpace::SO3 ? 1.0 : size, tolerance).run();
 }
 
 }  // namespace parallel_aspects

@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_ASPECTS_SYMMETRY_NEAR_CONSTRAINTS_H
 
 #include "aspects/symmetry/near_symmetry.h"
-#include "parallel_aspects/model/constraints.h"
+#include "parallel_aspects/model/manipulator.h"
 
 namespace parallel_aspects {
 
@@ -13,11 +13,11 @@ struct SymmetricConstraints {
   MovedNumber length, angle;  ///< what was moved farthest
 };
 
-/// The workspace, the obstacles and the limits of passive joints that are nearest to those of `constraints`
-/// and symmetric under the motions of `legs`: each kind is averaged over them where all its numbers have
-/// images no farther away than `tolerance`, in sizes of the robot [m] and rad, and else stays as it is. So do
-/// the turns of boxes, cones and self-collision.
-SymmetricConstraints nearest_symmetric_constraints(const Constraints& constraints, TaskSpace space,
+/// The workspace, the obstacles, cones and the limits of passive joints that are nearest to those of `robot`
+/// and symmetric under the motions of `legs`, which its own legs have: each kind is averaged over those of
+/// them under which all its numbers have images no farther away than `tolerance`, in sizes of the robot [m]
+/// and rad. The turns of boxes and self-collision stay as they are.
+SymmetricConstraints nearest_symmetric_constraints(const ManipulatorDescription& robot,
                                                    const SymmetricLegs& legs, double size, double tolerance);
 
 }  // namespace parallel_aspects
