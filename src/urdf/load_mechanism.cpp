@@ -15,6 +15,7 @@
 #include "urdf/mechanism_contents.h"
 #include "urdf/mechanism_recognition.h"
 #include "urdf/open_choices.h"
+#include "urdf/reading/robot_text.h"
 #include "urdf/reading/tree_reader.h"
 #include "urdf/stated_constraints.h"
 #include "urdf/symmetrizing.h"
@@ -173,6 +174,8 @@ SharedMechanism load_mechanism(const std::string& urdf_text, const std::string& 
 SharedMechanism load_mechanism(const std::string& urdf_text, const std::string& urdf_name,
                                const std::string& config_text, const std::string& config_name,
                                const std::string& frame_prefix, const LoadSearch& search) {
+  if (const auto text = from_latin_1(urdf_text))
+    return load_mechanism(*text, urdf_name, config_text, config_name, frame_prefix, search);
   Problems problems;
   std::vector<std::string> notes;
   const SourceNames files{urdf_name, config_name, search.as_options};

@@ -97,8 +97,9 @@ inline std::string layer_of(const std::string& room) { return room.substr(0, roo
 inline const Strings& libraries(const std::string& layer) {
   static const Strings eigen{"Eigen/"};
   static const Strings aspects{"Eigen/", "tbb/", "zlib.h", "fcntl.h", "sys/stat.h", "unistd.h"};
-  static const Strings urdf{"Eigen/",          "urdf_parser/", "urdf_model/", "urdf_world/",
-                            "urdf_exception/", "yaml-cpp/",    "tinyxml2.h",  "console_bridge/"};
+  static const Strings urdf{"Eigen/",      "boost/locale/", "urdf_parser/",
+                            "urdf_model/", "urdf_world/",   "urdf_exception/",
+                            "yaml-cpp/",   "tinyxml2.h",    "console_bridge/"};
   static const Strings mpi{"mpi.h", "nlohmann/", "sys/resource.h", "unistd.h"};
   static const Strings tools{"Eigen/",     "boost/",   "cairo.h",   "fcntl.h", "nlohmann/",
                              "sys/file.h", "unistd.h", "yaml-cpp/", "zlib.h"};

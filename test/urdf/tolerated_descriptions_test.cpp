@@ -152,5 +152,22 @@ TEST(Limits, MayKeepTheLoopsOpen) {
   EXPECT_EQ(test::refusal(urdf, test::source_file("config/robots/bipod.yaml")), expected);
 }
 
+// As older editors save it; a name in the YAML is one in the URDF all the same.
+TEST(ToleratedDescription, MayBeInLatin1AndHaveADoctype) {
+  const auto named = [](const std::string& name) {
+    return "<!DOCTYPE robot [<!ENTITY a \"a\">]>\n" +
+           replaced(test::source_file("urdf/five_bar.urdf")
+                        .substr(test::source_file("urdf/five_bar.urdf").find("<robot")),
+                    "\"crank_1_joint\"", "\"" + name + "\"");
+  };
+  const std::string config =
+      replaced(test::source_file("config/robots/five_bar.yaml"), "crank_1_joint", "moteur_\u00e9");
+  for (const std::string name : {"moteur_\xe9", "moteur_\u00e9"}) {
+    const auto mechanism = test::load(named(name), config);
+    EXPECT_EQ(mechanism->manipulator()->leg(0).actuated_joint, "moteur_\u00e9");
+    EXPECT_TRUE(mechanism->notes().empty());
+  }
+}
+
 }  // namespace
 }  // namespace parallel_aspects

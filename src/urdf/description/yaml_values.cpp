@@ -74,7 +74,8 @@ bool YamlValues::numbers(const YAML::Node& node, const std::string& where,
                          std::vector<double>& values) const {
   if (!node.IsDefined()) return false;
   if (!node.IsSequence()) {
-    problem("has a " + where + " that is not a list of numbers; write [1.0, 2.0].");
+    problem("has a " + where +
+            " that is not a list of numbers; write them in brackets, with commas between them.");
     return false;
   }
   bool good = true;

@@ -4,6 +4,7 @@
 #include "urdf/config/mechanism_config.h"
 #include "urdf/description/nearest_name.h"
 #include "urdf/description/xml_values.h"
+#include "urdf/reading/robot_text.h"
 
 #include <tinyxml2.h>
 
@@ -97,6 +98,7 @@ class Inspector {
       notes_.push_back(file_ + " has shapes that cannot be, " + unused_shapes_ +
                        "; they are not used, as kinematics needs none.");
     leave_out_what_kinematics_does_not_need(robot);
+    leave_out_doctype(document);
     tinyxml2::XMLPrinter printer(nullptr, true);  // without indents, which may be longer than the text
     document.Print(&printer);
     result_.text = printer.CStr();
@@ -108,18 +110,9 @@ class Inspector {
 
   // The <robot> element; null, with what is wrong, where there is none.
   XMLElement* parse(const std::string& text, tinyxml2::XMLDocument& document) {
-    if (text.find_first_not_of(" \t\r\n") == std::string::npos) {
-      problem("is empty or missing; give a URDF.");
-      return nullptr;
-    }
-    if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS) {
-      problem("is not well-formed XML near line " + std::to_string(document.ErrorLineNum()) + " (" +
-              tinyxml2::XMLDocument::ErrorIDToName(document.ErrorID()) + "); correct it there.");
-      return nullptr;
-    }
-    XMLElement* robot = document.FirstChildElement("robot");
-    if (robot == nullptr) problem("has no <robot> element; give a URDF.");
-    return robot;
+    const auto fault = parse_robot(text, document);
+    if (fault) problem(*fault);
+    return fault ? nullptr : document.FirstChildElement("robot");
   }
 
   bool find_xacro(const XMLElement* element) {
@@ -188,6 +181,15 @@ class Inspector {
   void remark_shape(const XMLElement* shape, const char* name, const std::string& owner) {
     unused_shapes_ += (unused_shapes_.empty() ? "<" : ", <") + std::string(shape->Name()) + " " + name +
                       "='" + attribute(shape, name) + "'> in " + owner;
+  }
+
+  // Which urdfdom cannot read; text beside <robot> is what is left of one.
+  static void leave_out_doctype(tinyxml2::XMLDocument& document) {
+    for (auto* node = document.FirstChild(); node != nullptr;) {
+      auto* next = node->NextSibling();
+      if (node->ToUnknown() != nullptr || node->ToText() != nullptr) document.DeleteChild(node);
+      node = next;
+    }
   }
 
   // So that urdfdom does not refuse it.
@@ -285,8 +287,8 @@ class Inspector {
       return;
     }
     if (type != "revolute" && type != "continuous" && type != "prismatic") {
-      problem("gives " + owner + " the type '" + type +
-              "'; use revolute, continuous, prismatic or fixed, and several joints in place of one with more "
+      problem("gives " + owner + (type.empty() ? " no type" : " the type '" + type + "'") +
+              "; use revolute, continuous, prismatic or fixed, and several joints in place of one with more "
               "degrees of freedom.");
       return;
     }

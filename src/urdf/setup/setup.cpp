@@ -2,6 +2,7 @@
 #include "urdf/setup/setup.h"
 
 #include "urdf/description/nearest_name.h"
+#include "urdf/reading/robot_text.h"
 #include "urdf/reading/tree_reader.h"
 #include "urdf/setup/closed_search.h"
 #include "urdf/setup/left_open.h"
@@ -367,6 +368,8 @@ void add_frames(const SetupAnswers& answers, Tree& tree) {
 
 SetupResult set_up(const std::string& urdf_text, const std::string& urdf_name, const std::string& config_name,
                    const SetupAnswers& answers, const SetupControl& control) {
+  if (const auto text = from_latin_1(urdf_text))
+    return set_up(*text, urdf_name, config_name, answers, control);
   SetupResult refused;
   std::vector<std::string> notes;
   auto tree = read_tree(urdf_text, urdf_name, refused.problems, notes);
