@@ -152,6 +152,8 @@ TEST_F(Command, LinksOnASphereAreAngles) {
   EXPECT_EQ(eye.find("[m]"), std::string::npos) << eye;
   const std::string links = run({"describe", "spherical_3rrr"}).output;
   EXPECT_NE(links.find("70 deg (1.22173 rad)  80 deg (1.39626 rad)"), std::string::npos) << links;
+  const std::string solved = run({"ik", "agile_eye", "--pose", "0 0 0 1"}).output;
+  EXPECT_NE(solved.find("det A  smallest"), std::string::npos) << solved;
   const std::string distances = run({"distance", "agile_eye", "--pose", "0 0 0 1"}).output;
   EXPECT_NE(distances.find("deg ("), std::string::npos) << distances;
   EXPECT_EQ(distances.find("[m]"), std::string::npos) << distances;

@@ -2,6 +2,7 @@
 #include "ros/messages/conversions.h"
 
 #include "model/coefficients.h"
+#include "model/spherical_links.h"
 #include "model/task_space_traits.h"
 #include "parallel_aspects/kinematics/jacobians.h"
 #include "parallel_aspects/motion/escape_direction.h"
@@ -198,7 +199,10 @@ std::string branch_text(const WorkingMode& mode, int determinant_sign) {
   return to_string(mode) + ", det A " + (determinant_sign > 0 ? "> 0" : determinant_sign < 0 ? "< 0" : "= 0");
 }
 
-const char* inverse_entry_unit(const Leg& leg) { return leg.actuated_by_angle() ? "m^2/rad" : "m"; }
+const char* inverse_entry_unit(const Leg& leg) {
+  if (spherical_links(leg)) return "1/rad";
+  return leg.actuated_by_angle() ? "m^2/rad" : "m";
+}
 
 SolvedConfiguration solved_message(const Manipulator& manipulator, const SolvedPose& solved,
                                    const AspectMap* map, const ros::Time& stamp) {
@@ -308,7 +312,9 @@ SingularityReport report_message(const Manipulator& manipulator, const SolvedPos
   message.limit_distance = distance_message(manipulator, solved, distances.actuated_limit, true);
   if (!message.limit_distance.leg.empty()) message.limit_distance.limit = name(distances.actuated_limit.end);
   message.determinant = indices.determinant;
-  message.determinant_unit = std::string(traits(manipulator.task_space()).determinant_unit);
+  message.determinant_unit = moves_on_unit_sphere(manipulator)
+                                 ? "1"
+                                 : std::string(traits(manipulator.task_space()).determinant_unit);
   message.inverse_diagonal = to_vector(indices.inverse_diagonal);
   for (const Leg& leg : manipulator.legs()) message.inverse_diagonal_units.push_back(inverse_entry_unit(leg));
   message.smallest_singular_value = indices.smallest_singular_value;

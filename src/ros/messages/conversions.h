@@ -60,7 +60,7 @@ std::vector<std::int8_t> signs_message(const WorkingMode& mode);
 /// "(+,-), det A > 0"
 std::string branch_text(const WorkingMode& mode, int determinant_sign);
 
-/// "m^2/rad" for an actuated angle, "m" for an actuated length.
+/// "m^2/rad" for an actuated angle, "1/rad" for that of spherical links, "m" for an actuated length.
 const char* inverse_entry_unit(const Leg& leg);
 
 /// The aspect is looked up in `map`, which may be null.

@@ -90,12 +90,13 @@ Report report_path(const Manipulator& manipulator, const PlannedPath& path, cons
   for (const PathCrossing& crossing : path.crossings)
     object["crossings"].push_back(json_crossing(manipulator, crossing));
   std::string text = manipulator.name() + ", a path: " + name(path.answer) + "\n" + path.message + "\n";
+  const std::string unit = determinant_unit(manipulator);
   if (has_path)
     text += counted(path.points.size(), "point") + ", " + counted(path.crossings.size(), "crossing") + ", " +
             length_text(manipulator, path) + "\nsmallest of 32 poses a segment: parallel index " +
-            shown(path.least_index) + ", |det A| " + shown(path.least_det_a) + " " +
-            determinant_unit(manipulator.task_space()) + "\nbetween points: " + between_points(slice) +
-            "\n\n" + points_text(manipulator, path);
+            shown(path.least_index) + ", |det A| " + shown(path.least_det_a) +
+            (unit.empty() ? unit : " " + unit) + "\nbetween points: " + between_points(slice) + "\n\n" +
+            points_text(manipulator, path);
   const Report constraints = report_constraints(manipulator);
   object.update(constraints.json);
   return {object, text + '\n' + constraints.text};

@@ -2,6 +2,7 @@
 #include "tools/report/report.h"
 
 #include "model/coefficients.h"
+#include "model/spherical_links.h"
 #include "model/task_space_traits.h"
 #include "tools/report/without_noise.h"
 
@@ -99,7 +100,15 @@ std::string tolerance_text(const Manipulator& manipulator) {
 
 std::string joint_unit(const Leg& leg) { return leg.actuated_by_angle() ? "rad" : "m"; }
 
-std::string determinant_unit(TaskSpace space) { return std::string(traits(space).determinant_unit); }
+std::string determinant_unit(const Manipulator& manipulator) {
+  return moves_on_unit_sphere(manipulator) ? ""
+                                           : std::string(traits(manipulator.task_space()).determinant_unit);
+}
+
+std::string determinant_heading(const Manipulator& manipulator) {
+  const std::string unit = determinant_unit(manipulator);
+  return "det A" + (unit.empty() ? unit : " [" + unit + "]");
+}
 
 std::string counted(std::size_t number, const std::string& noun, const std::string& plural) {
   const std::string several = plural.empty() ? noun + "s" : plural;

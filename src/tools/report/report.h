@@ -60,8 +60,11 @@ std::string shown_sign(double value);
 /// "rad" or "m": the unit of a leg's joint value.
 std::string joint_unit(const Leg& leg);
 
-/// Unit of det A: "m^2", "m^4" and so on, as in `direct_determinant`.
-std::string determinant_unit(TaskSpace space);
+/// Unit of det A: "m^2", "m^4" and so on, as in `direct_determinant`; empty where distances are angles.
+std::string determinant_unit(const Manipulator& manipulator);
+
+/// "det A [m^2]", for columns.
+std::string determinant_heading(const Manipulator& manipulator);
 
 /// A line that says for which robots something is proved; empty without a tolerance.
 std::string tolerance_text(const Manipulator& manipulator);

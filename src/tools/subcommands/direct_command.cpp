@@ -87,8 +87,8 @@ std::string direct_text(const Manipulator& manipulator, const JointVector& q, co
       manipulator.name() + " at " + joints_text(manipulator, q) + ": " + summary(result) + "\n";
   if (!manipulator.within_limits(q)) text += "note: a joint value is outside its joint limits\n";
   if (result.solutions.empty()) return text;
-  TextTable table({"pose", "working mode", ">det A [" + determinant_unit(manipulator.task_space()) + "]",
-                   ">smallest singular value", "near singular"});
+  TextTable table({"pose", "working mode", ">" + determinant_heading(manipulator), ">smallest singular value",
+                   "near singular"});
   for (const AssemblyMode& assembly : result.solutions) {
     const auto mode = mode_of(manipulator, q, assembly);
     table.add({to_string(manipulator.task_space(), assembly.pose), mode ? to_string(*mode) : "B_jj = 0",

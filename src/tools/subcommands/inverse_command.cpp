@@ -106,8 +106,8 @@ std::string inverse_text(const Mechanism& mechanism, const Pose& pose,
   std::string joints;
   for (const Leg& leg : manipulator.legs())
     joints += (joints.empty() ? "" : ", ") + leg.actuated_joint + " [" + joint_unit(leg) + "]";
-  TextTable table({"working mode", joints, ">det A [" + determinant_unit(manipulator.task_space()) + "]",
-                   ">smallest singular value", "status"});
+  TextTable table(
+      {"working mode", joints, ">" + determinant_heading(manipulator), ">smallest singular value", "status"});
   for (const InverseSolution& solution : solutions) table.add(row(mechanism, pose, solution));
   return manipulator.name() + " at " + to_string(manipulator.task_space(), pose) + "\n\n" + table.text();
 }
