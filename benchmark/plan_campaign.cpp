@@ -38,7 +38,10 @@ struct Planning {
 
 void look_at_time(const Planning& planning, const PlannedPath& path, Row& row) {
   const JointVector accelerations = test::usual_accelerations(*planning.robot);
-  if (accelerations.size() == 0) return;
+  const bool keeps_control = std::none_of(
+      path.crossings.begin(), path.crossings.end(),
+      [](const PathCrossing& crossing) { return crossing.kind == Crossing::parallel; });
+  if (accelerations.size() == 0 || !keeps_control) return;
   const TimedPath timed = time_path(SegmentCertifier(planning.robot), path, planning.between, accelerations);
   ++row.to_be_timed;
   row.timed += timed ? 1 : 0;
@@ -97,7 +100,7 @@ void plan_in_maps(const std::string& name, const std::shared_ptr<const Manipulat
   const test::Stopwatch of_graph;
   planner.graph();
   std::fprintf(stderr, "%s: map %.2f s, graph %.2f s\n", name.c_str(), map_seconds, of_graph.seconds());
-  for (const PathPolicy policy : {PathPolicy::stay, PathPolicy::serial}) {
+  for (const PathPolicy policy : {PathPolicy::stay, PathPolicy::serial, PathPolicy::any}) {
     const Planning planning{robot,
                             [&](const PathEnd& from, const PathEnd& to, PathPreference prefer) {
                               return planner.plan(from, to, {policy, prefer, {}});

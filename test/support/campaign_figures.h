@@ -36,13 +36,25 @@ inline double path_length(const Manipulator& robot, const PlannedPath& path) {
   return path.length + robot.characteristic_length() * path.turned;
 }
 
+/// Whether control of the platform is lost on the segment behind this point.
+inline bool crosses_parallel(const PlannedPath& path, std::size_t point) {
+  return std::any_of(path.crossings.begin(), path.crossings.end(), [point](const PathCrossing& crossing) {
+    return crossing.kind == Crossing::parallel && crossing.point <= point && point < crossing.behind;
+  });
+}
+
 /// How many samples of a path contradict it, by formulas of the tests; segments run as `pose_between` says.
+/// Segments through parallel crossings are left out; the sign of det A is the other one behind.
 inline int contradictions(const Manipulator& robot, const PlannedPath& path, int samples) {
   constexpr double rounding = 1e-9;
   int count = 0;
   double sign = 0.0;
   const int each = 1 + samples / std::max(1, static_cast<int>(path.points.size()) - 1);
-  for (std::size_t i = 0; i + 1 < path.points.size(); ++i)
+  for (std::size_t i = 0; i + 1 < path.points.size(); ++i) {
+    if (crosses_parallel(path, i)) {
+      if (i == 0 || !crosses_parallel(path, i - 1)) sign = -sign;
+      continue;
+    }
     for (int k = 0; k <= each; ++k) {
       const Pose pose = mixed_pose(path.points[i].pose, path.points[i + 1].pose, k / double(each));
       const ConfigurationAt<double> at(robot, pose, path.points[i].mode);
@@ -50,6 +62,7 @@ inline int contradictions(const Manipulator& robot, const PlannedPath& path, int
       if (sign == 0.0) sign = index > 0.0 ? 1.0 : -1.0;
       count += at.squared_serial() < -rounding || at.within_limits() < -rounding || index * sign < -rounding;
     }
+  }
   return count;
 }
 

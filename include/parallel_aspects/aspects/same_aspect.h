@@ -45,10 +45,16 @@ struct AspectComparison {
 AspectComparison same_aspect(const SegmentCertifier& certifier, const PoseInMode& first,
                              const PoseInMode& second);
 
+/// How long a path is looked for where the roadmap has none.
+enum class SearchEffort {
+  brief,     ///< some milliseconds; for questions of which there are many
+  thorough,  ///< up to a second or so; through narrow passages, too
+};
+
 /// The same, and yes also where a path is found over the roadmap or over poses sampled for this question.
-/// That none was found proves nothing. The same roadmap gives the same answer. Takes up to a second or so
-/// where the answer is unknown.
-AspectComparison same_aspect(const PoseRoadmap& roadmap, const PoseInMode& first, const PoseInMode& second);
+/// That none was found proves nothing. The same roadmap gives the same answer.
+AspectComparison same_aspect(const PoseRoadmap& roadmap, const PoseInMode& first, const PoseInMode& second,
+                             SearchEffort effort = SearchEffort::thorough);
 
 /// "yes", "no" or "unknown".
 const char* name(SameAspect answer) noexcept;

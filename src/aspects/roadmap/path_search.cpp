@@ -10,7 +10,7 @@ namespace parallel_aspects {
 namespace {
 
 constexpr std::size_t tries_to_attach = 24, tries_to_join = 3;
-constexpr std::size_t max_explored = 400;
+constexpr std::size_t draws_in_brief = 400, most_draws_at_all = 40000;
 constexpr double share_kept = 0.9;  // of a way that ends at a singularity or a limit
 constexpr double shortest_path = 1e-3;
 constexpr int max_parts_of_a_segment = 100;
@@ -64,11 +64,11 @@ void PathSearch::attach(Vertex vertex, std::size_t tries) {
 
 /// Grows the sets of both ends in turn towards random poses, as far as the path is proved, and tries to join
 /// what is new to the rest.
-void PathSearch::explore(Vertex from, Vertex to) {
+void PathSearch::explore(Vertex from, Vertex to, std::size_t most_draws) {
   const RoadmapOptions& options = roadmap_.options();
   const SegmentCertifier& certifier = roadmap_.certifier();
   PoseSampler sampler(certifier.manipulator(), options.seed + 1, options.region, options.largest_rotation);
-  for (std::size_t i = 0; i < max_explored && !joined(from, to); ++i, std::swap(from, to)) {
+  for (std::size_t i = 0; i < most_draws && !joined(from, to); ++i, std::swap(from, to)) {
     const auto target = sampler.draw();
     if (!target) continue;
     const AnchorPoint point = anchor_point(*certifier.manipulator(), *target);
@@ -113,12 +113,12 @@ std::vector<Pose> PathSearch::shortened(const std::vector<Vertex>& vertices) con
   return path;
 }
 
-std::vector<Pose> PathSearch::find(const Pose& from, const Pose& to) {
+std::vector<Pose> PathSearch::find(const Pose& from, const Pose& to, SearchEffort effort) {
   const Vertex first = add(from), last = add(to);
   if (!link(first, last)) {
     attach(first, tries_to_attach);
     attach(last, tries_to_attach);
-    explore(first, last);
+    explore(first, last, effort == SearchEffort::brief ? draws_in_brief : most_draws_at_all);
   }
   if (!joined(first, last)) return {};
   return shortened(path(first, last));

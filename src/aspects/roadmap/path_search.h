@@ -5,8 +5,10 @@
 #include "aspects/components/disjoint_sets.h"
 #include "aspects/roadmap/roadmap_growth.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"
+#include "parallel_aspects/aspects/same_aspect.h"
 #include "parallel_aspects/model/pose.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -20,7 +22,7 @@ class PathSearch {
   PathSearch(const PoseRoadmap& roadmap, const WorkingMode& mode, int sign);
 
   /// Poses from `from` to `to`, each segment between two proved free; empty where no path was found.
-  std::vector<Pose> find(const Pose& from, const Pose& to);
+  std::vector<Pose> find(const Pose& from, const Pose& to, SearchEffort effort);
 
  private:
   using Vertex = std::uint32_t;
@@ -30,7 +32,7 @@ class PathSearch {
   std::vector<Vertex> nearest(const AnchorPoint& point, std::size_t count, Vertex of, bool in_its_set);
   bool link(Vertex a, Vertex b);
   void attach(Vertex vertex, std::size_t tries);
-  void explore(Vertex from, Vertex to);
+  void explore(Vertex from, Vertex to, std::size_t most_draws);
   std::vector<Vertex> path(Vertex from, Vertex to) const;
   std::vector<Pose> shortened(const std::vector<Vertex>& path) const;
 

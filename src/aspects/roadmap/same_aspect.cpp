@@ -57,10 +57,11 @@ AspectComparison same_aspect(const SegmentCertifier& certifier, const PoseInMode
   return comparison;
 }
 
-AspectComparison same_aspect(const PoseRoadmap& roadmap, const PoseInMode& first, const PoseInMode& second) {
+AspectComparison same_aspect(const PoseRoadmap& roadmap, const PoseInMode& first, const PoseInMode& second,
+                             SearchEffort effort) {
   AspectComparison comparison = same_aspect(roadmap.certifier(), first, second);
   if (comparison.searched_sign == 0) return comparison;
-  auto path = PathSearch(roadmap, first.mode, comparison.searched_sign).find(first.pose, second.pose);
+  auto path = PathSearch(roadmap, first.mode, comparison.searched_sign).find(first.pose, second.pose, effort);
   if (!path.empty()) return yes(std::move(path));
   comparison.message = "No path was found, which proves nothing; more samples may find one.";
   return comparison;

@@ -40,8 +40,11 @@ void ask_map(const AspectMap& map, const PoseInMode& first, const PoseInMode& se
 Connection connect_poses(const PoseRoadmap& roadmap, const AspectMap* map, const PoseInMode& first,
                          const PoseInMode& second) {
   Connection result;
-  result.comparison = same_aspect(roadmap, first, second);
-  if (result.comparison.searched_sign != 0 && map != nullptr) ask_map(*map, first, second, result.comparison);
+  AspectComparison& comparison = result.comparison;
+  comparison = same_aspect(roadmap, first, second, SearchEffort::brief);
+  if (comparison.searched_sign != 0 && map != nullptr) ask_map(*map, first, second, comparison);
+  if (comparison.searched_sign != 0 && comparison.answer == SameAspect::unknown)
+    comparison = same_aspect(roadmap, first, second);
   if (result.comparison.path.size() < 2) return result;
   const std::vector<PoseWaypoint> path = timed(result.comparison.path);
   BoundaryDistanceMeter meter(roadmap.certifier().manipulator());

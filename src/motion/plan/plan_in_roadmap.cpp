@@ -7,9 +7,11 @@
 #include "motion/plan/pose_graph.h"
 #include "motion/plan/roadmap_gates.h"
 #include "parallel_aspects/aspects/same_aspect.h"
+#include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/motion/plan_path.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <string>
 #include <utility>
@@ -17,8 +19,9 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr std::size_t most_mode_pairs = 8;   // between which gates are looked for
-constexpr std::size_t most_gates_tried = 4;  // of each leg that changes its posture
+constexpr std::size_t most_mode_pairs = 8;                  // between which gates are looked for
+constexpr std::array<std::size_t, 3> gates_tried{1, 2, 4};  // of each leg that changes its posture
+constexpr std::size_t most_thorough_modes = 4;
 
 /// An end in the working modes in which it lies in some aspect, with the sign of det A there.
 struct SignedEnd {
@@ -41,12 +44,23 @@ class RoadmapPlanner {
         return without_path(SameAspect::unknown, std::string("The pose of the ") +
                                                      (end == &from ? "start" : "goal") + " is not finite.");
     if (std::optional<PlannedPath> none = excluded_end(roadmap_.certifier(), from, to)) return *none;
-    PlannedPath found = stay(from, to);
-    if (found || wish_.policy == PathPolicy::stay) return found;
-    if (has_serial_margin(robot_)) {
-      found.message += " The serial margin shuts out all gates of B_jj = 0.";
-      return found;
-    }
+    PlannedPath found = stay(from, to, SearchEffort::brief);
+    if (found) return found;
+    const bool is_shut = wish_.policy != PathPolicy::stay && has_serial_margin(robot_);
+    const bool has_gates = wish_.policy != PathPolicy::stay && !is_shut;
+    PlannedPath through = has_gates ? pass_gates(from, to) : PlannedPath{};
+    if (through || through.answer == SameAspect::no) return through;
+    if (found.answer == SameAspect::unknown && !is_cancelled(control_))
+      found = stay(from, to, SearchEffort::thorough);
+    if (!found && has_gates) return through;
+    if (!found && is_shut) found.message += " The serial margin shuts out all gates of B_jj = 0.";
+    return found;
+  }
+
+ private:
+  static PlannedPath cancelled() { return without_path(SameAspect::unknown, "Cancelled."); }
+
+  PlannedPath pass_gates(const PathEnd& from, const PathEnd& to) const {
     const SignedEnd starts = signed_end(from), goals = signed_end(to);
     if (starts.found.empty() || goals.found.empty())
       return without_path(SameAspect::unknown, std::string("The ") +
@@ -56,21 +70,22 @@ class RoadmapPlanner {
     return pass_gates(starts, goals);
   }
 
- private:
-  static PlannedPath cancelled() { return without_path(SameAspect::unknown, "Cancelled."); }
-
-  PlannedPath stay(const PathEnd& from, const PathEnd& to) {
+  /// A thorough search is one in few modes, and is content with one path.
+  PlannedPath stay(const PathEnd& from, const PathEnd& to, SearchEffort effort) {
     PathChoice choice(robot_, wish_);
     PlannedPath none = without_path(SameAspect::no, "");
+    std::size_t searched = 0;
     for (const WorkingMode& mode : working_modes(robot_)) {
       if (from.mode.value_or(mode) != mode || to.mode.value_or(mode) != mode) continue;
       if (is_cancelled(control_)) return cancelled();
       const PoseInMode start{from.pose, mode}, goal{to.pose, mode};
-      const AspectComparison found = same_aspect(roadmap_, start, goal);
+      const AspectComparison found = same_aspect(roadmap_, start, goal, effort);
       if (found.answer == SameAspect::yes)
         offer(found.path, mode, choice);
       else if (none.message.empty() || found.answer == SameAspect::unknown)
         none = without_path(found.answer, found.message);
+      searched += found.searched_sign != 0 ? 1 : 0;
+      if (effort == SearchEffort::thorough && (choice.has_path() || searched == most_thorough_modes)) break;
     }
     if (choice.has_path()) return choice.take();
     if (none.message.empty()) none.message = "The ends are in different working modes.";
@@ -162,56 +177,82 @@ class RoadmapPlanner {
     return pairs;
   }
 
+  /// From either end: a gate that is near the one may lead to where the other cannot be reached from.
   PlannedPath pass_gates(const SignedEnd& starts, const SignedEnd& goals) const {
     const std::vector<ModePair> pairs = mode_pairs(starts, goals);
     if (pairs.empty() && starts.all_known && goals.all_known && wish_.policy == PathPolicy::serial)
       return without_path(SameAspect::no,
                           "Proved: det A differs in sign, and no path through serial gates changes it.");
+    for (const std::size_t gates : gates_tried) {
+      if (PlannedPath path = follow_some(pairs, gates)) return path;
+      if (PlannedPath path = follow_some(mode_pairs(goals, starts), gates)) return reversed(path);
+      if (is_cancelled(control_)) return cancelled();
+    }
+    return without_path(SameAspect::unknown,
+                        "No path through serial gates was found, which proves nothing; more samples may "
+                        "find one.");
+  }
+
+  /// The first of the pairs between which there is a path.
+  PlannedPath follow_some(const std::vector<ModePair>& pairs, std::size_t most_gates) const {
     PathChoice choice(robot_, wish_);
     for (std::size_t i = 0; i < std::min(most_mode_pairs, pairs.size()) && !choice.has_path(); ++i) {
       if (pairs[i].legs.empty()) continue;  // that is what staying has tried
       for (const PathShape& shape : shapes_for(wish_.prefer)) {
-        if (is_cancelled(control_)) return cancelled();
+        if (is_cancelled(control_)) return {};
         PlannedPath path;
-        follow(PathBuilder(robot_, pose_between), pairs[i].start, pairs[i], pairs[i].legs, shape, path);
+        follow(PathBuilder(robot_, pose_between), pairs[i].start, pairs[i], pairs[i].legs,
+               {shape, most_gates}, path);
         choice.offer(std::move(path));
       }
     }
-    return choice.has_path()
-               ? choice.take()
-               : without_path(
-                     SameAspect::unknown,
-                     "No path through serial gates was found, which proves nothing; more samples may "
-                     "find one.");
+    return choice.has_path() ? choice.take() : PlannedPath{};
   }
+
+  PlannedPath reversed(PlannedPath path) const {
+    std::reverse(path.points.begin(), path.points.end());
+    std::reverse(path.crossings.begin(), path.crossings.end());
+    const std::size_t last = path.points.size() - 1;
+    for (PathCrossing& crossing : path.crossings)
+      crossing = {crossing.kind, last - crossing.behind, last - crossing.point, crossing.leg,
+                  crossing.to,   crossing.from};
+    const JointVector q = inverse(robot_, path.points.front().pose, path.points.front().mode).q;
+    return begun_at(q, robot_, std::move(path));
+  }
+
+  /// How gates are looked for.
+  struct GateSearch {
+    PathShape shape;
+    std::size_t most_gates;  // that are tried of each leg that changes its posture
+  };
 
   /// From where the path is, through a gate of each of the legs; `result` is left as it is where no path is
   /// found.
   void follow(const PathBuilder& so_far, const PoseInMode& at, const ModePair& pair,
-              const std::vector<std::size_t>& legs, const PathShape& shape, PlannedPath& result) const {
+              const std::vector<std::size_t>& legs, const GateSearch& search, PlannedPath& result) const {
     if (legs.empty()) {
       PathBuilder builder = so_far;
-      if (go(at, pair.goal.pose, shape, builder))
+      if (go(at, pair.goal.pose, search.shape, builder))
         result = builder.take("Every segment and every crossing is proved.");
       return;
     }
     std::size_t tried = 0;
     gates_.visit(at, pair.goal.pose, pair.sign, legs, [&](const RoadmapGate& gate) {
       PathBuilder builder = so_far;
-      if (is_cancelled(control_) || !go(at, gate.outer, shape, builder)) return is_cancelled(control_);
+      if (is_cancelled(control_) || !go(at, gate.outer, search.shape, builder)) return is_cancelled(control_);
       const PoseInMode behind{gate.outer, with_other_posture(at.mode, gate.leg)};
       builder.go({gate.inner}, at.mode);
       builder.cross_serial(gate.leg, 0, 0);
       builder.go({gate.inner, gate.outer}, behind.mode);
       std::vector<std::size_t> rest = legs;
       rest.erase(std::find(rest.begin(), rest.end(), gate.leg));
-      follow(builder, behind, pair, rest, shape, result);
-      return result || is_cancelled(control_) || ++tried == most_gates_tried;
+      follow(builder, behind, pair, rest, search, result);
+      return result || is_cancelled(control_) || ++tried == search.most_gates;
     });
   }
 
   bool go(const PoseInMode& at, const Pose& to, const PathShape& shape, PathBuilder& builder) const {
-    const AspectComparison found = same_aspect(roadmap_, at, {to, at.mode});
+    const AspectComparison found = same_aspect(roadmap_, at, {to, at.mode}, SearchEffort::brief);
     if (found.answer != SameAspect::yes) return false;
     const std::vector<std::vector<Pose>> paths = shaped(found.path, at.mode, shape);
     if (paths.empty()) return false;

@@ -76,8 +76,12 @@ class Asking {
     if (question_.slice) return ask_slice(mode);
     const PoseInMode first{question_.from, mode}, second{question_.to, mode};
     AspectComparison found = same_aspect(certifier_, first, second);
-    if (found.searched_sign != 0) found = same_aspect(*roadmap(mode), first, second);
+    if (found.searched_sign == 0) return found;
+    const std::shared_ptr<const PoseRoadmap> over = roadmap(mode);
+    found = same_aspect(*over, first, second, SearchEffort::brief);
     if (found.searched_sign != 0 && has_map()) ask_map(map(), first, second, found);
+    if (found.searched_sign != 0 && found.answer == SameAspect::unknown && question_.modes.size() == 1)
+      found = same_aspect(*over, first, second);
     return found;
   }
 

@@ -16,10 +16,12 @@
 #include "support/shipped.h"
 #include "support/thoroughness.h"
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace parallel_aspects {
@@ -104,6 +106,48 @@ double least_index(const Manipulator& robot, const PlannedPath& path) {
       least = std::min(least, test::IndexAt(robot, pose, q).parallel());
     }
   return static_cast<double>(least);
+}
+
+Pose pose_of(const std::array<double, 7>& coordinates) {
+  return *pose_from_coordinates(TaskSpace::SE3, Eigen::Map<const PoseCoordinates>(coordinates.data(), 7));
+}
+
+// From above the base to below it, by a passage that no sampled segment of a larger roadmap finds either.
+TEST(PlanInRoadmap, FindsNarrowPassages) {
+  const Robot robot = test::shipped("stewart")->mapped_manipulator();
+  const auto roadmap = roadmap_of(robot, {}, 250);
+  const WorkingMode mode = working_modes(*robot).front();
+  for (const auto& [from, to] :
+       std::vector<std::pair<Pose, Pose>>{{pose_of({-0.123, -0.025, -0.028, -0.548, 0.019, 0.729, 0.410}),
+                                           pose_of({0.075, 0.297, -1.206, -0.288, 0.118, -0.157, 0.937})},
+                                          {pose_of({-0.614, 0.208, -1.206, 0.017, 0.046, -0.134, 0.990}),
+                                           pose_of({-0.430, 0.239, 0.665, 0.568, 0.003, -0.510, 0.647})}}) {
+    EXPECT_EQ(same_aspect(*roadmap, {from, mode}, {to, mode}, SearchEffort::brief).answer,
+              SameAspect::unknown);
+    if (test::is_sanitized) continue;
+    const PlannedPath path = plan_in_roadmap(*roadmap, {from, mode}, {to, mode});
+    ASSERT_TRUE(path) << path.message;
+    EXPECT_EQ(test::contradictions(*robot, path, 100000), 0);
+  }
+}
+
+// The gates near the start lead to where the goal is not reached from.
+TEST(PlanInRoadmap, LooksForGatesFromTheGoalToo) {
+  const Robot robot = test::shipped("six_pus")->mapped_manipulator();
+  const WorkingMode first = *WorkingMode::from_signs({-1, -1, -1, -1, -1, -1}),
+                    second = *WorkingMode::from_signs({-1, -1, -1, -1, 1, -1});
+  const auto roadmap = roadmap_of(robot, {first, second}, 250);
+  const PathEnd from{pose_of({-0.027722, -0.091143, 0.140326, 0.237397, -0.725320, 0.098226, 0.638675}),
+                     first},
+      to{pose_of({-0.130427, 0.026886, 0.424601, -0.818384, 0.085476, -0.431796, 0.369450}), second};
+  const PlannedPath path = plan_in_roadmap(*roadmap, from, to, {PathPolicy::serial});
+  if (test::is_sanitized) return;
+  ASSERT_TRUE(path) << path.message;
+  EXPECT_EQ(path.points.front().pose.position, from.pose.position);
+  EXPECT_EQ(path.points.front().q, inverse(*robot, from.pose, first).q);
+  EXPECT_EQ(path.points.back().pose.position, to.pose.position);
+  expect_no_contradiction(robot, path);
+  EXPECT_TRUE(time_path(roadmap->certifier(), path, pose_between, test::usual_accelerations(*robot)));
 }
 
 // With a margin, which every pose keeps, the gates too.
