@@ -40,6 +40,7 @@ class MapSegments {
   };
 
   bool holds_joint() const;
+  bool looks_free(const Pose& from, const Pose& to, const WorkingMode& mode, int sign) const;
   MapPoint unrolled(const MapPosition& from, const MapPosition& to) const;
   std::vector<Piece> pieces(const Pose& from, const Pose& to) const;
   bool pieces_are_free(const Pose& from, const Pose& to, const WorkingMode& mode, int sign) const;
