@@ -34,13 +34,14 @@ struct Planning {
   std::shared_ptr<const Manipulator> robot;
   std::function<PlannedPath(const PathEnd&, const PathEnd&, PathPreference)> plan;
   PoseBetween between;
+  bool no_by_sign_alone = false;
 };
 
 void look_at_time(const Planning& planning, const PlannedPath& path, Row& row) {
   const JointVector accelerations = test::usual_accelerations(*planning.robot);
-  const bool keeps_control = std::none_of(
-      path.crossings.begin(), path.crossings.end(),
-      [](const PathCrossing& crossing) { return crossing.kind == Crossing::parallel; });
+  const bool keeps_control =
+      std::none_of(path.crossings.begin(), path.crossings.end(),
+                   [](const PathCrossing& crossing) { return crossing.kind == Crossing::parallel; });
   if (accelerations.size() == 0 || !keeps_control) return;
   const TimedPath timed = time_path(SegmentCertifier(planning.robot), path, planning.between, accelerations);
   ++row.to_be_timed;
@@ -64,6 +65,9 @@ Row ask(const Planning& planning, bool one_mode, int pairs, int samples) {
     const double seconds = stopwatch.seconds();
     ++row.pairs;
     row.none += path.answer == SameAspect::no;
+    row.contradicted +=
+        path.answer == SameAspect::no && planning.no_by_sign_alone &&
+        test::sign_in_doubles(robot, from.pose, first) == test::sign_in_doubles(robot, to.pose, second);
     row.unknown += path.answer == SameAspect::unknown;
     if (path.answer == SameAspect::unknown) ++row.reasons[path.message];
     if (!path) continue;
@@ -120,7 +124,7 @@ void plan_in_roadmaps(const std::string& name, const std::shared_ptr<const Manip
                             [&](const PathEnd& from, const PathEnd& to, PathPreference prefer) {
                               return plan_in_roadmap(*roadmap, from, to, {policy, prefer, {}});
                             },
-                            pose_between};
+                            pose_between, true};
     print(name, policy, ask(planning, policy == PathPolicy::stay, pairs, samples));
   }
 }

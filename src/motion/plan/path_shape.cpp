@@ -18,6 +18,7 @@ constexpr int most_rounds = 6;            // in which corners are pulled
 constexpr int pulls_of_a_corner = 4;
 constexpr double worth_a_round = 0.01;             // of the length
 constexpr double longest_turn = 0.25 * full_turn;  // of a segment
+constexpr int most_parts = 64;                     // of one that turns further
 
 class Shortening {
  public:
@@ -85,6 +86,24 @@ class Shortening {
   double least_index_;
 };
 
+/// Poses between the ends of a segment; empty where the parts are not proved. The parts are motions of their
+/// own, the nearer to that of the whole the shorter they are: a quaternion runs straight before it is
+/// normalised.
+std::vector<Pose> division(const Pose& from, const Pose& to, const SegmentsInMode& segments) {
+  for (int parts = static_cast<int>(std::ceil(segments.turn(from, to) / longest_turn)); parts <= most_parts;
+       parts *= 2) {
+    std::vector<Pose> inner;
+    bool are_free = true;
+    for (int k = 1; k <= parts && are_free; ++k) {
+      const Pose next = k == parts ? to : segments.between(from, to, static_cast<double>(k) / parts);
+      are_free = segments.is_free(inner.empty() ? from : inner.back(), next);
+      if (k < parts) inner.push_back(next);
+    }
+    if (are_free) return inner;
+  }
+  return {};
+}
+
 }  // namespace
 
 double length_of(const Manipulator& robot, const std::vector<Pose>& path) {
@@ -111,14 +130,11 @@ double least_index_along(const std::vector<Pose>& path, const SegmentsInMode& se
 std::vector<Pose> with_short_turns(const std::vector<Pose>& path, const SegmentsInMode& segments) {
   std::vector<Pose> result;
   for (const Pose& pose : path) {
-    const double turn = result.empty() ? 0.0 : segments.turn(result.back(), pose);
-    const int parts = static_cast<int>(std::ceil(turn / longest_turn));
-    for (int k = 1; k < parts; ++k) {
-      const Pose next = segments.between(result.back(), pose, 1.0 / (parts - k + 1));
-      if (!segments.is_free(result.back(), next)) return {};
-      result.push_back(next);
+    if (!result.empty() && segments.turn(result.back(), pose) > longest_turn) {
+      const std::vector<Pose> inner = division(result.back(), pose, segments);
+      if (inner.empty()) return {};
+      result.insert(result.end(), inner.begin(), inner.end());
     }
-    if (parts > 1 && !segments.is_free(result.back(), pose)) return {};
     result.push_back(pose);
   }
   return result;

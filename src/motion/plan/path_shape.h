@@ -55,7 +55,8 @@ std::vector<Pose> shortened(const std::vector<Pose>& path, const SegmentsInMode&
 
 /// The path with poses added such that no segment turns by more than a quarter turn: about half a turn, which
 /// way round a segment goes would hang on rounding, and whoever reads the path could take the other way, of
-/// which nothing is proved. The shorter segments are proved anew; empty where one of them is not.
+/// which nothing is proved. The shorter segments are proved anew, and divided further where one of them is
+/// not; empty where that does not help.
 std::vector<Pose> with_short_turns(const std::vector<Pose>& path, const SegmentsInMode& segments);
 
 }  // namespace parallel_aspects

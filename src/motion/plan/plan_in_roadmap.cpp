@@ -19,8 +19,8 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr std::size_t most_mode_pairs = 8;                  // between which gates are looked for
-constexpr std::array<std::size_t, 3> gates_tried{1, 2, 4};  // of each leg that changes its posture
+constexpr std::size_t most_mode_pairs = 8;               // between which gates are looked for
+constexpr std::array<std::size_t, 2> gates_tried{1, 4};  // of each leg that changes its posture
 constexpr std::size_t most_thorough_modes = 4;
 
 /// An end in the working modes in which it lies in some aspect, with the sign of det A there.
@@ -73,23 +73,26 @@ class RoadmapPlanner {
   /// A thorough search is one in few modes, and is content with one path.
   PlannedPath stay(const PathEnd& from, const PathEnd& to, SearchEffort effort) {
     PathChoice choice(robot_, wish_);
-    PlannedPath none = without_path(SameAspect::no, "");
+    PlannedPath none = without_path(SameAspect::no, "The ends are in different working modes.");
+    bool is_first = true;
     std::size_t searched = 0;
     for (const WorkingMode& mode : working_modes(robot_)) {
       if (from.mode.value_or(mode) != mode || to.mode.value_or(mode) != mode) continue;
       if (is_cancelled(control_)) return cancelled();
       const PoseInMode start{from.pose, mode}, goal{to.pose, mode};
       const AspectComparison found = same_aspect(roadmap_, start, goal, effort);
-      if (found.answer == SameAspect::yes)
-        offer(found.path, mode, choice);
-      else if (none.message.empty() || found.answer == SameAspect::unknown)
+      if (found.answer == SameAspect::yes) offer(found.path, mode, choice);
+      if (found.answer == SameAspect::yes && !choice.has_path())
+        none = without_path(SameAspect::unknown,
+                            "The ends are proved to be joined, but not by segments of a quarter turn at "
+                            "most.");
+      else if (is_first || found.answer == SameAspect::unknown)
         none = without_path(found.answer, found.message);
+      is_first = false;
       searched += found.searched_sign != 0 ? 1 : 0;
       if (effort == SearchEffort::thorough && (choice.has_path() || searched == most_thorough_modes)) break;
     }
-    if (choice.has_path()) return choice.take();
-    if (none.message.empty()) none.message = "The ends are in different working modes.";
-    return none;
+    return choice.has_path() ? choice.take() : none;
   }
 
   void offer(const std::vector<Pose>& found, const WorkingMode& mode, PathChoice& choice) const {

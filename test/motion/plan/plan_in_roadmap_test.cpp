@@ -249,6 +249,33 @@ TEST(PlanInRoadmap, LeavesNoSegmentThatTurnsByMoreThanAQuarter) {
   EXPECT_GT(divided, test::is_sanitized ? -1 : 0);
 }
 
+// No is proved by signs alone. Links of this roadmap turn by up to half a turn, and their halves are other
+// motions, not all of them free.
+TEST(PlanInRoadmap, SaysNotNoWhereTheSignsAreEqual) {
+  const Robot robot = test::shipped("hexa")->mapped_manipulator();
+  test::PosePairs random(robot, 1);
+  const WorkingMode mode = random.mode();
+  const auto roadmap = roadmap_of(robot, {mode}, 200);
+  int pairs = 0, found = 0;
+  while (pairs < (test::is_sanitized ? 3 : 40)) {
+    SCOPED_TRACE("pair " + std::to_string(pairs));
+    const PathEnd from{random.reached(mode).value(), mode}, to{random.reached(mode).value(), mode};
+    if (test::sign_in_doubles(*robot, from.pose, mode) != test::sign_in_doubles(*robot, to.pose, mode))
+      continue;
+    ++pairs;
+    const PlannedPath path = plan_in_roadmap(*roadmap, from, to);
+    EXPECT_NE(path.answer, SameAspect::no) << path.message;
+    if (!path) continue;
+    ++found;
+    EXPECT_EQ(test::contradictions(*robot, path, 2000), 0);
+    for (std::size_t k = 0; k + 1 < path.points.size(); ++k)
+      EXPECT_LE(path.points[k].pose.orientation.angularDistance(path.points[k + 1].pose.orientation),
+                0.5 * EIGEN_PI * (1.0 + 1e-9));
+  }
+  std::printf("%d of %d found\n", found, pairs);
+  EXPECT_GE(found, test::is_sanitized ? 0 : 38);
+}
+
 TEST(PlanInRoadmap, NamesWhatKeepsAnEndOut) {
   const Robot robot = test::shipped("stewart")->mapped_manipulator();
   const auto roadmap = roadmap_of(robot, {}, 10);
