@@ -5,6 +5,7 @@
 //   - by OMPL's RRTConnect and its own motions, checked at poses by OMPL's default resolution;
 //   - by OMPL's RRTConnect with motions that are proved.
 //   ompl_comparison PAIRS SECONDS [ROBOT...]     SECONDS: what RRTConnect may take for one pair
+// All times are of the processor, so that other work on the machine counts nothing.
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"
 #include "parallel_aspects/motion/plan_path.h"
@@ -12,11 +13,11 @@
 #include "parallel_aspects/ompl/pose_state_space.h"
 #include "parallel_aspects/singularity/indices.h"
 
+#include "support/campaign_figures.h"
 #include "support/pose_pairs.h"
 #include "support/shipped.h"
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
@@ -39,7 +40,6 @@ namespace {
 
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
-using Clock = std::chrono::steady_clock;
 using Robot = std::shared_ptr<const Manipulator>;
 
 constexpr int looks_at_a_motion = 2000;  // for singularities that a path passes unseen
@@ -57,16 +57,6 @@ struct Answer {
   double length = 0.0;   // [m], rotations times the characteristic length; [rad] in SO3
   bool crosses = false;  // a pose of it is singular, or out of reach
 };
-
-double quantile(std::vector<double> values, double share) {
-  if (values.empty()) return 0.0;
-  std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5)];
-}
-
-double milliseconds_since(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 double length_between(const Manipulator& robot, const Pose& from, const Pose& to) {
   return (to.position - from.position).norm() +
@@ -181,12 +171,14 @@ Answer by_ompl(const Robot& robot, const Question& question, const ob::SpaceInfo
   set_pose(robot->task_space(), question.to, *to);
   setup.setStartAndGoalStates(from, to);
   Answer answer;
-  const Clock::time_point start = Clock::now();
-  if (setup.solve(seconds) == ob::PlannerStatus::EXACT_SOLUTION) {
+  const test::Stopwatch stopwatch;
+  const ob::PlannerTerminationCondition is_over(
+      [&stopwatch, seconds] { return stopwatch.seconds() > seconds; });
+  if (setup.solve(is_over) == ob::PlannerStatus::EXACT_SOLUTION) {
     setup.simplifySolution();
     answer.found = setup.getSolutionPath().check();  // by the same means as the planner
   }
-  answer.milliseconds = milliseconds_since(start);
+  answer.milliseconds = 1e3 * stopwatch.seconds();
   if (!answer.found) return answer;
   answer.length = length_of(*robot, setup.getSolutionPath());
   answer.crosses = crosses(*robot, question, setup.getSolutionPath());
@@ -217,10 +209,10 @@ class Comparison {
 
   void ask(const Question& question) {
     const PathEnd from{question.from, question.side.mode}, to{question.to, question.side.mode};
-    const Clock::time_point start = Clock::now();
+    const test::Stopwatch stopwatch;
     const PlannedPath planned = planner_(from, to);
     ++questions_;
-    ours_.milliseconds.push_back(milliseconds_since(start));
+    ours_.milliseconds.push_back(1e3 * stopwatch.seconds());
     no_ += planned.answer == SameAspect::no ? 1 : 0;
     const double length = planned.length + robot_->characteristic_length() * planned.turned;
     if (planned) ++ours_.found;
@@ -232,10 +224,10 @@ class Comparison {
 
   void print() const {
     std::printf("| %s | %d | %d | %d | %.1f / %.1f ", robot_->name().c_str(), questions_, ours_.found, no_,
-                quantile(ours_.milliseconds, 0.5), quantile(ours_.milliseconds, 0.95));
+                test::quantile(ours_.milliseconds, 0.5), test::quantile(ours_.milliseconds, 0.95));
     for (const Row* row : {&sampled_, &certified_})
-      std::printf("| %d | %.1f / %.1f | %.2f | %d ", row->found, quantile(row->milliseconds, 0.5),
-                  quantile(row->milliseconds, 0.95), quantile(row->lengths, 0.5), row->crossing);
+      std::printf("| %d | %.1f / %.1f | %.2f | %d ", row->found, test::quantile(row->milliseconds, 0.5),
+                  test::quantile(row->milliseconds, 0.95), test::quantile(row->lengths, 0.5), row->crossing);
     std::printf("|\n");
     std::fflush(stdout);
   }
