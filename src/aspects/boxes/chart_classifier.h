@@ -121,6 +121,14 @@ class ChartClassifier final : public BoxClassifier {
 
   std::optional<Box> reachable_positions() const override { return chart_.reachable_positions(); }
 
+  const Chart& chart() const noexcept { return chart_; }
+
+  /// Of B_jj, by working mode.
+  const std::vector<Signs>& signs() const noexcept { return signs_; }
+
+  /// Whether limits of actuated joints are the only constraints.
+  bool is_limited_only() const noexcept { return tests_.none() && !tests_.margins().any(); }
+
  private:
   static Signs signs_of(const WorkingMode& mode) {
     Signs signs;

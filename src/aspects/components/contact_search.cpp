@@ -35,13 +35,15 @@ void ContactSearch::take_in_members() {
       ++group;
       continue;
     }
-    members_.insert(members_.end(), group->second.begin(), group->second.end());
+    for (const std::uint32_t place : group->second) members_.push_back({place});
     group = put_aside_.erase(group);
     in_order = false;
   }
-  if (!in_order) std::sort(members_.begin(), members_.end());
+  if (!in_order)
+    std::sort(members_.begin(), members_.end(),
+              [](const Member& a, const Member& b) { return a.place < b.place; });
   for (; taken_in_ < graph_.members().size(); ++taken_in_)
-    members_.push_back(static_cast<std::uint32_t>(taken_in_));
+    members_.push_back({static_cast<std::uint32_t>(taken_in_)});
 }
 
 /// Returns from how many leaves. Every contact has a component that is not the largest at one of its ends,
@@ -51,23 +53,50 @@ std::size_t ContactSearch::start_from_sources() {
   for (const auto& [component, count] : closed_)
     if (is_source(graph_.current(component))) sources += count;
   std::size_t kept = 0;
-  for (const std::uint32_t member : members_) {
+  std::vector<NodeIndex> beside;
+  beside.reserve(beside_.size());
+  for (const Member& member : members_) {
     if (is_cancelled(control_)) break;
-    const NodeIndex leaf = graph_.members()[member];
+    const NodeIndex leaf = graph_.members()[member.place];
     if (graph_.holds_nothing(leaf)) continue;
     const std::uint32_t component = graph_.component(leaf);
     if (!is_source(component)) {
-      put_aside_[component].push_back(member);
+      put_aside_[component].push_back(member.place);
       continue;
     }
     ++sources;
-    if (!go_on(leaf, leaf) && graph_.is_inside(tree_, leaf))
+    const std::size_t first = beside.size();
+    append_leaves_beside(member, leaf, beside);
+    const bool leads_on = go_on(leaf, leaf, [&](const auto& visit) {
+      for (std::size_t i = first; i < beside.size(); ++i) visit(beside[i]);
+      visit_across_faces(leaf, visit);
+    });
+    if (!leads_on && graph_.is_inside(tree_, leaf))
       ++closed_[component];
     else
-      members_[kept++] = member;
+      members_[kept++] = {member.place, static_cast<std::uint32_t>(first),
+                          static_cast<std::uint32_t>(beside.size() - first)};
   }
   members_.resize(kept);
+  beside_.swap(beside);
   return sources;
+}
+
+/// The indeterminate leaves beside a leaf of a component, in the order of the tree. They become fewer where
+/// they are settled, and others only where one of them is divided: no other division leaves indeterminate
+/// leaves.
+void ContactSearch::append_leaves_beside(const Member& member, NodeIndex leaf,
+                                         std::vector<NodeIndex>& leaves) const {
+  const std::size_t before = leaves.size();
+  bool is_known = member.count != Member::unknown;
+  for (std::size_t i = 0; is_known && i < member.count; ++i) {
+    const NodeIndex beside = beside_[member.first + i];
+    is_known = !tree_.state(beside, mode_).is_divided();
+    if (is_known && is_indeterminate(beside)) leaves.push_back(beside);
+  }
+  if (is_known) return;
+  leaves.resize(before);
+  graph_.visit_paths_on(tree_, leaf, [&leaves](NodeIndex beside) { leaves.push_back(beside); });
 }
 
 bool ContactSearch::is_source(std::uint32_t component) const {
@@ -75,8 +104,7 @@ bool ContactSearch::is_source(std::uint32_t component) const {
 }
 
 template <class Visitor>
-void ContactSearch::visit_paths_on(NodeIndex node, const Visitor& visit) const {
-  graph_.visit_paths_on(tree_, node, visit);
+void ContactSearch::visit_across_faces(NodeIndex node, const Visitor& visit) const {
   if (across_faces_.empty() || !graph_.is_in_component(node)) return;
   const auto found = across_faces_.find(node);
   if (found == across_faces_.end()) return;
@@ -85,10 +113,18 @@ void ContactSearch::visit_paths_on(NodeIndex node, const Visitor& visit) const {
 
 /// Whether any path leads on.
 bool ContactSearch::go_on(NodeIndex node, NodeIndex from) {
+  return go_on(node, from, [this, node](const auto& visit) {
+    graph_.visit_paths_on(tree_, node, visit);
+    visit_across_faces(node, visit);
+  });
+}
+
+template <class VisitPathsOn>
+bool ContactSearch::go_on(NodeIndex node, NodeIndex from, const VisitPathsOn& visit_paths_on) {
   const std::size_t before = contacts_.size();
   onward_.clear();
   bool found = false;
-  visit_paths_on(node, [&](NodeIndex leaf) {
+  visit_paths_on([&](NodeIndex leaf) {
     found = true;
     if (graph_.is_in_component(leaf) && is_listed(leaf))
       add(node, node, from, leaf);

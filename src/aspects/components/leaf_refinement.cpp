@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/components/leaf_refinement.h"
 
+#include "aspects/batches/box_requests.h"
 #include "aspects/components/contact_choice.h"
 #include "aspects/components/contact_search.h"
 #include "interval/interval.h"
@@ -24,6 +25,35 @@ void classify(PoseTree& tree, const BoxClassifier& classifier, std::size_t mode,
   classifier.classify(tree.place(node).root, tree.box(node), ModeSet{1} << mode, detail, tree.states(node));
 }
 
+/// Classifies nodes in one mode, as many at once as suits the processor and a user who cancels.
+class BoxBatches {
+ public:
+  BoxBatches(PoseTree& tree, const BoxClassifier& classifier, std::size_t mode, const MapControl& control)
+      : tree_(tree), classifier_(classifier), mode_(mode), control_(control) {}
+
+  void add(NodeIndex node, Detail detail) {
+    if (detail != detail_ || requests_.size() == most) classify();
+    detail_ = detail;
+    requests_.push_back({tree_.place(node).root, tree_.box(node), ModeSet{1} << mode_, tree_.states(node)});
+  }
+
+  /// What was added since; nothing when cancelled.
+  void classify() {
+    if (!is_cancelled(control_)) parallel_aspects::classify(classifier_, requests_, detail_);
+    requests_.clear();
+  }
+
+ private:
+  static constexpr std::size_t most = 256;
+
+  PoseTree& tree_;
+  const BoxClassifier& classifier_;
+  std::size_t mode_;
+  const MapControl& control_;
+  Detail detail_ = Detail::states;
+  BoxRequests requests_;
+};
+
 std::size_t max_leaves_of_a_point(const LeafGraph& graph, const ComponentPolicy& policy) {
   return graph.looks_everywhere() ? policy.max_leaves_of_a_point : policy.max_leaves_of_a_point_between;
 }
@@ -42,8 +72,8 @@ class ModeRefinement {
         base_level_(base_level),
         positive_contacts_(tree, base_level, max_leaves_of_a_point(graph, policy), policy),
         negative_contacts_(tree, base_level, max_leaves_of_a_point(graph, policy), policy),
-        positive_search_(tree, graph.of(1), control, policy),
-        negative_search_(tree, graph.of(-1), control, policy),
+        positive_search_(tree, graph.mode(), graph.of(1), control, policy),
+        negative_search_(tree, graph.mode(), graph.of(-1), control, policy),
         budget_(policy.least_budget +
                 undecided_leaves(tree, graph.mode()) / policy.undecided_leaves_for_one) {}
 
@@ -70,12 +100,13 @@ class ModeRefinement {
   /// After the requested leaves were divided.
   void take_in_children() {
     const RoundingUpward rounding;
+    BoxBatches batches(tree_, classifier_, mode(), control_);
     for (const NodeIndex node : requests_) {
-      if (is_cancelled(control_)) return;
       const NodeIndex first = tree_.first_child(node);
       for (NodeIndex child = first; child < first + tree_.children_per_node(); ++child)
-        classify(tree_, classifier_, mode(), child, detail(child));
+        batches.add(child, detail(first));
     }
+    batches.classify();
     for (const NodeIndex node : requests_)
       if (!is_cancelled(control_)) graph_.replace(tree_, node);
   }
@@ -173,8 +204,10 @@ void look_into_leaves(PoseTree& tree, const BoxClassifier& classifier, std::size
                       const MapControl& control) {
   if (detail_of_base_map(tree.dimension()) != Detail::centers) return;
   const RoundingUpward rounding;
+  BoxBatches batches(tree, classifier, mode, control);
   for (NodeIndex node = 0; node < tree.node_count() && !is_cancelled(control); ++node)
-    if (tree.state(node, mode).is_undecided()) classify(tree, classifier, mode, node, Detail::parts);
+    if (tree.state(node, mode).is_undecided()) batches.add(node, Detail::parts);
+  batches.classify();
 }
 
 bool refine_contested(PoseTree& tree, const BoxClassifier& classifier,

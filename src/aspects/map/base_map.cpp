@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/map/base_map.h"
 
+#include "aspects/batches/box_requests.h"
 #include "aspects/symmetry/level_symmetry.h"
 #include "interval/interval.h"
 
@@ -21,9 +22,12 @@ void classify_block(PoseTree& tree, const BoxClassifier& classifier, const Level
                     Detail detail, NodeIndex begin, NodeIndex end) {
   tbb::parallel_for(tbb::blocked_range<NodeIndex>(begin, end, nodes_per_task), [&](const auto& range) {
     const RoundingUpward rounding;
+    BoxRequests requests;
+    requests.reserve(range.size());
     for (NodeIndex node = range.begin(); node != range.end(); ++node)
       if (const ModeSet modes = symmetry.own_modes(tree, node); modes != 0)
-        classifier.classify(tree.place(node).root, tree.box(node), modes, detail, tree.states(node));
+        requests.push_back({tree.place(node).root, tree.box(node), modes, tree.states(node)});
+    classify(classifier, requests, detail);
   });
 }
 

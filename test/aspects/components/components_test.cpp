@@ -133,7 +133,7 @@ TEST_P(RandomStates, ContactsAreFoundFromTheSmallerOnes) {
             1)
       expected.insert(component);
   std::set<std::uint32_t> found;
-  for (const SignGraph::Contact& contact : ContactSearch(tree_, graph, control, policy).run()) {
+  for (const SignGraph::Contact& contact : ContactSearch(tree_, 0, graph, control, policy).run()) {
     EXPECT_EQ(reach_.find(contact.leaf), reach_.find(contact.other_leaf));
     EXPECT_EQ(reach_.find(contact.leaf), reach_.find(contact.node));
     EXPECT_FALSE(tree_.state(contact.node, 0).is_inside());

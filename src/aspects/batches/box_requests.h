@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASPECTS_BATCHES_BOX_REQUESTS_H
+#define PARALLEL_ASPECTS_ASPECTS_BATCHES_BOX_REQUESTS_H
+
+#include "aspects/boxes/box_classifier.h"
+
+#include <vector>
+
+namespace parallel_aspects {
+
+/// A box that is to be classified.
+struct BoxRequest {
+  RootIndex root;
+  Box box;
+  ModeSet modes;
+  LeafState* states;  ///< to be written, by mode
+};
+using BoxRequests = std::vector<BoxRequest>;
+
+/// Whose vectors boxes are classified in, as many at once as they have lanes: two, four or eight. With `none`
+/// one by one. What is found is the same to the last digit.
+enum class InstructionSet { none, sse2, avx2, avx512 };
+
+/// Whether this processor has it.
+bool has_instructions(InstructionSet instructions) noexcept;
+
+/// The widest that this processor has.
+InstructionSet widest_instructions() noexcept;
+
+/// What maps are computed with: the widest, unless tests or measurements use another that the processor has.
+InstructionSet instructions_in_use() noexcept;
+void use_instructions(InstructionSet instructions) noexcept;
+
+/// As `BoxClassifier::classify` for each box, several at a time where the robot and the detail allow it; the
+/// processor must have the instructions. A live `RoundingUpward` is required.
+void classify(const BoxClassifier& classifier, const BoxRequests& requests, Detail detail,
+              InstructionSet instructions = instructions_in_use()) noexcept;
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ASPECTS_BATCHES_BOX_REQUESTS_H

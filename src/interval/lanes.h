@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_INTERVAL_LANES_H
+#define PARALLEL_ASPECTS_INTERVAL_LANES_H
+
+#include <cmath>
+#include <cstddef>
+
+// Several numbers at once, in the lanes of a vector, and functions that do with each lane what they do with
+// one number. Lanes round as one number does: what is computed in them is the same to the last digit. All of
+// it is inlined, so that it takes on the instruction set of the function that it is used in.
+
+namespace parallel_aspects {
+
+template <std::size_t Count>
+struct LanesOf {
+  using Numbers [[gnu::vector_size(Count * sizeof(double))]] = double;
+};
+
+/// Of `Count` numbers: 2, 4 or 8.
+template <std::size_t Count>
+using Lanes = typename LanesOf<Count>::Numbers;
+
+template <class Numbers>
+inline constexpr std::size_t lane_count = sizeof(Numbers) / sizeof(double);
+
+/// The same number in every lane.
+template <class Numbers>
+[[gnu::always_inline]] inline Numbers in_lanes(double value) noexcept {
+  if constexpr (sizeof(Numbers) == sizeof(Lanes<2>)) return Numbers{value, value};
+  if constexpr (sizeof(Numbers) == sizeof(Lanes<4>)) return Numbers{value, value, value, value};
+  if constexpr (sizeof(Numbers) == sizeof(Lanes<8>))
+    return Numbers{value, value, value, value, value, value, value, value};
+}
+
+/// |a|.
+inline double modulus(double a) noexcept { return std::abs(a); }
+template <class Numbers>
+[[gnu::always_inline]] inline Numbers modulus(const Numbers& a) noexcept {
+  using Mask = decltype(a < a);
+  return (Numbers)((Mask)a & 0x7fff'ffff'ffff'ffffLL);
+}
+
+/// The larger of two; the first where they are equal, as `std::max`.
+template <class Numbers>
+[[gnu::always_inline]] inline Numbers larger_of(const Numbers& a, const Numbers& b) noexcept {
+  return a < b ? b : a;
+}
+
+/// The smaller of two; the first where they are equal, as `std::min`.
+template <class Numbers>
+[[gnu::always_inline]] inline Numbers smaller_of(const Numbers& a, const Numbers& b) noexcept {
+  return b < a ? b : a;
+}
+
+template <class Numbers>
+[[gnu::always_inline]] inline Numbers root_of(const Numbers& a) noexcept {
+  Numbers result;
+  for (std::size_t i = 0; i < lane_count<Numbers>; ++i) result[i] = __builtin_sqrt(a[i]);
+  return result;
+}
+
+/// Whether a condition holds in all lanes, or in none.
+template <class Mask>
+[[gnu::always_inline]] inline bool in_all(const Mask& condition) noexcept {
+  bool all = true;
+  for (std::size_t i = 0; i < lane_count<Mask>; ++i) all = all && condition[i] != 0;
+  return all;
+}
+template <class Mask>
+[[gnu::always_inline]] inline bool in_none(const Mask& condition) noexcept {
+  bool any = false;
+  for (std::size_t i = 0; i < lane_count<Mask>; ++i) any = any || condition[i] != 0;
+  return !any;
+}
+
+/// `a` where the condition holds, else `b`.
+template <class Mask, class Numbers>
+[[gnu::always_inline]] inline Numbers where(const Mask& condition, const Numbers& a,
+                                            const Numbers& b) noexcept {
+  return condition ? a : b;
+}
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_INTERVAL_LANES_H
