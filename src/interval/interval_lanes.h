@@ -5,6 +5,7 @@
 #include "interval/half_turns.h"
 #include "interval/interval.h"
 #include "interval/lanes.h"
+#include "interval/turn_memory.h"
 
 #include <cstddef>
 
@@ -113,16 +114,13 @@ class IntervalLanes {
   Numbers negated_lower_, upper_;
 };
 
-/// Neighbouring lanes often hold the same angle, which is then worked out once.
+/// Boxes of one level hold few different angles, which are worked out once.
 template <class Numbers>
 [[gnu::always_inline]] inline Turn<IntervalLanes<Numbers>> turn_of_half_turns(
     const IntervalLanes<Numbers>& a) noexcept {
   Turn<IntervalLanes<Numbers>> result;
-  Turn<Interval> turn;
   for (std::size_t i = 0; i < lane_count<Numbers>; ++i) {
-    const Interval angle = a.lane(i), last = a.lane(i == 0 ? 0 : i - 1);
-    if (i == 0 || angle.lower() != last.lower() || angle.upper() != last.upper())
-      turn = turn_of_half_turns(angle);
+    const Turn<Interval>& turn = remembered_turn(a.lane(i));
     result.cosine.set_lane(i, turn.cosine);
     result.sine.set_lane(i, turn.sine);
   }

@@ -27,15 +27,16 @@ void classify_open(const BoxClassifier& classifier, std::size_t mode_count, cons
   }
 }
 
-/// False where the classifier is for another chart, or for a robot with constraints that lanes do not treat.
+/// False where the classifier is for another chart, or for a robot with constraints that lanes do not treat,
+/// and where slopes are asked for that have no lanes: then little would be saved.
 template <class Chart>
 bool are_done_in_lanes(const BoxClassifier& classifier, const BoxRequests& requests, Detail detail,
                        InstructionSet instructions) noexcept {
   const auto* of_chart = dynamic_cast<const ChartClassifier<Chart>*>(&classifier);
-  if (of_chart == nullptr || !of_chart->is_limited_only()) return false;
+  const bool has_stages = has_slope_lanes<Chart> || detail == Detail::states || detail == Detail::centers;
+  if (of_chart == nullptr || !of_chart->is_limited_only() || !has_stages) return false;
   classify_in_lanes(of_chart->chart(), of_chart->signs(), requests, detail, instructions);
-  if (detail == Detail::all_parts || (detail == Detail::parts && !has_slope_lanes<Chart>))
-    classify_open(classifier, of_chart->signs().size(), requests, detail);
+  if (detail == Detail::all_parts) classify_open(classifier, of_chart->signs().size(), requests, detail);
   return true;
 }
 

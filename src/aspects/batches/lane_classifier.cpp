@@ -73,6 +73,7 @@ void classify_all(const Chart& chart, const ModeSigns<Chart>& signs, const BoxRe
 
 bool has_instructions(InstructionSet instructions) noexcept {
 #ifdef PARALLEL_ASPECTS_VERSIONS
+  __builtin_cpu_init();  // this may run before other initialisation
   if (instructions == InstructionSet::avx512)
     return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
            __builtin_cpu_supports("avx512vl");

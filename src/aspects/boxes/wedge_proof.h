@@ -146,9 +146,14 @@ class WedgeProof {
     return pose[y_];
   }
 
+  /// As BoxIntervals has it, of one leg alone: this is asked for many poses.
   Interval squared_entry_at(const MapPoint& pose) const {
-    const Box point{size, pose, pose};
-    return Intervals(here_.at().with(point)).entries().square(leg_);
+    const Chart& chart = here_.at().chart;
+    std::array<Interval, size> at;
+    for (std::size_t i = 0; i < size; ++i) at[i] = Interval(pose[i]);
+    const auto placement = chart.place(here_.at().root, at);
+    const auto displacement = chart.displacement(leg_, placement);
+    return chart.rows(leg_, chart.form(leg_, displacement), displacement, placement).squared_entry;
   }
 
   /// The poses of a box of which N may hold some.

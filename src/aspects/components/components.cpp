@@ -9,6 +9,9 @@
 namespace parallel_aspects {
 namespace {
 
+// Some tenth of a millisecond of work.
+constexpr NodeIndex nodes_between_looks = 4096;
+
 void extend(Box& bounds, const Box& box) {
   if (bounds.dimension == 0) bounds = box;
   for (std::size_t i = 0; i < box.dimension; ++i) {
@@ -24,30 +27,32 @@ class Summary {
       : tree_(tree), mode_(mode), graph_(graph), control_(control) {}
 
   ModeComponents collect() {
-    collect_undecided();
     for (const int sign : {1, -1}) {
       if (is_cancelled(control_)) break;
       collect_components(sign);
-      collect_parts(sign);
+      collect_undecided(sign);
       collect_meetings(sign);
-      collect_bound(sign);
+      count_indeterminate(sign);
     }
     collect_clusters();
     return std::move(result_);
   }
 
  private:
-  void collect_undecided() {
-    for (NodeIndex node = 0; node < tree_.node_count(); ++node)
-      if (tree_.state(node, mode_).is_undecided())
-        result_.measure_undecided += tree_.space().measure(tree_.box(node));
+  /// Ends early when cancelled.
+  template <class Action>
+  void for_each_node(const Action& action) const {
+    for (NodeIndex node = 0; node < tree_.node_count(); ++node) {
+      if (node % nodes_between_looks == 0 && is_cancelled(control_)) return;
+      action(node);
+    }
   }
 
   void collect_components(int sign) {
     SignGraph& graph = graph_.of(sign);
     index_.assign(graph.component_bound(), SignGraph::none);
-    for (NodeIndex node = 0; node < tree_.node_count(); ++node) {
-      if (!tree_.state(node, mode_).is_inside(sign)) continue;
+    for_each_node([&](NodeIndex node) {
+      if (!tree_.state(node, mode_).is_inside(sign)) return;
       const std::uint32_t root = graph.component(node);
       const Box box = tree_.box(node);
       if (index_[root] == SignGraph::none) start_component(root, sign);
@@ -57,7 +62,7 @@ class Summary {
       component.measure_inside += measure;
       component.measure_estimated += measure;
       extend(component.bounds[tree_.place(node).root], box);
-    }
+    });
     undecided_.resize(result_.components.size(), 0.0);
   }
 
@@ -69,11 +74,20 @@ class Summary {
     result_.components.push_back(component);
   }
 
-  void collect_parts(int sign) {
-    for (NodeIndex node = 0; node < tree_.node_count(); ++node) {
+  /// What undecided leaves measure, those that are whole parts, and the bound of the number of aspects: what
+  /// hides in no indeterminate leaf is in a component, and there is an aspect in each at most.
+  void collect_undecided(int sign) {
+    SignGraph& graph = graph_.of(sign);
+    std::vector<bool> seen(graph.component_bound(), false);
+    for_each_node([&](NodeIndex node) {
       const LeafState state = tree_.state(node, mode_);
+      if (sign > 0 && state.is_undecided())
+        result_.measure_undecided += tree_.space().measure(tree_.box(node));
+      if (!state.may_be(sign)) return;
+      if (graph.is_in_component(node)) seen[graph.component(node)] = true;
       if (state.is_undecided() && state.is_whole(sign)) add_undecided(node, node, sign);
-    }
+    });
+    result_.bound += static_cast<std::size_t>(std::count(seen.begin(), seen.end(), true));
   }
 
   /// An undecided leaf, or what of it may have the sign, counts for the component of `leaf`.
@@ -95,15 +109,8 @@ class Summary {
         add_undecided(graph.indeterminate_leaves().node(v), meeting.nearest[v], sign);
   }
 
-  /// What hides in no indeterminate leaf is in a component: an aspect in each at most.
-  void collect_bound(int sign) {
-    SignGraph& graph = graph_.of(sign);
-    std::vector<bool> seen(graph.component_bound(), false);
-    for (NodeIndex node = 0; node < tree_.node_count(); ++node)
-      if (tree_.state(node, mode_).may_be(sign) && graph.is_in_component(node))
-        seen[graph.component(node)] = true;
-    result_.bound += static_cast<std::size_t>(std::count(seen.begin(), seen.end(), true));
-    const IndeterminateLeaves& open = graph.indeterminate_leaves();
+  void count_indeterminate(int sign) {
+    const IndeterminateLeaves& open = graph_.of(sign).indeterminate_leaves();
     for (std::size_t v = 0; v < open.size(); ++v) result_.indeterminate_leaves += open.node(v) != no_node;
   }
 

@@ -17,9 +17,11 @@ LeafGraph::LeafGraph(const PoseTree& tree, std::size_t mode, bool looks_everywhe
     positive_.add_leaf(tree, node);
     negative_.add_leaf(tree, node);
   }
-  const auto connect = [this, &tree](NodeIndex a, NodeIndex b) {
-    positive_.connect(tree, a, b);
-    negative_.connect(tree, a, b);
+  // Most leaves may hold poses of one sign alone, which their states tell sooner than the graph of the other.
+  const auto connect = [this, &tree, mode](NodeIndex a, NodeIndex b) {
+    const LeafState one = tree.state(a, mode), other = tree.state(b, mode);
+    if (one.may_be(1) && other.may_be(1)) positive_.connect(tree, a, b);
+    if (one.may_be(-1) && other.may_be(-1)) negative_.connect(tree, a, b);
   };
   if (!is_cancelled(control)) visit_faces(tree, mode, connect, control);
 }

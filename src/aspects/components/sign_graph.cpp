@@ -202,10 +202,6 @@ void SignGraph::drop(PoseTree& tree, NodeIndex node) {
   slot_.set(node, none);
 }
 
-void SignGraph::compare(const Contact& contact, std::vector<Contact>& contacts) {
-  if (component(contact.leaf) != component(contact.other_leaf)) contacts.push_back(contact);
-}
-
 void SignGraph::start_from_components(Meeting& meeting, std::vector<std::uint32_t>& queue) {
   for (std::uint32_t v = 0; v < indeterminate_.size() && !is_cancelled(control_); ++v) {
     const NodeIndex node = indeterminate_.node(v);
@@ -214,9 +210,10 @@ void SignGraph::start_from_components(Meeting& meeting, std::vector<std::uint32_
       if (holds_nothing(neighbour) || !is_in_component(neighbour)) return;
       if (meeting.nearest[v] == no_node) {
         meeting.nearest[v] = neighbour;
+        meeting.components[v] = component(neighbour);
         queue.push_back(v);
-      } else {
-        compare({node, node, meeting.nearest[v], neighbour}, meeting.contacts);
+      } else if (meeting.components[v] != component(neighbour)) {
+        meeting.contacts.push_back({node, node, meeting.nearest[v], neighbour});
       }
     });
   }
@@ -234,10 +231,11 @@ void SignGraph::spread(Meeting& meeting, std::vector<std::uint32_t>& queue) {
       const std::uint32_t w = item_of(neighbour);
       if (meeting.nearest[w] == no_node) {
         meeting.nearest[w] = meeting.nearest[v];
+        meeting.components[w] = meeting.components[v];
         queue.push_back(w);
-      } else if (v < w) {
-        compare({indeterminate_.node(v), neighbour, meeting.nearest[v], meeting.nearest[w]},
-                meeting.contacts);
+      } else if (v < w && meeting.components[v] != meeting.components[w]) {
+        meeting.contacts.push_back(
+            {indeterminate_.node(v), neighbour, meeting.nearest[v], meeting.nearest[w]});
       }
     });
   }
@@ -246,6 +244,7 @@ void SignGraph::spread(Meeting& meeting, std::vector<std::uint32_t>& queue) {
 SignGraph::Meeting SignGraph::meeting() {
   Meeting meeting;
   meeting.nearest.assign(indeterminate_.size(), no_node);
+  meeting.components.assign(indeterminate_.size(), none);
   std::vector<std::uint32_t> queue;
   start_from_components(meeting, queue);
   spread(meeting, queue);
@@ -254,7 +253,9 @@ SignGraph::Meeting SignGraph::meeting() {
 }
 
 void SignGraph::add_contacts_of_faces(std::vector<Contact>& contacts) {
-  visit_unknown_faces([&](NodeIndex a, NodeIndex b) { compare({a, b, a, b}, contacts); });
+  visit_unknown_faces([&](NodeIndex a, NodeIndex b) {
+    if (component(a) != component(b)) contacts.push_back({a, b, a, b});
+  });
 }
 
 }  // namespace parallel_aspects

@@ -68,6 +68,7 @@ class SignGraph {
   struct Meeting {
     std::vector<NodeIndex>
         nearest;  ///< a leaf of the component nearest to each indeterminate leaf, or `no_node`
+    std::vector<std::uint32_t> components;  ///< the numbers of these components
     std::vector<Contact> contacts;
   };
   Meeting meeting();
@@ -165,7 +166,6 @@ class SignGraph {
   void forget_neighbour(NodeIndex node, NodeIndex old_neighbour);
   void start_from_components(Meeting& meeting, std::vector<std::uint32_t>& queue);
   void spread(Meeting& meeting, std::vector<std::uint32_t>& queue);
-  void compare(const Contact& contact, std::vector<Contact>& contacts);
   void add_contacts_of_faces(std::vector<Contact>& contacts);
 
   std::size_t mode_;

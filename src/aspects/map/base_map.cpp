@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace parallel_aspects {
 namespace {
@@ -31,13 +32,18 @@ void classify_block(PoseTree& tree, const BoxClassifier& classifier, const Level
   });
 }
 
+bool is_undecided(const PoseTree& tree, NodeIndex node) {
+  for (std::size_t mode = 0; mode < tree.mode_count(); ++mode)
+    if (tree.state(node, mode).is_undecided()) return true;
+  return false;
+}
+
 void divide_undecided(PoseTree& tree, NodeIndex begin, NodeIndex end) {
-  for (NodeIndex node = begin; node != end; ++node) {
-    bool undecided = false;
-    for (std::size_t mode = 0; mode < tree.mode_count(); ++mode)
-      undecided = undecided || tree.state(node, mode).is_undecided();
-    if (undecided) tree.divide(node, [](std::size_t) { return true; });
-  }
+  std::vector<NodeIndex> undecided;
+  for (NodeIndex node = begin; node != end; ++node)
+    if (is_undecided(tree, node)) undecided.push_back(node);
+  tree.reserve_families(undecided.size());
+  for (const NodeIndex node : undecided) tree.divide(node, [](std::size_t) { return true; });
 }
 
 /// Nodes lie along curves and surfaces, so each level costs 2^(d-1) times the one before.

@@ -180,7 +180,19 @@ class Search {
     const double clear = search.distance();
     const Cell cell{box, {middle, clear}, search.nearest(), clear + half_diagonal};
     if (clear > best_.clearance) best_ = cell.center;
-    if (worth(cell)) queue_.push(cell);
+    if (worth(cell) && farthest_from(search.nearest(), root, box) > best_.clearance) queue_.push(cell);
+  }
+
+  /// No point of the box is farther from this leaf that is not of the aspect.
+  double farthest_from(NodeIndex leaf, RootIndex root, const Box& box) const {
+    if (leaf == no_node || map_.tree.place(leaf).root != root) return std::numeric_limits<double>::infinity();
+    const Box foreign = map_.tree.box(leaf);
+    double square = 0.0;
+    for (std::size_t i = 0; i < box.dimension; ++i) {
+      const double beyond = std::max({0.0, foreign.lower[i] - box.lower[i], box.upper[i] - foreign.upper[i]});
+      square += weights_[i] * beyond * weights_[i] * beyond;
+    }
+    return std::sqrt(square);
   }
 
   void divide(const Cell& cell) {

@@ -31,6 +31,7 @@ std::optional<Box> exact_region(const Box& box) noexcept {
 
 PoseTree::PoseTree(std::shared_ptr<const PoseSpace> space, std::size_t modes)
     : space_(std::move(space)),
+      root_count_(space_->root_count()),
       region_(space_->region()),
       modes_(modes),
       first_child_(space_->root_count(), no_node),
@@ -40,24 +41,11 @@ PoseTree::PoseTree(std::shared_ptr<const PoseSpace> space, std::size_t modes)
       edges_[level][i] = std::ldexp(region_.width(i), -static_cast<int>(level));
 }
 
-NodePlace PoseTree::place(NodeIndex node) const noexcept {
-  if (node < root_count()) return {{}, 0, node};
-  NodePlace place = parents_[family(node)];
-  const NodeIndex rank = (node - static_cast<NodeIndex>(root_count())) & (children_per_node() - 1);
-  for (std::size_t i = 0; i < dimension(); ++i) place.cell[i] = 2 * place.cell[i] + (rank >> i & 1U);
-  ++place.level;
-  return place;
-}
-
-Box PoseTree::box(NodeIndex node) const noexcept {
-  const NodePlace at = place(node);
-  Box box{dimension(), {}, {}};
-  for (std::size_t i = 0; i < dimension(); ++i) {
-    const double edge = edges_[at.level][i];
-    box.lower[i] = region_.lower[i] + edge * at.cell[i];
-    box.upper[i] = region_.lower[i] + edge * (at.cell[i] + 1.0);
-  }
-  return box;
+void PoseTree::reserve_families(std::size_t count) {
+  const std::size_t nodes = node_count() + count * children_per_node();
+  parents_.reserve(parents_.size() + count);
+  first_child_.reserve(nodes);
+  states_.reserve(nodes * modes_);
 }
 
 NodeIndex PoseTree::append_children(NodeIndex node) {

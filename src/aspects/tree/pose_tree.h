@@ -47,7 +47,7 @@ class PoseTree {
   const std::shared_ptr<const PoseSpace>& shared_space() const noexcept { return space_; }
   const Box& region() const noexcept { return region_; }
   std::size_t dimension() const noexcept { return region_.dimension; }
-  std::size_t root_count() const noexcept { return space_->root_count(); }
+  std::size_t root_count() const noexcept { return root_count_; }
   std::size_t mode_count() const noexcept { return modes_; }
   std::size_t node_count() const noexcept { return first_child_.size(); }
   NodeIndex children_per_node() const noexcept { return NodeIndex{1} << dimension(); }
@@ -56,10 +56,26 @@ class PoseTree {
   LeafState& state(NodeIndex node, std::size_t mode) noexcept { return states_[node * modes_ + mode]; }
   LeafState* states(NodeIndex node) noexcept { return states_.data() + node * modes_; }
 
-  NodePlace place(NodeIndex node) const noexcept;
+  NodePlace place(NodeIndex node) const noexcept {
+    if (node < root_count_) return {{}, 0, node};
+    NodePlace place = parents_[family(node)];
+    const NodeIndex rank = (node - static_cast<NodeIndex>(root_count_)) & (children_per_node() - 1);
+    for (std::size_t i = 0; i < dimension(); ++i) place.cell[i] = 2 * place.cell[i] + (rank >> i & 1U);
+    ++place.level;
+    return place;
+  }
 
   /// Box of a node [m or rad]. All corners are exact, so neighbours share them bit for bit.
-  Box box(NodeIndex node) const noexcept;
+  Box box(NodeIndex node) const noexcept {
+    const NodePlace at = place(node);
+    Box box{dimension(), {}, {}};
+    for (std::size_t i = 0; i < dimension(); ++i) {
+      const double edge = edges_[at.level][i];
+      box.lower[i] = region_.lower[i] + edge * at.cell[i];
+      box.upper[i] = region_.lower[i] + edge * (at.cell[i] + 1.0);
+    }
+    return box;
+  }
 
   /// First of the `children_per_node()` children, which are contiguous; `no_node` for none. Bit i of a
   /// child's rank says which half it takes along coordinate i.
@@ -69,6 +85,9 @@ class PoseTree {
   /// pending in them where `divide` holds that mode; other modes are inherited.
   template <class Predicate>
   NodeIndex divide(NodeIndex node, const Predicate& divides_mode);
+
+  /// Before so many nodes more are given children: takes no more memory than they need.
+  void reserve_families(std::size_t count);
 
   /// Gives `node` children, unless it has them, in which every mode is inherited. Returns the first.
   NodeIndex add_children(NodeIndex node) {
@@ -90,7 +109,7 @@ class PoseTree {
   bool set_states(const TreeRecord& record);
 
   /// Of a node that is no root: which of the families of children it is in.
-  std::size_t family(NodeIndex node) const noexcept { return (node - root_count()) >> dimension(); }
+  std::size_t family(NodeIndex node) const noexcept { return (node - root_count_) >> dimension(); }
 
   /// Whether the state is inherited, where that of the parent is known.
   bool inherits(const std::vector<NodeIndex>& parents, NodeIndex node, std::size_t mode) const noexcept {
@@ -98,6 +117,7 @@ class PoseTree {
   }
 
   std::shared_ptr<const PoseSpace> space_;
+  std::size_t root_count_;  // of the space, beside the nodes
   Box region_;
   std::array<MapPoint, deepest_level + 1> edges_{};  // of a node, by level
   std::size_t modes_;
