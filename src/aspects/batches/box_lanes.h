@@ -5,6 +5,7 @@
 #include "aspects/batches/box_requests.h"
 #include "aspects/batches/lane_classifier.h"
 #include "aspects/batches/lane_stages.h"
+#include "aspects/batches/lane_states.h"
 #include "aspects/batches/slope_lanes.h"
 
 #include <array>
@@ -38,7 +39,7 @@ class BoxLanes {
     Mask open{};
     for (std::size_t mode = 0; mode < signs_.size(); ++mode) {
       determinants_[mode] = intervals.determinant(signs_[mode]);
-      states_[mode] = state(intervals, determinants_[mode], signs_[mode]);
+      states_[mode] = state_in_lanes(intervals, determinants_[mode], signs_[mode]);
       open |= open_in(mode);
     }
     if (!in_none(open)) classify_by_forms(LaneForms<Chart, Numbers>(intervals), detail);
@@ -51,29 +52,10 @@ class BoxLanes {
   using Form = typename Types::Form;
   using Mask = typename Types::Mask;
 
-  // Bits of a state in a lane.
-  static constexpr std::int64_t may_be_positive = 1, may_be_negative = 2, is_inside = 4, center_positive = 8,
-                                center_negative = 16, whole_positive = 32, whole_negative = 64;
-
-  /// See BoxStage::state.
-  template <class Stage>
-  static Mask state(const Stage& stage, const Range& determinant, const Signs& signs) {
-    Mask hold = stage.entries().all_clear, fail = stage.entries().reachable_nowhere;
-    for (std::size_t j = 0; j < Types::leg_count; ++j) {
-      hold &= stage.limits().hold[j][branch_of(signs[j])];
-      fail |= stage.limits().fail[j][branch_of(signs[j])];
-    }
-    const Mask has_sign = determinant.positive() | determinant.negative();
-    return ~fail & (((determinant.upper() > 0.0) & may_be_positive) |
-                    ((determinant.lower() < 0.0) & may_be_negative) | (has_sign & hold & is_inside));
-  }
-
-  static Mask has(const Mask& states, std::int64_t bits) { return (states & bits) != 0; }
-
   /// Lanes in which the mode is asked for and undecided.
   Mask open_in(std::size_t mode) const {
     const Mask asked = (modes_ >> static_cast<std::int64_t>(mode) & 1) != 0;
-    return asked & has(states_[mode], may_be_positive | may_be_negative) & ~has(states_[mode], is_inside);
+    return asked & undecided_in_lanes(states_[mode]);
   }
 
   void classify_by_forms(const LaneForms<Chart, Numbers>& forms, Detail detail) {
@@ -86,9 +68,8 @@ class BoxLanes {
       if (in_none(open)) continue;
       const Range natural = determinants_[mode];
       const Form determinant = forms.legs().determinant(signs_[mode]);
-      determinants_[mode] =
-          where(natural.positive() | natural.negative(), natural, intersection(natural, determinant.range()));
-      Mask found = state(forms, determinants_[mode], signs_[mode]);
+      determinants_[mode] = LaneForms<Chart, Numbers>::determinant(natural, determinant);
+      Mask found = state_in_lanes(forms, determinants_[mode], signs_[mode]);
       if (centers) found |= center(determinant, reachable, signs_[mode]);
       states_[mode] = open ? found : states_[mode];
       still_open |= open_in(mode);
@@ -102,7 +83,8 @@ class BoxLanes {
   static Mask center(const Form& determinant, const typename Types::ByLegAndBranch& reachable,
                      const Signs& signs) {
     const Range value = determinant.at_center();
-    Mask bits = (value.positive() & center_positive) | (value.negative() & center_negative);
+    Mask bits =
+        (value.positive() & lane_bits::center_positive) | (value.negative() & lane_bits::center_negative);
     for (std::size_t j = 0; j < Types::leg_count; ++j) bits &= reachable[j][branch_of(signs[j])];
     return bits;
   }
@@ -113,10 +95,11 @@ class BoxLanes {
       if (in_none(open)) continue;
       Mask found{};
       for (const int sign : {1, -1}) {
-        const Mask asked = open & has(states_[mode], sign > 0 ? may_be_positive : may_be_negative);
+        const Mask asked = open & has_bits(states_[mode], sign > 0 ? lane_bits::may_be_positive
+                                                                   : lane_bits::may_be_negative);
         if (in_none(asked)) continue;
         found |= asked & slopes.is_whole(signs_[mode], sign, determinants_[mode]) &
-                 (sign > 0 ? whole_positive : whole_negative);
+                 (sign > 0 ? lane_bits::whole_positive : lane_bits::whole_negative);
       }
       states_[mode] |= found;
     }
@@ -126,17 +109,6 @@ class BoxLanes {
     for (std::size_t i = 0; i < count_; ++i)
       for (std::size_t mode = 0; mode < signs_.size(); ++mode)
         if ((requests_[i].modes >> mode & 1U) != 0) requests_[i].states[mode] = state_of(states_[mode][i]);
-  }
-
-  static LeafState state_of(std::int64_t bits) {
-    const bool positive = (bits & may_be_positive) != 0, negative = (bits & may_be_negative) != 0;
-    if ((bits & is_inside) != 0) return LeafState::inside(positive ? 1 : -1);
-    LeafState state = LeafState::undecided(positive, negative);
-    if (state.is_outside()) return state;
-    if ((bits & whole_positive) != 0) state = state.with_whole(1);
-    if ((bits & whole_negative) != 0) state = state.with_whole(-1);
-    if ((bits & (center_positive | center_negative)) == 0) return state;
-    return state.with_center((bits & center_positive) != 0 ? 1 : -1);
   }
 
   const Chart& chart_;

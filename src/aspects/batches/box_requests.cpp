@@ -2,6 +2,7 @@
 #include "aspects/batches/box_requests.h"
 
 #include "aspects/batches/lane_classifier.h"
+#include "aspects/batches/lane_examiner.h"
 #include "aspects/boxes/chart_classifier.h"
 
 #include <atomic>
@@ -40,6 +41,30 @@ bool are_done_in_lanes(const BoxClassifier& classifier, const BoxRequests& reque
   return true;
 }
 
+/// False where the classifier is for another chart, or for a robot with constraints that lanes do not treat.
+template <class Chart>
+bool are_examined_in_lanes(const BoxClassifier& classifier, std::size_t mode, int sign,
+                           const std::vector<SharedFace>& boxes, std::vector<Examined>& examined,
+                           InstructionSet instructions) {
+  const auto* of_chart = dynamic_cast<const ChartClassifier<Chart>*>(&classifier);
+  if (of_chart == nullptr || !of_chart->is_limited_only()) return false;
+  examine_in_lanes(of_chart->chart(), of_chart->signs()[mode], sign, classifier.policy().shells, boxes,
+                   examined.data(), instructions);
+  return true;
+}
+
+std::vector<Examined> examine(const BoxClassifier& classifier, std::size_t mode, int sign,
+                              const std::vector<SharedFace>& boxes, InstructionSet instructions) {
+  std::vector<Examined> examined(boxes.size(), {LeafState(), Monotonicity::unknown(), std::nullopt});
+  if (instructions != InstructionSet::none &&
+      (are_examined_in_lanes<T2Chart>(classifier, mode, sign, boxes, examined, instructions) ||
+       are_examined_in_lanes<SE2Chart>(classifier, mode, sign, boxes, examined, instructions)))
+    return examined;
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    examined[i] = classifier.examine(boxes[i].root, boxes[i].box, mode, sign);
+  return examined;
+}
+
 }  // namespace
 
 InstructionSet instructions_in_use() noexcept { return in_use; }
@@ -56,6 +81,28 @@ void classify(const BoxClassifier& classifier, const BoxRequests& requests, Deta
     return;
   for (const BoxRequest& each : requests)
     classifier.classify(each.root, each.box, each.modes, detail, each.states);
+}
+
+std::vector<Part> find_parts(const BoxClassifier& classifier, std::size_t mode, int sign,
+                             std::vector<SharedFace> boxes, InstructionSet instructions) {
+  std::vector<Part> parts(boxes.size());
+  std::vector<std::size_t> open(boxes.size());  // which part each of the boxes is for
+  for (std::size_t i = 0; i < open.size(); ++i) open[i] = i;
+  while (!boxes.empty()) {
+    const std::vector<Examined> examined = examine(classifier, mode, sign, boxes, instructions);
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      SharedFace& at = boxes[i];
+      if (const auto part = part_or_flatten(classifier, mode, sign, at.root, examined[i], at.box)) {
+        parts[open[i]] = *part;
+        continue;
+      }
+      open[kept] = open[i];
+      boxes[kept++] = at;
+    }
+    boxes.resize(kept);
+  }
+  return parts;
 }
 
 }  // namespace parallel_aspects

@@ -3,6 +3,8 @@
 #define PARALLEL_ASPECTS_ASPECTS_BATCHES_BOX_REQUESTS_H
 
 #include "aspects/boxes/box_classifier.h"
+#include "aspects/boxes/part_proof.h"
+#include "aspects/tree/neighbour_leaves.h"
 
 #include <vector>
 
@@ -35,6 +37,11 @@ void use_instructions(InstructionSet instructions) noexcept;
 /// processor must have the instructions. A live `RoundingUpward` is required.
 void classify(const BoxClassifier& classifier, const BoxRequests& requests, Detail detail,
               InstructionSet instructions = instructions_in_use()) noexcept;
+
+/// As `find_part` for each of these boxes.
+std::vector<Part> find_parts(const BoxClassifier& classifier, std::size_t mode, int sign,
+                             std::vector<SharedFace> boxes,
+                             InstructionSet instructions = instructions_in_use());
 
 }  // namespace parallel_aspects
 

@@ -2,19 +2,7 @@
 #include "aspects/batches/lane_classifier.h"
 
 #include "aspects/batches/box_lanes.h"
-
-#include <algorithm>
-
-// Compiled once for each instruction set, from one source: everything is inlined into functions that are
-// compiled for it, and nothing else of the program is. Vectors that are wider than those of the processor
-// would be slower, so that each has its own number of lanes. Sanitizers would make such functions huge.
-#if defined(__x86_64__) && defined(__OPTIMIZE__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
-    !defined(__SANITIZE_THREAD__)
-#define PARALLEL_ASPECTS_VERSIONS
-#define PARALLEL_ASPECTS_FOR(instructions) [[gnu::target(instructions), gnu::flatten]]
-#else
-#define PARALLEL_ASPECTS_FOR(instructions)
-#endif
+#include "aspects/batches/lane_versions.h"
 
 namespace parallel_aspects {
 namespace {
@@ -29,44 +17,30 @@ struct LaneWork {
 };
 
 template <class Chart>
-PARALLEL_ASPECTS_FOR("sse2")
-void classify_pair(const LaneWork<Chart>& work) noexcept {
+PARALLEL_ASPECTS_FOR_PAIRS void classify_pair(const LaneWork<Chart>& work) noexcept {
   BoxLanes<Chart, Lanes<2>>(work.chart, work.signs, work.requests, work.count).classify(work.detail);
 }
 
 template <class Chart>
-PARALLEL_ASPECTS_FOR("avx2")
-void classify_four(const LaneWork<Chart>& work) noexcept {
+PARALLEL_ASPECTS_FOR_FOUR void classify_four(const LaneWork<Chart>& work) noexcept {
   BoxLanes<Chart, Lanes<4>>(work.chart, work.signs, work.requests, work.count).classify(work.detail);
 }
 
 template <class Chart>
-PARALLEL_ASPECTS_FOR("avx512f,avx512dq,avx512vl,prefer-vector-width=512")
-void classify_eight(const LaneWork<Chart>& work) noexcept {
+PARALLEL_ASPECTS_FOR_EIGHT void classify_eight(const LaneWork<Chart>& work) noexcept {
   BoxLanes<Chart, Lanes<8>>(work.chart, work.signs, work.requests, work.count).classify(work.detail);
-}
-
-std::size_t lanes_of(InstructionSet instructions) noexcept {
-  return instructions == InstructionSet::avx512 ? 8 : instructions == InstructionSet::avx2 ? 4 : 2;
 }
 
 template <class Chart>
 void classify_all(const Chart& chart, const ModeSigns<Chart>& signs, const BoxRequests& requests,
                   Detail detail, InstructionSet instructions) noexcept {
   const std::size_t lanes = lanes_of(instructions);
-  for (std::size_t first = 0; first < requests.size();) {
-    std::size_t last = first + 1;
-    while (last < std::min(requests.size(), first + lanes) && requests[last].root == requests[first].root)
-      ++last;
-    const LaneWork<Chart> work{chart, signs, &requests[first], last - first, detail};
-    if (lanes == 8)
-      classify_eight(work);
-    else if (lanes == 4)
-      classify_four(work);
-    else
-      classify_pair(work);
-    first = last;
-  }
+  for_each_group(requests, lanes, [&](std::size_t first, std::size_t count) {
+    const LaneWork<Chart> work{chart, signs, &requests[first], count, detail};
+    if (lanes == 8) return classify_eight(work);
+    if (lanes == 4) return classify_four(work);
+    classify_pair(work);
+  });
 }
 
 }  // namespace

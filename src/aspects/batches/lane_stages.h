@@ -91,6 +91,7 @@ class LaneIntervals {
  public:
   using Types = LaneTypes<Chart, Numbers>;
   using Range = typename Types::Range;
+  using Mask = typename Types::Mask;
 
   LaneIntervals(const Chart& chart, RootIndex root, const typename Types::Ranges& ranges)
       : chart_(chart),
@@ -141,6 +142,11 @@ class LaneForms {
   const LaneEntries<Chart, Numbers>& entries() const { return entries_; }
   const LaneLimits<Chart, Numbers>& limits() const { return limits_; }
   const EvaluatedLegs<Chart, Form>& legs() const { return legs_; }
+
+  /// See BoxForms::determinant; `natural` is that of the intervals.
+  static Range determinant(const Range& natural, const Form& form) {
+    return where(natural.positive() | natural.negative(), natural, intersection(natural, form.range()));
+  }
 
   static std::array<Form, coordinate_count> coordinates(const typename Types::Ranges& ranges) {
     std::array<Form, coordinate_count> result;

@@ -77,12 +77,52 @@ class SlopeLanes {
   /// See BoxSlopes::is_whole, without faces. `determinant` is that of the forms.
   Mask is_whole(const Signs& signs, int sign, const Range& determinant) const {
     const Mask along = monotonicity(signs, sign, determinant).along_all(has_width_);
-    return along | shell(signs, sign, ~along);
+    Growth of_shell;
+    return along | shell(signs, sign, ~along, of_shell);
+  }
+
+  using Growth = MonotonicityLanes<Mask, coordinate_count>;
+
+  /// See BoxSlopes::monotonicity.
+  Growth monotonicity(const Signs& signs, int sign, const Range& determinant) const {
+    Growth growth;
+    for (std::size_t j = 0; j < leg_count; ++j) {
+      growth.require(~entries().clear[j], placed_.squared_entry(j).gradient);
+      restrict_by_limits(j, signs[j], growth);
+    }
+    const Mask open = ~has_sign(determinant, sign);
+    if (in_none(open)) return growth;
+    Growth of_determinant = monotonicity_of_determinant(signs, sign);
+    for (std::size_t i = 0; i < coordinate_count; ++i) {
+      of_determinant.upward[i] |= ~open;
+      of_determinant.downward[i] |= ~open;
+    }
+    growth.restrict_to(of_determinant);
+    return growth;
+  }
+
+  /// Along every coordinate in which the boxes have a width.
+  Mask along_all(const Growth& growth) const { return growth.along_all(has_width_); }
+
+  /// See BoxSlopes::shell, in lanes where that is asked; writes how the sets grow.
+  Mask shell(const Signs& signs, int sign, Mask asked, Growth& growth) const {
+    asked &= ~entries().all_clear;
+    for (std::size_t j = 0; j < leg_count; ++j) asked &= forms_.limits().hold[j][branch_of(signs[j])];
+    if (in_none(asked)) return asked;
+    growth = Growth();
+    for (std::size_t j = 0; j < leg_count; ++j) {
+      const Mask unclear = ~entries().clear[j];
+      growth.require(unclear, placed_.squared_entry(j).gradient);
+      asked &= ~unclear | has_sign(determinant_without_entry(j, signs).range(), sign);
+    }
+    if (in_none(asked)) return asked;
+    growth.restrict_to(monotonicity_of_determinant(signs, -sign));
+    asked &= growth.along_all(has_width_);
+    return in_none(asked) ? asked : asked & is_lowest_unreachable(growth);
   }
 
  private:
   using Slope = Dual<coordinate_count, Form>;
-  using Growth = MonotonicityLanes<Mask, coordinate_count>;
 
   const Chart& chart() const { return forms_.intervals().chart(); }
   const auto& ranges() const { return forms_.intervals().ranges(); }
@@ -111,24 +151,6 @@ class SlopeLanes {
 
   static Mask has_sign(const Range& value, int sign) {
     return sign > 0 ? value.positive() : value.negative();
-  }
-
-  /// See BoxSlopes::monotonicity.
-  Growth monotonicity(const Signs& signs, int sign, const Range& determinant) const {
-    Growth growth;
-    for (std::size_t j = 0; j < leg_count; ++j) {
-      growth.require(~entries().clear[j], placed_.squared_entry(j).gradient);
-      restrict_by_limits(j, signs[j], growth);
-    }
-    const Mask open = ~has_sign(determinant, sign);
-    if (in_none(open)) return growth;
-    Growth of_determinant = monotonicity_of_determinant(signs, sign);
-    for (std::size_t i = 0; i < coordinate_count; ++i) {
-      of_determinant.upward[i] |= ~open;
-      of_determinant.downward[i] |= ~open;
-    }
-    growth.restrict_to(of_determinant);
-    return growth;
   }
 
   /// See BoxSlopes::visit_open_limits.
@@ -179,23 +201,6 @@ class SlopeLanes {
     auto rows = forms_.legs().rows();
     rows[j].positive = rows[j].negative = forms_.placed().legs[j].rows.fixed;
     return Determinants<Form, leg_count>(rows).of(signs);
-  }
-
-  /// See BoxSlopes::shell, in lanes where that is asked.
-  Mask shell(const Signs& signs, int sign, Mask asked) const {
-    asked &= ~entries().all_clear;
-    for (std::size_t j = 0; j < leg_count; ++j) asked &= forms_.limits().hold[j][branch_of(signs[j])];
-    if (in_none(asked)) return asked;
-    Growth growth;
-    for (std::size_t j = 0; j < leg_count; ++j) {
-      const Mask unclear = ~entries().clear[j];
-      growth.require(unclear, placed_.squared_entry(j).gradient);
-      asked &= ~unclear | has_sign(determinant_without_entry(j, signs).range(), sign);
-    }
-    if (in_none(asked)) return asked;
-    growth.restrict_to(monotonicity_of_determinant(signs, -sign));
-    asked &= growth.along_all(has_width_);
-    return in_none(asked) ? asked : asked & is_lowest_unreachable(growth);
   }
 
   Mask is_lowest_unreachable(const Growth& growth) const {

@@ -5,9 +5,10 @@
 #include "aspects/boxes/box_classifier.h"
 #include "aspects/boxes/box_forms.h"
 #include "aspects/boxes/box_policy.h"
-#include "aspects/boxes/slope_functions.h"
 #include "aspects/tree/monotonicity.h"
 #include "interval/dual.h"
+#include "interval/scalar_range.h"
+#include "legs/limit_verdict.h"
 
 #include <array>
 #include <cassert>
@@ -15,6 +16,19 @@
 #include <optional>
 
 namespace parallel_aspects {
+
+template <std::size_t N, class Value>
+std::array<Interval, N> ranges(const std::array<Value, N>& values) {
+  std::array<Interval, N> result;
+  for (std::size_t i = 0; i < N; ++i) result[i] = range_of(values[i]);
+  return result;
+}
+
+/// Leaves the directions in which the poses grow where the function is positive.
+template <std::size_t N, class Value>
+void require_positive(const Dual<N, Value>& function, Monotonicity& monotonicity) {
+  if (is_positive(range_of(function)) == Verdict::unknown) monotonicity.require(ranges(function.gradient));
+}
 
 /// The last stage (see box_stage.h), of a box that may be reachable: partial derivatives, by affine forms.
 /// With them how S(s, sigma) grows in the box, and whether it is connected; docs/maps.md has the proofs.
@@ -90,21 +104,6 @@ class BoxSlopes {
     Gradient result;
     for (std::size_t i = 0; i < coordinate_count; ++i)
       result[i] = i == k ? Interval(0.0) : (slope[i] * of_entry[k] - slope[k] * of_entry[i]).range();
-    return result;
-  }
-
-  /// See BoxClassifier::conditions; none unless all legs are clear.
-  Conditions conditions(const Signs& signs, int sign) const {
-    Conditions result;
-    if (!entries().all_clear()) return result;
-    for (std::size_t j = 0; j < leg_count; ++j) {
-      result.entry_of_leg[j] = result.count;
-      result.add(condition(placed_.squared_entry(j)));
-      add_limits(limits(j, signs[j]), result);
-    }
-    result.add(condition(Interval(sign) * legs_.determinant(signs)));
-    add_margins(signs, result);
-    add_constraints(signs, result);
     return result;
   }
 
@@ -297,32 +296,6 @@ class BoxSlopes {
   bool is_unreachable(const MapPoint& point) const {
     const Box box{coordinate_count, point, point};
     return BoxIntervals<Chart>(at().with(box)).reachable_nowhere();
-  }
-
-  void add_margins(const Signs& signs, Conditions& result) const {
-    const auto add = [&result](const Slope& function) { result.add(condition(function)); };
-    for (std::size_t j = 0; j < leg_count; ++j)
-      margins().for_each_serial_function(j, placed_.squared_entry(j), add);
-    if (margins().has_parallel())
-      margins().for_each_parallel_function(square(legs_.determinant(signs)), legs_, signs, add);
-  }
-
-  void add_constraints(const Signs& signs, Conditions& result) const {
-    if (tests().none()) return;
-    const auto add = [&result](const Slope& function) { result.add(condition(function)); };
-    tests().for_each_workspace_function(legs_.position(), add);
-    if (tests().has_platform()) tests().for_each_clearance(legs_.anchors(), add);
-    for (std::size_t j = 0; j < leg_count; ++j) {
-      const Points* points = legs_.points(j, signs[j]);
-      if (points == nullptr) continue;
-      tests().for_each_passive_limit(
-          j, *points, legs_, [&](const LimitFunctions<Slope>& passive) { add_limits(passive, result); });
-      tests().for_each_cone(j, *points, legs_, add);
-      tests().for_each_clearance(j, *points, add);
-      for (std::size_t k = j + 1; k < leg_count; ++k)
-        if (const Points* other = legs_.points(k, signs[k]))
-          tests().for_each_clearance(j, *points, k, *other, add);
-    }
   }
 
   const Forms& forms_;

@@ -5,6 +5,7 @@
 #include "aspects/boxes/box_classifier.h"
 #include "aspects/boxes/box_slopes.h"
 #include "aspects/boxes/index_on_arcs.h"
+#include "aspects/boxes/point_conditions.h"
 #include "aspects/boxes/wedge_proof.h"
 
 #include <algorithm>
@@ -89,10 +90,7 @@ class ChartClassifier final : public BoxClassifier {
 
   Conditions conditions(const MapPosition& position, std::size_t mode, int sign) const noexcept override {
     const Box box{Chart::coordinate_count, position.point, position.point};
-    const Intervals intervals(at(position.root, box));
-    const Forms forms(intervals);
-    if (forms.reachable_nowhere()) return {};
-    return Slopes(forms).conditions(signs_[mode], sign);
+    return PointConditions<Chart>(at(position.root, box)).of(signs_[mode], sign);
   }
 
   Interval enclose_index(RootIndex root, const Box& box, std::size_t mode, int sign, ParallelIndex index,

@@ -65,16 +65,22 @@ class ShellSearch {
 
 }  // namespace
 
+// Pushed along coordinates along which it grows, the set stays in itself: the face has some of it if the
+// box has, and all of the box's is connected with that. Each round flattens a coordinate more, so it ends.
+std::optional<Part> part_or_flatten(const BoxClassifier& classifier, std::size_t mode, int sign,
+                                    RootIndex root, const Examined& examined, Box& box) noexcept {
+  if (examined.state.is_inside(sign)) return Part{Part::Kind::connected, box.middle()};
+  if (!examined.state.may_be(sign)) return Part{Part::Kind::empty, {}};
+  if (examined.shell) return ShellSearch(classifier, mode, sign, root, box, *examined.shell).run();
+  if (!examined.monotonicity.flatten(box)) return Part{};
+  return std::nullopt;
+}
+
 Part find_part(const BoxClassifier& classifier, std::size_t mode, int sign, RootIndex root,
                Box box) noexcept {
-  // Pushed along coordinates along which it grows, the set stays in itself: the face has some of it if the
-  // box has, and all of the box's is connected with that. Each round flattens a coordinate more, so it ends.
   for (;;) {
     const Examined examined = classifier.examine(root, box, mode, sign);
-    if (examined.state.is_inside(sign)) return {Part::Kind::connected, box.middle()};
-    if (!examined.state.may_be(sign)) return {Part::Kind::empty, {}};
-    if (examined.shell) return ShellSearch(classifier, mode, sign, root, box, *examined.shell).run();
-    if (!examined.monotonicity.flatten(box)) return {};
+    if (const auto part = part_or_flatten(classifier, mode, sign, root, examined, box)) return *part;
   }
 }
 

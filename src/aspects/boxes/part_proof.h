@@ -6,6 +6,7 @@
 #include "parallel_aspects/aspects/box.h"
 
 #include <cstddef>
+#include <optional>
 
 namespace parallel_aspects {
 
@@ -26,6 +27,11 @@ struct Part {
 /// what is left of the box is all inside or has nothing of it. The box may be flat along some coordinates.
 /// Needs a live `RoundingUpward`.
 Part find_part(const BoxClassifier& classifier, std::size_t mode, int sign, RootIndex root, Box box) noexcept;
+
+/// One step of that: what `examined` tells of the set in the box, or nothing yet, where the box is flattened
+/// and is to be examined again.
+std::optional<Part> part_or_flatten(const BoxClassifier& classifier, std::size_t mode, int sign,
+                                    RootIndex root, const Examined& examined, Box& box) noexcept;
 
 /// The same, and where it stays unknown a search for a wedge (see WedgeProof).
 Part find_part_or_wedge(const BoxClassifier& classifier, std::size_t mode, int sign, RootIndex root,

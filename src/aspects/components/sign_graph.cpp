@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/components/sign_graph.h"
 
+#include "aspects/batches/box_requests.h"
 #include "aspects/boxes/part_proof.h"
 #include "aspects/components/climb.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace parallel_aspects {
+namespace {
+
+// As many as the widest vectors have lanes.
+constexpr std::size_t faces_at_once = 8;
+
+}  // namespace
 
 void SignGraph::reserve_for(const PoseTree& tree) {
   std::size_t indeterminate = 0, in_components = 0, blocks = 0;
@@ -78,21 +86,41 @@ void SignGraph::connect(const PoseTree& tree, NodeIndex a, NodeIndex b) {
 }
 
 void SignGraph::settle_faces(const PoseTree& tree, const BoxClassifier& classifier) {
-  std::vector<std::pair<NodeIndex, NodeIndex>> faces;
+  NodePairs faces;
   faces.swap(faces_);
-  for (std::size_t i = 0; i < faces.size() && !is_cancelled(control_); ++i)
-    settle(tree, classifier, faces[i].first, faces[i].second);
+  for (std::size_t next = 0; next < faces.size() && !is_cancelled(control_);)
+    next = settle_some(tree, classifier, faces, next);
 }
 
-void SignGraph::settle(const PoseTree& tree, const BoxClassifier& classifier, NodeIndex a, NodeIndex b) {
-  if (slot_[a] == none || slot_[b] == none || component(a) == component(b)) return;
-  // Both hold what the set has of a common face: one pose of it that is proved makes one of the
-  // two. Where all common faces are proved empty, the two are no neighbours.
+/// From the face `next` on; returns where to go on. Several are looked at together, of which some may turn
+/// out to lie between components that the others join.
+std::size_t SignGraph::settle_some(const PoseTree& tree, const BoxClassifier& classifier,
+                                   const NodePairs& faces, std::size_t next) {
+  std::vector<SharedFace> shared;
+  std::vector<std::pair<std::size_t, std::size_t>> ends;  // which face, and the end of what its nodes share
+  for (; next < faces.size() && ends.size() < faces_at_once; ++next) {
+    const auto [a, b] = faces[next];
+    if (!are_apart(a, b)) continue;
+    for (const SharedFace& each : shared_faces(tree, a, b)) shared.push_back(each);
+    ends.emplace_back(next, shared.size());
+  }
+  const std::vector<Part> parts = find_parts(classifier, mode_, sign_, std::move(shared));
+  std::size_t first = 0;
+  for (const auto& [face, end] : ends) {
+    settle(faces[face].first, faces[face].second, parts.data() + first, end - first);
+    first = end;
+  }
+  return next;
+}
+
+// Both hold what the set has of a common face: one pose of it that is proved makes one of the two. Where all
+// common faces are proved empty, the two are no neighbours.
+void SignGraph::settle(NodeIndex a, NodeIndex b, const Part* parts, std::size_t count) {
+  if (!are_apart(a, b)) return;
   bool known = true;
-  for (const SharedFace& face : shared_faces(tree, a, b)) {
-    const Part part = find_part(classifier, mode_, sign_, face.root, face.box);
-    if (part.kind == Part::Kind::connected && policy_.joins_across_faces) return unite(a, b);
-    known = known && part.kind == Part::Kind::empty;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (parts[i].kind == Part::Kind::connected && policy_.joins_across_faces) return unite(a, b);
+    known = known && parts[i].kind == Part::Kind::empty;
   }
   if (!known) unknown_faces_.emplace_back(a, b);
 }

@@ -153,6 +153,8 @@ class SignGraph {
   /// Of an indeterminate leaf, among these.
   std::uint32_t item_of(NodeIndex node) const noexcept { return slot_[node] & ~indeterminate_flag; }
 
+  using NodePairs = std::vector<std::pair<NodeIndex, NodeIndex>>;
+
   struct Traits {
     bool has_inside_leaf = false, climbed = false, is_given_up = false;
     std::uint32_t leaves = 1;  // at least; some may have been divided since
@@ -161,7 +163,15 @@ class SignGraph {
   void unite(NodeIndex a, NodeIndex b);
   Part witness(const PoseTree& tree, const BoxClassifier& classifier, NodeIndex leaf) const;
   void climb(const PoseTree& tree, const BoxClassifier& classifier, NodeIndex leaf, const MapPoint& pose);
-  void settle(const PoseTree& tree, const BoxClassifier& classifier, NodeIndex a, NodeIndex b);
+  std::size_t settle_some(const PoseTree& tree, const BoxClassifier& classifier, const NodePairs& faces,
+                          std::size_t next);
+  void settle(NodeIndex a, NodeIndex b, const Part* parts, std::size_t count);
+
+  /// Whether both are in components, and these are two.
+  bool are_apart(NodeIndex a, NodeIndex b) noexcept {
+    return slot_[a] != none && slot_[b] != none && component(a) != component(b);
+  }
+
   void replace_whole(PoseTree& tree, NodeIndex node, const std::vector<NodeIndex>& children);
   void forget_neighbour(NodeIndex node, NodeIndex old_neighbour);
   void start_from_components(Meeting& meeting, std::vector<std::uint32_t>& queue);
@@ -177,10 +187,10 @@ class SignGraph {
   std::vector<Traits> traits_;  // by component
   IndeterminateLeaves indeterminate_;
   bool has_climbed_ = false;
-  std::vector<NodeIndex> new_leaves_;                   // in components, since the last climb
-  std::vector<NodeIndex> members_;                      // of components, and leaves that were divided since
-  std::vector<std::pair<NodeIndex, NodeIndex>> faces_;  // between whole parts, not looked at yet
-  std::vector<std::pair<NodeIndex, NodeIndex>> unknown_faces_;  // and those without a proof
+  std::vector<NodeIndex> new_leaves_;  // in components, since the last climb
+  std::vector<NodeIndex> members_;     // of components, and leaves that were divided since
+  NodePairs faces_;                    // between whole parts, not looked at yet
+  NodePairs unknown_faces_;            // and those without a proof
 };
 
 }  // namespace parallel_aspects

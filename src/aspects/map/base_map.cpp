@@ -38,12 +38,19 @@ bool is_undecided(const PoseTree& tree, NodeIndex node) {
   return false;
 }
 
-void divide_undecided(PoseTree& tree, NodeIndex begin, NodeIndex end) {
+/// Ends early when cancelled.
+void divide_undecided(PoseTree& tree, NodeIndex begin, NodeIndex end, const MapControl& control) {
+  const auto is_time_to_look = [](std::size_t done) { return done % nodes_per_block == 0; };
   std::vector<NodeIndex> undecided;
-  for (NodeIndex node = begin; node != end; ++node)
+  for (NodeIndex node = begin; node != end; ++node) {
+    if (is_time_to_look(node - begin) && is_cancelled(control)) return;
     if (is_undecided(tree, node)) undecided.push_back(node);
+  }
   tree.reserve_families(undecided.size());
-  for (const NodeIndex node : undecided) tree.divide(node, [](std::size_t) { return true; });
+  for (std::size_t i = 0; i < undecided.size(); ++i) {
+    if (is_time_to_look(i) && is_cancelled(control)) return;
+    tree.divide(undecided[i], [](std::size_t) { return true; });
+  }
 }
 
 /// Nodes lie along curves and surfaces, so each level costs 2^(d-1) times the one before.
@@ -82,7 +89,8 @@ BaseMapStatus grow_base_map(PoseTree& tree, const BoxClassifier& classifier, std
       progress.tell(level, static_cast<double>(block_end - begin) / (end - begin));
     }
     symmetry.tell(tree);
-    if (level < depth) divide_undecided(tree, begin, end);
+    if (level < depth) divide_undecided(tree, begin, end, control);
+    if (is_cancelled(control)) return BaseMapStatus::cancelled;
     symmetry.descend(tree);
     if (tree.node_count() > max_nodes) return BaseMapStatus::too_large;
     begin = end;

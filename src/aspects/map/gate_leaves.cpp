@@ -15,6 +15,9 @@
 namespace parallel_aspects {
 namespace {
 
+// Some tenth of a millisecond of work.
+constexpr NodeIndex nodes_between_looks = 4096;
+
 /// From the leaves that share a face with an undecided one, step by step over faces between such leaves.
 class NearestOfMode {
  public:
@@ -68,16 +71,28 @@ class NearestOfMode {
 /// Collects the leaves of one working mode.
 class ModeLeaves {
  public:
-  ModeLeaves(const AspectMap::Contents& map, const NearestAspects& nearest, std::size_t mode,
-             const MapControl& control)
-      : map_(map), nearest_(nearest), mode_(mode), control_(control) {
-    for (std::size_t leg = 0; leg < map.modes[mode].leg_count(); ++leg) others_.push_back(flipped(leg));
+  ModeLeaves(const AspectMap::Contents& map, const GateClasses& classes, const NearestAspects& nearest,
+             std::size_t mode, const MapControl& control)
+      : map_(map),
+        nearest_(nearest),
+        mode_(mode),
+        control_(control),
+        has_parallel_(classes.is_searched({Crossing::parallel, mode, 0})),
+        others_(map.modes[mode].leg_count()) {
+    for (std::size_t leg = 0; leg < others_.size(); ++leg) {
+      const GateClass serial{Crossing::serial, mode, leg};
+      if (classes.is_searched(serial)) others_[leg] = other_mode(map, serial);
+      has_serial_ = has_serial_ || others_[leg].has_value();
+    }
   }
 
   std::vector<GateLeaves> run() {
-    for (NodeIndex node = 0; node < map_.tree.node_count(); ++node)
-      if (map_.tree.state(node, mode_).is_undecided()) add(node);
-    add_touching();
+    if (has_parallel_ || has_serial_)
+      for (NodeIndex node = 0; node < map_.tree.node_count(); ++node) {
+        if (node % nodes_between_looks == 0 && is_cancelled(control_)) break;
+        if (map_.tree.state(node, mode_).is_undecided()) add(node);
+      }
+    if (has_parallel_) add_touching();
     std::vector<GateLeaves> result;
     for (auto& [key, leaves] : leaves_) {
       std::sort(leaves.begin(), leaves.end());
@@ -90,14 +105,6 @@ class ModeLeaves {
 
  private:
   using Key = std::tuple<Crossing, std::size_t, int, int, int>;
-
-  /// Of a leg with the sign +1, the mode in which it has the other one.
-  std::optional<std::size_t> flipped(std::size_t leg) const {
-    WorkingMode mode = map_.modes[mode_];
-    if (mode.sign(leg) < 0) return std::nullopt;
-    mode.set_sign(leg, -1);
-    return mode_index(map_, mode);
-  }
 
   /// Where det A = 0 lies on faces: two leaves that share one, each with one sign alone; the smaller one.
   void add_touching() {
@@ -114,7 +121,8 @@ class ModeLeaves {
 
   /// Whether it lies at an aspect of this sign, and at none of the other.
   bool is_of_sign(NodeIndex leaf, int sign) const {
-    return nearest_.of(leaf, mode_, sign) != 0 && nearest_.of(leaf, mode_, -sign) == 0;
+    return map_.tree.state(leaf, mode_).may_be(sign) && nearest_.of(leaf, mode_, sign) != 0 &&
+           nearest_.of(leaf, mode_, -sign) == 0;
   }
 
   NodeIndex smaller(NodeIndex one, NodeIndex other) const {
@@ -123,8 +131,9 @@ class ModeLeaves {
 
   void add(NodeIndex node) {
     const int positive = nearest_.of(node, mode_, 1), negative = nearest_.of(node, mode_, -1);
-    if (positive != 0 && negative != 0)
+    if (has_parallel_ && positive != 0 && negative != 0)
       leaves_[{Crossing::parallel, 0, 1, positive, negative}].push_back(node);
+    if (!has_serial_ || (positive == 0 && negative == 0)) return;
     const MapPosition middle{map_.tree.place(node).root, map_.tree.box(node).middle()};
     for (std::size_t leg = 0; leg < others_.size(); ++leg) {
       const auto there = others_[leg] ? map_.tree.leaf_at(middle, *others_[leg]) : std::nullopt;
@@ -140,15 +149,18 @@ class ModeLeaves {
   const NearestAspects& nearest_;
   std::size_t mode_;
   const MapControl& control_;
+  bool has_parallel_, has_serial_ = false;          // among the classes that are searched
   std::vector<std::optional<std::size_t>> others_;  // by leg
   std::map<Key, std::vector<NodeIndex>> leaves_;
 };
 
 }  // namespace
 
-NearestAspects::NearestAspects(const AspectMap::Contents& map, const MapControl& control)
+NearestAspects::NearestAspects(const AspectMap::Contents& map, const GateClasses& classes,
+                               const MapControl& control)
     : nearest_(2 * map.modes.size()) {
   tbb::parallel_for(std::size_t{0}, map.modes.size(), [&](std::size_t mode) {
+    if (!classes.is_needed(mode) || is_cancelled(control)) return;
     const NearestOfMode of_mode(map, mode, control);
     for (const int sign : {1, -1}) nearest_[2 * mode + (sign > 0 ? 1 : 0)] = of_mode.run(sign);
   });
@@ -159,11 +171,11 @@ std::vector<int> nearest_aspects(const AspectMap::Contents& map, std::size_t mod
   return NearestOfMode(map, mode, control).run(sign);
 }
 
-std::vector<GateLeaves> find_gate_leaves(const AspectMap::Contents& map, const NearestAspects& nearest,
-                                         const MapControl& control) {
+std::vector<GateLeaves> find_gate_leaves(const AspectMap::Contents& map, const GateClasses& classes,
+                                         const NearestAspects& nearest, const MapControl& control) {
   std::vector<std::vector<GateLeaves>> of_mode(map.modes.size());
   tbb::parallel_for(std::size_t{0}, map.modes.size(), [&](std::size_t mode) {
-    if (!is_cancelled(control)) of_mode[mode] = ModeLeaves(map, nearest, mode, control).run();
+    if (!is_cancelled(control)) of_mode[mode] = ModeLeaves(map, classes, nearest, mode, control).run();
   });
   std::vector<GateLeaves> result;
   for (auto& gates : of_mode)

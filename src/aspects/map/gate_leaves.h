@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_MAP_GATE_LEAVES_H
 #define PARALLEL_ASPECTS_ASPECTS_MAP_GATE_LEAVES_H
 
+#include "aspects/map/gate_classes.h"
 #include "aspects/map/map_contents.h"
 #include "parallel_aspects/aspects/map_control.h"
 #include "parallel_aspects/aspects/neighbours.h"
@@ -15,7 +16,8 @@ namespace parallel_aspects {
 /// faces lead to them, through undecided leaves. Says where it pays to look, and proves nothing.
 class NearestAspects {
  public:
-  explicit NearestAspects(const AspectMap::Contents& map, const MapControl& control = {});
+  /// In the modes that are needed.
+  NearestAspects(const AspectMap::Contents& map, const GateClasses& classes, const MapControl& control = {});
 
   /// By id; 0 where there is none.
   int of(NodeIndex leaf, std::size_t mode, int sign) const noexcept {
@@ -38,11 +40,13 @@ struct GateLeaves {
   std::size_t mode = 0;  ///< of the leaves; of a serial one, the mode in which the leg has the sign +1
   int sign = 1;          ///< of det A in both aspects, where serial
   std::vector<NodeIndex> leaves;  ///< rising
+
+  GateClass gate_class() const noexcept { return {crossing, mode, leg}; }
 };
 
-/// All that undecided leaves show, in an order of its own.
-std::vector<GateLeaves> find_gate_leaves(const AspectMap::Contents& map, const NearestAspects& nearest,
-                                         const MapControl& control = {});
+/// All of the classes that are searched, as undecided leaves show them, in an order of their own.
+std::vector<GateLeaves> find_gate_leaves(const AspectMap::Contents& map, const GateClasses& classes,
+                                         const NearestAspects& nearest, const MapControl& control = {});
 
 }  // namespace parallel_aspects
 

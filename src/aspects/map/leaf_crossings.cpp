@@ -47,7 +47,7 @@ class LeafSearch {
     const MapPosition& at = here.near.at;
     if (here.aspect == 0 || proved_sign(*map_.classifier, box_.dimension, other, at) != sign)
       return std::nullopt;
-    const Location there = locate(map_, other, at);
+    const Location there = locate(map_, other, at, sign);
     if (there.status != LocationStatus::inside) return std::nullopt;
     const std::optional<NearPosition> end = near ? near : find_beyond_margin(here.near, leg);
     const auto segments = end ? path(here.near, *end) : std::nullopt;
@@ -112,7 +112,7 @@ class LeafSearch {
     visit_positions([&](const NearPosition& near) {
       held.near = near;
       if (proved_sign(*map_.classifier, box_.dimension, mode_, near.at) != sign) return false;
-      const Location location = locate(map_, mode_, near.at);
+      const Location location = locate(map_, mode_, near.at, sign);
       if (location.status != LocationStatus::inside) return false;
       const Aspect& aspect = map_.aspects[static_cast<std::size_t>(location.aspect - 1)];
       if (aspect.determinant_sign == sign) held.aspect = location.aspect;

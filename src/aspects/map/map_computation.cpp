@@ -24,7 +24,7 @@ constexpr double share_of_base_map = 0.9;
 
 // Graphs of leaves take most of the memory. Those of a large map are in it for so many working modes at a
 // time; not for as many as there are threads, so that the same nodes come of any number of these.
-constexpr std::size_t nodes_of_a_large_map = 500'000, modes_at_once = 4;
+constexpr std::size_t nodes_of_a_large_map = 500'000, modes_at_once = 2;
 
 MapResult refused(const std::string& message) { return {MapStatus::refused, message, nullptr}; }
 
@@ -129,6 +129,7 @@ bool find_components_of(const std::vector<std::size_t>& modes, AspectMap::Conten
     return false;
   tbb::parallel_for(std::size_t{0}, graphs.size(), [&](std::size_t i) {
     found[modes[i]] = find_components(map.tree, modes[i], *graphs[i], control);
+    graphs[i].reset();
   });
   return true;
 }
@@ -170,7 +171,9 @@ bool add_aspects(AspectMap::Contents& map, const MapPlan& plan, const MapControl
   if (found.empty() || is_cancelled(control)) return false;
   map.leaf_aspects.resize(count);
   ComponentIds ids;
-  for (std::size_t mode = 0; mode < count; ++mode) ids.push_back(add_mode(map, mode, found[mode]));
+  for (std::size_t mode = 0; mode < count && !is_cancelled(control); ++mode)
+    ids.push_back(add_mode(map, mode, found[mode]));
+  if (is_cancelled(control)) return false;
   find_deepest_poses(map, sources, ids, control);
   return !is_cancelled(control);
 }

@@ -6,17 +6,18 @@
 #include "interval/interval.h"
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 namespace parallel_aspects {
 namespace {
 
 // In an undecided leaf: the aspect that a proved segment joins the point to.
-Location locate_by_proof(const AspectMap::Contents& map, std::size_t mode,
-                         const MapPosition& position) noexcept {
+Location locate_by_proof(const AspectMap::Contents& map, std::size_t mode, const MapPosition& position,
+                         std::optional<int> known_sign) noexcept {
   const RoundingUpward rounding;
   const std::size_t dimension = map.tree.dimension();
-  const int sign = proved_sign(*map.classifier, dimension, mode, position);
+  const int sign = known_sign ? *known_sign : proved_sign(*map.classifier, dimension, mode, position);
   if (sign == 0) return {LocationStatus::undecided, 0};
   const NearLeaves near = near_inside_leaves(map.tree, mode, sign, position);
   for (std::size_t i = 0; i < near.count; ++i) {
@@ -28,6 +29,16 @@ Location locate_by_proof(const AspectMap::Contents& map, std::size_t mode,
   return {LocationStatus::undecided, 0};
 }
 
+Location locate_with(const AspectMap::Contents& map, std::size_t mode, const MapPosition& position,
+                     std::optional<int> known_sign) noexcept {
+  const auto leaf = map.tree.leaf_at(position, mode);
+  if (!leaf) return {LocationStatus::not_mapped, 0};
+  const LeafState state = map.tree.state(*leaf, mode);
+  if (state.is_inside()) return {LocationStatus::inside, map.leaf_aspect(*leaf, mode)};
+  if (!state.is_undecided()) return {LocationStatus::outside, 0};
+  return locate_by_proof(map, mode, position, known_sign);
+}
+
 }  // namespace
 
 std::optional<std::size_t> mode_index(const AspectMap::Contents& map, const WorkingMode& mode) noexcept {
@@ -37,12 +48,12 @@ std::optional<std::size_t> mode_index(const AspectMap::Contents& map, const Work
 }
 
 Location locate(const AspectMap::Contents& map, std::size_t mode, const MapPosition& position) noexcept {
-  const auto leaf = map.tree.leaf_at(position, mode);
-  if (!leaf) return {LocationStatus::not_mapped, 0};
-  const LeafState state = map.tree.state(*leaf, mode);
-  if (state.is_inside()) return {LocationStatus::inside, map.leaf_aspect(*leaf, mode)};
-  if (!state.is_undecided()) return {LocationStatus::outside, 0};
-  return locate_by_proof(map, mode, position);
+  return locate_with(map, mode, position, std::nullopt);
+}
+
+Location locate(const AspectMap::Contents& map, std::size_t mode, const MapPosition& position,
+                int proved_sign) noexcept {
+  return locate_with(map, mode, position, proved_sign);
 }
 
 bool may_be_one(const AspectMap& map, int first, int second) {

@@ -16,6 +16,10 @@ std::optional<std::size_t> mode_index(const AspectMap::Contents& map, const Work
 /// See AspectMap::locate. Neither allocates nor throws.
 Location locate(const AspectMap::Contents& map, std::size_t mode, const MapPosition& position) noexcept;
 
+/// The same where `proved_sign` is known already of the position.
+Location locate(const AspectMap::Contents& map, std::size_t mode, const MapPosition& position,
+                int proved_sign) noexcept;
+
 /// Whether two aspects, by their ids, are one or not yet proved to be two.
 bool may_be_one(const AspectMap& map, int first, int second);
 

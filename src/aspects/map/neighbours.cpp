@@ -2,10 +2,10 @@
 #include "parallel_aspects/aspects/neighbours.h"
 
 #include "aspects/map/crossing_index.h"
+#include "aspects/map/gate_classes.h"
 #include "aspects/map/gate_leaves.h"
 #include "aspects/map/leaf_crossings.h"
 #include "aspects/map/map_contents.h"
-#include "aspects/map/map_location.h"
 #include "interval/interval.h"
 
 #include <tbb/parallel_for.h>
@@ -42,17 +42,33 @@ std::vector<std::size_t> spread(std::size_t n, std::size_t most) {
   return order;
 }
 
+double index_of(const AspectMap::Contents& map, const GateClass& gates, const Pose& pose) {
+  return crossing_index(*map.manipulator, pose, map.modes[gates.mode], gates.crossing, gates.leg);
+}
+
+using Findings = std::map<Key, Finding>;
+
+void add(const AspectMap::Contents& map, const GateClass& gates, const LeafCrossing& crossing,
+         Findings& found) {
+  const auto [first, second] = std::minmax(crossing.from, crossing.to);
+  const auto [item, is_new] = found.try_emplace({first, second, gates.crossing, gates.leg});
+  const Pose middle = middle_of(map.tree.space(), crossing.path);
+  if (is_new) item->second.first_seen = middle;
+  if (!crossing.proved) return;
+  std::vector<Pose> segment = poses_of(map.tree.space(), crossing.path);
+  const double index = index_of(map, gates, segment.front());
+  item->second.crossings.push_back({std::move(segment), middle, index});
+}
+
 /// Crossings in the leaves of one gate.
 class GateSearch {
  public:
   GateSearch(const AspectMap::Contents& map, const GateLeaves& gate, const MapControl& control)
       : map_(map), gate_(gate), control_(control) {
-    WorkingMode flipped = map.modes[gate.mode];
-    flipped.set_sign(gate.leg, -1);
-    if (gate.crossing == Crossing::serial) other_mode_ = *mode_index(map, flipped);
+    if (gate.crossing == Crossing::serial) other_mode_ = *other_mode(map, gate.gate_class());
   }
 
-  std::map<Key, Finding> run() {
+  std::vector<LeafCrossing> run() {
     const RoundingUpward rounding;
     std::size_t attempts = 0;
     for (const std::size_t i : spread(gate_.leaves.size(), max_looks)) {
@@ -76,31 +92,19 @@ class GateSearch {
     const auto crossing =
         serial ? find_serial_crossing(map_, leaf, gate_.mode, other_mode_, gate_.leg, gate_.sign)
                : find_parallel_crossing(map_, leaf, gate_.mode);
-    if (crossing) add(*crossing);
+    if (crossing) found_.push_back(*crossing);
+    proved_ += crossing && crossing->proved;
     return true;
   }
 
-  void add(const LeafCrossing& crossing) {
-    const PoseSpace& space = map_.tree.space();
-    const auto [first, second] = std::minmax(crossing.from, crossing.to);
-    const auto [item, is_new] = found_.try_emplace({first, second, gate_.crossing, gate_.leg});
-    const Pose middle = middle_of(space, crossing.path);
-    if (is_new) item->second.first_seen = middle;
-    if (!crossing.proved) return;
-    ++proved_;
-    std::vector<Pose> segment = poses_of(space, crossing.path);
-    const double index = index_at(segment.front());
-    item->second.crossings.push_back({std::move(segment), middle, index});
-  }
-
-  double index_at(const Pose& pose) const {
-    return crossing_index(*map_.manipulator, pose, map_.modes[gate_.mode], gate_.crossing, gate_.leg);
-  }
+  double index_at(const Pose& pose) const { return index_of(map_, gate_.gate_class(), pose); }
 
   double best_index() const {
     double best = 0.0;
-    for (const auto& item : found_)
-      for (const GateCrossing& crossing : item.second.crossings) best = std::max(best, crossing.index);
+    for (const LeafCrossing& crossing : found_) {
+      const CrossingSegment& start = crossing.path.segments.front();
+      if (crossing.proved) best = std::max(best, index_at(map_.tree.space().pose({start.root, start.from})));
+    }
     return best;
   }
 
@@ -123,13 +127,31 @@ class GateSearch {
   const GateLeaves& gate_;
   const MapControl& control_;
   std::size_t other_mode_ = 0;
-  std::map<Key, Finding> found_;
+  std::vector<LeafCrossing> found_;
   std::size_t proved_ = 0;
 };
 
+/// In the leaves of one gate, and in those of its images.
+Findings find_crossings(const AspectMap::Contents& map, const GateClasses& classes, const GateLeaves& gate,
+                        const MapControl& control) {
+  Findings found;
+  const GateClass gates = gate.gate_class();
+  const std::vector<LeafCrossing> crossings = GateSearch(map, gate, control).run();
+  for (const LeafCrossing& crossing : crossings) add(map, gates, crossing, found);
+  const RoundingUpward rounding;
+  for (const GateClasses::Image& image : classes.images()) {
+    if (!(image.of == gates)) continue;
+    for (const LeafCrossing& crossing : crossings) {
+      if (is_cancelled(control)) return found;
+      if (const auto other = image_of(map, crossing, gate.sign, image)) add(map, image.to, *other, found);
+    }
+  }
+  return found;
+}
+
 /// What is found for all gates, in their order: of two with one name the crossings of both.
-std::map<Key, Finding> merged(std::vector<std::map<Key, Finding>> found) {
-  std::map<Key, Finding> result;
+Findings merged(std::vector<Findings> found) {
+  Findings result;
   for (auto& of_gate : found)
     for (auto& [key, finding] : of_gate) {
       const auto [item, is_new] = result.try_emplace(key, finding);
@@ -153,11 +175,12 @@ Neighbours neighbours(const Key& key, Finding& finding) {
 
 std::vector<Neighbours> find_neighbours(const AspectMap& map, const MapControl& control) {
   const AspectMap::Contents& contents = map.contents();
+  const GateClasses classes(contents);
   const std::vector<GateLeaves> gates =
-      find_gate_leaves(contents, NearestAspects(contents, control), control);
-  std::vector<std::map<Key, Finding>> found(gates.size());
+      find_gate_leaves(contents, classes, NearestAspects(contents, classes, control), control);
+  std::vector<Findings> found(gates.size());
   tbb::parallel_for(std::size_t{0}, gates.size(),
-                    [&](std::size_t i) { found[i] = GateSearch(contents, gates[i], control).run(); });
+                    [&](std::size_t i) { found[i] = find_crossings(contents, classes, gates[i], control); });
   std::vector<Neighbours> result;
   if (is_cancelled(control)) return result;
   for (auto& [key, finding] : merged(std::move(found))) result.push_back(neighbours(key, finding));

@@ -27,6 +27,9 @@ class Monotonicity {
   static Monotonicity of_everything() noexcept { return Monotonicity(0xffU, 0xffU); }
   static Monotonicity unknown() noexcept { return Monotonicity(0, 0); }
 
+  /// Bit i is set where it grows along coordinate i in this direction.
+  Monotonicity(std::uint8_t upward, std::uint8_t downward) noexcept : upward_(upward), downward_(downward) {}
+
   bool upward(std::size_t coordinate) const noexcept { return (upward_ >> coordinate & 1U) != 0; }
   bool downward(std::size_t coordinate) const noexcept { return (downward_ >> coordinate & 1U) != 0; }
   bool along(std::size_t coordinate) const noexcept { return upward(coordinate) || downward(coordinate); }
@@ -80,8 +83,6 @@ class Monotonicity {
   }
 
  private:
-  Monotonicity(std::uint8_t upward, std::uint8_t downward) noexcept : upward_(upward), downward_(downward) {}
-
   std::uint8_t upward_, downward_;  // bit i for coordinate i
 };
 

@@ -12,7 +12,7 @@ class Search {
       : tree_(tree), mode_(mode), sign_(sign), point_(point), weights_(tree.space().weights()) {}
 
   NearLeaves run(RootIndex root) {
-    descend(root);
+    descend(root, tree_.box(root));
     return found_;
   }
 
@@ -22,16 +22,22 @@ class Search {
                                            : found_.items[found_.count - 1].squared_distance;
   }
 
-  void descend(NodeIndex node) {
+  void descend(NodeIndex node, const Box& box) {
     const LeafState state = tree_.state(node, mode_);
     if (!state.is_divided() && !state.is_inside(sign_)) return;
-    const Box box = tree_.box(node);
     const double distance = box.squared_distance(point_, weights_);
     if (distance >= farthest()) return;
     if (!state.is_divided()) return insert(node, distance);
-    const NodeIndex nearest = box.rank_of(point_);
-    for (NodeIndex rank = 0; rank < tree_.children_per_node(); ++rank)
-      descend(tree_.first_child(node) + (rank ^ nearest));
+    const NodeIndex nearest = box.rank_of(point_), first = tree_.first_child(node);
+    for (NodeIndex turn = 0; turn < tree_.children_per_node(); ++turn)
+      descend(first + (turn ^ nearest), child(box, turn ^ nearest));
+  }
+
+  static Box child(const Box& box, NodeIndex rank) {
+    Box result = box;
+    for (std::size_t i = 0; i < box.dimension; ++i)
+      ((rank >> i & 1U) != 0 ? result.lower : result.upper)[i] = box.center(i);
+    return result;
   }
 
   void insert(NodeIndex leaf, double distance) {

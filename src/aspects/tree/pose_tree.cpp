@@ -60,7 +60,18 @@ NodeIndex PoseTree::append_children(NodeIndex node) {
 std::optional<NodeIndex> PoseTree::leaf_at(const MapPosition& position, std::size_t mode) const noexcept {
   if (!region_.contains(position.point)) return std::nullopt;
   NodeIndex node = position.root;
-  while (state(node, mode).is_divided()) node = first_child_[node] + box(node).rank_of(position.point);
+  MapPoint lower = region_.lower;
+  // Corners are exact, by whatever sums.
+  for (std::size_t level = 1; state(node, mode).is_divided(); ++level) {
+    NodeIndex rank = 0;
+    for (std::size_t i = 0; i < dimension(); ++i) {
+      const double center = lower[i] + edges_[level][i];
+      if (!(position.point[i] >= center)) continue;
+      rank |= NodeIndex{1} << i;
+      lower[i] = center;
+    }
+    node = first_child_[node] + rank;
+  }
   return node;
 }
 

@@ -7,9 +7,13 @@
 #include "support/thoroughness.h"
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <pthread.h>
+#include <thread>
+#include <time.h>
 
 namespace parallel_aspects {
 namespace {
@@ -161,6 +165,57 @@ TEST(AspectMap, CanBeCancelled) {
   const MapResult result = compute_aspect_map(test::five_bar(), options, control);
   EXPECT_EQ(result.status, MapStatus::cancelled);
   EXPECT_FALSE(result.map);
+}
+
+/// A thread's processor time [s].
+double processor_time(clockid_t clock) {
+  timespec time;
+  clock_gettime(clock, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+/// Processor time [s] from when a map is cancelled, after so much work [s], until it is given up; 0 if it was
+/// complete before.
+double time_to_give_up(const std::shared_ptr<const Manipulator>& robot, double resolution, double work) {
+  clockid_t clock;
+  pthread_getcpuclockid(pthread_self(), &clock);
+  std::atomic<bool> cancelled{false}, ended{false};
+  double when = 0.0;
+  const double start = processor_time(clock);
+  std::thread user([&] {
+    while (!ended && processor_time(clock) < start + work)
+      std::this_thread::sleep_for(std::chrono::microseconds(100));
+    when = processor_time(clock);
+    cancelled = true;
+  });
+  MapControl control;
+  control.cancelled = &cancelled;
+  MapOptions options;
+  options.resolution = resolution;
+  options.threads = 1;
+  const MapResult result = compute_aspect_map(robot, options, control);
+  const double end = processor_time(clock);
+  ended = true;
+  user.join();
+  return result.status == MapStatus::cancelled ? end - when : 0.0;
+}
+
+// Counted in processor time, which others on the machine do not change.
+TEST(AspectMap, GivesUpWithinATenthOfASecondInEveryPhase) {
+  if (test::is_sanitized) GTEST_SKIP() << "slower by a factor of its own";
+  clockid_t clock;
+  pthread_getcpuclockid(pthread_self(), &clock);
+  for (const auto& [robot, resolution] :
+       {std::pair{test::three_rpr(), 1.0}, std::pair{test::agile_eye(), 0.25}}) {
+    MapOptions options;
+    options.resolution = resolution;
+    options.threads = 1;
+    const double start = processor_time(clock);
+    ASSERT_TRUE(compute_aspect_map(robot, options));
+    const double all = processor_time(clock) - start;
+    for (int i = 1; i < 8; ++i)
+      EXPECT_LT(time_to_give_up(robot, resolution, all * i / 8.0), 0.1) << i << " eighths of " << all << " s";
+  }
 }
 
 TEST(AspectMap, ProgressRisesToOne) {
