@@ -97,6 +97,14 @@ struct ComponentPolicy {
   /// up.
   std::size_t max_leaves_to_examine = 2000;
 
+  // Stars in leaves that are left indeterminate (see `complete_leaves`).
+
+  bool completes = false;  ///< looks for them, in maps of all poses with three degrees of freedom
+
+  /// Levels below a leaf to which its parts are looked into, and how many parts are.
+  std::uint32_t levels_of_stars = 8;
+  std::size_t max_parts_for_stars = 3000;
+
   // What one mode may divide in all: so many leaves, and one for so many that the base map left undecided.
   std::size_t least_budget = 10000;
   std::size_t undecided_leaves_for_one = 8;

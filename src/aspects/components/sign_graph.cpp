@@ -215,13 +215,38 @@ std::uint32_t SignGraph::largest_component() {
 void SignGraph::climb(const PoseTree& tree, const BoxClassifier& classifier, NodeIndex leaf,
                       const MapPoint& pose) {
   traits_[component(leaf)].climbed = true;
-  Climb climb(classifier, tree.space(), mode_, sign_, {tree.place(leaf).root, pose}, policy_.climb);
+  const NodeIndex reached =
+      component_leaf_above(tree, classifier, {tree.place(leaf).root, pose}, component(leaf));
+  if (reached != no_node) unite(leaf, reached);
+}
+
+/// A leaf of a component but `except` that a climb from a pose of the set comes to; `no_node` where it comes
+/// to none.
+NodeIndex SignGraph::component_leaf_above(const PoseTree& tree, const BoxClassifier& classifier,
+                                          const MapPosition& position, std::uint32_t except) {
+  Climb climb(classifier, tree.space(), mode_, sign_, position, policy_.climb);
   for (int i = 0; i <= policy_.climb.max_steps; ++i) {
     const auto here = tree.leaf_at(climb.position(), mode_);
-    if (here && slot_[*here] != none && is_in_component(*here) && component(*here) != component(leaf))
-      return unite(leaf, *here);
-    if (!climb.step()) return;
+    if (here && slot_[*here] != none && is_in_component(*here) && component(*here) != except) return *here;
+    if (!climb.step()) return no_node;
   }
+  return no_node;
+}
+
+bool SignGraph::take_in_witnesses(PoseTree& tree, const BoxClassifier& classifier, NodeIndex node,
+                                  const std::vector<MapPoint>& poses) {
+  NodeIndex first = no_node;
+  for (const MapPoint& pose : poses) {
+    const NodeIndex leaf = component_leaf_above(tree, classifier, {tree.place(node).root, pose}, none);
+    if (leaf == no_node && poses.size() > 1) return false;
+    if (first == no_node) first = leaf;
+    if (leaf != no_node && component(leaf) != component(first)) return false;
+  }
+  LeafState& state = tree.state(node, mode_);
+  state = poses.empty() ? state.without(sign_) : state.with_whole(sign_);
+  take_in_proof(tree, node);
+  if (first != no_node) unite(node, first);
+  return true;
 }
 
 void SignGraph::drop(PoseTree& tree, NodeIndex node) {

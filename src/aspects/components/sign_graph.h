@@ -127,6 +127,12 @@ class SignGraph {
   /// After more was proved of an indeterminate leaf.
   void take_in_proof(const PoseTree& tree, NodeIndex node);
 
+  /// After all that an indeterminate leaf has of the set was proved to be connected with some of these poses
+  /// of the set each, with none of them if it has nothing. Whether that makes the leaf whole: where it does
+  /// not, the poses are not known to lie in one component. Needs a live `RoundingUpward`.
+  bool take_in_witnesses(PoseTree& tree, const BoxClassifier& classifier, NodeIndex node,
+                         const std::vector<MapPoint>& poses);
+
   bool is_in_component(NodeIndex node) const noexcept { return (slot_[node] & indeterminate_flag) == 0; }
 
   /// The component of a leaf that is in one: the same number for all leaves of it.
@@ -172,6 +178,8 @@ class SignGraph {
     return slot_[a] != none && slot_[b] != none && component(a) != component(b);
   }
 
+  NodeIndex component_leaf_above(const PoseTree& tree, const BoxClassifier& classifier,
+                                 const MapPosition& position, std::uint32_t except);
   void replace_whole(PoseTree& tree, NodeIndex node, const std::vector<NodeIndex>& children);
   void forget_neighbour(NodeIndex node, NodeIndex old_neighbour);
   void start_from_components(Meeting& meeting, std::vector<std::uint32_t>& queue);

@@ -2,12 +2,14 @@
 #include "aspects/map/map_computation.h"
 
 #include "aspects/components/components.h"
+#include "aspects/components/leaf_completion.h"
 #include "aspects/components/leaf_refinement.h"
 #include "aspects/components/mirrored_modes.h"
 #include "aspects/map/base_map.h"
 #include "aspects/map/deepest_point.h"
 #include "aspects/map/map_contents.h"
 #include "aspects/map/map_plan.h"
+#include "aspects/stars/star_finder.h"
 
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -127,7 +129,10 @@ bool find_components_of(const std::vector<std::size_t>& modes, AspectMap::Conten
   });
   if (!refine_contested(map.tree, *map.classifier, graphs, plan.depth, plan.deepest_level, control, policy))
     return false;
+  const bool completes = policy.completes && !map.slice;
+  const auto stars = completes ? make_star_finder(*map.manipulator, map.modes) : nullptr;
   tbb::parallel_for(std::size_t{0}, graphs.size(), [&](std::size_t i) {
+    if (stars) complete_leaves(map.tree, *map.classifier, *stars, *graphs[i], control, policy);
     found[modes[i]] = find_components(map.tree, modes[i], *graphs[i], control);
     graphs[i].reset();
   });

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/aspects/aspect_map.h"
+#include "parallel_aspects/aspects/complete_map.h"
 #include "parallel_aspects/aspects/map_file.h"
 #include "parallel_aspects/model/constraints.h"
 #include "parallel_aspects/model/problems.h"
@@ -33,6 +34,7 @@ struct MapArguments {
   std::string picture_file, basins_file;
   bool neighbours = false;
   bool no_symmetry = false;
+  bool complete = false;
   bool all_aspects = false;
   bool verbose = false;
   bool persistence = false;
@@ -111,6 +113,7 @@ void refuse_options_of_boxes(const MapArguments& arguments, Problems& problems) 
          "--persistence, --persistence-picture and --index are", leave + "them out");
   refuse(arguments.neighbours, "--neighbours is", leave + "it out");
   refuse(arguments.no_symmetry, "--no-symmetry is", leave + "it out");
+  refuse(arguments.complete, "--complete is", "leave it out");
   refuse(!arguments.modes.empty(), "--mode is", leave + "it out");
 }
 
@@ -136,6 +139,8 @@ void add_coverage(const MapArguments& arguments, const MapSection& section, cons
   options.modes = parse_modes("--mode", manipulator, arguments.modes, problems);
   if (!arguments.slice.empty())
     options.slice = parse_slice("--slice", manipulator, arguments.slice, problems);
+  if (arguments.complete && !arguments.slice.empty())
+    problems.push_back("--complete is for maps of all poses, not for slices; leave out one of the two.");
   const std::size_t whole = degrees_of_freedom(manipulator.task_space());
   if (!arguments.slice.empty() && !problems.empty() && whole == 2)
     problems.back() += " The map of T2 has two coordinates as it is, so that it needs no --slice.";
@@ -151,9 +156,11 @@ void add_coverage(const MapArguments& arguments, const MapSection& section, cons
 }
 
 std::shared_ptr<const AspectMap> compute(std::shared_ptr<const Manipulator> manipulator,
-                                         const MapOptions& options, const Surroundings& surroundings) {
+                                         const MapOptions& options, const MapArguments& arguments,
+                                         const Surroundings& surroundings) {
   const auto result = completed(surroundings, [&](const MapControl& control) {
-    return compute_aspect_map(manipulator, options, control);
+    return arguments.complete ? compute_complete_map(manipulator, options, control)
+                              : compute_aspect_map(manipulator, options, control);
   });
   return result.map;
 }
@@ -165,6 +172,12 @@ std::shared_ptr<const AspectMap> load(const std::shared_ptr<const Manipulator>& 
   if (arguments.load_file.empty()) return nullptr;
   const MapResult result = load_map(manipulator, options, arguments.load_file);
   if (result.status != MapStatus::complete) surroundings.messages << result.message << std::endl;
+  if (result.map && arguments.complete && !result.map->count_at_most()) {
+    surroundings.messages << "Map file '" << arguments.load_file
+                          << "' is not used, since it leaves open how many aspects there are at most."
+                          << std::endl;
+    return nullptr;
+  }
   return result.map;
 }
 
@@ -187,7 +200,7 @@ Report load_or_compute(const std::shared_ptr<const Manipulator>& manipulator, co
                        const MapArguments& arguments, const Surroundings& surroundings) {
   std::shared_ptr<const AspectMap> map = load(manipulator, options, arguments, surroundings);
   const bool loaded = map != nullptr;
-  if (!loaded) map = compute(manipulator, options, surroundings);
+  if (!loaded) map = compute(manipulator, options, arguments, surroundings);
   save_with_gates(*map, arguments.save_file, surroundings);
   if (!arguments.picture_file.empty()) draw(map, arguments.picture_file);
   const MapBasins basins = basins_of(*map, arguments, surroundings);
@@ -272,6 +285,10 @@ Subcommand map_subcommand() {
             &arguments->neighbours},
            {"--no-symmetry", "Compute what symmetries of the robot show to be the same, too",
             &arguments->no_symmetry},
+           {"--complete",
+            "With three degrees of freedom: prove that no small aspects hide, if possible, in many times the "
+            "time",
+            &arguments->complete},
            {"--all", "List aspects below 1 % of the largest too", &arguments->all_aspects},
            {"--persistence", "List the basins of each aspect: which parts of it a larger margin separates",
             &arguments->persistence},

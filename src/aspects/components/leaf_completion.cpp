@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "aspects/components/leaf_completion.h"
+
+#include <vector>
+
+namespace parallel_aspects {
+namespace {
+
+/// The leaves of one working mode, for one sign of det A.
+class SignCompletion {
+ public:
+  SignCompletion(PoseTree& tree, const BoxClassifier& classifier, const StarFinder& stars, std::size_t mode,
+                 SignGraph& graph, const ComponentPolicy& policy)
+      : tree_(tree), classifier_(classifier), stars_(stars), mode_(mode), graph_(graph), policy_(policy) {}
+
+  void run(const MapControl& control) {
+    const std::size_t count = graph_.indeterminate_leaves().size();
+    for (std::size_t v = 0; v < count && !is_cancelled(control); ++v) {
+      const NodeIndex node = graph_.indeterminate_leaves().node(v);
+      if (node == no_node) continue;
+      poses_.clear();
+      parts_left_ = policy_.max_parts_for_stars;
+      if (look_into(tree_.place(node).root, tree_.box(node), policy_.levels_of_stars))
+        graph_.take_in_witnesses(tree_, classifier_, node, poses_);
+    }
+    graph_.settle_faces(tree_, classifier_);
+  }
+
+ private:
+  /// Gathers poses that all the box has of the set is connected with; false where that is not proved.
+  bool look_into(RootIndex root, const Box& box, std::uint32_t levels) {
+    const Stars stars = stars_.find(root, box, tree_.region(), mode_, graph_.sign());
+    if (stars.is_known) {
+      poses_.insert(poses_.end(), stars.poses.begin(),
+                    stars.poses.begin() + static_cast<std::ptrdiff_t>(stars.count));
+      return true;
+    }
+    if (levels == 0 || parts_left_ == 0) return false;
+    --parts_left_;
+    for (std::uint32_t rank = 0; rank < tree_.children_per_node(); ++rank)
+      if (!look_into(root, part_of(box, rank), levels - 1)) return false;
+    return true;
+  }
+
+  static Box part_of(const Box& box, std::uint32_t rank) {
+    Box part = box;
+    for (std::size_t i = 0; i < box.dimension; ++i)
+      ((rank >> i & 1U) != 0 ? part.lower : part.upper)[i] = box.center(i);
+    return part;
+  }
+
+  PoseTree& tree_;
+  const BoxClassifier& classifier_;
+  const StarFinder& stars_;
+  std::size_t mode_;
+  SignGraph& graph_;
+  const ComponentPolicy& policy_;
+  std::vector<MapPoint> poses_;
+  std::size_t parts_left_ = 0;
+};
+
+}  // namespace
+
+void complete_leaves(PoseTree& tree, const BoxClassifier& classifier, const StarFinder& stars,
+                     LeafGraph& graph, const MapControl& control, const ComponentPolicy& policy) {
+  const RoundingUpward rounding;
+  for (const int sign : {1, -1})
+    SignCompletion(tree, classifier, stars, graph.mode(), graph.of(sign), policy).run(control);
+}
+
+}  // namespace parallel_aspects

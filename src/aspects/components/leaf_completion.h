@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASPECTS_COMPONENTS_LEAF_COMPLETION_H
+#define PARALLEL_ASPECTS_ASPECTS_COMPONENTS_LEAF_COMPLETION_H
+
+#include "aspects/boxes/box_classifier.h"
+#include "aspects/components/leaf_graph.h"
+#include "aspects/stars/star_finder.h"
+#include "aspects/tree/pose_tree.h"
+#include "parallel_aspects/aspects/map_control.h"
+
+namespace parallel_aspects {
+
+/// Proves of indeterminate leaves that they are whole or empty by stars about poses nearby (see StarFinder),
+/// of the leaf or of all its parts. Those that are neither stay indeterminate. Ends early when cancelled.
+void complete_leaves(PoseTree& tree, const BoxClassifier& classifier, const StarFinder& stars,
+                     LeafGraph& graph, const MapControl& control, const ComponentPolicy& policy);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ASPECTS_COMPONENTS_LEAF_COMPLETION_H

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "aspects/stars/star_finder.h"
+
+#include "aspects/tree/pose_space.h"
+#include "interval/rounding.h"
+#include "parallel_aspects/aspects/aspect_map.h"
+#include "parallel_aspects/kinematics/inverse.h"
+
+#include <gtest/gtest.h>
+
+#include "support/pose_pairs.h"
+#include "support/robots.h"
+#include "support/sign_at.h"
+#include <array>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace parallel_aspects {
+namespace {
+
+constexpr std::size_t size = 3;
+
+struct Case {
+  const char* name;
+  std::function<std::shared_ptr<const Manipulator>()> robot;
+  int boxes;          // that are tried
+  int least_stars;    // found in them
+  int least_empty;    // and boxes that are proved to have nothing of the set
+  int least_samples;  // poses of the set in boxes with stars
+};
+
+void PrintTo(const Case& each, std::ostream* out) { *out << each.name; }
+
+class StarFinderTest : public testing::TestWithParam<Case> {
+ protected:
+  int sign(const MapPosition& at) const {
+    return test::sign_in_doubles(*robot, space->pose(at), modes[mode]);
+  }
+
+  double height(const MapPosition& at, std::size_t leg) const {
+    const Leg& each = robot->leg(leg);
+    const double squared = squared_inverse_entry(each, space->pose(at).transform(each.anchor));
+    return std::sqrt(std::max(0.0, squared));
+  }
+
+  /// A pose of the set next to its boundary, and one beyond it.
+  std::optional<std::array<MapPosition, 2>> boundary(int wanted) {
+    const auto inside = pairs->reached(modes[mode]), other = pairs->reached(modes[pairs_mode()]);
+    if (!inside || !other) return std::nullopt;
+    MapPosition in = space->position(*inside), out = space->position(*other);
+    if (in.root != out.root || sign(in) != wanted || sign(out) == wanted) return std::nullopt;
+    for (int i = 0; i < 50; ++i) {
+      MapPosition middle = in;
+      for (std::size_t k = 0; k < size; ++k) middle.point[k] = 0.5 * (in.point[k] + out.point[k]);
+      (sign(middle) == wanted ? in : out) = middle;
+    }
+    return std::array<MapPosition, 2>{in, out};
+  }
+
+  std::size_t pairs_mode() {
+    return static_cast<std::size_t>(pairs->uniform(0.0, static_cast<double>(modes.size())));
+  }
+
+  Box box_about(const MapPosition& at) {
+    Box box{size, {}, {}};
+    const double share = std::pow(10.0, pairs->uniform(-3.0, -1.5));
+    for (std::size_t i = 0; i < size; ++i) {
+      const double width = share * region.width(i), below = pairs->uniform(0.0, width);
+      box.lower[i] = std::max(region.lower[i], at.point[i] - below);
+      box.upper[i] = std::min(region.upper[i], box.lower[i] + width);
+    }
+    return box;
+  }
+
+  MapPosition random_in(RootIndex root, const Box& box) {
+    MapPosition result{root, {}};
+    for (std::size_t i = 0; i < size; ++i) result.point[i] = pairs->uniform(box.lower[i], box.upper[i]);
+    return result;
+  }
+
+  /// Whether a way from one pose to another stays in the set, by steps in double precision: straight, but
+  /// that the coordinates `replaced` are what brings the heights of `legs` straight to those of the end.
+  bool is_joined(const MapPosition& from, const MapPosition& to, const std::vector<std::size_t>& legs,
+                 const std::vector<std::size_t>& replaced) const {
+    constexpr int steps = 200;
+    MapPosition at = from;
+    const int wanted = sign(from);
+    for (int step = 1; step <= steps; ++step) {
+      const double share = static_cast<double>(step) / steps;
+      for (std::size_t i = 0; i < size; ++i)
+        if (std::find(replaced.begin(), replaced.end(), i) == replaced.end())
+          at.point[i] = from.point[i] + share * (to.point[i] - from.point[i]);
+      if (!adjust_heights(at, from, to, share, legs, replaced) || sign(at) != wanted) return false;
+    }
+    double distance = 0.0;
+    for (std::size_t i = 0; i < size; ++i) distance += std::abs(at.point[i] - to.point[i]) / region.width(i);
+    return distance < 1e-6;
+  }
+
+  bool adjust_heights(MapPosition& at, const MapPosition& from, const MapPosition& to, double share,
+                      const std::vector<std::size_t>& legs, const std::vector<std::size_t>& replaced) const {
+    const auto count = static_cast<Eigen::Index>(legs.size());
+    for (int i = 0; i < 20 && count > 0; ++i) {
+      Eigen::VectorXd missing(count);
+      Eigen::MatrixXd slopes(count, count);
+      for (Eigen::Index k = 0; k < count; ++k) {
+        const std::size_t leg = legs[static_cast<std::size_t>(k)];
+        const double height_wanted = height(from, leg) + share * (height(to, leg) - height(from, leg));
+        missing[k] = height_wanted * height_wanted - square(at, leg);
+        for (Eigen::Index m = 0; m < count; ++m)
+          slopes(k, m) = slope(at, leg, replaced[static_cast<std::size_t>(m)]);
+      }
+      const Eigen::VectorXd step = slopes.fullPivLu().solve(missing);
+      for (Eigen::Index m = 0; m < count; ++m) at.point[replaced[static_cast<std::size_t>(m)]] += step[m];
+      if (!step.allFinite()) return false;
+    }
+    return true;
+  }
+
+  double square(const MapPosition& at, std::size_t leg) const {
+    return squared_inverse_entry(robot->leg(leg), space->pose(at).transform(robot->leg(leg).anchor));
+  }
+
+  double slope(const MapPosition& at, std::size_t leg, std::size_t coordinate) const {
+    const double step = 1e-6 * region.width(coordinate);
+    MapPosition below = at, above = at;
+    below.point[coordinate] -= step;
+    above.point[coordinate] += step;
+    return (square(above, leg) - square(below, leg)) / (2.0 * step);
+  }
+
+  /// In poses, or with the heights of any one or two legs in place of any coordinates.
+  bool is_joined(const MapPosition& from, const MapPosition& to) const {
+    if (is_joined(from, to, {}, {})) return true;
+    for (std::size_t j = 0; j < size; ++j)
+      for (std::size_t i = 0; i < size; ++i) {
+        if (is_joined(from, to, {j}, {i})) return true;
+        for (std::size_t k = j + 1; k < size; ++k)
+          for (std::size_t m = i + 1; m < size; ++m)
+            if (is_joined(from, to, {j, k}, {i, m})) return true;
+      }
+    return false;
+  }
+
+  void check(RootIndex root, const Box& box, const Stars& stars, int wanted) {
+    for (std::size_t i = 0; i < stars.count; ++i) {
+      ASSERT_EQ(sign({root, stars.poses[i]}), wanted);
+      ASSERT_TRUE(region.contains(stars.poses[i]));
+    }
+    for (int i = 0; i < 40; ++i) {
+      const MapPosition sample = random_in(root, box);
+      if (test::sign_at(*robot, space->pose(sample), modes[mode]) != wanted) continue;
+      ASSERT_GT(stars.count, 0U) << testing::PrintToString(sample.point);
+      if (++samples > 1500) continue;
+      bool joined = false;
+      for (std::size_t k = 0; k < stars.count && !joined; ++k)
+        joined = is_joined(sample, {root, stars.poses[k]});
+      ASSERT_TRUE(joined) << testing::PrintToString(sample.point) << " of "
+                          << testing::PrintToString(box.lower) << " to " << testing::PrintToString(box.upper)
+                          << " in " << to_string(modes[mode]);
+    }
+  }
+
+  std::shared_ptr<const Manipulator> robot = GetParam().robot();
+  std::vector<WorkingMode> modes = working_modes(*robot);
+  std::unique_ptr<const StarFinder> finder = make_star_finder(*robot, modes);
+  std::unique_ptr<test::PosePairs> pairs = std::make_unique<test::PosePairs>(robot, 20261125);
+  std::shared_ptr<const PoseSpace> space;
+  Box region;
+  std::size_t mode = 0;
+  int samples = 0;
+};
+
+TEST_P(StarFinderTest, WhatIsProvedHoldsForRandomPoses) {
+  const auto classifier = make_box_classifier(*robot, modes);
+  space = make_pose_space(robot->task_space(), *classifier->reachable_positions(),
+                          robot->characteristic_length());
+  region = space->region();
+  int found = 0, empty = 0;
+  for (int i = 0; i < GetParam().boxes; ++i) {
+    mode = pairs_mode();
+    const int wanted = pairs->uniform(0.0, 1.0) < 0.5 ? 1 : -1;
+    const auto ends = boundary(wanted);
+    if (!ends) continue;
+    const Box box = box_about((*ends)[0]);
+    const Stars stars = [&] {
+      const RoundingUpward rounding;
+      return finder->find((*ends)[0].root, box, region, mode, wanted);
+    }();
+    // The same box holds poses of the set, so that the other sign shows what is empty.
+    ASSERT_FALSE(stars.is_known && stars.count == 0) << testing::PrintToString(box.lower);
+    if (stars.is_known) check((*ends)[0].root, box, stars, wanted);
+    if (HasFatalFailure()) return;
+    found += stars.is_known;
+    const Box beyond = box_about((*ends)[1]);
+    const Stars others = [&] {
+      const RoundingUpward rounding;
+      return finder->find((*ends)[1].root, beyond, region, mode, wanted);
+    }();
+    if (others.is_known) check((*ends)[1].root, beyond, others, wanted);
+    if (HasFatalFailure()) return;
+    empty += others.is_known && others.count == 0;
+  }
+  EXPECT_GE(found, GetParam().least_stars);
+  EXPECT_GE(empty, GetParam().least_empty);
+  EXPECT_GE(samples, GetParam().least_samples);
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, StarFinderTest,
+                         testing::Values(Case{"three_rpr", test::three_rpr, 400, 50, 0, 300},
+                                         Case{"three_prr", test::three_prr, 400, 50, 0, 300},
+                                         Case{"three_rrr", test::three_rrr, 400, 50, 0, 300},
+                                         Case{"linear_delta", test::linear_delta, 400, 50, 0, 300},
+                                         Case{"delta", test::delta, 400, 50, 0, 300},
+                                         Case{"agile_eye", test::agile_eye, 400, 20, 0, 100},
+                                         Case{"spherical_3rrr", test::spherical_three_rrr, 400, 50, 0, 300}),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+}  // namespace
+}  // namespace parallel_aspects
