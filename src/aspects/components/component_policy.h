@@ -102,8 +102,11 @@ struct ComponentPolicy {
   bool completes = false;  ///< looks for them, in maps of all poses with three degrees of freedom
 
   /// Levels below a leaf to which its parts are looked into, and how many parts are.
-  std::uint32_t levels_of_stars = 8;
+  std::uint32_t levels_of_stars = 14;
   std::size_t max_parts_for_stars = 3000;
+
+  /// Of the edges of a leaf: where boxes begin to grow about a pose that no climb leads from.
+  double smallest_rise = 0x1p-14;
 
   // What one mode may divide in all: so many leaves, and one for so many that the base map left undecided.
   std::size_t least_budget = 10000;

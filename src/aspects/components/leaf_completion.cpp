@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/components/leaf_completion.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace parallel_aspects {
@@ -21,7 +22,7 @@ class SignCompletion {
       poses_.clear();
       parts_left_ = policy_.max_parts_for_stars;
       if (look_into(tree_.place(node).root, tree_.box(node), policy_.levels_of_stars))
-        graph_.take_in_witnesses(tree_, classifier_, node, poses_);
+        if (!graph_.take_in_witnesses(tree_, classifier_, node, poses_)) take_in_risen(node);
     }
     graph_.settle_faces(tree_, classifier_);
   }
@@ -40,6 +41,25 @@ class SignCompletion {
     for (std::uint32_t rank = 0; rank < tree_.children_per_node(); ++rank)
       if (!look_into(root, part_of(box, rank), levels - 1)) return false;
     return true;
+  }
+
+  /// Whether the leaf is whole, tried again from poses that stars of growing boxes about them lead to: out of thin
+  /// wedges, where a climb finds no way.
+  bool take_in_risen(NodeIndex node) {
+    for (MapPoint& pose : poses_) rise(tree_.place(node).root, tree_.box(node), pose);
+    return graph_.take_in_witnesses(tree_, classifier_, node, poses_);
+  }
+
+  void rise(RootIndex root, const Box& leaf, MapPoint& pose) const {
+    for (double share = policy_.smallest_rise; share <= 1.0; share *= 2.0) {
+      Box box = leaf;
+      for (std::size_t i = 0; i < leaf.dimension; ++i) {
+        box.lower[i] = std::max(tree_.region().lower[i], pose[i] - 0.5 * share * leaf.width(i));
+        box.upper[i] = std::min(tree_.region().upper[i], pose[i] + 0.5 * share * leaf.width(i));
+      }
+      const Stars stars = stars_.find(root, box, tree_.region(), mode_, graph_.sign());
+      if (stars.is_known && stars.count == 1) pose = stars.poses[0];
+    }
   }
 
   static Box part_of(const Box& box, std::uint32_t rank) {

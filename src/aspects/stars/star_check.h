@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 
 namespace parallel_aspects {
 
@@ -45,7 +46,7 @@ class StarCheck {
     const bool known =
         conditions.visit(signs, sign, coordinates_.legs(), [&](const Slope& f, LegSet depends) {
           if (!all || range_of(f).positive()) return;
-          all = (depends & unknown) == 0 && (scale_ * f.value + f.gradient[0]).range().lower() >= 0.0;
+          all = (depends & unknown) == 0 && does_not_fall(f);
         });
     return known && all;
   }
@@ -54,6 +55,13 @@ class StarCheck {
   static bool is_clear_of_obstacles(const Forms& forms, const Signs& signs) {
     return forms.constraint(ConstraintKind::obstacles, signs) == Verdict::holds &&
            forms.constraint(ConstraintKind::self_collision, signs) == Verdict::holds;
+  }
+
+  /// Whether f + v f >= 0.
+  bool does_not_fall(const Slope& f) const {
+    Form sum = scale_ * f.value + f.gradient[0];
+    if constexpr (Levels > 0) sum = relations_->without_replaced(sum);
+    return sum.range().lower() >= 0.0;
   }
 
   /// The field, times a positive function; false where it is not proved to be one.
@@ -68,7 +76,7 @@ class StarCheck {
       return true;
     } else {
       find_level_slopes(at, x);
-      if (!can_solve() || !sides_are_free(at)) return false;
+      if (!relations_->are_solved() || !can_solve() || !sides_are_free(at)) return false;
       solve();
       return true;
     }
@@ -80,8 +88,13 @@ class StarCheck {
     std::array<All, size> coordinates;
     for (std::size_t i = 0; i < size; ++i) coordinates[i] = All::coordinate(x[i], i);
     const PlacedLegs<Chart, All> placed(at.chart, at.root, coordinates);
-    for (std::size_t level = 0; level < Levels; ++level)
-      slopes_[level] = placed.squared_entry(coordinates_.leg[level]).gradient;
+    std::array<Form, Levels> squares;
+    for (std::size_t level = 0; level < Levels; ++level) {
+      const All& square = placed.squared_entry(coordinates_.leg[level]);
+      slopes_[level] = square.gradient;
+      squares[level] = square.value;
+    }
+    relations_.emplace(coordinates_, squares);
   }
 
   const Form& slope(std::size_t level, std::size_t other) const {
@@ -183,6 +196,7 @@ class StarCheck {
   std::array<Slope, size> moving_;  // pose coordinates, with their speeds along the field
   Form scale_;                      // what the field is multiplied by
   std::array<std::array<Form, size>, Levels> slopes_;
+  std::optional<LevelRelations<Chart, Levels>> relations_;
   double orientation_ = 1.0;
 };
 

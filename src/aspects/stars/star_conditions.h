@@ -36,15 +36,17 @@ class StarConditions {
                  const PlacedLegs<Chart, Scalar>& placed, const Entries& entries)
       : at_(at), types_(types), placed_(placed), legs_(at.chart, placed, entries) {}
 
-  /// Calls `take` with each function, and with the legs of which it takes |B_jj|. Of limits of which one is
-  /// enough, both are asked for unless one holds on the whole box. False where a condition has no function.
+  /// Calls `take` with each function, and with the legs of which it takes |B_jj|. False where a condition is
+  /// not that some functions are positive, all of them.
   template <class Take>
   bool visit(const Signs& signs, int sign, LegSet without_square, const Take& take) const {
     for (std::size_t j = 0; j < leg_count; ++j) {
       if (types_[j] != LegType::strut && (without_square & BoxFacts::bit(j)) == 0)
         take(placed_.squared_entry(j), LegSet{0});
       const LegSet entry = types_[j] == LegType::strut ? LegSet{0} : BoxFacts::bit(j);
-      visit_limits(at_.chart.limits(j, placed_.legs[j].displacement, legs_.entry(j), signs[j]), entry, take);
+      if (!visit_limits(at_.chart.limits(j, placed_.legs[j].displacement, legs_.entry(j), signs[j]), entry,
+                        take))
+        return false;
     }
     const LegSet rods = legs_with_turning_rods();
     const Scalar determinant = legs_.determinant(signs);
@@ -61,12 +63,20 @@ class StarConditions {
     return result;
   }
 
+  /// Of limits of which one is enough, it is that one where the other holds nowhere in the box.
   template <class Take>
-  static void visit_limits(const LimitFunctions<Scalar>& limits, LegSet entry, const Take& take) {
-    if (limits.any)
-      for (std::size_t k = 0; k < limits.count; ++k)
-        if (range_of(limits.values[k]).positive()) return;
-    for (std::size_t k = 0; k < limits.count; ++k) take(limits.values[k], entry);
+  static bool visit_limits(const LimitFunctions<Scalar>& limits, LegSet entry, const Take& take) {
+    std::size_t open = 0;
+    for (std::size_t k = 0; k < limits.count; ++k) {
+      const Interval range = range_of(limits.values[k]);
+      if (limits.any && range.positive()) return true;
+      open += !(range.upper() <= 0.0);
+    }
+    if (limits.any && open > 1) return false;
+    for (std::size_t k = 0; k < limits.count; ++k)
+      if (!limits.any || open == 0 || !(range_of(limits.values[k]).upper() <= 0.0))
+        take(limits.values[k], entry);
+    return true;
   }
 
   template <class Take>
@@ -89,9 +99,11 @@ class StarConditions {
       const auto* points = legs_.points(j, signs[j]);
       if (points == nullptr) return false;
       const LegSet entry = BoxFacts::bit(j);
+      bool all = true;
       at_.tests.for_each_passive_limit(j, *points, legs_, [&](const LimitFunctions<Scalar>& limits) {
-        visit_limits(limits, entry, take);
+        all = visit_limits(limits, entry, take) && all;
       });
+      if (!all) return false;
       at_.tests.for_each_cone(j, *points, legs_, [&](const Scalar& f) { take(f, entry); });
     }
     return true;

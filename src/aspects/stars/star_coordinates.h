@@ -9,6 +9,7 @@
 #include "interval/dual.h"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 namespace parallel_aspects {
@@ -58,6 +59,75 @@ class StarCoordinates {
     for (std::size_t level = 0; level < Levels; ++level) result[leg[level]] = height(level);
     return result;
   }
+};
+
+/// A square matrix of numbers.
+template <std::size_t N>
+using Matrix = std::array<std::array<double, N>, N>;
+
+/// Not finite where there is none.
+template <std::size_t N>
+Matrix<N> inverse(const Matrix<N>& m) noexcept {
+  static_assert(N <= 2);
+  Matrix<N> result{};
+  if constexpr (N == 1) result[0][0] = 1.0 / m[0][0];
+  if constexpr (N == 2) {
+    const double determinant = m[0][0] * m[1][1] - m[0][1] * m[1][0];
+    result[0] = {m[1][1] / determinant, -m[0][1] / determinant};
+    result[1] = {-m[1][0] / determinant, m[0][0] / determinant};
+  }
+  return result;
+}
+
+/// That B_jj^2 = h_j^2 for the levels of a star's coordinates, over a box.
+template <class Chart, std::size_t Levels>
+class LevelRelations {
+ public:
+  using Coordinates = StarCoordinates<Chart, Levels>;
+  using Form = typename Coordinates::Form;
+  using Forms = std::array<Form, Levels>;
+
+  /// `squares`: B_jj^2 by the pose coordinates.
+  LevelRelations(const Coordinates& coordinates, const Forms& squares)
+      : coordinates_(coordinates), squares_(squares) {
+    Matrix<Levels> slopes{};
+    for (std::size_t level = 0; level < Levels; ++level)
+      for (std::size_t m = 0; m < Levels; ++m)
+        slopes[level][m] = squares[level].slope(coordinates.replaced[m]);
+    inverse_ = inverse(slopes);
+  }
+
+  /// Whether heights tell the replaced coordinates, in double precision.
+  bool are_solved() const noexcept {
+    for (const auto& row : inverse_)
+      for (const double each : row)
+        if (!std::isfinite(each)) return false;
+    return true;
+  }
+
+  const Form& square_of(std::size_t level) const noexcept { return squares_[level]; }
+
+  /// What a change of B_jj^2 of level m changes a replaced coordinate by.
+  double inverse_slope(std::size_t level, std::size_t m) const noexcept { return inverse_[level][m]; }
+
+  /// The same function where the relations hold: multiples of these are added, so that what is linear in the
+  /// replaced coordinates goes away.
+  Form without_replaced(Form function) const {
+    std::array<double, Levels> slopes;
+    for (std::size_t level = 0; level < Levels; ++level)
+      slopes[level] = function.slope(coordinates_.replaced[level]);
+    for (std::size_t m = 0; m < Levels; ++m) {
+      double factor = 0.0;
+      for (std::size_t level = 0; level < Levels; ++level) factor += slopes[level] * inverse_[level][m];
+      function += Interval(factor) * (square(coordinates_.height(m)) - squares_[m]);
+    }
+    return function;
+  }
+
+ private:
+  Coordinates coordinates_;
+  Forms squares_;
+  Matrix<Levels> inverse_{};
 };
 
 /// Legs that are not clear, but for `levels`.

@@ -83,6 +83,7 @@ std::unique_ptr<const StarFinder> make_star_finder(const Manipulator& manipulato
     case TaskSpace::T3:
       return std::make_unique<const ChartStars<T3Chart>>(manipulator, modes);
     case TaskSpace::SO3:
+      return std::make_unique<const ChartStars<SO3Chart>>(manipulator, modes);
     case TaskSpace::T1:
     case TaskSpace::T2:
     case TaskSpace::SE3:

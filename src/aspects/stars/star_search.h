@@ -156,10 +156,10 @@ class StarSearch {
         const double reserve = share_of_reserve * (most - least);
         spread[level] = Interval(least - reserve, most + reserve);
       }
-      const auto inverse = inverse_slopes();
+      const Matrix<Levels> by_squares = inverse_slopes();
       for (std::size_t level = 0; level < Levels; ++level) {
         Interval range(box().center(coordinates_.replaced[level]));
-        for (std::size_t m = 0; m < Levels; ++m) range += Interval(inverse[level][m]) * spread[m];
+        for (std::size_t m = 0; m < Levels; ++m) range += Interval(by_squares[level][m]) * spread[m];
         const std::size_t y = coordinates_.replaced[level];
         wide.lower[y] = std::min(wide.lower[y], range.lower());
         wide.upper[y] = std::max(wide.upper[y], range.upper());
@@ -168,18 +168,12 @@ class StarSearch {
     return wide;
   }
 
-  using Matrix = std::array<std::array<double, Levels>, Levels>;
-
-  Matrix inverse_slopes() const {
-    Matrix inverse{};
-    const auto& y = coordinates_.replaced;
-    if constexpr (Levels == 1) inverse[0][0] = 1.0 / slope(0, y[0]);
-    if constexpr (Levels == 2) {
-      const double determinant = slope(0, y[0]) * slope(1, y[1]) - slope(0, y[1]) * slope(1, y[0]);
-      inverse[0] = {slope(1, y[1]) / determinant, -slope(0, y[1]) / determinant};
-      inverse[1] = {-slope(1, y[0]) / determinant, slope(0, y[0]) / determinant};
-    }
-    return inverse;
+  /// What B_jj^2 of the levels change the replaced coordinates by, in the box.
+  Matrix<Levels> inverse_slopes() const {
+    Matrix<Levels> slopes{};
+    for (std::size_t level = 0; level < Levels; ++level)
+      for (std::size_t m = 0; m < Levels; ++m) slopes[level][m] = slope(level, coordinates_.replaced[m]);
+    return inverse(slopes);
   }
 
   /// The coordinates that the heights tell best.
@@ -213,14 +207,14 @@ class StarSearch {
         wanted[level] = height * height;
         pose[y] = wide.center(y);
       }
-      const Matrix inverse = inverse_slopes();
+      const Matrix<Levels> by_squares = inverse_slopes();
       for (int step = 0; step < newton_steps; ++step) {
         std::array<double, Levels> missing;
         for (std::size_t level = 0; level < Levels; ++level)
           missing[level] = wanted[level] - middle_of(squared_entry_at(pose, level));
         for (std::size_t level = 0; level < Levels; ++level)
           for (std::size_t m = 0; m < Levels; ++m)
-            pose[coordinates_.replaced[level]] += inverse[level][m] * missing[m];
+            pose[coordinates_.replaced[level]] += by_squares[level][m] * missing[m];
       }
     }
     return pose;

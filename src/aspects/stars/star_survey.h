@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 
 namespace parallel_aspects {
 
@@ -26,9 +27,8 @@ class StarSurvey {
       : coordinates_(coordinates) {
     const ChartBox<Chart>& at = forms.at();
     const PlacedLegs<Chart, Form> placed(at.chart, at.root, Coordinates::pose(at));
-    for (std::size_t level = 0; level < Levels; ++level)
-      squares_[level] = placed.squared_entry(coordinates.leg[level]);
-    if constexpr (Levels > 0) is_known_ = invert();
+    relations_.emplace(coordinates, squares(placed));
+    is_known_ = relations_->are_solved();
     if (!is_known_) return;
     const StarConditions<Chart, Form> conditions(at, types, placed,
                                                  coordinates.entries(forms.entries(), placed));
@@ -54,10 +54,17 @@ class StarSurvey {
     if (!is_known_ || lacks_levels_ || linear_.count == 0) return false;
     Form sum;
     for (std::size_t i = 0; i < linear_.count; ++i) sum += Interval(weights[i]) * forms_[i];
-    return sum.range().upper() < 0.0;
+    return relations_->without_replaced(sum).range().upper() < 0.0;
   }
 
  private:
+  std::array<Form, Levels> squares(const PlacedLegs<Chart, Form>& placed) const {
+    std::array<Form, Levels> result;
+    for (std::size_t level = 0; level < Levels; ++level)
+      result[level] = placed.squared_entry(coordinates_.leg[level]);
+    return result;
+  }
+
   void add(const Form& f, bool lacks_level) {
     lacks_levels_ = lacks_levels_ || lacks_level;
     if (linear_.is_full()) return;
@@ -74,39 +81,20 @@ class StarSurvey {
       const std::size_t y = coordinates_.replaced[level];
       result.slope[y] += f.slope(size + level);
       for (std::size_t m = 0; m < Levels; ++m) {
-        const double over = f.slope(y) * inverse_[level][m];
+        const double over = f.slope(y) * relations_->inverse_slope(level, m);
         const double middle = 0.5 * (coordinates_.highest[m] + coordinates_.lowest[m]),
                      half = 0.5 * (coordinates_.highest[m] - coordinates_.lowest[m]);
-        result.at_center += over * (middle * middle - squares_[m].center());
+        result.at_center += over * (middle * middle - relations_->square_of(m).center());
         result.slope[coordinates_.replaced[m]] += over * 2.0 * middle * half;
         for (std::size_t i = 0; i < size; ++i)
-          if (!coordinates_.is_replaced(i)) result.slope[i] -= over * squares_[m].slope(i);
+          if (!coordinates_.is_replaced(i)) result.slope[i] -= over * relations_->square_of(m).slope(i);
       }
     }
     return result;
   }
 
-  /// Of the slopes of B_jj^2 along the replaced coordinates.
-  bool invert() {
-    const auto slope = [this](std::size_t level, std::size_t other) {
-      return squares_[level].slope(coordinates_.replaced[other]);
-    };
-    if constexpr (Levels == 1) {
-      inverse_[0][0] = 1.0 / slope(0, 0);
-      return slope(0, 0) != 0.0;
-    }
-    if constexpr (Levels == 2) {
-      const double determinant = slope(0, 0) * slope(1, 1) - slope(0, 1) * slope(1, 0);
-      inverse_[0] = {slope(1, 1) / determinant, -slope(0, 1) / determinant};
-      inverse_[1] = {-slope(1, 0) / determinant, slope(0, 0) / determinant};
-      return determinant != 0.0;
-    }
-    return true;
-  }
-
   const Coordinates& coordinates_;
-  std::array<Form, Levels> squares_;
-  std::array<std::array<double, Levels>, Levels> inverse_{};
+  std::optional<LevelRelations<Chart, Levels>> relations_;
   bool is_known_ = true, lacks_levels_ = false, fails_ = false;
   LinearFunctions linear_;
   std::array<Form, LinearFunctions::most> forms_;
