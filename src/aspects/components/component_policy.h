@@ -99,7 +99,9 @@ struct ComponentPolicy {
 
   // Stars in leaves that are left indeterminate (see `complete_leaves`).
 
-  bool completes = false;  ///< looks for them, in maps of all poses with three degrees of freedom
+  /// Looks for them in maps of all poses with three degrees of freedom. With fewer, so few leaves are left
+  /// that it is always done.
+  bool completes = false;
 
   /// Levels below a leaf to which its parts are looked into, and how many parts are.
   std::uint32_t levels_of_stars = 14;

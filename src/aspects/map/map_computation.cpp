@@ -129,7 +129,8 @@ bool find_components_of(const std::vector<std::size_t>& modes, AspectMap::Conten
   });
   if (!refine_contested(map.tree, *map.classifier, graphs, plan.depth, plan.deepest_level, control, policy))
     return false;
-  const bool completes = policy.completes && !map.slice;
+  const bool is_cheap = map.tree.dimension() <= policy.max_degrees_of_freedom_to_look_everywhere;
+  const bool completes = (policy.completes || is_cheap) && !map.slice;
   const auto stars = completes ? make_star_finder(*map.manipulator, map.modes) : nullptr;
   tbb::parallel_for(std::size_t{0}, graphs.size(), [&](std::size_t i) {
     if (stars) complete_leaves(map.tree, *map.classifier, *stars, *graphs[i], control, policy);

@@ -78,6 +78,8 @@ class ChartStars final : public StarFinder {
 std::unique_ptr<const StarFinder> make_star_finder(const Manipulator& manipulator,
                                                    const std::vector<WorkingMode>& modes) {
   switch (manipulator.task_space()) {
+    case TaskSpace::T2:
+      return std::make_unique<const ChartStars<T2Chart>>(manipulator, modes);
     case TaskSpace::SE2:
       return std::make_unique<const ChartStars<SE2Chart>>(manipulator, modes);
     case TaskSpace::T3:
@@ -85,7 +87,6 @@ std::unique_ptr<const StarFinder> make_star_finder(const Manipulator& manipulato
     case TaskSpace::SO3:
       return std::make_unique<const ChartStars<SO3Chart>>(manipulator, modes);
     case TaskSpace::T1:
-    case TaskSpace::T2:
     case TaskSpace::SE3:
       break;
   }

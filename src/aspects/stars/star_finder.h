@@ -25,7 +25,7 @@ class StarFinder {
                      int sign) const noexcept = 0;
 };
 
-/// For maps of all poses in SE2, T3 and SO3; null for others.
+/// For maps of all poses with two and three degrees of freedom; null for others.
 std::unique_ptr<const StarFinder> make_star_finder(const Manipulator& manipulator,
                                                    const std::vector<WorkingMode>& modes);
 

@@ -208,7 +208,7 @@ json json_margins(const Margins& margins) {
 std::string aspect_count(const AspectMap& map) {
   const std::size_t proved = map.proved_count(), components = map.aspects().size();
   const std::size_t most = map.count_at_most().value_or(components);
-  if (most == proved && map.count_at_most()) return counted(proved, "aspect") + ", proved";
+  if (most == proved && map.count_at_most()) return "exactly " + counted(proved, "aspect") + " (proved)";
   const std::string found = map.unresolved().empty()
                                 ? "all proved distinct"
                                 : std::to_string(proved) + " proved distinct; " +

@@ -29,7 +29,7 @@ struct MapReportOptions {
   const MapBasins* basins = nullptr;  ///< of the map, where they were looked for
 };
 
-/// How many aspects there are, claiming no more than is proved: "10 aspects, proved".
+/// How many aspects there are, claiming no more than is proved: "exactly 10 aspects (proved)".
 std::string aspect_count(const AspectMap& map);
 
 /// Those that ask something, by name.

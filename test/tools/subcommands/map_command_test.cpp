@@ -54,7 +54,7 @@ TEST_F(MapCommand, MapHasTheDocumentedFields) {
 
 TEST_F(MapCommand, CountsClaimNoMoreThanIsProved) {
   const std::string proved = run({"map", "five_bar", "--resolution", "0.5"}).output;
-  EXPECT_EQ(proved.substr(0, proved.find('\n')), "five_bar: 10 aspects, proved; 4 working modes");
+  EXPECT_EQ(proved.substr(0, proved.find('\n')), "five_bar: exactly 10 aspects (proved); 4 working modes");
   EXPECT_EQ(proved.find("may hide"), std::string::npos);
   const std::string apart = run({"map", "three_prr", "--resolution", "0.2"}).output;
   EXPECT_EQ(apart.substr(0, apart.find('\n')),
