@@ -18,7 +18,6 @@ namespace parallel_aspects {}
 #include "parallel_aspects/aspects/basins.h"
 #include "parallel_aspects/aspects/boundary_curves.h"
 #include "parallel_aspects/aspects/box.h"
-#include "parallel_aspects/aspects/complete_map.h"
 #include "parallel_aspects/aspects/constraint_boundaries.h"
 #include "parallel_aspects/aspects/design.h"
 #include "parallel_aspects/aspects/held_joint.h"

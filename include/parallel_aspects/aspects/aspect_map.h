@@ -188,6 +188,12 @@ struct MapResult {
 MapResult compute_aspect_map(std::shared_ptr<const Manipulator> manipulator, const MapOptions& options = {},
                              const MapControl& control = {});
 
+/// The same, but a map of all poses with three degrees of freedom looks into every leaf in which an aspect
+/// could hide that is smaller than the resolution, so that `AspectMap::count_at_most` may be known. That
+/// takes many times as long as the rest (docs/maps.md). With fewer degrees of freedom all maps do so.
+MapResult compute_complete_map(std::shared_ptr<const Manipulator> manipulator, const MapOptions& options = {},
+                               const MapControl& control = {});
+
 /// The resolution that is taken where none is given: 1/200 of the robot's size in T2, 1/50 in SE2 and T3 [m],
 /// 0.1 rad in SO3; in slices 1/200 of the robot's size for one or two free coordinates and 1/50 for three
 /// [m], or where no position is free 0.01 rad for an angle and 0.1 rad for orientations. Angles beside

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/aspects/aspect_map.h"
-#include "parallel_aspects/aspects/complete_map.h"
 #include "parallel_aspects/aspects/map_file.h"
 #include "parallel_aspects/model/constraints.h"
 #include "parallel_aspects/model/problems.h"

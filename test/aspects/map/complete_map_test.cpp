@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parallel_aspects/aspects/complete_map.h"
-
 #include "aspects/map/map_contents.h"
+#include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/urdf/models.h"
 
 #include <gtest/gtest.h>
