@@ -43,8 +43,8 @@ class SignCompletion {
     return true;
   }
 
-  /// Whether the leaf is whole, tried again from poses that stars of growing boxes about them lead to: out of thin
-  /// wedges, where a climb finds no way.
+  /// Whether the leaf is whole, tried again from poses that stars of growing boxes about them lead to: out of
+  /// thin wedges, where a climb finds no way.
   bool take_in_risen(NodeIndex node) {
     for (MapPoint& pose : poses_) rise(tree_.place(node).root, tree_.box(node), pose);
     return graph_.take_in_witnesses(tree_, classifier_, node, poses_);

@@ -182,8 +182,9 @@ std::vector<Pose> AspectPaths::find_in_roadmap(const Aspect& aspect, const Pose&
     options.modes = {aspect.mode};
     roadmap = compute_pose_roadmap(map_->manipulator(), options).roadmap;
   }
-  return roadmap ? PathSearch(*roadmap, aspect.mode, aspect.determinant_sign).find(from, to, SearchEffort::brief)
-                 : std::vector<Pose>();
+  return roadmap
+             ? PathSearch(*roadmap, aspect.mode, aspect.determinant_sign).find(from, to, SearchEffort::brief)
+             : std::vector<Pose>();
 }
 
 }  // namespace parallel_aspects
