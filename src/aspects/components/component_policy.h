@@ -99,9 +99,11 @@ struct ComponentPolicy {
 
   // Stars in leaves that are left indeterminate (see `complete_leaves`).
 
-  /// Looks for them in maps of all poses with three degrees of freedom. With fewer, so few leaves are left
-  /// that it is always done.
+  /// Looks for them in maps of all poses with three degrees of freedom. With fewer it is always done, as few
+  /// leaves are left there for most robots; where many are, so many boxes are looked into, for a mode and
+  /// sign.
   bool completes = false;
+  std::size_t max_boxes_for_stars = 200;
 
   /// Levels below a leaf to which its parts are looked into, and how many parts are.
   std::uint32_t levels_of_stars = 14;

@@ -2,6 +2,7 @@
 #include "aspects/components/leaf_completion.h"
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 namespace parallel_aspects {
@@ -12,11 +13,18 @@ class SignCompletion {
  public:
   SignCompletion(PoseTree& tree, const BoxClassifier& classifier, const StarFinder& stars, std::size_t mode,
                  SignGraph& graph, const ComponentPolicy& policy)
-      : tree_(tree), classifier_(classifier), stars_(stars), mode_(mode), graph_(graph), policy_(policy) {}
+      : tree_(tree),
+        classifier_(classifier),
+        stars_(stars),
+        mode_(mode),
+        graph_(graph),
+        policy_(policy),
+        boxes_left_(policy.completes ? std::numeric_limits<std::size_t>::max() : policy.max_boxes_for_stars) {
+  }
 
   void run(const MapControl& control) {
     const std::size_t count = graph_.indeterminate_leaves().size();
-    for (std::size_t v = 0; v < count && !is_cancelled(control); ++v) {
+    for (std::size_t v = 0; v < count && boxes_left_ > 0 && !is_cancelled(control); ++v) {
       const NodeIndex node = graph_.indeterminate_leaves().node(v);
       if (node == no_node) continue;
       poses_.clear();
@@ -30,7 +38,7 @@ class SignCompletion {
  private:
   /// Gathers poses that all the box has of the set is connected with; false where that is not proved.
   bool look_into(RootIndex root, const Box& box, std::uint32_t levels) {
-    const Stars stars = stars_.find(root, box, tree_.region(), mode_, graph_.sign());
+    const Stars stars = find(root, box);
     if (stars.is_known) {
       poses_.insert(poses_.end(), stars.poses.begin(),
                     stars.poses.begin() + static_cast<std::ptrdiff_t>(stars.count));
@@ -50,16 +58,23 @@ class SignCompletion {
     return graph_.take_in_witnesses(tree_, classifier_, node, poses_);
   }
 
-  void rise(RootIndex root, const Box& leaf, MapPoint& pose) const {
+  void rise(RootIndex root, const Box& leaf, MapPoint& pose) {
     for (double share = policy_.smallest_rise; share <= 1.0; share *= 2.0) {
       Box box = leaf;
       for (std::size_t i = 0; i < leaf.dimension; ++i) {
         box.lower[i] = std::max(tree_.region().lower[i], pose[i] - 0.5 * share * leaf.width(i));
         box.upper[i] = std::min(tree_.region().upper[i], pose[i] + 0.5 * share * leaf.width(i));
       }
-      const Stars stars = stars_.find(root, box, tree_.region(), mode_, graph_.sign());
+      const Stars stars = find(root, box);
       if (stars.is_known && stars.count == 1) pose = stars.poses[0];
     }
+  }
+
+  // Nothing is known where too many were looked for.
+  Stars find(RootIndex root, const Box& box) {
+    if (boxes_left_ == 0) return {};
+    --boxes_left_;
+    return stars_.find(root, box, tree_.region(), mode_, graph_.sign());
   }
 
   static Box part_of(const Box& box, std::uint32_t rank) {
@@ -77,6 +92,7 @@ class SignCompletion {
   const ComponentPolicy& policy_;
   std::vector<MapPoint> poses_;
   std::size_t parts_left_ = 0;
+  std::size_t boxes_left_;
 };
 
 }  // namespace
