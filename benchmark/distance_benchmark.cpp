@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The metric distance of random reachable configurations, one call at a time on one thread.
+// The metric distance of random reachable configurations, one call at a time on one thread, alone and with
+// a map of the default resolution.
+#include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/distance/boundary_distances.h"
+#include "parallel_aspects/distance/distance_map.h"
 
 #include <benchmark/benchmark.h>
 
 #include "support/pose_pairs.h"
 #include "support/shipped.h"
 #include <algorithm>
+#include <chrono>
 #include <ctime>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -69,11 +74,21 @@ class Tally {
   std::vector<double> ratios_;
 };
 
-void measure(benchmark::State& state, const std::string& name, int max_boxes) {
+/// The map of the meter, and how long its parts took [s].
+void use_map(benchmark::State& state, const std::shared_ptr<const Manipulator>& robot,
+             BoundaryDistanceMeter& meter) {
+  const MapResult computed = compute_aspect_map(robot);
+  const auto start = std::chrono::steady_clock::now();
+  meter.use(std::make_shared<const DistanceMap>(computed.map));
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  state.counters["map_s"] = computed.map->seconds();
+  state.counters["made_ready_s"] = taken.count();
+}
+
+void measure(benchmark::State& state, const std::string& name, bool with_map) {
   const auto robot = test::shipped(name)->manipulator();
-  DistanceOptions options;
-  if (max_boxes > 0) options.max_boxes = max_boxes;
-  BoundaryDistanceMeter meter(robot, options);
+  BoundaryDistanceMeter meter(robot);
+  if (with_map) use_map(state, robot, meter);
   std::vector<double> seconds;
   Tally parallel, serial, limit;
   for (auto _ : state) {
@@ -94,17 +109,20 @@ void measure(benchmark::State& state, const std::string& name, int max_boxes) {
 }
 
 #define PARALLEL_ASPECTS_DISTANCES(robot) \
-  BENCHMARK_CAPTURE(measure, robot, #robot, 0)->Iterations(1)->Unit(benchmark::kMillisecond)
+  BENCHMARK_CAPTURE(measure, robot, #robot, false)->Iterations(1)->Unit(benchmark::kMillisecond)
+#define PARALLEL_ASPECTS_DISTANCES_BY_MAP(robot) \
+  PARALLEL_ASPECTS_DISTANCES(robot);             \
+  BENCHMARK_CAPTURE(measure, robot##_map, #robot, true)->Iterations(1)->Unit(benchmark::kMillisecond)
 
-PARALLEL_ASPECTS_DISTANCES(five_bar);
-PARALLEL_ASPECTS_DISTANCES(bipod);
-PARALLEL_ASPECTS_DISTANCES(three_rpr);
-PARALLEL_ASPECTS_DISTANCES(three_rrr);
-PARALLEL_ASPECTS_DISTANCES(three_prr);
-PARALLEL_ASPECTS_DISTANCES(delta);
-PARALLEL_ASPECTS_DISTANCES(linear_delta);
-PARALLEL_ASPECTS_DISTANCES(agile_eye);
-PARALLEL_ASPECTS_DISTANCES(spherical_3rrr);
+PARALLEL_ASPECTS_DISTANCES_BY_MAP(five_bar);
+PARALLEL_ASPECTS_DISTANCES_BY_MAP(bipod);
+PARALLEL_ASPECTS_DISTANCES_BY_MAP(three_rpr);
+PARALLEL_ASPECTS_DISTANCES_BY_MAP(three_rrr);
+PARALLEL_ASPECTS_DISTANCES_BY_MAP(three_prr);
+PARALLEL_ASPECTS_DISTANCES_BY_MAP(delta);
+PARALLEL_ASPECTS_DISTANCES_BY_MAP(linear_delta);
+PARALLEL_ASPECTS_DISTANCES_BY_MAP(agile_eye);
+PARALLEL_ASPECTS_DISTANCES_BY_MAP(spherical_3rrr);
 PARALLEL_ASPECTS_DISTANCES(stewart);
 PARALLEL_ASPECTS_DISTANCES(hexa);
 PARALLEL_ASPECTS_DISTANCES(six_pus);

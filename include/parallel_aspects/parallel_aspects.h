@@ -35,6 +35,7 @@ namespace parallel_aspects {}
 #include "parallel_aspects/aspects/segment_certifier.h"
 #include "parallel_aspects/aspects/uniqueness.h"
 #include "parallel_aspects/distance/boundary_distances.h"
+#include "parallel_aspects/distance/distance_map.h"
 #include "parallel_aspects/kinematics/direct.h"
 #include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/kinematics/jacobians.h"

@@ -48,6 +48,7 @@ double displacement(const Leg& leg, double from, double to) {
 class BoundaryDistanceMeter::Searches {
  public:
   virtual ~Searches() = default;
+  virtual void use(std::shared_ptr<const DistanceMap> map) = 0;
   virtual BoundaryDistances measure(const Pose& pose, const WorkingMode& mode) noexcept = 0;
 };
 
@@ -61,9 +62,18 @@ class BoundaryDistanceMeter::SearchesIn final : public Searches {
         chart_(*manipulator_),
         boundaries_(boundaries_of(*manipulator_)),
         determinant_(chart_, *manipulator_),
-        parallel_(chart_, options),
+        map_(chart_),
+        parallel_(chart_, map_, options),
         leg_(chart_, options),
         usable_(is_usable(*manipulator_, longest_length) && chart_.metric().usable) {}
+
+  void use(std::shared_ptr<const DistanceMap> map) override {
+    if (map && map->map()->manipulator() != manipulator_)
+      throw InvalidDescription(
+          {"The map is of another robot than the distances are to be of; compute or load "
+           "it for the same manipulator."});
+    map_.use(std::move(map));
+  }
 
   BoundaryDistances measure(const Pose& given, const WorkingMode& mode) noexcept override {
     BoundaryDistances result;
@@ -97,6 +107,7 @@ class BoundaryDistanceMeter::SearchesIn final : public Searches {
       const RoundingUpward rounding;
       chart_.move_to(pose);
       determinant_.set_mode(mode);
+      map_.set_mode(mode);
       if (!determinant_.is_reached(std::array<Interval, Chart::size>{})) {
         result.status = ConfigurationStatus::out_of_reach;
         return;
@@ -165,6 +176,7 @@ class BoundaryDistanceMeter::SearchesIn final : public Searches {
   Chart chart_;
   LegBoundaries<Chart::dimension> boundaries_;
   ModeDeterminant<space> determinant_;
+  MapSearch<space> map_;
   ParallelSearch<space> parallel_;
   LegSearch<space> leg_;
   bool usable_;
@@ -188,6 +200,8 @@ BoundaryDistanceMeter::BoundaryDistanceMeter(std::shared_ptr<const Manipulator> 
 BoundaryDistanceMeter::~BoundaryDistanceMeter() = default;
 BoundaryDistanceMeter::BoundaryDistanceMeter(BoundaryDistanceMeter&&) noexcept = default;
 BoundaryDistanceMeter& BoundaryDistanceMeter::operator=(BoundaryDistanceMeter&&) noexcept = default;
+
+void BoundaryDistanceMeter::use(std::shared_ptr<const DistanceMap> map) { searches_->use(std::move(map)); }
 
 BoundaryDistances BoundaryDistanceMeter::measure(const Pose& pose, const WorkingMode& mode) noexcept {
   return searches_->measure(pose, mode);

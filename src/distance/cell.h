@@ -87,6 +87,12 @@ struct LinearModel {
     gradient_length = std::sqrt(squares);
   }
 
+  /// Proved: no zero in the cell is closer to the origin.
+  double least_distance_of_zero() const noexcept {
+    const double above_zero = std::max(-(error - below_at_origin), -(above_at_origin + error));
+    return above_zero > 0.0 && gradient_length > 0.0 ? above_zero / gradient_length * (1.0 - 0x1p-50) : 0.0;
+  }
+
   /// Encloses the values in the ball |y| <= radius, as far as it is in the cell.
   Interval in_ball(double radius) const noexcept {
     const double spread = gradient_length * radius + error;

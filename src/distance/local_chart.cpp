@@ -45,6 +45,7 @@ void LocalChart<space>::move_to(const Pose& pose) noexcept {
   center_at_pose_ = pose.orientation.normalized() * metric_.center;
   const Vector<Interval> position = interval_vector(pose.position);
   const Vector<Interval> center = turned(interval_vector(metric_.center));
+  center_ = center;
   for (std::size_t j = 0; j < size; ++j) {
     arms_[j] = turned(platform_arms_[j]);
     for (std::size_t i = 0; i < dimension; ++i) {
@@ -69,6 +70,21 @@ void LocalChart<space>::turn_half_turns() noexcept {
               half * rotation_[i][a] *
               Interval(metric_.half_turns(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(k)));
       }
+}
+
+template <TaskSpace space>
+typename LocalChart<space>::template Vector<Interval> LocalChart<space>::operational_point(
+    const std::array<Interval, size>& y) const noexcept {
+  Vector<Interval> point = interval_vector(pose_.position);
+  for (std::size_t i = 0; i < moves; ++i) point[i] += y[i];
+  if constexpr (turns > 0) {
+    const Rotation<Interval> turned = rotation(y.data() + moves);
+    for (std::size_t i = 0; i < dimension; ++i) {
+      point[i] += center_[i];
+      for (std::size_t k = 0; k < dimension; ++k) point[i] += -(turned[i][k] * center_[k]);
+    }
+  }
+  return point;
 }
 
 template <TaskSpace space>

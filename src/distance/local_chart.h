@@ -46,6 +46,12 @@ class LocalChart {
   /// Makes `pose` the origin of the coordinates.
   void move_to(const Pose& pose) noexcept;
 
+  /// The origin.
+  const Pose& pose() const noexcept { return pose_; }
+
+  /// Encloses the operational point.
+  Vector<Interval> operational_point(const std::array<Interval, size>& y) const noexcept;
+
   /// The pose with these coordinates, in floating point.
   Pose pose_at(const Coordinates<size>& y) const noexcept;
 
@@ -137,6 +143,7 @@ class LocalChart {
   std::array<std::array<Interval, 3>, 3> half_turns_;
   Rotation<Interval> rotation_;
   std::array<Vector<Interval>, size> arms_, offsets_, displacements_;
+  Vector<Interval> center_;  // from the operational point to the centroid, as turned at the pose
   Pose pose_;
   Eigen::Vector3d center_at_pose_ = Eigen::Vector3d::Zero();  // from the operational point, task frame
 };

@@ -8,6 +8,8 @@
 #include "legs/determinant.h"
 #include "parallel_aspects/kinematics/working_mode.h"
 
+#include <Eigen/Dense>
+
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -93,52 +95,116 @@ class ModeDeterminant {
     std::array<Affine<size>, size> squared_entries;
     std::array<bool, size> unclear{};
     bool any_unclear = false;
+    std::array<bool, size> bends{};  ///< legs whose |B_jj| is far from linear: unclear, or small somewhere
+
+    /// Where a single leg bends, det A = F + s |B_jj| G with the sign s of its branch. Then
+    /// F^2 - G^2 B_jj^2 vanishes wherever det A does, and has no root that bends; nor does det A vanish where
+    /// s F G > 0.
+    bool has_norm = false;
+    Affine<size> norm, same_sense;
+
+    /// Whether it is proved in this way that det A vanishes nowhere in the cell as far as |y| <= radius.
+    bool is_free_by_norm(const Cell<size>& cell, double radius) const noexcept {
+      if (!has_norm) return false;
+      const Interval range = range_in_ball(norm, cell, radius);
+      return range.positive() || range.negative() || range_in_ball(same_sense, cell, radius).positive();
+    }
+
+    /// Whether value > 0 follows in the cell, as far as |y| <= radius, from every leg reaching: from
+    /// value - factor B_jj^2 > 0 for some factors >= 0.
+    bool is_positive_where_reached(const Affine<size>& value, const Cell<size>& cell,
+                                   double radius) const noexcept {
+      if (!any_unclear) return false;
+      Affine<size> rest = value;
+      for (std::size_t j = 0; j < size; ++j) {
+        if (!unclear[j]) continue;
+        const Affine<size>& squared = squared_entries[j];
+        double along = 0.0, length = 0.0;
+        for (std::size_t i = 0; i < size; ++i) {
+          const double width = cell.half_width[i] * cell.half_width[i];
+          along += rest.slope(i) * squared.slope(i) / width;
+          length += squared.slope(i) * squared.slope(i) / width;
+        }
+        if (along > 0.0 && length > 0.0) rest = rest - Interval(along / length) * squared;
+      }
+      return range_in_ball(rest, cell, radius).lower() > 0.0;
+    }
   };
 
-  /// Encloses det A over the part of a cell with |y| <= radius where every leg reaches; false where there is
-  /// no such part.
-  bool over(const Cell<size>& cell, double radius, OverCell& result) const noexcept {
-    using Form = std::conditional_t<(size > 2), QuadraticForm<size>, Affine<size>>;
-    std::array<LegRows<Form, size>, size> legs;
-    chart_.find_rows(reflected(cell.template forms<Form>()), legs);
-    SquareRows<Form, size> rows;
+  using CellForm = std::conditional_t<(size > 2), QuadraticForm<size>, Affine<size>>;
+
+  /// The legs over a cell, for every working mode.
+  struct LegsOverCell {
+    std::array<LegRows<CellForm, size>, size> rows;
+    std::array<CellForm, size> entries;  // |B_jj|
+  };
+
+  /// Encloses the legs over the part of a cell with |y| <= radius where every leg reaches, `y` being its
+  /// points; false where there is no such part.
+  bool find_legs(const std::array<CellForm, size>& y, const Cell<size>& cell, double radius,
+                 LegsOverCell& legs, OverCell& result) const noexcept {
+    chart_.find_rows(y, legs.rows);
     result.any_unclear = false;
     for (std::size_t j = 0; j < size; ++j) {
-      const Form& squared = legs[j].squared_entry;
+      const CellForm& squared = legs.rows[j].squared_entry;
       result.squared_entries[j] = linear(squared);
       const Interval range = range_in_ball(result.squared_entries[j], cell, radius);
       if (range.upper() < 0.0) return false;
       const bool clear = range.lower() > 0.0;
       result.unclear[j] = !clear;
       result.any_unclear = result.any_unclear || !clear;
-      rows[j] = row(j, legs[j],
-                    clear ? square_root(squared, range.lower()) : root_from_zero(squared, range.upper()));
+      result.bends[j] = !clear || range.lower() < least_share * range.upper();
+      legs.entries[j] = result.bends[j] ? root_between(squared, std::max(0.0, range.lower()), range.upper())
+                                        : square_root(squared, range.lower());
     }
-    result.determinant = linear(determinant_of(rows));
     return true;
   }
 
-  /// The sign of det A wherever |y| <= radius and every leg reaches, where it is proved; else 0.
-  int proved_sign_in_ball(double radius) const noexcept {
-    const Interval value = in_ball(radius).range();
-    return value.positive() ? 1 : value.negative() ? -1 : 0;
+  /// Encloses det A there, and what `result` has beside.
+  void find_determinant(const LegsOverCell& legs, OverCell& result) const noexcept {
+    SquareRows<CellForm, size> rows;
+    std::size_t bent_legs = 0, last = 0;
+    for (std::size_t j = 0; j < size; ++j) {
+      rows[j] = row(j, legs.rows[j], legs.entries[j]);
+      if (!result.bends[j]) continue;
+      ++bent_legs;
+      last = j;
+    }
+    result.has_norm = bent_legs == 1 && branches_[last];
+    if (!result.has_norm) {
+      result.determinant = linear(determinant_of(rows));
+      return;
+    }
+    rows[last] = legs.rows[last].fixed;
+    const CellForm f = determinant_of(rows);
+    rows[last] = legs.rows[last].turned;
+    const CellForm g = mode_.sign(last) > 0 ? determinant_of(rows) : -determinant_of(rows);
+    result.determinant = linear(f + legs.entries[last] * g);
+    result.norm = linear(square(f) - square(g) * legs.rows[last].squared_entry);
+    result.same_sense = linear(f * g);
   }
 
+  /// Encloses det A over the part of a cell with |y| <= radius where every leg reaches; false where there is
+  /// no such part.
+  bool over(const Cell<size>& cell, double radius, OverCell& result) const noexcept {
+    LegsOverCell legs;
+    if (!find_legs(reflected(cell.template forms<CellForm>()), cell, radius, legs, result)) return false;
+    find_determinant(legs, result);
+    return true;
+  }
+
+  using BallForm = QuadraticForm<size, FormDomain::ball>;
+
   /// Encloses det A wherever |y| <= radius and every leg reaches.
-  QuadraticForm<size, FormDomain::ball> in_ball(double radius) const noexcept {
-    using Form = QuadraticForm<size, FormDomain::ball>;
-    std::array<Form, size> coordinates;
-    for (std::size_t i = 0; i < size; ++i) coordinates[i] = Form::coordinate(0.0, radius, i);
-    std::array<LegRows<Form, size>, size> legs;
-    chart_.find_rows(coordinates, legs);
-    SquareRows<Form, size> rows;
-    for (std::size_t j = 0; j < size; ++j) {
-      const Interval range = legs[j].squared_entry.range();
-      rows[j] = row(j, legs[j],
-                    range.positive() ? square_root(legs[j].squared_entry, range.lower())
-                                     : root_from_zero(legs[j].squared_entry, range.upper()));
-    }
-    return determinant_of(rows);
+  BallForm in_ball(double radius) const noexcept { return determinant_of(rows_in_ball(radius)); }
+
+  /// A radius, up to the given one, within which det A is proved to have one sign wherever every leg reaches;
+  /// 0 for none. With C an approximate inverse of A at the origin it is det (A C) that is enclosed: near the
+  /// identity little is left that has to cancel. At the origin it is enclosed, too, so that the sign is that
+  /// of det A there.
+  double radius_of_sign(double radius) const noexcept {
+    const double share = determinant_of(times_inverse_at_origin(rows_in_ball(radius))).positive_share();
+    return -(-share * radius);
   }
 
   /// Cells are boxes of coordinates whose first axis points to `y`, by a reflection.
@@ -191,16 +257,51 @@ class ModeDeterminant {
   }
 
  private:
-  // sqrt(a) where a is from 0 to `most`: with m = sqrt(most), within m / 8 of a / m + m / 8.
-  template <class Form>
-  static Form root_from_zero(const Form& a, double most) noexcept {
-    const Interval m = square_root(Interval(most));
-    if (!m.positive()) return Form(Interval(0.0, m.upper()));
-    const Interval slope = reciprocal(m), above = Interval(1.0) - slope * m;
-    // sqrt(a) - slope a is at least 0 or `above` m at the ends, and at most 1 / (4 slope) between.
-    const double least = std::min(0.0, (above * m).lower());
-    return slope * a + Form(Interval(least, (Interval(0.25) * reciprocal(slope)).upper()));
+  // Of A, wherever |y| <= radius and every leg reaches.
+  SquareRows<BallForm, size> rows_in_ball(double radius) const noexcept {
+    std::array<BallForm, size> coordinates;
+    for (std::size_t i = 0; i < size; ++i) coordinates[i] = BallForm::coordinate(0.0, radius, i);
+    std::array<LegRows<BallForm, size>, size> legs;
+    chart_.find_rows(coordinates, legs);
+    SquareRows<BallForm, size> rows;
+    for (std::size_t j = 0; j < size; ++j) {
+      const Interval range = legs[j].squared_entry.range();
+      rows[j] = row(j, legs[j],
+                    range.positive() ? square_root(legs[j].squared_entry, range.lower())
+                                     : root_between(legs[j].squared_entry, 0.0, range.upper()));
+    }
+    return rows;
   }
+
+  static SquareRows<BallForm, size> times_inverse_at_origin(const SquareRows<BallForm, size>& rows) noexcept {
+    constexpr int order = static_cast<int>(size);
+    Eigen::Matrix<double, order, order> at_origin;
+    for (std::size_t j = 0; j < size; ++j)
+      for (std::size_t k = 0; k < size; ++k)
+        at_origin(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(k)) = rows[j][k].center();
+    const Eigen::Matrix<double, order, order> inverse = at_origin.inverse();
+    SquareRows<BallForm, size> result;
+    for (std::size_t j = 0; j < size; ++j)
+      for (std::size_t k = 0; k < size; ++k)
+        for (std::size_t i = 0; i < size; ++i)
+          result[j][k] +=
+              Interval(inverse(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k))) * rows[j][i];
+    return result;
+  }
+
+  // sqrt(a) where a is from `least` >= 0 to `most`: with the slope 1 / (l + m) of the chord between l and m,
+  // the roots of these, sqrt(a) - slope a is the same at both ends, l m / (l + m), and at most 1 / (4 slope).
+  template <class Form>
+  static Form root_between(const Form& a, double least, double most) noexcept {
+    const Interval l = square_root(Interval(least)), m = square_root(Interval(most)), sum = l + m;
+    if (!sum.positive()) return Form(Interval(0.0, m.upper()));
+    const Interval slope(reciprocal(sum).upper());
+    const double at_ends = std::min((l - slope * square(l)).lower(), (m - slope * square(m)).lower());
+    return slope * a + Form(Interval(at_ends, (Interval(0.25) * reciprocal(slope)).upper()));
+  }
+
+  // Below this share of the largest B_jj^2, |B_jj| is enclosed by a chord.
+  static constexpr double least_share = 0.15;
 
   static const Affine<size>& linear(const Affine<size>& a) noexcept { return a; }
   static Affine<size> linear(const QuadraticForm<size>& a) noexcept { return a.linear(); }

@@ -3,6 +3,7 @@
 #define PARALLEL_ASPECTS_DISTANCE_PARALLEL_SEARCH_H
 
 #include "distance/cell.h"
+#include "distance/map_search.h"
 #include "distance/mode_determinant.h"
 #include "distance/search_result.h"
 #include "distance/witness_search.h"
@@ -10,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace parallel_aspects {
 
@@ -22,9 +24,9 @@ class ParallelSearch {
   static constexpr std::size_t size = LocalChart<space>::size;
   using Result = SearchResult<size>;
 
-  ParallelSearch(const LocalChart<space>& chart, const DistanceOptions& options)
-      : chart_(chart), options_(options) {
-    queue_.reserve(static_cast<std::size_t>(options.max_boxes) + 2);
+  ParallelSearch(const LocalChart<space>& chart, MapSearch<space>& map, const DistanceOptions& options)
+      : chart_(chart), map_(map), options_(options) {
+    queue_.reserve(2 * static_cast<std::size_t>(options.max_boxes) + 2);
   }
 
   /// Needs a live `RoundingUpward`; so does all of this class. Every leg must be proved to reach at the
@@ -40,11 +42,11 @@ class ParallelSearch {
     range_ = range;
     look_for_witness(Coordinates<size>{});
     if (size > 3) look_about();
-    determinant.point_cells_to(result_.witness);
+    determinant.point_cells_to(map_.knows() ? Coordinates<size>{} : result_.witness);
     if (size > 3) prove_ball();
     start();
-    while (!queue_.empty() && queue_.first().bound < target() && result_.boxes < max_boxes())
-      examine(queue_.pop());
+    while (bound() < target() && result_.boxes < max_boxes() && !map_.is_exhausted() && !is_good_enough())
+      proceed();
     finish();
     return result_;
   }
@@ -52,11 +54,14 @@ class ParallelSearch {
  private:
   static constexpr int max_attempts = 12;
 
+  // With a map so many boxes are evaluated for the tolerance, and the others for so many tolerances only.
+  static constexpr int few_boxes = 20, coarser = 5;
+
   // In six degrees of freedom a box takes about as long as `box_cost` of a search over legs.
-  static constexpr int box_cost = 32, balls = 8;
+  static constexpr int box_cost = 32, balls = 8, least_boxes = 5;
 
   int max_boxes() const noexcept {
-    return size > 3 ? std::max(balls, options_.max_boxes / box_cost) : options_.max_boxes;
+    return size > 3 ? std::max(least_boxes, options_.max_boxes / box_cost) : options_.max_boxes;
   }
 
   double target() const noexcept {
@@ -76,17 +81,17 @@ class ParallelSearch {
     attempts_ = 0;
   }
 
-  // The largest ball about the origin, to a tenth or so, in which one enclosure proves the sign.
+  // The largest ball about the origin, or nearly so, in which one enclosure over it or a larger one proves
+  // the sign: those over larger balls are looser, those over smaller ones prove less.
   void prove_ball() noexcept {
     proved_radius_ = 0.0;
     double untried = target();
-    for (int i = 0; i < balls; ++i) {
+    for (int i = 0; i < std::min(balls, max_boxes()); ++i) {
       const double radius = proved_radius_ > 0.0 ? 0.5 * (proved_radius_ + untried) : 0.5 * untried;
       ++result_.boxes;
-      if (determinant_->proved_sign_in_ball(radius) == sign_)
-        proved_radius_ = radius;
-      else
-        untried = radius;
+      const double proved = determinant_->radius_of_sign(radius);
+      if (proved < radius) untried = radius;
+      proved_radius_ = std::max(proved_radius_, proved);
     }
   }
 
@@ -94,46 +99,63 @@ class ParallelSearch {
     queue_.clear();
     Cell<size> all;
     for (std::size_t i = 0; i < size; ++i) all.half_width[i] = target();
-    queue_.push(all);
+    if (map_.knows()) {
+      map_.start(target());
+      all.bound = map_.distance_beyond();
+      all.tag = MapSearch<space>::beyond_map;
+    }
+    all_ = all;
+    if (all.bound < target()) queue_.push(all);
+  }
+
+  // With a map bounds come near at once, and nearer slowly.
+  bool is_good_enough() const noexcept {
+    return map_.knows() && result_.boxes >= few_boxes &&
+           bound() >= (1.0 - coarser * options_.tolerance) * result_.upper;
+  }
+
+  // Proved: no singularity is closer.
+  double bound() const noexcept {
+    return std::min(map_.bound(),
+                    queue_.empty() ? std::numeric_limits<double>::infinity() : queue_.first().bound);
+  }
+
+  void proceed() noexcept {
+    if (map_.knows() && map_.bound() <= bound()) {
+      if (const auto cell = map_.next(target(), all_)) examine(*cell);
+    } else {
+      examine(queue_.pop());
+    }
   }
 
   void examine(const Cell<size>& cell) noexcept {
+    if (cell.tag == MapSearch<space>::beyond_map && map_.has(determinant_->reflected(cell.box()))) return;
     ++result_.boxes;
     if (LocalChart<space>::turns > 0 && chart_.is_beyond_half_turn(determinant_->reflected(cell.box())))
       return;
     if (!determinant_->over(cell, target(), over_)) return;
     const Affine<size> value = sign_ > 0 ? over_.determinant : -over_.determinant;
     const Interval range = range_in_ball(value, cell, target());
-    if (range.lower() > 0.0 || is_positive_where_reached(value, cell)) return;
+    if (range.lower() > 0.0 || over_.is_positive_where_reached(value, cell, target())) return;
     if (range.upper() < 0.0) {
       // Beyond a singularity: between here and the origin there is a witness, unless legs do not reach there.
       if (attempts_ < max_attempts) look_for_witness(determinant_->reflected_point(cell.center));
       return;
     }
-    look_where_expected(LinearModel<size>(value, cell), cell);
+    if (over_.is_free_by_norm(cell, target())) return;
+    const LinearModel<size> model(value, cell);
+    look_where_expected(model, cell);
     if (over_.any_unclear) look_at_corner(cell);
-    for (Cell<size> half : cell.halves(cell.widest())) {
-      half.bound = std::max(cell.bound, half.least_length());
-      queue_.push(half);
-    }
+    double bound = std::max(cell.bound, model.least_distance_of_zero());
+    if (over_.has_norm) bound = std::max(bound, LinearModel<size>(over_.norm, cell).least_distance_of_zero());
+    push_halves(cell, bound);
   }
 
-  // Where B_jj^2 >= 0, value > 0 follows from value - factor B_jj^2 > 0 for any factor >= 0.
-  bool is_positive_where_reached(const Affine<size>& value, const Cell<size>& cell) const noexcept {
-    if (!over_.any_unclear) return false;
-    Affine<size> rest = value;
-    for (std::size_t j = 0; j < size; ++j) {
-      if (!over_.unclear[j]) continue;
-      const Affine<size>& squared = over_.squared_entries[j];
-      double along = 0.0, length = 0.0;
-      for (std::size_t i = 0; i < size; ++i) {
-        const double width = cell.half_width[i] * cell.half_width[i];
-        along += rest.slope(i) * squared.slope(i) / width;
-        length += squared.slope(i) * squared.slope(i) / width;
-      }
-      if (along > 0.0 && length > 0.0) rest = rest - Interval(along / length) * squared;
+  void push_halves(const Cell<size>& cell, double bound) noexcept {
+    for (Cell<size> half : cell.halves(cell.widest())) {
+      half.bound = std::max(bound, half.least_length());
+      if (half.bound < target()) queue_.push(half);
     }
-    return range_in_ball(rest, cell, target()).lower() > 0.0;
   }
 
   // Where det A is expected to vanish in the cell, nearer than all witnesses.
@@ -232,8 +254,8 @@ class ParallelSearch {
   static std::array<Interval, size> point(const Coordinates<size>& y) noexcept { return hull<size>(y, y); }
 
   void finish() noexcept {
-    const bool done = queue_.empty() || queue_.first().bound >= target();
-    result_.lower = done ? target() : std::min(target(), std::max(proved_radius_, queue_.first().bound));
+    const bool done = bound() >= target();
+    result_.lower = done ? target() : std::min(target(), std::max(proved_radius_, bound()));
     if (done && !result_.has_witness() && range_.holds_all) {
       const int boxes = result_.boxes;
       result_ = Result::absent();
@@ -247,12 +269,14 @@ class ParallelSearch {
   }
 
   const LocalChart<space>& chart_;
+  MapSearch<space>& map_;
   const DistanceOptions options_;
   CellQueue<size> queue_;
   const ModeDeterminant<space>* determinant_ = nullptr;
   int sign_ = 0;
   double proved_radius_ = 0.0;
   int attempts_ = 0, corner_attempts_ = 0;
+  Cell<size> all_;
   typename ModeDeterminant<space>::OverCell over_;
   SearchRange range_;
   Result result_;

@@ -41,6 +41,9 @@ class QuadraticForm {
     return result;
   }
 
+  /// The value at the center, but for `error`.
+  double center() const noexcept { return center_; }
+
   /// The linear part, with the rest enclosed.
   Affine<N> linear() const noexcept {
     const Interval bend = bend_range();
@@ -52,6 +55,19 @@ class QuadraticForm {
   Interval range() const noexcept {
     const double spread = slopes() + error_;
     return Interval(center_) + bend_range() + Interval(-spread, spread);
+  }
+
+  /// The largest share s of the ball, or nearly so, such that the value is proved positive where |e| <= s; 0
+  /// for none. What is left over the ball, `error`, is no less in a smaller one.
+  double positive_share() const noexcept {
+    static_assert(domain == FormDomain::ball);
+    const double least = -(error_ - center_), slope = slopes();
+    const double bend = std::max(0.0, -bend_range().lower());
+    if (!(least > 0.0)) return 0.0;
+    // least - slope s - bend s^2 vanishes there.
+    const double root = std::sqrt(slope * slope + 4.0 * bend * least);
+    const double share = std::min(1.0, (1.0 - 1e-9) * 2.0 * least / (slope + root));
+    return (slope + bend * share) * share < least ? share : 0.0;
   }
 
   friend QuadraticForm operator-(const QuadraticForm& a) noexcept {

@@ -39,28 +39,42 @@ class WitnessSearch {
     return at ? polished(y) : std::nullopt;
   }
 
-  /// Newton's method along the gradient, to a zero as exact as rounding lets it be.
+  /// Newton's method along the gradient, to a zero as exact as rounding lets it be; where the function
+  /// touches zero and turns back, to half the digits.
   std::optional<PointDual<N>> polished(Coordinates<N>& y) const noexcept {
+    Coordinates<N> from = y;
+    if (const auto at = polished(y, 1.0, simple_tolerance)) return at;
+    const auto at = polished(from, 2.0, double_tolerance);
+    if (at) y = from;
+    return at;
+  }
+
+ private:
+  // Newton's method for zeros of this multiplicity: value / slope over |y| is at most `tolerance` in the end.
+  std::optional<PointDual<N>> polished(Coordinates<N>& y, double multiplicity,
+                                       double tolerance) const noexcept {
     std::optional<PointDual<N>> at = function_(y);
     PointDual<N> sloped;  // the last with a slope: at the tip of a cone there is none
-    for (int i = 0; i < 6 && at; ++i) {
+    for (int i = 0; i < max_polishing && at; ++i) {
       const double squared = dot<N>(at->gradient, at->gradient);
       if (!std::isfinite(squared)) return std::nullopt;
       if (!(squared > 0.0)) break;
       sloped.gradient = at->gradient;
-      const double factor = at->value / squared, gap = std::abs(at->value) / std::sqrt(squared);
+      const double factor = multiplicity * at->value / squared,
+                   gap = std::abs(at->value) / std::sqrt(squared);
       for (std::size_t k = 0; k < N; ++k) y[k] -= factor * at->gradient[k];
       at = function_(y);
-      if (gap <= 1e-13 * std::sqrt(dot<N>(y, y))) break;
+      if (gap <= 1e-4 * tolerance * std::sqrt(dot<N>(y, y))) break;
     }
     if (!at) return std::nullopt;
     sloped.value = at->value;
     const double scale = std::sqrt(dot<N>(sloped.gradient, sloped.gradient) * dot<N>(y, y));
-    return std::abs(at->value) <= 1e-9 * scale && scale > 0.0 ? std::optional<PointDual<N>>(sloped)
-                                                              : std::nullopt;
+    return std::abs(at->value) <= tolerance * scale && scale > 0.0 ? std::optional<PointDual<N>>(sloped)
+                                                                   : std::nullopt;
   }
 
- private:
+  static constexpr double simple_tolerance = 1e-9, double_tolerance = 1e-7;
+  static constexpr int max_polishing = 6;
   static constexpr int max_steps = 25;
   static constexpr int max_halvings = 6;
   static constexpr double step_tolerance = 1e-5;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A meter takes its memory when it is made, and throws nothing later.
+#include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/distance/boundary_distances.h"
+#include "parallel_aspects/distance/distance_map.h"
 
 #include <gtest/gtest.h>
 
@@ -43,20 +45,35 @@ TEST(NoAllocation, HookCounts) {
   EXPECT_GT(allocations, before);
 }
 
+void expect_no_allocation(const std::shared_ptr<const Manipulator>& robot, BoundaryDistanceMeter& meter) {
+  test::PosePairs random(robot, 20261121);
+  for (int i = 0; i < 5; ++i) {
+    const WorkingMode mode = random.mode();
+    const auto pose = random.reached(mode);
+    ASSERT_TRUE(pose) << robot->name();
+    const std::size_t before = allocations;
+    const BoundaryDistances distances = meter.measure(*pose, mode);
+    EXPECT_EQ(allocations, before) << robot->name();
+    EXPECT_NE(distances.status, ConfigurationStatus::invalid) << robot->name();
+  }
+}
+
 TEST(NoAllocation, MeasuringTakesNoMemory) {
   for (const auto& robot : {test::five_bar(), test::bipod(), test::three_rpr(), test::three_rrr(),
                             test::delta(), test::agile_eye(), test::stewart(), test::hexa()}) {
     BoundaryDistanceMeter meter(robot);
-    test::PosePairs random(robot, 20261121);
-    for (int i = 0; i < 5; ++i) {
-      const WorkingMode mode = random.mode();
-      const auto pose = random.reached(mode);
-      ASSERT_TRUE(pose) << robot->name();
-      const std::size_t before = allocations;
-      const BoundaryDistances distances = meter.measure(*pose, mode);
-      EXPECT_EQ(allocations, before) << robot->name();
-      EXPECT_NE(distances.status, ConfigurationStatus::invalid) << robot->name();
-    }
+    expect_no_allocation(robot, meter);
+  }
+}
+
+TEST(NoAllocation, NorDoesMeasuringWithAMap) {
+  for (const auto& robot : {test::five_bar(), test::three_rpr(), test::delta(), test::agile_eye()}) {
+    MapOptions options;
+    options.resolution = robot->task_space() == TaskSpace::SO3 ? 0.5 : 0.04 * robot->size();
+    options.extra_levels = 0;
+    BoundaryDistanceMeter meter(robot);
+    meter.use(std::make_shared<const DistanceMap>(compute_aspect_map(robot, options).map));
+    expect_no_allocation(robot, meter);
   }
 }
 

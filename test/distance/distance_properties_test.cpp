@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Distances of random configurations against dense samples of poses, whose kinematics share no code with the
 // enclosures.
+#include "model/task_space_traits.h"
+#include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/distance/boundary_distances.h"
+#include "parallel_aspects/distance/distance_map.h"
 #include "parallel_aspects/kinematics/inverse.h"
 #include "parallel_aspects/kinematics/jacobians.h"
 #include "parallel_aspects/singularity/indices.h"
@@ -14,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <random>
 #include <string>
 #include <vector>
@@ -159,8 +163,10 @@ void expect_right(const Case& each, std::uint64_t seed, int samples) {
   expect_leg_witnesses(each);
 }
 
-void expect_right_distances(const Robot& robot, int configurations, int samples) {
+void expect_right_distances(const Robot& robot, int configurations, int samples,
+                            const std::shared_ptr<const DistanceMap>& map = nullptr) {
   BoundaryDistanceMeter meter(robot);
+  meter.use(map);
   test::PosePairs random(robot, 20261121);
   for (int i = 0; i < configurations; ++i) {
     const WorkingMode mode = random.mode();
@@ -199,6 +205,65 @@ INSTANTIATE_TEST_SUITE_P(
                     limited(test::agile_eye(), -2.0, 1.5), test::spherical_three_rrr(), test::stewart(),
                     limited(test::stewart(), 0.3, 1.0), test::dietmaier(), test::hexa(), test::six_pus()),
     [](const testing::TestParamInfo<Robot>& parameter) { return parameter.param->name(); });
+
+/// A coarse map, made ready; within a box about the origin where one is given.
+std::shared_ptr<const DistanceMap> coarse_map(const Robot& robot, double share,
+                                              const std::optional<Box>& region = {}) {
+  MapOptions options;
+  options.resolution = robot->task_space() == TaskSpace::SO3 ? 20.0 * share : share * robot->size();
+  options.region = region;
+  options.extra_levels = 0;
+  const MapResult result = compute_aspect_map(robot, options);
+  EXPECT_TRUE(result) << result.message;
+  return result ? std::make_shared<const DistanceMap>(result.map) : nullptr;
+}
+
+class EveryMappedRobot : public testing::TestWithParam<Robot> {};
+
+TEST_P(EveryMappedRobot, HasNoBoundaryBelowTheBoundThatItsMapGives) {
+  expect_right_distances(GetParam(), 15, 400, coarse_map(GetParam(), 0.08));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Distances, EveryMappedRobot,
+    testing::Values(test::five_bar(), limited(test::five_bar(), -1.0, 2.5), test::bipod(), test::three_rpr(),
+                    test::three_rrr(), test::three_rrr_actuated_elbow(),
+                    limited(test::three_prr(), -0.5, 0.6), test::delta(), limited(test::delta(), -0.8, 1.4),
+                    limited(test::linear_delta(), -0.3, 0.5), test::agile_eye(), test::spherical_three_rrr()),
+    [](const testing::TestParamInfo<Robot>& parameter) { return parameter.param->name(); });
+
+// Poses beyond the region of a map count, too.
+TEST(Distances, HoldForRandomRobotsWithMaps) {
+  test::RandomRobots random(20261122);
+  int measured = 0;
+  for (const TaskSpace space : test::all_task_spaces) {
+    if (space == TaskSpace::SE3) continue;
+    for (const test::ActuationKind kind : test::all_actuation_kinds)
+      for (int i = 0; i < 2; ++i) {
+        const Robot robot = random.robot(space, kind);
+        const double half = 0.3 * robot->size();
+        Box region{traits(space).translations, {}, {}};
+        for (std::size_t k = 0; k < region.dimension; ++k) {
+          region.lower[k] = -half;
+          region.upper[k] = half;
+        }
+        const auto map = coarse_map(robot, 0.08, region);
+        BoundaryDistanceMeter meter(robot, DistanceOptions{0.01, 200}), without(robot);
+        meter.use(map);
+        for (int k = 0; k < 6; ++k) {
+          const Pose pose = random.pose(space, 0.5);
+          const std::vector<WorkingMode> modes = working_modes(*robot);
+          const WorkingMode mode = modes[static_cast<std::size_t>(k) % modes.size()];
+          if (inverse(*robot, pose, mode).status == InverseStatus::out_of_reach) continue;
+          const Case each{robot, pose, mode, meter.measure(pose, mode)};
+          expect_right(each, 1, 50);
+          EXPECT_LE(each.distances.parallel.lower, without.measure(pose, mode).parallel.upper) << each.text();
+          ++measured;
+        }
+      }
+  }
+  EXPECT_GT(measured, 50);
+}
 
 // Every kind of leg in every task space, of general geometry.
 TEST(Distances, HoldForRandomRobots) {

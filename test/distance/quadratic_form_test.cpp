@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <random>
+#include <type_traits>
 
 namespace parallel_aspects {
 namespace {
@@ -79,6 +80,37 @@ void expect_enclosure(std::uint64_t seed) {
 
 TEST(QuadraticForm, EnclosesOverBoxes) { expect_enclosure<FormDomain::box>(20261121); }
 TEST(QuadraticForm, EnclosesOverBalls) { expect_enclosure<FormDomain::ball>(20261122); }
+
+TEST(QuadraticForm, IsPositiveInTheShareOfTheBall) {
+  using Form = QuadraticForm<2, FormDomain::ball>;
+  std::mt19937_64 engine(20261125);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  int proved = 0;
+  for (int run = 0; run < 500; ++run) {
+    const double a = uniform(engine), b = uniform(engine), c = uniform(engine), d = uniform(engine);
+    const auto value = [&](const auto& x, const auto& y) {
+      using Value = std::decay_t<decltype(x)>;
+      return x * x * y * Value(a) + x * y * Value(b) + x * Value(c) + y * Value(d);
+    };
+    const RoundingUpward rounding;
+    const Form x = Form::coordinate(0.0, 1.0, 0), y = Form::coordinate(0.0, 1.0, 1);
+    const Form form = Form(0.5) + value(x, y);
+    const double share = form.positive_share();
+    ASSERT_LE(share, 1.0);
+    if (share > 0.0) ++proved;
+    // Not much more would do: that is where the bounds of the parts meet.
+    const double all = 1.5 * (std::abs(a) + std::abs(b) + std::hypot(c, d));
+    if (std::abs(a) < 0.4) {
+      EXPECT_GE(share, std::min(1.0, 0.1 / all)) << a << " " << b << " " << c << " " << d;
+    }
+    for (int i = 0; i < 50; ++i) {
+      const double angle = 4.0 * uniform(engine), length = share * std::abs(uniform(engine));
+      ASSERT_GE(0.5 + value(length * std::cos(angle), length * std::sin(angle)), 0.0)
+          << a << " " << b << " " << c << " " << d;
+    }
+  }
+  EXPECT_GT(proved, 200);
+}
 
 TEST(QuadraticForm, WhatIsLeftFallsWithTheCubeOfTheBox) {
   const RoundingUpward rounding;

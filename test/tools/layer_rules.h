@@ -84,7 +84,7 @@ inline const Strings rooms{"model",
                            "rviz/panel"};
 
 inline constexpr std::size_t max_files_in_a_folder = 30;
-inline constexpr std::size_t max_public_headers = 60;
+inline constexpr std::size_t max_public_headers = 61;
 
 inline bool starts_with(const std::string& text, const std::string& start) {
   return text.rfind(start, 0) == 0;
@@ -99,6 +99,7 @@ inline std::string layer_of(const std::string& room) { return room.substr(0, roo
 inline const Strings& libraries(const std::string& layer) {
   static const Strings eigen{"Eigen/"};
   static const Strings aspects{"Eigen/", "tbb/", "zlib.h", "fcntl.h", "sys/stat.h", "unistd.h"};
+  static const Strings distance{"Eigen/", "tbb/"};
   static const Strings urdf{"Eigen/",      "boost/locale/", "urdf_parser/",
                             "urdf_model/", "urdf_world/",   "urdf_exception/",
                             "yaml-cpp/",   "tinyxml2.h",    "console_bridge/"};
@@ -107,13 +108,14 @@ inline const Strings& libraries(const std::string& layer) {
                              "sys/file.h", "unistd.h", "yaml-cpp/", "zlib.h"};
   static const Strings ompl{"Eigen/", "ompl/"};
   static const Strings python{"Eigen/", "nlohmann/", "pybind11/"};
-  return layer == "aspects"  ? aspects
-         : layer == "urdf"   ? urdf
-         : layer == "tools"  ? tools
-         : layer == "mpi"    ? mpi
-         : layer == "ompl"   ? ompl
-         : layer == "python" ? python
-                             : eigen;
+  return layer == "aspects"    ? aspects
+         : layer == "distance" ? distance
+         : layer == "urdf"     ? urdf
+         : layer == "tools"    ? tools
+         : layer == "mpi"      ? mpi
+         : layer == "ompl"     ? ompl
+         : layer == "python"   ? python
+                               : eigen;
 }
 
 inline bool is_optional(const std::string& layer) {
