@@ -73,6 +73,20 @@ TEST_F(Command, DistancesComeWithBoundsAndWitnesses) {
   EXPECT_TRUE(answer["actuated_limit"]["lower"].is_null());
 }
 
+TEST_F(Command, DistancesAskAMap) {
+  const std::vector<const char*> question{"distance", "five_bar", "--pose", "4.5 8", "--mode", "-+"};
+  std::vector<const char*> with_map = question;
+  with_map.insert(with_map.end(), {"--resolution", "0.5"});
+  const json alone = run_json(question)["answers"][0], report = run_json(with_map);
+  EXPECT_EQ(report["loaded"], false);
+  const json& answer = report["answers"][0];
+  EXPECT_EQ(answer["parallel"]["status"], "tight");
+  EXPECT_NEAR(answer["parallel"]["upper"], double{alone["parallel"]["upper"]}, 1e-6);
+  EXPECT_LT(int{answer["parallel"]["boxes"]}, int{alone["parallel"]["boxes"]});
+  EXPECT_EQ(run({"distance", "stewart", "--pose", "0 0 0.6 0 0 0", "--map", "none.map"}).code,
+            exit_code::bad_input);
+}
+
 TEST_F(Command, DistancesAreATable) {
   const Outcome outcome = run({"distance", "bipod", "--pose", "2 4"});
   EXPECT_EQ(outcome.code, exit_code::ok);

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "model/spherical_links.h"
 #include "parallel_aspects/distance/boundary_distances.h"
+#include "parallel_aspects/distance/distance_map.h"
 #include "parallel_aspects/singularity/margins.h"
 #include "tools/arguments.h"
+#include "tools/computation.h"
+#include "tools/map_choice.h"
 #include "tools/numbers.h"
 #include "tools/report/reports.h"
 #include "tools/report/text_table.h"
@@ -21,6 +24,8 @@ constexpr unsigned max_boxes = 10'000'000;
 struct DistanceArguments {
   RobotChoice robot;
   std::string pose, mode, tolerance, boxes;
+  MapChoice map;
+  bool asks_map() const { return !map.load_file.empty() || !map.resolution.empty(); }
 };
 
 /// What is asked, with every number understood.
@@ -43,6 +48,10 @@ DistanceQuestion parse(const DistanceArguments& arguments, const Manipulator& ma
   if (!arguments.boxes.empty())
     question.options.max_boxes =
         static_cast<int>(parse_count("--boxes", arguments.boxes, max_boxes, problems));
+  if (arguments.asks_map() && manipulator.task_space() == TaskSpace::SE3)
+    problems.push_back(
+        "With six degrees of freedom there is no map of all poses that distances could ask; leave out --map "
+        "and --resolution.");
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
   return question;
 }
@@ -144,6 +153,32 @@ std::string distances_text(const Manipulator& manipulator, const Pose& pose,
          (on_sphere ? ", as the angle of that chord at the center" : "") + "\n\n" + table.text() + missed;
 }
 
+std::vector<ModeDistances> measured(const std::shared_ptr<const Manipulator>& manipulator,
+                                    const DistanceQuestion& question, const ChosenMap& chosen,
+                                    const Surroundings& surroundings) {
+  BoundaryDistanceMeter meter(manipulator, question.options);
+  if (chosen.map) {
+    meter.use(std::make_shared<const DistanceMap>(chosen.map, control_of(surroundings)));
+    if (is_cancelled(control_of(surroundings))) throw Interrupted{};
+  }
+  std::vector<ModeDistances> answers;
+  for (const WorkingMode& mode : question.modes)
+    answers.push_back({mode, meter.measure(question.pose, mode)});
+  return answers;
+}
+
+Report answer(const DistanceArguments& arguments, const Surroundings& surroundings) {
+  const auto mechanism = load_robot(arguments.robot);
+  const auto& manipulator = mechanism->manipulator();
+  const DistanceQuestion question = parse(arguments, *manipulator);
+  ChosenMap chosen;
+  if (arguments.asks_map()) chosen = choose_map(manipulator, arguments.map, std::nullopt, surroundings);
+  Report report =
+      report_distances(*manipulator, question.pose, measured(manipulator, question, chosen, surroundings));
+  if (chosen.map) report_source(arguments.map, chosen, report);
+  return report;
+}
+
 }  // namespace
 
 Report report_distances(const Manipulator& manipulator, const Pose& pose,
@@ -168,16 +203,13 @@ Subcommand distance_subcommand() {
                      &arguments->tolerance});
   options.push_back({"--boxes", "N", "Boxes that one search may evaluate, by default 400; more are tighter",
                      &arguments->boxes});
+  options.push_back({"--map", "FILE",
+                     "Ask this map, too, for tighter bounds: as `aspects map --save` wrote it",
+                     &arguments->map.load_file});
+  options.push_back({"--resolution", "R", "Of that map [m or rad], or of one that is computed, without --map",
+                     &arguments->map.resolution});
   return {"distance", "Bound the distance to the nearest singularities and limits", options,
-          [arguments](const Surroundings&) {
-            const auto mechanism = load_robot(arguments->robot);
-            const DistanceQuestion question = parse(*arguments, *mechanism->manipulator());
-            BoundaryDistanceMeter meter(mechanism->manipulator(), question.options);
-            std::vector<ModeDistances> answers;
-            for (const WorkingMode& mode : question.modes)
-              answers.push_back({mode, meter.measure(question.pose, mode)});
-            return report_distances(*mechanism->manipulator(), question.pose, answers);
-          }};
+          [arguments](const Surroundings& surroundings) { return answer(*arguments, surroundings); }};
 }
 
 }  // namespace parallel_aspects::tools
