@@ -198,7 +198,7 @@ void MapWorker::carry_out(const Request& request) {
   const MapOptions& options = request.options;
   const double resolution = of_map ? options.resolution.value_or(default_resolution(*manipulator_)) : 0.0;
   report(computing(what, 0.0, resolution));
-  if (of_map && request.use == FileUse::load && load(options)) return;
+  if (of_map && request.use == FileUse::load && load(options)) return make_distances_ready();
   double reported = 0.0;
   MapControl control;
   control.cancelled = &cancelled_;
@@ -210,7 +210,8 @@ void MapWorker::carry_out(const Request& request) {
   if (!of_map) return make_roadmap(options, control);
   MapResult result = compute_aspect_map(manipulator_, options, control);
   if (cancelled_) result = {MapStatus::cancelled, "The computation was cancelled.", nullptr};
-  report(ended(result), {result.map, nullptr});
+  report(ended(result), {result.map, nullptr, nullptr});
+  make_distances_ready();
   if (result.status != MapStatus::complete || request.use == FileUse::none) return;
   control.progress = nullptr;
   compute_aspect_graph(*result.map, control);  // the file holds it, too, unless this is cancelled
@@ -223,7 +224,7 @@ void MapWorker::make_roadmap(const MapOptions& options, const MapControl& contro
   roadmap.region = options.region;
   roadmap.threads = options.threads;
   const RoadmapResult result = compute_pose_roadmap(manipulator_, roadmap, control);
-  report(ended(result), {nullptr, result.roadmap});
+  report(ended(result), {nullptr, result.roadmap, nullptr});
 }
 
 bool MapWorker::load(const MapOptions& options) {
@@ -238,8 +239,19 @@ bool MapWorker::load(const MapOptions& options) {
     return false;
   }
   say_of_file("loaded from " + file_, true);
-  report(ended(result), {result.map, nullptr});
+  report(ended(result), {result.map, nullptr, nullptr});
   return true;
+}
+
+// Until then, and where this is cancelled, distances are measured without the map.
+void MapWorker::make_distances_ready() {
+  const std::shared_ptr<const AspectMap> newest = map();
+  if (!newest || cancelled_) return;
+  MapControl control;
+  control.cancelled = &cancelled_;
+  auto ready = std::make_shared<const DistanceMap>(newest, control);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!cancelled_ && known_.map == newest) known_.distances = std::move(ready);
 }
 
 void MapWorker::save(const AspectMap& map) {

@@ -4,6 +4,7 @@
 
 #include "parallel_aspects/aspects/aspect_map.h"
 #include "parallel_aspects/aspects/pose_roadmap.h"
+#include "parallel_aspects/distance/distance_map.h"
 #include "parallel_aspects/model/manipulator.h"
 
 #include <parallel_aspects/MapProgress.h>
@@ -35,6 +36,7 @@ constexpr bool has_map(TaskSpace space) noexcept { return space != TaskSpace::SE
 struct KnownAspects {
   std::shared_ptr<const AspectMap> map;
   std::shared_ptr<const PoseRoadmap> roadmap;
+  std::shared_ptr<const DistanceMap> distances;  ///< of the map, some time after it
 
   /// Lower bound of the number of aspects, proved; 0 while nothing is known.
   std::uint32_t proved_count() const noexcept;
@@ -81,6 +83,7 @@ class MapWorker {
   void make_roadmap(const MapOptions& options, const MapControl& control);
   bool load(const MapOptions& options);
   void save(const AspectMap& map);
+  void make_distances_ready();
   void say_of_file(const std::string& message, bool well);
   MapProgress dated(MapProgress progress) const;  // with header and proved_count; under the lock
   void report(MapProgress progress, const KnownAspects& found = {});

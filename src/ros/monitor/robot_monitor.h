@@ -102,6 +102,10 @@ class RobotMonitor {
   MonitorCounts counts() const;
 
   void set_map(std::shared_ptr<const AspectMap> map);
+
+  /// What `work` measures distances with; null for none. To be called by the thread that calls `work`.
+  void set_distance_map(const std::shared_ptr<const DistanceMap>& map);
+
   void set_thresholds(const DistanceThresholds::Options& thresholds);
 
   /// Starts at the direct solution of the last sample that is closest to `pose`, or that has the stated sign
@@ -143,7 +147,8 @@ class RobotMonitor {
   const double start_tolerance_;
   const bool read_only_;  // whether set_assembly_mode is refused
   const PassiveJoints passive_;
-  BoundaryDistanceMeter meter_;  // of `work` alone
+  BoundaryDistanceMeter meter_;                      // of `work` alone
+  std::shared_ptr<const DistanceMap> distance_map_;  // that it uses
   const StandOff stand_off_;
 
   mutable std::mutex mutex_;

@@ -55,7 +55,8 @@ class Queries {
   PoseTransformer to_base_;
   const bool read_only_;
   mutable std::mutex meter_mutex_;
-  mutable BoundaryDistanceMeter meter_;  // owns the memory it works in
+  mutable BoundaryDistanceMeter meter_;                      // owns the memory it works in
+  mutable std::shared_ptr<const DistanceMap> distance_map_;  // that the meter uses
 };
 
 }  // namespace parallel_aspects

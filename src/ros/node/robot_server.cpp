@@ -279,6 +279,7 @@ void RobotServer::check_age() {
 }
 
 void RobotServer::work() {
+  monitor_.set_distance_map(worker_.known().distances);
   if (const auto candidates = monitor_.work()) candidates_.publish(*candidates);
 }
 

@@ -5,8 +5,10 @@
 #include <ros/time.h>
 
 #include "support/robots.h"
+#include <chrono>
 #include <future>
 #include <mutex>
+#include <thread>
 #include <vector>
 
 namespace parallel_aspects {
@@ -51,6 +53,15 @@ TEST_F(MapWorkerTest, KeepsTheMapThatItComputes) {
     EXPECT_EQ(report.header.frame_id, test::five_bar()->base_frame());
     EXPECT_FALSE(report.header.stamp.isZero());
   }
+}
+
+TEST_F(MapWorkerTest, MakesTheMapReadyForDistances) {
+  worker_.wait(worker_.compute(resolution(0.2)), deadline);
+  const auto end = std::chrono::steady_clock::now() + deadline;
+  while (!worker_.known().distances && std::chrono::steady_clock::now() < end) std::this_thread::yield();
+  const KnownAspects known = worker_.known();
+  ASSERT_TRUE(known.distances);
+  EXPECT_EQ(known.distances->map(), known.map);
 }
 
 TEST_F(MapWorkerTest, CancelsAndKeepsThePreviousMap) {
