@@ -373,11 +373,7 @@ void RobotMonitor::set_map(std::shared_ptr<const AspectMap> map) {
   tracker_.set_map(std::move(map));
 }
 
-void RobotMonitor::set_distance_map(const std::shared_ptr<const DistanceMap>& map) {
-  if (map == distance_map_) return;
-  meter_.use(map);
-  distance_map_ = map;
-}
+void RobotMonitor::set_distance_map(const std::shared_ptr<const DistanceMap>& map) { meter_.use(map); }
 
 // A simulation that begins anew starts as configured; a clock that was set back says nothing of the robot.
 void RobotMonitor::forget() {

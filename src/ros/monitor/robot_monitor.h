@@ -147,8 +147,7 @@ class RobotMonitor {
   const double start_tolerance_;
   const bool read_only_;  // whether set_assembly_mode is refused
   const PassiveJoints passive_;
-  BoundaryDistanceMeter meter_;                      // of `work` alone
-  std::shared_ptr<const DistanceMap> distance_map_;  // that it uses
+  BoundaryDistanceMeter meter_;  // of `work` alone
   const StandOff stand_off_;
 
   mutable std::mutex mutex_;

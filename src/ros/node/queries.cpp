@@ -181,8 +181,7 @@ BoundaryDistances Queries::distances(const SolvedPose& solved) const {
   const auto mode = working_mode(*manipulator_, solved.pose, solved.q);
   const std::shared_ptr<const DistanceMap> map = worker_.known().distances;
   const std::lock_guard<std::mutex> lock(meter_mutex_);
-  if (map != distance_map_) meter_.use(map);
-  distance_map_ = map;
+  meter_.use(map);
   return mode ? meter_.measure(solved.pose, *mode) : BoundaryDistances{};
 }
 

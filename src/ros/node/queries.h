@@ -55,8 +55,7 @@ class Queries {
   PoseTransformer to_base_;
   const bool read_only_;
   mutable std::mutex meter_mutex_;
-  mutable BoundaryDistanceMeter meter_;                      // owns the memory it works in
-  mutable std::shared_ptr<const DistanceMap> distance_map_;  // that the meter uses
+  mutable BoundaryDistanceMeter meter_;  // owns the memory it works in
 };
 
 }  // namespace parallel_aspects
