@@ -96,6 +96,11 @@ void return_memory() {
 
 }  // namespace
 
+std::shared_ptr<const DistanceMap> KnownAspects::distances_of(
+    const std::shared_ptr<const Manipulator>& manipulator) const noexcept {
+  return distances && distances->map()->manipulator() == manipulator ? distances : nullptr;
+}
+
 std::uint32_t KnownAspects::proved_count() const noexcept {
   const std::size_t count = map ? map->proved_count() : roadmap ? roadmap->proved_count() : 0;
   return static_cast<std::uint32_t>(count);

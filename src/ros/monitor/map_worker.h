@@ -40,6 +40,11 @@ struct KnownAspects {
 
   /// Lower bound of the number of aspects, proved; 0 while nothing is known.
   std::uint32_t proved_count() const noexcept;
+
+  /// What measures distances of this manipulator; null until it is ready, and where the map is of another, as
+  /// where it leaves out limits that distances keep.
+  std::shared_ptr<const DistanceMap> distances_of(
+      const std::shared_ptr<const Manipulator>& manipulator) const noexcept;
 };
 
 /// Computes maps on a thread of its own, one at a time, and keeps the last complete one. With six degrees of

@@ -179,7 +179,7 @@ ListAspects::Response Queries::answer(const ListAspects::Request& request) const
 // Where B_jj = 0 the working mode has no distances.
 BoundaryDistances Queries::distances(const SolvedPose& solved) const {
   const auto mode = working_mode(*manipulator_, solved.pose, solved.q);
-  const std::shared_ptr<const DistanceMap> map = worker_.known().distances;
+  const std::shared_ptr<const DistanceMap> map = worker_.known().distances_of(manipulator_);
   const std::lock_guard<std::mutex> lock(meter_mutex_);
   meter_.use(map);
   return mode ? meter_.measure(solved.pose, *mode) : BoundaryDistances{};

@@ -279,7 +279,7 @@ void RobotServer::check_age() {
 }
 
 void RobotServer::work() {
-  monitor_.set_distance_map(worker_.known().distances);
+  monitor_.set_distance_map(worker_.known().distances_of(setup_.mechanism->manipulator()));
   if (const auto candidates = monitor_.work()) candidates_.publish(*candidates);
 }
 

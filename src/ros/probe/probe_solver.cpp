@@ -105,7 +105,7 @@ ProbeFinding ProbeSolver::find(const ProbeQuestion& question, const KnownAspects
 
 void ProbeSolver::fill_report(const KnownAspects& known, ProbeFinding& finding) {
   const SolvedPose solved{finding.reached->pose, finding.reached->q};
-  meter_.use(known.distances);
+  meter_.use(known.distances_of(manipulator_));
   finding.distances = meter_.measure(solved.pose, finding.question.mode);
   finding.state.report =
       report_message(*manipulator_, solved, finding.distances, known.map.get(), finding.state.header.stamp);

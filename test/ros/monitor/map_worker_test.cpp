@@ -62,6 +62,8 @@ TEST_F(MapWorkerTest, MakesTheMapReadyForDistances) {
   const KnownAspects known = worker_.known();
   ASSERT_TRUE(known.distances);
   EXPECT_EQ(known.distances->map(), known.map);
+  EXPECT_EQ(known.distances_of(known.map->manipulator()), known.distances);
+  EXPECT_EQ(known.distances_of(std::make_shared<const Manipulator>(*known.map->manipulator())), nullptr);
 }
 
 TEST_F(MapWorkerTest, CancelsAndKeepsThePreviousMap) {
