@@ -2,6 +2,7 @@
 #include "urdf/culprits/single_freedom.h"
 
 #include "urdf/closing/chain.h"
+#include "urdf/corrections/anchors.h"
 #include "urdf/culprits/misfit_axes.h"
 
 #include <algorithm>
