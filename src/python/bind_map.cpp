@@ -21,8 +21,7 @@ struct MapTexts {
   std::string region, slice, modes;
 };
 
-MapOptions map_options(const Manipulator& manipulator, const MapTexts& texts, const py::object& resolution,
-                       unsigned threads, int extra_levels) {
+MapOptions map_options(const Manipulator& manipulator, const MapTexts& texts, const py::object& resolution) {
   MapOptions options;
   Problems problems;
   options.slice = slice_of(manipulator, texts.slice);
@@ -38,8 +37,6 @@ MapOptions map_options(const Manipulator& manipulator, const MapTexts& texts, co
   options.modes = tools::parse_modes("modes", manipulator, texts.modes, problems);
   refuse_any(problems);
   if (!resolution.is_none()) options.resolution = resolution.cast<double>();
-  options.threads = threads;
-  options.extra_levels = extra_levels;
   return options;
 }
 
@@ -50,9 +47,11 @@ CoreMap require(MapResult result) {
 
 CoreMap compute(const CoreRobot& robot, const py::object& resolution, const std::string& region,
                 const std::string& slice, const std::string& modes, unsigned threads, int extra_levels,
-                const py::object& progress) {
-  const MapOptions options =
-      map_options(*robot.manipulator, {region, slice, modes}, resolution, threads, extra_levels);
+                bool complete, const py::object& progress) {
+  MapOptions options = map_options(*robot.manipulator, {region, slice, modes}, resolution);
+  options.threads = threads;
+  options.extra_levels = extra_levels;
+  options.complete = complete;
   return require(run_long(progress, [&](const MapControl& control) {
     return compute_aspect_map(robot.manipulator, options, control);
   }));
@@ -60,8 +59,7 @@ CoreMap compute(const CoreRobot& robot, const py::object& resolution, const std:
 
 CoreMap load_file(const CoreRobot& robot, const std::string& file, const py::object& resolution,
                   const std::string& region, const std::string& slice, const std::string& modes) {
-  const MapOptions options =
-      map_options(*robot.manipulator, {region, slice, modes}, resolution, 0, MapOptions().extra_levels);
+  const MapOptions options = map_options(*robot.manipulator, {region, slice, modes}, resolution);
   return require(
       run_long(py::none(), [&](const MapControl&) { return load_map(robot.manipulator, options, file); }));
 }

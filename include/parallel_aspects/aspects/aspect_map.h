@@ -43,6 +43,12 @@ struct MapOptions {
   /// How many times contested leaves may be halved below the resolution, 0 to 20.
   int extra_levels = 12;
 
+  /// Whether a map of all poses with three degrees of freedom looks into every leaf in which an aspect could
+  /// hide that is smaller than the resolution, so that `AspectMap::count_at_most` may be known. That takes
+  /// many times as long as the rest (docs/maps.md). With fewer degrees of freedom all maps do so, slices
+  /// never.
+  bool complete = false;
+
   /// Whether what symmetries of the robot show to be the same is computed only once (docs/maps.md). Not in
   /// slices.
   bool use_symmetry = true;
@@ -187,12 +193,6 @@ struct MapResult {
 /// options are refused with a message.
 MapResult compute_aspect_map(std::shared_ptr<const Manipulator> manipulator, const MapOptions& options = {},
                              const MapControl& control = {});
-
-/// The same, but a map of all poses with three degrees of freedom looks into every leaf in which an aspect
-/// could hide that is smaller than the resolution, so that `AspectMap::count_at_most` may be known. That
-/// takes many times as long as the rest (docs/maps.md). With fewer degrees of freedom all maps do so.
-MapResult compute_complete_map(std::shared_ptr<const Manipulator> manipulator, const MapOptions& options = {},
-                               const MapControl& control = {});
 
 /// The resolution that is taken where none is given: 1/200 of the robot's size in T2, 1/50 in SE2 and T3 [m],
 /// 0.1 rad in SO3; in slices 1/200 of the robot's size for one or two free coordinates and 1/50 for three

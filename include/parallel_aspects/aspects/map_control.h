@@ -18,6 +18,14 @@ inline bool is_cancelled(const MapControl& control) noexcept {
   return control.cancelled != nullptr && control.cancelled->load(std::memory_order_relaxed);
 }
 
+/// The control of a part of the work, from one share of the whole to another.
+inline MapControl part_of(const MapControl& control, double from, double to) {
+  MapControl part = control;
+  if (control.progress)
+    part.progress = [whole = control.progress, from, to](double share) { whole(from + (to - from) * share); };
+  return part;
+}
+
 /// How a computation ended.
 enum class MapStatus { complete, cancelled, refused };
 

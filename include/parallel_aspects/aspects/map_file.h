@@ -23,7 +23,8 @@ struct SaveResult {
 /// need not look for gates again. At every moment the file is the old one or the new one, whole.
 SaveResult save_map(const AspectMap& map, const std::string& path);
 
-/// The map of this manipulator with these options, as `compute_aspect_map` gave it, if the file holds that.
+/// The map of this manipulator with these options, as `compute_aspect_map` gave it, if the file holds that;
+/// where `complete` is not asked for, one that is will do.
 /// Refused with a message where it cannot be read, is damaged, is of another version of the package or
 /// another revision of the proofs, or holds the map of another robot or of other options. What the file
 /// claims is believed then, so it is as good as those who can write to it; but no file, not even a forged

@@ -99,10 +99,8 @@ struct ComponentPolicy {
 
   // Stars in leaves that are left indeterminate (see `complete_leaves`).
 
-  /// Looks for them in maps of all poses with three degrees of freedom. With fewer it is always done, as few
-  /// leaves are left there for most robots; where many are, so many boxes are looked into, for a mode and
-  /// sign.
-  bool completes = false;
+  /// Boxes that are looked into for a mode and sign where they are looked for by default: with one and two
+  /// degrees of freedom, where few leaves are left for most robots.
   std::size_t max_boxes_for_stars = 200;
 
   /// Levels below a leaf to which its parts are looked into, and how many parts are.

@@ -2,7 +2,6 @@
 #include "aspects/components/leaf_completion.h"
 
 #include <algorithm>
-#include <limits>
 #include <vector>
 
 namespace parallel_aspects {
@@ -11,20 +10,20 @@ namespace {
 /// The leaves of one working mode, for one sign of det A.
 class SignCompletion {
  public:
-  SignCompletion(PoseTree& tree, const BoxClassifier& classifier, const StarFinder& stars, std::size_t mode,
-                 SignGraph& graph, const ComponentPolicy& policy)
+  SignCompletion(PoseTree& tree, const BoxClassifier& classifier, const StarFinder& stars,
+                 std::size_t max_boxes, std::size_t mode, SignGraph& graph, const ComponentPolicy& policy)
       : tree_(tree),
         classifier_(classifier),
         stars_(stars),
         mode_(mode),
         graph_(graph),
         policy_(policy),
-        boxes_left_(policy.completes ? std::numeric_limits<std::size_t>::max() : policy.max_boxes_for_stars) {
-  }
+        boxes_left_(max_boxes) {}
 
   void run(const MapControl& control) {
     const std::size_t count = graph_.indeterminate_leaves().size();
     for (std::size_t v = 0; v < count && boxes_left_ > 0 && !is_cancelled(control); ++v) {
+      if (control.progress) control.progress(static_cast<double>(v) / static_cast<double>(count));
       const NodeIndex node = graph_.indeterminate_leaves().node(v);
       if (node == no_node) continue;
       poses_.clear();
@@ -98,10 +97,13 @@ class SignCompletion {
 }  // namespace
 
 void complete_leaves(PoseTree& tree, const BoxClassifier& classifier, const StarFinder& stars,
-                     LeafGraph& graph, const MapControl& control, const ComponentPolicy& policy) {
+                     std::size_t max_boxes, LeafGraph& graph, const MapControl& control,
+                     const ComponentPolicy& policy) {
   const RoundingUpward rounding;
-  for (const int sign : {1, -1})
-    SignCompletion(tree, classifier, stars, graph.mode(), graph.of(sign), policy).run(control);
+  for (const int sign : {1, -1}) {
+    const MapControl half = part_of(control, sign > 0 ? 0.0 : 0.5, sign > 0 ? 0.5 : 1.0);
+    SignCompletion(tree, classifier, stars, max_boxes, graph.mode(), graph.of(sign), policy).run(half);
+  }
 }
 
 }  // namespace parallel_aspects

@@ -8,12 +8,16 @@
 #include "aspects/tree/pose_tree.h"
 #include "parallel_aspects/aspects/map_control.h"
 
+#include <cstddef>
+
 namespace parallel_aspects {
 
 /// Proves of indeterminate leaves that they are whole or empty by stars about poses nearby (see StarFinder),
-/// of the leaf or of all its parts. Those that are neither stay indeterminate. Ends early when cancelled.
+/// of the leaf or of all its parts, of no more than `max_boxes` for a sign. Those that are neither stay
+/// indeterminate. Ends early when cancelled; progress is that of the leaves of this graph.
 void complete_leaves(PoseTree& tree, const BoxClassifier& classifier, const StarFinder& stars,
-                     LeafGraph& graph, const MapControl& control, const ComponentPolicy& policy);
+                     std::size_t max_boxes, LeafGraph& graph, const MapControl& control,
+                     const ComponentPolicy& policy);
 
 }  // namespace parallel_aspects
 

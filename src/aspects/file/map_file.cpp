@@ -24,7 +24,7 @@ namespace parallel_aspects {
 namespace {
 
 constexpr std::array<std::uint8_t, 8> magic{'A', 'S', 'P', 'E', 'C', 'T', 'S', 0x1a};
-constexpr std::uint32_t format_version = 4;
+constexpr std::uint32_t format_version = 5;
 constexpr std::size_t checksum_size = 4;
 constexpr std::size_t largest_file = std::size_t{1} << 32;
 
@@ -89,8 +89,12 @@ std::string decode(std::shared_ptr<const Manipulator> manipulator, MapPlan plan,
       coverage_key(plan.slice, plan.modes);
   problem = find_other_key(reader.take_text(), key);
   if (!problem.empty()) return problem;
+  const bool complete = plan.complete;
   map = read_record(std::move(manipulator), std::move(plan), reader);
-  return map && reader.ok() && reader.left() == checksum_size ? "" : "its contents contradict themselves";
+  if (!map || !reader.ok() || reader.left() != checksum_size) return "its contents contradict themselves";
+  const bool is_enough = !complete || map->complete || map->indeterminate_leaves == 0;
+  return is_enough ? ""
+                   : "it was computed without `complete`, and leaves open how many aspects there are at most";
 }
 
 MapResult refused(const std::string& what, const std::string& why) {

@@ -80,9 +80,11 @@ class RecordReader {
     map.proved_count = reader_.take_u32();
     map.indeterminate_leaves = reader_.take_u32();
     map.bound = reader_.take_u32();
+    const std::uint8_t is_complete = reader_.take_u8();
+    map.complete = is_complete == 1;
     aspect_count_ = reader_.take_count(1);
     return reader_.ok() && map.proved_count <= aspect_count_ && aspect_count_ <= map.bound &&
-           std::isfinite(map.measure_undecided);
+           std::isfinite(map.measure_undecided) && is_complete <= 1;
   }
 
   bool read_aspects(AspectMap::Contents& map) {
@@ -191,6 +193,7 @@ void write_record(const AspectMap::Contents& map, ByteWriter& writer) {
   writer.put_u32(static_cast<std::uint32_t>(map.proved_count));
   writer.put_u32(static_cast<std::uint32_t>(map.indeterminate_leaves));
   writer.put_u32(static_cast<std::uint32_t>(map.bound));
+  writer.put_u8(map.complete ? 1 : 0);
   writer.put_u32(static_cast<std::uint32_t>(map.aspects.size()));
   for (const Aspect& aspect : map.aspects) write_aspect(map, aspect, writer);
   writer.put_u32(static_cast<std::uint32_t>(map.unresolved.size()));

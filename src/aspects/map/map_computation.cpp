@@ -15,14 +15,19 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
+#include <limits>
+#include <numeric>
+#include <thread>
 #include <tuple>
 #include <utility>
 
 namespace parallel_aspects {
 namespace {
 
-constexpr double share_of_base_map = 0.9;
+// Of a map without a search for small aspects, and of one with it where there are three degrees of freedom.
+constexpr double share_of_base_map = 0.9, share_of_complete_base_map = 0.1;
 
 // Graphs of leaves take most of the memory. Those of a large map are in it for so many working modes at a
 // time; not for as many as there are threads, so that the same nodes come of any number of these.
@@ -117,6 +122,31 @@ void find_deepest_poses(AspectMap::Contents& map, const std::vector<ModeSource>&
   }
 }
 
+/// Progress of equal parts of the work that go on at the same time. It is told by the thread that made this,
+/// while it is at one of them.
+class JointProgress {
+ public:
+  JointProgress(const MapControl& whole, std::size_t parts) : whole_(whole), shares_(parts) {}
+
+  MapControl of(std::size_t part) {
+    MapControl control = whole_;
+    if (whole_.progress) control.progress = [this, part](double share) { tell(part, share); };
+    return control;
+  }
+
+ private:
+  void tell(std::size_t part, double share) {
+    shares_[part] = share;
+    if (std::this_thread::get_id() != thread_) return;
+    const double sum = std::accumulate(shares_.begin(), shares_.end(), 0.0);
+    whole_.progress(sum / static_cast<double>(shares_.size()));
+  }
+
+  const MapControl& whole_;
+  const std::thread::id thread_ = std::this_thread::get_id();
+  std::vector<std::atomic<double>> shares_;
+};
+
 /// Components of these modes, with contested leaves refined. False when cancelled.
 bool find_components_of(const std::vector<std::size_t>& modes, AspectMap::Contents& map, const MapPlan& plan,
                         const MapControl& control, const ComponentPolicy& policy,
@@ -130,10 +160,13 @@ bool find_components_of(const std::vector<std::size_t>& modes, AspectMap::Conten
   if (!refine_contested(map.tree, *map.classifier, graphs, plan.depth, plan.deepest_level, control, policy))
     return false;
   const bool is_cheap = map.tree.dimension() <= policy.max_degrees_of_freedom_to_look_everywhere;
-  const bool completes = (policy.completes || is_cheap) && !map.slice;
-  const auto stars = completes ? make_star_finder(*map.manipulator, map.modes) : nullptr;
+  const bool has_stars = (map.complete || is_cheap) && !map.slice;
+  const auto stars = has_stars ? make_star_finder(*map.manipulator, map.modes) : nullptr;
+  const std::size_t boxes =
+      map.complete ? std::numeric_limits<std::size_t>::max() : policy.max_boxes_for_stars;
+  JointProgress progress(control, graphs.size());
   tbb::parallel_for(std::size_t{0}, graphs.size(), [&](std::size_t i) {
-    if (stars) complete_leaves(map.tree, *map.classifier, *stars, *graphs[i], control, policy);
+    if (stars) complete_leaves(map.tree, *map.classifier, *stars, boxes, *graphs[i], progress.of(i), policy);
     found[modes[i]] = find_components(map.tree, modes[i], *graphs[i], control);
     graphs[i].reset();
   });
@@ -154,7 +187,11 @@ std::vector<ModeComponents> find_all_components(AspectMap::Contents& map, const 
     const std::size_t last = std::min(first + at_once, representatives.size());
     const std::vector<std::size_t> modes(representatives.begin() + static_cast<std::ptrdiff_t>(first),
                                          representatives.begin() + static_cast<std::ptrdiff_t>(last));
-    if (!find_components_of(modes, map, plan, control, policy, found)) return {};
+    const auto share = [&](std::size_t done) {
+      return static_cast<double>(done) / static_cast<double>(representatives.size());
+    };
+    const MapControl part = part_of(control, share(first), share(last));
+    if (!find_components_of(modes, map, plan, part, policy, found)) return {};
   }
   mirror_modes(map.tree, plan.symmetries, sources, found);
   return found;
@@ -192,18 +229,21 @@ std::unique_ptr<AspectMap::Contents> planned(std::shared_ptr<const Manipulator> 
   map->resolution = plan.resolution;
   map->depth = plan.depth;
   map->deepest_level = plan.deepest_level;
+  map->complete = plan.complete;
   return map;
 }
 
 BaseMapStatus grow(AspectMap::Contents& map, const MapPlan& plan, const MapControl& control,
                    const ComponentPolicy& policy) {
-  MapControl scaled = control;
-  if (control.progress)
-    scaled.progress = [&control](double share) { control.progress(share_of_base_map * share); };
-  const BaseMapStatus base = grow_base_map(map.tree, *map.classifier, plan.depth,
-                                           detail_of_base_map(map.tree.dimension()), scaled, plan.symmetries);
+  const bool is_long =
+      map.complete && map.tree.dimension() > policy.max_degrees_of_freedom_to_look_everywhere;
+  const double share = is_long ? share_of_complete_base_map : share_of_base_map;
+  const BaseMapStatus base =
+      grow_base_map(map.tree, *map.classifier, plan.depth, detail_of_base_map(map.tree.dimension()),
+                    part_of(control, 0.0, share), plan.symmetries);
   if (base != BaseMapStatus::complete) return base;
-  return add_aspects(map, plan, control, policy) ? BaseMapStatus::complete : BaseMapStatus::cancelled;
+  const bool is_done = add_aspects(map, plan, part_of(control, share, 1.0), policy);
+  return is_done ? BaseMapStatus::complete : BaseMapStatus::cancelled;
 }
 
 }  // namespace

@@ -44,6 +44,7 @@ struct AspectMap::Contents {
   double resolution = 0.0;
   std::uint32_t depth = 0;          ///< level of the finest leaves of the base map
   std::uint32_t deepest_level = 0;  ///< that contested leaves may have
+  bool complete = false;            ///< see `MapOptions`
   double measure_undecided = 0.0;
   double seconds = 0.0;
   std::optional<SymmetryUse> symmetry_use;  ///< not kept in files

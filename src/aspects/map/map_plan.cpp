@@ -178,6 +178,7 @@ std::string make_map_plan(const Manipulator& manipulator, const MapOptions& opti
   while (!is_fine() && plan.depth < PoseTree::deepest_level) ++plan.depth;
   if (!is_fine()) return "The resolution is too fine for the size of the region; give a coarser one.";
   plan.resolution = longest_edge(plan, plan.depth);
+  plan.complete = options.complete;
   plan.deepest_level =
       std::min(PoseTree::deepest_level, plan.depth + static_cast<std::uint32_t>(options.extra_levels));
   return "";

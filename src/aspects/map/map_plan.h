@@ -26,6 +26,7 @@ struct MapPlan {
   double resolution = 0.0;              ///< longest edge of a base leaf [m or rad]
   std::uint32_t depth = 0;              ///< level of the finest leaves of the base map
   std::uint32_t deepest_level = 0;      ///< of contested leaves
+  bool complete = false;                ///< see `MapOptions`
 };
 
 /// Fills `plan`; the message says why that cannot be, and is empty otherwise.

@@ -165,6 +165,7 @@ class Robot:
         threads: int = 0,
         extra_levels: int = 12,
         progress: Progress = None,
+        complete: bool = False,
     ) -> Map:
         """Computes the aspects, with proofs.
 
@@ -174,9 +175,11 @@ class Robot:
         modes: working modes, as ["(+,-)"]; by default all.
         threads: 0 for one a core. The map does not depend on it.
         progress: called with the share that is done, 0 to 1; what it raises ends the computation, as Ctrl-C does.
+        complete: with three degrees of freedom, looks for aspects smaller than the resolution as well, so that
+            `count_at_most` may be known; takes many times as long.
         """
         texts = ranges_text(region), values_text(slice), modes_text(modes)
-        return Map(self._core.map(resolution, *texts, threads, extra_levels, progress))
+        return Map(self._core.map(resolution, *texts, threads, extra_levels, complete, progress))
 
     def load_map(
         self,

@@ -41,6 +41,7 @@ class Robot:
         modes: str,
         threads: int,
         extra_levels: int,
+        complete: bool,
         progress: Progress,
     ) -> Map: ...
     def load_map(self, file: str, resolution: Optional[float], region: str, slice: str, modes: str) -> Map: ...

@@ -43,9 +43,10 @@ std::string complete_message(const AspectMap& map) {
   char seconds[32];
   std::snprintf(seconds, sizeof seconds, "%.3g s", map.seconds());
   const std::int64_t most = count_at_most(map);
+  const bool is_exact = most == static_cast<std::int64_t>(map.proved_count());
   return "The map is complete. Aspects found: " + std::to_string(map.aspects().size()) +
-         ", proved: at least " + std::to_string(map.proved_count()) +
-         (most < 0 ? "" : " and at most " + std::to_string(most)) +
+         ", proved: " + (is_exact ? "exactly " : "at least ") + std::to_string(map.proved_count()) +
+         (most < 0 || is_exact ? "" : " and at most " + std::to_string(most)) +
          "; pairs unresolved: " + std::to_string(map.unresolved().size()) + "; time: " + seconds + ".";
 }
 

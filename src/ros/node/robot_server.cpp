@@ -332,13 +332,15 @@ Status RobotServer::status_of_goal(const MapOptions& options) const {
   return problems.empty() ? Status() : invalid_request(problems.front());
 }
 
-// The map file is of the node's own options; a map of others does not go there.
+// The map file is of the node's own options; a map of others does not go there. One that is complete besides
+// serves them as well.
 void RobotServer::on_compute_map(const ComputeMapGoalConstPtr& goal) {
   ComputeMapResult result;
   result.count_at_most = -1;
   MapOptions options = setup_.options.map;
   if (goal->resolution != 0.0) options.resolution = goal->resolution;
   if (goal->extra_levels != 0) options.extra_levels = goal->extra_levels;
+  options.complete = options.complete || goal->complete;
   result.status = status_of_goal(options);
   if (result.status.code != Status::OK) {
     std::this_thread::sleep_for(before_refusal);

@@ -75,6 +75,7 @@ MapOptions map_options_from(ParameterReader reader, const std::string& prefix, s
   reader.read("file", file);
   reader.read("resolution", map.resolution);
   reader.read("extra_levels", map.extra_levels);
+  reader.read("complete", map.complete);
   int threads = 0;
   reader.read("threads", threads);
   if (threads < 0) problems.push_back("Parameter " + prefix + "map/threads must be 0 (one a core) to 1024.");

@@ -31,12 +31,16 @@ class Checks {
   Problems problems_;
 };
 
-void check_map(const MapOptions& map, std::size_t positions, Checks& checks, const std::string& group) {
+void check_map(const MapOptions& map, TaskSpace space, Checks& checks, const std::string& group) {
+  checks.require(
+      !map.complete || space != TaskSpace::SE3, group + "complete",
+      "is for maps; with six degrees of freedom there is a roadmap in place of one, so leave it out.");
   checks.require(!map.resolution || positive(*map.resolution), group + "resolution",
                  "must be a positive number [m or rad]; leave it out for 1/200 of the robot's size.");
   checks.require(map.threads <= 1024, group + "threads", "must be 0 (one a core) to 1024.");
   checks.require(map.extra_levels >= 0 && map.extra_levels <= 20, group + "extra_levels", "must be 0 to 20.");
   if (!map.region) return;
+  const std::size_t positions = directions(space);
   checks.require(positions > 0, group + "region",
                  "is of positions, but every orientation of a robot in SO3 is searched; leave it out.");
   checks.require(
@@ -137,13 +141,13 @@ Problems problems_of(const ThresholdParameters& thresholds, const std::string& p
 
 Problems problems_of(const MapOptions& options, const Manipulator& manipulator, const std::string& prefix) {
   Checks checks(prefix);
-  check_map(options, directions(manipulator.task_space()), checks, "");
+  check_map(options, manipulator.task_space(), checks, "");
   return checks.take();
 }
 
 Problems problems_of(const NodeOptions& options, const Manipulator& manipulator, const std::string& prefix) {
   Checks checks(prefix);
-  check_map(options.map, directions(manipulator.task_space()), checks, "map/");
+  check_map(options.map, manipulator.task_space(), checks, "map/");
   checks.require(options.map_file.empty() || options.map_file.front() == '/', "map/file",
                  "must be an absolute path, or empty for none.");
   check_start(options.start, manipulator.task_space(), checks);

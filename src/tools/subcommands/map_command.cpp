@@ -52,6 +52,7 @@ MapOptions parse_options(const MapArguments& arguments, const MapConfig& section
   options.threads = section.threads.value_or(options.threads);
   options.extra_levels = section.extra_levels.value_or(options.extra_levels);
   options.use_symmetry = !arguments.no_symmetry;
+  options.complete = arguments.complete;
   if (!arguments.resolution.empty())
     options.resolution = parse_positive("--resolution", arguments.resolution, problems);
   if (!arguments.threads.empty())
@@ -155,13 +156,11 @@ void add_coverage(const MapArguments& arguments, const MapSection& section, cons
 }
 
 std::shared_ptr<const AspectMap> compute(std::shared_ptr<const Manipulator> manipulator,
-                                         const MapOptions& options, const MapArguments& arguments,
-                                         const Surroundings& surroundings) {
-  const auto result = completed(surroundings, [&](const MapControl& control) {
-    return arguments.complete ? compute_complete_map(manipulator, options, control)
-                              : compute_aspect_map(manipulator, options, control);
-  });
-  return result.map;
+                                         const MapOptions& options, const Surroundings& surroundings) {
+  return completed(
+             surroundings,
+             [&](const MapControl& control) { return compute_aspect_map(manipulator, options, control); })
+      .map;
 }
 
 /// The map in the file that is to be loaded; null, with the reason as a message, where it is of no use.
@@ -171,12 +170,6 @@ std::shared_ptr<const AspectMap> load(const std::shared_ptr<const Manipulator>& 
   if (arguments.load_file.empty()) return nullptr;
   const MapResult result = load_map(manipulator, options, arguments.load_file);
   if (result.status != MapStatus::complete) surroundings.messages << result.message << std::endl;
-  if (result.map && arguments.complete && !result.map->count_at_most()) {
-    surroundings.messages << "Map file '" << arguments.load_file
-                          << "' is not used, since it leaves open how many aspects there are at most."
-                          << std::endl;
-    return nullptr;
-  }
   return result.map;
 }
 
@@ -199,7 +192,7 @@ Report load_or_compute(const std::shared_ptr<const Manipulator>& manipulator, co
                        const MapArguments& arguments, const Surroundings& surroundings) {
   std::shared_ptr<const AspectMap> map = load(manipulator, options, arguments, surroundings);
   const bool loaded = map != nullptr;
-  if (!loaded) map = compute(manipulator, options, arguments, surroundings);
+  if (!loaded) map = compute(manipulator, options, surroundings);
   save_with_gates(*map, arguments.save_file, surroundings);
   if (!arguments.picture_file.empty()) draw(map, arguments.picture_file);
   const MapBasins basins = basins_of(*map, arguments, surroundings);

@@ -105,6 +105,26 @@ INSTANTIATE_TEST_SUITE_P(TaskSpaces, RoundTrip,
                                          Case{"T3", test::delta, 0.2}, Case{"SO3", test::agile_eye, 0.4}),
                          [](const auto& each) { return each.param.name; });
 
+// A map in which small aspects were looked for serves whoever does not ask for that, and no other the one who
+// does.
+TEST_F(MapFile, CompleteMapsAreTold) {
+  const RobotPtr robot = test::shipped("linear_delta")->mapped_manipulator();
+  MapOptions plain = coarse(0.05);
+  plain.modes = {working_modes(*robot).front()};
+  MapOptions complete = plain;
+  complete.complete = true;
+  for (const MapOptions& computed : {plain, complete}) {
+    saved(*compute_aspect_map(robot, computed).map);
+    for (const MapOptions& asked : {plain, complete}) {
+      const MapResult loaded = load_map(robot, asked, file_);
+      EXPECT_EQ(loaded.map != nullptr, computed.complete || !asked.complete) << loaded.message;
+      EXPECT_EQ(loaded.message.find("how many aspects there are at most") == std::string::npos,
+                loaded.map != nullptr)
+          << loaded.message;
+    }
+  }
+}
+
 // A display knows a map by its bytes alone, and not the options that it was computed with.
 TEST(MapBytes, AreReadWithTheOptionsThatTheMapTells) {
   for (const char* const robot :

@@ -5,6 +5,7 @@
 #include <ros/time.h>
 
 #include "support/robots.h"
+#include "support/shipped.h"
 #include <chrono>
 #include <future>
 #include <mutex>
@@ -85,6 +86,19 @@ TEST_F(MapWorkerTest, ANewJobTakesThePlaceOfARunningOne) {
   EXPECT_EQ(displaced.state, MapProgress::CANCELLED);
   EXPECT_EQ(displaced.header.frame_id, test::five_bar()->base_frame());
   EXPECT_EQ(worker_.wait(second, deadline).state, MapProgress::COMPLETE);
+}
+
+// With three degrees of freedom small aspects are looked for where that is asked for.
+TEST(MapWorkerOfThreeFreedoms, TellsTheExactNumberOfAspects) {
+  ros::Time::init();
+  MapWorker worker(test::shipped("linear_delta")->mapped_manipulator(), "", [](const auto&, const auto&) {});
+  MapOptions options;
+  EXPECT_EQ(worker.wait(worker.compute(options), deadline).count_at_most, -1);
+  options.complete = true;
+  const MapProgress end = worker.wait(worker.compute(options), deadline);
+  ASSERT_EQ(end.state, MapProgress::COMPLETE) << end.message;
+  EXPECT_EQ(end.count_at_most, 14);
+  EXPECT_NE(end.message.find("exactly 14"), std::string::npos) << end.message;
 }
 
 TEST_F(MapWorkerTest, SaysWhyItRefuses) {

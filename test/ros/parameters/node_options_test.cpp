@@ -74,6 +74,7 @@ TEST(OptionsFrom, ReadsEveryParameter) {
   parameters["map"]["resolution"] = 0.25;
   parameters["map"]["threads"] = 2;
   parameters["map"]["extra_levels"] = 3;
+  parameters["map"]["complete"] = true;
   parameters["map"]["region"]["lower"][0] = -1;
   parameters["map"]["region"]["lower"][1] = -2.0;
   parameters["map"]["region"]["upper"][0] = 1.5;
@@ -93,6 +94,7 @@ TEST(OptionsFrom, ReadsEveryParameter) {
   EXPECT_EQ(options.map.resolution, 0.25);
   EXPECT_EQ(options.map.threads, 2U);
   EXPECT_EQ(options.map.extra_levels, 3);
+  EXPECT_TRUE(options.map.complete);
   ASSERT_TRUE(options.map.region);
   EXPECT_EQ(options.map.region->lower[1], -2.0);
   EXPECT_EQ(options.map.region->upper[0], 1.5);
@@ -153,6 +155,15 @@ TEST(ProblemsOf, NamesEveryValueOutOfRangeAtOnce) {
         "/node/display/radius", "/node/display/rate", "/node/frame_prefix"})
     EXPECT_TRUE(mention(problems, words)) << words;
   EXPECT_EQ(problems.size(), 15U);
+}
+
+TEST(ProblemsOf, AnUpperBoundOfTheCountIsForMaps) {
+  NodeOptions options;
+  options.map.complete = true;
+  EXPECT_TRUE(problems_of(options, *test::delta(), "/node/").empty());
+  const Problems problems = problems_of(options, *test::stewart(), "/node/");
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_TRUE(mention(problems, "/node/map/complete is for maps"));
 }
 
 TEST(ProblemsOf, ATimeoutThatMakesNoSenseIsTheOnlyCulprit) {
