@@ -119,6 +119,12 @@ def test_aspects_of_the_paper(aspects):
     assert sum(len(aspects.undecided(mode)) for mode in MODES) > 0
 
 
+def test_an_upper_bound_where_it_is_asked_for():
+    linear_delta = pa.load("linear_delta")
+    assert linear_delta.map().count_at_most is None
+    assert linear_delta.map(complete=True).count_at_most == 14
+
+
 def test_distances_as_published(robot):
     """Nearest singularities of the five-bar at (4.5, 8): found by brute force, of both signs of the elbow."""
     distance = robot.distance((4.5, 8), "(-,+)")
