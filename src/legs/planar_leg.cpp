@@ -21,6 +21,13 @@ std::optional<RodOnArc<PlanarLegForm>> PlanarLeg::rod_on_arc(const Planar<Interv
   return RodOnArc<PlanarLegForm>{{0.0, u, {0.0, 0.0}}, squared_rod_};
 }
 
+std::optional<double> PlanarLeg::crank_that_folds() const noexcept {
+  const double length = crank_.upper();
+  const bool folds = type_ == LegType::revolute && squared_height_.upper() == 0.0 &&
+                     crank_.lower() == length && rod_.lower() == length && rod_.upper() == length;
+  return folds ? std::optional(length) : std::nullopt;
+}
+
 void PlanarLeg::set_base(const Leg& leg) {
   const std::array<Interval, 3> base = toleranced_base(leg);
   base_ = {base[0], base[1]};

@@ -52,6 +52,10 @@ class PlanarLeg {
   /// No anchor within reach is farther from the base point than this, seen in the plane [m]; may be infinite.
   double reach() const noexcept { return reach_; }
 
+  /// The length of the crank where the rod is as long, so that B_jj^2 vanishes at d = 0 as a sum of two
+  /// squares [m].
+  std::optional<double> crank_that_folds() const noexcept;
+
   template <class Scalar>
   PlanarLegForm<Scalar> form(const Planar<Scalar>& d) const;
 

@@ -145,6 +145,8 @@ class SE2Chart : public PlanarLegs {
 
   explicit SE2Chart(const Manipulator& manipulator);
 
+  std::optional<double> crank_that_folds(std::size_t j) const noexcept { return leg(j).crank_that_folds(); }
+
   template <class Scalar>
   Placement<Scalar> place(RootIndex, const std::array<Scalar, coordinate_count>& x) const {
     return {{x[0], x[1]}, turn_of_half_turns(x[2])};

@@ -2,9 +2,11 @@
 #include "aspects/stars/star_finder.h"
 
 #include "aspects/boxes/charts.h"
+#include "aspects/stars/folded_leg.h"
 #include "aspects/stars/star_search.h"
 
 #include <algorithm>
+#include <type_traits>
 
 namespace parallel_aspects {
 namespace {
@@ -36,6 +38,10 @@ class ChartStars final : public StarFinder {
     const LeafState state = forms.state(signs_[mode]);
     if (!state.may_be(sign)) return Stars::none();
     if (state.is_inside(sign)) return Stars::one(box.middle());
+    if constexpr (std::is_same_v<Chart, SE2Chart>) {
+      const Stars found = find_stars_about_fold(forms.at(), region, signs_[mode], sign);
+      if (found.is_known) return found;
+    }
     StarSearch<Chart, 0> plain(forms, region, types_, signs_[mode], sign);
     if (!plain.lacks_levels()) {
       const Stars found = plain.find();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/stars/star_finder.h"
 
+#include "aspects/stars/fold_flood.h"
 #include "aspects/tree/pose_space.h"
 #include "interval/rounding.h"
 #include "parallel_aspects/aspects/aspect_map.h"
@@ -12,6 +13,7 @@
 #include "support/pose_pairs.h"
 #include "support/robots.h"
 #include "support/sign_at.h"
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -29,10 +31,11 @@ constexpr std::size_t size = 3;
 struct Case {
   const char* name;
   std::function<std::shared_ptr<const Manipulator>()> robot;
-  int boxes;          // that are tried
-  int least_stars;    // found in them
-  int least_empty;    // and boxes that are proved to have nothing of the set
-  int least_samples;  // poses of the set in boxes with stars
+  int boxes;                 // that are tried
+  int least_stars;           // found in them
+  int least_empty;           // and boxes that are proved to have nothing of the set
+  int least_samples;         // poses of the set in boxes with stars
+  bool about_folds = false;  // whether the boxes lie where a leg folds, not at any boundary
 };
 
 void PrintTo(const Case& each, std::ostream* out) { *out << each.name; }
@@ -70,6 +73,28 @@ class StarFinderTest : public testing::TestWithParam<Case> {
   }
 
   /// A pose of the set next to its boundary, and one beyond it.
+  std::optional<std::array<MapPosition, 2>> ends(int wanted) {
+    return GetParam().about_folds ? fold(wanted) : boundary(wanted);
+  }
+
+  /// A pose of the set where a leg is nearly folded, and the opposite one.
+  std::optional<std::array<MapPosition, 2>> fold(int wanted) {
+    const Leg& leg = robot->leg(static_cast<std::size_t>(pairs->uniform(0.0, 3.0)));
+    test::FoldPose at{std::pow(10.0, pairs->uniform(-4.0, 0.0)), pairs->uniform(-M_PI, M_PI),
+                      pairs->uniform(-3.0, 3.0)};
+    const MapPosition here = position(test::from_fold(leg, at));
+    at.direction += M_PI;
+    const MapPosition opposite = position(test::from_fold(leg, at));
+    if (!region.contains(here.point) || !region.contains(opposite.point) || sign(here) != wanted)
+      return std::nullopt;
+    return std::array<MapPosition, 2>{here, opposite};
+  }
+
+  static MapPosition position(const Eigen::Vector3d& at) { return {0, {at[0], at[1], at[2] / M_PI}}; }
+  static Eigen::Vector3d coordinates(const MapPosition& at) {
+    return {at.point[0], at.point[1], at.point[2] * M_PI};
+  }
+
   std::optional<std::array<MapPosition, 2>> boundary(int wanted) {
     const auto inside = pairs->reached(modes[mode]), other = pairs->reached(modes[pairs_mode()]);
     if (!inside || !other) return std::nullopt;
@@ -165,7 +190,16 @@ class StarFinderTest : public testing::TestWithParam<Case> {
           for (std::size_t m = i + 1; m < size; ++m)
             if (is_joined(from, to, {j, k}, {i, m})) return true;
       }
-    return false;
+    return GetParam().about_folds && is_joined_about_fold(from, to);
+  }
+
+  bool is_joined_about_fold(const MapPosition& from, const MapPosition& to) const {
+    const int wanted = sign(from);
+    const auto is_in_set = [&](const Eigen::Vector3d& at) { return sign(position(at)) == wanted; };
+    const auto joins = [&](const Leg& leg) {
+      return test::FoldFlood(leg, is_in_set).joins(coordinates(from), coordinates(to));
+    };
+    return std::any_of(robot->legs().begin(), robot->legs().end(), joins);
   }
 
   void check(RootIndex root, const Box& box, const Stars& stars, int wanted) {
@@ -207,7 +241,7 @@ TEST_P(StarFinderTest, WhatIsProvedHoldsForRandomPoses) {
   for (int i = 0; i < campaign() * GetParam().boxes; ++i) {
     mode = pairs_mode();
     const int wanted = pairs->uniform(0.0, 1.0) < 0.5 ? 1 : -1;
-    const auto ends = boundary(wanted);
+    const auto ends = this->ends(wanted);
     if (!ends) continue;
     const Box box = box_about((*ends)[0]);
     const Stars stars = [&] {
@@ -237,6 +271,7 @@ INSTANTIATE_TEST_SUITE_P(Robots, StarFinderTest,
                          testing::Values(Case{"three_rpr", test::three_rpr, 400, 50, 0, 300},
                                          Case{"three_prr", shipped_three_prr, 400, 20, 0, 100},
                                          Case{"three_rrr", test::three_rrr, 400, 20, 0, 100},
+                                         Case{"folds_of_three_rrr", test::three_rrr, 1000, 100, 0, 500, true},
                                          Case{"limited_three_rrr", limited_three_rrr, 400, 20, 0, 100},
                                          Case{"linear_delta", shipped_linear_delta, 400, 20, 0, 100},
                                          Case{"delta", test::delta, 400, 20, 0, 100},
