@@ -2,7 +2,6 @@
 #include "mpi/mpi_crew.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -12,7 +11,7 @@ namespace parallel_aspects::mpi {
 namespace {
 
 constexpr int first = 0;
-constexpr int count_tag = 1, head_tag = 2, bytes_tag = 3;
+constexpr int size_tag = 1, bytes_tag = 2;
 
 // MPI counts in int.
 constexpr std::size_t largest_message = std::size_t{1} << 30;
@@ -56,9 +55,8 @@ std::uint64_t MpiCrew::next_task() {
   return task;
 }
 
-std::optional<std::vector<Bytes>> MpiCrew::perform(std::size_t count,
-                                                   const std::function<Bytes(std::size_t)>& work,
-                                                   const MapControl& control) {
+std::optional<PartResults> MpiCrew::perform(std::size_t count, std::size_t parts, const ShardFunction& work,
+                                            const MapControl& control) {
   restart_counter();
   std::vector<Result> mine;
   try {
@@ -66,44 +64,84 @@ std::optional<std::vector<Bytes>> MpiCrew::perform(std::size_t count,
       mine.push_back({task, work(task)});
       if (control.progress) control.progress(static_cast<double>(task + 1) / static_cast<double>(count));
     }
+    if (largest(is_cancelled(control) ? 1 : 0) > 0) return std::nullopt;
+    return exchange(count, parts, mine);
   } catch (const std::exception& problem) {
     end_all(rank_, problem.what());
   }
-  if (largest(is_cancelled(control) ? 1 : 0) > 0) return std::nullopt;
-  std::vector<Bytes> results(is_first() ? count : 0);
-  if (!is_first()) send(mine);
-  if (!is_first()) return results;
-  for (Result& result : mine) results[result.task] = std::move(result.bytes);
-  for (int sender = first + 1; sender < size_; ++sender) receive(sender, results);
+}
+
+std::vector<Bytes> MpiCrew::gather(std::size_t parts, const PartFunction& work) {
+  std::vector<Bytes> results(parts);
+  try {
+    for (std::size_t part = 0; part < parts; ++part)
+      if (keeper(part) == rank_) results[part] = work(part);
+    for (std::size_t part = 0; part < parts; ++part) {
+      if (keeper(part) == first) continue;
+      if (keeper(part) == rank_) send(first, results[part]);
+      if (is_first()) results[part] = receive(keeper(part));
+    }
+  } catch (const std::exception& problem) {
+    end_all(rank_, problem.what());
+  }
+  return is_first() ? results : std::vector<Bytes>();
+}
+
+int MpiCrew::keeper(std::size_t part) const noexcept {
+  return static_cast<int>(part % static_cast<std::size_t>(size_));
+}
+
+/// What is of the parts of one process, which is let go of.
+Bytes MpiCrew::kept_by(int keeper, std::vector<Result>& results) const {
+  ByteWriter writer;
+  for (Result& result : results)
+    for (std::size_t part = 0; part < result.parts.size(); ++part) {
+      if (this->keeper(part) != keeper || result.parts[part].empty()) continue;
+      writer.put_u64(result.task);
+      writer.put_u64(part);
+      writer.put_u64(result.parts[part].size());
+      writer.put_bytes(std::exchange(result.parts[part], {}));
+    }
+  return writer.bytes();
+}
+
+// All go through the pairs of processes in the same order, so that none waits for one that waits for it.
+PartResults MpiCrew::exchange(std::size_t count, std::size_t parts, std::vector<Result>& mine) {
+  PartResults results(parts);
+  for (std::size_t part = 0; part < parts; ++part)
+    if (keeper(part) == rank_) results[part].resize(count);
+  const int keepers = static_cast<int>(std::min(parts, static_cast<std::size_t>(size_)));
+  for (int sender = first; sender < size_; ++sender)
+    for (int to = first; to < keepers; ++to) {
+      if (rank_ != sender && rank_ != to) continue;
+      Bytes bytes = rank_ == sender ? kept_by(to, mine) : receive(sender);
+      if (rank_ == sender && rank_ != to) send(to, std::exchange(bytes, {}));
+      ByteReader reader(bytes.data(), bytes.size());
+      while (reader.left() > 0) {
+        const std::uint64_t task = reader.take_u64(), part = reader.take_u64();
+        results[part][task] = reader.take_bytes(reader.take_u64());
+      }
+    }
   return results;
 }
 
-void MpiCrew::send(const std::vector<Result>& results) {
-  const std::uint64_t count = results.size();
-  MPI_Send(&count, 1, MPI_UINT64_T, first, count_tag, MPI_COMM_WORLD);
-  for (const Result& result : results) {
-    const std::array<std::uint64_t, 2> head{result.task, result.bytes.size()};
-    MPI_Send(head.data(), 2, MPI_UINT64_T, first, head_tag, MPI_COMM_WORLD);
-    for (std::size_t at = 0; at < result.bytes.size(); at += largest_message)
-      MPI_Send(result.bytes.data() + at,
-               static_cast<int>(std::min(largest_message, result.bytes.size() - at)), MPI_BYTE, first,
-               bytes_tag, MPI_COMM_WORLD);
-    bytes_sent_ += sizeof head + result.bytes.size();
-  }
+void MpiCrew::send(int to, const Bytes& bytes) {
+  const std::uint64_t size = bytes.size();
+  MPI_Send(&size, 1, MPI_UINT64_T, to, size_tag, MPI_COMM_WORLD);
+  for (std::size_t at = 0; at < bytes.size(); at += largest_message)
+    MPI_Send(bytes.data() + at, static_cast<int>(std::min(largest_message, bytes.size() - at)), MPI_BYTE, to,
+             bytes_tag, MPI_COMM_WORLD);
+  bytes_sent_ += sizeof size + bytes.size();
 }
 
-void MpiCrew::receive(int sender, std::vector<Bytes>& results) const {
-  std::uint64_t count = 0;
-  MPI_Recv(&count, 1, MPI_UINT64_T, sender, count_tag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
-  for (std::uint64_t i = 0; i < count; ++i) {
-    std::array<std::uint64_t, 2> head{};
-    MPI_Recv(head.data(), 2, MPI_UINT64_T, sender, head_tag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
-    Bytes bytes(head[1]);
-    for (std::size_t at = 0; at < bytes.size(); at += largest_message)
-      MPI_Recv(bytes.data() + at, static_cast<int>(std::min(largest_message, bytes.size() - at)), MPI_BYTE,
-               sender, bytes_tag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
-    results[head[0]] = std::move(bytes);
-  }
+Bytes MpiCrew::receive(int from) const {
+  std::uint64_t size = 0;
+  MPI_Recv(&size, 1, MPI_UINT64_T, from, size_tag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+  Bytes bytes(size);
+  for (std::size_t at = 0; at < bytes.size(); at += largest_message)
+    MPI_Recv(bytes.data() + at, static_cast<int>(std::min(largest_message, bytes.size() - at)), MPI_BYTE,
+             from, bytes_tag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+  return bytes;
 }
 
 Bytes MpiCrew::tell_all(Bytes bytes) {

@@ -11,7 +11,8 @@
 namespace parallel_aspects::mpi {
 
 /// All processes of `mpirun`. Tasks are taken one by one from a counter that the first process holds, so that
-/// whoever is done first takes the next. To be made in all processes at once, and gone before MPI_Finalize.
+/// whoever is done first takes the next. Parts are kept by one process after the other. To be made in all
+/// processes at once, and gone before MPI_Finalize.
 class MpiCrew final : public ShardCrew {
  public:
   MpiCrew();
@@ -20,8 +21,9 @@ class MpiCrew final : public ShardCrew {
   MpiCrew& operator=(const MpiCrew&) = delete;
 
   bool is_first() const override { return rank_ == 0; }
-  std::optional<std::vector<Bytes>> perform(std::size_t count, const std::function<Bytes(std::size_t)>& work,
-                                            const MapControl& control) override;
+  std::optional<PartResults> perform(std::size_t count, std::size_t parts, const ShardFunction& work,
+                                     const MapControl& control) override;
+  std::vector<Bytes> gather(std::size_t parts, const PartFunction& work) override;
   Bytes tell_all(Bytes bytes) override;
 
   int rank() const noexcept { return rank_; }
@@ -37,13 +39,16 @@ class MpiCrew final : public ShardCrew {
  private:
   struct Result {
     std::uint64_t task;
-    Bytes bytes;
+    std::vector<Bytes> parts;
   };
 
   void restart_counter();
   std::uint64_t next_task();
-  void send(const std::vector<Result>& results);
-  void receive(int sender, std::vector<Bytes>& results) const;
+  int keeper(std::size_t part) const noexcept;
+  Bytes kept_by(int keeper, std::vector<Result>& results) const;
+  PartResults exchange(std::size_t count, std::size_t parts, std::vector<Result>& mine);
+  void send(int to, const Bytes& bytes);
+  Bytes receive(int from) const;
 
   int rank_ = 0, size_ = 1;
   MPI_Win window_{};

@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/shards/contested_choice.h"
 
+#include "aspects/components/component_policy.h"
+
 #include <algorithm>
 
 namespace parallel_aspects {
 
 ContestedChoice::ContestedChoice(const std::vector<std::size_t>& undecided) {
+  const ComponentPolicy policy;
   for (const std::size_t leaves : undecided)
-    budget_.push_back(policy_.least_budget + leaves / policy_.undecided_leaves_for_one);
+    budget_.push_back(policy.least_budget + leaves / policy.undecided_leaves_for_one);
 }
 
-// Where a contact has many leaves it lies along a curve, has twice as many with each level, and no depth ends
-// it.
 void ContestedChoice::choose(std::size_t mode, const ContestedLeaves& leaves,
                              std::map<std::size_t, DivisionRound>& next) {
-  if (leaves.size() > policy_.max_leaves_of_a_point_between || leaves.size() > budget_[mode]) return;
+  if (leaves.size() > budget_[mode]) return;
   budget_[mode] -= leaves.size();
   divided_ += leaves.size();
   for (const ShardLeaf& each : leaves) {

@@ -2,7 +2,6 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_SHARDS_CONTESTED_CHOICE_H
 #define PARALLEL_ASPECTS_ASPECTS_SHARDS_CONTESTED_CHOICE_H
 
-#include "aspects/components/component_policy.h"
 #include "aspects/file/byte_stream.h"
 #include "aspects/shards/shard_merge.h"
 #include "aspects/shards/shard_tree.h"
@@ -31,7 +30,7 @@ class ContestedChoice {
   /// `undecided`: leaves of each computed mode in the base map.
   explicit ContestedChoice(const std::vector<std::size_t>& undecided);
 
-  /// The shards in which something is to be divided next. `merged` is by computed mode, positive sign first.
+  /// The shards in which something is to be divided next. `merged` is by part.
   std::vector<ShardTask> choose(const std::vector<MergedSign>& merged);
 
   std::size_t divided() const noexcept { return divided_; }
@@ -39,7 +38,6 @@ class ContestedChoice {
  private:
   void choose(std::size_t mode, const ContestedLeaves& leaves, std::map<std::size_t, DivisionRound>& next);
 
-  ComponentPolicy policy_;
   std::vector<std::size_t> budget_;                            // of leaves, by mode
   std::map<std::size_t, std::vector<DivisionRound>> history_;  // by shard
   std::size_t divided_ = 0;

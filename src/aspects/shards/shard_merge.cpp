@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/shards/shard_merge.h"
 
+#include "aspects/components/component_policy.h"
 #include "aspects/components/disjoint_sets.h"
 #include "aspects/tree/place_across.h"
 
@@ -33,12 +34,13 @@ struct Touch {
 
 class Merge {
  public:
-  Merge(const PoseSpace& space, std::uint32_t shard_level, const std::vector<const SignRecord*>& shards)
+  Merge(const PoseSpace& space, std::uint32_t shard_level, const std::vector<SignRecord>& shards)
       : space_(space), shard_level_(shard_level), shards_(shards) {
-    for (const SignRecord* shard : shards) {
+    for (const SignRecord& shard : shards) {
       first_label_.push_back(static_cast<std::uint32_t>(is_component_.size()));
-      for (std::uint32_t label = 0; label < shard->label_count(); ++label)
-        is_component_.push_back(label < shard->components.size());
+      for (std::uint32_t label = 0; label < shard.label_count(); ++label)
+        is_component_.push_back(label < shard.components.size());
+      result_.undecided.add(shard.undecided);
     }
     sets_ = DisjointSets(is_component_.size());
   }
@@ -56,7 +58,7 @@ class Merge {
  private:
   void take_contacts() {
     for (std::size_t s = 0; s < shards_.size(); ++s)
-      for (const SignRecord::Contact& contact : shards_[s]->contacts)
+      for (const SignRecord::Contact& contact : shards_[s].contacts)
         touches_.push_back({{s, contact.leaf},
                             {s, contact.other_leaf},
                             first_label_[s] + contact.label,
@@ -66,7 +68,7 @@ class Merge {
   void join_borders() {
     std::vector<BorderNode> nodes;
     for (std::size_t s = 0; s < shards_.size(); ++s)
-      for (const SignRecord::BorderLeaf& leaf : shards_[s]->border)
+      for (const SignRecord::BorderLeaf& leaf : shards_[s].border)
         nodes.push_back({leaf.place, {s, leaf.leaf}, first_label_[s] + leaf.label, leaf.is_inside});
     std::sort(nodes.begin(), nodes.end(),
               [](const BorderNode& a, const BorderNode& b) { return is_before(a.place, b.place); });
@@ -115,13 +117,13 @@ class Merge {
   void number_components() {
     component_.assign(is_component_.size(), 0);
     for (std::size_t s = 0; s < shards_.size(); ++s)
-      for (std::uint32_t label = 0; label < shards_[s]->components.size(); ++label) {
+      for (std::uint32_t label = 0; label < shards_[s].components.size(); ++label) {
         const std::uint32_t each = first_label_[s] + label, set = sets_.find(each);
         if (set == each) {
           component_[set] = result_.components.size();
           result_.components.emplace_back();
         }
-        result_.components[component_[set]].add(shards_[s]->components[label]);
+        result_.components[component_[set]].add(shards_[s].components[label]);
       }
   }
 
@@ -161,10 +163,13 @@ class Merge {
     keep(leaves);
   }
 
+  // Where a contact has many leaves it lies along a curve, has twice as many with each level, and no depth
+  // ends it.
   void keep(ContestedLeaves& leaves) {
     std::sort(leaves.begin(), leaves.end());
     leaves.erase(std::unique(leaves.begin(), leaves.end()), leaves.end());
-    result_.contested.push_back(std::move(leaves));
+    if (leaves.size() <= ComponentPolicy().max_leaves_of_a_point_between)
+      result_.contested.push_back(std::move(leaves));
   }
 
   void count_apart() {
@@ -176,7 +181,7 @@ class Merge {
 
   const PoseSpace& space_;
   std::uint32_t shard_level_;
-  const std::vector<const SignRecord*>& shards_;
+  const std::vector<SignRecord>& shards_;
   std::vector<std::uint32_t> first_label_;  // of a shard
   std::vector<bool> is_component_;          // of a label
   DisjointSets sets_;                       // of labels: components that are joined, loose groups that touch
@@ -188,8 +193,54 @@ class Merge {
 }  // namespace
 
 MergedSign merge_shards(const PoseSpace& space, std::uint32_t shard_level,
-                        const std::vector<const SignRecord*>& shards) {
+                        const std::vector<SignRecord>& shards) {
   return Merge(space, shard_level, shards).run();
+}
+
+Bytes bytes_of(const MergedSign& merged) {
+  ByteWriter writer;
+  write(merged.undecided, writer);
+  writer.put_u32(static_cast<std::uint32_t>(merged.components.size()));
+  for (const LeafTotal& component : merged.components) write(component, writer);
+  writer.put_u32(static_cast<std::uint32_t>(merged.unresolved.size()));
+  for (const auto& [a, b] : merged.unresolved) {
+    writer.put_u64(a);
+    writer.put_u64(b);
+  }
+  writer.put_u64(merged.apart);
+  writer.put_u32(static_cast<std::uint32_t>(merged.contested.size()));
+  for (const ContestedLeaves& leaves : merged.contested) {
+    writer.put_u32(static_cast<std::uint32_t>(leaves.size()));
+    for (const ShardLeaf& each : leaves) {
+      writer.put_u64(each.shard);
+      writer.put_u32(each.leaf);
+    }
+  }
+  return writer.bytes();
+}
+
+MergedSign merged_sign(const Bytes& bytes) {
+  constexpr std::size_t least_total = 9, pair_size = 16, leaf_size = 12;
+  ByteReader reader(bytes.data(), bytes.size());
+  MergedSign merged;
+  merged.undecided = read_total(reader);
+  merged.components.resize(reader.take_count(least_total));
+  for (LeafTotal& component : merged.components) component = read_total(reader);
+  merged.unresolved.resize(reader.take_count(pair_size));
+  for (auto& [a, b] : merged.unresolved) {
+    a = reader.take_u64();
+    b = reader.take_u64();
+  }
+  merged.apart = reader.take_u64();
+  merged.contested.resize(reader.take_count(index_size));
+  for (ContestedLeaves& leaves : merged.contested) {
+    leaves.resize(reader.take_count(leaf_size));
+    for (ShardLeaf& each : leaves) {
+      each.shard = reader.take_u64();
+      each.leaf = reader.take_u32();
+    }
+  }
+  return merged;
 }
 
 }  // namespace parallel_aspects

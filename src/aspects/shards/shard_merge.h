@@ -29,18 +29,22 @@ struct ShardLeaf {
 /// that one loose group touches.
 using ContestedLeaves = std::vector<ShardLeaf>;
 
-/// The shards of one mode and sign put together.
+/// The shards of one part put together.
 struct MergedSign {
+  LeafTotal undecided;                                          ///< leaves of the mode
   std::vector<LeafTotal> components;                            ///< in the order of shards and labels
   std::vector<std::pair<std::size_t, std::size_t>> unresolved;  ///< sorted pairs of components
   std::size_t apart = 0;  ///< sets of components of which any two are proved to be different aspects
-  std::vector<ContestedLeaves> contested;
+  std::vector<ContestedLeaves> contested;  ///< but those of so many leaves that they lie along a curve
 };
 
 /// Joins what shares a face across the borders of shards, which lie at this level of the tree. The result
 /// depends on the records and their order alone.
 MergedSign merge_shards(const PoseSpace& space, std::uint32_t shard_level,
-                        const std::vector<const SignRecord*>& shards);
+                        const std::vector<SignRecord>& shards);
+
+Bytes bytes_of(const MergedSign& merged);
+MergedSign merged_sign(const Bytes& bytes);
 
 }  // namespace parallel_aspects
 

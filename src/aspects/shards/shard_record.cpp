@@ -3,7 +3,10 @@
 
 #include "aspects/components/component_policy.h"
 #include "aspects/components/leaf_graph.h"
+#include "aspects/file/packed_bytes.h"
+#include "parallel_aspects/model/problems.h"
 
+#include <string>
 #include <utility>
 
 namespace parallel_aspects {
@@ -99,25 +102,8 @@ class Labels {
   SignRecord record_;
 };
 
-void write(const LeafTotal& total, ByteWriter& writer) {
-  std::uint8_t last = 0;
-  for (std::size_t level = 0; level < total.of_level.size(); ++level)
-    if (total.of_level[level] > 0) last = static_cast<std::uint8_t>(level + 1);
-  writer.put_u8(last);
-  for (std::size_t level = 0; level < last; ++level) writer.put_u64(total.of_level[level]);
-  writer.put_double(total.measure);
-}
-
-LeafTotal read_total(ByteReader& reader) {
-  LeafTotal total;
-  const std::size_t count = reader.take_u8();
-  for (std::size_t level = 0; level < count && level < total.of_level.size(); ++level)
-    total.of_level[level] = reader.take_u64();
-  total.measure = reader.take_double();
-  return total;
-}
-
 void write(const SignRecord& record, ByteWriter& writer) {
+  write(record.undecided, writer);
   writer.put_u32(static_cast<std::uint32_t>(record.components.size()));
   for (const LeafTotal& component : record.components) write(component, writer);
   writer.put_u32(record.loose_count);
@@ -150,6 +136,7 @@ SignRecord::BorderLeaf read_border_leaf(ByteReader& reader) {
 SignRecord read_sign(ByteReader& reader) {
   constexpr std::size_t least_total = 9, contact_size = 16, border_size = 23;
   SignRecord record;
+  record.undecided = read_total(reader);
   record.components.resize(reader.take_count(least_total));
   for (LeafTotal& component : record.components) component = read_total(reader);
   record.loose_count = reader.take_u32();
@@ -162,55 +149,65 @@ SignRecord read_sign(ByteReader& reader) {
   return record;
 }
 
-ModeRecord record_of(const PoseTree& tree, std::size_t mode, const NodePlace& shard,
-                     const MapControl& control) {
-  ModeRecord record;
-  LeafGraph graph(tree, mode, false, control, ComponentPolicy());
-  for (const int sign : {1, -1}) record.of(sign) = Labels(tree, mode, sign, graph.of(sign)).record(shard);
+LeafTotal undecided_of(const PoseTree& tree, std::size_t mode) {
+  LeafTotal total;
   for (NodeIndex node = 0; node < tree.node_count(); ++node)
     if (tree.state(node, mode).is_undecided())
-      record.undecided.add(tree.place(node).level, tree.space().measure(tree.box(node)));
-  return record;
+      total.add(tree.place(node).level, tree.space().measure(tree.box(node)));
+  return total;
+}
+
+// Most of a record are places of neighbours, so that it is packed well.
+Bytes bytes_of(const SignRecord& record) {
+  ByteWriter writer;
+  write(record, writer);
+  return packed(writer.bytes());
 }
 
 }  // namespace
 
-std::optional<ShardRecord> record_of(const PoseTree& tree, const NodePlace& shard,
-                                     const std::vector<bool>& modes, const MapControl& control) {
-  ShardRecord record;
-  record.modes.resize(tree.mode_count());
+void write(const LeafTotal& total, ByteWriter& writer) {
+  std::uint8_t last = 0;
+  for (std::size_t level = 0; level < total.of_level.size(); ++level)
+    if (total.of_level[level] > 0) last = static_cast<std::uint8_t>(level + 1);
+  writer.put_u8(last);
+  for (std::size_t level = 0; level < last; ++level) writer.put_u64(total.of_level[level]);
+  writer.put_double(total.measure);
+}
+
+LeafTotal read_total(ByteReader& reader) {
+  LeafTotal total;
+  const std::size_t count = reader.take_u8();
+  for (std::size_t level = 0; level < count && level < total.of_level.size(); ++level)
+    total.of_level[level] = reader.take_u64();
+  total.measure = reader.take_double();
+  return total;
+}
+
+std::optional<std::vector<Bytes>> records_of(const PoseTree& tree, const NodePlace& shard,
+                                             const std::vector<bool>& modes, const MapControl& control) {
+  std::vector<Bytes> records(2 * tree.mode_count());
   for (std::size_t mode = 0; mode < tree.mode_count(); ++mode) {
-    if (modes[mode]) record.modes[mode] = record_of(tree, mode, shard, control);
+    if (!modes[mode]) continue;
+    LeafGraph graph(tree, mode, false, control, ComponentPolicy());
+    for (const int sign : {1, -1}) {
+      SignRecord record = Labels(tree, mode, sign, graph.of(sign)).record(shard);
+      record.undecided = undecided_of(tree, mode);
+      records[part_of(mode, sign)] = bytes_of(record);
+    }
     if (is_cancelled(control)) return std::nullopt;
   }
-  return record;
+  return records;
 }
 
-Bytes bytes_of(const ShardRecord& record) {
-  ByteWriter writer;
-  writer.put_u32(static_cast<std::uint32_t>(record.modes.size()));
-  for (const std::optional<ModeRecord>& mode : record.modes) {
-    writer.put_u8(mode ? 1 : 0);
-    if (!mode) continue;
-    write(mode->positive, writer);
-    write(mode->negative, writer);
-    write(mode->undecided, writer);
-  }
-  return writer.bytes();
-}
-
-std::optional<ShardRecord> shard_record(const Bytes& bytes) {
-  ByteReader reader(bytes.data(), bytes.size());
-  ShardRecord record;
-  record.modes.resize(reader.take_count(1));
-  for (std::optional<ModeRecord>& mode : record.modes) {
-    if (reader.take_u8() == 0) continue;
-    mode.emplace();
-    mode->positive = read_sign(reader);
-    mode->negative = read_sign(reader);
-    mode->undecided = read_total(reader);
-  }
-  if (!reader.ok() || reader.left() != 0) return std::nullopt;
+SignRecord sign_record(const Bytes& bytes) {
+  Bytes unpacked;
+  std::string problem = unpack(bytes, unpacked);
+  ByteReader reader(unpacked.data(), unpacked.size());
+  SignRecord record = read_sign(reader);
+  if (problem.empty() && (!reader.ok() || reader.left() != 0)) problem = "it contradicts itself";
+  if (!problem.empty())
+    throw InvalidDescription({"The record of a shard is of no use, since " + problem + "."});
   return record;
 }
 

@@ -50,6 +50,7 @@ struct SignRecord {
     bool is_inside = false;
   };
 
+  LeafTotal undecided;                ///< leaves of the mode, whatever signs they may hold
   std::vector<LeafTotal> components;  ///< inside leaves, by label
   std::uint32_t loose_count = 0;
   std::vector<Contact> contacts;
@@ -60,27 +61,20 @@ struct SignRecord {
   }
 };
 
-/// What a shard tells of one computed mode.
-struct ModeRecord {
-  SignRecord positive, negative;
-  LeafTotal undecided;
-  const SignRecord& of(int sign) const noexcept { return sign > 0 ? positive : negative; }
-  SignRecord& of(int sign) noexcept { return sign > 0 ? positive : negative; }
-};
+/// A computed mode with one sign of det A is a *part* of a map. Nothing links two of them, so that each is
+/// put together alone.
+constexpr std::size_t part_of(std::size_t mode, int sign) noexcept { return 2 * mode + (sign > 0 ? 0 : 1); }
 
-/// All that others need to know of a shard, by computed mode; nothing of modes that were not asked for.
-struct ShardRecord {
-  std::vector<std::optional<ModeRecord>> modes;
-};
+/// All that others need to know of a shard: the records of these modes, one flag for each, as bytes by part;
+/// empty where not asked for. Nothing where cancelled.
+std::optional<std::vector<Bytes>> records_of(const PoseTree& tree, const NodePlace& shard,
+                                             const std::vector<bool>& modes, const MapControl& control);
 
-/// The record of these modes, one flag for each; nothing where cancelled.
-std::optional<ShardRecord> record_of(const PoseTree& tree, const NodePlace& shard,
-                                     const std::vector<bool>& modes, const MapControl& control);
+/// The record that was turned to bytes. Throws `InvalidDescription` where they are none.
+SignRecord sign_record(const Bytes& bytes);
 
-Bytes bytes_of(const ShardRecord& record);
-
-/// The record that was turned to bytes; nothing where they are none.
-std::optional<ShardRecord> shard_record(const Bytes& bytes);
+void write(const LeafTotal& total, ByteWriter& writer);
+LeafTotal read_total(ByteReader& reader);
 
 }  // namespace parallel_aspects
 

@@ -24,20 +24,19 @@ class ShardWork {
     quiet_.cancelled = control.cancelled;
   }
 
-  /// The record as bytes; empty where cancelled.
-  Bytes perform(const ShardTask& task) const {
+  /// The records as bytes; empty where cancelled.
+  std::vector<Bytes> perform(const ShardTask& task) const {
     tbb::task_arena arena(plan_.threads == 0 ? tbb::task_arena::automatic : static_cast<int>(plan_.threads));
-    return arena.execute([&] { return record_of_task(task); });
+    return arena.execute([&] { return records_of_task(task); });
   }
 
  private:
-  Bytes record_of_task(const ShardTask& task) const {
+  std::vector<Bytes> records_of_task(const ShardTask& task) const {
     std::optional<PoseTree> tree = base_of(task.shard);
     if (!tree) return {};
     divide_shard(*tree, *plan_.map.classifier, task.rounds);
     const std::vector<bool> modes = task.modes(plan_.map.modes.size());
-    const std::optional<ShardRecord> record = record_of(*tree, plan_.place(task.shard), modes, quiet_);
-    return record ? bytes_of(*record) : Bytes();
+    return records_of(*tree, plan_.place(task.shard), modes, quiet_).value_or(std::vector<Bytes>());
   }
 
   std::optional<PoseTree> base_of(std::size_t shard) const {
@@ -57,12 +56,6 @@ class ShardWork {
   const ShardNotes& notes_;
   MapControl quiet_;  // a shard's own progress is not shown
 };
-
-LeafTotal undecided_of(const std::vector<ShardRecord>& records, std::size_t mode) {
-  LeafTotal total;
-  for (const ShardRecord& record : records) total.add(record.modes[mode]->undecided);
-  return total;
-}
 
 /// Indices of components, the largest first.
 std::vector<std::size_t> order_of(const std::vector<LeafTotal>& components) {
@@ -86,14 +79,13 @@ void add_sign(ShardedMap& map, const WorkingMode& mode, int sign, const MergedSi
   map.proved_count += merged.apart;
 }
 
-ShardedMap assembled(const ShardPlan& plan, const std::vector<ShardRecord>& records,
-                     const std::vector<MergedSign>& merged) {
+ShardedMap assembled(const ShardPlan& plan, const std::vector<MergedSign>& merged) {
   ShardedMap map;
   for (std::size_t mode = 0; mode < plan.modes.size(); ++mode) {
     const ModeImage& image = plan.images[mode];
     for (const int sign : {1, -1})
-      add_sign(map, plan.modes[mode], sign, merged[2 * image.computed + (sign * image.sign > 0 ? 0 : 1)]);
-    map.undecided.add(undecided_of(records, image.computed));
+      add_sign(map, plan.modes[mode], sign, merged[part_of(image.computed, sign * image.sign)]);
+    map.undecided.add(merged[part_of(image.computed, 1)].undecided);
   }
   std::sort(map.unresolved.begin(), map.unresolved.end());
   return map;
@@ -106,57 +98,33 @@ std::size_t count_of(const LeafTotal& total) {
 /// What the first process does between rounds.
 class Assembly {
  public:
-  explicit Assembly(const ShardPlan& plan)
-      : plan_(plan), records_(plan.count()), merged_(2 * plan.map.modes.size()) {
-    for (ShardRecord& record : records_) record.modes.resize(plan.map.modes.size());
-  }
+  explicit Assembly(const ShardPlan& plan) : plan_(plan), merged_(2 * plan.map.modes.size()) {}
 
-  /// Merges the modes of which these results tell; the others are as they were.
-  void take(const std::vector<ShardTask>& tasks, const std::vector<Bytes>& results) {
-    std::vector<bool> is_new(plan_.map.modes.size(), false);
-    for (std::size_t i = 0; i < tasks.size(); ++i)
-      if (std::optional<ShardRecord> record = shard_record(results[i]))
-        take(records_[tasks[i].shard], std::move(*record), is_new);
-    for (std::size_t mode = 0; mode < is_new.size(); ++mode)
-      if (is_new[mode]) merge(mode);
+  /// Parts that are empty are as they were.
+  void take(const std::vector<Bytes>& merged) {
+    for (std::size_t part = 0; part < merged.size(); ++part)
+      if (!merged[part].empty()) merged_[part] = merged_sign(merged[part]);
   }
 
   std::vector<ShardTask> choose() {
     if (!choice_) {
       std::vector<std::size_t> undecided;
       for (std::size_t mode = 0; mode < plan_.map.modes.size(); ++mode)
-        undecided.push_back(count_of(undecided_of(records_, mode)));
+        undecided.push_back(count_of(merged_[part_of(mode, 1)].undecided));
       choice_.emplace(undecided);
     }
     return choice_->choose(merged_);
   }
 
   ShardedMap map() const {
-    ShardedMap map = assembled(plan_, records_, merged_);
+    ShardedMap map = assembled(plan_, merged_);
     if (choice_) map.divided_leaves = choice_->divided();
     return map;
   }
 
  private:
-  static void take(ShardRecord& known, ShardRecord&& found, std::vector<bool>& is_new) {
-    for (std::size_t mode = 0; mode < is_new.size(); ++mode) {
-      if (!found.modes[mode]) continue;
-      known.modes[mode] = std::move(found.modes[mode]);
-      is_new[mode] = true;
-    }
-  }
-
-  void merge(std::size_t mode) {
-    for (const int sign : {1, -1}) {
-      std::vector<const SignRecord*> shards;
-      for (const ShardRecord& record : records_) shards.push_back(&record.modes[mode]->of(sign));
-      merged_[2 * mode + (sign > 0 ? 0 : 1)] = merge_shards(*plan_.map.space, plan_.level, shards);
-    }
-  }
-
   const ShardPlan& plan_;
-  std::vector<ShardRecord> records_;
-  std::vector<MergedSign> merged_;  // by computed mode, positive sign first
+  std::vector<MergedSign> merged_;  // by part
   std::optional<ContestedChoice> choice_;
 };
 
@@ -168,15 +136,21 @@ std::vector<ShardTask> all_shards(const ShardPlan& plan) {
 
 }  // namespace
 
-std::optional<std::vector<Bytes>> LoneCrew::perform(std::size_t count,
-                                                    const std::function<Bytes(std::size_t)>& work,
-                                                    const MapControl& control) {
-  std::vector<Bytes> results;
+std::optional<PartResults> LoneCrew::perform(std::size_t count, std::size_t parts, const ShardFunction& work,
+                                             const MapControl& control) {
+  PartResults results(parts, std::vector<Bytes>(count));
   for (std::size_t i = 0; i < count; ++i) {
-    results.push_back(work(i));
+    std::vector<Bytes> result = work(i);
     if (is_cancelled(control)) return std::nullopt;
+    for (std::size_t part = 0; part < parts; ++part) results[part][i] = std::move(result[part]);
     if (control.progress) control.progress(static_cast<double>(i + 1) / static_cast<double>(count));
   }
+  return results;
+}
+
+std::vector<Bytes> LoneCrew::gather(std::size_t parts, const PartFunction& work) {
+  std::vector<Bytes> results;
+  for (std::size_t part = 0; part < parts; ++part) results.push_back(work(part));
   return results;
 }
 
@@ -189,15 +163,18 @@ std::optional<ShardedMap> compute_sharded_map(const ShardPlan& plan, const std::
   const Bytes refused = crew.tell_all(Bytes(problem.begin(), problem.end()));
   if (!refused.empty()) throw InvalidDescription({std::string(refused.begin(), refused.end())});
   const ShardWork work(plan, shards, control, notes);
+  KeptParts kept(plan);
   Assembly assembly(plan);
   std::vector<ShardTask> tasks = all_shards(plan);
   const std::size_t max_rounds = plan.map.deepest_level - plan.map.depth;
   const MapControl quiet{{}, control.cancelled};
   for (std::size_t round = 0;; ++round) {
-    const auto results = crew.perform(
-        tasks.size(), [&](std::size_t i) { return work.perform(tasks[i]); }, round == 0 ? control : quiet);
+    auto results = crew.perform(
+        tasks.size(), kept.count(), [&](std::size_t i) { return work.perform(tasks[i]); },
+        round == 0 ? control : quiet);
     if (!results) return std::nullopt;
-    if (crew.is_first()) assembly.take(tasks, *results);
+    kept.take(tasks, std::move(*results));
+    assembly.take(crew.gather(kept.count(), [&kept](std::size_t part) { return kept.merge(part); }));
     const bool may_divide = crew.is_first() && round < max_rounds;
     tasks = shard_tasks(
         crew.tell_all(may_divide ? bytes_of(assembly.choose()) : bytes_of(std::vector<ShardTask>())));

@@ -3,6 +3,7 @@
 #define PARALLEL_ASPECTS_ASPECTS_SHARDS_SHARDED_MAP_H
 
 #include "aspects/file/byte_stream.h"
+#include "aspects/shards/kept_parts.h"
 #include "aspects/shards/shard_plan.h"
 #include "aspects/shards/shard_record.h"
 #include "parallel_aspects/aspects/map_control.h"
@@ -16,19 +17,26 @@
 
 namespace parallel_aspects {
 
+using ShardFunction = std::function<std::vector<Bytes>(std::size_t task)>;
+using PartFunction = std::function<Bytes(std::size_t part)>;
+
 /// Those who compute together: this process alone, or several that each run the same code.
 class ShardCrew {
  public:
   virtual ~ShardCrew() = default;
 
-  /// Whether this process puts the results together.
+  /// Whether the result is that of this process.
   virtual bool is_first() const = 0;
 
-  /// Calls `work` for each of 0, 1, ..., count - 1 in one process, whichever is free. In the first process
-  /// what it returned, in this order; empty in the others. Nothing, in all of them, where one was cancelled.
-  virtual std::optional<std::vector<Bytes>> perform(std::size_t count,
-                                                    const std::function<Bytes(std::size_t)>& work,
-                                                    const MapControl& control) = 0;
+  /// Calls `work` for each of 0, 1, ..., count - 1 in one process, whichever is free, and hands what it
+  /// returned, bytes by part, to the processes that keep the parts. Nothing, in all of them, where one was
+  /// cancelled.
+  virtual std::optional<PartResults> perform(std::size_t count, std::size_t parts, const ShardFunction& work,
+                                             const MapControl& control) = 0;
+
+  /// Calls `work` for each part in the process that keeps it. In the first process what it returned, by part;
+  /// empty in the others.
+  virtual std::vector<Bytes> gather(std::size_t parts, const PartFunction& work) = 0;
 
   /// The bytes of the first process, in all of them.
   virtual Bytes tell_all(Bytes bytes) = 0;
@@ -38,8 +46,9 @@ class ShardCrew {
 class LoneCrew final : public ShardCrew {
  public:
   bool is_first() const override { return true; }
-  std::optional<std::vector<Bytes>> perform(std::size_t count, const std::function<Bytes(std::size_t)>& work,
-                                            const MapControl& control) override;
+  std::optional<PartResults> perform(std::size_t count, std::size_t parts, const ShardFunction& work,
+                                     const MapControl& control) override;
+  std::vector<Bytes> gather(std::size_t parts, const PartFunction& work) override;
   Bytes tell_all(Bytes bytes) override { return bytes; }
 };
 

@@ -29,10 +29,18 @@ namespace fs = std::filesystem;
 class BackwardCrew final : public ShardCrew {
  public:
   bool is_first() const override { return true; }
-  std::optional<std::vector<Bytes>> perform(std::size_t count, const std::function<Bytes(std::size_t)>& work,
-                                            const MapControl&) override {
-    std::vector<Bytes> results(count);
-    for (std::size_t i = count; i-- > 0;) results[i] = work(i);
+  std::optional<PartResults> perform(std::size_t count, std::size_t parts, const ShardFunction& work,
+                                     const MapControl&) override {
+    PartResults results(parts, std::vector<Bytes>(count));
+    for (std::size_t i = count; i-- > 0;) {
+      const std::vector<Bytes> result = work(i);
+      for (std::size_t part = 0; part < parts; ++part) results[part][i] = result[part];
+    }
+    return results;
+  }
+  std::vector<Bytes> gather(std::size_t parts, const PartFunction& work) override {
+    std::vector<Bytes> results(parts);
+    for (std::size_t part = parts; part-- > 0;) results[part] = work(part);
     return results;
   }
   Bytes tell_all(Bytes bytes) override { return bytes; }
@@ -186,6 +194,27 @@ TEST_F(ShardedMaps, FoldersOfAnotherMapAreRefused) {
   LoneCrew crew;
   const ShardPlan other = plan_of(*test::five_bar(), 0.2, 1, 2);
   EXPECT_THROW(compute_sharded_map(other, folder("five_bar"), crew, {}, {}), InvalidDescription);
+}
+
+TEST_F(ShardedMaps, TellOfOtherModesThanThoseAskedForNothing) {
+  const ShardPlan plan = plan_of(*test::three_rrr(), 2.0, 1, 0);
+  const auto tree = grow_shard(plan, 3, {});
+  ASSERT_TRUE(tree);
+  std::vector<bool> modes(plan.map.modes.size(), true);
+  const auto all = records_of(*tree, plan.place(3), modes, {});
+  modes[0] = false;
+  const auto some = records_of(*tree, plan.place(3), modes, {});
+  ASSERT_TRUE(all && some);
+  for (const int sign : {1, -1}) {
+    EXPECT_TRUE((*some)[part_of(0, sign)].empty());
+    EXPECT_EQ((*some)[part_of(1, sign)], (*all)[part_of(1, sign)]);
+    Bytes bytes = (*all)[part_of(1, sign)];
+    const SignRecord record = sign_record(bytes);
+    EXPECT_GT(record.border.size(), 0U);
+    for (const auto& leaf : record.border) EXPECT_LT(leaf.label, record.label_count());
+    bytes.resize(bytes.size() - 1);
+    EXPECT_THROW(sign_record(bytes), InvalidDescription);
+  }
 }
 
 TEST_F(ShardedMaps, ShardsFinerThanTheMapAreRefused) {
