@@ -23,7 +23,23 @@ from ._results import (
     Sweep,
     Workspace,
 )
-from ._text import Mode, Ranges, Values, mode_text, modes_text, number, ranges_text, values_text, varied_text, words_text
+from ._text import (
+    Mode,
+    Ranges,
+    Values,
+    array,
+    count,
+    mode_text,
+    modes_text,
+    named,
+    number,
+    ranges_text,
+    real,
+    refused,
+    values_text,
+    varied_text,
+    words_text,
+)
 
 Progress = Optional[Callable[[float], Any]]
 
@@ -132,28 +148,28 @@ class Robot:
     def with_lengths(self, lengths: "Mapping[str, float]", untied: bool = False) -> "Robot":
         """The same robot with other `lengths` [m]. What a symmetry of the robot takes to each other follows, unless
         untied."""
-        values = [(name, float(value)) for name, value in lengths.items()]
+        values = [(name, real(name, value)) for name, value in named(lengths)]
         return Robot(self._core.with_lengths(values, not untied), self.notes)
 
     def inverse(self, poses: "np.typing.ArrayLike", mode: Mode) -> np.ndarray:
         """Values of the actuated joints in a working mode [rad or m], shape (legs,) or (n, legs): NaN where a pose is
         out of reach or outside the limits."""
-        return _like(poses, self._core.inverse(poses, mode_text(mode)))
+        return _like(poses, self._core.inverse(array("poses", poses), mode_text(mode)))
 
     def configurations(self, pose: "np.typing.ArrayLike") -> List[Configuration]:
         """All inverse solutions of a pose of shape (k,), within the limits: one a working mode at most."""
-        return [Configuration(mode, q) for mode, q in zip(*self._core.inverse_in_modes(pose))]
+        return [Configuration(mode, q) for mode, q in zip(*self._core.inverse_in_modes(array("pose", pose)))]
 
     def direct(self, q: "np.typing.ArrayLike") -> DirectSolutions:
         """All poses that the values of the actuated joints can hold, q of shape (legs,), whatever the limits."""
-        answer = self._core.direct(q)
+        answer = self._core.direct(array("q", q))
         answer["near_singular"] = np.array(answer["near_singular"], dtype=bool)
         return DirectSolutions(**answer)
 
     def indices(self, poses: "np.typing.ArrayLike", mode: Mode) -> Tuple[np.ndarray, np.ndarray]:
         """The parallel index of each pose, of shape () or (n,), and the serial indices of the legs, (legs,) or (n, legs).
         Each is 0 at a singularity and 1 at most; NaN where a pose is not reached. They are no distances."""
-        parallel, serial = self._core.indices(poses, mode_text(mode))
+        parallel, serial = self._core.indices(array("poses", poses), mode_text(mode))
         return _like(poses, parallel), _like(poses, serial)
 
     def map(
@@ -179,7 +195,8 @@ class Robot:
             `count_at_most` may be known; takes many times as long.
         """
         texts = ranges_text(region), values_text(slice), modes_text(modes)
-        return Map(self._core.map(resolution, *texts, threads, extra_levels, complete, progress))
+        counts = count("threads", threads), count("extra_levels", extra_levels)
+        return Map(self._core.map(real("resolution", resolution), *texts, *counts, bool(complete), progress))
 
     def load_map(
         self,
@@ -191,14 +208,14 @@ class Robot:
     ) -> Map:
         """The map that `Map.save` or `aspects map --save` wrote, if it is of this robot and these options."""
         texts = ranges_text(region), values_text(slice), modes_text(modes)
-        return Map(self._core.load_map(os.fspath(file), resolution, *texts))
+        return Map(self._core.load_map(os.fspath(file), real("resolution", resolution), *texts))
 
     def distance(
         self, pose: "np.typing.ArrayLike", mode: Mode, tolerance: float = 0.01, max_boxes: int = 400
     ) -> Distances:
         """How far singularities and limits are from a pose of shape (k,) in a working mode, between a bound that is
         proved and a witness. tolerance: relative gap that is aimed at; max_boxes: how much work is spent."""
-        answer = self._core.distance(pose, mode_text(mode), tolerance, max_boxes)
+        answer = self._core.distance(array("pose", pose), mode_text(mode), *_effort(tolerance, max_boxes))
         kinds = {name: BoundaryDistance(**answer[name]) for name in ("parallel", "serial", "actuated_limit")}
         return Distances(answer["status"], **kinds)
 
@@ -212,12 +229,13 @@ class Robot:
     ) -> np.ndarray:
         """The bounds alone [m], of shape (3, 2) or (n, 3, 2): to parallel and serial singularities and to limits of
         actuated joints, each lower (proved) and upper."""
-        return _like(poses, self._core.distances(poses, mode_text(mode), tolerance, max_boxes, progress))
+        effort = _effort(tolerance, max_boxes)
+        return _like(poses, self._core.distances(array("poses", poses), mode_text(mode), *effort, progress))
 
     def check(self, times: "np.typing.ArrayLike", poses: "np.typing.ArrayLike", mode: Mode) -> Check:
         """Whether the platform can follow these poses in a working mode at every time, proved: times of shape (n,),
         rising [s], poses of shape (n, k), straight between them."""
-        return _check(self._core.check(_times(times), poses, mode_text(mode)))
+        return _check(self._core.check(_times(times), array("poses", poses), mode_text(mode)))
 
     def check_joints(
         self,
@@ -230,7 +248,8 @@ class Robot:
         """Whether the actuated joints can run through these values at every time, proved: times of shape (n,), q of shape
         (n, legs), straight between them. The start is told by its pose, or by the sign of det A there, where several
         are possible. pass_serial: legs may change posture."""
-        return _check(self._core.check_joints(_times(times), q, start_pose, start_sign, pass_serial))
+        pose = None if start_pose is None else array("start_pose", start_pose)
+        return _check(self._core.check_joints(_times(times), array("q", q), pose, start_sign, pass_serial))
 
     def choose(
         self,
@@ -242,7 +261,7 @@ class Robot:
         """In which working modes a path can be done, the best first, as `aspects choose --path` says in JSON. prefer:
         "clear", "travel" or "fast"; a map tells aspects."""
         core = None if map is None else map._core  # pylint: disable=protected-access
-        return self._core.choose(_times(times), poses, prefer, core)
+        return self._core.choose(_times(times), array("poses", poses), prefer, core)
 
     def choose_region(self, region: Ranges, slice: "Optional[Values]" = None) -> Dict[str, Any]:  # pylint: disable=redefined-builtin
         """In which working modes all of a box of poses lies in one aspect, as {"x": (-1, 1), "y": (0, 2)}; the answer is
@@ -264,7 +283,9 @@ class Robot:
         """A path between two poses of shape (k,) over a roadmap of sampled poses, in every task space, with six degrees
         of freedom too; else `Map.plan` knows more. policy: "stay" in one aspect, or pass "serial" singularities."""
         modes = [mode_text(mode) if mode is not None else "" for mode in (start_mode, goal_mode)]
-        return path_of(self._core.plan(start, goal, *modes, policy, prefer, samples, seed, progress))
+        ends = array("start", start), array("goal", goal)
+        counts = count("samples", samples), count("seed", seed)
+        return path_of(self._core.plan(*ends, *modes, policy, prefer, *counts, progress))
 
     def sweep(
         self,
@@ -293,7 +314,7 @@ class Robot:
             "vary": varied_text(vary),
             "report": words_text(report),
             "sample": sample,
-            "designs": "" if designs is None else str(int(designs)),
+            "designs": "" if designs is None else str(count("designs", designs)),
             "resolution": "" if resolution is None else number(resolution),
             "slice": values_text(slice),
             "mode": modes_text(modes),
@@ -302,7 +323,7 @@ class Robot:
         }
         with tempfile.TemporaryDirectory() as folder:
             rows = os.fspath(file) if file is not None else os.path.join(folder, "sweep.csv")
-            self._core.sweep(rows, texts, untied, threads, progress)
+            self._core.sweep(rows, texts, untied, count("threads", threads), progress)
             return read_sweep(rows)
 
     def uniqueness(
@@ -313,17 +334,14 @@ class Robot:
     ) -> Dict[str, Any]:
         """Which poses of an aspect have the same actuated values, and where direct solutions meet: the answer of
         `aspects uniqueness` in JSON."""
-        return self._core.uniqueness(values_text(slice), resolution, progress)
+        return self._core.uniqueness(values_text(slice), real("resolution", resolution), progress)
 
 
 def read_sweep(file: "Union[str, os.PathLike]") -> Sweep:
     """The rows of a file that `Robot.sweep`, `aspects sweep` or `aspects merge` wrote."""
     with open(file, encoding="ascii", newline="") as stream:
         if not stream.readline().startswith("# aspects sweep "):
-            problem = f"'{os.fspath(file)}' is not the file of a sweep; give one that a sweep wrote."
-            error = InvalidDescription(problem)
-            error.problems = [problem]
-            raise error
+            raise refused(f"'{os.fspath(file)}' is not the file of a sweep; give one that a sweep wrote.")
         names, *rows = csv.reader(stream)
     columns: Dict[str, np.ndarray] = {}
     for name, cells in zip(names, zip(*rows) if rows else [()] * len(names)):
@@ -333,7 +351,11 @@ def read_sweep(file: "Union[str, os.PathLike]") -> Sweep:
 
 
 def _times(times: "np.typing.ArrayLike") -> List[float]:
-    return np.atleast_1d(np.asarray(times, dtype=float)).tolist()
+    return np.atleast_1d(array("times", times)).tolist()
+
+
+def _effort(tolerance: float, max_boxes: int) -> Tuple[Optional[float], int]:
+    return real("tolerance", tolerance), count("max_boxes", max_boxes)
 
 
 def _like(poses: "np.typing.ArrayLike", rows: np.ndarray) -> np.ndarray:

@@ -6,7 +6,7 @@ from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
 import numpy as np
 
 from ._results import Aspect, Path, PathCrossing, Workspace
-from ._text import Mode, mode_text, number, ranges_text, values_text
+from ._text import Mode, array, count, listed, mode_text, number, ranges_text, ratio_text, values_text
 
 UNDECIDED = 0  # closer to a singularity or a limit than the map can tell
 OUTSIDE = -1  # proved to lie in no aspect of the working mode
@@ -79,12 +79,12 @@ class Map:
     def locate(self, poses: "np.typing.ArrayLike", mode: Mode) -> "Union[int, np.ndarray]":
         """Which aspect holds poses of shape (k,) or (n, k) in a working mode: an id or an array of shape (n,). UNDECIDED,
         OUTSIDE and NOT_MAPPED, which are not positive, stand where no aspect is proved to."""
-        found = self._core.locate(poses, mode_text(mode))
+        found = self._core.locate(array("poses", poses), mode_text(mode))
         return int(found[0]) if np.ndim(poses) == 1 else found
 
     def boxes(self, aspect: int) -> np.ndarray:
         """The boxes that are proved to lie in an aspect, shape (n, d, 2): lower and upper end of each coordinate."""
-        return self._core.boxes(aspect)
+        return self._core.boxes(count("aspect", aspect))
 
     def undecided(self, mode: Mode) -> np.ndarray:
         """The boxes of a working mode that are neither in an aspect nor proved to meet none, shape (n, d, 2)."""
@@ -93,7 +93,7 @@ class Map:
     def workspace(
         self,
         shape: str,
-        aspects: Sequence[int] = (),
+        aspects: "Union[int, Sequence[int]]" = (),
         center: "Union[None, str, Dict[str, float]]" = None,
         aspect_ratio: "Union[None, str, Sequence[float]]" = None,
         orientation: "Union[None, str, Dict[str, Sequence[float]]]" = None,
@@ -109,7 +109,8 @@ class Map:
         gap: between the bounds of its size, of the upper one, that is aimed at; by default 0.01.
         """
         texts = shape_texts(shape, center, aspect_ratio, orientation, gap)
-        return [Workspace(**each) for each in self._core.workspace(texts, list(aspects), progress)]
+        ids = [count("aspects", each) for each in listed(aspects)]
+        return [Workspace(**each) for each in self._core.workspace(texts, ids, progress)]
 
     def plan(
         self,
@@ -124,7 +125,8 @@ class Map:
         """A path between two poses of shape (k,), in working modes or in any. policy: "stay" in one aspect, pass "serial"
         singularities, or "any"; prefer: "short", "clear" or "quick"."""
         modes = [mode_text(mode) if mode is not None else "" for mode in (start_mode, goal_mode)]
-        return path_of(self._core.plan(start, goal, *modes, policy, prefer, progress))
+        ends = array("start", start), array("goal", goal)
+        return path_of(self._core.plan(*ends, *modes, policy, prefer, progress))
 
     def save(self, file: "Union[str, os.PathLike]") -> None:
         """Writes it for `Robot.load_map` and `aspects map --load`."""
@@ -159,11 +161,10 @@ def shape_texts(
     gap: Optional[float] = None,
 ) -> Dict[str, str]:
     """The arguments of `Map.workspace` as texts."""
-    ratio = aspect_ratio if aspect_ratio is None or isinstance(aspect_ratio, str) else ":".join(map(number, aspect_ratio))
     return {
         "shape": shape,
         "center": values_text(center),
-        "aspect_ratio": ratio or "",
+        "aspect_ratio": ratio_text(aspect_ratio),
         "orientation": ranges_text(orientation),
         "gap": "" if gap is None else number(gap),
     }

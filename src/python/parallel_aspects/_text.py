@@ -1,15 +1,65 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Arguments as the texts that the command takes."""
-from typing import Iterable, Mapping, Sequence, Union
+"""Arguments as the texts, numbers and arrays that the compiled part takes, and what is said where they are none."""
+import operator
+from typing import Any, ItemsView, Iterable, Mapping, Optional, Sequence, Union
+
+import numpy as np
+
+from ._core import InvalidDescription
 
 Mode = Union[str, Sequence[int]]
 Ranges = Union[str, Mapping[str, Sequence[float]]]
 Values = Union[str, Mapping[str, float]]
 
 
+def refused(problem: str) -> InvalidDescription:
+    """An error with one problem."""
+    error = InvalidDescription(problem)
+    error.problems = [problem]
+    return error
+
+
+def array(name: str, values: "np.typing.ArrayLike") -> np.ndarray:
+    """Numbers, whatever their shape."""
+    try:
+        return np.asarray(values, dtype=float)
+    except (TypeError, ValueError):
+        raise refused(f"{name} is no array of numbers; give rows of the same length, of finite numbers.") from None
+
+
+def real(name: str, value: Optional[float]) -> Optional[float]:
+    """A number, or None."""
+    try:
+        return None if value is None else float(value)
+    except (TypeError, ValueError):
+        raise refused(f"{name} is {value!r}; give a number.") from None
+
+
+def count(name: str, value: int) -> int:
+    """A whole number that is not negative, and no more than the compiled part holds."""
+    try:
+        if 0 <= operator.index(value) < 2**31:
+            return operator.index(value)
+    except TypeError:
+        pass
+    raise refused(f"{name} is {value!r}; give a whole number, not negative.")
+
+
+def named(values: "Mapping[str, Any]") -> "ItemsView[str, Any]":
+    """What a mapping holds."""
+    if isinstance(values, Mapping):
+        return values.items()
+    raise refused(f'{values!r} does not name what it holds; give a mapping or a text, such as {{"x": 1}} or "x=1".')
+
+
+def listed(values: Any) -> list:
+    """What stands alone is a list of one."""
+    return list(values) if isinstance(values, Iterable) else [values]
+
+
 def number(value: float) -> str:
     """All digits of a number."""
-    return repr(float(value))
+    return repr(real("A value", value))
 
 
 def mode_text(mode: Mode) -> str:
@@ -31,14 +81,19 @@ def ranges_text(ranges: "Union[None, Ranges]") -> str:
     """ "x=-1:1 y=0:2" for {"x": (-1, 1), "y": (0, 2)}."""
     if ranges is None or isinstance(ranges, str):
         return ranges or ""
-    return " ".join(f"{name}={':'.join(map(number, ends))}" for name, ends in ranges.items())
+    return " ".join(f"{name}={':'.join(map(number, listed(ends)))}" for name, ends in named(ranges))
 
 
 def values_text(values: "Union[None, Values]") -> str:
     """ "x=1 y=2" for {"x": 1, "y": 2}."""
     if values is None or isinstance(values, str):
         return values or ""
-    return " ".join(f"{name}={number(value)}" for name, value in values.items())
+    return " ".join(f"{name}={number(value)}" for name, value in named(values))
+
+
+def ratio_text(ratio: "Union[None, str, Sequence[float]]") -> str:
+    """ "1:2" for (1, 2)."""
+    return ratio or "" if ratio is None or isinstance(ratio, str) else ":".join(map(number, listed(ratio)))
 
 
 def words_text(words: "Union[None, str, Iterable[str]]") -> str:
@@ -51,7 +106,8 @@ def varied_text(vary: "Union[str, Mapping[str, Union[float, Sequence[float]]]]")
     if isinstance(vary, str):
         return vary
     words = []
-    for name, values in vary.items():
-        parts = list(values) if isinstance(values, Iterable) else [values]
-        words.append(f"{name}=" + ":".join([number(end) for end in parts[:2]] + [str(int(n)) for n in parts[2:]]))
+    for name, values in named(vary):
+        parts = listed(values)
+        counts = [str(count(f"The number of values of {name}", n)) for n in parts[2:]]
+        words.append(f"{name}=" + ":".join([*map(number, parts[:2]), *counts]))
     return " ".join(words)
