@@ -49,25 +49,33 @@ void parse_angle(const std::string& text, const std::vector<std::string>& names,
   question.angle = AngleRange{range.lower[0], range.upper[0]};
 }
 
-}  // namespace
-
-WorkspaceQuestion parse_shape(const ShapeArguments& arguments, const Manipulator& manipulator,
-                              const std::optional<MapSlice>& slice, Problems& problems) {
-  WorkspaceQuestion question;
-  const auto shape = shape_named(arguments.name);
-  if (!shape)
-    problems.push_back("--shape is '" + arguments.name + "'; give box, square, disc, cylinder or ball.");
-  question.shape = shape.value_or(RegularShape::box);
-  if (!problems.empty()) return question;
-  problems = problems_of(manipulator, slice, question);
-  if (!problems.empty()) return question;
+/// Where and how a shape may lie, of the kind that `question` has.
+void parse_placement(const ShapeArguments& arguments, const Manipulator& manipulator,
+                     const std::optional<MapSlice>& slice, WorkspaceQuestion& question, Problems& problems) {
   const std::size_t free = free_positions(manipulator, slice);
   const auto names = slice ? coordinate_names(*slice) : coordinate_names(manipulator.task_space());
   question.ratio = parse_ratio(arguments.ratio, question.shape, free, problems);
   parse_center(arguments.center, {names.begin(), names.begin() + static_cast<std::ptrdiff_t>(free)}, question,
                problems);
   parse_angle(arguments.angle, names, free, question, problems);
-  if (problems.empty()) problems = problems_of(manipulator, slice, question);
+}
+
+}  // namespace
+
+WorkspaceQuestion parse_shape(const ShapeArguments& arguments, const Manipulator& manipulator,
+                              const std::optional<MapSlice>& slice, Problems& problems) {
+  WorkspaceQuestion question;
+  Problems own;
+  const auto shape = shape_named(arguments.name);
+  if (shape) {
+    question.shape = *shape;
+    own = problems_of(manipulator, slice, question);
+    if (own.empty()) parse_placement(arguments, manipulator, slice, question, own);
+    if (own.empty()) own = problems_of(manipulator, slice, question);
+  } else {
+    own.push_back("--shape is '" + arguments.name + "'; give box, square, disc, cylinder or ball.");
+  }
+  problems.insert(problems.end(), own.begin(), own.end());
   return question;
 }
 

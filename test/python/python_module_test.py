@@ -199,6 +199,8 @@ def test_sweeps_go_on(robot, tmp_path):
     assert len(whole) == 3 and list(whole["crank_1"]) == [6, 7, 8] and set(whole["status"]) == {"mapped"}
     text = file.read_bytes()
     file.write_bytes(text[:-30])
+    with pytest.raises(pa.InvalidDescription, match="of another robot, command"):
+        robot.sweep(file=file, **{**ask, "resolution": 2.0})
     shares = []
     assert len(robot.sweep(file=file, progress=shares.append, **ask)) == 3
     assert file.read_bytes() == text and shares[-1] == 1.0

@@ -109,13 +109,12 @@ void check_picture(const WorkspaceArguments& arguments, const Manipulator& manip
 }
 
 Report report_of(const WorkspaceArguments& arguments, const Surroundings& surroundings) {
+  const auto mechanism = load_robot(arguments.robot);
+  const auto manipulator = choose_constraints(mechanism->mapped_manipulator(), arguments.constraints);
   Problems problems;
   WorkspaceOptions options;
   options.gap = parse_gap(arguments.shape, problems);
   check_picture_file("--picture", arguments.picture, problems);
-  const auto mechanism = load_robot(arguments.robot, std::move(problems));
-  const auto manipulator = choose_constraints(mechanism->mapped_manipulator(), arguments.constraints);
-  problems.clear();
   std::optional<MapSlice> slice;
   if (!arguments.map.slice.empty())
     slice = parse_slice("--slice", *manipulator, arguments.map.slice, problems);

@@ -78,7 +78,7 @@ void take_map_options(const SweepArguments& arguments, const Manipulator& manipu
   question.map.modes = parse_modes("--mode", manipulator, arguments.modes, problems);
   if (!question.workspace && (!arguments.shape.name.empty() || !arguments.shape.ratio.empty()))
     problems.emplace_back("--shape is of --report workspace; ask for that, or leave it out.");
-  if (!question.workspace || !problems.empty()) return;
+  if (!question.workspace) return;
   if (arguments.shape.name.empty()) {
     problems.emplace_back("--report workspace takes --shape: box, square, disc, cylinder or ball.");
     return;

@@ -26,8 +26,8 @@ SweepFile::SweepFile(const SweepPlan& plan, const Shard& shard, std::string file
   }
 }
 
-SweepFile::~SweepFile() {
-  if (descriptor_ >= 0) close(descriptor_);
+SweepFile::Descriptor::~Descriptor() {
+  if (number >= 0) close(number);
 }
 
 void SweepFile::refuse(const std::string& why) const {
@@ -36,19 +36,16 @@ void SweepFile::refuse(const std::string& why) const {
 }
 
 void SweepFile::open() {
-  descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-  if (descriptor_ < 0) refuse(std::string("cannot be written: ") + std::strerror(errno));
-  if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
-    close(std::exchange(descriptor_, -1));
-    refuse("is being written by another process");
-  }
+  descriptor_.number = ::open(file_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+  if (descriptor_.number < 0) refuse(std::string("cannot be written: ") + std::strerror(errno));
+  if (flock(descriptor_.number, LOCK_EX | LOCK_NB) != 0) refuse("is being written by another process");
 }
 
 std::string SweepFile::contents() const {
   std::string text;
   std::array<char, 65536> buffer{};
   for (;;) {
-    const ssize_t count = read(descriptor_, buffer.data(), buffer.size());
+    const ssize_t count = read(descriptor_.number, buffer.data(), buffer.size());
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) refuse(std::string("cannot be read: ") + std::strerror(errno));
     if (count == 0) return text;
@@ -62,18 +59,19 @@ void SweepFile::take_rows(const SweepPlan& plan, const Shard& shard, const std::
   for (std::size_t end = text.find('\n', at); end != std::string::npos; end = text.find('\n', at)) {
     if (rows_ == shard.rows(plan.count)) refuse("has more rows than its sweep");
     const std::string start = row_start(plan, shard.design(rows_));
-    if (text.compare(at, start.size(), start) != 0)
+    if (text.compare(at, start.size(), start) != 0 ||
+        !is_row_of(column_line(plan), text.substr(at, end - at)))
       refuse("has another row " + std::to_string(rows_ + 1) + " than its sweep");
     at = end + 1;
     ++rows_;
   }
-  if (ftruncate(descriptor_, static_cast<off_t>(at)) != 0)
+  if (ftruncate(descriptor_.number, static_cast<off_t>(at)) != 0)
     refuse(std::string("cannot be written: ") + std::strerror(errno));
 }
 
 void SweepFile::write(const std::string& text) {
   for (std::size_t done = 0; done < text.size();) {
-    const ssize_t count = ::write(descriptor_, text.data() + done, text.size() - done);
+    const ssize_t count = ::write(descriptor_.number, text.data() + done, text.size() - done);
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) refuse(std::string("cannot be written: ") + std::strerror(errno));
     done += static_cast<std::size_t>(count);

@@ -30,6 +30,9 @@ struct SweepHeader {
 /// "# aspects sweep 1, fingerprint 0123abcd, 441 designs, shard 1/4", without a line end.
 std::string header_line(const SweepHeader& header);
 
+/// Whether a row may stand under these columns: as many cells, a status, and numbers or nothing elsewhere.
+bool is_row_of(const std::string& columns, const std::string& row);
+
 /// A file that rows are added to, one by one, in order. Nobody else writes to it meanwhile. A row is there
 /// for good once `add` returns, whatever then happens to this process; the rest of one that was cut off is
 /// removed when the file is opened again.
@@ -38,9 +41,6 @@ class SweepFile {
   /// Creates the file, or goes on with one of the same sweep and shard. Throws `InvalidDescription` where it
   /// cannot be written, is in use, or is of another sweep or no sweep at all.
   SweepFile(const SweepPlan& plan, const Shard& shard, std::string file);
-  ~SweepFile();
-  SweepFile(const SweepFile&) = delete;
-  SweepFile& operator=(const SweepFile&) = delete;
 
   std::size_t rows() const { return rows_; }  ///< that it holds
 
@@ -48,6 +48,16 @@ class SweepFile {
   void add(const std::string& row);
 
  private:
+  /// A file that is open, and locked; free for others once this is gone.
+  class Descriptor {
+   public:
+    Descriptor() = default;
+    ~Descriptor();
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    int number = -1;
+  };
+
   void open();
   std::string contents() const;
   void take_rows(const SweepPlan& plan, const Shard& shard, const std::string& text, std::size_t at);
@@ -55,7 +65,7 @@ class SweepFile {
   [[noreturn]] void refuse(const std::string& why) const;
 
   std::string file_;
-  int descriptor_ = -1;
+  Descriptor descriptor_;
   std::size_t rows_ = 0;
 };
 

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "parallel_aspects/aspects/design.h"
 #include "tools/sweep/sweep_chart.h"
 #include "tools/sweep/sweep_file.h"
 
 #include <array>
+#include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <fstream>
 #include <optional>
 
@@ -33,10 +36,27 @@ std::optional<SweepHeader> parse_header(const std::string& line) {
   return is_sound ? std::optional<SweepHeader>(header) : std::nullopt;
 }
 
-std::size_t commas_in(const std::string& line) {
-  std::size_t count = 0;
-  for (const char letter : line) count += letter == ',';
-  return count;
+std::vector<std::string> cells_of(const std::string& line) {
+  std::vector<std::string> cells(1);
+  for (const char letter : line) {
+    if (letter == ',')
+      cells.emplace_back();
+    else
+      cells.back() += letter;
+  }
+  return cells;
+}
+
+bool is_status(const std::string& cell) {
+  for (const DesignStatus status :
+       {DesignStatus::mapped, DesignStatus::unassembled, DesignStatus::refused, DesignStatus::not_mapped})
+    if (cell == name(status)) return true;
+  return false;
+}
+
+bool is_number(const std::string& cell) {
+  char* end = nullptr;
+  return !std::isnan(std::strtod(cell.c_str(), &end)) && end == cell.c_str() + cell.size();
 }
 
 void check_rows(const Part& part, Problems& problems) {
@@ -47,9 +67,7 @@ void check_rows(const Part& part, Problems& problems) {
                        std::to_string(wanted) + " rows; let its sweep go on to its end.");
   for (std::size_t i = 0; i < part.rows.size(); ++i) {
     const std::string start = std::to_string(shard.design(i) + 1) + ",";
-    if (part.rows[i].compare(0, start.size(), start) == 0 &&
-        commas_in(part.rows[i]) == commas_in(part.columns))
-      continue;
+    if (part.rows[i].compare(0, start.size(), start) == 0 && is_row_of(part.columns, part.rows[i])) continue;
     problems.push_back("'" + part.file + "' is damaged at its row " + std::to_string(i + 1) +
                        "; remove it, and run its sweep anew.");
     return;
@@ -102,18 +120,18 @@ std::vector<const Part*> in_order(const std::vector<Part>& parts, Problems& prob
   return order;
 }
 
-std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells(1);
-  for (const char letter : line) {
-    if (letter == ',')
-      cells.emplace_back();
-    else
-      cells.back() += letter;
-  }
-  return cells;
-}
-
 }  // namespace
+
+bool is_row_of(const std::string& columns, const std::string& row) {
+  const std::vector<std::string> names = cells_of(columns), cells = cells_of(row);
+  if (cells.size() != names.size()) return false;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const bool is_sound =
+        names[i] == "status" ? is_status(cells[i]) : cells[i].empty() || is_number(cells[i]);
+    if (!is_sound) return false;
+  }
+  return true;
+}
 
 SweepTable read_sweep_table(const std::string& file) {
   Problems problems;

@@ -48,6 +48,7 @@ std::optional<VariedParameter> parse_word(const std::string& word, SweepSample s
   VariedParameter varied;
   varied.name = word.substr(0, equals);
   const std::string option = "--vary " + varied.name;
+  const std::size_t known = problems.size();
   const auto number = [&](const std::string& text) {
     const auto values = parse_numbers(option, text, {"value"}, problems);
     return values.empty() ? 0.0 : values.front();
@@ -56,7 +57,7 @@ std::optional<VariedParameter> parse_word(const std::string& word, SweepSample s
   varied.upper = parts.size() > 1 ? number(parts[1]) : varied.lower;
   if (parts.size() > 2) varied.count = parse_count(option, parts[2], most_designs, problems);
   const bool is_single = sample == SweepSample::grid && varied.count == 1 && varied.upper > varied.lower;
-  if (varied.upper < varied.lower || varied.count == 0 || is_single)
+  if (problems.size() == known && (varied.upper < varied.lower || varied.count == 0 || is_single))
     problems.push_back("--vary has '" + word +
                        "'; the lower end comes first, and a range has two values or more.");
   return varied;

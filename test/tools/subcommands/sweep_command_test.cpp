@@ -138,6 +138,15 @@ TEST_F(SweepCommand, PartsThatDoNotBelongTogetherAreRefused) {
   const std::string text = contents_of(two);
   write(two, text.substr(0, text.size() - 20));
   EXPECT_NE(refused(one + " " + two).find("is damaged at its row"), std::string::npos);
+  for (const std::size_t at : {text.rfind("mapped"), text.size() - 2}) {
+    std::string damaged = text;
+    damaged[at] = 'x';
+    write(two, damaged);
+    EXPECT_NE(refused(one + " " + two).find("is damaged at its row 14"), std::string::npos) << damaged;
+    const std::string said = sweep(two, {"--shard", "2/2"}).messages;
+    EXPECT_NE(said.find("has another row 14"), std::string::npos) << said;
+    EXPECT_EQ(contents_of(two), damaged);
+  }
   write(two, text.substr(0, text.rfind('\n', text.size() - 2) + 1));
   EXPECT_NE(refused(one + " " + two).find("has 13 of its 14 rows"), std::string::npos);
   write(two, "x\n");
@@ -235,10 +244,16 @@ TEST_F(SweepCommand, WhatDoesNotFitIsRefused) {
   EXPECT_NE(refused("wheel_1=1", {}).find("There is no parameter 'wheel_1'"), std::string::npos);
   EXPECT_NE(refused("crank_1=1:2", {}).find("--vary has 'crank_1=1:2'"), std::string::npos);
   EXPECT_NE(refused("crank_1=2:1:5", {}).find("the lower end comes first"), std::string::npos);
+  EXPECT_EQ(refused("crank_1=1:2:-5", {}),
+            "--vary crank_1 is '-5'; give a whole number from 0 to 100000000.\n");
   EXPECT_NE(refused("crank_1=1:2:5", {"--shard", "0/2"}).find("--shard is '0/2'"), std::string::npos);
   EXPECT_NE(refused("crank_1=1:2:5", {"--report", "weight"}).find("--report has 'weight'"),
             std::string::npos);
   EXPECT_NE(refused("crank_1=1:2:5", {"--report", "workspace"}).find("takes --shape"), std::string::npos);
+  const std::string all = refused(
+      "crank_1=1:2:5", {"--report", "workspace", "--shape", "ball", "--resolution", "0", "--gap", "2"});
+  for (const char* words : {"--resolution is '0'", "A ball takes 3", "--gap is a share"})
+    EXPECT_NE(all.find(words), std::string::npos) << all;
   EXPECT_NE(refused("crank_1=1:2", {"--sample", "sobol"}).find("takes --designs"), std::string::npos);
 }
 

@@ -72,6 +72,13 @@ TEST_F(WorkspaceCommand, WhatDoesNotFitIsRefused) {
             "--aspect is 11, but the map has 10 aspects, counted from 1; `aspects map` lists them.\n");
   EXPECT_EQ(refused({"workspace", "five_bar", "--shape", "disc", "--gap", "2"}),
             "--gap is a share of the size; give one below 1, such as 0.01.\n");
+  EXPECT_EQ(refused({"workspace", "five_bar", "--shape", "box", "--gap", "0", "--center", "z=1",
+                     "--aspect-ratio", "x", "--mode", "+"}),
+            "--gap is '0'; give a finite number greater than zero, such as 0.05.\n"
+            "--mode is '+'; give the signs of B_jj of each leg, such as \"(-,+)\", for each working mode.\n"
+            "--aspect-ratio has 1 number, but needs 2: \"edge edge\".\n"
+            "--aspect-ratio has 'x', which is not a finite number; give one.\n"
+            "--center has 'z=1'; give free positions with their values, such as \"x=0.5\".\n");
   EXPECT_NE(refused({"workspace", "stewart", "--shape", "ball"}).find("six degrees of freedom"),
             std::string::npos);
   EXPECT_EQ(run({"workspace", "five_bar"}).code, exit_code::bad_usage);
