@@ -10,12 +10,14 @@ std::vector<SignGraph::Contact> ContactSearch::run() {
   largest_ = graph_.largest_component();
   collect_faces();
   take_in_members();
+  items_from_.resize(graph_.indeterminate_leaves().size(), none);
   const std::size_t sources = start_from_sources();
   const std::size_t max_leaves = policy_.least_leaves_to_search + policy_.leaves_to_search_for_one * sources;
   for (std::size_t head = 0; head < std::min(queue_.size(), max_leaves) && !is_cancelled(control_); ++head)
-    go_on(queue_[head], reached_from_[queue_[head]]);
-  reached_from_.clear(queue_);
+    go_on(queue_[head], reached_from(queue_[head]));
+  for (const LeafSlot leaf : queue_) reached_from(leaf) = none;
   queue_.clear();
+  sources_.clear();
   return std::exchange(contacts_, {});
 }
 
@@ -53,24 +55,26 @@ std::size_t ContactSearch::start_from_sources() {
   for (const auto& [component, count] : closed_)
     if (is_source(graph_.current(component))) sources += count;
   std::size_t kept = 0;
-  std::vector<NodeIndex> beside;
+  std::vector<std::uint32_t> beside;
   beside.reserve(beside_.size());
   for (const Member& member : members_) {
     if (is_cancelled(control_)) break;
     const NodeIndex leaf = graph_.members()[member.place];
-    if (graph_.holds_nothing(leaf)) continue;
-    const std::uint32_t component = graph_.component(leaf);
+    if (leaf == no_node) continue;
+    const std::uint32_t component = graph_.current(member.place);
     if (!is_source(component)) {
       put_aside_[component].push_back(member.place);
       continue;
     }
     ++sources;
     const std::size_t first = beside.size();
-    append_leaves_beside(member, leaf, beside);
-    const bool leads_on = go_on(leaf, leaf, [&](const auto& visit) {
-      for (std::size_t i = first; i < beside.size(); ++i) visit(beside[i]);
-      visit_across_faces(leaf, visit);
-    });
+    append_leaves_beside(member, beside);
+    sources_.push_back({leaf, component});
+    const bool leads_on =
+        go_on(leaf, static_cast<std::uint32_t>(sources_.size() - 1), [&](const auto& visit) {
+          for (std::size_t i = first; i < beside.size(); ++i) visit(LeafSlot::indeterminate(beside[i]));
+          visit_across_faces(leaf, visit);
+        });
     if (!leads_on && graph_.is_inside(tree_, leaf))
       ++closed_[component];
     else
@@ -85,18 +89,21 @@ std::size_t ContactSearch::start_from_sources() {
 /// The indeterminate leaves beside a leaf of a component, in the order of the tree. They become fewer where
 /// they are settled, and others only where one of them is divided: no other division leaves indeterminate
 /// leaves.
-void ContactSearch::append_leaves_beside(const Member& member, NodeIndex leaf,
-                                         std::vector<NodeIndex>& leaves) const {
-  const std::size_t before = leaves.size();
+void ContactSearch::append_leaves_beside(const Member& member, std::vector<std::uint32_t>& items) const {
+  const IndeterminateLeaves& leaves = graph_.indeterminate_leaves();
+  const std::size_t before = items.size();
   bool is_known = member.count != Member::unknown;
   for (std::size_t i = 0; is_known && i < member.count; ++i) {
-    const NodeIndex beside = beside_[member.first + i];
-    is_known = !tree_.state(beside, mode_).is_divided();
-    if (is_known && is_indeterminate(beside)) leaves.push_back(beside);
+    const std::uint32_t beside = beside_[member.first + i];
+    if (leaves.node(beside) != no_node)
+      items.push_back(beside);
+    else
+      is_known = !leaves.was_divided(beside);
   }
   if (is_known) return;
-  leaves.resize(before);
-  graph_.visit_paths_on(tree_, leaf, [&leaves](NodeIndex beside) { leaves.push_back(beside); });
+  items.resize(before);
+  graph_.visit_paths_on(tree_, LeafSlot::member(member.place),
+                        [&items](LeafSlot beside) { items.push_back(beside.item()); });
 }
 
 bool ContactSearch::is_source(std::uint32_t component) const {
@@ -105,48 +112,54 @@ bool ContactSearch::is_source(std::uint32_t component) const {
 
 template <class Visitor>
 void ContactSearch::visit_across_faces(NodeIndex node, const Visitor& visit) const {
-  if (across_faces_.empty() || !graph_.is_in_component(node)) return;
+  if (across_faces_.empty()) return;
   const auto found = across_faces_.find(node);
   if (found == across_faces_.end()) return;
-  for (const NodeIndex leaf : found->second) visit(leaf);
+  for (const NodeIndex leaf : found->second) visit(graph_.slot(leaf));
+}
+
+std::uint32_t& ContactSearch::reached_from(LeafSlot slot) {
+  if (slot.is_indeterminate()) return items_from_[slot.item()];
+  if (slot.place() >= members_from_.size()) members_from_.resize(graph_.members().size(), none);
+  return members_from_[slot.place()];
 }
 
 /// Whether any path leads on.
-bool ContactSearch::go_on(NodeIndex node, NodeIndex from) {
-  return go_on(node, from, [this, node](const auto& visit) {
-    graph_.visit_paths_on(tree_, node, visit);
-    visit_across_faces(node, visit);
+bool ContactSearch::go_on(LeafSlot leaf, std::uint32_t from) {
+  const NodeIndex node = graph_.node(leaf);
+  return go_on(node, from, [&](const auto& visit) {
+    graph_.visit_paths_on(tree_, leaf, visit);
+    if (leaf.is_member()) visit_across_faces(node, visit);
   });
 }
 
 template <class VisitPathsOn>
-bool ContactSearch::go_on(NodeIndex node, NodeIndex from, const VisitPathsOn& visit_paths_on) {
+bool ContactSearch::go_on(NodeIndex node, std::uint32_t from, const VisitPathsOn& visit_paths_on) {
+  const Source source = sources_[from];
   const std::size_t before = contacts_.size();
   onward_.clear();
   bool found = false;
-  visit_paths_on([&](NodeIndex leaf) {
+  visit_paths_on([&](LeafSlot leaf) {
     found = true;
-    if (graph_.is_in_component(leaf) && is_listed(leaf))
-      add(node, node, from, leaf);
-    else
+    const std::uint32_t component = leaf.is_member() ? graph_.current(leaf.place()) : none;
+    if (component == none || !graph_.is_listed(component))
       onward_.push_back(leaf);
+    else if (component != source.component)
+      contacts_.push_back({node, node, source.leaf, graph_.node(leaf)});
   });
   // A leaf that is in a contact will be worked on; what lies behind it is looked at when that is settled.
   if (contacts_.size() > before) return true;
-  for (const NodeIndex leaf : onward_) {
-    if (const NodeIndex other = reached_from_[leaf]; other != no_node) {
-      add(node == from ? leaf : node, leaf, from, other);
-      continue;
+  for (const LeafSlot leaf : onward_) {
+    std::uint32_t& reached = reached_from(leaf);
+    if (reached == none) {
+      reached = from;
+      queue_.push_back(leaf);
+    } else if (sources_[reached].component != source.component) {
+      const NodeIndex there = graph_.node(leaf);
+      contacts_.push_back({node == source.leaf ? there : node, there, source.leaf, sources_[reached].leaf});
     }
-    reached_from_.set(leaf, from);
-    queue_.push_back(leaf);
   }
   return found;
-}
-
-void ContactSearch::add(NodeIndex node, NodeIndex other_node, NodeIndex leaf, NodeIndex other_leaf) {
-  if (graph_.component(leaf) != graph_.component(other_leaf))
-    contacts_.push_back({node, other_node, leaf, other_leaf});
 }
 
 }  // namespace parallel_aspects

@@ -2,7 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_COMPONENTS_CONTACT_SEARCH_H
 #define PARALLEL_ASPECTS_ASPECTS_COMPONENTS_CONTACT_SEARCH_H
 
-#include "aspects/components/node_numbers.h"
+#include "aspects/components/leaf_slot.h"
 #include "aspects/components/sign_graph.h"
 #include "aspects/tree/pose_tree.h"
 
@@ -29,29 +29,27 @@ class ContactSearch {
   std::vector<SignGraph::Contact> run();
 
  private:
+  static constexpr std::uint32_t none = SignGraph::none;
+
   void collect_faces();
   void take_in_members();
   std::size_t start_from_sources();
   bool is_source(std::uint32_t component) const;
-  bool is_listed(NodeIndex leaf) { return graph_.is_listed(graph_.component(leaf)); }
   struct Member;
-  void append_leaves_beside(const Member& member, NodeIndex leaf, std::vector<NodeIndex>& leaves) const;
-  bool is_indeterminate(NodeIndex node) const noexcept {
-    return !graph_.holds_nothing(node) && !graph_.is_in_component(node);
-  }
+  void append_leaves_beside(const Member& member, std::vector<std::uint32_t>& items) const;
   template <class Visitor>
   void visit_across_faces(NodeIndex node, const Visitor& visit) const;
-  bool go_on(NodeIndex node, NodeIndex from);
+  std::uint32_t& reached_from(LeafSlot slot);
+  bool go_on(LeafSlot leaf, std::uint32_t from);
   template <class VisitPathsOn>
-  bool go_on(NodeIndex node, NodeIndex from, const VisitPathsOn& visit_paths_on);
-  void add(NodeIndex node, NodeIndex other_node, NodeIndex leaf, NodeIndex other_leaf);
+  bool go_on(NodeIndex node, std::uint32_t from, const VisitPathsOn& visit_paths_on);
 
   const PoseTree& tree_;
   std::size_t mode_;
   SignGraph& graph_;
   const MapControl& control_;
   const ComponentPolicy& policy_;
-  std::uint32_t largest_ = SignGraph::none;
+  std::uint32_t largest_ = none;
   std::unordered_map<NodeIndex, std::vector<NodeIndex>> across_faces_;  // of whole parts
 
   /// A leaf of a component, as its place among the graph's members, and where the indeterminate leaves beside
@@ -66,13 +64,19 @@ class ContactSearch {
   // components from which nothing starts now are put aside. Inside leaves that no path leads on from never
   // get one, and are only counted.
   std::vector<Member> members_;
-  std::vector<NodeIndex> beside_;
+  std::vector<std::uint32_t> beside_;                                        // items
   std::size_t taken_in_ = 0;                                                 // of the graph's members
   std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> put_aside_;  // by component
   std::unordered_map<std::uint32_t, std::size_t> closed_;                    // how many, by component
 
-  NodeNumbers reached_from_;  // a leaf of a component; of no node between two runs
-  std::vector<NodeIndex> queue_, onward_;
+  /// Where a path starts. Components stay what they are in one run.
+  struct Source {
+    NodeIndex leaf;
+    std::uint32_t component;
+  };
+  std::vector<Source> sources_;
+  std::vector<std::uint32_t> items_from_, members_from_;  // by slot: a source; of none between two runs
+  std::vector<LeafSlot> queue_, onward_;
   std::vector<SignGraph::Contact> contacts_;
 };
 

@@ -5,11 +5,11 @@
 
 namespace parallel_aspects {
 
-void IndeterminateLeaves::add_neighbour(std::size_t item, NodeIndex neighbour) {
+void IndeterminateLeaves::add_neighbour(std::size_t item, LeafSlot neighbour) {
   Record* record = &leaves_[item];
-  while (record->neighbours.back() != no_node && record->next != none) record = &more_[record->next];
-  if (record->neighbours.back() == no_node) {
-    *std::find(record->neighbours.begin(), record->neighbours.end(), no_node) = neighbour;
+  while (!record->neighbours.back().is_nowhere() && record->next != none) record = &more_[record->next];
+  if (record->neighbours.back().is_nowhere()) {
+    *std::find(record->neighbours.begin(), record->neighbours.end(), LeafSlot::nowhere()) = neighbour;
     return;
   }
   record->next = static_cast<std::uint32_t>(more_.size());
@@ -17,19 +17,19 @@ void IndeterminateLeaves::add_neighbour(std::size_t item, NodeIndex neighbour) {
   more_.back().neighbours.front() = neighbour;
 }
 
-void IndeterminateLeaves::remove_neighbour(std::size_t item, NodeIndex neighbour) {
-  std::vector<NodeIndex> kept = neighbours(item);
+void IndeterminateLeaves::remove_neighbour(std::size_t item, LeafSlot neighbour) {
+  std::vector<LeafSlot> kept = neighbours(item);
   kept.erase(std::remove(kept.begin(), kept.end(), neighbour), kept.end());
   auto next = kept.begin();
   for (Record* record = &leaves_[item];; record = &more_[record->next]) {
-    for (NodeIndex& place : record->neighbours) place = next == kept.end() ? no_node : *next++;
+    for (LeafSlot& place : record->neighbours) place = next == kept.end() ? LeafSlot::nowhere() : *next++;
     if (record->next == none) return;
   }
 }
 
-std::vector<NodeIndex> IndeterminateLeaves::neighbours(std::size_t item) const {
-  std::vector<NodeIndex> result;
-  visit_neighbours(item, [&result](NodeIndex neighbour) { result.push_back(neighbour); });
+std::vector<LeafSlot> IndeterminateLeaves::neighbours(std::size_t item) const {
+  std::vector<LeafSlot> result;
+  visit_neighbours(item, [&result](LeafSlot neighbour) { result.push_back(neighbour); });
   return result;
 }
 

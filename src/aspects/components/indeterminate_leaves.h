@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_COMPONENTS_INDETERMINATE_LEAVES_H
 #define PARALLEL_ASPECTS_ASPECTS_COMPONENTS_INDETERMINATE_LEAVES_H
 
+#include "aspects/components/leaf_slot.h"
 #include "aspects/tree/pose_tree.h"
 
 #include <array>
@@ -22,11 +23,13 @@ class IndeterminateLeaves {
   void reserve(std::size_t count) {
     leaves_.reserve(count);
     is_examined_.reserve(count);
+    was_divided_.reserve(count);
   }
 
   std::uint32_t add(NodeIndex node) {
     leaves_.push_back(Record(node));
     is_examined_.push_back(false);
+    was_divided_.push_back(false);
     return static_cast<std::uint32_t>(leaves_.size() - 1);
   }
 
@@ -40,15 +43,19 @@ class IndeterminateLeaves {
   /// The leaf is none any more, and has no neighbours.
   void forget(std::size_t item) noexcept { leaves_[item] = Record(no_node); }
 
-  void add_neighbour(std::size_t item, NodeIndex neighbour);
-  void remove_neighbour(std::size_t item, NodeIndex neighbour);
-  std::vector<NodeIndex> neighbours(std::size_t item) const;
+  /// Of a leaf that was forgotten: whether it was divided, so that its children may be indeterminate.
+  bool was_divided(std::size_t item) const noexcept { return was_divided_[item]; }
+  void set_divided(std::size_t item) noexcept { was_divided_[item] = true; }
+
+  void add_neighbour(std::size_t item, LeafSlot neighbour);
+  void remove_neighbour(std::size_t item, LeafSlot neighbour);
+  std::vector<LeafSlot> neighbours(std::size_t item) const;
 
   template <class Visitor>
   void visit_neighbours(std::size_t item, const Visitor& visit) const {
     for (const Record* record = &leaves_[item];; record = &more_[record->next]) {
-      for (const NodeIndex neighbour : record->neighbours) {
-        if (neighbour == no_node) return;
+      for (const LeafSlot neighbour : record->neighbours) {
+        if (neighbour.is_nowhere()) return;
         visit(neighbour);
       }
       if (record->next == none) return;
@@ -59,15 +66,16 @@ class IndeterminateLeaves {
   static constexpr std::uint32_t none = 0xffffffffU;
 
   struct Record {
-    explicit Record(NodeIndex of) noexcept : node(of) { neighbours.fill(no_node); }
+    explicit Record(NodeIndex of) noexcept : node(of) {}
 
     NodeIndex node;
-    std::array<NodeIndex, 6> neighbours;  // from the front, then `no_node`
-    std::uint32_t next = none;            // the record of `more_` with further neighbours
+    std::array<LeafSlot, 6> neighbours{LeafSlot::nowhere(), LeafSlot::nowhere(), LeafSlot::nowhere(),
+                                       LeafSlot::nowhere(), LeafSlot::nowhere(), LeafSlot::nowhere()};
+    std::uint32_t next = none;  // the record of `more_` with further neighbours
   };
 
   std::vector<Record> leaves_, more_;
-  std::vector<bool> is_examined_;
+  std::vector<bool> is_examined_, was_divided_;
 };
 
 }  // namespace parallel_aspects

@@ -38,51 +38,60 @@ void SignGraph::add_leaf(const PoseTree& tree, NodeIndex node) {
   const LeafState state = tree.state(node, mode_);
   if (!state.may_be(sign_)) return;
   if (!state.is_whole(sign_)) {
-    slot_.set(node, indeterminate_.add(node) | indeterminate_flag);
+    set_slot(node, LeafSlot::indeterminate(indeterminate_.add(node)));
     return;
   }
-  slot_.set(node, components_.add());
-  traits_.push_back({state.is_inside(sign_)});
+  add_member(node, {state.is_inside(sign_)});
   new_leaves_.push_back(node);
+}
+
+/// In a component of its own.
+LeafSlot SignGraph::add_member(NodeIndex node, const Traits& traits) {
+  const LeafSlot slot = LeafSlot::member(components_.add());
+  set_slot(node, slot);
+  traits_.push_back(traits);
   members_.push_back(node);
+  return slot;
 }
 
 void SignGraph::take_in_proof(const PoseTree& tree, NodeIndex node) {
-  if (!is_indeterminate(node)) return;
-  indeterminate_.set_examined(item_of(node));
+  const LeafSlot old = slot(node);
+  if (!old.is_indeterminate()) return;
+  indeterminate_.set_examined(old.item());
   if (tree.state(node, mode_).may_be(sign_) && !tree.state(node, mode_).is_whole(sign_)) return;
-  const std::vector<NodeIndex> neighbours = indeterminate_.neighbours(item_of(node));
-  for (const NodeIndex neighbour : neighbours) forget_neighbour(neighbour, node);
-  indeterminate_.forget(item_of(node));
-  slot_.set(node, none);
+  const std::vector<LeafSlot> neighbours = indeterminate_.neighbours(old.item());
+  for (const LeafSlot neighbour : neighbours) forget_neighbour(neighbour, old);
+  indeterminate_.forget(old.item());
+  set_slot(node, LeafSlot::nowhere());
   add_leaf(tree, node);
-  for (const NodeIndex neighbour : neighbours) connect(tree, node, neighbour);
+  for (const LeafSlot neighbour : neighbours) connect(tree, node, this->node(neighbour));
 }
 
-void SignGraph::unite(NodeIndex a, NodeIndex b) {
-  const std::uint32_t one = component(a), other = component(b);
+void SignGraph::unite(LeafSlot a, LeafSlot b) {
+  const std::uint32_t one = current(a.place()), other = current(b.place());
   if (one == other) return;
   const Traits &larger = traits_[traits_[one].leaves < traits_[other].leaves ? other : one],
                &smaller = traits_[&larger == &traits_[one] ? other : one];
   const Traits traits{larger.has_inside_leaf || smaller.has_inside_leaf, larger.climbed || smaller.climbed,
                       larger.is_given_up, larger.leaves + smaller.leaves};
   components_.unite(one, other);
-  traits_[component(a)] = traits;
+  traits_[std::min(one, other)] = traits;
 }
 
 void SignGraph::connect(const PoseTree& tree, NodeIndex a, NodeIndex b) {
-  if (a == b || slot_[a] == none || slot_[b] == none) return;
-  if (is_in_component(a) && is_in_component(b)) {
+  const LeafSlot one = slot(a), other = slot(b);
+  if (a == b || one.is_nowhere() || other.is_nowhere()) return;
+  if (one.is_member() && other.is_member()) {
     // All of their common face is in the set where one of them is inside, so what the other holds meets it.
     const bool inside = tree.state(a, mode_).is_inside(sign_) || tree.state(b, mode_).is_inside(sign_);
     if (inside)
-      unite(a, b);
+      unite(one, other);
     else
       faces_.emplace_back(a, b);
     return;
   }
-  if (is_indeterminate(a)) indeterminate_.add_neighbour(item_of(a), b);
-  if (is_indeterminate(b)) indeterminate_.add_neighbour(item_of(b), a);
+  if (one.is_indeterminate()) indeterminate_.add_neighbour(one.item(), other);
+  if (other.is_indeterminate()) indeterminate_.add_neighbour(other.item(), one);
 }
 
 void SignGraph::settle_faces(const PoseTree& tree, const BoxClassifier& classifier) {
@@ -119,32 +128,33 @@ void SignGraph::settle(NodeIndex a, NodeIndex b, const Part* parts, std::size_t 
   if (!are_apart(a, b)) return;
   bool known = true;
   for (std::size_t i = 0; i < count; ++i) {
-    if (parts[i].kind == Part::Kind::connected && policy_.joins_across_faces) return unite(a, b);
+    if (parts[i].kind == Part::Kind::connected && policy_.joins_across_faces) return unite(slot(a), slot(b));
     known = known && parts[i].kind == Part::Kind::empty;
   }
   if (!known) unknown_faces_.emplace_back(a, b);
 }
 
-void SignGraph::forget_neighbour(NodeIndex node, NodeIndex old_neighbour) {
-  if (is_indeterminate(node)) indeterminate_.remove_neighbour(item_of(node), old_neighbour);
+void SignGraph::forget_neighbour(LeafSlot leaf, LeafSlot old_neighbour) {
+  if (leaf.is_indeterminate()) indeterminate_.remove_neighbour(leaf.item(), old_neighbour);
 }
 
 void SignGraph::replace(PoseTree& tree, NodeIndex node) {
-  const std::uint32_t old_slot = slot_[node];
+  const LeafSlot old = slot(node);
   std::vector<NodeIndex> children;
   for (NodeIndex rank = 0; rank < tree.children_per_node(); ++rank) {
     children.push_back(tree.first_child(node) + rank);
     LeafState& state = tree.state(children.back(), mode_);
     // What was ruled out of all of a leaf is ruled out of its children, whatever their own enclosures say.
-    if (old_slot == none && state.may_be(sign_)) state = state.without(sign_);
+    if (old.is_nowhere() && state.may_be(sign_)) state = state.without(sign_);
   }
-  if (old_slot == none) return;
+  if (old.is_nowhere()) return;
   const std::vector<NodeIndex> neighbours = neighbour_leaves(tree, mode_, node);
-  for (const NodeIndex neighbour : neighbours) forget_neighbour(neighbour, node);
-  if (is_in_component(node)) {
-    replace_whole(tree, node, children);
+  for (const NodeIndex neighbour : neighbours) forget_neighbour(slot(neighbour), old);
+  if (old.is_member()) {
+    replace_whole(tree, old, children);
   } else {
-    indeterminate_.forget(item_of(node));
+    indeterminate_.forget(old.item());
+    indeterminate_.set_divided(old.item());
     for (const NodeIndex child : children) add_leaf(tree, child);
     for (std::size_t i = 0; i < children.size(); ++i)
       for (std::size_t j = i + 1; j < children.size(); ++j)
@@ -152,19 +162,19 @@ void SignGraph::replace(PoseTree& tree, NodeIndex node) {
   }
   for (const NodeIndex child : children)
     for (const NodeIndex neighbour : neighbours)
-      if (slot_[child] != none && slot_[neighbour] != none && share_face(tree, child, neighbour))
+      if (!holds_nothing(child) && !holds_nothing(neighbour) && share_face(tree, child, neighbour))
         connect(tree, child, neighbour);
-  slot_.set(node, none);
+  set_slot(node, LeafSlot::nowhere());
 }
 
 /// All that the children hold of the set is in the component that the leaf was in.
-void SignGraph::replace_whole(PoseTree& tree, NodeIndex node, const std::vector<NodeIndex>& children) {
-  const std::uint32_t whole = component(node);
+void SignGraph::replace_whole(PoseTree& tree, LeafSlot leaf, const std::vector<NodeIndex>& children) {
+  members_[leaf.place()] = no_node;
+  const std::uint32_t whole = current(leaf.place());
   for (const NodeIndex child : children) {
     LeafState& state = tree.state(child, mode_);
     if (!state.may_be(sign_)) continue;
-    slot_.set(child, whole);
-    members_.push_back(child);
+    components_.unite(whole, add_member(child, {}).place());
     ++traits_[whole].leaves;
     if (state.is_inside(sign_))
       traits_[whole].has_inside_leaf = true;
@@ -182,7 +192,7 @@ std::vector<NodeIndex> SignGraph::climb_from_new(PoseTree& tree, const BoxClassi
   if (!has_climbed_ && !leaves.empty()) traits_[largest_component()].climbed = has_climbed_ = true;
   for (const NodeIndex leaf : leaves) {
     if (is_cancelled(control_)) break;
-    if (slot_[leaf] == none || !tree.state(leaf, mode_).is_leaf()) continue;
+    if (holds_nothing(leaf) || !tree.state(leaf, mode_).is_leaf()) continue;
     Traits& traits = traits_[component(leaf)];
     if (!traits.climbed && (traits.has_inside_leaf || bare_too)) {
       const Part part = witness(tree, classifier, leaf);
@@ -217,7 +227,7 @@ void SignGraph::climb(const PoseTree& tree, const BoxClassifier& classifier, Nod
   traits_[component(leaf)].climbed = true;
   const NodeIndex reached =
       component_leaf_above(tree, classifier, {tree.place(leaf).root, pose}, component(leaf));
-  if (reached != no_node) unite(leaf, reached);
+  if (reached != no_node) unite(slot(leaf), slot(reached));
 }
 
 /// A leaf of a component but `except` that a climb from a pose of the set comes to; `no_node` where it comes
@@ -227,7 +237,7 @@ NodeIndex SignGraph::component_leaf_above(const PoseTree& tree, const BoxClassif
   Climb climb(classifier, tree.space(), mode_, sign_, position, policy_.climb);
   for (int i = 0; i <= policy_.climb.max_steps; ++i) {
     const auto here = tree.leaf_at(climb.position(), mode_);
-    if (here && slot_[*here] != none && is_in_component(*here) && component(*here) != except) return *here;
+    if (here && is_in_component(*here) && component(*here) != except) return *here;
     if (!climb.step()) return no_node;
   }
   return no_node;
@@ -245,28 +255,33 @@ bool SignGraph::take_in_witnesses(PoseTree& tree, const BoxClassifier& classifie
   LeafState& state = tree.state(node, mode_);
   state = poses.empty() ? state.without(sign_) : state.with_whole(sign_);
   take_in_proof(tree, node);
-  if (first != no_node) unite(node, first);
+  if (first != no_node) unite(slot(node), slot(first));
   return true;
 }
 
 void SignGraph::drop(PoseTree& tree, NodeIndex node) {
+  const LeafSlot old = slot(node);
+  visit_indeterminate_leaves_beside(tree, node,
+                                    [&](LeafSlot neighbour) { forget_neighbour(neighbour, old); });
   LeafState& state = tree.state(node, mode_);
   state = state.without(sign_);
-  slot_.set(node, none);
+  members_[old.place()] = no_node;
+  set_slot(node, LeafSlot::nowhere());
 }
 
 void SignGraph::start_from_components(Meeting& meeting, std::vector<std::uint32_t>& queue) {
   for (std::uint32_t v = 0; v < indeterminate_.size() && !is_cancelled(control_); ++v) {
     const NodeIndex node = indeterminate_.node(v);
     if (node == no_node) continue;
-    indeterminate_.visit_neighbours(v, [&](NodeIndex neighbour) {
-      if (holds_nothing(neighbour) || !is_in_component(neighbour)) return;
+    indeterminate_.visit_neighbours(v, [&](LeafSlot neighbour) {
+      if (!neighbour.is_member()) return;
+      const std::uint32_t component = current(neighbour.place());
       if (meeting.nearest[v] == no_node) {
-        meeting.nearest[v] = neighbour;
-        meeting.components[v] = component(neighbour);
+        meeting.nearest[v] = this->node(neighbour);
+        meeting.components[v] = component;
         queue.push_back(v);
-      } else if (meeting.components[v] != component(neighbour)) {
-        meeting.contacts.push_back({node, node, meeting.nearest[v], neighbour});
+      } else if (meeting.components[v] != component) {
+        meeting.contacts.push_back({node, node, meeting.nearest[v], this->node(neighbour)});
       }
     });
   }
@@ -278,17 +293,17 @@ void SignGraph::start_from_components(Meeting& meeting, std::vector<std::uint32_
 // third.
 void SignGraph::spread(Meeting& meeting, std::vector<std::uint32_t>& queue) {
   for (std::size_t head = 0; head < queue.size() && !is_cancelled(control_); ++head) {
-    const std::uint32_t v = queue[head];
-    indeterminate_.visit_neighbours(v, [&](NodeIndex neighbour) {
-      if (!is_indeterminate(neighbour)) return;
-      const std::uint32_t w = item_of(neighbour);
-      if (meeting.nearest[w] == no_node) {
+    const std::uint32_t v = queue[head], component = meeting.components[v];
+    indeterminate_.visit_neighbours(v, [&](LeafSlot neighbour) {
+      if (!neighbour.is_indeterminate()) return;
+      const std::uint32_t w = neighbour.item();
+      if (meeting.components[w] == none) {
         meeting.nearest[w] = meeting.nearest[v];
-        meeting.components[w] = meeting.components[v];
+        meeting.components[w] = component;
         queue.push_back(w);
-      } else if (v < w && meeting.components[v] != meeting.components[w]) {
+      } else if (v < w && component != meeting.components[w]) {
         meeting.contacts.push_back(
-            {indeterminate_.node(v), neighbour, meeting.nearest[v], meeting.nearest[w]});
+            {indeterminate_.node(v), node(neighbour), meeting.nearest[v], meeting.nearest[w]});
       }
     });
   }

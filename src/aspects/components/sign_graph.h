@@ -7,6 +7,7 @@
 #include "aspects/components/component_policy.h"
 #include "aspects/components/disjoint_sets.h"
 #include "aspects/components/indeterminate_leaves.h"
+#include "aspects/components/leaf_slot.h"
 #include "aspects/components/node_numbers.h"
 #include "aspects/tree/neighbour_leaves.h"
 #include "aspects/tree/pose_tree.h"
@@ -84,20 +85,19 @@ class SignGraph {
     return traits_[a].leaves < traits_[b].leaves ? a : b;
   }
 
-  /// All leaves of components, and some that were divided.
+  /// All leaves of components, in the order in which they came; `no_node` for those that were divided or
+  /// dropped.
   const std::vector<NodeIndex>& members() const noexcept { return members_; }
 
   /// The number of the component with the most leaves; `none` where there is none.
   std::uint32_t largest_component();
 
-  /// Calls `visit` with each neighbour leaf into which the set may continue from this one. Pairs of whole
-  /// parts are left to `visit_unknown_faces`.
+  /// Calls `visit` with the slot of each neighbour leaf into which the set may continue from this one. Pairs
+  /// of whole parts are left to `visit_unknown_faces`.
   template <class Visitor>
-  void visit_paths_on(const PoseTree& tree, NodeIndex node, const Visitor& visit) const {
-    if (is_in_component(node)) return visit_indeterminate_leaves_beside(tree, node, visit);
-    indeterminate_.visit_neighbours(item_of(node), [&](NodeIndex leaf) {
-      if (!holds_nothing(leaf)) visit(leaf);
-    });
+  void visit_paths_on(const PoseTree& tree, LeafSlot leaf, const Visitor& visit) const {
+    if (leaf.is_indeterminate()) return indeterminate_.visit_neighbours(leaf.item(), visit);
+    visit_indeterminate_leaves_beside(tree, node(leaf), visit);
   }
 
   /// Calls `visit` with pairs of whole parts whose common face is not known to be empty.
@@ -112,17 +112,24 @@ class SignGraph {
     return tree.state(node, mode_).is_inside(sign_);
   }
 
-  bool holds_nothing(NodeIndex node) const noexcept { return slot_[node] == none; }
+  LeafSlot slot(NodeIndex node) const noexcept { return LeafSlot(slot_[node]); }
+
+  /// The leaf of a slot; `no_node` where it was divided or dropped since.
+  NodeIndex node(LeafSlot slot) const noexcept {
+    return slot.is_member() ? members_[slot.place()] : indeterminate_.node(slot.item());
+  }
+
+  bool holds_nothing(NodeIndex node) const noexcept { return slot(node).is_nowhere(); }
 
   const IndeterminateLeaves& indeterminate_leaves() const noexcept { return indeterminate_; }
 
   /// Whether a leaf that may hold poses of the set is open, and was not looked into again.
   bool is_unexamined(NodeIndex node) const noexcept {
-    return is_indeterminate(node) && !indeterminate_.is_examined(item_of(node));
+    return slot(node).is_indeterminate() && !indeterminate_.is_examined(slot(node).item());
   }
 
   /// Whether a leaf is known to hold nothing of the set, or only poses of the component that it is in.
-  bool is_settled(NodeIndex node) const noexcept { return holds_nothing(node) || is_in_component(node); }
+  bool is_settled(NodeIndex node) const noexcept { return !slot(node).is_indeterminate(); }
 
   /// After more was proved of an indeterminate leaf.
   void take_in_proof(const PoseTree& tree, NodeIndex node);
@@ -133,31 +140,24 @@ class SignGraph {
   bool take_in_witnesses(PoseTree& tree, const BoxClassifier& classifier, NodeIndex node,
                          const std::vector<MapPoint>& poses);
 
-  bool is_in_component(NodeIndex node) const noexcept { return (slot_[node] & indeterminate_flag) == 0; }
+  bool is_in_component(NodeIndex node) const noexcept { return slot(node).is_member(); }
 
   /// The component of a leaf that is in one: the same number for all leaves of it.
-  std::uint32_t component(NodeIndex node) noexcept { return components_.find(slot_[node]); }
+  std::uint32_t component(NodeIndex node) noexcept { return components_.find(slot(node).place()); }
 
-  /// The number that a component has now, which had this one before some were joined.
+  /// The number that a component has now, which had this one before some were joined; of a member's place,
+  /// that of its component.
   std::uint32_t current(std::uint32_t component) noexcept { return components_.find(component); }
 
   /// More than the number of any component.
   std::size_t component_bound() const noexcept { return components_.size(); }
 
  private:
-  static constexpr std::uint32_t indeterminate_flag = 0x80000000U;
-
   template <class Visitor>
   void visit_indeterminate_leaves_beside(const PoseTree& tree, NodeIndex node, const Visitor& visit) const {
     for (const NodeIndex leaf : neighbour_leaves(tree, mode_, node))
-      if (is_indeterminate(leaf)) visit(leaf);
+      if (const LeafSlot beside = slot(leaf); beside.is_indeterminate()) visit(beside);
   }
-
-  bool is_indeterminate(NodeIndex node) const noexcept {
-    return slot_[node] != none && !is_in_component(node);
-  }
-  /// Of an indeterminate leaf, among these.
-  std::uint32_t item_of(NodeIndex node) const noexcept { return slot_[node] & ~indeterminate_flag; }
 
   using NodePairs = std::vector<std::pair<NodeIndex, NodeIndex>>;
 
@@ -166,7 +166,9 @@ class SignGraph {
     std::uint32_t leaves = 1;  // at least; some may have been divided since
   };
 
-  void unite(NodeIndex a, NodeIndex b);
+  void set_slot(NodeIndex node, LeafSlot slot) { slot_.set(node, slot.number()); }
+  LeafSlot add_member(NodeIndex node, const Traits& traits);
+  void unite(LeafSlot a, LeafSlot b);
   Part witness(const PoseTree& tree, const BoxClassifier& classifier, NodeIndex leaf) const;
   void climb(const PoseTree& tree, const BoxClassifier& classifier, NodeIndex leaf, const MapPoint& pose);
   std::size_t settle_some(const PoseTree& tree, const BoxClassifier& classifier, const NodePairs& faces,
@@ -175,13 +177,13 @@ class SignGraph {
 
   /// Whether both are in components, and these are two.
   bool are_apart(NodeIndex a, NodeIndex b) noexcept {
-    return slot_[a] != none && slot_[b] != none && component(a) != component(b);
+    return !holds_nothing(a) && !holds_nothing(b) && component(a) != component(b);
   }
 
   NodeIndex component_leaf_above(const PoseTree& tree, const BoxClassifier& classifier,
                                  const MapPosition& position, std::uint32_t except);
-  void replace_whole(PoseTree& tree, NodeIndex node, const std::vector<NodeIndex>& children);
-  void forget_neighbour(NodeIndex node, NodeIndex old_neighbour);
+  void replace_whole(PoseTree& tree, LeafSlot leaf, const std::vector<NodeIndex>& children);
+  void forget_neighbour(LeafSlot leaf, LeafSlot old_neighbour);
   void start_from_components(Meeting& meeting, std::vector<std::uint32_t>& queue);
   void spread(Meeting& meeting, std::vector<std::uint32_t>& queue);
   void add_contacts_of_faces(std::vector<Contact>& contacts);
@@ -190,13 +192,13 @@ class SignGraph {
   int sign_;
   const MapControl& control_;
   const ComponentPolicy& policy_;
-  NodeNumbers slot_;  // element of `components_`, or indeterminate leaf with `indeterminate_flag`
-  DisjointSets components_;
+  NodeNumbers slot_;            // a `LeafSlot` each
+  DisjointSets components_;     // of the members, by their places
   std::vector<Traits> traits_;  // by component
   IndeterminateLeaves indeterminate_;
   bool has_climbed_ = false;
   std::vector<NodeIndex> new_leaves_;  // in components, since the last climb
-  std::vector<NodeIndex> members_;     // of components, and leaves that were divided since
+  std::vector<NodeIndex> members_;     // by place
   NodePairs faces_;                    // between whole parts, not looked at yet
   NodePairs unknown_faces_;            // and those without a proof
 };

@@ -64,7 +64,8 @@ class Labels {
       while (!open.empty()) {
         const NodeIndex node = open.back();
         open.pop_back();
-        graph_.visit_paths_on(tree_, node, [&](NodeIndex neighbour) {
+        graph_.visit_paths_on(tree_, graph_.slot(node), [&](LeafSlot slot) {
+          const NodeIndex neighbour = graph_.node(slot);
           if (label_[neighbour] != none) return;
           label_[neighbour] = label;
           open.push_back(neighbour);
