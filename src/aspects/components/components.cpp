@@ -4,6 +4,8 @@
 #include "aspects/components/disjoint_sets.h"
 
 #include <algorithm>
+#include <array>
+#include <iterator>
 #include <utility>
 
 namespace parallel_aspects {
@@ -27,9 +29,9 @@ class Summary {
       : tree_(tree), mode_(mode), graph_(graph), control_(control) {}
 
   ModeComponents collect() {
+    collect_leaves();
     for (const int sign : {1, -1}) {
       if (is_cancelled(control_)) break;
-      collect_components(sign);
       collect_undecided(sign);
       collect_meetings(sign);
       count_indeterminate(sign);
@@ -39,60 +41,79 @@ class Summary {
   }
 
  private:
-  /// Ends early when cancelled.
-  template <class Action>
-  void for_each_node(const Action& action) const {
+  /// What is collected of one sign.
+  struct OfSign {
+    std::vector<Component> components;   // until those of both are in the result
+    std::vector<std::uint32_t> index;    // of a component, by its number in the graph
+    std::vector<NodeIndex> whole_parts;  // that are not inside
+  };
+  OfSign& of(int sign) noexcept { return of_sign_[sign > 0 ? 0 : 1]; }
+
+  /// All leaves, in one pass, as trees are large. Ends early when cancelled.
+  void collect_leaves() {
+    for (const int sign : {1, -1}) of(sign).index.assign(graph_.of(sign).component_bound(), SignGraph::none);
     for (NodeIndex node = 0; node < tree_.node_count(); ++node) {
       if (node % nodes_between_looks == 0 && is_cancelled(control_)) return;
-      action(node);
+      const LeafState state = tree_.state(node, mode_);
+      if (state.is_inside())
+        add_inside(node, state.is_inside(1) ? 1 : -1);
+      else if (state.is_undecided())
+        add_undecided(node, state);
     }
+    std::vector<Component>& all = result_.components;
+    for (const int sign : {1, -1}) {
+      for (std::uint32_t& index : of(sign).index)
+        if (index != SignGraph::none) index += static_cast<std::uint32_t>(all.size());
+      std::move(of(sign).components.begin(), of(sign).components.end(), std::back_inserter(all));
+    }
+    undecided_.assign(all.size(), 0.0);
   }
 
-  void collect_components(int sign) {
+  void add_inside(NodeIndex node, int sign) {
     SignGraph& graph = graph_.of(sign);
-    index_.assign(graph.component_bound(), SignGraph::none);
-    for_each_node([&](NodeIndex node) {
-      if (!tree_.state(node, mode_).is_inside(sign)) return;
-      const std::uint32_t root = graph.component(node);
-      const Box box = tree_.box(node);
-      if (index_[root] == SignGraph::none) start_component(root, sign);
-      Component& component = result_.components[index_[root]];
-      component.leaves.push_back(node);
-      const double measure = tree_.space().measure(box);
-      component.measure_inside += measure;
-      component.measure_estimated += measure;
-      extend(component.bounds[tree_.place(node).root], box);
-    });
-    undecided_.resize(result_.components.size(), 0.0);
+    const std::uint32_t root = graph.component(node);
+    std::uint32_t& index = of(sign).index[root];
+    if (index == SignGraph::none) {
+      index = static_cast<std::uint32_t>(of(sign).components.size());
+      start_component(graph.leaf_count(root), sign);
+    }
+    Component& component = of(sign).components[index];
+    const Box box = tree_.box(node);
+    component.leaves.push_back(node);
+    const double measure = tree_.space().measure(box);
+    component.measure_inside += measure;
+    component.measure_estimated += measure;
+    extend(component.bounds[tree_.place(node).root], box);
   }
 
-  void start_component(std::uint32_t root, int sign) {
-    index_[root] = static_cast<std::uint32_t>(result_.components.size());
+  void start_component(std::size_t leaf_count, int sign) {
     Component component;
     component.determinant_sign = sign;
     component.bounds.resize(tree_.root_count());
-    result_.components.push_back(component);
+    component.leaves.reserve(leaf_count);
+    of(sign).components.push_back(std::move(component));
   }
 
-  /// What undecided leaves measure, those that are whole parts, and the bound of the number of aspects: what
-  /// hides in no indeterminate leaf is in a component, and there is an aspect in each at most.
+  void add_undecided(NodeIndex node, LeafState state) {
+    result_.measure_undecided += tree_.space().measure(tree_.box(node));
+    for (const int sign : {1, -1})
+      if (state.may_be(sign) && state.is_whole(sign)) of(sign).whole_parts.push_back(node);
+  }
+
+  /// What whole parts measure, and the bound of the number of aspects: what hides in no indeterminate leaf is
+  /// in a component, and there is an aspect in each at most.
   void collect_undecided(int sign) {
     SignGraph& graph = graph_.of(sign);
     std::vector<bool> seen(graph.component_bound(), false);
-    for_each_node([&](NodeIndex node) {
-      const LeafState state = tree_.state(node, mode_);
-      if (sign > 0 && state.is_undecided())
-        result_.measure_undecided += tree_.space().measure(tree_.box(node));
-      if (!state.may_be(sign)) return;
-      if (graph.is_in_component(node)) seen[graph.component(node)] = true;
-      if (state.is_undecided() && state.is_whole(sign)) add_undecided(node, node, sign);
-    });
+    for (std::uint32_t place = 0; place < graph.members().size(); ++place)
+      if (graph.members()[place] != no_node) seen[graph.current(place)] = true;
     result_.bound += static_cast<std::size_t>(std::count(seen.begin(), seen.end(), true));
+    for (const NodeIndex node : of(sign).whole_parts) add_undecided(node, graph.component(node), sign);
   }
 
-  /// An undecided leaf, or what of it may have the sign, counts for the component of `leaf`.
-  void add_undecided(NodeIndex node, NodeIndex leaf, int sign) {
-    const std::uint32_t component = index_[graph_.of(sign).component(leaf)];
+  /// An undecided leaf, or what of it may have the sign, counts for a component of the graph.
+  void add_undecided(NodeIndex node, std::uint32_t of_graph, int sign) {
+    const std::uint32_t component = of(sign).index[of_graph];
     if (component == SignGraph::none) return;
     const double measure = tree_.space().measure(tree_.box(node));
     undecided_[component] += measure;
@@ -103,10 +124,10 @@ class Summary {
   void collect_meetings(int sign) {
     SignGraph& graph = graph_.of(sign);
     const SignGraph::Meeting meeting = graph.meeting();
-    add_unresolved(meeting.contacts, graph);
-    for (std::size_t v = 0; v < meeting.nearest.size(); ++v)
-      if (meeting.nearest[v] != no_node)
-        add_undecided(graph.indeterminate_leaves().node(v), meeting.nearest[v], sign);
+    add_unresolved(meeting.contacts, sign);
+    for (std::size_t v = 0; v < meeting.components.size(); ++v)
+      if (meeting.components[v] != SignGraph::none)
+        add_undecided(graph.indeterminate_leaves().node(v), meeting.components[v], sign);
   }
 
   void count_indeterminate(int sign) {
@@ -116,9 +137,11 @@ class Summary {
 
   /// Components that have no inside leaf are not listed, but those they meet could be connected through
   /// them.
-  void add_unresolved(const std::vector<SignGraph::Contact>& contacts, SignGraph& graph) {
-    DisjointSets unlisted(index_.size());
-    const auto is_listed = [this](std::uint32_t component) { return index_[component] != SignGraph::none; };
+  void add_unresolved(const std::vector<SignGraph::Contact>& contacts, int sign) {
+    SignGraph& graph = graph_.of(sign);
+    const std::vector<std::uint32_t>& index = of(sign).index;
+    DisjointSets unlisted(index.size());
+    const auto is_listed = [&index](std::uint32_t component) { return index[component] != SignGraph::none; };
     std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
     for (const SignGraph::Contact& contact : contacts) {
       std::uint32_t a = graph.component(contact.leaf), b = graph.component(contact.other_leaf);
@@ -126,7 +149,7 @@ class Summary {
       if (!is_listed(a))
         unlisted.unite(a, b);
       else if (is_listed(b))
-        add_unresolved(index_[a], index_[b]);
+        add_unresolved(index[a], index[b]);
       else
         pairs.emplace_back(b, a);
     }
@@ -135,7 +158,7 @@ class Summary {
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
     for (std::size_t first = 0; first < pairs.size(); ++first)
       for (std::size_t i = first + 1; i < pairs.size() && pairs[i].first == pairs[first].first; ++i)
-        add_unresolved(index_[pairs[first].second], index_[pairs[i].second]);
+        add_unresolved(index[pairs[first].second], index[pairs[i].second]);
   }
 
   void add_unresolved(std::size_t a, std::size_t b) {
@@ -166,8 +189,8 @@ class Summary {
   LeafGraph& graph_;
   const MapControl& control_;
   ModeComponents result_;
-  std::vector<std::uint32_t> index_;  // of a component, by its number in the graph of the sign
-  std::vector<double> undecided_;     // measure of the undecided leaves nearest to a component
+  std::array<OfSign, 2> of_sign_;
+  std::vector<double> undecided_;  // measure of the undecided leaves nearest to a component
 };
 
 }  // namespace

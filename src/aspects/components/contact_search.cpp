@@ -5,7 +5,6 @@
 #include <utility>
 
 namespace parallel_aspects {
-
 std::vector<SignGraph::Contact> ContactSearch::run() {
   largest_ = graph_.largest_component();
   collect_faces();
@@ -13,8 +12,11 @@ std::vector<SignGraph::Contact> ContactSearch::run() {
   items_from_.resize(graph_.indeterminate_leaves().size(), none);
   const std::size_t sources = start_from_sources();
   const std::size_t max_leaves = policy_.least_leaves_to_search + policy_.leaves_to_search_for_one * sources;
-  for (std::size_t head = 0; head < std::min(queue_.size(), max_leaves) && !is_cancelled(control_); ++head)
+  for (std::size_t head = 0; head < std::min(queue_.size(), max_leaves) && !is_cancelled(control_); ++head) {
+    const LeafSlot ahead = queue_[std::min(head + IndeterminateLeaves::fetched_ahead, queue_.size() - 1)];
+    if (ahead.is_indeterminate()) graph_.indeterminate_leaves().fetch(ahead.item());
     go_on(queue_[head], reached_from(queue_[head]));
+  }
   for (const LeafSlot leaf : queue_) reached_from(leaf) = none;
   queue_.clear();
   sources_.clear();

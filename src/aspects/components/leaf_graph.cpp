@@ -2,6 +2,7 @@
 #include "aspects/components/leaf_graph.h"
 
 #include "aspects/tree/face_traversal.h"
+#include "aspects/tree/neighbour_leaves.h"
 
 namespace parallel_aspects {
 
@@ -11,11 +12,16 @@ LeafGraph::LeafGraph(const PoseTree& tree, std::size_t mode, bool looks_everywhe
       looks_everywhere_(looks_everywhere),
       positive_(mode, 1, control, policy),
       negative_(mode, -1, control, policy) {
-  positive_.reserve_for(tree);
-  negative_.reserve_for(tree);
+  SignGraph::LeafCounts positive, negative;
+  for (NodeIndex node = 0; node < tree.node_count(); ++node) {
+    positive.add(node, tree.state(node, mode), 1);
+    negative.add(node, tree.state(node, mode), -1);
+  }
+  positive_.reserve(tree, positive);
+  negative_.reserve(tree, negative);
   for (NodeIndex node = 0; node < tree.node_count() && !is_cancelled(control); ++node) {
-    positive_.add_leaf(tree, node);
-    negative_.add_leaf(tree, node);
+    positive_.add_leaf(node, tree.state(node, mode));
+    negative_.add_leaf(node, tree.state(node, mode));
   }
   // Most leaves may hold poses of one sign alone, which their states tell sooner than the graph of the other.
   const auto connect = [this, &tree, mode](NodeIndex a, NodeIndex b) {
@@ -27,8 +33,9 @@ LeafGraph::LeafGraph(const PoseTree& tree, std::size_t mode, bool looks_everywhe
 }
 
 void LeafGraph::replace(PoseTree& tree, NodeIndex node) {
-  positive_.replace(tree, node);
-  negative_.replace(tree, node);
+  const std::vector<NodeIndex> neighbours = neighbour_leaves(tree, mode_, node);
+  positive_.replace(tree, node, neighbours);
+  negative_.replace(tree, node, neighbours);
 }
 
 }  // namespace parallel_aspects

@@ -16,26 +16,23 @@ constexpr std::size_t faces_at_once = 8;
 
 }  // namespace
 
-void SignGraph::reserve_for(const PoseTree& tree) {
-  std::size_t indeterminate = 0, in_components = 0, blocks = 0;
-  NodeIndex last_block = no_node;
-  for (NodeIndex node = 0; node < tree.node_count(); ++node) {
-    const LeafState state = tree.state(node, mode_);
-    if (!state.may_be(sign_)) continue;
-    ++(state.is_whole(sign_) ? in_components : indeterminate);
-    blocks += NodeNumbers::block_of(node) != last_block;
-    last_block = NodeNumbers::block_of(node);
-  }
-  slot_.reserve(tree.node_count(), blocks);
-  indeterminate_.reserve(indeterminate);
-  components_.reserve(in_components);
-  traits_.reserve(in_components);
-  new_leaves_.reserve(in_components);
-  members_.reserve(in_components);
+void SignGraph::LeafCounts::add(NodeIndex node, LeafState state, int sign) noexcept {
+  if (!state.may_be(sign)) return;
+  ++(state.is_whole(sign) ? in_components : indeterminate);
+  blocks += NodeNumbers::block_of(node) != last_block;
+  last_block = NodeNumbers::block_of(node);
 }
 
-void SignGraph::add_leaf(const PoseTree& tree, NodeIndex node) {
-  const LeafState state = tree.state(node, mode_);
+void SignGraph::reserve(const PoseTree& tree, const LeafCounts& counts) {
+  slot_.reserve(tree.node_count(), counts.blocks);
+  indeterminate_.reserve(counts.indeterminate);
+  components_.reserve(counts.in_components);
+  traits_.reserve(counts.in_components);
+  new_leaves_.reserve(counts.in_components);
+  members_.reserve(counts.in_components);
+}
+
+void SignGraph::add_leaf(NodeIndex node, LeafState state) {
   if (!state.may_be(sign_)) return;
   if (!state.is_whole(sign_)) {
     set_slot(node, LeafSlot::indeterminate(indeterminate_.add(node)));
@@ -63,7 +60,7 @@ void SignGraph::take_in_proof(const PoseTree& tree, NodeIndex node) {
   for (const LeafSlot neighbour : neighbours) forget_neighbour(neighbour, old);
   indeterminate_.forget(old.item());
   set_slot(node, LeafSlot::nowhere());
-  add_leaf(tree, node);
+  add_leaf(node, tree.state(node, mode_));
   for (const LeafSlot neighbour : neighbours) connect(tree, node, this->node(neighbour));
 }
 
@@ -138,7 +135,7 @@ void SignGraph::forget_neighbour(LeafSlot leaf, LeafSlot old_neighbour) {
   if (leaf.is_indeterminate()) indeterminate_.remove_neighbour(leaf.item(), old_neighbour);
 }
 
-void SignGraph::replace(PoseTree& tree, NodeIndex node) {
+void SignGraph::replace(PoseTree& tree, NodeIndex node, const std::vector<NodeIndex>& neighbours) {
   const LeafSlot old = slot(node);
   std::vector<NodeIndex> children;
   for (NodeIndex rank = 0; rank < tree.children_per_node(); ++rank) {
@@ -148,14 +145,13 @@ void SignGraph::replace(PoseTree& tree, NodeIndex node) {
     if (old.is_nowhere() && state.may_be(sign_)) state = state.without(sign_);
   }
   if (old.is_nowhere()) return;
-  const std::vector<NodeIndex> neighbours = neighbour_leaves(tree, mode_, node);
   for (const NodeIndex neighbour : neighbours) forget_neighbour(slot(neighbour), old);
   if (old.is_member()) {
     replace_whole(tree, old, children);
   } else {
     indeterminate_.forget(old.item());
     indeterminate_.set_divided(old.item());
-    for (const NodeIndex child : children) add_leaf(tree, child);
+    for (const NodeIndex child : children) add_leaf(child, tree.state(child, mode_));
     for (std::size_t i = 0; i < children.size(); ++i)
       for (std::size_t j = i + 1; j < children.size(); ++j)
         if (share_face(tree, children[i], children[j])) connect(tree, children[i], children[j]);
@@ -294,6 +290,7 @@ void SignGraph::start_from_components(Meeting& meeting, std::vector<std::uint32_
 void SignGraph::spread(Meeting& meeting, std::vector<std::uint32_t>& queue) {
   for (std::size_t head = 0; head < queue.size() && !is_cancelled(control_); ++head) {
     const std::uint32_t v = queue[head], component = meeting.components[v];
+    indeterminate_.fetch(queue[std::min(head + IndeterminateLeaves::fetched_ahead, queue.size() - 1)]);
     indeterminate_.visit_neighbours(v, [&](LeafSlot neighbour) {
       if (!neighbour.is_indeterminate()) return;
       const std::uint32_t w = neighbour.item();

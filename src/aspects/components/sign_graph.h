@@ -37,19 +37,29 @@ class SignGraph {
 
   int sign() const noexcept { return sign_; }
 
-  /// Before all leaves of a tree are taken in: for how many this needs memory.
-  void reserve_for(const PoseTree& tree);
+  /// How many leaves of a tree are to be taken in.
+  struct LeafCounts {
+    std::size_t indeterminate = 0, in_components = 0, blocks = 0;
+    NodeIndex last_block = no_node;
 
-  /// Takes in a leaf, if it may hold poses of the set; then tell it from all its neighbours by `connect`.
-  void add_leaf(const PoseTree& tree, NodeIndex node);
+    void add(NodeIndex node, LeafState state, int sign) noexcept;
+  };
+
+  /// Before they are, takes no more memory than they need.
+  void reserve(const PoseTree& tree, const LeafCounts& counts);
+
+  /// Takes in a leaf of this state, if it may hold poses of the set; then tell it from all its neighbours by
+  /// `connect`.
+  void add_leaf(NodeIndex node, LeafState state);
   void connect(const PoseTree& tree, NodeIndex a, NodeIndex b);
 
   /// Joins what is proved to be connected across faces of whole parts, and forgets faces that are proved to
   /// hold nothing of the set. Needs a live `RoundingUpward`.
   void settle_faces(const PoseTree& tree, const BoxClassifier& classifier);
 
-  /// After a leaf was divided and its children were classified.
-  void replace(PoseTree& tree, NodeIndex node);
+  /// After a leaf was divided and its children were classified; its neighbours are those of
+  /// `neighbour_leaves`.
+  void replace(PoseTree& tree, NodeIndex node, const std::vector<NodeIndex>& neighbours);
 
   /// Joins components that are new since the last call to others by a `Climb`; those without an inside leaf
   /// only where `bare_too`. Returns leaves of those that have no inside leaf after that. Needs a live
@@ -80,6 +90,9 @@ class SignGraph {
 
   /// Whether the component holds an inside leaf, so that it is not empty.
   bool is_listed(std::uint32_t component) const noexcept { return traits_[component].has_inside_leaf; }
+
+  /// Of a component, at least; some may have been divided since.
+  std::size_t leaf_count(std::uint32_t component) const noexcept { return traits_[component].leaves; }
 
   std::uint32_t smaller_of(std::uint32_t a, std::uint32_t b) const noexcept {
     return traits_[a].leaves < traits_[b].leaves ? a : b;

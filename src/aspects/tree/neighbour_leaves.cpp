@@ -78,6 +78,19 @@ std::optional<Patch> common(const Patch& a, const Patch& b, std::size_t dimensio
   return flat <= 1 ? std::optional<Patch>(result) : std::nullopt;
 }
 
+/// Whether they have a part of a face in common.
+bool touch(const Patch& a, const Patch& b, std::size_t dimension) noexcept {
+  bool meet = a.root == b.root;
+  int flat = 0;
+  for (std::size_t i = 0; i < dimension; ++i) {
+    const std::uint32_t begin = std::max(a.spans[i].begin, b.spans[i].begin),
+                        end = std::min(a.spans[i].end, b.spans[i].end);
+    meet = meet && begin <= end;
+    flat += begin == end ? 1 : 0;
+  }
+  return meet && flat <= 1;
+}
+
 class NeighbourSearch {
  public:
   NeighbourSearch(const PoseTree& tree, std::size_t mode, NodeIndex node)
@@ -165,9 +178,8 @@ std::vector<SharedFace> shared_faces(const PoseTree& tree, NodeIndex a, NodeInde
 bool share_face(const PoseTree& tree, NodeIndex a, NodeIndex b) {
   bool shared = false;
   const Patch other = patch(tree.place(b));
-  for_each_image(tree, a, [&](const Patch& image) {
-    shared = shared || common(image, other, tree.dimension()).has_value();
-  });
+  for_each_image(tree, a,
+                 [&](const Patch& image) { shared = shared || touch(image, other, tree.dimension()); });
   return shared;
 }
 
