@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace parallel_aspects {
 namespace {
@@ -18,7 +19,37 @@ Interval between(double a, double b) {
 // Boxes that are made longer than the region may leave [-1, 1]; there is no extreme but these up to here.
 bool is_near(const Interval& a) { return -1.5 <= a.lower() && a.upper() <= 1.5; }
 
+/// Of an angle and a function of it. Searches along other coordinates ask for one angle again and again.
+struct Last {
+  double lower = std::numeric_limits<double>::quiet_NaN(), upper = lower;  // equal to no number
+  Interval value;
+};
+
+/// The value of what was asked for last, or the one that `compute` has.
+template <class Compute>
+const Interval& remembered(Last& last, const Interval& a, const Compute& compute) {
+  if (last.lower != a.lower() || last.upper != a.upper()) last = {a.lower(), a.upper(), compute(a)};
+  return last.value;
+}
+
 bool holds(const Interval& a, double t) { return a.lower() <= t && t <= a.upper(); }
+
+/// Of points the ends are one.
+template <class Function>
+Interval between_ends(const Interval& a, const Function& function) {
+  const double lower = function(rounded_pi * a.lower());
+  return between(lower, a.lower() == a.upper() ? lower : function(rounded_pi * a.upper()));
+}
+
+Interval cosine_near(const Interval& a) {
+  const Interval ends = between_ends(a, [](double angle) { return std::cos(angle); });
+  return {holds(a, -1.0) || holds(a, 1.0) ? -1.0 : ends.lower(), holds(a, 0.0) ? 1.0 : ends.upper()};
+}
+
+Interval sine_near(const Interval& a) {
+  const Interval ends = between_ends(a, [](double angle) { return std::sin(angle); });
+  return {holds(a, -0.5) ? -1.0 : ends.lower(), holds(a, 0.5) ? 1.0 : ends.upper()};
+}
 
 }  // namespace
 
@@ -26,14 +57,14 @@ Interval pi_enclosure() noexcept { return {rounded_pi, 3.1415926535897936}; }
 
 Interval cosine_of_half_turns(const Interval& a) noexcept {
   if (!is_near(a)) return {-1.0, 1.0};
-  const Interval ends = between(std::cos(rounded_pi * a.lower()), std::cos(rounded_pi * a.upper()));
-  return {holds(a, -1.0) || holds(a, 1.0) ? -1.0 : ends.lower(), holds(a, 0.0) ? 1.0 : ends.upper()};
+  thread_local Last last;
+  return remembered(last, a, cosine_near);
 }
 
 Interval sine_of_half_turns(const Interval& a) noexcept {
   if (!is_near(a)) return {-1.0, 1.0};
-  const Interval ends = between(std::sin(rounded_pi * a.lower()), std::sin(rounded_pi * a.upper()));
-  return {holds(a, -0.5) ? -1.0 : ends.lower(), holds(a, 0.5) ? 1.0 : ends.upper()};
+  thread_local Last last;
+  return remembered(last, a, sine_near);
 }
 
 Turn<Interval> enclosed_turn(double angle) noexcept {
