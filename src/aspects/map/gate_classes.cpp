@@ -27,14 +27,14 @@ CrossingPath reversed(CrossingPath path) {
 }
 
 /// The aspect at a position, if it has this sign of det A; else 0.
-int aspect_at(const AspectMap::Contents& map, std::size_t mode, int sign, const MapPosition& position) {
+int aspect_at(const MarkedMap& map, std::size_t mode, int sign, const MapPosition& position) {
   const Location location = locate(map, mode, position);
   if (location.status != LocationStatus::inside) return 0;
   const auto index = static_cast<std::size_t>(location.aspect - 1);
-  return map.aspects[index].determinant_sign == sign ? location.aspect : 0;
+  return map.map.aspects[index].determinant_sign == sign ? location.aspect : 0;
 }
 
-std::optional<LeafCrossing> parallel_image(const AspectMap::Contents& map, const LeafCrossing& crossing,
+std::optional<LeafCrossing> parallel_image(const MarkedMap& map, const LeafCrossing& crossing,
                                            const GateClasses::Image& to) {
   CrossingPath path = image(to.symmetry->poses, crossing.path);
   if (to.symmetry->determinant_sign < 0) path = reversed(path);
@@ -42,21 +42,21 @@ std::optional<LeafCrossing> parallel_image(const AspectMap::Contents& map, const
   const int positive = aspect_at(map, to.to.mode, 1, {first.root, first.from}),
             negative = aspect_at(map, to.to.mode, -1, {last.root, last.to});
   if (positive == 0 || negative == 0) return std::nullopt;
-  const bool proved = crossing.proved && crosses_parallel_singularity(*map.classifier, path, to.to.mode);
+  const bool proved = crossing.proved && crosses_parallel_singularity(*map.map.classifier, path, to.to.mode);
   return LeafCrossing{positive, negative, proved, path};
 }
 
-std::optional<LeafCrossing> serial_image(const AspectMap::Contents& map, const LeafCrossing& crossing,
-                                         int sign, const GateClasses::Image& to) {
+std::optional<LeafCrossing> serial_image(const MarkedMap& map, const LeafCrossing& crossing, int sign,
+                                         const GateClasses::Image& to) {
   const CrossingPath path = image(to.symmetry->poses, crossing.path);
   const MapPosition start{path.segments.front().root, path.segments.front().from};
-  const std::size_t other = *other_mode(map, to.to);
+  const std::size_t other = *other_mode(map.map, to.to);
   const int image_sign = sign * to.symmetry->determinant_sign;
   const int here = aspect_at(map, to.to.mode, image_sign, start),
             there = aspect_at(map, other, image_sign, start);
   if (here == 0 || there == 0) return std::nullopt;
-  const bool proved = crossing.proved && crosses_serial_singularity(*map.classifier, path, to.to.mode, other,
-                                                                    to.to.leg, image_sign);
+  const bool proved = crossing.proved && crosses_serial_singularity(*map.map.classifier, path, to.to.mode,
+                                                                    other, to.to.leg, image_sign);
   return LeafCrossing{here, there, proved, path};
 }
 
@@ -106,7 +106,7 @@ bool GateClasses::is_searched(const GateClass& gates) const noexcept {
   return std::find(searched_.begin(), searched_.end(), gates) != searched_.end();
 }
 
-std::optional<LeafCrossing> image_of(const AspectMap::Contents& map, const LeafCrossing& crossing, int sign,
+std::optional<LeafCrossing> image_of(const MarkedMap& map, const LeafCrossing& crossing, int sign,
                                      const GateClasses::Image& image) {
   return image.of.crossing == Crossing::serial ? serial_image(map, crossing, sign, image)
                                                : parallel_image(map, crossing, image);

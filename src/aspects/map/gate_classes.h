@@ -61,7 +61,7 @@ class GateClasses {
 
 /// The image of a crossing of a gate with this sign of det A, where its ends are located, and whether it is
 /// proved. Needs a live `RoundingUpward`.
-std::optional<LeafCrossing> image_of(const AspectMap::Contents& map, const LeafCrossing& crossing, int sign,
+std::optional<LeafCrossing> image_of(const MarkedMap& map, const LeafCrossing& crossing, int sign,
                                      const GateClasses::Image& image);
 
 }  // namespace parallel_aspects

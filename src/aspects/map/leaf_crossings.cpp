@@ -26,8 +26,12 @@ struct Held {
 /// Looks in one leaf.
 class LeafSearch {
  public:
-  LeafSearch(const AspectMap::Contents& map, NodeIndex leaf, std::size_t mode)
-      : map_(map), mode_(mode), root_(map.tree.place(leaf).root), box_(map.tree.box(leaf)) {}
+  LeafSearch(const MarkedMap& marked, NodeIndex leaf, std::size_t mode)
+      : marked_(marked),
+        map_(marked.map),
+        mode_(mode),
+        root_(map_.tree.place(leaf).root),
+        box_(map_.tree.box(leaf)) {}
 
   std::optional<LeafCrossing> parallel() const {
     const Held positive = find_held(1);
@@ -47,7 +51,7 @@ class LeafSearch {
     const MapPosition& at = here.near.at;
     if (here.aspect == 0 || proved_sign(*map_.classifier, box_.dimension, other, at) != sign)
       return std::nullopt;
-    const Location there = locate(map_, other, at, sign);
+    const Location there = locate(marked_, other, at, sign);
     if (there.status != LocationStatus::inside) return std::nullopt;
     const std::optional<NearPosition> end = near ? near : find_beyond_margin(here.near, leg);
     const auto segments = end ? path(here.near, *end) : std::nullopt;
@@ -112,7 +116,7 @@ class LeafSearch {
     visit_positions([&](const NearPosition& near) {
       held.near = near;
       if (proved_sign(*map_.classifier, box_.dimension, mode_, near.at) != sign) return false;
-      const Location location = locate(map_, mode_, near.at, sign);
+      const Location location = locate(marked_, mode_, near.at, sign);
       if (location.status != LocationStatus::inside) return false;
       const Aspect& aspect = map_.aspects[static_cast<std::size_t>(location.aspect - 1)];
       if (aspect.determinant_sign == sign) held.aspect = location.aspect;
@@ -154,6 +158,7 @@ class LeafSearch {
     return std::nullopt;
   }
 
+  const MarkedMap& marked_;
   const AspectMap::Contents& map_;
   std::size_t mode_;
   RootIndex root_;
@@ -162,14 +167,12 @@ class LeafSearch {
 
 }  // namespace
 
-std::optional<LeafCrossing> find_parallel_crossing(const AspectMap::Contents& map, NodeIndex leaf,
-                                                   std::size_t mode) {
+std::optional<LeafCrossing> find_parallel_crossing(const MarkedMap& map, NodeIndex leaf, std::size_t mode) {
   return LeafSearch(map, leaf, mode).parallel();
 }
 
-std::optional<LeafCrossing> find_serial_crossing(const AspectMap::Contents& map, NodeIndex leaf,
-                                                 std::size_t mode, std::size_t other_mode, std::size_t leg,
-                                                 int sign) {
+std::optional<LeafCrossing> find_serial_crossing(const MarkedMap& map, NodeIndex leaf, std::size_t mode,
+                                                 std::size_t other_mode, std::size_t leg, int sign) {
   return LeafSearch(map, leaf, mode).serial(other_mode, leg, sign);
 }
 

@@ -3,7 +3,7 @@
 #define PARALLEL_ASPECTS_ASPECTS_MAP_LEAF_CROSSINGS_H
 
 #include "aspects/boxes/crossing_proof.h"
-#include "aspects/map/map_contents.h"
+#include "aspects/map/marked_location.h"
 #include "aspects/tree/pose_space.h"
 #include "parallel_aspects/model/pose.h"
 
@@ -22,14 +22,12 @@ struct LeafCrossing {
 
 /// In an undecided leaf in which no B_jj vanishes: from positive det A to negative. Needs, as the other, a
 /// live `RoundingUpward`.
-std::optional<LeafCrossing> find_parallel_crossing(const AspectMap::Contents& map, NodeIndex leaf,
-                                                   std::size_t mode);
+std::optional<LeafCrossing> find_parallel_crossing(const MarkedMap& map, NodeIndex leaf, std::size_t mode);
 
 /// In an undecided leaf in which B_jj of one leg alone may vanish: between working modes that differ in it,
 /// where det A has this sign.
-std::optional<LeafCrossing> find_serial_crossing(const AspectMap::Contents& map, NodeIndex leaf,
-                                                 std::size_t mode, std::size_t other_mode, std::size_t leg,
-                                                 int sign);
+std::optional<LeafCrossing> find_serial_crossing(const MarkedMap& map, NodeIndex leaf, std::size_t mode,
+                                                 std::size_t other_mode, std::size_t leg, int sign);
 
 /// The ends of the segments of a path.
 std::vector<Pose> poses_of(const PoseSpace& space, const CrossingPath& path);

@@ -2,6 +2,7 @@
 #include "aspects/map/map_location.h"
 
 #include "aspects/boxes/segment_proof.h"
+#include "aspects/map/marked_location.h"
 #include "aspects/tree/near_leaves.h"
 #include "interval/interval.h"
 
@@ -14,12 +15,12 @@ namespace {
 
 // In an undecided leaf: the aspect that a proved segment joins the point to.
 Location locate_by_proof(const AspectMap::Contents& map, std::size_t mode, const MapPosition& position,
-                         std::optional<int> known_sign) noexcept {
+                         std::optional<int> known_sign, const InsideMarks* marks) noexcept {
   const RoundingUpward rounding;
   const std::size_t dimension = map.tree.dimension();
   const int sign = known_sign ? *known_sign : proved_sign(*map.classifier, dimension, mode, position);
   if (sign == 0) return {LocationStatus::undecided, 0};
-  const NearLeaves near = near_inside_leaves(map.tree, mode, sign, position);
+  const NearLeaves near = near_inside_leaves(map.tree, mode, sign, position, marks);
   for (std::size_t i = 0; i < near.count; ++i) {
     const NodeIndex leaf = near.items[i].leaf;
     const MapPoint target = map.tree.box(leaf).nearest(position.point);
@@ -30,13 +31,13 @@ Location locate_by_proof(const AspectMap::Contents& map, std::size_t mode, const
 }
 
 Location locate_with(const AspectMap::Contents& map, std::size_t mode, const MapPosition& position,
-                     std::optional<int> known_sign) noexcept {
+                     std::optional<int> known_sign, const InsideMarks* marks) noexcept {
   const auto leaf = map.tree.leaf_at(position, mode);
   if (!leaf) return {LocationStatus::not_mapped, 0};
   const LeafState state = map.tree.state(*leaf, mode);
   if (state.is_inside()) return {LocationStatus::inside, map.leaf_aspect(*leaf, mode)};
   if (!state.is_undecided()) return {LocationStatus::outside, 0};
-  return locate_by_proof(map, mode, position, known_sign);
+  return locate_by_proof(map, mode, position, known_sign, marks);
 }
 
 }  // namespace
@@ -48,12 +49,17 @@ std::optional<std::size_t> mode_index(const AspectMap::Contents& map, const Work
 }
 
 Location locate(const AspectMap::Contents& map, std::size_t mode, const MapPosition& position) noexcept {
-  return locate_with(map, mode, position, std::nullopt);
+  return locate_with(map, mode, position, std::nullopt, nullptr);
 }
 
 Location locate(const AspectMap::Contents& map, std::size_t mode, const MapPosition& position,
                 int proved_sign) noexcept {
-  return locate_with(map, mode, position, proved_sign);
+  return locate_with(map, mode, position, proved_sign, nullptr);
+}
+
+Location locate(const MarkedMap& map, std::size_t mode, const MapPosition& position,
+                std::optional<int> proved_sign) noexcept {
+  return locate_with(map.map, mode, position, proved_sign, &map.marks);
 }
 
 bool may_be_one(const AspectMap& map, int first, int second) {

@@ -63,9 +63,9 @@ void add(const AspectMap::Contents& map, const GateClass& gates, const LeafCross
 /// Crossings in the leaves of one gate.
 class GateSearch {
  public:
-  GateSearch(const AspectMap::Contents& map, const GateLeaves& gate, const MapControl& control)
-      : map_(map), gate_(gate), control_(control) {
-    if (gate.crossing == Crossing::serial) other_mode_ = *other_mode(map, gate.gate_class());
+  GateSearch(const MarkedMap& marked, const GateLeaves& gate, const MapControl& control)
+      : marked_(marked), map_(marked.map), gate_(gate), control_(control) {
+    if (gate.crossing == Crossing::serial) other_mode_ = *other_mode(map_, gate.gate_class());
   }
 
   std::vector<LeafCrossing> run() {
@@ -90,8 +90,8 @@ class GateSearch {
                : !facts.all_clear_but(0))
       return false;
     const auto crossing =
-        serial ? find_serial_crossing(map_, leaf, gate_.mode, other_mode_, gate_.leg, gate_.sign)
-               : find_parallel_crossing(map_, leaf, gate_.mode);
+        serial ? find_serial_crossing(marked_, leaf, gate_.mode, other_mode_, gate_.leg, gate_.sign)
+               : find_parallel_crossing(marked_, leaf, gate_.mode);
     if (crossing) found_.push_back(*crossing);
     proved_ += crossing && crossing->proved;
     return true;
@@ -123,6 +123,7 @@ class GateSearch {
     return result;
   }
 
+  const MarkedMap& marked_;
   const AspectMap::Contents& map_;
   const GateLeaves& gate_;
   const MapControl& control_;
@@ -132,18 +133,18 @@ class GateSearch {
 };
 
 /// In the leaves of one gate, and in those of its images.
-Findings find_crossings(const AspectMap::Contents& map, const GateClasses& classes, const GateLeaves& gate,
+Findings find_crossings(const MarkedMap& map, const GateClasses& classes, const GateLeaves& gate,
                         const MapControl& control) {
   Findings found;
   const GateClass gates = gate.gate_class();
   const std::vector<LeafCrossing> crossings = GateSearch(map, gate, control).run();
-  for (const LeafCrossing& crossing : crossings) add(map, gates, crossing, found);
+  for (const LeafCrossing& crossing : crossings) add(map.map, gates, crossing, found);
   const RoundingUpward rounding;
   for (const GateClasses::Image& image : classes.images()) {
     if (!(image.of == gates)) continue;
     for (const LeafCrossing& crossing : crossings) {
       if (is_cancelled(control)) return found;
-      if (const auto other = image_of(map, crossing, gate.sign, image)) add(map, image.to, *other, found);
+      if (const auto other = image_of(map, crossing, gate.sign, image)) add(map.map, image.to, *other, found);
     }
   }
   return found;
@@ -178,9 +179,10 @@ std::vector<Neighbours> find_neighbours(const AspectMap& map, const MapControl& 
   const GateClasses classes(contents);
   const std::vector<GateLeaves> gates =
       find_gate_leaves(contents, classes, NearestAspects(contents, classes, control), control);
+  const MarkedMap marked(contents);
   std::vector<Findings> found(gates.size());
   tbb::parallel_for(std::size_t{0}, gates.size(),
-                    [&](std::size_t i) { found[i] = find_crossings(contents, classes, gates[i], control); });
+                    [&](std::size_t i) { found[i] = find_crossings(marked, classes, gates[i], control); });
   std::vector<Neighbours> result;
   if (is_cancelled(control)) return result;
   for (auto& [key, finding] : merged(std::move(found))) result.push_back(neighbours(key, finding));

@@ -8,8 +8,13 @@ namespace {
 
 class Search {
  public:
-  Search(const PoseTree& tree, std::size_t mode, int sign, const MapPoint& point)
-      : tree_(tree), mode_(mode), sign_(sign), point_(point), weights_(tree.space().weights()) {}
+  Search(const PoseTree& tree, std::size_t mode, int sign, const MapPoint& point, const InsideMarks* marks)
+      : tree_(tree),
+        mode_(mode),
+        sign_(sign),
+        point_(point),
+        marks_(marks),
+        weights_(tree.space().weights()) {}
 
   NearLeaves run(RootIndex root) {
     descend(root, tree_.box(root));
@@ -25,6 +30,7 @@ class Search {
   void descend(NodeIndex node, const Box& box) {
     const LeafState state = tree_.state(node, mode_);
     if (!state.is_divided() && !state.is_inside(sign_)) return;
+    if (marks_ != nullptr && !marks_->holds(node, mode_, sign_)) return;
     const double distance = box.squared_distance(point_, weights_);
     if (distance >= farthest()) return;
     if (!state.is_divided()) return insert(node, distance);
@@ -52,15 +58,16 @@ class Search {
   std::size_t mode_;
   int sign_;
   const MapPoint& point_;
+  const InsideMarks* marks_;
   MapPoint weights_;
   NearLeaves found_;
 };
 
 }  // namespace
 
-NearLeaves near_inside_leaves(const PoseTree& tree, std::size_t mode, int sign,
-                              const MapPosition& position) noexcept {
-  return Search(tree, mode, sign, position.point).run(position.root);
+NearLeaves near_inside_leaves(const PoseTree& tree, std::size_t mode, int sign, const MapPosition& position,
+                              const InsideMarks* marks) noexcept {
+  return Search(tree, mode, sign, position.point, marks).run(position.root);
 }
 
 }  // namespace parallel_aspects

@@ -2,6 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_TREE_NEAR_LEAVES_H
 #define PARALLEL_ASPECTS_ASPECTS_TREE_NEAR_LEAVES_H
 
+#include "aspects/tree/inside_marks.h"
 #include "aspects/tree/pose_tree.h"
 
 #include <array>
@@ -23,9 +24,10 @@ struct NearLeaves {
   std::size_t count = 0;
 };
 
-/// Finds them by descending the tree and leaving out what is too far. Neither allocates nor throws.
-NearLeaves near_inside_leaves(const PoseTree& tree, std::size_t mode, int sign,
-                              const MapPosition& position) noexcept;
+/// Finds them by descending the tree and leaving out what is too far, and what the marks of the tree show to
+/// hold none, where they are there. Neither allocates nor throws.
+NearLeaves near_inside_leaves(const PoseTree& tree, std::size_t mode, int sign, const MapPosition& position,
+                              const InsideMarks* marks = nullptr) noexcept;
 
 }  // namespace parallel_aspects
 
