@@ -23,11 +23,15 @@ class NearestOfMode {
  public:
   NearestOfMode(const AspectMap::Contents& map, std::size_t mode, const MapControl& control)
       : map_(map), mode_(mode), control_(control), first_(map.tree.node_count() + 1) {
-    visit([this](NodeIndex from, NodeIndex) { ++first_[from + 1]; });
+    std::vector<std::pair<NodeIndex, NodeIndex>> steps;
+    visit([&](NodeIndex from, NodeIndex to) {
+      ++first_[from + 1];
+      steps.emplace_back(from, to);
+    });
     for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
     neighbours_.resize(first_.back());
     std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-    visit([&](NodeIndex from, NodeIndex to) { neighbours_[next[from]++] = to; });
+    for (const auto& [from, to] : steps) neighbours_[next[from]++] = to;
   }
 
   std::vector<int> run(int sign) const {
@@ -46,6 +50,17 @@ class NearestOfMode {
         open.push_back(next);
       }
     return nearest;
+  }
+
+  /// Calls `visit` with each two leaves that share a face, one of them undecided, in this order and the
+  /// other.
+  template <class Visit>
+  void visit_pairs(const Visit& visit) const {
+    for (NodeIndex from = 0; from < map_.tree.node_count(); ++from)
+      for (std::size_t i = first_[from]; i < first_[from + 1]; ++i) {
+        visit(from, neighbours_[i]);
+        visit(neighbours_[i], from);
+      }
   }
 
  private:
@@ -106,27 +121,9 @@ class ModeLeaves {
  private:
   using Key = std::tuple<Crossing, std::size_t, int, int, int>;
 
-  /// Where det A = 0 lies on faces: two leaves that share one, each with one sign alone; the smaller one.
   void add_touching() {
-    visit_faces(
-        map_.tree, mode_,
-        [this](NodeIndex a, NodeIndex b) {
-          for (const auto& [one, other] : {std::pair{a, b}, std::pair{b, a}})
-            if (is_of_sign(one, 1) && is_of_sign(other, -1))
-              leaves_[{Crossing::parallel, 0, 1, nearest_.of(one, mode_, 1), nearest_.of(other, mode_, -1)}]
-                  .push_back(smaller(one, other));
-        },
-        control_);
-  }
-
-  /// Whether it lies at an aspect of this sign, and at none of the other.
-  bool is_of_sign(NodeIndex leaf, int sign) const {
-    return map_.tree.state(leaf, mode_).may_be(sign) && nearest_.of(leaf, mode_, sign) != 0 &&
-           nearest_.of(leaf, mode_, -sign) == 0;
-  }
-
-  NodeIndex smaller(NodeIndex one, NodeIndex other) const {
-    return map_.tree.box(one).width(0) < map_.tree.box(other).width(0) ? one : other;
+    for (const NearestAspects::Touching& each : nearest_.touching(mode_))
+      leaves_[{Crossing::parallel, 0, 1, each.positive, each.negative}].push_back(each.leaf);
   }
 
   void add(NodeIndex node) {
@@ -154,15 +151,28 @@ class ModeLeaves {
   std::map<Key, std::vector<NodeIndex>> leaves_;
 };
 
+NodeIndex smaller(const PoseTree& tree, NodeIndex one, NodeIndex other) {
+  return tree.box(one).width(0) < tree.box(other).width(0) ? one : other;
+}
+
 }  // namespace
 
 NearestAspects::NearestAspects(const AspectMap::Contents& map, const GateClasses& classes,
                                const MapControl& control)
-    : nearest_(2 * map.modes.size()) {
+    : nearest_(2 * map.modes.size()), touching_(map.modes.size()) {
   tbb::parallel_for(std::size_t{0}, map.modes.size(), [&](std::size_t mode) {
     if (!classes.is_needed(mode) || is_cancelled(control)) return;
     const NearestOfMode of_mode(map, mode, control);
     for (const int sign : {1, -1}) nearest_[2 * mode + (sign > 0 ? 1 : 0)] = of_mode.run(sign);
+    if (!classes.is_searched({Crossing::parallel, mode, 0})) return;
+    const auto is_of_sign = [&](NodeIndex leaf, int sign) {
+      return map.tree.state(leaf, mode).may_be(sign) && of(leaf, mode, sign) != 0 &&
+             of(leaf, mode, -sign) == 0;
+    };
+    of_mode.visit_pairs([&](NodeIndex one, NodeIndex other) {
+      if (is_of_sign(one, 1) && is_of_sign(other, -1))
+        touching_[mode].push_back({smaller(map.tree, one, other), of(one, mode, 1), of(other, mode, -1)});
+    });
   });
 }
 

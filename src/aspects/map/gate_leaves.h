@@ -24,8 +24,17 @@ class NearestAspects {
     return nearest_[2 * mode + (sign > 0 ? 1 : 0)][leaf];
   }
 
+  /// Leaves where det A = 0 lies on faces: of two that share one, each with one sign alone, the smaller one,
+  /// and the nearest aspects of both.
+  struct Touching {
+    NodeIndex leaf;
+    int positive, negative;
+  };
+  const std::vector<Touching>& touching(std::size_t mode) const noexcept { return touching_[mode]; }
+
  private:
   std::vector<std::vector<int>> nearest_;  // by mode and sign, and by leaf
+  std::vector<std::vector<Touching>> touching_;
 };
 
 /// The same of one working mode and sign alone, by leaf.
