@@ -32,38 +32,50 @@ struct Cusp {
 /// A connected set of poses of one aspect in which no two have the same actuated values, over a connected set
 /// of actuated values with a constant number of solutions (a basic region).
 struct BasicRegion {
-  int aspect = 0;              ///< id, in the map
-  Pose pose;                   ///< one of it
-  JointVector actuated;        ///< the values of this pose [m]; regions with the same lie over the same set
-  double measure_lower = 0.0;  ///< area of the actuated values for which all this is proved [m^2]
+  int aspect = 0;        ///< id, in the map; 0 where it is not known
+  std::size_t over = 0;  ///< regions with the same lie over the same connected set of actuated values
+  Pose pose;             ///< one of it
+  JointVector actuated;  ///< the values of this pose [m]
+  double measure_lower =
+      0.0;  ///< of the actuated values for which all this is proved [m^2, or m^3 of all three]
+  /// It is proved that no two of its poses have the same actuated values; else no domain is known to hold it.
+  bool is_unique = false;
 };
 
 /// A set of poses of one aspect that is connected and has no two poses of the same actuated values: there the
 /// actuated joints tell the pose (Ph. Wenger and D. Chablat, Uniqueness domains and regions of feasible paths
-/// for fully-parallel manipulators, 1998). No basic region that is listed can be added to it.
+/// for fully-parallel manipulators, 1998). None of the basic regions that are listed can be added to it by
+/// the paths between them that were found; one that was not found could make it larger.
 struct UniquenessDomain {
   int aspect = 0;                            ///< id, in the map
   bool whole_aspect = false;                 ///< by the theorem for T1, T2 and T3
   std::vector<std::size_t> basic_regions{};  ///< else: indices in the list; proved paths join them
-  double measure_lower = 0.0;                ///< area of their actuated values [m^2]
+  double measure_lower = 0.0;                ///< of their actuated values [m^2 or m^3]
 };
 
-/// Actuated values of the slice that have one number of direct solutions.
+/// What is known of uniqueness domains about two basic regions.
+enum class DomainSharing {
+  shared,   ///< one that is listed holds both
+  apart,    ///< proved: none holds both, since they share actuated values or lie in different aspects
+  unknown,  ///< none that is listed holds both
+};
+
+/// Actuated values that have one number of direct solutions.
 struct SolutionRegion {
   std::size_t solutions = 0;   ///< at least 1, proved
-  double measure = 0.0;        ///< best estimate of its area [m^2]
-  double measure_lower = 0.0;  ///< proved [m^2]
-  double measure_upper = 0.0;  ///< proved [m^2]
+  double measure = 0.0;        ///< best estimate [m^2, or m^3 of all three joints]
+  double measure_lower = 0.0;  ///< proved [m^2 or m^3]
+  double measure_upper = 0.0;  ///< proved [m^2 or m^3]
 };
 
 /// A connected set of actuated values over which the number of solutions in each aspect is constant (a basic
-/// component), as far as the division of the plane shows it.
+/// component), as far as their division shows it.
 struct BasicComponent {
   JointVector inside;           ///< actuated values in it [m]
   std::vector<Pose> solutions;  ///< all poses of these, proved
   std::vector<int> aspects;     ///< id of the aspect that holds each; 0 where the map can not tell
-  double measure = 0.0;         ///< best estimate of its area [m^2]
-  double measure_lower = 0.0;   ///< proved [m^2]
+  double measure = 0.0;         ///< best estimate [m^2, or m^3 of all three joints]
+  double measure_lower = 0.0;   ///< proved [m^2 or m^3]
 };
 
 /// The cusps of a slice.
@@ -74,8 +86,12 @@ struct CuspList {
 
 /// What to compute.
 struct UniquenessOptions {
-  std::optional<MapSlice> slice;     ///< one that holds an actuated joint; needed in SE2, and only there
+  /// One that holds an actuated joint, in SE2 alone; needed there, but for three struts within limits.
+  std::optional<MapSlice> slice;
   std::optional<double> resolution;  ///< of the map of the aspects, see `MapOptions`
+  /// The division of actuated values for numbers of solutions ends at so many cells, that for basic regions
+  /// at a quarter of them; by default at 250,000, and in slices that is never reached.
+  std::optional<std::size_t> most_cells;
 };
 
 /// Which poses of an aspect have the same actuated values, and where direct solutions meet.
@@ -84,19 +100,37 @@ struct Uniqueness {
   /// The direct problem has at most two solutions, at which det A has opposite signs. So each aspect,
   /// whatever limits and constraints bound it, is a uniqueness domain, and no three solutions meet anywhere.
   bool at_most_one_a_sign = false;
-  std::vector<Cusp> cusps;      ///< within limits, by rising actuated values
+  /// Of a slice, within limits, by rising actuated values. Of all poses cusps form curves, and none are
+  /// listed.
+  std::vector<Cusp> cusps;
   bool cusps_complete = false;  ///< it is proved that there are no others within limits
-  /// Whether what is below was looked for, in slices of robots with three struts; else it is empty.
+  /// Whether what is below was looked for, of robots with three struts; else it is empty.
   bool has_regions = false;
+  std::string region_unit;                       ///< of measures of actuated values: "m^2" or "m^3"
   std::vector<SolutionRegion> regions;           ///< by number of solutions
-  double measure_unknown = 0.0;                  ///< area where no number of solutions is proved [m^2]
+  double measure_unknown = 0.0;                  ///< where no number of solutions is proved [m^2 or m^3]
   std::vector<BasicComponent> basic_components;  ///< those with solutions, the largest first
-  /// Index in `basic_components` of that which holds these actuated values (of which the held one is not
+  /// Index in `basic_components` of that which holds these actuated values (of which a held one is not
   /// read). Nothing where they have no solution, or no number of solutions is proved.
   std::function<std::optional<std::size_t>(const JointVector&)> component_of;
-  std::vector<BasicRegion> basic_regions;  ///< of basic components that are not tiny
-  bool domains_complete = true;            ///< whether all domains that these regions form are listed
-  std::vector<UniquenessDomain> domains;   ///< by aspect
+  std::vector<BasicRegion> basic_regions;  ///< over sets of actuated values that are not tiny
+  /// Index in `basic_regions` of that which holds a pose, or the direct solution beside it that has its
+  /// actuated values as they are rounded; nothing where that is not proved, and outside of limits. It takes
+  /// some steps of interval arithmetic, and may be called from any thread.
+  std::function<std::optional<std::size_t>(const Pose&)> region_of;
+  bool domains_complete = true;           ///< whether all domains that these regions form are listed
+  std::vector<UniquenessDomain> domains;  ///< by aspect
+
+  /// The basic region of a pose, as `region_of` has it.
+  std::optional<std::size_t> locate(const Pose& pose) const {
+    return region_of ? region_of(pose) : std::nullopt;
+  }
+
+  /// Indices of the domains that hold a basic region.
+  std::vector<std::size_t> domains_of(std::size_t region) const;
+
+  /// Whether one domain holds both basic regions.
+  DomainSharing sharing(std::size_t region, std::size_t other) const;
 };
 
 /// What was computed, or why there is nothing.
@@ -109,9 +143,14 @@ struct UniquenessResult {
 };
 
 /// Computes all of it. In T1, T2 and T3 it follows from a theorem. In SE2 there are slices with an actuated
-/// joint held: their cusps, and of robots with three struts all the rest. What remains is refused with a
-/// message.
+/// joint held: their cusps, and of robots with three struts all the rest, too; and these robots as a whole,
+/// within limits, but for cusps. What remains is refused with a message.
 UniquenessResult compute_uniqueness(std::shared_ptr<const Manipulator> manipulator,
+                                    const UniquenessOptions& options = {}, const MapControl& control = {});
+
+/// The same with a map that is there, of all poses or of such a slice; slice and resolution of the options
+/// are not read.
+UniquenessResult compute_uniqueness(std::shared_ptr<const AspectMap> map,
                                     const UniquenessOptions& options = {}, const MapControl& control = {});
 
 /// The cusps alone, of a slice of SE2 that holds an actuated joint; a cancelled list is not complete. Of any

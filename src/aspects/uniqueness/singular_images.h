@@ -2,7 +2,7 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_SINGULAR_IMAGES_H
 #define PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_SINGULAR_IMAGES_H
 
-#include "aspects/uniqueness/strut_slice.h"
+#include "aspects/cusps/strut_slice.h"
 #include "interval/interval.h"
 #include "parallel_aspects/aspects/box.h"
 
@@ -13,27 +13,29 @@
 
 namespace parallel_aspects {
 
-/// Two enclosed numbers, as (g_0, g_1).
-using ValueBox = std::array<Interval, 2>;
+/// Enclosed numbers, as (g_0, g_1, g_2): half the squares of the lengths. In one slice g_2 counts as 0.
+using ValueBox = std::array<Interval, 3>;
 
-/// Encloses the image of a box of the slice in the plane of (g_0, g_1): by its extent along both axes, along
-/// a normal, and across that. About a singular box the normal is across the image of the singular curve, so
-/// that this extent is of second order in the size of the box.
+/// Encloses the image of a box of poses in the space of (g_0, g_1, g_2): by its extents along the axes and
+/// along the directions of a frame. About a singular box the first of these is across the image of the
+/// singular curve or surface, so that this extent is of second order in the size of the box.
 struct ImageStrip {
-  std::array<double, 2> normal{};
+  std::array<std::array<double, 3>, 3> frame{};
   ValueBox range;
-  Interval along_normal;   ///< of normal . (g_0, g_1)
-  Interval along_tangent;  ///< the same of the normal turned by a right angle
+  std::array<Interval, 3> extents;  ///< of frame[k] . (g_0, g_1, g_2)
 
-  /// Of direction . (g_0, g_1).
-  Interval along(const std::array<double, 2>& direction) const noexcept;
+  /// Across the image.
+  const std::array<double, 3>& normal() const noexcept { return frame[0]; }
+
+  /// Of direction . (g_0, g_1, g_2).
+  Interval along(const std::array<double, 3>& direction) const noexcept;
 
   /// Whether it may have a point in common with a box of values.
   bool may_meet(const ValueBox& values) const noexcept;
 };
 
-/// Boxes of the slice that cover its singular curve D = 0, each divided where that is asked for. Needs a live
-/// `RoundingUpward`.
+/// Boxes of a slice or of a family that cover its singular poses, D = 0, each divided where that is asked
+/// for. Needs a live `RoundingUpward`.
 class SingularImages {
  public:
   using Node = std::uint32_t;
@@ -59,6 +61,8 @@ class SingularImages {
   };
 
   void add(const Box& box, std::vector<Node>& parts);
+  void add_halves(const Box& box, std::size_t times, std::vector<Node>& parts);
+  std::array<Box, 2> halves_of(const Box& box) const;
 
   const StrutSlice& slice_;
   std::vector<Entry> nodes_;

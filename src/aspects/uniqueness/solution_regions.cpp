@@ -11,44 +11,45 @@ namespace parallel_aspects {
 namespace {
 
 /// What is unknown of a cell, divided among its pieces.
-double share_of_unknown(const PlaneCell& cell) {
+double share_of_unknown(const SpaceCell& cell) {
   const auto count = std::count_if(cell.pieces.begin(), cell.pieces.end(),
                                    [](const std::optional<PieceIndex>& piece) { return piece.has_value(); });
   return cell.unknown / static_cast<double>(count);
 }
 
-std::vector<SolutionSet> gather(ActuatedPlane& plane) {
+std::vector<SolutionSet> gather(ActuatedSpace& space) {
   std::map<PieceIndex, SolutionSet> sets;
-  for (PieceIndex index = 0; index < plane.pieces().size(); ++index) {
-    const Piece& piece = plane.pieces()[index];
-    SolutionSet& set = sets[plane.set_of(index)];
+  for (PieceIndex index = 0; index < space.pieces().size(); ++index) {
+    const Piece& piece = space.pieces()[index];
+    SolutionSet& set = sets[space.set_of(index)];
     set.pieces.push_back(index);
-    set.area = (Interval(set.area) + Interval(piece.area)).lower();
-    set.estimate += piece.area + share_of_unknown(plane.cells()[piece.cell]);
+    set.measure = (Interval(set.measure) + Interval(piece.measure)).lower();
+    set.estimate += piece.measure + share_of_unknown(space.cells()[piece.cell]);
   }
   std::vector<SolutionSet> result;
   for (auto& [first, set] : sets) result.push_back(std::move(set));
   return result;
 }
 
-void look_inside(const StrutSlice& slice, const ActuatedPlane& plane, SolutionSet& set) {
+void look_inside(const StrutSlice& slice, const ActuatedSpace& space, SolutionSet& set) {
   set.largest = *std::max_element(set.pieces.begin(), set.pieces.end(), [&](PieceIndex a, PieceIndex b) {
-    return plane.pieces()[a].area < plane.pieces()[b].area;
+    return space.pieces()[a].measure < space.pieces()[b].measure;
   });
-  set.inside = plane.point_of(set.largest);
-  set.solutions = find_all_solutions(slice, values_at(set.inside));
+  set.inside = space.point_of(set.largest);
+  set.solutions = find_all_solutions(slice, set.inside);
 }
 
 }  // namespace
 
-std::vector<SolutionSet> find_solution_sets(const StrutSlice& slice, ActuatedPlane& plane,
-                                            const MapControl& control) {
+std::vector<SolutionSet> find_solution_sets(const StrutSlice& slice, ActuatedSpace& space,
+                                            const MapControl& control, double least_share) {
   assert_rounding_upward();
-  std::vector<SolutionSet> sets = gather(plane);
+  std::vector<SolutionSet> sets = gather(space);
   std::stable_sort(sets.begin(), sets.end(),
-                   [](const SolutionSet& a, const SolutionSet& b) { return a.area > b.area; });
+                   [](const SolutionSet& a, const SolutionSet& b) { return a.measure > b.measure; });
+  const double least = least_share * space.cells()[0].box.measure();
   for (SolutionSet& set : sets)
-    if (!is_cancelled(control)) look_inside(slice, plane, set);
+    if (set.measure >= least && !is_cancelled(control)) look_inside(slice, space, set);
   return sets;
 }
 

@@ -2,29 +2,30 @@
 #ifndef PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_SOLUTION_REGIONS_H
 #define PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_SOLUTION_REGIONS_H
 
-#include "aspects/uniqueness/actuated_plane.h"
-#include "aspects/uniqueness/strut_slice.h"
+#include "aspects/cusps/strut_slice.h"
+#include "aspects/uniqueness/actuated_space.h"
 #include "parallel_aspects/aspects/map_control.h"
 
-#include <array>
 #include <optional>
 #include <vector>
 
 namespace parallel_aspects {
 
-/// A connected set of pieces of the plane of lengths: the number of solutions is the same all over it.
+/// A connected set of pieces of the plane or space of lengths: the number of solutions is the same all over
+/// it.
 struct SolutionSet {
   std::vector<PieceIndex> pieces;             ///< by index
   PieceIndex largest = 0;                     ///< of them
-  std::array<double, 2> inside{};             ///< lengths in its largest piece [m]
+  Lengths inside{};                           ///< in its largest piece [m]
   std::optional<std::vector<Box>> solutions;  ///< all there are inside; nothing where that is not proved
-  double area = 0.0;                          ///< a lower bound [m^2]
-  double estimate = 0.0;                      ///< the same with its share of what is unknown [m^2]
+  double measure = 0.0;                       ///< a lower bound [m^2 or m^3]
+  double estimate = 0.0;                      ///< the same with its share of what is unknown [m^2 or m^3]
 };
 
-/// The largest first. Needs a live `RoundingUpward`.
-std::vector<SolutionSet> find_solution_sets(const StrutSlice& slice, ActuatedPlane& plane,
-                                            const MapControl& control);
+/// The largest first. In sets that are a smaller share of all lengths than that nobody looks for solutions.
+/// Needs a live `RoundingUpward`.
+std::vector<SolutionSet> find_solution_sets(const StrutSlice& slice, ActuatedSpace& space,
+                                            const MapControl& control, double least_share = 0.0);
 
 }  // namespace parallel_aspects
 

@@ -77,7 +77,7 @@ class SolutionSearch {
 
 }  // namespace
 
-std::array<Interval, 2> values_at(const std::array<double, 2>& lengths) noexcept {
+std::array<Interval, 2> values_at(const Lengths& lengths) noexcept {
   return {Interval(0.5) * square(Interval(lengths[0])), Interval(0.5) * square(Interval(lengths[1]))};
 }
 
@@ -98,10 +98,10 @@ Box contracted(const StrutSlice& slice, Box box, const std::array<Interval, 2>& 
   return box;
 }
 
-std::optional<std::vector<Box>> find_all_solutions(const StrutSlice& slice,
-                                                   const std::array<Interval, 2>& values) {
+std::optional<std::vector<Box>> find_all_solutions(const StrutSlice& slice, const Lengths& lengths) {
   assert_rounding_upward();
-  return SolutionSearch(slice, values).run();
+  const StrutSlice at = slice.at(lengths);
+  return SolutionSearch(at, values_at(lengths)).run();
 }
 
 }  // namespace parallel_aspects

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/aspects/uniqueness.h"
 
-#include "aspects/uniqueness/actuated_plane.h"
-#include "aspects/uniqueness/basic_regions.h"
-#include "aspects/uniqueness/cusp_search.h"
-#include "aspects/uniqueness/held_slice.h"
-#include "aspects/uniqueness/singular_images.h"
-#include "aspects/uniqueness/solution_regions.h"
-#include "aspects/uniqueness/uniqueness_domains.h"
+#include "aspects/cusps/cusp_search.h"
+#include "aspects/cusps/held_slice.h"
+#include "aspects/uniqueness/part_of_control.h"
+#include "aspects/uniqueness/strut_uniqueness.h"
 #include "aspects/uniqueness/uniqueness_problem.h"
 #include "model/angles.h"
 #include "parallel_aspects/aspects/held_joint.h"
@@ -16,37 +13,12 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
-#include <vector>
 
 namespace parallel_aspects {
 namespace {
-
-/// The plane of lengths, divided, with the basic component of each piece.
-struct DividedPlane {
-  StrutSlice struts;
-  SingularImages images;
-  ActuatedPlane plane;
-  std::vector<SolutionSet> sets;
-  std::vector<std::optional<std::size_t>> component_of;  // by piece
-
-  DividedPlane(const StrutSlice& slice, double unknown_share, const MapControl& control)
-      : struts(slice),
-        images(struts),
-        plane(struts, images, unknown_share, control),
-        sets(find_solution_sets(struts, plane, control)),
-        component_of(plane.pieces().size()) {}
-
-  std::optional<std::size_t> component_at(const JointVector& actuated) const {
-    const RoundingUpward rounding;
-    const auto length = [&](std::size_t i) { return actuated[static_cast<Eigen::Index>(struts.leg(i))]; };
-    const auto piece = plane.find({length(0), length(1)});
-    return piece ? component_of[*piece] : std::nullopt;
-  }
-};
 
 /// A pose of a slice, in the middle of a box.
 Pose pose_of(const AnchorCircle& circle, const Box& box) {
@@ -120,124 +92,18 @@ class CuspsOfSlice {
   HeldSlice slice_;
 };
 
-class SliceOfStruts {
- public:
-  SliceOfStruts(const Manipulator& manipulator, const MapSlice& slice)
-      : manipulator_(manipulator),
-        held_(*slice.joint),
-        circle_(circle_of_anchor(manipulator, held_)),
-        struts_(made_under_upward_rounding<StrutSlice>(manipulator, slice)) {}
-
-  /// Fills what is known of numbers of solutions.
-  void find_regions(const MapControl& control, Uniqueness& result) const {
-    const auto divided = divided_plane(control);
-    double unknown = divided->plane.unknown();
-    for (const SolutionSet& set : divided->sets) {
-      if (!set.solutions) unknown += set.area;
-      if (!set.solutions || set.solutions->empty()) continue;
-      for (const PieceIndex piece : set.pieces) divided->component_of[piece] = result.basic_components.size();
-      add_component(set, result);
-    }
-    result.component_of = [divided](const JointVector& q) { return divided->component_at(q); };
-    result.measure_unknown = unknown * rounded_up;
-    for (SolutionRegion& region : result.regions)
-      region.measure_upper = (region.measure_lower + unknown) * rounded_up;
-    std::sort(result.regions.begin(), result.regions.end(),
-              [](const SolutionRegion& a, const SolutionRegion& b) { return a.solutions < b.solutions; });
+/// What robots of SE2 have in place of the theorem.
+void look_into(const Manipulator& manipulator, const UniquenessOptions& options, const MapControl& control,
+               Uniqueness& result) {
+  if (result.map->slice()) {
+    CuspList cusps = find_cusps(manipulator, *result.map->slice(), control);
+    result.cusps = std::move(cusps.cusps);
+    result.cusps_complete = cusps.complete;
   }
-
-  /// Fills basic regions and uniqueness domains.
-  void find_domains(const MapControl& control, Uniqueness& result) const {
-    const auto aspect_of = [&](const Box& box) { return aspect_at(*result.map, box); };
-    std::vector<SolutionSet> sets;
-    const FoundRegions found = basic_regions(aspect_of, control, sets);
-    for (const FoundRegion& region : found.regions) {
-      const Pose pose = pose_of((*sets[region.set].solutions)[region.solution]);
-      result.basic_regions.push_back({region.aspect, pose, actuated_of(pose), region.area * rounded_down});
-    }
-    const FoundDomains domains = find_uniqueness_domains(found);
-    result.domains_complete = domains.complete;
-    for (const auto& regions : domains.domains) {
-      UniquenessDomain domain{found.regions[regions.front()].aspect, false, regions, 0.0};
-      for (const std::size_t region : regions)
-        domain.measure_lower += result.basic_regions[region].measure_lower * rounded_down;
-      result.domains.push_back(std::move(domain));
-    }
-  }
-
- private:
-  // Of the plane of lengths, for areas and for basic regions, which take more time a cell.
-  static constexpr double unknown_share = 1e-4, unknown_share_of_regions = 2e-3;
-
-  // Basic regions over sets that are a smaller share of the plane are left out: beside strips there are many.
-  static constexpr double least_set_share = 1e-4;
-
-  // Sums of many areas are off by less.
-  static constexpr double rounded_up = 1.0 + 1e-9, rounded_down = 1.0 - 1e-9;
-
-  std::shared_ptr<DividedPlane> divided_plane(const MapControl& control) const {
-    const RoundingUpward rounding;
-    return std::make_shared<DividedPlane>(struts_, unknown_share, control);
-  }
-
-  FoundRegions basic_regions(const std::function<int(const Box&)>& aspect_of, const MapControl& control,
-                             std::vector<SolutionSet>& sets) const {
-    const RoundingUpward rounding;
-    SingularImages images(struts_);
-    ActuatedPlane plane(struts_, images, unknown_share_of_regions, control);
-    sets = find_solution_sets(struts_, plane, control);
-    const double least = least_set_share * plane.cells()[0].box.measure();
-    for (SolutionSet& set : sets)
-      if (set.area < least) set.solutions.reset();
-    return find_basic_regions(struts_, plane, sets, aspect_of, control);
-  }
-
-  int aspect_at(const AspectMap& map, const Box& box) const {
-    return map.locate(pose_of(box), working_modes(manipulator_).front()).aspect;
-  }
-
-  Pose pose_of(const Box& box) const { return parallel_aspects::pose_of(circle_, box); }
-
-  JointVector actuated_of(const Pose& pose) const {
-    return parallel_aspects::actuated_of(manipulator_, held_, pose, working_modes(manipulator_).front());
-  }
-
-  void add_component(const SolutionSet& set, Uniqueness& result) const {
-    const std::size_t solutions = set.solutions->size();
-    BasicComponent component;
-    for (const Box& box : *set.solutions) {
-      component.solutions.push_back(pose_of(box));
-      component.aspects.push_back(aspect_at(*result.map, box));
-    }
-    component.inside = actuated_of(component.solutions.front());
-    component.measure = set.estimate;
-    component.measure_lower = set.area * rounded_down;
-    auto region = std::find_if(result.regions.begin(), result.regions.end(),
-                               [&](const SolutionRegion& each) { return each.solutions == solutions; });
-    if (region == result.regions.end()) region = result.regions.insert(region, {solutions, 0.0, 0.0, 0.0});
-    region->measure += component.measure;
-    region->measure_lower += component.measure_lower;
-    result.basic_components.push_back(std::move(component));
-  }
-
-  const Manipulator& manipulator_;
-  HeldJoint held_;
-  AnchorCircle circle_;
-  StrutSlice struts_;
-};
-
-/// What the slice has in place of the theorem.
-void look_into_slice(const Manipulator& manipulator, const MapSlice& slice, const MapControl& control,
-                     Uniqueness& result) {
-  CuspList cusps = find_cusps(manipulator, slice, control);
-  result.cusps = std::move(cusps.cusps);
-  result.cusps_complete = cusps.complete;
-  result.has_regions = has_struts_alone(manipulator);
-  result.domains_complete = result.has_regions;
-  if (!result.has_regions) return;
-  const SliceOfStruts struts(manipulator, slice);
-  struts.find_regions(control, result);
-  if (!is_cancelled(control)) struts.find_domains(control, result);
+  if (has_struts_alone(manipulator))
+    find_regions_of_struts(options, control, result);
+  else
+    result.domains_complete = false;
 }
 
 /// By the theorem.
@@ -253,6 +119,23 @@ CuspList find_cusps(const Manipulator& manipulator, const MapSlice& slice, const
   return CuspsOfSlice(manipulator, slice).find(control);
 }
 
+UniquenessResult compute_uniqueness(std::shared_ptr<const AspectMap> map, const UniquenessOptions& options,
+                                    const MapControl& control) {
+  const Manipulator& manipulator = *map->manipulator();
+  UniquenessOptions of_map = options;
+  of_map.slice = map->slice();
+  const std::string problem = find_uniqueness_problem(manipulator, of_map);
+  if (!problem.empty()) return {MapStatus::refused, problem, nullptr};
+  Uniqueness result;
+  result.map = std::move(map);
+  if (has_one_solution_a_sign(manipulator.task_space()))
+    take_whole_aspects(result);
+  else
+    look_into(manipulator, options, control, result);
+  if (is_cancelled(control)) return {MapStatus::cancelled, "The computation was cancelled.", nullptr};
+  return {MapStatus::complete, "", std::make_shared<const Uniqueness>(std::move(result))};
+}
+
 UniquenessResult compute_uniqueness(std::shared_ptr<const Manipulator> manipulator,
                                     const UniquenessOptions& options, const MapControl& control) {
   const std::string problem = find_uniqueness_problem(*manipulator, options);
@@ -260,16 +143,10 @@ UniquenessResult compute_uniqueness(std::shared_ptr<const Manipulator> manipulat
   MapOptions map_options;
   map_options.slice = options.slice;
   map_options.resolution = options.resolution;
-  const MapResult map = compute_aspect_map(manipulator, map_options, control);
+  const double map_share = has_one_solution_a_sign(manipulator->task_space()) ? 1.0 : 0.1;
+  const MapResult map = compute_aspect_map(manipulator, map_options, part_of(control, 0.0, map_share));
   if (!map) return {map.status, map.message, nullptr};
-  Uniqueness result;
-  result.map = map.map;
-  if (has_one_solution_a_sign(manipulator->task_space()))
-    take_whole_aspects(result);
-  else
-    look_into_slice(*manipulator, *options.slice, control, result);
-  if (is_cancelled(control)) return {MapStatus::cancelled, "The computation was cancelled.", nullptr};
-  return {MapStatus::complete, "", std::make_shared<const Uniqueness>(std::move(result))};
+  return compute_uniqueness(map.map, options, part_of(control, map_share, 1.0));
 }
 
 }  // namespace parallel_aspects

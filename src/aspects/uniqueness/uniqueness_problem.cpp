@@ -6,6 +6,7 @@
 #include "parallel_aspects/model/constraints.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace parallel_aspects {
 namespace {
@@ -26,9 +27,31 @@ std::string find_slice_to_hold(const Manipulator& manipulator) {
          manipulator.leg(0).actuated_joint + ".";
 }
 
+/// Of all poses: three struts, none of which may become as long as it likes.
+std::string find_problem_without_slice(const Manipulator& manipulator) {
+  if (!has_struts_alone(manipulator)) return find_slice_to_hold(manipulator);
+  const bool bounded = std::all_of(manipulator.legs().begin(), manipulator.legs().end(), [](const Leg& leg) {
+    return std::isfinite(leg.has_branch(1) ? leg.limits.upper : leg.limits.lower);
+  });
+  if (manipulator.tolerance() > 0.0)
+    return "Numbers of direct solutions are of a robot without tolerances, and '" + manipulator.name() +
+           "' has some; leave them out.";
+  if (bounded) return "";
+  return "All poses of " + in_quotes(manipulator.name()) +
+         " are looked at within limits of its struts, and one of these has none. Give limits, or a slice "
+         "that "
+         "holds an actuated joint, such as " +
+         manipulator.leg(0).actuated_joint + ".";
+}
+
+std::string find_problem_of_slice(const Manipulator& manipulator, const MapSlice& slice) {
+  if (!slice.joint) return find_slice_to_hold(manipulator);
+  return find_held_joint_problem(manipulator, *slice.joint);
+}
+
 std::string find_problem_in_se2(const Manipulator& manipulator, const UniquenessOptions& options) {
-  if (!options.slice || !options.slice->joint) return find_slice_to_hold(manipulator);
-  const std::string problem = find_held_joint_problem(manipulator, *options.slice->joint);
+  const std::string problem = options.slice ? find_problem_of_slice(manipulator, *options.slice)
+                                            : find_problem_without_slice(manipulator);
   if (!problem.empty()) return problem;
   const std::string others = other_constraints(manipulator);
   if (!others.empty())

@@ -32,15 +32,16 @@ json json_cusp(const Manipulator& robot, const Cusp& cusp) {
           {"accuracy", cusp.accuracy}};
 }
 
-json json_region(const SolutionRegion& region) {
+json json_region(const SolutionRegion& region, const std::string& unit) {
   return {{"solutions", region.solutions},
           {"measure", region.measure},
           {"measure_lower", region.measure_lower},
           {"measure_upper", region.measure_upper},
-          {"unit", "m^2"}};
+          {"unit", unit}};
 }
 
-json json_basic_component(const Manipulator& robot, const BasicComponent& component) {
+json json_basic_component(const Manipulator& robot, const BasicComponent& component,
+                          const std::string& unit) {
   json poses = json::array();
   for (const Pose& pose : component.solutions) poses.push_back(json_pose(robot.task_space(), pose));
   return {{"actuated", json_numbers(component.inside)},
@@ -49,28 +50,35 @@ json json_basic_component(const Manipulator& robot, const BasicComponent& compon
           {"components", component.aspects},
           {"measure", component.measure},
           {"measure_lower", component.measure_lower},
-          {"unit", "m^2"}};
+          {"unit", unit}};
 }
 
-json json_basic_region(const Manipulator& robot, const BasicRegion& region) {
+json json_basic_region(const Manipulator& robot, const BasicRegion& region, const std::string& unit) {
   return {{"component", region.aspect},
           {"pose", json_pose(robot.task_space(), region.pose)},
+          {"over", region.over},
           {"actuated", json_numbers(region.actuated)},
+          {"unique", region.is_unique},
           {"measure_lower", region.measure_lower},
-          {"unit", "m^2"}};
+          {"unit", unit}};
 }
 
-json json_domain(const UniquenessDomain& domain) {
+json json_domain(const UniquenessDomain& domain, const std::string& unit) {
   json object = {{"component", domain.aspect}, {"whole_component", domain.whole_aspect}};
   if (domain.whole_aspect) return object;
   object["basic_regions"] = domain.basic_regions;
   object["measure_lower"] = domain.measure_lower;
-  object["unit"] = "m^2";
+  object["unit"] = unit;
   return object;
 }
 
+/// What the map is of: aspects, or components of a slice.
+std::string part_name(const AspectMap& map, const std::string& before) {
+  return before + (map.slice() ? "component" : "aspect");
+}
+
 std::string components_text(const AspectMap& map) {
-  TextTable table({">component", "working mode", "det A", ">measure [" + map.unit() + "]"});
+  TextTable table({part_name(map, ">"), "working mode", "det A", ">measure [" + map.unit() + "]"});
   for (const Aspect& aspect : map.aspects())
     table.add({std::to_string(aspect.id), to_string(aspect.mode), aspect.determinant_sign > 0 ? "+" : "-",
                shown_briefly(aspect.measure)});
@@ -91,6 +99,8 @@ std::vector<std::string> cusp_titles(const Manipulator& robot) {
 
 std::string cusps_text(const Uniqueness& uniqueness) {
   const Manipulator& robot = *uniqueness.map->manipulator();
+  if (!uniqueness.map->slice() && !uniqueness.at_most_one_a_sign)
+    return "Cusps form curves; --slice lists those of a value of an actuated joint.\n";
   std::string text = counted(uniqueness.cusps.size(), "cusp") + ", " +
                      (uniqueness.cusps_complete ? "proved to be all" : "there may be more") + "\n";
   if (uniqueness.cusps.empty()) return text;
@@ -108,32 +118,60 @@ std::string cusps_text(const Uniqueness& uniqueness) {
 
 std::string regions_text(const Uniqueness& uniqueness) {
   if (!uniqueness.has_regions) return "";
-  TextTable table({">solutions", ">area [m^2]", ">at least", ">at most"});
+  const std::string& unit = uniqueness.region_unit;
+  TextTable table({">solutions", ">measure [" + unit + "]", ">at least", ">at most"});
   for (const SolutionRegion& region : uniqueness.regions)
     table.add({std::to_string(region.solutions), shown_briefly(region.measure),
                shown_bound(region.measure_lower, Side::below),
                shown_bound(region.measure_upper, Side::above)});
   return "\nactuated values by their number of direct solutions, which is not proved on " +
-         shown_bound(uniqueness.measure_unknown, Side::above) + " m^2\n" + table.text();
+         shown_bound(uniqueness.measure_unknown, Side::above) + " " + unit + "\n" + table.text();
+}
+
+/// Of all poses their numbers; of a slice, which lists none, how many there are.
+std::string regions_of_domain(const Uniqueness& uniqueness, const UniquenessDomain& domain) {
+  if (uniqueness.map->slice()) return std::to_string(domain.basic_regions.size());
+  std::string text;
+  for (const std::size_t region : domain.basic_regions)
+    text += (text.empty() ? "" : ", ") + std::to_string(region + 1);
+  return text;
 }
 
 std::string domains_text(const Uniqueness& uniqueness) {
   if (!uniqueness.has_regions) return "";
-  TextTable table({">domain", ">component", ">basic regions", ">actuated values [m^2], at least"});
+  TextTable table({">domain", part_name(*uniqueness.map, ">"), ">basic regions",
+                   ">actuated values [" + uniqueness.region_unit + "], at least"});
   for (std::size_t i = 0; i < uniqueness.domains.size(); ++i) {
     const UniquenessDomain& domain = uniqueness.domains[i];
-    table.add({std::to_string(i + 1), std::to_string(domain.aspect),
-               std::to_string(domain.basic_regions.size()), shown_bound(domain.measure_lower, Side::below)});
+    table.add({std::to_string(i + 1), std::to_string(domain.aspect), regions_of_domain(uniqueness, domain),
+               shown_bound(domain.measure_lower, Side::below)});
   }
   return "\nuniqueness domains, which overlap" +
          std::string(uniqueness.domains_complete ? "" : " and of which there are more") + "\n" + table.text();
+}
+
+/// Of all poses: what lies over each connected set of actuated values.
+std::string basic_regions_text(const Uniqueness& uniqueness) {
+  if (!uniqueness.has_regions || uniqueness.map->slice()) return "";
+  TextTable table({">basic region", part_name(*uniqueness.map, ">"), ">over set",
+                   ">actuated values [" + uniqueness.region_unit + "], at least", "unique", "a pose of it",
+                   ">domains"});
+  const TaskSpace space = uniqueness.map->manipulator()->task_space();
+  for (std::size_t i = 0; i < uniqueness.basic_regions.size(); ++i) {
+    const BasicRegion& region = uniqueness.basic_regions[i];
+    table.add({std::to_string(i + 1), std::to_string(region.aspect), std::to_string(region.over + 1),
+               shown_bound(region.measure_lower, Side::below), region.is_unique ? "proved" : "not proved",
+               to_string(space, region.pose), std::to_string(uniqueness.domains_of(i).size())});
+  }
+  return "\nbasic regions, each a connected set of poses over a connected set of actuated values\n" +
+         table.text();
 }
 
 std::string headline(const Uniqueness& uniqueness) {
   const AspectMap& map = *uniqueness.map;
   std::string text = map.manipulator()->name();
   if (map.slice()) text += ", " + to_string(*map.slice());
-  text += ": " + counted(map.aspects().size(), map.slice() ? "component" : "aspect") + "\n";
+  text += ": " + counted(map.aspects().size(), part_name(map, "")) + "\n";
   if (uniqueness.at_most_one_a_sign)
     text +=
         "Each is a uniqueness domain: for given actuated values there are at most two poses, with opposite "
@@ -145,6 +183,7 @@ std::string headline(const Uniqueness& uniqueness) {
 
 Report report_uniqueness(const Uniqueness& uniqueness) {
   const AspectMap& map = *uniqueness.map;
+  const std::string& unit = uniqueness.region_unit;
   json object = {{"mechanism", map.manipulator()->name()},
                  {"task_space", std::string(name(map.manipulator()->task_space()))},
                  {"slice", json_slice(map.slice())},
@@ -160,17 +199,19 @@ Report report_uniqueness(const Uniqueness& uniqueness) {
                  {"uniqueness_domains", json::array()}};
   for (const Aspect& aspect : map.aspects()) object["components"].push_back(json_component(map, aspect));
   for (const Cusp& cusp : uniqueness.cusps) object["cusps"].push_back(json_cusp(*map.manipulator(), cusp));
-  for (const SolutionRegion& region : uniqueness.regions) object["regions"].push_back(json_region(region));
+  for (const SolutionRegion& region : uniqueness.regions)
+    object["regions"].push_back(json_region(region, unit));
   for (const BasicComponent& component : uniqueness.basic_components)
-    object["basic_components"].push_back(json_basic_component(*map.manipulator(), component));
+    object["basic_components"].push_back(json_basic_component(*map.manipulator(), component, unit));
   for (const BasicRegion& region : uniqueness.basic_regions)
-    object["basic_regions"].push_back(json_basic_region(*map.manipulator(), region));
+    object["basic_regions"].push_back(json_basic_region(*map.manipulator(), region, unit));
   for (const UniquenessDomain& domain : uniqueness.domains)
-    object["uniqueness_domains"].push_back(json_domain(domain));
+    object["uniqueness_domains"].push_back(json_domain(domain, unit));
   const Report constraints = report_constraints(*map.manipulator());
   object.update(constraints.json);
   return {object, headline(uniqueness) + '\n' + components_text(map) + '\n' + cusps_text(uniqueness) +
-                      regions_text(uniqueness) + domains_text(uniqueness) + '\n' + constraints.text};
+                      regions_text(uniqueness) + basic_regions_text(uniqueness) + domains_text(uniqueness) +
+                      '\n' + constraints.text};
 }
 
 }  // namespace parallel_aspects::tools

@@ -37,10 +37,11 @@ Report report_of(const UniquenessArguments& arguments, const Surroundings& surro
   if (!arguments.resolution.empty())
     options.resolution = parse_positive("--resolution", arguments.resolution, problems);
   const bool has_numbers = manipulator->task_space() == TaskSpace::SE2 && has_struts_alone(*manipulator);
-  if (!arguments.picture.empty() && !has_numbers)
+  if (!arguments.picture.empty() && !(has_numbers && options.slice))
     problems.push_back(
-        "--picture shows numbers of direct solutions in slices of robots with three struts, and '" +
-        manipulator->name() + "' is none; leave it out, `plot` draws its aspects.");
+        "--picture shows numbers of direct solutions in slices of robots with three struts; " +
+        (has_numbers ? "give one with --slice, or leave it out."
+                     : "'" + manipulator->name() + "' is none. Leave it out, `plot` draws its aspects."));
   if (!problems.empty()) throw InvalidDescription(std::move(problems));
   const auto result = completed(surroundings, [&](const MapControl& control) {
     return compute_uniqueness(manipulator, options, control);
@@ -54,8 +55,11 @@ Report report_of(const UniquenessArguments& arguments, const Surroundings& surro
 Subcommand uniqueness_subcommand() {
   const auto arguments = std::make_shared<UniquenessArguments>();
   std::vector<Option> options = robot_options(arguments->robot);
-  options.push_back({"--slice", "\"strut_1_joint=15\"",
-                     "In SE2: the actuated joint that is held, with its value [m]", &arguments->slice});
+  options.push_back(
+      {"--slice", "\"strut_1_joint=15\"",
+       "In SE2: the actuated joint that is held, with its value [m or rad]; without it all poses, of three "
+       "struts within limits",
+       &arguments->slice});
   options.push_back({"--resolution", "R",
                      "Longest edge of an undecided leaf of the map of aspects [m or rad]; by default what "
                      "suits the robot",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "aspects/uniqueness/cusp_search.h"
+#include "aspects/cusps/cusp_search.h"
 #include "parallel_aspects/aspects/held_joint.h"
 #include "parallel_aspects/aspects/uniqueness.h"
 #include "parallel_aspects/kinematics/direct.h"

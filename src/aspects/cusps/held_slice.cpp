@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "aspects/uniqueness/held_slice.h"
+#include "aspects/cusps/held_slice.h"
 
 #include <variant>
 

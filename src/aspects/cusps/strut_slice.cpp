@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "aspects/uniqueness/strut_slice.h"
+#include "aspects/cusps/strut_slice.h"
 
 #include "legs/held_leg.h"
 #include "model/angles.h"
@@ -69,6 +69,11 @@ CosineSum CosineSum::half_square(const Interval& length, const Planar<Interval>&
           {m.x * o.x + m.y * o.y, m.x * o.y - m.y * o.x}};
 }
 
+CosineSum CosineSum::half_square_slope(const Interval& length, const Planar<Interval>& m,
+                                       const Planar<Interval>& o) noexcept {
+  return {length, {m.x, -m.y}, {o.x, o.y}, {0.0, 0.0}};
+}
+
 CosineSum CosineSum::along(const Planar<Interval>& n, const Interval& length, const Planar<Interval>& m,
                            const Planar<Interval>& o) noexcept {
   return {n.x * o.x + n.y * o.y,
@@ -77,26 +82,76 @@ CosineSum CosineSum::along(const Planar<Interval>& n, const Interval& length, co
           {m.x * n.x + m.y * n.y, m.x * n.y - m.y * n.x}};
 }
 
-StrutSlice::StrutSlice(const Manipulator& manipulator, const MapSlice& slice) {
+StrutSlice::StrutSlice(const Manipulator& manipulator, const MapSlice& slice) : held_(slice.joint->leg) {
   assert_rounding_upward();
-  const std::size_t held = slice.joint->leg;
-  const HeldLeg rod(manipulator.leg(held), slice.joint->value, 0.0);
-  const Interval length = rod.rod(Turn<Interval>{1.0, 0.0}).x;
-  for (std::size_t i = 0, j = 0; j < manipulator.leg_count(); ++j)
-    if (j != held) legs_[i++] = MovingLeg(manipulator, held, j, length);
+  add_legs(manipulator);
+  const HeldLeg rod(manipulator.leg(held_), slice.joint->value, 0.0);
+  set_rod(rod.rod(Turn<Interval>{1.0, 0.0}).x);
 }
 
-StrutSlice::MovingLeg::MovingLeg(const Manipulator& manipulator, std::size_t held, std::size_t j,
-                                 const Interval& length)
-    : index(j) {
+StrutSlice::StrutSlice(const Manipulator& manipulator, std::size_t held) : dimension_(3), held_(held) {
+  assert_rounding_upward();
+  add_legs(manipulator);
+  set_rod(with_half_square({held_limits_[0].lower(), held_limits_[1].upper()}).rod_);
+}
+
+void StrutSlice::add_legs(const Manipulator& manipulator) {
+  held_squared_height_ = square(height_of(manipulator.leg(held_)));
+  held_limits_ = limits_of(manipulator.leg(held_));
+  for (std::size_t i = 0, j = 0; j < manipulator.leg_count(); ++j)
+    if (j != held_) legs_[i++] = MovingLeg(manipulator, held_, j);
+}
+
+void StrutSlice::set_rod(const Interval& rod) noexcept {
+  rod_ = rod;
+  for (MovingLeg& leg : legs_) leg.set_rod(rod);
+}
+
+Box StrutSlice::whole() const noexcept {
+  Box box = whole_slice();
+  if (dimension_ == 2) return box;
+  box.dimension = 3;
+  box.lower[2] = rod_.lower();
+  box.upper[2] = rod_.upper();
+  return box;
+}
+
+StrutSlice StrutSlice::with_rod(const Interval& rod) const noexcept {
+  StrutSlice result = *this;
+  result.dimension_ = 2;
+  result.set_rod(rod);
+  return result;
+}
+
+StrutSlice StrutSlice::with_half_square(const Interval& value) const noexcept {
+  return with_rod(square_root(not_negative_part(Interval(2.0) * value - held_squared_height_)));
+}
+
+StrutSlice StrutSlice::at(const Lengths& lengths) const noexcept {
+  return dimension_ == 2 ? *this : with_half_square(Interval(0.5) * square(Interval(lengths[2])));
+}
+
+StrutSlice StrutSlice::over(const Box& box) const noexcept {
+  return dimension_ == 2 ? *this : with_rod({box.lower[2], box.upper[2]});
+}
+
+Interval StrutSlice::held_half_square() const noexcept {
+  return Interval(0.5) * (square(rod_) + held_squared_height_);
+}
+
+StrutSlice::MovingLeg::MovingLeg(const Manipulator& manipulator, std::size_t held, std::size_t j) : index(j) {
   const Leg &leg = manipulator.leg(j), &other = manipulator.leg(held);
-  const Planar<Interval> m = difference(anchor_of(leg), anchor_of(other));
-  const Planar<Interval> o = difference(base_of(other), base_of(leg));
-  const Interval height = height_of(leg);
-  half_square = CosineSum::half_square(length, m, o, square(height));
-  const Interval sum = length + square_root(squared_norm(m)) + square_root(squared_norm(o));
-  largest = (Interval(0.5) * (square(sum) + square(height))).upper();
+  between_anchors = difference(anchor_of(leg), anchor_of(other));
+  between_bases = difference(base_of(other), base_of(leg));
+  squared_height = square(height_of(leg));
   limits = limits_of(leg);
+}
+
+void StrutSlice::MovingLeg::set_rod(const Interval& rod) noexcept {
+  half_square = CosineSum::half_square(rod, between_anchors, between_bases, squared_height);
+  const Interval sum =
+      rod + square_root(squared_norm(between_anchors)) + square_root(squared_norm(between_bases));
+  largest = (Interval(0.5) * (square(sum) + squared_height)).upper();
 }
 
 SliceCenter::SliceCenter(const Box& box) noexcept {
@@ -105,6 +160,9 @@ SliceCenter::SliceCenter(const Box& box) noexcept {
     const double half = std::max(box.upper[i] - box.center(i), box.center(i) - box.lower[i]);
     half_widths[i] = (pi_enclosure() * Interval(half)).upper();
   }
+  if (box.dimension < 3) return;
+  rod = box.center(2);
+  half_widths[2] = std::max(box.upper[2] - rod, rod - box.lower[2]);
 }
 
 SliceRanges ranges_of(const Box& box) noexcept {

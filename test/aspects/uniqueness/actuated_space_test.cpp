@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "aspects/uniqueness/actuated_plane.h"
+#include "aspects/uniqueness/actuated_space.h"
 
 #include "aspects/uniqueness/solution_regions.h"
 #include "parallel_aspects/aspects/held_joint.h"
@@ -35,7 +35,7 @@ struct Slice {
   MapSlice held;
   StrutSlice struts;
   SingularImages images;
-  ActuatedPlane plane;
+  ActuatedSpace space;
   std::vector<SolutionSet> sets;
 
   Slice(const Robot& made, double value)
@@ -43,8 +43,8 @@ struct Slice {
         held(test::slice_of(made, {{made->leg(0).actuated_joint, value}})),
         struts(*made, held),
         images(struts),
-        plane(struts, images, 1e-4, {}),
-        sets(find_solution_sets(struts, plane, {})) {}
+        space(struts, images, 1e-4, {}),
+        sets(find_solution_sets(struts, space, {})) {}
 
   /// By piece; nothing where the number is not proved.
   std::map<PieceIndex, std::optional<std::size_t>> numbers() {
@@ -71,12 +71,12 @@ Robot unlimited_three_rpr() { return test::three_rpr()->with_constraints({}); }
 
 std::optional<PieceIndex> piece_of(const Slice& slice, const std::array<double, 2>& lengths) {
   const RoundingUpward rounding;
-  return slice.plane.find(lengths);
+  return slice.space.find({lengths[0], lengths[1], 0.0});
 }
 
 void compare_with_direct_problem(Slice& slice, std::mt19937_64& random, int samples) {
   const auto numbers = slice.numbers();
-  const Box& all = slice.plane.cells()[0].box;
+  const Box& all = slice.space.cells()[0].box;
   int compared = 0;
   for (int i = 0; i < samples; ++i) {
     const std::array<double, 2> lengths{uniform(random, all.lower[0], all.upper[0]),
@@ -92,7 +92,7 @@ void compare_with_direct_problem(Slice& slice, std::mt19937_64& random, int samp
 }
 
 // The number of solutions of random actuated values, by the direct solver.
-TEST(ActuatedPlane, HasTheNumbersOfTheDirectProblem) {
+TEST(ActuatedSpace, HasTheNumbersOfTheDirectProblem) {
   std::mt19937_64 random(21);
   const int samples = test::thinned(5000);
   Slice slice = slice_of(unlimited_three_rpr(), 14.98);
@@ -101,6 +101,23 @@ TEST(ActuatedPlane, HasTheNumbersOfTheDirectProblem) {
     Slice other = slice_of(random_struts(random), uniform(random, 0.5, 3.0));
     compare_with_direct_problem(other, random, samples);
   }
+}
+
+/// All three lengths, within limits.
+struct Family {
+  Robot robot;
+  StrutSlice struts;
+  SingularImages images;
+  ActuatedSpace space;
+
+  explicit Family(const Robot& made)
+      : robot(made), struts(*made, 0), images(struts), space(struts, images, 1e-2, {}, 8000) {}
+};
+
+Robot within(const Robot& robot, double least, double most) {
+  std::vector<Leg> legs = robot->legs();
+  for (Leg& leg : legs) leg.limits = JointLimits{least, most};
+  return test::manipulator("limited", TaskSpace::SE2, legs);
 }
 
 /// det A and the lengths at a point of the slice [rad].
@@ -116,7 +133,7 @@ At at(const Slice& slice, double a, double phi) {
 }
 
 // Of singular poses, found by bisection, none is in a piece.
-TEST(ActuatedPlane, HasNoImageOfASingularPoseInAPiece) {
+TEST(ActuatedSpace, HasNoImageOfASingularPoseInAPiece) {
   std::mt19937_64 random(22);
   for (int robots = 0; robots < 4; ++robots) {
     const Robot robot = robots == 0 ? unlimited_three_rpr() : random_struts(random);
@@ -139,8 +156,41 @@ TEST(ActuatedPlane, HasNoImageOfASingularPoseInAPiece) {
   }
 }
 
+// The same of all three lengths, with singular poses anywhere within limits.
+TEST(ActuatedSpace, HasNoImageOfASingularPoseInAPieceOfTheWhole) {
+  std::mt19937_64 random(23);
+  for (int robots = 0; robots < 3; ++robots) {
+    const Robot robot = robots == 0 ? test::three_rpr() : within(random_struts(random), 0.5, 3.0);
+    const Family family = made_under_upward_rounding<Family>(robot);
+    const double reach = robot->leg(0).limits.upper;
+    const auto values = [&](double x, double y, double phi) {
+      return inverse(*robot, Pose::planar(x, y, phi), working_modes(*robot).front()).q;
+    };
+    const auto determinant = [&](double x, double y, double phi) {
+      return direct_determinant(*robot, Pose::planar(x, y, phi), values(x, y, phi));
+    };
+    int found = 0;
+    for (int i = 0; i < 50000; ++i) {
+      const double phi = uniform(random, -pi, pi), y = uniform(random, -reach, reach);
+      double from = uniform(random, -reach, reach), to = from + 0.1 * reach;
+      const bool positive = determinant(from, y, phi) > 0.0;
+      if (positive == (determinant(to, y, phi) > 0.0)) continue;
+      for (int k = 0; k < 60; ++k) {
+        const double middle = 0.5 * (from + to);
+        (positive == (determinant(middle, y, phi) > 0.0) ? from : to) = middle;
+      }
+      const JointVector q = values(from, y, phi);
+      found +=
+          (q.array() > robot->leg(0).limits.lower && q.array() < robot->leg(0).limits.upper).all() ? 1 : 0;
+      const RoundingUpward rounding;
+      EXPECT_FALSE(family.space.find({q[1], q[2], q[0]})) << robots << ": " << q.transpose();
+    }
+    EXPECT_GT(found, 50);
+  }
+}
+
 // Areas of the plane of both lengths by number of solutions, by brute force: 79.7, 255.8 and 954.4.
-TEST(ActuatedPlane, HasTheAreasOfTheThreeRpr) {
+TEST(ActuatedSpace, HasTheAreasOfTheThreeRpr) {
   Slice slice = slice_of(unlimited_three_rpr(), 14.98);
   std::map<std::size_t, double> areas;
   for (const SolutionSet& set : slice.sets)
@@ -149,12 +199,12 @@ TEST(ActuatedPlane, HasTheAreasOfTheThreeRpr) {
   EXPECT_NEAR(areas[4], 255.8, 0.01 * 255.8);
   EXPECT_NEAR(areas[2], 954.4, 0.01 * 954.4);
   EXPECT_EQ(areas.size(), 4U);  // and none
-  EXPECT_LT(slice.plane.unknown(), 0.5);
+  EXPECT_LT(slice.space.unknown(), 0.5);
 }
 
 // Every pose of the slice is one solution: areas times numbers are the integral of |det J| over the slice,
 // which is taken by differences of the inverse problem.
-TEST(ActuatedPlane, HasAreasThatAddUpToTheSlice) {
+TEST(ActuatedSpace, HasAreasThatAddUpToTheSlice) {
   Slice slice = slice_of(unlimited_three_rpr(), 14.98);
   double sum = 0.0;
   for (const SolutionSet& set : slice.sets)

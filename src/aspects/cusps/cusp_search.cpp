@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "aspects/uniqueness/cusp_search.h"
+#include "aspects/cusps/cusp_search.h"
 
-#include "aspects/uniqueness/krawczyk.h"
+#include "aspects/cusps/krawczyk.h"
 #include "interval/scalar_range.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_JET_H
-#define PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_JET_H
+#ifndef PARALLEL_ASPECTS_ASPECTS_CUSPS_JET_H
+#define PARALLEL_ASPECTS_ASPECTS_CUSPS_JET_H
 
 #include "interval/interval.h"
 
@@ -81,4 +81,4 @@ Jet<Order - 1> bracket(const Jet<Order>& f, const Jet<Order>& g) noexcept {
 
 }  // namespace parallel_aspects
 
-#endif  // PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_JET_H
+#endif  // PARALLEL_ASPECTS_ASPECTS_CUSPS_JET_H

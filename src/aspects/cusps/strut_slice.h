@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_STRUT_SLICE_H
-#define PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_STRUT_SLICE_H
+#ifndef PARALLEL_ASPECTS_ASPECTS_CUSPS_STRUT_SLICE_H
+#define PARALLEL_ASPECTS_ASPECTS_CUSPS_STRUT_SLICE_H
 
-#include "aspects/uniqueness/jet.h"
+#include "aspects/cusps/jet.h"
 #include "interval/half_turns.h"
 #include "interval/interval.h"
 #include "legs/planar_leg.h"
@@ -11,6 +11,7 @@
 #include "parallel_aspects/model/manipulator.h"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 namespace parallel_aspects {
@@ -40,6 +41,10 @@ struct CosineSum {
   /// o.
   static CosineSum half_square(const Interval& length, const Planar<Interval>& between_anchors,
                                const Planar<Interval>& o, const Interval& squared_height) noexcept;
+
+  /// The derivative of `half_square` by the length.
+  static CosineSum half_square_slope(const Interval& length, const Planar<Interval>& between_anchors,
+                                     const Planar<Interval>& o) noexcept;
 
   /// n.(r + v + o), of a constant n.
   static CosineSum along(const Planar<Interval>& n, const Interval& length,
@@ -73,6 +78,9 @@ Jet<Order> CosineSum::jet(const SliceTurns& at) const noexcept {
   return g;
 }
 
+/// Lengths of struts: those of functions 0 and 1, then that which is held [m].
+using Lengths = std::array<double, 3>;
+
 /// A 3-RPR with the length of one strut held: the other two lengths rho_i as functions of the slice.
 ///
 /// With r the rod that is held, v = R(phi) (b_i - b_h) between the anchors and o = c_h - c_i between the base
@@ -80,14 +88,39 @@ Jet<Order> CosineSum::jet(const SliceTurns& at) const noexcept {
 ///
 ///     g_i = rho_i^2 / 2 = K + r.v + r.o + v.o,
 ///
-/// a sum of three cosines, of phi - a, a and phi. All of it needs a live `RoundingUpward`.
+/// a sum of three cosines, of phi - a, a and phi. All poses of the robot are a family of such slices, over
+/// the length of r, by which g_i is a polynomial of degree two. All of it needs a live `RoundingUpward`.
 class StrutSlice {
  public:
   /// Of a slice that holds a strut, of three; see `find_uniqueness_problem`.
   StrutSlice(const Manipulator& manipulator, const MapSlice& slice);
 
-  /// Index of the leg that function i, 0 or 1, belongs to.
-  std::size_t leg(std::size_t i) const noexcept { return legs_[i].index; }
+  /// Of all slices that hold this leg, within its limits: the family.
+  StrutSlice(const Manipulator& manipulator, std::size_t held);
+
+  /// 2 of one slice, 3 of a family.
+  std::size_t dimension() const noexcept { return dimension_; }
+
+  /// Direction of the held rod and phi [half turns]; of a family its length in the plane, too [m].
+  Box whole() const noexcept;
+
+  /// Index of the leg that function i, 0 or 1, belongs to; that is held, of 2.
+  std::size_t leg(std::size_t i) const noexcept { return i < 2 ? legs_[i].index : held_; }
+
+  /// The slices of the family where the held rod has such a length in the plane [m].
+  StrutSlice with_rod(const Interval& rod) const noexcept;
+
+  /// The same with half the square of the length of its strut [m^2].
+  StrutSlice with_half_square(const Interval& value) const noexcept;
+
+  /// The slice of these lengths: of one slice itself.
+  StrutSlice at(const Lengths& lengths) const noexcept;
+
+  /// The slices that a box lies in: of one slice itself.
+  StrutSlice over(const Box& box) const noexcept;
+
+  /// Of the held rod in the plane [m].
+  const Interval& rod() const noexcept { return rod_; }
 
   /// g_i over the ranges.
   template <std::size_t Order>
@@ -95,34 +128,58 @@ class StrutSlice {
     return legs_[i].half_square.template jet<Order>(at);
   }
 
-  /// No larger g_i is reached, whatever the limits.
-  double largest_half_square(std::size_t i) const noexcept { return legs_[i].largest; }
+  /// Its derivative by the rod's length. The second is 1.
+  template <std::size_t Order>
+  Jet<Order> slope(std::size_t i, const SliceTurns& at) const noexcept {
+    return CosineSum::half_square_slope(rod_, legs_[i].between_anchors, legs_[i].between_bases)
+        .template jet<Order>(at);
+  }
 
-  /// g_i at the shortest and at the longest that limits allow; the second is infinite where there are none.
-  const std::array<Interval, 2>& limits(std::size_t i) const noexcept { return legs_[i].limits; }
+  /// Half the square of the held strut [m^2].
+  Interval held_half_square() const noexcept;
+
+  /// No larger g_i is reached, whatever the limits. Of a strut that is held there is no such bound.
+  double largest_half_square(std::size_t i) const noexcept { return i < 2 ? legs_[i].largest : HUGE_VAL; }
+
+  /// Half the square of a strut at the shortest and at the longest that limits allow; the second is infinite
+  /// where there are none.
+  const std::array<Interval, 2>& limits(std::size_t i) const noexcept {
+    return i < 2 ? legs_[i].limits : held_limits_;
+  }
 
  private:
   struct MovingLeg {
     std::size_t index = 0;
+    Planar<Interval> between_anchors, between_bases;
+    Interval squared_height;
     CosineSum half_square;
     double largest = 0.0;
     std::array<Interval, 2> limits;
 
     MovingLeg() = default;
-    MovingLeg(const Manipulator& manipulator, std::size_t held, std::size_t index, const Interval& length);
+    MovingLeg(const Manipulator& manipulator, std::size_t held, std::size_t index);
+    void set_rod(const Interval& rod) noexcept;
   };
 
+  void add_legs(const Manipulator& manipulator);
+  void set_rod(const Interval& rod) noexcept;
+
+  std::size_t dimension_ = 2, held_ = 0;
+  Interval rod_, held_squared_height_;
+  std::array<Interval, 2> held_limits_;
   std::array<MovingLeg, 2> legs_;
 };
 
-/// The middle of a box of a slice [half turns], and half its widths [rad], rounded upward.
+/// The middle of a box of a slice [half turns], and half its widths [rad], rounded upward; of a family that
+/// of the rod, too [m].
 struct SliceCenter {
   std::array<double, 2> at;
-  std::array<double, 2> half_widths;
+  double rod = 0.0;
+  std::array<double, 3> half_widths{};
 
   explicit SliceCenter(const Box& box) noexcept;
 
-  /// How far a point of the box is from its middle along a coordinate [rad].
+  /// How far a point of the box is from its middle along a coordinate [rad, or m of the rod].
   Interval offset(std::size_t i) const noexcept { return {-half_widths[i], half_widths[i]}; }
 };
 
@@ -136,4 +193,4 @@ std::array<Box, 2> halves_of(const Box& box) noexcept;
 
 }  // namespace parallel_aspects
 
-#endif  // PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_STRUT_SLICE_H
+#endif  // PARALLEL_ASPECTS_ASPECTS_CUSPS_STRUT_SLICE_H

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_CUSP_SEARCH_H
-#define PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_CUSP_SEARCH_H
+#ifndef PARALLEL_ASPECTS_ASPECTS_CUSPS_CUSP_SEARCH_H
+#define PARALLEL_ASPECTS_ASPECTS_CUSPS_CUSP_SEARCH_H
 
-#include "aspects/uniqueness/held_slice.h"
+#include "aspects/cusps/held_slice.h"
 #include "parallel_aspects/aspects/box.h"
 #include "parallel_aspects/aspects/map_control.h"
 
@@ -42,4 +42,4 @@ CuspBoxes find_cusp_boxes(const HeldSlice& slice, const MapControl& control);
 
 }  // namespace parallel_aspects
 
-#endif  // PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_CUSP_SEARCH_H
+#endif  // PARALLEL_ASPECTS_ASPECTS_CUSPS_CUSP_SEARCH_H

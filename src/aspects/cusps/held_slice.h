@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_HELD_SLICE_H
-#define PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_HELD_SLICE_H
+#ifndef PARALLEL_ASPECTS_ASPECTS_CUSPS_HELD_SLICE_H
+#define PARALLEL_ASPECTS_ASPECTS_CUSPS_HELD_SLICE_H
 
-#include "aspects/uniqueness/jet.h"
-#include "aspects/uniqueness/strut_slice.h"
+#include "aspects/cusps/jet.h"
+#include "aspects/cusps/strut_slice.h"
 #include "interval/interval.h"
 #include "legs/held_leg.h"
 #include "legs/limit_verdict.h"
@@ -95,4 +95,4 @@ class HeldSlice {
 
 }  // namespace parallel_aspects
 
-#endif  // PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_HELD_SLICE_H
+#endif  // PARALLEL_ASPECTS_ASPECTS_CUSPS_HELD_SLICE_H

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "aspects/uniqueness/strut_slice.h"
+#include "aspects/cusps/strut_slice.h"
 
 #include "parallel_aspects/aspects/held_joint.h"
 #include "parallel_aspects/kinematics/inverse.h"

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "aspects/uniqueness/actuated_space.h"
+
+#include "aspects/uniqueness/cell_slab.h"
+#include "interval/scalar_range.h"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+#include <utility>
+
+namespace parallel_aspects {
+namespace {
+
+// Images are divided until they are no longer than a cell is wide.
+constexpr double longest_strip = 1.0;
+
+constexpr std::size_t cells_between_reports = 1024;
+
+constexpr double smallest_cell_share = 0x1p-20;  // of the whole
+
+double longest_side(const ValueBox& values) {
+  double longest = 0.0;
+  for (const Interval& each : values) longest = std::max(longest, each.upper() - each.lower());
+  return longest;
+}
+
+/// Within limits, and no longer than the slice reaches.
+Box space_of(const StrutSlice& slice) {
+  Box box{slice.dimension(), {}, {}};
+  for (std::size_t i = 0; i < box.dimension; ++i) {
+    const auto& [least, most] = slice.limits(i);
+    const double largest = std::min(most.upper(), slice.largest_half_square(i));
+    box.lower[i] = square_root(Interval(2.0) * least).lower();
+    box.upper[i] = std::max(box.lower[i], square_root(Interval(2.0) * Interval(largest)).upper());
+  }
+  return box;
+}
+
+/// The quarter or eighth of this rank.
+Box part_of(const Box& box, std::uint32_t rank) {
+  Box part = box;
+  for (std::size_t i = 0; i < box.dimension; ++i)
+    ((rank >> i & 1U) != 0 ? part.lower : part.upper)[i] = box.center(i);
+  return part;
+}
+
+}  // namespace
+
+ValueBox half_squares(const Box& lengths) noexcept {
+  ValueBox values;
+  for (std::size_t i = 0; i < lengths.dimension; ++i)
+    values[i] = Interval(0.5) * square(Interval(lengths.lower[i], lengths.upper[i]));
+  return values;
+}
+
+ActuatedSpace::ActuatedSpace(const StrutSlice& slice, SingularImages& images, double unknown_share,
+                             const MapControl& control, std::size_t most_cells)
+    : slice_(slice), images_(images) {
+  assert_rounding_upward();
+  cells_.emplace_back();
+  cells_.back().box = space_of(slice);
+  classify(0, {SingularImages::root});
+  divide(unknown_share, most_cells, control);
+  make_pieces();
+  join_inside(0);
+}
+
+// The cells with the most unknown first.
+void ActuatedSpace::divide(double unknown_share, std::size_t most_cells, const MapControl& control) {
+  using Entry = std::pair<double, std::uint32_t>;
+  std::priority_queue<Entry> queue;
+  queue.emplace(cells_[0].unknown, 0);
+  unknown_ = cells_[0].unknown;
+  const double enough = unknown_share * cells_[0].box.measure();
+  const double smallest = smallest_cell_share * cells_[0].box.width(0);
+  while (!queue.empty() && unknown_ > enough && cells_.size() < most_cells && !is_cancelled(control)) {
+    const auto [unknown, cell] = queue.top();
+    queue.pop();
+    if (control.progress && cells_.size() % cells_between_reports == 1)
+      control.progress(
+          std::max(enough / unknown_, static_cast<double>(cells_.size()) / static_cast<double>(most_cells)));
+    if (!(cells_[cell].box.width(0) > smallest)) continue;
+    const auto first = static_cast<std::uint32_t>(cells_.size());
+    const std::vector<Node> touching = std::move(cells_[cell].touching);
+    const std::uint32_t parts = 1U << dimension();
+    for (std::uint32_t rank = 0; rank < parts; ++rank) {
+      const Box part = part_of(cells_[cell].box, rank);
+      cells_.emplace_back();
+      cells_.back().box = part;
+    }
+    cells_[cell].first_child = first;
+    unknown_ -= unknown;
+    for (std::uint32_t child = first; child < first + parts; ++child) {
+      classify(child, touching);
+      unknown_ += cells_[child].unknown;
+      if (cells_[child].unknown > 0.0) queue.emplace(cells_[child].unknown, child);
+    }
+  }
+}
+
+void ActuatedSpace::classify(std::uint32_t index, const std::vector<Node>& candidates) {
+  SpaceCell& cell = cells_[index];
+  std::vector<Node> touching;
+  for (const Node node : candidates) collect(cell, node, touching);
+  cell.touching = std::move(touching);
+  if (cell.touching.empty()) return;
+  find_slab(cell);
+  cell.unknown = unknown_measure(cell.box, cell.slope, cell.slab);
+}
+
+void ActuatedSpace::collect(const SpaceCell& cell, Node node, std::vector<Node>& touching) {
+  const ValueBox values = half_squares(cell.box);
+  const ImageStrip& strip = images_.strip(node);
+  if (!strip.may_meet(values)) return;
+  const bool is_short = longest_side(strip.range) <= longest_strip * longest_side(values);
+  if (is_short || images_.is_smallest(node)) return touching.push_back(node);
+  const std::vector<Node> parts = images_.parts(node);
+  for (const Node part : parts) collect(cell, part, touching);
+}
+
+void ActuatedSpace::find_slab(SpaceCell& cell) const {
+  std::array<double, 3> normal{};
+  for (const Node node : cell.touching) {
+    const auto& n = images_.strip(node).normal();
+    const double along = n[0] * normal[0] + n[1] * normal[1] + n[2] * normal[2];
+    for (std::size_t i = 0; i < 3; ++i) normal[i] += along < 0.0 ? -n[i] : n[i];
+  }
+  double lower = HUGE_VAL, upper = -HUGE_VAL;
+  for (const Node node : cell.touching) {
+    const Interval along = images_.strip(node).along(normal);
+    lower = std::min(lower, along.lower());
+    upper = std::max(upper, along.upper());
+  }
+  const LinearOverCell linear(cell.box, normal);
+  cell.slope = linear.slope;
+  cell.slab = Interval(lower, upper) - linear.rest;
+}
+
+void ActuatedSpace::make_pieces() {
+  for (std::uint32_t index = 0; index < cells_.size(); ++index) {
+    SpaceCell& cell = cells_[index];
+    if (cell.first_child != 0) continue;
+    const auto add = [&](int side, double measure) {
+      cell.pieces[static_cast<std::size_t>(side + 1)] = sets_.add();
+      pieces_.push_back({index, side, measure});
+    };
+    if (cell.touching.empty()) {
+      add(0, measure_of(cell.box).lower());
+      continue;
+    }
+    for (const int side : {-1, 1}) {
+      const double measure = measure_beside(cell.box, cell.slope, cell.slab, side).lower();
+      if (measure > 0.0) add(side, measure);
+    }
+  }
+}
+
+void ActuatedSpace::join_inside(std::uint32_t cell) {
+  const std::uint32_t first = cells_[cell].first_child, parts = 1U << dimension();
+  if (first == 0) return;
+  for (std::uint32_t rank = 0; rank < parts; ++rank) join_inside(first + rank);
+  for (std::size_t axis = 0; axis < dimension(); ++axis)
+    for (std::uint32_t rank = 0; rank < parts; ++rank)
+      if ((rank >> axis & 1U) == 0) join_across(axis, first + rank, first + rank + (1U << axis));
+}
+
+// Of neighbours along the axis, a at the smaller lengths.
+void ActuatedSpace::join_across(std::size_t axis, std::uint32_t a, std::uint32_t b) {
+  const std::uint32_t a_first = cells_[a].first_child, b_first = cells_[b].first_child;
+  if (a_first == 0 && b_first == 0) return join_leaves(axis, a, b);
+  const std::uint32_t along = 1U << axis, parts = 1U << dimension();
+  for (std::uint32_t rank = 0; rank < parts; ++rank)
+    if ((rank & along) == 0)
+      join_across(axis, a_first != 0 ? a_first + rank + along : a, b_first != 0 ? b_first + rank : b);
+}
+
+// At the corners of the face that they share.
+void ActuatedSpace::join_leaves(std::size_t axis, std::uint32_t a, std::uint32_t b) {
+  const Box &one = cells_[a].box, &other = cells_[b].box;
+  const std::uint32_t corners = 1U << dimension();
+  for (std::uint32_t corner = 0; corner < corners; ++corner) {
+    if ((corner >> axis & 1U) != 0) continue;
+    Lengths at{};
+    for (std::size_t i = 0; i < dimension(); ++i)
+      at[i] = (corner >> i & 1U) != 0 ? std::min(one.upper[i], other.upper[i])
+                                      : std::max(one.lower[i], other.lower[i]);
+    join_at(a, b, at);
+  }
+}
+
+// Both are closed up to their slabs, and convex.
+void ActuatedSpace::join_at(std::uint32_t a, std::uint32_t b, const Lengths& at) {
+  const auto one = piece_at(cells_[a], at), other = piece_at(cells_[b], at);
+  if (!one || !other) return;
+  sets_.unite(*one, *other);
+  const bool known = !links_.empty() && links_.back().first == *one && links_.back().second == *other;
+  if (!known) links_.push_back({*one, *other, at});
+}
+
+std::optional<PieceIndex> ActuatedSpace::piece_at(const SpaceCell& cell, const Lengths& at) const {
+  if (cell.touching.empty()) return cell.pieces[1];
+  const Interval value = linear_at(cell.box, cell.slope, at);
+  if (value.upper() < cell.slab.lower()) return cell.pieces[0];
+  if (value.lower() > cell.slab.upper()) return cell.pieces[2];
+  return std::nullopt;
+}
+
+std::optional<PieceIndex> ActuatedSpace::find(const Lengths& lengths) const {
+  std::uint32_t cell = 0;
+  if (!cells_[cell].box.contains(lengths)) return std::nullopt;
+  while (cells_[cell].first_child != 0) cell = cells_[cell].first_child + cells_[cell].box.rank_of(lengths);
+  return piece_at(cells_[cell], lengths);
+}
+
+Lengths ActuatedSpace::point_of(PieceIndex index) const {
+  const Piece& piece = pieces_[index];
+  const SpaceCell& cell = cells_[piece.cell];
+  if (piece.side == 0) return cell.box.middle();
+  return point_beside(cell.box, cell.slope, cell.slab, piece.side);
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_ACTUATED_SPACE_H
+#define PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_ACTUATED_SPACE_H
+
+#include "aspects/components/disjoint_sets.h"
+#include "aspects/cusps/strut_slice.h"
+#include "aspects/uniqueness/singular_images.h"
+#include "parallel_aspects/aspects/box.h"
+#include "parallel_aspects/aspects/map_control.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace parallel_aspects {
+
+using PieceIndex = std::uint32_t;
+
+/// A part of a cell that no image of a singular pose touches: the whole, or what lies on one side of a slab.
+/// It is convex.
+struct Piece {
+  std::uint32_t cell = 0;
+  int side = 0;          ///< 0 the whole cell, -1 below the slab, 1 above it
+  double measure = 0.0;  ///< a lower bound [m^2 or m^3]
+};
+
+/// A square of two lengths, or a cube of three.
+struct SpaceCell {
+  Box box;                                     ///< of the lengths [m]
+  std::uint32_t first_child = 0;               ///< 0 where it is not divided
+  std::vector<SingularImages::Node> touching;  ///< whose images may touch it
+  /// Their images are where slope . (lengths - middle) is in here; on both sides of it there are none.
+  std::array<double, 3> slope{};
+  Interval slab;
+  std::array<std::optional<PieceIndex>, 3> pieces;  ///< by side, + 1
+  double unknown = 0.0;                             ///< what is in no piece, an upper bound [m^2 or m^3]
+};
+
+/// Two pieces of one connected set, with lengths that both hold [m].
+struct PieceLink {
+  PieceIndex first = 0, second = 0;
+  Lengths common{};
+};
+
+/// The plane of both lengths of a slice, or the space of all three of a family of them, divided into squares
+/// or cubes until all but little of it is in pieces that no image of a singular pose touches. Within limits.
+///
+/// Over a connected set of values that g takes no singular pose to, the number of poses is constant: poses of
+/// bounded lengths form a compact set, so that poses can neither come from nor go to anywhere else, and each
+/// is regular.
+class ActuatedSpace {
+ public:
+  /// The division ends where no more than `unknown_share` of the whole is in no piece, or at so many cells.
+  /// Needs a live `RoundingUpward`. Ends early when cancelled.
+  ActuatedSpace(const StrutSlice& slice, SingularImages& images, double unknown_share,
+                const MapControl& control, std::size_t most_cells = 250000);
+
+  /// Of lengths.
+  std::size_t dimension() const noexcept { return slice_.dimension(); }
+
+  const std::vector<SpaceCell>& cells() const noexcept { return cells_; }
+  const std::vector<Piece>& pieces() const noexcept { return pieces_; }
+
+  /// Every two pieces that share part of a face where that was seen; some come twice.
+  const std::vector<PieceLink>& links() const noexcept { return links_; }
+
+  /// The least index of a piece of the connected set that holds this one.
+  PieceIndex set_of(PieceIndex piece) { return sets_.find(piece); }
+
+  /// The piece that holds these lengths [m]; nothing where they are in none.
+  std::optional<PieceIndex> find(const Lengths& lengths) const;
+
+  /// A point of the piece, away from its ends [m].
+  Lengths point_of(PieceIndex piece) const;
+
+  /// What is in no piece, an upper bound [m^2 or m^3].
+  double unknown() const noexcept { return unknown_; }
+
+ private:
+  using Node = SingularImages::Node;
+
+  void divide(double unknown_share, std::size_t most_cells, const MapControl& control);
+  void classify(std::uint32_t cell, const std::vector<Node>& candidates);
+  void collect(const SpaceCell& cell, Node node, std::vector<Node>& touching);
+  void find_slab(SpaceCell& cell) const;
+  void make_pieces();
+  void join_inside(std::uint32_t cell);
+  void join_across(std::size_t axis, std::uint32_t a, std::uint32_t b);
+  void join_leaves(std::size_t axis, std::uint32_t a, std::uint32_t b);
+  void join_at(std::uint32_t a, std::uint32_t b, const Lengths& at);
+  std::optional<PieceIndex> piece_at(const SpaceCell& cell, const Lengths& at) const;
+
+  const StrutSlice& slice_;
+  SingularImages& images_;
+  std::vector<SpaceCell> cells_;
+  std::vector<Piece> pieces_;
+  std::vector<PieceLink> links_;
+  DisjointSets sets_;
+  double unknown_ = 0.0;
+};
+
+/// Half the squares of lengths of a box; 0 where it has no third.
+ValueBox half_squares(const Box& lengths) noexcept;
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_ACTUATED_SPACE_H

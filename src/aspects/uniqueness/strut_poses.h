@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_STRUT_POSES_H
+#define PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_STRUT_POSES_H
+
+#include "aspects/cusps/strut_slice.h"
+#include "parallel_aspects/aspects/box.h"
+#include "parallel_aspects/aspects/held_joint.h"
+#include "parallel_aspects/model/manipulator.h"
+#include "parallel_aspects/model/pose.h"
+
+#include <array>
+#include <cstddef>
+
+namespace parallel_aspects {
+
+/// Takes points of slices of three struts to poses, lengths to joint values, and back. Rounds as the thread
+/// does: none of it is an enclosure.
+class StrutPoses {
+ public:
+  /// Of one slice or of a family; `held` is the joint value of one slice. The manipulator must outlive it.
+  StrutPoses(const Manipulator& manipulator, const StrutSlice& slice, double held)
+      : manipulator_(manipulator),
+        legs_{slice.leg(0), slice.leg(1), slice.leg(2)},
+        is_family_(slice.dimension() == 3),
+        held_(held) {}
+
+  /// In the middle of a box, at these lengths.
+  Pose pose(const Box& box, const Lengths& lengths) const;
+
+  /// A box about the pose that is small, but wide for roundings.
+  Box box_about(const Pose& pose) const;
+
+  /// Of one slice the third is 0. Negative where a strut cannot have its value.
+  Lengths lengths(const JointVector& actuated) const;
+
+  /// Joint values at a pose, with that which is held.
+  JointVector actuated(const Pose& pose) const;
+
+ private:
+  AnchorCircle circle(double squared_length) const;
+
+  const Manipulator& manipulator_;
+  std::array<std::size_t, 3> legs_;
+  bool is_family_;
+  double held_;
+};
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_STRUT_POSES_H

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "aspects/uniqueness/strut_uniqueness.h"
+
+#include "aspects/uniqueness/actuated_space.h"
+#include "aspects/uniqueness/basic_regions.h"
+#include "aspects/uniqueness/part_of_control.h"
+#include "aspects/uniqueness/singular_images.h"
+#include "aspects/uniqueness/solution_regions.h"
+#include "aspects/uniqueness/strut_poses.h"
+#include "aspects/uniqueness/uniqueness_domains.h"
+#include "interval/rounding.h"
+#include "parallel_aspects/kinematics/working_mode.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace parallel_aspects {
+namespace {
+
+/// How far lengths are divided, and which sets are looked into, as shares of all lengths.
+struct Division {
+  double unknown_share, least_set_share;
+  std::size_t most_cells;
+};
+
+constexpr std::size_t default_most_cells = 250000;
+
+// Beside strips there are many sets that are tiny.
+Division division_for_numbers(const AspectMap& map, std::size_t most_cells) {
+  if (map.slice()) return {1e-4, 0.0, most_cells};
+  return {2e-3, 1e-6, most_cells};
+}
+
+// Basic regions take more time a cell.
+Division division_for_regions(const AspectMap& map, std::size_t most_cells) {
+  return {map.slice() ? 2e-3 : 1e-2, 1e-4, most_cells / 4};
+}
+
+// Sums of many measures are off by less.
+constexpr double rounded_up = 1.0 + 1e-9, rounded_down = 1.0 - 1e-9;
+
+StrutSlice struts_of(const AspectMap& map) {
+  return map.slice() ? StrutSlice(*map.manipulator(), *map.slice()) : StrutSlice(*map.manipulator(), 0);
+}
+
+/// Lengths, divided, with the sets that the pieces form. Made under a live `RoundingUpward`.
+struct DividedStruts {
+  StrutSlice struts;
+  StrutPoses poses;
+  SingularImages images;
+  ActuatedSpace space;
+  std::vector<SolutionSet> sets;
+
+  DividedStruts(const AspectMap& map, const Division& division, const MapControl& control)
+      : struts(struts_of(map)),
+        poses(*map.manipulator(), struts, map.slice() ? map.slice()->joint->value : 0.0),
+        images(struts),
+        space(struts, images, division.unknown_share, control, division.most_cells),
+        sets(find_solution_sets(struts, space, control, division.least_set_share)) {}
+};
+
+/// With the basic component of each piece.
+struct DividedNumbers : DividedStruts {
+  std::shared_ptr<const AspectMap> map;  // whose robot the poses are of
+  std::vector<std::optional<std::size_t>> component_of;
+
+  DividedNumbers(std::shared_ptr<const AspectMap> made, std::size_t most_cells, const MapControl& control)
+      : DividedStruts(*made, division_for_numbers(*made, most_cells), control),
+        map(std::move(made)),
+        component_of(space.pieces().size()) {}
+
+  std::optional<std::size_t> component_at(const JointVector& actuated) const {
+    const RoundingUpward rounding;
+    const auto piece = space.find(poses.lengths(actuated));
+    return piece ? component_of[*piece] : std::nullopt;
+  }
+};
+
+/// The aspect that holds a pose; 0 where the map can not tell, or not from others.
+int aspect_at(const AspectMap& map, const Pose& pose) {
+  const int id = map.locate(pose, working_modes(*map.manipulator()).front()).aspect;
+  if (id == 0) return 0;
+  return map.aspects()[static_cast<std::size_t>(id - 1)].unresolved_with.empty() ? id : 0;
+}
+
+/// With the basic regions.
+struct DividedRegions : DividedStruts {
+  std::shared_ptr<const AspectMap> map;
+  RegionAtlas atlas;
+
+  DividedRegions(std::shared_ptr<const AspectMap> made, std::size_t most_cells, const MapControl& control)
+      : DividedStruts(*made, division_for_regions(*made, most_cells), part_of(control, 0.0, 0.3)),
+        map(std::move(made)),
+        atlas(
+            struts, space, sets,
+            [this](const Box& box, const Lengths& at) { return aspect_at(*map, poses.pose(box, at)); },
+            part_of(control, 0.3, 1.0)) {}
+
+  std::optional<std::size_t> region_at(const Pose& pose) const {
+    const JointVector actuated = poses.actuated(pose);
+    if (!actuated.allFinite()) return std::nullopt;
+    const RoundingUpward rounding;
+    return atlas.locate(poses.box_about(pose), poses.lengths(actuated));
+  }
+};
+
+template <class Divided>
+std::shared_ptr<Divided> divided(const std::shared_ptr<const AspectMap>& map, std::size_t most_cells,
+                                 const MapControl& control) {
+  const RoundingUpward rounding;
+  return std::make_shared<Divided>(map, most_cells, control);
+}
+
+BasicComponent component_of_set(const DividedNumbers& numbers, const SolutionSet& set) {
+  BasicComponent component;
+  for (const Box& box : *set.solutions) {
+    component.solutions.push_back(numbers.poses.pose(box, set.inside));
+    component.aspects.push_back(aspect_at(*numbers.map, component.solutions.back()));
+  }
+  component.inside = numbers.poses.actuated(component.solutions.front());
+  component.measure = set.estimate;
+  component.measure_lower = set.measure * rounded_down;
+  return component;
+}
+
+void add_to_regions(const BasicComponent& component, std::vector<SolutionRegion>& regions) {
+  const std::size_t solutions = component.solutions.size();
+  auto region = std::find_if(regions.begin(), regions.end(),
+                             [&](const SolutionRegion& each) { return each.solutions == solutions; });
+  if (region == regions.end()) region = regions.insert(region, {solutions, 0.0, 0.0, 0.0});
+  region->measure += component.measure;
+  region->measure_lower += component.measure_lower;
+}
+
+void find_numbers(std::size_t most_cells, const MapControl& control, Uniqueness& result) {
+  const auto numbers = divided<DividedNumbers>(result.map, most_cells, control);
+  double unknown = numbers->space.unknown();
+  for (const SolutionSet& set : numbers->sets) {
+    if (!set.solutions) unknown += set.measure;
+    if (!set.solutions || set.solutions->empty()) continue;
+    for (const PieceIndex piece : set.pieces) numbers->component_of[piece] = result.basic_components.size();
+    result.basic_components.push_back(component_of_set(*numbers, set));
+    add_to_regions(result.basic_components.back(), result.regions);
+  }
+  result.component_of = [numbers](const JointVector& q) { return numbers->component_at(q); };
+  result.measure_unknown = unknown * rounded_up;
+  for (SolutionRegion& region : result.regions)
+    region.measure_upper = (region.measure_lower + unknown) * rounded_up;
+  std::sort(result.regions.begin(), result.regions.end(),
+            [](const SolutionRegion& a, const SolutionRegion& b) { return a.solutions < b.solutions; });
+}
+
+BasicRegion region_of(const DividedRegions& divided, const FoundRegion& found) {
+  const SolutionSet& set = divided.sets[found.set];
+  const Pose pose = divided.poses.pose((*set.solutions)[found.solution], set.inside);
+  return {found.aspect,   found.set, pose, divided.poses.actuated(pose), found.measure * rounded_down,
+          found.is_unique};
+}
+
+void find_domains(std::size_t most_cells, const MapControl& control, Uniqueness& result) {
+  const auto regions = divided<DividedRegions>(result.map, most_cells, control);
+  for (const FoundRegion& region : regions->atlas.found().regions)
+    result.basic_regions.push_back(region_of(*regions, region));
+  result.region_of = [regions](const Pose& pose) { return regions->region_at(pose); };
+  FoundDomains domains = find_uniqueness_domains(regions->atlas.found());
+  result.domains_complete = domains.complete;
+  for (auto& each : domains.domains) {
+    UniquenessDomain domain{result.basic_regions[each.front()].aspect, false, std::move(each), 0.0};
+    for (const std::size_t region : domain.basic_regions)
+      domain.measure_lower += result.basic_regions[region].measure_lower * rounded_down;
+    result.domains.push_back(std::move(domain));
+  }
+}
+
+}  // namespace
+
+void find_regions_of_struts(const UniquenessOptions& options, const MapControl& control, Uniqueness& result) {
+  const std::size_t most_cells = options.most_cells.value_or(default_most_cells);
+  result.has_regions = true;
+  result.region_unit = result.map->slice() ? "m^2" : "m^3";
+  find_numbers(most_cells, part_of(control, 0.0, 0.4), result);
+  if (!is_cancelled(control)) find_domains(most_cells, part_of(control, 0.4, 1.0), result);
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_STRUT_UNIQUENESS_H
+#define PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_STRUT_UNIQUENESS_H
+
+#include "parallel_aspects/aspects/map_control.h"
+#include "parallel_aspects/aspects/uniqueness.h"
+
+namespace parallel_aspects {
+
+/// Of three struts, in the slice of the map, which holds one of them, or over all poses within limits: fills
+/// numbers of solutions, basic regions and uniqueness domains.
+void find_regions_of_struts(const UniquenessOptions& options, const MapControl& control, Uniqueness& result);
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_STRUT_UNIQUENESS_H
