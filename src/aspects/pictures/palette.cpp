@@ -9,19 +9,71 @@
 namespace parallel_aspects {
 namespace {
 
-// Chosen so that any two of a tone stay apart for protanopes and deuteranopes as well (a test computes it);
-// most are of Paul Tol's schemes.
-constexpr std::array<Rgb, hue_count> light_hues{0x77AADD, 0xEEDD88, 0xEE8866, 0x44BB99, 0xFFCCDD, 0xBBCC33};
-constexpr std::array<Rgb, hue_count> dark_hues{0x332288, 0x117733, 0xAA4499, 0x663333, 0x5B5BC0, 0x8C510A};
+// Chosen so that any two of a tone stay apart for protanopes and deuteranopes as well (a test computes it).
+// Most of the first six are of Paul Tol's schemes; each of the others is as far as can be from all before it,
+// and from boundaries.
+constexpr std::array<Rgb, hue_count> light_hues{0x77AADD, 0xEEDD88, 0xEE8866, 0x44BB99, 0xFFCCDD, 0xBBCC33,
+                                                0x9988FF, 0xDDEEBB, 0xCCFF11, 0x55AA00, 0xEECCFF, 0x77CC88,
+                                                0xFFEE66, 0x66AABB, 0xAACC55, 0x99AAFF, 0xBBDDBB, 0x55AA55,
+                                                0x55CCDD, 0x88EE00, 0xFFDD77, 0x33AA99, 0x999977, 0x9988DD};
+constexpr std::array<Rgb, hue_count> dark_hues{0x332288, 0x117733, 0xAA4499, 0x663333, 0x5B5BC0, 0x8C510A,
+                                               0x0000FF, 0x4433CC, 0x005566, 0x000099, 0x112200, 0x111155,
+                                               0x334400, 0x0044FF, 0x0000CC, 0x662244, 0x557755, 0x663388,
+                                               0x6655DD, 0x331133, 0x993377, 0x2233AA, 0x000077, 0x113300};
+constexpr std::size_t first_hues = 6;
 
-// What it costs to share a hue: more within a mode than beside it, and a little with any other aspect.
-constexpr int in_mode = 1000, beside_mode = 30, elsewhere = 1;
+// What it costs to share a hue: more within a mode than beside it, and a little with any other aspect; and to
+// take one that is not of the first.
+constexpr int in_mode = 10000, beside_mode = 200, elsewhere = 1, further = 50;
+
+std::size_t different_signs(const WorkingMode& one, const WorkingMode& other) {
+  std::size_t different = 0;
+  for (std::size_t leg = 0; leg < one.leg_count(); ++leg)
+    if (one.sign(leg) != other.sign(leg)) ++different;
+  return different;
+}
 
 int cost_of_sharing(const Aspect& one, const Aspect& other) {
-  std::size_t different = 0;
-  for (std::size_t leg = 0; leg < one.mode.leg_count(); ++leg)
-    if (one.mode.sign(leg) != other.mode.sign(leg)) ++different;
+  const std::size_t different = different_signs(one.mode, other.mode);
   return different == 0 ? in_mode : different == 1 ? beside_mode : elsewhere;
+}
+
+// Shares the hues evenly, and none of the first six more than needed.
+std::vector<std::size_t> even_hues(const std::vector<Aspect>& aspects) {
+  std::vector<std::size_t> hues;
+  for (const Aspect& aspect : aspects) {
+    std::array<int, hue_count> costs{};
+    std::fill(costs.begin() + first_hues, costs.end(), further);
+    for (std::size_t i = 0; i < hues.size(); ++i)
+      if (aspects[i].determinant_sign == aspect.determinant_sign)
+        costs[hues[i]] += cost_of_sharing(aspect, aspects[i]);
+    hues.push_back(static_cast<std::size_t>(std::min_element(costs.begin(), costs.end()) - costs.begin()));
+  }
+  return hues;
+}
+
+// A mode with an even number of negative signs has none but odd ones beside it: those take the last hues.
+std::vector<std::size_t> hues_from_both_ends(const std::vector<Aspect>& aspects) {
+  std::vector<std::size_t> hues;
+  for (std::size_t i = 0; i < aspects.size(); ++i) {
+    const WorkingMode& mode = aspects[i].mode;
+    std::size_t place = 0, negative = 0;
+    for (std::size_t k = 0; k < i; ++k)
+      if (aspects[k].determinant_sign == aspects[i].determinant_sign && aspects[k].mode == mode) ++place;
+    for (std::size_t leg = 0; leg < mode.leg_count(); ++leg) negative += mode.sign(leg) < 0 ? 1U : 0U;
+    place %= hue_count;
+    hues.push_back(negative % 2 == 0 ? place : hue_count - 1 - place);
+  }
+  return hues;
+}
+
+bool neighbours_share(const std::vector<Aspect>& aspects, const std::vector<std::size_t>& hues) {
+  for (std::size_t i = 0; i < hues.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k)
+      if (hues[i] == hues[k] && aspects[i].determinant_sign == aspects[k].determinant_sign &&
+          different_signs(aspects[i].mode, aspects[k].mode) <= 1)
+        return true;
+  return false;
 }
 
 std::uint32_t channel(Rgb color, unsigned shift) { return color >> shift & 0xFFU; }
@@ -33,16 +85,11 @@ Rgb aspect_color(int determinant_sign, std::size_t hue) {
 }
 
 std::vector<Rgb> aspect_colors(const std::vector<Aspect>& aspects) {
-  std::vector<std::size_t> hues;
+  std::vector<std::size_t> hues = even_hues(aspects);
+  if (neighbours_share(aspects, hues)) hues = hues_from_both_ends(aspects);
   std::vector<Rgb> colors;
-  for (const Aspect& aspect : aspects) {
-    std::array<int, hue_count> costs{};
-    for (std::size_t i = 0; i < hues.size(); ++i)
-      if (aspects[i].determinant_sign == aspect.determinant_sign)
-        costs[hues[i]] += cost_of_sharing(aspect, aspects[i]);
-    hues.push_back(static_cast<std::size_t>(std::min_element(costs.begin(), costs.end()) - costs.begin()));
-    colors.push_back(aspect_color(aspect.determinant_sign, hues.back()));
-  }
+  for (std::size_t i = 0; i < aspects.size(); ++i)
+    colors.push_back(aspect_color(aspects[i].determinant_sign, hues[i]));
   return colors;
 }
 

@@ -20,15 +20,15 @@ using Rgb = std::uint32_t;
 inline constexpr Rgb ink_color = 0x202020;
 inline constexpr Rgb undecided_color = 0xBBBBBB;
 
-/// How many aspects of one working mode and sign of det A have colours of their own.
-inline constexpr std::size_t hue_count = 6;
+/// How many colours each sign of det A has. The first six differ more than the others.
+inline constexpr std::size_t hue_count = 24;
 
 /// Light where det A > 0, dark where det A < 0; `hue` counts from 0 and comes again after `hue_count`.
 Rgb aspect_color(int determinant_sign, std::size_t hue);
 
-/// The colours of the aspects, by id - 1. Aspects of one working mode and sign differ as long as there are
-/// hues, and from those of the neighbouring modes, which differ in the sign of one B_jj, where that is
-/// possible.
+/// The colours of the aspects, by id - 1. Aspects differ from those of their working mode and of the
+/// neighbouring modes, which differ in the sign of one B_jj, as long as no two neighbouring modes have more
+/// than `hue_count` aspects of a sign of det A. More than the first six hues are taken where that needs them.
 std::vector<Rgb> aspect_colors(const std::vector<Aspect>& aspects);
 
 /// Of actuated values with so many direct solutions, and of their poses: the more, the darker.

@@ -58,7 +58,8 @@ TEST(Palette, HuesOfAToneAreApartForEveryVision) {
     for (const int sign : {1, -1})
       for (std::size_t a = 0; a < hue_count; ++a)
         for (std::size_t b = 0; b < a; ++b)
-          EXPECT_GT((lab(aspect_color(sign, a), vision) - lab(aspect_color(sign, b), vision)).norm(), 11.0)
+          EXPECT_GT((lab(aspect_color(sign, a), vision) - lab(aspect_color(sign, b), vision)).norm(),
+                    a < 6 ? 11.0 : 9.5)
               << std::hex << aspect_color(sign, a) << ' ' << aspect_color(sign, b);
 }
 
@@ -78,23 +79,41 @@ std::size_t different_signs(const WorkingMode& a, const WorkingMode& b) {
   return count;
 }
 
-// Eight modes of three legs with two aspects of each sign.
-TEST(Palette, AspectsDifferFromThoseOfTheirModeAndOfItsNeighbours) {
+// Eight modes of three legs, with so many aspects of each sign.
+std::vector<Aspect> aspects_of_eight_modes(std::size_t of_each_sign) {
   std::vector<Aspect> aspects;
   for (std::size_t mode = 0; mode < 8; ++mode)
-    for (const int sign : {1, 1, -1, -1}) {
+    for (std::size_t i = 0; i < 2 * of_each_sign; ++i) {
       aspects.emplace_back();
       aspects.back().id = static_cast<int>(aspects.size());
       aspects.back().mode = WorkingMode::from_index(3, mode);
-      aspects.back().determinant_sign = sign;
+      aspects.back().determinant_sign = i % 2 == 0 ? 1 : -1;
     }
-  const std::vector<Rgb> colors = aspect_colors(aspects);
-  ASSERT_EQ(colors.size(), aspects.size());
-  for (std::size_t i = 0; i < aspects.size(); ++i)
-    for (std::size_t k = 0; k < i; ++k) {
-      if (different_signs(aspects[i].mode, aspects[k].mode) > 1) continue;
-      EXPECT_NE(colors[i], colors[k]) << i << ' ' << k;
-    }
+  return aspects;
+}
+
+TEST(Palette, AspectsDifferFromThoseOfTheirModeAndOfItsNeighbours) {
+  for (const std::size_t of_each_sign : {1U, 2U, 4U, 8U, 12U}) {
+    const std::vector<Aspect> aspects = aspects_of_eight_modes(of_each_sign);
+    const std::vector<Rgb> colors = aspect_colors(aspects);
+    ASSERT_EQ(colors.size(), aspects.size());
+    for (std::size_t i = 0; i < aspects.size(); ++i)
+      for (std::size_t k = 0; k < i; ++k) {
+        if (different_signs(aspects[i].mode, aspects[k].mode) > 1) continue;
+        EXPECT_NE(colors[i], colors[k]) << of_each_sign << ": " << i << ' ' << k;
+      }
+  }
+}
+
+// Two of each sign in eight modes need four.
+TEST(Palette, FewAspectsHaveTheColoursThatDifferMost) {
+  for (const std::size_t of_each_sign : {1U, 2U}) {
+    std::set<Rgb> first;
+    for (std::size_t hue = 0; hue < 6; ++hue)
+      for (const int sign : {1, -1}) first.insert(aspect_color(sign, hue));
+    for (const Rgb color : aspect_colors(aspects_of_eight_modes(of_each_sign)))
+      EXPECT_EQ(first.count(color), 1U) << std::hex << color;
+  }
 }
 
 TEST(Palette, HuesComeAgainWhereThereAreMoreAspects) {
