@@ -20,7 +20,7 @@ using Eigen::Vector3d;
 
 constexpr double field_of_view = 0.3;  // narrow, so that it looks nearly orthographic [rad]
 constexpr double margin = 1.06;
-constexpr double legend_room = 0.2;  // above the robot, of its size
+constexpr double legend_room = 0.3;  // above the robot, of its size
 
 // What is left of the window for the scene.
 struct Screen {
@@ -29,7 +29,7 @@ struct Screen {
 
 Screen screen_of(const YAML::Node& config) {
   const YAML::Node window = config["Window Geometry"];
-  const double dock = window["Hide Left Dock"].as<bool>(true) ? 0.0 : 350.0;
+  const double dock = window["Hide Left Dock"].as<bool>(true) ? 0.0 : 380.0;
   return {window["Width"].as<double>(1280.0) - 40.0 - dock, window["Height"].as<double>(800.0) - 95.0};
 }
 

@@ -59,13 +59,25 @@ void AspectTree::show_rows(const std::vector<ModeRows>& modes, const std::string
   filling_ = true;
   headerItem()->setText(size_column, unit.empty() ? QString("size") : shown("size [" + unit + "]"));
   if (ids_ != ids_of(modes)) make_items(modes);
+  QTreeWidgetItem* present = nullptr;
   for (std::size_t i = 0; i < modes.size(); ++i) {
     QTreeWidgetItem& parent = *topLevelItem(static_cast<int>(i));
     mark(parent, modes[i].present);
-    for (std::size_t j = 0; j < modes[i].aspects.size(); ++j)
-      fill(*parent.child(static_cast<int>(j)), modes[i].aspects[j]);
+    for (std::size_t j = 0; j < modes[i].aspects.size(); ++j) {
+      QTreeWidgetItem& item = *parent.child(static_cast<int>(j));
+      fill(item, modes[i].aspects[j]);
+      if (modes[i].aspects[j].present) present = &item;
+    }
   }
   filling_ = false;
+  follow(present);
+}
+
+// Goes to the present aspect when it becomes another one, and not while somebody looks elsewhere.
+void AspectTree::follow(QTreeWidgetItem* present) {
+  const std::uint32_t id = present == nullptr ? 0 : present->data(name_column, Qt::UserRole).toUInt();
+  if (id != present_ && present != nullptr) scrollToItem(present);
+  present_ = id;
 }
 
 void AspectTree::make_items(const std::vector<ModeRows>& modes) {

@@ -28,9 +28,11 @@ class AspectTree : public QTreeWidget {
   void make_items(const std::vector<ModeRows>& modes);
   void fill(QTreeWidgetItem& item, const AspectRow& row);
   void mark(QTreeWidgetItem& item, bool present);
+  void follow(QTreeWidgetItem* present);
 
   OnShown on_shown_;
   std::vector<std::vector<std::uint32_t>> ids_;  // of the items
+  std::uint32_t present_ = 0;                    // id that was marked last
   bool filling_ = false;
 };
 

@@ -8,13 +8,18 @@
 
 #include <ros/names.h>
 
+#include <QAbstractSpinBox>
 #include <QComboBox>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QTabBar>
 #include <QTabWidget>
 #include <QTimer>
 #include <QVBoxLayout>
@@ -25,7 +30,8 @@
 namespace parallel_aspects {
 namespace {
 
-constexpr int between_refreshes = 100;  // [ms]
+constexpr int between_refreshes = 100;                  // [ms]
+constexpr int content_width = 356, least_height = 150;  // for all columns of the table, and the banner [px]
 
 QString shown(const std::string& text) { return QString::fromStdString(text); }
 
@@ -53,14 +59,16 @@ AspectsPanel::AspectsPanel(QWidget* parent)
       map_progress_(new QProgressBar),
       map_button_(new QPushButton),
       last_answer_(new QLabel),
-      timer_(new QTimer(this)) {
-  auto* const layout = new QVBoxLayout(this);
+      timer_(new QTimer(this)),
+      content_(new QWidget) {
+  add_scroll_area();
+  auto* const layout = new QVBoxLayout(content_);
   layout->setContentsMargins(6, 6, 6, 6);
-  setMinimumWidth(340);  // for all columns of the table
   add_node_row(*layout);
   layout->addWidget(state_);
   add_tabs(*layout);
   add_map_row(*layout);
+  leave_wheel_to_area();
   connect(timer_, &QTimer::timeout, this, [this] { refresh(); });
   timer_->start(between_refreshes);
   refresh();
@@ -72,6 +80,35 @@ AspectsPanel::~AspectsPanel() {
   timer_->stop();
   plan_->set_link(nullptr);
 }
+
+// Scrolls where there is no room, so that panels of several robots fit below each other.
+void AspectsPanel::add_scroll_area() {
+  auto* const area = new QScrollArea;
+  area->setWidget(content_);
+  area->setWidgetResizable(true);
+  area->setFrameShape(QFrame::NoFrame);
+  area->setMinimumWidth(content_width + area->verticalScrollBar()->sizeHint().width());
+  area->setMinimumHeight(least_height);
+  auto* const all = new QVBoxLayout(this);
+  all->setContentsMargins(0, 0, 0, 0);
+  all->addWidget(area);
+}
+
+// Who scrolls the panel does not mean to choose another node, goal or tab on the way.
+void AspectsPanel::leave_wheel_to_area() {
+  for (QWidget* const each : content_->findChildren<QWidget*>())
+    if (qobject_cast<QComboBox*>(each) != nullptr || qobject_cast<QAbstractSpinBox*>(each) != nullptr ||
+        qobject_cast<QTabBar*>(each) != nullptr)
+      each->installEventFilter(this);
+}
+
+bool AspectsPanel::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() != QEvent::Wheel) return rviz::Panel::eventFilter(watched, event);
+  event->ignore();
+  return true;
+}
+
+QSize AspectsPanel::sizeHint() const { return content_->sizeHint(); }
 
 void AspectsPanel::add_node_row(QVBoxLayout& layout) {
   nodes_->setObjectName("node");

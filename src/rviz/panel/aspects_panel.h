@@ -32,11 +32,15 @@ class AspectsPanel : public rviz::Panel {
 
   void load(const rviz::Config& config) override;
   void save(rviz::Config config) const override;
+  QSize sizeHint() const override;  ///< room for all of it
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
   /// Full name of the node to look at; empty for the first that is found.
   void set_node(const QString& name);
 
  private:
+  void add_scroll_area();
+  void leave_wheel_to_area();
   void add_node_row(QVBoxLayout& layout);
   void add_tabs(QVBoxLayout& layout);
   void add_map_row(QVBoxLayout& layout);
@@ -65,6 +69,7 @@ class AspectsPanel : public rviz::Panel {
   QPushButton* map_button_;
   QLabel* last_answer_;
   QTimer* timer_;
+  QWidget* content_;
 };
 
 }  // namespace parallel_aspects

@@ -16,6 +16,8 @@
 
 #include <QCheckBox>
 #include <QLineEdit>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QTreeWidget>
 #include <algorithm>
 #include <cmath>
@@ -95,6 +97,21 @@ TEST_F(PanelMouse, WaitsForANodeAndOutlivesIt) {
   start_node();
   expect_says("state_title", "NO JOINT STATES");
   EXPECT_TRUE(has_aspects(10));
+}
+
+// Those of two robots, in a window as high as the screen.
+TEST_F(PanelMouse, FitsBelowAnother) {
+  EXPECT_LT(panel_->minimumSizeHint().height(), 300);
+  panel_->resize(420, 400);
+  const auto* const area = panel_->findChild<QScrollArea*>();
+  ASSERT_NE(area, nullptr);
+  ASSERT_TRUE(until([&] { return area->verticalScrollBar()->maximum() > 0; }));
+  // The wheel scrolls the panel, and does not choose a tab on the way.
+  QTabBar& tabs = *find<QTabWidget>("tabs").tabBar();
+  const QPoint over = tabs.mapToGlobal(tabs.rect().center());
+  xdotool({"mousemove", std::to_string(over.x()), std::to_string(over.y()), "click", "5"});
+  EXPECT_TRUE(until([&] { return area->verticalScrollBar()->value() > 0; }));
+  EXPECT_EQ(tabs.currentIndex(), 0);
 }
 
 TEST_F(PanelMouse, ClosesAtAnyTime) {
