@@ -3,6 +3,7 @@
 
 #include "model/number_text.h"
 #include "ros/messages/conversions.h"
+#include "rviz/display/ogre_types.h"
 #include "rviz/display/robot_models.h"
 #include "rviz/display/status_words.h"
 
@@ -25,16 +26,6 @@ using Level = rviz::StatusProperty;
 constexpr float between_sections = 0.2F;  // that follow the robot [s]
 constexpr double volume_step = 0.1;       // that the robot turns until its volume is mapped anew [rad]
 constexpr float between_looks = 0.1F;     // at what the node says [s]
-
-Ogre::Vector3 ogre_vector(const Eigen::Vector3d& vector) {
-  return {static_cast<float>(vector.x()), static_cast<float>(vector.y()), static_cast<float>(vector.z())};
-}
-
-Ogre::Quaternion ogre_rotation(const Eigen::Matrix3d& rotation) {
-  const Eigen::Quaterniond q(rotation);
-  return {static_cast<float>(q.w()), static_cast<float>(q.x()), static_cast<float>(q.y()),
-          static_cast<float>(q.z())};
-}
 
 std::optional<WorkingMode> mode_of(const std::vector<std::int8_t>& signs) {
   return WorkingMode::from_signs({signs.begin(), signs.end()});
@@ -86,6 +77,8 @@ AspectsDisplay::AspectsDisplay() : listeners_(section_mouse()) {
                              this);
   ids_ = new rviz::BoolProperty("Ids", true, "Writes the ids of the aspects.", this, SLOT(change_look()));
   legend_ = new rviz::BoolProperty("Legend", true, "Says what the colours are.", this, SLOT(change_look()));
+  nearest_ = new rviz::BoolProperty("Nearest singularity", true,
+                                    "Draws the way to the nearest singularity that was found.", this);
   joint_space_ = new rviz::BoolProperty(
       "Joint space", false,
       "Draws the same aspects in the space of the actuated joints, beside the robot, with the same point.",
@@ -117,21 +110,26 @@ void AspectsDisplay::reset() {
 void AspectsDisplay::stop() {
   link_.reset();
   thread_.reset();
-  drawn_.reset();
-  points_.clear();
+  forget_picture();
   map_.reset();
-  picture_.reset();
   present_.reset();
-  mode_.reset();
   candidates_.clear();
   candidate_ids_.clear();
   asked_.reset();
   asked_at_.reset();
   volume_at_.reset();
-  selected_ = 0;
-  deleteStatus("Selected");
   news_ = {};
   maps_ = starts_ = robots_ = 0;
+}
+
+void AspectsDisplay::forget_picture() {
+  drawn_.reset();
+  picture_.reset();
+  points_.clear();
+  mark_.clear();
+  mode_.reset();
+  selected_ = 0;
+  deleteStatus("Selected");
 }
 
 void AspectsDisplay::follow_node() {
@@ -198,11 +196,8 @@ void AspectsDisplay::take_state() {
 
 void AspectsDisplay::tell(const PictureThread::Result& result) {
   const std::string said = news_.progress ? news_.progress->message : "";
-  const bool is_drawn = result.map != nullptr;
-  setStatus(!result.problem.empty() ? Level::Error
-            : is_drawn              ? Level::Ok
-                                    : Level::Warn,
-            "Map", text(words_of(result, said)));
+  const auto level = !result.problem.empty() ? Level::Error : result.map ? Level::Ok : Level::Warn;
+  setStatus(level, "Map", text(words_of(result, said)));
   tell_robot();
 }
 
@@ -226,9 +221,9 @@ void AspectsDisplay::ask_for_volume(const PictureThread::Result& result) {
       present_ ? present_->orientation : Eigen::Quaterniond(q.w, q.x, q.y, q.z);
   const auto mode = mode_of(news_.state->working_mode);
   if (!mode || !(orientation.norm() > 0.5)) return;
-  const bool is_old = !volume_at_ || volume_at_->orientation.angularDistance(orientation) > volume_step ||
-                      volume_mode_ != mode;
-  if (!is_old) return;
+  if (volume_at_ && volume_mode_ == mode &&
+      volume_at_->orientation.angularDistance(orientation) <= volume_step)
+    return;
   volume_at_.emplace();
   volume_at_->orientation = orientation;
   volume_mode_ = mode;
@@ -244,14 +239,7 @@ void AspectsDisplay::take_picture(const PictureThread::Result& result) {
   if (result.map != map_) {
     map_ = result.map;
     asked_.reset();
-    if (!result.has_volumes || !map_) {  // a volume is drawn until the next one is
-      drawn_.reset();
-      picture_.reset();
-      points_.clear();
-      mode_.reset();
-      selected_ = 0;
-      deleteStatus("Selected");
-    }
+    if (!result.has_volumes || !map_) forget_picture();  // a volume is drawn until the next one is
   }
   if (!map_ || !result.picture || result.picture == picture_) return;
   picture_ = result.picture;
@@ -264,10 +252,12 @@ PictureChoice AspectsDisplay::choice() const {
   choice.shown = static_cast<Shown>(shown_->getOptionInt());
   const std::string words = chosen_->getStdString();
   std::string problem;
-  if (words.empty() && news_.shown)
+  if (!words.empty())
+    choice.chosen = chosen_aspects(*map_->map, words, problem);
+  else if (news_.shown)
     choice.chosen = *news_.shown;
   else
-    choice.chosen = chosen_aspects(*map_->map, words, problem);
+    for (const Aspect& each : map_->map->aspects()) choice.chosen.insert(each.id);
   if (present_ && news_.state) {
     choice.aspect = static_cast<int>(news_.state->aspect);
     if (map_->map->slice() && mode_) choice.aspect = map_->map->locate(*present_, *mode_).aspect;
@@ -333,10 +323,21 @@ void AspectsDisplay::place() {
   scene_node_->setPosition(position + orientation * ogre_vector(task.translation()));
   scene_node_->setOrientation(orientation * ogre_rotation(task.linear()));
   if (drawn_) drawn_->set_placement(ogre_vector(placement_));
-  if (!picture_) return points_.clear();
+  if (picture_) return place_robot(robot);
+  points_.clear();
+  mark_.clear();
+}
+
+// Its points, and the way from it to the nearest singularity.
+void AspectsDisplay::place_robot(const Manipulator& robot) {
   auto shown = candidates_;
   if (present_ && mode_) shown = {{*present_, *mode_}};
   points_.show(*picture_, robot, placement_, shown, {scene_manager_, scene_node_});
+  if (present_ && mode_ && nearest_->getBool())
+    mark_.show(*picture_, map_->map->manipulator(), placement_, shown.front(), {scene_manager_, scene_node_});
+  else
+    mark_.clear();
+  if (drawn_) drawn_->set_note(mark_.words());
 }
 
 // Faces of a section are dragged across, and stay where they are left; a click on any surface selects.

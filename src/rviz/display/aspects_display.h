@@ -6,6 +6,7 @@
 #include "rviz/display/node_link.h"
 #include "rviz/display/picture_thread.h"
 #include "rviz/display/present_points.h"
+#include "rviz/display/singularity_mark.h"
 
 #include <memory>
 #include <rviz/display.h>
@@ -45,7 +46,9 @@ class AspectsDisplay : public rviz::Display {
 
  private:
   void stop();
+  void forget_picture();
   void place();
+  void place_robot(const Manipulator& robot);
   void take_news();
   void take_state();
   void tell(const PictureThread::Result& result);
@@ -62,12 +65,13 @@ class AspectsDisplay : public rviz::Display {
   rviz::StringProperty *node_, *chosen_;
   rviz::EnumProperty *shown_, *section_, *axis_;
   rviz::FloatProperty *offset_, *opacity_, *present_opacity_, *radian_;
-  rviz::BoolProperty *upper_, *boundaries_, *ids_, *legend_, *joint_space_, *gallery_, *reload_;
+  rviz::BoolProperty *upper_, *boundaries_, *ids_, *legend_, *nearest_, *joint_space_, *gallery_, *reload_;
 
   std::unique_ptr<NodeLink> link_;
   std::unique_ptr<PictureThread> thread_;
   std::unique_ptr<DrawnPicture> drawn_;
   PresentPoints points_;
+  SingularityMark mark_;
   NodeLink::News news_;
   std::shared_ptr<const ReceivedMap> map_;
   std::shared_ptr<const SurfacePicture> picture_;

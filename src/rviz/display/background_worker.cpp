@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rviz/panel/background_worker.h"
+#include "rviz/display/background_worker.h"
 
 #include <utility>
 

@@ -1,30 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rviz/display/drawn_picture.h"
 
+#include "rviz/display/ogre_types.h"
+
 #include <OgreMaterial.h>
 #include <OgreSceneManager.h>
 #include <OgreSceneNode.h>
+#include <algorithm>
 #include <rviz/display_context.h>
 
 namespace parallel_aspects {
 namespace {
 
 // Over the size of the robot.
-constexpr double id_height = 0.045, legend_height = 0.022, line_width = 0.004, outline_width = 0.008;
+constexpr double id_height = 0.045, legend_height = 0.028, line_width = 0.004, outline_width = 0.008;
 
 constexpr double selected_height = 1.6;  // over that of ids that are not
 
 constexpr float own_light = 0.45F;  // of a body: share of its colour that no shadow takes
 
-float channel(std::uint32_t color, unsigned shift) {
-  return static_cast<float>(color >> shift & 0xFFU) / 255.0F;
+void set_color(rviz::Object& object, std::uint32_t color, float opacity) {
+  const Ogre::ColourValue value = ogre_color(color);
+  object.setColor(value.r, value.g, value.b, opacity);
 }
-
-Ogre::ColourValue ogre_color(std::uint32_t color) {
-  return Ogre::ColourValue(channel(color, 16), channel(color, 8), channel(color, 0), 1.0F);
-}
-
-Ogre::Vector3 ogre_vector(const Eigen::Vector3f& vector) { return {vector.x(), vector.y(), vector.z()}; }
 
 // What is flat has its colour from wherever it is seen, so that it is that of the legend and of the table;
 // bodies have shadows, in which the colour still shows.
@@ -47,7 +45,8 @@ DrawnPicture::DrawnPicture(const SurfacePicture& picture, const Look& look, rviz
       scene_(context->getSceneManager()),
       listeners_(listeners),
       standing_(parent->createChildSceneNode()),
-      moving_(standing_->createChildSceneNode()) {
+      moving_(standing_->createChildSceneNode()),
+      legend_(picture.legend.text) {
   add(picture.moving, moving_, picture.size, picture.is_cut);
   add(picture.standing, standing_, picture.size, false);
   if (!picture.legend.text.empty()) add_text(picture.legend, standing_, legend_height * picture.size, true);
@@ -92,7 +91,7 @@ void DrawnPicture::add(const ColoredLines& lines, Ogre::SceneNode* node, double 
   line->setMaxPointsPerLine(2);
   line->setNumLines(static_cast<std::uint32_t>(lines.ends.size() / 2));
   line->setLineWidth(static_cast<float>((lines.is_outline ? outline_width : line_width) * size));
-  line->setColor(channel(lines.color, 16), channel(lines.color, 8), channel(lines.color, 0), 1.0F);
+  set_color(*line, lines.color, 1.0F);
   for (std::size_t i = 0; i + 1 < lines.ends.size(); i += 2) {
     if (i > 0) line->newLine();
     line->addPoint(ogre_vector(lines.ends[i]));
@@ -118,8 +117,7 @@ void DrawnPicture::set_look(const Look& look) {
     const double opacity = mesh.is_opaque                ? 1.0
                            : mesh.aspect == look.present ? look.present_opacity
                                                          : look.opacity;
-    mesh.shape->setColor(channel(mesh.color, 16), channel(mesh.color, 8), channel(mesh.color, 0),
-                         static_cast<float>(opacity));
+    set_color(*mesh.shape, mesh.color, static_cast<float>(opacity));
     light(*mesh.shape, mesh.color, static_cast<float>(opacity), mesh.is_flat);
   }
   for (const Text& text : texts_) {
@@ -127,6 +125,16 @@ void DrawnPicture::set_look(const Look& look) {
     const bool is_selected = text.aspect != 0 && text.aspect == look.selected;
     text.text->setCharacterHeight(static_cast<float>((is_selected ? selected_height : 1.0) * text.height));
   }
+}
+
+// Below what it says first.
+void DrawnPicture::set_note(const std::string& note) {
+  if (note == note_) return;
+  note_ = note;
+  std::string words = legend_;
+  if (!note.empty()) words.insert(std::min(words.find('\n'), words.size()), "\n" + note);
+  for (const Text& text : texts_)
+    if (text.is_legend) text.text->setCaption(words);
 }
 
 void DrawnPicture::set_placement(const Ogre::Vector3& placement) { moving_->setPosition(placement); }

@@ -9,6 +9,7 @@
 #include <rviz/ogre_helpers/billboard_line.h>
 #include <rviz/ogre_helpers/mesh_shape.h>
 #include <rviz/ogre_helpers/movable_text.h>
+#include <string>
 #include <vector>
 
 namespace rviz {
@@ -37,6 +38,9 @@ class DrawnPicture {
   DrawnPicture& operator=(const DrawnPicture&) = delete;
 
   void set_look(const Look& look);
+
+  /// What the legend says beside the colours, in one line; nothing where it is empty.
+  void set_note(const std::string& note);
 
   /// Where the moving part stands.
   void set_placement(const Ogre::Vector3& placement);
@@ -69,6 +73,7 @@ class DrawnPicture {
   std::vector<std::unique_ptr<rviz::BillboardLine>> lines_;
   std::vector<Text> texts_;
   std::vector<SurfaceHandle> handles_;
+  std::string legend_, note_;
 };
 
 }  // namespace parallel_aspects

@@ -8,7 +8,7 @@
 namespace parallel_aspects {
 
 NodeLink::NodeLink(ros::NodeHandle nh, const std::string& node)
-    : nh_(std::move(nh)), name_(nh_.resolveName(node)) {
+    : nh_(std::move(nh)), name_(nh_.resolveName(node)), ping_(name_) {
   const ros::TransportHints hints = ros::TransportHints().tcpNoDelay();
   const boost::function<void(const AspectStateConstPtr&)> on_state =
       [this](const AspectStateConstPtr& state) {
@@ -56,7 +56,7 @@ void NodeLink::select(int aspect) {
 }
 
 NodeLink::News NodeLink::news() {
-  const bool is_there = state_.getNumPublishers() > 0;
+  const bool is_there = ping_.answers() && state_.getNumPublishers() > 0;
   const std::lock_guard<std::mutex> lock(mutex_);
   if (is_there != news_.is_there) {
     news_.is_there = is_there;

@@ -2,6 +2,8 @@
 #ifndef PARALLEL_ASPECTS_RVIZ_DISPLAY_NODE_LINK_H
 #define PARALLEL_ASPECTS_RVIZ_DISPLAY_NODE_LINK_H
 
+#include "rviz/display/node_ping.h"
+
 #include <parallel_aspects/AspectState.h>
 #include <parallel_aspects/AssemblyCandidates.h>
 #include <parallel_aspects/MapProgress.h>
@@ -24,7 +26,7 @@ namespace parallel_aspects {
 class NodeLink {
  public:
   struct News {
-    bool is_there = false;  ///< whether a node publishes under this name
+    bool is_there = false;  ///< whether a node of this name publishes and can be reached
     std::optional<AspectState> state;
     std::optional<MapProgress> progress;
     std::uint64_t maps = 0;              ///< reports of a complete map
@@ -50,6 +52,7 @@ class NodeLink {
  private:
   ros::NodeHandle nh_;
   const std::string name_;
+  const NodePing ping_;
   std::mutex mutex_;
   News news_;
   ros::Subscriber state_, progress_, shown_, candidates_;

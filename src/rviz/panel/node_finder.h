@@ -2,7 +2,7 @@
 #ifndef PARALLEL_ASPECTS_RVIZ_PANEL_NODE_FINDER_H
 #define PARALLEL_ASPECTS_RVIZ_PANEL_NODE_FINDER_H
 
-#include "rviz/panel/background_worker.h"
+#include "rviz/display/background_worker.h"
 
 #include <mutex>
 #include <string>

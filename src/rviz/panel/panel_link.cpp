@@ -26,8 +26,7 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr milliseconds patience(5000);
-constexpr milliseconds between_looks(300);   // for a master
-constexpr milliseconds between_pings(1000);  // of the node
+constexpr milliseconds between_looks(300);  // for a master
 constexpr std::size_t kept_transitions = 200;
 
 const char* const compute_goal = "compute_map/goal";
@@ -68,10 +67,9 @@ void take_threshold(const std::string& name, double value, std::array<LevelThres
 
 }  // namespace
 
-PanelLink::PanelLink(std::string node) : node_(std::move(node)), spinner_(1, &queue_) {
+PanelLink::PanelLink(std::string node) : node_(std::move(node)), ping_(node_), spinner_(1, &queue_) {
   view_.node = node_;
   worker_.post([this] { connect(); });
-  watcher_.post([this] { watch(); });
   spinner_.start();
 }
 
@@ -79,16 +77,6 @@ PanelLink::~PanelLink() {
   spinner_.stop();  // no callback runs from here on
   queue_.disable();
   queue_.clear();
-}
-
-// A node that was killed is still a publisher for the master and for roscpp, which goes on trying to reach
-// it.
-void PanelLink::watch() {
-  do {
-    const bool answers = ros::service::exists(node_ + "/list_aspects", false);
-    const std::lock_guard<std::mutex> lock(mutex_);
-    answers_ = answers;
-  } while (watcher_.sleep(between_pings));
 }
 
 // roscpp waits for the master where it subscribes, without end.
@@ -185,7 +173,7 @@ PlanView PanelLink::plan() const {
 }
 
 bool PanelLink::connected() const {
-  return answers_ && !subscribers_.empty() && subscribers_.front().getNumPublishers() > 0;
+  return ping_.answers() && !subscribers_.empty() && subscribers_.front().getNumPublishers() > 0;
 }
 
 ProbeView PanelLink::probe() const {

@@ -2,7 +2,8 @@
 #ifndef PARALLEL_ASPECTS_RVIZ_PANEL_PANEL_LINK_H
 #define PARALLEL_ASPECTS_RVIZ_PANEL_PANEL_LINK_H
 
-#include "rviz/panel/background_worker.h"
+#include "rviz/display/background_worker.h"
+#include "rviz/display/node_ping.h"
 #include "rviz/panel/panel_model.h"
 #include "rviz/panel/plan_model.h"
 
@@ -52,7 +53,6 @@ class PanelLink {
   using ProgressEvent = ros::MessageEvent<const MapProgress>;
 
   void connect();
-  void watch();
   bool wait_for_master() const;
   std::vector<ros::Subscriber> subscribe(ros::NodeHandle& nh);
   void advertise(ros::NodeHandle& nh);
@@ -72,6 +72,7 @@ class PanelLink {
   bool publish(const char* topic, const Message& message);
 
   const std::string node_;
+  const NodePing ping_;
   mutable std::mutex mutex_;
   NodeView view_;
   PlanView plan_;
@@ -79,12 +80,11 @@ class PanelLink {
   ProbeView probe_;
   ros::WallTime heard_;
   const void* connection_ = nullptr;  // of the map's progress: another one is another start of the node
-  bool answers_ = false;              // whether the node's services can be reached
   ros::CallbackQueue queue_;          // outlives what is called from it
   std::vector<ros::Subscriber> subscribers_;  // of the state first
   std::map<std::string, ros::Publisher> publishers_;
   ros::AsyncSpinner spinner_;
-  BackgroundWorker worker_, watcher_;
+  BackgroundWorker worker_;
 };
 
 }  // namespace parallel_aspects

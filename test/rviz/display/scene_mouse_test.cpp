@@ -14,7 +14,9 @@
 #include "rviz/standing_robot.h"
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
+#include <memory>
 #include <optional>
 #include <std_msgs/UInt32.h>
 
@@ -192,6 +194,27 @@ TEST_F(SceneMouse, WhatIsSwitchedOffListensToNothing) {
   EXPECT_EQ(Scene::status(deep_->display(), "Selected"), "");
   deep_->display().setEnabled(true);
   EXPECT_TRUE(Scene::until([this] { return deep_->says("Map", "triangles"); }));
+}
+
+// Which tells nobody that it ends.
+TEST_F(SceneMouse, ANodeThatIsKilledIsMissedAndFollowedAgain) {
+  const std::string node = "/killed/aspect_node";
+  ros::param::set("/killed/robot_description", test::source_file("urdf/five_bar.urdf"));
+  ros::param::set(node + "/mechanism", test::five_bar_mechanism_parameter());
+  ros::param::set(node + "/start/pose", std::vector<double>{4.5, 8.0});
+  ros::param::set(node + "/joint_states_timeout", 5.0);
+  ros::param::set(node + "/tracking/longest_interval", 5.0);
+  auto process = std::make_unique<test::Process>(PARALLEL_ASPECTS_NODE, "/killed");
+  Shown shown(*scene_, "/killed", "five_bar", test::pose_at(4.5, 8.0), {1, -1});
+  process->signal(SIGKILL);
+  EXPECT_TRUE(Scene::until([&] { return shown.says("Node", "Waits for " + node); }));
+  EXPECT_TRUE(Scene::until([&] { return shown.says("Robot", "No state of it"); }));
+  process = std::make_unique<test::Process>(PARALLEL_ASPECTS_NODE, "/killed");
+  EXPECT_TRUE(Scene::until([&] {
+    return shown.says("Robot", "In aspect " + std::to_string(shown.present()));
+  })) << Scene::status(shown.display(), "Robot");
+  EXPECT_TRUE(flat_->says("Robot", "In aspect")) << "another node is none of it";
+  delete &shown.display();
 }
 
 // Whatever the thread of a picture does just then.

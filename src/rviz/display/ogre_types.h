@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_RVIZ_DISPLAY_OGRE_TYPES_H
+#define PARALLEL_ASPECTS_RVIZ_DISPLAY_OGRE_TYPES_H
+
+#include <Eigen/Geometry>
+
+#include <OgreColourValue.h>
+#include <OgreQuaternion.h>
+#include <OgreVector3.h>
+#include <cstdint>
+
+namespace parallel_aspects {
+
+template <class Vector>
+Ogre::Vector3 ogre_vector(const Vector& vector) {
+  return {static_cast<float>(vector.x()), static_cast<float>(vector.y()), static_cast<float>(vector.z())};
+}
+
+inline Ogre::Quaternion ogre_rotation(const Eigen::Matrix3d& rotation) {
+  const Eigen::Quaternionf q(rotation.cast<float>());
+  return {q.w(), q.x(), q.y(), q.z()};
+}
+
+/// Of 0xRRGGBB.
+inline Ogre::ColourValue ogre_color(std::uint32_t color) {
+  const auto channel = [color](unsigned shift) {
+    return static_cast<float>(color >> shift & 0xFFU) / 255.0F;
+  };
+  return Ogre::ColourValue(channel(16), channel(8), channel(0), 1.0F);
+}
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_RVIZ_DISPLAY_OGRE_TYPES_H
