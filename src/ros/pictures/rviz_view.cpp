@@ -65,6 +65,22 @@ AlignedBox2d tile_gallery(const Scene& scene) {
           Vector2d(scene.tiles.width(), 2.5 * text + 0.2 * scene.tiles.height())};
 }
 
+// What the display has beside the robot: a ball of rotations, and a legend above them.
+void add_display(const Manipulator& robot, const Scene& scene, std::vector<Vector3d>& corners) {
+  Vector3d above = scene.robot.center();
+  const Eigen::Index up = scene.planar ? 1 : 2;
+  above[up] = scene.robot.max()[up];
+  double size = robot.size();
+  if (robot.task_space() == TaskSpace::SO3) {
+    const Vector3d radius = Vector3d::Constant(ball_radius * size);
+    const Vector3d middle = ball_distance * radius.x() * Vector3d::UnitX();
+    corners.insert(corners.end(), {middle - radius, middle + radius});
+    size = 2.0 * radius.x();
+  }
+  above[up] += legend_room * size;
+  corners.push_back(above);
+}
+
 // Corners of all there is to see, in the task frame.
 std::vector<Vector3d> corners_of(const NodeSetup& setup, const Scene& scene, bool with_gallery) {
   std::vector<Vector3d> corners;
@@ -74,12 +90,7 @@ std::vector<Vector3d> corners_of(const NodeSetup& setup, const Scene& scene, boo
     if (scene.planar && corner.y() == scene.robot.min().y()) corner.y() -= caption;
     corners.push_back(corner);
   }
-  if (!with_gallery) {  // the display has a legend above the robot
-    Vector3d above = scene.robot.center();
-    const Eigen::Index up = scene.planar ? 1 : 2;
-    above[up] = scene.robot.max()[up] + legend_room * setup.mechanism->manipulator()->size();
-    corners.push_back(above);
-  }
+  if (!with_gallery) add_display(*setup.mechanism->manipulator(), scene, corners);
   if (!with_gallery || !setup.options.display.gallery) return corners;
   const bool plane = setup.mechanism->manipulator()->task_space() == TaskSpace::T2;
   const AlignedBox2d gallery = plane ? map_gallery(setup) : tile_gallery(scene);
@@ -138,10 +149,13 @@ std::string link_prefix(const NodeSetup& setup) {
 std::string with_view_of(const std::string& config, const NodeSetup& setup) {
   YAML::Node document = YAML::Load(config);
   const Manipulator& robot = *setup.mechanism->manipulator();
-  const Scene scene = scene_of(*setup.mechanism, setup.options);
+  const bool with_gallery = shows_gallery(document);
+  NodeOptions options = setup.options;
+  if (!with_gallery) options.display.radius = ball_radius * robot.size();
+  const Scene scene = scene_of(*setup.mechanism, options);
   const Eigen::Matrix3d axes = viewer_axes(robot, scene.planar);
   Eigen::AlignedBox3d seen;  // in the viewer's axes
-  for (const Vector3d& corner : corners_of(setup, scene, shows_gallery(document)))
+  for (const Vector3d& corner : corners_of(setup, scene, with_gallery))
     seen.extend(Vector3d(axes.transpose() * (robot.task_frame() * corner)));
   const Vector3d center = axes * seen.center();
   const Screen screen = screen_of(document);

@@ -44,6 +44,10 @@ struct Scene {
       Eigen::Isometry3d::Identity();  ///< x right, y up, z to the viewer, in the task frame
 };
 
+/// Of the ball of rotations that the display draws beside a robot which only turns, and which takes as much
+/// room: its radius over the robot's size, and the distance of its middle from the robot over that radius.
+inline constexpr double ball_radius = 0.15, ball_distance = 1.8;
+
 /// How far the viewer looks down on a robot that is not planar [rad].
 inline constexpr double view_pitch = 0.3;
 

@@ -189,7 +189,7 @@ void AspectsDisplay::take_state() {
     const auto mode = mode_of(each.working_mode);
     if (!pose || !mode) continue;
     candidates_.emplace_back(*pose, *mode);
-    const int aspect = map_->map->locate(*pose, *mode).aspect;
+    const int aspect = map_->locate(*pose, *mode);
     if (aspect != 0) candidate_ids_.insert(aspect);
   }
 }
@@ -260,7 +260,7 @@ PictureChoice AspectsDisplay::choice() const {
     for (const Aspect& each : map_->map->aspects()) choice.chosen.insert(each.id);
   if (present_ && news_.state) {
     choice.aspect = static_cast<int>(news_.state->aspect);
-    if (map_->map->slice() && mode_) choice.aspect = map_->map->locate(*present_, *mode_).aspect;
+    if (map_->map->slice() && mode_) choice.aspect = map_->locate(*present_, *mode_);
   }
   if (candidates_.empty() && mode_) choice.modes = {*mode_};
   for (const auto& [pose, mode] : candidates_)
@@ -290,17 +290,17 @@ bool AspectsDisplay::differs(const PictureChoice& choice) const {
 
 // One at a time, so that a robot that moves fast is not always drawn and never seen.
 void AspectsDisplay::ask_for_picture() {
-  if (!map_ || (asked_ && thread_->is_drawing())) return;
+  if (!map_) return;
   const PictureChoice wanted = choice();
+  where_ = where_words(wanted);
   std::string problem;
   if (wanted.shown == Shown::chosen) chosen_aspects(*map_->map, chosen_->getStdString(), problem);
   if (problem.empty())
     deleteStatus("Chosen");
   else
     setStatus(Level::Error, "Chosen", text(problem));
-  if (!differs(wanted)) return;
-  const bool only_moved = asked_ && is_same(*asked_, wanted);
-  if (only_moved && since_picture_ < between_sections) return;
+  if (!differs(wanted) || (asked_ && thread_->is_drawing())) return;
+  if (asked_ && is_same(*asked_, wanted) && since_picture_ < between_sections) return;  // it only moved
   since_picture_ = 0.0F;
   asked_ = wanted;
   asked_at_ = present_;
@@ -337,7 +337,7 @@ void AspectsDisplay::place_robot(const Manipulator& robot) {
     mark_.show(*picture_, map_->map->manipulator(), placement_, shown.front(), {scene_manager_, scene_node_});
   else
     mark_.clear();
-  if (drawn_) drawn_->set_note(mark_.words());
+  if (drawn_) drawn_->set_head(where_ + (mark_.words().empty() ? "" : "\n" + mark_.words()));
 }
 
 // Faces of a section are dragged across, and stay where they are left; a click on any surface selects.

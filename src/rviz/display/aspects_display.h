@@ -72,6 +72,7 @@ class AspectsDisplay : public rviz::Display {
   std::unique_ptr<DrawnPicture> drawn_;
   PresentPoints points_;
   SingularityMark mark_;
+  std::string where_;  // the robot is, in words
   NodeLink::News news_;
   std::shared_ptr<const ReceivedMap> map_;
   std::shared_ptr<const SurfacePicture> picture_;

@@ -127,12 +127,10 @@ void DrawnPicture::set_look(const Look& look) {
   }
 }
 
-// Below what it says first.
-void DrawnPicture::set_note(const std::string& note) {
-  if (note == note_) return;
-  note_ = note;
-  std::string words = legend_;
-  if (!note.empty()) words.insert(std::min(words.find('\n'), words.size()), "\n" + note);
+void DrawnPicture::set_head(const std::string& head) {
+  if (head == head_) return;
+  head_ = head;
+  const std::string words = head + legend_.substr(std::min(legend_.find('\n'), legend_.size()));
   for (const Text& text : texts_)
     if (text.is_legend) text.text->setCaption(words);
 }

@@ -39,8 +39,8 @@ class DrawnPicture {
 
   void set_look(const Look& look);
 
-  /// What the legend says beside the colours, in one line; nothing where it is empty.
-  void set_note(const std::string& note);
+  /// What the legend says above the colours, in place of its first line, which may be out of date.
+  void set_head(const std::string& head);
 
   /// Where the moving part stands.
   void set_placement(const Ogre::Vector3& placement);
@@ -73,7 +73,7 @@ class DrawnPicture {
   std::vector<std::unique_ptr<rviz::BillboardLine>> lines_;
   std::vector<Text> texts_;
   std::vector<SurfaceHandle> handles_;
-  std::string legend_, note_;
+  std::string legend_, head_;
 };
 
 }  // namespace parallel_aspects

@@ -18,17 +18,20 @@ namespace {
 
 constexpr double volume_resolution = 0.04;  // of the robot's size: of maps that follow it
 
-constexpr double sphere_share = 0.15;  // of the size of one that only turns: its model has no size
-
 Eigen::AlignedBox3d robot_box(const Mechanism& mechanism) {
   NodeOptions options;
-  options.display.radius = sphere_share * mechanism.manipulator()->size();
+  options.display.radius = ball_radius * mechanism.manipulator()->size();
   return scene_of(mechanism, options).robot;
 }
 
 double seconds_since(const ros::SteadyTime& start) { return (ros::SteadyTime::now() - start).toSec(); }
 
 }  // namespace
+
+int ReceivedMap::locate(Pose pose, const WorkingMode& mode) const {
+  if (bytes == 0 && map->slice()) pose.orientation = map->slice()->held.orientation;
+  return map->locate(pose, mode).aspect;
+}
 
 PictureThread::PictureThread(const ros::NodeHandle& nh, const std::string& node)
     : nh_(nh), service_(node + "/get_map"), thread_([this] { run(); }) {}

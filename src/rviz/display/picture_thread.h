@@ -27,6 +27,10 @@ struct ReceivedMap {
   std::string base_frame, revision;
   std::size_t bytes = 0;        ///< of the map; 0 for one that was computed here
   Eigen::AlignedBox3d robot{};  ///< what the robot takes, in the task frame [m]
+
+  /// Id of the aspect that holds a pose; 0 where none does, or the map cannot tell. In a map that was
+  /// computed here, of its position at the orientation of the map.
+  int locate(Pose pose, const WorkingMode& mode) const;
 };
 
 /// Asks a node for its map and draws it, in a thread of its own: neither holds up who looks.

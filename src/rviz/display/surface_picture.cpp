@@ -2,6 +2,7 @@
 #include "rviz/display/surface_picture.h"
 
 #include "aspects/pictures/palette.h"
+#include "ros/pictures/scene.h"
 #include "rviz/display/joint_painter.h"
 #include "rviz/display/workspace_painter.h"
 
@@ -21,8 +22,7 @@ using Eigen::Vector3d;
 constexpr double pi = EIGEN_PI;
 constexpr std::size_t most_triangles = 120000;  // of all surfaces, so that software renders them
 constexpr int plane_cells = 300, tile_cells = 120;
-constexpr double below = 0.01;      // of the robot's size: planes lie behind its links
-constexpr double ball_share = 0.3;  // of the size of such a robot, that a turn is long
+constexpr double below = 0.01;  // of the robot's size: planes lie behind its links
 
 // Of tiles, over their side.
 constexpr double tile_width = 1.35, workspace_height = 1.35, joint_height = 1.6;
@@ -58,7 +58,7 @@ double radian_of(const Manipulator& robot, const PictureChoice& choice) {
   const TaskSpace space = robot.task_space();
   if (space != TaskSpace::SE2 && space != TaskSpace::SO3) return 1.0;
   if (choice.radian > 0.0) return choice.radian;
-  return robot.size() * (space == TaskSpace::SO3 ? ball_share : 1.0) / (2.0 * pi);
+  return robot.size() * (space == TaskSpace::SO3 ? 2.0 * ball_radius : 1.0) / (2.0 * pi);
 }
 
 std::string listed(const std::set<int>& ids) {
@@ -205,12 +205,7 @@ class Composer {
   // Above the picture and the robot, as they are usually seen.
   void add_legend(const AlignedBox3d& here) {
     std::string& words = picture_.legend.text;
-    if (choice_.aspect != 0)
-      words = "The robot is in aspect " + std::to_string(choice_.aspect);
-    else if (!choice_.candidates.empty())
-      words = "The robot may be in aspect " + listed(choice_.candidates);
-    else
-      words = "It is not known in which aspect the robot is";
+    words = where_words(choice_);
     if (choice_.tells_boundaries || robot_.task_space() == TaskSpace::T2)
       for (const auto& [kind, what] : boundary_words())
         if (paint_.kinds().count(kind) != 0) words += std::string("\n") + color_word(kind) + ": " + what;
@@ -242,6 +237,12 @@ bool is_same(const PictureChoice& one, const PictureChoice& other) { return part
 SurfacePicture draw_surfaces(SurfaceStore& store, const PictureChoice& choice,
                              const std::optional<Pose>& present, const std::atomic<bool>& cancelled) {
   return Composer(store, choice, present).draw(cancelled);
+}
+
+std::string where_words(const PictureChoice& choice) {
+  if (choice.aspect != 0) return "The robot is in aspect " + std::to_string(choice.aspect);
+  if (!choice.candidates.empty()) return "The robot may be in aspect " + listed(choice.candidates);
+  return "It is not known in which aspect the robot is";
 }
 
 std::vector<int> shown_aspects(const AspectMap& map, const PictureChoice& choice) {
@@ -282,7 +283,7 @@ std::set<int> chosen_aspects(const AspectMap& map, const std::string& text, std:
 Vector3d placement(const Manipulator& manipulator, const std::optional<Pose>& present, double radian) {
   const TaskSpace space = manipulator.task_space();
   const double size = manipulator.size();
-  if (space == TaskSpace::SO3) return {1.8 * pi * radian, 0.0, 0.0};
+  if (space == TaskSpace::SO3) return {ball_distance * pi * radian, 0.0, 0.0};
   if (space == TaskSpace::SE2) {
     const double here = present ? radian * surface_point(space, *present).z() : 0.0;
     return {0.0, 0.0, -here - below * size};

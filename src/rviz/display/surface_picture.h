@@ -78,6 +78,9 @@ struct SurfacePicture {
 SurfacePicture draw_surfaces(SurfaceStore& store, const PictureChoice& choice,
                              const std::optional<Pose>& present, const std::atomic<bool>& cancelled);
 
+/// The first line of its legend: where the robot is.
+std::string where_words(const PictureChoice& choice);
+
 /// Ids of the aspects that a choice shows.
 std::vector<int> shown_aspects(const AspectMap& map, const PictureChoice& choice);
 
