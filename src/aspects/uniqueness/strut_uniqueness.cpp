@@ -3,7 +3,6 @@
 
 #include "aspects/uniqueness/actuated_space.h"
 #include "aspects/uniqueness/basic_regions.h"
-#include "aspects/uniqueness/part_of_control.h"
 #include "aspects/uniqueness/singular_images.h"
 #include "aspects/uniqueness/solution_regions.h"
 #include "aspects/uniqueness/strut_poses.h"

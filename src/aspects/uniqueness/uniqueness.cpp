@@ -3,7 +3,6 @@
 
 #include "aspects/cusps/cusp_search.h"
 #include "aspects/cusps/held_slice.h"
-#include "aspects/uniqueness/part_of_control.h"
 #include "aspects/uniqueness/strut_uniqueness.h"
 #include "aspects/uniqueness/uniqueness_problem.h"
 #include "model/angles.h"
