@@ -3,6 +3,7 @@
 
 #include "aspects/batches/box_requests.h"
 #include "aspects/boxes/part_proof.h"
+#include "aspects/boxes/segment_proof.h"
 #include "aspects/components/climb.h"
 
 #include <algorithm>
@@ -13,6 +14,8 @@ namespace {
 
 // As many as the widest vectors have lanes.
 constexpr std::size_t faces_at_once = 8;
+
+constexpr int halvings_between_witnesses = 4;
 
 }  // namespace
 
@@ -242,8 +245,13 @@ NodeIndex SignGraph::component_leaf_above(const PoseTree& tree, const BoxClassif
 bool SignGraph::take_in_witnesses(PoseTree& tree, const BoxClassifier& classifier, NodeIndex node,
                                   const std::vector<MapPoint>& poses) {
   NodeIndex first = no_node;
-  for (const MapPoint& pose : poses) {
-    const NodeIndex leaf = component_leaf_above(tree, classifier, {tree.place(node).root, pose}, none);
+  const RootIndex root = tree.place(node).root;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    // Most lie close to the one before; to see that they are joined with it takes less than a climb.
+    if (i > 0 && segment_is_free(classifier, tree.dimension(), mode_, sign_, {root, poses[i]}, poses[i - 1],
+                                 halvings_between_witnesses))
+      continue;
+    const NodeIndex leaf = component_leaf_above(tree, classifier, {root, poses[i]}, none);
     if (leaf == no_node && poses.size() > 1) return false;
     if (first == no_node) first = leaf;
     if (leaf != no_node && component(leaf) != component(first)) return false;
