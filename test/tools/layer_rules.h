@@ -81,6 +81,7 @@ inline const Strings rooms{"model",
                            "ros/probe",
                            "ros/node",
                            "ros/programs",
+                           "rviz/link",
                            "rviz/display",
                            "rviz/panel"};
 

@@ -3,11 +3,11 @@
 #define PARALLEL_ASPECTS_RVIZ_DISPLAY_ASPECTS_DISPLAY_H
 
 #include "rviz/display/drawn_picture.h"
-#include "rviz/display/node_link.h"
 #include "rviz/display/picture_thread.h"
 #include "rviz/display/present_points.h"
 #include "rviz/display/singularity_mark.h"
 
+#include "rviz/link/node_link.h"
 #include <memory>
 #include <rviz/display.h>
 #include <string>

@@ -2,8 +2,7 @@
 #ifndef PARALLEL_ASPECTS_RVIZ_PANEL_NODE_FINDER_H
 #define PARALLEL_ASPECTS_RVIZ_PANEL_NODE_FINDER_H
 
-#include "rviz/display/background_worker.h"
-
+#include "rviz/link/background_worker.h"
 #include <mutex>
 #include <string>
 #include <vector>

@@ -2,8 +2,6 @@
 #ifndef PARALLEL_ASPECTS_RVIZ_PANEL_PANEL_LINK_H
 #define PARALLEL_ASPECTS_RVIZ_PANEL_PANEL_LINK_H
 
-#include "rviz/display/background_worker.h"
-#include "rviz/display/node_ping.h"
 #include "rviz/panel/panel_model.h"
 #include "rviz/panel/plan_model.h"
 
@@ -13,6 +11,8 @@
 #include <ros/node_handle.h>
 #include <ros/spinner.h>
 
+#include "rviz/link/background_worker.h"
+#include "rviz/link/node_ping.h"
 #include <actionlib_msgs/GoalStatusArray.h>
 #include <dynamic_reconfigure/Config.h>
 #include <functional>

@@ -4,6 +4,7 @@
 
 #include "aspects/pictures/palette.h"
 #include "parallel_aspects/kinematics/inverse.h"
+#include "rviz/display/picture_thread.h"
 #include "rviz/display/workspace_painter.h"
 
 #include <gtest/gtest.h>
@@ -189,6 +190,27 @@ TEST(SurfacePicture, TheGalleryHasEachWorkingModeOnceAndNoTwoTilesMeet) {
   for (const auto& [mode, box] : boxes)
     for (const auto& [other, beside] : boxes)
       EXPECT_EQ(box.intersects(beside), mode == other) << mode << " " << other;
+}
+
+// Which the robot leaves a little until the next one is there.
+TEST(ReceivedMap, AVolumeIsAskedForThePositionAtItsOwnOrientation) {
+  const test::Robot robot = test::shipped("stewart")->mapped_manipulator();
+  MapOptions options;
+  options.slice.emplace();
+  options.slice->moves = {true, true, true};
+  options.modes = working_modes(*robot);
+  options.resolution = 0.08 * robot->size();
+  ReceivedMap received;
+  received.map = test::map_of(robot, options);
+  ASSERT_FALSE(received.map->aspects().empty());
+  for (const Aspect& aspect : received.map->aspects()) {
+    Pose pose = aspect.deepest;
+    pose.orientation = Eigen::AngleAxisd(0.05, Eigen::Vector3d::UnitX()) * pose.orientation;
+    EXPECT_EQ(received.locate(pose, aspect.mode), aspect.id);
+    ReceivedMap sent = received;
+    sent.bytes = 1;
+    EXPECT_EQ(sent.locate(pose, aspect.mode), 0) << "a map that was sent is asked for the pose itself";
+  }
 }
 
 TEST(SurfacePicture, ACancelledOneIsEmpty) {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_RVIZ_DISPLAY_NODE_PING_H
-#define PARALLEL_ASPECTS_RVIZ_DISPLAY_NODE_PING_H
+#ifndef PARALLEL_ASPECTS_RVIZ_LINK_NODE_PING_H
+#define PARALLEL_ASPECTS_RVIZ_LINK_NODE_PING_H
 
-#include "rviz/display/background_worker.h"
-
+#include "rviz/link/background_worker.h"
 #include <atomic>
 #include <string>
 
@@ -25,4 +24,4 @@ class NodePing {
 
 }  // namespace parallel_aspects
 
-#endif  // PARALLEL_ASPECTS_RVIZ_DISPLAY_NODE_PING_H
+#endif  // PARALLEL_ASPECTS_RVIZ_LINK_NODE_PING_H

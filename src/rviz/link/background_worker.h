@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_RVIZ_DISPLAY_BACKGROUND_WORKER_H
-#define PARALLEL_ASPECTS_RVIZ_DISPLAY_BACKGROUND_WORKER_H
+#ifndef PARALLEL_ASPECTS_RVIZ_LINK_BACKGROUND_WORKER_H
+#define PARALLEL_ASPECTS_RVIZ_LINK_BACKGROUND_WORKER_H
 
 #include <ros/service.h>
 #include <ros/service_client.h>
@@ -70,4 +70,4 @@ std::string BackgroundWorker::call(const std::string& name, Service& service,
 
 }  // namespace parallel_aspects
 
-#endif  // PARALLEL_ASPECTS_RVIZ_DISPLAY_BACKGROUND_WORKER_H
+#endif  // PARALLEL_ASPECTS_RVIZ_LINK_BACKGROUND_WORKER_H

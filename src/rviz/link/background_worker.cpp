@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rviz/display/background_worker.h"
+#include "rviz/link/background_worker.h"
 
 #include <utility>
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_RVIZ_DISPLAY_NODE_LINK_H
-#define PARALLEL_ASPECTS_RVIZ_DISPLAY_NODE_LINK_H
-
-#include "rviz/display/node_ping.h"
+#ifndef PARALLEL_ASPECTS_RVIZ_LINK_NODE_LINK_H
+#define PARALLEL_ASPECTS_RVIZ_LINK_NODE_LINK_H
 
 #include <parallel_aspects/AspectState.h>
 #include <parallel_aspects/AssemblyCandidates.h>
@@ -13,6 +11,7 @@
 #include <ros/publisher.h>
 #include <ros/subscriber.h>
 
+#include "rviz/link/node_ping.h"
 #include <cstdint>
 #include <mutex>
 #include <optional>
@@ -62,4 +61,4 @@ class NodeLink {
 
 }  // namespace parallel_aspects
 
-#endif  // PARALLEL_ASPECTS_RVIZ_DISPLAY_NODE_LINK_H
+#endif  // PARALLEL_ASPECTS_RVIZ_LINK_NODE_LINK_H

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rviz/display/node_link.h"
+#include "rviz/link/node_link.h"
 
 #include <boost/function.hpp>
 

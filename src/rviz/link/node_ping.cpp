@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rviz/display/node_ping.h"
+#include "rviz/link/node_ping.h"
 
 namespace parallel_aspects {
 namespace {
