@@ -63,6 +63,8 @@ ActuatedSpace::ActuatedSpace(const StrutSlice& slice, SingularImages& images, do
   classify(0, {SingularImages::root});
   divide(unknown_share, most_cells, control);
   make_pieces();
+  for (SpaceCell& cell : cells_) std::vector<Node>().swap(cell.touching);
+  images_.clear();
   join_inside(0);
 }
 
@@ -199,7 +201,7 @@ void ActuatedSpace::join_at(std::uint32_t a, std::uint32_t b, const Lengths& at)
 }
 
 std::optional<PieceIndex> ActuatedSpace::piece_at(const SpaceCell& cell, const Lengths& at) const {
-  if (cell.touching.empty()) return cell.pieces[1];
+  if (cell.pieces[1]) return cell.pieces[1];
   const Interval value = linear_at(cell.box, cell.slope, at);
   if (value.upper() < cell.slab.lower()) return cell.pieces[0];
   if (value.lower() > cell.slab.upper()) return cell.pieces[2];

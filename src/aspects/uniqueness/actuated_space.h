@@ -30,7 +30,7 @@ struct Piece {
 struct SpaceCell {
   Box box;                                     ///< of the lengths [m]
   std::uint32_t first_child = 0;               ///< 0 where it is not divided
-  std::vector<SingularImages::Node> touching;  ///< whose images may touch it
+  std::vector<SingularImages::Node> touching;  ///< whose images may touch it; empty once it is divided
   /// Their images are where slope . (lengths - middle) is in here; on both sides of it there are none.
   std::array<double, 3> slope{};
   Interval slab;
@@ -52,8 +52,8 @@ struct PieceLink {
 /// is regular.
 class ActuatedSpace {
  public:
-  /// The division ends where no more than `unknown_share` of the whole is in no piece, or at so many cells.
-  /// Needs a live `RoundingUpward`. Ends early when cancelled.
+  /// Takes and clears the images. The division ends where no more than `unknown_share` of the whole is in no
+  /// piece, or at so many cells. Needs a live `RoundingUpward`. Ends early when cancelled.
   ActuatedSpace(const StrutSlice& slice, SingularImages& images, double unknown_share,
                 const MapControl& control, std::size_t most_cells = 250000);
 

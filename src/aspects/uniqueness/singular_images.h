@@ -49,6 +49,9 @@ class SingularImages {
   /// Whether it is as small as boxes get.
   bool is_smallest(Node node) const noexcept;
 
+  /// Forgets all boxes, which take much memory; after that there is nothing to ask.
+  void clear() noexcept { std::vector<Entry>().swap(nodes_); }
+
   /// Its parts that may hold singular poses.
   const std::vector<Node>& parts(Node node);
 
