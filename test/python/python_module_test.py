@@ -232,6 +232,8 @@ BAD = {
     "poses is no array of numbers": lambda robot, aspects: robot.inverse([(1, 2), (3,)], "(+,-)"),
     "times is no array of numbers": lambda robot, aspects: robot.check("ab", [(4.5, 8)], "(+,-)"),
     "resolution is 'fine'": lambda robot, aspects: robot.map(resolution="fine"),
+    "level is nan": lambda robot, aspects: aspects.outlines("(+,-)", level=np.nan),
+    "cells is 'many'": lambda robot, aspects: aspects.outlines("(+,-)", cells="many"),
     "threads is -2": lambda robot, aspects: robot.map(threads=-2),
     "max_boxes is 1.5": lambda robot, aspects: robot.distance((4.5, 8), "(+,-)", max_boxes=1.5),
     "(4.5, 8) does not name": lambda robot, aspects: aspects.workspace("disc", center=(4.5, 8)),

@@ -6,7 +6,7 @@ from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
 import numpy as np
 
 from ._results import Aspect, Path, PathCrossing, Workspace
-from ._text import Mode, array, count, listed, mode_text, number, ranges_text, ratio_text, values_text
+from ._text import Mode, array, count, listed, mode_text, number, ranges_text, ratio_text, real, values_text
 
 UNDECIDED = 0  # closer to a singularity or a limit than the map can tell
 OUTSIDE = -1  # proved to lie in no aspect of the working mode
@@ -136,7 +136,7 @@ class Map:
         """What `plot` draws of a working mode, in the plane of phi [rad], z [m] or torsion [rad] at this level: "polygons",
         pairs of an id and corners of shape (m, 2), and "lines", pairs of what ends there and two ends of shape (2, 2).
         Traced on a grid of `cells` squared; for pictures, not certified."""
-        return self._core.trace(mode_text(mode), level, cells)
+        return self._core.trace(mode_text(mode), real("level", level), count("cells", cells))
 
     def plot(
         self,

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Arguments as the texts, numbers and arrays that the compiled part takes, and what is said where they are none."""
+import math
 import operator
 from typing import Any, ItemsView, Iterable, Mapping, Optional, Sequence, Union
 
@@ -30,9 +31,11 @@ def array(name: str, values: "np.typing.ArrayLike") -> np.ndarray:
 def real(name: str, value: Optional[float]) -> Optional[float]:
     """A number, or None."""
     try:
-        return None if value is None else float(value)
+        if value is None or not math.isnan(value):
+            return None if value is None else float(value)
     except (TypeError, ValueError):
-        raise refused(f"{name} is {value!r}; give a number.") from None
+        pass
+    raise refused(f"{name} is {value!r}; give a number.")
 
 
 def count(name: str, value: int) -> int:
