@@ -88,14 +88,15 @@ class Merge {
     return a.root == b.root;
   }
 
-  /// The leaf that has this place or holds it. Where the leaves there are smaller they find this one.
-  static const BorderNode* find(const std::vector<BorderNode>& nodes, NodePlace place) {
+  /// The leaf that has this place or holds it; none is larger than a shard. Where the leaves there are
+  /// smaller they find this one.
+  const BorderNode* find(const std::vector<BorderNode>& nodes, NodePlace place) const {
     for (;; --place.level) {
       const auto at = std::lower_bound(
           nodes.begin(), nodes.end(), place,
           [](const BorderNode& node, const NodePlace& each) { return is_before(node.place, each); });
       if (at != nodes.end() && !is_before(place, at->place)) return &*at;
-      if (place.level == 0) return nullptr;
+      if (place.level == shard_level_) return nullptr;
       for (std::uint32_t& cell : place.cell) cell >>= 1U;
     }
   }
