@@ -34,20 +34,13 @@ const Interval& remembered(Last& last, const Interval& a, const Compute& compute
 
 bool holds(const Interval& a, double t) { return a.lower() <= t && t <= a.upper(); }
 
-/// Of points the ends are one.
-template <class Function>
-Interval between_ends(const Interval& a, const Function& function) {
-  const double lower = function(rounded_pi * a.lower());
-  return between(lower, a.lower() == a.upper() ? lower : function(rounded_pi * a.upper()));
-}
-
 Interval cosine_near(const Interval& a) {
-  const Interval ends = between_ends(a, [](double angle) { return std::cos(angle); });
+  const Interval ends = between(std::cos(rounded_pi * a.lower()), std::cos(rounded_pi * a.upper()));
   return {holds(a, -1.0) || holds(a, 1.0) ? -1.0 : ends.lower(), holds(a, 0.0) ? 1.0 : ends.upper()};
 }
 
 Interval sine_near(const Interval& a) {
-  const Interval ends = between_ends(a, [](double angle) { return std::sin(angle); });
+  const Interval ends = between(std::sin(rounded_pi * a.lower()), std::sin(rounded_pi * a.upper()));
   return {holds(a, -0.5) ? -1.0 : ends.lower(), holds(a, 0.5) ? 1.0 : ends.upper()};
 }
 
