@@ -210,12 +210,12 @@ bool add_aspects(AspectMap::Contents& map, const MapPlan& plan, const MapControl
   const std::size_t count = plan.modes.size();
   const std::vector<ModeSource> sources = find_mode_sources(plan.symmetries, count);
   map.symmetry_use = symmetry_use(plan.symmetries, sources);
-  std::vector<ModeComponents> found = find_all_components(map, plan, sources, control, policy);
+  const std::vector<ModeComponents> found = find_all_components(map, plan, sources, control, policy);
   if (found.empty() || is_cancelled(control)) return false;
   map.leaf_aspects.resize(count);
   ComponentIds ids;
   for (std::size_t mode = 0; mode < count && !is_cancelled(control); ++mode)
-    ids.push_back(add_mode(map, mode, std::exchange(found[mode], {})));
+    ids.push_back(add_mode(map, mode, found[mode]));
   if (is_cancelled(control)) return false;
   find_deepest_poses(map, sources, ids, control);
   return !is_cancelled(control);
