@@ -3,13 +3,19 @@
 #define PARALLEL_ASPECTS_RVIZ_DISPLAY_ASPECT_PAINT_H
 
 #include "aspects/pictures/palette.h"
+#include "parallel_aspects/model/task_space.h"
 #include "rviz/display/colored_parts.h"
 
 #include <optional>
 #include <set>
+#include <string>
 #include <vector>
 
 namespace parallel_aspects {
+
+/// What the sets of a picture are called: with six degrees of freedom they are of the positions at one
+/// orientation.
+inline std::string set_word(TaskSpace space) { return space == TaskSpace::SE3 ? "part" : "aspect"; }
 
 /// The colours of one picture.
 class AspectPaint {

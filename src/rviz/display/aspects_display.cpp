@@ -292,7 +292,7 @@ bool AspectsDisplay::differs(const PictureChoice& choice) const {
 void AspectsDisplay::ask_for_picture() {
   if (!map_) return;
   const PictureChoice wanted = choice();
-  where_ = where_words(wanted);
+  where_ = where_words(wanted, map_->map->manipulator()->task_space());
   std::string problem;
   if (wanted.shown == Shown::chosen) chosen_aspects(*map_->map, chosen_->getStdString(), problem);
   if (problem.empty())

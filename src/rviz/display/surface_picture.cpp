@@ -205,7 +205,7 @@ class Composer {
   // Above the picture and the robot, as they are usually seen.
   void add_legend(const AlignedBox3d& here) {
     std::string& words = picture_.legend.text;
-    words = where_words(choice_);
+    words = where_words(choice_, robot_.task_space());
     if (choice_.tells_boundaries || robot_.task_space() == TaskSpace::T2)
       for (const auto& [kind, what] : boundary_words())
         if (paint_.kinds().count(kind) != 0) words += std::string("\n") + color_word(kind) + ": " + what;
@@ -239,10 +239,12 @@ SurfacePicture draw_surfaces(SurfaceStore& store, const PictureChoice& choice,
   return Composer(store, choice, present).draw(cancelled);
 }
 
-std::string where_words(const PictureChoice& choice) {
-  if (choice.aspect != 0) return "The robot is in aspect " + std::to_string(choice.aspect);
-  if (!choice.candidates.empty()) return "The robot may be in aspect " + listed(choice.candidates);
-  return "It is not known in which aspect the robot is";
+std::string where_words(const PictureChoice& choice, TaskSpace space) {
+  const std::string set = set_word(space), where = space == TaskSpace::SE3 ? " at this orientation" : "";
+  if (choice.aspect != 0) return "The robot is in " + set + " " + std::to_string(choice.aspect) + where;
+  if (!choice.candidates.empty())
+    return "The robot may be in " + set + " " + listed(choice.candidates) + where;
+  return "It is not known in which " + set + " the robot is" + where;
 }
 
 std::vector<int> shown_aspects(const AspectMap& map, const PictureChoice& choice) {

@@ -79,7 +79,7 @@ SurfacePicture draw_surfaces(SurfaceStore& store, const PictureChoice& choice,
                              const std::optional<Pose>& present, const std::atomic<bool>& cancelled);
 
 /// The first line of its legend: where the robot is.
-std::string where_words(const PictureChoice& choice);
+std::string where_words(const PictureChoice& choice, TaskSpace space);
 
 /// Ids of the aspects that a choice shows.
 std::vector<int> shown_aspects(const AspectMap& map, const PictureChoice& choice);

@@ -206,8 +206,8 @@ void WorkspacePainter::add_label(int id) {
     at = face->second.cast<double>();
   }
   std::string words = std::to_string(id);
-  if (id == style_.present) words = "aspect " + words;
-  if (style_.candidates.count(id) != 0) words = "aspect " + words + "?";
+  if (id == style_.present) words = set_word(space_) + " " + words;
+  if (style_.candidates.count(id) != 0) words = set_word(space_) + " " + words + "?";
   // What is not cut is more or less transparent, the present aspect less.
   const double paleness = style_.section ? 0.0 : id == style_.present ? 0.25 : 0.55;
   part_.labels.push_back(
