@@ -43,17 +43,18 @@ Box StrutPoses::box_about(const Pose& pose) const {
 
 Lengths StrutPoses::lengths(const JointVector& actuated) const {
   Lengths result{};
+  const bool is_known = static_cast<std::size_t>(actuated.size()) == manipulator_.leg_count();
   for (std::size_t i = 0; i < (is_family_ ? 3U : 2U); ++i) {
     const Leg& leg = manipulator_.leg(legs_[i]);
-    const double q = actuated[static_cast<Eigen::Index>(legs_[i])];
-    result[i] = leg.can_have(q) ? std::sqrt(leg.squared_distance(q)) : -1.0;
+    const double q = is_known ? actuated[static_cast<Eigen::Index>(legs_[i])] : std::nan("");
+    result[i] = std::isfinite(q) && leg.can_have(q) ? std::sqrt(leg.squared_distance(q)) : -1.0;
   }
   return result;
 }
 
 JointVector StrutPoses::actuated(const Pose& pose) const {
   JointVector q = inverse(manipulator_, pose, working_modes(manipulator_).front()).q;
-  if (!is_family_) q[static_cast<Eigen::Index>(legs_[2])] = held_;
+  if (!is_family_ && q.size() > 0) q[static_cast<Eigen::Index>(legs_[2])] = held_;
   return q;
 }
 

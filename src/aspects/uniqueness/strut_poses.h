@@ -30,10 +30,10 @@ class StrutPoses {
   /// A box about the pose that is small, but wide for roundings.
   Box box_about(const Pose& pose) const;
 
-  /// Of one slice the third is 0. Negative where a strut cannot have its value.
+  /// Of one slice the third is 0. Negative where there is no value, or the strut cannot have it.
   Lengths lengths(const JointVector& actuated) const;
 
-  /// Joint values at a pose, with that which is held.
+  /// Joint values at a pose, with that which is held; empty where there are none, as where it has a NaN.
   JointVector actuated(const Pose& pose) const;
 
  private:

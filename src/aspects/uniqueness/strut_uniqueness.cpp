@@ -101,7 +101,7 @@ struct DividedRegions : DividedStruts {
 
   std::optional<std::size_t> region_at(const Pose& pose) const {
     const JointVector actuated = poses.actuated(pose);
-    if (!actuated.allFinite()) return std::nullopt;
+    if (actuated.size() == 0 || !actuated.allFinite()) return std::nullopt;
     const RoundingUpward rounding;
     return atlas.locate(poses.box_about(pose), poses.lengths(actuated));
   }
