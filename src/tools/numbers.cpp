@@ -32,6 +32,17 @@ std::vector<std::string> split_words(std::string text) {
   return result;
 }
 
+std::vector<std::string> split_at(char separator, const std::string& text) {
+  std::vector<std::string> parts(1);
+  for (const char letter : text) {
+    if (letter == separator)
+      parts.emplace_back();
+    else
+      parts.back() += letter;
+  }
+  return parts;
+}
+
 std::vector<std::string> words_of_list(std::string text) {
   static const std::regex around_equals("\\s*=\\s*");
   return split_words(std::regex_replace(text, around_equals, "="));

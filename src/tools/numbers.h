@@ -26,6 +26,9 @@ std::vector<double> parse_numbers(const std::string& option, const std::string& 
 /// The words of a text, separated by blanks or commas.
 std::vector<std::string> split_words(std::string text);
 
+/// What stands before, between and after these separators; empty parts count, too.
+std::vector<std::string> split_at(char separator, const std::string& text);
+
 /// The words of a list such as "z=0.5 roll = 0", separated by blanks or commas, without blanks around "=".
 std::vector<std::string> words_of_list(std::string text);
 

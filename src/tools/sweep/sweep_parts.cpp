@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_aspects/aspects/design.h"
+#include "tools/numbers.h"
 #include "tools/sweep/sweep_chart.h"
 #include "tools/sweep/sweep_file.h"
 
@@ -36,16 +37,7 @@ std::optional<SweepHeader> parse_header(const std::string& line) {
   return is_sound ? std::optional<SweepHeader>(header) : std::nullopt;
 }
 
-std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells(1);
-  for (const char letter : line) {
-    if (letter == ',')
-      cells.emplace_back();
-    else
-      cells.back() += letter;
-  }
-  return cells;
-}
+std::vector<std::string> cells_of(const std::string& line) { return split_at(',', line); }
 
 bool is_status(const std::string& cell) {
   for (const DesignStatus status :

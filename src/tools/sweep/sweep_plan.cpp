@@ -22,21 +22,10 @@ constexpr int row_revision = 1;
 
 constexpr int row_digits = 12;
 
-std::vector<std::string> parts_of(const std::string& text) {
-  std::vector<std::string> parts(1);
-  for (const char letter : text) {
-    if (letter == ':')
-      parts.emplace_back();
-    else
-      parts.back() += letter;
-  }
-  return parts;
-}
-
 std::optional<VariedParameter> parse_word(const std::string& word, SweepSample sample, Problems& problems) {
   const std::size_t equals = word.find('=');
   const std::vector<std::string> parts =
-      equals == std::string::npos ? std::vector<std::string>() : parts_of(word.substr(equals + 1));
+      equals == std::string::npos ? std::vector<std::string>() : split_at(':', word.substr(equals + 1));
   const std::size_t most = sample == SweepSample::grid ? 3 : 2;
   if (equals == 0 || parts.empty() || parts.size() > most || (parts.size() == 2 && most == 3)) {
     problems.push_back("--vary has '" + word +
