@@ -5,6 +5,7 @@
 #include <utility>
 
 namespace parallel_aspects {
+
 std::vector<SignGraph::Contact> ContactSearch::run() {
   largest_ = graph_.largest_component();
   collect_faces();

@@ -122,20 +122,20 @@ void find_deepest_poses(AspectMap::Contents& map, const std::vector<ModeSource>&
   }
 }
 
-/// Progress of equal parts of the work that go on at the same time. It is told by the thread that made this,
-/// while it is at one of them.
+/// Progress of equal parts of the work that run at the same time. The thread that made this reports it, while
+/// it works on one of them.
 class JointProgress {
  public:
   JointProgress(const MapControl& whole, std::size_t parts) : whole_(whole), shares_(parts) {}
 
   MapControl of(std::size_t part) {
     MapControl control = whole_;
-    if (whole_.progress) control.progress = [this, part](double share) { tell(part, share); };
+    if (whole_.progress) control.progress = [this, part](double share) { report(part, share); };
     return control;
   }
 
  private:
-  void tell(std::size_t part, double share) {
+  void report(std::size_t part, double share) {
     shares_[part] = share;
     if (std::this_thread::get_id() != thread_) return;
     const double sum = std::accumulate(shares_.begin(), shares_.end(), 0.0);
