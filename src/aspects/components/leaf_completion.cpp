@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/components/leaf_completion.h"
 
+#include "aspects/tree/box_parts.h"
+
 #include <algorithm>
 #include <vector>
 
@@ -74,13 +76,6 @@ class SignCompletion {
     if (boxes_left_ == 0) return {};
     --boxes_left_;
     return stars_.find(root, box, tree_.region(), mode_, graph_.sign());
-  }
-
-  static Box part_of(const Box& box, std::uint32_t rank) {
-    Box part = box;
-    for (std::size_t i = 0; i < box.dimension; ++i)
-      ((rank >> i & 1U) != 0 ? part.lower : part.upper)[i] = box.center(i);
-    return part;
   }
 
   PoseTree& tree_;

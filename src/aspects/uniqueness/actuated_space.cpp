@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/uniqueness/actuated_space.h"
 
+#include "aspects/tree/box_parts.h"
 #include "aspects/uniqueness/cell_slab.h"
 #include "interval/scalar_range.h"
 
@@ -35,14 +36,6 @@ Box space_of(const StrutSlice& slice) {
     box.upper[i] = std::max(box.lower[i], square_root(Interval(2.0) * Interval(largest)).upper());
   }
   return box;
-}
-
-/// The quarter or eighth of this rank.
-Box part_of(const Box& box, std::uint32_t rank) {
-  Box part = box;
-  for (std::size_t i = 0; i < box.dimension; ++i)
-    ((rank >> i & 1U) != 0 ? part.lower : part.upper)[i] = box.center(i);
-  return part;
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/workspace/usable_leaves.h"
 
+#include "aspects/tree/box_parts.h"
 #include "interval/rounding.h"
 
 #include <algorithm>
@@ -43,19 +44,11 @@ void UsableLeaves::copy(const AspectMap::Contents& map, NodeIndex node, NodeInde
     copy(map, map.tree.first_child(node) + rank, first + rank);
 }
 
-// Children of one box share their corners bit for bit, however the middle is rounded.
-Box UsableLeaves::child_box(const Box& box, NodeIndex rank) const {
-  Box child = box;
-  for (std::size_t i = 0; i < box.dimension; ++i)
-    ((rank >> i & 1U) != 0 ? child.lower[i] : child.upper[i]) = box.center(i);
-  return child;
-}
-
 void UsableLeaves::divide(NodeIndex leaf, const Box& box) {
   const auto first = static_cast<NodeIndex>(leaves_.size());
   leaves_[leaf] = {first, 0, State::divided};
   for (NodeIndex rank = 0; rank < NodeIndex{1} << box.dimension; ++rank)
-    leaves_.push_back({no_node, 0, state_of(classifier_.state(0, child_box(box, rank), mode_))});
+    leaves_.push_back({no_node, 0, state_of(classifier_.state(0, part_of(box, rank), mode_))});
 }
 
 bool UsableLeaves::meets_angles(const Box& box) const {
@@ -123,7 +116,7 @@ void UsableLeaves::look_at(const MapPoint& center, double extent, const Near& ne
   }
   const NodeIndex first = leaves_[near.leaf].first_child;
   for (NodeIndex rank = 0; rank < NodeIndex{1} << near.box.dimension; ++rank)
-    push(center, first + rank, child_box(near.box, rank), room);
+    push(center, first + rank, part_of(near.box, rank), room);
 }
 
 bool UsableLeaves::holds(const MapPoint& center, double size) const {
@@ -136,7 +129,7 @@ bool UsableLeaves::holds(const MapPoint& center, double size, NodeIndex leaf, co
     return true;
   if (at.state != State::divided) return false;
   for (NodeIndex rank = 0; rank < NodeIndex{1} << box.dimension; ++rank)
-    if (!holds(center, size, at.first_child + rank, child_box(box, rank))) return false;
+    if (!holds(center, size, at.first_child + rank, part_of(box, rank))) return false;
   return true;
 }
 
@@ -151,7 +144,7 @@ int UsableLeaves::aspect_of(const MapPoint& center, double size, NodeIndex leaf,
   const NodeIndex nearest = box.rank_of(center);
   for (NodeIndex rank = 0; rank < NodeIndex{1} << box.dimension; ++rank)
     if (const int found =
-            aspect_of(center, size, at.first_child + (rank ^ nearest), child_box(box, rank ^ nearest));
+            aspect_of(center, size, at.first_child + (rank ^ nearest), part_of(box, rank ^ nearest));
         found != 0)
       return found;
   return 0;
@@ -169,7 +162,7 @@ bool UsableLeaves::may_hold(const std::vector<int>& aspects, const Box& position
   if (at.state == State::usable)
     return at.aspect == 0 || std::find(aspects.begin(), aspects.end(), at.aspect) != aspects.end();
   for (NodeIndex rank = 0; rank < NodeIndex{1} << box.dimension; ++rank)
-    if (may_hold(aspects, positions, at.first_child + rank, child_box(box, rank))) return true;
+    if (may_hold(aspects, positions, at.first_child + rank, part_of(box, rank))) return true;
   return false;
 }
 

@@ -72,7 +72,6 @@ class UsableLeaves {
   void copy(const AspectMap::Contents& map, NodeIndex node, NodeIndex leaf);
   void divide(NodeIndex leaf, const Box& box);
   State state_of(LeafState state) const;
-  Box child_box(const Box& box, NodeIndex rank) const;
   bool meets_angles(const Box& box) const;
   bool meets(const Box& positions, const Box& box) const;
   void push(const MapPoint& center, NodeIndex leaf, const Box& box, ShapeRoom& room);
