@@ -105,7 +105,7 @@ struct ComponentPolicy {
 
   /// Levels below a leaf to which its parts are looked into, and how many parts are.
   std::uint32_t levels_of_stars = 14;
-  std::size_t max_parts_for_stars = 3000;
+  std::size_t max_parts_for_stars = 30000;
 
   /// Of the edges of a leaf: where boxes begin to grow about a pose that no climb leads from.
   double smallest_rise = 0x1p-14;

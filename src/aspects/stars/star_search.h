@@ -44,7 +44,7 @@ class StarSearch {
   /// Whether conditions take |B_jj| of legs that have no slope in the box.
   bool lacks_levels() { return Survey(here_, types_, coordinates_, signs_, sign_).lacks_levels(); }
 
-  Stars find(int halvings = max_halvings) {
+  Stars find(int halvings = max_halvings, int cuts = max_cuts) {
     const Survey survey(here_, types_, coordinates_, signs_, sign_);
     if (survey.fails()) return Stars::none();
     const CommonPoint common = survey.common_point();
@@ -53,7 +53,7 @@ class StarSearch {
       const Stars found = find_within(reach);
       if (found.is_known) return found;
     }
-    return halvings > 0 ? find_in_halves(halvings - 1) : Stars();
+    return halvings > 0 && cuts > 0 ? find_in_halves(halvings - 1, cuts - 1) : Stars();
   }
 
  private:
@@ -61,8 +61,9 @@ class StarSearch {
   const Box& box() const { return here_.at().box; }
 
   /// By heights: the boundary is curved by these most, where they are like the root of the edge of a small
-  /// box.
-  Stars find_in_halves(int halvings) {
+  /// box. Where det A falls with a height, the set may be in a small share of that range alone: upper halves
+  /// that are empty are cut off, beside the halvings of what is not.
+  Stars find_in_halves(int halvings, int cuts) {
     if constexpr (Levels > 0) {
       const Coordinates all = coordinates_;
       std::size_t level = 0;
@@ -70,11 +71,11 @@ class StarSearch {
         if (all.highest[i] - all.lowest[i] > all.highest[level] - all.lowest[level]) level = i;
       const double middle = 0.5 * (all.lowest[level] + all.highest[level]);
       coordinates_.lowest[level] = middle;
-      const Stars upper = find(halvings);
+      const Stars upper = find(halvings, cuts);
       coordinates_ = all;
       if (!upper.is_known) return upper;
       coordinates_.highest[level] = middle;
-      const Stars lower = find(halvings);
+      const Stars lower = find(upper.count == 0 ? halvings + 1 : halvings, cuts);
       coordinates_ = all;
       return upper.with(lower);
     }
@@ -233,7 +234,7 @@ class StarSearch {
 
   static constexpr double share_of_reserve = 0.15;
   static constexpr int newton_steps = 4;
-  static constexpr int max_halvings = Levels == 0 ? 0 : 4;
+  static constexpr int max_halvings = Levels == 0 ? 0 : 4, max_cuts = 16;
 
   const Forms& here_;
   const Box& region_;
