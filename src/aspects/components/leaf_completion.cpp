@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/components/leaf_completion.h"
 
+#include "aspects/components/witness_groups.h"
 #include "aspects/tree/box_parts.h"
 
-#include <algorithm>
+#include <optional>
 #include <vector>
 
 namespace parallel_aspects {
@@ -30,8 +31,7 @@ class SignCompletion {
       if (node == no_node) continue;
       poses_.clear();
       parts_left_ = policy_.max_parts_for_stars;
-      if (look_into(tree_.place(node).root, tree_.box(node), policy_.levels_of_stars))
-        if (!graph_.take_in_witnesses(tree_, classifier_, node, poses_)) take_in_risen(node);
+      if (look_into(tree_.place(node).root, tree_.box(node), policy_.levels_of_stars)) settle(node);
     }
     graph_.settle_faces(tree_, classifier_);
   }
@@ -52,23 +52,12 @@ class SignCompletion {
     return true;
   }
 
-  /// Whether the leaf is whole, tried again from poses that stars of growing boxes about them lead to: out of
-  /// thin wedges, where a climb finds no way.
-  bool take_in_risen(NodeIndex node) {
-    for (MapPoint& pose : poses_) rise(tree_.place(node).root, tree_.box(node), pose);
-    return graph_.take_in_witnesses(tree_, classifier_, node, poses_);
-  }
-
-  void rise(RootIndex root, const Box& leaf, MapPoint& pose) {
-    for (double share = policy_.smallest_rise; share <= 1.0; share *= 2.0) {
-      Box box = leaf;
-      for (std::size_t i = 0; i < leaf.dimension; ++i) {
-        box.lower[i] = std::max(tree_.region().lower[i], pose[i] - 0.5 * share * leaf.width(i));
-        box.upper[i] = std::min(tree_.region().upper[i], pose[i] + 0.5 * share * leaf.width(i));
-      }
-      const Stars stars = find(root, box);
-      if (stars.is_known && stars.count == 1) pose = stars.poses[0];
-    }
+  /// Of a leaf all of which is connected with the poses.
+  void settle(NodeIndex node) {
+    if (poses_.empty()) return graph_.take_in_emptiness(tree_, node);
+    const WitnessGroups::Proofs proofs{tree_, classifier_, stars_, mode_, graph_, policy_};
+    const std::optional<NodeIndex> leaf = WitnessGroups(proofs, node, poses_).common_leaf();
+    if (leaf) graph_.take_in_whole(tree_, node, *leaf);
   }
 
   // Nothing is known where too many were looked for.

@@ -3,7 +3,6 @@
 
 #include "aspects/batches/box_requests.h"
 #include "aspects/boxes/part_proof.h"
-#include "aspects/boxes/segment_proof.h"
 #include "aspects/components/climb.h"
 
 #include <algorithm>
@@ -14,8 +13,6 @@ namespace {
 
 // As many as the widest vectors have lanes.
 constexpr std::size_t faces_at_once = 8;
-
-constexpr int halvings_between_witnesses = 4;
 
 }  // namespace
 
@@ -229,8 +226,6 @@ void SignGraph::climb(const PoseTree& tree, const BoxClassifier& classifier, Nod
   if (reached != no_node) unite(slot(leaf), slot(reached));
 }
 
-/// A leaf of a component but `except` that a climb from a pose of the set comes to; `no_node` where it comes
-/// to none.
 NodeIndex SignGraph::component_leaf_above(const PoseTree& tree, const BoxClassifier& classifier,
                                           const MapPosition& position, std::uint32_t except) {
   Climb climb(classifier, tree.space(), mode_, sign_, position, policy_.climb);
@@ -242,25 +237,17 @@ NodeIndex SignGraph::component_leaf_above(const PoseTree& tree, const BoxClassif
   return no_node;
 }
 
-bool SignGraph::take_in_witnesses(PoseTree& tree, const BoxClassifier& classifier, NodeIndex node,
-                                  const std::vector<MapPoint>& poses) {
-  NodeIndex first = no_node;
-  const RootIndex root = tree.place(node).root;
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    // Most lie close to the one before; to see that they are joined with it takes less than a climb.
-    if (i > 0 && segment_is_free(classifier, tree.dimension(), mode_, sign_, {root, poses[i]}, poses[i - 1],
-                                 halvings_between_witnesses))
-      continue;
-    const NodeIndex leaf = component_leaf_above(tree, classifier, {root, poses[i]}, none);
-    if (leaf == no_node && poses.size() > 1) return false;
-    if (first == no_node) first = leaf;
-    if (leaf != no_node && component(leaf) != component(first)) return false;
-  }
+void SignGraph::take_in_emptiness(PoseTree& tree, NodeIndex node) {
   LeafState& state = tree.state(node, mode_);
-  state = poses.empty() ? state.without(sign_) : state.with_whole(sign_);
+  state = state.without(sign_);
   take_in_proof(tree, node);
-  if (first != no_node) unite(slot(node), slot(first));
-  return true;
+}
+
+void SignGraph::take_in_whole(PoseTree& tree, NodeIndex node, NodeIndex component_leaf) {
+  LeafState& state = tree.state(node, mode_);
+  state = state.with_whole(sign_);
+  take_in_proof(tree, node);
+  if (component_leaf != no_node) unite(slot(node), slot(component_leaf));
 }
 
 void SignGraph::drop(PoseTree& tree, NodeIndex node) {

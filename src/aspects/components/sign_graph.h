@@ -147,11 +147,17 @@ class SignGraph {
   /// After more was proved of an indeterminate leaf.
   void take_in_proof(const PoseTree& tree, NodeIndex node);
 
-  /// After all that an indeterminate leaf has of the set was proved to be connected with some of these poses
-  /// of the set each, with none of them if it has nothing. Whether that makes the leaf whole: where it does
-  /// not, the poses are not known to lie in one component. Needs a live `RoundingUpward`.
-  bool take_in_witnesses(PoseTree& tree, const BoxClassifier& classifier, NodeIndex node,
-                         const std::vector<MapPoint>& poses);
+  /// After an indeterminate leaf was proved to have nothing of the set.
+  void take_in_emptiness(PoseTree& tree, NodeIndex node);
+
+  /// After all that an indeterminate leaf has of the set was proved to be connected, with the component of
+  /// this leaf unless it is `no_node`.
+  void take_in_whole(PoseTree& tree, NodeIndex node, NodeIndex component_leaf);
+
+  /// A leaf of a component but `except` that a climb from a pose of the set comes to; `no_node` where it
+  /// comes to none. Needs a live `RoundingUpward`.
+  NodeIndex component_leaf_above(const PoseTree& tree, const BoxClassifier& classifier,
+                                 const MapPosition& position, std::uint32_t except = none);
 
   bool is_in_component(NodeIndex node) const noexcept { return slot(node).is_member(); }
 
@@ -193,8 +199,6 @@ class SignGraph {
     return !holds_nothing(a) && !holds_nothing(b) && component(a) != component(b);
   }
 
-  NodeIndex component_leaf_above(const PoseTree& tree, const BoxClassifier& classifier,
-                                 const MapPosition& position, std::uint32_t except);
   void replace_whole(PoseTree& tree, LeafSlot leaf, const std::vector<NodeIndex>& children);
   void forget_neighbour(LeafSlot leaf, LeafSlot old_neighbour);
   void start_from_components(Meeting& meeting, std::vector<std::uint32_t>& queue);

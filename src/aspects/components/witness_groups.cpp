@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "aspects/components/witness_groups.h"
+
+#include "aspects/boxes/segment_proof.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace parallel_aspects {
+namespace {
+
+constexpr int halvings_between_poses = 4;
+
+// Numbers found by trial.
+constexpr std::size_t climbs_of_a_group = 8, nearest_tried = 8;
+constexpr double wider = 0.1;  // of a box of two poses, for a star
+
+}  // namespace
+
+WitnessGroups::WitnessGroups(const Proofs& proofs, NodeIndex node, std::vector<MapPoint> poses)
+    : proofs_(proofs),
+      leaf_(proofs.tree.box(node)),
+      root_(proofs.tree.place(node).root),
+      poses_(std::move(poses)),
+      groups_(poses_.size()),
+      leaves_(poses_.size(), no_node) {}
+
+std::optional<NodeIndex> WitnessGroups::common_leaf() {
+  join_along_segments();
+  for (const auto& step :
+       {&WitnessGroups::climb_from_groups, &WitnessGroups::join_by_stars, &WitnessGroups::rise_from_groups}) {
+    (this->*step)();
+    if (contradicts()) return std::nullopt;
+    if (const auto leaf = agreed_leaf()) return leaf;
+  }
+  return std::nullopt;
+}
+
+/// Most poses lie close to the one before; to see that they are joined with it takes less than a climb.
+void WitnessGroups::join_along_segments() {
+  for (std::size_t i = 1; i < poses_.size(); ++i)
+    if (segment_is_free(proofs_.classifier, leaf_.dimension, proofs_.mode, proofs_.graph.sign(),
+                        {root_, poses_[i]}, poses_[i - 1], halvings_between_poses))
+      unite(i, i - 1);
+}
+
+void WitnessGroups::climb_from_groups() {
+  std::vector<std::size_t> climbs(poses_.size(), 0);
+  for (std::size_t i = 0; i < poses_.size(); ++i) {
+    const std::size_t group = groups_.find(static_cast<std::uint32_t>(i));
+    if (leaves_[group] == no_node && climbs[group]++ < climbs_of_a_group) climb(i);
+  }
+}
+
+void WitnessGroups::climb(std::size_t i) {
+  leaf_of(i) = proofs_.graph.component_leaf_above(proofs_.tree, proofs_.classifier, {root_, poses_[i]});
+}
+
+/// In a thin wedge poses of neighbouring parts see each other in the coordinates of a star, where no straight
+/// segment is free.
+void WitnessGroups::join_by_stars() {
+  for (bool again = true; again;) {
+    again = false;
+    for (std::size_t i = 0; i < poses_.size(); ++i)
+      if (leaf_of(i) == no_node) again = join_by_stars(i) || again;
+  }
+}
+
+bool WitnessGroups::join_by_stars(std::size_t i) {
+  for (const std::size_t other : nearest_of_others(i)) {
+    if (!share_star(poses_[i], poses_[other])) continue;
+    unite(i, other);
+    return true;
+  }
+  return false;
+}
+
+std::vector<std::size_t> WitnessGroups::nearest_of_others(std::size_t i) {
+  std::vector<std::pair<double, std::size_t>> others;
+  const std::uint32_t own = groups_.find(static_cast<std::uint32_t>(i));
+  for (std::uint32_t k = 0; k < poses_.size(); ++k)
+    if (groups_.find(k) != own) others.emplace_back(squared_distance(poses_[i], poses_[k]), k);
+  const std::size_t count = std::min(nearest_tried, others.size());
+  std::partial_sort(others.begin(), others.begin() + static_cast<std::ptrdiff_t>(count), others.end());
+  std::vector<std::size_t> result;
+  for (std::size_t k = 0; k < count; ++k) result.push_back(others[k].second);
+  return result;
+}
+
+double WitnessGroups::squared_distance(const MapPoint& a, const MapPoint& b) const {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < leaf_.dimension; ++i) {
+    const double share = (a[i] - b[i]) / leaf_.width(i);
+    sum += share * share;
+  }
+  return sum;
+}
+
+/// All that a box has of the set being connected with one pose, so are two poses of the set in it.
+bool WitnessGroups::share_star(const MapPoint& a, const MapPoint& b) const {
+  const Stars stars = proofs_.stars.find(root_, grown(a, b, wider), proofs_.tree.region(), proofs_.mode,
+                                         proofs_.graph.sign());
+  return stars.is_known && stars.count == 1;
+}
+
+/// A box that holds both, and more by this share of it and `smallest_rise` of the leaf.
+Box WitnessGroups::grown(const MapPoint& a, const MapPoint& b, double share) const {
+  const Box& region = proofs_.tree.region();
+  Box box = leaf_;
+  for (std::size_t i = 0; i < leaf_.dimension; ++i) {
+    const auto [least, most] = std::minmax(a[i], b[i]);
+    const double more = share * (most - least) + proofs_.policy.smallest_rise * leaf_.width(i);
+    box.lower[i] = std::max(region.lower[i], least - more);
+    box.upper[i] = std::min(region.upper[i], most + more);
+  }
+  return box;
+}
+
+/// Climbs again from where stars of growing boxes lead to: out of wedges in which a climb finds no way.
+void WitnessGroups::rise_from_groups() {
+  for (std::size_t i = 0; i < poses_.size(); ++i) {
+    if (leaf_of(i) != no_node) continue;
+    poses_[i] = risen(poses_[i]);
+    climb(i);
+  }
+}
+
+MapPoint WitnessGroups::risen(MapPoint pose) const {
+  const Box& region = proofs_.tree.region();
+  for (double share = proofs_.policy.smallest_rise; share <= 1.0; share *= 2.0) {
+    Box box = leaf_;
+    for (std::size_t i = 0; i < leaf_.dimension; ++i) {
+      box.lower[i] = std::max(region.lower[i], pose[i] - 0.5 * share * leaf_.width(i));
+      box.upper[i] = std::min(region.upper[i], pose[i] + 0.5 * share * leaf_.width(i));
+    }
+    const Stars stars = proofs_.stars.find(root_, box, region, proofs_.mode, proofs_.graph.sign());
+    if (stars.is_known && stars.count == 1) pose = stars.poses[0];
+  }
+  return pose;
+}
+
+void WitnessGroups::unite(std::size_t a, std::size_t b) {
+  const NodeIndex leaf = leaf_of(a) != no_node ? leaf_of(a) : leaf_of(b);
+  groups_.unite(static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b));
+  leaf_of(a) = leaf;
+}
+
+/// Whether two groups lie in components that are not known to be one.
+bool WitnessGroups::contradicts() {
+  NodeIndex first = no_node;
+  for (std::size_t i = 0; i < poses_.size(); ++i) {
+    const NodeIndex leaf = leaf_of(i);
+    if (leaf == no_node) continue;
+    if (first == no_node) first = leaf;
+    if (proofs_.graph.component(leaf) != proofs_.graph.component(first)) return true;
+  }
+  return false;
+}
+
+/// Of groups that do not contradict.
+std::optional<NodeIndex> WitnessGroups::agreed_leaf() {
+  std::size_t groups = 0, without_leaf = 0;
+  NodeIndex leaf = no_node;
+  for (std::size_t i = 0; i < poses_.size(); ++i) {
+    if (!is_group(i)) continue;
+    ++groups;
+    without_leaf += leaves_[i] == no_node;
+    if (leaves_[i] != no_node) leaf = leaves_[i];
+  }
+  if (without_leaf == 0 || groups == 1) return leaf;
+  return std::nullopt;
+}
+
+}  // namespace parallel_aspects

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASPECTS_COMPONENTS_WITNESS_GROUPS_H
+#define PARALLEL_ASPECTS_ASPECTS_COMPONENTS_WITNESS_GROUPS_H
+
+#include "aspects/boxes/box_classifier.h"
+#include "aspects/components/disjoint_sets.h"
+#include "aspects/components/sign_graph.h"
+#include "aspects/stars/star_finder.h"
+#include "aspects/tree/pose_tree.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace parallel_aspects {
+
+/// Joins poses of S(mode, sign) in and about one leaf to groups, each proved connected, and looks for the
+/// component that each group is in. Needs a live `RoundingUpward`.
+class WitnessGroups {
+ public:
+  /// What is asked for proofs; all must outlive this.
+  struct Proofs {
+    const PoseTree& tree;
+    const BoxClassifier& classifier;
+    const StarFinder& stars;
+    std::size_t mode;
+    SignGraph& graph;
+    const ComponentPolicy& policy;
+  };
+
+  /// `poses`: proved to be in the set, in the root box of the leaf `node`.
+  WitnessGroups(const Proofs& proofs, NodeIndex node, std::vector<MapPoint> poses);
+
+  /// A leaf of the component that all poses are in; `no_node` where they are one group that leads to none.
+  /// Nothing where they are not proved to be connected.
+  std::optional<NodeIndex> common_leaf();
+
+ private:
+  void join_along_segments();
+  void climb_from_groups();
+  void join_by_stars();
+  bool join_by_stars(std::size_t i);
+  void rise_from_groups();
+  MapPoint risen(MapPoint pose) const;
+  void climb(std::size_t i);
+  bool share_star(const MapPoint& a, const MapPoint& b) const;
+  double squared_distance(const MapPoint& a, const MapPoint& b) const;
+  std::vector<std::size_t> nearest_of_others(std::size_t i);
+  Box grown(const MapPoint& a, const MapPoint& b, double share) const;
+  void unite(std::size_t a, std::size_t b);
+  NodeIndex& leaf_of(std::size_t i) { return leaves_[groups_.find(static_cast<std::uint32_t>(i))]; }
+  bool is_group(std::size_t i) { return groups_.find(static_cast<std::uint32_t>(i)) == i; }
+  std::optional<NodeIndex> agreed_leaf();
+  bool contradicts();
+
+  const Proofs& proofs_;
+  Box leaf_;
+  RootIndex root_;
+  std::vector<MapPoint> poses_;
+  DisjointSets groups_;            // of the poses
+  std::vector<NodeIndex> leaves_;  // of a component, by group; `no_node` for none
+};
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ASPECTS_COMPONENTS_WITNESS_GROUPS_H
