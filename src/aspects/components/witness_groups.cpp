@@ -21,6 +21,7 @@ WitnessGroups::WitnessGroups(const Proofs& proofs, NodeIndex node, std::vector<M
     : proofs_(proofs),
       leaf_(proofs.tree.box(node)),
       root_(proofs.tree.place(node).root),
+      asked_(poses.size()),
       poses_(std::move(poses)),
       groups_(poses_.size()),
       leaves_(poses_.size(), no_node) {}
@@ -48,12 +49,8 @@ void WitnessGroups::climb_from_groups() {
   std::vector<std::size_t> climbs(poses_.size(), 0);
   for (std::size_t i = 0; i < poses_.size(); ++i) {
     const std::size_t group = groups_.find(static_cast<std::uint32_t>(i));
-    if (leaves_[group] == no_node && climbs[group]++ < climbs_of_a_group) climb(i);
+    if (leaves_[group] == no_node && climbs[group]++ < climbs_of_a_group) leaf_of(i) = leaf_above(poses_[i]);
   }
-}
-
-void WitnessGroups::climb(std::size_t i) {
-  leaf_of(i) = proofs_.graph.component_leaf_above(proofs_.tree, proofs_.classifier, {root_, poses_[i]});
 }
 
 /// In a thin wedge poses of neighbouring parts see each other in the coordinates of a star, where no straight
@@ -98,45 +95,80 @@ double WitnessGroups::squared_distance(const MapPoint& a, const MapPoint& b) con
 
 /// All that a box has of the set being connected with one pose, so are two poses of the set in it.
 bool WitnessGroups::share_star(const MapPoint& a, const MapPoint& b) const {
-  const Stars stars = proofs_.stars.find(root_, grown(a, b, wider), proofs_.tree.region(), proofs_.mode,
-                                         proofs_.graph.sign());
-  return stars.is_known && stars.count == 1;
-}
-
-/// A box that holds both, and more by this share of it and `smallest_rise` of the leaf.
-Box WitnessGroups::grown(const MapPoint& a, const MapPoint& b, double share) const {
-  const Box& region = proofs_.tree.region();
   Box box = leaf_;
   for (std::size_t i = 0; i < leaf_.dimension; ++i) {
     const auto [least, most] = std::minmax(a[i], b[i]);
-    const double more = share * (most - least) + proofs_.policy.smallest_rise * leaf_.width(i);
-    box.lower[i] = std::max(region.lower[i], least - more);
-    box.upper[i] = std::min(region.upper[i], most + more);
+    const double more = wider * (most - least) + proofs_.policy.smallest_rise * leaf_.width(i);
+    box.lower[i] = least - more;
+    box.upper[i] = most + more;
+  }
+  const Stars stars = find_stars(box);
+  return stars.is_known && stars.count == 1;
+}
+
+/// Out of wedges in which a climb finds no way: by stars of growing boxes about a pose.
+void WitnessGroups::rise_from_groups() {
+  for (std::size_t i = 0; i < asked_; ++i)
+    if (leaf_of(i) == no_node) rise(i);
+  join_by_stars();
+  for (const Branch& branch : branches_)
+    if (leaf_of(branch.from) == no_node) leaf_of(branch.from) = common_leaf(branch);
+}
+
+void WitnessGroups::rise(std::size_t i) {
+  for (double share = proofs_.policy.smallest_rise; share <= 1.0; share *= 2.0) {
+    const Stars stars = find_stars(about(poses_[i], share));
+    if (!stars.is_known) continue;
+    if (stars.count == 1) {
+      poses_[i] = stars.poses[0];
+    } else {
+      branch_out(i, stars);
+    }
+  }
+  leaf_of(i) = leaf_above(poses_[i]);
+}
+
+/// A pose is connected with one of several, so that it is where all of them are.
+void WitnessGroups::branch_out(std::size_t i, const Stars& stars) {
+  branches_.push_back({i, poses_.size(), stars.count});
+  for (std::size_t k = 0; k < stars.count; ++k) {
+    poses_.push_back(stars.poses[k]);
+    groups_.add();
+    leaves_.push_back(leaf_above(stars.poses[k]));
+  }
+}
+
+/// Of all poses that a branch leads to.
+NodeIndex WitnessGroups::common_leaf(const Branch& branch) {
+  const NodeIndex first = leaf_of(branch.first);
+  for (std::size_t k = branch.first; k < branch.first + branch.count; ++k)
+    if (leaf_of(k) == no_node || proofs_.graph.component(leaf_of(k)) != proofs_.graph.component(first))
+      return no_node;
+  return first;
+}
+
+NodeIndex WitnessGroups::leaf_above(const MapPoint& pose) {
+  return proofs_.graph.component_leaf_above(proofs_.tree, proofs_.classifier, {root_, pose});
+}
+
+/// A box with edges of this share of the leaf's.
+Box WitnessGroups::about(const MapPoint& pose, double share) const {
+  Box box = leaf_;
+  for (std::size_t i = 0; i < leaf_.dimension; ++i) {
+    box.lower[i] = pose[i] - 0.5 * share * leaf_.width(i);
+    box.upper[i] = pose[i] + 0.5 * share * leaf_.width(i);
   }
   return box;
 }
 
-/// Climbs again from where stars of growing boxes lead to: out of wedges in which a climb finds no way.
-void WitnessGroups::rise_from_groups() {
-  for (std::size_t i = 0; i < poses_.size(); ++i) {
-    if (leaf_of(i) != no_node) continue;
-    poses_[i] = risen(poses_[i]);
-    climb(i);
-  }
-}
-
-MapPoint WitnessGroups::risen(MapPoint pose) const {
+/// In what the region holds of a box.
+Stars WitnessGroups::find_stars(Box box) const {
   const Box& region = proofs_.tree.region();
-  for (double share = proofs_.policy.smallest_rise; share <= 1.0; share *= 2.0) {
-    Box box = leaf_;
-    for (std::size_t i = 0; i < leaf_.dimension; ++i) {
-      box.lower[i] = std::max(region.lower[i], pose[i] - 0.5 * share * leaf_.width(i));
-      box.upper[i] = std::min(region.upper[i], pose[i] + 0.5 * share * leaf_.width(i));
-    }
-    const Stars stars = proofs_.stars.find(root_, box, region, proofs_.mode, proofs_.graph.sign());
-    if (stars.is_known && stars.count == 1) pose = stars.poses[0];
+  for (std::size_t i = 0; i < box.dimension; ++i) {
+    box.lower[i] = std::max(region.lower[i], box.lower[i]);
+    box.upper[i] = std::min(region.upper[i], box.upper[i]);
   }
-  return pose;
+  return proofs_.stars.find(root_, box, region, proofs_.mode, proofs_.graph.sign());
 }
 
 void WitnessGroups::unite(std::size_t a, std::size_t b) {
@@ -148,7 +180,7 @@ void WitnessGroups::unite(std::size_t a, std::size_t b) {
 /// Whether two groups lie in components that are not known to be one.
 bool WitnessGroups::contradicts() {
   NodeIndex first = no_node;
-  for (std::size_t i = 0; i < poses_.size(); ++i) {
+  for (std::size_t i = 0; i < asked_; ++i) {
     const NodeIndex leaf = leaf_of(i);
     if (leaf == no_node) continue;
     if (first == no_node) first = leaf;
@@ -161,7 +193,7 @@ bool WitnessGroups::contradicts() {
 std::optional<NodeIndex> WitnessGroups::agreed_leaf() {
   std::size_t groups = 0, without_leaf = 0;
   NodeIndex leaf = no_node;
-  for (std::size_t i = 0; i < poses_.size(); ++i) {
+  for (std::size_t i = 0; i < asked_; ++i) {
     if (!is_group(i)) continue;
     ++groups;
     without_leaf += leaves_[i] == no_node;

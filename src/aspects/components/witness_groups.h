@@ -37,17 +37,25 @@ class WitnessGroups {
   std::optional<NodeIndex> common_leaf();
 
  private:
+  /// A pose, and the range of those of which it is connected with one.
+  struct Branch {
+    std::size_t from, first, count;
+  };
+
   void join_along_segments();
   void climb_from_groups();
   void join_by_stars();
   bool join_by_stars(std::size_t i);
   void rise_from_groups();
-  MapPoint risen(MapPoint pose) const;
-  void climb(std::size_t i);
+  void rise(std::size_t i);
+  NodeIndex leaf_above(const MapPoint& pose);
+  void branch_out(std::size_t i, const Stars& stars);
+  NodeIndex common_leaf(const Branch& branch);
   bool share_star(const MapPoint& a, const MapPoint& b) const;
   double squared_distance(const MapPoint& a, const MapPoint& b) const;
   std::vector<std::size_t> nearest_of_others(std::size_t i);
-  Box grown(const MapPoint& a, const MapPoint& b, double share) const;
+  Box about(const MapPoint& pose, double share) const;
+  Stars find_stars(Box box) const;
   void unite(std::size_t a, std::size_t b);
   NodeIndex& leaf_of(std::size_t i) { return leaves_[groups_.find(static_cast<std::uint32_t>(i))]; }
   bool is_group(std::size_t i) { return groups_.find(static_cast<std::uint32_t>(i)) == i; }
@@ -57,8 +65,10 @@ class WitnessGroups {
   const Proofs& proofs_;
   Box leaf_;
   RootIndex root_;
+  std::size_t asked_;  // of the poses; those after them are of branches
   std::vector<MapPoint> poses_;
-  DisjointSets groups_;            // of the poses
+  DisjointSets groups_;  // of the poses
+  std::vector<Branch> branches_;
   std::vector<NodeIndex> leaves_;  // of a component, by group; `no_node` for none
 };
 
