@@ -32,9 +32,9 @@ std::optional<NodeIndex> WitnessGroups::common_leaf() {
        {&WitnessGroups::climb_from_groups, &WitnessGroups::join_by_stars, &WitnessGroups::rise_from_groups}) {
     (this->*step)();
     if (contradicts()) return std::nullopt;
-    if (const auto leaf = agreed_leaf()) return leaf;
+    if (const NodeIndex leaf = leaf_of_all(); leaf != no_node) return leaf;
   }
-  return std::nullopt;
+  return is_one_group() ? std::optional<NodeIndex>(no_node) : std::nullopt;
 }
 
 /// Most poses lie close to the one before; to see that they are joined with it takes less than a climb.
@@ -189,18 +189,17 @@ bool WitnessGroups::contradicts() {
   return false;
 }
 
-/// Of groups that do not contradict.
-std::optional<NodeIndex> WitnessGroups::agreed_leaf() {
-  std::size_t groups = 0, without_leaf = 0;
-  NodeIndex leaf = no_node;
-  for (std::size_t i = 0; i < asked_; ++i) {
-    if (!is_group(i)) continue;
-    ++groups;
-    without_leaf += leaves_[i] == no_node;
-    if (leaves_[i] != no_node) leaf = leaves_[i];
-  }
-  if (without_leaf == 0 || groups == 1) return leaf;
-  return std::nullopt;
+/// Of groups that do not contradict; `no_node` where not all have one.
+NodeIndex WitnessGroups::leaf_of_all() {
+  for (std::size_t i = 0; i < asked_; ++i)
+    if (leaf_of(i) == no_node) return no_node;
+  return leaf_of(0);
+}
+
+bool WitnessGroups::is_one_group() {
+  for (std::uint32_t i = 0; i < asked_; ++i)
+    if (groups_.find(i) != 0) return false;
+  return true;
 }
 
 }  // namespace parallel_aspects

@@ -29,7 +29,7 @@ class WitnessGroups {
     const ComponentPolicy& policy;
   };
 
-  /// `poses`: proved to be in the set, in the root box of the leaf `node`.
+  /// `poses`: proved to be in the set, in the root box of the leaf `node`; one at least.
   WitnessGroups(const Proofs& proofs, NodeIndex node, std::vector<MapPoint> poses);
 
   /// A leaf of the component that all poses are in; `no_node` where they are one group that leads to none.
@@ -58,8 +58,8 @@ class WitnessGroups {
   Stars find_stars(Box box) const;
   void unite(std::size_t a, std::size_t b);
   NodeIndex& leaf_of(std::size_t i) { return leaves_[groups_.find(static_cast<std::uint32_t>(i))]; }
-  bool is_group(std::size_t i) { return groups_.find(static_cast<std::uint32_t>(i)) == i; }
-  std::optional<NodeIndex> agreed_leaf();
+  NodeIndex leaf_of_all();
+  bool is_one_group();
   bool contradicts();
 
   const Proofs& proofs_;

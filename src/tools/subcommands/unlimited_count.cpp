@@ -71,6 +71,7 @@ void add_count_without_limits(const AspectMap& map, MapOptions options, const Su
   const ConstraintKinds limits = limits_of_joints(manipulator);
   if (limits.none() || !is_cheap(map)) return;
   options.region = searched_positions(map);
+  options.complete = false;
   const auto free = manipulator.with_constraints(manipulator.constraint_kinds() & ~limits);
   const auto result = completed(
       surroundings, [&](const MapControl& control) { return compute_aspect_map(free, options, control); });
