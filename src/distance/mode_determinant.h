@@ -3,12 +3,12 @@
 #define PARALLEL_ASPECTS_DISTANCE_MODE_DETERMINANT_H
 
 #include "distance/cell.h"
+#include "distance/cubic_form.h"
 #include "distance/local_chart.h"
 #include "distance/quadratic_form.h"
+#include "distance/regular_ball.h"
 #include "legs/determinant.h"
 #include "parallel_aspects/kinematics/working_mode.h"
-
-#include <Eigen/Dense>
 
 #include <array>
 #include <cstddef>
@@ -198,13 +198,27 @@ class ModeDeterminant {
   /// Encloses det A wherever |y| <= radius and every leg reaches.
   BallForm in_ball(double radius) const noexcept { return determinant_of(rows_in_ball(radius)); }
 
-  /// A radius, up to the given one, within which det A is proved to have one sign wherever every leg reaches;
-  /// 0 for none. With C an approximate inverse of A at the origin it is det (A C) that is enclosed: near the
-  /// identity little is left that has to cancel. At the origin it is enclosed, too, so that the sign is that
-  /// of det A there.
-  double radius_of_sign(double radius) const noexcept {
-    const double share = determinant_of(times_inverse_at_origin(rows_in_ball(radius))).positive_share();
-    return -(-share * radius);
+  struct RegularRadius {
+    double proved;  ///< up to that of the ball: A is regular within it wherever every leg reaches; 0 for none
+    double expected;  ///< of a ball that is expected to be proved as a whole
+  };
+  /// From an enclosure over the ball |y| <= radius.
+  RegularRadius regular_radius(double radius) const noexcept {
+    static_assert(size == 6);
+    using Form = CubicForm<size>;
+    std::array<LegRows<Form, size>, size> legs;
+    chart_.find_rows(ball<Form>(radius), legs);
+    RowsInBall rows;
+    for (std::size_t j = 0; j < size; ++j) {
+      rows.along[j] = legs[j].turned;
+      rows.rows[j] = legs[j].fixed;
+      if (!branches_[j]) continue;
+      const RootInBall<Form> entry = root_in_ball(legs[j].squared_entry);
+      rows.rows[j] = row(j, legs[j], entry.middle);
+      rows.gaps[j] = entry.gap;
+    }
+    const RegularBall regular(rows);
+    return {-(-regular.proved_share() * radius), regular.expected_share() * radius};
   }
 
   /// Cells are boxes of coordinates whose first axis points to `y`, by a reflection.
@@ -257,12 +271,17 @@ class ModeDeterminant {
   }
 
  private:
+  template <class Form>
+  static std::array<Form, size> ball(double radius) noexcept {
+    std::array<Form, size> coordinates;
+    for (std::size_t i = 0; i < size; ++i) coordinates[i] = Form::coordinate(0.0, radius, i);
+    return coordinates;
+  }
+
   // Of A, wherever |y| <= radius and every leg reaches.
   SquareRows<BallForm, size> rows_in_ball(double radius) const noexcept {
-    std::array<BallForm, size> coordinates;
-    for (std::size_t i = 0; i < size; ++i) coordinates[i] = BallForm::coordinate(0.0, radius, i);
     std::array<LegRows<BallForm, size>, size> legs;
-    chart_.find_rows(coordinates, legs);
+    chart_.find_rows(ball<BallForm>(radius), legs);
     SquareRows<BallForm, size> rows;
     for (std::size_t j = 0; j < size; ++j) {
       const Interval range = legs[j].squared_entry.range();
@@ -273,35 +292,45 @@ class ModeDeterminant {
     return rows;
   }
 
-  static SquareRows<BallForm, size> times_inverse_at_origin(const SquareRows<BallForm, size>& rows) noexcept {
-    constexpr int order = static_cast<int>(size);
-    Eigen::Matrix<double, order, order> at_origin;
-    for (std::size_t j = 0; j < size; ++j)
-      for (std::size_t k = 0; k < size; ++k)
-        at_origin(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(k)) = rows[j][k].center();
-    const Eigen::Matrix<double, order, order> inverse = at_origin.inverse();
-    SquareRows<BallForm, size> result;
-    for (std::size_t j = 0; j < size; ++j)
-      for (std::size_t k = 0; k < size; ++k)
-        for (std::size_t i = 0; i < size; ++i)
-          result[j][k] +=
-              Interval(inverse(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k))) * rows[j][i];
-    return result;
+  // sqrt(a) is within `gap` of `middle` where a is not negative.
+  template <class Form>
+  struct RootInBall {
+    Form middle;
+    double gap = 0.0;
+  };
+
+  // By a chord where a falls far below the middle of its range, where Taylor's series are long.
+  template <class Form>
+  static RootInBall<Form> root_in_ball(const Form& a) noexcept {
+    const Interval range = a.range();
+    if (range.lower() > least_share_in_ball * range.upper()) return {square_root(a, range.lower()), 0.0};
+    const Chord chord = chord_between(std::max(0.0, range.lower()), std::max(0.0, range.upper()));
+    const double middle = 0.5 * (chord.offset.lower() + chord.offset.upper());
+    return {chord.slope * a + Form(middle),
+            std::max(chord.offset.upper() - middle, middle - chord.offset.lower())};
   }
 
   // sqrt(a) where a is from `least` >= 0 to `most`: with the slope 1 / (l + m) of the chord between l and m,
   // the roots of these, sqrt(a) - slope a is the same at both ends, l m / (l + m), and at most 1 / (4 slope).
-  template <class Form>
-  static Form root_between(const Form& a, double least, double most) noexcept {
+  struct Chord {
+    Interval slope, offset;
+  };
+  static Chord chord_between(double least, double most) noexcept {
     const Interval l = square_root(Interval(least)), m = square_root(Interval(most)), sum = l + m;
-    if (!sum.positive()) return Form(Interval(0.0, m.upper()));
+    if (!sum.positive()) return {Interval(0.0), Interval(0.0, m.upper())};
     const Interval slope(reciprocal(sum).upper());
     const double at_ends = std::min((l - slope * square(l)).lower(), (m - slope * square(m)).lower());
-    return slope * a + Form(Interval(at_ends, (Interval(0.25) * reciprocal(slope)).upper()));
+    return {slope, Interval(at_ends, (Interval(0.25) * reciprocal(slope)).upper())};
+  }
+
+  template <class Form>
+  static Form root_between(const Form& a, double least, double most) noexcept {
+    const Chord chord = chord_between(least, most);
+    return chord.slope * a + Form(chord.offset);
   }
 
   // Below this share of the largest B_jj^2, |B_jj| is enclosed by a chord.
-  static constexpr double least_share = 0.15;
+  static constexpr double least_share = 0.15, least_share_in_ball = 0.3;
 
   static const Affine<size>& linear(const Affine<size>& a) noexcept { return a; }
   static Affine<size> linear(const QuadraticForm<size>& a) noexcept { return a.linear(); }

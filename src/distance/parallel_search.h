@@ -43,7 +43,7 @@ class ParallelSearch {
     look_for_witness(Coordinates<size>{});
     if (size > 3) look_about();
     determinant.point_cells_to(map_.knows() ? Coordinates<size>{} : result_.witness);
-    if (size > 3) prove_ball();
+    if constexpr (size > 3) prove_ball();
     start();
     while (bound() < target() && result_.boxes < max_boxes() && !map_.is_exhausted() && !is_good_enough())
       proceed();
@@ -57,8 +57,10 @@ class ParallelSearch {
   // With a map so many boxes are evaluated for the tolerance, and the others for so many tolerances only.
   static constexpr int few_boxes = 20, coarser = 5;
 
-  // In six degrees of freedom a box takes about as long as `box_cost` of a search over legs.
-  static constexpr int box_cost = 32, balls = 8, least_boxes = 5;
+  // In six degrees of freedom a box takes about as long as `box_cost` of a search over legs, and
+  // a ball as long as `ball_cost` boxes.
+  static constexpr int box_cost = 32, balls = 4, ball_cost = 2, least_boxes = 5;
+  static constexpr double first_ball = 0.9, near_enough = 0.97;
 
   int max_boxes() const noexcept {
     return size > 3 ? std::max(least_boxes, options_.max_boxes / box_cost) : options_.max_boxes;
@@ -81,17 +83,18 @@ class ParallelSearch {
     attempts_ = 0;
   }
 
-  // The largest ball about the origin, or nearly so, in which one enclosure over it or a larger one proves
-  // the sign: those over larger balls are looser, those over smaller ones prove less.
+  // Enclosures over larger balls are looser, those over smaller ones prove less.
   void prove_ball() noexcept {
     proved_radius_ = 0.0;
-    double untried = target();
-    for (int i = 0; i < std::min(balls, max_boxes()); ++i) {
-      const double radius = proved_radius_ > 0.0 ? 0.5 * (proved_radius_ + untried) : 0.5 * untried;
-      ++result_.boxes;
-      const double proved = determinant_->radius_of_sign(radius);
-      if (proved < radius) untried = radius;
-      proved_radius_ = std::max(proved_radius_, proved);
+    double untried = target(), radius = first_ball * untried;
+    for (int i = 0; i < std::min(balls, max_boxes() / ball_cost); ++i) {
+      if (proved_radius_ > near_enough * untried) return;
+      result_.boxes += ball_cost;
+      const auto found = determinant_->regular_radius(radius);
+      if (found.proved < radius) untried = radius;
+      proved_radius_ = std::max(proved_radius_, found.proved);
+      const double gap = untried - proved_radius_;
+      radius = std::max(proved_radius_ + 0.15 * gap, std::min(found.expected, untried - 0.15 * gap));
     }
   }
 

@@ -57,19 +57,6 @@ class QuadraticForm {
     return Interval(center_) + bend_range() + Interval(-spread, spread);
   }
 
-  /// The largest share s of the ball, or nearly so, such that the value is proved positive where |e| <= s; 0
-  /// for none. What is left over the ball, `error`, is no less in a smaller one.
-  double positive_share() const noexcept {
-    static_assert(domain == FormDomain::ball);
-    const double least = -(error_ - center_), slope = slopes();
-    const double bend = std::max(0.0, -bend_range().lower());
-    if (!(least > 0.0)) return 0.0;
-    // least - slope s - bend s^2 vanishes there.
-    const double root = std::sqrt(slope * slope + 4.0 * bend * least);
-    const double share = std::min(1.0, (1.0 - 1e-9) * 2.0 * least / (slope + root));
-    return (slope + bend * share) * share < least ? share : 0.0;
-  }
-
   friend QuadraticForm operator-(const QuadraticForm& a) noexcept {
     QuadraticForm result;
     result.center_ = -a.center_;

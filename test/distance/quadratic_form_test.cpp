@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Quadratic forms enclose: checked at random points, in numbers of more digits.
+// Quadratic and cubic forms enclose: checked at random points, in numbers of more digits.
 #include "distance/quadratic_form.h"
+
+#include "distance/cubic_form.h"
 
 #include <gtest/gtest.h>
 
@@ -35,9 +37,8 @@ struct Number {
   friend Number operator*(const Interval& a, const Number& b) { return Number(a.upper() * b.value, 0); }
 };
 
-template <FormDomain domain>
-void expect_enclosure(std::uint64_t seed) {
-  using Form = QuadraticForm<size, domain>;
+template <class Form>
+void expect_enclosure(std::uint64_t seed, FormDomain domain) {
   std::mt19937_64 engine(seed);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   for (int run = 0; run < 200; ++run) {
@@ -53,7 +54,7 @@ void expect_enclosure(std::uint64_t seed) {
     std::array<Form, size> x;
     for (std::size_t i = 0; i < size; ++i) x[i] = Form::coordinate(center[i], width[i], i);
     const Form form = function<Form>(x, a, [](const Form& each) { return root(each); });
-    const Interval range = form.range(), linear = form.linear().range();
+    const Interval range = form.range();
     for (int point = 0; point < 50; ++point) {
       std::array<long double, size> offset{};
       long double squared = 0.0L;
@@ -71,45 +72,41 @@ void expect_enclosure(std::uint64_t seed) {
           function<Number>(y, a, [](const Number& each) { return Number(std::sqrt(each.value), 0); }).value;
       ASSERT_LE(range.lower(), value) << "seed " << seed << " run " << run;
       ASSERT_GE(range.upper(), value) << "seed " << seed << " run " << run;
-      if (domain == FormDomain::ball) continue;
-      ASSERT_LE(linear.lower(), value) << "seed " << seed << " run " << run;
-      ASSERT_GE(linear.upper(), value) << "seed " << seed << " run " << run;
+      if constexpr (std::is_same_v<Form, QuadraticForm<size>>) {
+        const Interval linear = form.linear().range();
+        ASSERT_LE(linear.lower(), value) << "seed " << seed << " run " << run;
+        ASSERT_GE(linear.upper(), value) << "seed " << seed << " run " << run;
+      }
     }
   }
 }
 
-TEST(QuadraticForm, EnclosesOverBoxes) { expect_enclosure<FormDomain::box>(20261121); }
-TEST(QuadraticForm, EnclosesOverBalls) { expect_enclosure<FormDomain::ball>(20261122); }
+TEST(QuadraticForm, EnclosesOverBoxes) { expect_enclosure<QuadraticForm<size>>(20261121, FormDomain::box); }
+TEST(QuadraticForm, EnclosesOverBalls) {
+  expect_enclosure<QuadraticForm<size, FormDomain::ball>>(20261122, FormDomain::ball);
+}
 
-TEST(QuadraticForm, IsPositiveInTheShareOfTheBall) {
-  using Form = QuadraticForm<2, FormDomain::ball>;
-  std::mt19937_64 engine(20261125);
-  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
-  int proved = 0;
-  for (int run = 0; run < 500; ++run) {
-    const double a = uniform(engine), b = uniform(engine), c = uniform(engine), d = uniform(engine);
-    const auto value = [&](const auto& x, const auto& y) {
-      using Value = std::decay_t<decltype(x)>;
-      return x * x * y * Value(a) + x * y * Value(b) + x * Value(c) + y * Value(d);
-    };
-    const RoundingUpward rounding;
-    const Form x = Form::coordinate(0.0, 1.0, 0), y = Form::coordinate(0.0, 1.0, 1);
-    const Form form = Form(0.5) + value(x, y);
-    const double share = form.positive_share();
-    ASSERT_LE(share, 1.0);
-    if (share > 0.0) ++proved;
-    // Not much more would do: that is where the bounds of the parts meet.
-    const double all = 1.5 * (std::abs(a) + std::abs(b) + std::hypot(c, d));
-    if (std::abs(a) < 0.4) {
-      EXPECT_GE(share, std::min(1.0, 0.1 / all)) << a << " " << b << " " << c << " " << d;
-    }
-    for (int i = 0; i < 50; ++i) {
-      const double angle = 4.0 * uniform(engine), length = share * std::abs(uniform(engine));
-      ASSERT_GE(0.5 + value(length * std::cos(angle), length * std::sin(angle)), 0.0)
-          << a << " " << b << " " << c << " " << d;
-    }
-  }
-  EXPECT_GT(proved, 200);
+// As polynomials with what is left, too.
+TEST(CubicForm, EnclosesOverBalls) { expect_enclosure<CubicForm<size>>(20261126, FormDomain::ball); }
+
+TEST(CubicForm, WhatIsLeftFallsWithTheFourthPowerOfTheBall) {
+  const RoundingUpward rounding;
+  const auto error = [](double radius) {
+    using Form = CubicForm<size>;
+    const Form x = Form::coordinate(0.3, radius, 0), y = Form::coordinate(0.7, radius, 1);
+    return (root(x + y) * (x * y) * root(y)).error();
+  };
+  EXPECT_LT(error(0.005), error(0.01) / 15.0);
+}
+
+TEST(CubicForm, CubesCancel) {
+  const RoundingUpward rounding;
+  using Form = CubicForm<size>;
+  const Form x = Form::coordinate(0.3, 0.5, 0), y = Form::coordinate(0.7, 0.5, 1),
+             z = Form::coordinate(0.1, 0.5, 2);
+  const Form zero = (x + y) * ((x + z) * (y + z)) - (x + y + z) * (x * y + y * z + z * x) + x * (y * z);
+  EXPECT_LT(zero.range().upper(), 1e-12);
+  EXPECT_GT(zero.range().lower(), -1e-12);
 }
 
 TEST(QuadraticForm, WhatIsLeftFallsWithTheCubeOfTheBox) {

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "distance/regular_ball.h"
+
+#include "interval/rounding.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+
+namespace parallel_aspects {
+namespace {
+
+using Matrix = Eigen::Matrix<double, 6, 6>;
+using Vector = Eigen::Matrix<double, 6, 1>;
+using Slopes = std::array<Matrix, 6>;
+using Of = CubicForm<6>::Of;
+constexpr auto& monomials = CubicForm<6>::monomials;
+
+// More than some hundred roundings of one part in 2^52 each.
+constexpr double many_roundings = 0x1p-44;
+
+template <class Part>
+Matrix matrix_of(const std::array<RowsInBall::Row, 6>& rows, const Part& part) {
+  Matrix result;
+  for (std::size_t j = 0; j < 6; ++j)
+    for (std::size_t i = 0; i < 6; ++i)
+      result(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(i)) = part(rows[j][i]);
+  return result;
+}
+
+Matrix coefficients(const std::array<RowsInBall::Row, 6>& rows, std::size_t of) {
+  return matrix_of(rows, [of](const CubicForm<6>& each) { return each.coefficient(of); });
+}
+
+Matrix symmetric_part(const Matrix& a) { return 0.5 * (a + a.transpose()); }
+
+// The largest eigenvalue of a matrix that is positive semidefinite, or nearly so, by powers of it.
+double symmetric_norm(const Matrix& a) {
+  const double trace = a.trace();
+  Matrix power = a / trace;
+  for (int i = 0; i < 4; ++i) power = (power * power).eval();
+  return trace * std::pow(power.trace(), 1.0 / 16.0);
+}
+
+/// A basis in which the symmetric parts of some matrices have the least sum of squares, by descent. Moved by
+/// E = 1 - t X, a matrix M becomes E M E^-1; the derivative of half the sum by t is that of <X, gradient>.
+class BalancedBasis {
+ public:
+  explicit BalancedBasis(const Slopes& slopes) : slopes_(slopes) {
+    scale();
+    size_ = size_of(slopes_);
+  }
+
+  void descend(int steps) {
+    double length = 0.0;
+    for (int i = 0; i < steps; ++i) {
+      const Matrix gradient = find_gradient();
+      const double norm = gradient.norm();
+      if (!(norm > 1e-3 * size_) || !std::isfinite(norm)) return;
+      if (i == 0) length = 0.2 / norm;
+      length = std::min(length, 0.5 / norm);
+      int tries = 0;
+      while (!step(gradient, length)) {
+        length *= 0.4;
+        if (++tries > 5) return;
+      }
+      length *= 1.6;
+    }
+  }
+
+  const Matrix& to_basis() const { return to_; }
+  const Matrix& from_basis() const { return from_; }
+
+ private:
+  static double size_of(const Slopes& slopes) {
+    double sum = 0.0;
+    for (const Matrix& each : slopes) sum += symmetric_part(each).squaredNorm();
+    return sum;
+  }
+
+  // Rows and columns of each coordinate come to be of the same size (Osborne 1960).
+  void scale() {
+    Matrix squares = Matrix::Zero();
+    for (const Matrix& each : slopes_) squares += each.cwiseAbs2();
+    Vector by = Vector::Ones();
+    for (int sweep = 0; sweep < 4; ++sweep)
+      for (Eigen::Index k = 0; k < 6; ++k) {
+        const double in_row = squares.row(k).sum() - squares(k, k);
+        const double in_column = squares.col(k).sum() - squares(k, k);
+        if (!(in_row > 0.0 && in_column > 0.0)) continue;
+        const double factor = std::sqrt(in_column / in_row);
+        squares.row(k) *= factor;
+        squares.col(k) /= factor;
+        by[k] *= std::sqrt(factor);
+      }
+    const Vector back = by.cwiseInverse();
+    for (Matrix& each : slopes_) each = by.asDiagonal() * each * back.asDiagonal();
+    to_ = by.asDiagonal();
+    from_ = back.asDiagonal();
+  }
+
+  Matrix find_gradient() const {
+    Matrix sum = Matrix::Zero();
+    for (const Matrix& each : slopes_) {
+      const Matrix both = each + each.transpose();
+      sum.noalias() += both * each.transpose();
+      sum.noalias() -= each.transpose() * both;
+    }
+    return symmetric_part(sum);
+  }
+
+  bool step(const Matrix& gradient, double length) {
+    const Matrix forth = Matrix::Identity() - length * gradient, back = forth.inverse();
+    Slopes moved;
+    for (std::size_t i = 0; i < 6; ++i) moved[i].noalias() = forth * (slopes_[i] * back).eval();
+    const double size = size_of(moved);
+    if (!(size < size_)) return false;
+    slopes_ = moved;
+    size_ = size;
+    to_ = forth * to_;
+    from_ = from_ * back;
+    return true;
+  }
+
+  Slopes slopes_;
+  double size_ = 0.0;
+  Matrix to_, from_;
+};
+
+/// Whether a symmetric matrix, of which the lower half is given, is proved to be positive definite: where the
+/// factorization of it less c I ends, with c more than its rounding, 43 parts in 2^52 of the trace (Rump
+/// 2006).
+template <int N>
+bool is_positive_definite(Eigen::Matrix<double, N, N>& a) {
+  const double trace = a.trace();
+  if (!(trace > 0.0) || !std::isfinite(trace)) return false;
+  a.diagonal().array() -= 0x1p-45 * trace;
+  for (Eigen::Index k = 0; k < N; ++k) {
+    if (!(a(k, k) > 0.0)) return false;
+    const double pivot = std::sqrt(a(k, k));
+    double* const column = &a(0, k);
+    for (Eigen::Index i = k; i < N; ++i) column[i] /= pivot;
+    for (Eigen::Index j = k + 1; j < N; ++j) {
+      double* const other = &a(0, j);
+      const double factor = column[j];
+      for (Eigen::Index i = j; i < N; ++i) other[i] -= factor * column[i];
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+RegularBall::RegularBall(const RowsInBall& rows) noexcept {
+  assert_rounding_upward();
+  choose_basis(rows);
+  if (usable_) transform(rows);
+}
+
+void RegularBall::choose_basis(const RowsInBall& rows) noexcept {
+  constexpr int steps = 8;
+  const Matrix inverse = coefficients(rows.rows, 0).inverse();
+  Slopes slopes;
+  for (std::size_t i = 0; i < 6; ++i) slopes[i] = inverse * coefficients(rows.rows, 1 + i);
+  BalancedBasis basis(slopes);
+  basis.descend(steps);
+  left_ = basis.to_basis() * inverse;
+  right_ = basis.from_basis();
+  usable_ = left_.allFinite() && right_.allFinite();
+}
+
+void RegularBall::transform(const RowsInBall& rows) noexcept {
+  const Matrix left = left_.cwiseAbs(), right = right_.cwiseAbs();
+  Matrix sizes = Matrix::Zero();
+  double squares = 0.0;
+  for (std::size_t i = 0; i < Of::count; ++i) {
+    const Matrix part = coefficients(rows.rows, i);
+    sizes += part.cwiseAbs();
+    parts_[i] = symmetric_part(left_ * (part * right_).eval());
+    if (i >= Of::first_cube) squares += parts_[i].squaredNorm() / monomials.orders[i];
+  }
+  cubed_ = std::sqrt(squares) * (1.0 + many_roundings);
+  const Matrix errors = matrix_of(rows.rows, [](const CubicForm<6>& each) { return each.error(); });
+  error_ = (left * (errors + many_roundings * sizes) * right).norm();
+  base_ = parts_[0];
+  for (std::size_t j = 0; j < 6; ++j)
+    if (rows.gaps[j] > 0.0) take_off_gap(rows, j);
+  usable_ = std::isfinite(error_) && std::isfinite(cubed_);
+}
+
+// With t the column of L and r = R^T along, the gap adds  g (x^T t) (r^T x)  with |g| <= gap, which is at
+// least  -gap (ratio (t^T x)^2 + (r^T x)^2 / ratio) / 2  for every ratio > 0. What r is off from its value at
+// the center is bounded by its length.
+void RegularBall::take_off_gap(const RowsInBall& rows, std::size_t j) noexcept {
+  const auto row = static_cast<Eigen::Index>(j);
+  const Vector column = left_.col(row);
+  Vector at_center, errors = Vector::Zero();
+  double squares = 0.0;
+  for (std::size_t k = 0; k < Of::count; ++k) {
+    Vector along;
+    for (std::size_t i = 0; i < 6; ++i) along[static_cast<Eigen::Index>(i)] = rows.along[j][i].coefficient(k);
+    errors += many_roundings * along.cwiseAbs();
+    const Vector turned = right_.transpose() * along;
+    if (k == 0)
+      at_center = turned;
+    else  // Monomials of one degree are at most 1 together; three degrees are.
+      squares += 3.0 * turned.squaredNorm() / monomials.orders[k];
+  }
+  for (std::size_t i = 0; i < 6; ++i) errors[static_cast<Eigen::Index>(i)] += rows.along[j][i].error();
+  const double gap = rows.gaps[j] * (1.0 + many_roundings);
+  const double off = std::sqrt(squares) + (right_.cwiseAbs().transpose() * errors).norm();
+  error_ += gap * (column.norm() * off) * (1.0 + many_roundings);
+  const double ratio = at_center.norm() / column.norm();
+  if (!(ratio > 0.0) || !std::isfinite(ratio)) return;
+  const Matrix taken = (0.5 * gap * ratio) * (column * column.transpose()) +
+                       (0.5 * gap / ratio) * (at_center * at_center.transpose());
+  base_ -= taken;
+  error_ += many_roundings * taken.norm();
+}
+
+double RegularBall::proved_share() const noexcept {
+  constexpr int halvings = 5;
+  if (!usable_) return 0.0;
+  if (is_proved(1.0)) return 1.0;
+  double proved = 0.0, failed = 1.0;
+  for (int i = 0; i < halvings; ++i) {
+    const double share = 0.5 * (proved + failed);
+    (is_proved(share) ? proved : failed) = share;
+  }
+  return proved;
+}
+
+double RegularBall::expected_share() const noexcept {
+  constexpr int steps = 12;
+  if (!usable_) return 0.0;
+  Matrix slopes = Matrix::Zero();
+  double squares = 0.0;
+  for (std::size_t i = 1; i < Of::first_cube; ++i) {
+    if (i < Of::first_square)
+      slopes += parts_[i] * parts_[i];
+    else
+      squares += parts_[i].squaredNorm() / monomials.orders[i];
+  }
+  // About half of the second order is met by the quadratic form.
+  const double gap = (parts_[0] - base_).norm(), bend = 0.5 * std::sqrt(squares);
+  const double slope = std::sqrt(symmetric_norm(slopes)) + gap;
+  double share = 1.0;
+  for (int i = 0; i < steps; ++i)
+    share /= std::pow(share * (slope + share * (bend + share * (cubed_ + share * error_))), 0.6);
+  return share;
+}
+
+bool RegularBall::is_proved(double share) const noexcept {
+  return is_proved(share, 0.5) || is_proved(share, 0.62);
+}
+
+bool RegularBall::is_proved(double share, double weight) const noexcept {
+  Form form = Form::Zero();
+  const double squared = share * share, rest = error_ + share * squared * cubed_;
+  form.topLeftCorner<6, 6>() = base_;
+  for (Eigen::Index i = 0; i < 6; ++i) {
+    form(i, i) -= rest + weight;
+    form.block<6, 6>(6 + 6 * i, 0) = (0.5 * share) * parts_[1 + static_cast<std::size_t>(i)];
+  }
+  for (std::size_t at = 0; at < Of::squares; ++at) {
+    const auto i = static_cast<Eigen::Index>(monomials.factors[at][0]),
+               k = static_cast<Eigen::Index>(monomials.factors[at][1]);
+    form.block<6, 6>(6 + 6 * k, 6 + 6 * i) =
+        (i == k ? squared : 0.5 * squared) * parts_[Of::first_square + at];
+    if (i == k) form.block<6, 6>(6 + 6 * i, 6 + 6 * i).diagonal().array() += weight;
+  }
+  return is_positive_definite(form);
+}
+
+}  // namespace parallel_aspects
