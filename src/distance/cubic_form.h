@@ -2,7 +2,10 @@
 #ifndef PARALLEL_ASPECTS_DISTANCE_CUBIC_FORM_H
 #define PARALLEL_ASPECTS_DISTANCE_CUBIC_FORM_H
 
+#include "distance/positive_definite.h"
 #include "interval/interval.h"
+
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
@@ -189,8 +192,9 @@ class CubicForm {
   // What a sum of this result is off by at most.
   double size_of_rounding() const noexcept { return rounding * size(); }
 
-  // With the trace t and the norm f of the matrix, its eigenvalues are within
-  // sqrt((N - 1) / N) sqrt(f^2 - t^2 / N) of t / N (Wolkowicz and Styan 1980).
+  // Between the least and the largest eigenvalue of the matrix, or zero. With the trace t and the norm f they
+  // are within sqrt((N - 1) / N) sqrt(f^2 - t^2 / N) of t / N (Wolkowicz and Styan 1980); nearer bounds are
+  // tried by halves.
   Interval square_range() const noexcept {
     const Interval count(static_cast<double>(N)), share = reciprocal(count);
     Interval trace;
@@ -200,10 +204,34 @@ class CubicForm {
       squares += shares[Of::first_square + at] * (each * each);
       if (monomials.factors[at][0] == monomials.factors[at][1]) trace += Interval(each);
     }
+    const Interval mean = share * trace;
     const Interval spread =
         square_root(not_negative_part(Interval(squares) - share * square(trace)) * (Interval(1.0) - share));
-    const Interval values = share * trace + Interval(-spread.upper(), spread.upper());
-    return {std::min(0.0, values.lower()), std::max(0.0, values.upper())};
+    return {-largest_eigenvalue(-1.0, -mean.lower(), spread.upper() - mean.lower()),
+            largest_eigenvalue(1.0, mean.upper(), mean.upper() + spread.upper())};
+  }
+
+  // At least that of `sign` times the matrix, or zero; it is between these.
+  double largest_eigenvalue(double sign, double least, double proved) const noexcept {
+    constexpr int halvings = 5;
+    double failed = std::max(0.0, least);
+    if (!(proved > failed)) return failed;
+    for (int i = 0; i < halvings; ++i) {
+      const double tried = 0.5 * (failed + proved);
+      (is_above(sign, tried) ? proved : failed) = tried;
+    }
+    return proved;
+  }
+
+  bool is_above(double sign, double value) const noexcept {
+    Eigen::Matrix<double, N, N> rest;
+    for (std::size_t at = 0; at < Of::squares; ++at) {
+      const auto i = static_cast<Eigen::Index>(monomials.factors[at][0]),
+                 k = static_cast<Eigen::Index>(monomials.factors[at][1]);
+      const double entry = -sign * of_[Of::first_square + at];
+      rest(k, i) = i == k ? value + entry : 0.5 * entry;
+    }
+    return is_positive_definite(rest);
   }
 
   // Not less than one over the orders.

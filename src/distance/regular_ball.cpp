@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "distance/regular_ball.h"
 
+#include "distance/positive_definite.h"
 #include "interval/rounding.h"
 
 #include <Eigen/LU>
@@ -31,6 +32,10 @@ Matrix matrix_of(const std::array<RowsInBall::Row, 6>& rows, const Part& part) {
 
 Matrix coefficients(const std::array<RowsInBall::Row, 6>& rows, std::size_t of) {
   return matrix_of(rows, [of](const CubicForm<6>& each) { return each.coefficient(of); });
+}
+
+std::size_t degree_of(std::size_t monomial) {
+  return monomial < Of::first_square ? (monomial > 0 ? 1 : 0) : monomial < Of::first_cube ? 2 : 3;
 }
 
 Matrix symmetric_part(const Matrix& a) { return 0.5 * (a + a.transpose()); }
@@ -128,28 +133,6 @@ class BalancedBasis {
   Matrix to_, from_;
 };
 
-/// Whether a symmetric matrix, of which the lower half is given, is proved to be positive definite: where the
-/// factorization of it less c I ends, with c more than its rounding, 43 parts in 2^52 of the trace (Rump
-/// 2006).
-template <int N>
-bool is_positive_definite(Eigen::Matrix<double, N, N>& a) {
-  const double trace = a.trace();
-  if (!(trace > 0.0) || !std::isfinite(trace)) return false;
-  a.diagonal().array() -= 0x1p-45 * trace;
-  for (Eigen::Index k = 0; k < N; ++k) {
-    if (!(a(k, k) > 0.0)) return false;
-    const double pivot = std::sqrt(a(k, k));
-    double* const column = &a(0, k);
-    for (Eigen::Index i = k; i < N; ++i) column[i] /= pivot;
-    for (Eigen::Index j = k + 1; j < N; ++j) {
-      double* const other = &a(0, j);
-      const double factor = column[j];
-      for (Eigen::Index i = j; i < N; ++i) other[i] -= factor * column[i];
-    }
-  }
-  return true;
-}
-
 }  // namespace
 
 RegularBall::RegularBall(const RowsInBall& rows) noexcept {
@@ -196,7 +179,7 @@ void RegularBall::take_off_gap(const RowsInBall& rows, std::size_t j) noexcept {
   const auto row = static_cast<Eigen::Index>(j);
   const Vector column = left_.col(row);
   Vector at_center, errors = Vector::Zero();
-  double squares = 0.0;
+  std::array<double, 4> squares{};
   for (std::size_t k = 0; k < Of::count; ++k) {
     Vector along;
     for (std::size_t i = 0; i < 6; ++i) along[static_cast<Eigen::Index>(i)] = rows.along[j][i].coefficient(k);
@@ -204,12 +187,13 @@ void RegularBall::take_off_gap(const RowsInBall& rows, std::size_t j) noexcept {
     const Vector turned = right_.transpose() * along;
     if (k == 0)
       at_center = turned;
-    else  // Monomials of one degree are at most 1 together; three degrees are.
-      squares += 3.0 * turned.squaredNorm() / monomials.orders[k];
+    else
+      squares[degree_of(k)] += turned.squaredNorm() / monomials.orders[k];
   }
   for (std::size_t i = 0; i < 6; ++i) errors[static_cast<Eigen::Index>(i)] += rows.along[j][i].error();
   const double gap = rows.gaps[j] * (1.0 + many_roundings);
-  const double off = std::sqrt(squares) + (right_.cwiseAbs().transpose() * errors).norm();
+  const double off = std::sqrt(squares[1]) + std::sqrt(squares[2]) + std::sqrt(squares[3]) +
+                     (right_.cwiseAbs().transpose() * errors).norm();
   error_ += gap * (column.norm() * off) * (1.0 + many_roundings);
   const double ratio = at_center.norm() / column.norm();
   if (!(ratio > 0.0) || !std::isfinite(ratio)) return;
