@@ -34,8 +34,13 @@ LeafGraph::LeafGraph(const PoseTree& tree, std::size_t mode, bool looks_everywhe
 
 void LeafGraph::replace(PoseTree& tree, NodeIndex node) {
   const std::vector<NodeIndex> neighbours = neighbour_leaves(tree, mode_, node);
-  positive_.replace(tree, node, neighbours);
-  negative_.replace(tree, node, neighbours);
+  std::vector<NodeIndex> children;
+  for (NodeIndex rank = 0; rank < tree.children_per_node(); ++rank)
+    if (const NodeIndex child = tree.first_child(node) + rank; !tree.state(child, mode_).is_outside())
+      children.push_back(child);
+  const NodePairs faces = faces_between(tree, children, neighbours);
+  positive_.replace(tree, node, neighbours, faces);
+  negative_.replace(tree, node, neighbours, faces);
 }
 
 }  // namespace parallel_aspects

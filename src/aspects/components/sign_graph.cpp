@@ -14,6 +14,9 @@ namespace {
 // As many as the widest vectors have lanes.
 constexpr std::size_t faces_at_once = 8;
 
+/// Children share a face where their ranks differ along one coordinate.
+constexpr bool is_power_of_two(std::size_t a) noexcept { return (a & (a - 1)) == 0; }
+
 }  // namespace
 
 void SignGraph::LeafCounts::add(NodeIndex node, LeafState state, int sign) noexcept {
@@ -135,7 +138,8 @@ void SignGraph::forget_neighbour(LeafSlot leaf, LeafSlot old_neighbour) {
   if (leaf.is_indeterminate()) indeterminate_.remove_neighbour(leaf.item(), old_neighbour);
 }
 
-void SignGraph::replace(PoseTree& tree, NodeIndex node, const std::vector<NodeIndex>& neighbours) {
+void SignGraph::replace(PoseTree& tree, NodeIndex node, const std::vector<NodeIndex>& neighbours,
+                        const NodePairs& faces) {
   const LeafSlot old = slot(node);
   std::vector<NodeIndex> children;
   for (NodeIndex rank = 0; rank < tree.children_per_node(); ++rank) {
@@ -154,12 +158,9 @@ void SignGraph::replace(PoseTree& tree, NodeIndex node, const std::vector<NodeIn
     for (const NodeIndex child : children) add_leaf(child, tree.state(child, mode_));
     for (std::size_t i = 0; i < children.size(); ++i)
       for (std::size_t j = i + 1; j < children.size(); ++j)
-        if (share_face(tree, children[i], children[j])) connect(tree, children[i], children[j]);
+        if (is_power_of_two(i ^ j)) connect(tree, children[i], children[j]);
   }
-  for (const NodeIndex child : children)
-    for (const NodeIndex neighbour : neighbours)
-      if (!holds_nothing(child) && !holds_nothing(neighbour) && share_face(tree, child, neighbour))
-        connect(tree, child, neighbour);
+  for (const auto& [child, neighbour] : faces) connect(tree, child, neighbour);
   set_slot(node, LeafSlot::nowhere());
 }
 

@@ -58,8 +58,9 @@ class SignGraph {
   void settle_faces(const PoseTree& tree, const BoxClassifier& classifier);
 
   /// After a leaf was divided and its children were classified; its neighbours are those of
-  /// `neighbour_leaves`.
-  void replace(PoseTree& tree, NodeIndex node, const std::vector<NodeIndex>& neighbours);
+  /// `neighbour_leaves`, and `faces` those between these and the children that are not outside.
+  void replace(PoseTree& tree, NodeIndex node, const std::vector<NodeIndex>& neighbours,
+               const NodePairs& faces);
 
   /// Joins components that are new since the last call to others by a `Climb`; those without an inside leaf
   /// only where `bare_too`. Returns leaves of those that have no inside leaf after that. Needs a live
@@ -177,8 +178,6 @@ class SignGraph {
     for (const NodeIndex leaf : neighbour_leaves(tree, mode_, node))
       if (const LeafSlot beside = slot(leaf); beside.is_indeterminate()) visit(beside);
   }
-
-  using NodePairs = std::vector<std::pair<NodeIndex, NodeIndex>>;
 
   struct Traits {
     bool has_inside_leaf = false, climbed = false, is_given_up = false;

@@ -175,12 +175,20 @@ std::vector<SharedFace> shared_faces(const PoseTree& tree, NodeIndex a, NodeInde
   return result;
 }
 
-bool share_face(const PoseTree& tree, NodeIndex a, NodeIndex b) {
-  bool shared = false;
-  const Patch other = patch(tree.place(b));
-  for_each_image(tree, a,
-                 [&](const Patch& image) { shared = shared || touch(image, other, tree.dimension()); });
-  return shared;
+NodePairs faces_between(const PoseTree& tree, const std::vector<NodeIndex>& ones,
+                        const std::vector<NodeIndex>& others) {
+  NodePairs pairs;
+  std::vector<Patch> images, patches;
+  for (const NodeIndex other : others) patches.push_back(patch(tree.place(other)));
+  for (const NodeIndex one : ones) {
+    images.clear();
+    for_each_image(tree, one, [&images](const Patch& image) { images.push_back(image); });
+    for (std::size_t i = 0; i < others.size(); ++i)
+      if (std::any_of(images.begin(), images.end(),
+                      [&](const Patch& image) { return touch(image, patches[i], tree.dimension()); }))
+        pairs.emplace_back(one, others[i]);
+  }
+  return pairs;
 }
 
 }  // namespace parallel_aspects

@@ -6,6 +6,7 @@
 #include "parallel_aspects/aspects/box.h"
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace parallel_aspects {
@@ -25,8 +26,12 @@ struct SharedFace {
 /// side.
 std::vector<SharedFace> shared_faces(const PoseTree& tree, NodeIndex a, NodeIndex b);
 
-/// Whether there are any.
-bool share_face(const PoseTree& tree, NodeIndex a, NodeIndex b);
+using NodePairs = std::vector<std::pair<NodeIndex, NodeIndex>>;
+
+/// Pairs of one of some nodes and one of others, none of which is inside another, that share part of a face;
+/// in the order of the first ones, and of the others.
+NodePairs faces_between(const PoseTree& tree, const std::vector<NodeIndex>& ones,
+                        const std::vector<NodeIndex>& others);
 
 }  // namespace parallel_aspects
 

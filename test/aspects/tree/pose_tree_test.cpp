@@ -95,7 +95,7 @@ TEST(PoseTree, FacesAreThoseThatBoxesShare) {
           overlapping += lower < upper;
         }
         if (touching == 1 && overlapping == dimension - 1) expected.insert({a, b});
-        EXPECT_EQ(share_face(tree, a, b), expected.count({a, b}) == 1);
+        EXPECT_EQ(faces_between(tree, {a}, {b}).size(), expected.count({a, b}));
       }
     EXPECT_EQ(found, expected);
     EXPECT_GT(found.size(), 50U);
