@@ -75,7 +75,7 @@ void AspectLinks::link_once(const std::vector<int>& cluster) {
   const auto is_at_start = [&](NodeIndex cell) {
     return known_aspect(cell) != 0 && clusters_.find(as_node(known_aspect(cell))) == start;
   };
-  std::priority_queue<Reached> queue;
+  OpenQueue<Reached> queue;
   std::vector<bool> is_done(cells_.tree().node_count(), false);
   for (const int id : cluster)
     for (const NodeIndex cell : rims_[id]) queue.push({cells_.upper(cell, little), cell, id});
@@ -83,6 +83,7 @@ void AspectLinks::link_once(const std::vector<int>& cluster) {
     const Reached top = queue.top();
     queue.pop();
     if (is_done[top.cell] || !(top.level > 0.0)) continue;
+    cells_.foresee(top.cell, queue.heap(), [](const Reached& entry) { return entry.cell; });
     if (const double closer = cells_.upper(top.cell, more); closer < top.level) {
       queue.push({closer, top.cell, top.from});
       continue;

@@ -168,6 +168,7 @@ bool DeepestIndex::matters(NodeIndex node) const {
 bool DeepestIndex::is_lowered(double upper, NodeIndex node) {
   if (cells_.effort(node) == IndexCells::Effort::more) return false;
   ++evaluations_;
+  cells_.foresee(node, queue_.heap(), [](const auto& entry) { return entry.second; });
   const double lowered = cells_.upper(node, IndexCells::Effort::more);
   if (cells_.is_cell(node) && cells_.is_inside(node))
     raise(cells_.aspect(node), cells_.lower(node), middle(node));
@@ -184,6 +185,10 @@ void DeepestIndex::open(double upper, NodeIndex node) {
 
 void DeepestIndex::open_children(double upper, NodeIndex node) {
   const NodeIndex first = cells_.tree().first_child(node);
+  std::vector<IndexCells::Question> questions;
+  for (NodeIndex rank = 0; rank < cells_.tree().children_per_node(); ++rank)
+    if (owners_.within(first + rank) != 0) questions.push_back({first + rank, IndexCells::Effort::little});
+  cells_.bound(questions);
   for (NodeIndex child = first; child < first + cells_.tree().children_per_node(); ++child) {
     if (owners_.within(child) == 0) continue;
     ++evaluations_;

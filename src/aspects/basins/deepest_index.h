@@ -9,7 +9,6 @@
 
 #include <cstddef>
 #include <map>
-#include <queue>
 #include <utility>
 #include <vector>
 
@@ -31,7 +30,7 @@ class DeepestIndex {
   const std::map<int, MapPosition>& witnesses() const noexcept { return witnesses_; }
 
  private:
-  using Queue = std::priority_queue<std::pair<double, NodeIndex>>;
+  using Queue = OpenQueue<std::pair<double, NodeIndex>>;
 
   /// How far the search for one owner has come.
   struct Progress {

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/basins/index_cells.h"
 
+#include "aspects/batches/box_requests.h"
 #include "interval/interval.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <iterator>
 
 namespace parallel_aspects {
 namespace {
@@ -58,18 +60,51 @@ IndexRange IndexCells::at(const MapPosition& position) const {
 const IndexCells::Bounds& IndexCells::bounds(NodeIndex node, Effort effort) const {
   Bounds& known = bounds_[node];
   if (known.effort >= effort) return known;
-  const RoundingUpward rounding;
-  const Interval range =
-      map_.classifier->enclose_index(tree_.place(node).root, tree_.box(node), mode_, sign_, index_,
-                                     effort == Effort::more ? close_enough : any_gap);
-  known = {is_inside(node) ? range.lower() : 0.0, range.upper(), effort};
+  const auto foreseen = effort == Effort::more ? foreseen_.find(node) : foreseen_.end();
+  if (foreseen != foreseen_.end()) {
+    take_in({node, effort}, foreseen->second);
+    foreseen_.erase(foreseen);
+  } else {
+    bound({{node, effort}});
+  }
   return known;
+}
+
+void IndexCells::bound(const std::vector<Question>& questions) const {
+  std::vector<Question> open;
+  for (const Question& each : questions)
+    if (bounds_[each.node].effort < each.effort) open.push_back(each);
+  const std::vector<Interval> ranges = enclose(open);
+  for (std::size_t i = 0; i < open.size(); ++i) take_in(open[i], ranges[i]);
+}
+
+void IndexCells::foresee(const std::vector<NodeIndex>& nodes) const {
+  std::vector<Question> questions;
+  for (const NodeIndex node : nodes) questions.push_back({node, Effort::more});
+  const std::vector<Interval> ranges = enclose(questions);
+  for (std::size_t i = 0; i < nodes.size(); ++i) foreseen_[nodes[i]] = ranges[i];
+}
+
+std::vector<Interval> IndexCells::enclose(const std::vector<Question>& questions) const {
+  const RoundingUpward rounding;
+  std::vector<IndexRequest> boxes;
+  for (const auto& [node, effort] : questions)
+    boxes.push_back(
+        {tree_.place(node).root, tree_.box(node), effort == Effort::more ? close_enough : any_gap});
+  return enclose_index(*map_.classifier, mode_, sign_, index_, boxes);
+}
+
+void IndexCells::take_in(const Question& question, const Interval& range) const {
+  bounds_[question.node] = {is_inside(question.node) ? range.lower() : 0.0, range.upper(), question.effort};
 }
 
 void IndexCells::bound_all() const {
   const std::vector<NodeIndex> cells = all();
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, cells.size(), grain), [&](const auto& range) {
-    for (std::size_t i = range.begin(); i < range.end(); ++i) bounds(cells[i], usual_effort(cells[i]));
+    std::vector<Question> questions;
+    for (std::size_t i = range.begin(); i < range.end(); ++i)
+      questions.push_back({cells[i], usual_effort(cells[i])});
+    bound(questions);
   });
 }
 
@@ -82,11 +117,11 @@ std::vector<NodeIndex> IndexCells::divide(const std::vector<NodeIndex>& cells) {
   }
   bounds_.resize(tree_.node_count());
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, children.size(), grain), [&](const auto& range) {
-    const RoundingUpward rounding;
-    for (std::size_t i = range.begin(); i < range.end(); ++i) {
-      if (tree_.state(children[i], 0).is_pending()) classify(children[i]);
-      if (is_cell(children[i])) bounds(children[i], usual_effort(children[i]));
-    }
+    classify_pending(&children[range.begin()], range.size());
+    std::vector<Question> questions;
+    for (std::size_t i = range.begin(); i < range.end(); ++i)
+      if (is_cell(children[i])) questions.push_back({children[i], usual_effort(children[i])});
+    bound(questions);
   });
   const auto is_none = [this](NodeIndex child) { return !is_cell(child); };
   children.erase(std::remove_if(children.begin(), children.end(), is_none), children.end());
@@ -104,9 +139,21 @@ NodeIndex IndexCells::add_children(NodeIndex cell) {
   return first;
 }
 
-void IndexCells::classify(NodeIndex node) {
-  const LeafState found = map_.classifier->state(tree_.place(node).root, tree_.box(node), mode_);
-  tree_.state(node, 0) = found.may_be(sign_) ? found : LeafState::outside();
+void IndexCells::classify_pending(const NodeIndex* nodes, std::size_t count) {
+  const RoundingUpward rounding;
+  std::vector<NodeIndex> pending;
+  std::copy_if(nodes, nodes + count, std::back_inserter(pending),
+               [this](NodeIndex node) { return tree_.state(node, 0).is_pending(); });
+  std::vector<LeafState> states(pending.size() * (mode_ + 1));  // of this mode the last
+  BoxRequests requests;
+  for (std::size_t i = 0; i < pending.size(); ++i)
+    requests.push_back(
+        {tree_.place(pending[i]).root, tree_.box(pending[i]), ModeSet{1} << mode_, &states[i * (mode_ + 1)]});
+  parallel_aspects::classify(*map_.classifier, requests, Detail::states);
+  for (std::size_t i = 0; i < pending.size(); ++i) {
+    const LeafState found = requests[i].states[mode_];
+    tree_.state(pending[i], 0) = found.may_be(sign_) ? found : LeafState::outside();
+  }
 }
 
 }  // namespace parallel_aspects

@@ -4,12 +4,16 @@
 
 #include "aspects/map/map_contents.h"
 #include "aspects/tree/pose_tree.h"
+#include "interval/interval.h"
 #include "parallel_aspects/aspects/basins.h"
 #include "parallel_aspects/singularity/indices.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <queue>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -41,8 +45,18 @@ class IndexCells {
   double upper(NodeIndex node, Effort effort) const { return bounds(node, effort).upper; }
   /// What was spent on it so far.
   Effort effort(NodeIndex node) const noexcept { return bounds_[node].effort; }
+  /// Computes those of several nodes at once, as far as they are not known yet.
+  struct Question {
+    NodeIndex node;
+    Effort effort;
+  };
+  void bound(const std::vector<Question>& questions) const;
   /// Computes all that is not known yet, in parallel.
   void bound_all() const;
+  /// Works out the bounds with more effort of a node that will be asked for next, and of some that may be
+  /// soon: the first of a heap of others. What is known of these changes when it is asked for.
+  template <class Heap, class NodeOf>
+  void foresee(NodeIndex node, const Heap& heap, const NodeOf& node_of) const;
 
   /// Id of the aspect that all poses of S(mode, sign) in it are proved to lie in; 0 where that is not known.
   int aspect(NodeIndex cell) const noexcept { return aspects_[cell]; }
@@ -63,7 +77,7 @@ class IndexCells {
  private:
   void copy(NodeIndex from, NodeIndex to);
   NodeIndex add_children(NodeIndex cell);
-  void classify(NodeIndex node);
+  void classify_pending(const NodeIndex* nodes, std::size_t count);
   struct Bounds {
     double lower = 0.0, upper = std::numeric_limits<double>::infinity();
     Effort effort = Effort::none;
@@ -74,6 +88,15 @@ class IndexCells {
     return is_inside(cell) ? Effort::more : Effort::little;
   }
   const Bounds& bounds(NodeIndex node, Effort effort) const;
+  bool is_unforeseen(NodeIndex node) const {
+    return bounds_[node].effort < Effort::more && foreseen_.count(node) == 0;
+  }
+  void foresee(const std::vector<NodeIndex>& nodes) const;
+  std::vector<Interval> enclose(const std::vector<Question>& questions) const;
+  void take_in(const Question& question, const Interval& range) const;
+
+  // As many as the widest vectors have lanes, out of the first levels of a heap.
+  static constexpr std::size_t foreseen_at_once = 8, most_looked_at = 15;
 
   const AspectMap::Contents& map_;
   std::size_t mode_;
@@ -82,6 +105,23 @@ class IndexCells {
   PoseTree tree_;  // of this mode alone
   std::vector<int> aspects_;
   mutable std::vector<Bounds> bounds_;
+  mutable std::unordered_map<NodeIndex, Interval> foreseen_;
+};
+
+template <class Heap, class NodeOf>
+void IndexCells::foresee(NodeIndex node, const Heap& heap, const NodeOf& node_of) const {
+  if (!is_unforeseen(node)) return;
+  std::vector<NodeIndex> nodes{node};
+  for (std::size_t i = 0; i < std::min(heap.size(), most_looked_at) && nodes.size() < foreseen_at_once; ++i)
+    if (const NodeIndex other = node_of(heap[i]); other != node && is_unforeseen(other))
+      nodes.push_back(other);
+  if (nodes.size() > 1) foresee(nodes);
+}
+
+/// A priority queue whose first entries, which come out soon, can be looked at.
+template <class Entry>
+struct OpenQueue : std::priority_queue<Entry> {
+  const std::vector<Entry>& heap() const noexcept { return this->c; }
 };
 
 }  // namespace parallel_aspects

@@ -3,6 +3,7 @@
 
 #include "aspects/batches/lane_classifier.h"
 #include "aspects/batches/lane_examiner.h"
+#include "aspects/batches/lane_index.h"
 #include "aspects/boxes/chart_classifier.h"
 
 #include <atomic>
@@ -53,6 +54,25 @@ bool are_examined_in_lanes(const BoxClassifier& classifier, std::size_t mode, in
   return true;
 }
 
+/// False where the classifier is for another chart.
+template <class Chart>
+bool are_bounded_in_lanes(const BoxClassifier& classifier, std::size_t mode, int sign, ParallelIndex index,
+                          const std::vector<IndexRequest>& boxes, std::vector<Interval>& ranges,
+                          InstructionSet instructions) {
+  const auto* of_chart = dynamic_cast<const ChartClassifier<Chart>*>(&classifier);
+  if (of_chart == nullptr) return false;
+  std::vector<EnclosedIndex> enclosed(boxes.size());
+  enclose_index_in_lanes({of_chart->chart(), of_chart->margins(), of_chart->signs()[mode], sign, index},
+                         boxes, enclosed.data(), instructions);
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const Interval& known = enclosed[i].range;
+    ranges[i] = enclosed[i].may_be_closer
+                    ? of_chart->enclose_index_on_arcs(boxes[i].root, boxes[i].box, mode, sign, index, known)
+                    : known;
+  }
+  return true;
+}
+
 std::vector<Examined> examine(const BoxClassifier& classifier, std::size_t mode, int sign,
                               const std::vector<SharedFace>& boxes, InstructionSet instructions) {
   std::vector<Examined> examined(boxes.size(), {LeafState(), Monotonicity::unknown(), std::nullopt});
@@ -81,6 +101,21 @@ void classify(const BoxClassifier& classifier, const BoxRequests& requests, Deta
     return;
   for (const BoxRequest& each : requests)
     classifier.classify(each.root, each.box, each.modes, detail, each.states);
+}
+
+std::vector<Interval> enclose_index(const BoxClassifier& classifier, std::size_t mode, int sign,
+                                    ParallelIndex index, const std::vector<IndexRequest>& boxes,
+                                    InstructionSet instructions) {
+  std::vector<Interval> ranges(boxes.size());
+  if (instructions != InstructionSet::none && boxes.size() > 1 &&
+      (are_bounded_in_lanes<T2Chart>(classifier, mode, sign, index, boxes, ranges, instructions) ||
+       are_bounded_in_lanes<SE2Chart>(classifier, mode, sign, index, boxes, ranges, instructions) ||
+       are_bounded_in_lanes<T3Chart>(classifier, mode, sign, index, boxes, ranges, instructions) ||
+       are_bounded_in_lanes<SO3Chart>(classifier, mode, sign, index, boxes, ranges, instructions)))
+    return ranges;
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    ranges[i] = classifier.enclose_index(boxes[i].root, boxes[i].box, mode, sign, index, boxes[i].share);
+  return ranges;
 }
 
 std::vector<Part> find_parts(const BoxClassifier& classifier, std::size_t mode, int sign,

@@ -43,6 +43,18 @@ std::vector<Part> find_parts(const BoxClassifier& classifier, std::size_t mode, 
                              std::vector<SharedFace> boxes,
                              InstructionSet instructions = instructions_in_use());
 
+/// A box of which an index is to be bounded, and the share of `BoxClassifier::enclose_index`.
+struct IndexRequest {
+  RootIndex root;
+  Box box;
+  double share;
+};
+
+/// As `BoxClassifier::enclose_index` for each of these boxes.
+std::vector<Interval> enclose_index(const BoxClassifier& classifier, std::size_t mode, int sign,
+                                    ParallelIndex index, const std::vector<IndexRequest>& boxes,
+                                    InstructionSet instructions = instructions_in_use());
+
 }  // namespace parallel_aspects
 
 #endif  // PARALLEL_ASPECTS_ASPECTS_BATCHES_BOX_REQUESTS_H

@@ -108,6 +108,7 @@ class LaneIntervals {
   const PlacedLegs<Chart, Range>& placed() const { return placed_; }
   const LaneEntries<Chart, Numbers>& entries() const { return entries_; }
   const LaneLimits<Chart, Numbers>& limits() const { return limits_; }
+  const EvaluatedLegs<Chart, Range>& legs() const { return legs_; }
   Range determinant(const typename Types::Signs& signs) const { return legs_.determinant(signs); }
 
  private:

@@ -20,7 +20,8 @@ inline Interval every_index(ParallelIndex kind) noexcept {
 }
 
 /// The size of a determinant that has this sign, and 0 of others.
-inline Interval of_sign(const Interval& determinant, int sign) noexcept {
+template <class Range>
+Range of_sign(const Range& determinant, int sign) noexcept {
   return not_negative_part(sign > 0 ? determinant : -determinant);
 }
 

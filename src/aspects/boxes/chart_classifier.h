@@ -106,8 +106,14 @@ class ChartClassifier final : public BoxClassifier {
     if (forms.reachable_nowhere()) return Interval(0.0);
     const Interval closer = intersection(range, forms.index(index, signs_[mode], sign));
     if (is_enough(closer)) return closer;
-    const double most = IndexOnArcs<Chart>(intervals, signs_[mode]).largest(index, sign);
-    return most < closer.upper() ? Interval(std::min(closer.lower(), most), most) : closer;
+    return IndexOnArcs<Chart>(intervals, signs_[mode]).closer(closer, index, sign);
+  }
+
+  /// The last of the work that `enclose_index` does, where the rest was done before.
+  Interval enclose_index_on_arcs(RootIndex root, const Box& box, std::size_t mode, int sign,
+                                 ParallelIndex index, const Interval& known) const noexcept {
+    const Intervals intervals(at(root, box));
+    return IndexOnArcs<Chart>(intervals, signs_[mode]).closer(known, index, sign);
   }
 
   void find_unknown_constraints(RootIndex root, const Box& box, ModeSet modes,
@@ -123,6 +129,8 @@ class ChartClassifier final : public BoxClassifier {
 
   /// Of B_jj, by working mode.
   const std::vector<Signs>& signs() const noexcept { return signs_; }
+
+  const auto& margins() const noexcept { return tests_.margins(); }
 
   /// Whether limits of actuated joints are the only constraints.
   bool is_limited_only() const noexcept { return tests_.none() && !tests_.margins().any(); }

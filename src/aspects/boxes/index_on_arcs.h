@@ -24,22 +24,28 @@ class IndexOnArcs {
   static constexpr std::size_t leg_count = Chart::leg_count;
   using Signs = std::array<int, leg_count>;
 
+  /// A leg's anchor is near its axis where the square of its distance, which is not negative, may be less
+  /// than this share of what it may be. Boxes farther off come to tell enough of the row when they are
+  /// halved.
+  static constexpr double near_axis = 0.05;
+
   /// The box must be reachable somewhere, and outlive this.
   IndexOnArcs(const BoxIntervals<Chart>& box, const Signs& signs) noexcept
       : box_(box), signs_(signs), leg_(leg_near_axis()) {}
 
-  /// No index in the box is larger where det A has this sign. Tells nothing where no leg is near its axis.
-  double largest(ParallelIndex kind, int sign) const noexcept {
-    if (!leg_) return every_index(kind).upper();
+  /// What is left of bounds of the index where det A has this sign; all where no leg is near its axis.
+  Interval closer(const Interval& known, ParallelIndex kind, int sign) const noexcept {
+    if (!leg_) return known;
     double largest = 0.0;
-    for (const Turn<Interval>& arc : arcs()) largest = std::max(largest, largest_on(arc, kind, sign));
-    return largest;
+    for (const Turn<Interval>& arc : arcs()) {
+      largest = std::max(largest, largest_on(arc, kind, sign));
+      if (!(largest < known.upper())) return known;
+    }
+    return {std::min(known.lower(), largest), largest};
   }
 
  private:
   static constexpr int arcs_of_half = 32;  // a power of two, so that their ends are exact
-  // Boxes farther off come to tell enough of the row when they are halved.
-  static constexpr double near_axis = 0.05;
   using Legs = EvaluatedLegs<Chart, Interval>;
   using Row = parallel_aspects::Row<Interval, leg_count>;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/batches/box_lanes.h"
 
+#include "aspects/boxes/box_intervals.h"
 #include "aspects/map/map_contents.h"
 #include "parallel_aspects/aspects/aspect_map.h"
 
@@ -169,6 +170,44 @@ TEST(BoxLanes, FindThePartsThatAreFoundInEachBoxAlone) {
     EXPECT_GT(found[kind], static_cast<std::size_t>(test::thinned(100)));
 }
 
+bool same(const Interval& a, const Interval& b) { return a.lower() == b.lower() && a.upper() == b.upper(); }
+
+TEST(BoxLanes, BoundTheIndexOfEachBoxAsItIsBoundedAlone) {
+  std::size_t compared = 0, between = 0;
+  for (const Robot& robot : robots()) {
+    const std::vector<WorkingMode> modes = working_modes(*robot);
+    const auto classifier = make_box_classifier(*robot, modes);
+    RandomBoxes boxes(*robot, *classifier);
+    std::vector<LeafState> states(modes.size());
+    for (int round = 0; round < test::thinned(20); ++round) {
+      const auto mode = static_cast<std::size_t>(round) % modes.size();
+      const int sign = round % 3 == 0 ? -1 : 1;
+      const ParallelIndex index = round % 2 == 0 ? ParallelIndex::normalised : ParallelIndex::determinant;
+      std::vector<IndexRequest> requests;
+      for (int i = 0; i < 20; ++i) {
+        const BoxRequest request = boxes.next(modes.size(), states);
+        requests.push_back({request.root, request.box, i % 4 == 0 ? 1.0 : i % 4 == 1 ? 1e-9 : 0.02});
+      }
+      const RoundingUpward rounding;
+      for (const InstructionSet instructions : all_instructions) {
+        if (!has_instructions(instructions)) continue;
+        const auto found = enclose_index(*classifier, mode, sign, index, requests, instructions);
+        ASSERT_EQ(found.size(), requests.size());
+        for (std::size_t i = 0; i < requests.size(); ++i) {
+          const auto& [root, box, share] = requests[i];
+          const Interval alone = classifier->enclose_index(root, box, mode, sign, index, share);
+          ASSERT_TRUE(same(alone, found[i]))
+              << text(*robot, {root, box, 0, nullptr}) << ", mode " << mode << ": " << alone.lower() << " to "
+              << alone.upper() << ", " << found[i].lower() << " to " << found[i].upper();
+          ++compared;
+          between += alone.upper() > 0.0 && alone.upper() < every_index(index).upper();
+        }
+      }
+    }
+  }
+  EXPECT_GT(between, compared / 20U);
+}
+
 /// How many leaves of each level there are in each working mode and state.
 std::map<std::tuple<std::size_t, std::uint32_t, int>, std::size_t> leaf_counts(const AspectMap& map) {
   const PoseTree& tree = map.contents().tree;
@@ -235,7 +274,8 @@ std::vector<std::string> functions_with(const std::string& file, const std::stri
 
 bool is_of_lanes(const std::string& name) {
   return name.find("(anonymous namespace)::classify_") != std::string::npos ||
-         name.find("(anonymous namespace)::examine_") != std::string::npos;
+         name.find("(anonymous namespace)::examine_") != std::string::npos ||
+         name.find("(anonymous namespace)::enclose_") != std::string::npos;
 }
 
 // Whatever else were compiled for wide vectors could be an inline function that the linker takes for the
