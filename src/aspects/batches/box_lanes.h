@@ -75,8 +75,7 @@ class BoxLanes {
       still_open |= open_in(mode);
     }
     if constexpr (has_slope_lanes<Chart>)
-      if (!in_none(still_open) && (detail == Detail::parts || detail == Detail::all_parts))
-        add_whole_parts(SlopeLanes<Chart, Numbers>(forms));
+      if (!in_none(still_open) && detail == Detail::parts) add_whole_parts(SlopeLanes<Chart, Numbers>(forms));
   }
 
   /// See BoxForms::center_sign.

@@ -13,35 +13,6 @@ namespace {
 
 std::atomic<InstructionSet> in_use{widest_instructions()};
 
-/// Whether more may be shown of an undecided box one by one.
-bool is_open(LeafState state) noexcept {
-  return state.is_undecided() &&
-         ((state.may_be(1) && !state.is_whole(1)) || (state.may_be(-1) && !state.is_whole(-1)));
-}
-
-void classify_open(const BoxClassifier& classifier, std::size_t mode_count, const BoxRequests& requests,
-                   Detail detail) noexcept {
-  for (const BoxRequest& each : requests) {
-    ModeSet open = 0;
-    for (std::size_t mode = 0; mode < mode_count; ++mode)
-      if ((each.modes >> mode & 1U) != 0 && is_open(each.states[mode])) open |= ModeSet{1} << mode;
-    if (open != 0) classifier.classify(each.root, each.box, open, detail, each.states);
-  }
-}
-
-/// False where the classifier is for another chart, or for a robot with constraints that lanes do not treat,
-/// and where slopes are asked for that have no lanes: then little would be saved.
-template <class Chart>
-bool are_done_in_lanes(const BoxClassifier& classifier, const BoxRequests& requests, Detail detail,
-                       InstructionSet instructions) noexcept {
-  const auto* of_chart = dynamic_cast<const ChartClassifier<Chart>*>(&classifier);
-  const bool has_stages = has_slope_lanes<Chart> || detail == Detail::states || detail == Detail::centers;
-  if (of_chart == nullptr || !of_chart->is_limited_only() || !has_stages) return false;
-  classify_in_lanes(of_chart->chart(), of_chart->signs(), requests, detail, instructions);
-  if (detail == Detail::all_parts) classify_open(classifier, of_chart->signs().size(), requests, detail);
-  return true;
-}
-
 /// False where the classifier is for another chart, or for a robot with constraints that lanes do not treat.
 template <class Chart>
 bool are_examined_in_lanes(const BoxClassifier& classifier, std::size_t mode, int sign,
@@ -78,11 +49,84 @@ std::vector<Examined> examine(const BoxClassifier& classifier, std::size_t mode,
   std::vector<Examined> examined(boxes.size(), {LeafState(), Monotonicity::unknown(), std::nullopt});
   if (instructions != InstructionSet::none &&
       (are_examined_in_lanes<T2Chart>(classifier, mode, sign, boxes, examined, instructions) ||
-       are_examined_in_lanes<SE2Chart>(classifier, mode, sign, boxes, examined, instructions)))
+       are_examined_in_lanes<SE2Chart>(classifier, mode, sign, boxes, examined, instructions) ||
+       are_examined_in_lanes<T3Chart>(classifier, mode, sign, boxes, examined, instructions)))
     return examined;
   for (std::size_t i = 0; i < boxes.size(); ++i)
     examined[i] = classifier.examine(boxes[i].root, boxes[i].box, mode, sign);
   return examined;
+}
+
+/// A box that is to be looked at in one working mode and sign, and where what is found is to be kept.
+struct OpenBox {
+  SharedFace at;
+  LeafState* state;
+};
+
+/// Pushes S(mode, sign) onto faces of the boxes, edges and corners as far as it grows to them, where
+/// `faces_too`, and keeps of which boxes that shows them to be whole. Returns the others. See
+/// BoxSlopes::is_whole.
+std::vector<OpenBox> find_whole(const BoxClassifier& classifier, std::size_t mode, int sign, bool faces_too,
+                                const std::vector<OpenBox>& boxes, InstructionSet instructions) {
+  std::vector<OpenBox> rest;
+  std::vector<SharedFace> faces;
+  std::vector<std::size_t> of;  // which of the boxes each is a face of
+  for (const OpenBox& each : boxes) {
+    of.push_back(faces.size());
+    faces.push_back(each.at);
+  }
+  while (!faces.empty()) {
+    const std::vector<Examined> examined = examine(classifier, mode, sign, faces, instructions);
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      const auto& [state, monotonicity, shell] = examined[i];
+      SharedFace& face = faces[i];
+      if (!state.may_be(sign) || state.is_inside() || monotonicity.along_all(face.box) || shell) {
+        *boxes[of[i]].state = boxes[of[i]].state->with_whole(sign);
+      } else if (faces_too && monotonicity.flatten(face.box)) {
+        of[kept] = of[i];
+        faces[kept++] = face;
+      } else {
+        rest.push_back(boxes[of[i]]);
+      }
+    }
+    faces.resize(kept);
+  }
+  return rest;
+}
+
+/// What slopes, faces and wedges show to be whole in boxes of which all else is known.
+void add_whole_parts(const BoxClassifier& classifier, std::size_t mode_count, const BoxRequests& requests,
+                     Detail detail, InstructionSet instructions) {
+  const bool all = detail == Detail::all_parts;
+  for (std::size_t mode = 0; mode < mode_count; ++mode)
+    for (const int sign : {1, -1}) {
+      std::vector<OpenBox> open;
+      for (const BoxRequest& each : requests)
+        if (LeafState& state = each.states[mode];
+            (each.modes >> mode & 1U) != 0 && state.is_undecided() && state.may_be(sign))
+          open.push_back({{each.root, each.box}, &state});
+      for (const OpenBox& each :
+           find_whole(classifier, mode, sign, all && classifier.policy().faces, open, instructions))
+        if (all && classifier.find_wedge(each.at.root, each.at.box, mode, sign))
+          *each.state = each.state->with_whole(sign);
+    }
+}
+
+/// False where the classifier is for another chart, or for a robot with constraints that lanes do not treat,
+/// and where slopes are asked for that have no lanes: then little would be saved.
+template <class Chart>
+bool are_done_in_lanes(const BoxClassifier& classifier, const BoxRequests& requests, Detail detail,
+                       InstructionSet instructions) noexcept {
+  const auto* of_chart = dynamic_cast<const ChartClassifier<Chart>*>(&classifier);
+  const bool needs_parts = detail == Detail::parts || detail == Detail::all_parts;
+  if (of_chart == nullptr || !of_chart->is_limited_only() || (needs_parts && !has_part_lanes<Chart>))
+    return false;
+  const bool apart = detail == Detail::all_parts || (detail == Detail::parts && !has_slope_lanes<Chart>);
+  classify_in_lanes(of_chart->chart(), of_chart->signs(), requests, apart ? Detail::centers : detail,
+                    instructions);
+  if (apart) add_whole_parts(classifier, of_chart->signs().size(), requests, detail, instructions);
+  return true;
 }
 
 }  // namespace

@@ -11,7 +11,8 @@
 
 namespace parallel_aspects {
 
-/// Whether the whole parts of its boxes are told, too, where `Detail::parts` is asked for.
+/// Whether the whole parts of its boxes are told as well, for all working modes at once, where
+/// `Detail::parts` is asked for.
 template <class Chart>
 inline constexpr bool has_slope_lanes = false;
 template <>
@@ -23,7 +24,7 @@ inline constexpr bool has_slope_lanes<SE2Chart> = true;
 template <class Chart>
 using ModeSigns = std::vector<std::array<int, Chart::leg_count>>;
 
-/// Writes the states of all requests as `BoxClassifier::classify` does, without what has no lanes: faces,
+/// Writes the states of all requests as `BoxClassifier::classify` does, without faces,
 /// wedges and slopes of some charts. As many at once as the vectors of this instruction set have lanes; which
 /// the processor must have. A live `RoundingUpward` is required.
 void classify_in_lanes(const T2Chart& chart, const ModeSigns<T2Chart>& signs, const BoxRequests& requests,

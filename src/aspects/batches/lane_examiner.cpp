@@ -62,5 +62,10 @@ void examine_in_lanes(const SE2Chart& chart, const std::array<int, SE2Chart::leg
                       InstructionSet instructions) noexcept {
   examine_all(chart, signs, sign, shells, boxes, examined, instructions);
 }
+void examine_in_lanes(const T3Chart& chart, const std::array<int, T3Chart::leg_count>& signs, int sign,
+                      bool shells, const std::vector<SharedFace>& boxes, Examined* examined,
+                      InstructionSet instructions) noexcept {
+  examine_all(chart, signs, sign, shells, boxes, examined, instructions);
+}
 
 }  // namespace parallel_aspects

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <set>
 
 namespace parallel_aspects {
 namespace {
@@ -18,11 +19,6 @@ std::size_t undecided_leaves(const PoseTree& tree, std::size_t mode) noexcept {
   std::size_t count = 0;
   for (NodeIndex node = 0; node < tree.node_count(); ++node) count += tree.state(node, mode).is_undecided();
   return count;
-}
-
-void classify(PoseTree& tree, const BoxClassifier& classifier, std::size_t mode, NodeIndex node,
-              Detail detail) {
-  classifier.classify(tree.place(node).root, tree.box(node), ModeSet{1} << mode, detail, tree.states(node));
 }
 
 /// Classifies nodes in one mode, as many at once as suits the processor and a user who cancels.
@@ -127,10 +123,19 @@ class ModeRefinement {
     return thorough ? Detail::all_parts : Detail::parts;
   }
 
+  void examine(const std::vector<NodeIndex>& nodes) {
+    std::vector<LeafState> before;
+    BoxBatches batches(tree_, classifier_, mode(), control_);
+    for (const NodeIndex node : nodes) {
+      before.push_back(tree_.state(node, mode()));
+      batches.add(node, Detail::all_parts);
+    }
+    batches.classify();
+    for (std::size_t i = 0; i < nodes.size() && !is_cancelled(control_); ++i) take_in(nodes[i], before[i]);
+  }
+
   /// Keeps what the graph has proved of the leaf.
-  void examine(NodeIndex node) {
-    const LeafState before = tree_.state(node, mode());
-    classify(tree_, classifier_, mode(), node, Detail::all_parts);
+  void take_in(NodeIndex node, LeafState before) {
     LeafState& state = tree_.state(node, mode());
     // What was known may have come from the parent or from a search in the leaf, which this does not repeat.
     for (const int sign : {1, -1}) {
@@ -160,10 +165,18 @@ class ModeRefinement {
     }
     if (!policy_.searches_contacts) return;
     ContactSearch& search = sign > 0 ? positive_search_ : negative_search_;
-    for (const NodeIndex node : choice.choose(graph, search.run())) {
-      if (is_cancelled(control_)) return;
-      const bool is_new = policy_.examines && graph.is_unexamined(node);
-      if (is_new) examine(node);
+    const std::vector<NodeIndex> chosen = choice.choose(graph, search.run());
+    std::vector<NodeIndex> examined;
+    std::set<NodeIndex> seen;
+    for (const NodeIndex node : chosen) {
+      const bool is_new = policy_.examines && graph.is_unexamined(node) && seen.insert(node).second;
+      if (is_new) examined.push_back(node);
+    }
+    examine(examined);
+    auto next = examined.begin();
+    for (const NodeIndex node : chosen) {
+      const bool is_new = next != examined.end() && *next == node;
+      if (is_new) ++next;
       if (!is_new || !graph.is_settled(node)) request(node);
     }
   }
