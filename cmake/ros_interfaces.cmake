@@ -45,6 +45,7 @@ add_message_files(FILES
   SolvedConfiguration.msg
   Status.msg
   TrajectoryEvent.msg
+  UniquenessState.msg
 )
 add_service_files(FILES
   ChooseWorkingMode.srv

@@ -17,6 +17,7 @@ const DomainState& DomainWatch::update(const Pose& pose, double time) {
     since_ = time;
   }
   compare(time);
+  last_ = state_.region;
   return state_;
 }
 
@@ -26,15 +27,21 @@ void DomainWatch::compare(double time) {
                        ? DomainSharing::shared
                        : uniqueness_->sharing(*state_.region, *state_.reference);
   const bool would_warn = state_.sharing != DomainSharing::shared;
-  if (would_warn != std::exchange(would_warn_, would_warn)) since_ = time;
+  if (would_warn != std::exchange(would_warn_, would_warn)) {
+    since_ = time;
+    before_ = last_;
+  }
   if (would_warn == state_.warns || time - since_ < hold_) return;
   state_.warns = would_warn;
   state_.changed = true;
+  state_.before = before_;
+  state_.since = since_;
 }
 
 void DomainWatch::restart() {
   state_ = {};
   would_warn_ = false;
+  last_ = before_ = std::nullopt;
   since_ = 0.0;
 }
 

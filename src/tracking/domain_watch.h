@@ -21,6 +21,10 @@ struct DomainState {
   /// which direct solution the robot is at for who knew it at the reference.
   bool warns = false;
   bool changed = false;  ///< `warns` changed with this pose
+  /// Where that began which `warns` shows since it last changed: the last region before it, and the time of
+  /// the first pose behind it [s].
+  std::optional<std::size_t> before;
+  double since = 0.0;
 };
 
 /// Compares where a robot is with where it was known for certain: whether one uniqueness domain holds both,
@@ -45,8 +49,9 @@ class DomainWatch {
   std::shared_ptr<const Uniqueness> uniqueness_;
   double hold_;
   DomainState state_;
-  bool would_warn_ = false;  // by the last comparison
-  double since_ = 0.0;       // how long it came out so
+  bool would_warn_ = false;                   // by the last comparison
+  std::optional<std::size_t> last_, before_;  // regions that were proved: the last, and that before `since_`
+  double since_ = 0.0;                        // when it first came out so
 };
 
 }  // namespace parallel_aspects

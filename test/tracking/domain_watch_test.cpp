@@ -47,11 +47,15 @@ TEST(DomainWatch, WarnsWhereNoDomainHoldsBothForSomeTime) {
   EXPECT_FALSE(watch.update(in_region(1), 1.05).warns);
   EXPECT_TRUE(watch.update(in_region(1), 1.11).warns);
   EXPECT_TRUE(watch.state().changed);
+  EXPECT_EQ(watch.state().before, 2U);
+  EXPECT_EQ(watch.state().since, 1.0);
   EXPECT_TRUE(watch.update(in_region(1), 1.2).warns);
   EXPECT_FALSE(watch.state().changed);
   EXPECT_TRUE(watch.update(in_region(2), 1.3).warns);
   EXPECT_FALSE(watch.update(in_region(2), 1.41).warns);
   EXPECT_TRUE(watch.state().changed);
+  EXPECT_EQ(watch.state().before, 1U);
+  EXPECT_EQ(watch.state().since, 1.3);
 }
 
 TEST(DomainWatch, IsNotMovedByFlutterNorByPosesOfNoRegion) {

@@ -107,12 +107,14 @@ std::uint32_t KnownAspects::proved_count() const noexcept {
   return static_cast<std::uint32_t>(count);
 }
 
-MapWorker::MapWorker(std::shared_ptr<const Manipulator> manipulator, std::string file, Listener listener)
+MapWorker::MapWorker(std::shared_ptr<const Manipulator> manipulator, std::string file, Listener listener,
+                     const UniquenessParameters& uniqueness)
     : manipulator_(std::move(manipulator)),
       file_(std::move(file)),
       listener_(std::move(listener)),
       progress_(empty_report()),
       file_message_(file_.empty() ? "none; see map/file" : "not read yet"),
+      domains_(*manipulator_, uniqueness),
       thread_([this] { run(); }) {}
 
 MapWorker::~MapWorker() {
@@ -199,6 +201,12 @@ void MapWorker::run() {
 }
 
 void MapWorker::carry_out(const Request& request) {
+  const std::shared_ptr<const AspectMap> before = map();
+  make_map(request);
+  if (map() != before) domains_.find(map(), cancelled_);
+}
+
+void MapWorker::make_map(const Request& request) {
   const bool of_map = has_map(manipulator_->task_space());
   const char* const what = of_map ? "map" : "roadmap";
   const MapOptions& options = request.options;

@@ -6,6 +6,7 @@
 #include "parallel_aspects/aspects/pose_roadmap.h"
 #include "parallel_aspects/distance/distance_map.h"
 #include "parallel_aspects/model/manipulator.h"
+#include "ros/monitor/domain_finder.h"
 
 #include <parallel_aspects/MapProgress.h>
 
@@ -56,8 +57,10 @@ class MapWorker {
   using Listener = std::function<void(const MapProgress&, const std::shared_ptr<const AspectMap>& map)>;
   using Job = std::uint64_t;
 
-  /// `file`: path of the map file; empty for none.
-  MapWorker(std::shared_ptr<const Manipulator> manipulator, std::string file, Listener listener);
+  /// `file`: path of the map file; empty for none. `uniqueness`: whether, and how, uniqueness domains are
+  /// found when all of that is done.
+  MapWorker(std::shared_ptr<const Manipulator> manipulator, std::string file, Listener listener,
+            const UniquenessParameters& uniqueness = {});
 
   /// Cancels and waits.
   ~MapWorker();
@@ -65,17 +68,18 @@ class MapWorker {
   /// Begins a computation and cancels the one that runs, if any.
   Job compute(const MapOptions& options, FileUse use = FileUse::none);
 
-  /// Cancels this job if it still runs or waits.
+  /// Cancels this job if it still runs or waits, and what is found in its map after it.
   void cancel(Job job);
 
   /// The newest report of a job, after waiting for its end, but no longer than `patience`. A job that a newer
   /// one has displaced is CANCELLED.
   MapProgress wait(Job job, std::chrono::milliseconds patience) const;
 
-  MapProgress progress() const;                  ///< newest report of all
-  KnownAspects known() const;                    ///< what is in use
-  std::shared_ptr<const AspectMap> map() const;  ///< that of `known`
-  std::string file_message() const;              ///< what became of the map file
+  MapProgress progress() const;                              ///< newest report of all
+  KnownAspects known() const;                                ///< what is in use
+  std::shared_ptr<const AspectMap> map() const;              ///< that of `known`
+  std::string file_message() const;                          ///< what became of the map file
+  KnownDomains domains() const { return domains_.known(); }  ///< of the newest map
 
  private:
   struct Request {
@@ -85,6 +89,7 @@ class MapWorker {
 
   void run();
   void carry_out(const Request& request);
+  void make_map(const Request& request);
   void make_roadmap(const MapOptions& options, const MapControl& control);
   bool load(const MapOptions& options);
   void save(const AspectMap& map);
@@ -107,6 +112,7 @@ class MapWorker {
   MapProgress progress_;
   KnownAspects known_;
   std::string file_message_;
+  DomainFinder domains_;
   std::thread thread_;
 };
 

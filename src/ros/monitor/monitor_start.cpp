@@ -78,6 +78,7 @@ Status RobotMonitor::start_by(const ros::Time& now, const StatedSigns& stated, c
   if (!tracker_.state().followed() || why_not.empty()) status_ = status_of_tracker();
   if (!why_not.empty()) return make_status(Status::NO_SOLUTION, why_not);
   stated_anew_ = true;
+  note_start(true);
   keep_transitions();
   return {};
 }

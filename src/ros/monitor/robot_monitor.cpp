@@ -11,7 +11,6 @@
 #include <utility>
 
 namespace parallel_aspects {
-namespace {}  // namespace
 
 RobotMonitor::RobotMonitor(std::shared_ptr<const Mechanism> mechanism, const NodeOptions& options,
                            const std::string& topic)
@@ -24,6 +23,7 @@ RobotMonitor::RobotMonitor(std::shared_ptr<const Mechanism> mechanism, const Nod
       passive_(mechanism, options.passive),
       meter_(mechanism->manipulator()),
       stand_off_(mechanism->manipulator(), options.tracking.samples),
+      domains_(mechanism->manipulator(), options.uniqueness.hold),
       merger_(mechanism->manipulator(), options.tracking.samples, options.joint_states_window),
       tracker_(mechanism->manipulator(), options.tracking),
       status_(make_status(Status::NO_JOINT_STATES,
@@ -155,6 +155,7 @@ Status RobotMonitor::follow(const MergedJoints& merged, bool first) {
   const double time = seconds_between(epoch_, merged.stamp);
   const Status start = first ? start_as_configured(time, merged.q) : Status();
   if (!first || start.code != Status::OK) tracker_.update(time, merged.q, merged.uncertainty);
+  note_start(false);
   if (tracker_.state().followed()) not_started_ = {};
   if (first && tracker_.state().status == TrackStatus::uninitialised) not_started_ = start;
   status_ = status_of_tracker();
@@ -180,6 +181,7 @@ void RobotMonitor::fill_tracked(const ros::Time& stamp, MonitorUpdate& update) {
   }
   update.state = state_message(manipulator, tracked, stamp);
   hazards_.judge(tracked, residual_.compared > 0 ? residual_.excess : not_a_number, epoch_, *update.state);
+  fill_domains(*update.state);
   if (guard_) update.state->guard = guard_->state();
   update.tracked = tracked;
 }
@@ -187,6 +189,7 @@ void RobotMonitor::fill_tracked(const ros::Time& stamp, MonitorUpdate& update) {
 AspectState RobotMonitor::lost_state(const Status& status, const ros::Time& stamp) {
   AspectState state = unknown_state(*mechanism_->manipulator(), status, stamp);
   hazards_.lose(epoch_, state);
+  state.uniqueness = unknown_domains(uniqueness_.known);
   if (guard_) state.guard = guard_->state();
   return state;
 }
@@ -195,13 +198,16 @@ std::optional<AssemblyCandidates> RobotMonitor::work() {
   TrackedState tracked;
   JointVector bend;
   Eigen::VectorXd readings;
+  std::optional<TrackingStart> start;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (age_.stamp().isZero()) return std::nullopt;
     tracked = tracker_.state();
     bend = tracker_.bend();
     readings = readings_;
+    start = tracking_start_;
   }
+  if (start) look_for_domain(tracked, *start);
   if (tracked.followed())
     measure(tracked, bend, readings);
   else
@@ -237,6 +243,7 @@ void RobotMonitor::look_for_assembly_mode(const Eigen::VectorXd& readings) {
   if (tracker_.state().followed()) return;
   if (tracker_.wants_candidates()) tracker_.find_candidates();
   if (!tracker_.state().followed()) passive_.apply(readings, tracker_);
+  note_start(false);
   keep_transitions();
 }
 
@@ -380,6 +387,7 @@ void RobotMonitor::forget() {
   clock_went_back_ = !ros::Time::isSimTime();
   publishers_.forget_claims();
   tracker_.stop();
+  tracking_start_.reset();
   hazards_.forget();
   if (guard_) guard_->forget();
   merger_.forget();

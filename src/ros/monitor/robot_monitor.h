@@ -13,6 +13,7 @@
 #include "ros/joint_states/publisher_watch.h"
 #include "ros/messages/configurations.h"
 #include "ros/messages/conversions.h"
+#include "ros/monitor/domain_report.h"
 #include "ros/monitor/hazard_watch.h"
 #include "ros/monitor/sample_age.h"
 #include "ros/monitor/velocity_guard.h"
@@ -100,11 +101,15 @@ class RobotMonitor {
   CurrentConfiguration current(const ros::Time& now) const;
   MonitorFindings findings() const;
   MonitorCounts counts() const;
+  UniquenessState uniqueness() const;  ///< that of the last state
 
   void set_map(std::shared_ptr<const AspectMap> map);
 
   /// What `work` measures distances with; null for none. To be called by the thread that calls `work`.
   void set_distance_map(const std::shared_ptr<const DistanceMap>& map);
+
+  /// Of what `work` looks up where the robot is. To be called by the thread that calls `work`.
+  void set_domains(const KnownDomains& known);
 
   void set_thresholds(const DistanceThresholds::Options& thresholds);
 
@@ -135,6 +140,9 @@ class RobotMonitor {
   void fill_tracked(const ros::Time& stamp, MonitorUpdate& update);
   void keep_transitions();
   AspectState lost_state(const Status& status, const ros::Time& stamp);
+  void note_start(bool stated);
+  void fill_domains(AspectState& state) const;
+  void look_for_domain(const TrackedState& tracked, const TrackingStart& start);
   void measure(const TrackedState& tracked, const JointVector& bend, const Eigen::VectorXd& readings);
   void look_for_assembly_mode(const Eigen::VectorXd& readings);
   std::optional<AssemblyCandidates> new_candidates();
@@ -149,6 +157,7 @@ class RobotMonitor {
   const PassiveJoints passive_;
   BoundaryDistanceMeter meter_;  // of `work` alone
   const StandOff stand_off_;
+  DomainReport domains_;  // of `work` alone
 
   mutable std::mutex mutex_;
   JointMerger merger_;
@@ -171,6 +180,9 @@ class RobotMonitor {
   MonitorCounts counts_;
   PublisherWatch publishers_;
 
+  std::optional<TrackingStart> tracking_start_;  // while the robot is followed
+  std::uint64_t tracking_starts_ = 0;
+  UniquenessState uniqueness_;  // as `work` last found it
   HazardWatch hazards_;
   std::optional<VelocityGuard> guard_;  // where it is on
   Eigen::VectorXd readings_;            // of all joints, from the last usable sample

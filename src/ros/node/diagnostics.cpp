@@ -10,6 +10,8 @@ namespace {
 
 using Level = diagnostic_msgs::DiagnosticStatus;
 
+std::string region_text(std::uint32_t number) { return number == 0 ? "unknown" : std::to_string(number); }
+
 std::string age_text(const ros::Time& stamp, const ros::Time& now) {
   return stamp.isZero() ? "no sample yet" : std::to_string(now.toSec() - stamp.toSec());
 }
@@ -68,6 +70,9 @@ void Diagnostics::report_tracking(Wrapper& status) const {
     status.mergeSummary(Level::ERROR, "too near a boundary");
   if (well && findings.threshold.level == ThresholdLevel::unknown)
     status.mergeSummary(Level::ERROR, "a distance that has a threshold is not known");
+  const UniquenessState uniqueness = monitor_.uniqueness();
+  if (well && uniqueness.warns)
+    status.mergeSummary(Level::WARN, "the actuated joints alone do not tell the pose");
   for (std::size_t i = 0; i < hazard_count; ++i)
     status.add(std::string("proved distance to the nearest ") + name(static_cast<Hazard>(i)) + " [m]",
                well ? std::to_string(findings.distances[i].lower) : "unknown");
@@ -80,6 +85,8 @@ void Diagnostics::report_tracking(Wrapper& status) const {
   status.add("sign of det A", well ? std::to_string(current.tracked.determinant_sign) : "unknown");
   status.add("aspect",
              well && current.tracked.aspect != 0 ? std::to_string(current.tracked.aspect) : "unknown");
+  status.add("basic region", region_text(well ? uniqueness.basic_region : 0));
+  status.add("basic region where tracking began", region_text(well ? uniqueness.reference_region : 0));
   status.add("age of the last sample [s]", age_text(current.stamp, now));
 }
 
@@ -129,6 +136,7 @@ void Diagnostics::report_map(Wrapper& status) const {
   status.add("aspects proved", progress.proved_count);
   status.add("pairs unresolved", progress.unresolved);
   status.add("file", worker_.file_message());
+  status.add("uniqueness domains", worker_.domains().message);
 }
 
 void Diagnostics::report_frames(Wrapper& status) const {

@@ -44,8 +44,10 @@ RobotServer::RobotServer(const ros::NodeHandle& nh, const ros::NodeHandle& priva
       joint_states_(tracking_nh_.advertise<sensor_msgs::JointState>("joint_states", 100)),
       candidates_(work_nh_.advertise<AssemblyCandidates>("candidates", 10, true)),
       map_progress_(service_nh_.advertise<MapProgress>("map_progress", 10, true)),
-      worker_(setup_.mechanism->mapped_manipulator(), setup_.options.map_file,
-              [this](const MapProgress& progress, const auto& map) { on_map_progress(progress, map); }),
+      worker_(
+          setup_.mechanism->mapped_manipulator(), setup_.options.map_file,
+          [this](const MapProgress& progress, const auto& map) { on_map_progress(progress, map); },
+          setup_.options.uniqueness),
       queries_(
           setup_.mechanism->manipulator(), monitor_, worker_,
           [this](const auto& pose, std::string& message) { return to_base(pose, message); },
@@ -240,7 +242,10 @@ void RobotServer::on_joint_states(const ros::MessageEvent<const sensor_msgs::Joi
   }
   for (const AspectTransition& transition : update.transitions) {
     transitions_.publish(transition);
-    log_.say(transition.message);
+    if (transition.kind == AspectTransition::UNIQUENESS && !transition.domain_shared)
+      log_.warn(transition.message);
+    else
+      log_.say(transition.message);
   }
   if (update.tracked && (completed_.next() || changed))
     publish_robot(*update.tracked, update.state->header.stamp);
@@ -280,6 +285,7 @@ void RobotServer::check_age() {
 
 void RobotServer::work() {
   monitor_.set_distance_map(worker_.known().distances_of(setup_.mechanism->manipulator()));
+  monitor_.set_domains(worker_.domains());
   if (const auto candidates = monitor_.work()) candidates_.publish(*candidates);
 }
 

@@ -143,6 +143,13 @@ ProbeOptions probe_from(ParameterReader reader) {
   return probe;
 }
 
+UniquenessParameters uniqueness_from(ParameterReader reader) {
+  UniquenessParameters uniqueness;
+  reader.read_all("enabled", uniqueness.enabled, "hold", uniqueness.hold, "most_cells",
+                  uniqueness.most_cells);
+  return uniqueness;
+}
+
 double rate_from(ParameterReader reader, double rate) {
   reader.read_all("rate", rate);
   return rate;
@@ -222,6 +229,7 @@ NodeOptions options_from(const XmlRpcValue& parameters, const std::string& prefi
   options.thresholds = thresholds_from(reader.group("thresholds"));
   options.guard = guard_from(reader.group("guard"));
   options.probe = probe_from(reader.group("probe"));
+  options.uniqueness = uniqueness_from(reader.group("uniqueness"));
   options.distance_rate = rate_from(reader.group("distance"), options.distance_rate);
   options.state_decimation = decimation_from(reader.group("state"));
   options.completed_decimation = decimation_from(reader.group("completed"));

@@ -168,6 +168,9 @@ Problems problems_of(const NodeOptions& options, const Manipulator& manipulator,
   checks.require(positive(options.display.radius), "display/radius", "must be a positive number [m].");
   checks.require(within(options.display.rate, 0.1, 100.0), "display/rate", "must be 0.1 to 100 [Hz].");
   checks.require(within(options.probe.rate, 0.1, 100.0), "probe/rate", "must be 0.1 to 100 [Hz].");
+  checks.require(within(options.uniqueness.hold, 0.0, 60.0), "uniqueness/hold", "must be 0 to 60 [s].");
+  checks.require(within(options.uniqueness.most_cells.value_or(1000), 1000, 100000000),
+                 "uniqueness/most_cells", "must be 1000 to 100000000; leave it out for 250000.");
   checks.require(valid_frame_prefix(options.frame_prefix), "frame_prefix",
                  "must have no space, and no slash at its ends.");
   return checks.take();

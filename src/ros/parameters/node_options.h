@@ -58,6 +58,13 @@ struct ProbeOptions {
   double rate = 20.0;           ///< how often it is worked out at most [Hz], 0.1 to 100
 };
 
+/// Uniqueness domains, where these are computed.
+struct UniquenessParameters {
+  bool enabled = false;           ///< whether they are, once the map is complete
+  double hold = 0.1;              ///< how long before the warning begins or ends [s], 0 to 60
+  std::optional<int> most_cells;  ///< as in `UniquenessOptions`, 1,000 to 100,000,000
+};
+
 /// What the thresholds of each hazard are.
 DistanceThresholds::Options thresholds_of(const ThresholdParameters& parameters);
 
@@ -72,6 +79,7 @@ struct NodeOptions {
   ThresholdParameters thresholds;
   GuardParameters guard;
   ProbeOptions probe;
+  UniquenessParameters uniqueness;
   /// Of the actuated joints, for paths in time [rad/s^2 or m/s^2]; empty where it is not stated.
   JointVector acceleration;
   double distance_rate = 50.0;        ///< how often distances are measured [Hz], 0.1 to 1000
