@@ -85,17 +85,28 @@ Status PlanServer::read_wish(const PlanPathGoal& goal, PathWish& wish) const {
 Status PlanServer::read(const PlanPathGoal& goal, Question& question) const {
   Status status = read_wish(goal, question.wish);
   question.timed = !goal.path_only;
+  question.stay_in_domain = goal.stay_in_domain;
   const bool mapped = has_map(manipulator_->task_space());
   if (is_ok(status)) status = read_margin(goal, mapped, question.margin);
   if (is_ok(status) && question.timed) status = read_limits();
-  if (is_ok(status)) status = read_end(goal.start, "start", question.from);
-  if (is_ok(status)) status = read_end(goal.goal, "goal", question.to);
+  if (is_ok(status)) status = read_ends(goal, question);
+  if (is_ok(status) && !question.cusp) status = read_map(question);
+  return status;
+}
+
+Status PlanServer::read_ends(const PlanPathGoal& goal, Question& question) const {
+  const Status status = read_end(goal.start, "start", question.from);
   if (!is_ok(status)) return status;
+  if (goal.around_cusp == 0 && goal.held_joint.empty()) return read_end(goal.goal, "goal", question.to);
+  return read_cusp(*manipulator_, goal, question.from, question.cusp);
+}
+
+Status PlanServer::read_map(Question& question) const {
   question.known = worker_.known();
-  if (mapped ? question.known.map == nullptr : question.known.roadmap == nullptr)
+  if (has_map(manipulator_->task_space()) ? question.known.map == nullptr : question.known.roadmap == nullptr)
     return make_status(Status::MAP_NOT_READY,
                        "Paths are planned in the map, which is not there yet: " + worker_.progress().message);
-  return status;
+  return {};
 }
 
 Status PlanServer::read_limits() const {
@@ -153,6 +164,7 @@ PathWish PlanServer::timed(const PathWish& wish, const Plan& plan, const MapCont
 }
 
 PlanServer::Plan PlanServer::plan(const Question& question) {
+  if (question.cusp) return plan_around(question);
   const MapControl steps = control("Looking for gates and a path.");
   steps.progress(0.0);
   Plan plan;
@@ -170,6 +182,26 @@ PlanServer::Plan PlanServer::plan(const Question& question) {
   };
   plan.path = prepared_.planner->plan(question.from, question.to, timed(question.wish, plan, steps), steps);
   return plan;
+}
+
+PlanServer::Plan PlanServer::plan_around(const Question& question) {
+  const MapControl steps = control("Looking for a path around the cusp.");
+  steps.progress(0.0);
+  CuspPath found = plan_around_cusp(manipulator_, question.from, *question.cusp, steps);
+  Plan plan;
+  plan.status = std::move(found.status);
+  plan.path = std::move(found.path);
+  plan.turns_around_cusps = std::move(found.turns_around_cusps);
+  plan.between = std::move(found.between);
+  plan.certifier = certifier_;
+  return plan;
+}
+
+// A path that is not proved to do so is not given.
+void PlanServer::keep_to_domain(const Question& question, const PathDomains& domains, Plan& plan) const {
+  if (!question.stay_in_domain || !plan.path || domains.in_one == SameAspect::yes) return;
+  plan.path = PlannedPath();
+  plan.path.message = "A path was found, but " + domains.message;
 }
 
 // A margin beyond those of the robot takes a map of its own. Empty, or why there is no planner.
@@ -192,7 +224,9 @@ std::string PlanServer::prepare(const Question& question) {
   return {};
 }
 
-void PlanServer::finish(const Plan& plan, const Question& question, PlanPathResult result) {
+void PlanServer::finish(Plan plan, const Question& question, PlanPathResult result) {
+  const PathDomains domains = domains_along(plan.path, plan.between, worker_.domains());
+  keep_to_domain(question, domains, plan);
   TimedPath timed;
   if (plan.path && question.timed && !cancelled_) {
     const MapControl steps = control("Timing the path.");
@@ -205,7 +239,14 @@ void PlanServer::finish(const Plan& plan, const Question& question, PlanPathResu
     if (server_->isPreemptRequested()) return server_->setPreempted(result, result.status.message);
     return server_->setAborted(result, result.status.message);
   }
+  if (!is_ok(plan.status)) {
+    result.status = plan.status;
+    result.reason = plan.status.message;
+    return server_->setAborted(result, result.reason);
+  }
   write_path(*manipulator_, plan.path, result);
+  write_domains(domains, result);
+  result.turns_around_cusps.assign(plan.turns_around_cusps.begin(), plan.turns_around_cusps.end());
   write_timing(*manipulator_, timed, result);
   if (plan.path) publish(plan, result);
   server_->setSucceeded(result, result.reason);

@@ -9,6 +9,8 @@
 #include "ros/node/checked_goals.h"
 #include "ros/node/pose_reading.h"
 #include "ros/parameters/load_options.h"
+#include "ros/plan/cusp_question.h"
+#include "ros/plan/path_domains.h"
 
 #include <parallel_aspects/PlanPathAction.h>
 
@@ -18,7 +20,9 @@
 #include <actionlib/server/simple_action_server.h>
 #include <atomic>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace parallel_aspects {
 
@@ -41,6 +45,8 @@ class PlanServer {
   /// A goal, understood.
   struct Question {
     PathEnd from, to;
+    std::optional<CuspQuestion> cusp;  // in place of `to`
+    bool stay_in_domain = false;
     PathWish wish;
     KnownAspects known;
     bool timed = true;
@@ -49,7 +55,9 @@ class PlanServer {
 
   /// A path, how the pose runs between two of its points, and what proves it, with the margins that it keeps.
   struct Plan {
+    Status status;  // not OK where the question turned out to have no answer
     PlannedPath path;
+    std::vector<int> turns_around_cusps;  // empty where not asked for
     std::shared_ptr<const SegmentCertifier> certifier;
     PoseBetween between = pose_between;
   };
@@ -65,14 +73,18 @@ class PlanServer {
   void on_goal(const PlanPathGoalConstPtr& goal);
   Status read(const PlanPathGoal& goal, Question& question) const;
   Status read_wish(const PlanPathGoal& goal, PathWish& wish) const;
+  Status read_ends(const PlanPathGoal& goal, Question& question) const;
+  Status read_map(Question& question) const;
   Status read_limits() const;
   Status read_end(const Configuration& configuration, const std::string& which, PathEnd& end) const;
   Status read_now(PathEnd& end) const;
   PathWish timed(const PathWish& wish, const Plan& plan, const MapControl& control) const;
   Plan plan(const Question& question);
+  Plan plan_around(const Question& question);
+  void keep_to_domain(const Question& question, const PathDomains& domains, Plan& plan) const;
   std::string prepare(const Question& question);
   MapControl control(const std::string& doing);
-  void finish(const Plan& plan, const Question& question, PlanPathResult result);
+  void finish(Plan plan, const Question& question, PlanPathResult result);
   void publish(const Plan& plan, const PlanPathResult& result);
 
   const NodeSetup& setup_;

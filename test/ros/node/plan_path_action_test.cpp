@@ -158,6 +158,28 @@ TEST_F(PlanPathAsked, SaysNoWhereThereIsNone) {
   EXPECT_EQ(ask(goal).result.answer, Result::NO);
 }
 
+// In T2 each aspect is a uniqueness domain.
+TEST_F(PlanPathAsked, StaysInAUniquenessDomainWhereItStaysInAnAspect) {
+  wait_for_map("/aspect_node");
+  PlanPathGoal goal = in_one_aspect();
+  goal.stay_in_domain = true;
+  const Answer stays = ask(goal);
+  EXPECT_EQ(stays.result.answer, Result::YES) << stays.result.reason;
+  EXPECT_EQ(stays.result.in_one_domain, Result::YES);
+  EXPECT_EQ(ask(through_a_gate()).result.in_one_domain, Result::NO);
+  goal = through_a_gate();
+  goal.stay_in_domain = true;
+  const Answer leaves = ask(goal);
+  EXPECT_EQ(leaves.result.answer, Result::UNKNOWN);
+  EXPECT_TRUE(leaves.result.path.poses.empty());
+  EXPECT_NE(leaves.result.reason.find("it leaves an aspect"), std::string::npos) << leaves.result.reason;
+  goal = in_one_aspect();
+  goal.around_cusp = 1;
+  goal.start.working_mode = {1, 1};
+  goal.held_joint = "crank_1_joint";
+  expect_refused(goal, Status::INVALID_REQUEST, "");
+}
+
 TEST_F(PlanPathAsked, TakesThePathThatIsPreferred) {
   wait_for_map("/aspect_node");
   PlanPathGoal goal = through_a_gate();

@@ -7,6 +7,7 @@
 
 #include <parallel_aspects/AspectState.h>
 #include <parallel_aspects/AspectTransition.h>
+#include <parallel_aspects/PlanPathAction.h>
 #include <parallel_aspects/Reload.h>
 #include <parallel_aspects/SetAssemblyMode.h>
 
@@ -14,19 +15,47 @@
 #include <ros/ros.h>
 
 #include "support/shipped.h"
+#include <actionlib/client/simple_action_client.h>
 #include <algorithm>
+#include <cmath>
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <functional>
 #include <memory>
 #include <sensor_msgs/JointState.h>
 #include <string>
+#include <trajectory_msgs/JointTrajectory.h>
 #include <vector>
+#include <visualization_msgs/MarkerArray.h>
 
 namespace parallel_aspects {
 namespace {
 
 using test::eventually;
 using test::Recorder;
+
+using Client = actionlib::SimpleActionClient<PlanPathAction>;
+
+JointVector at(const std::vector<double>& values) {
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+/// Actuated values along a trajectory whose joints run as cubics, at even times.
+std::vector<JointVector> values_of(const trajectory_msgs::JointTrajectory& trajectory, int steps) {
+  const auto& points = trajectory.points;
+  const double end = points.back().time_from_start.toSec();
+  std::vector<JointVector> values;
+  std::size_t i = 0;
+  for (int k = 0; k <= steps; ++k) {
+    const double time = end * k / steps;
+    while (i + 2 < points.size() && points[i + 1].time_from_start.toSec() < time) ++i;
+    const double begin = points[i].time_from_start.toSec();
+    const double span = points[i + 1].time_from_start.toSec() - begin, t = (time - begin) / span;
+    const JointVector p = at(points[i].positions), q = at(points[i + 1].positions);
+    const JointVector v = at(points[i].velocities) * span, w = at(points[i + 1].velocities) * span;
+    values.push_back(p + t * (v + t * (3.0 * (q - p) - 2.0 * v - w + t * (2.0 * (p - q) + v + w))));
+  }
+  return values;
+}
 
 class UniquenessOfNode : public testing::Test {
  protected:
@@ -81,12 +110,33 @@ class UniquenessOfNode : public testing::Test {
     return region;
   }
 
-  std::vector<JointVector> around(std::size_t cusp, std::size_t solution) {
-    CuspPlanner planner(map_, find_cusps(*robot_, slice_).cusps);
-    const PlannedPath path =
-        planner.plan({test::pose_with_six_solutions(*robot_, *map_, solution), {}}, cusp);
-    EXPECT_TRUE(path) << path.message;
-    return test::values_along(*robot_, planner, path, 200);
+  /// What the node plans from where the robot is, around a cusp.
+  PlanPathResult plan_around(std::size_t cusp) {
+    PlanPathGoal goal;
+    goal.start.kind = Configuration::NOW;
+    goal.around_cusp = static_cast<std::uint32_t>(cusp + 1);
+    goal.held_joint = "strut_1_joint";
+    return planned(goal);
+  }
+
+  static PlanPathResult planned(const PlanPathGoal& goal) {
+    Client client("/aspect_node/plan_path", true);
+    EXPECT_TRUE(client.waitForServer(ros::Duration(test::deadline)));
+    client.sendGoal(goal);
+    EXPECT_TRUE(client.waitForResult(ros::Duration(test::deadline)));
+    const auto result = client.getResult();
+    return result ? *result : PlanPathResult();
+  }
+
+  std::vector<JointVector> around(std::size_t cusp) {
+    const PlanPathResult result = plan_around(cusp);
+    EXPECT_EQ(result.status.code, Status::OK) << result.status.message;
+    EXPECT_EQ(result.answer, PlanPathResult::YES) << result.reason;
+    EXPECT_EQ(result.turns_around_cusps.size(), 4U);
+    EXPECT_NE(result.turns_around_cusps.at(cusp), 0);
+    EXPECT_EQ(result.in_one_domain, PlanPathResult::NO);
+    EXPECT_GT(result.trajectory.points.size(), 2U) << result.timing;
+    return values_of(result.trajectory, 1000);
   }
 
   std::vector<AspectTransition> told(std::size_t from) const {
@@ -125,7 +175,7 @@ bool is_of_assembly_mode(const AspectTransition& told) {
 void UniquenessOfNode::warns_around(std::size_t cusp, std::size_t solution) {
   const std::uint32_t reference = start_at(solution);
   const std::size_t before = transitions_.all().size();
-  std::vector<JointVector> way = around(cusp, solution);
+  std::vector<JointVector> way = around(cusp);
   play(way);
   UniquenessState there;
   EXPECT_TRUE(rests_until(way.back(), [&](const UniquenessState& state) {
@@ -181,11 +231,55 @@ TEST_F(UniquenessOfNode, SaysNothingAroundNoCusp) {
   }
 }
 
+TEST_F(UniquenessOfNode, ShowsThePathAroundACusp) {
+  ASSERT_TRUE(is_ready());
+  start_at(4);
+  const PlanPathResult result = plan_around(1);
+  ASSERT_EQ(result.answer, PlanPathResult::YES) << result.reason;
+  const Recorder<visualization_msgs::MarkerArray> markers("/aspect_node/planned_path_markers");
+  EXPECT_TRUE(eventually([&] { return markers.last() && markers.last()->markers.size() >= 3; }));
+  const auto refused = [&](const std::string& words, const std::function<void(PlanPathGoal&)>& change) {
+    PlanPathGoal goal;
+    goal.around_cusp = 2;
+    goal.held_joint = "strut_1_joint";
+    change(goal);
+    const PlanPathResult answer = planned(goal);
+    EXPECT_EQ(answer.status.code, Status::INVALID_REQUEST);
+    EXPECT_NE(answer.status.message.find(words), std::string::npos) << answer.status.message;
+    EXPECT_TRUE(answer.path.poses.empty());
+  };
+  refused("there are 4: 1 at", [](PlanPathGoal& goal) { goal.around_cusp = 5; });
+  refused("name of an actuated joint", [](PlanPathGoal& goal) { goal.held_joint = "elbow"; });
+  refused("that is 0", [](PlanPathGoal& goal) { goal.around_cusp = 0; });
+  refused("give policy 0", [](PlanPathGoal& goal) { goal.policy = PlanPathGoal::SERIAL; });
+  refused("leave out stay_in_domain", [](PlanPathGoal& goal) { goal.stay_in_domain = true; });
+}
+
+TEST_F(UniquenessOfNode, DoesNotSayThatAPathStaysInADomainWhereThatIsNotProved) {
+  ASSERT_TRUE(is_ready());
+  start_at(4);
+  PlanPathGoal goal;
+  goal.start.kind = Configuration::NOW;
+  goal.goal = test::at_pose(-8.6, 12.1, "");
+  goal.goal.pose.pose.orientation.z = std::sin(-0.49);
+  goal.goal.pose.pose.orientation.w = std::cos(-0.49);
+  const PlanPathResult free = planned(goal);
+  ASSERT_EQ(free.answer, PlanPathResult::YES) << free.reason;
+  EXPECT_EQ(free.in_one_domain, PlanPathResult::UNKNOWN);
+  EXPECT_FALSE(free.domains.empty());
+  goal.stay_in_domain = true;
+  const PlanPathResult kept = planned(goal);
+  EXPECT_EQ(kept.answer, PlanPathResult::UNKNOWN);
+  EXPECT_TRUE(kept.path.poses.empty());
+  EXPECT_NE(kept.reason.find("not proved"), std::string::npos) << kept.reason;
+  EXPECT_EQ(kept.domains, free.domains);
+}
+
 // What was known begins anew with the robot.
 TEST_F(UniquenessOfNode, BeginsAnewWithAReload) {
   ASSERT_TRUE(is_ready());
   start_at(1);
-  play(around(0, 1));
+  play(around(0));
   EXPECT_EQ(test::call<Reload>("reload", {}).status.code, Status::OK);
   ASSERT_TRUE(eventually([this] { return joints_.getNumSubscribers() > 0 && states_.connected(); }));
   EXPECT_TRUE(is_ready());
