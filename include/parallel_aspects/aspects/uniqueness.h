@@ -118,6 +118,11 @@ struct Uniqueness {
   /// actuated values as they are rounded; nothing where that is not proved, and outside of limits. It takes
   /// some steps of interval arithmetic, and may be called from any thread.
   std::function<std::optional<std::size_t>(const Pose&)> region_of;
+  /// Indices of the basic regions that a path visits which goes from pose to pose as `pose_between` does, and
+  /// is known to be free of singularities. Nothing unless it is proved that these regions and the path
+  /// together form a connected set without two poses of the same actuated values, so that a uniqueness domain
+  /// holds it. Of all poses; empty for slices.
+  std::function<std::optional<std::vector<std::size_t>>(const std::vector<Pose>&)> regions_along;
   bool domains_complete = true;           ///< whether all domains that these regions form are listed
   std::vector<UniquenessDomain> domains;  ///< by aspect
 

@@ -38,6 +38,18 @@ Box space_of(const StrutSlice& slice) {
   return box;
 }
 
+bool may_hold(const Box& box, const LengthRanges& lengths) noexcept {
+  for (std::size_t i = 0; i < 3; ++i)
+    if (lengths[i].upper() < box.lower[i] || box.upper[i] < lengths[i].lower()) return false;
+  return true;
+}
+
+bool holds_all(const Box& box, const LengthRanges& lengths) noexcept {
+  for (std::size_t i = 0; i < 3; ++i)
+    if (!(box.lower[i] <= lengths[i].lower() && lengths[i].upper() <= box.upper[i])) return false;
+  return true;
+}
+
 }  // namespace
 
 ValueBox half_squares(const Box& lengths) noexcept {
@@ -213,6 +225,46 @@ Lengths ActuatedSpace::point_of(PieceIndex index) const {
   const SpaceCell& cell = cells_[piece.cell];
   if (piece.side == 0) return cell.box.middle();
   return point_beside(cell.box, cell.slope, cell.slab, piece.side);
+}
+
+LengthCover ActuatedSpace::cover(const LengthRanges& lengths) const {
+  LengthCover result;
+  result.is_complete = holds_all(cells_.front().box, lengths);
+  std::vector<std::uint32_t> left{0};
+  std::size_t leaves = 0;
+  while (!left.empty()) {
+    const std::uint32_t index = left.back();
+    left.pop_back();
+    const SpaceCell& cell = cells_[index];
+    if (!may_hold(cell.box, lengths)) continue;
+    if (cell.first_child != 0) {
+      for (std::uint32_t k = 0; k < (1U << cell.box.dimension); ++k) left.push_back(cell.first_child + k);
+      continue;
+    }
+    result.cell = ++leaves == 1 ? std::optional<std::uint32_t>(index) : std::nullopt;
+    add_to_cover(cell, lengths, result);
+    if (result.pieces.size() > 2 || leaves > 64) {
+      result.is_complete = false;
+      break;
+    }
+  }
+  return result;
+}
+
+// What of the cell is within these lengths.
+void ActuatedSpace::add_to_cover(const SpaceCell& cell, const LengthRanges& lengths, LengthCover& cover) {
+  std::optional<PieceIndex> piece = cell.pieces[1];
+  if (!piece) {
+    Interval value;
+    for (std::size_t i = 0; i < cell.box.dimension; ++i)
+      value += Interval(cell.slope[i]) * (lengths[i] - Interval(cell.box.center(i)));
+    if (value.upper() < cell.slab.lower()) piece = cell.pieces[0];
+    if (value.lower() > cell.slab.upper()) piece = cell.pieces[2];
+  }
+  if (piece)
+    cover.pieces.push_back(*piece);
+  else
+    cover.is_complete = false;
 }
 
 }  // namespace parallel_aspects

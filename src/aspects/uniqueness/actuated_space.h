@@ -44,6 +44,16 @@ struct PieceLink {
   Lengths common{};
 };
 
+/// Enclosures of all three lengths [m].
+using LengthRanges = std::array<Interval, 3>;
+
+/// What of lengths is in pieces.
+struct LengthCover {
+  bool is_complete = false;           ///< whether all of them are
+  std::vector<PieceIndex> pieces;     ///< which; after the third it is not looked for more, nor in many cells
+  std::optional<std::uint32_t> cell;  ///< the only one that they may be in
+};
+
 /// The plane of both lengths of a slice, or the space of all three of a family of them, divided into squares
 /// or cubes until all but little of it is in pieces that no image of a singular pose touches. Within limits.
 ///
@@ -72,6 +82,9 @@ class ActuatedSpace {
   /// The piece that holds these lengths [m]; nothing where they are in none.
   std::optional<PieceIndex> find(const Lengths& lengths) const;
 
+  /// Which pieces hold all lengths in these ranges, of a family. Needs a live `RoundingUpward`.
+  LengthCover cover(const LengthRanges& lengths) const;
+
   /// A point of the piece, away from its ends [m].
   Lengths point_of(PieceIndex piece) const;
 
@@ -90,6 +103,7 @@ class ActuatedSpace {
   void join_across(std::size_t axis, std::uint32_t a, std::uint32_t b);
   void join_leaves(std::size_t axis, std::uint32_t a, std::uint32_t b);
   void join_at(std::uint32_t a, std::uint32_t b, const Lengths& at);
+  static void add_to_cover(const SpaceCell& cell, const LengthRanges& lengths, LengthCover& cover);
   std::optional<PieceIndex> piece_at(const SpaceCell& cell, const Lengths& at) const;
 
   const StrutSlice& slice_;

@@ -3,6 +3,7 @@
 
 #include "aspects/uniqueness/actuated_space.h"
 #include "aspects/uniqueness/basic_regions.h"
+#include "aspects/uniqueness/path_in_regions.h"
 #include "aspects/uniqueness/singular_images.h"
 #include "aspects/uniqueness/solution_regions.h"
 #include "aspects/uniqueness/strut_poses.h"
@@ -14,6 +15,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -107,6 +109,24 @@ struct DividedRegions : DividedStruts {
   }
 };
 
+/// Of all poses, not of a slice.
+std::optional<std::vector<std::size_t>> regions_along(const DividedRegions& divided,
+                                                      const std::vector<Pose>& path) {
+  const PathInRegions::Locate locate = [&](const Pose& pose) { return divided.region_at(pose); };
+  const RoundingUpward rounding;
+  PathInRegions proof(divided.space, locate);
+  for (std::size_t i = 0; i + 1 < path.size(); ++i)
+    if (!proof.add({*divided.map->manipulator(), divided.struts, path[i], path[i + 1]})) return std::nullopt;
+  std::set<std::size_t> sets;
+  for (const std::size_t region : proof.regions()) {
+    const FoundRegion& found = divided.atlas.found().regions[region];
+    if (!found.is_unique || !sets.insert(found.set).second) return std::nullopt;
+    if (found.aspect != divided.atlas.found().regions[*proof.regions().begin()].aspect) return std::nullopt;
+  }
+  if (!proof.crosses_apart()) return std::nullopt;
+  return std::vector<std::size_t>(proof.regions().begin(), proof.regions().end());
+}
+
 template <class Divided>
 std::shared_ptr<Divided> divided(const std::shared_ptr<const AspectMap>& map, std::size_t most_cells,
                                  const MapControl& control) {
@@ -165,6 +185,8 @@ void find_domains(std::size_t most_cells, const MapControl& control, Uniqueness&
   for (const FoundRegion& region : regions->atlas.found().regions)
     result.basic_regions.push_back(region_of(*regions, region));
   result.region_of = [regions](const Pose& pose) { return regions->region_at(pose); };
+  if (!result.map->slice())
+    result.regions_along = [regions](const std::vector<Pose>& path) { return regions_along(*regions, path); };
   FoundDomains domains = find_uniqueness_domains(regions->atlas.found());
   result.domains_complete = domains.complete;
   for (auto& each : domains.domains) {

@@ -225,7 +225,8 @@ std::string PlanServer::prepare(const Question& question) {
 }
 
 void PlanServer::finish(Plan plan, const Question& question, PlanPathResult result) {
-  const PathDomains domains = domains_along(plan.path, plan.between, worker_.domains());
+  const PathDomains domains =
+      domains_along(plan.path, plan.between, worker_.domains(), question.cusp.has_value());
   keep_to_domain(question, domains, plan);
   TimedPath timed;
   if (plan.path && question.timed && !cancelled_) {

@@ -41,13 +41,25 @@ std::vector<std::size_t> domains_of_all(const std::set<std::size_t>& regions, co
   return common;
 }
 
-PathDomains in_regions(const PlannedPath& path, const PoseBetween& between, const Uniqueness& uniqueness) {
+bool is_proved(const PlannedPath& path, const Uniqueness& uniqueness) {
+  if (!uniqueness.regions_along || !path.crossings.empty()) return false;
+  std::vector<Pose> poses;
+  for (const PathPoint& point : path.points) poses.push_back(point.pose);
+  return uniqueness.regions_along(poses).has_value();
+}
+
+PathDomains in_regions(const PlannedPath& path, const PoseBetween& between, const Uniqueness& uniqueness,
+                       bool in_slice) {
   const std::set<std::size_t> regions = regions_along(path, between, uniqueness);
   if (has_two_apart(regions, uniqueness))
     return {
         SameAspect::no, {}, "two of its poses lie in basic regions that no uniqueness domain holds both."};
   PathDomains result;
   result.domains = domains_of_all(regions, uniqueness);
+  if (!in_slice && is_proved(path, uniqueness)) {
+    result.in_one = SameAspect::yes;
+    return result;
+  }
   result.message = result.domains.empty()
                        ? "no uniqueness domain is known that holds all of it."
                        : "that it stays in one uniqueness domain was seen at 32 poses a segment, and is not "
@@ -57,13 +69,14 @@ PathDomains in_regions(const PlannedPath& path, const PoseBetween& between, cons
 
 }  // namespace
 
-PathDomains domains_along(const PlannedPath& path, const PoseBetween& between, const KnownDomains& known) {
+PathDomains domains_along(const PlannedPath& path, const PoseBetween& between, const KnownDomains& known,
+                          bool in_slice) {
   if (!path) return {};
   if (known.known == UniquenessState::ASPECTS) {
     if (path.crossings.empty()) return {SameAspect::yes, {}, ""};
     return {SameAspect::no, {}, "it leaves an aspect, and with that its uniqueness domain."};
   }
-  if (known.uniqueness) return in_regions(path, between, *known.uniqueness);
+  if (known.uniqueness) return in_regions(path, between, *known.uniqueness, in_slice);
   return {SameAspect::unknown, {}, "uniqueness domains are not known. " + known.message};
 }
 

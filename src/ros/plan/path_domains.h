@@ -22,8 +22,9 @@ struct PathDomains {
   std::string message;               ///< why, unless yes: the rest of a sentence
 };
 
-/// Of no path nothing is known.
-PathDomains domains_along(const PlannedPath& path, const PoseBetween& between, const KnownDomains& known);
+/// Of no path nothing is known. `in_slice`: where it does not run from pose to pose as `pose_between` does.
+PathDomains domains_along(const PlannedPath& path, const PoseBetween& between, const KnownDomains& known,
+                          bool in_slice);
 
 void write_domains(const PathDomains& domains, PlanPathResult& result);
 
