@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "legs/held_leg.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <variant>
@@ -13,9 +14,20 @@ Interval height(const Leg& leg, const Eigen::Vector3d& point) {
   return Interval(leg.anchor.z()) - Interval(point.z());
 }
 
+/// Of `zero` + `sense` q [rad].
+Turn<Interval> turn_over(double zero, double sense, const Interval& q) {
+  const double middle = middle_of(q);
+  const Turn<Interval> at_middle = enclosed_turn(zero + sense * middle);
+  if (q.lower() == q.upper()) return at_middle;
+  const double half = std::max(q.upper() - middle, middle - q.lower());
+  const Turn<Interval> by = turn_of_half_turns(Interval(-half, half) * reciprocal(pi_enclosure()));
+  return {at_middle.cosine * by.cosine - at_middle.sine * by.sine,
+          at_middle.sine * by.cosine + at_middle.cosine * by.sine};
+}
+
 }  // namespace
 
-HeldLeg::HeldLeg(const Leg& leg, double q, double serial_margin) {
+HeldLeg::HeldLeg(const Leg& leg, const Interval& q, double serial_margin) {
   assert_rounding_upward();
   const Eigen::Vector3d base = leg.base_point();
   base_ = {base.x(), base.y()};
@@ -25,11 +37,11 @@ HeldLeg::HeldLeg(const Leg& leg, double q, double serial_margin) {
 }
 
 // The crank turns by q about z, or about -z.
-void HeldLeg::set(const RevoluteActuation& crank, const Leg& leg, double q) {
+void HeldLeg::set(const RevoluteActuation& crank, const Leg& leg, const Interval& q) {
   const double sense = crank.axis.z() > 0.0 ? 1.0 : -1.0;
   const Interval radius(crank.radius);
   const Turn<Interval> turn =
-      enclosed_turn(std::atan2(crank.zero_direction.y(), crank.zero_direction.x()) + sense * q);
+      turn_over(std::atan2(crank.zero_direction.y(), crank.zero_direction.x()), sense, q);
   const Planar<Interval> arm{radius * turn.cosine, radius * turn.sine};
   center_ = {Interval(crank.center.x()) + arm.x, Interval(crank.center.y()) + arm.y};
   lever_ = {Interval(-sense) * arm.y, Interval(sense) * arm.x};
@@ -37,22 +49,22 @@ void HeldLeg::set(const RevoluteActuation& crank, const Leg& leg, double q) {
   largest_ = radius * rod_;
 }
 
-void HeldLeg::set(const PrismaticActuation& rail, const Leg& leg, double q) {
-  const Interval value(q);
+void HeldLeg::set(const PrismaticActuation& rail, const Leg& leg, const Interval& q) {
   lever_ = {rail.direction.x(), rail.direction.y()};
-  center_ = {Interval(rail.origin.x()) + value * lever_.x, Interval(rail.origin.y()) + value * lever_.y};
+  center_ = {Interval(rail.origin.x()) + q * lever_.x, Interval(rail.origin.y()) + q * lever_.y};
   set_rod(Interval(leg.rod_length), height(leg, rail.origin));
   largest_ = rod_;
 }
 
-void HeldLeg::set(const StrutActuation& strut, const Leg& leg, double q) {
+void HeldLeg::set(const StrutActuation& strut, const Leg& leg, const Interval& q) {
   has_lever_ = false;
   center_ = base_;
-  set_rod(Interval(strut.length_at_zero) + Interval(strut.sense) * Interval(q), height(leg, strut.base));
+  rod_slope_ = strut.sense;
+  set_rod(Interval(strut.length_at_zero) + Interval(strut.sense) * q, height(leg, strut.base));
   largest_ = rod_;
 }
 
-void HeldLeg::set(const ElbowActuation&, const Leg&, double) {
+void HeldLeg::set(const ElbowActuation&, const Leg&, const Interval&) {
   assert(!"slices that hold an actuated elbow are refused");
 }
 

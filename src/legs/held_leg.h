@@ -12,7 +12,7 @@
 namespace parallel_aspects {
 
 /// A leg of the x-y plane whose actuated joint is held at q: c(q) and rho(q) are constants, so that the
-/// anchor runs on a circle about c. Must be made under a live `RoundingUpward`; not of an actuated elbow.
+/// anchor runs on a circle about c. Of a range of q everything is enclosed for each value of it. Must be made under a live `RoundingUpward`; not of an actuated elbow.
 ///
 /// B_jj = lever . u depends on the direction of u = p - c alone. It crosses zero with a slope that is not
 /// zero; B_jj^2 does not. So the condition that B_jj has the sign of a branch is tested like a joint limit,
@@ -20,10 +20,14 @@ namespace parallel_aspects {
 class HeldLeg {
  public:
   /// `serial_margin`: the least |B_jj| over its largest value; 0 for none.
-  HeldLeg(const Leg& leg, double q, double serial_margin);
+  HeldLeg(const Leg& leg, const Interval& q, double serial_margin);
 
   /// c in the plane [m].
   const Planar<Interval>& center() const noexcept { return center_; }
+
+  /// Derivatives by q: of c, and of the length of the rod in the plane, which must not vanish.
+  const Planar<Interval>& center_slope() const noexcept { return lever_; }
+  Interval length_slope() const noexcept { return rod_slope_ * rod_ * reciprocal(length_); }
 
   /// u, of this direction.
   template <class Scalar>
@@ -55,14 +59,15 @@ class HeldLeg {
   }
 
  private:
-  void set(const RevoluteActuation& crank, const Leg& leg, double q);
-  void set(const PrismaticActuation& rail, const Leg& leg, double q);
-  void set(const StrutActuation& strut, const Leg& leg, double q);
-  void set(const ElbowActuation& elbow, const Leg& leg, double q);
+  void set(const RevoluteActuation& crank, const Leg& leg, const Interval& q);
+  void set(const PrismaticActuation& rail, const Leg& leg, const Interval& q);
+  void set(const StrutActuation& strut, const Leg& leg, const Interval& q);
+  void set(const ElbowActuation& elbow, const Leg& leg, const Interval& q);
   void set_rod(const Interval& rod, const Interval& height);
 
   bool has_lever_ = true;
-  Planar<Interval> base_, center_, lever_;
+  Planar<Interval> base_, center_, lever_{0.0, 0.0};
+  Interval rod_slope_{0.0};            // of the rod in space, by q
   Interval rod_, length_;              // of the rod in space, in the plane
   Interval largest_, largest_square_;  // |B_jj| at right angles; its square
   Interval least_entry_;

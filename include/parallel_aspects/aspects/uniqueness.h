@@ -84,6 +84,57 @@ struct CuspList {
   bool complete = false;    ///< it is proved that there are no others within limits
 };
 
+/// An actuated joint that is held at each value of a range in turn.
+struct HeldRange {
+  std::size_t leg = 0;              ///< whose joint it is, from 0
+  double lower = 0.0, upper = 0.0;  ///< [m or rad]
+};
+
+/// What there is along a curve of cusps, or at its end.
+enum class CuspEventKind {
+  range_end,  ///< the value that is held comes to an end of its range
+  limit,      ///< another joint comes to a limit
+  turn,       ///< the value that is held turns back, so that two cusps of a slice meet and vanish there
+  serial,     ///< the leg whose joint is held passes a serial singularity, and with it the working mode changes
+  unknown,    ///< the curve was not followed farther, or more than one of these is there
+};
+
+/// Somewhere in this interval of the value that is held, by proof.
+struct CuspEvent {
+  CuspEventKind kind = CuspEventKind::unknown;
+  double lower = 0.0, upper = 0.0;  ///< [m or rad]
+};
+
+/// A piece of a curve of cusps within limits, over the value that is held. That it is one, without any other
+/// near it, is proved along all of it.
+struct CuspCurve {
+  /// Points of it in turn, near enough for pictures. A box about the pose and the value that is held, of half
+  /// this `accuracy`, is proved to hold a cusp of the curve.
+  std::vector<Cusp> points;
+  bool closed = false;
+  /// Those along the curve in turn, with its ends unless it is closed. Between two of them in turn the value
+  /// that is held rises all the way, or falls.
+  std::vector<CuspEvent> events;
+};
+
+/// The number of cusps of each slice between two values.
+struct CuspCount {
+  double lower = 0.0, upper = 0.0;  ///< [m or rad]
+  std::size_t cusps = 0;            ///< exactly, for each value between these two
+};
+
+/// All cusps of the slices that hold a joint in a range, within limits.
+struct CuspCurves {
+  HeldRange range;
+  std::vector<CuspCurve> curves;
+  /// By rising value, all proved. Between them are events, where the number may change, and what is
+  /// `undecided`.
+  std::vector<CuspCount> counts;
+  bool complete = false;  ///< it is proved that there are no other curves
+  /// Where there may be more, else: values of the joint, by rising value.
+  std::vector<CuspEvent> undecided;
+};
+
 /// What to compute.
 struct UniquenessOptions {
   /// One that holds an actuated joint, in SE2 alone; needed there, but for three struts within limits.
@@ -161,6 +212,17 @@ UniquenessResult compute_uniqueness(std::shared_ptr<const AspectMap> map,
 /// The cusps alone, of a slice of SE2 that holds an actuated joint; a cancelled list is not complete. Of any
 /// other slice see `find_uniqueness_problem`.
 CuspList find_cusps(const Manipulator& manipulator, const MapSlice& slice, const MapControl& control = {});
+
+/// The curves that cusps form over the value that is held; a cancelled list is not complete. Of a range with a
+/// `find_held_range_problem` there is no answer.
+CuspCurves find_cusp_curves(const Manipulator& manipulator, const HeldRange& range,
+                            const MapControl& control = {});
+
+/// Why there is no answer for this range; empty where there is one.
+std::string find_held_range_problem(const Manipulator& manipulator, const HeldRange& range);
+
+/// "end of the range", "limit", "turn", "serial singularity" or "unknown".
+const char* name(CuspEventKind kind) noexcept;
 
 /// Why there is no answer for this; empty where there is one.
 std::string find_uniqueness_problem(const Manipulator& manipulator, const UniquenessOptions& options);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/cusps/cusp_search.h"
 
+#include "aspects/cusps/cusp_functions.h"
 #include "aspects/cusps/krawczyk.h"
 #include "interval/scalar_range.h"
 
@@ -24,76 +25,11 @@ constexpr double inflation = 1.5;
 // What is left after these is rounding.
 constexpr int contractions = 8;
 
-bool may_vanish(const Interval& value) { return !value.positive() && !value.negative(); }
-
-using Legs = std::array<HeldSlice::LegOver, 2>;
-
-/// Both legs over a box; nothing where it is too large to tell.
-std::optional<Legs> legs_over(const HeldSlice& slice, const SlicePosture& posture, const SliceTurns& at) {
-  const auto first = slice.leg_over(0, posture[0], at);
-  if (!first) return std::nullopt;
-  const auto second = slice.leg_over(1, posture[1], at);
-  if (!second) return std::nullopt;
-  return Legs{*first, *second};
-}
-
-/// D and {D, g_i} with derivatives up to an order, and g_i, all at fixed joint values.
-template <std::size_t Order>
-struct CuspFunctions {
-  std::array<Jet<Order + 2>, 2> g;
-  Jet<Order + 1> d;
-  std::array<Jet<Order>, 2> along_kernel;
-
-  CuspFunctions(const HeldSlice& slice, const Legs& legs, const SliceTurns& at)
-      : g{slice.equation<Order + 2>(0, legs[0], at), slice.equation<Order + 2>(1, legs[1], at)},
-        d(bracket(g[0], g[1])) {
-    for (std::size_t i = 0; i < 2; ++i) along_kernel[i] = bracket(d, g[i].template truncated<Order + 1>());
-  }
-};
-
 using Over = CuspFunctions<1>;
 using AtCenter = CuspFunctions<0>;
-using Gradient = std::array<Interval, 2>;
 
-/// Gradients of D and of both {D, g_i} over the slice, along which the joint values move.
-struct TotalGradients {
-  Gradient d;
-  std::array<Gradient, 2> along_kernel;
-
-  TotalGradients(const HeldSlice& slice, const Legs& legs, const Over& over, const SliceTurns& at) {
-    const std::array<Jet<2>, 2> by_joint{slice.slope<2>(0, legs[0], at), slice.slope<2>(1, legs[1], at)};
-    const std::array<Jet<1>, 2> d_by_joint{bracket(by_joint[0], over.g[1].truncated<2>()),
-                                           bracket(over.g[0].truncated<2>(), by_joint[1])};
-    const auto total = [&](const Jet<1>& fixed, const std::array<Interval, 2>& by) {
-      Gradient sum{fixed.at(1, 0), fixed.at(0, 1)};
-      for (std::size_t j = 0; j < 2; ++j) {
-        const Interval factor = by[j] * reciprocal(legs[j].entry);
-        sum[0] += factor * over.g[j].at(1, 0);
-        sum[1] += factor * over.g[j].at(0, 1);
-      }
-      return sum;
-    };
-    d = total(over.d.truncated<1>(), {d_by_joint[0].value(), d_by_joint[1].value()});
-    for (std::size_t i = 0; i < 2; ++i) {
-      std::array<Interval, 2> by;
-      for (std::size_t j = 0; j < 2; ++j) by[j] = bracket(d_by_joint[j], over.g[i].truncated<1>()).value();
-      by[i] += bracket(over.d.truncated<1>(), by_joint[i].truncated<1>()).value();
-      along_kernel[i] = total(over.along_kernel[i], by);
-    }
-  }
-};
-
-bool may_vanish(const Interval& center, const Gradient& gradient, const SliceCenter& middle) {
+bool may_vanish(const Interval& center, const CuspGradient<2>& gradient, const SliceCenter& middle) {
   return may_vanish(center + gradient[0] * middle.offset(0) + gradient[1] * middle.offset(1));
-}
-
-double gradient_norm(const Jet<1>& g) { return std::hypot(middle_of(g.at(1, 0)), middle_of(g.at(0, 1))); }
-
-/// Whether neither leg can be stretched or folded in the box, so that both joint values are smooth over it.
-bool are_regular(const Legs& legs) {
-  return std::all_of(legs.begin(), legs.end(), [](const HeldSlice::LegOver& leg) {
-    return leg.reaches == Verdict::holds && !may_vanish(leg.entry);
-  });
 }
 
 /// A box of the slice in one posture.
@@ -105,16 +41,13 @@ class CuspTest {
   bool may_hold_cusp() const {
     const auto legs = legs_over(slice_, posture_, over_);
     if (!legs) return true;
-    for (const HeldSlice::LegOver& leg : *legs)
-      if (leg.reaches == Verdict::fails) return false;
+    if (is_out_of_reach(*legs)) return false;
     const Over over(slice_, *legs, over_);
-    if (!may_vanish(over.d.value()) || !may_vanish(over.along_kernel[0].value()) ||
-        !may_vanish(over.along_kernel[1].value()))
-      return false;
+    if (!over.may_have_cusp()) return false;
     const SliceCenter middle(box_);
     const auto center = at_center(middle);
     if (!are_regular(*legs) || !center) return true;
-    const TotalGradients slopes(slice_, *legs, over, over_);
+    const TotalGradients<2> slopes(slice_, *legs, over, over_);
     return may_vanish(center->d.value(), slopes.d, middle) &&
            may_vanish(center->along_kernel[0].value(), slopes.along_kernel[0], middle) &&
            may_vanish(center->along_kernel[1].value(), slopes.along_kernel[1], middle);
@@ -124,7 +57,7 @@ class CuspTest {
   std::optional<std::size_t> better_equation() const {
     const auto center = at_center(SliceCenter(box_));
     if (!center) return std::nullopt;
-    return gradient_norm(center->g[0].truncated<1>()) > gradient_norm(center->g[1].truncated<1>()) ? 0 : 1;
+    return center->better_equation();
   }
 
   /// Of D and {D, g_i}.
@@ -132,7 +65,7 @@ class CuspTest {
     const auto legs = legs_over(slice_, posture_, over_);
     const auto center = at_center(SliceCenter(box_));
     if (!legs || !are_regular(*legs) || !center) return {Zeros::unknown, box_};
-    const TotalGradients slopes(slice_, *legs, Over(slice_, *legs, over_), over_);
+    const TotalGradients<2> slopes(slice_, *legs, Over(slice_, *legs, over_), over_);
     return krawczyk_test(
         box_, {{center->d.value(), center->along_kernel[i].value()}, {{slopes.d, slopes.along_kernel[i]}}});
   }

@@ -20,15 +20,22 @@ Planar<Interval> sum_of(const Planar<Interval>& a, const Planar<Interval>& b) no
 }  // namespace
 
 HeldSlice::HeldSlice(const Manipulator& manipulator, const MapSlice& slice)
-    : held_(manipulator.leg(slice.joint->leg), slice.joint->value, 0.0),
+    : held_leg_(manipulator.leg(slice.joint->leg)),
+      held_(held_leg_, slice.joint->value, 0.0),
+      held_is_strut_(held_leg_.kind().type == LegType::strut),
       length_(held_.rod(Turn<Interval>{1.0, 0.0}).x),
-      held_signs_(signs_of(manipulator.leg(slice.joint->leg))) {
+      held_signs_(signs_of(held_leg_)) {
   assert_rounding_upward();
   const std::size_t held = slice.joint->leg;
   for (std::size_t j = 0; j < manipulator.leg_count(); ++j)
     if (j != held) legs_.emplace_back(manipulator.leg(j), manipulator.leg(held), j);
   for (const int first : legs_[0].signs)
     for (const int second : legs_[1].signs) postures_.push_back({first, second});
+}
+
+void HeldSlice::hold(const Interval& value) noexcept {
+  held_ = HeldLeg(held_leg_, value, 0.0);
+  length_ = held_.rod(Turn<Interval>{1.0, 0.0}).x;
 }
 
 HeldSlice::MovingLeg::MovingLeg(const Leg& moving, const Leg& held, std::size_t j)

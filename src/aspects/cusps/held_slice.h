@@ -32,6 +32,10 @@ class HeldSlice {
  public:
   HeldSlice(const Manipulator& manipulator, const MapSlice& slice);
 
+  /// Holds the joint in a range instead: everything is then enclosed for each value of it [m or rad]. Of a
+  /// crank the range is at most a full turn.
+  void hold(const Interval& value) noexcept;
+
   /// Index of the leg that equation i, 0 or 1, belongs to.
   std::size_t leg(std::size_t i) const noexcept { return legs_[i].index; }
 
@@ -61,6 +65,15 @@ class HeldSlice {
     return CosineSum::along(leg.slope, length_, legs_[i].between_anchors, leg.o).template jet<Order>(at);
   }
 
+  /// The derivative of g_i by the value that is held, at fixed joint values: u.(c_h' + r').
+  template <std::size_t Order>
+  Jet<Order> held_slope(std::size_t i, const LegOver& leg, const SliceTurns& at) const noexcept {
+    const Planar<Interval>&m = legs_[i].between_anchors, &c = held_.center_slope();
+    if (!held_is_strut_) return CosineSum::along(c, length_, m, leg.o).template jet<Order>(at);
+    const Interval factor = held_.length_slope();
+    return factor * CosineSum::half_square_slope(length_, m, leg.o).template jet<Order>(at);
+  }
+
   /// Whether the joint values are within limits.
   Verdict within_limits(const SlicePosture& posture, const SliceTurns& at) const noexcept;
 
@@ -86,7 +99,9 @@ class HeldSlice {
 
   Planar<Interval> displacement(const MovingLeg& leg, const SliceTurns& at) const noexcept;
 
+  Leg held_leg_;
   HeldLeg held_;
+  bool held_is_strut_;
   Interval length_;              // of the held rod
   std::vector<int> held_signs_;  // of B_jj of its leg that there are
   std::vector<MovingLeg> legs_;

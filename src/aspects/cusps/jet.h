@@ -39,6 +39,18 @@ class Jet {
     return result;
   }
 
+  friend Jet operator+(const Jet& a, const Jet& b) noexcept {
+    Jet result;
+    for (std::size_t n = 0; n < count; ++n) result.values_[n] = a.values_[n] + b.values_[n];
+    return result;
+  }
+
+  friend Jet operator*(const Interval& factor, const Jet& a) noexcept {
+    Jet result;
+    for (std::size_t n = 0; n < count; ++n) result.values_[n] = factor * a.values_[n];
+    return result;
+  }
+
   friend Jet operator-(const Jet& a, const Jet& b) noexcept {
     Jet result;
     for (std::size_t n = 0; n < count; ++n) result.values_[n] = a.values_[n] - b.values_[n];

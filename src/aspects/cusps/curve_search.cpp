@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "aspects/cusps/curve_search.h"
+
+#include "aspects/cusps/cusp_tube.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+namespace parallel_aspects {
+namespace {
+
+class CurveSearch {
+ public:
+  CurveSearch(CuspFamily& family, const TraceBounds& bounds, const MapControl& control)
+      : family_(family), bounds_(bounds), control_(control) {
+    // Curves are followed a little farther, so that what touches the range from outside is known, too.
+    const double more = 0.01 * (bounds.upper - bounds.lower);
+    trace_bounds_ = bounds;
+    trace_bounds_.lower -= more;
+    trace_bounds_.upper += more;
+  }
+
+  CuspTraces run() {
+    Box whole = whole_slice();
+    whole.dimension = 3;
+    whole.lower[2] = bounds_.lower;
+    whole.upper[2] = bounds_.upper;
+    boxes_.push_back(whole);
+    double done = 0.0;
+    for (std::size_t effort = 0; !boxes_.empty(); ++effort) {
+      if (effort % 1024 == 0 && control_.progress) control_.progress(done / whole.measure());
+      const Box box = boxes_.back();
+      boxes_.pop_back();
+      const std::size_t left = boxes_.size();
+      if (effort >= largest_effort || (effort % 1024 == 0 && is_cancelled(control_))) stopped_ = true;
+      if (stopped_ || !examine(box)) result_.undecided.push_back(box);
+      if (boxes_.size() == left) done += box.measure();
+    }
+    return std::move(result_);
+  }
+
+ private:
+  /// False where the box is too small to be divided.
+  bool examine(const Box& box) {
+    if (!family_.may_hold_cusp(box)) return true;
+    const double width = bounds_.weights[longest_axis(box)] * box.width(longest_axis(box));
+    if (width < largest_tested && (is_covered(box) || is_settled(box))) return true;
+    if (width < smallest_box) return false;
+    divide(box);
+    return true;
+  }
+
+  std::size_t longest_axis(const Box& box) const {
+    std::size_t longest = 0;
+    for (std::size_t i = 1; i < 3; ++i)
+      if (bounds_.weights[i] * box.width(i) > bounds_.weights[longest] * box.width(longest)) longest = i;
+    return longest;
+  }
+
+  void divide(const Box& box) {
+    const std::size_t axis = longest_axis(box);
+    Box first = box, second = box;
+    first.upper[axis] = second.lower[axis] = box.center(axis);
+    boxes_.push_back(second);
+    boxes_.push_back(first);
+  }
+
+  bool is_covered(const Box& box) const {
+    return std::any_of(cores_.begin(), cores_.end(),
+                       [&](const CuspTube& core) { return contains(core, box); });
+  }
+
+  /// Whether it is proved that the box holds no cusp, or those of one arc, which then is known.
+  bool is_settled(const Box& box) {
+    auto tube = tube_over(family_, scaled(box, inflation), bounds_.weights);
+    if (!tube) return false;
+    const Zeros zeros = test_tube(family_, *tube);
+    if (zeros != Zeros::one) return zeros == Zeros::none;
+    MapPoint at{};
+    at[tube->axis] = tube->middle;
+    for (std::size_t i = 0; i < 2; ++i) at[tube->others[i]] = tube->enclosed.center(i);
+    const auto point = cusp_near(family_, tube->axis, at);
+    return point && contains(*tube, *point) && note(*point) && is_within_bounds(*tube);
+  }
+
+  /// A trace ends outside of bounds, or where it failed; so where it has a point of an arc without these, it
+  /// has all of it.
+  bool is_within_bounds(const CuspTube& tube) {
+    const Box hull = hull_of(tube, intersection(tube.cross, tube.enclosed));
+    return trace_bounds_.lower <= hull.lower[2] && hull.upper[2] <= trace_bounds_.upper &&
+           family_.within_limits(hull) == Verdict::holds &&
+           std::none_of(ends_.begin(), ends_.end(), [&](const Box& end) { return may_meet(tube, end); });
+  }
+
+  /// Whether it is proved that a cusp lies on a known curve, or on none of these, which then is known.
+  bool note(const Box& point) {
+    if (is_covered(point)) return true;
+    for (const CuspTrace& trace : result_.traces)
+      for (const CuspTube& tube : trace.tubes)
+        if (may_meet(tube, point)) return false;
+    CuspTrace trace = trace_cusps(family_, point, trace_bounds_, ends_, control_);
+    if (trace.tubes.empty()) return false;
+    if (!trace.closed) ends_.insert(ends_.end(), {trace.points.front(), trace.points.back()});
+    for (std::size_t i = 0; i < trace.tubes.size(); ++i) cores_.push_back(core_of(trace, i));
+    result_.traces.push_back(std::move(trace));
+    return true;
+  }
+
+  // Boxes that are larger are not worth Newton's test, and smaller ones not worth being divided [half turns,
+  // times weights].
+  static constexpr double largest_tested = 0.1, smallest_box = 0x1p-18;
+
+  // Boxes that are looked at in all.
+  static constexpr std::size_t largest_effort = 20000000;
+
+  // Newton's test of a somewhat larger box also proves curves along a face.
+  static constexpr double inflation = 1.2;
+
+  CuspFamily& family_;
+  TraceBounds bounds_, trace_bounds_;
+  const MapControl& control_;
+  std::vector<Box> boxes_;
+  std::vector<CuspTube> cores_;
+  std::vector<Box> ends_;  // of traces
+  CuspTraces result_;
+  bool stopped_ = false;
+};
+
+}  // namespace
+
+CuspTraces find_cusp_traces(CuspFamily& family, const TraceBounds& bounds, const MapControl& control) {
+  assert_rounding_upward();
+  return CurveSearch(family, bounds, control).run();
+}
+
+}  // namespace parallel_aspects

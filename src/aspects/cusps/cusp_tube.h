@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PARALLEL_ASPECTS_ASPECTS_CUSPS_CUSP_TUBE_H
+#define PARALLEL_ASPECTS_ASPECTS_CUSPS_CUSP_TUBE_H
+
+#include "aspects/cusps/cusp_family.h"
+#include "aspects/cusps/krawczyk.h"
+#include "parallel_aspects/aspects/box.h"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+
+namespace parallel_aspects {
+
+/// A set of points x of a `CuspFamily` along one of its coordinates, the parameter: with s = x_p - middle,
+/// |s| <= half, each other coordinate is in a range of `cross` plus slope s.
+///
+/// Where Krawczyk's test holds for every s at once (of `krawczyk_test` the drift), there is exactly one cusp
+/// for each value of the parameter, and these form one arc: a regular piece of a curve.
+struct CuspTube {
+  std::size_t axis = 2;  ///< the parameter
+  double middle = 0.0, half = 0.0;
+  std::array<std::size_t, 2> others{0, 1};
+  std::array<double, 2> slope{};
+  Box cross;
+  Box enclosed;  ///< a part of `cross` that the arc does not leave
+};
+
+/// The smallest box that holds a tube with this cross section.
+Box hull_of(const CuspTube& tube, const Box& cross) noexcept;
+
+/// The parameters of a box, moved by whole turns to where the tube is.
+Interval along(const CuspTube& tube, const Box& box) noexcept;
+
+/// Whether the box, moved by whole turns of both angles, lies in the tube; whether they may have a point in
+/// common.
+bool contains(const CuspTube& tube, const Box& box) noexcept;
+bool may_meet(const CuspTube& tube, const Box& box) noexcept;
+
+/// Krawczyk's test of a tube; on `one` its arc is enclosed, too.
+Zeros test_tube(CuspFamily& family, CuspTube& tube) noexcept;
+
+/// A tube along a coordinate about a point near a curve, with an arc for certain.
+std::optional<CuspTube> tube_about(CuspFamily& family, std::size_t axis, const MapPoint& at,
+                                   double half) noexcept;
+
+/// A tube along a coordinate that holds this box, not tested.
+std::optional<CuspTube> tube_over(CuspFamily& family, const Box& box, const MapPoint& weights) noexcept;
+
+/// Newton's method with one coordinate fixed, in double precision.
+std::optional<MapPoint> near_cusp(CuspFamily& family, std::size_t axis, MapPoint at) noexcept;
+
+/// A tiny box that holds exactly one cusp with this value of a coordinate, near a point.
+std::optional<Box> cusp_near(CuspFamily& family, std::size_t axis, const MapPoint& at) noexcept;
+
+/// Along the curve through a point, or of level sets beside it: not scaled.
+std::optional<MapPoint> tangent_at(CuspFamily& family, const MapPoint& at) noexcept;
+
+/// The coordinate that changes most along a tangent, each times its weight.
+std::size_t steepest_axis(const MapPoint& tangent, const MapPoint& weights) noexcept;
+
+/// How the value that is held moves along the arc while the parameter rises: 1 and -1 are proved, 0 is
+/// unknown.
+int held_direction(CuspFamily& family, const CuspTube& tube) noexcept;
+
+}  // namespace parallel_aspects
+
+#endif  // PARALLEL_ASPECTS_ASPECTS_CUSPS_CUSP_TUBE_H
