@@ -12,7 +12,8 @@
 namespace parallel_aspects {
 
 /// A leg of the x-y plane whose actuated joint is held at q: c(q) and rho(q) are constants, so that the
-/// anchor runs on a circle about c. Of a range of q everything is enclosed for each value of it. Must be made under a live `RoundingUpward`; not of an actuated elbow.
+/// anchor runs on a circle about c. Of a range of q everything is enclosed for each value of it. Must be made
+/// under a live `RoundingUpward`; not of an actuated elbow.
 ///
 /// B_jj = lever . u depends on the direction of u = p - c alone. It crosses zero with a slope that is not
 /// zero; B_jj^2 does not. So the condition that B_jj has the sign of a branch is tested like a joint limit,

@@ -22,9 +22,9 @@ enum class Place { inside, outside, unknown };
 /// A piece of a curve, of which some is proved all over it.
 struct Piece {
   Place place = Place::unknown;
-  int direction = 0;   // of the held value, along the trace
-  int held_sign = 0;   // of B_jj of the leg whose joint is held
-  Interval held;       // coordinates
+  int direction = 0;  // of the held value, along the trace
+  int held_sign = 0;  // of B_jj of the leg whose joint is held
+  Interval held;      // coordinates
   std::optional<Box> point;
 };
 
@@ -68,8 +68,8 @@ class Division {
     const auto point = cusp_near(family_, tube.axis, middle_at(tube, 0.5 * (lower + upper)));
     if (!point || !contains(tube, *point)) return piece;
     const MapPoint at = point->middle();
-    const auto part = tube_about(family_, tube.axis, at,
-                                 std::max(upper - at[tube.axis], at[tube.axis] - lower));
+    const auto part =
+        tube_about(family_, tube.axis, at, std::max(upper - at[tube.axis], at[tube.axis] - lower));
     if (!part || !contains(*part, *point)) return piece;
     piece.point = point;
     set_state(*part, sense, piece);
@@ -158,7 +158,8 @@ class Assembly {
       if (piece.place == Place::unknown || same_state(piece, before)) continue;
       if (!start || piece.place == Place::outside) start = i;
     }
-    if (start) std::rotate(pieces.begin(), pieces.begin() + static_cast<std::ptrdiff_t>(*start), pieces.end());
+    if (start)
+      std::rotate(pieces.begin(), pieces.begin() + static_cast<std::ptrdiff_t>(*start), pieces.end());
   }
 
   void add(const Piece& piece) {
@@ -209,8 +210,8 @@ class Assembly {
     const Piece &last = a->last, &first = b->first;
     const auto holds = [&](double end) { return held.lower() <= end && end <= held.upper(); };
     if (a->is_inside() != b->is_inside())
-      result.kind = holds(range_.lower()) || holds(range_.upper()) ? CuspEventKind::range_end
-                                                                   : CuspEventKind::limit;
+      result.kind =
+          holds(range_.lower()) || holds(range_.upper()) ? CuspEventKind::range_end : CuspEventKind::limit;
     else if (a->is_inside() && last.held_sign == first.held_sign && last.direction != first.direction)
       result.kind = CuspEventKind::turn;
     else if (a->is_inside() && last.held_sign != first.held_sign && last.direction == first.direction)

@@ -14,8 +14,8 @@ namespace parallel_aspects {
 
 /// A point of a run.
 struct CurvePoint {
-  Box box;             ///< of the family: it holds a cusp of the curve
-  int held_sign = 0;   ///< of B_jj of the leg whose joint is held
+  Box box;            ///< of the family: it holds a cusp of the curve
+  int held_sign = 0;  ///< of B_jj of the leg whose joint is held
 };
 
 /// A longest piece of a curve within limits. Between two events in turn the held value rises or falls.

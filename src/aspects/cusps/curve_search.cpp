@@ -47,7 +47,7 @@ class CurveSearch {
     if (!family_.may_hold_cusp(box)) return true;
     const double width = bounds_.weights[longest_axis(box)] * box.width(longest_axis(box));
     if (width < largest_tested && (is_covered(box) || is_settled(box))) return true;
-    if (width < smallest_box) return false;
+    if (width < smallest_singular && (width < smallest_box || !family_.over(box))) return false;
     divide(box);
     return true;
   }
@@ -112,8 +112,11 @@ class CurveSearch {
   // times weights].
   static constexpr double largest_tested = 0.1, smallest_box = 0x1p-18;
 
-  // Boxes that are looked at in all.
-  static constexpr std::size_t largest_effort = 20000000;
+  // Of boxes that touch a serial singularity. A crank and a rod of one length are folded along whole curves.
+  static constexpr double smallest_singular = 0x1p-14;
+
+  // Boxes that are looked at in all, so that an answer comes within minutes.
+  static constexpr std::size_t largest_effort = 5000000;
 
   // Newton's test of a somewhat larger box also proves curves along a face.
   static constexpr double inflation = 1.2;

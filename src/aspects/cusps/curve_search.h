@@ -17,9 +17,9 @@ struct CuspTraces {
   std::vector<Box> undecided;     ///< whatever else there is within limits, is in these
 };
 
-/// Boxes of the family are excluded by bounds, as those of a slice are by `find_cusp_boxes`, or hold one arc of a
-/// curve by `test_tube`. That is followed both ways, unless a tube of a curve that is known holds a point of
-/// it. So closed curves are found like any others.
+/// Boxes of the family are excluded by bounds, as those of a slice are by `find_cusp_boxes`, or hold one arc
+/// of a curve by `test_tube`. That is followed both ways, unless a tube of a curve that is known holds a
+/// point of it. So closed curves are found like any others.
 ///
 /// Needs a live `RoundingUpward`.
 CuspTraces find_cusp_traces(CuspFamily& family, const TraceBounds& bounds, const MapControl& control);

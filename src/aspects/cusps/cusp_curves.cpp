@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "aspects/cusps/cusp_family.h"
 #include "aspects/cusps/curve_runs.h"
 #include "aspects/cusps/curve_search.h"
+#include "aspects/cusps/cusp_family.h"
 #include "interval/half_turns.h"
 #include "model/angles.h"
-#include "model/number_text.h"
 #include "parallel_aspects/aspects/held_joint.h"
 #include "parallel_aspects/aspects/uniqueness.h"
 #include "parallel_aspects/kinematics/inverse.h"
@@ -115,8 +114,8 @@ class CurvesOfRange {
     WorkingMode mode(manipulator_.leg_count());
     mode.set_sign(held.leg, point.held_sign);
     for (std::size_t i = 0; i < 2; ++i) mode.set_sign(slice_->leg(i), posture[i]);
-    const Pose pose = circle_of_anchor(manipulator_, held)
-                          .pose(pi * point.box.center(0), pi * point.box.center(1));
+    const Pose pose =
+        circle_of_anchor(manipulator_, held).pose(pi * point.box.center(0), pi * point.box.center(1));
     JointVector q = inverse(manipulator_, pose, mode).q;
     q[static_cast<Eigen::Index>(held.leg)] = held.value;
     const double widest = std::max({point.box.width(0), point.box.width(1), point.box.width(2)});
@@ -153,18 +152,6 @@ class CurvesOfRange {
 CuspCurves find_cusp_curves(const Manipulator& manipulator, const HeldRange& range,
                             const MapControl& control) {
   return CurvesOfRange(manipulator, range).find(control);
-}
-
-std::string find_held_range_problem(const Manipulator& manipulator, const HeldRange& range) {
-  if (!std::isfinite(range.lower) || !std::isfinite(range.upper))
-    return "The range of the joint that is held has no end; give both.";
-  if (!(range.lower < range.upper)) return "The range of the joint that is held is empty; give two values.";
-  for (const double value : {range.lower, 0.5 * (range.lower + range.upper), range.upper}) {
-    const bool is_angle = range.leg < manipulator.leg_count() && manipulator.leg(range.leg).actuated_by_angle();
-    const std::string problem = find_held_joint_problem(manipulator, {range.leg, value, is_angle});
-    if (!problem.empty()) return problem;
-  }
-  return "";
 }
 
 const char* name(CuspEventKind kind) noexcept {

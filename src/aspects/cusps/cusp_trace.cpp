@@ -130,8 +130,7 @@ class Walk {
   std::optional<TraceStep> ended(const CuspTube& tube, double forward) {
     MapPoint end{};
     end[tube.axis] = tube.middle + forward;
-    for (std::size_t i = 0; i < 2; ++i)
-      end[tube.others[i]] = tube.cross.center(i) + tube.slope[i] * forward;
+    for (std::size_t i = 0; i < 2; ++i) end[tube.others[i]] = tube.cross.center(i) + tube.slope[i] * forward;
     const auto point = cusp_near(family_, tube.axis, end);
     if (!point || !contains(tube, *point)) return std::nullopt;
     auto tangent = tangent_at(family_, point->middle());
@@ -178,9 +177,9 @@ CuspTube core_of(const CuspTrace& trace, std::size_t i) noexcept {
   CuspTube core = trace.tubes[i];
   const Interval from = along(core, trace.points[i]) - Interval(core.middle);
   const Interval to = along(core, trace.points[(i + 1) % trace.points.size()]) - Interval(core.middle);
-  core.half = std::max(from.lower() < to.lower() ? std::min(-from.upper(), to.lower())
-                                                 : std::min(-to.upper(), from.lower()),
-                       -1.0);
+  core.half = std::max(
+      from.lower() < to.lower() ? std::min(-from.upper(), to.lower()) : std::min(-to.upper(), from.lower()),
+      -1.0);
   return core;
 }
 

@@ -15,7 +15,8 @@ namespace parallel_aspects {
 
 /// Where the trace of a curve ended.
 enum class TraceEnd {
-  left,    ///< at the end of another trace, or the last tube is outside of the range of held values, or of limits
+  left,    ///< at the end of another trace, or the last tube is outside of the range of held values, or of
+           ///< limits
   failed,  ///< where no further tube was proved
 };
 

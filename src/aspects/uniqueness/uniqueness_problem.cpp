@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/uniqueness/uniqueness_problem.h"
 
+#include "model/angles.h"
 #include "parallel_aspects/aspects/held_joint.h"
 #include "parallel_aspects/aspects/uniqueness.h"
 #include "parallel_aspects/model/constraints.h"
@@ -49,15 +50,18 @@ std::string find_problem_of_slice(const Manipulator& manipulator, const MapSlice
   return find_held_joint_problem(manipulator, *slice.joint);
 }
 
+/// Of what was asked for in SE2.
+std::string find_constraint_problem(const Manipulator& manipulator) {
+  const std::string others = other_constraints(manipulator);
+  if (others.empty()) return "";
+  return "Cusps and regions of actuated values are bounded by limits of actuated joints alone, but " +
+         in_quotes(manipulator.name()) + " has " + others + "; leave these constraints out.";
+}
+
 std::string find_problem_in_se2(const Manipulator& manipulator, const UniquenessOptions& options) {
   const std::string problem = options.slice ? find_problem_of_slice(manipulator, *options.slice)
                                             : find_problem_without_slice(manipulator);
-  if (!problem.empty()) return problem;
-  const std::string others = other_constraints(manipulator);
-  if (!others.empty())
-    return "Cusps and regions of actuated values are bounded by limits of actuated joints alone, but " +
-           in_quotes(manipulator.name()) + " has " + others + "; leave these constraints out.";
-  return "";
+  return problem.empty() ? find_constraint_problem(manipulator) : problem;
 }
 
 }  // namespace
@@ -79,6 +83,20 @@ bool has_one_solution_a_sign(TaskSpace space) noexcept {
 bool has_struts_alone(const Manipulator& manipulator) noexcept {
   return std::all_of(manipulator.legs().begin(), manipulator.legs().end(),
                      [](const Leg& leg) { return leg.kind().type == LegType::strut; });
+}
+
+std::string find_held_range_problem(const Manipulator& manipulator, const HeldRange& range) {
+  if (!std::isfinite(range.lower) || !std::isfinite(range.upper))
+    return "The joint that is held has no limits on both sides; give the ends of a range.";
+  if (!(range.lower < range.upper))
+    return "The lower end of the range of the joint that is held is not below the upper; give two values.";
+  for (const double value : {range.lower, range.upper}) {
+    const std::string problem = find_held_joint_problem(manipulator, {range.leg, value, false});
+    if (!problem.empty()) return problem;
+  }
+  if (manipulator.leg(range.leg).actuated_by_angle() && range.upper - range.lower > full_turn)
+    return "The range of the joint that is held is more than a full turn; give one turn or less.";
+  return find_constraint_problem(manipulator);
 }
 
 std::string find_uniqueness_problem(const Manipulator& manipulator, const UniquenessOptions& options) {

@@ -60,6 +60,7 @@ class Panel {
     for (const auto& [level, lines] : levels) draw_cased(lines, 0x202020, level_width, "", picture);
     draw_segments(picture);
     draw_outlines(picture);
+    draw_lines(picture);
     draw_marks(picture);
     draw_frame(picture);
     draw_labels(picture);
@@ -143,6 +144,14 @@ class Panel {
       for (const Eigen::Vector2d& point : outline) lines.back().push_back(place(point));
     }
     draw_cased(lines, ink_color, curve_width, "largest shape", picture);
+  }
+
+  void draw_lines(Picture& picture) const {
+    for (const PanelLine& each : contents_.lines) {
+      PageLine line;
+      for (const Eigen::Vector2d& point : each.points) line.push_back(place(point));
+      draw_cased({line}, each.color, curve_width, each.title, picture);
+    }
   }
 
   void draw_marks(Picture& picture) const {

@@ -41,6 +41,13 @@ struct ImageLabel {
   Rgb background = 0;
 };
 
+/// A line, of a colour of its own.
+struct PanelLine {
+  std::vector<Eigen::Vector2d> points;  ///< in its coordinates
+  Rgb color = 0;
+  std::string title;  ///< what it is
+};
+
 /// A point, with what is written beside it.
 struct PanelMark {
   Eigen::Vector2d at;  ///< in its coordinates
@@ -59,7 +66,8 @@ struct PanelContents {
   std::vector<ImageAxis> image_axes;
   std::vector<ImageLabel> image_labels;
   std::vector<std::vector<Eigen::Vector2d>> outlines{};  ///< lines over everything else
-  std::vector<PanelMark> marks{};                        ///< dots over these
+  std::vector<PanelLine> lines{};
+  std::vector<PanelMark> marks{};  ///< dots over these
 };
 
 /// How large a panel is without what is written around it, in a square of this side [px].

@@ -11,6 +11,10 @@ namespace parallel_aspects::tools {
 /// color, singular curves, and cusps as dots with their numbers in the list. For slices alone.
 Picture draw_uniqueness(const Uniqueness& uniqueness);
 
+/// Curves of cusps in the plane of the other two actuated values, and the number of cusps over the value that
+/// is held.
+Picture draw_cusp_curves(const Manipulator& robot, const CuspCurves& found);
+
 }  // namespace parallel_aspects::tools
 
 #endif  // PARALLEL_ASPECTS_TOOLS_DRAWING_UNIQUENESS_DRAWING_H

@@ -100,7 +100,8 @@ std::vector<std::string> cusp_titles(const Manipulator& robot) {
 std::string cusps_text(const Uniqueness& uniqueness) {
   const Manipulator& robot = *uniqueness.map->manipulator();
   if (!uniqueness.map->slice() && !uniqueness.at_most_one_a_sign)
-    return "Cusps form curves; --slice lists those of a value of an actuated joint.\n";
+    return "Cusps form curves; --slice lists those of a value of an actuated joint, --cusps-over follows "
+           "them.\n";
   std::string text = counted(uniqueness.cusps.size(), "cusp") + ", " +
                      (uniqueness.cusps_complete ? "proved to be all" : "there may be more") + "\n";
   if (uniqueness.cusps.empty()) return text;

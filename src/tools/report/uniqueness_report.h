@@ -10,6 +10,9 @@ namespace parallel_aspects::tools {
 /// `aspects uniqueness`: aspects, cusps and uniqueness domains.
 Report report_uniqueness(const Uniqueness& uniqueness);
 
+/// `aspects uniqueness --cusps-over`: curves of cusps.
+Report report_cusp_curves(const Manipulator& robot, const CuspCurves& found);
+
 }  // namespace parallel_aspects::tools
 
 #endif  // PARALLEL_ASPECTS_TOOLS_REPORT_UNIQUENESS_REPORT_H

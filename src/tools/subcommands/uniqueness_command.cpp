@@ -19,9 +19,50 @@ namespace {
 
 struct UniquenessArguments {
   RobotChoice robot;
-  std::string slice, resolution, picture;  // empty where not given
+  std::string slice, cusps_over, resolution, picture;  // empty where not given
   ConstraintArguments constraints;
 };
+
+/// "strut_1_joint=10:32", or the name alone: within its limits.
+HeldRange parse_held_range(const Manipulator& robot, const std::string& text, Problems& problems) {
+  const std::string joint = text.substr(0, text.find('='));
+  HeldRange range;
+  std::string joints;
+  while (range.leg < robot.leg_count() && robot.leg(range.leg).actuated_joint != joint)
+    joints += (joints.empty() ? "" : ", ") + robot.leg(range.leg++).actuated_joint;
+  if (range.leg == robot.leg_count()) {
+    problems.push_back("--cusps-over names '" + joint + "'; give one of the actuated joints: " + joints +
+                       ".");
+    return range;
+  }
+  const JointLimits& limits = robot.leg(range.leg).limits;
+  range.lower = limits.lower;
+  range.upper = limits.upper;
+  if (joint == text) return range;
+  const Box box = parse_region("--cusps-over", {joint}, text, problems);
+  range.lower = box.lower[0];
+  range.upper = box.upper[0];
+  return range;
+}
+
+Report report_of_curves(const UniquenessArguments& arguments, const Manipulator& robot, Problems problems,
+                        const Surroundings& surroundings) {
+  for (const auto& [option, text] : {std::pair<std::string, const std::string&>{"--slice", arguments.slice},
+                                     {"--resolution", arguments.resolution}})
+    if (!text.empty())
+      problems.push_back("--cusps-over lists curves of cusps alone; leave " + option + " or it out.");
+  const HeldRange range = parse_held_range(robot, arguments.cusps_over, problems);
+  if (problems.empty()) {
+    const std::string problem = find_held_range_problem(robot, range);
+    if (!problem.empty()) problems.push_back(problem);
+  }
+  if (!problems.empty()) throw InvalidDescription(std::move(problems));
+  const ShownComputation shown(surroundings);
+  const CuspCurves found = find_cusp_curves(robot, range, shown.control());
+  shown.require_complete();
+  if (!arguments.picture.empty()) write_picture_file(arguments.picture, draw_cusp_curves(robot, found));
+  return report_cusp_curves(robot, found);
+}
 
 Report report_of(const UniquenessArguments& arguments, const Surroundings& surroundings) {
   const auto mechanism = load_robot(arguments.robot);
@@ -31,6 +72,8 @@ Report report_of(const UniquenessArguments& arguments, const Surroundings& surro
   check_distinct_files({{"--picture", arguments.picture}},
                        {{"--urdf", arguments.robot.urdf_file}, {"--config", arguments.robot.config_file}},
                        problems);
+  if (!arguments.cusps_over.empty())
+    return report_of_curves(arguments, *manipulator, std::move(problems), surroundings);
   UniquenessOptions options;
   if (!arguments.slice.empty())
     options.slice = parse_slice("--slice", *manipulator, arguments.slice, problems);
@@ -60,13 +103,18 @@ Subcommand uniqueness_subcommand() {
        "In SE2: the actuated joint that is held, with its value [m or rad]; without it all poses, of three "
        "struts within limits",
        &arguments->slice});
+  options.push_back(
+      {"--cusps-over", "\"strut_1_joint=10:32\"",
+       "In SE2: the curves that cusps form while this actuated joint is held at each value of the "
+       "range [m or rad] in turn, by default within its limits; they alone are listed",
+       &arguments->cusps_over});
   options.push_back({"--resolution", "R",
                      "Longest edge of an undecided leaf of the map of aspects [m or rad]; by default what "
                      "suits the robot",
                      &arguments->resolution});
   options.push_back({"--picture", "FILE",
                      "Draw the poses of the slice and its actuated values, with singular curves, cusps and "
-                     "numbers of solutions, as SVG or PNG",
+                     "numbers of solutions, or the curves of cusps, as SVG or PNG",
                      &arguments->picture});
   for (const Option& option : constraint_options(arguments->constraints)) options.push_back(option);
   return {"uniqueness",

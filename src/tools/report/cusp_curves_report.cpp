@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "model/number_text.h"
+#include "tools/report/bounds_report.h"
+#include "tools/report/reports.h"
+#include "tools/report/text_table.h"
+#include "tools/report/uniqueness_report.h"
+
+#include <string>
+#include <vector>
+
+namespace parallel_aspects::tools {
+namespace {
+
+using nlohmann::json;
+
+json json_event(const CuspEvent& event) {
+  return {{"kind", name(event.kind)}, {"lower", event.lower}, {"upper", event.upper}};
+}
+
+json json_curve(const Manipulator& robot, std::size_t held, const CuspCurve& curve) {
+  json points = json::array(), events = json::array();
+  for (const Cusp& cusp : curve.points)
+    points.push_back({{"held", cusp.actuated[static_cast<Eigen::Index>(held)]},
+                      {"actuated", json_numbers(cusp.actuated)},
+                      {"working_mode", cusp.mode.signs()},
+                      {"pose", json_pose(robot.task_space(), cusp.pose)},
+                      {"accuracy", cusp.accuracy}});
+  for (const CuspEvent& event : curve.events) events.push_back(json_event(event));
+  return {{"proved", true}, {"closed", curve.closed}, {"points", points}, {"events", events}};
+}
+
+/// Where the curve goes: "10 (end of the range), 26.7864 (turn), 26.8002 (limit)".
+std::string course(const CuspCurve& curve) {
+  std::string text;
+  for (const CuspEvent& event : curve.events)
+    text += (text.empty() ? "" : ", ") + number_text(0.5 * (event.lower + event.upper), 7) + " (" +
+            name(event.kind) + ")";
+  return text;
+}
+
+std::string curves_text(const Manipulator& robot, const CuspCurves& found, const std::string& held) {
+  if (found.curves.empty()) return "";
+  const bool has_modes = working_modes(robot).size() > 1;
+  std::vector<std::string> titles{">curve", "closed"};
+  if (has_modes) titles.emplace_back("working mode");
+  titles.push_back(held);
+  TextTable table(titles);
+  for (std::size_t i = 0; i < found.curves.size(); ++i) {
+    const CuspCurve& curve = found.curves[i];
+    std::vector<std::string> cells{std::to_string(i + 1), curve.closed ? "yes" : "no"};
+    if (has_modes) cells.push_back(curve.points.empty() ? "" : to_string(curve.points.front().mode));
+    cells.push_back(course(curve));
+    table.add(std::move(cells));
+  }
+  return '\n' + table.text();
+}
+
+std::string counts_text(const CuspCurves& found, const std::string& held) {
+  TextTable table({">from " + held, ">to", ">cusps"});
+  for (const CuspCount& each : found.counts)
+    table.add({number_text(each.lower, 9), number_text(each.upper, 9), std::to_string(each.cusps)});
+  return "\nnumber of cusps of each slice, proved\n" + table.text();
+}
+
+std::string undecided_text(const CuspCurves& found) {
+  std::string text;
+  for (const CuspEvent& each : found.undecided)
+    text += "not decided: " + number_text(each.lower, 9) + " to " + number_text(each.upper, 9) + "\n";
+  return text.empty() ? "" : '\n' + text;
+}
+
+}  // namespace
+
+Report report_cusp_curves(const Manipulator& robot, const CuspCurves& found) {
+  const Leg& leg = robot.leg(found.range.leg);
+  const std::string held = leg.actuated_joint + " [" + joint_unit(leg) + "]";
+  json object = {{"mechanism", robot.name()},    {"held_joint", leg.actuated_joint},
+                 {"unit", joint_unit(leg)},      {"lower", found.range.lower},
+                 {"upper", found.range.upper},   {"cusp_curves", json::array()},
+                 {"cusp_counts", json::array()}, {"cusp_curves_complete", found.complete},
+                 {"undecided", json::array()}};
+  for (const CuspCurve& curve : found.curves)
+    object["cusp_curves"].push_back(json_curve(robot, found.range.leg, curve));
+  for (const CuspCount& each : found.counts)
+    object["cusp_counts"].push_back({{"lower", each.lower}, {"upper", each.upper}, {"cusps", each.cusps}});
+  for (const CuspEvent& each : found.undecided) object["undecided"].push_back(json_event(each));
+  const Report constraints = report_constraints(robot);
+  object.update(constraints.json);
+  return {object, robot.name() + ", " + leg.actuated_joint + " from " + number_text(found.range.lower) +
+                      " to " + number_text(found.range.upper) + " " + joint_unit(leg) + ": " +
+                      counted(found.curves.size(), "curve") + " of cusps, " +
+                      (found.complete ? "proved to be all" : "there may be more") + "\n" +
+                      curves_text(robot, found, held) + counts_text(found, held) + undecided_text(found) +
+                      '\n' + constraints.text};
+}
+
+}  // namespace parallel_aspects::tools
