@@ -56,6 +56,7 @@ std::string curves_text(const Manipulator& robot, const CuspCurves& found, const
 }
 
 std::string counts_text(const CuspCurves& found, const std::string& held) {
+  if (found.counts.empty()) return "";
   TextTable table({">from " + held, ">to", ">cusps"});
   for (const CuspCount& each : found.counts)
     table.add({number_text(each.lower, 9), number_text(each.upper, 9), std::to_string(each.cusps)});

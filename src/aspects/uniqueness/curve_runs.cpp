@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "aspects/cusps/curve_runs.h"
+#include "aspects/uniqueness/curve_runs.h"
 
 #include "aspects/cusps/cusp_tube.h"
 #include "interval/half_turns.h"
@@ -14,31 +14,32 @@
 namespace parallel_aspects {
 namespace {
 
-// Pieces that are shorter are not divided, and those of which no point is listed [half turns].
+// Pieces that are shorter are not divided; of those no point is listed where there is another [half turns].
 constexpr double shortest_piece = 0x1p-32, shortest_with_point = 0x1p-12;
 
-enum class Place { inside, outside, unknown };
+enum class PiecePlace { inside, outside, unknown };
 
 /// A piece of a curve, of which some is proved all over it.
-struct Piece {
-  Place place = Place::unknown;
+struct CurvePiece {
+  PiecePlace place = PiecePlace::unknown;
   int direction = 0;  // of the held value, along the trace
   int held_sign = 0;  // of B_jj of the leg whose joint is held
   Interval held;      // coordinates
+  double length = 0.0;
   std::optional<Box> point;
 };
 
-bool same_state(const Piece& a, const Piece& b) noexcept {
+bool same_state(const CurvePiece& a, const CurvePiece& b) noexcept {
   if (a.place != b.place) return false;
-  return a.place != Place::inside || (a.direction == b.direction && a.held_sign == b.held_sign);
+  return a.place != PiecePlace::inside || (a.direction == b.direction && a.held_sign == b.held_sign);
 }
 
 /// The pieces of a trace, in its order.
-class Division {
+class CurveDivision {
  public:
-  Division(CuspFamily& family, const Interval& range) : family_(family), range_(range) {}
+  CurveDivision(CuspFamily& family, const Interval& range) : family_(family), range_(range) {}
 
-  std::vector<Piece> pieces_of(const CuspTrace& trace) {
+  std::vector<CurvePiece> pieces_of(const CuspTrace& trace) {
     for (std::size_t i = 0; i < trace.tubes.size(); ++i) {
       const Box &from = trace.points[i], &to = trace.points[(i + 1) % trace.points.size()];
       const CuspTube& tube = trace.tubes[i];
@@ -51,10 +52,10 @@ class Division {
 
  private:
   void divide(const CuspTube& tube, double lower, double upper, double sense) {
-    Piece piece = piece_of(tube, lower, upper, sense);
+    CurvePiece piece = piece_of(tube, lower, upper, sense);
     const double middle = 0.5 * (lower + upper);
-    if (piece.place != Place::unknown || upper - lower < shortest_piece) {
-      if (upper - lower < shortest_with_point) piece.point.reset();
+    if (piece.place != PiecePlace::unknown || upper - lower < shortest_piece) {
+      piece.length = upper - lower;
       pieces_.push_back(std::move(piece));
       return;
     }
@@ -62,8 +63,8 @@ class Division {
     divide(tube, sense > 0.0 ? middle : lower, sense > 0.0 ? upper : middle, sense);
   }
 
-  Piece piece_of(const CuspTube& tube, double lower, double upper, double sense) {
-    Piece piece;
+  CurvePiece piece_of(const CuspTube& tube, double lower, double upper, double sense) {
+    CurvePiece piece;
     piece.held = held_within(tube, {lower, upper});
     const auto point = cusp_near(family_, tube.axis, middle_at(tube, 0.5 * (lower + upper)));
     if (!point || !contains(tube, *point)) return piece;
@@ -76,12 +77,12 @@ class Division {
     return piece;
   }
 
-  void set_state(const CuspTube& part, double sense, Piece& piece) {
+  void set_state(const CuspTube& part, double sense, CurvePiece& piece) {
     const Box hull = hull_of(part, intersection(part.cross, part.enclosed));
     piece.held = Interval(hull.lower[2], hull.upper[2]);
     if (hull.upper[2] < range_.lower() || hull.lower[2] > range_.upper() ||
         family_.within_limits(hull) == Verdict::fails) {
-      piece.place = Place::outside;
+      piece.place = PiecePlace::outside;
       return;
     }
     if (hull.lower[2] < range_.lower() || hull.upper[2] > range_.upper() ||
@@ -89,7 +90,7 @@ class Division {
       return;
     piece.direction = (sense > 0.0 ? 1 : -1) * held_direction(family_, part);
     piece.held_sign = family_.held_sign(hull);
-    if (piece.direction != 0 && piece.held_sign != 0) piece.place = Place::inside;
+    if (piece.direction != 0 && piece.held_sign != 0) piece.place = PiecePlace::inside;
   }
 
   /// Of the arc over a range of the parameter, by what is proved of the whole tube.
@@ -110,7 +111,7 @@ class Division {
 
   CuspFamily& family_;
   Interval range_;
-  std::vector<Piece> pieces_;
+  std::vector<CurvePiece> pieces_;
 };
 
 Interval hull_of(const Interval& a, const Interval& b) noexcept {
@@ -119,23 +120,28 @@ Interval hull_of(const Interval& a, const Interval& b) noexcept {
 
 /// Pieces in turn of one state, which is known.
 struct Stretch {
-  Piece first, last;
-  std::vector<CurvePoint> points;
+  CurvePiece first, last;
+  std::vector<CurvePoint> points{};
+  double longest = 0.0;  // of its pieces with a point
 
-  bool is_inside() const noexcept { return first.place == Place::inside; }
-  void add(const Piece& piece) {
+  bool is_inside() const noexcept { return first.place == PiecePlace::inside; }
+  void add(const CurvePiece& piece) {
     last = piece;
-    if (piece.point) points.push_back({*piece.point, piece.held_sign});
+    if (!piece.point) return;
+    if (!points.empty() && longest < shortest_with_point) points.clear();
+    if (points.empty() || piece.length >= shortest_with_point)
+      points.push_back({*piece.point, piece.held_sign});
+    longest = std::max(longest, piece.length);
   }
 };
 
 /// Known stretches, and what is not known between them.
-class Assembly {
+class RunAssembly {
  public:
-  Assembly(std::vector<Piece> pieces, const CuspTrace& trace, const Interval& range)
+  RunAssembly(std::vector<CurvePiece> pieces, const CuspTrace& trace, const Interval& range)
       : closed_(trace.closed), range_(range) {
     if (closed_) rotate(pieces);
-    for (const Piece& piece : pieces) add(piece);
+    for (const CurvePiece& piece : pieces) add(piece);
     take_ends(trace);
   }
 
@@ -150,21 +156,21 @@ class Assembly {
 
  private:
   /// A closed curve begins outside, or else with a stretch.
-  static void rotate(std::vector<Piece>& pieces) {
+  static void rotate(std::vector<CurvePiece>& pieces) {
     const std::size_t count = pieces.size();
     std::optional<std::size_t> start;
     for (std::size_t i = 0; i < count; ++i) {
-      const Piece &piece = pieces[i], &before = pieces[(i + count - 1) % count];
-      if (piece.place == Place::unknown || same_state(piece, before)) continue;
-      if (!start || piece.place == Place::outside) start = i;
+      const CurvePiece &piece = pieces[i], &before = pieces[(i + count - 1) % count];
+      if (piece.place == PiecePlace::unknown || same_state(piece, before)) continue;
+      if (!start || piece.place == PiecePlace::outside) start = i;
     }
     if (start)
       std::rotate(pieces.begin(), pieces.begin() + static_cast<std::ptrdiff_t>(*start), pieces.end());
   }
 
-  void add(const Piece& piece) {
+  void add(const CurvePiece& piece) {
     std::optional<Interval>& seam = seams_.back();
-    if (piece.place == Place::unknown) {
+    if (piece.place == PiecePlace::unknown) {
       seam = seam ? hull_of(*seam, piece.held) : piece.held;
       return;
     }
@@ -173,7 +179,7 @@ class Assembly {
       return;
     }
     if (!known_.empty() && !seam) seam = intersection(known_.back().last.held, piece.held);
-    known_.push_back({piece, piece, {}});
+    known_.push_back({piece, piece});
     known_.back().add(piece);
     seams_.emplace_back();
   }
@@ -207,7 +213,7 @@ class Assembly {
     CuspEvent result{CuspEventKind::unknown, values.lower(), values.upper()};
     const Stretch *a = before(seam), *b = after(seam);
     if (a == nullptr || b == nullptr) return result;
-    const Piece &last = a->last, &first = b->first;
+    const CurvePiece &last = a->last, &first = b->first;
     const auto holds = [&](double end) { return held.lower() <= end && end <= held.upper(); };
     if (a->is_inside() != b->is_inside())
       result.kind =
@@ -252,7 +258,7 @@ class Assembly {
 }  // namespace
 
 CurveRuns runs_of(CuspFamily& family, const CuspTrace& trace, const Interval& range) {
-  return Assembly(Division(family, range).pieces_of(trace), trace, range).runs();
+  return RunAssembly(CurveDivision(family, range).pieces_of(trace), trace, range).runs();
 }
 
 }  // namespace parallel_aspects

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "aspects/cusps/curve_runs.h"
 #include "aspects/cusps/curve_search.h"
 #include "aspects/cusps/cusp_family.h"
+#include "aspects/uniqueness/curve_runs.h"
 #include "interval/half_turns.h"
 #include "model/angles.h"
 #include "parallel_aspects/aspects/held_joint.h"

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "aspects/cusps/cusp_family.h"
+#include "aspects/cusps/cusp_trace.h"
+#include "aspects/cusps/cusp_tube.h"
+#include "aspects/uniqueness/curve_runs.h"
 #include "parallel_aspects/aspects/held_joint.h"
 #include "parallel_aspects/aspects/uniqueness.h"
 #include "parallel_aspects/kinematics/direct.h"
@@ -15,6 +18,7 @@
 #include <atomic>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <random>
 #include <string>
 #include <vector>
@@ -203,6 +207,64 @@ TEST(CuspCurves, AgreeWithSlicesOfRandomRobots) {
     expect_points_are_cusps(robot, found, 23);
   }
   EXPECT_GT(compared, 30);
+}
+
+/// The curve through a cusp of one slice, all of it.
+std::optional<CuspTrace> trace_through(const Robot& robot, const Cusp& cusp, const Interval& range) {
+  const MapSlice slice = test::slice_of(robot, {{robot->leg(0).actuated_joint, cusp.actuated[0]}});
+  const Eigen::Vector2d rod = circle_of_anchor(*robot, *slice.joint).rod(cusp.pose);
+  const RoundingUpward rounding;
+  const HeldSlice held(*robot, slice);
+  CuspFamily family(held, held.postures().front());
+  const auto& turn = cusp.pose.orientation;
+  const MapPoint at{std::atan2(rod.y(), rod.x()) / pi,
+                    std::remainder(2.0 * std::atan2(turn.z(), turn.w()), 2.0 * pi) / pi,
+                    cusp.actuated[0] / pi};
+  const auto start = cusp_near(family, 2, at);
+  if (!start) return std::nullopt;
+  return trace_cusps(family, *start, {range.lower() / pi, range.upper() / pi, {1.0, 1.0, pi / 20.0}}, {}, {});
+}
+
+/// Each tube begins and ends at points that it holds.
+void expect_chain(const CuspTrace& trace) {
+  const RoundingUpward rounding;
+  const std::size_t count = trace.points.size();
+  EXPECT_EQ(trace.tubes.size(), trace.closed ? count : count - 1);
+  for (std::size_t i = 0; i < trace.tubes.size(); ++i) {
+    EXPECT_TRUE(contains(trace.tubes[i], trace.points[i]));
+    EXPECT_TRUE(contains(trace.tubes[i], trace.points[(i + 1) % count]));
+  }
+}
+
+CurveRuns runs_of_trace(const Robot& robot, const CuspTrace& trace, double lower, double upper) {
+  const MapSlice slice = test::slice_of(robot, {{robot->leg(0).actuated_joint, 0.5 * (lower + upper)}});
+  const RoundingUpward rounding;
+  const HeldSlice held(*robot, slice);
+  CuspFamily family(held, held.postures().front());
+  return runs_of(family, trace, {lower / pi, upper / pi});
+}
+
+// Of ten cusps in one slice some are on a curve that comes back to its start, which passes each value as
+// often up as down: so an even number of them.
+TEST(CuspTrace, ClosesCurves) {
+  const Robot robot = test::three_rpr()->with_constraints({});
+  const CuspList list = cusps_at(robot, 0, 28.1);
+  ASSERT_EQ(list.cusps.size(), 10U);
+  std::size_t closed = 0;
+  for (const Cusp& cusp : list.cusps) {
+    const auto trace = trace_through(robot, cusp, {1.0, 60.0});
+    ASSERT_TRUE(trace);
+    expect_chain(*trace);
+    if (!trace->closed) continue;
+    if (++closed > 1) continue;
+    const CurveRuns runs = runs_of_trace(robot, *trace, 1.0, 60.0);
+    ASSERT_EQ(runs.runs.size(), 1U);
+    EXPECT_TRUE(runs.runs.front().closed);
+    EXPECT_EQ(runs.runs.front().events.size(), 8U);
+    for (const CuspEvent& event : runs.runs.front().events) EXPECT_EQ(event.kind, CuspEventKind::turn);
+  }
+  EXPECT_GT(closed, 0U);
+  EXPECT_EQ(closed % 2, 0U);
 }
 
 // By differences of values over the family, all gradients, that by the held value among them.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PARALLEL_ASPECTS_ASPECTS_CUSPS_CURVE_RUNS_H
-#define PARALLEL_ASPECTS_ASPECTS_CUSPS_CURVE_RUNS_H
+#ifndef PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_CURVE_RUNS_H
+#define PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_CURVE_RUNS_H
 
 #include "aspects/cusps/cusp_family.h"
 #include "aspects/cusps/cusp_trace.h"
@@ -36,4 +36,4 @@ CurveRuns runs_of(CuspFamily& family, const CuspTrace& trace, const Interval& ra
 
 }  // namespace parallel_aspects
 
-#endif  // PARALLEL_ASPECTS_ASPECTS_CUSPS_CURVE_RUNS_H
+#endif  // PARALLEL_ASPECTS_ASPECTS_UNIQUENESS_CURVE_RUNS_H

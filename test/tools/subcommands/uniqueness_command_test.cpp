@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/command.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "support/command_run.h"
+#include <string>
+#include <vector>
+
+namespace parallel_aspects::tools {
+namespace {
+
+using nlohmann::json;
+using test::Outcome;
+using test::run;
+
+class UniquenessCommand : public test::CommandTest {};
+
+TEST_F(UniquenessCommand, ListsCurvesOfCusps) {
+  const Outcome outcome = run({"uniqueness", "three_rpr", "--cusps-over", "strut_1_joint=26:26.9", "--json"});
+  ASSERT_EQ(outcome.code, exit_code::ok) << outcome.messages;
+  const json found = json::parse(outcome.output);
+  EXPECT_EQ(found["held_joint"], "strut_1_joint");
+  EXPECT_EQ(found["lower"], 26.0);
+  EXPECT_EQ(found["upper"], 26.9);
+  EXPECT_EQ(found["cusp_curves_complete"], true);
+  EXPECT_TRUE(found["undecided"].empty());
+  std::vector<int> counts;
+  for (const json& each : found["cusp_counts"]) counts.push_back(each["cusps"]);
+  EXPECT_EQ(counts, (std::vector<int>{2, 4, 3}));
+  std::size_t turns = 0;
+  for (const json& curve : found["cusp_curves"])
+    for (const json& event : curve["events"]) turns += event["kind"] == "turn" ? 1 : 0;
+  EXPECT_EQ(turns, 1U);
+  const json& point = found["cusp_curves"][0]["points"][0];
+  EXPECT_EQ(point["held"], point["actuated"][0]);
+}
+
+TEST_F(UniquenessCommand, RefusesRangesThatAreNone) {
+  for (const char* range : {"strut_4_joint", "strut_1_joint=20:12", "strut_1_joint=5:12"}) {
+    const Outcome outcome = run({"uniqueness", "three_rpr", "--cusps-over", range});
+    EXPECT_EQ(outcome.code, exit_code::bad_input) << range;
+    EXPECT_EQ(test::line_count(outcome.messages), 1U) << outcome.messages;
+    EXPECT_EQ(outcome.output, "");
+  }
+  const Outcome unlimited =
+      run({"uniqueness", "three_rpr", "--no-constraint", "all", "--cusps-over", "strut_1_joint"});
+  EXPECT_EQ(unlimited.code, exit_code::bad_input);
+  const Outcome slice =
+      run({"uniqueness", "three_rpr", "--cusps-over", "strut_1_joint", "--slice", "strut_1_joint=12"});
+  EXPECT_NE(slice.messages.find("leave --slice"), std::string::npos) << slice.messages;
+}
+
+}  // namespace
+}  // namespace parallel_aspects::tools
