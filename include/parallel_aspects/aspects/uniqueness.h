@@ -95,8 +95,8 @@ enum class CuspEventKind {
   range_end,  ///< the value that is held comes to an end of its range
   limit,      ///< another joint comes to a limit
   turn,       ///< the value that is held turns back, so that two cusps of a slice meet and vanish there
-  serial,     ///< the leg whose joint is held passes a serial singularity, and with it the working mode changes
-  unknown,    ///< the curve was not followed farther, or more than one of these is there
+  serial,   ///< the leg whose joint is held passes a serial singularity, and with it the working mode changes
+  unknown,  ///< the curve was not followed farther, or more than one of these is there
 };
 
 /// Somewhere in this interval of the value that is held, by proof.
@@ -213,8 +213,8 @@ UniquenessResult compute_uniqueness(std::shared_ptr<const AspectMap> map,
 /// other slice see `find_uniqueness_problem`.
 CuspList find_cusps(const Manipulator& manipulator, const MapSlice& slice, const MapControl& control = {});
 
-/// The curves that cusps form over the value that is held; a cancelled list is not complete. Of a range with a
-/// `find_held_range_problem` there is no answer.
+/// The curves that cusps form over the value that is held; a cancelled list is not complete. Of a range with
+/// a `find_held_range_problem` there is no answer.
 CuspCurves find_cusp_curves(const Manipulator& manipulator, const HeldRange& range,
                             const MapControl& control = {});
 
