@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How the monitor comes to know the assembly mode: as configured, or as somebody states it.
+// How the monitor comes to know the assembly mode, as configured or as somebody states it, and forgets it.
 #include "ros/joint_states/joint_merger.h"
 #include "ros/messages/configurations.h"
 #include "ros/monitor/robot_monitor.h"
@@ -81,6 +81,24 @@ Status RobotMonitor::start_by(const ros::Time& now, const StatedSigns& stated, c
   note_start(true);
   keep_transitions();
   return {};
+}
+
+// A simulation that begins anew starts as configured; a clock that was set back says nothing of the robot.
+void RobotMonitor::forget() {
+  clock_went_back_ = !ros::Time::isSimTime();
+  publishers_.forget_claims();
+  tracker_.stop();
+  tracking_start_.reset();
+  hazards_.forget();
+  if (guard_) guard_->forget();
+  merger_.forget();
+  not_started_ = {};
+  age_.forget();
+  last_refused_ = waiting_since_ = ros::Time();
+  came_.fill({});
+  last_q_.reset();
+  status_ =
+      make_status(Status::NO_JOINT_STATES, "Time went backwards; no usable joint_states have arrived since.");
 }
 
 }  // namespace parallel_aspects

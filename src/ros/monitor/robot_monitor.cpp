@@ -382,22 +382,4 @@ void RobotMonitor::set_map(std::shared_ptr<const AspectMap> map) {
 
 void RobotMonitor::set_distance_map(const std::shared_ptr<const DistanceMap>& map) { meter_.use(map); }
 
-// A simulation that begins anew starts as configured; a clock that was set back says nothing of the robot.
-void RobotMonitor::forget() {
-  clock_went_back_ = !ros::Time::isSimTime();
-  publishers_.forget_claims();
-  tracker_.stop();
-  tracking_start_.reset();
-  hazards_.forget();
-  if (guard_) guard_->forget();
-  merger_.forget();
-  not_started_ = {};
-  age_.forget();
-  last_refused_ = waiting_since_ = ros::Time();
-  came_.fill({});
-  last_q_.reset();
-  status_ =
-      make_status(Status::NO_JOINT_STATES, "Time went backwards; no usable joint_states have arrived since.");
-}
-
 }  // namespace parallel_aspects
