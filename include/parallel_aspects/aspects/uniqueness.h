@@ -86,8 +86,9 @@ struct CuspList {
 
 /// An actuated joint that is held at each value of a range in turn.
 struct HeldRange {
-  std::size_t leg = 0;              ///< whose joint it is, from 0
-  double lower = 0.0, upper = 0.0;  ///< [m or rad]
+  std::size_t leg = 0;  ///< whose joint it is, from 0
+  double lower = 0.0;   ///< [m or rad]
+  double upper = 0.0;   ///< [m or rad]
 };
 
 /// What there is along a curve of cusps, or at its end.
@@ -101,8 +102,9 @@ enum class CuspEventKind {
 
 /// Somewhere in this interval of the value that is held, by proof.
 struct CuspEvent {
-  CuspEventKind kind = CuspEventKind::unknown;
-  double lower = 0.0, upper = 0.0;  ///< [m or rad]
+  CuspEventKind kind = CuspEventKind::unknown;  ///< what is there
+  double lower = 0.0;                           ///< [m or rad]
+  double upper = 0.0;                           ///< [m or rad]
 };
 
 /// A piece of a curve of cusps within limits, over the value that is held. That it is one, without any other
@@ -111,7 +113,7 @@ struct CuspCurve {
   /// Points of it in turn, near enough for pictures. A box about the pose and the value that is held, of half
   /// this `accuracy`, is proved to hold a cusp of the curve.
   std::vector<Cusp> points;
-  bool closed = false;
+  bool closed = false;  ///< whether it comes back to its first point
   /// Those along the curve in turn, with its ends unless it is closed. Between two of them in turn the value
   /// that is held rises all the way, or falls.
   std::vector<CuspEvent> events;
@@ -119,14 +121,15 @@ struct CuspCurve {
 
 /// The number of cusps of each slice between two values.
 struct CuspCount {
-  double lower = 0.0, upper = 0.0;  ///< [m or rad]
-  std::size_t cusps = 0;            ///< exactly, for each value between these two
+  double lower = 0.0;     ///< [m or rad]
+  double upper = 0.0;     ///< [m or rad]
+  std::size_t cusps = 0;  ///< exactly, for each value between these two
 };
 
 /// All cusps of the slices that hold a joint in a range, within limits.
 struct CuspCurves {
-  HeldRange range;
-  std::vector<CuspCurve> curves;
+  HeldRange range;                ///< that was asked for
+  std::vector<CuspCurve> curves;  ///< all that were found
   /// By rising value, all proved. Between them are events, where the number may change, and what is
   /// `undecided`.
   std::vector<CuspCount> counts;

@@ -43,6 +43,7 @@ const std::vector<std::string>& top_keys() {
                                              "joint_states_timeout",
                                              "joint_states_window",
                                              "probe",
+                                             "uniqueness",
                                              "tf_timeout",
                                              "read_only",
                                              "frame_prefix",
