@@ -11,7 +11,7 @@
 
 namespace parallel_aspects {
 
-/// Whether the whole parts of its boxes are told as well, for all working modes at once, where
+/// Whether the whole parts of its boxes are found as well, for all working modes at once, where
 /// `Detail::parts` is asked for.
 template <class Chart>
 inline constexpr bool has_slope_lanes = false;

@@ -55,7 +55,8 @@ class SignCompletion {
   /// Of a leaf all of which is connected with the poses.
   void settle(NodeIndex node) {
     if (poses_.empty()) return graph_.take_in_emptiness(tree_, node);
-    const WitnessGroups::Proofs proofs{tree_, classifier_, stars_, mode_, graph_, policy_};
+    const auto find_stars = [this](RootIndex root, const Box& box) { return find(root, box); };
+    const WitnessGroups::Proofs proofs{tree_, classifier_, find_stars, mode_, graph_, policy_};
     const std::optional<NodeIndex> leaf = WitnessGroups(proofs, node, poses_).common_leaf();
     if (leaf) graph_.take_in_whole(tree_, node, *leaf);
   }

@@ -168,7 +168,7 @@ Stars WitnessGroups::find_stars(Box box) const {
     box.lower[i] = std::max(region.lower[i], box.lower[i]);
     box.upper[i] = std::min(region.upper[i], box.upper[i]);
   }
-  return proofs_.stars.find(root_, box, region, proofs_.mode, proofs_.graph.sign());
+  return proofs_.find_stars(root_, box);
 }
 
 void WitnessGroups::unite(std::size_t a, std::size_t b) {

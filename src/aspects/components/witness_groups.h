@@ -5,11 +5,12 @@
 #include "aspects/boxes/box_classifier.h"
 #include "aspects/components/disjoint_sets.h"
 #include "aspects/components/sign_graph.h"
-#include "aspects/stars/star_finder.h"
+#include "aspects/stars/stars.h"
 #include "aspects/tree/pose_tree.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -23,7 +24,7 @@ class WitnessGroups {
   struct Proofs {
     const PoseTree& tree;
     const BoxClassifier& classifier;
-    const StarFinder& stars;
+    std::function<Stars(RootIndex, const Box&)> find_stars;  // of a box within the region
     std::size_t mode;
     SignGraph& graph;
     const ComponentPolicy& policy;

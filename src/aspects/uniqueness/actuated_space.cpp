@@ -44,13 +44,13 @@ bool may_hold(const Box& box, const LengthRanges& lengths) noexcept {
   return true;
 }
 
+}  // namespace
+
 bool holds_all(const Box& box, const LengthRanges& lengths) noexcept {
   for (std::size_t i = 0; i < 3; ++i)
     if (!(box.lower[i] <= lengths[i].lower() && lengths[i].upper() <= box.upper[i])) return false;
   return true;
 }
-
-}  // namespace
 
 ValueBox half_squares(const Box& lengths) noexcept {
   ValueBox values;

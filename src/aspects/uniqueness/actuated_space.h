@@ -47,6 +47,9 @@ struct PieceLink {
 /// Enclosures of all three lengths [m].
 using LengthRanges = std::array<Interval, 3>;
 
+/// Whether all these lengths lie in a box of all three.
+bool holds_all(const Box& box, const LengthRanges& lengths) noexcept;
+
 /// What of lengths is in pieces.
 struct LengthCover {
   bool is_complete = false;           ///< whether all of them are

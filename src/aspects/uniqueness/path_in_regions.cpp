@@ -33,12 +33,6 @@ bool may_meet(const LengthRanges& a, const LengthRanges& b) noexcept {
   return true;
 }
 
-bool contains(const Box& box, const LengthRanges& lengths) noexcept {
-  for (std::size_t i = 0; i < 3; ++i)
-    if (!(box.lower[i] <= lengths[i].lower() && lengths[i].upper() <= box.upper[i])) return false;
-  return true;
-}
-
 }  // namespace
 
 StrutSegment::StrutSegment(const Manipulator& manipulator, const StrutSlice& family, const Pose& from,
@@ -125,7 +119,7 @@ bool PathInRegions::is_proved(const StrutSegment::Enclosure& over, const Stop& f
   if (cover.is_complete) return has_ends && from.region == to.region;
   if (!cover.cell || from.piece == to.piece) return false;
   const SpaceCell& cell = space_.cells()[*cover.cell];
-  if (cell.pieces[1] || !contains(cell.box, over.lengths)) return false;
+  if (cell.pieces[1] || !holds_all(cell.box, over.lengths)) return false;
   Interval rate;
   for (std::size_t i = 0; i < 3; ++i) rate += Interval(cell.slope[i]) * over.rates[i];
   if (rate.lower() <= 0.0 && rate.upper() >= 0.0) return false;
