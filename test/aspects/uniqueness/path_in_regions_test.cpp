@@ -106,8 +106,8 @@ TEST(PathInRegions, IsNotInOneDomainBetweenSolutionsOfTheSameValues) {
 // There and back through a strip: at two poses of each value of its lengths, which are the same.
 TEST(PathInRegions, IsNotProvedThatCrossesAStripTwice) {
   std::mt19937_64 random(43);
-  int across = 0;
-  for (int i = 0; i < test::thinned(4000); ++i) {
+  for (int across = 0, tried = 0; across < 6; ++tried) {
+    ASSERT_LT(tried, 20000) << "only " << across << " segments that cross a strip";
     const Pose from = random_pose(random), to = moved(from, 2.0, random);
     if (!whole().locate(from) || !whole().locate(to)) continue;
     const auto regions = whole().regions_along({from, to});
@@ -115,7 +115,6 @@ TEST(PathInRegions, IsNotProvedThatCrossesAStripTwice) {
     ++across;
     EXPECT_FALSE(whole().regions_along({from, to, from}));
   }
-  EXPECT_GT(across, 5);
 }
 
 }  // namespace
