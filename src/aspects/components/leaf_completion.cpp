@@ -24,19 +24,40 @@ class SignCompletion {
         boxes_left_(max_boxes) {}
 
   void run(const MapControl& control) {
-    const std::size_t count = graph_.indeterminate_leaves().size();
-    for (std::size_t v = 0; v < count && boxes_left_ > 0 && !is_cancelled(control); ++v) {
-      if (control.progress) control.progress(static_cast<double>(v) / static_cast<double>(count));
-      const NodeIndex node = graph_.indeterminate_leaves().node(v);
-      if (node == no_node) continue;
-      poses_.clear();
-      parts_left_ = policy_.max_parts_for_stars;
-      if (look_into(tree_.place(node).root, tree_.box(node), policy_.levels_of_stars)) settle(node);
-    }
+    std::vector<NodeIndex> left = look_into_all(indeterminate_nodes(), control);
     graph_.settle_faces(tree_, classifier_);
+    MapControl again = control;
+    again.progress = nullptr;  // a few leaves at most
+    for (std::size_t before = left.size() + 1; !left.empty() && left.size() < before;) {
+      before = left.size();
+      left = look_into_all(left, again);
+      graph_.settle_faces(tree_, classifier_);
+    }
   }
 
  private:
+  std::vector<NodeIndex> indeterminate_nodes() const {
+    std::vector<NodeIndex> nodes;
+    for (std::size_t v = 0; v < graph_.indeterminate_leaves().size(); ++v)
+      if (graph_.indeterminate_leaves().node(v) != no_node)
+        nodes.push_back(graph_.indeterminate_leaves().node(v));
+    return nodes;
+  }
+
+  /// Returns those that lead to components which are not known to be one: the leaves that follow may join
+  /// them.
+  std::vector<NodeIndex> look_into_all(const std::vector<NodeIndex>& nodes, const MapControl& control) {
+    std::vector<NodeIndex> left;
+    for (std::size_t i = 0; i < nodes.size() && boxes_left_ > 0 && !is_cancelled(control); ++i) {
+      if (control.progress) control.progress(static_cast<double>(i) / static_cast<double>(nodes.size()));
+      poses_.clear();
+      parts_left_ = policy_.max_parts_for_stars;
+      const bool known = look_into(tree_.place(nodes[i]).root, tree_.box(nodes[i]), policy_.levels_of_stars);
+      if (known && !settle(nodes[i])) left.push_back(nodes[i]);
+    }
+    return left;
+  }
+
   /// Gathers poses that all the box has of the set is connected with; false where that is not proved.
   bool look_into(RootIndex root, const Box& box, std::uint32_t levels) {
     const Stars stars = find(root, box);
@@ -52,13 +73,17 @@ class SignCompletion {
     return true;
   }
 
-  /// Of a leaf all of which is connected with the poses.
-  void settle(NodeIndex node) {
-    if (poses_.empty()) return graph_.take_in_emptiness(tree_, node);
+  /// Of a leaf all of which is connected with the poses; false where these lead to different components.
+  bool settle(NodeIndex node) {
+    if (poses_.empty()) {
+      graph_.take_in_emptiness(tree_, node);
+      return true;
+    }
     const auto find_stars = [this](RootIndex root, const Box& box) { return find(root, box); };
     const WitnessGroups::Proofs proofs{tree_, classifier_, find_stars, mode_, graph_, policy_};
     const std::optional<NodeIndex> leaf = WitnessGroups(proofs, node, poses_).common_leaf();
     if (leaf) graph_.take_in_whole(tree_, node, *leaf);
+    return leaf.has_value();
   }
 
   // Nothing is known where too many were looked for.
