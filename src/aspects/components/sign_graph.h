@@ -67,6 +67,9 @@ class SignGraph {
   /// `RoundingUpward`.
   std::vector<NodeIndex> climb_from_new(PoseTree& tree, const BoxClassifier& classifier, bool bare_too);
 
+  /// Joins the components of two leaves, which a path leads to each other, as is proved elsewhere.
+  void join(NodeIndex a, NodeIndex b) { unite(slot(a), slot(b)); }
+
   /// Forgets a whole part that is proved empty.
   void drop(PoseTree& tree, NodeIndex node);
 

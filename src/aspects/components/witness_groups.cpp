@@ -13,7 +13,8 @@ constexpr int halvings_between_poses = 4;
 
 // Numbers found by trial.
 constexpr std::size_t climbs_of_a_group = 8, nearest_tried = 8;
-constexpr double wider = 0.1;  // of a box of two poses, for a star
+constexpr double least_edge = 0x1p-30;  // of a box of two poses, as a share of the leaf's
+constexpr int most_between = 6;         // times that stars are joined by further ones
 
 }  // namespace
 
@@ -31,7 +32,6 @@ std::optional<NodeIndex> WitnessGroups::common_leaf() {
   for (const auto& step :
        {&WitnessGroups::climb_from_groups, &WitnessGroups::join_by_stars, &WitnessGroups::rise_from_groups}) {
     (this->*step)();
-    if (contradicts()) return std::nullopt;
     if (const NodeIndex leaf = leaf_of_all(); leaf != no_node) return leaf;
   }
   return is_one_group() ? std::optional<NodeIndex>(no_node) : std::nullopt;
@@ -40,9 +40,7 @@ std::optional<NodeIndex> WitnessGroups::common_leaf() {
 /// Most poses lie close to the one before; to see that they are joined with it takes less than a climb.
 void WitnessGroups::join_along_segments() {
   for (std::size_t i = 1; i < poses_.size(); ++i)
-    if (segment_is_free(proofs_.classifier, leaf_.dimension, proofs_.mode, proofs_.graph.sign(),
-                        {root_, poses_[i]}, poses_[i - 1], halvings_between_poses))
-      unite(i, i - 1);
+    if (is_free(poses_[i - 1], poses_[i])) unite(i, i - 1);
 }
 
 void WitnessGroups::climb_from_groups() {
@@ -59,13 +57,13 @@ void WitnessGroups::join_by_stars() {
   for (bool again = true; again;) {
     again = false;
     for (std::size_t i = 0; i < poses_.size(); ++i)
-      if (leaf_of(i) == no_node) again = join_by_stars(i) || again;
+      if (!leads_to(main_leaf(), i)) again = join_by_stars(i) || again;
   }
 }
 
 bool WitnessGroups::join_by_stars(std::size_t i) {
   for (const std::size_t other : nearest_of_others(i)) {
-    if (!share_star(poses_[i], poses_[other])) continue;
+    if (!are_joined(poses_[i], poses_[other], most_between)) continue;
     unite(i, other);
     return true;
   }
@@ -93,17 +91,27 @@ double WitnessGroups::squared_distance(const MapPoint& a, const MapPoint& b) con
   return sum;
 }
 
-/// All that a box has of the set being connected with one pose, so are two poses of the set in it.
-bool WitnessGroups::share_star(const MapPoint& a, const MapPoint& b) const {
+/// Each pose of the set in a box of both is connected with one of the box's stars, so that they are joined if
+/// all of these are.
+bool WitnessGroups::are_joined(const MapPoint& a, const MapPoint& b, int more) const {
   Box box = leaf_;
   for (std::size_t i = 0; i < leaf_.dimension; ++i) {
     const auto [least, most] = std::minmax(a[i], b[i]);
-    const double more = wider * (most - least) + proofs_.policy.smallest_rise * leaf_.width(i);
-    box.lower[i] = least - more;
-    box.upper[i] = most + more;
+    box.lower[i] = least - least_edge * leaf_.width(i);
+    box.upper[i] = most + least_edge * leaf_.width(i);
   }
   const Stars stars = find_stars(box);
-  return stars.is_known && stars.count == 1;
+  if (!stars.is_known || stars.count == 0 || (stars.count > 1 && more == 0)) return false;
+  for (std::size_t k = 1; k < stars.count; ++k) {
+    const MapPoint &one = stars.poses[k - 1], &other = stars.poses[k];
+    if (!is_free(one, other) && !are_joined(one, other, more - 1)) return false;
+  }
+  return true;
+}
+
+bool WitnessGroups::is_free(const MapPoint& a, const MapPoint& b) const {
+  return segment_is_free(proofs_.classifier, leaf_.dimension, proofs_.mode, proofs_.graph.sign(), {root_, b},
+                         a, halvings_between_poses);
 }
 
 /// Out of wedges in which a climb finds no way: by stars of growing boxes about a pose.
@@ -142,8 +150,7 @@ void WitnessGroups::branch_out(std::size_t i, const Stars& stars) {
 NodeIndex WitnessGroups::common_leaf(const Branch& branch) {
   const NodeIndex first = leaf_of(branch.first);
   for (std::size_t k = branch.first; k < branch.first + branch.count; ++k)
-    if (leaf_of(k) == no_node || proofs_.graph.component(leaf_of(k)) != proofs_.graph.component(first))
-      return no_node;
+    if (!leads_to(first, k)) return no_node;
   return first;
 }
 
@@ -171,29 +178,32 @@ Stars WitnessGroups::find_stars(Box box) const {
   return proofs_.find_stars(root_, box);
 }
 
+/// Components that both lead to are one.
 void WitnessGroups::unite(std::size_t a, std::size_t b) {
-  const NodeIndex leaf = leaf_of(a) != no_node ? leaf_of(a) : leaf_of(b);
+  const NodeIndex leaf = leaf_of(a), other = leaf_of(b);
+  if (leaf != no_node && other != no_node) proofs_.graph.join(leaf, other);
   groups_.unite(static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b));
-  leaf_of(a) = leaf;
+  leaf_of(a) = leaf != no_node ? leaf : other;
 }
 
-/// Whether two groups lie in components that are not known to be one.
-bool WitnessGroups::contradicts() {
-  NodeIndex first = no_node;
-  for (std::size_t i = 0; i < asked_; ++i) {
-    const NodeIndex leaf = leaf_of(i);
-    if (leaf == no_node) continue;
-    if (first == no_node) first = leaf;
-    if (proofs_.graph.component(leaf) != proofs_.graph.component(first)) return true;
-  }
-  return false;
-}
-
-/// Of groups that do not contradict; `no_node` where not all have one.
-NodeIndex WitnessGroups::leaf_of_all() {
+/// Of the first group that leads to a component; `no_node` if none does.
+NodeIndex WitnessGroups::main_leaf() {
   for (std::size_t i = 0; i < asked_; ++i)
-    if (leaf_of(i) == no_node) return no_node;
-  return leaf_of(0);
+    if (leaf_of(i) != no_node) return leaf_of(i);
+  return no_node;
+}
+
+bool WitnessGroups::leads_to(NodeIndex leaf, std::size_t i) {
+  return leaf != no_node && leaf_of(i) != no_node &&
+         proofs_.graph.component(leaf_of(i)) == proofs_.graph.component(leaf);
+}
+
+/// `no_node` where not all groups lead to one component.
+NodeIndex WitnessGroups::leaf_of_all() {
+  const NodeIndex leaf = main_leaf();
+  for (std::size_t i = 0; i < asked_; ++i)
+    if (!leads_to(leaf, i)) return no_node;
+  return leaf;
 }
 
 bool WitnessGroups::is_one_group() {

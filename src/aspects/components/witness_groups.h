@@ -52,16 +52,18 @@ class WitnessGroups {
   NodeIndex leaf_above(const MapPoint& pose);
   void branch_out(std::size_t i, const Stars& stars);
   NodeIndex common_leaf(const Branch& branch);
-  bool share_star(const MapPoint& a, const MapPoint& b) const;
+  bool are_joined(const MapPoint& a, const MapPoint& b, int more) const;
+  bool is_free(const MapPoint& a, const MapPoint& b) const;
   double squared_distance(const MapPoint& a, const MapPoint& b) const;
   std::vector<std::size_t> nearest_of_others(std::size_t i);
   Box about(const MapPoint& pose, double share) const;
   Stars find_stars(Box box) const;
   void unite(std::size_t a, std::size_t b);
   NodeIndex& leaf_of(std::size_t i) { return leaves_[groups_.find(static_cast<std::uint32_t>(i))]; }
+  NodeIndex main_leaf();
+  bool leads_to(NodeIndex leaf, std::size_t i);
   NodeIndex leaf_of_all();
   bool is_one_group();
-  bool contradicts();
 
   const Proofs& proofs_;
   Box leaf_;

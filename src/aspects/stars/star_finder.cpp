@@ -68,7 +68,9 @@ class ChartStars final : public StarFinder {
   Stars find_with(const Forms& forms, const Box& region, const Signs& signs, int sign,
                   const std::array<std::size_t, Levels>& legs) const {
     StarSearch<Chart, Levels> search(forms, region, types_, signs, sign);
-    return search.set_levels(legs) ? search.find() : Stars();
+    if (!search.set_levels(legs)) return Stars();
+    const Stars found = search.find();
+    return !found.is_known && search.avoid_ends() ? search.find() : found;
   }
 
   static constexpr double curved_from = 1.05;  // heights over a box: largest over smallest

@@ -38,7 +38,13 @@ class StarSearch {
       coordinates_.lowest[level] = here_.entries().value(legs[level]).lower();
       coordinates_.highest[level] = here_.entries().value(legs[level]).upper();
     }
-    return choose_replaced();
+    return choose_replaced(false);
+  }
+
+  /// Replaces coordinates in whose direction the region goes on; false where these are as before, or none.
+  bool avoid_ends() {
+    const auto before = coordinates_.replaced;
+    return choose_replaced(true) && coordinates_.replaced != before;
   }
 
   /// Whether conditions take |B_jj| of legs that have no slope in the box.
@@ -177,11 +183,14 @@ class StarSearch {
     return inverse(slopes);
   }
 
-  /// The coordinates that the heights tell best.
-  bool choose_replaced() {
+  /// The coordinates that the heights tell best. Ranges of these grow, for which there may be no room at an
+  /// end of the region.
+  bool choose_replaced(bool away_from_ends) {
     double best = 0.0;
-    const auto take = [&best, this](double determinant, const std::array<std::size_t, Levels>& choice) {
+    const auto take = [&](double determinant, const std::array<std::size_t, Levels>& choice) {
       if (!(std::abs(determinant) > best)) return;
+      for (const std::size_t i : choice)
+        if (away_from_ends && is_at_end(i)) return;
       best = std::abs(determinant);
       coordinates_.replaced = choice;
     };
@@ -193,6 +202,11 @@ class StarSearch {
           take(squares_[0].slope(i) * squares_[1].slope(k) - squares_[0].slope(k) * squares_[1].slope(i),
                {i, k});
     return Levels == 0 || best > 0.0;
+  }
+
+  bool is_at_end(std::size_t i) const {
+    const double room = std::min(box().lower[i] - region_.lower[i], region_.upper[i] - box().upper[i]);
+    return room < room_needed * box().width(i);
   }
 
   /// The pose with these coordinates, each in [-1, 1] of its range.
@@ -233,6 +247,7 @@ class StarSearch {
   }
 
   static constexpr double share_of_reserve = 0.15;
+  static constexpr double room_needed = 2.0;  // edges of the box
   static constexpr int newton_steps = 4;
   static constexpr int max_halvings = Levels == 0 ? 0 : 4, max_cuts = 16;
 
