@@ -267,6 +267,27 @@ TEST_P(StarFinderTest, WhatIsProvedHoldsForRandomPoses) {
   EXPECT_GE(samples, GetParam().least_samples);
 }
 
+/// Where a turn begins, next to a pose at which det A touches a serial singularity. The angle tells the
+/// height best, but has no room to grow in.
+TEST(StarFinder, FindsStarsWhereATurnBegins) {
+  const auto robot = models::three_rrr()->mapped_manipulator();
+  const std::vector<WorkingMode> modes = working_modes(*robot);
+  const auto finder = make_star_finder(*robot, modes);
+  const auto positions = make_box_classifier(*robot, modes)->reachable_positions();
+  ASSERT_TRUE(positions);
+  const Box region =
+      make_pose_space(robot->task_space(), *positions, robot->characteristic_length())->region();
+  const Box box{
+      size, {3.42130875175645, 1.18649914081471, -1.0}, {3.42133736199321, 1.18653170129983, -0.999998}};
+  const auto mode = std::find_if(modes.begin(), modes.end(), [](const WorkingMode& each) {
+    return each.sign(0) < 0 && each.sign(1) > 0 && each.sign(2) > 0;
+  });
+  const RoundingUpward rounding;
+  const Stars stars = finder->find(0, box, region, static_cast<std::size_t>(mode - modes.begin()), 1);
+  EXPECT_TRUE(stars.is_known);
+  EXPECT_GT(stars.count, 0U);
+}
+
 INSTANTIATE_TEST_SUITE_P(Robots, StarFinderTest,
                          testing::Values(Case{"three_rpr", test::three_rpr, 400, 50, 0, 300},
                                          Case{"three_prr", shipped_three_prr, 400, 20, 0, 100},
