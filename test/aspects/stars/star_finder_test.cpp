@@ -277,8 +277,9 @@ TEST(StarFinder, FindsStarsWhereATurnBegins) {
   ASSERT_TRUE(positions);
   const Box region =
       make_pose_space(robot->task_space(), *positions, robot->characteristic_length())->region();
-  const Box box{
-      size, {3.42130875175645, 1.18649914081471, -1.0}, {3.42133736199321, 1.18653170129983, -0.999998}};
+  const Box box{size,
+                {3.42130875175645, 1.18649914081471, -1.0},
+                {3.42133736199321, 1.18653170129983, -0.999998092651367}};
   const auto mode = std::find_if(modes.begin(), modes.end(), [](const WorkingMode& each) {
     return each.sign(0) < 0 && each.sign(1) > 0 && each.sign(2) > 0;
   });
