@@ -33,6 +33,7 @@ class SignCompletion {
       left = look_into_all(left, again);
       graph_.settle_faces(tree_, classifier_);
     }
+    lead_out_of_bare_components(again);
   }
 
  private:
@@ -50,12 +51,29 @@ class SignCompletion {
     std::vector<NodeIndex> left;
     for (std::size_t i = 0; i < nodes.size() && boxes_left_ > 0 && !is_cancelled(control); ++i) {
       if (control.progress) control.progress(static_cast<double>(i) / static_cast<double>(nodes.size()));
-      poses_.clear();
-      parts_left_ = policy_.max_parts_for_stars;
-      const bool known = look_into(tree_.place(nodes[i]).root, tree_.box(nodes[i]), policy_.levels_of_stars);
-      if (known && !settle(nodes[i])) left.push_back(nodes[i]);
+      if (look_into(nodes[i]) && !settle(nodes[i])) left.push_back(nodes[i]);
     }
     return left;
+  }
+
+  /// Components without an inside leaf stood alone when they were found. They may be empty, or parts of
+  /// others that have grown since.
+  void lead_out_of_bare_components(const MapControl& control) {
+    for (std::size_t place = 0; place < graph_.members().size() && !is_cancelled(control); ++place) {
+      const NodeIndex node = graph_.members()[place];
+      if (node == no_node || graph_.is_listed(graph_.component(node)) || !look_into(node)) continue;
+      if (poses_.empty()) {
+        graph_.drop(tree_, node);
+      } else if (const auto leaf = common_leaf(node, graph_.component(node)); leaf && *leaf != no_node) {
+        graph_.join(node, *leaf);
+      }
+    }
+  }
+
+  bool look_into(NodeIndex node) {
+    poses_.clear();
+    parts_left_ = policy_.max_parts_for_stars;
+    return look_into(tree_.place(node).root, tree_.box(node), policy_.levels_of_stars);
   }
 
   /// Gathers poses that all the box has of the set is connected with; false where that is not proved.
@@ -79,11 +97,15 @@ class SignCompletion {
       graph_.take_in_emptiness(tree_, node);
       return true;
     }
-    const auto find_stars = [this](RootIndex root, const Box& box) { return find(root, box); };
-    const WitnessGroups::Proofs proofs{tree_, classifier_, find_stars, mode_, graph_, policy_};
-    const std::optional<NodeIndex> leaf = WitnessGroups(proofs, node, poses_).common_leaf();
+    const std::optional<NodeIndex> leaf = common_leaf(node, SignGraph::none);
     if (leaf) graph_.take_in_whole(tree_, node, *leaf);
     return leaf.has_value();
+  }
+
+  std::optional<NodeIndex> common_leaf(NodeIndex node, std::uint32_t except) {
+    const auto find_stars = [this](RootIndex root, const Box& box) { return find(root, box); };
+    const WitnessGroups::Proofs proofs{tree_, classifier_, find_stars, mode_, graph_, policy_};
+    return WitnessGroups(proofs, node, poses_, except).common_leaf();
   }
 
   // Nothing is known where too many were looked for.

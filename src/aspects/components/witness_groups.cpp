@@ -18,10 +18,12 @@ constexpr int most_between = 6;         // times that stars are joined by furthe
 
 }  // namespace
 
-WitnessGroups::WitnessGroups(const Proofs& proofs, NodeIndex node, std::vector<MapPoint> poses)
+WitnessGroups::WitnessGroups(const Proofs& proofs, NodeIndex node, std::vector<MapPoint> poses,
+                             std::uint32_t except)
     : proofs_(proofs),
       leaf_(proofs.tree.box(node)),
       root_(proofs.tree.place(node).root),
+      except_(except),
       asked_(poses.size()),
       poses_(std::move(poses)),
       groups_(poses_.size()),
@@ -155,7 +157,7 @@ NodeIndex WitnessGroups::common_leaf(const Branch& branch) {
 }
 
 NodeIndex WitnessGroups::leaf_above(const MapPoint& pose) {
-  return proofs_.graph.component_leaf_above(proofs_.tree, proofs_.classifier, {root_, pose});
+  return proofs_.graph.component_leaf_above(proofs_.tree, proofs_.classifier, {root_, pose}, except_);
 }
 
 /// A box with edges of this share of the leaf's.

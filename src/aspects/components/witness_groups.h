@@ -30,8 +30,9 @@ class WitnessGroups {
     const ComponentPolicy& policy;
   };
 
-  /// `poses`: proved to be in the set, in the root box of the leaf `node`; one at least.
-  WitnessGroups(const Proofs& proofs, NodeIndex node, std::vector<MapPoint> poses);
+  /// `poses`: proved to be in the set, in the root box of the leaf `node`; one at least. `except`: a
+  /// component that no leaf is looked for in, or `SignGraph::none`.
+  WitnessGroups(const Proofs& proofs, NodeIndex node, std::vector<MapPoint> poses, std::uint32_t except);
 
   /// A leaf of the component that all poses are in; `no_node` where they are one group that leads to none.
   /// Nothing where they are not proved to be connected.
@@ -68,6 +69,7 @@ class WitnessGroups {
   const Proofs& proofs_;
   Box leaf_;
   RootIndex root_;
+  std::uint32_t except_;
   std::size_t asked_;  // of the poses; those after them are of branches
   std::vector<MapPoint> poses_;
   DisjointSets groups_;  // of the poses
